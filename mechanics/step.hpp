@@ -2,6 +2,7 @@
 // One step of mechanics: predict, then adopt; loads, settings and scratch, each a type of its own.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -50,15 +51,15 @@ struct MechanicsScratch {
   } predicted;
 
   /// Local vectors of the component at hand, 3 n each, grown to the largest and kept.
-  std::vector<Eigen::VectorXd> work;
+  std::array<std::vector<double>, 8> work;
   /// Row = ComponentId: largest turn theta of an element against its component, rad, at the new
   /// state (size of the skew part of the displacement gradient); for the validity warning.
   std::vector<double> largest_turn;
 };
 
-/// What a step is a function of; nothing in it is changed.
+/// What acts on the state in one step; nothing in it is changed. The spans and references must
+/// outlive the call.
 struct StepInput {
-  const MechanicsState& state;
   std::span<const Corners> corners;  ///< |T|
   const Loads& loads;
   const IntegratorSettings& settings;
@@ -86,18 +87,16 @@ Finding to_finding(const StepStatus& status);
 /// Computes the state of `components` at the end of the step into `scratch.predicted` and changes
 /// nothing else: it may be run again, say after `apply_impulses`. Builds and factors what is
 /// missing for these components (110 ms at 6 000 tetrahedra, once), then one solve each.
-void predict(MechanicsScratch& scratch, const StepInput& input,
+void predict(MechanicsScratch& scratch, const MechanicsState& state, const StepInput& input,
              std::span<const ComponentId> components);
 
 /// Makes the predicted state of every component the present one, advances the time, and computes
 /// element stress and turn in one pass. Needs: `predict` for every living component since the last
 /// adoption. On an outcome other than fine the state is as computed, for whoever wants to look.
-StepStatus adopt(MechanicsState& state, MechanicsScratch& scratch, std::span<const Corners> corners,
-                 const IntegratorSettings& settings);
+StepStatus adopt(MechanicsState& state, MechanicsScratch& scratch, const StepInput& input);
 
 /// The whole step without contact: predict all, adopt.
-StepStatus advance(MechanicsState& state, std::span<const Corners> corners, const Loads& loads,
-                   const IntegratorSettings& settings, MechanicsScratch& scratch);
+StepStatus advance(MechanicsState& state, MechanicsScratch& scratch, const StepInput& input);
 
 /// The ids of the components that live (have tetrahedra), ascending.
 std::vector<ComponentId> living_components(const MechanicsState& state);
