@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// The one pass behind check_mesh and build_map: adjacency, orientation, orbits, and what is wrong.
+// Internal. Works in the mesh's own numbering; `finish_rows` exchanges corners only at the end.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "topology/finding.hpp"
+#include "topology/tet_mesh.hpp"
+#include "topology/volume_map.hpp"
+
+namespace sunder {
+
+/// What is known of a mesh while it is surveyed; columns have one entry a tetrahedron or a corner.
+struct Survey {
+  const TetMesh& mesh;
+  Severity bad_volume = Severity::error;
+  std::vector<Finding> findings;
+
+  /// Tetrahedra of four different points in range, and no copy of an earlier one.
+  std::vector<char> usable;
+  /// Sign of the volume where it stands out of rounding, 0 where it does not.
+  std::vector<signed char> sign;
+  /// Half-face across each face, in the mesh's numbering; none() at the boundary.
+  std::vector<std::array<HalfFaceId, 4>> neighbours;
+  /// Bit p: the outward order of face p is an odd permutation of its sorted points.
+  std::vector<std::uint8_t> odd;
+  /// Corners 2 and 3 are to be exchanged.
+  std::vector<char> flipped;
+  /// Vertex row of each corner, and the point of each row.
+  std::vector<std::array<std::uint32_t, 4>> rows;
+  std::vector<std::uint32_t> point_of_row;
+};
+
+/// A set of places that share a finding: counts all, keeps the first few.
+class Places {
+ public:
+  void add(std::size_t id) {
+    ++count_;
+    if (ids_.size() < Finding::max_ids) ids_.push_back(static_cast<std::int64_t>(id));
+  }
+  std::size_t count() const { return count_; }
+  const std::vector<std::int64_t>& ids() const { return ids_; }
+
+ private:
+  std::size_t count_ = 0;
+  std::vector<std::int64_t> ids_;
+};
+
+/// Code, severity, text and remedy of a finding. In `text`, "%" stands for the number of places.
+struct FindingWords {
+  const char* code;
+  Severity severity;
+  const char* text;
+  const char* remedy;
+};
+
+/// Appends a finding when it has a place.
+void report(Survey& survey, const FindingWords& words, const Places& places);
+
+/// Stages, in this order. Each reads what the earlier ones left.
+void survey_entries(Survey& survey);      // ranges, numbers, repeated vertices, volumes
+void survey_faces(Survey& survey);        // adjacency, copies, overfull faces
+void survey_orientation(Survey& survey);  // parity walk, then geometry
+void survey_vertices(Survey& survey);     // orbits, pinches, unused and coincident points
+
+/// All stages. Findings are sorted, errors first.
+Survey survey_mesh(const TetMesh& mesh, Severity bad_volume);
+
+/// The rows of a map from a survey without errors.
+MapRows finish_rows(Survey&& survey);
+
+}  // namespace sunder
