@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// Turns surfaces, spheres and boxes into triangles and edges.
+#include "apps/render/scene_geometry.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace sunder::render {
+namespace {
+
+using Corners = std::array<Eigen::Vector3f, 3>;
+
+std::array<float, 3> packed(const Eigen::Vector3f& v) { return {v.x(), v.y(), v.z()}; }
+
+std::array<std::uint8_t, 4> packed(Color c, float opacity = 1) {
+  const auto byte = [](float v) {
+    return static_cast<std::uint8_t>(std::lround(255 * std::clamp(v, 0.0f, 1.0f)));
+  };
+  return {byte(c.r), byte(c.g), byte(c.b), byte(opacity)};
+}
+
+void add_triangle(SceneGeometry& geometry, const Corners& p, const Corners& n, Color color) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    geometry.triangles.push_back({packed(p[i]), packed(n[i]), packed(color)});
+    geometry.casters.extend(p[i]);
+  }
+}
+
+Corners flat_normals(const Corners& p) {
+  // In double: the edges of a chip of a millimeter have a product of 1e-6, and degenerate ones 0.
+  const Eigen::Vector3d a = (p[1] - p[0]).cast<double>(), b = (p[2] - p[0]).cast<double>();
+  const Eigen::Vector3f n = a.cross(b).stableNormalized().cast<float>();
+  return {n, n, n};
+}
+
+Color face_color(const Surface& s, std::size_t t) {
+  const bool cracked = !s.face_class.empty() && s.face_class[t] == FaceClass::crack;
+  const std::uint32_t piece = s.piece.empty() ? 0 : s.piece[t];
+  // Crack faces keep their hue, so that they are known as such on every piece.
+  return cracked ? tinted(s.colors.crack, piece, 0.25f * s.colors.piece_tint)
+                 : tinted(s.colors.skin, piece, s.colors.piece_tint);
+}
+
+void add_faces(SceneGeometry& geometry, const Surface& s) {
+  for (std::size_t t = 0; t < s.triangles.size(); ++t) {
+    if (!is_drawable(s, s.triangles[t])) continue;
+    Corners p;
+    for (std::size_t i = 0; i < 3; ++i) p[i] = s.positions[s.triangles[t][i]];
+    const Corners n = s.corner_normals.empty() ? flat_normals(p) : s.corner_normals[t];
+    add_triangle(geometry, p, n, face_color(s, t));
+  }
+}
+
+void add_edges(SceneGeometry& geometry, const Surface& s) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  for (const auto& t : s.triangles) {
+    if (!is_drawable(s, t)) continue;
+    for (std::size_t i = 0; i < 3; ++i) edges.push_back(std::minmax({t[i], t[(i + 1) % 3]}));
+  }
+  std::ranges::sort(edges);
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  const float opacity = s.style == SurfaceStyle::wireframe ? 0.9f : 0.4f;
+  for (const auto& [a, b] : edges) {
+    geometry.edges.push_back(
+        {packed(s.positions[a]), packed(s.positions[b]), packed(s.colors.wire, opacity)});
+  }
+}
+
+void add_sphere(SceneGeometry& geometry, const Sphere& sphere) {
+  constexpr int rings = 32, sectors = 64;  // a silhouette of 64 sides: round at any usual size
+  const auto direction = [](int ring, int sector) {
+    const double polar = std::numbers::pi * ring / rings;
+    const double turn = 2 * std::numbers::pi * (sector % sectors) / sectors;
+    return Eigen::Vector3f(Eigen::Vector3d(std::sin(polar) * std::cos(turn),
+                                           std::sin(polar) * std::sin(turn), std::cos(polar))
+                               .cast<float>());
+  };
+  const auto add = [&](const Corners& n) {
+    const auto at = [&](int i) {
+      return Eigen::Vector3f(sphere.center + sphere.radius * n[static_cast<std::size_t>(i)]);
+    };
+    add_triangle(geometry, {at(0), at(1), at(2)}, n, sphere.color);
+  };
+  for (int r = 0; r < rings; ++r) {
+    for (int s = 0; s < sectors; ++s) {
+      const Corners upper{direction(r, s), direction(r + 1, s), direction(r, s + 1)};
+      const Corners lower{direction(r + 1, s), direction(r + 1, s + 1), direction(r, s + 1)};
+      if (r > 0) add(upper);
+      if (r < rings - 1) add(lower);
+    }
+  }
+}
+
+void add_box(SceneGeometry& geometry, const Box& box) {
+  const Eigen::Matrix3f turn = box.rotation.normalized().toRotationMatrix();
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const float side : {-1.0f, 1.0f}) {
+      const Eigen::Vector3f n = side * turn.col(axis);
+      const Eigen::Vector3f middle = box.center + box.half_extent[axis] * n;
+      const int a = (axis + 1) % 3, b = (axis + 2) % 3;
+      const Eigen::Vector3f u = box.half_extent[a] * turn.col(a);
+      const Eigen::Vector3f v = side * box.half_extent[b] * turn.col(b);
+      const Corners normals{n, n, n};
+      add_triangle(geometry, {middle - u - v, middle + u - v, middle + u + v}, normals, box.color);
+      add_triangle(geometry, {middle - u - v, middle + u + v, middle - u + v}, normals, box.color);
+    }
+  }
+}
+
+}  // namespace
+
+SceneGeometry scene_geometry(const FrameScene& scene) {
+  SceneGeometry geometry;
+  for (const Surface& s : scene.surfaces) {
+    if (s.style != SurfaceStyle::wireframe) add_faces(geometry, s);
+    if (s.style != SurfaceStyle::filled) add_edges(geometry, s);
+  }
+  for (const Sphere& s : scene.spheres) add_sphere(geometry, s);
+  for (const Box& b : scene.boxes) add_box(geometry, b);
+  return geometry;
+}
+
+}  // namespace sunder::render
