@@ -31,7 +31,7 @@ std::vector<HalfFaceId> fan_faces(const K& map, VertexId vertex, std::span<const
                                   std::span<const char> positive);
 
 /// A plane {x : normal . x = offset}, m; the normal need not have unit length.
-struct Plane {
+struct CuttingPlane {
   Point normal;
   double offset = 0;
 };
@@ -52,7 +52,7 @@ Result<std::vector<HalfFaceId>> fan_faces(const K& map, VertexId vertex, const P
 /// rest centres on different sides; same rule for the sign, same order as the fan's.
 /// Errors: `not_a_direction`, also for an offset that is not finite. O(|T|).
 template <Kernel K>
-Result<std::vector<HalfFaceId>> plane_faces(const K& map, const Plane& plane);
+Result<std::vector<HalfFaceId>> plane_faces(const K& map, const CuttingPlane& plane);
 
 /// In which order the faces of a fan are split.
 enum class FaceOrder {

@@ -118,7 +118,7 @@ Result<std::vector<HalfFaceId>> fan_faces(const K& map, VertexId vertex, const P
 }
 
 template <Kernel K>
-Result<std::vector<HalfFaceId>> plane_faces(const K& map, const Plane& plane) {
+Result<std::vector<HalfFaceId>> plane_faces(const K& map, const CuttingPlane& plane) {
   const std::optional<Point> n = canonical_direction(plane.normal);
   if (!n || !std::isfinite(plane.offset)) return detail::not_a_direction();
   // The foot of the origin on the plane: any point of it would do, this one is nearest.
