@@ -52,6 +52,7 @@ struct MechanicsScratch {
 
   /// Local vectors of the component at hand, 3 n each, grown to the largest and kept.
   std::array<std::vector<double>, 8> work;
+  std::vector<Lame> lame;  ///< row = MaterialId
   /// Row = ComponentId: largest turn theta of an element against its component, rad, at the new
   /// state (size of the skew part of the displacement gradient); for the validity warning.
   std::vector<double> largest_turn;

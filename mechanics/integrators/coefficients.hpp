@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// The numbers of the time schemes: generalised-alpha, the system matrix, the answer to an impulse.
+#pragma once
+
+#include "mechanics/component_system.hpp"
+#include "mechanics/integrators/settings.hpp"
+
+namespace sunder {
+
+/// Chung and Hulbert 1993, second order, unconditionally stable:
+/// alpha_m = (2 rho - 1)/(rho + 1), alpha_f = rho/(rho + 1), gamma = 1/2 - alpha_m + alpha_f,
+/// beta = (1 - alpha_m + alpha_f)^2 / 4. The balance of forces holds at (1 - alpha) new + alpha
+/// old.
+struct GeneralisedAlpha {
+  double alpha_m, alpha_f, beta, gamma;
+};
+constexpr GeneralisedAlpha generalised_alpha(double rho_infinity) {
+  const double alpha_m = (2 * rho_infinity - 1) / (rho_infinity + 1);
+  const double alpha_f = rho_infinity / (rho_infinity + 1);
+  const double width = 1 - alpha_m + alpha_f;
+  return {alpha_m, alpha_f, width * width / 4, 0.5 - alpha_m + alpha_f};
+}
+
+/// A = mass M + stiffness K of the integrator, Rayleigh damping C = a M + b K included:
+/// (1-alpha_m) M + (1-alpha_f) (gamma h C + beta h^2 K) for the unknown acceleration, or
+/// M + h C + h^2 K for the change of velocity of implicit_euler. Verlet has none: M.
+SystemMatrix system_matrix(const IntegratorSettings& settings);
+
+/// Displacement at the end of a step for a unit change of momentum at its start, elastic part:
+/// inverse A^-1 + mass M^-1 on deformations. From A da = -C dv - h (1-alpha_f) K dv and
+/// dd = h dv + beta h^2 da, dv = M^-1 j, with K M^-1 written through A.
+struct ImpulseAnswer {
+  double inverse = 0;  ///< s
+  double mass = 0;     ///< s
+};
+ImpulseAnswer impulse_answer(const IntegratorSettings& settings);
+
+}  // namespace sunder

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// What integrators share: a component's factored system, and loads in its frame.
+#include "mechanics/integrators/component_step.hpp"
+
+#include "mechanics/integrators/coefficients.hpp"
+
+namespace sunder {
+
+ComponentSystem& prepared_system(MechanicsScratch& scratch, const MechanicsState& state,
+                                 const StepInput& input, const Component& component) {
+  scratch.systems.resize(state.components.size());
+  scratch.local_row.resize(state.vertices.size());
+  std::unique_ptr<ComponentSystem>& system = scratch.systems[component.id.index()];
+  if (!system) {
+    system = std::make_unique<ComponentSystem>();
+    build_system(*system, scratch.local_row, state, input.corners, component);
+  }
+  factor_system(*system, system_matrix(input.settings));
+  return *system;
+}
+
+void add_body_load(LocalField load, const ComponentStep& step, const Mat3& R) {
+  const Loads& loads = step.input.loads;
+  const Vec3 g = R.transpose() * loads.gravity;
+  const ComponentSystem& system = *step.system;
+  for (std::size_t i = 0; i < system.size(); ++i) {
+    const auto column = static_cast<Eigen::Index>(i);
+    load.col(column) += system.shape.mass[column] * g;
+    if (!loads.force.empty()) {
+      load.col(column) += R.transpose() * loads.force[system.order[i].index()];
+    }
+  }
+}
+
+}  // namespace sunder

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// What every integrator is given for one component, and how it reads and writes its rows.
+#pragma once
+
+#include "mechanics/component_system.hpp"
+#include "mechanics/step.hpp"
+
+namespace sunder {
+
+/// One component in one step. Integrators read `state`, write `scratch.predicted` only.
+struct ComponentStep {
+  MechanicsScratch& scratch;
+  const MechanicsState& state;
+  const StepInput& input;
+  const Component& component;
+  ComponentSystem* system;  ///< built and factored; null for isolated tetrahedra and verlet
+};
+
+/// The system of a component, built and factored for this step: at once where that is done already.
+ComponentSystem& prepared_system(MechanicsScratch& scratch, const MechanicsState& state,
+                                 const StepInput& input, const Component& component);
+
+/// Scratch vectors of a component, by name.
+enum class Work { displacement, rate, acceleration, load, argument, product, position, spare };
+
+/// `work[which]` as 3 x n; grows, never shrinks. Contents are whatever they were.
+inline Eigen::Map<Eigen::Matrix3Xd> work_field(MechanicsScratch& scratch, Work which,
+                                               std::size_t n) {
+  std::vector<double>& buffer = scratch.work[static_cast<std::size_t>(which)];
+  if (buffer.size() < 3 * n) buffer.resize(3 * n);
+  return {buffer.data(), 3, static_cast<Eigen::Index>(n)};
+}
+
+/// The same numbers as one long vector, 3 n.
+inline Eigen::Map<Eigen::VectorXd> as_vector(Eigen::Map<Eigen::Matrix3Xd>& field) {
+  return {field.data(), field.size()};
+}
+
+/// Column i = column[order[i]].
+inline void gather(LocalField field, std::span<const VertexId> order,
+                   std::span<const Vec3> column) {
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    field.col(static_cast<Eigen::Index>(i)) = column[order[i].index()];
+  }
+}
+
+/// column[order[i]] = column i.
+inline void scatter(std::span<Vec3> column, std::span<const VertexId> order,
+                    ConstLocalField field) {
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    column[order[i].index()] = field.col(static_cast<Eigen::Index>(i));
+  }
+}
+
+/// Adds m g + force, turned into the body frame.
+void add_body_load(LocalField load, const ComponentStep& step, const Mat3& R);
+
+/// Present velocity of a held vertex, m/s.
+inline Vec3 support_velocity(const MechanicsState& state, VertexId vertex) {
+  return state.motions[state.vertices.support[vertex.index()].index()].velocity;
+}
+
+}  // namespace sunder

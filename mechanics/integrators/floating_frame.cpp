@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+// Floating frame of reference with a constant factor.
+#include "mechanics/integrators/floating_frame.hpp"
+
+#include "mechanics/integrators/coefficients.hpp"
+#include "mechanics/integrators/rigid_motion.hpp"
+#include "mechanics/rotation.hpp"
+
+namespace sunder {
+namespace {
+
+using Field = Eigen::Map<Eigen::Matrix3Xd>;
+
+/// The fields of the component at hand, in its system's numbering.
+struct Deformation {
+  Field displacement, rate, acceleration;
+};
+
+Deformation gather_deformation(const ComponentStep& step) {
+  const std::size_t n = step.system->size();
+  Deformation d{work_field(step.scratch, Work::displacement, n),
+                work_field(step.scratch, Work::rate, n),
+                work_field(step.scratch, Work::acceleration, n)};
+  const VertexColumns& vertices = step.state.vertices;
+  gather(d.displacement, step.system->order, vertices.displacement);
+  gather(d.rate, step.system->order, vertices.displacement_rate);
+  gather(d.acceleration, step.system->order, vertices.displacement_acceleration);
+  return d;
+}
+
+/// h v^T C v with the mean rate of the step, J.
+double damping_work(const ComponentStep& step, const Field& rate_old, const Field& rate_new) {
+  const RayleighDamping& damping = step.input.settings.damping;
+  Field mean = work_field(step.scratch, Work::argument, step.system->size());
+  Field product = work_field(step.scratch, Work::product, step.system->size());
+  mean = 0.5 * (rate_old + rate_new);
+  multiply_stiffness(as_vector(product), *step.system, as_vector(mean));
+  const double inner = mean.colwise().squaredNorm().dot(step.system->shape.mass.transpose());
+  return step.input.settings.time_step *
+         (damping.mass_factor * inner +
+          damping.stiffness_factor * mean.cwiseProduct(product).sum());
+}
+
+/// Generalised-alpha for M d'' + C d' + K d = load, in place; gives the damping work. Held vertices
+/// go on at their constant rate: their acceleration is zero and drops out of the system.
+double advance_deformation(const ComponentStep& step, Deformation& d, const Field& load) {
+  const IntegratorSettings& settings = step.input.settings;
+  const auto [alpha_m, alpha_f, beta, gamma] = generalised_alpha(settings.rho_infinity);
+  const auto [a, b] = settings.damping;
+  const double h = settings.time_step;
+  const std::size_t n = step.system->size();
+  const bool damped = a > 0 || b > 0;
+
+  Field rate_old = work_field(step.scratch, Work::spare, n);
+  if (damped) rate_old = d.rate;
+  Field argument = work_field(step.scratch, Work::argument, n);
+  argument = alpha_f * (d.displacement + b * d.rate);
+  Field rhs = work_field(step.scratch, Work::product, n);
+  // d and d' become their predictors; the weighted rate is alpha_f old + (1 - alpha_f) predictor.
+  d.displacement += h * d.rate + h * h * (0.5 - beta) * d.acceleration;
+  d.rate += h * (1 - gamma) * d.acceleration;
+  argument += (1 - alpha_f) * (d.displacement + b * d.rate);
+  multiply_stiffness(as_vector(rhs), *step.system, as_vector(argument));
+
+  const Eigen::VectorXd& mass = step.system->shape.mass;
+  for (Eigen::Index i = 0; i < mass.size(); ++i) {
+    const Vec3 weighted_rate = d.rate.col(i) - alpha_f * h * (1 - gamma) * d.acceleration.col(i);
+    rhs.col(i) =
+        load.col(i) - rhs.col(i) - mass[i] * (alpha_m * d.acceleration.col(i) + a * weighted_rate);
+  }
+  solve_system(*step.system, as_vector(rhs).head(3 * step.system->free_count));
+  rhs.rightCols(static_cast<Eigen::Index>(n - step.system->free_count)).setZero();
+  d.acceleration = rhs;
+  d.displacement += beta * h * h * d.acceleration;
+  d.rate += gamma * h * d.acceleration;
+  return damped ? damping_work(step, rate_old, d.rate) : 0;
+}
+
+/// Angular velocity of the frame and its derivative, body frame, at the start of the step.
+struct Spin {
+  Mat3 inertia;
+  Vec3 inner;  ///< sum m q x d'
+  Vec3 velocity, acceleration;
+};
+
+Spin present_spin(const ComponentStep& step, const Deformation& d, const Field& q,
+                  const Vec3& torque) {
+  const Eigen::VectorXd& mass = step.system->shape.mass;
+  Spin spin;
+  spin.inertia = inertia_of(mass, q);
+  spin.inner = moment_of(mass, q, d.rate);
+  const Eigen::LDLT<Mat3> solver(spin.inertia);
+  const Vec3 l = step.component.orientation.conjugate() * step.component.angular_momentum;
+  spin.velocity = solver.solve(l - spin.inner);
+  // d/dt (I w + sum m q x d') = R^T tau - w x l, with I' w = sum m [2 (q.d') w - d' (q.w) - q
+  // (d'.w)]
+  Mat3 mixed = Mat3::Zero();
+  for (Eigen::Index i = 0; i < q.cols(); ++i) {
+    mixed += mass[i] * q.col(i) * d.rate.col(i).transpose();
+  }
+  const Vec3& w = spin.velocity;
+  const Vec3 inertia_rate = 2 * mixed.trace() * w - mixed.transpose() * w - mixed * w;
+  spin.acceleration = solver.solve(step.component.orientation.conjugate() * torque - w.cross(l) -
+                                   moment_of(mass, q, d.acceleration) - inertia_rate);
+  return spin;
+}
+
+/// b at the time where generalised-alpha balances forces, freed of its rigid part. Positions and
+/// rates are extrapolated there: taken at the start, the Coriolis force lags and feeds energy in.
+Field inertial_load(const ComponentStep& step, const Deformation& d, const Spin& spin) {
+  const IntegratorSettings& settings = step.input.settings;
+  const double ahead = (1 - generalised_alpha(settings.rho_infinity).alpha_f) * settings.time_step;
+  const RestShape& shape = step.system->shape;
+  Field load = work_field(step.scratch, Work::load, step.system->size());
+  const Vec3 w = spin.velocity + ahead * spin.acceleration;
+  for (Eigen::Index i = 0; i < load.cols(); ++i) {
+    const Vec3 displaced = d.displacement.col(i) + ahead * d.rate.col(i);
+    const Vec3 rate = d.rate.col(i) + ahead * d.acceleration.col(i);
+    const Vec3 q = shape.arm.col(i) + displaced;
+    load.col(i) = -shape.mass[i] *
+                  (w.cross(w.cross(q)) + 2 * w.cross(rate) + spin.acceleration.cross(displaced));
+  }
+  // Gravity is rigid: it would be projected out again, and leave its rounding.
+  if (!step.input.loads.force.empty()) {
+    const Mat3 R =
+        (step.component.orientation * rotation_of(ahead * spin.velocity)).toRotationMatrix();
+    add_body_load(load, step, R);
+  }
+  project_load(load, shape);
+  return load;
+}
+
+/// Moves what rounding left of rigid motion in d and d' into the frame: no vertex moves.
+void settle_frame(const ComponentStep& step, Deformation& d, PredictedFrame& next) {
+  const RestShape& shape = step.system->shape;
+  const Vec3 shift = d.displacement * shape.mass / shape.total_mass;
+  d.displacement.colwise() -= shift;
+  next.centre += next.orientation * shift;
+
+  Field q = work_field(step.scratch, Work::position, step.system->size());
+  q = shape.arm + d.displacement;
+  Mat3 A = Mat3::Zero();
+  for (Eigen::Index i = 0; i < q.cols(); ++i) {
+    A += shape.mass[i] * q.col(i) * shape.arm.col(i).transpose();
+  }
+  const Eigen::Quaterniond turn = refine_rotation(A, Eigen::Quaterniond::Identity());
+  const Mat3 back = turn.toRotationMatrix().transpose();
+  next.orientation = (next.orientation * turn).normalized();
+  q = (back * q).eval();
+  d.displacement = q - shape.arm;
+  d.rate = (back * d.rate).eval();
+  d.acceleration = (back * d.acceleration).eval();
+  project_rate(d.rate, shape, q);
+  project_acceleration(d.acceleration, shape);
+}
+
+/// Writes the rows; `q` must be arm + displacement, `spin` the body-frame angular velocity.
+void write_rows(const ComponentStep& step, const Deformation& d, const PredictedFrame& next,
+                const Vec3& spin, const Vec3& velocity) {
+  MechanicsScratch::Predicted& predicted = step.scratch.predicted;
+  const ComponentSystem& system = *step.system;
+  const Mat3 R = next.orientation.toRotationMatrix();
+  for (std::size_t i = 0; i < system.size(); ++i) {
+    const auto column = static_cast<Eigen::Index>(i);
+    const std::size_t v = system.order[i].index();
+    const Vec3 q = system.shape.arm.col(column) + d.displacement.col(column);
+    predicted.position[v] = next.centre + R * q;
+    predicted.velocity[v] = velocity + R * (spin.cross(q) + d.rate.col(column));
+  }
+  scatter(predicted.displacement, system.order, d.displacement);
+  scatter(predicted.displacement_rate, system.order, d.rate);
+  scatter(predicted.displacement_acceleration, system.order, d.acceleration);
+  predicted.frame[step.component.id.index()] = next;
+}
+
+void step_free(const ComponentStep& step) {
+  const ComponentSystem& system = *step.system;
+  const Eigen::VectorXd& mass = system.shape.mass;
+  Deformation d = gather_deformation(step);
+  Field q = work_field(step.scratch, Work::position, system.size());
+  q = system.shape.arm + d.displacement;
+
+  const RigidLoad load = rigid_load(step);
+  const Spin spin = present_spin(step, d, q, load.torque);
+  const Field b = inertial_load(step, d, spin);
+  PredictedFrame next = advance_centre(step, load);
+  next.damping_work = advance_deformation(step, d, b);
+
+  q = system.shape.arm + d.displacement;
+  const Mat3 inertia_new = inertia_of(mass, q);
+  const Vec3 inner_new = moment_of(mass, q, d.rate);
+  next.orientation = turn_through_step(
+      step.component.orientation,
+      {0.5 * (spin.inertia + inertia_new), 0.5 * (spin.inner + inner_new),
+       step.component.angular_momentum, next.angular_momentum, step.input.settings.time_step});
+
+  settle_frame(step, d, next);
+  q = system.shape.arm + d.displacement;
+  const Vec3 l = next.orientation.conjugate() * next.angular_momentum;
+  const Vec3 w = inertia_of(mass, q).ldlt().solve(l - moment_of(mass, q, d.rate));
+  write_rows(step, d, next, w, next.momentum / step.component.mass);
+}
+
+void step_supported(const ComponentStep& step) {
+  const Component& body = step.component;
+  Deformation d = gather_deformation(step);
+  Field load = work_field(step.scratch, Work::load, step.system->size());
+  load.setZero();
+  add_body_load(load, step, body.orientation.toRotationMatrix());
+
+  PredictedFrame next;
+  next.damping_work = advance_deformation(step, d, load);
+  next.centre = body.centre + step.input.settings.time_step * body.frame_velocity;
+  next.orientation = body.orientation;
+  write_rows(step, d, next, Vec3::Zero(), body.frame_velocity);
+
+  MechanicsScratch::Predicted& predicted = step.scratch.predicted;
+  PredictedFrame& frame = predicted.frame[body.id.index()];
+  for (VertexId v : body.vertices) {
+    const Vec3 p = step.state.vertices.mass[v.index()] * predicted.velocity[v.index()];
+    frame.momentum += p;
+    frame.angular_momentum += (predicted.position[v.index()] - next.centre).cross(p);
+  }
+}
+
+}  // namespace
+
+void step_floating_frame(const ComponentStep& step) {
+  if (step.component.supported) {
+    step_supported(step);
+  } else {
+    step_free(step);
+  }
+}
+
+}  // namespace sunder

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+// Linearised implicit Euler on the constant factor.
+#include "mechanics/integrators/implicit_euler.hpp"
+
+#include "mechanics/fit_motion.hpp"
+#include "mechanics/integrators/rigid_motion.hpp"
+
+namespace sunder {
+namespace {
+
+using Field = Eigen::Map<Eigen::Matrix3Xd>;
+
+/// The frame the step is linearised in.
+RigidFrame linearisation_frame(const ComponentStep& step) {
+  const Component& body = step.component;
+  const VertexColumns& vertices = step.state.vertices;
+  if (body.supported || step.input.settings.euler_frame == EulerFrame::current) {
+    return {body.centre, body.orientation};
+  }
+  // The rows of `predicted` are free until the end of the step.
+  std::vector<Vec3>& ahead = step.scratch.predicted.position;
+  for (VertexId v : body.vertices) {
+    ahead[v.index()] =
+        vertices.position[v.index()] + step.input.settings.time_step * vertices.velocity[v.index()];
+  }
+  return rigid_reference(body, vertices, ahead);
+}
+
+/// Takes the net torque of g = K d out of it, as `deformation_forces` does: g -= m y x r0.
+void make_conservative(Field& g, const Field& displacement, const RestShape& shape) {
+  Vec3 torque = Vec3::Zero();
+  Mat3 S = Mat3::Zero();
+  for (Eigen::Index i = 0; i < g.cols(); ++i) {
+    const Vec3 d = displacement.col(i);
+    torque += d.cross(Vec3(g.col(i)));
+    S += shape.mass[i] * (shape.arm.col(i) + d) * shape.arm.col(i).transpose();
+  }
+  Mat3 G = -0.5 * (S + S.transpose());
+  G.diagonal().array() += S.trace();
+  const Vec3 y = G.ldlt().solve(torque);
+  for (Eigen::Index i = 0; i < g.cols(); ++i) {
+    g.col(i) -= shape.mass[i] * y.cross(Vec3(shape.arm.col(i)));
+  }
+}
+
+/// Right side: impulse of outer, elastic and damping forces in body frame, N s.
+Field impulse_of_forces(const ComponentStep& step, const RigidFrame& frame, const Field& rate) {
+  const IntegratorSettings& settings = step.input.settings;
+  const double h = settings.time_step;
+  const ComponentSystem& system = *step.system;
+  const bool at_start = step.component.supported || settings.euler_frame == EulerFrame::current;
+  const Mat3 R = frame.orientation.toRotationMatrix();
+
+  Field displacement = work_field(step.scratch, Work::displacement, system.size());
+  for (std::size_t i = 0; i < system.size(); ++i) {
+    const std::size_t v = system.order[i].index();
+    const Vec3 x =
+        at_start ? step.state.vertices.position[v]
+                 : Vec3(step.state.vertices.position[v] + h * step.state.vertices.velocity[v]);
+    const auto column = static_cast<Eigen::Index>(i);
+    displacement.col(column) = R.transpose() * (x - frame.centre) - system.shape.arm.col(column);
+  }
+  Field g = work_field(step.scratch, Work::product, system.size());
+  multiply_stiffness(as_vector(g), system, as_vector(displacement));
+  if (!step.component.supported) make_conservative(g, displacement, system.shape);
+
+  Field load = work_field(step.scratch, Work::load, system.size());
+  load.setZero();
+  add_body_load(load, step, R);
+  load = h * (load - g);
+
+  Field deforming = work_field(step.scratch, Work::argument, system.size());
+  deforming = rate;
+  if (!step.component.supported) project_acceleration(deforming, system.shape);
+  multiply_stiffness(as_vector(g), system, as_vector(deforming));
+  const auto [a, b] = settings.damping;
+  load -=
+      (h * b + (at_start ? h * h : 0)) * g + h * a * (deforming * system.shape.mass.asDiagonal());
+  return load;
+}
+
+/// Positions and velocities at the end are in `predicted`; fits the frame to them.
+PredictedFrame fit_prediction(const ComponentStep& step) {
+  MechanicsScratch::Predicted& predicted = step.scratch.predicted;
+  const Component& body = step.component;
+  const MotionInput motion{step.state.vertices, predicted.position, predicted.velocity};
+  const DeformationOutput out{predicted.displacement, predicted.displacement_rate};
+  const RigidFrame moved{body.centre + step.input.settings.time_step * body.frame_velocity,
+                         body.orientation};
+  const FittedMotion fitted =
+      body.supported ? express_motion(out, motion, body, moved) : fit_motion(out, motion, body);
+  for (VertexId v : body.vertices) predicted.displacement_acceleration[v.index()].setZero();
+  return {fitted.frame.centre, fitted.frame.orientation, fitted.momentum, fitted.angular_momentum,
+          0};
+}
+
+}  // namespace
+
+void step_implicit_euler(const ComponentStep& step) {
+  const ComponentSystem& system = *step.system;
+  const IntegratorSettings& settings = step.input.settings;
+  const RigidFrame frame = linearisation_frame(step);
+  const Mat3 R = frame.orientation.toRotationMatrix();
+
+  Field rate = work_field(step.scratch, Work::rate, system.size());
+  gather(rate, system.order, step.state.vertices.velocity);
+  rate = (R.transpose() * (rate.colwise() - step.component.frame_velocity)).eval();
+
+  // Rigid accelerations are exact and undamped; A answers the rest.
+  Field change = impulse_of_forces(step, frame, rate);
+  RigidField rigid;
+  if (!step.component.supported) rigid = project_load(change, system.shape);
+  solve_system(system, as_vector(change).head(3 * system.free_count));
+  change.rightCols(static_cast<Eigen::Index>(system.size() - system.free_count)).setZero();
+  if (!step.component.supported) {
+    for (Eigen::Index i = 0; i < change.cols(); ++i) {
+      change.col(i) += rigid.translation + rigid.rotation.cross(Vec3(system.shape.arm.col(i)));
+    }
+  }
+
+  MechanicsScratch::Predicted& predicted = step.scratch.predicted;
+  for (std::size_t i = 0; i < system.size(); ++i) {
+    const std::size_t v = system.order[i].index();
+    predicted.velocity[v] =
+        step.state.vertices.velocity[v] + R * change.col(static_cast<Eigen::Index>(i));
+    predicted.position[v] =
+        step.state.vertices.position[v] + settings.time_step * predicted.velocity[v];
+  }
+  predicted.frame[step.component.id.index()] = fit_prediction(step);
+}
+
+}  // namespace sunder

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// The six rigid degrees of freedom of a free component, and isolated tetrahedra, which have no
+// other.
+#pragma once
+
+#include "mechanics/integrators/component_step.hpp"
+
+namespace sunder {
+
+/// Force and torque about the centre, world, N and N m, at the start of the step.
+struct RigidLoad {
+  Vec3 force = Vec3::Zero();
+  Vec3 torque = Vec3::Zero();
+};
+RigidLoad rigid_load(const ComponentStep& step);
+
+/// c += h P/M + h^2 F/(2 M), P += h F, L += h tau: a parabola under gravity, to rounding. The
+/// orientation is left alone.
+PredictedFrame advance_centre(const ComponentStep& step, const RigidLoad& load);
+
+/// What the turn of a step depends on.
+struct SpinStep {
+  Mat3 inertia;                     ///< body frame, middle of the step, kg m^2
+  Vec3 inner = Vec3::Zero();        ///< sum m q x d', body frame, middle of the step, kg m^2/s
+  Vec3 momentum_old, momentum_new;  ///< L, world, start and end
+  double time_step = 0;
+};
+
+/// R at the end of the step: the implicit midpoint rule w = I^-1 ((l_old + l_new) / 2 - inner),
+/// l = R^T L, with R_new = R exp(h w). |L| is exact because L is kept and R follows; the energy
+/// l . I^-1 l of a rigid body is kept exactly too, and a steady spin turns by the exact angle.
+/// Turns of more than a quarter radian are cut into sub-steps, 256 at most.
+Eigen::Quaterniond turn_through_step(const Eigen::Quaterniond& start, const SpinStep& spin);
+
+/// A step of an isolated tetrahedron: a rigid body with the inertia of its lumped vertices.
+void step_rigid_body(const ComponentStep& step);
+
+}  // namespace sunder

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// Check of the integrator's settings, and the coefficients that follow from them.
+#include "mechanics/integrators/settings.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "mechanics/integrators/coefficients.hpp"
+
+namespace sunder {
+namespace {
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
+Finding refused(const char* code, std::string text, const char* remedy) {
+  Finding finding;
+  finding.code = code;
+  finding.text = std::move(text);
+  finding.remedy = remedy;
+  return finding;
+}
+
+}  // namespace
+
+std::vector<Finding> check(const IntegratorSettings& settings, std::string_view place) {
+  std::vector<Finding> findings;
+  const std::string at(place);
+  // Written so that a NaN fails each test.
+  if (!(settings.time_step > 0 && std::isfinite(settings.time_step))) {
+    findings.push_back(refused("bad_time_step",
+                               at + ".time_step is " + number(settings.time_step) +
+                                   "; allowed is a finite number above 0 s.",
+                               "Start with 1e-3 s."));
+  }
+  if (!(settings.rho_infinity >= 0 && settings.rho_infinity <= 1)) {
+    findings.push_back(
+        refused("bad_rho_infinity",
+                at + ".rho_infinity is " + number(settings.rho_infinity) + "; allowed is 0 to 1.",
+                "Leave it out: 0 does not ring."));
+  }
+  const auto need_damping = [&](const char* key, double value, const char* unit) {
+    if (value >= 0 && std::isfinite(value)) return;
+    findings.push_back(refused("bad_damping",
+                               at + ".damping." + key + " is " + number(value) +
+                                   "; allowed is a finite number from 0 " + unit + " on.",
+                               "Leave it out for no damping."));
+  };
+  need_damping("mass_factor", settings.damping.mass_factor, "1/s");
+  need_damping("stiffness_factor", settings.damping.stiffness_factor, "s");
+  const bool damped = settings.damping.mass_factor != 0 || settings.damping.stiffness_factor != 0;
+  if (settings.integrator == Integrator::verlet && damped) {
+    findings.push_back(refused("damping_not_supported",
+                               at + ".damping is set, but the integrator verlet has none.",
+                               "Leave the damping out, or use floating_frame."));
+  }
+  return findings;
+}
+
+SystemMatrix system_matrix(const IntegratorSettings& settings) {
+  const double h = settings.time_step;
+  const auto [a, b] = settings.damping;
+  switch (settings.integrator) {
+    case Integrator::floating_frame: {
+      const GeneralisedAlpha g = generalised_alpha(settings.rho_infinity);
+      const double rate = (1 - g.alpha_f) * g.gamma * h;
+      return {1 - g.alpha_m + rate * a, rate * b + (1 - g.alpha_f) * g.beta * h * h};
+    }
+    case Integrator::implicit_euler:
+      return {1 + h * a, h * b + h * h};
+    case Integrator::verlet:
+      break;
+  }
+  return {1, 0};
+}
+
+ImpulseAnswer impulse_answer(const IntegratorSettings& settings) {
+  const double h = settings.time_step;
+  const auto [a, b] = settings.damping;
+  switch (settings.integrator) {
+    case Integrator::floating_frame: {
+      const GeneralisedAlpha g = generalised_alpha(settings.rho_infinity);
+      const SystemMatrix A = system_matrix(settings);
+      // A dd = h (1-alpha_m) j + excess C M^-1 j
+      const double excess = h * h * ((1 - g.alpha_f) * g.gamma - g.beta);
+      const double mass = excess * b / A.stiffness;
+      return {h * (1 - g.alpha_m) + excess * a - mass * A.mass, mass};
+    }
+    case Integrator::implicit_euler:
+      return {h, 0};
+    case Integrator::verlet:
+      break;
+  }
+  return {0, h};
+}
+
+}  // namespace sunder

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+// Predict and adopt: one step of mechanics for every component.
+#include "mechanics/step.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+
+#include "mechanics/integrators/component_step.hpp"
+#include "mechanics/integrators/floating_frame.hpp"
+#include "mechanics/integrators/implicit_euler.hpp"
+#include "mechanics/integrators/rigid_motion.hpp"
+#include "mechanics/integrators/verlet.hpp"
+#include "mechanics/strain_displacement.hpp"
+#include "topology/assert.hpp"
+
+namespace sunder {
+namespace {
+
+/// As many rows in `predicted` as the state has.
+void fit_rows(MechanicsScratch& scratch, const MechanicsState& state) {
+  const std::size_t n = state.vertices.size();
+  MechanicsScratch::Predicted& p = scratch.predicted;
+  for (std::vector<Vec3>* column : {&p.position, &p.velocity, &p.displacement, &p.displacement_rate,
+                                    &p.displacement_acceleration}) {
+    column->resize(n, Vec3::Zero());
+  }
+  p.frame.resize(state.components.size());
+}
+
+void predict_component(MechanicsScratch& scratch, const MechanicsState& state,
+                       const StepInput& input, const Component& component) {
+  ComponentStep step{scratch, state, input, component, nullptr};
+  if (component.isolated) {
+    step_rigid_body(step);
+    return;
+  }
+  if (input.settings.integrator == Integrator::verlet) {
+    step_verlet(step);
+    return;
+  }
+  step.system = &prepared_system(scratch, state, input, component);
+  if (input.settings.integrator == Integrator::implicit_euler) {
+    step_implicit_euler(step);
+  } else {
+    step_floating_frame(step);
+  }
+}
+
+/// Columns of the state and of the prediction change places; frames are copied.
+void take_prediction(MechanicsState& state, MechanicsScratch& scratch) {
+  MechanicsScratch::Predicted& p = scratch.predicted;
+  VertexColumns& v = state.vertices;
+  v.position.swap(p.position);
+  v.velocity.swap(p.velocity);
+  v.displacement.swap(p.displacement);
+  v.displacement_rate.swap(p.displacement_rate);
+  v.displacement_acceleration.swap(p.displacement_acceleration);
+  for (Component& component : state.components) {
+    if (component.tetrahedra.empty()) continue;
+    const PredictedFrame& frame = p.frame[component.id.index()];
+    component.centre = frame.centre;
+    component.orientation = frame.orientation;
+    component.momentum = frame.momentum;
+    component.angular_momentum = frame.angular_momentum;
+  }
+}
+
+/// Element stress (eq. 5) and the largest turn of an element in each component, in one pass.
+void measure_elements(MechanicsState& state, MechanicsScratch& scratch,
+                      std::span<const Corners> corners) {
+  scratch.lame.clear();
+  for (const Material& material : state.materials) scratch.lame.push_back(lame(material));
+  scratch.largest_turn.assign(state.components.size(), 0);
+  ElementColumns& elements = state.elements;
+  for (std::size_t t = 0; t < elements.size(); ++t) {
+    const CornerVectors d = at_corners(state.vertices.displacement, corners[t]);
+    const Mat3 H = displacement_gradient(elements.shape_gradient[t], d);
+    elements.stress[t] = stress_of(H, scratch.lame[elements.material[t].index()]);
+    double& largest = scratch.largest_turn[elements.component[t].index()];
+    largest = std::max(largest, turn_of(H));
+  }
+}
+
+/// The first vertex that is not a number, or else the first that has left its body.
+StepStatus judge(const MechanicsState& state) {
+  // Ten radii: no linear displacement means anything there, and no bounded motion gets there.
+  constexpr double most_radii = 10;
+  const VertexColumns& vertices = state.vertices;
+  StepStatus status;
+  status.time = state.time;
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    const bool finite = vertices.position[v].allFinite() && vertices.velocity[v].allFinite();
+    const Component& component = state.components[vertices.component[v].index()];
+    const double displacement = vertices.displacement[v].norm();
+    const bool near = displacement <= most_radii * component.rest_radius;
+    if (finite && near) continue;
+    if (finite && status.outcome == StepOutcome::diverged) continue;
+    status.outcome = finite ? StepOutcome::diverged : StepOutcome::not_a_number;
+    status.vertex = VertexId{v};
+    status.component = component.id;
+    status.displacement = displacement;
+    if (!finite) break;
+  }
+  return status;
+}
+
+}  // namespace
+
+MechanicsScratch::MechanicsScratch() = default;
+MechanicsScratch::~MechanicsScratch() = default;
+MechanicsScratch::MechanicsScratch(MechanicsScratch&&) noexcept = default;
+MechanicsScratch& MechanicsScratch::operator=(MechanicsScratch&&) noexcept = default;
+
+void predict(MechanicsScratch& scratch, const MechanicsState& state, const StepInput& input,
+             std::span<const ComponentId> components) {
+  SUNDER_ASSERT(input.corners.size() == state.elements.size(), "predict: corners of another mesh");
+  SUNDER_ASSERT(input.loads.force.empty() || input.loads.force.size() == state.vertices.size(),
+                "predict: one force a vertex, or none");
+  fit_rows(scratch, state);
+  for (ComponentId id : components) {
+    SUNDER_ASSERT(id.index() < state.components.size(), "predict: no such component");
+    const Component& component = state.components[id.index()];
+    if (!component.tetrahedra.empty()) predict_component(scratch, state, input, component);
+  }
+}
+
+StepStatus adopt(MechanicsState& state, MechanicsScratch& scratch, const StepInput& input) {
+  SUNDER_ASSERT(scratch.predicted.position.size() == state.vertices.size(),
+                "adopt: nothing predicted for these vertices");
+  double damping_work = 0;
+  for (const Component& component : state.components) {
+    if (!component.tetrahedra.empty()) {
+      damping_work += scratch.predicted.frame[component.id.index()].damping_work;
+    }
+  }
+  take_prediction(state, scratch);
+  state.time += input.settings.time_step;
+  measure_elements(state, scratch, input.corners);
+  StepStatus status = judge(state);
+  status.damping_work = damping_work;
+  return status;
+}
+
+StepStatus advance(MechanicsState& state, MechanicsScratch& scratch, const StepInput& input) {
+  for (const Component& component : state.components) {
+    predict(scratch, state, input, {&component.id, 1});
+  }
+  return adopt(state, scratch, input);
+}
+
+std::vector<ComponentId> living_components(const MechanicsState& state) {
+  std::vector<ComponentId> living;
+  for (const Component& component : state.components) {
+    if (!component.tetrahedra.empty()) living.push_back(component.id);
+  }
+  return living;
+}
+
+Finding to_finding(const StepStatus& status) {
+  SUNDER_ASSERT(status.outcome != StepOutcome::fine, "to_finding: the step was fine");
+  const bool diverged = status.outcome == StepOutcome::diverged;
+  char text[200];
+  if (diverged) {
+    std::snprintf(text, sizeof text,
+                  "At %.9g s vertex %u of component %u is displaced by %.6g m, more than ten radii "
+                  "of its component.",
+                  status.time, status.vertex.value, status.component.value, status.displacement);
+  } else {
+    std::snprintf(text, sizeof text,
+                  "At %.9g s the position or velocity of vertex %u of component %u is not a finite "
+                  "number.",
+                  status.time, status.vertex.value, status.component.value);
+  }
+  Finding finding;
+  finding.code = diverged ? "diverged" : "not_a_number";
+  finding.ids = {static_cast<std::int64_t>(status.vertex.value)};
+  finding.text = text;
+  finding.remedy =
+      "Take the integrator floating_frame, or for verlet a time step below explicit_step_bound; "
+      "look for loads that are too large for the material.";
+  return finding;
+}
+
+}  // namespace sunder
