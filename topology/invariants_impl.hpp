@@ -51,30 +51,6 @@ HalfFaceId next_on_boundary(const K& map, typename K::Dart d) {
   return HalfFaceId{map.id(d).index() / 3};
 }
 
-template <Kernel K>
-std::size_t count_boundary_sheets(const K& map) {
-  std::vector<char> met(4 * map.tetrahedra(), 0);
-  std::vector<HalfFaceId> stack;
-  std::size_t sheets = 0;
-  for (std::size_t i = 0; i < met.size(); ++i) {
-    if (met[i] || !map.neighbour(HalfFaceId{i}).is_none()) continue;
-    ++sheets;
-    met[i] = 1;
-    stack.push_back(HalfFaceId{i});
-    while (!stack.empty()) {
-      auto d = first_dart(map, stack.back());
-      stack.pop_back();
-      for (int j = 0; j < 3; ++j, d = map.beta1(d)) {
-        const HalfFaceId f = next_on_boundary(map, d);
-        if (met[f.index()]) continue;
-        met[f.index()] = 1;
-        stack.push_back(f);
-      }
-    }
-  }
-  return sheets;
-}
-
 struct ComponentCount {
   std::size_t components = 0, closed = 0;
 };
@@ -122,6 +98,30 @@ inline double tetrahedron_volume(const Point& a, const Point& b, const Point& c,
 namespace sunder {
 
 template <Kernel K>
+std::size_t count_boundary_sheets(const K& map) {
+  std::vector<char> met(4 * map.tetrahedra(), 0);
+  std::vector<HalfFaceId> stack;
+  std::size_t sheets = 0;
+  for (std::size_t i = 0; i < met.size(); ++i) {
+    if (met[i] || !map.neighbour(HalfFaceId{i}).is_none()) continue;
+    ++sheets;
+    met[i] = 1;
+    stack.push_back(HalfFaceId{i});
+    while (!stack.empty()) {
+      auto d = detail::first_dart(map, stack.back());
+      stack.pop_back();
+      for (int j = 0; j < 3; ++j, d = map.beta1(d)) {
+        const HalfFaceId f = detail::next_on_boundary(map, d);
+        if (met[f.index()]) continue;
+        met[f.index()] = 1;
+        stack.push_back(f);
+      }
+    }
+  }
+  return sheets;
+}
+
+template <Kernel K>
 Counts count_cells(const K& map) {
   using Dart = typename K::Dart;
   Counts counts;
@@ -148,7 +148,7 @@ Counts count_cells(const K& map) {
       counts.boundary_faces += map.neighbour(half_face(TetId{t}, p)).is_none() ? 1 : 0;
     }
   }
-  counts.boundary_sheets = detail::count_boundary_sheets(map);
+  counts.boundary_sheets = count_boundary_sheets(map);
   const auto [components, closed] = detail::count_components(map);
   counts.components = components;
   const auto number = [](std::size_t n) { return static_cast<std::ptrdiff_t>(n); };
