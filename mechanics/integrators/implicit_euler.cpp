@@ -26,56 +26,36 @@ RigidFrame linearisation_frame(const ComponentStep& step) {
   return rigid_reference(body, vertices, ahead);
 }
 
-/// Takes the net torque of g = K d out of it, as `deformation_forces` does: g -= m y x r0.
-void make_conservative(Field& g, const Field& displacement, const RestShape& shape) {
-  Vec3 torque = Vec3::Zero();
-  Mat3 S = Mat3::Zero();
-  for (Eigen::Index i = 0; i < g.cols(); ++i) {
-    const Vec3 d = displacement.col(i);
-    torque += d.cross(Vec3(g.col(i)));
-    S += shape.mass[i] * (shape.arm.col(i) + d) * shape.arm.col(i).transpose();
-  }
-  Mat3 G = -0.5 * (S + S.transpose());
-  G.diagonal().array() += S.trace();
-  const Vec3 y = G.ldlt().solve(torque);
-  for (Eigen::Index i = 0; i < g.cols(); ++i) {
-    g.col(i) -= shape.mass[i] * y.cross(Vec3(shape.arm.col(i)));
-  }
-}
-
-/// Right side: impulse of outer, elastic and damping forces in body frame, N s.
+/// Right side: impulse of outer, elastic and damping forces in the body frame, N s.
 Field impulse_of_forces(const ComponentStep& step, const RigidFrame& frame, const Field& rate) {
   const IntegratorSettings& settings = step.input.settings;
+  const auto [a, b] = settings.damping;
   const double h = settings.time_step;
   const ComponentSystem& system = *step.system;
+  // In the frame of x_n the implicit h v is still to be added to d; in the predicted one it is in.
   const bool at_start = step.component.supported || settings.euler_frame == EulerFrame::current;
   const Mat3 R = frame.orientation.toRotationMatrix();
 
-  Field displacement = work_field(step.scratch, Work::displacement, system.size());
+  Field deforming = work_field(step.scratch, Work::displacement, system.size());
+  deforming = rate;
+  if (!step.component.supported) project_acceleration(deforming, system.shape);
+  // K takes the displacement and the damped rate in one product.
+  Field argument = work_field(step.scratch, Work::argument, system.size());
   for (std::size_t i = 0; i < system.size(); ++i) {
     const std::size_t v = system.order[i].index();
-    const Vec3 x =
-        at_start ? step.state.vertices.position[v]
-                 : Vec3(step.state.vertices.position[v] + h * step.state.vertices.velocity[v]);
     const auto column = static_cast<Eigen::Index>(i);
-    displacement.col(column) = R.transpose() * (x - frame.centre) - system.shape.arm.col(column);
+    Vec3 x = step.state.vertices.position[v];
+    if (!at_start) x += h * step.state.vertices.velocity[v];
+    argument.col(column) = R.transpose() * (x - frame.centre) - system.shape.arm.col(column);
   }
-  Field g = work_field(step.scratch, Work::product, system.size());
-  multiply_stiffness(as_vector(g), system, as_vector(displacement));
-  if (!step.component.supported) make_conservative(g, displacement, system.shape);
+  argument += (b + (at_start ? h : 0)) * deforming;
+  Field elastic = work_field(step.scratch, Work::product, system.size());
+  multiply_stiffness(as_vector(elastic), system, as_vector(argument));
 
   Field load = work_field(step.scratch, Work::load, system.size());
   load.setZero();
   add_body_load(load, step, R);
-  load = h * (load - g);
-
-  Field deforming = work_field(step.scratch, Work::argument, system.size());
-  deforming = rate;
-  if (!step.component.supported) project_acceleration(deforming, system.shape);
-  multiply_stiffness(as_vector(g), system, as_vector(deforming));
-  const auto [a, b] = settings.damping;
-  load -=
-      (h * b + (at_start ? h * h : 0)) * g + h * a * (deforming * system.shape.mass.asDiagonal());
+  load = h * (load - elastic - a * (deforming * system.shape.mass.asDiagonal()));
   return load;
 }
 

@@ -20,9 +20,9 @@ PredictedFrame advance_centre(const ComponentStep& step, const RigidLoad& load);
 
 /// What the turn of a step depends on.
 struct SpinStep {
-  Mat3 inertia;                     ///< body frame, middle of the step, kg m^2
+  Mat3 inertia = Mat3::Identity();  ///< body frame, middle of the step, kg m^2
   Vec3 inner = Vec3::Zero();        ///< sum m q x d', body frame, middle of the step, kg m^2/s
-  Vec3 momentum_old, momentum_new;  ///< L, world, start and end
+  Vec3 momentum_old = Vec3::Zero(), momentum_new = Vec3::Zero();  ///< L, world, start and end
   double time_step = 0;
 };
 

@@ -37,10 +37,10 @@ std::vector<Finding> check(const IntegratorSettings& settings, std::string_view 
                                    "; allowed is a finite number above 0 s.",
                                "Start with 1e-3 s."));
   }
-  if (!(settings.rho_infinity >= 0 && settings.rho_infinity <= 1)) {
+  if (!(settings.rho_infinity >= 0 && settings.rho_infinity <= 0.5)) {
     findings.push_back(
         refused("bad_rho_infinity",
-                at + ".rho_infinity is " + number(settings.rho_infinity) + "; allowed is 0 to 1.",
+                at + ".rho_infinity is " + number(settings.rho_infinity) + "; allowed is 0 to 0.5.",
                 "Leave it out: 0 does not ring."));
   }
   const auto need_damping = [&](const char* key, double value, const char* unit) {
