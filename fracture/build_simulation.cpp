@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+// From a scene's settings to its state at the start: one map, one set of columns for all bodies.
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "fracture/simulation.hpp"
+#include "topology/build_map.hpp"
+#include "topology/check.hpp"
+
+namespace sunder {
+namespace {
+
+void append(std::vector<Finding>& all, std::vector<Finding> more) {
+  for (Finding& f : more) all.push_back(std::move(f));
+}
+
+/// Everything that settings and meshes get wrong, before anything is built.
+std::vector<Finding> check_scene(const Scene& scene) {
+  std::vector<Finding> findings;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const std::string place = fmt::format("bodies[{}]", b);
+    append(findings, check(scene.bodies[b].material, place + ".material"));
+    std::vector<Finding> in_mesh = check_mesh(scene.bodies[b].mesh);
+    for (Finding& f : in_mesh) f.text = place + ".mesh: " + f.text;
+    append(findings, std::move(in_mesh));
+  }
+  for (std::size_t o = 0; o < scene.obstacles.size(); ++o) {
+    append(findings, check(scene.obstacles[o], o));
+  }
+  IntegratorSettings integrator = scene.integrator;
+  integrator.time_step = scene.time_step;
+  append(findings, check(integrator, "integrator"));
+  append(findings, check(scene.contact, "contact"));
+  if (scene.bodies.empty()) {
+    findings.push_back({.code = "no_body",
+                        .text = "the scene has no body",
+                        .remedy = "give at least one entry in \"bodies\""});
+  }
+  return findings;
+}
+
+/// The bodies' meshes one after the other, and which rows are whose.
+TetMesh join_meshes(const std::vector<BodySettings>& bodies, std::vector<BodyRows>& rows) {
+  TetMesh all;
+  for (const BodySettings& body : bodies) {
+    const auto first_point = static_cast<std::uint32_t>(all.points.size());
+    const std::size_t first_tetrahedron = all.tetrahedra.size();
+    all.points.insert(all.points.end(), body.mesh.points.begin(), body.mesh.points.end());
+    for (auto corners : body.mesh.tetrahedra) {
+      for (std::uint32_t& c : corners) c += first_point;
+      all.tetrahedra.push_back(corners);
+    }
+    rows.push_back(
+        {first_tetrahedron, all.tetrahedra.size(), first_point, all.points.size()});
+  }
+  return all;
+}
+
+Result<MechanicsState> make_columns(const Scene& scene, const std::vector<BodyRows>& bodies,
+                                    const VolumeMap& map, const Components& labels) {
+  std::vector<Vec3> rest;
+  for (const Point& p : map.points()) rest.emplace_back(p[0], p[1], p[2]);
+  std::vector<MaterialId> material(map.tetrahedra());
+  std::vector<Material> materials;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    materials.push_back(scene.bodies[b].material);
+    for (std::size_t t = bodies[b].first_tetrahedron; t < bodies[b].end_tetrahedron; ++t) {
+      material[t] = MaterialId{b};
+    }
+  }
+  return make_state({.rest_positions = rest,
+                     .corners = map.corners(),
+                     .material = material,
+                     .component = labels.of_tetrahedron,
+                     .materials = materials});
+}
+
+bool contains(const HeldBox& box, const Vec3& p) {
+  return (p.array() >= box.minimum.array()).all() && (p.array() <= box.maximum.array()).all();
+}
+
+/// Marks the held vertices of one body. A box that holds nothing is an error: it never is meant.
+std::vector<Finding> hold_vertices(Simulation& sim, std::size_t body) {
+  std::vector<Finding> findings;
+  MechanicsState& m = sim.state.mechanics;
+  const auto& held = sim.scene.bodies[body].held;
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    const MotionId motion{m.motions.size()};
+    std::size_t count = 0;
+    for (std::size_t v = 0; v < m.vertices.size(); ++v) {
+      const std::uint32_t point = sim.state.cells.map.point_of_vertex(VertexId{v});
+      if (point < sim.bodies[body].first_point || point >= sim.bodies[body].end_point) continue;
+      if (!contains(held[i], m.vertices.rest_position[v])) continue;
+      m.vertices.support[v] = motion;
+      ++count;
+    }
+    m.motions.push_back({held[i].velocity});
+    if (count > 0) continue;
+    findings.push_back({.code = "nothing_held",
+                        .text = fmt::format("bodies[{}].held[{}]: no vertex of the mesh lies in it",
+                                            body, i),
+                        .remedy = "give the box in the mesh's own coordinates, m"});
+  }
+  return findings;
+}
+
+/// Places every component of a body, all of them as one rigid body.
+void place_body(Simulation& sim, std::size_t body) {
+  const BodySettings& settings = sim.scene.bodies[body];
+  MechanicsState& m = sim.state.mechanics;
+  const BodyRows& rows = sim.bodies[body];
+  double mass = 0;
+  Vec3 rest_centre = Vec3::Zero();
+  std::vector<ComponentId> components;
+  for (const Component& c : m.components) {
+    if (c.tetrahedra.empty()) continue;
+    const std::size_t t = c.tetrahedra.front().index();
+    if (t < rows.first_tetrahedron || t >= rows.end_tetrahedron) continue;
+    components.push_back(c.id);
+    mass += c.mass;
+    rest_centre += c.mass * c.rest_centre;
+  }
+  rest_centre /= mass;
+  for (const ComponentId id : components) {
+    const Vec3 arm = settings.rotation * (m.components[id.index()].rest_centre - rest_centre);
+    place(m, id,
+          {.orientation = settings.rotation,
+           .translation = settings.translation,
+           .velocity = settings.velocity + settings.spin.cross(arm),
+           .spin = settings.spin});
+  }
+}
+
+void start_display(SimulationState& state) {
+  for (const Component& c : state.mechanics.components) {
+    state.display.push_back({c.centre, c.orientation});
+  }
+  state.display_target = state.display;
+}
+
+}  // namespace
+
+Result<Simulation> build_simulation(Scene scene) {
+  Result<Simulation> result;
+  result.findings = check_scene(scene);
+  if (has_error(result.findings)) return result;
+
+  scene.integrator.time_step = scene.time_step;
+  std::vector<BodyRows> bodies;
+  Result<VolumeMap> map = build_map(join_meshes(scene.bodies, bodies));
+  if (!map) {
+    append(result.findings, std::move(map.findings));
+    return result;
+  }
+  const Components labels = label_components(*map);
+  Result<MechanicsState> mechanics = make_columns(scene, bodies, *map, labels);
+  append(result.findings, std::move(mechanics.findings));
+  if (!mechanics) return result;
+
+  Cells cells = make_cells(std::move(*map), *mechanics);
+  Simulation sim{.scene = std::move(scene),
+                 .bodies = std::move(bodies),
+                 .state = {.cells = std::move(cells), .mechanics = std::move(*mechanics)}};
+  sim.state.obstacles = sim.scene.obstacles;
+  for (std::size_t b = 0; b < sim.bodies.size(); ++b) append(result.findings, hold_vertices(sim, b));
+  if (has_error(result.findings)) return result;
+  const std::vector<ComponentId> living = living_components(sim.state.mechanics);
+  rebuild(sim.state.mechanics, sim.state.cells.map.corners(), living, sim.scratch.mechanics);
+  for (std::size_t b = 0; b < sim.bodies.size(); ++b) place_body(sim, b);
+  start_display(sim.state);
+  result.value = std::move(sim);
+  return result;
+}
+
+}  // namespace sunder

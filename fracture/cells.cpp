@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// Making the cells, and the threshold of a vertex from the materials and cracks around it.
+#include "fracture/cells.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "topology/fan.hpp"
+
+namespace sunder {
+namespace {
+
+/// The factor C of decisions.md: mode I, about one element from the tip.
+constexpr double crack_tip_factor = 0.45;
+
+bool is_crack_tip(const Cells& cells, VertexId vertex, std::span<const TetId> star) {
+  for (const TetId t : star) {
+    for (int place = 0; place < 4; ++place) {
+      if (cells.map.corners(t)[place] == vertex) continue;  // the face opposite to the vertex
+      if (is_crack_face(cells, half_face(t, place))) return true;
+    }
+  }
+  return false;
+}
+
+/// Mean length of the edges of the star's tetrahedra, shared ones once for each, m.
+double mean_edge_length(const VertexColumns& vertices, std::span<const Corners> corners,
+                        std::span<const TetId> star) {
+  double sum = 0;
+  for (const TetId t : star) {
+    const Corners& c = corners[t.index()];
+    for (int i = 0; i < 4; ++i) {
+      for (int j = i + 1; j < 4; ++j) {
+        sum += (vertices.rest_position[c[i].index()] - vertices.rest_position[c[j].index()]).norm();
+      }
+    }
+  }
+  return sum / (6.0 * static_cast<double>(star.size()));
+}
+
+}  // namespace
+
+Cells make_cells(VolumeMap map, const MechanicsState& mechanics) {
+  Cells cells{.map = std::move(map), .labels = {}, .skin = {}, .strength = {}, .waits = {}};
+  cells.labels = label_components(cells.map);
+  for (const auto& neighbours : cells.map.neighbours()) {
+    for (const HalfFaceId n : neighbours) cells.skin.push_back(n.is_none());
+  }
+  // Before anything is cracked the smallest strength around a vertex needs no star.
+  cells.strength.assign(cells.map.vertices(), std::numeric_limits<double>::infinity());
+  for (std::size_t t = 0; t < cells.map.tetrahedra(); ++t) {
+    const double xi =
+        mechanics.materials[mechanics.elements.material[t].index()].tensile_strength;
+    for (const VertexId v : cells.map.corners(TetId{t})) {
+      cells.strength[v.index()] = std::min(cells.strength[v.index()], xi);
+    }
+  }
+  cells.waits.assign(cells.map.vertices(), 0);
+  return cells;
+}
+
+double vertex_strength(const Cells& cells, const MechanicsState& mechanics, VertexId vertex,
+                       std::span<const TetId> star) {
+  double strength = std::numeric_limits<double>::infinity();
+  double toughness = strength;
+  for (const TetId t : star) {
+    const Material& m = mechanics.materials[mechanics.elements.material[t.index()].index()];
+    strength = std::min(strength, m.tensile_strength);
+    if (m.toughness) toughness = std::min(toughness, *m.toughness);
+  }
+  if (std::isinf(toughness) || !is_crack_tip(cells, vertex, star)) return strength;
+  const double h = mean_edge_length(mechanics.vertices, cells.map.corners(), star);
+  return crack_tip_factor * toughness / std::sqrt(h);
+}
+
+}  // namespace sunder

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// What a user says about a simulation: bodies, obstacles, time, options. Plain settings, no state.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "mechanics/contact.hpp"
+#include "mechanics/integrators/settings.hpp"
+#include "mechanics/material.hpp"
+#include "mechanics/obstacle.hpp"
+#include "topology/components.hpp"
+#include "topology/fan.hpp"
+#include "topology/tet_mesh.hpp"
+
+namespace sunder {
+
+/// Vertices held by the outside world: those whose rest position lies in a box of the body.
+struct HeldBox {
+  /// Corners of the box in the mesh's own coordinates, m; its surface belongs to it.
+  Eigen::Vector3d minimum = Eigen::Vector3d::Zero();
+  Eigen::Vector3d maximum = Eigen::Vector3d::Zero();
+  /// Velocity the vertices are moved with, m/s; zero holds them fixed.
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
+};
+
+/// One breakable body.
+struct BodySettings {
+  std::string name;
+  TetMesh mesh;
+  Material material;
+  /// Where the mesh's coordinates are placed: x = rotation * X + translation (m).
+  Eigen::Vector3d translation = Eigen::Vector3d::Zero();
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
+  /// Velocity of the mass centre, m/s, and spin about it, rad/s, both in the world.
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
+  Eigen::Vector3d spin = Eigen::Vector3d::Zero();
+  std::vector<HeldBox> held;
+};
+
+/// Gravity, raised linearly from zero over `ramp_time`.
+struct GravitySettings {
+  /// m/s^2.
+  Eigen::Vector3d acceleration = {0, 0, -9.81};
+  /// Time over which it is raised, s; 0 applies it at once.
+  double ramp_time = 0;
+};
+
+/// How many cracks a step may make.
+enum class FractureMode {
+  /// None: the threshold is never tested.
+  off,
+  /// Every vertex over its threshold breaks (the paper's shattering).
+  all,
+  /// At most `max_fans` a step, the most overstressed first; the others wait.
+  budget,
+};
+
+/// How elements weigh in a node stress (eq. 6).
+enum class StressWeight { volume, mass };
+
+struct FractureSettings {
+  FractureMode mode = FractureMode::all;
+  /// Fans a step may make in the mode `budget`.
+  std::uint32_t max_fans = 64;
+  StressWeight weight = StressWeight::volume;
+  /// How new connected components are found (section 4.2).
+  Detection detection = Detection::exact;
+  /// In which order the faces of a fan are unsewn (figure 5).
+  FaceOrder face_order = FaceOrder::paper;
+};
+
+/// A whole scene, SI units.
+struct Scene {
+  std::string name;
+  std::vector<BodySettings> bodies;
+  std::vector<Obstacle> obstacles;
+  GravitySettings gravity;
+  /// Length of a step and of the run, s.
+  double time_step = 1e-3;
+  double duration = 1;
+  IntegratorSettings integrator;
+  ContactSettings contact;
+  FractureSettings fracture;
+  /// How fast what is drawn follows the simulation after a split, s (section 3.3); 0: at once.
+  double display_time_constant = 0.1;
+};
+
+}  // namespace sunder

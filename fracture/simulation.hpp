@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// A scene in motion: one step is contact, mechanics, fracture, components. No file, no clock of walls
+// in any result (times of stages are reported, never used).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "fracture/cells.hpp"
+#include "fracture/find_fractures.hpp"
+#include "fracture/scene.hpp"
+#include "mechanics/contact.hpp"
+#include "mechanics/display_state.hpp"
+#include "mechanics/step.hpp"
+
+namespace sunder {
+
+/// What evolves and would have to be saved to go on later.
+struct SimulationState {
+  Cells cells;
+  MechanicsState mechanics;
+  /// Those of the scene, where they are now.
+  std::vector<Obstacle> obstacles;
+  ContactMemory contact;
+  /// Row = ComponentId: where each component is drawn (section 3.3), and the target it was given in
+  /// the last step.
+  std::vector<DisplayState> display, display_target;
+  std::uint64_t step = 0;
+};
+
+/// Working memory of a step and caches; can be thrown away between two steps.
+struct SimulationScratch {
+  MechanicsScratch mechanics;
+  ContactScratch contact;
+  FractureScratch fracture;
+};
+
+/// Rows of one body of the scene: its tetrahedra and the points of its mesh are consecutive.
+struct BodyRows {
+  std::size_t first_tetrahedron = 0, end_tetrahedron = 0;
+  std::size_t first_point = 0, end_point = 0;
+};
+
+/// A scene with its state. The scene's settings do not change while it runs.
+struct Simulation {
+  Scene scene;
+  std::vector<BodyRows> bodies;
+  SimulationState state;
+  SimulationScratch scratch;
+};
+
+/// Stages of a step whose times are reported.
+/// `mechanics` is contact, integration and element stress.
+enum class Stage { mechanics, fracture, rebuild, display };
+inline constexpr std::array<std::string_view, 4> stage_names = {"mechanics", "fracture", "rebuild",
+                                                                "display"};
+
+/// What one step did.
+struct StepReport {
+  std::uint64_t step = 0;
+  /// s, at the end of the step.
+  double time = 0;
+  StepStatus status;
+  ContactReport contact;
+  FractureReport fracture;
+  /// J, deformation given up by pieces that became rigid tetrahedra.
+  double energy_released = 0;
+  std::size_t components = 0;
+  /// Wall time of each stage, ms. For reports only.
+  std::array<double, stage_names.size()> stage_ms{};
+};
+
+/// Builds every body of a scene at its start: map, columns, supports, placement, components.
+/// The findings tell all that is wrong with meshes, materials, obstacles and settings; warnings and
+/// notes may stand beside a simulation. O(|T|).
+Result<Simulation> build_simulation(Scene scene);
+
+/// One step of length `scene.time_step`: contact and external forces -> integrate -> element stress
+/// at the new state -> fracture -> components (decisions.md, Order of a step).
+/// After an outcome other than fine in `status`, or a stress that is not a number, the simulation
+/// must not be advanced further; the state is as computed, for whoever wants to look.
+StepReport advance(Simulation& simulation);
+
+/// Gravity at a time, m/s^2: raised linearly over the ramp.
+Vec3 gravity_at(const GravitySettings& gravity, double time);
+
+}  // namespace sunder

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// Algorithm 4: a crack at one vertex, from its plane to the new connected components.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "fracture/cells.hpp"
+#include "fracture/fracture_plane.hpp"
+#include "fracture/scene.hpp"
+#include "topology/split_face.hpp"
+
+namespace sunder {
+
+/// What one fan did. Rows as they are after it; nothing is renumbered later.
+struct FanEvent {
+  /// The vertex that broke, its point in the body's mesh, and where it is at rest, m.
+  VertexId vertex;
+  std::uint32_t point = 0;
+  Vec3 rest_position = Vec3::Zero();
+  /// Normal of the fracture plane, rest frame, unit length.
+  Vec3 normal = Vec3::Zero();
+  /// Largest principal stress and the threshold it reached, Pa.
+  double stress = 0;
+  double strength = 0;
+  /// One entry a face, in the order in which they were split; empty when every tetrahedron lay on
+  /// one side of the plane: then nothing changed.
+  std::vector<FaceSplit> faces;
+  /// What the oracle predicted and what there was to find.
+  ComponentUpdate components;
+};
+
+/// Where a fan is cut: among the normals the stress allows, the one whose faces are least
+/// misaligned with it (area-weighted mean of |n . n_f|), then the one that continues an existing
+/// crack, then the first of `candidate_normals`. Gives the normal and its faces, in rising order;
+/// no faces when every candidate has the whole star on one side.
+struct FanPlane {
+  Vec3 normal = Vec3::Zero();
+  std::vector<HalfFaceId> faces;
+};
+FanPlane choose_fan(const Cells& cells, VertexId vertex, const PrincipalTension& tension);
+
+/// Working memory of `split_fan`, kept between calls.
+struct FanScratch {
+  ComponentScratch components;
+};
+
+/// Splits the fan of `vertex` (algorithm 4): signs of the tetrahedra around it from rest centres,
+/// the faces between different signs, each unsewn in turn and the oracle asked after each, then the
+/// components. Appends the columns of every vertex that split, in `mechanics.vertices` and
+/// `cells.strength`; masses and frames are left to `rebuild`, `elements.component` to its caller.
+///
+///        +   |   -            before: one vertex v        after: v on the side of the half-face
+///      ______v______    ->    ______v | v'______          that was passed, a copy on the other
+///            |                      + | -
+///
+/// Needs: a living vertex. Cost: the star, the faces' stars, the smaller sides of what comes off.
+FanEvent split_fan(Cells& cells, MechanicsState& mechanics, VertexId vertex,
+                   const PrincipalTension& tension, const FractureSettings& settings,
+                   FanScratch& scratch);
+
+}  // namespace sunder
