@@ -19,8 +19,12 @@ constexpr FindingWords no_tetrahedron = {
     "give a volume mesh (a surface can be filled with sunder-mesh)"};
 constexpr FindingWords column_length = {
     "column_length", Severity::error,
-    "% columns (region, source numbers) do not have one entry a row",
+    "a column (region, source numbers) does not have one entry a row",
     "leave a column empty or fill it for every row"};
+constexpr FindingWords too_large = {
+    "too_large", Severity::error,
+    "the mesh has more tetrahedra or points than rows of 32 bits can number",
+    "cut it into bodies of at most 357 913 941 tetrahedra"};
 constexpr FindingWords index_out_of_range = {
     "index_out_of_range", Severity::error, "% tetrahedra name a point that does not exist",
     "correct the numbers: points are counted from 0 to the number of points less one"};
@@ -34,11 +38,12 @@ constexpr FindingWords flat_tetrahedron = {
     "flat_tetrahedron", Severity::error, "% tetrahedra have no volume beyond rounding",
     "remove them or move a point; without volume there is no stiffness and no mass"};
 
-// Stands for "the mesh as a whole" in a finding without ids.
-Places once() {
+// A finding about the mesh as a whole, without ids.
+void report_whole(Survey& survey, const FindingWords& words) {
   Places places;
   places.add(0);
-  return places;
+  report(survey, words, places);
+  survey.findings.back().ids.clear();
 }
 
 using Index4 = std::array<std::uint32_t, 4>;
@@ -78,15 +83,16 @@ signed char volume_sign(const TetMesh& mesh, const Index4& t) {
 }
 
 void survey_columns(Survey& s) {
-  Places wrong;
+  std::size_t wrong = 0;
   const std::size_t tetrahedra = s.mesh.tetrahedra.size(), points = s.mesh.points.size();
   const auto expect = [&wrong](std::size_t size, std::size_t rows) {
-    if (size != 0 && size != rows) wrong.add(size);
+    if (size != 0 && size != rows) ++wrong;
   };
   expect(s.mesh.region.size(), tetrahedra);
   expect(s.mesh.source_tetrahedron_id.size(), tetrahedra);
   expect(s.mesh.source_point_id.size(), points);
-  report(s, column_length, wrong);
+  if (wrong == 0) return;
+  report_whole(s, column_length);
 }
 
 }  // namespace
@@ -109,12 +115,17 @@ void report(Survey& survey, const FindingWords& words, const Places& places) {
   survey.findings.push_back(std::move(finding));
 }
 
+void survey_size(Survey& s, std::size_t tetrahedra, std::size_t points) {
+  if (s.mesh.tetrahedra.size() > tetrahedra || s.mesh.points.size() > points) {
+    report_whole(s, too_large);
+  }
+}
+
 void survey_entries(Survey& s) {
   const TetMesh& mesh = s.mesh;
   const std::size_t points = mesh.points.size();
   if (mesh.tetrahedra.empty()) {
-    report(s, points == 0 ? empty_mesh : no_tetrahedron, once());
-    s.findings.back().ids.clear();
+    report_whole(s, points == 0 ? empty_mesh : no_tetrahedron);
   }
   survey_columns(s);
   Places not_finite;
@@ -148,6 +159,8 @@ void survey_entries(Survey& s) {
 
 Survey survey_mesh(const TetMesh& mesh, Severity bad_volume) {
   Survey survey{mesh, bad_volume, {}, {}, {}, {}, {}, {}, {}, {}};
+  survey_size(survey, most_tetrahedra, most_points);
+  if (!survey.findings.empty()) return survey;
   survey_entries(survey);
   survey_faces(survey);
   survey_orientation(survey);

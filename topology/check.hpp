@@ -14,7 +14,7 @@ namespace sunder {
 ///
 /// | code | severity | ids |
 /// |---|---|---|
-/// | empty_mesh, no_tetrahedron, column_length | error | - |
+/// | empty_mesh, no_tetrahedron, column_length, too_large | error | - |
 /// | index_out_of_range, repeated_vertex | error | tetrahedra |
 /// | nan_coordinate (infinite ones too) | error | points |
 /// | duplicate_tetrahedron, mirrored_tetrahedron | error | tetrahedra, the later of each pair |

@@ -76,8 +76,9 @@ Components label_components(const K& map);
 /// the search ends when at most one part still grows [a separation costs its smaller side only].
 /// The largest part keeps the id, on a tie the one with the lowest tetrahedron; the others get
 /// fresh ids in the order of their lowest tetrahedra (old components in the order of their ids).
-/// Needs: `labels` right before the first of `splits`, nothing else split since. Leaves vertex
-/// labels right too, for appended rows as well.
+/// Needs: `labels` right before the first of `splits`, nothing else split since, nothing glued
+/// (gluing can join components: label anew after it). Leaves vertex labels right too, for appended
+/// rows as well.
 template <Kernel K>
 ComponentUpdate update_components(const K& map, std::span<const FaceSplit> splits,
                                   Detection detection, Components& labels,

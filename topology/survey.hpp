@@ -61,6 +61,13 @@ struct FindingWords {
 /// Appends a finding when it has a place.
 void report(Survey& survey, const FindingWords& words, const Places& places);
 
+/// Rows and darts are numbered in 32 bits, 12 darts a tetrahedron.
+inline constexpr std::size_t most_tetrahedra = 0xffffffffU / 12;
+inline constexpr std::size_t most_points = 0xffffffffU;
+
+/// Reports a mesh of more than `tetrahedra` or `points`; nothing else can be asked of it then.
+void survey_size(Survey& survey, std::size_t tetrahedra, std::size_t points);
+
 /// Stages, in this order. Each reads what the earlier ones left.
 void survey_entries(Survey& survey);      // ranges, numbers, repeated vertices, volumes
 void survey_faces(Survey& survey);        // adjacency, copies, overfull faces

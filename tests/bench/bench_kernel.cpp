@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What the kernel costs on cubes: memory, building, splitting; CGAL's managed unsew<3> beside it.
+#include <malloc.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -118,9 +120,13 @@ void measure(int n, int repeats) {
   const auto nothing = [] { return 0; };
   const double check_cost = cost(repeats, T, nothing, [&](int) { (void)check_mesh(mesh).size(); });
   const double build_cost = cost(repeats, T, nothing, [&](int) { (void)build_map(mesh); });
+  const std::size_t heap_before = mallinfo2().uordblks + mallinfo2().hblkhd;
   VolumeMap map = std::move(*build_map(mesh));
+  const std::size_t heap = mallinfo2().uordblks + mallinfo2().hblkhd - heap_before;
   std::printf("%zu tetrahedra, median of %d\n", T, repeats);
   print_bytes("intact", map);
+  std::printf("  heap in use by the map (glibc) %7.1f bytes a tetrahedron\n",
+              static_cast<double>(heap) / static_cast<double>(T));
   std::printf("  build with all findings        %7.3f us a tetrahedron (findings %.3f)\n",
               build_cost, check_cost);
   const SplitCosts costs = split_costs(map, repeats);

@@ -219,3 +219,23 @@ TEST_CASE("one scratch serves maps of different sizes in turn", "[topology][comp
     require_true(map, labels);
   }
 }
+
+TEST_CASE("after the first updates the working memory does not grow", "[topology][components]") {
+  VolumeMap map = built(kuhn_box({12, 2, 2}));
+  Components labels = label_components(map);
+  ComponentScratch scratch;
+  const auto capacities = [&scratch] {
+    return std::array<std::size_t, 7>{scratch.stamp.capacity(),  scratch.owner.capacity(),
+                                      scratch.next.capacity(),   scratch.parts.capacity(),
+                                      scratch.live.capacity(),   scratch.closed.capacity(),
+                                      scratch.sources.capacity()};
+  };
+  const auto warm_up = cut_plane(map, {{1, 0, 0}, 6.0});
+  update_components(map, warm_up, Detection::walk, labels, scratch);
+  const auto held = capacities();
+  for (int at = 1; at < 12; ++at) {
+    const auto splits = cut_plane(map, {{1, 0, 0}, static_cast<double>(at)});
+    update_components(map, splits, Detection::exact, labels, scratch);
+    CHECK(capacities() == held);
+  }
+}

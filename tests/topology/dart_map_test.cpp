@@ -51,6 +51,17 @@ void require_same_rows(const VolumeMap& map, const DartMap& darts) {
   }
 }
 
+void require_same_answers(const VolumeMap& map, const DartMap& darts) {
+  const Counts a = count_cells(map), b = count_cells(darts);
+  CHECK(cells(a) == cells(b));
+  CHECK(a.boundary_sheets == b.boundary_sheets);
+  CHECK(a.volume == b.volume);
+  for (std::size_t v = 0; v < map.vertices(); v += 7) {
+    CHECK(star(map, VertexId{v}) == star(darts, VertexId{v}));
+    CHECK(*fan_faces(map, VertexId{v}, {1, 2, 3}) == *fan_faces(darts, VertexId{v}, {1, 2, 3}));
+  }
+}
+
 /// CGAL's is_valid with attributes as they are; it only reads.
 bool cgal_says_valid(const DartMap& darts) { return darts.complex().is_valid(); }
 
@@ -88,14 +99,7 @@ TEST_CASE("whatever is asked of the map is asked of its darts alone, with the sa
     CHECK(labels.of_vertex == dart_labels.of_vertex);
     CHECK(cgal_says_valid(darts));
     CHECK(cgal_says_valid(map.darts()));
-    const Counts a = count_cells(map), b = count_cells(darts);
-    CHECK(cells(a) == cells(b));
-    CHECK(a.boundary_sheets == b.boundary_sheets);
-    CHECK(a.volume == b.volume);
-    for (std::size_t v = 0; v < map.vertices(); v += 7) {
-      CHECK(star(map, VertexId{v}) == star(darts, VertexId{v}));
-      CHECK(*fan_faces(map, VertexId{v}, {1, 2, 3}) == *fan_faces(darts, VertexId{v}, {1, 2, 3}));
-    }
+    require_same_answers(map, darts);
     while (!done.empty()) {
       const std::size_t i = below(random, done.size());
       std::swap(done[i], done.back());

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "tests/topology/built.hpp"
+#include "topology/survey.hpp"
 
 using namespace sunder;
 using namespace sunder::test;
@@ -58,6 +59,20 @@ TEST_CASE("points without tetrahedra are no body", "[topology][findings]") {
   mesh.tetrahedra.clear();
   const Finding f = only_finding(mesh, "no_tetrahedron", Severity::error, {"unused_point"});
   CHECK(f.ids.empty());
+}
+
+TEST_CASE("a mesh beyond 32-bit rows is refused before anything else is asked of it",
+          "[topology][findings]") {
+  // With a limit that a test can reach; the true one is 357 913 941 tetrahedra.
+  const TetMesh mesh = two_tetrahedra();
+  Survey survey{mesh, Severity::error, {}, {}, {}, {}, {}, {}, {}, {}};
+  survey_size(survey, 2, 5);
+  CHECK(survey.findings.empty());
+  survey_size(survey, 1, 5);
+  CHECK(finding(survey.findings, "too_large").severity == Severity::error);
+  survey.findings.clear();
+  survey_size(survey, 2, 4);
+  finding(survey.findings, "too_large");
 }
 
 TEST_CASE("a column that is too short is refused", "[topology][findings]") {
