@@ -153,15 +153,19 @@ void set_rigid_rows(MechanicsState& state, const Component& component) {
   }
 }
 
-/// A piece that turns rigid: gives up its deformation; J.
-double make_rigid(MechanicsState& state, std::span<const Corners> corners,
-                  const Component& component) {
+/// Strain energy of a piece in the frame its rows still stand in, that of its parent; J.
+double present_strain(const MechanicsState& state, std::span<const Corners> corners,
+                      const Component& component) {
   const ElasticInput elastic{state, corners, state.vertices.position};
-  const double strain = elastic_energy(elastic, component, state.vertices.displacement);
+  return elastic_energy(elastic, component, state.vertices.displacement);
+}
+
+/// A piece that turns rigid: gives up its deformation; the kinetic energy in it, J.
+double make_rigid(MechanicsState& state, const Component& component) {
   const double before = kinetic_energy_of(state, component);
   set_rigid_rows(state, component);
   state.elements.stress[component.tetrahedra.front().index()].setZero();
-  return strain + before - kinetic_energy_of(state, component);
+  return before - kinetic_energy_of(state, component);
 }
 
 /// x and v decide; the frame follows.
@@ -172,6 +176,20 @@ void fit_component(MechanicsState& state, Component& component) {
   const RigidFrame present{component.centre, component.orientation};
   adopt_motion(component, component.supported ? express_motion(out, motion, component, present)
                                               : fit_motion(out, motion, component));
+}
+
+/// The frame of a supported component: the rotation of its parent about a new rest centre, so that
+/// x = c + R (x0 - c0 + d) with d as it was. Held for the first time, it takes the frame it has by
+/// shape matching.
+void seat_frame(const MechanicsState& state, Component& component, const Parent& parent) {
+  if (!parent.supported) {
+    const RigidFrame frame = rigid_reference(component, state.vertices, state.vertices.position);
+    component.centre = frame.centre;
+    component.orientation = frame.orientation;
+    return;
+  }
+  const Vec3 shift = component.rest_centre - parent.rest_centre;
+  component.centre = parent.frame.centre + parent.frame.orientation * shift;
 }
 
 }  // namespace
@@ -200,21 +218,11 @@ RebuildReport rebuild(MechanicsState& state, std::span<const Corners> corners,
     set_members(state, component, std::move(members[i]), corners);
     set_supports(state, component);
     component.orientation = parent.frame.orientation;
-    if (component.supported) {
-      // The rotation of the parent, about a new rest centre: x = c + R (x0 - c0 + d) with d as it
-      // was. A component held for the first time takes the frame it has by shape matching.
-      const Vec3 shift = component.rest_centre - parent.rest_centre;
-      component.centre = parent.frame.centre + parent.frame.orientation * shift;
-      if (!parent.supported) {
-        const RigidFrame frame =
-            rigid_reference(component, state.vertices, state.vertices.position);
-        component.centre = frame.centre;
-        component.orientation = frame.orientation;
-      }
-    }
+    if (component.supported) seat_frame(state, component, parent);
+    if (component.isolated) report.energy_released += present_strain(state, corners, component);
     fit_component(state, component);
     if (component.isolated) {
-      report.energy_released += make_rigid(state, corners, component);
+      report.energy_released += make_rigid(state, component);
     } else if (!component.supported) {
       carry_acceleration(state, component, parent.frame.orientation);
     }

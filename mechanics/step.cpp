@@ -66,22 +66,6 @@ void take_prediction(MechanicsState& state, MechanicsScratch& scratch) {
   }
 }
 
-/// Element stress (eq. 5) and the largest turn of an element in each component, in one pass.
-void measure_elements(MechanicsState& state, MechanicsScratch& scratch,
-                      std::span<const Corners> corners) {
-  scratch.lame.clear();
-  for (const Material& material : state.materials) scratch.lame.push_back(lame(material));
-  scratch.largest_turn.assign(state.components.size(), 0);
-  ElementColumns& elements = state.elements;
-  for (std::size_t t = 0; t < elements.size(); ++t) {
-    const CornerVectors d = at_corners(state.vertices.displacement, corners[t]);
-    const Mat3 H = displacement_gradient(elements.shape_gradient[t], d);
-    elements.stress[t] = stress_of(H, scratch.lame[elements.material[t].index()]);
-    double& largest = scratch.largest_turn[elements.component[t].index()];
-    largest = std::max(largest, turn_of(H));
-  }
-}
-
 /// The first vertex that is not a number, or else the first that has left its body.
 StepStatus judge(const MechanicsState& state) {
   // Ten radii: no linear displacement means anything there, and no bounded motion gets there.
@@ -122,6 +106,21 @@ void predict(MechanicsScratch& scratch, const MechanicsState& state, const StepI
     SUNDER_ASSERT(id.index() < state.components.size(), "predict: no such component");
     const Component& component = state.components[id.index()];
     if (!component.tetrahedra.empty()) predict_component(scratch, state, input, component);
+  }
+}
+
+void measure_elements(MechanicsState& state, MechanicsScratch& scratch,
+                      std::span<const Corners> corners) {
+  scratch.lame.clear();
+  for (const Material& material : state.materials) scratch.lame.push_back(lame(material));
+  scratch.largest_turn.assign(state.components.size(), 0);
+  ElementColumns& elements = state.elements;
+  for (std::size_t t = 0; t < elements.size(); ++t) {
+    const CornerVectors d = at_corners(state.vertices.displacement, corners[t]);
+    const Mat3 H = displacement_gradient(elements.shape_gradient[t], d);
+    elements.stress[t] = stress_of(H, scratch.lame[elements.material[t].index()]);
+    double& largest = scratch.largest_turn[elements.component[t].index()];
+    largest = std::max(largest, turn_of(H));
   }
 }
 

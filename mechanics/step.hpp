@@ -17,8 +17,8 @@ struct ComponentSystem;
 
 /// What acts during one step from outside, constant over the step.
 struct Loads {
-  Vec3 gravity = Vec3::Zero();  ///< m/s^2
-  std::vector<Vec3> force;      ///< N, world, |V| rows; empty: none
+  Vec3 gravity = Vec3::Zero();   ///< m/s^2
+  std::vector<Vec3> force = {};  ///< N, world, |V| rows; empty: none
 };
 
 /// What `predict` computes for one component beside its rows.
@@ -98,6 +98,11 @@ StepStatus adopt(MechanicsState& state, MechanicsScratch& scratch, const StepInp
 
 /// The whole step without contact: predict all, adopt.
 StepStatus advance(MechanicsState& state, MechanicsScratch& scratch, const StepInput& input);
+
+/// Element stress (eq. 5) and the largest turn of an element in each component, in one pass, from
+/// the displacements as they are. `adopt` does it; for whoever sets displacements otherwise.
+void measure_elements(MechanicsState& state, MechanicsScratch& scratch,
+                      std::span<const Corners> corners);
 
 /// The ids of the components that live (have tetrahedra), ascending.
 std::vector<ComponentId> living_components(const MechanicsState& state);

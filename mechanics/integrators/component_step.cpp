@@ -6,17 +6,23 @@
 
 namespace sunder {
 
-ComponentSystem& prepared_system(MechanicsScratch& scratch, const MechanicsState& state,
-                                 const StepInput& input, const Component& component) {
+ComponentSystem& built_system(MechanicsScratch& scratch, const MechanicsState& state,
+                              std::span<const Corners> corners, const Component& component) {
   scratch.systems.resize(state.components.size());
   scratch.local_row.resize(state.vertices.size());
   std::unique_ptr<ComponentSystem>& system = scratch.systems[component.id.index()];
   if (!system) {
     system = std::make_unique<ComponentSystem>();
-    build_system(*system, scratch.local_row, state, input.corners, component);
+    build_system(*system, scratch.local_row, state, corners, component);
   }
-  factor_system(*system, system_matrix(input.settings));
   return *system;
+}
+
+ComponentSystem& prepared_system(MechanicsScratch& scratch, const MechanicsState& state,
+                                 const StepInput& input, const Component& component) {
+  ComponentSystem& system = built_system(scratch, state, input.corners, component);
+  factor_system(system, system_matrix(input.settings));
+  return system;
 }
 
 void add_body_load(LocalField load, const ComponentStep& step, const Mat3& R) {

@@ -16,6 +16,10 @@ struct ComponentStep {
   ComponentSystem* system;  ///< built and factored; null for isolated tetrahedra and verlet
 };
 
+/// The system of a component, built where it is not yet; nothing is said of its factor.
+ComponentSystem& built_system(MechanicsScratch& scratch, const MechanicsState& state,
+                              std::span<const Corners> corners, const Component& component);
+
 /// The system of a component, built and factored for this step: at once where that is done already.
 ComponentSystem& prepared_system(MechanicsScratch& scratch, const MechanicsState& state,
                                  const StepInput& input, const Component& component);
