@@ -22,7 +22,7 @@ enum class SurfaceStyle : std::uint8_t { filled, filled_with_edges, wireframe };
 struct SurfaceColors {
   Color skin = {0.86f, 0.84f, 0.80f};
   Color crack = {0.87f, 0.43f, 0.20f};
-  Color wire = {0.13f, 0.20f, 0.33f};
+  Color wire = {0.10f, 0.32f, 0.66f};
   /// How strongly pieces differ in hue: 0 not at all, 1 most.
   float piece_tint = 0;
 };
@@ -58,7 +58,7 @@ struct Sphere {
   /// m.
   Eigen::Vector3f center = Eigen::Vector3f::Zero();
   float radius = 1;
-  Color color = {0.24f, 0.31f, 0.40f};
+  Color color = {0.36f, 0.43f, 0.52f};
 };
 
 struct Box {
@@ -66,7 +66,7 @@ struct Box {
   Eigen::Vector3f center = Eigen::Vector3f::Zero();
   Eigen::Vector3f half_extent = Eigen::Vector3f::Ones();
   Eigen::Quaternionf rotation = Eigen::Quaternionf::Identity();
-  Color color = {0.24f, 0.31f, 0.40f};
+  Color color = {0.36f, 0.43f, 0.52f};
 };
 
 /// A distant key light with soft shadows, light from the sky and from below, a fill at the camera.

@@ -27,6 +27,7 @@ void use_light(GLuint program, const Lighting& light) {
   set_uniform(program, "below_light", light.below, 0.6f * light.ambient_strength);
   set_uniform(program, "fill_light", light.fill_strength);
   set_uniform(program, "occlusion", light.occlusion);
+  set_uniform(program, "neighbors", 5);
 }
 
 void bind_texture(int unit, GLuint texture, GLuint sampler) {
@@ -43,6 +44,7 @@ void upload(const Programs& programs, const SceneGeometry& geometry) {
   };
   fill(programs.triangle_buffer, geometry.triangles);
   fill(programs.edge_buffer, geometry.edges);
+  fill(programs.wire_buffer, geometry.wires);
 }
 
 void draw_triangles(const Programs& programs, const SceneGeometry& geometry) {
@@ -79,8 +81,6 @@ void draw_planes(const Programs& programs, GLuint program, const Frame& frame) {
 void begin_pass(GLuint framebuffer, const Targets& targets) {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   glViewport(0, 0, targets.width, targets.height);
-  glClearColor(0, 0, 0, 0);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
 void shadow_pass(const Programs& programs, const Frame& frame) {
@@ -97,10 +97,26 @@ void shadow_pass(const Programs& programs, const Frame& frame) {
 
 void normals_pass(const Programs& programs, const Targets& targets, const Frame& frame) {
   begin_pass(targets.normals_frame, targets);
+  glClearColor(0, 0, 0, 0);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   use_camera(programs.mesh_normals, targets, frame.view);
   draw_triangles(programs, frame.geometry);
   use_camera(programs.plane_normals, targets, frame.view);
   draw_planes(programs, programs.plane_normals, frame);
+}
+
+/// Twelve points spread evenly over the unit disc, along a spiral by the golden angle.
+void set_disc(GLuint program) {
+  constexpr int taps = 12;
+  std::array<float, 2 * taps> disc;
+  for (std::size_t i = 0; i < taps; ++i) {
+    const double r = std::sqrt((static_cast<double>(i) + 0.5) / taps);
+    const double angle = 2.399963229728653 * static_cast<double>(i);
+    disc[2 * i] = static_cast<float>(r * std::cos(angle));
+    disc[2 * i + 1] = static_cast<float>(r * std::sin(angle));
+  }
+  glUniform2fv(glGetUniformLocation(program, "disc"), taps, disc.data());
+  set_uniform(program, "taps", taps);
 }
 
 void visibility_pass(const Programs& programs, const Targets& targets, const Frame& frame) {
@@ -123,6 +139,7 @@ void visibility_pass(const Programs& programs, const Targets& targets, const Fra
   set_uniform(program, "occlusion_radius", 0.22f * view.radius);
   set_uniform(program, "pixels_per_ray",
               static_cast<float>(targets.height) / (2 * view.ray_up.norm()));
+  set_disc(program);
   draw_fullscreen(programs);
 }
 
@@ -150,26 +167,30 @@ void use_shading(GLuint program, const Programs& programs, const Targets& target
   set_uniform(program, "seen", 0);
 }
 
-/// What is in front is drawn in full, what is behind faces faintly: figure 1's wires can be read.
+void draw_lines(const Programs& programs, GLuint vertices, const std::vector<EdgeInstance>& lines,
+                float opacity) {
+  set_uniform(programs.edge, "opacity", opacity);
+  glBindVertexArray(vertices);
+  glDrawArraysInstanced(GL_TRIANGLES, 0, 6, static_cast<GLsizei>(lines.size()));
+}
+
+/// Wires behind faces are drawn faintly, so that figure 1's can be followed.
 void draw_edges(const Programs& programs, const Targets& targets, const Frame& frame) {
-  if (frame.geometry.edges.empty()) return;
-  const GLuint program = programs.edge;
-  use_camera(program, targets, frame.view);
-  set_uniform(program, "near", frame.view.near);
-  set_uniform(program, "half_width", static_cast<float>(targets.height) / 1300);
-  glBindVertexArray(programs.edges);
+  use_camera(programs.edge, targets, frame.view);
+  set_uniform(programs.edge, "near", frame.view.near);
+  set_uniform(programs.edge, "half_width", static_cast<float>(targets.height) / 1300);
   glDepthMask(GL_FALSE);
-  for (const bool hidden : {true, false}) {
-    glDepthFunc(hidden ? GL_GREATER : GL_LEQUAL);
-    set_uniform(program, "hidden", hidden ? 1 : 0);
-    glDrawArraysInstanced(GL_TRIANGLES, 0, 6, static_cast<GLsizei>(frame.geometry.edges.size()));
-  }
+  draw_lines(programs, programs.edges, frame.geometry.edges, 0.4f);
+  glDepthFunc(GL_GREATER);
+  draw_lines(programs, programs.wires, frame.geometry.wires, 0.12f);
   glDepthFunc(GL_LEQUAL);
+  draw_lines(programs, programs.wires, frame.geometry.wires, 1.0f);
   glDepthMask(GL_TRUE);
 }
 
 void picture_pass(const Programs& programs, const Targets& targets, const Frame& frame) {
   begin_pass(targets.samples_frame, targets);
+  glClear(GL_DEPTH_BUFFER_BIT);
   glEnable(GL_FRAMEBUFFER_SRGB);
   glDisable(GL_DEPTH_TEST);
   use_camera(programs.background, targets, frame.view);

@@ -15,8 +15,8 @@ namespace sunder::render {
 struct Programs {
   Program shadow, mesh_normals, plane_normals, visibility, smoothing;
   Program background, plane, mesh, edge;
-  VertexArray no_vertices, triangles, edges;
-  Buffer triangle_buffer, edge_buffer;
+  VertexArray no_vertices, triangles, edges, wires;
+  Buffer triangle_buffer, edge_buffer, wire_buffer;
   Sampler plain_sampler, shadow_sampler;
   Texture shadow_map;
   Framebuffer shadow_frame;

@@ -98,7 +98,8 @@ std::vector<Finding> Renderer::draw_inside(const FrameScene& scene, const Camera
     if (!targets) return findings;
     parts_->targets = std::move(*targets);
   }
-  const SceneGeometry geometry = scene_geometry(scene);
+  SceneGeometry geometry = scene_geometry(scene);
+  sort_front_to_back(geometry, camera.eye);
   const float aspect = static_cast<float>(width) / static_cast<float>(height);
   const FrameView view = frame_view(scene, geometry.casters, camera, aspect);
   draw_frame(parts_->programs, parts_->targets, {scene, geometry, view});

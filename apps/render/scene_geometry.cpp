@@ -14,11 +14,11 @@ using Corners = std::array<Eigen::Vector3f, 3>;
 
 std::array<float, 3> packed(const Eigen::Vector3f& v) { return {v.x(), v.y(), v.z()}; }
 
-std::array<std::uint8_t, 4> packed(Color c, float opacity = 1) {
+std::array<std::uint8_t, 4> packed(Color c) {
   const auto byte = [](float v) {
     return static_cast<std::uint8_t>(std::lround(255 * std::clamp(v, 0.0f, 1.0f)));
   };
-  return {byte(c.r), byte(c.g), byte(c.b), byte(opacity)};
+  return {byte(c.r), byte(c.g), byte(c.b), 255};
 }
 
 void add_triangle(SceneGeometry& geometry, const Corners& p, const Corners& n, Color color) {
@@ -53,7 +53,7 @@ void add_faces(SceneGeometry& geometry, const Surface& s) {
   }
 }
 
-void add_edges(SceneGeometry& geometry, const Surface& s) {
+void add_edges(std::vector<EdgeInstance>& lines, const Surface& s) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
   for (const auto& t : s.triangles) {
     if (!is_drawable(s, t)) continue;
@@ -61,10 +61,8 @@ void add_edges(SceneGeometry& geometry, const Surface& s) {
   }
   std::ranges::sort(edges);
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  const float opacity = s.style == SurfaceStyle::wireframe ? 0.9f : 0.4f;
   for (const auto& [a, b] : edges) {
-    geometry.edges.push_back(
-        {packed(s.positions[a]), packed(s.positions[b]), packed(s.colors.wire, opacity)});
+    lines.push_back({packed(s.positions[a]), packed(s.positions[b]), packed(s.colors.wire)});
   }
 }
 
@@ -115,11 +113,29 @@ SceneGeometry scene_geometry(const FrameScene& scene) {
   SceneGeometry geometry;
   for (const Surface& s : scene.surfaces) {
     if (s.style != SurfaceStyle::wireframe) add_faces(geometry, s);
-    if (s.style != SurfaceStyle::filled) add_edges(geometry, s);
+    if (s.style == SurfaceStyle::wireframe) add_edges(geometry.wires, s);
+    if (s.style == SurfaceStyle::filled_with_edges) add_edges(geometry.edges, s);
   }
   for (const Sphere& s : scene.spheres) add_sphere(geometry, s);
   for (const Box& b : scene.boxes) add_box(geometry, b);
   return geometry;
+}
+
+void sort_front_to_back(SceneGeometry& geometry, const Eigen::Vector3f& eye) {
+  const auto& rows = geometry.triangles;
+  std::vector<std::pair<float, std::size_t>> order(rows.size() / 3);
+  for (std::size_t t = 0; t < order.size(); ++t) {
+    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+    for (std::size_t i = 0; i < 3; ++i) sum += Eigen::Vector3f(rows[3 * t + i].position.data());
+    order[t] = {(sum / 3 - eye).squaredNorm(), t};
+  }
+  std::ranges::sort(order);
+  std::vector<MeshVertex> sorted;
+  sorted.reserve(rows.size());
+  for (const auto& [distance, t] : order) {
+    for (std::size_t i = 0; i < 3; ++i) sorted.push_back(rows[3 * t + i]);
+  }
+  geometry.triangles = std::move(sorted);
 }
 
 }  // namespace sunder::render

@@ -27,8 +27,10 @@ struct EdgeInstance {
 struct SceneGeometry {
   /// Three in a row are a triangle. All cast shadows.
   std::vector<MeshVertex> triangles;
-  /// Each edge of a surface with edges once.
+  /// Each edge of a filled surface with edges once.
   std::vector<EdgeInstance> edges;
+  /// Each edge of a wireframe once.
+  std::vector<EdgeInstance> wires;
   /// Of what casts shadows; empty when nothing does.
   Bounds casters;
 };
@@ -36,5 +38,8 @@ struct SceneGeometry {
 /// Filled surfaces, spheres and boxes as triangles; edges where a surface's style asks for them.
 /// Triangles that cannot be drawn are left out. O(n log n) in the edges.
 SceneGeometry scene_geometry(const FrameScene& scene);
+
+/// Puts the triangles nearest to `eye` first, so that hidden ones are not shaded; ties by row.
+void sort_front_to_back(SceneGeometry& geometry, const Eigen::Vector3f& eye);
 
 }  // namespace sunder::render

@@ -79,20 +79,15 @@ uniform vec3 light_center, light_u, light_v, to_light;
 uniform float light_radius, light_tangent, occlusion_radius, pixels_per_ray;
 out vec3 visibility;
 
-const int blocker_taps = 10;
-const int shadow_taps = 12;
-const int occlusion_taps = 12;
+// Points spread evenly over the unit disc; `turn` rotates them.
+uniform vec2 disc[12];
+uniform int taps;
 
-vec2 disc(int i, int n, float turn) {
-  float angle = float(i) * 2.399963 + turn;
-  return sqrt((float(i) + 0.5) / float(n)) * vec2(cos(angle), sin(angle));
-}
-
-float sky_visibility(vec2 pixel, vec3 p, vec3 n, float depth, float turn) {
+float sky_visibility(vec2 pixel, vec3 p, vec3 n, float depth, mat2 turn) {
   float reach = min(occlusion_radius / depth * pixels_per_ray, 0.25 * pixels.y);
   float sum = 0.0;
-  for (int i = 0; i < occlusion_taps; ++i) {
-    vec2 tap = floor(pixel + reach * disc(i, occlusion_taps, turn)) + 0.5;
+  for (int i = 0; i < 12; ++i) {
+    vec2 tap = floor(pixel + reach * (turn * disc[i])) + 0.5;
     if (any(lessThan(tap, vec2(0.0))) || any(greaterThan(tap, pixels))) continue;
     float tap_depth = texelFetch(normal_and_depth, ivec2(tap), 0).w;
     if (tap_depth == 0.0) continue;
@@ -101,10 +96,10 @@ float sky_visibility(vec2 pixel, vec3 p, vec3 n, float depth, float turn) {
     float near = max(1.0 - square, 0.0);
     sum += near * near * near * max(dot(v, n) - 0.015, 0.0) / (square + 0.01);
   }
-  return max(1.0 - 1.7 * sum / float(occlusion_taps), 0.0);
+  return max(1.0 - 1.7 * sum / 12.0, 0.0);
 }
 
-float key_visibility(vec3 p, vec3 n, float turn) {
+float key_visibility(vec3 p, vec3 n, mat2 turn) {
   float slope = dot(n, to_light);
   if (slope <= 0.0) return 0.0;
   vec3 q = (p - light_center) / light_radius;
@@ -116,8 +111,8 @@ float key_visibility(vec3 p, vec3 n, float turn) {
   float bias = texel * (1.5 + 0.75 * length(tilt));
   float search = min(light_tangent * (place.z + 1.0), 0.3) + 2.0 * texel;
   float blockers = 0.0, blocked_at = 0.0;
-  for (int i = 0; i < blocker_taps; ++i) {
-    vec2 offset = search * disc(i, blocker_taps, turn);
+  for (int i = 0; i < 12; ++i) {
+    vec2 offset = search * (turn * disc[i]);
     float nearest = 2.0 * texture(shadow_depth, 0.5 * (place.xy + offset) + 0.5).r - 1.0;
     if (nearest < place.z + dot(tilt, offset) - bias) {
       blockers += 1.0;
@@ -127,12 +122,12 @@ float key_visibility(vec3 p, vec3 n, float turn) {
   if (blockers == 0.0) return 1.0;
   float width = max(light_tangent * (place.z - blocked_at / blockers), 1.5 * texel);
   float lit = 0.0;
-  for (int i = 0; i < shadow_taps; ++i) {
-    vec2 offset = width * disc(i, shadow_taps, turn);
+  for (int i = 0; i < taps; ++i) {  // a count unknown to the compiler: it stops where all are lit
+    vec2 offset = width * (turn * disc[i]);
     float reference = min(place.z + dot(tilt, offset) - bias, 0.999);
     lit += texture(shadow_test, vec3(0.5 * (place.xy + offset) + 0.5, 0.5 * reference + 0.5));
   }
-  return lit / float(shadow_taps);
+  return lit / float(taps);
 }
 
 void main() {
@@ -142,7 +137,8 @@ void main() {
   vec3 p = eye + surface.w * ray_through(gl_FragCoord.xy);
   ivec2 cell = ivec2(gl_FragCoord.xy) & 3;
   int rotation = (cell.x * 4 + cell.y) * 7 & 15;
-  float turn = 6.2831853 * float(rotation) / 16.0;
+  float angle = 6.2831853 * float(rotation) / 16.0;
+  mat2 turn = mat2(cos(angle), sin(angle), -sin(angle), cos(angle));
   visibility.x = sky_visibility(gl_FragCoord.xy, p, surface.xyz, surface.w, turn);
   visibility.y = key_visibility(p, surface.xyz, turn);
 }
@@ -180,13 +176,14 @@ void main() {
 const char* const shading_part = R"glsl(
 uniform vec3 to_light, sky_up, key_light, sky_light, below_light;
 uniform float fill_light, occlusion;
+uniform int neighbors;
 uniform sampler2D seen;
 
 vec2 visibility_at(vec3 p, vec3 n, float depth) {
   ivec2 last = textureSize(seen, 0) - 1;
   vec2 sum = vec2(0.0);
   float weights = 0.0;
-  for (int i = 0; i < 5; ++i) {
+  for (int i = 0; i < neighbors; ++i) {
     vec2 step = vec2(i == 1 ? 1.0 : i == 2 ? -1.0 : 0.0, i == 3 ? 1.0 : i == 4 ? -1.0 : 0.0);
     vec2 tap = floor(gl_FragCoord.xy) + 0.5 + step;
     vec3 there = texelFetch(seen, clamp(ivec2(tap), ivec2(0), last), 0).xyz;
@@ -194,8 +191,15 @@ vec2 visibility_at(vec3 p, vec3 n, float depth) {
     float weight = (i == 0 ? 1.0 : 0.1) / (0.01 + off * off);
     sum += weight * there.xy;
     weights += weight;
+    if (weights > 10.0) break;  // nearly always the pixel's own surface
   }
   return sum / weights;
+}
+
+float power_5(float x) { return x * x * x * x * x; }
+float power_24(float x) {
+  float x8 = x * x * x * x * x * x * x * x;
+  return x8 * x8 * x8;
 }
 
 vec3 shoulder(vec3 light) {
@@ -211,8 +215,8 @@ vec3 shade(vec3 albedo, vec3 p, vec3 n, float gloss) {
   vec3 ambient = mix(below_light, sky_light, 0.5 + 0.5 * dot(n, sky_up));
   vec3 diffuse = key_light * key + sky * (ambient + fill_light * max(dot(n, to_eye), 0.0));
   vec3 halfway = normalize(to_eye + to_light);
-  float highlight = gloss * key * pow(max(dot(n, halfway), 0.0), 24.0);
-  float rim = gloss * 0.6 * sky * pow(1.0 - max(dot(n, to_eye), 0.0), 5.0);
+  float highlight = gloss * key * power_24(max(dot(n, halfway), 0.0));
+  float rim = gloss * 0.6 * sky * power_5(1.0 - max(dot(n, to_eye), 0.0));
   return shoulder(albedo * diffuse + key_light * highlight + sky_light * rim);
 }
 )glsl";
@@ -270,7 +274,7 @@ uniform vec3 eye, forward;
 uniform vec2 pixels;
 uniform float near, half_width;
 noperspective out float across;
-flat out vec4 line_color;
+flat out vec3 line_color;
 
 vec3 nearer(vec3 p, vec3 other) {
   float depth = dot(p - eye, forward), other_depth = dot(other - eye, forward);
@@ -289,19 +293,18 @@ void main() {
   gl_Position = at_end ? b : a;
   gl_Position.xy += across * vec2(-direction.y, direction.x) * 2.0 / pixels * gl_Position.w;
   vec3 c = color.rgb;
-  line_color = vec4(mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(0.04045, c)), color.a);
+  line_color = mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(0.04045, c));
 }
 )glsl";
 
 const char* const edge_fragment = R"glsl(
 noperspective in float across;
-flat in vec4 line_color;
-uniform float half_width;
-uniform bool hidden;
+flat in vec3 line_color;
+uniform float half_width, opacity;
 out vec4 color;
 void main() {
   float cover = clamp(half_width + 0.5 - abs(across), 0.0, 1.0);
-  color = vec4(line_color.rgb, (hidden ? 0.12 : 1.0) * line_color.a * cover);
+  color = vec4(line_color, opacity * cover);
 }
 )glsl";
 

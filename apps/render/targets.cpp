@@ -24,6 +24,16 @@ void describe(GLuint index, int components, std::size_t stride, std::size_t offs
                         components == 0 ? GL_TRUE : GL_FALSE, static_cast<GLsizei>(stride), at);
 }
 
+/// One line an instance.
+void describe_lines(GLuint vertices, GLuint buffer) {
+  glBindVertexArray(vertices);
+  glBindBuffer(GL_ARRAY_BUFFER, buffer);
+  describe(0, 3, sizeof(EdgeInstance), offsetof(EdgeInstance, from));
+  describe(1, 3, sizeof(EdgeInstance), offsetof(EdgeInstance, to));
+  describe(2, 0, sizeof(EdgeInstance), offsetof(EdgeInstance, color));
+  for (GLuint index = 0; index < 3; ++index) glVertexAttribDivisor(index, 1);
+}
+
 void make_buffers(Programs& p) {
   p.no_vertices = make_vertex_array();
   p.triangles = make_vertex_array();
@@ -35,12 +45,10 @@ void make_buffers(Programs& p) {
   describe(2, 0, sizeof(MeshVertex), offsetof(MeshVertex, color));
   p.edges = make_vertex_array();
   p.edge_buffer = make_buffer();
-  glBindVertexArray(p.edges);
-  glBindBuffer(GL_ARRAY_BUFFER, p.edge_buffer);
-  describe(0, 3, sizeof(EdgeInstance), offsetof(EdgeInstance, from));
-  describe(1, 3, sizeof(EdgeInstance), offsetof(EdgeInstance, to));
-  describe(2, 0, sizeof(EdgeInstance), offsetof(EdgeInstance, color));
-  for (GLuint index = 0; index < 3; ++index) glVertexAttribDivisor(index, 1);
+  describe_lines(p.edges, p.edge_buffer);
+  p.wires = make_vertex_array();
+  p.wire_buffer = make_buffer();
+  describe_lines(p.wires, p.wire_buffer);
   glBindVertexArray(0);
 }
 
