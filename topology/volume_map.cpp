@@ -20,6 +20,15 @@ std::vector<TetId> incident_tetrahedra(const MapRows& rows) {
   return incident;
 }
 
+// Debug builds hold what a change touched against the darts at once; `check` holds everything.
+[[maybe_unused]] bool agree(const VolumeMap& map, TetId t) {
+  if (map.darts().corners(t) != map.corners(t)) return false;
+  for (int p = 0; p < 4; ++p) {
+    if (map.darts().neighbour(half_face(t, p)) != map.neighbour(half_face(t, p))) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 VolumeMap::VolumeMap(MapRows rows)
@@ -68,6 +77,8 @@ void VolumeMap::unsew(HalfFaceId face) {
   darts_->unsew(face);
   rows_.neighbours[face.index() / 4][face.index() % 4] = HalfFaceId::none();
   rows_.neighbours[across.index() / 4][across.index() % 4] = HalfFaceId::none();
+  SUNDER_ASSERT(agree(*this, tetrahedron_of(face)), "the darts are unsewn as the rows are");
+  SUNDER_ASSERT(agree(*this, tetrahedron_of(across)), "the darts are unsewn as the rows are");
 }
 
 void VolumeMap::sew(DartId a, DartId b) {
@@ -77,6 +88,8 @@ void VolumeMap::sew(DartId a, DartId b) {
   const HalfFaceId f = half_face_of(a), g = half_face_of(b);
   rows_.neighbours[f.index() / 4][f.index() % 4] = g;
   rows_.neighbours[g.index() / 4][g.index() % 4] = f;
+  SUNDER_ASSERT(agree(*this, tetrahedron(a)), "the darts are sewn as the rows are");
+  SUNDER_ASSERT(agree(*this, tetrahedron(b)), "the darts are sewn as the rows are");
 }
 
 VertexId VolumeMap::split_vertex(const VertexSplit& split) {
@@ -88,12 +101,21 @@ VertexId VolumeMap::split_vertex(const VertexSplit& split) {
   rows_.point_of_vertex.push_back(point);
   incident_[split.vertex.index()] = tetrahedron_of(split.staying[0]);
   incident_.push_back(tetrahedron_of(split.leaving[0]));
+  for ([[maybe_unused]] const CornerId c : split.leaving) {
+    SUNDER_ASSERT(agree(*this, tetrahedron_of(c)), "the darts have the new row");
+  }
+  for ([[maybe_unused]] const CornerId c : split.staying) {
+    SUNDER_ASSERT(agree(*this, tetrahedron_of(c)), "the darts have the old row");
+  }
   return added;
 }
 
 void VolumeMap::merge_vertices(VertexId kept, VertexId retired, std::span<const CornerId> corners) {
   darts_->merge_vertices(kept, retired, corners);
   for (const CornerId c : corners) rows_.corners[c.index() / 4][c.index() % 4] = kept;
+  for ([[maybe_unused]] const CornerId c : corners) {
+    SUNDER_ASSERT(agree(*this, tetrahedron_of(c)), "the darts have the kept row");
+  }
   incident_[retired.index()] = TetId::none();
   while (!incident_.empty() && incident_.back().is_none()) {
     incident_.pop_back();
