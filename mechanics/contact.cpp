@@ -1,0 +1,407 @@
+// SPDX-License-Identifier: MIT
+// The step with contact: predict, find, solve, predict again, adopt.
+#include "mechanics/contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <tuple>
+
+#include "mechanics/contact_bodies.hpp"
+#include "mechanics/contact_detect.hpp"
+#include "topology/assert.hpp"
+
+namespace sunder {
+
+struct ContactScratch::Room {
+  DetectScratch detect;
+  ContactBodies bodies;
+  StepBlows blows;
+  std::vector<Vec3> ball_end;
+  std::vector<Vec3> change;
+  std::vector<std::uint32_t> count;  ///< row = ComponentId: contacts taken so far
+};
+
+ContactScratch::ContactScratch() : room(std::make_unique<Room>()) {}
+ContactScratch::~ContactScratch() = default;
+ContactScratch::ContactScratch(ContactScratch&&) noexcept = default;
+ContactScratch& ContactScratch::operator=(ContactScratch&&) noexcept = default;
+
+namespace {
+
+using Room = ContactScratch::Room;
+
+/// One step at work.
+struct ContactStep {
+  ContactPass pass;
+  ContactMemory& memory;
+  const ContactSettings& settings;
+  std::vector<ContactPoint>& contacts;
+  Room& room;
+  ContactReport report;
+
+  double h() const { return pass.input.settings.time_step; }
+};
+
+StepPaths paths_of(const ContactStep& step) {
+  return {step.pass.state,     step.pass.input.corners, step.pass.mechanics.predicted.position,
+          step.pass.obstacles, step.room.ball_end,      step.h()};
+}
+
+void predict_balls(ContactStep& step) {
+  const std::vector<Obstacle>& obstacles = step.pass.obstacles;
+  step.room.ball_end.resize(obstacles.size(), Vec3::Zero());
+  const double h = step.h();
+  for (std::size_t k = 0; k < obstacles.size(); ++k) {
+    if (!obstacles[k].mass) continue;
+    Vec3 motion = h * obstacles[k].velocity;
+    if (!step.room.blows.ball_touched[k]) motion += 0.5 * h * h * step.pass.input.loads.gravity;
+    step.room.ball_end[k] = std::get<Sphere>(obstacles[k].shape).center + motion;
+  }
+}
+
+/// How much lower than predicted a free body ends once its weight is taken as a blow at the start:
+/// + h^2 g / 2 for what has not been touched yet, nothing for the rest.
+Vec3 weight_shift(const ContactStep& step, ComponentId id) {
+  const Component& component = step.pass.state.components[id.index()];
+  const bool shifts = takes_split_blow(step.pass, component) && !component.supported &&
+                      !step.room.blows.component_touched[id.index()];
+  return shifts ? Vec3{0.5 * step.h() * step.h() * step.pass.input.loads.gravity} : Vec3::Zero();
+}
+
+Vec3 weight_shift_of_ball(const ContactStep& step, std::uint32_t row) {
+  const bool shifts = step.pass.obstacles[row].mass && !step.room.blows.ball_touched[row];
+  return shifts ? Vec3{0.5 * step.h() * step.h() * step.pass.input.loads.gravity} : Vec3::Zero();
+}
+
+Vec3 relative_shift(const ContactStep& step, const ContactPoint& contact) {
+  const MechanicsState& state = step.pass.state;
+  Vec3 shift = contact.ball == ContactPoint::none
+                   ? weight_shift(step, state.vertices.component[contact.vertex.index()])
+                   : weight_shift_of_ball(step, contact.ball);
+  if (contact.obstacle != ContactPoint::none) {
+    shift -= weight_shift_of_ball(step, contact.obstacle);
+  } else {
+    shift -= weight_shift(step, state.elements.component[contact.tetrahedron.index()]);
+  }
+  return shift;
+}
+
+/// Where the gap may be at the end of the step: a contact that is too deep comes out slowly.
+double target_gap(const ContactStep& step, const ContactPoint& contact) {
+  const double allowed = -step.settings.allowed_penetration;
+  if (contact.gap_start >= allowed) return std::min(0.0, contact.gap_start);
+  return std::min(allowed, contact.gap_start + step.settings.push_out_speed * step.h());
+}
+
+/// Rounding of a gap: nothing below it is an overlap.
+double rounding_of(const ContactPath& path, const ContactPoint& contact) {
+  return 128 * std::numeric_limits<double>::epsilon() *
+         (path.start.norm() + path.end.norm() + std::abs(contact.offset));
+}
+
+auto key_of(const ContactPoint& c) {
+  return std::tuple(c.ball, c.vertex, c.obstacle, c.tetrahedron);
+}
+
+/// What the end of the step lacks: gap less target, as predicted.
+double predicted_lack(const ContactStep& step, const ContactPoint& contact,
+                      const ContactPath& path) {
+  return gap_end(contact, path) + contact.normal.dot(relative_shift(step, contact)) -
+         target_gap(step, contact);
+}
+
+/// Counts a contact against both components; false when one of them has enough.
+bool take_place(ContactStep& step, const ContactPoint& contact) {
+  const MechanicsState& state = step.pass.state;
+  const std::uint32_t most = step.settings.max_contacts_per_component;
+  std::uint32_t* a = nullptr;
+  std::uint32_t* b = nullptr;
+  if (contact.ball == ContactPoint::none) {
+    a = &step.room.count[state.vertices.component[contact.vertex.index()].index()];
+  }
+  if (contact.obstacle == ContactPoint::none) {
+    b = &step.room.count[state.elements.component[contact.tetrahedron.index()].index()];
+  }
+  if ((a && *a >= most) || (b && *b >= most)) return false;
+  if (a) ++*a;
+  if (b) ++*b;
+  return true;
+}
+
+/// Spreads equal depths over a face instead of filling it from one side.
+std::uint32_t scattered(VertexId v) { return v.value * 2654435761u; }
+
+/// Adds what has come near since the last pass: overlaps, deepest first, and what is nearer than
+/// the deepest overlap is deep. Gives that depth, m; 0 when nothing overlaps.
+double add_new_contacts(ContactStep& step, double deepest) {
+  DetectScratch& found = step.room.detect;
+  const StepPaths paths = paths_of(step);
+  find_contacts(found, step.memory, paths, step.settings);
+  std::vector<decltype(key_of(ContactPoint{}))> known;
+  for (const ContactPoint& c : step.contacts) known.push_back(key_of(c));
+  std::sort(known.begin(), known.end());
+  found.order.clear();
+  for (std::uint32_t k = 0; k < found.found.size(); ++k) {
+    const ContactPoint& contact = found.found[k];
+    if (std::binary_search(known.begin(), known.end(), key_of(contact))) continue;
+    const ContactPath path = path_of(contact, paths);
+    double& lack = found.found_gap[k];
+    lack = predicted_lack(step, contact, path);
+    if (lack < -rounding_of(path, contact)) deepest = std::max(deepest, -lack);
+    found.order.push_back(k);
+  }
+  if (deepest == 0) return 0;
+  std::erase_if(found.order, [&](std::uint32_t k) { return !(found.found_gap[k] <= deepest); });
+  std::sort(found.order.begin(), found.order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return std::tuple(found.found_gap[a], scattered(found.found[a].vertex), a) <
+           std::tuple(found.found_gap[b], scattered(found.found[b].vertex), b);
+  });
+  found.taken.clear();
+  for (const std::uint32_t k : found.order) {
+    if (take_place(step, found.found[k])) {
+      found.taken.push_back(k);
+    } else {
+      ++step.report.left_out;
+    }
+  }
+  std::sort(found.taken.begin(), found.taken.end());
+  for (const std::uint32_t k : found.taken) step.contacts.push_back(found.found[k]);
+  return deepest;
+}
+
+/// Gaps and slips of the rows at the predicted end of the step. Gives the largest error among the
+/// contacts: an overlap, or an impulse where there is a gap.
+double measure_rows(ContactStep& step) {
+  const StepPaths paths = paths_of(step);
+  double worst = 0;
+  for (std::size_t k = 0; k < step.contacts.size(); ++k) {
+    const ContactPoint& contact = step.contacts[k];
+    ContactRow& row = step.room.bodies.rows[k];
+    const ContactPath path = path_of(contact, paths);
+    row.gap = predicted_lack(step, contact, path);
+    row.compliance = step.settings.compliance / step.h();
+    row.friction = contact.friction;
+    row.impulse = contact.impulse;
+    row.slip = path.end - path.start + relative_shift(step, contact);
+    for (std::uint32_t e = 0; e < row.end_count; ++e) {
+      const std::uint32_t ball = step.room.bodies.ball[row.ends[e].body];
+      if (ball == ContactBodies::none) continue;
+      row.slip +=
+          step.h() * row.ends[e].weight * step.pass.obstacles[ball].spin.cross(row.ends[e].arm);
+    }
+    const double pressed = row.normal.dot(row.impulse);
+    const double lack = row.gap + row.compliance * pressed;
+    worst = std::max(worst, pressed > 0 ? std::abs(lack) : -lack);
+  }
+  return worst;
+}
+
+/// Solves, hands the changes on, and predicts what was touched.
+void solve_pass(ContactStep& step) {
+  ContactBodies& bodies = step.room.bodies;
+  const SolveOutcome outcome = solve_contacts(
+      bodies.rows, bodies.bodies, {step.h(), step.report.tolerated, step.settings.max_iterations});
+  step.report.iterations += outcome.iterations;
+  step.report.converged = step.report.converged && outcome.converged;
+  step.room.change.resize(step.contacts.size());
+  for (std::size_t k = 0; k < step.contacts.size(); ++k) {
+    step.room.change[k] = bodies.rows[k].impulse - step.contacts[k].impulse;
+    step.contacts[k].impulse = bodies.rows[k].impulse;
+  }
+  apply_changes(step.room.blows, bodies, step.room.change, step.pass);
+  predict_touched(step.room.blows, step.pass);
+  predict_balls(step);
+  ++step.report.passes;
+}
+
+/// Passes until the predicted gaps are as solved for. What remains is the residual.
+void resolve(ContactStep& step) {
+  double deepest = 0;
+  for (int k = 0; k <= step.settings.max_passes; ++k) {
+    const std::size_t before = step.contacts.size();
+    deepest = add_new_contacts(step, deepest);
+    if (deepest == 0) return;
+    step.report.tolerated = step.settings.tolerance * deepest;
+    gather_bodies(step.room.bodies, step.contacts, step.pass);
+    step.report.residual = measure_rows(step);
+    // A thousandth of the overlap is below what faceted surfaces mean, and it is not pushed out.
+    const double good_enough =
+        std::max(1e-3 * deepest > 0 ? 1e-3 * deepest : 0.0, step.report.tolerated);
+    const bool settled =
+        k > 0 && step.contacts.size() == before && step.report.residual <= good_enough;
+    if (settled || k == step.settings.max_passes) return;
+    solve_pass(step);
+  }
+}
+
+/// Velocity of side A less side B at this moment, m/s.
+Vec3 relative_velocity(const ContactStep& step, const ContactPoint& contact,
+                       const ContactRow& row) {
+  Vec3 velocity = Vec3::Zero();
+  for (std::uint32_t e = 0; e < row.end_count; ++e) {
+    const ContactEnd& end = row.ends[e];
+    const std::uint32_t ball = step.room.bodies.ball[end.body];
+    velocity += end.weight * (ball == ContactBodies::none
+                                  ? step.pass.state.vertices.velocity[end.vertex.index()]
+                                  : Vec3{step.pass.obstacles[ball].velocity +
+                                         step.pass.obstacles[ball].spin.cross(end.arm)});
+  }
+  if (contact.obstacle != ContactPoint::none && !step.pass.obstacles[contact.obstacle].mass) {
+    velocity -= step.pass.obstacles[contact.obstacle].velocity;
+  }
+  return velocity;
+}
+
+/// The second-order schemes give a lumped vertex up to twice the blow it needs to stop, within one
+/// step too short for its neighbours to answer. What sends it off the other side is taken back.
+void take_back_bounce(ContactStep& step) {
+  if (step.pass.input.settings.integrator != Integrator::floating_frame) return;
+  std::erase_if(step.contacts, [](const ContactPoint& c) { return c.impulse.isZero(0); });
+  if (step.contacts.empty()) return;
+  ContactBodies& bodies = step.room.bodies;
+  gather_lumped_bodies(bodies, step.contacts, step.pass);
+  double fastest = 0;
+  for (std::size_t k = 0; k < step.contacts.size(); ++k) {
+    const ContactPoint& contact = step.contacts[k];
+    ContactRow& row = bodies.rows[k];
+    row.gap = row.normal.dot(relative_velocity(step, contact, row));
+    row.least = -std::max(0.0, row.normal.dot(contact.impulse));
+    row.most = 0;
+    row.impulse.setZero();
+    fastest = std::max(fastest, row.gap);
+  }
+  // With a unit step, displacements are velocities.
+  solve_contacts(bodies.rows, bodies.bodies,
+                 {1, step.settings.tolerance * fastest, step.settings.max_iterations});
+  std::vector<VertexImpulse> hits;
+  for (std::size_t k = 0; k < step.contacts.size(); ++k) {
+    const ContactRow& row = bodies.rows[k];
+    step.contacts[k].impulse += row.impulse;
+    for (std::uint32_t e = 0; e < row.end_count; ++e) {
+      const ContactEnd& end = row.ends[e];
+      const Vec3 impulse = end.weight * row.impulse;
+      const std::uint32_t ball = bodies.ball[end.body];
+      if (ball == ContactBodies::none) {
+        hits.push_back({end.vertex, impulse});
+      } else {
+        Obstacle& sphere = step.pass.obstacles[ball];
+        sphere.velocity += impulse / *sphere.mass;
+        sphere.spin += end.arm.cross(impulse) / moment_of_inertia(sphere);
+      }
+    }
+  }
+  apply_impulses(step.pass.state, hits);
+}
+
+void move_obstacles(ContactStep& step) {
+  for (std::size_t k = 0; k < step.pass.obstacles.size(); ++k) {
+    Obstacle& obstacle = step.pass.obstacles[k];
+    if (!obstacle.mass) {
+      translate(obstacle.shape, step.h() * obstacle.velocity);
+      continue;
+    }
+    std::get<Sphere>(obstacle.shape).center = step.room.ball_end[k];
+    if (!step.room.blows.ball_touched[k]) {
+      obstacle.velocity += step.h() * step.pass.input.loads.gravity;
+    }
+  }
+}
+
+void count_contacts(ContactStep& step) {
+  ContactReport& report = step.report;
+  report.candidates = static_cast<std::uint32_t>(step.contacts.size());
+  report.obstacle_impulse.assign(step.pass.obstacles.size(), Vec3::Zero());
+  const StepPaths paths = paths_of(step);
+  for (const ContactPoint& contact : step.contacts) {
+    report.deepest = std::max(report.deepest, -gap_end(contact, path_of(contact, paths)));
+  }
+}
+
+void sum_impulses(ContactStep& step) {
+  for (const ContactPoint& contact : step.contacts) {
+    if (contact.impulse.isZero(0)) continue;
+    ++step.report.contacts;
+    if (contact.obstacle != ContactPoint::none) {
+      step.report.obstacle_impulse[contact.obstacle] += contact.impulse;
+    }
+    if (contact.ball != ContactPoint::none) {
+      step.report.obstacle_impulse[contact.ball] -= contact.impulse;
+    }
+  }
+}
+
+}  // namespace
+
+ContactStepResult advance_with_contact(const ContactWorld& world, const StepInput& input,
+                                       const ContactSettings& settings,
+                                       const ContactStepScratch& scratch) {
+  Room& room = *scratch.contact.room;
+  scratch.contact.contacts.clear();
+  ContactStep step{{input, world.state, world.obstacles, scratch.mechanics},
+                   world.memory,
+                   settings,
+                   scratch.contact.contacts,
+                   room,
+                   {}};
+  room.blows.component_touched.assign(world.state.components.size(), 0);
+  room.blows.ball_touched.assign(world.obstacles.size(), 0);
+  room.blows.vertex_impulse.assign(world.state.vertices.size(), Vec3::Zero());
+  room.count.assign(world.state.components.size(), 0);
+
+  predict(scratch.mechanics, world.state, input, living_components(world.state));
+  predict_balls(step);
+  update_allowances(world.memory, room.detect, paths_of(step));
+  resolve(step);
+  count_contacts(step);
+  ContactStepResult result;
+  result.status = adopt(world.state, scratch.mechanics, input);
+  if (result.status.outcome == StepOutcome::fine) take_back_bounce(step);
+  sum_impulses(step);
+  move_obstacles(step);
+  result.report = std::move(step.report);
+  return result;
+}
+
+namespace {
+
+struct Range {
+  const char* key;
+  double value;
+  double least;
+  const char* unit;
+};
+
+Finding out_of_range(const Range& range, std::string_view place) {
+  Finding f;
+  f.code = "bad_contact_setting";
+  f.text = std::string(place) + "." + range.key + " is " + std::to_string(range.value) +
+           range.unit + ", expected at least " + std::to_string(range.least) + range.unit;
+  f.remedy = "give a finite number in that range, or leave the key out for the default";
+  return f;
+}
+
+}  // namespace
+
+std::vector<Finding> check(const ContactSettings& s, std::string_view place) {
+  std::vector<Finding> findings;
+  const Range ranges[] = {
+      {"friction", s.friction, 0, ""},
+      {"compliance", s.compliance, 0, " m/N"},
+      {"push_out_speed", s.push_out_speed, 0, " m/s"},
+      {"allowed_penetration", s.allowed_penetration, 0, " m"},
+      {"max_iterations", static_cast<double>(s.max_iterations), 1, ""},
+      {"tolerance", s.tolerance, 0, ""},
+      {"max_passes", static_cast<double>(s.max_passes), 1, ""},
+      {"max_contacts_per_component", static_cast<double>(s.max_contacts_per_component), 1, ""},
+  };
+  for (const Range& range : ranges) {
+    if (!(std::isfinite(range.value) && range.value >= range.least)) {
+      findings.push_back(out_of_range(range, place));
+    }
+  }
+  return findings;
+}
+
+}  // namespace sunder

@@ -1,0 +1,365 @@
+// SPDX-License-Identifier: MIT
+// Answers of bodies to contact impulses, and the impulses' way into frame and deformation.
+#include "mechanics/contact_bodies.hpp"
+
+#include <algorithm>
+
+#include "mechanics/component_system.hpp"
+#include "mechanics/integrators/coefficients.hpp"
+#include "mechanics/rotation.hpp"
+#include "topology/assert.hpp"
+
+namespace sunder {
+namespace {
+
+const Sphere& sphere_of(const Obstacle& ball) { return std::get<Sphere>(ball.shape); }
+
+Mat3 world_inertia(const MechanicsState& state, const Component& component) {
+  Mat3 inertia = Mat3::Zero();
+  for (VertexId v : component.vertices) {
+    const Vec3 arm = state.vertices.position[v.index()] - component.centre;
+    const double m = state.vertices.mass[v.index()];
+    inertia -= m * arm * arm.transpose();
+    inertia.diagonal().array() += m * arm.squaredNorm();
+  }
+  return inertia;
+}
+
+/// Elastic displacement over a step of floating_frame for a unit impulse spread over the step as a
+/// force: beta h A^-1 on loads freed of their rigid part. Rigid fields r have A r = mu M r, so what
+/// a load's rigid part would give is subtracted in closed form. World axes, 3 k x 3 k.
+Eigen::MatrixXd elastic_answer(const ContactPass& pass, const Component& component,
+                               std::span<const VertexId> slots) {
+  ComponentSystem& system = *pass.mechanics.systems[component.id.index()];
+  std::vector<std::uint32_t> local;
+  std::vector<Eigen::Index> slot;
+  for (std::size_t k = 0; k < slots.size(); ++k) {
+    if (!pass.state.vertices.support[slots[k].index()].is_none()) continue;
+    local.push_back(pass.mechanics.local_row[slots[k].index()]);
+    slot.push_back(static_cast<Eigen::Index>(k));
+  }
+  const std::vector<std::uint32_t> places = touch_compliance(system, local);
+  const double rigid = component.supported ? 0 : 1 / system.factored_matrix.mass;
+  const Mat3 inverse_inertia = system.shape.inertia.inverse();
+  const Mat3 R = component.orientation.toRotationMatrix();
+  const IntegratorSettings& settings = pass.input.settings;
+  const double scale = generalised_alpha(settings.rho_infinity).beta * settings.time_step;
+  const auto size = static_cast<Eigen::Index>(3 * slots.size());
+  Eigen::MatrixXd E = Eigen::MatrixXd::Zero(size, size);
+  for (std::size_t a = 0; a < slot.size(); ++a) {
+    const Mat3 arm_a = cross_matrix(system.shape.arm.col(local[a]));
+    for (std::size_t b = 0; b < slot.size(); ++b) {
+      const Mat3 arm_b = cross_matrix(system.shape.arm.col(local[b]));
+      Mat3 block = system.compliance.block<3, 3>(3 * places[a], 3 * places[b]) +
+                   rigid * arm_a * inverse_inertia * arm_b;
+      block.diagonal().array() -= rigid / component.mass;
+      E.block<3, 3>(3 * slot[a], 3 * slot[b]) = scale * R * block * R.transpose();
+    }
+  }
+  return E;
+}
+
+AnsweringBody answering_component(const ContactPass& pass, const Component& component,
+                                  std::span<const VertexId> slots) {
+  AnsweringBody body;
+  if (!takes_split_blow(pass, component)) {
+    body.elastic =
+        end_of_step_response(pass.mechanics, pass.state, pass.input, {component.id, slots});
+    return body;
+  }
+  if (!component.supported) {
+    body.inverse_mass = 1 / component.mass;
+    body.inverse_inertia = world_inertia(pass.state, component).inverse();
+  }
+  if (!component.isolated) body.elastic = elastic_answer(pass, component, slots);
+  return body;
+}
+
+AnsweringBody lumped_component(const ContactPass& pass, const Component& component,
+                               std::span<const VertexId> slots) {
+  AnsweringBody body;
+  if (component.isolated) {
+    body.inverse_mass = 1 / component.mass;
+    body.inverse_inertia = world_inertia(pass.state, component).inverse();
+    return body;
+  }
+  const auto size = static_cast<Eigen::Index>(3 * slots.size());
+  body.elastic = Eigen::MatrixXd::Zero(size, size);
+  for (std::size_t k = 0; k < slots.size(); ++k) {
+    const std::size_t v = slots[k].index();
+    if (!pass.state.vertices.support[v].is_none()) continue;
+    body.elastic.diagonal()
+        .segment<3>(static_cast<Eigen::Index>(3 * k))
+        .setConstant(1 / pass.state.vertices.mass[v]);
+  }
+  return body;
+}
+
+AnsweringBody answering_ball(const Obstacle& ball) {
+  AnsweringBody body;
+  body.inverse_mass = 1 / *ball.mass;
+  body.inverse_inertia = Mat3::Identity() / moment_of_inertia(ball);
+  return body;
+}
+
+/// Gives the component or ball a place among the bodies.
+std::uint32_t enlist(ContactBodies& bodies, ComponentId component, std::uint32_t ball) {
+  std::uint32_t& place =
+      component.is_none() ? bodies.body_of_ball[ball] : bodies.body_of_component[component.index()];
+  if (place == ContactBodies::none) {
+    place = static_cast<std::uint32_t>(bodies.component.size());
+    bodies.component.push_back(component);
+    bodies.ball.push_back(ball);
+    bodies.slots.emplace_back();
+  }
+  return place;
+}
+
+/// Calls `visit(vertex)` for every vertex that a contact acts on.
+template <class Visit>
+void for_each_vertex(const ContactPoint& contact, std::span<const Corners> corners, Visit visit) {
+  if (contact.ball == ContactPoint::none) visit(contact.vertex);
+  if (contact.obstacle == ContactPoint::none) {
+    for (VertexId v : corners[contact.tetrahedron.index()]) visit(v);
+  }
+}
+
+/// Which bodies there are, and the slots of each.
+void enlist_all(ContactBodies& bodies, std::span<const ContactPoint> contacts,
+                const ContactPass& pass) {
+  bodies.body_of_component.assign(pass.state.components.size(), ContactBodies::none);
+  bodies.body_of_ball.assign(pass.obstacles.size(), ContactBodies::none);
+  bodies.slot_of_vertex.resize(pass.state.vertices.size());
+  bodies.component.clear();
+  bodies.ball.clear();
+  bodies.slots.clear();
+  for (const ContactPoint& contact : contacts) {
+    for_each_vertex(contact, pass.input.corners, [&](VertexId v) {
+      const std::uint32_t place =
+          enlist(bodies, pass.state.vertices.component[v.index()], ContactBodies::none);
+      bodies.slots[place].push_back(v);
+    });
+    for (const std::uint32_t row : {contact.ball, contact.obstacle}) {
+      if (row != ContactPoint::none && pass.obstacles[row].mass) {
+        enlist(bodies, ComponentId::none(), row);
+      }
+    }
+  }
+  for (std::vector<VertexId>& slots : bodies.slots) {
+    std::sort(slots.begin(), slots.end());
+    slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
+    for (std::size_t k = 0; k < slots.size(); ++k) {
+      bodies.slot_of_vertex[slots[k].index()] = static_cast<std::uint32_t>(k);
+    }
+  }
+}
+
+void add_end(ContactRow& row, const ContactEnd& end) { row.ends[row.end_count++] = end; }
+
+ContactEnd vertex_end(const ContactBodies& bodies, const ContactPass& pass, VertexId v,
+                      double weight) {
+  const ComponentId id = pass.state.vertices.component[v.index()];
+  ContactEnd end;
+  end.vertex = v;
+  end.body = bodies.body_of_component[id.index()];
+  end.weight = weight;
+  end.arm = pass.state.vertices.position[v.index()] - pass.state.components[id.index()].centre;
+  if (bodies.bodies[end.body].elastic.size() > 0) end.slot = bodies.slot_of_vertex[v.index()];
+  return end;
+}
+
+/// The points that a row acts on. Its gap, slip and bounds are the caller's.
+ContactRow row_of(const ContactPoint& contact, const ContactBodies& bodies,
+                  const ContactPass& pass) {
+  ContactRow row;
+  row.normal = contact.normal;
+  row.impulse = contact.impulse;
+  Vec3 place;
+  if (contact.ball == ContactPoint::none) {
+    place = pass.state.vertices.position[contact.vertex.index()];
+    add_end(row, vertex_end(bodies, pass, contact.vertex, 1));
+  } else {
+    const Sphere& ball = sphere_of(pass.obstacles[contact.ball]);
+    const Vec3 arm = -ball.radius * contact.normal;
+    place = ball.center + arm;
+    add_end(row, {bodies.body_of_ball[contact.ball], ContactEnd::rigid_slot, 1, arm, {}});
+  }
+  if (contact.obstacle == ContactPoint::none) {
+    for (VertexId v : pass.input.corners[contact.tetrahedron.index()]) {
+      add_end(row, vertex_end(bodies, pass, v, -0.25));
+    }
+  } else if (pass.obstacles[contact.obstacle].mass) {
+    // From the ball's centre to where side A is, not to its surface: both sides then feel the same
+    // line of action, and angular momentum is conserved exactly.
+    const Vec3 arm = place - sphere_of(pass.obstacles[contact.obstacle]).center;
+    add_end(row, {bodies.body_of_ball[contact.obstacle], ContactEnd::rigid_slot, -1, arm, {}});
+  }
+  return row;
+}
+
+template <class MakeComponent>
+void gather(ContactBodies& bodies, std::span<const ContactPoint> contacts, const ContactPass& pass,
+            MakeComponent make_component) {
+  enlist_all(bodies, contacts, pass);
+  bodies.bodies.clear();
+  for (std::size_t b = 0; b < bodies.component.size(); ++b) {
+    bodies.bodies.push_back(bodies.component[b].is_none()
+                                ? answering_ball(pass.obstacles[bodies.ball[b]])
+                                : make_component(pass,
+                                                 pass.state.components[bodies.component[b].index()],
+                                                 bodies.slots[b]));
+  }
+  bodies.rows.clear();
+  for (const ContactPoint& contact : contacts) {
+    bodies.rows.push_back(row_of(contact, bodies, pass));
+  }
+}
+
+/// The weight and other loads of what is touched act like the contact does: on the frame at once,
+/// on the deformation during the step. Otherwise rest would be a saw-tooth of +- g h / 2.
+void blow_of_loads(StepBlows& blows, Component& component, const ContactPass& pass) {
+  const double h = pass.input.settings.time_step;
+  component.momentum += h * component.mass * pass.input.loads.gravity;
+  if (pass.input.loads.force.empty()) return;
+  for (VertexId v : component.vertices) {
+    const Vec3 impulse = h * pass.input.loads.force[v.index()];
+    component.momentum += impulse;
+    component.angular_momentum +=
+        (pass.state.vertices.position[v.index()] - component.centre).cross(impulse);
+    blows.vertex_impulse[v.index()] += impulse;
+  }
+}
+
+void touch(StepBlows& blows, const ContactBodies& bodies, std::size_t b, const ContactPass& pass) {
+  if (bodies.component[b].is_none()) {
+    char& touched = blows.ball_touched[bodies.ball[b]];
+    if (touched) return;
+    touched = 1;
+    Obstacle& ball = pass.obstacles[bodies.ball[b]];
+    ball.velocity += pass.input.settings.time_step * pass.input.loads.gravity;
+    return;
+  }
+  char& touched = blows.component_touched[bodies.component[b].index()];
+  if (touched) return;
+  touched = 1;
+  Component& component = pass.state.components[bodies.component[b].index()];
+  if (takes_split_blow(pass, component) && !component.supported) {
+    blow_of_loads(blows, component, pass);
+  }
+}
+
+void add_impulse_at(StepBlows& blows, VertexId v, const Vec3& impulse, const ContactPass& pass) {
+  Component& component = pass.state.components[pass.state.vertices.component[v.index()].index()];
+  if (!takes_split_blow(pass, component)) {
+    const VertexImpulse hit{v, impulse};
+    apply_impulses(pass.state, {&hit, 1});
+    return;
+  }
+  blows.vertex_impulse[v.index()] += impulse;
+  if (component.supported) return;
+  component.momentum += impulse;
+  component.angular_momentum +=
+      (pass.state.vertices.position[v.index()] - component.centre).cross(impulse);
+}
+
+/// Forces that deform like the impulses of a free component but move its frame no more: the
+/// impulses over the step, less m (a0 + alpha x R r0) with no sum and no moment about the present
+/// positions. The integrator's projection on deformations takes such fields out anyway.
+void deforming_forces(std::vector<Vec3>& force, const StepBlows& blows, const Component& component,
+                      const ContactPass& pass) {
+  const VertexColumns& vertices = pass.state.vertices;
+  const double h = pass.input.settings.time_step;
+  const Mat3 R = component.orientation.toRotationMatrix();
+  Vec3 sum = Vec3::Zero(), moment = Vec3::Zero();
+  Mat3 second = Mat3::Zero();
+  for (VertexId v : component.vertices) {
+    const Vec3 f = blows.vertex_impulse[v.index()] / h;
+    const Vec3 arm = vertices.position[v.index()] - component.centre;
+    const Vec3 rest_arm = R * (vertices.rest_position[v.index()] - component.rest_centre);
+    sum += f;
+    moment += arm.cross(f);
+    second += vertices.mass[v.index()] * rest_arm * arm.transpose();
+  }
+  // sum m q x (alpha x r0) = (tr(Q) I - Q) alpha with Q = sum m r0 q^T.
+  Mat3 H = -second;
+  H.diagonal().array() += second.trace();
+  const Vec3 alpha = H.partialPivLu().solve(moment);
+  for (VertexId v : component.vertices) {
+    const Vec3 rest_arm = R * (vertices.rest_position[v.index()] - component.rest_centre);
+    force[v.index()] = blows.vertex_impulse[v.index()] / h -
+                       vertices.mass[v.index()] * (sum / component.mass + alpha.cross(rest_arm));
+  }
+}
+
+}  // namespace
+
+bool takes_split_blow(const ContactPass& pass, const Component& component) {
+  return component.isolated || pass.input.settings.integrator == Integrator::floating_frame;
+}
+
+void gather_bodies(ContactBodies& bodies, std::span<const ContactPoint> contacts,
+                   const ContactPass& pass) {
+  gather(bodies, contacts, pass, answering_component);
+}
+
+void gather_lumped_bodies(ContactBodies& bodies, std::span<const ContactPoint> contacts,
+                          const ContactPass& pass) {
+  gather(bodies, contacts, pass, lumped_component);
+}
+
+void apply_changes(StepBlows& blows, const ContactBodies& bodies, std::span<const Vec3> change,
+                   const ContactPass& pass) {
+  SUNDER_ASSERT(change.size() == bodies.rows.size(), "one change a row");
+  for (std::size_t k = 0; k < change.size(); ++k) {
+    if (change[k].isZero(0)) continue;
+    const ContactRow& row = bodies.rows[k];
+    for (std::uint32_t e = 0; e < row.end_count; ++e) touch(blows, bodies, row.ends[e].body, pass);
+  }
+  for (std::size_t k = 0; k < change.size(); ++k) {
+    if (change[k].isZero(0)) continue;
+    const ContactRow& row = bodies.rows[k];
+    for (std::uint32_t e = 0; e < row.end_count; ++e) {
+      const ContactEnd& end = row.ends[e];
+      const Vec3 impulse = end.weight * change[k];
+      if (bodies.component[end.body].is_none()) {
+        Obstacle& ball = pass.obstacles[bodies.ball[end.body]];
+        ball.velocity += impulse / *ball.mass;
+        ball.spin += end.arm.cross(impulse) / moment_of_inertia(ball);
+      } else {
+        add_impulse_at(blows, end.vertex, impulse, pass);
+      }
+    }
+  }
+}
+
+void predict_touched(StepBlows& blows, const ContactPass& pass) {
+  const StepInput& input = pass.input;
+  blows.without_gravity = {Vec3::Zero(), input.loads.force};
+  blows.with_gravity = {input.loads.gravity, {}};
+  blows.without_gravity.force.resize(pass.state.vertices.size(), Vec3::Zero());
+  std::vector<Vec3>& force = blows.without_gravity.force;
+  std::vector<ComponentId> free, held;
+  for (const Component& component : pass.state.components) {
+    if (!blows.component_touched[component.id.index()]) continue;
+    const bool split = takes_split_blow(pass, component);
+    if (split && !component.supported) {
+      free.push_back(component.id);
+      if (component.isolated) {
+        for (VertexId v : component.vertices) force[v.index()].setZero();
+        continue;
+      }
+      deforming_forces(force, blows, component, pass);
+    } else {
+      held.push_back(component.id);
+      if (!split) continue;
+      for (VertexId v : component.vertices) {
+        force[v.index()] += blows.vertex_impulse[v.index()] / input.settings.time_step;
+      }
+    }
+  }
+  blows.with_gravity.force = force;
+  predict(pass.mechanics, pass.state, {input.corners, blows.without_gravity, input.settings}, free);
+  predict(pass.mechanics, pass.state, {input.corners, blows.with_gravity, input.settings}, held);
+}
+
+}  // namespace sunder

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// The sweeps of projected Gauss-Seidel over contact rows.
+#include "mechanics/contact_solve.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sunder {
+namespace {
+
+/// How far end `a` of a body moves for a unit impulse at end `b` of the same body.
+Mat3 answer_between(const AnsweringBody& body, const ContactEnd& a, const ContactEnd& b,
+                    double step) {
+  Mat3 answer = Mat3::Zero();
+  answer.diagonal().setConstant(step * body.inverse_mass);
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 spin = body.inverse_inertia * b.arm.cross(Vec3::Unit(k));
+    answer.col(k) += step * spin.cross(a.arm);
+  }
+  if (a.slot != ContactEnd::rigid_slot && b.slot != ContactEnd::rigid_slot) {
+    answer += body.elastic.block<3, 3>(3 * a.slot, 3 * b.slot);
+  }
+  return answer;
+}
+
+Mat3 own_answer(const ContactRow& row, std::span<const AnsweringBody> bodies, double step) {
+  Mat3 answer = Mat3::Zero();
+  for (std::uint32_t i = 0; i < row.end_count; ++i) {
+    for (std::uint32_t j = 0; j < row.end_count; ++j) {
+      const ContactEnd& a = row.ends[i];
+      const ContactEnd& b = row.ends[j];
+      if (a.body != b.body) continue;
+      answer += a.weight * b.weight * answer_between(bodies[a.body], a, b, step);
+    }
+  }
+  return answer;
+}
+
+Vec3 relative_displacement(const ContactRow& row, std::span<const AnsweringBody> bodies,
+                           double step) {
+  Vec3 sum = Vec3::Zero();
+  for (std::uint32_t i = 0; i < row.end_count; ++i) {
+    const ContactEnd& end = row.ends[i];
+    const AnsweringBody& body = bodies[end.body];
+    Vec3 moved = step * (body.velocity + body.spin.cross(end.arm));
+    if (end.slot != ContactEnd::rigid_slot) moved += body.displacement.segment<3>(3 * end.slot);
+    sum += end.weight * moved;
+  }
+  return sum;
+}
+
+void add_impulse(const ContactRow& row, std::span<AnsweringBody> bodies, const Vec3& impulse) {
+  for (std::uint32_t i = 0; i < row.end_count; ++i) {
+    const ContactEnd& end = row.ends[i];
+    AnsweringBody& body = bodies[end.body];
+    const Vec3 share = end.weight * impulse;
+    body.velocity += body.inverse_mass * share;
+    body.spin += body.inverse_inertia * end.arm.cross(share);
+    if (end.slot != ContactEnd::rigid_slot) {
+      body.displacement.noalias() += body.elastic.middleCols<3>(3 * end.slot) * share;
+    }
+  }
+}
+
+/// Largest eigenvalue of the answer in the contact plane: the safe divisor for both directions.
+double tangential_answer(const ContactRow& row) {
+  const Vec3 u = row.normal.unitOrthogonal();
+  const Vec3 w = row.normal.cross(u);
+  const double uu = u.dot(row.answer * u);
+  const double ww = w.dot(row.answer * w);
+  const double uw = 0.5 * (u.dot(row.answer * w) + w.dot(row.answer * u));
+  return 0.5 * (uu + ww) + std::hypot(0.5 * (uu - ww), uw);
+}
+
+Vec3 projected_on_disk(const Vec3& v, double radius) {
+  const double length = v.norm();
+  return length <= radius ? v : Vec3{v * (radius / length)};
+}
+
+/// One visit of a row: its new impulse, and by how far (m) it was from where it should be.
+double relax(ContactRow& row, std::span<AnsweringBody> bodies, double step) {
+  const double normal_answer = row.normal.dot(row.answer * row.normal) + row.compliance;
+  if (!(normal_answer > 0)) return 0;
+  const Vec3& n = row.normal;
+  const Vec3 before = row.impulse;
+  const double before_n = n.dot(before);
+  const Vec3 moved = relative_displacement(row, bodies, step);
+  const double gap = row.gap + n.dot(moved) + row.compliance * before_n;
+  const double wanted_n = std::clamp(before_n - gap / normal_answer, row.least, row.most);
+  double error = std::abs(wanted_n - before_n) * normal_answer;
+  // Friction sees the slip that the new normal impulse leaves.
+  const Vec3 normal_change = (wanted_n - before_n) * n;
+  Vec3 wanted_t = Vec3::Zero();
+  if (row.friction > 0 && wanted_n > 0) {
+    const double divisor = tangential_answer(row);
+    const Vec3 total = row.slip + moved + row.answer * normal_change;
+    const Vec3 slip = total - n * n.dot(total);
+    const Vec3 before_t = before - before_n * n;
+    if (divisor > 0) {
+      wanted_t = projected_on_disk(before_t - slip / divisor, row.friction * wanted_n);
+      error = std::max(error, (wanted_t - before_t).norm() * divisor);
+    }
+  }
+  row.impulse = wanted_n * n + wanted_t;
+  const Vec3 change = row.impulse - before;
+  if (!change.isZero(0)) add_impulse(row, bodies, change);
+  return error;
+}
+
+}  // namespace
+
+SolveOutcome solve_contacts(std::span<ContactRow> rows, std::span<AnsweringBody> bodies,
+                            const SolveLimits& limits) {
+  for (AnsweringBody& body : bodies) {
+    body.velocity.setZero();
+    body.spin.setZero();
+    body.displacement = Eigen::VectorXd::Zero(body.elastic.rows());
+  }
+  for (ContactRow& row : rows) row.answer = own_answer(row, bodies, limits.step);
+  SolveOutcome outcome;
+  if (rows.empty()) return outcome;
+  outcome.converged = false;
+  for (int k = 1; k <= limits.max_iterations && !outcome.converged; ++k) {
+    outcome.iterations = k;
+    outcome.residual = 0;
+    for (ContactRow& row : rows) {
+      outcome.residual = std::max(outcome.residual, relax(row, bodies, limits.step));
+    }
+    outcome.converged = outcome.residual <= limits.tolerance;
+  }
+  return outcome;
+}
+
+}  // namespace sunder
