@@ -49,9 +49,9 @@ struct Plane {
   Eigen::Vector3f point = Eigen::Vector3f::Zero();
   /// Need not be of unit length.
   Eigen::Vector3f normal = Eigen::Vector3f::UnitZ();
-  Color color = {0.78f, 0.80f, 0.83f};
+  Color color = {0.82f, 0.83f, 0.85f};
   /// Strength of the grid in [0, 1]; 0 draws none.
-  float grid = 0.35f;
+  float grid = 0.30f;
 };
 
 struct Sphere {
@@ -72,19 +72,19 @@ struct Box {
 /// A distant key light with soft shadows, light from the sky and from below, a fill at the camera.
 struct Lighting {
   /// Towards the key light; need not be of unit length.
-  Eigen::Vector3f to_key = {-0.42f, -0.52f, 0.95f};
+  Eigen::Vector3f to_key = {-0.34f, -0.62f, 0.92f};
   Color key = {1.0f, 0.97f, 0.92f};
-  float key_strength = 0.78f;
+  float key_strength = 0.80f;
   /// Half the angle the key light fills in the sky, rad: how fast shadows blur with distance.
   float key_angle = 0.07f;
   /// Direction of the sky.
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
   Color sky = {0.92f, 0.95f, 1.0f};
-  Color below = {0.86f, 0.82f, 0.78f};
+  Color below = {0.90f, 0.84f, 0.78f};
   float ambient_strength = 0.42f;
-  float fill_strength = 0.10f;
+  float fill_strength = 0.20f;
   /// How dark corners and creases get, in [0, 1].
-  float occlusion = 0.9f;
+  float occlusion = 1;
 };
 
 /// A vertical gradient.

@@ -24,7 +24,7 @@ void use_light(GLuint program, const Lighting& light) {
   set_uniform(program, "sky_up", Eigen::Vector3f(light.up.normalized()));
   set_uniform(program, "key_light", light.key, light.key_strength);
   set_uniform(program, "sky_light", light.sky, light.ambient_strength);
-  set_uniform(program, "below_light", light.below, 0.6f * light.ambient_strength);
+  set_uniform(program, "below_light", light.below, 0.7f * light.ambient_strength);
   set_uniform(program, "fill_light", light.fill_strength);
   set_uniform(program, "occlusion", light.occlusion);
   set_uniform(program, "neighbors", 5);

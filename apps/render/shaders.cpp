@@ -96,7 +96,7 @@ float sky_visibility(vec2 pixel, vec3 p, vec3 n, float depth, mat2 turn) {
     float near = max(1.0 - square, 0.0);
     sum += near * near * near * max(dot(v, n) - 0.015, 0.0) / (square + 0.01);
   }
-  return max(1.0 - 1.7 * sum / 12.0, 0.0);
+  return max(1.0 - 2.6 * sum / 12.0, 0.0);
 }
 
 float key_visibility(vec3 p, vec3 n, mat2 turn) {
