@@ -208,33 +208,92 @@ void multiply_stiffness(Eigen::Ref<Eigen::VectorXd> y, const ComponentSystem& sy
   }
 }
 
+namespace {
+
+/// Vertices whose columns of A^-1 are solved for together: 12 right-hand sides fill the registers.
+constexpr Eigen::Index block_vertices = 4;
+using Columns = Eigen::Matrix<double, Eigen::Dynamic, 3 * block_vertices, Eigen::RowMajor>;
+
+/// Rows that the entries of A^-1 between touched vertices depend on: them and their ancestors in
+/// the elimination tree (the parent of a column of L is its first row below the diagonal).
+std::vector<bool> needed_rows(const Sparse& L, std::span<const std::uint32_t> touched) {
+  std::vector<bool> needed(static_cast<std::size_t>(L.cols()), false);
+  for (std::uint32_t v : touched) {
+    for (Eigen::Index c = 0; c < 3; ++c) {
+      Eigen::Index j = 3 * static_cast<Eigen::Index>(v) + c;
+      while (!needed[static_cast<std::size_t>(j)]) {
+        needed[static_cast<std::size_t>(j)] = true;
+        const int below = L.outerIndexPtr()[j] + 1;
+        if (below == L.outerIndexPtr()[j + 1]) break;
+        j = L.innerIndexPtr()[below];
+      }
+    }
+  }
+  return needed;
+}
+
+/// X <- (L L^T)^-1 X on the needed rows only; the others are left wrong.
+void solve_needed(Columns& X, const Sparse& L, const std::vector<bool>& needed) {
+  const int* outer = L.outerIndexPtr();
+  const int* inner = L.innerIndexPtr();
+  const double* value = L.valuePtr();
+  for (Eigen::Index j = 0; j < L.cols(); ++j) {
+    if (!needed[static_cast<std::size_t>(j)]) continue;
+    X.row(j) /= value[outer[j]];
+    for (int e = outer[j] + 1; e < outer[j + 1]; ++e) X.row(inner[e]) -= value[e] * X.row(j);
+  }
+  for (Eigen::Index j = L.cols() - 1; j >= 0; --j) {
+    if (!needed[static_cast<std::size_t>(j)]) continue;
+    for (int e = outer[j] + 1; e < outer[j + 1]; ++e) X.row(j) -= value[e] * X.row(inner[e]);
+    X.row(j) /= value[outer[j]];
+  }
+}
+
+/// Columns of A^-1 of the touched vertices from place `first` on, into the compliance cache. Only
+/// rows at touched vertices are kept: those of later ones come from their own columns.
+void fill_compliance(ComponentSystem& system, std::size_t first) {
+  const auto k = static_cast<Eigen::Index>(system.touched.size());
+  if (system.compliance.rows() < 3 * k) system.compliance.conservativeResize(6 * k, 6 * k);
+  if (system.factor.info() != Eigen::Success) {
+    system.compliance.setConstant(std::numeric_limits<double>::quiet_NaN());
+    return;
+  }
+  const Sparse& L = system.factor.matrixL().nestedExpression();
+  const std::vector<bool> needed = needed_rows(L, system.touched);
+  Columns X(L.rows(), 3 * block_vertices);
+  for (auto next = static_cast<Eigen::Index>(first); next < k; next += block_vertices) {
+    const Eigen::Index count = std::min(block_vertices, k - next);
+    X.setZero();
+    for (Eigen::Index b = 0; b < count; ++b) {
+      const Eigen::Index v = system.touched[static_cast<std::size_t>(next + b)];
+      X.block<3, 3>(3 * v, 3 * b).setIdentity();
+    }
+    solve_needed(X, L, needed);
+    for (Eigen::Index b = 0; b < count; ++b) {
+      for (Eigen::Index i = 0; i < k; ++i) {
+        const Eigen::Index v = system.touched[static_cast<std::size_t>(i)];
+        const Mat3 block = X.block<3, 3>(3 * v, 3 * b);
+        system.compliance.block<3, 3>(3 * i, 3 * (next + b)) = block;
+        system.compliance.block<3, 3>(3 * (next + b), 3 * i) = block.transpose();
+      }
+    }
+  }
+}
+
+}  // namespace
+
 std::vector<std::uint32_t> touch_compliance(ComponentSystem& system,
                                             std::span<const std::uint32_t> local_vertices) {
-  const auto dofs = static_cast<Eigen::Index>(3 * system.free_count);
+  const std::size_t known = system.touched.size();
   std::vector<std::uint32_t> places;
   places.reserve(local_vertices.size());
   for (std::uint32_t v : local_vertices) {
     SUNDER_ASSERT(v < system.free_count, "touch_compliance: the vertex is held");
     const auto found = std::find(system.touched.begin(), system.touched.end(), v);
     places.push_back(static_cast<std::uint32_t>(found - system.touched.begin()));
-    if (found != system.touched.end()) continue;
-
-    system.touched.push_back(v);
-    const auto k = static_cast<Eigen::Index>(system.touched.size());
-    if (system.compliance.rows() < 3 * k) {
-      system.compliance.conservativeResize(6 * k, 6 * k);
-    }
-    Eigen::MatrixXd columns = Eigen::MatrixXd::Zero(dofs, 3);
-    columns.block<3, 3>(3 * static_cast<Eigen::Index>(v), 0).setIdentity();
-    solve_system(system, columns);
-    // Only rows at touched vertices are kept: those of later ones come from their own columns.
-    for (Eigen::Index i = 0; i < k; ++i) {
-      const Mat3 block = columns.block<3, 3>(
-          3 * static_cast<Eigen::Index>(system.touched[static_cast<std::size_t>(i)]), 0);
-      system.compliance.block<3, 3>(3 * i, 3 * (k - 1)) = block;
-      system.compliance.block<3, 3>(3 * (k - 1), 3 * i) = block.transpose();
-    }
+    if (found == system.touched.end()) system.touched.push_back(v);
   }
+  if (system.touched.size() > known) fill_compliance(system, known);
   return places;
 }
 
