@@ -222,3 +222,52 @@ TEST_CASE("bodies without enough support have no equilibrium, and are told so",
   const double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK(codes({.gravity = Vec3(0, 0, nan)}) == std::vector<std::string>{"not_a_number"});
 }
+
+TEST_CASE("each tetrahedron has its own material", "[mechanics][static]") {
+  // Two rods end to end under one pull: the same stress, strains as 1 : E1 / E2.
+  const std::vector<Material> materials = {
+      {.young_modulus = 1e8, .poisson_ratio = 0, .density = 1000},
+      {.young_modulus = 4e8, .poisson_ratio = 0, .density = 3000}};
+  const Body body = kuhn_block({8, 2, 2}, Vec3(2, 0.2, 0.2));
+  std::vector<MaterialId> of_tetrahedron;
+  for (const Corners& corners : body.corners) {
+    double x = 0;
+    for (VertexId v : corners) x += 0.25 * body.rest[v.index()].x();
+    of_tetrahedron.push_back(MaterialId{x < 0 ? 0u : 1u});
+  }
+  MechanicsState state = *make_state({body.rest, body.corners, of_tetrahedron, {}, materials});
+  CHECK(state.components[0].mass == Approx(0.04 * (1000 + 3000)).epsilon(1e-12));
+  CHECK(state.components[0].rest_centre.x() == Approx(0.25).epsilon(1e-12));
+  state.motions = {{}, {}};
+  for (std::size_t v = 0; v < body.rest.size(); ++v) {
+    if (body.rest[v].x() < -0.99) state.vertices.support[v] = MotionId{0};
+    if (body.rest[v].x() > 0.99) state.vertices.support[v] = MotionId{1};
+  }
+  MechanicsScratch scratch;
+  const ComponentId id{0};
+  rebuild(state, body.corners, {&id, 1}, scratch);
+  const double pull = 1e-3;
+  for (std::size_t v = 0; v < body.rest.size(); ++v) {
+    if (state.vertices.support[v] == MotionId{1}) state.vertices.displacement[v].x() += pull;
+  }
+  REQUIRE(solve_static(state, scratch, body.corners, {}).empty());
+  const double expected = pull / (1 / 1e8 + 1 / 4e8);
+  for (const Mat3& sigma : state.elements.stress) {
+    CHECK((sigma - Vec3(expected, 0, 0) * Vec3::UnitX().transpose()).norm() < 1e-9 * expected);
+  }
+}
+
+TEST_CASE("the turn of an element is the angle of its displacement gradient",
+          "[mechanics][validity]") {
+  const Body body = kuhn_block({2, 2, 2}, Vec3(1, 1, 1));
+  MechanicsState state = state_of(body, {});
+  const Vec3 theta(1e-3, -2e-3, 5e-4);
+  for (std::size_t v = 0; v < body.rest.size(); ++v) {
+    state.vertices.displacement[v] = theta.cross(body.rest[v]);
+  }
+  MechanicsScratch scratch;
+  measure_elements(state, scratch, body.corners);
+  CHECK(scratch.largest_turn[0] == Approx(theta.norm()).epsilon(1e-12));
+  // A linear rotation is no strain: rounding of 30 GPa times the turn.
+  for (const Mat3& sigma : state.elements.stress) CHECK(sigma.norm() < 1e-13 * 30e9);
+}
