@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Internal to the VTU reader: one DataArray's values, however they are encoded.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sunder::io {
+
+enum class VtuEncoding { ascii, base64, raw };
+
+/// How a file writes its binary arrays; the same for all of them.
+struct VtuLayout {
+  /// The whole file.
+  std::string_view text;
+  std::endian byte_order = std::endian::little;
+  /// Bytes of a word of a block header: 4 or 8.
+  std::size_t header_bytes = 4;
+  bool is_compressed = false;
+  VtuEncoding appended_encoding = VtuEncoding::base64;
+  /// What follows the underscore of AppendedData, to the file's end.
+  std::string_view appended;
+};
+
+/// A DataArray's tag.
+struct VtuArray {
+  std::string name;
+  /// VTK's word: "Float64", "Int32", ...
+  std::string type;
+  std::size_t components = 1;
+  bool is_appended = false;
+  bool is_ascii = false;
+  /// Into VtuLayout::appended.
+  std::size_t offset = 0;
+  /// Into VtuLayout::text: the tag itself, and what stands between it and its end tag.
+  std::size_t at = 0;
+  std::string_view content;
+};
+
+/// The array's values, all of them. `expected`: how many there have to be.
+/// Throws ReadFailure (wrong_count, truncated_file, bad_number, bad_base64, bad_zlib,
+/// bad_attribute); never allocates more than the file's bytes can unfold to.
+std::vector<double> read_doubles(const VtuLayout& layout, const VtuArray& array,
+                                 std::size_t expected);
+std::vector<std::int64_t> read_integers(const VtuLayout& layout, const VtuArray& array,
+                                        std::size_t expected);
+
+/// zlib never unfolds a byte to more than this (zlib's technical notes: 1032 to 1).
+inline constexpr std::size_t most_unfolding = 1032;
+
+}  // namespace sunder::io

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+// Writing VTU with raw appended data, straight from the columns' memory, and PVD lists.
+#include "topology/io/vtu.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <iterator>
+
+#include "topology/io/output_file.hpp"
+
+namespace sunder {
+namespace {
+
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    }
+  }
+  return out;
+}
+
+constexpr std::string_view vtk_type(double) { return "Float64"; }
+constexpr std::string_view vtk_type(float) { return "Float32"; }
+constexpr std::string_view vtk_type(std::int32_t) { return "Int32"; }
+constexpr std::string_view vtk_type(std::uint32_t) { return "UInt32"; }
+constexpr std::string_view vtk_type(std::int64_t) { return "Int64"; }
+constexpr std::string_view vtk_type(std::uint8_t) { return "UInt8"; }
+
+/// The XML part as it grows, and the arrays that will follow it.
+struct VtuWriter {
+  std::string xml;
+  std::vector<std::string_view> arrays;
+  std::size_t appended_bytes = 0;
+};
+
+void add_array(VtuWriter& out, const NamedColumn& column) {
+  std::visit(
+      [&](const auto values) {
+        fmt::format_to(std::back_inserter(out.xml),
+                       "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" "
+                       "format=\"appended\" offset=\"{}\"/>\n",
+                       vtk_type(std::remove_cv_t<typename decltype(values)::element_type>{}),
+                       escaped(column.name), column.components, out.appended_bytes);
+        out.arrays.emplace_back(reinterpret_cast<const char*>(values.data()), values.size_bytes());
+        out.appended_bytes += sizeof(std::uint64_t) + values.size_bytes();
+      },
+      column.values);
+}
+
+std::size_t length_of(const NamedColumn& column) {
+  return std::visit([](const auto values) { return values.size(); }, column.values);
+}
+
+void check_columns(std::span<const NamedColumn> columns, std::size_t rows, std::string_view cells,
+                   std::vector<Finding>& findings) {
+  for (const NamedColumn& column : columns) {
+    if (column.components > 0 && length_of(column) == rows * column.components) continue;
+    findings.push_back(
+        {.code = "bad_column",
+         .text = fmt::format("column '{}' has {} numbers: {} were expected, {} for each of {} {}",
+                             column.name, length_of(column), rows * column.components,
+                             column.components, rows, cells),
+         .remedy = fmt::format("give {} number(s) for each of the {}", column.components, cells)});
+  }
+}
+
+/// The mesh's own column, unless the caller gives one of that name or the mesh has none.
+template <class Value>
+void add_own(VtuWriter& out, std::string_view name, const std::vector<Value>& values,
+             std::span<const NamedColumn> given) {
+  const bool taken =
+      std::any_of(given.begin(), given.end(), [&](const auto& c) { return c.name == name; });
+  if (!values.empty() && !taken) add_array(out, {name, std::span<const Value>(values)});
+}
+
+void add_mesh(VtuWriter& out, const TetMesh& mesh, std::span<const std::int32_t> offsets,
+              std::span<const std::uint8_t> types) {
+  out.xml += "<Points>\n";
+  add_array(out, vector_column("Points", mesh.points));
+  // VTK's ids are signed; the bits are the same below 2^31.
+  const auto* const ids = reinterpret_cast<const std::int32_t*>(mesh.tetrahedra.data());
+  out.xml += "</Points>\n<Cells>\n";
+  add_array(out, {"connectivity", std::span(ids, 4 * mesh.tetrahedra.size())});
+  add_array(out, {"offsets", offsets});
+  add_array(out, {"types", types});
+  out.xml += "</Cells>\n";
+}
+
+}  // namespace
+
+std::vector<Finding> write_vtu(const std::filesystem::path& path, const TetMesh& mesh,
+                               std::span<const NamedColumn> point_data,
+                               std::span<const NamedColumn> cell_data) {
+  std::vector<Finding> findings;
+  check_columns(point_data, mesh.points.size(), "points", findings);
+  check_columns(cell_data, mesh.tetrahedra.size(), "tetrahedra", findings);
+  if (!findings.empty()) return findings;
+
+  std::vector<std::int32_t> offsets(mesh.tetrahedra.size());
+  for (std::size_t i = 0; i < offsets.size(); ++i)
+    offsets[i] = static_cast<std::int32_t>(4 * i + 4);
+  const std::vector<std::uint8_t> types(mesh.tetrahedra.size(), 10);
+
+  VtuWriter out;
+  out.xml = fmt::format(
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
+      "byte_order=\"{}\" header_type=\"UInt64\">\n<UnstructuredGrid>\n"
+      "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
+      std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian", mesh.points.size(),
+      mesh.tetrahedra.size());
+  out.xml += "<PointData>\n";
+  for (const NamedColumn& column : point_data) add_array(out, column);
+  add_own(out, "source_point_id", mesh.source_point_id, point_data);
+  out.xml += "</PointData>\n<CellData>\n";
+  for (const NamedColumn& column : cell_data) add_array(out, column);
+  add_own(out, "region", mesh.region, cell_data);
+  add_own(out, "source_tetrahedron_id", mesh.source_tetrahedron_id, cell_data);
+  out.xml += "</CellData>\n";
+  add_mesh(out, mesh, offsets, types);
+  out.xml += "</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
+
+  std::vector<std::uint64_t> headers;
+  headers.reserve(out.arrays.size());
+  std::vector<std::string_view> parts{out.xml};
+  for (const std::string_view bytes : out.arrays) {
+    headers.push_back(bytes.size());
+    parts.emplace_back(reinterpret_cast<const char*>(&headers.back()), sizeof(std::uint64_t));
+    parts.push_back(bytes);
+  }
+  parts.emplace_back("\n</AppendedData>\n</VTKFile>\n");
+  if (auto failure = write_file(path, parts)) findings.push_back(*failure);
+  return findings;
+}
+
+std::vector<Finding> write_pvd(const std::filesystem::path& path,
+                               std::span<const PvdFrame> frames) {
+  std::string xml =
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
+  for (const PvdFrame& frame : frames) {
+    fmt::format_to(std::back_inserter(xml),
+                   "<DataSet timestep=\"{}\" group=\"\" part=\"0\" file=\"{}\"/>\n", frame.time,
+                   escaped(frame.file));
+  }
+  xml += "</Collection>\n</VTKFile>\n";
+  if (auto failure = write_file(path, xml)) return {*failure};
+  return {};
+}
+
+}  // namespace sunder
