@@ -103,6 +103,19 @@ TEST_CASE("a centre exactly on the plane counts as positive, to rounding", "[top
   }
 }
 
+TEST_CASE("a fan does not change where the body lies far from the origin", "[topology][fan]") {
+  // Kuhn tetrahedra have rest centres like v + (3, 2, 1) / 4: on the plane with normal (1, -2, 1).
+  const TetMesh near = kuhn_box({3, 3, 3});
+  TetMesh far = near;
+  for (Point& p : far.points) {
+    for (double& x : p) x += 1e6 / 3;
+  }
+  const VolumeMap a = built(near), b = built(far);
+  for (std::size_t v = 0; v < a.vertices(); ++v) {
+    CHECK(*fan_faces(a, VertexId{v}, {1, -2, 1}) == *fan_faces(b, VertexId{v}, {1, -2, 1}));
+  }
+}
+
 TEST_CASE("the canonical direction does not depend on sign or length", "[topology][fan]") {
   CHECK(*canonical_direction({0, -4, 2}) == Point{0, 1, -0.5});
   CHECK(*canonical_direction({0, 4, -2}) == Point{0, 1, -0.5});

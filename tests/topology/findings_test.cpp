@@ -186,6 +186,15 @@ TEST_CASE("a tetrahedron turned inside out against its neighbours is folded",
         Severity::warning);
 }
 
+TEST_CASE("where volumes are split evenly the lowest tetrahedron decides which half is folded",
+          "[topology][findings]") {
+  TetMesh mesh = two_tetrahedra();
+  mesh.points[4] = {0.2, 0.2, 0.1};
+  for (auto& t : mesh.tetrahedra) std::swap(t[0], t[1]);
+  CHECK(only_finding(mesh, "folded_tetrahedron", Severity::error, {"inverted_tetrahedron"}).ids ==
+        std::vector<std::int64_t>{1});
+}
+
 TEST_CASE("a flat tetrahedron is an error for those who need volumes, a warning for others",
           "[topology][findings]") {
   TetMesh mesh = two_tetrahedra();
@@ -196,16 +205,24 @@ TEST_CASE("a flat tetrahedron is an error for those who need volumes, a warning 
 }
 
 TEST_CASE("flatness is judged against the rounding of the coordinates", "[topology][findings]") {
-  // Coplanar points whose coordinates are not exact in binary: the volume is rounding.
-  TetMesh mesh = one_tetrahedron();
-  mesh.points = {{0.1, 0.1, 0.3}, {1.1, 0.2, 1.4}, {0.3, 0.7, 1.3}, {1.3, 0.8, 2.4}};
-  const Point &a = mesh.points[0], &b = mesh.points[1], &c = mesh.points[2];
-  for (int i = 0; i < 3; ++i) mesh.points[3][i] = a[i] + 0.7 * (b[i] - a[i]) + 0.9 * (c[i] - a[i]);
-  only_finding(mesh, "flat_tetrahedron", Severity::error);
+  // Coplanar points whose coordinates are not exact in binary: the volume is rounding, the more of
+  // it the farther the body lies from the origin.
+  for (const double far : {0.0, 1e3, 1e6}) {
+    TetMesh mesh = one_tetrahedron();
+    mesh.points = {{0.1, 0.1, 0.3}, {1.1, 0.2, 1.4}, {0.3, 0.7, 1.3}, {}};
+    for (Point& p : mesh.points) {
+      for (double& x : p) x += far;
+    }
+    const Point &a = mesh.points[0], &b = mesh.points[1], &c = mesh.points[2];
+    for (int i = 0; i < 3; ++i) {
+      mesh.points[3][i] = a[i] + 0.7 * (b[i] - a[i]) + 0.9 * (c[i] - a[i]);
+    }
+    only_finding(mesh, "flat_tetrahedron", Severity::error);
+  }
   // A sliver a million times thinner than long still has a volume.
-  mesh = one_tetrahedron();
-  mesh.points[3] = {0.3, 0.3, 1e-6};
-  CHECK(check_mesh(mesh).empty());
+  TetMesh sliver = one_tetrahedron();
+  sliver.points[3] = {0.3, 0.3, 1e-6};
+  CHECK(check_mesh(sliver).empty());
 }
 
 TEST_CASE("coordinates whose volume overflows are flat, not fatal", "[topology][findings]") {
