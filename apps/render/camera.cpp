@@ -25,18 +25,29 @@ Bounds usable(const Bounds& bounds) {
   return {bounds.min().array() - r, bounds.max().array() + r};
 }
 
-/// Extent of the box's corners on the picture, in units of half its width and height.
-Eigen::AlignedBox2f project(const Bounds& box, const Camera& camera, float aspect) {
-  const CameraAxes axes = camera_axes(camera);
-  const float tangent = std::tan(camera.vertical_fov / 2);
-  Eigen::AlignedBox2f extent;
-  for (int i = 0; i < 8; ++i) {
-    const Eigen::Vector3f p = box.corner(static_cast<Bounds::CornerType>(i)) - camera.eye;
-    const float depth = std::max(p.dot(axes.forward), 1e-6f);
-    extent.extend(
-        Eigen::Vector2f(p.dot(axes.right) / (tangent * aspect), p.dot(axes.up) / tangent) / depth);
+/// One axis of the picture: where the eye stands across the view, and how far back.
+struct Fit {
+  float across = 0;
+  float back = 0;
+};
+
+/// The nearest eye from which points at `across` (row 0) and `depth` (row 1) keep to slopes of at
+/// most `slope`. Each point bounds back * slope from both sides: |p - eye| <= slope (depth + back).
+Fit fit_axis(const Eigen::Matrix<float, 2, 8>& points, float slope) {
+  const float high = (points.row(0) - slope * points.row(1)).maxCoeff();
+  const float low = (-points.row(0) - slope * points.row(1)).maxCoeff();
+  return {(high - low) / 2, (high + low) / (2 * slope)};
+}
+
+/// The same, but from `back`, which is at least that of `fit_axis`: the slope at which the points
+/// just fit from there is found by halving, and they touch it on both sides, centered.
+float center_axis(const Eigen::Matrix<float, 2, 8>& points, float slope, float back) {
+  float low = 0, high = slope;
+  for (int halving = 0; halving < 40; ++halving) {
+    const float middle = (low + high) / 2;
+    (fit_axis(points, middle).back > back ? low : high) = middle;
   }
-  return extent;
+  return fit_axis(points, high).across;
 }
 
 }  // namespace
@@ -62,22 +73,25 @@ Camera frame_bounds(const Bounds& bounds, const Framing& framing) {
   const Eigen::Vector3f to_eye =
       std::cos(framing.elevation) * level + std::sin(framing.elevation) * up;
 
-  const float radius = box.diagonal().norm() / 2;
-  const float tangent = std::tan(framing.vertical_fov / 2);
-  const float room = std::clamp(1 - framing.margin, 0.05f, 1.0f);
-  Camera camera{.target = box.center(), .up = up, .vertical_fov = framing.vertical_fov};
-  float distance = radius / (std::min(1.0f, aspect) * tangent) + radius;
-  // Each round centers the picture of the box and scales the distance to it; perspective makes
-  // that inexact, and four rounds leave less than a pixel.
-  for (int round = 0; round < 6; ++round) {
-    camera.eye = camera.target + distance * to_eye;
-    const CameraAxes axes = camera_axes(camera);
-    const Eigen::AlignedBox2f extent = project(box, camera, aspect);
-    const Eigen::Vector2f middle = extent.center() * distance * tangent;
-    camera.target += middle.x() * aspect * axes.right + middle.y() * axes.up;
-    distance = std::max(distance * extent.sizes().maxCoeff() / (2 * room), 1.05f * radius);
+  Camera camera{.eye = box.center() + to_eye,
+                .target = box.center(),
+                .up = up,
+                .vertical_fov = framing.vertical_fov};
+  const CameraAxes axes = camera_axes(camera);
+  Eigen::Matrix<float, 2, 8> sideways, upright;
+  for (int i = 0; i < 8; ++i) {
+    const Eigen::Vector3f p = box.corner(static_cast<Bounds::CornerType>(i)) - box.center();
+    sideways.col(i) << p.dot(axes.right), p.dot(axes.forward);
+    upright.col(i) << p.dot(axes.up), p.dot(axes.forward);
   }
-  camera.eye = camera.target + distance * to_eye;
+  const float slope =
+      std::tan(framing.vertical_fov / 2) * std::clamp(1 - framing.margin, 0.05f, 1.0f);
+  const float least = 1e-3f * box.diagonal().norm() - sideways.row(1).minCoeff();
+  const float back =
+      std::max({fit_axis(sideways, slope * aspect).back, fit_axis(upright, slope).back, least});
+  camera.target += center_axis(sideways, slope * aspect, back) * axes.right +
+                   center_axis(upright, slope, back) * axes.up;
+  camera.eye = camera.target + back * to_eye;
   return camera;
 }
 
