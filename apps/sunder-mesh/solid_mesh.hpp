@@ -43,7 +43,7 @@ struct MeshQualityBounds {
 /// Points in order of (z, y, x), tetrahedra in order of their lowest corners: the same input gives
 /// the same bytes, since no time limit enters and the random generator starts from a fixed seed.
 /// Needs: `surface` closed. Errors: no_tetrahedron (sizes larger than the body), mesh_too_large.
-/// Cost: about 1 s for 6 000 tetrahedra with both optimisations.
+/// Cost: about 0.6 s for 6 000 tetrahedra with both optimisations (the bunny, 2 x 2.5 GHz).
 Result<TetMesh> mesh_solid(const Surface& surface, const MeshSizes& sizes,
                            const MeshQualityBounds& bounds);
 
