@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 #include <tuple>
 
 #include "mechanics/contact_bodies.hpp"
+#include "mechanics/contact_bounce.hpp"
 #include "mechanics/contact_detect.hpp"
 #include "topology/assert.hpp"
 
@@ -216,6 +216,22 @@ void solve_pass(ContactStep& step) {
   ++step.report.passes;
 }
 
+/// Lets the first pass begin with the impulses that the same contacts needed in the last step.
+void guess_from_last_step(ContactStep& step) {
+  const std::vector<ContactPoint>& last = step.memory.last_contacts;
+  for (std::size_t k = 0; k < step.contacts.size(); ++k) {
+    const ContactPoint& contact = step.contacts[k];
+    const auto found = std::lower_bound(
+        last.begin(), last.end(), contact,
+        [](const ContactPoint& a, const ContactPoint& b) { return key_of(a) < key_of(b); });
+    if (found == last.end() || key_of(*found) != key_of(contact)) continue;
+    // Turned with the normal, so that it stays inside the bounds and the circle.
+    const Eigen::Quaterniond turn =
+        Eigen::Quaterniond::FromTwoVectors(found->normal, contact.normal);
+    step.room.bodies.rows[k].guess = turn * found->impulse;
+  }
+}
+
 /// Passes until the predicted gaps are as solved for. What remains is the residual.
 void resolve(ContactStep& step) {
   double deepest = 0;
@@ -232,67 +248,9 @@ void resolve(ContactStep& step) {
     const bool settled =
         k > 0 && step.contacts.size() == before && step.report.residual <= good_enough;
     if (settled || k == step.settings.max_passes) return;
+    if (k == 0) guess_from_last_step(step);
     solve_pass(step);
   }
-}
-
-/// Velocity of side A less side B at this moment, m/s.
-Vec3 relative_velocity(const ContactStep& step, const ContactPoint& contact,
-                       const ContactRow& row) {
-  Vec3 velocity = Vec3::Zero();
-  for (std::uint32_t e = 0; e < row.end_count; ++e) {
-    const ContactEnd& end = row.ends[e];
-    const std::uint32_t ball = step.room.bodies.ball[end.body];
-    velocity += end.weight * (ball == ContactBodies::none
-                                  ? step.pass.state.vertices.velocity[end.vertex.index()]
-                                  : Vec3{step.pass.obstacles[ball].velocity +
-                                         step.pass.obstacles[ball].spin.cross(end.arm)});
-  }
-  if (contact.obstacle != ContactPoint::none && !step.pass.obstacles[contact.obstacle].mass) {
-    velocity -= step.pass.obstacles[contact.obstacle].velocity;
-  }
-  return velocity;
-}
-
-/// The second-order schemes give a lumped vertex up to twice the blow it needs to stop, within one
-/// step too short for its neighbours to answer. What sends it off the other side is taken back.
-void take_back_bounce(ContactStep& step) {
-  if (step.pass.input.settings.integrator != Integrator::floating_frame) return;
-  std::erase_if(step.contacts, [](const ContactPoint& c) { return c.impulse.isZero(0); });
-  if (step.contacts.empty()) return;
-  ContactBodies& bodies = step.room.bodies;
-  gather_lumped_bodies(bodies, step.contacts, step.pass);
-  double fastest = 0;
-  for (std::size_t k = 0; k < step.contacts.size(); ++k) {
-    const ContactPoint& contact = step.contacts[k];
-    ContactRow& row = bodies.rows[k];
-    row.gap = row.normal.dot(relative_velocity(step, contact, row));
-    row.least = -std::max(0.0, row.normal.dot(contact.impulse));
-    row.most = 0;
-    row.impulse.setZero();
-    fastest = std::max(fastest, row.gap);
-  }
-  // With a unit step, displacements are velocities.
-  solve_contacts(bodies.rows, bodies.bodies,
-                 {1, step.settings.tolerance * fastest, step.settings.max_iterations});
-  std::vector<VertexImpulse> hits;
-  for (std::size_t k = 0; k < step.contacts.size(); ++k) {
-    const ContactRow& row = bodies.rows[k];
-    step.contacts[k].impulse += row.impulse;
-    for (std::uint32_t e = 0; e < row.end_count; ++e) {
-      const ContactEnd& end = row.ends[e];
-      const Vec3 impulse = end.weight * row.impulse;
-      const std::uint32_t ball = bodies.ball[end.body];
-      if (ball == ContactBodies::none) {
-        hits.push_back({end.vertex, impulse});
-      } else {
-        Obstacle& sphere = step.pass.obstacles[ball];
-        sphere.velocity += impulse / *sphere.mass;
-        sphere.spin += end.arm.cross(impulse) / moment_of_inertia(sphere);
-      }
-    }
-  }
-  apply_impulses(step.pass.state, hits);
 }
 
 void move_obstacles(ContactStep& step) {
@@ -321,7 +279,6 @@ void count_contacts(ContactStep& step) {
 
 void sum_impulses(ContactStep& step) {
   for (const ContactPoint& contact : step.contacts) {
-    if (contact.impulse.isZero(0)) continue;
     ++step.report.contacts;
     if (contact.obstacle != ContactPoint::none) {
       step.report.obstacle_impulse[contact.obstacle] += contact.impulse;
@@ -357,51 +314,17 @@ ContactStepResult advance_with_contact(const ContactWorld& world, const StepInpu
   count_contacts(step);
   ContactStepResult result;
   result.status = adopt(world.state, scratch.mechanics, input);
-  if (result.status.outcome == StepOutcome::fine) take_back_bounce(step);
-  sum_impulses(step);
   move_obstacles(step);
+  std::erase_if(step.contacts, [](const ContactPoint& c) { return c.impulse.isZero(0); });
+  if (result.status.outcome == StepOutcome::fine) {
+    take_back_bounce(step.contacts, room.bodies, step.pass, settings);
+  }
+  sum_impulses(step);
+  world.memory.last_contacts = step.contacts;
+  std::sort(world.memory.last_contacts.begin(), world.memory.last_contacts.end(),
+            [](const ContactPoint& a, const ContactPoint& b) { return key_of(a) < key_of(b); });
   result.report = std::move(step.report);
   return result;
-}
-
-namespace {
-
-struct Range {
-  const char* key;
-  double value;
-  double least;
-  const char* unit;
-};
-
-Finding out_of_range(const Range& range, std::string_view place) {
-  Finding f;
-  f.code = "bad_contact_setting";
-  f.text = std::string(place) + "." + range.key + " is " + std::to_string(range.value) +
-           range.unit + ", expected at least " + std::to_string(range.least) + range.unit;
-  f.remedy = "give a finite number in that range, or leave the key out for the default";
-  return f;
-}
-
-}  // namespace
-
-std::vector<Finding> check(const ContactSettings& s, std::string_view place) {
-  std::vector<Finding> findings;
-  const Range ranges[] = {
-      {"friction", s.friction, 0, ""},
-      {"compliance", s.compliance, 0, " m/N"},
-      {"push_out_speed", s.push_out_speed, 0, " m/s"},
-      {"allowed_penetration", s.allowed_penetration, 0, " m"},
-      {"max_iterations", static_cast<double>(s.max_iterations), 1, ""},
-      {"tolerance", s.tolerance, 0, ""},
-      {"max_passes", static_cast<double>(s.max_passes), 1, ""},
-      {"max_contacts_per_component", static_cast<double>(s.max_contacts_per_component), 1, ""},
-  };
-  for (const Range& range : ranges) {
-    if (!(std::isfinite(range.value) && range.value >= range.least)) {
-      findings.push_back(out_of_range(range, place));
-    }
-  }
-  return findings;
 }
 
 }  // namespace sunder

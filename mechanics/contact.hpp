@@ -32,7 +32,7 @@ struct ContactSettings {
   int max_iterations = 500;
   /// Largest error of an end-of-step gap at which a sweep may end, relative to the deepest overlap
   /// that the step would have had without contact.
-  double tolerance = 1e-7;
+  double tolerance = 1e-6;
   /// How often a step may be predicted anew with the impulses found: the answer of a body that
   /// turns by theta in a step is curved, with an error of theta^2 a pass.
   int max_passes = 4;
@@ -44,19 +44,6 @@ struct ContactSettings {
 /// What is wrong with the settings: an error each, with value, range and remedy; `place` names
 /// them.
 std::vector<Finding> check(const ContactSettings& settings, std::string_view place);
-
-/// What contact must remember from step to step; part of the saved state.
-struct ContactMemory {
-  /// Overlap that a (tetrahedron, vertex) pair may keep, m: the one it had when its components
-  /// first differed, shrunk since to the least it has had. Sorted by pair.
-  struct Allowance {
-    SpherePair pair;
-    double overlap = 0;
-  };
-  std::vector<Allowance> allowances;
-  /// Components as the last step saw them; that is how a separation is noticed.
-  std::vector<ComponentId> vertex_component, tetrahedron_component;
-};
 
 /// One unilateral contact with friction. Side A is a vertex or a ball; side B an obstacle (driven
 /// or a ball) or the bounding ball of a tetrahedron, in equal parts on its four vertices.
@@ -73,6 +60,21 @@ struct ContactPoint {
   double gap_start = 0;  ///< m, negative: overlapped already
   double friction = 0;
   Vec3 impulse{0, 0, 0};  ///< N s, on A; B gets the opposite
+};
+
+/// What contact must remember from step to step; part of the saved state.
+struct ContactMemory {
+  /// Overlap that a (tetrahedron, vertex) pair may keep, m: the one it had when its components
+  /// first differed, shrunk since to the least it has had. Sorted by pair.
+  struct Allowance {
+    SpherePair pair;
+    double overlap = 0;
+  };
+  std::vector<Allowance> allowances;
+  /// Contacts of the last step with their impulses: where the next solve begins.
+  std::vector<ContactPoint> last_contacts;
+  /// Components as the last step saw them; that is how a separation is noticed.
+  std::vector<ComponentId> vertex_component, tetrahedron_component;
 };
 
 /// How contact went; never silent.

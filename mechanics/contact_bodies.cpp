@@ -307,6 +307,11 @@ void gather_lumped_bodies(ContactBodies& bodies, std::span<const ContactPoint> c
   gather(bodies, contacts, pass, lumped_component);
 }
 
+void strike_ball(Obstacle& ball, const Vec3& impulse, const Vec3& arm) {
+  ball.velocity += impulse / *ball.mass;
+  ball.spin += arm.cross(impulse) / moment_of_inertia(ball);
+}
+
 void apply_changes(StepBlows& blows, const ContactBodies& bodies, std::span<const Vec3> change,
                    const ContactPass& pass) {
   SUNDER_ASSERT(change.size() == bodies.rows.size(), "one change a row");
@@ -322,9 +327,7 @@ void apply_changes(StepBlows& blows, const ContactBodies& bodies, std::span<cons
       const ContactEnd& end = row.ends[e];
       const Vec3 impulse = end.weight * change[k];
       if (bodies.component[end.body].is_none()) {
-        Obstacle& ball = pass.obstacles[bodies.ball[end.body]];
-        ball.velocity += impulse / *ball.mass;
-        ball.spin += end.arm.cross(impulse) / moment_of_inertia(ball);
+        strike_ball(pass.obstacles[bodies.ball[end.body]], impulse, end.arm);
       } else {
         add_impulse_at(blows, end.vertex, impulse, pass);
       }

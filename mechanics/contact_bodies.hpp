@@ -56,6 +56,9 @@ void gather_lumped_bodies(ContactBodies& bodies, std::span<const ContactPoint> c
 void apply_changes(StepBlows& blows, const ContactBodies& bodies, std::span<const Vec3> change,
                    const ContactPass& pass);
 
+/// Gives a free sphere an impulse (N s) at `arm` (m) from its centre.
+void strike_ball(Obstacle& ball, const Vec3& impulse, const Vec3& arm);
+
 /// Predicts every touched component anew, with what it has got so far.
 void predict_touched(StepBlows& blows, const ContactPass& pass);
 

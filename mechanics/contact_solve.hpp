@@ -46,6 +46,7 @@ struct ContactRow {
   double least = 0;       ///< N s: bounds of the normal impulse
   double most = std::numeric_limits<double>::infinity();
   Vec3 impulse{0, 0, 0};  ///< N s; in: what it is, out: what it should be
+  Vec3 guess{0, 0, 0};    ///< N s: a change to begin with, say what the last step needed
 
   Mat3 answer = Mat3::Zero();  ///< own 3 x 3 block, m/(N s); filled by `solve_contacts`
 };
@@ -63,9 +64,10 @@ struct SolveOutcome {
 };
 
 /// Solves for the impulses of `rows`: the normal part within its bounds, complementary to the gap,
-/// the tangential part inside Coulomb's circle and against the slip. Sweeps in the given order, so
-/// the answer is the same to the bit on every run. `bodies` accumulate the changes made by what was
-/// added to the impulses. A row that can move nothing keeps its impulse. O(rows x slots) a sweep.
+/// the tangential part inside Coulomb's circle and against the slip. Sweeps in the given order,
+/// each followed by a step of nonsmooth conjugate gradients; the same to the bit on every run.
+/// `bodies` accumulate the changes made by what was added to the impulses. A row that can move
+/// nothing keeps its impulse. O(rows x slots) a sweep.
 SolveOutcome solve_contacts(std::span<ContactRow> rows, std::span<AnsweringBody> bodies,
                             const SolveLimits& limits);
 

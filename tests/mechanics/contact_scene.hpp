@@ -59,6 +59,31 @@ struct ContactScene {
   }
 };
 
+/// Bodies side by side as one mesh, each a component of its own.
+struct SeveralBodies {
+  Body body;
+  std::vector<ComponentId> component;  ///< |T|
+};
+
+inline SeveralBodies together(const std::vector<Body>& parts) {
+  SeveralBodies all;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const std::size_t first = all.body.rest.size();
+    all.body.rest.insert(all.body.rest.end(), parts[k].rest.begin(), parts[k].rest.end());
+    for (Corners t : parts[k].corners) {
+      for (VertexId& v : t) v = VertexId{v.index() + first};
+      all.body.corners.push_back(t);
+      all.component.emplace_back(k);
+    }
+  }
+  return all;
+}
+
+inline MechanicsState state_of(const SeveralBodies& all, const Material& material) {
+  BodyDescription description{all.body.rest, all.body.corners, {}, all.component, {&material, 1}};
+  return *make_state(description);
+}
+
 inline Material material_of(double young_modulus, double density = 2400,
                             double poisson_ratio = 0.2) {
   Material m;
