@@ -77,7 +77,7 @@ TEST_CASE("shape gradients are what finite differences of barycentric coordinate
 }
 
 TEST_CASE("K_e = V B^T C B, its blocks and the shape-gradient force are one and the same",
-          "[mechanics][element][eq1][eq2]") {
+          "[mechanics][element][eq1][eq2][eq5]") {
   std::mt19937 random(13);
   INFO("seed 13");
   const Lame constants = lame({.young_modulus = 2e11, .poisson_ratio = 0.3});

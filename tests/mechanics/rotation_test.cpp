@@ -157,7 +157,8 @@ TEST_CASE("no matrix of any kind gives anything but a rotation", "[mechanics][ro
   }
 }
 
-TEST_CASE("the rigid reference of a moved body is the motion", "[mechanics][algorithm2]") {
+TEST_CASE("the rigid reference of a moved body is the motion",
+          "[mechanics][algorithm2][eq3][eq4]") {
   std::mt19937 random(26);
   INFO("seed 26");
   for (const Body& body : {kuhn_block({3, 2, 2}, Vec3(1, 0.5, 0.3)), single_tetrahedron(1e-3)}) {
@@ -176,7 +177,8 @@ TEST_CASE("the rigid reference of a moved body is the motion", "[mechanics][algo
   }
 }
 
-TEST_CASE("shape matching with masses is the mean-axis frame", "[mechanics][algorithm2]") {
+TEST_CASE("shape matching with masses is the mean-axis frame",
+          "[mechanics][algorithm2][eq3][eq4]") {
   std::mt19937 random(27);
   INFO("seed 27");
   const Body body = shaken(kuhn_block({3, 2, 2}, Vec3(1, 0.5, 0.3)), 0.02, random);
@@ -196,7 +198,7 @@ TEST_CASE("shape matching with masses is the mean-axis frame", "[mechanics][algo
 }
 
 TEST_CASE("the rigid reference does not depend on where the rest origin is",
-          "[mechanics][algorithm2]") {
+          "[mechanics][algorithm2][eq3][eq4]") {
   std::mt19937 random(28);
   INFO("seed 28");
   const Body body = shaken(kuhn_block({3, 2, 2}, Vec3(1, 0.5, 0.3)), 0.02, random);
