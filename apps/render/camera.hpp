@@ -30,7 +30,7 @@ struct Framing {
   float elevation = 0.36f;
   float vertical_fov = 0.48f;
   /// Part of the picture's half width and height left free on every side.
-  float margin = 0.16f;
+  float margin = 0.10f;
   Eigen::Vector3f up = Eigen::Vector3f::UnitZ();
 };
 

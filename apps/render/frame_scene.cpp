@@ -127,6 +127,12 @@ std::vector<Finding> check(const FrameScene& scene) {
                         .text = "the light's to_key or up is not a direction",
                         .remedy = "give finite vectors that are not 0"});
   }
+  if (!scene.extent.isEmpty() &&
+      !(scene.extent.min().allFinite() && scene.extent.max().allFinite())) {
+    findings.push_back({.code = "degenerate_shape",
+                        .text = "the extent of the scene is not finite",
+                        .remedy = "give a finite box, or an empty one"});
+  }
   return findings;
 }
 

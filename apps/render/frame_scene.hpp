@@ -93,6 +93,9 @@ struct Background {
   Color bottom = {0.90f, 0.92f, 0.94f};
 };
 
+/// A box with sides along the axes, m; empty (`lower > upper`) until something is put in.
+using Bounds = Eigen::AlignedBox3f;
+
 struct FrameScene {
   std::vector<Surface> surfaces;
   std::vector<Plane> planes;
@@ -100,13 +103,13 @@ struct FrameScene {
   std::vector<Box> boxes;
   Lighting light;
   Background background;
+  /// What sets the grid's spacing, where planes fade and how far occlusion reaches. Empty takes the
+  /// scene's own bounds; the frames of a film need the same one, or the ground changes under them.
+  Bounds extent;
 };
 
 /// True when the triangle's rows exist and its three points are finite.
 bool is_drawable(const Surface& surface, const std::array<std::uint32_t, 3>& triangle);
-
-/// A box with sides along the axes, m; empty (`lower > upper`) until something is put in.
-using Bounds = Eigen::AlignedBox3f;
 
 /// The bounds of everything finite in the scene: surfaces, spheres, boxes; not planes.
 /// Coordinates that are not finite, and points no triangle uses, are left out.

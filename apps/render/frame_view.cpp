@@ -41,7 +41,7 @@ std::pair<Eigen::Vector3f, Eigen::Vector3f> axes_across(const Eigen::Vector3f& n
 FrameView frame_view(const FrameScene& scene, const Bounds& casters, const Camera& camera,
                      float aspect) {
   FrameView view;
-  const Bounds bounds = scene_bounds(scene);
+  const Bounds bounds = scene.extent.isEmpty() ? scene_bounds(scene) : scene.extent;
   const float reach = (camera.target - camera.eye).norm();
   view.center = bounds.isEmpty() ? camera.target : Eigen::Vector3f(bounds.center());
   // A scene of one point still needs a size: a part of the distance it is seen from.

@@ -227,6 +227,25 @@ TEST_CASE("what cannot be drawn is a finding, and the next picture is sound",
   draw(*renderer, cracked_scene());
 }
 
+TEST_CASE("with an extent given, the ground does not change as pieces fly away",
+          "[render][renderer]") {
+  auto renderer = renderer_or_skip();
+  if (!renderer) return;
+  FrameScene scene;
+  scene.planes.push_back({.point = {0, 0, -1}, .grid = 1});
+  scene.spheres.push_back({.radius = 0.5f});
+  const Camera camera{.eye = {0, -6, 2}};
+  const auto ground = [&](float flown) {
+    scene.spheres.resize(1);
+    scene.spheres.push_back({.center = {flown, 30 * flown, 0}, .radius = 0.05f});
+    const Image image = draw(*renderer, scene, camera);
+    return std::vector<std::uint8_t>(image.rgb.end() - 3 * width * 20, image.rgb.end());
+  };
+  CHECK(ground(0) != ground(1));
+  scene.extent = Bounds(Eigen::Vector3f(-1, -1, -1), Eigen::Vector3f(1, 1, 1));
+  CHECK(ground(0) == ground(1));
+}
+
 TEST_CASE("bodies of a millimeter and of a kilometer look alike", "[render][renderer]") {
   auto renderer = renderer_or_skip();
   if (!renderer) return;

@@ -66,6 +66,10 @@ TEST_CASE("every defect of a scene has its finding", "[render][scene]") {
   scene = one_triangle();
   scene.light.to_key = {nan, 0, 1};
   CHECK(only_code(scene) == "degenerate_shape");
+
+  scene = one_triangle();
+  scene.extent = Bounds(Eigen::Vector3f::Zero(), Eigen::Vector3f(1, INFINITY, 1));
+  CHECK(only_code(scene) == "degenerate_shape");
 }
 
 TEST_CASE("bounds hold surfaces, spheres and turned boxes, and nothing infinite",
