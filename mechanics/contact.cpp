@@ -14,12 +14,23 @@
 
 namespace sunder {
 
+namespace {
+
+using ContactKey = std::tuple<std::uint32_t, VertexId, std::uint32_t, TetId>;
+
+ContactKey key_of(const ContactPoint& c) { return {c.ball, c.vertex, c.obstacle, c.tetrahedron}; }
+
+bool by_key(const ContactPoint& a, const ContactPoint& b) { return key_of(a) < key_of(b); }
+
+}  // namespace
+
 struct ContactScratch::Room {
   DetectScratch detect;
   ContactBodies bodies;
   StepBlows blows;
   std::vector<Vec3> ball_end;
   std::vector<Vec3> change;
+  std::vector<ContactKey> known;
   std::vector<std::uint32_t> count;  ///< row = ComponentId: contacts taken so far
 };
 
@@ -101,10 +112,6 @@ double rounding_of(const ContactPath& path, const ContactPoint& contact) {
          (path.start.norm() + path.end.norm() + std::abs(contact.offset));
 }
 
-auto key_of(const ContactPoint& c) {
-  return std::tuple(c.ball, c.vertex, c.obstacle, c.tetrahedron);
-}
-
 /// What the end of the step lacks: gap less target, as predicted.
 double predicted_lack(const ContactStep& step, const ContactPoint& contact,
                       const ContactPath& path) {
@@ -139,7 +146,8 @@ double add_new_contacts(ContactStep& step, double deepest) {
   DetectScratch& found = step.room.detect;
   const StepPaths paths = paths_of(step);
   find_contacts(found, step.memory, paths, step.settings);
-  std::vector<decltype(key_of(ContactPoint{}))> known;
+  std::vector<ContactKey>& known = step.room.known;
+  known.clear();
   for (const ContactPoint& c : step.contacts) known.push_back(key_of(c));
   std::sort(known.begin(), known.end());
   found.order.clear();
@@ -221,9 +229,7 @@ void guess_from_last_step(ContactStep& step) {
   const std::vector<ContactPoint>& last = step.memory.last_contacts;
   for (std::size_t k = 0; k < step.contacts.size(); ++k) {
     const ContactPoint& contact = step.contacts[k];
-    const auto found = std::lower_bound(
-        last.begin(), last.end(), contact,
-        [](const ContactPoint& a, const ContactPoint& b) { return key_of(a) < key_of(b); });
+    const auto found = std::lower_bound(last.begin(), last.end(), contact, by_key);
     if (found == last.end() || key_of(*found) != key_of(contact)) continue;
     // Turned with the normal, so that it stays inside the bounds and the circle.
     const Eigen::Quaterniond turn =
@@ -242,9 +248,9 @@ void resolve(ContactStep& step) {
     step.report.tolerated = step.settings.tolerance * deepest;
     gather_bodies(step.room.bodies, step.contacts, step.pass);
     step.report.residual = measure_rows(step);
-    // A thousandth of the overlap is below what faceted surfaces mean, and it is not pushed out.
+    // A thousandth of the overlap, and far below the depth that is never pushed out.
     const double good_enough =
-        std::max(1e-3 * deepest > 0 ? 1e-3 * deepest : 0.0, step.report.tolerated);
+        std::max({1e-3 * deepest, 1e-2 * step.settings.allowed_penetration, step.report.tolerated});
     const bool settled =
         k > 0 && step.contacts.size() == before && step.report.residual <= good_enough;
     if (settled || k == step.settings.max_passes) return;
@@ -321,8 +327,7 @@ ContactStepResult advance_with_contact(const ContactWorld& world, const StepInpu
   }
   sum_impulses(step);
   world.memory.last_contacts = step.contacts;
-  std::sort(world.memory.last_contacts.begin(), world.memory.last_contacts.end(),
-            [](const ContactPoint& a, const ContactPoint& b) { return key_of(a) < key_of(b); });
+  std::sort(world.memory.last_contacts.begin(), world.memory.last_contacts.end(), by_key);
   result.report = std::move(step.report);
   return result;
 }

@@ -168,6 +168,20 @@ ContactEnd vertex_end(const ContactBodies& bodies, const ContactPass& pass, Vert
   return end;
 }
 
+/// Equal parts on four vertices; on a rigid body that is one impulse at their mean.
+void add_tetrahedron_ends(ContactRow& row, TetId t, const ContactBodies& bodies,
+                          const ContactPass& pass) {
+  const Corners& corners = pass.input.corners[t.index()];
+  const ComponentId id = pass.state.elements.component[t.index()];
+  const Component& component = pass.state.components[id.index()];
+  if (component.isolated) {
+    const Vec3 arm = center_of(corners, pass.state.vertices.position) - component.centre;
+    add_end(row, {bodies.body_of_component[id.index()], ContactEnd::rigid_slot, -1, arm, {}});
+    return;
+  }
+  for (VertexId v : corners) add_end(row, vertex_end(bodies, pass, v, -0.25));
+}
+
 /// The points that a row acts on. Its gap, slip and bounds are the caller's.
 ContactRow row_of(const ContactPoint& contact, const ContactBodies& bodies,
                   const ContactPass& pass) {
@@ -185,9 +199,7 @@ ContactRow row_of(const ContactPoint& contact, const ContactBodies& bodies,
     add_end(row, {bodies.body_of_ball[contact.ball], ContactEnd::rigid_slot, 1, arm, {}});
   }
   if (contact.obstacle == ContactPoint::none) {
-    for (VertexId v : pass.input.corners[contact.tetrahedron.index()]) {
-      add_end(row, vertex_end(bodies, pass, v, -0.25));
-    }
+    add_tetrahedron_ends(row, contact.tetrahedron, bodies, pass);
   } else if (pass.obstacles[contact.obstacle].mass) {
     // From the ball's centre to where side A is, not to its surface: both sides then feel the same
     // line of action, and angular momentum is conserved exactly.
@@ -248,18 +260,17 @@ void touch(StepBlows& blows, const ContactBodies& bodies, std::size_t b, const C
   }
 }
 
-void add_impulse_at(StepBlows& blows, VertexId v, const Vec3& impulse, const ContactPass& pass) {
-  Component& component = pass.state.components[pass.state.vertices.component[v.index()].index()];
+void strike_component(StepBlows& blows, Component& component, const ContactEnd& end,
+                      const Vec3& impulse, const ContactPass& pass) {
   if (!takes_split_blow(pass, component)) {
-    const VertexImpulse hit{v, impulse};
+    const VertexImpulse hit{end.vertex, impulse};
     apply_impulses(pass.state, {&hit, 1});
     return;
   }
-  blows.vertex_impulse[v.index()] += impulse;
+  if (!component.isolated) blows.vertex_impulse[end.vertex.index()] += impulse;
   if (component.supported) return;
   component.momentum += impulse;
-  component.angular_momentum +=
-      (pass.state.vertices.position[v.index()] - component.centre).cross(impulse);
+  component.angular_momentum += end.arm.cross(impulse);
 }
 
 /// Forces that deform like the impulses of a free component but move its frame no more: the
@@ -329,7 +340,8 @@ void apply_changes(StepBlows& blows, const ContactBodies& bodies, std::span<cons
       if (bodies.component[end.body].is_none()) {
         strike_ball(pass.obstacles[bodies.ball[end.body]], impulse, end.arm);
       } else {
-        add_impulse_at(blows, end.vertex, impulse, pass);
+        Component& component = pass.state.components[bodies.component[end.body].index()];
+        strike_component(blows, component, end, impulse, pass);
       }
     }
   }

@@ -35,6 +35,12 @@ Vec3 coming_velocity(const Bounce& bounce, const ContactEnd& end) {
     return ball.velocity + ball.spin.cross(end.arm);
   }
   const VertexColumns& vertices = bounce.pass.state.vertices;
+  if (end.vertex.is_none()) {
+    Vec3 mean = Vec3::Zero();
+    for (VertexId v : bounce.component_of(end).vertices)
+      mean += 0.25 * vertices.velocity[v.index()];
+    return mean;
+  }
   const std::size_t v = end.vertex.index();
   return vertices.velocity[v] + bounce.reach * (bounce.component_of(end).orientation *
                                                 vertices.displacement_acceleration[v]);
@@ -142,6 +148,10 @@ void take_back_bounce(std::span<ContactPoint> contacts, ContactBodies& bodies,
       const Vec3 impulse = row.ends[e].weight * row.impulse;
       if (bounce.is_ball(row.ends[e])) {
         strike_ball(pass.obstacles[bodies.ball[row.ends[e].body]], impulse, row.ends[e].arm);
+      } else if (row.ends[e].vertex.is_none()) {
+        for (VertexId v : bounce.component_of(row.ends[e]).vertices) {
+          hits.push_back({v, 0.25 * impulse});
+        }
       } else {
         hits.push_back({row.ends[e].vertex, impulse});
       }

@@ -139,20 +139,8 @@ void extend_remembered(ContactMemory& memory, const StepPaths& paths) {
   }
 }
 
-void find_between_pieces(DetectScratch& scratch, const ContactMemory& memory,
-                         const StepPaths& paths, const ContactSettings& settings) {
-  pair_up(scratch, paths);
-  const std::size_t first = scratch.found.size();
-  for (const SpherePair& pair : scratch.pairs) {
-    ContactPoint contact;
-    contact.vertex = pair.vertex;
-    contact.tetrahedron = pair.tetrahedron;
-    contact.friction = settings.friction;
-    const double allowed = std::max(0.0, allowance_of(memory.allowances, pair));
-    const Sphere ball{Vec3::Zero(), scratch.radius[pair.tetrahedron.index()] - allowed};
-    const ContactPath path = path_of(contact, paths);
-    add_if_near(scratch, contact, ball, {path.start, path.end, 0});
-  }
+/// Of the contacts from row `first` on, keeps the deepest for each vertex and component, sorted so.
+void keep_deepest(DetectScratch& scratch, const StepPaths& paths, std::size_t first) {
   const auto component_of = [&](const ContactPoint& c) {
     return paths.state.elements.component[c.tetrahedron.index()];
   };
@@ -172,16 +160,35 @@ void find_between_pieces(DetectScratch& scratch, const ContactMemory& memory,
                             return p.vertex == q.vertex && component_of(p) == component_of(q);
                           }),
               order.end());
-  std::vector<ContactPoint> deepest;
-  std::vector<double> deepest_gap;
+  scratch.deepest.clear();
+  scratch.deepest_gap.clear();
   for (const std::uint32_t k : order) {
-    deepest.push_back(scratch.found[k]);
-    deepest_gap.push_back(scratch.found_gap[k]);
+    scratch.deepest.push_back(scratch.found[k]);
+    scratch.deepest_gap.push_back(scratch.found_gap[k]);
   }
-  scratch.found.resize(first);
-  scratch.found_gap.resize(first);
-  scratch.found.insert(scratch.found.end(), deepest.begin(), deepest.end());
-  scratch.found_gap.insert(scratch.found_gap.end(), deepest_gap.begin(), deepest_gap.end());
+  std::copy(scratch.deepest.begin(), scratch.deepest.end(),
+            scratch.found.begin() + static_cast<std::ptrdiff_t>(first));
+  std::copy(scratch.deepest_gap.begin(), scratch.deepest_gap.end(),
+            scratch.found_gap.begin() + static_cast<std::ptrdiff_t>(first));
+  scratch.found.resize(first + order.size());
+  scratch.found_gap.resize(first + order.size());
+}
+
+void find_between_pieces(DetectScratch& scratch, const ContactMemory& memory,
+                         const StepPaths& paths, const ContactSettings& settings) {
+  pair_up(scratch, paths);
+  const std::size_t first = scratch.found.size();
+  for (const SpherePair& pair : scratch.pairs) {
+    ContactPoint contact;
+    contact.vertex = pair.vertex;
+    contact.tetrahedron = pair.tetrahedron;
+    contact.friction = settings.friction;
+    const double allowed = std::max(0.0, allowance_of(memory.allowances, pair));
+    const Sphere ball{Vec3::Zero(), scratch.radius[pair.tetrahedron.index()] - allowed};
+    const ContactPath path = path_of(contact, paths);
+    add_if_near(scratch, contact, ball, {path.start, path.end, 0});
+  }
+  keep_deepest(scratch, paths, first);
 }
 
 }  // namespace

@@ -17,8 +17,8 @@ struct DetectScratch {
   std::vector<double> radius, reach;
   std::vector<Vec3> point_middle;  ///< |V|
   std::vector<ContactMemory::Allowance> allowances;
-  std::vector<ContactPoint> found;
-  std::vector<double> found_gap;
+  std::vector<ContactPoint> found, deepest;
+  std::vector<double> found_gap, deepest_gap;  ///< m, end of the step, in the tangent plane
   std::vector<std::uint32_t> order, taken;
 };
 

@@ -79,7 +79,7 @@ Vec3 projected_on_disk(const Vec3& v, double radius) {
 
 /// One visit of a row: its new impulse, and by how far (m) it was from where it should be.
 double relax(ContactRow& row, std::span<AnsweringBody> bodies, double step) {
-  const double normal_answer = row.normal.dot(row.answer * row.normal) + row.compliance;
+  const double normal_answer = row.normal_answer;
   if (!(normal_answer > 0)) return 0;
   const Vec3& n = row.normal;
   const Vec3 before = row.impulse;
@@ -92,7 +92,7 @@ double relax(ContactRow& row, std::span<AnsweringBody> bodies, double step) {
   const Vec3 normal_change = (wanted_n - before_n) * n;
   Vec3 wanted_t = Vec3::Zero();
   if (row.friction > 0 && wanted_n > 0) {
-    const double divisor = tangential_answer(row);
+    const double divisor = row.tangential_answer;
     const Vec3 total = row.slip + moved + row.answer * normal_change;
     const Vec3 slip = total - n * n.dot(total);
     const Vec3 before_t = before - before_n * n;
@@ -145,6 +145,8 @@ SolveOutcome solve_contacts(std::span<ContactRow> rows, std::span<AnsweringBody>
   }
   for (ContactRow& row : rows) {
     row.answer = own_answer(row, bodies, limits.step);
+    row.normal_answer = row.normal.dot(row.answer * row.normal) + row.compliance;
+    row.tangential_answer = tangential_answer(row);
     add_impulse(row, bodies, row.guess);
     row.impulse += row.guess;
   }

@@ -31,7 +31,7 @@ struct ContactEnd {
   std::uint32_t slot = rigid_slot;  ///< its place in the body's elastic answer, or `rigid_slot`
   double weight = 1;                ///< share of the impulse: sums to +1 on side A, -1 on side B
   Vec3 arm = Vec3::Zero();          ///< m, from the body's mass centre
-  VertexId vertex;                  ///< which vertex it is; of no concern to the solver
+  VertexId vertex;  ///< of no concern to the solver; none() for a whole isolated tetrahedron
 };
 
 /// One row of three unknowns.
@@ -48,7 +48,10 @@ struct ContactRow {
   Vec3 impulse{0, 0, 0};  ///< N s; in: what it is, out: what it should be
   Vec3 guess{0, 0, 0};    ///< N s: a change to begin with, say what the last step needed
 
-  Mat3 answer = Mat3::Zero();  ///< own 3 x 3 block, m/(N s); filled by `solve_contacts`
+  // Filled by `solve_contacts`, m/(N s):
+  Mat3 answer = Mat3::Zero();    ///< own 3 x 3 block
+  double normal_answer = 0;      ///< along the normal, compliance included
+  double tangential_answer = 0;  ///< the larger one in the contact plane
 };
 
 struct SolveLimits {

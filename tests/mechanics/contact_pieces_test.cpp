@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pieces against each other by the balls of their tetrahedra, and the overlap at a separation.
 #include <catch2/catch.hpp>
-#include <chrono>
 #include <cmath>
 #include <random>
 
@@ -158,12 +157,11 @@ TEST_CASE("without friction pieces keep their angular momentum too", "[mechanics
   CHECK((angular_momentum(scene.state.vertices) - l0).norm() < 4e-3 * l0.norm());
 }
 
-TEST_CASE("a heap of chips stays finite, comes to rest, and costs bounded time",
-          "[mechanics][contact]") {
+TEST_CASE("a heap of chips stays finite, settles, and costs bounded work", "[mechanics][contact]") {
   const unsigned seed = 4;
   INFO("seed " << seed);
   std::mt19937 random(seed);
-  const int count = 150;
+  const int count = 80;
   std::vector<Body> chips;
   for (int k = 0; k < count; ++k) {
     chips.push_back(moved(single_tetrahedron(0.05),
@@ -175,20 +173,19 @@ TEST_CASE("a heap of chips stays finite, comes to rest, and costs bounded time",
   scene.obstacles = {Obstacle{Plane{}}};
   const double e0 = scene.energy();
   double highest = 0;
-  int unconverged = 0, iterations = 0;
-  std::uint32_t most = 0;
-  for (int k = 0; k < 600; ++k) {
+  int most_iterations = 0;
+  double deepest = 0;
+  for (int k = 0; k < 400; ++k) {
     const ContactStepResult result = scene.step();
     REQUIRE(result.status.outcome == StepOutcome::fine);
-    unconverged += !result.report.converged;
-    most = std::max(most, result.report.contacts);
-    iterations = std::max(iterations, result.report.iterations);
+    most_iterations = std::max(most_iterations, result.report.iterations);
+    deepest = std::max(deepest, result.report.deepest);
     highest = std::max(highest, scene.energy());
   }
-  WARN("unconverged " << unconverged << " contacts " << most << " iterations " << iterations
-                      << " energy " << e0 << " max " << highest << " kinetic "
-                      << kinetic_energy(scene.state.vertices));
-  CHECK(highest <= e0 * 1.001);
+  // Time is bounded by sweeps, not by a clock. Chips of 5 cm: a tenth of that is deep.
+  CHECK(most_iterations <= scene.contact.max_passes * scene.contact.max_iterations);
+  CHECK(deepest < 0.005);
+  CHECK(highest <= e0 * (1 + 1e-9));
   double mass = 0;
   for (const Component& c : scene.state.components) mass += c.mass;
   CHECK(kinetic_energy(scene.state.vertices) < 0.5 * mass * 0.3 * 0.3);
