@@ -260,7 +260,9 @@ const char* const background_fragment = R"glsl(
 uniform vec3 top, bottom;
 uniform vec2 pixels;
 out vec4 color;
-void main() { color = vec4(mix(bottom, top, smoothstep(0.0, 1.0, gl_FragCoord.y / pixels.y)), 1.0); }
+void main() {
+  color = vec4(mix(bottom, top, smoothstep(0.0, 1.0, gl_FragCoord.y / pixels.y)), 1.0);
+}
 )glsl";
 
 // Two triangles along the edge, widened on the picture. Drawn a little nearer than it is, so that
