@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// `sunder check`: what a mesh is, and what is wrong with it.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "apps/sunder/exit_code.hpp"
+
+namespace sunder {
+
+/// Adds the subcommand `check` to the program; `exit_code` is set when it has run.
+void add_check_command(CLI::App& program, ExitCode& exit_code);
+
+}  // namespace sunder

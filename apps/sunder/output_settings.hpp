@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// What `sunder run` writes of a run: frames, pictures and their camera. Settings only.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace sunder {
+
+/// Which shape of the body a picture shows (figure 1).
+enum class ShownShape {
+  /// The rigid reference: what a brittle body looks like (section 3.3).
+  reference,
+  /// The deformed mesh.
+  deformed,
+  /// The deformed mesh as a wireframe over the filled rigid reference.
+  both,
+};
+
+/// A camera that stands still.
+struct CameraSettings {
+  Eigen::Vector3d eye = {1, -2, 1};
+  Eigen::Vector3d target = {0, 0, 0};
+  /// Vertical opening angle, degrees.
+  double field_of_view = 35;
+};
+
+struct PictureSettings {
+  /// Spread evenly over the run: 1 shows its end, 2 start and end, and so on.
+  std::uint32_t count = 0;
+  /// Further moments, s.
+  std::vector<double> times;
+  /// Pixels.
+  std::uint32_t width = 1280;
+  std::uint32_t height = 720;
+  ShownShape show = ShownShape::reference;
+  /// Absent: found from the bodies' start and the ground.
+  std::optional<CameraSettings> camera;
+};
+
+struct OutputSettings {
+  /// VTU frames, spread evenly over the run with its start and its end; 0 writes none.
+  std::uint32_t frames = 51;
+  /// Time between frames, s; above 0 it rules instead of `frames`.
+  double frame_interval = 0;
+  PictureSettings pictures;
+};
+
+}  // namespace sunder

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+// Adding up a run and writing its report.
+#include "apps/sunder/recorder_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "mechanics/energy.hpp"
+
+namespace sunder {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json numbers(const Vec3& v) { return {v[0], v[1], v[2]}; }
+
+Energies energies(const Simulation& s) {
+  const MechanicsState& m = s.state.mechanics;
+  return {kinetic_energy(m.vertices), strain_energy(m),
+          gravity_energy(m.vertices, s.scene.gravity.acceleration)};
+}
+
+double total_mass(const MechanicsState& mechanics) {
+  const std::vector<double>& mass = mechanics.vertices.mass;
+  return std::accumulate(mass.begin(), mass.end(), 0.0);
+}
+
+/// Mean, median, 99th percentile (nearest rank) and largest.
+ordered_json distribution(std::vector<float> values) {
+  if (values.empty()) return {{"mean", 0}, {"median", 0}, {"p99", 0}, {"max", 0}};
+  std::ranges::sort(values);
+  const auto rank = [&](double part) {
+    const double row = std::ceil(part * static_cast<double>(values.size())) - 1;
+    return static_cast<double>(values[static_cast<std::size_t>(std::max(row, 0.0))]);
+  };
+  const double sum = std::accumulate(values.begin(), values.end(), 0.0);
+  return {{"mean", sum / static_cast<double>(values.size())},
+          {"median", rank(0.5)},
+          {"p99", rank(0.99)},
+          {"max", values.back()}};
+}
+
+/// A part of a whole; nothing (null) where there is no whole.
+ordered_json ratio(std::size_t part, std::size_t whole) {
+  if (whole == 0) return nullptr;
+  return static_cast<double>(part) / static_cast<double>(whole);
+}
+
+ordered_json energy_ledger(const RunStatistics& statistics, const Simulation& now) {
+  const Energies end = energies(now);
+  const Energies& start = statistics.energy_at_start;
+  const auto pair = [](double a, double b) { return ordered_json{{"start", a}, {"end", b}}; };
+  return {{"kinetic", pair(start.kinetic, end.kinetic)},
+          {"strain", pair(start.strain, end.strain)},
+          {"gravity", pair(start.gravity, end.gravity)},
+          {"damping_work", statistics.damping_work},
+          {"released_by_rigid_pieces", statistics.energy_released}};
+}
+
+/// Past this turn a part's false strain theta^2 / 2 reaches a tenth of the breaking strain xi / E.
+double largest_valid_turn(const Material& material) {
+  return std::sqrt(0.2 * material.tensile_strength / material.young_modulus);
+}
+
+void check_turns(RunStatistics& statistics, const Simulation& now, const StepReport& report) {
+  const std::vector<double>& turn = now.scratch.mechanics.largest_turn;
+  const MechanicsState& mechanics = now.state.mechanics;
+  for (std::size_t c = 0; c < std::min(turn.size(), mechanics.components.size()); ++c) {
+    const Component& component = mechanics.components[c];
+    if (component.tetrahedra.empty() || component.isolated) continue;
+    const MaterialId material = mechanics.elements.material[component.tetrahedra[0].index()];
+    const double valid = largest_valid_turn(mechanics.materials[material.index()]);
+    if (!(turn[c] > valid)) continue;
+    statistics.turned_too_far = true;
+    statistics.warnings.push_back(
+        {.code = "turned_too_far",
+         .severity = Severity::warning,
+         .ids = {static_cast<std::int64_t>(c)},
+         .text = fmt::format("from step {} (t = {:.6g} s) on parts of component {} have turned by "
+                             "{:.3g} rad against its reference; the linear model is good to {:.3g}",
+                             report.step, report.time, c, turn[c], valid),
+         .remedy = "the stresses there are too high by about E theta^2 / 2: take a stiffer "
+                   "material, a lower strength or less slender bodies"});
+    return;
+  }
+}
+
+}  // namespace
+
+RunStatistics begin_statistics(const Simulation& start, std::vector<Finding> warnings) {
+  RunStatistics statistics;
+  statistics.warnings = std::move(warnings);
+  statistics.energy_at_start = energies(start);
+  statistics.momentum_at_start = momentum(start.state.mechanics.vertices);
+  statistics.mass_at_start = total_mass(start.state.mechanics);
+  return statistics;
+}
+
+void add_step(RunStatistics& statistics, const Simulation& now, const StepReport& report,
+              double step_ms) {
+  statistics.step_ms.push_back(static_cast<float>(step_ms));
+  for (std::size_t i = 0; i < stage_names.size(); ++i) {
+    statistics.stage_ms[i].push_back(static_cast<float>(report.stage_ms[i]));
+  }
+  const FractureReport& fracture = report.fracture;
+  statistics.fans += fracture.fans.size();
+  statistics.tested += fracture.tested;
+  statistics.suspects += fracture.suspects;
+  statistics.reached += fracture.reached;
+  statistics.empty_fans += fracture.empty_fans;
+  statistics.relieved += fracture.relieved;
+  statistics.waiting = fracture.waiting;
+  for (const FanEvent& fan : fracture.fans) {
+    statistics.faces_split += fan.faces.size();
+    statistics.predicted += fan.components.predicted > 0;
+    statistics.separated += fan.components.created > 0;
+    statistics.predicted_rightly += fan.components.predicted > 0 && fan.components.created > 0;
+  }
+  statistics.damping_work += report.status.damping_work;
+  statistics.energy_released += report.energy_released;
+  if (!statistics.turned_too_far) check_turns(statistics, now, report);
+}
+
+std::optional<Finding> step_failure(const StepReport& report, const Simulation& now) {
+  if (report.status.outcome != StepOutcome::fine) {
+    Finding finding = to_finding(report.status);
+    finding.text = fmt::format("step {}: {}", report.step, finding.text);
+    return finding;
+  }
+  if (!report.fracture.not_a_number) return std::nullopt;
+  const VertexId vertex = *report.fracture.not_a_number;
+  const Vec3& x = now.state.mechanics.vertices.position[vertex.index()];
+  return Finding{.code = "stress_not_a_number",
+                 .ids = {static_cast<std::int64_t>(vertex.index())},
+                 .text = fmt::format("step {} (t = {:.6g} s): the stress of vertex {} at ({:.6g}, "
+                                     "{:.6g}, {:.6g}) m is not a number",
+                                     report.step, report.time, vertex.value, x[0], x[1], x[2]),
+                 .remedy = "take a shorter time_step or the integrator floating_frame"};
+}
+
+ordered_json finding_json(const Finding& f) {
+  return {{"code", f.code},     {"severity", to_string(f.severity)},
+          {"count", f.count},   {"ids", f.ids},
+          {"text", f.text},     {"remedy", f.remedy},
+          {"file", f.file},     {"line", f.line}};
+}
+
+ordered_json run_report(const RunStatistics& s, const Simulation& now,
+                        std::span<const Fragment> pieces, RunEnd end) {
+  constexpr std::array<std::string_view, 3> ends = {"finished", "interrupted", "failed"};
+  ordered_json stages = ordered_json::object();
+  for (std::size_t i = 0; i < stage_names.size(); ++i) {
+    stages[std::string(stage_names[i])] = distribution(s.stage_ms[i]);
+  }
+  double mass = 0, largest = 0;
+  for (const Fragment& piece : pieces) {
+    mass += piece.mass;
+    largest = std::max(largest, piece.mass);
+  }
+  ordered_json warnings = ordered_json::array();
+  for (const Finding& f : s.warnings) warnings.push_back(finding_json(f));
+  const Vec3 momentum_now = momentum(now.state.mechanics.vertices);
+  return {{"scene", now.scene.name},
+          {"end", ends[static_cast<std::size_t>(end)]},
+          {"steps", now.state.step},
+          {"time", now.state.mechanics.time},
+          {"time_step", now.scene.time_step},
+          {"tetrahedra", now.state.cells.map.tetrahedra()},
+          {"vertices", now.state.cells.map.vertices()},
+          {"step_ms", distribution(s.step_ms)},
+          {"stage_ms", stages},
+          {"fans", s.fans},
+          {"faces_split", s.faces_split},
+          {"empty_fans", s.empty_fans},
+          {"relieved", s.relieved},
+          {"waiting", s.waiting},
+          {"components", pieces.size()},
+          {"fragments", {{"count", pieces.size()},
+                         {"single_tetrahedra", std::ranges::count(pieces, 1, &Fragment::tetrahedra)},
+                         {"largest_mass", largest},
+                         {"mass", mass},
+                         {"mass_error", (mass - s.mass_at_start) / s.mass_at_start}}},
+          {"gershgorin", {{"tested", s.tested},
+                          {"suspects", s.suspects},
+                          {"reached", s.reached},
+                          {"efficiency", ratio(s.reached, s.suspects)}}},
+          {"oracle", {{"fans", s.fans},
+                      {"predicted", s.predicted},
+                      {"separated", s.separated},
+                      {"efficiency", ratio(s.predicted_rightly, s.predicted)},
+                      {"missed", s.separated - s.predicted_rightly}}},
+          {"momentum", {{"start", numbers(s.momentum_at_start)}, {"end", numbers(momentum_now)}}},
+          {"energy", energy_ledger(s, now)},
+          {"warnings", warnings}};
+}
+
+std::string summary_table(const ordered_json& r) {
+  const auto number = [&](const char* pointer) {
+    return r.at(ordered_json::json_pointer(pointer)).get<double>();
+  };
+  std::string text;
+  const auto row = [&](std::string_view name, const std::string& value) {
+    text += fmt::format("{:<14} {}\n", name, value);
+  };
+  row("scene", r["scene"].get<std::string>());
+  row("end", fmt::format("{} at t = {:.6g} s", r["end"].get<std::string>(), number("/time")));
+  row("steps", fmt::format("{} of {:.6g} s", r["steps"].get<std::uint64_t>(), number("/time_step")));
+  row("step time", fmt::format("mean {:.3g} ms, max {:.3g} ms", number("/step_ms/mean"),
+                               number("/step_ms/max")));
+  row("fans", fmt::format("{} ({} faces)", r["fans"].get<std::uint64_t>(),
+                          r["faces_split"].get<std::uint64_t>()));
+  row("pieces", fmt::format("{} ({} single tetrahedra)", r["components"].get<std::uint64_t>(),
+                            r["fragments"]["single_tetrahedra"].get<std::uint64_t>()));
+  row("largest piece", fmt::format("{:.4g} kg of {:.4g} kg", number("/fragments/largest_mass"),
+                                   number("/fragments/mass")));
+  row("mass error", fmt::format("{:.1e}", number("/fragments/mass_error")));
+  return text;
+}
+
+}  // namespace sunder

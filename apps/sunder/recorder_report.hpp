@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// What a run tells about itself: counts, step times, ledgers and warnings, as report.json has them.
+#pragma once
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "apps/sunder/recorder_tables.hpp"
+#include "fracture/simulation.hpp"
+
+namespace sunder {
+
+/// How a run ended.
+enum class RunEnd { finished, interrupted, failed };
+
+/// The energies of a state, J.
+struct Energies {
+  double kinetic = 0, strain = 0, gravity = 0;
+};
+
+/// Everything that is added up over a run.
+struct RunStatistics {
+  /// Wall time of every step and of its stages, ms.
+  std::vector<float> step_ms;
+  std::array<std::vector<float>, stage_names.size()> stage_ms;
+  std::size_t fans = 0, faces_split = 0;
+  /// Of Gershgorin's bound and of vertices that were over their threshold.
+  std::size_t tested = 0, suspects = 0, reached = 0, empty_fans = 0, relieved = 0;
+  /// Left over by the last step's budget.
+  std::size_t waiting = 0;
+  /// Of the oracle: fans that predicted a separation, those of them that had one, fans that had one.
+  std::size_t predicted = 0, predicted_rightly = 0, separated = 0;
+  /// J.
+  double damping_work = 0, energy_released = 0;
+  Energies energy_at_start;
+  Vec3 momentum_at_start = Vec3::Zero();
+  /// kg.
+  double mass_at_start = 0;
+  std::vector<Finding> warnings;
+  /// Whether the small-displacement model was left once (decisions.md, Validity).
+  bool turned_too_far = false;
+};
+
+/// The statistics of a run that stands at its start; `warnings` are what building it found.
+RunStatistics begin_statistics(const Simulation& start, std::vector<Finding> warnings);
+
+/// Adds one step. `step_ms`: its wall time.
+void add_step(RunStatistics& statistics, const Simulation& now, const StepReport& report,
+              double step_ms);
+
+/// What `advance` reports as a failure, as a finding with step, vertex, value and remedy; nothing
+/// when the step is fine.
+std::optional<Finding> step_failure(const StepReport& report, const Simulation& now);
+
+/// report.json of a run, design.md's keys. `pieces`: as `fragments` gives them at the end.
+nlohmann::ordered_json run_report(const RunStatistics& statistics, const Simulation& now,
+                                  std::span<const Fragment> pieces, RunEnd end);
+
+/// A few lines for people: steps, mean and largest step, fans, pieces, largest piece, mass error.
+std::string summary_table(const nlohmann::ordered_json& report);
+
+/// A finding as JSON: {code, severity, count, ids, text, remedy, file, line}.
+nlohmann::ordered_json finding_json(const Finding& finding);
+
+}  // namespace sunder

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// `sunder run`: steps a scene and writes what happens.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "apps/sunder/exit_code.hpp"
+
+namespace sunder {
+
+/// What a user asks of `sunder run`.
+struct RunArguments {
+  std::filesystem::path scene;
+  /// Empty: out/ and the scene file's name without its ending.
+  std::filesystem::path folder;
+  /// `dotted.path=value` changes of the scene, in their order.
+  std::vector<std::string> settings;
+  bool quiet = false;
+  /// The report as JSON on stdout instead of the table.
+  bool json = false;
+};
+
+/// Reads the scene, steps it to its end, to a failure or to Ctrl-C, and writes its files. Findings
+/// go to stderr, the result to stdout.
+ExitCode run_scene(const RunArguments& arguments);
+
+/// Adds the subcommand `run` to the program; `exit_code` is set when it has run.
+void add_run_command(CLI::App& program, ExitCode& exit_code);
+
+}  // namespace sunder

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: MIT
+// Every key of a scene file: name, unit, meaning and range, said once. The reader and the schema are
+// two visitors of these lists; defaults are those of the C++ structs.
+#pragma once
+
+#include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "apps/sunder/output_settings.hpp"
+#include "apps/sunder/scene_json.hpp"
+#include "fracture/scene.hpp"
+
+namespace sunder::fields {
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Numbers that are allowed; each element of a vector is held to it.
+struct Range {
+  double low = -infinity;
+  double high = infinity;
+  bool without_low = false;
+};
+constexpr Range at_least(double low) { return {.low = low}; }
+constexpr Range above(double low) { return {.low = low, .without_low = true}; }
+constexpr Range between(double low, double high) { return {.low = low, .high = high}; }
+
+/// One key of an object. Without `required` the member's value in a default-constructed struct is
+/// the default.
+struct Key {
+  std::string_view name;
+  /// Empty for what has none.
+  std::string_view unit;
+  /// What it means, for the schema.
+  std::string_view text;
+  Range range = {};
+  bool required = false;
+  /// Added to the remedy when the value is refused.
+  std::string_view remedy = {};
+};
+
+template <class E>
+using Names = std::vector<std::pair<E, std::string_view>>;
+
+inline const Names<FractureMode>& names_of(FractureMode) {
+  static const Names<FractureMode> names = {
+      {FractureMode::off, "off"}, {FractureMode::all, "all"}, {FractureMode::budget, "budget"}};
+  return names;
+}
+inline const Names<StressWeight>& names_of(StressWeight) {
+  static const Names<StressWeight> names = {{StressWeight::volume, "volume"},
+                                            {StressWeight::mass, "mass"}};
+  return names;
+}
+inline const Names<Detection>& names_of(Detection) {
+  static const Names<Detection> names = {{Detection::exact, "exact"},
+                                         {Detection::oracle, "oracle"},
+                                         {Detection::walk, "walk"}};
+  return names;
+}
+inline const Names<FaceOrder>& names_of(FaceOrder) {
+  static const Names<FaceOrder> names = {{FaceOrder::paper, "paper"},
+                                         {FaceOrder::given, "given"}};
+  return names;
+}
+inline const Names<Integrator>& names_of(Integrator) {
+  static const Names<Integrator> names = {{Integrator::floating_frame, "floating_frame"},
+                                          {Integrator::implicit_euler, "implicit_euler"},
+                                          {Integrator::verlet, "verlet"}};
+  return names;
+}
+inline const Names<EulerFrame>& names_of(EulerFrame) {
+  static const Names<EulerFrame> names = {{EulerFrame::current, "current"},
+                                          {EulerFrame::predicted, "predicted"}};
+  return names;
+}
+inline const Names<ShownShape>& names_of(ShownShape) {
+  static const Names<ShownShape> names = {{ShownShape::reference, "reference"},
+                                          {ShownShape::deformed, "deformed"},
+                                          {ShownShape::both, "both"}};
+  return names;
+}
+
+template <class V>
+void describe(V& v, Material& m) {
+  v.field(Key{"young_modulus", "Pa", "Young's modulus E: stiffness in tension", above(0), false,
+              "concrete is about 30e9 Pa"},
+          m.young_modulus);
+  v.field(Key{"poisson_ratio", "", "Poisson's ratio nu",
+              Range{.low = -1, .high = 0.49, .without_low = true}, false,
+              "linear tetrahedra cannot be incompressible (0.5); concrete is about 0.2"},
+          m.poisson_ratio);
+  v.field(Key{"density", "kg/m^3", "Mass per volume", above(0), false,
+              "concrete is about 2400 kg/m^3"},
+          m.density);
+  v.field(Key{"tensile_strength", "Pa",
+              "Largest principal stress xi that a vertex holds (to hold anything, set "
+              "fracture.mode to off)",
+              above(0), false, "concrete is about 3e6 Pa"},
+          m.tensile_strength);
+  v.field(Key{"toughness", "Pa sqrt(m)",
+              "Fracture toughness K_Ic; where given it rules at crack tips in place of the strength",
+              above(0), false, "leave it out or give about 1e6 for concrete"},
+          m.toughness);
+}
+
+template <class V>
+void describe(V& v, HeldBox& h) {
+  v.field(Key{"minimum", "m", "Lower corner of the box, in the mesh's own coordinates", {}, true},
+          h.minimum);
+  v.field(Key{"maximum", "m", "Upper corner; the box's surface belongs to it", {}, true},
+          h.maximum);
+  v.field(Key{"velocity", "m/s", "Velocity the vertices are moved with; zero holds them still"},
+          h.velocity);
+}
+
+template <class V>
+void describe(V& v, BodySettings& b) {
+  v.field(Key{"name", "", "What reports call the body"}, b.name);
+  v.field(Key{"mesh", "", "File of tetrahedra (MSH, MEDIT or VTU), relative to the scene file", {},
+              true},
+          b.mesh);
+  v.field(Key{"material", "", "What the body is made of"}, b.material);
+  v.field(Key{"translation", "m", "Where the mesh's origin is put, after the rotation"},
+          b.translation);
+  v.field(Key{"rotation", "", "Turn of the mesh about its origin, before the translation"},
+          b.rotation);
+  v.field(Key{"velocity", "m/s", "Velocity of the mass centre at the start"}, b.velocity);
+  v.field(Key{"spin", "rad/s", "Angular velocity about the mass centre at the start"}, b.spin);
+  v.field(Key{"held", "", "Boxes whose vertices the outside world holds or moves"}, b.held);
+}
+
+template <class V>
+void describe(V& v, Plane& p) {
+  v.direction(Key{"normal", "", "Out of the solid half-space; any length but 0"}, p.normal);
+  v.field(Key{"offset", "m", "Distance from the origin along the normal"}, p.offset);
+}
+template <class V>
+void describe(V& v, Sphere& s) {
+  v.field(Key{"center", "m", "Centre"}, s.center);
+  v.field(Key{"radius", "m", "Radius", above(0)}, s.radius);
+}
+template <class V>
+void describe(V& v, Box& b) {
+  v.field(Key{"center", "m", "Centre"}, b.center);
+  v.field(Key{"rotation", "", "Turn of the box's own axes"}, b.orientation);
+  v.field(Key{"half_extent", "m", "Half the length of each side", above(0)}, b.half_extent);
+}
+
+template <class V>
+void describe(V& v, Obstacle& o) {
+  v.alternative(Key{"plane", "", "A half-space: ground, wall"}, Plane{}, o.shape);
+  v.alternative(Key{"sphere", "", "A ball"}, Sphere{}, o.shape);
+  v.alternative(Key{"box", "", "A box"}, Box{}, o.shape);
+  v.field(Key{"velocity", "m/s", "Velocity, kept whatever it hits unless there is a mass"},
+          o.velocity);
+  v.field(Key{"spin", "rad/s", "Angular velocity of a free ball"}, o.spin);
+  v.field(Key{"friction", "", "Coulomb's coefficient; two surfaces rub with the mean of theirs",
+              at_least(0)},
+          o.friction);
+  v.field(Key{"mass", "kg", "Makes a ball a free projectile that falls and is pushed back",
+              above(0)},
+          o.mass);
+}
+
+template <class V>
+void describe(V& v, GravitySettings& g) {
+  v.field(Key{"acceleration", "m/s^2", "Gravity once it is fully raised"}, g.acceleration);
+  v.field(Key{"ramp_time", "s", "Time over which it is raised linearly; 0: at once", at_least(0)},
+          g.ramp_time);
+}
+
+template <class V>
+void describe(V& v, RayleighDamping& d) {
+  v.field(Key{"mass_factor", "1/s", "Damping proportional to mass, on deformation only",
+              at_least(0)},
+          d.mass_factor);
+  v.field(Key{"stiffness_factor", "s", "Damping proportional to stiffness, on deformation only",
+              at_least(0)},
+          d.stiffness_factor);
+}
+
+template <class V>
+void describe(V& v, IntegratorSettings& i) {
+  v.field(Key{"method", "",
+              "floating_frame: rigid motion apart, the default; implicit_euler: the paper's "
+              "baseline, loses spin; verlet: explicit, needs steps of microseconds"},
+          i.integrator);
+  v.field(Key{"rho_infinity", "",
+              "Of generalised-alpha: how much of an oscillation too fast for the step is left "
+              "after one step",
+              between(0, 1)},
+          i.rho_infinity);
+  v.field(Key{"damping", "", "Rayleigh damping"}, i.damping);
+  v.field(Key{"euler_frame", "", "Which frame implicit_euler linearises in"}, i.euler_frame);
+}
+
+template <class V>
+void describe(V& v, FractureSettings& f) {
+  v.field(Key{"mode", "",
+              "off: nothing breaks; all: every vertex over its threshold; budget: at most max_fans "
+              "a step, the most overstressed first"},
+          f.mode);
+  v.field(Key{"max_fans", "", "Cracks a step in mode budget", between(1, 4294967295.0)},
+          f.max_fans);
+  v.field(Key{"weight", "", "How elements weigh in a node stress (eq. 6; the paper: mass)"},
+          f.weight);
+  v.field(Key{"detection", "",
+              "How new pieces are found: exact lockstep search, the paper's oracle, or a full walk"},
+          f.detection);
+  v.field(Key{"face_order", "", "Order in which the faces of a fan are unsewn: paper: those with an edge on the surface "
+              "first; given: by number"}, f.face_order);
+}
+
+template <class V>
+void describe(V& v, ContactSettings& c) {
+  v.field(Key{"friction", "", "Coulomb's coefficient of the bodies' own surface", at_least(0)},
+          c.friction);
+  v.field(Key{"compliance", "m/N", "Give of one contact point; 0: hard", at_least(0)},
+          c.compliance);
+  v.field(Key{"push_out_speed", "m/s",
+              "Largest speed at which contacts that begin overlapped are pushed apart", at_least(0)},
+          c.push_out_speed);
+  v.field(Key{"allowed_penetration", "m", "Depth that is left alone", at_least(0)},
+          c.allowed_penetration);
+  v.field(Key{"between_pieces", "", "Whether pieces repel each other; obstacles always do"},
+          c.between_pieces);
+  v.field(Key{"max_iterations", "", "Sweeps of projected Gauss-Seidel a pass", between(1, 1e6)},
+          c.max_iterations);
+  v.field(Key{"tolerance", "",
+              "Largest error of an end-of-step gap, relative to the deepest overlap that the step "
+              "would have had without contact",
+              above(0)},
+          c.tolerance);
+  v.field(Key{"max_passes", "", "How often a step may be predicted anew with the impulses found",
+              between(1, 100)},
+          c.max_passes);
+  v.field(Key{"max_contacts_per_component", "",
+              "Contacts of one piece in a pass; the deepest are taken, the rest wait",
+              between(1, 100000)},
+          c.max_contacts_per_component);
+}
+
+template <class V>
+void describe(V& v, CameraSettings& c) {
+  v.field(Key{"eye", "m", "Where the camera stands", {}, true}, c.eye);
+  v.field(Key{"target", "m", "What it looks at", {}, true}, c.target);
+  v.field(Key{"field_of_view", "degrees", "Vertical opening angle", between(1, 170)},
+          c.field_of_view);
+}
+
+template <class V>
+void describe(V& v, PictureSettings& p) {
+  v.field(Key{"count", "", "Pictures spread evenly over the run with its end; 0 draws none",
+              between(0, 10000)},
+          p.count);
+  v.field(Key{"times", "s", "Further moments to draw", at_least(0)}, p.times);
+  v.field(Key{"width", "pixels", "Width", between(16, 8192)}, p.width);
+  v.field(Key{"height", "pixels", "Height", between(16, 8192)}, p.height);
+  v.field(Key{"show", "",
+              "reference: the rigid reference; deformed: the mesh itself; both: the deformed mesh "
+              "as wires over the filled reference (figure 1)"},
+          p.show);
+  v.field(Key{"camera", "", "A fixed camera; absent: one that sees the start and the ground"},
+          p.camera);
+}
+
+template <class V>
+void describe(V& v, OutputSettings& o) {
+  v.field(Key{"frames", "", "VTU frames spread evenly over the run with start and end; 0: none",
+              between(0, 1000000)},
+          o.frames);
+  v.field(Key{"frame_interval", "s", "Time between frames; above 0 it rules instead of frames",
+              at_least(0)},
+          o.frame_interval);
+  v.field(Key{"pictures", "", "Pictures drawn without a display"}, o.pictures);
+}
+
+template <class V>
+void describe(V& v, SceneFile& s) {
+  v.field(Key{"$schema", "", "The schema, for editors; not read"}, s.schema);
+  v.field(Key{"name", "", "What reports call the scene"}, s.scene.name);
+  v.field(Key{"description", "", "What happens and why the numbers are what they are"},
+          s.description);
+  v.field(Key{"bodies", "", "Breakable bodies, at least one", {}, true}, s.scene.bodies);
+  v.field(Key{"obstacles", "", "What bodies run into"}, s.scene.obstacles);
+  v.field(Key{"gravity", "", "Gravity"}, s.scene.gravity);
+  v.field(Key{"time_step", "s", "Length of a step", above(0), false,
+              "a strong blow lives for a few body lengths over the speed of sound"},
+          s.scene.time_step);
+  v.field(Key{"duration", "s", "Length of the run", above(0)}, s.scene.duration);
+  v.field(Key{"integrator", "", "How time is integrated"}, s.scene.integrator);
+  v.field(Key{"contact", "", "How contact is solved"}, s.scene.contact);
+  v.field(Key{"fracture", "", "What breaks and how it is found"}, s.scene.fracture);
+  v.field(Key{"output", "", "What a run writes"}, s.output);
+}
+
+}  // namespace sunder::fields

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+// From file rows to half-faces and back.
+#include "apps/sunder/split_faces.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <iterator>
+#include <numeric>
+#include <sstream>
+#include <unordered_map>
+
+namespace sunder {
+namespace {
+
+/// Rows of the file's points of a half-face, in rising order.
+std::array<std::uint32_t, 3> points_of(const VolumeMap& map, HalfFaceId face) {
+  const auto& corners = map.corners(tetrahedron_of(face));
+  std::array<std::uint32_t, 3> points;
+  for (int k = 0, n = 0; k < 4; ++k) {
+    if (k != place_of(face)) points[n++] = map.point_of_vertex(corners[k]);
+  }
+  std::sort(points.begin(), points.end());
+  return points;
+}
+
+std::vector<FaceRequest> requests_of(const VolumeMap& map, std::span<const HalfFaceId> faces) {
+  std::vector<FaceRequest> requests;
+  for (const HalfFaceId face : faces) requests.push_back({points_of(map, face), face});
+  return requests;
+}
+
+/// Three numbers and nothing else; false when the line holds something else.
+bool read_triple(const std::string& line, std::array<std::uint32_t, 3>& points) {
+  const char* at = line.data();
+  const char* const end = at + line.size();
+  const auto skip = [&] {
+    while (at != end && (*at == ' ' || *at == '\t' || *at == '\r' || *at == ',')) ++at;
+  };
+  for (std::uint32_t& point : points) {
+    skip();
+    const char* const begin = at;
+    const auto [stop, reason] = std::from_chars(begin, end, point);
+    if (reason != std::errc{}) return false;
+    at = stop;
+    skip();
+    if (at == stop && at != end) return false;
+  }
+  return at == end;
+}
+
+}  // namespace
+
+Result<std::vector<FaceRequest>> faces_of_file(const VolumeMap& map,
+                                               const std::filesystem::path& path) {
+  std::ifstream in(path);
+  if (!in || std::filesystem::is_directory(path)) {
+    return Finding{.code = "cannot_open",
+                   .text = "the file cannot be read",
+                   .remedy = "name a file with three rows of points a line",
+                   .file = path.string()};
+  }
+  std::vector<std::array<std::uint32_t, 3>> triples;
+  std::size_t number = 0;
+  for (std::string line; std::getline(in, line);) {
+    ++number;
+    const std::string content = line.substr(0, line.find('#'));
+    if (content.find_first_not_of(" \t\r") == std::string::npos) continue;
+    std::array<std::uint32_t, 3> triple{};
+    if (!read_triple(content, triple)) {
+      return Finding{.code = "bad_face",
+                     .text = fmt::format("'{}' is no face: three rows of points, counted from 0, "
+                                         "were expected",
+                                         content.substr(0, 60)),
+                     .remedy = "correct this line",
+                     .file = path.string(),
+                     .line = number};
+    }
+    triples.push_back(triple);
+  }
+  const std::vector<HalfFaceId> faces = find_faces(map, triples);
+  std::vector<FaceRequest> requests;
+  for (std::size_t i = 0; i < triples.size(); ++i) requests.push_back({triples[i], faces[i]});
+  return requests;
+}
+
+Result<std::vector<FaceRequest>> faces_of_fan(const VolumeMap& map, std::uint32_t point,
+                                              const Point& normal) {
+  std::vector<HalfFaceId> faces;
+  bool found = false;
+  for (std::size_t row = 0; row < map.vertices(); ++row) {
+    if (map.point_of_vertex(VertexId{row}) != point) continue;
+    found = true;
+    const Result<std::vector<HalfFaceId>> fan = fan_faces(map, VertexId{row}, normal);
+    if (!fan) {
+      Result<std::vector<FaceRequest>> refused;
+      refused.findings = fan.findings;
+      return refused;
+    }
+    faces.insert(faces.end(), fan->begin(), fan->end());
+  }
+  if (!found) {
+    return Finding{.code = "no_such_vertex",
+                   .ids = {point},
+                   .text = fmt::format("point {} belongs to no tetrahedron of the mesh", point),
+                   .remedy = "give the row, counted from 0, of a point that tetrahedra use"};
+  }
+  return requests_of(map, faces);
+}
+
+Result<std::vector<FaceRequest>> faces_of_plane(const VolumeMap& map, const CuttingPlane& plane) {
+  const Result<std::vector<HalfFaceId>> faces = plane_faces(map, plane);
+  if (faces) return requests_of(map, *faces);
+  Result<std::vector<FaceRequest>> refused;
+  refused.findings = faces.findings;
+  return refused;
+}
+
+void order_requests(const VolumeMap& map, FaceOrder order, std::vector<FaceRequest>& requests) {
+  if (order == FaceOrder::given) return;
+  std::vector<HalfFaceId> faces;
+  for (const FaceRequest& request : requests) {
+    if (refusal_of(map, request).empty()) faces.push_back(request.face);
+  }
+  order_faces(map, order, faces);
+  std::unordered_map<HalfFaceId, std::size_t> place;
+  for (const HalfFaceId face : faces) place.emplace(face, place.size());
+  const auto place_of_request = [&](const FaceRequest& request) {
+    const auto found = place.find(request.face);
+    return found == place.end() ? place.size() : found->second;
+  };
+  std::stable_sort(requests.begin(), requests.end(), [&](const auto& a, const auto& b) {
+    return place_of_request(a) < place_of_request(b);
+  });
+}
+
+std::string refusal_of(const VolumeMap& map, const FaceRequest& request) {
+  if (request.face.is_none()) return "no tetrahedron has a face on these points";
+  if (map.neighbour(request.face).is_none()) {
+    return "not an interior face: only one tetrahedron has it, or it was split before";
+  }
+  return {};
+}
+
+TetMesh cut_mesh(const TetMesh& file, const VolumeMap& map, const Components& components) {
+  TetMesh cut;
+  cut.points = file.points;
+  cut.source_tetrahedron_id = file.source_tetrahedron_id;
+  cut.source_point_id = file.source_point_id;
+  if (cut.source_point_id.empty()) {
+    cut.source_point_id.resize(file.points.size());
+    std::iota(cut.source_point_id.begin(), cut.source_point_id.end(), 1);
+  }
+  std::vector<char> taken(file.points.size(), 0);
+  std::vector<std::uint32_t> point_of_row(map.vertices());
+  for (std::size_t row = 0; row < map.vertices(); ++row) {
+    const std::uint32_t point = map.point_of_vertex(VertexId{row});
+    point_of_row[row] = point;
+    if (taken[point]) {
+      point_of_row[row] = static_cast<std::uint32_t>(cut.points.size());
+      cut.points.push_back(file.points[point]);
+      cut.source_point_id.push_back(cut.source_point_id[point]);
+    }
+    taken[point] = 1;
+  }
+  for (const auto& corners : map.corners()) {
+    auto& tetrahedron = cut.tetrahedra.emplace_back();
+    for (int k = 0; k < 4; ++k) tetrahedron[k] = point_of_row[corners[k].index()];
+  }
+  for (const ComponentId component : components.of_tetrahedron) {
+    cut.region.push_back(static_cast<std::int32_t>(component.value) + 1);
+  }
+  return cut;
+}
+
+}  // namespace sunder
