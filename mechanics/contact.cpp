@@ -315,7 +315,7 @@ ContactStepResult advance_with_contact(const ContactWorld& world, const StepInpu
 
   predict(scratch.mechanics, world.state, input, living_components(world.state));
   predict_balls(step);
-  update_allowances(world.memory, room.detect, paths_of(step));
+  update_allowances(world.memory, room.detect, paths_of(step), step.settings);
   resolve(step);
   count_contacts(step);
   ContactStepResult result;

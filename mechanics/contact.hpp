@@ -28,6 +28,12 @@ struct ContactSettings {
   double allowed_penetration = 1e-5;
   /// Whether pieces repel each other; against obstacles they always do.
   bool between_pieces = true;
+  /// Radius of the ball that stands for a tetrahedron, as a share of its bounding ball's, in (0, 1].
+  /// At 1 (the paper's) the balls of neighbours overlap so far that crack faces interlock: a vertex
+  /// cannot slide past the centres beside it, and wedged chips are squeezed without end. At 0.5,
+  /// between inscribed (1/3 of a regular tetrahedron's) and bounding, pieces slide, and touch a
+  /// little late.
+  double ball_share = 0.5;
   /// Sweeps of projected Gauss-Seidel a pass.
   int max_iterations = 200;
   /// Largest error of an end-of-step gap at which a sweep may end, relative to the deepest overlap

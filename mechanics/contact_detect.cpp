@@ -66,7 +66,7 @@ void find_balls(DetectScratch& scratch, const StepPaths& paths) {
 }
 
 /// Balls at rest about the mean of the corners: it is where the reaction acts.
-void measure_balls(DetectScratch& scratch, const StepPaths& paths) {
+void measure_balls(DetectScratch& scratch, const StepPaths& paths, double share) {
   const std::size_t count = paths.corners.size();
   const std::vector<Vec3>& rest = paths.state.vertices.rest_position;
   scratch.center_start.resize(count);
@@ -81,7 +81,7 @@ void measure_balls(DetectScratch& scratch, const StepPaths& paths) {
     for (VertexId v : paths.corners[t]) {
       squared = std::max(squared, (rest[v.index()] - center).squaredNorm());
     }
-    scratch.radius[t] = std::sqrt(squared);
+    scratch.radius[t] = share * std::sqrt(squared);
   }
 }
 
@@ -222,13 +222,14 @@ ContactPath path_of(const ContactPoint& contact, const StepPaths& paths) {
   return path;
 }
 
-void update_allowances(ContactMemory& memory, DetectScratch& scratch, const StepPaths& paths) {
+void update_allowances(ContactMemory& memory, DetectScratch& scratch, const StepPaths& paths,
+                       const ContactSettings& settings) {
   const MechanicsState& state = paths.state;
   const bool first_call = memory.tetrahedron_component.empty();
   const bool pieces = several_components(paths);
   scratch.allowances.clear();
   if (pieces) {
-    measure_balls(scratch, paths);
+    measure_balls(scratch, paths, settings.ball_share);
     if (!first_call) extend_remembered(memory, paths);
     find_sphere_pairs(scratch.pairs, scratch.grid,
                       {state.vertices.position, state.vertices.component, scratch.center_start,

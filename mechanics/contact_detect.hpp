@@ -50,7 +50,8 @@ inline double gap_end(const ContactPoint& contact, const ContactPath& path) {
 /// Notices which (tetrahedron, vertex) pairs overlap, now that the step begins, and shrinks what
 /// they are allowed; pairs whose components were one at the last call are allowed what they have.
 /// The first call allows everything that is there: bodies that a user puts beside one another.
-void update_allowances(ContactMemory& memory, DetectScratch& scratch, const StepPaths& paths);
+void update_allowances(ContactMemory& memory, DetectScratch& scratch, const StepPaths& paths,
+                       const ContactSettings& settings);
 
 /// All contacts whose path ends nearer to the tangent plane than it is long, into `scratch.found`,
 /// in the order: vertices by obstacle, balls, pieces by vertex; of the tetrahedra of one component

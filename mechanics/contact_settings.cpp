@@ -38,6 +38,14 @@ std::vector<Finding> check(const ContactSettings& s, std::string_view place) {
       {"max_passes", static_cast<double>(s.max_passes), 1, ""},
       {"max_contacts_per_component", static_cast<double>(s.max_contacts_per_component), 1, ""},
   };
+  if (!(s.ball_share > 0 && s.ball_share <= 1)) {
+    Finding f;
+    f.code = "bad_contact_setting";
+    f.text = std::string(place) + ".ball_share is " + std::to_string(s.ball_share) +
+             ", expected above 0 and at most 1";
+    f.remedy = "1 is the paper's bounding ball; leave the key out for the default";
+    findings.push_back(f);
+  }
   for (const Range& range : ranges) {
     if (!(std::isfinite(range.value) && range.value >= range.least)) {
       findings.push_back(out_of_range(range, place));
