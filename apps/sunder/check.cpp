@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -51,6 +52,8 @@ CheckReport check(const std::filesystem::path& path) {
     f.file = path.string();
     report.findings.push_back(std::move(f));
   }
+  std::stable_sort(report.findings.begin(), report.findings.end(),
+                   [](const Finding& a, const Finding& b) { return a.severity > b.severity; });
   if (map) report.counts = count_cells(*map);
   return report;
 }

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "topology/io/scan.hpp"
 
@@ -142,6 +142,8 @@ Result<TetMesh> finish(Draft&& draft) {
   if (counts_up_from_one(mesh.source_tetrahedron_id)) mesh.source_tetrahedron_id.clear();
   Result<TetMesh> result;
   result.findings = std::move(draft.findings);
+  std::stable_sort(result.findings.begin(), result.findings.end(),
+                   [](const Finding& a, const Finding& b) { return a.severity > b.severity; });
   if (!has_error(result.findings)) result.value = std::move(mesh);
   return result;
 }

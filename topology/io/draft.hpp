@@ -52,7 +52,8 @@ void add_other_cells(Draft& draft, std::string_view plural_name, int dimension, 
                      std::size_t at);
 
 /// Ends the reading: numbers that only repeat the row are dropped, a mesh without tetrahedra and
-/// other volume cells become errors, skipped surface cells a note. No value when there is an error.
+/// other volume cells become errors, skipped surface cells a note. Errors stand first; no value
+/// when there is one.
 Result<TetMesh> finish(Draft&& draft);
 
 }  // namespace sunder::io

@@ -114,11 +114,11 @@ void note_misleading_name(MeshFormat format, std::string_view name,
 /// The file's bytes, or the system's reason why there are none.
 Result<std::string> bytes_of(const std::filesystem::path& path) {
   const auto refused = [&](int error) {
-    return Finding{.code = "cannot_open",
-                   .text = fmt::format("{} cannot be read: {}", path.string(),
-                                       std::generic_category().message(error)),
-                   .remedy = "check the name and the permissions",
-                   .file = path.string()};
+    return Finding{
+        .code = "cannot_open",
+        .text = fmt::format("the file cannot be read: {}", std::generic_category().message(error)),
+        .remedy = "check the name and the permissions",
+        .file = path.string()};
   };
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
                                                              &std::fclose);

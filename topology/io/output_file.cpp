@@ -14,11 +14,11 @@ namespace sunder {
 namespace {
 
 Finding cannot_write(const std::filesystem::path& path, int error, std::string remedy) {
-  return {.code = "cannot_write",
-          .text = fmt::format("{} cannot be written: {}", path.string(),
-                              std::generic_category().message(error)),
-          .remedy = std::move(remedy),
-          .file = path.string()};
+  return {
+      .code = "cannot_write",
+      .text = fmt::format("the file cannot be written: {}", std::generic_category().message(error)),
+      .remedy = std::move(remedy),
+      .file = path.string()};
 }
 
 std::string remedy_for(int error) {
