@@ -28,11 +28,10 @@ struct ContactSettings {
   double allowed_penetration = 1e-5;
   /// Whether pieces repel each other; against obstacles they always do.
   bool between_pieces = true;
-  /// Radius of the ball that stands for a tetrahedron, as a share of its bounding ball's, in (0, 1].
-  /// At 1 (the paper's) the balls of neighbours overlap so far that crack faces interlock: a vertex
-  /// cannot slide past the centres beside it, and wedged chips are squeezed without end. At 0.5,
-  /// between inscribed (1/3 of a regular tetrahedron's) and bounding, pieces slide, and touch a
-  /// little late.
+  /// Radius of a tetrahedron's ball as a share of its bounding ball's, in (0, 1]. At 1 (the
+  /// paper's) the balls of crack faces interlock: a vertex cannot slide past the centres beside it,
+  /// and wedged chips are squeezed without end. At 0.5 (1/3 is inscribed, in a regular tetrahedron)
+  /// pieces slide, and touch a little late.
   double ball_share = 0.5;
   /// Sweeps of projected Gauss-Seidel a pass.
   int max_iterations = 200;
@@ -47,8 +46,7 @@ struct ContactSettings {
   std::uint32_t max_contacts_per_component = 256;
 };
 
-/// What is wrong with the settings: an error each, with value, range and remedy; `place` names
-/// them.
+/// What is wrong with the settings, each an error with value, range and remedy; `place` names them.
 std::vector<Finding> check(const ContactSettings& settings, std::string_view place);
 
 /// One unilateral contact with friction. Side A is a vertex or a ball; side B an obstacle (driven
@@ -98,7 +96,7 @@ struct ContactReport {
   std::vector<Vec3> obstacle_impulse;
 };
 
-/// Room of one step, kept for the next. Everything in it can be thrown away between steps.
+/// Room of one step, kept for the next; all of it may be thrown away between steps.
 struct ContactScratch {
   ContactScratch();
   ~ContactScratch();

@@ -73,7 +73,8 @@ void measure_balls(DetectScratch& scratch, const StepPaths& paths, double share)
   for (std::size_t t = 0; t < count; ++t) {
     scratch.center_start[t] = center_of(paths.corners[t], paths.state.vertices.position);
   }
-  if (scratch.radius.size() == count) return;
+  if (scratch.radius.size() == count && scratch.ball_share == share) return;
+  scratch.ball_share = share;
   scratch.radius.resize(count);
   for (std::size_t t = 0; t < count; ++t) {
     const Vec3 center = center_of(paths.corners[t], rest);

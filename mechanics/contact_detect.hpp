@@ -15,6 +15,7 @@ struct DetectScratch {
   /// |T|: centres of the tetrahedra at the start and half-way, and their balls at rest, m.
   std::vector<Vec3> center_start, center_middle;
   std::vector<double> radius, reach;
+  double ball_share = 0;           ///< what `radius` was measured with
   std::vector<Vec3> point_middle;  ///< |V|
   std::vector<ContactMemory::Allowance> allowances;
   std::vector<ContactPoint> found, deepest;

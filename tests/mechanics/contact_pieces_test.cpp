@@ -50,6 +50,7 @@ TEST_CASE("a body cut in two at rest keeps zero kinetic energy", "[mechanics][co
   const Body body = kuhn_block({4, 3, 3}, {0.4, 0.3, 0.3});
   ContactScene scene{body, state_of(body, material_of(3e10))};
   scene.integrator.time_step = GENERATE(1e-5, 1e-3, 1.0 / 60);
+  scene.contact.ball_share = GENERATE(0.5, 1.0);
   place(scene.state, ComponentId{0},
         {.orientation = Eigen::Quaterniond(Eigen::AngleAxisd(0.5, Vec3(1, 2, 3).normalized())),
          .translation = {1, 2, 3}});
@@ -64,7 +65,8 @@ TEST_CASE("a body cut in two at rest keeps zero kinetic energy", "[mechanics][co
     CHECK(result.report.contacts == 0);
     kinetic = std::max(kinetic, kinetic_energy(scene.state.vertices));
   }
-  REQUIRE_FALSE(scene.memory.allowances.empty());
+  // The paper's bounding balls overlap across the cut; at half their radius none reaches a vertex.
+  CHECK(scene.memory.allowances.empty() == (scene.contact.ball_share < 1));
   // Rounding of positions (4e-16 m) over a step, for the whole mass of 86 kg.
   const double rounding = 64 * 4e-16 / scene.integrator.time_step;
   CHECK(kinetic <= 0.5 * 86.4 * rounding * rounding);
@@ -78,6 +80,7 @@ TEST_CASE("the allowed overlap of a separated pair only shrinks, and then holds"
   const Body body = kuhn_block({4, 3, 3}, {0.4, 0.3, 0.3});
   ContactScene scene{body, state_of(body, material_of(1e9))};
   scene.integrator.time_step = 1e-3;
+  scene.contact.ball_share = 1;
   scene.step();
   cut(scene, 0.0);
   scene.step();
@@ -139,8 +142,9 @@ TEST_CASE("two equal blocks head-on keep their momentum exactly and never gain e
   }
   CHECK(most > 4);
   INFO("h " << time_step << " E " << young_modulus);
-  // They did not pass through each other: 0.32 s at 4 m/s would have taken them 0.5 m apart.
-  CHECK(scene.state.components[1].centre.x() - scene.state.components[0].centre.x() > 0.29);
+  // They did not pass through each other: 0.06 s and more at 4 m/s would have brought the centres
+  // within 0.16 m. The balls (half the bounding radius, 0.04 m) begin a little inside the surface.
+  CHECK(scene.state.components[1].centre.x() - scene.state.components[0].centre.x() > 0.26);
 }
 
 TEST_CASE("without friction pieces keep their angular momentum too", "[mechanics][contact]") {
@@ -154,7 +158,7 @@ TEST_CASE("without friction pieces keep their angular momentum too", "[mechanics
   for (int k = 0; k < 150; ++k) scene.step();
   REQUIRE(scene.state.components[1].momentum.norm() > 10);
   // Normals belong to where the sides touch, arms to where the step began: a step's turn apart.
-  CHECK((angular_momentum(scene.state.vertices) - l0).norm() < 4e-3 * l0.norm());
+  CHECK((angular_momentum(scene.state.vertices) - l0).norm() < 1e-2 * l0.norm());
 }
 
 TEST_CASE("a heap of chips stays finite, settles, and costs bounded work", "[mechanics][contact]") {
@@ -190,4 +194,28 @@ TEST_CASE("a heap of chips stays finite, settles, and costs bounded work", "[mec
   for (const Component& c : scene.state.components) mass += c.mass;
   CHECK(kinetic_energy(scene.state.vertices) < 0.5 * mass * 0.3 * 0.3);
   for (const Component& c : scene.state.components) CHECK(c.centre.z() > 0);
+}
+
+TEST_CASE("the same scene gives the same bytes", "[mechanics][contact]") {
+  std::vector<Vec3> first;
+  for (int run = 0; run < 2; ++run) {
+    std::mt19937 random(21);
+    std::vector<Body> parts;
+    for (int k = 0; k < 12; ++k) {
+      parts.push_back(moved(kuhn_block({1, 1, 2}, {0.05, 0.05, 0.1}),
+                            0.1 * random_vector(random) + Vec3(0, 0, 0.12 + 0.02 * k)));
+    }
+    ContactScene scene = scene_of(together(parts), 1e8, 1e-3);
+    scene.loads.gravity = {0, 0, -9.81};
+    Obstacle ball{Sphere{{0, 0, 0.6}, 0.08}, {0, 0, -3}};
+    ball.mass = 2;
+    scene.obstacles = {Obstacle{Plane{}}, ball};
+    const double e0 = scene.energy();
+    for (int k = 0; k < 150; ++k) {
+      scene.step();
+      CHECK(scene.energy() <= e0 * (1 + 1e-9));
+    }
+    if (run == 0) first = scene.state.vertices.position;
+    CHECK(first == scene.state.vertices.position);
+  }
 }
