@@ -129,8 +129,7 @@ struct ContactStepResult {
 /// points do not pass thin obstacles), solves for the impulses that leave
 ///   gap_end + C j_n / h >= 0,  j_n >= 0,  one of them zero,  |j_t| <= mu j_n against the slip,
 /// by projected Gauss-Seidel with the bodies' own rigid and elastic answer, predicts what was
-/// touched again, repeats that while the answer's curvature matters, and adopts. No restitution:
-/// what bounces does so by its elasticity.
+/// touched again, repeats that while the answer's curvature matters, and adopts. No restitution.
 /// The impulse acts on the frame (P, L) at the start of the step and on the deformation as the
 /// force j / h during it; weight likewise turns from a parabola into a blow at the start for what
 /// is touched. So a body at rest has v = 0 and its static stress. The same blow on the deformation
@@ -139,11 +138,11 @@ struct ContactStepResult {
 /// back in part (never more than was given): the impact of one lumped mass makes no bounce.
 /// Needs: obstacles without findings, a state of `make_state`. Momentum between pieces and balls is
 /// conserved to rounding, whatever the tolerance. Angular momentum too, but for contacts between
-/// pieces: their reaction acts on the middle of the tetrahedron, off the line of friction, and off
-/// the normal by what the two turn about each other before they touch (0.2 per cent of L in the
-/// test). Limits: pieces are balls of tetrahedra, so they meet a little early; a ball smaller than
-/// a face can enter between its vertices; pieces that pass each other by more than two radii of a
-/// tetrahedron in one step can miss. An outcome other than fine: see `adopt`.
+/// pieces: their reaction acts on the middle of the tetrahedron, off the line of friction and off a
+/// normal that turned before they touched (0.4 per cent of L in the test).
+/// Limits: pieces are balls of tetrahedra and meet early or late (`ball_share`); a ball smaller
+/// than a face can enter between its vertices; pieces that pass each other by more than two radii
+/// in a step can miss. An outcome other than fine: see `adopt`.
 ContactStepResult advance_with_contact(const ContactWorld& world, const StepInput& input,
                                        const ContactSettings& settings,
                                        const ContactStepScratch& scratch);
