@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "apps/sunder/words.hpp"
 #include "mechanics/energy.hpp"
 
 namespace sunder {
@@ -26,6 +27,43 @@ Energies energies(const Simulation& s) {
 double total_mass(const MechanicsState& mechanics) {
   const std::vector<double>& mass = mechanics.vertices.mass;
   return std::accumulate(mass.begin(), mass.end(), 0.0);
+}
+
+/// Of bodies and free balls.
+Vec3 moving_momentum(const Simulation& s) {
+  Vec3 sum = momentum(s.state.mechanics.vertices);
+  for (const Obstacle& obstacle : s.state.obstacles) {
+    if (obstacle.mass) sum += *obstacle.mass * obstacle.velocity;
+  }
+  return sum;
+}
+
+void add_momentum(MomentumLedger& ledger, const Simulation& now, const StepReport& report) {
+  double mass = total_mass(now.state.mechanics);
+  const std::vector<Vec3>& impulse = report.contact.obstacle_impulse;
+  for (std::size_t i = 0; i < now.state.obstacles.size(); ++i) {
+    const Obstacle& obstacle = now.state.obstacles[i];
+    if (obstacle.mass) {
+      mass += *obstacle.mass;
+    } else if (i < impulse.size()) {
+      ledger.obstacles += impulse[i];
+    }
+  }
+  ledger.gravity += mass * now.scene.time_step * gravity_at(now.scene.gravity, report.time);
+}
+
+void add_contact(ContactStatistics& contact, const StepReport& report) {
+  const ContactReport& now = report.contact;
+  contact.steps += now.contacts > 0;
+  contact.most = std::max(contact.most, now.contacts);
+  contact.left_out += now.left_out;
+  contact.deepest = std::max(contact.deepest, now.deepest);
+  if (now.converged) return;
+  ++contact.not_converged;
+  if (now.residual > contact.worst_residual) {
+    contact.worst_residual = now.residual;
+    contact.worst_step = report.step;
+  }
 }
 
 /// Mean, median, 99th percentile (nearest rank) and largest.
@@ -47,6 +85,26 @@ ordered_json distribution(std::vector<float> values) {
 ordered_json ratio(std::size_t part, std::size_t whole) {
   if (whole == 0) return nullptr;
   return static_cast<double>(part) / static_cast<double>(whole);
+}
+
+ordered_json contact_report(const ContactStatistics& c) {
+  return {{"steps", c.steps},
+          {"most_contacts", c.most},
+          {"not_converged", c.not_converged},
+          {"worst_residual", c.worst_residual},
+          {"worst_step", c.worst_step},
+          {"left_out", c.left_out},
+          {"deepest_overlap", c.deepest}};
+}
+
+/// What is missing between end and start is what supports took; without any it is rounding.
+ordered_json momentum_ledger(const MomentumLedger& ledger, const Simulation& now) {
+  const Vec3 end = moving_momentum(now);
+  return {{"start", numbers(ledger.start)},
+          {"end", numbers(end)},
+          {"gravity", numbers(ledger.gravity)},
+          {"obstacles", numbers(ledger.obstacles)},
+          {"supports", numbers(end - ledger.start - ledger.gravity - ledger.obstacles)}};
 }
 
 ordered_json energy_ledger(const RunStatistics& statistics, const Simulation& now) {
@@ -94,7 +152,7 @@ RunStatistics begin_statistics(const Simulation& start, std::vector<Finding> war
   RunStatistics statistics;
   statistics.warnings = std::move(warnings);
   statistics.energy_at_start = energies(start);
-  statistics.momentum_at_start = momentum(start.state.mechanics.vertices);
+  statistics.momentum.start = moving_momentum(start);
   statistics.mass_at_start = total_mass(start.state.mechanics);
   return statistics;
 }
@@ -119,6 +177,8 @@ void add_step(RunStatistics& statistics, const Simulation& now, const StepReport
     statistics.separated += fan.components.created > 0;
     statistics.predicted_rightly += fan.components.predicted > 0 && fan.components.created > 0;
   }
+  add_contact(statistics.contact, report);
+  add_momentum(statistics.momentum, now, report);
   statistics.damping_work += report.status.damping_work;
   statistics.energy_released += report.energy_released;
   if (!statistics.turned_too_far) check_turns(statistics, now, report);
@@ -141,13 +201,6 @@ std::optional<Finding> step_failure(const StepReport& report, const Simulation& 
                  .remedy = "take a shorter time_step or the integrator floating_frame"};
 }
 
-ordered_json finding_json(const Finding& f) {
-  return {{"code", f.code},     {"severity", to_string(f.severity)},
-          {"count", f.count},   {"ids", f.ids},
-          {"text", f.text},     {"remedy", f.remedy},
-          {"file", f.file},     {"line", f.line}};
-}
-
 ordered_json run_report(const RunStatistics& s, const Simulation& now,
                         std::span<const Fragment> pieces, RunEnd end) {
   constexpr std::array<std::string_view, 3> ends = {"finished", "interrupted", "failed"};
@@ -160,9 +213,6 @@ ordered_json run_report(const RunStatistics& s, const Simulation& now,
     mass += piece.mass;
     largest = std::max(largest, piece.mass);
   }
-  ordered_json warnings = ordered_json::array();
-  for (const Finding& f : s.warnings) warnings.push_back(finding_json(f));
-  const Vec3 momentum_now = momentum(now.state.mechanics.vertices);
   return {{"scene", now.scene.name},
           {"end", ends[static_cast<std::size_t>(end)]},
           {"steps", now.state.step},
@@ -192,9 +242,10 @@ ordered_json run_report(const RunStatistics& s, const Simulation& now,
                       {"separated", s.separated},
                       {"efficiency", ratio(s.predicted_rightly, s.predicted)},
                       {"missed", s.separated - s.predicted_rightly}}},
-          {"momentum", {{"start", numbers(s.momentum_at_start)}, {"end", numbers(momentum_now)}}},
+          {"contact", contact_report(s.contact)},
+          {"momentum", momentum_ledger(s.momentum, now)},
           {"energy", energy_ledger(s, now)},
-          {"warnings", warnings}};
+          {"warnings", findings_json(s.warnings)}};
 }
 
 std::string summary_table(const ordered_json& r) {
@@ -216,6 +267,10 @@ std::string summary_table(const ordered_json& r) {
                             r["fragments"]["single_tetrahedra"].get<std::uint64_t>()));
   row("largest piece", fmt::format("{:.4g} kg of {:.4g} kg", number("/fragments/largest_mass"),
                                    number("/fragments/mass")));
+  if (const auto missed = r["contact"]["not_converged"].get<std::uint64_t>(); missed > 0) {
+    row("contact", fmt::format("not converged in {} steps, worst {:.2g} m", missed,
+                               number("/contact/worst_residual")));
+  }
   row("mass error", fmt::format("{:.1e}", number("/fragments/mass_error")));
   return text;
 }

@@ -20,6 +20,21 @@ struct Energies {
   double kinetic = 0, strain = 0, gravity = 0;
 };
 
+/// Momentum of everything that moves (bodies and free balls) and what it was given from outside,
+/// kg m/s: gravity's impulses and those of obstacles without mass.
+struct MomentumLedger {
+  Vec3 start = Vec3::Zero(), gravity = Vec3::Zero(), obstacles = Vec3::Zero();
+};
+
+/// How contact went over a run.
+struct ContactStatistics {
+  std::size_t steps = 0, not_converged = 0, left_out = 0;
+  std::uint32_t most = 0;
+  /// m.
+  double deepest = 0, worst_residual = 0;
+  std::uint64_t worst_step = 0;
+};
+
 /// Everything that is added up over a run.
 struct RunStatistics {
   /// Wall time of every step and of its stages, ms.
@@ -35,7 +50,8 @@ struct RunStatistics {
   /// J.
   double damping_work = 0, energy_released = 0;
   Energies energy_at_start;
-  Vec3 momentum_at_start = Vec3::Zero();
+  MomentumLedger momentum;
+  ContactStatistics contact;
   /// kg.
   double mass_at_start = 0;
   std::vector<Finding> warnings;
@@ -60,8 +76,5 @@ nlohmann::ordered_json run_report(const RunStatistics& statistics, const Simulat
 
 /// A few lines for people: steps, mean and largest step, fans, pieces, largest piece, mass error.
 std::string summary_table(const nlohmann::ordered_json& report);
-
-/// A finding as JSON: {code, severity, count, ids, text, remedy, file, line}.
-nlohmann::ordered_json finding_json(const Finding& finding);
 
 }  // namespace sunder

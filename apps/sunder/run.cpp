@@ -10,6 +10,7 @@
 
 #include "apps/sunder/progress.hpp"
 #include "apps/sunder/recorder.hpp"
+#include "apps/sunder/words.hpp"
 
 namespace sunder {
 namespace {
@@ -27,13 +28,7 @@ void watch_for_interrupt() {
 }
 
 void print(const std::vector<Finding>& findings) {
-  for (const Finding& f : findings) {
-    std::string place = f.file;
-    if (f.line > 0) place += fmt::format(":{}", f.line);
-    if (!place.empty()) place += ": ";
-    fmt::print(stderr, "{}{}: {} [{}]\n", place, to_string(f.severity), f.text, f.code);
-    if (!f.remedy.empty()) fmt::print(stderr, "  {}\n", f.remedy);
-  }
+  fmt::print(stderr, "{}", finding_lines(findings));
 }
 
 /// Steps until the end, a failure, an interruption, or an output that cannot be written.

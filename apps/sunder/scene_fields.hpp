@@ -191,7 +191,7 @@ void describe(V& v, IntegratorSettings& i) {
   v.field(Key{"rho_infinity", "",
               "Of generalised-alpha: how much of an oscillation too fast for the step is left "
               "after one step",
-              between(0, 1)},
+              between(0, 0.5)},
           i.rho_infinity);
   v.field(Key{"damping", "", "Rayleigh damping"}, i.damping);
   v.field(Key{"euler_frame", "", "Which frame implicit_euler linearises in"}, i.euler_frame);
@@ -227,6 +227,11 @@ void describe(V& v, ContactSettings& c) {
           c.allowed_penetration);
   v.field(Key{"between_pieces", "", "Whether pieces repel each other; obstacles always do"},
           c.between_pieces);
+  v.field(Key{"ball_share", "",
+              "Radius of the ball that stands for a tetrahedron between pieces, as a share of its "
+              "bounding ball's; 1 is the paper's",
+              {.low = 0, .high = 1, .without_low = true}},
+          c.ball_share);
   v.field(Key{"max_iterations", "", "Sweeps of projected Gauss-Seidel a pass", between(1, 1e6)},
           c.max_iterations);
   v.field(Key{"tolerance", "",
@@ -294,6 +299,10 @@ void describe(V& v, SceneFile& s) {
   v.field(Key{"integrator", "", "How time is integrated"}, s.scene.integrator);
   v.field(Key{"contact", "", "How contact is solved"}, s.scene.contact);
   v.field(Key{"fracture", "", "What breaks and how it is found"}, s.scene.fracture);
+  v.field(Key{"display_time_constant", "s",
+              "In which the drawn reference of a new piece goes to its own (section 3.3); 0: at once",
+              at_least(0)},
+          s.scene.display_time_constant);
   v.field(Key{"output", "", "What a run writes"}, s.output);
 }
 
