@@ -90,8 +90,10 @@ void add_shadow(render::Bounds& bounds, std::span<const Obstacle> obstacles, con
 
 }  // namespace
 
-render::FrameScene picture_scene(const PictureSource& source, ShownShape show) {
+render::FrameScene picture_scene(const PictureSource& source, ShownShape show,
+                                 const render::Bounds& extent) {
   render::FrameScene scene;
+  scene.extent = extent;
   const BoundaryColumns boundary = boundary_columns(source.state.cells);
   if (show != ShownShape::deformed) {
     scene.surfaces.push_back(surface(source, boundary, reference_positions(source)));
@@ -106,28 +108,29 @@ render::FrameScene picture_scene(const PictureSource& source, ShownShape show) {
   return scene;
 }
 
-render::Camera run_camera(const PictureSource& start, const PictureSettings& settings,
-                          const Vec3& gravity) {
+RunView run_view(const PictureSource& start, const PictureSettings& settings, const Vec3& gravity) {
   const Vec3 up = gravity.norm() > 0 ? Vec3(-gravity.normalized()) : Vec3::UnitZ();
-  if (settings.camera) {
-    const CameraSettings& camera = *settings.camera;
-    return {.eye = camera.eye.cast<float>(),
-            .target = camera.target.cast<float>(),
-            .up = up.cast<float>(),
-            .vertical_fov = static_cast<float>(camera.field_of_view * EIGEN_PI / 180)};
-  }
-  render::FrameScene still = picture_scene(start, ShownShape::deformed);
+  render::FrameScene still = picture_scene(start, ShownShape::deformed, {});
   still.spheres.clear();
   still.boxes.clear();
   for (const Obstacle& obstacle : start.obstacles) {
     // What flies in is seen when it arrives.
     if (obstacle.velocity.isZero() && !obstacle.mass) std::visit(AddObstacle{still}, obstacle.shape);
   }
-  render::Bounds bounds = render::scene_bounds(still);
-  add_shadow(bounds, start.obstacles, up);
-  return render::frame_bounds(
-      bounds, {.aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height),
-               .up = up.cast<float>()});
+  RunView view;
+  view.extent = render::scene_bounds(still);
+  add_shadow(view.extent, start.obstacles, up);
+  if (settings.camera) {
+    const CameraSettings& camera = *settings.camera;
+    view.camera = {.eye = camera.eye.cast<float>(),
+                   .target = camera.target.cast<float>(),
+                   .up = up.cast<float>(),
+                   .vertical_fov = static_cast<float>(camera.field_of_view * EIGEN_PI / 180)};
+  } else {
+    const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
+    view.camera = render::frame_bounds(view.extent, {.aspect = aspect, .up = up.cast<float>()});
+  }
+  return view;
 }
 
 }  // namespace sunder

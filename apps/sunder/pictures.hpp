@@ -21,11 +21,18 @@ struct PictureSource {
 /// What the picture shows: skin and crack faces of the shape asked for (the reference where the
 /// display states have it; `both`: the deformed mesh as wires over the filled reference), obstacles,
 /// ground. O(|V| + |T|).
-render::FrameScene picture_scene(const PictureSource& source, ShownShape show);
+/// `extent`: what all pictures of a run share, as `run_view` gives it.
+render::FrameScene picture_scene(const PictureSource& source, ShownShape show,
+                                 const render::Bounds& extent);
 
-/// A camera for the whole run: the one asked for, or one that sees the bodies as they start, what is
-/// static, and the ground below. `up` is against gravity (z without any).
-render::Camera run_camera(const PictureSource& start, const PictureSettings& settings,
-                          const Vec3& gravity);
+/// What stays the same in all pictures of a run.
+struct RunView {
+  render::Camera camera;
+  /// The bodies as they start, what is static, and the ground below.
+  render::Bounds extent;
+};
+
+/// The camera asked for, or one that sees the whole extent; `up` is against gravity (z without any).
+RunView run_view(const PictureSource& start, const PictureSettings& settings, const Vec3& gravity);
 
 }  // namespace sunder

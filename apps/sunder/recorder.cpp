@@ -29,7 +29,7 @@ struct Recorder::Parts {
   std::optional<std::uint64_t> last_frame, last_picture;
   std::string events;
   std::optional<render::Renderer> renderer;
-  render::Camera camera;
+  RunView view;
   nlohmann::ordered_json report;
 
   std::vector<Finding> write_frame_of(const Simulation& now);
@@ -161,7 +161,7 @@ Result<Recorder> Recorder::open(const RecordedRun& run, const Simulation& start,
     append(result.findings, std::move(renderer.findings));
     if (!renderer) return result;
     parts->renderer = std::move(*renderer);
-    parts->camera = run_camera({start.state, start.state.obstacles}, parts->output.pictures,
+    parts->view = run_view({start.state, start.state.obstacles}, parts->output.pictures,
                                start.scene.gravity.acceleration);
   }
   if (const std::error_code error = prepare_folder(run.folder)) {
@@ -188,8 +188,8 @@ std::vector<Finding> Recorder::Parts::write_frame_of(const Simulation& now) {
 std::vector<Finding> Recorder::Parts::draw_picture(const Simulation& now) {
   const PictureSettings& settings = output.pictures;
   const render::FrameScene scene =
-      picture_scene({now.state, now.state.obstacles}, settings.show);
-  Result<render::Image> image = renderer->render(scene, camera, static_cast<int>(settings.width),
+      picture_scene({now.state, now.state.obstacles}, settings.show, view.extent);
+  Result<render::Image> image = renderer->render(scene, view.camera, static_cast<int>(settings.width),
                                                  static_cast<int>(settings.height));
   std::vector<Finding> findings = std::move(image.findings);
   if (!image) return findings;
