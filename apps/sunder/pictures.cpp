@@ -45,11 +45,12 @@ BoundaryColumns boundary_columns(const Cells& cells) {
 
 render::Surface surface(const PictureSource& source, const BoundaryColumns& boundary,
                         std::span<const Vec3> positions) {
-  render::Surface surface = render::boundary_surface({.positions = positions,
-                                                      .corners = source.state.cells.map.corners(),
-                                                      .half_faces = boundary.half_faces,
-                                                      .face_class = boundary.face_class,
-                                                      .component = source.state.cells.labels.of_tetrahedron});
+  render::Surface surface =
+      render::boundary_surface({.positions = positions,
+                                .corners = source.state.cells.map.corners(),
+                                .half_faces = boundary.half_faces,
+                                .face_class = boundary.face_class,
+                                .component = source.state.cells.labels.of_tetrahedron});
   surface.colors.piece_tint = piece_tint;
   return surface;
 }
@@ -58,8 +59,8 @@ struct AddObstacle {
   render::FrameScene& scene;
 
   void operator()(const Plane& p) const {
-    scene.planes.push_back({.point = (p.normal * p.offset).cast<float>(),
-                            .normal = p.normal.cast<float>()});
+    scene.planes.push_back(
+        {.point = (p.normal * p.offset).cast<float>(), .normal = p.normal.cast<float>()});
   }
   void operator()(const Sphere& s) const {
     scene.spheres.push_back(
@@ -115,7 +116,8 @@ RunView run_view(const PictureSource& start, const PictureSettings& settings, co
   still.boxes.clear();
   for (const Obstacle& obstacle : start.obstacles) {
     // What flies in is seen when it arrives.
-    if (obstacle.velocity.isZero() && !obstacle.mass) std::visit(AddObstacle{still}, obstacle.shape);
+    if (obstacle.velocity.isZero() && !obstacle.mass)
+      std::visit(AddObstacle{still}, obstacle.shape);
   }
   RunView view;
   view.extent = render::scene_bounds(still);

@@ -19,9 +19,9 @@ struct PictureSource {
 };
 
 /// What the picture shows: skin and crack faces of the shape asked for (the reference where the
-/// display states have it; `both`: the deformed mesh as wires over the filled reference), obstacles,
-/// ground. O(|V| + |T|).
-/// `extent`: what all pictures of a run share, as `run_view` gives it.
+/// display states have it; `both`: the deformed mesh as wires over the filled reference),
+/// obstacles, ground. O(|V| + |T|). `extent`: what all pictures of a run share, as `run_view` gives
+/// it.
 render::FrameScene picture_scene(const PictureSource& source, ShownShape show,
                                  const render::Bounds& extent);
 
@@ -32,7 +32,8 @@ struct RunView {
   render::Bounds extent;
 };
 
-/// The camera asked for, or one that sees the whole extent; `up` is against gravity (z without any).
+/// The camera asked for, or one that sees the whole extent; `up` is against gravity (z without
+/// any).
 RunView run_view(const PictureSource& start, const PictureSettings& settings, const Vec3& gravity);
 
 }  // namespace sunder

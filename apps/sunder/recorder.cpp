@@ -82,9 +82,8 @@ std::error_code prepare_folder(const fs::path& folder) {
 }
 
 std::vector<std::uint64_t> due_frames(const SceneFile& file) {
-  return file.output.frame_interval > 0
-             ? interval_steps(file.scene, file.output.frame_interval)
-             : even_steps(step_count(file.scene), file.output.frames);
+  return file.output.frame_interval > 0 ? interval_steps(file.scene, file.output.frame_interval)
+                                        : even_steps(step_count(file.scene), file.output.frames);
 }
 
 std::vector<std::uint64_t> due_pictures(const SceneFile& file) {
@@ -102,13 +101,13 @@ std::vector<std::uint64_t> due_pictures(const SceneFile& file) {
 std::vector<Mat3> node_stress_of(const Simulation& now) {
   const MechanicsState& m = now.state.mechanics;
   std::vector<Mat3> stress;
-  average_node_stress(stress,
-                      {.corners = now.state.cells.map.corners(),
-                       .stress = m.elements.stress,
-                       .weight = now.scene.fracture.weight == StressWeight::mass
-                                     ? m.elements.mass
-                                     : m.elements.rest_volume},
-                      m.vertices.size());
+  average_node_stress(
+      stress,
+      {.corners = now.state.cells.map.corners(),
+       .stress = m.elements.stress,
+       .weight = now.scene.fracture.weight == StressWeight::mass ? m.elements.mass
+                                                                 : m.elements.rest_volume},
+      m.vertices.size());
   return stress;
 }
 
@@ -162,7 +161,7 @@ Result<Recorder> Recorder::open(const RecordedRun& run, const Simulation& start,
     if (!renderer) return result;
     parts->renderer = std::move(*renderer);
     parts->view = run_view({start.state, start.state.obstacles}, parts->output.pictures,
-                               start.scene.gravity.acceleration);
+                           start.scene.gravity.acceleration);
   }
   if (const std::error_code error = prepare_folder(run.folder)) {
     result.findings.push_back(cannot_write(run.folder, error));
@@ -189,8 +188,8 @@ std::vector<Finding> Recorder::Parts::draw_picture(const Simulation& now) {
   const PictureSettings& settings = output.pictures;
   const render::FrameScene scene =
       picture_scene({now.state, now.state.obstacles}, settings.show, view.extent);
-  Result<render::Image> image = renderer->render(scene, view.camera, static_cast<int>(settings.width),
-                                                 static_cast<int>(settings.height));
+  Result<render::Image> image = renderer->render(
+      scene, view.camera, static_cast<int>(settings.width), static_cast<int>(settings.height));
   std::vector<Finding> findings = std::move(image.findings);
   if (!image) return findings;
   const std::string name = fmt::format("picture_{:03}.png", pictures++);

@@ -18,7 +18,8 @@ namespace sunder {
 std::uint64_t step_count(const Scene& scene);
 
 /// The steps after which something is written, ascending, from 0 (the start) to `steps`: `count` of
-/// them spread evenly with both ends (1: the end only), or every `interval` s where that is above 0.
+/// them spread evenly with both ends (1: the end only), or every `interval` s where that is above
+/// 0.
 std::vector<std::uint64_t> even_steps(std::uint64_t steps, std::uint64_t count);
 std::vector<std::uint64_t> interval_steps(const Scene& scene, double interval);
 

@@ -140,8 +140,8 @@ void check_turns(RunStatistics& statistics, const Simulation& now, const StepRep
          .text = fmt::format("from step {} (t = {:.6g} s) on parts of component {} have turned by "
                              "{:.3g} rad against its reference; the linear model is good to {:.3g}",
                              report.step, report.time, c, turn[c], valid),
-         .remedy = "the stresses there are too high by about E theta^2 / 2: take a stiffer "
-                   "material, a lower strength or less slender bodies"});
+         .remedy = "read the stresses there as too high by about E theta^2 / 2, or take a stiffer "
+                   "material or less slender bodies"});
     return;
   }
 }
@@ -228,20 +228,23 @@ ordered_json run_report(const RunStatistics& s, const Simulation& now,
           {"relieved", s.relieved},
           {"waiting", s.waiting},
           {"components", pieces.size()},
-          {"fragments", {{"count", pieces.size()},
-                         {"single_tetrahedra", std::ranges::count(pieces, 1, &Fragment::tetrahedra)},
-                         {"largest_mass", largest},
-                         {"mass", mass},
-                         {"mass_error", (mass - s.mass_at_start) / s.mass_at_start}}},
-          {"gershgorin", {{"tested", s.tested},
-                          {"suspects", s.suspects},
-                          {"reached", s.reached},
-                          {"efficiency", ratio(s.reached, s.suspects)}}},
-          {"oracle", {{"fans", s.fans},
-                      {"predicted", s.predicted},
-                      {"separated", s.separated},
-                      {"efficiency", ratio(s.predicted_rightly, s.predicted)},
-                      {"missed", s.separated - s.predicted_rightly}}},
+          {"fragments",
+           {{"count", pieces.size()},
+            {"single_tetrahedra", std::ranges::count(pieces, 1, &Fragment::tetrahedra)},
+            {"largest_mass", largest},
+            {"mass", mass},
+            {"mass_error", (mass - s.mass_at_start) / s.mass_at_start}}},
+          {"gershgorin",
+           {{"tested", s.tested},
+            {"suspects", s.suspects},
+            {"reached", s.reached},
+            {"efficiency", ratio(s.reached, s.suspects)}}},
+          {"oracle",
+           {{"fans", s.fans},
+            {"predicted", s.predicted},
+            {"separated", s.separated},
+            {"efficiency", ratio(s.predicted_rightly, s.predicted)},
+            {"missed", s.separated - s.predicted_rightly}}},
           {"contact", contact_report(s.contact)},
           {"momentum", momentum_ledger(s.momentum, now)},
           {"energy", energy_ledger(s, now)},
@@ -258,7 +261,8 @@ std::string summary_table(const ordered_json& r) {
   };
   row("scene", r["scene"].get<std::string>());
   row("end", fmt::format("{} at t = {:.6g} s", r["end"].get<std::string>(), number("/time")));
-  row("steps", fmt::format("{} of {:.6g} s", r["steps"].get<std::uint64_t>(), number("/time_step")));
+  row("steps",
+      fmt::format("{} of {:.6g} s", r["steps"].get<std::uint64_t>(), number("/time_step")));
   row("step time", fmt::format("mean {:.3g} ms, max {:.3g} ms", number("/step_ms/mean"),
                                number("/step_ms/max")));
   row("fans", fmt::format("{} ({} faces)", r["fans"].get<std::uint64_t>(),

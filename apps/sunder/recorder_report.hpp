@@ -45,7 +45,8 @@ struct RunStatistics {
   std::size_t tested = 0, suspects = 0, reached = 0, empty_fans = 0, relieved = 0;
   /// Left over by the last step's budget.
   std::size_t waiting = 0;
-  /// Of the oracle: fans that predicted a separation, those of them that had one, fans that had one.
+  /// Of the oracle: fans that predicted a separation, those of them that had one, fans that had
+  /// one.
   std::size_t predicted = 0, predicted_rightly = 0, separated = 0;
   /// J.
   double damping_work = 0, energy_released = 0;

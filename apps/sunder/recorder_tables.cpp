@@ -122,7 +122,8 @@ std::string event_line(const FanEvent& event, const EventTime& when, const Volum
   for (const FaceSplit& split : event.faces) {
     ordered_json points = ordered_json::array(), copies = ordered_json::array(),
                  edges = ordered_json::array();
-    for (const int corner : dart_order::face_corners[static_cast<std::size_t>(place_of(split.face))]) {
+    for (const int corner :
+         dart_order::face_corners[static_cast<std::size_t>(place_of(split.face))]) {
       const VertexId v = map.corners(tetrahedron_of(split.face))[static_cast<std::size_t>(corner)];
       points.push_back(map.point_of_vertex(v));
     }
@@ -184,11 +185,10 @@ std::vector<Finding> write_frame(const std::filesystem::path& path, const Cells&
     mesh.tetrahedra.push_back({c[0].value, c[1].value, c[2].value, c[3].value});
     component.push_back(cells.labels.of_tetrahedron[component.size()].value);
   }
-  const std::array point_data = {vector_column("displacement", displacement),
-                                 vector_column("velocity", v.velocity),
-                                 NamedColumn{"node_stress", std::span<const double>(stress), 6},
-                                 NamedColumn{"largest_principal_stress",
-                                             std::span<const double>(largest)}};
+  const std::array point_data = {
+      vector_column("displacement", displacement), vector_column("velocity", v.velocity),
+      NamedColumn{"node_stress", std::span<const double>(stress), 6},
+      NamedColumn{"largest_principal_stress", std::span<const double>(largest)}};
   const std::array cell_data = {
       NamedColumn{"component", std::span<const std::uint32_t>(component)},
       NamedColumn{"body", std::span<const std::int32_t>(origins.body)},

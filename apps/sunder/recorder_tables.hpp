@@ -58,9 +58,9 @@ struct EventTime {
   double time = 0;
 };
 
-/// One line of JSON for one fan, with its line end: step, time, vertex, point, rest_position, normal,
-/// stress, strength, faces ({points, split_vertices [[old, new]...], split_edges, oracle}), oracle
-/// (faces that predict a separation) and new_components. Rows as they are after the fan.
+/// One line of JSON for one fan, with its line end: step, time, vertex, point, rest_position,
+/// normal, stress, strength, faces ({points, split_vertices [[old, new]...], split_edges, oracle}),
+/// oracle (faces that predict a separation) and new_components. Rows as they are after the fan.
 /// `map`: at any later time; names the faces' points.
 std::string event_line(const FanEvent& event, const EventTime& when, const VolumeMap& map);
 

@@ -64,6 +64,7 @@ ExitCode run_scene(const RunArguments& arguments) {
   print(simulation.findings);
   if (!simulation) return ExitCode::bad_input;
 
+  watch_for_interrupt();
   const std::filesystem::path folder =
       arguments.folder.empty() ? "out" / arguments.scene.stem() : arguments.folder;
   Result<Recorder> recorder =
@@ -71,7 +72,6 @@ ExitCode run_scene(const RunArguments& arguments) {
   print(recorder.findings);
   if (!recorder) return ExitCode::not_written;
 
-  watch_for_interrupt();
   const ExitCode ended = step_to_end(*simulation, *recorder, arguments.quiet);
   const std::vector<Finding> unwritten =
       recorder->finish(*simulation, ended == ExitCode::fine          ? RunEnd::finished

@@ -31,18 +31,20 @@ Examples:
 /// `--frames 10` is `--set output.frames=10`: one way in, one place that checks.
 CLI::Option* add_shortcut(CLI::App& command, const std::string& option, const std::string& key,
                           std::vector<std::string>& settings) {
-  return command.add_option_function<std::string>(option, [key, &settings](const std::string& value) {
-    settings.push_back(key + "=" + value);
-  });
+  return command.add_option_function<std::string>(
+      option,
+      [key, &settings](const std::string& value) { settings.push_back(key + "=" + value); });
 }
 
 void add_options(CLI::App& command, RunArguments& arguments, std::vector<std::string>& shortcuts) {
   command.add_option("SCENE", arguments.scene, "Scene file (JSON)");
-  command.add_option("-o,--output", arguments.folder,
-                     "Folder for the files; default: out/ and the scene's name")
+  command
+      .add_option("-o,--output", arguments.folder,
+                  "Folder for the files; default: out/ and the scene's name")
       ->type_name("DIR");
-  command.add_option("--set", arguments.settings,
-                     "Change a value of the scene: gravity.ramp_time=2; may be given often")
+  command
+      .add_option("--set", arguments.settings,
+                  "Change a value of the scene: gravity.ramp_time=2; may be given often")
       ->type_name("KEY=VALUE")
       ->take_all();
   add_shortcut(command, "--png", "output.pictures.count", shortcuts)

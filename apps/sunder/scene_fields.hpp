@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every key of a scene file: name, unit, meaning and range, said once. The reader and the schema are
-// two visitors of these lists; defaults are those of the C++ structs.
+// Every key of a scene file: name, unit, meaning and range, said once. The reader and the schema
+// are two visitors of these lists; defaults are those of the C++ structs.
 #pragma once
 
 #include <limits>
@@ -55,14 +55,12 @@ inline const Names<StressWeight>& names_of(StressWeight) {
   return names;
 }
 inline const Names<Detection>& names_of(Detection) {
-  static const Names<Detection> names = {{Detection::exact, "exact"},
-                                         {Detection::oracle, "oracle"},
-                                         {Detection::walk, "walk"}};
+  static const Names<Detection> names = {
+      {Detection::exact, "exact"}, {Detection::oracle, "oracle"}, {Detection::walk, "walk"}};
   return names;
 }
 inline const Names<FaceOrder>& names_of(FaceOrder) {
-  static const Names<FaceOrder> names = {{FaceOrder::paper, "paper"},
-                                         {FaceOrder::given, "given"}};
+  static const Names<FaceOrder> names = {{FaceOrder::paper, "paper"}, {FaceOrder::given, "given"}};
   return names;
 }
 inline const Names<Integrator>& names_of(Integrator) {
@@ -92,18 +90,19 @@ void describe(V& v, Material& m) {
               Range{.low = -1, .high = 0.49, .without_low = true}, false,
               "linear tetrahedra cannot be incompressible (0.5); concrete is about 0.2"},
           m.poisson_ratio);
-  v.field(Key{"density", "kg/m^3", "Mass per volume", above(0), false,
-              "concrete is about 2400 kg/m^3"},
-          m.density);
+  v.field(
+      Key{"density", "kg/m^3", "Mass per volume", above(0), false, "concrete is about 2400 kg/m^3"},
+      m.density);
   v.field(Key{"tensile_strength", "Pa",
               "Largest principal stress xi that a vertex holds (to hold anything, set "
               "fracture.mode to off)",
               above(0), false, "concrete is about 3e6 Pa"},
           m.tensile_strength);
-  v.field(Key{"toughness", "Pa sqrt(m)",
-              "Fracture toughness K_Ic; where given it rules at crack tips in place of the strength",
-              above(0), false, "leave it out or give about 1e6 for concrete"},
-          m.toughness);
+  v.field(
+      Key{"toughness", "Pa sqrt(m)",
+          "Fracture toughness K_Ic; where given it rules at crack tips in place of the strength",
+          above(0), false, "leave it out or give about 1e6 for concrete"},
+      m.toughness);
 }
 
 template <class V>
@@ -119,7 +118,10 @@ void describe(V& v, HeldBox& h) {
 template <class V>
 void describe(V& v, BodySettings& b) {
   v.field(Key{"name", "", "What reports call the body"}, b.name);
-  v.field(Key{"mesh", "", "File of tetrahedra (MSH, MEDIT or VTU), relative to the scene file", {},
+  v.field(Key{"mesh",
+              "",
+              "File of tetrahedra (MSH, MEDIT or VTU), relative to the scene file",
+              {},
               true},
           b.mesh);
   v.field(Key{"material", "", "What the body is made of"}, b.material);
@@ -160,9 +162,9 @@ void describe(V& v, Obstacle& o) {
   v.field(Key{"friction", "", "Coulomb's coefficient; two surfaces rub with the mean of theirs",
               at_least(0)},
           o.friction);
-  v.field(Key{"mass", "kg", "Makes a ball a free projectile that falls and is pushed back",
-              above(0)},
-          o.mass);
+  v.field(
+      Key{"mass", "kg", "Makes a ball a free projectile that falls and is pushed back", above(0)},
+      o.mass);
 }
 
 template <class V>
@@ -174,9 +176,9 @@ void describe(V& v, GravitySettings& g) {
 
 template <class V>
 void describe(V& v, RayleighDamping& d) {
-  v.field(Key{"mass_factor", "1/s", "Damping proportional to mass, on deformation only",
-              at_least(0)},
-          d.mass_factor);
+  v.field(
+      Key{"mass_factor", "1/s", "Damping proportional to mass, on deformation only", at_least(0)},
+      d.mass_factor);
   v.field(Key{"stiffness_factor", "s", "Damping proportional to stiffness, on deformation only",
               at_least(0)},
           d.stiffness_factor);
@@ -207,11 +209,15 @@ void describe(V& v, FractureSettings& f) {
           f.max_fans);
   v.field(Key{"weight", "", "How elements weigh in a node stress (eq. 6; the paper: mass)"},
           f.weight);
-  v.field(Key{"detection", "",
-              "How new pieces are found: exact lockstep search, the paper's oracle, or a full walk"},
-          f.detection);
-  v.field(Key{"face_order", "", "Order in which the faces of a fan are unsewn: paper: those with an edge on the surface "
-              "first; given: by number"}, f.face_order);
+  v.field(
+      Key{"detection", "",
+          "How new pieces are found: exact lockstep search, the paper's oracle, or a full walk"},
+      f.detection);
+  v.field(
+      Key{"face_order", "",
+          "Order in which the faces of a fan are unsewn: paper: those with an edge on the surface "
+          "first; given: by number"},
+      f.face_order);
 }
 
 template <class V>
@@ -220,14 +226,16 @@ void describe(V& v, ContactSettings& c) {
           c.friction);
   v.field(Key{"compliance", "m/N", "Give of one contact point; 0: hard", at_least(0)},
           c.compliance);
-  v.field(Key{"push_out_speed", "m/s",
-              "Largest speed at which contacts that begin overlapped are pushed apart", at_least(0)},
-          c.push_out_speed);
+  v.field(
+      Key{"push_out_speed", "m/s",
+          "Largest speed at which contacts that begin overlapped are pushed apart", at_least(0)},
+      c.push_out_speed);
   v.field(Key{"allowed_penetration", "m", "Depth that is left alone", at_least(0)},
           c.allowed_penetration);
   v.field(Key{"between_pieces", "", "Whether pieces repel each other; obstacles always do"},
           c.between_pieces);
-  v.field(Key{"ball_share", "",
+  v.field(Key{"ball_share",
+              "",
               "Radius of the ball that stands for a tetrahedron between pieces, as a share of its "
               "bounding ball's; 1 is the paper's",
               {.low = 0, .high = 1, .without_low = true}},
@@ -299,10 +307,11 @@ void describe(V& v, SceneFile& s) {
   v.field(Key{"integrator", "", "How time is integrated"}, s.scene.integrator);
   v.field(Key{"contact", "", "How contact is solved"}, s.scene.contact);
   v.field(Key{"fracture", "", "What breaks and how it is found"}, s.scene.fracture);
-  v.field(Key{"display_time_constant", "s",
-              "In which the drawn reference of a new piece goes to its own (section 3.3); 0: at once",
-              at_least(0)},
-          s.scene.display_time_constant);
+  v.field(
+      Key{"display_time_constant", "s",
+          "In which the drawn reference of a new piece goes to its own (section 3.3); 0: at once",
+          at_least(0)},
+      s.scene.display_time_constant);
   v.field(Key{"output", "", "What a run writes"}, s.output);
 }
 

@@ -19,9 +19,9 @@
 namespace sunder {
 namespace {
 
-using nlohmann::json;
 using fields::Key;
 using fields::Range;
+using nlohmann::json;
 
 /// What every value of a scene is read with.
 struct Context {
@@ -131,8 +131,8 @@ void read(const Context& c, const Key& key, const json& value, const std::string
   Eigen::Vector3d v = member;
   bool fine = true;
   for (int i = 0; i < 3; ++i) {
-    fine &= read_number(c, key, value[static_cast<std::size_t>(i)], at + "/" + std::to_string(i),
-                        v[i]);
+    fine &=
+        read_number(c, key, value[static_cast<std::size_t>(i)], at + "/" + std::to_string(i), v[i]);
   }
   if (fine) member = v;
 }
@@ -214,10 +214,10 @@ class ObjectReader {
                                                  fmt::join(known_, ", ")));
     }
     if (!alternatives_.empty() && alternatives_found_ != 1) {
-      context_.add("missing_key", pointer_,
-                   fmt::format("has {} of the keys {}", alternatives_found_,
-                               fmt::join(alternatives_, ", ")),
-                   "give exactly one of them");
+      context_.add(
+          "missing_key", pointer_,
+          fmt::format("has {} of the keys {}", alternatives_found_, fmt::join(alternatives_, ", ")),
+          "give exactly one of them");
     }
   }
 
@@ -244,7 +244,7 @@ class ObjectReader {
   }
 
   template <class E>
-    requires std::is_enum_v<E>
+  requires std::is_enum_v<E>
   void visit(const Key&, const json& value, const std::string& pointer, E& member) {
     std::vector<std::string> words;
     for (const auto& [e, word] : fields::names_of(member)) {
@@ -293,8 +293,8 @@ class ObjectReader {
   }
 
   template <class T>
-    requires(std::is_class_v<T> && !Plain<T>)
-  void visit(const Key&, const json& value, const std::string& pointer, T& member) {
+  requires(std::is_class_v<T> && !Plain<T>) void visit(const Key&, const json& value,
+                                                       const std::string& pointer, T& member) {
     if (!value.is_object()) return context_.wrong_type(value, pointer, "an object {...}");
     ObjectReader reader(context_, value, pointer);
     fields::describe(reader, member);
@@ -344,11 +344,11 @@ void check_whole(const Context& c, const SceneFile& file) {
   }
   constexpr double most_steps = 1e9;
   if (scene.duration / scene.time_step > most_steps) {
-    c.add("too_many_steps", "/time_step",
-          fmt::format("is {} s: {:.3g} steps for a duration of {} s; allowed are {:.0e}",
-                      scene.time_step, scene.duration / scene.time_step, scene.duration,
-                      most_steps),
-          "take a longer step or a shorter duration");
+    c.add(
+        "too_many_steps", "/time_step",
+        fmt::format("is {} s: {:.3g} steps for a duration of {} s; allowed are {:.0e}",
+                    scene.time_step, scene.duration / scene.time_step, scene.duration, most_steps),
+        "take a longer step or a shorter duration");
   }
 }
 
@@ -362,8 +362,9 @@ Result<SceneFile> read_scene(const std::filesystem::path& path,
     return Finding{.code = "cannot_open",
                    .ids = {},
                    .text = fmt::format("cannot open the scene file {}", path.string()),
-                   .remedy = "give the path of a scene's JSON file, such as "
-                             "meshes/scenes/bunny.json",
+                   .remedy =
+                       "give the path of a scene's JSON file, such as "
+                       "meshes/scenes/bunny.json",
                    .file = path.string()};
   }
   const std::string bytes(std::istreambuf_iterator<char>(in), {});

@@ -11,9 +11,9 @@
 namespace sunder {
 namespace {
 
-using nlohmann::ordered_json;
 using fields::Key;
 using fields::Range;
+using nlohmann::ordered_json;
 
 void add_range(ordered_json& schema, const Range& range) {
   if (range.low > -fields::infinity) {
@@ -67,9 +67,9 @@ class SchemaWriter {
 
  private:
   void put(const Key& key, ordered_json schema) {
-    ordered_json described = {{"description", key.unit.empty()
-                                                  ? std::string(key.text)
-                                                  : fmt::format("{}. Unit: {}", key.text, key.unit)}};
+    ordered_json described = {
+        {"description", key.unit.empty() ? std::string(key.text)
+                                         : fmt::format("{}. Unit: {}", key.text, key.unit)}};
     described.update(schema);
     if (key.required) {
       described.erase("default");
@@ -120,7 +120,7 @@ class SchemaWriter {
             {"default", {{"axis", {0, 0, 1}}, {"angle", 0}}}};
   }
   template <class E>
-    requires std::is_enum_v<E>
+  requires std::is_enum_v<E>
   static ordered_json schema_of(const Key&, E member) {
     ordered_json words = ordered_json::array();
     ordered_json own;
@@ -142,7 +142,7 @@ class SchemaWriter {
     return schema;
   }
   template <class T>
-    requires std::is_class_v<T>
+  requires std::is_class_v<T>
   static ordered_json schema_of(const Key&, const T& member) {
     SchemaWriter writer;
     T settings = member;

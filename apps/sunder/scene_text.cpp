@@ -84,8 +84,9 @@ class Builder {
 
   bool key(string_t& k) {
     if (open_.back()->contains(k)) {
-      add("repeated_key", read, fmt::format("the key \"{}\" of {} stands here a second time", k,
-                                            here().empty() ? "the scene" : dotted(here())),
+      add("repeated_key", read,
+          fmt::format("the key \"{}\" of {} stands here a second time", k,
+                      here().empty() ? "the scene" : dotted(here())),
           "keep one of them");
     }
     key_ = k;
@@ -154,7 +155,8 @@ class Builder {
 
   /// Lines are asked for in growing order: counted on from the last question.
   std::size_t place_of_byte_cached(std::size_t offset) {
-    for (; counted_ < std::min(offset, bytes_.size()); ++counted_) line_ += bytes_[counted_] == '\n';
+    for (; counted_ < std::min(offset, bytes_.size()); ++counted_)
+      line_ += bytes_[counted_] == '\n';
     return line_;
   }
 
@@ -193,8 +195,8 @@ Result<std::size_t> array_row(const json& array, const std::string& token,
   std::size_t row = 0;
   const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), row);
   if (error != std::errc() || end != token.data() + token.size() || row >= array.size()) {
-    return bad_setting(setting, fmt::format("\"{}\" is not a row of an array of {}", token,
-                                            array.size()),
+    return bad_setting(setting,
+                       fmt::format("\"{}\" is not a row of an array of {}", token, array.size()),
                        array.empty() ? "the array is empty: set it as a whole"
                                      : fmt::format("use 0 to {}", array.size() - 1));
   }

@@ -17,14 +17,14 @@ struct SceneText {
   nlohmann::json root;
   /// The file's name, for findings; empty where there is no file.
   std::string file;
-  /// Line (from 1) of each value by its JSON pointer ("/bodies/0/mesh"); the values that `apply_setting`
-  /// put in have none.
+  /// Line (from 1) of each value by its JSON pointer ("/bodies/0/mesh"); the values that
+  /// `apply_setting` put in have none.
   std::map<std::string, std::size_t> line;
 };
 
 /// Reads JSON (RFC 8259: no comments, no trailing commas), keeping lines. Errors as findings with
-/// line and column: `syntax_error`, `repeated_key` (every one of them), `nested_too_deeply` (more than
-/// 64 levels, which no scene needs).
+/// line and column: `syntax_error`, `repeated_key` (every one of them), `nested_too_deeply` (more
+/// than 64 levels, which no scene needs).
 Result<SceneText> parse_scene_text(std::string_view bytes, const std::string& file);
 
 /// Changes one value: `setting` is `dotted.path=value`, as in `gravity.ramp_time=2` or
