@@ -6,9 +6,10 @@
 #include <limits>
 
 #include "program.hpp"
-#include "tests/support/shapes.hpp"
+#include "topology/suite/shapes.hpp"
 
 using namespace sunder;
+using namespace sunder::suite;
 using namespace sunder::test;
 
 namespace {

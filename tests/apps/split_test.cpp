@@ -4,10 +4,11 @@
 #include <set>
 
 #include "program.hpp"
-#include "tests/support/shapes.hpp"
+#include "topology/suite/shapes.hpp"
 #include "topology/io/mesh_file.hpp"
 
 using namespace sunder;
+using namespace sunder::suite;
 using namespace sunder::test;
 using nlohmann::json;
 

@@ -9,7 +9,7 @@
 #include <numeric>
 #include <vector>
 
-#include "tests/support/shapes.hpp"
+#include "topology/suite/shapes.hpp"
 #include "topology/build_map.hpp"
 #include "topology/check.hpp"
 #include "topology/components.hpp"
@@ -19,7 +19,7 @@
 namespace {
 
 using namespace sunder;
-using namespace sunder::test;
+using namespace sunder::suite;
 
 /// Seconds of a clock. On a machine that others use too, wall time is their load as well as our
 /// work; the thread's own time is printed beside it.

@@ -10,6 +10,7 @@
 #include "topology/fan.hpp"
 
 using namespace sunder;
+using namespace sunder::suite;
 using namespace sunder::test;
 
 namespace {

@@ -6,10 +6,11 @@
 #include <numeric>
 
 #include "mechanics/energy.hpp"
-#include "tests/support/shapes.hpp"
+#include "topology/suite/shapes.hpp"
 #include "topology/invariants.hpp"
 
 using namespace sunder;
+using namespace sunder::suite;
 using namespace sunder::test;
 
 namespace {

@@ -10,6 +10,7 @@
 #include "topology/invariants.hpp"
 
 using namespace sunder;
+using namespace sunder::suite;
 using namespace sunder::test;
 
 namespace {

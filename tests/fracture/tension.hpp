@@ -8,7 +8,7 @@
 #include "fracture/find_fractures.hpp"
 #include "fracture/node_stress.hpp"
 #include "mechanics/strain_displacement.hpp"
-#include "tests/support/shapes.hpp"
+#include "topology/suite/shapes.hpp"
 #include "topology/build_map.hpp"
 
 namespace sunder::test {

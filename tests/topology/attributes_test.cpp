@@ -5,6 +5,7 @@
 #include "tests/topology/built.hpp"
 
 using namespace sunder;
+using namespace sunder::suite;
 using namespace sunder::test;
 
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/glue_twin.hpp"
-#include "tests/support/shapes.hpp"
+#include "topology/suite/glue_twin.hpp"
+#include "topology/suite/shapes.hpp"
 #include "topology/build_map.hpp"
 #include "topology/check.hpp"
 #include "topology/components.hpp"
@@ -61,16 +61,16 @@ inline std::vector<HalfFaceId> interior_faces(const VolumeMap& map) {
 }
 
 /// The twin of a freshly built map.
-inline GlueTwin twin_of(const VolumeMap& map, std::size_t points) {
+inline suite::GlueTwin twin_of(const VolumeMap& map, std::size_t points) {
   std::vector<std::array<std::uint32_t, 4>> tetrahedra;
   for (const auto& corners : map.corners()) {
     auto& t = tetrahedra.emplace_back();
     for (std::size_t i = 0; i < 4; ++i) t[i] = map.point_of_vertex(corners[i]);
   }
-  return glue_twin(tetrahedra, points);
+  return suite::glue_twin(tetrahedra, points);
 }
 
-inline TwinCounts counts_without_chi(const Counts& c) {
+inline suite::TwinCounts counts_without_chi(const Counts& c) {
   return {c.vertices,   c.edges,          c.faces,          c.tetrahedra,
           c.components, c.boundary_faces, c.boundary_sheets};
 }

@@ -12,6 +12,7 @@
 #include "topology/split_face_impl.hpp"
 
 using namespace sunder;
+using namespace sunder::suite;
 using namespace sunder::test;
 
 namespace {

@@ -8,6 +8,7 @@
 #include "topology/survey.hpp"
 
 using namespace sunder;
+using namespace sunder::suite;
 using namespace sunder::test;
 
 namespace {

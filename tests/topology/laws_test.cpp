@@ -6,6 +6,7 @@
 #include "tests/topology/random_splits.hpp"
 
 using namespace sunder;
+using namespace sunder::suite;
 using namespace sunder::test;
 
 TEST_CASE("every split of every shape obeys the laws, until nothing is left to split",

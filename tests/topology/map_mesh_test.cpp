@@ -5,6 +5,7 @@
 #include "tests/topology/built.hpp"
 
 using namespace sunder;
+using namespace sunder::suite;
 using namespace sunder::test;
 
 TEST_CASE("a split map written with its vertices reads back as the same map",

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <map>
 
-#include "tests/support/glue_twin.hpp"
-#include "tests/support/shapes.hpp"
+#include "topology/suite/glue_twin.hpp"
+#include "topology/suite/shapes.hpp"
 #include "topology/build_map.hpp"
 #include "topology/components.hpp"
 #include "topology/invariants.hpp"
 #include "topology/split_face.hpp"
+
+using namespace sunder::suite;
 
 namespace sunder::test {
 namespace {

@@ -11,7 +11,7 @@
 #include "topology/ids.hpp"
 #include "topology/tet_mesh.hpp"
 
-namespace sunder::test {
+namespace sunder::suite {
 
 /// Classes counted by union-find.
 struct TwinCounts {
@@ -54,4 +54,4 @@ LocalTruth unglue(GlueTwin& twin, HalfFaceId face);
 /// Puts it back.
 void glue_again(GlueTwin& twin, HalfFaceId a, HalfFaceId b);
 
-}  // namespace sunder::test
+}  // namespace sunder::suite

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Union-find over tetrahedron corners, edges and faces.
-#include "tests/support/glue_twin.hpp"
+#include "topology/suite/glue_twin.hpp"
 
 #include <algorithm>
 #include <map>
 #include <numeric>
 #include <set>
 
-namespace sunder::test {
+namespace sunder::suite {
 namespace {
 
 class UnionFind {
@@ -180,4 +180,4 @@ LocalTruth unglue(GlueTwin& twin, HalfFaceId face) {
   return truth;
 }
 
-}  // namespace sunder::test
+}  // namespace sunder::suite

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Generators of test meshes.
-#include "tests/support/shapes.hpp"
+#include "topology/suite/shapes.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 
-namespace sunder::test {
+namespace sunder::suite {
 namespace {
 
 using Index4 = std::array<std::uint32_t, 4>;
@@ -289,4 +289,4 @@ std::vector<NamedMesh> all_shapes() {
           {"shuffled cube", shuffled(kuhn_box({3, 2, 2}), 2)}};
 }
 
-}  // namespace sunder::test
+}  // namespace sunder::suite

@@ -11,7 +11,7 @@
 
 #include "topology/tet_mesh.hpp"
 
-namespace sunder::test {
+namespace sunder::suite {
 
 /// Number of cubes along each axis.
 using Cells = std::array<int, 3>;
@@ -77,4 +77,4 @@ struct NamedMesh {
 /// built with warnings allowed (`bad_volume`).
 std::vector<NamedMesh> all_shapes();
 
-}  // namespace sunder::test
+}  // namespace sunder::suite
