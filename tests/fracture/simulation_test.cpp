@@ -11,7 +11,6 @@
 
 using namespace sunder;
 using namespace sunder::suite;
-using namespace sunder::test;
 
 namespace {
 
