@@ -3,9 +3,9 @@
 #include "topology/suite/glue_twin.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <numeric>
-#include <set>
 
 namespace sunder::suite {
 namespace {
@@ -22,6 +22,10 @@ class UnionFind {
     std::size_t n = 0;
     for (std::uint32_t i = 0; i < parent_.size(); ++i) n += root(i) == i ? 1 : 0;
     return n;
+  }
+  std::vector<std::uint32_t> roots() {
+    for (std::uint32_t i = 0; i < parent_.size(); ++i) parent_[i] = root(i);
+    return parent_;
   }
 
  private:
@@ -74,24 +78,67 @@ bool joined_around(const GlueTwin& twin, std::uint32_t a, std::uint32_t b,
   return sets.root(local(a)) == sets.root(local(b));
 }
 
-/// Whether b can be reached from a over glued faces.
+/// Whether b can be reached from a over glued faces; breadth-first, since b is mostly near.
 bool reaches(GlueTwin& twin, std::uint32_t a, std::uint32_t b) {
   twin.stamp.resize(twin.tetrahedra.size(), 0);
   ++twin.now;
-  std::vector<std::uint32_t> stack = {a};
+  std::vector<std::uint32_t> queue = {a};
   twin.stamp[a] = twin.now;
-  while (!stack.empty()) {
-    const std::uint32_t t = stack.back();
-    stack.pop_back();
-    if (t == b) return true;
+  for (std::size_t i = 0; i < queue.size(); ++i) {
+    if (queue[i] == b) return true;
     for (std::uint32_t p = 0; p < 4; ++p) {
-      const HalfFaceId across = twin.glued[4 * t + p];
+      const HalfFaceId across = twin.glued[4 * queue[i] + p];
       if (across.is_none() || twin.stamp[across.value / 4] == twin.now) continue;
       twin.stamp[across.value / 4] = twin.now;
-      stack.push_back(across.value / 4);
+      queue.push_back(across.value / 4);
     }
   }
   return false;
+}
+
+/// Corners 4 t + place, edges 6 t + number and tetrahedra, joined across every glued face.
+struct Classes {
+  UnionFind corners, edges, tetrahedra;
+};
+
+Classes join_glued(const GlueTwin& twin) {
+  const std::size_t n = twin.tetrahedra.size();
+  Classes classes{UnionFind(4 * n), UnionFind(6 * n), UnionFind(n)};
+  for (std::uint32_t f = 0; f < twin.glued.size(); ++f) {
+    const HalfFaceId across = twin.glued[f];
+    if (across.is_none() || across.value < f) continue;
+    const std::uint32_t t = f / 4, u = across.value / 4;
+    classes.tetrahedra.join(t, u);
+    const Face face = face_points(twin, HalfFaceId{f});
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t a = face[i], b = face[(i + 1) % 3];
+      classes.corners.join(4 * t + place_of_point(twin, t, a), 4 * u + place_of_point(twin, u, a));
+      classes.edges.join(edge_of(twin, t, a, b), edge_of(twin, u, a, b));
+    }
+  }
+  return classes;
+}
+
+/// Boundary faces that meet in one class of edges belong to one sheet.
+std::size_t count_sheets(const GlueTwin& twin, UnionFind& edges) {
+  constexpr std::uint32_t nobody = std::numeric_limits<std::uint32_t>::max();
+  UnionFind sheets(twin.glued.size());
+  std::vector<std::uint32_t> face_at_edge(6 * twin.tetrahedra.size(), nobody);
+  for (std::uint32_t f = 0; f < twin.glued.size(); ++f) {
+    if (!twin.glued[f].is_none()) continue;
+    const Face face = face_points(twin, HalfFaceId{f});
+    for (std::size_t i = 0; i < 3; ++i) {
+      std::uint32_t& other =
+          face_at_edge[edges.root(edge_of(twin, f / 4, face[i], face[(i + 1) % 3]))];
+      if (other == nobody) other = f;
+      sheets.join(other, f);
+    }
+  }
+  std::size_t count = 0;
+  for (std::uint32_t f = 0; f < twin.glued.size(); ++f) {
+    count += twin.glued[f].is_none() && sheets.root(f) == f ? 1 : 0;
+  }
+  return count;
 }
 
 }  // namespace
@@ -124,45 +171,24 @@ void glue_again(GlueTwin& twin, HalfFaceId a, HalfFaceId b) {
 }
 
 TwinCounts union_find_counts(const GlueTwin& twin) {
-  const std::size_t tetrahedra = twin.tetrahedra.size();
-  UnionFind corners(4 * tetrahedra), edges(6 * tetrahedra), bodies(tetrahedra);
+  Classes classes = join_glued(twin);
   TwinCounts counts;
-  counts.tetrahedra = tetrahedra;
-  for (std::uint32_t f = 0; f < twin.glued.size(); ++f) {
-    const HalfFaceId across = twin.glued[f];
-    counts.boundary_faces += across.is_none() ? 1 : 0;
-    if (across.is_none()) continue;
-    const std::uint32_t t = f / 4, u = across.value / 4;
-    bodies.join(t, u);
-    const Face face = face_points(twin, HalfFaceId{f});
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t a = face[i], b = face[(i + 1) % 3];
-      corners.join(4 * t + place_of_point(twin, t, a), 4 * u + place_of_point(twin, u, a));
-      edges.join(edge_of(twin, t, a, b), edge_of(twin, u, a, b));
-    }
-  }
-  // Boundary faces that meet in one class of edges belong to one sheet.
-  UnionFind sheets(4 * tetrahedra);
-  std::map<std::uint32_t, std::uint32_t> face_at_edge;
-  std::set<std::uint32_t> sheet_roots;
-  for (std::uint32_t f = 0; f < twin.glued.size(); ++f) {
-    if (!twin.glued[f].is_none()) continue;
-    const Face face = face_points(twin, HalfFaceId{f});
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t e = edges.root(edge_of(twin, f / 4, face[i], face[(i + 1) % 3]));
-      const auto [it, fresh] = face_at_edge.emplace(e, f);
-      if (!fresh) sheets.join(it->second, f);
-    }
-  }
-  for (std::uint32_t f = 0; f < twin.glued.size(); ++f) {
-    if (twin.glued[f].is_none()) sheet_roots.insert(sheets.root(f));
-  }
-  counts.vertices = corners.classes();
-  counts.edges = edges.classes();
-  counts.components = bodies.classes();
-  counts.faces = (4 * tetrahedra + counts.boundary_faces) / 2;
-  counts.boundary_sheets = sheet_roots.size();
+  counts.tetrahedra = twin.tetrahedra.size();
+  counts.vertices = classes.corners.classes();
+  counts.edges = classes.edges.classes();
+  counts.components = classes.tetrahedra.classes();
+  for (const HalfFaceId f : twin.glued) counts.boundary_faces += f.is_none() ? 1 : 0;
+  counts.faces = (4 * counts.tetrahedra + counts.boundary_faces) / 2;
+  counts.boundary_sheets = count_sheets(twin, classes.edges);
   return counts;
+}
+
+std::vector<std::uint32_t> corner_classes(const GlueTwin& twin) {
+  return join_glued(twin).corners.roots();
+}
+
+std::vector<std::uint32_t> component_classes(const GlueTwin& twin) {
+  return join_glued(twin).tetrahedra.roots();
 }
 
 LocalTruth unglue(GlueTwin& twin, HalfFaceId face) {

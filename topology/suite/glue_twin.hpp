@@ -48,6 +48,12 @@ GlueTwin glue_twin(const std::vector<std::array<std::uint32_t, 4>>& tetrahedra, 
 /// Counts everything from nothing, by union-find over all corners, edges and tetrahedra.
 TwinCounts union_find_counts(const GlueTwin& twin);
 
+/// For each corner 4 t + place the number of its vertex class; equal exactly within a class.
+std::vector<std::uint32_t> corner_classes(const GlueTwin& twin);
+
+/// Likewise the component of each tetrahedron.
+std::vector<std::uint32_t> component_classes(const GlueTwin& twin);
+
 /// Takes the glue of a half-face away; `separated` by a walk over glued faces. Needs: it is glued.
 LocalTruth unglue(GlueTwin& twin, HalfFaceId face);
 
