@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -51,6 +52,7 @@ using Operation = std::variant<SplitFace, GlueFace, SplitFan, SplitPlane, Shatte
 /// What is expected at one moment; absent: not said.
 struct Expected {
   std::optional<CellCounts> counts;
+  std::optional<std::ptrdiff_t> euler_characteristic;
   /// By field, 2 or 3.
   std::map<int, BettiNumbers> betti_mod;
   std::optional<IntegerHomology> homology;
@@ -92,12 +94,13 @@ struct Fixture {
   std::vector<KnownDifference> known_differences;
 };
 
-/// Reads a fixture file with all its cases. Errors: cannot_open, bad_fixture (with the place inside
-/// the JSON), and those of a mesh it refers to.
+/// Reads a fixture file with all its cases (docs/suite.md). Errors, all of them: cannot_open,
+/// bad_fixture (with the place inside the JSON), and those of a mesh it refers to.
+/// Leaves: operations name faces and corners that the intact body has; faces to glue are interior.
 Result<std::vector<Fixture>> read_fixtures(const std::filesystem::path& file);
 
-/// All fixtures of a folder's *.json files (the schema aside), by name. Errors likewise, and
-/// no_fixture.
+/// All fixtures of a folder's *.json files (*.schema.json aside), files in the order of their
+/// names. Errors likewise, and no_fixture.
 Result<std::vector<Fixture>> read_fixture_folder(const std::filesystem::path& folder);
 
 }  // namespace sunder::suite

@@ -24,6 +24,9 @@ struct JudgedKernel {
   /// such checks; an error among them: the body is refused. Flat and folded tetrahedra are no
   /// reason to refuse: this is about topology.
   std::function<std::vector<Finding>(const TetMesh&)> load;
+  /// Whether `load` gives every finding of `check_mesh` (warnings and notes too), so that its codes
+  /// can be held against the fixture's; otherwise only whether it refuses counts.
+  bool names_findings = false;
   /// Needs: a side of a face of the body.
   std::function<SplitAnswer(FaceSide)> split;
   /// False: refused, nothing changed. Needs: the two sides have the same three points. May be
