@@ -60,7 +60,11 @@ TetMesh join_meshes(const std::vector<BodySettings>& bodies, std::vector<BodyRow
 Result<MechanicsState> make_columns(const Scene& scene, const std::vector<BodyRows>& bodies,
                                     const VolumeMap& map, const Components& labels) {
   std::vector<Vec3> rest;
-  for (const Point& p : map.points()) rest.emplace_back(p[0], p[1], p[2]);
+  rest.reserve(map.vertices());
+  for (std::size_t v = 0; v < map.vertices(); ++v) {
+    const Point& p = map.point(VertexId{v});
+    rest.emplace_back(p[0], p[1], p[2]);
+  }
   std::vector<MaterialId> material(map.tetrahedra());
   std::vector<Material> materials;
   for (std::size_t b = 0; b < bodies.size(); ++b) {

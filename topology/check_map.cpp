@@ -100,8 +100,10 @@ void check_orbits(const VolumeMap& map, Damage& damage) {
     const auto attribute = complex.attribute<0>(d);
     damage.unless(complex.get_attribute_ref_counting<0>(attribute) == 3 * corners[v],
                   "each vertex orbit has one 0-attribute", v);
-    damage.unless(complex.info<0>(complex.dart_of_attribute<0>(attribute)) == VertexId{v},
+    damage.unless(complex.attribute<0>(complex.dart_of_attribute<0>(attribute)) == attribute,
                   "the dart of a 0-attribute has that attribute", v);
+    damage.unless(map.darts().point_of_vertex(VertexId{v}) == map.point_of_vertex(VertexId{v}),
+                  "the file's point in the 0-attribute equals the row's", v);
     damage.unless(map.darts().point(VertexId{v}) == map.point(VertexId{v}),
                   "the point of the 0-attribute equals the row's", v);
   }

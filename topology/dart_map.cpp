@@ -2,6 +2,9 @@
 // Darts of a map: making them, walking them, and giving their vertices new rows.
 #include "topology/dart_map.hpp"
 
+#include <algorithm>
+
+#include "topology/append_row.hpp"
 #include "topology/assert.hpp"
 
 namespace sunder {
@@ -14,19 +17,34 @@ void reserve(DartComplex& complex, std::size_t tetrahedra, std::size_t vertices)
   complex.attributes<3>().reserve(tetrahedra);
 }
 
+constexpr std::array<int, 4> some_dart_from = {3, 0, 1, 2};
+
 DartComplex::Point to_cgal(const Point& p) { return {p[0], p[1], p[2]}; }
 
 }  // namespace
 
-DartMap::DartMap(const MapRows& rows) : point_of_vertex_(rows.point_of_vertex) {
+DartMap::DartMap(const MapRows& rows) : corner_(rows.point_of_vertex.size()) {
   complex_.set_automatic_attributes_management(false);
-  reserve(complex_, rows.corners.size(), rows.points.size());
-  attribute_.reserve(rows.points.size());
-  for (std::size_t v = 0; v < rows.points.size(); ++v) {
-    attribute_.push_back(complex_.create_attribute<0>(to_cgal(rows.points[v]), VertexId{v}));
+  for (std::size_t t = rows.corners.size(); t-- > 0;) {
+    for (int i = 0; i < 4; ++i) corner_[rows.corners[t][i].index()] = corner(TetId{t}, i);
+  }
+  // A copy of a map may bring retired rows: they have no corner and get no attribute.
+  const auto used = static_cast<std::size_t>(
+      std::count_if(corner_.begin(), corner_.end(), [](CornerId c) { return !c.is_none(); }));
+  reserve(complex_, rows.corners.size(), used);
+  std::vector<VertexAttributeDescriptor> attributes(corner_.size());
+  for (std::size_t v = 0; v < corner_.size(); ++v) {
+    if (corner_[v].is_none()) continue;
+    const std::uint32_t point = rows.point_of_vertex[v];
+    attributes[v] =
+        complex_.create_attribute<0>(to_cgal(rows.points[point]), VertexInfo{VertexId{v}, point});
   }
   first_dart_.reserve(rows.corners.size());
-  for (std::size_t t = 0; t < rows.corners.size(); ++t) add_tetrahedron(TetId{t}, rows.corners[t]);
+  for (std::size_t t = 0; t < rows.corners.size(); ++t) {
+    std::array<VertexAttributeDescriptor, 4> at;
+    for (int i = 0; i < 4; ++i) at[i] = attributes[rows.corners[t][i].index()];
+    add_tetrahedron(TetId{t}, at);
+  }
   for (std::size_t t = 0; t < rows.corners.size(); ++t) {
     for (int p = 0; p < 4; ++p) {
       const HalfFaceId g = rows.neighbours[t][p];
@@ -39,20 +57,14 @@ DartMap::DartMap(const MapRows& rows) : point_of_vertex_(rows.point_of_vertex) {
       sew(dart_at(TetId{t}, k), dart_at(u, dart_order::dart_from(place_of(g), from)));
     }
   }
-  // A copy of a map may bring retired rows: their attribute found no dart.
-  for (VertexAttributeDescriptor& a : attribute_) {
-    if (complex_.get_attribute_ref_counting<0>(a) > 0) continue;
-    complex_.erase_attribute<0>(a);
-    a = nullptr;
-  }
 }
 
-void DartMap::add_tetrahedron(TetId t, const std::array<VertexId, 4>& corners) {
+void DartMap::add_tetrahedron(TetId t, const std::array<VertexAttributeDescriptor, 4>& corners) {
   const auto volume = complex_.create_attribute<3>(t);
   std::array<Dart, 12> d;
   for (int k = 0; k < 12; ++k) {
     d[k] = complex_.create_dart();
-    complex_.set_dart_attribute<0>(d[k], attribute_[corners[dart_order::origin(k)].index()]);
+    complex_.set_dart_attribute<0>(d[k], corners[dart_order::origin(k)]);
     complex_.set_dart_attribute<3>(d[k], volume);
   }
   for (int k = 0; k < 12; ++k) {
@@ -85,15 +97,18 @@ HalfFaceId DartMap::neighbour(HalfFaceId f) const {
 }
 
 TetId DartMap::incident_tetrahedron(VertexId v) const {
-  const VertexAttributeDescriptor a = attribute_[v.index()];
-  if (a == nullptr) return TetId::none();
-  return tetrahedron(const_cast<DartComplex&>(complex_).dart_of_attribute<0>(a));
+  const CornerId c = corner_[v.index()];
+  return c.is_none() ? TetId::none() : tetrahedron_of(c);
 }
 
 Point DartMap::point(VertexId v) const {
-  const VertexAttributeDescriptor a = attribute_[v.index()];
-  if (a == nullptr) return {};
+  if (corner_[v.index()].is_none()) return {};
+  const VertexAttributeDescriptor a = attribute_of(v);
   return {a->point().x(), a->point().y(), a->point().z()};
+}
+
+std::uint32_t DartMap::point_of_vertex(VertexId v) const {
+  return complex_.info_of_attribute<0>(attribute_of(v)).point;
 }
 
 DartMap::Dart DartMap::dart(HalfFaceId f, CornerId from) const {
@@ -122,18 +137,23 @@ void DartMap::sew(Dart a, Dart b) {
   }
 }
 
+VertexAttributeDescriptor DartMap::attribute_of(VertexId v) const {
+  const CornerId c = corner_[v.index()];
+  const Dart d = dart_at(tetrahedron_of(c), some_dart_from[place_of(c)]);
+  return const_cast<DartComplex&>(complex_).attribute<0>(d);
+}
+
 void DartMap::rename(CornerId c, VertexAttributeDescriptor to) {
-  constexpr std::array<int, 4> some_dart_from = {3, 0, 1, 2};
   Dart d = dart_at(tetrahedron_of(c), some_dart_from[place_of(c)]);
   for (int j = 0; j < 3; ++j, d = beta2(beta0(d))) complex_.set_dart_attribute<0>(d, to);
 }
 
 VertexId DartMap::split_vertex(const VertexSplit& split) {
-  const VertexId added{attribute_.size()};
-  const VertexAttributeDescriptor old = attribute_[split.vertex.index()];
-  const VertexAttributeDescriptor fresh = complex_.create_attribute<0>(old->point(), added);
-  attribute_.push_back(fresh);
-  point_of_vertex_.push_back(point_of_vertex_[split.vertex.index()]);
+  const VertexId added{corner_.size()};
+  const VertexAttributeDescriptor old = attribute_of(split.vertex);
+  const std::uint32_t point = complex_.info_of_attribute<0>(old).point;
+  const VertexAttributeDescriptor fresh =
+      complex_.create_attribute<0>(old->point(), VertexInfo{added, point});
   // The attribute that the many darts hold stays with them, whichever row they are to have.
   const bool rename_staying =
       split.staying_is_complete && split.staying.size() < split.leaving.size();
@@ -143,21 +163,20 @@ VertexId DartMap::split_vertex(const VertexSplit& split) {
   const int k = dart_order::dart_from((place_of(many[0]) + 1) % 4, place_of(many[0]));
   complex_.set_dart_of_attribute<0>(old, dart_at(tetrahedron_of(many[0]), k));
   if (rename_staying) {
-    std::swap(attribute_[split.vertex.index()], attribute_.back());
-    complex_.info_of_attribute<0>(fresh) = split.vertex;
-    complex_.info_of_attribute<0>(old) = added;
+    complex_.info_of_attribute<0>(fresh).row = split.vertex;
+    complex_.info_of_attribute<0>(old).row = added;
   }
+  corner_[split.vertex.index()] = split.staying[0];
+  append_row(corner_, split.leaving[0]);
   return added;
 }
 
 void DartMap::merge_vertices(VertexId kept, VertexId retired, std::span<const CornerId> corners) {
-  for (const CornerId c : corners) rename(c, attribute_[kept.index()]);
-  complex_.erase_attribute<0>(attribute_[retired.index()]);
-  attribute_[retired.index()] = nullptr;
-  while (!attribute_.empty() && attribute_.back() == nullptr) {
-    attribute_.pop_back();
-    point_of_vertex_.pop_back();
-  }
+  const VertexAttributeDescriptor to = attribute_of(kept), gone = attribute_of(retired);
+  for (const CornerId c : corners) rename(c, to);
+  complex_.erase_attribute<0>(gone);
+  corner_[retired.index()] = CornerId::none();
+  while (!corner_.empty() && corner_.back().is_none()) corner_.pop_back();
 }
 
 MapBytes DartMap::bytes() const {
@@ -167,7 +186,7 @@ MapBytes DartMap::bytes() const {
   MapBytes bytes;
   bytes.darts = held(complex_.darts());
   bytes.attributes = held(complex_.attributes<0>()) + held(complex_.attributes<3>());
-  bytes.handles = held(first_dart_) + held(attribute_) + held(point_of_vertex_);
+  bytes.handles = held(first_dart_) + held(corner_);
   return bytes;
 }
 

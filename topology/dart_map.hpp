@@ -9,6 +9,7 @@
 #include <CGAL/Linear_cell_complex_traits.h>
 #include <CGAL/Simple_cartesian.h>
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -19,13 +20,21 @@
 
 namespace sunder {
 
-/// Which cells carry attributes: vertices (rest position, row) and tetrahedra (row). Edges and
+/// What a vertex attribute carries beside its rest position; fills the room that alignment leaves.
+struct VertexInfo {
+  VertexId row;
+  /// Row of the file's point.
+  std::uint32_t point = 0;
+  friend bool operator==(const VertexInfo&, const VertexInfo&) = default;
+};
+
+/// Which cells carry attributes: vertices (rest position, rows) and tetrahedra (row). Edges and
 /// faces carry none: 1- and 2-attributes cost 40 per cent of time and memory and nothing here needs
 /// them.
 struct DartItems {
   template <class Refs>
   struct Dart_wrapper {
-    using Vertex_attribute = CGAL::Cell_attribute_with_point<Refs, VertexId>;
+    using Vertex_attribute = CGAL::Cell_attribute_with_point<Refs, VertexInfo>;
     using Volume_attribute = CGAL::Cell_attribute<Refs, TetId>;
     using Attributes = std::tuple<Vertex_attribute, void, void, Volume_attribute>;
   };
@@ -55,16 +64,16 @@ class DartMap {
   DartMap& operator=(const DartMap&) = delete;
 
   std::size_t tetrahedra() const { return first_dart_.size(); }
-  std::size_t vertices() const { return attribute_.size(); }
+  std::size_t vertices() const { return corner_.size(); }
   std::array<VertexId, 4> corners(TetId t) const;
   HalfFaceId neighbour(HalfFaceId f) const;
   TetId incident_tetrahedron(VertexId v) const;
   Point point(VertexId v) const;
-  std::uint32_t point_of_vertex(VertexId v) const { return point_of_vertex_[v.index()]; }
+  std::uint32_t point_of_vertex(VertexId v) const;
 
   Dart dart(HalfFaceId f, CornerId from) const;
   DartId id(Dart d) const;
-  VertexId vertex(Dart d) const { return complex_.info<0>(d); }
+  VertexId vertex(Dart d) const { return complex_.info<0>(d).row; }
   TetId tetrahedron(Dart d) const { return complex_.info<3>(d); }
   // CGAL gives back const handles from a const complex; the same darts, hence the casts.
   Dart beta0(Dart d) const { return beta<0>(d); }
@@ -91,13 +100,15 @@ class DartMap {
   Dart beta(Dart d) const {
     return const_cast<DartComplex&>(complex_).template beta<i>(d);
   }
-  void add_tetrahedron(TetId t, const std::array<VertexId, 4>& corners);
+  void add_tetrahedron(TetId t, const std::array<VertexAttributeDescriptor, 4>& corners);
   void rename(CornerId c, VertexAttributeDescriptor to);
+  /// Needs: v is not retired.
+  VertexAttributeDescriptor attribute_of(VertexId v) const;
 
   DartComplex complex_;
-  std::vector<Dart> first_dart_;                      // dart 0 of each tetrahedron
-  std::vector<VertexAttributeDescriptor> attribute_;  // of each vertex row; null when retired
-  std::vector<std::uint32_t> point_of_vertex_;
+  std::vector<Dart> first_dart_;  // dart 0 of each tetrahedron
+  // A corner of each vertex row, none() when it is retired: half of a handle to its attribute.
+  std::vector<CornerId> corner_;
 };
 
 static_assert(Kernel<DartMap>);

@@ -237,8 +237,7 @@ MapRows finish_rows(Survey&& s) {
     }
   }
   rows.point_of_vertex = std::move(s.point_of_row);
-  rows.points.reserve(rows.point_of_vertex.size());
-  for (const std::uint32_t p : rows.point_of_vertex) rows.points.push_back(s.mesh.points[p]);
+  rows.points = s.mesh.points;
   return rows;
 }
 

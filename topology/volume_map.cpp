@@ -2,6 +2,7 @@
 // The map of a body: every change goes to the darts and to the dense rows in one call.
 #include "topology/volume_map.hpp"
 
+#include "topology/append_row.hpp"
 #include "topology/assert.hpp"
 #include "topology/dart_map.hpp"
 
@@ -13,7 +14,7 @@ int place_of(DartId d) { return static_cast<int>(d.index() % 12); }
 HalfFaceId half_face_of(DartId d) { return HalfFaceId{d.index() / 3}; }
 
 std::vector<TetId> incident_tetrahedra(const MapRows& rows) {
-  std::vector<TetId> incident(rows.points.size());
+  std::vector<TetId> incident(rows.point_of_vertex.size());
   for (std::size_t t = rows.corners.size(); t-- > 0;) {
     for (const VertexId v : rows.corners[t]) incident[v.index()] = TetId{t};
   }
@@ -95,12 +96,9 @@ void VolumeMap::sew(DartId a, DartId b) {
 VertexId VolumeMap::split_vertex(const VertexSplit& split) {
   const VertexId added = darts_->split_vertex(split);
   for (const CornerId c : split.leaving) rows_.corners[c.index() / 4][c.index() % 4] = added;
-  const Point at = rows_.points[split.vertex.index()];
-  rows_.points.push_back(at);
-  const std::uint32_t point = rows_.point_of_vertex[split.vertex.index()];
-  rows_.point_of_vertex.push_back(point);
+  append_row(rows_.point_of_vertex, point_of_vertex(split.vertex));
   incident_[split.vertex.index()] = tetrahedron_of(split.staying[0]);
-  incident_.push_back(tetrahedron_of(split.leaving[0]));
+  append_row(incident_, tetrahedron_of(split.leaving[0]));
   for ([[maybe_unused]] const CornerId c : split.leaving) {
     SUNDER_ASSERT(agree(*this, tetrahedron_of(c)), "the darts have the new row");
   }
@@ -119,7 +117,6 @@ void VolumeMap::merge_vertices(VertexId kept, VertexId retired, std::span<const 
   incident_[retired.index()] = TetId::none();
   while (!incident_.empty() && incident_.back().is_none()) {
     incident_.pop_back();
-    rows_.points.pop_back();
     rows_.point_of_vertex.pop_back();
   }
 }
@@ -129,7 +126,7 @@ MapBytes VolumeMap::bytes() const {
     return v.capacity() * sizeof(typename std::decay_t<decltype(v)>::value_type);
   };
   MapBytes bytes = darts_->bytes();
-  bytes.adjacency = held(rows_.corners) + held(rows_.neighbours);
+  bytes.adjacency = held(rows_.corners) + held(rows_.neighbours) + held(rows_.reoriented);
   bytes.vertex_columns = held(rows_.points) + held(rows_.point_of_vertex) + held(incident_);
   return bytes;
 }

@@ -26,16 +26,29 @@ struct MapRows {
   std::vector<std::array<HalfFaceId, 4>> neighbours;
   /// Row of the file's point of each vertex; several rows may share one (pinches, splits).
   std::vector<std::uint32_t> point_of_vertex;
-  /// Rest position of each vertex, m.
+  /// The file's points: rest positions, m. A vertex has that of its point.
   std::vector<Point> points;
   /// Tetrahedra whose last two corners were exchanged on reading, in rising order.
   std::vector<TetId> reoriented;
 };
 
-/// What the parts of a map weigh, bytes, counted from their capacities.
+/// What the parts of a map weigh, bytes, counted from their capacities: all that it holds.
 struct MapBytes {
-  std::size_t darts = 0, attributes = 0, adjacency = 0, handles = 0, vertex_columns = 0;
+  /// CGAL's darts.
+  std::size_t darts = 0;
+  /// CGAL's 0- and 3-attributes.
+  std::size_t attributes = 0;
+  /// Vertex rows and neighbours of each tetrahedron, and the list of reoriented ones.
+  std::size_t adjacency = 0;
+  /// From rows to darts: a dart of each tetrahedron, a corner of each vertex.
+  std::size_t handles = 0;
+  /// Point and incident tetrahedron of each vertex; the file's points.
+  std::size_t vertex_columns = 0;
 };
+
+constexpr std::size_t total(const MapBytes& b) {
+  return b.darts + b.attributes + b.adjacency + b.handles + b.vertex_columns;
+}
 
 /// A 3-map of tetrahedra; a model of `Kernel` that answers queries from its dense side.
 ///
@@ -57,20 +70,21 @@ class VolumeMap {
 
   std::size_t tetrahedra() const { return rows_.corners.size(); }
   /// Vertex rows, retired ones among them.
-  std::size_t vertices() const { return rows_.points.size(); }
+  std::size_t vertices() const { return rows_.point_of_vertex.size(); }
   const std::array<VertexId, 4>& corners(TetId t) const { return rows_.corners[t.index()]; }
   HalfFaceId neighbour(HalfFaceId f) const {
     return rows_.neighbours[f.index() / 4][f.index() % 4];
   }
   TetId incident_tetrahedron(VertexId v) const { return incident_[v.index()]; }
-  const Point& point(VertexId v) const { return rows_.points[v.index()]; }
+  const Point& point(VertexId v) const { return rows_.points[point_of_vertex(v)]; }
   std::uint32_t point_of_vertex(VertexId v) const { return rows_.point_of_vertex[v.index()]; }
 
   /// The columns whole, for loops that stream them; valid until the next change of the map.
   std::span<const std::array<VertexId, 4>> corners() const { return rows_.corners; }
   std::span<const std::array<HalfFaceId, 4>> neighbours() const { return rows_.neighbours; }
-  std::span<const Point> points() const { return rows_.points; }
   std::span<const std::uint32_t> point_of_vertex() const { return rows_.point_of_vertex; }
+  /// By the file's points, not by vertices.
+  std::span<const Point> points() const { return rows_.points; }
   std::span<const TetId> reoriented() const { return rows_.reoriented; }
 
   DartId dart(HalfFaceId f, CornerId from) const;

@@ -25,7 +25,10 @@ struct Tension {
 /// Columns of a mesh that has not moved. Needs: a mesh without errors.
 inline MechanicsState columns_of(const VolumeMap& map, const Material& material) {
   std::vector<Vec3> rest;
-  for (const Point& p : map.points()) rest.emplace_back(p[0], p[1], p[2]);
+  for (std::size_t v = 0; v < map.vertices(); ++v) {
+    const Point& p = map.point(VertexId{v});
+    rest.emplace_back(p[0], p[1], p[2]);
+  }
   const std::vector<Material> materials = {material};
   const Components labels = label_components(map);
   return std::move(*make_state({.rest_positions = rest,

@@ -234,3 +234,15 @@ TEST_CASE("a star of ten thousand tetrahedra is searched as any other", "[topolo
   CHECK(check(map).empty());
   CHECK(cells(map)[4] == 2);
 }
+
+TEST_CASE("a map of 48 000 tetrahedra keeps within its bytes, whole and shattered",
+          "[topology][volume_map][memory]") {
+  VolumeMap map = std::move(*build_map(kuhn_box({20, 20, 20})));
+  const auto each = [](const VolumeMap& m) { return total(m.bytes()) / m.tetrahedra(); };
+  CHECK(each(map) <= 900);
+  for (const HalfFaceId f : interior_faces(map)) split_face(map, f);
+  CHECK(map.vertices() == 4 * map.tetrahedra());
+  CHECK(each(map) <= 1100);
+  const VolumeMap copy = map;
+  CHECK(each(copy) <= each(map));
+}

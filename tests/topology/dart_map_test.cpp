@@ -185,7 +185,7 @@ TEST_CASE("a damaged map is found out", "[topology][volume_map]") {
   });
   damaged([](VolumeMap& map, DartMap& darts) {
     const auto d = darts.dart_at(TetId{5}, 4);
-    darts.complex().info<0>(d) = VertexId{map.vertices() - 1};
+    darts.complex().info<0>(d).row = VertexId{map.vertices() - 1};
   });
   damaged([](VolumeMap&, DartMap& darts) {
     darts.complex().info<3>(darts.dart_at(TetId{0}, 0)) = TetId{1};
