@@ -202,6 +202,7 @@ JudgedKernel volume_map_kernel() {
   const auto body = std::make_shared<Body>();
   JudgedKernel kernel;
   kernel.name = "sunder";
+  kernel.names_findings = true;
   kernel.load = [body](const TetMesh& mesh) { return load(*body, mesh); };
   kernel.split = [body](FaceSide side) { return split(*body, side); };
   kernel.glue = [body](FaceSide a, FaceSide b) { return glue(*body, a, b); };

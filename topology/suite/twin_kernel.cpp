@@ -7,6 +7,7 @@
 #include <set>
 
 #include "topology/suite/glue_twin.hpp"
+#include "topology/suite/homology.hpp"
 #include "topology/suite/judged_kernel.hpp"
 
 namespace sunder::suite {
@@ -75,33 +76,6 @@ std::set<std::string> gluing_faults(const TetMesh& mesh) {
   return codes;
 }
 
-/// Whether the tetrahedra can be oriented alike: two that share a face are alike when the one, with
-/// its fourth point in place of the other's, runs through its points in the other sense.
-bool orientable(const GlueTwin& twin) {
-  std::vector<int> sense(twin.tetrahedra.size(), 0);
-  std::vector<std::uint32_t> stack;
-  for (std::uint32_t seed = 0; seed < sense.size(); ++seed) {
-    if (sense[seed] != 0) continue;
-    sense[seed] = 1;
-    stack.assign(1, seed);
-    while (!stack.empty()) {
-      const std::uint32_t t = stack.back();
-      stack.pop_back();
-      for (std::size_t p = 0; p < 4; ++p) {
-        const HalfFaceId across = twin.glued[4 * t + p];
-        if (across.is_none()) continue;
-        const std::uint32_t u = across.value / 4;
-        Quad other = twin.tetrahedra[u];
-        other[across.value % 4] = twin.tetrahedra[t][p];
-        const int expected = same_sense(twin.tetrahedra[t], other) ? -sense[t] : sense[t];
-        if (sense[u] == 0) stack.push_back(u), sense[u] = expected;
-        if (sense[u] != expected) return false;
-      }
-    }
-  }
-  return true;
-}
-
 struct Twin {
   GlueTwin glue;
 
@@ -118,7 +92,7 @@ std::vector<Finding> load(Twin& twin, const TetMesh& mesh) {
   if (codes.empty()) codes = gluing_faults(mesh);
   if (codes.empty()) {
     twin.glue = glue_twin(mesh.tetrahedra, mesh.points.size());
-    if (!orientable(twin.glue)) codes.insert("non_orientable");
+    if (!is_orientable(twin.glue)) codes.insert("non_orientable");
   }
   std::vector<Finding> findings;
   for (const std::string& code : codes) findings.push_back(refusal(code, "found by the twin"));
@@ -169,7 +143,10 @@ JudgedKernel twin_kernel() {
   kernel.counts = [twin] { return counts(*twin); };
   kernel.vertex_of_corner = [twin] { return corner_classes(twin->glue); };
   kernel.component_of_tetrahedron = [twin] { return component_classes(twin->glue); };
-  kernel.orientable = [twin] { return std::optional<bool>(orientable(twin->glue)); };
+  kernel.homology = [twin]() -> std::optional<IntegerHomology> {
+    return integer_homology(orbit_complex(twin->glue));
+  };
+  kernel.orientable = [twin] { return std::optional<bool>(is_orientable(twin->glue)); };
   return kernel;
 }
 
