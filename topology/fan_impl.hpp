@@ -150,9 +150,8 @@ void order_faces(const K& map, FaceOrder order, std::vector<HalfFaceId>& faces) 
     const auto corners = map.corners(tetrahedron_of(f));
     const auto& places = dart_order::face_corners[place_of(f)];
     for (int i = 0; i < 3; ++i) {
-      if (detail::edge_is_open(map, f, corners[places[i]], corners[places[(i + 1) % 3]])) {
-        return true;
-      }
+      const VertexId a = corners[places[i]], b = corners[places[(i + 1) % 3]];
+      if (detail::walk_round_edge(map, f, a, b).is_open) return true;
     }
     return false;
   });

@@ -79,33 +79,53 @@ bool grow_star(const K& map, VertexId v, CornerId c, int side, TwoSidedStar& sta
   return true;
 }
 
-/// Whether the walk round the edge between rows `a` and `b`, from the tetrahedron of `face` away
-/// from `face`, ends at the boundary (true) or comes back to `face` from its other side.
+/// A walk round an edge.
+struct EdgeWalk {
+  /// It ended at the boundary.
+  bool is_open = false;
+  std::uint32_t visited = 0;
+};
+
+/// Walks round the edge between rows `a` and `b`, from the tetrahedron of `face` away from `face`,
+/// until the boundary or until it comes back to `face` from its other side.
 template <Kernel K>
-bool edge_is_open(const K& map, HalfFaceId face, VertexId a, VertexId b) {
+EdgeWalk walk_round_edge(const K& map, HalfFaceId face, VertexId a, VertexId b) {
   HalfFaceId entered = face;
+  EdgeWalk walk;
   do {
+    ++walk.visited;
     const TetId t = tetrahedron_of(entered);
     const auto corners = map.corners(t);
     const int leave =
         6 - place_of(entered) - place_of_vertex(corners, a) - place_of_vertex(corners, b);
     entered = map.neighbour(half_face(t, leave));
   } while (!entered.is_none() && entered != face);
-  return entered.is_none();
+  walk.is_open = entered.is_none();
+  return walk;
 }
 
+/// A search of a star from two sides.
+struct StarSearch {
+  /// The new row of the other side; none() when the sides met.
+  VertexId copy;
+  std::uint32_t visited = 0;
+};
+
 /// Searches the star of `v` from corners `kept` and `other` in lockstep. When the two sides do not
-/// meet, gives the other side's corners a new row and returns it; none() when they do.
+/// meet, gives the other side's corners a new row.
 template <Kernel K>
-VertexId split_vertex_if_apart(K& map, VertexId v, CornerId kept, CornerId other) {
+StarSearch split_vertex_if_apart(K& map, VertexId v, CornerId kept, CornerId other) {
   TwoSidedStar star;
   star.add(0, kept);
   star.add(1, other);
   std::array<std::size_t, 2> next = {0, 0};
+  const auto visited = [&star] {
+    return static_cast<std::uint32_t>(star.corners(0).size() + star.corners(1).size());
+  };
   int side = 0;
   while (next[side] < star.corners(side).size()) {
     const CornerId c = star.corners(side)[next[side]++];
-    if (!grow_star(map, v, c, side, star)) return VertexId::none();
+    if (!grow_star(map, v, c, side, star)) return {VertexId::none(), visited()};
     side = 1 - side;
   }
   // `side` is walked out. The leaving side has to be known whole, to be given its row.
@@ -114,7 +134,7 @@ VertexId split_vertex_if_apart(K& map, VertexId v, CornerId kept, CornerId other
     grow_star(map, v, c, 1, star);
   }
   const bool staying_is_complete = next[0] == star.corners(0).size();
-  return map.split_vertex({v, star.corners(1), star.corners(0), staying_is_complete});
+  return {map.split_vertex({v, star.corners(1), star.corners(0), staying_is_complete}), visited()};
 }
 
 /// All corners of the orbit that `start` (of row `v`) belongs to.
@@ -156,9 +176,10 @@ FaceSplit split_face(K& map, HalfFaceId face) {
   const auto& places = dart_order::face_corners[place_of(face)];
   for (int i = 0; i < 3; ++i) split.vertices[i] = corners[places[i]];
   for (int i = 0; i < 3; ++i) {
-    if (detail::edge_is_open(map, face, split.vertices[i], split.vertices[(i + 1) % 3])) {
-      split.split_edges |= static_cast<std::uint8_t>(1U << i);
-    }
+    const detail::EdgeWalk walk =
+        detail::walk_round_edge(map, face, split.vertices[i], split.vertices[(i + 1) % 3]);
+    if (walk.is_open) split.split_edges |= static_cast<std::uint8_t>(1U << i);
+    split.visited += walk.visited;
   }
   map.unsew(face);
   for (int i = 0; i < 3; ++i) {
@@ -168,7 +189,8 @@ FaceSplit split_face(K& map, HalfFaceId face) {
     const CornerId kept = corner(tetrahedron_of(face), places[i]);
     const CornerId other =
         corner(tetrahedron_of(split.opposite), place_of_vertex(opposite_corners, v));
-    const VertexId copy = detail::split_vertex_if_apart(map, v, kept, other);
+    const auto [copy, visited] = detail::split_vertex_if_apart(map, v, kept, other);
+    split.visited += visited;
     if (!copy.is_none()) split.split_vertices[split.vertex_count++] = {v, copy};
   }
   return split;

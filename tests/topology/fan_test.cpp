@@ -81,6 +81,35 @@ TEST_CASE("splitting the last face of a fan splits its vertex", "[topology][fan]
   CHECK(check(map).empty());
 }
 
+TEST_CASE("a fan that parts nothing visits as much in a large body as in a small one",
+          "[topology][fan][cost]") {
+  std::vector<std::size_t> visited;
+  for (const int n : {4, 10, 20}) {
+    VolumeMap map = built(kuhn_box({n, n, n}));
+    Components labels = label_components(map);
+    ComponentScratch scratch;
+    const VertexId middle{grid_point({n, n, n}, n / 2, n / 2, n / 2)};
+    std::vector<FaceSplit> splits;
+    std::size_t looked_at = 0;
+    const auto fan = fan_faces(map, middle, {0.3, 0.5, 1});
+    for (const HalfFaceId f : *fan) {
+      splits.push_back(split_face(map, f));
+      // Three edges of at most eight tetrahedra, three stars of at most 24.
+      CHECK(splits.back().visited <= 3 * 8 + 3 * 24);
+      looked_at += splits.back().visited;
+    }
+    const auto update = update_components(map, splits, Detection::exact, labels, scratch);
+    CHECK(update.created == 0);
+    CHECK(splits.size() > 3);
+    visited.push_back(looked_at + update.visited);
+  }
+  CHECK(visited == std::vector<std::size_t>(3, visited[0]));
+  VolumeMap pair = built(two_tetrahedra());
+  // One tetrahedron round each edge, two in each star: nothing else is there.
+  CHECK(split_on(pair, {0, 1, 2}).visited == 3 * 1 + 3 * 2);
+  CHECK(split_on(pair, {0, 1, 2}).visited == 0);
+}
+
 TEST_CASE("a centre exactly on the plane counts as positive, to rounding", "[topology][fan]") {
   // The plane z = 1/4 through a vertex at that height holds the first tetrahedron's centre.
   TetMesh mesh = two_tetrahedra();
