@@ -24,10 +24,15 @@ struct Components {
   std::vector<ComponentId> parent;
 };
 
-/// How separations are found. All three give the same labels; they differ in what they visit.
+/// How separations are found. All four give the same labels; they differ in what they visit.
 enum class Detection {
   /// Walk the whole component after every change (the paper's base line).
   walk,
+  /// Count the vertices of the component that came apart since its labels were last right; walk it
+  /// whole when there are three or more, for the face that parts a component parts three at once.
+  /// Never misses, as the oracle; but three vertices that came apart at different faces of a fan
+  /// count as well.
+  dirty_counter,
   /// Walk it only when the oracle says so (the paper's algorithm 4).
   oracle,
   /// Search in lockstep from the faces the oracle points at: cost of the smaller sides. Default.
@@ -61,6 +66,7 @@ struct ComponentScratch {
   struct Source {
     ComponentId component;
     TetId tetrahedron;
+    int parted = 0;  // vertices that came apart at the face; on one of its two sides only
   };
   std::vector<Source> sources;
 };

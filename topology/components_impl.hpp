@@ -164,11 +164,11 @@ inline void collect_sources(std::span<const FaceSplit> splits, Detection detecti
                             const Components& labels, ComponentScratch& s) {
   s.sources.clear();
   for (const FaceSplit& split : splits) {
-    if (!split.did || (detection != Detection::walk && !oracle_says_new(split))) continue;
-    for (const HalfFaceId f : {split.face, split.opposite}) {
-      const TetId t = tetrahedron_of(f);
-      s.sources.push_back({labels.of_tetrahedron[t.index()], t});
-    }
+    const bool only_suspects = detection == Detection::oracle || detection == Detection::exact;
+    if (!split.did || (only_suspects && !oracle_says_new(split))) continue;
+    const TetId a = tetrahedron_of(split.face), b = tetrahedron_of(split.opposite);
+    s.sources.push_back({labels.of_tetrahedron[a.index()], a, split.vertex_count});
+    s.sources.push_back({labels.of_tetrahedron[b.index()], b, 0});
   }
   std::sort(s.sources.begin(), s.sources.end(),
             [](const ComponentScratch::Source& a, const ComponentScratch::Source& b) {
@@ -236,11 +236,12 @@ ComponentUpdate update_components(const K& map, std::span<const FaceSplit> split
   for (std::size_t first = 0; first < sources.size();) {
     const ComponentId old = sources[first].component;
     detail::Lockstep<K> search(map, scratch);
-    std::size_t last = first;
-    for (; last < sources.size() && sources[last].component == old; ++last) {
-      search.add_source(sources[last].tetrahedron);
+    int parted = 0;
+    for (; first < sources.size() && sources[first].component == old; ++first) {
+      search.add_source(sources[first].tetrahedron);
+      parted += sources[first].parted;
     }
-    first = last;
+    if (detection == Detection::dirty_counter && parted < 3) continue;
     search.run(detection == Detection::exact ? 1 : 0);
     bool rest_keeps_id = search.growing() > 0;
     if (rest_keeps_id) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Components: ids, which part keeps one, and three ways to find separations that agree.
+// Components: ids, which part keeps one, and four ways to find separations that agree.
 #include <map>
 
 #include "tests/topology/built.hpp"
@@ -9,6 +9,10 @@ using namespace sunder::suite;
 using namespace sunder::test;
 
 namespace {
+
+/// From the one that visits most to the one that visits least.
+constexpr std::array<Detection, 4> all_ways = {Detection::walk, Detection::dirty_counter,
+                                               Detection::oracle, Detection::exact};
 
 /// The splits of a plane's section, in order.
 std::vector<FaceSplit> cut_plane(VolumeMap& map, const CuttingPlane& plane) {
@@ -57,7 +61,7 @@ TEST_CASE("the first labels follow the lowest tetrahedra", "[topology][component
 
 TEST_CASE("the largest part keeps the id, and on a tie the one with the lowest tetrahedron",
           "[topology][components]") {
-  for (const Detection detection : {Detection::walk, Detection::oracle, Detection::exact}) {
+  for (const Detection detection : all_ways) {
     for (const double at : {1.5, 2.5, 2.0, 3.1}) {
       INFO("cut at " << at);
       VolumeMap map = built(kuhn_box({4, 1, 1}));
@@ -99,7 +103,7 @@ TEST_CASE("parts of one change get ids in the order of their lowest tetrahedra",
 
 TEST_CASE("fixture 24: a ring cut at both ends in one step is labelled exactly once",
           "[topology][components][fixture]") {
-  for (const Detection detection : {Detection::walk, Detection::oracle, Detection::exact}) {
+  for (const Detection detection : all_ways) {
     VolumeMap map = built(ring({5, 5, 2}));
     Components labels = label_components(map);
     ComponentScratch scratch;
@@ -128,7 +132,7 @@ TEST_CASE("several bodies can come apart in one update", "[topology][components]
   CHECK(labels.parent[4] == ComponentId{1});
 }
 
-TEST_CASE("all three ways give the same labels, after every face, fan or batch",
+TEST_CASE("all four ways give the same labels, after every face, fan or batch",
           "[topology][components]") {
   const std::uint64_t seed = 21;
   INFO("seed " << seed);
@@ -138,10 +142,10 @@ TEST_CASE("all three ways give the same labels, after every face, fan or batch",
       INFO(shape.name << ", " << batch << " at a time");
       VolumeMap map = built(shape.mesh);
       const Components whole = label_components(map);
-      std::array<Components, 3> labels = {whole, whole, whole};
-      std::array<ComponentScratch, 3> scratch;
+      std::array<Components, 4> labels = {whole, whole, whole, whole};
+      std::array<ComponentScratch, 4> scratch;
       std::vector<HalfFaceId> faces = interior_faces(map);
-      std::array<std::size_t, 3> visited = {0, 0, 0};
+      std::array<std::size_t, 4> visited = {0, 0, 0, 0};
       while (!faces.empty()) {
         std::vector<FaceSplit> splits;
         while (!faces.empty() && splits.size() < batch) {
@@ -149,17 +153,13 @@ TEST_CASE("all three ways give the same labels, after every face, fan or batch",
           splits.push_back(split_face(map, faces.back()));
           faces.pop_back();
         }
-        const std::array<Detection, 3> ways = {Detection::walk, Detection::oracle,
-                                               Detection::exact};
-        for (std::size_t i = 0; i < 3; ++i) {
-          visited[i] += update_components(map, splits, ways[i], labels[i], scratch[i]).visited;
+        for (std::size_t i = 0; i < all_ways.size(); ++i) {
+          visited[i] += update_components(map, splits, all_ways[i], labels[i], scratch[i]).visited;
+          REQUIRE(same(labels[0], labels[i]));
         }
-        REQUIRE(same(labels[0], labels[1]));
-        REQUIRE(same(labels[0], labels[2]));
-        require_true(map, labels[2]);
+        require_true(map, labels[3]);
       }
-      CHECK(visited[2] <= visited[1]);
-      CHECK(visited[1] <= visited[0]);
+      for (std::size_t i = 1; i < visited.size(); ++i) CHECK(visited[i] <= visited[i - 1]);
     }
   }
 }
@@ -175,6 +175,32 @@ TEST_CASE("a small piece costs the small piece to find", "[topology][components]
   // Both fronts advance alike until the small one is done: twice its size, and the fronts' width.
   CHECK(update.visited <= 4 * labels.size[1]);
   require_true(map, labels);
+}
+
+TEST_CASE("the dirty counter walks when three vertices came apart, at whichever faces",
+          "[topology][components]") {
+  // Fixture 9, figure 5: in the order c, b, a every face parts one vertex and the oracle says no;
+  // the fan has parted three.
+  VolumeMap map = built(kuhn_box({2, 2, 2}));
+  const Components whole = label_components(map);
+  std::vector<FaceSplit> fan;
+  for (const std::array<std::uint32_t, 3>& f :
+       {std::array<std::uint32_t, 3>{4, 7, 17}, {4, 14, 17}, {1, 4, 14}}) {
+    fan.push_back(split_on(map, f));
+    CHECK(split_count(fan.back()) == SplitCount{1, 2});
+  }
+  const auto visited = [&](std::size_t faces, Detection detection) {
+    Components labels = whole;
+    ComponentScratch scratch;
+    const auto update =
+        update_components(map, std::span(fan).first(faces), detection, labels, scratch);
+    CHECK(update.created == 0);
+    return update.visited;
+  };
+  CHECK(visited(2, Detection::dirty_counter) == 0);
+  CHECK(visited(3, Detection::dirty_counter) == map.tetrahedra());
+  CHECK(visited(3, Detection::oracle) == 0);
+  CHECK(visited(1, Detection::walk) == map.tetrahedra());
 }
 
 TEST_CASE("a part that closes first is not therefore the smaller one", "[topology][components]") {
