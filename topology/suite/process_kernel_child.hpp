@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// A child process that is asked in lines on its stdin and answers in lines on its stdout. What the
+// lines mean is decided elsewhere.
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace sunder::suite {
+
+/// One process under /bin/sh, in a process group of its own; killed with all it started, and
+/// reaped, when the object ends. Its stderr is ours. POSIX only. Not thread-safe.
+class Child {
+ public:
+  /// Throws KernelLost when no process can be started; a command that does not exist shows with
+  /// the first question.
+  explicit Child(const std::string& command);
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+  /// Says `quit`, waits a second for an end in peace, then kills.
+  ~Child();
+
+  struct Limits {
+    double seconds = 60;
+    std::size_t longest_answer = 1 << 20;
+  };
+  /// Sends `text` (whole lines) and gives the one line that comes back, without its end. Writes and
+  /// reads at once, so that full pipes cannot lock. Throws KernelLost, naming the first line of
+  /// `text`: the process ended (how), was silent too long, spoke without being asked, or the answer
+  /// is too long. Do not ask again after that.
+  std::string ask(std::string_view text, const Limits& limits);
+
+ private:
+  std::string how_it_ended();
+  bool exchange(std::string_view& to_send, int milliseconds);
+
+  std::string command_;
+  pid_t process_ = -1;
+  int to_ = -1, from_ = -1;
+  std::string received_;
+  bool ended_ = false;
+};
+
+}  // namespace sunder::suite
