@@ -27,9 +27,10 @@ using VertexName = std::variant<std::uint32_t, CornerAt>;
 struct SplitFace {
   FaceName face;
 };
-/// Glues what a split parted: the two sides that the face had on the intact body.
+/// Glues what a split parted: the two sides that the face of these points had on the intact body,
+/// or two sides with the same three points.
 struct GlueFace {
-  std::array<std::uint32_t, 3> face;
+  std::variant<std::array<std::uint32_t, 3>, std::array<FaceSide, 2>> face;
 };
 /// Splits the fan of a vertex for a normal, in rising order of (tetrahedron, place).
 struct SplitFan {

@@ -9,21 +9,12 @@
 #include <vector>
 
 #include "topology/suite/fixture.hpp"
+#include "topology/suite/judge_checks.hpp"
+#include "topology/suite/judge_truth.hpp"
 #include "topology/suite/judged_kernel.hpp"
+#include "topology/suite/steps.hpp"
 
 namespace sunder::suite {
-
-/// The first answer that was not the expected one.
-struct Mismatch {
-  /// Number of steps done when it showed: 0 right after loading.
-  std::size_t step = 0;
-  /// Which operation of the fixture that was, counted from 1; 0 right after loading.
-  std::size_t operation = 0;
-  /// "edges", "split vertices of face 1 4 14", ...; then what was expected and what was answered.
-  std::string what, expected, answered;
-  /// The shortest sequence of steps found that still shows a mismatch.
-  std::vector<Step> steps;
-};
 
 /// How one kernel did on one fixture.
 struct Verdict {
@@ -36,18 +27,25 @@ struct Verdict {
   std::optional<Mismatch> mismatch;
   /// Why a difference that was seen is expected (`KnownDifference`), empty where there is none.
   std::string known_difference;
+  /// Whether the kernel threw: it may be in no state to go on.
+  bool lost = false;
   /// Time inside the kernel, microseconds.
   double kernel_us = 0;
 };
 
-/// The steps an operation comes to on the body as the twin has it now.
-std::vector<Step> steps_of(const Operation& operation, const GlueTwin& intact, const GlueTwin& now,
-                           const TetMesh& body);
-
 /// Runs one fixture on one kernel. After every step: the split's answer; after every operation:
 /// cell counts, vertex orbits and components as partitions, the kernel's own faults, and all that
-/// the fixture says. Large bodies: counts and partitions at most 64 times a fixture, and at its
-/// end.
+/// the fixture says. Bodies up to 64 tetrahedra: that after every step, too; those above 1 000:
+/// at most 64 times a fixture and where it says counts, and at its end.
+/// `truth`: truth_of(fixture), which all kernels can share.
+/// A mismatch comes with the shortest sequence of steps found that shows one (`shrink`).
+/// A kernel that throws, as one in another process does when it is lost, is a mismatch too.
+Verdict judge(const Fixture& fixture, const Truth& truth, JudgedKernel& kernel);
 Verdict judge(const Fixture& fixture, JudgedKernel& kernel);
+
+/// The first wrong answer of a kernel to `steps` on a body, looked at as `judge` does, each step an
+/// operation; none when all are right, and for a body that it refuses.
+std::optional<Mismatch> first_mismatch(const TetMesh& body, std::span<const Step> steps,
+                                       JudgedKernel& kernel);
 
 }  // namespace sunder::suite
