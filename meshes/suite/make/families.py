@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """All families, in the order of their names."""
 
+import balls
 import page
 
-ALL = page.FAMILIES
+ALL = page.FAMILIES + balls.FAMILIES

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A fixture file: its name, what it shows, where it is from, and a function that makes its cases."""
+"""A fixture file: its name, what it shows, where it is from, and what makes its cases."""
 
 from dataclasses import dataclass
 from typing import Callable

@@ -43,11 +43,12 @@ def usable_tetrahedra(points, tets):
         if volume_sign(points, tet) == 0:
             codes.add("flat_tetrahedron")
         inversions = sum(1 for i, j in EDGES if tet[i] > tet[j]) % 2
-        earlier = first.setdefault(tuple(sorted(tet)), inversions)
-        if tuple(sorted(tet)) in {tuple(sorted(tets[u])) for u in usable}:
-            codes.add("duplicate_tetrahedron" if inversions == earlier else "mirrored_tetrahedron")
-        else:
+        earlier = first.get(key := tuple(sorted(tet)))
+        if earlier is None:
+            first[key] = inversions
             usable.append(t)
+        else:
+            codes.add("duplicate_tetrahedron" if inversions == earlier else "mirrored_tetrahedron")
     return codes, usable
 
 

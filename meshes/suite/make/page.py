@@ -6,40 +6,11 @@ from itertools import permutations
 import shapes
 from case import Case, box_case
 from family import Family
+from operations import (BALL, SHATTERS, fan, glue, plane, shatters, split,
+                        split_side)
 from twin import Glued
 
 PAGE = "topology cases, section 2, fixture "
-BALL = (1, 0, 0)
-SHATTERS = ({"shatter": "rising"}, {"shatter": "falling"}, {"shatter": {"seed": 1}})
-
-
-def split(*face):
-    return {"split": list(face)}
-
-
-def split_side(tetrahedron, opposite):
-    return {"split": {"tetrahedron": tetrahedron, "opposite": opposite}}
-
-
-def glue(*face):
-    return {"glue": list(face)}
-
-
-def fan(point, *normal, tetrahedron=None):
-    at = {} if tetrahedron is None else {"tetrahedron": tetrahedron}
-    return {"fan": at | {"point": point, "normal": list(normal)}}
-
-
-def plane(normal, offset):
-    return {"plane": {"normal": list(normal), "offset": offset}}
-
-
-def shatters(name, body, **more):
-    """Three cases: all faces in the three orders."""
-    return [Case(f"{name}-{order}", body, [operation], **more)
-            for order, operation in zip(("rising", "falling", "seeded"), SHATTERS)]
-
-
 def splits_of(*texts):
     """Page numbers of single splits: "1,2", or "3,3 new" where a component must appear."""
     pages = {}

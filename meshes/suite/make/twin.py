@@ -159,7 +159,7 @@ class Glued:
         return all(sets.root(2 * t) != sets.root(2 * t + 1) for t in range(len(self.tets)))
 
     def place_sign(self, h):
-        """Sign of the face in the boundary of its tetrahedron, corners in rising order of points."""
+        """1 where the face counts negative in the boundary of its tetrahedron, points rising."""
         t, p = divmod(h, 4)
         return sum(1 for x in self.tets[t] if x < self.tets[t][p]) % 2
 
