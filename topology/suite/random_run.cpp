@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+// Families, their shares of the fans, and failures.
+#include "topology/suite/random_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "topology/suite/fixture_json_write.hpp"
+#include "topology/suite/judge.hpp"
+#include "topology/suite/random_run_bodies.hpp"
+
+namespace sunder::suite {
+namespace {
+
+/// Bodies without a face to split may come up; so many in a row end their family.
+constexpr std::size_t most_idle_bodies = 1000;
+
+/// As it is the first time, then now and then in disguise.
+BodyFamily family_of(const NamedMesh& named) {
+  return {named.name, 4, [mesh = named.mesh, first = true](std::mt19937_64& random) mutable {
+            const bool plain = std::exchange(first, false) || below(random, 2) == 0;
+            return plain ? mesh : disguised(mesh, random);
+          }};
+}
+
+void add(CheckCounts& sum, const CheckCounts& times) {
+  sum.splits += times.splits;
+  sum.glues += times.glues;
+  sum.laws += times.laws;
+  sum.betti_changes += times.betti_changes;
+  sum.wholes += times.wholes;
+  sum.fans += times.fans;
+  sum.faults += times.faults;
+  sum.homologies += times.homologies;
+}
+
+/// Tears one body until nothing of it is whole or the family has its fans.
+void tear_body(TearRun& run, Tear& tear, std::size_t fans) {
+  try {
+    judge_whole(tear.trial);
+    while (!tear.trial.checks.first && tear.whole.size() > 0 && run.counts.fans < fans) {
+      tear_once(run, tear);
+    }
+    judge_whole(tear.trial);
+    judge_faults(tear.trial);
+  } catch (const KernelLost& lost) {
+    differ(tear.trial.checks, "the kernel", "an answer", lost.what());
+  }
+}
+
+RandomFailure failure_of(const std::string& family, const RandomOptions& options,
+                         const std::function<JudgedKernel()>& fresh_kernel, Trial& trial) {
+  RandomFailure failure;
+  failure.first = *trial.checks.first;
+  failure.first.steps = trial.steps;
+  failure.found = {std::move(trial.body), std::move(trial.steps)};
+  failure.shrunk = failure.found;
+  const Fails fails = [&fresh_kernel](const TetMesh& body, std::span<const Step> steps) {
+    if (body.tetrahedra.empty()) return false;
+    JudgedKernel kernel = fresh_kernel();
+    return first_mismatch(body, steps, kernel).has_value();
+  };
+  failure.repeats = fails(failure.found.body, failure.found.steps);
+  if (failure.repeats) failure.shrunk = shrink(failure.found.body, failure.found.steps, fails);
+  failure.fixture =
+      fixture_json(failure.shrunk.body, failure.shrunk.steps,
+                   {.name = "random",
+                    .shows = failure.first.what,
+                    .source = fmt::format("random run, seed {}, family {}", options.seed, family)});
+  return failure;
+}
+
+struct FamilyRun {
+  const BodyFamily& family;
+  std::size_t fans = 0;
+  std::uint64_t seed = 0;
+  /// Fans done by the families before.
+  std::size_t done = 0;
+};
+
+FamilyReport run_family(const RandomOptions& options, const FamilyRun& mine,
+                        const std::function<JudgedKernel()>& fresh_kernel) {
+  FamilyReport report;
+  report.name = mine.family.name;
+  TearRun run{.random = std::mt19937_64(mine.seed), .counts = {}, .fresh_kernel = fresh_kernel};
+  JudgedKernel kernel = fresh_kernel();
+  for (std::size_t idle = 0; run.counts.fans < mine.fans && idle < most_idle_bodies; ++idle) {
+    const std::size_t fans_before = run.counts.fans;
+    Tear tear = begin_tear(begin_trial(mine.family.draw(run.random), kernel));
+    const std::size_t tetrahedra = tear.trial.body.tetrahedra.size();
+    report.fewest = report.bodies == 0 ? tetrahedra : std::min(report.fewest, tetrahedra);
+    report.most = std::max(report.most, tetrahedra);
+    report.without_sheet_law += tear.trial.sheets_tell_betti ? 0 : 1;
+    ++report.bodies;
+    tear_body(run, tear, mine.fans);
+    add(report.checks, tear.trial.times);
+    report.comparisons += tear.trial.checks.made;
+    if (options.progress) options.progress(mine.done + run.counts.fans);
+    if (run.counts.fans > fans_before) idle = 0;
+    if (!tear.trial.checks.first) continue;
+    report.failure = failure_of(report.name, options, fresh_kernel, tear.trial);
+    break;
+  }
+  report.counts = run.counts;
+  return report;
+}
+
+}  // namespace
+
+RandomReport run_random(const RandomOptions& options,
+                        const std::function<JudgedKernel()>& fresh_kernel) {
+  std::vector<BodyFamily> families = body_families(options.largest);
+  for (const NamedMesh& mesh : options.meshes) families.push_back(family_of(mesh));
+  std::size_t shares = 0, share = 0;
+  for (const BodyFamily& family : families) shares += family.share;
+  RandomReport report;
+  for (std::size_t i = 0; i < families.size(); ++i) {
+    const std::size_t begin = options.fans * share / shares;
+    share += families[i].share;
+    // Families must not depend on each other's draws: each could be run alone.
+    const FamilyRun mine{.family = families[i],
+                         .fans = options.fans * share / shares - begin,
+                         .seed = options.seed + 0x9e3779b97f4a7c15U * (i + 1),
+                         .done = begin};
+    report.families.push_back(run_family(options, mine, fresh_kernel));
+  }
+  return report;
+}
+
+}  // namespace sunder::suite

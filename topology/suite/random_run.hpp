@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// The long run: random bodies torn apart at random, every answer of a kernel judged; and what is
+// left of a failure when everything that it does not need is taken away.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "topology/suite/judged_kernel.hpp"
+#include "topology/suite/random_run_tear.hpp"
+#include "topology/suite/shapes.hpp"
+#include "topology/suite/shrink.hpp"
+
+namespace sunder::suite {
+
+struct RandomOptions {
+  /// Fans with at least one face, over all families together.
+  std::size_t fans = 1000;
+  std::uint64_t seed = 1;
+  /// Bodies beside the generated ones, a family each. Needs: the kernel can take them.
+  std::vector<NamedMesh> meshes;
+  /// Families whose bodies can have more tetrahedra than this are left out (`meshes` are not).
+  std::size_t largest = 6000;
+  /// Called now and then with the number of fans done. May be empty.
+  std::function<void(std::size_t)> progress;
+};
+
+/// A run that went wrong.
+struct RandomFailure {
+  /// The mismatch as it was first seen; `steps` are all that had been done.
+  Mismatch first;
+  /// The body and the steps it was seen on, and what is left of them.
+  StepsOnBody found, shrunk;
+  /// False: the kernel did right when asked the same again, or the wrong answer was not one to a
+  /// step (a fan's faces, homology); then nothing was taken away.
+  bool repeats = false;
+  /// A fixture file (docs/suite.md) with the shrunk run, ready to be saved.
+  std::string fixture;
+};
+
+struct FamilyReport {
+  std::string name;
+  std::size_t bodies = 0;
+  /// Of all bodies: fewest and most tetrahedra.
+  std::size_t fewest = 0, most = 0;
+  TearCounts counts;
+  CheckCounts checks;
+  /// Single comparisons.
+  std::size_t comparisons = 0;
+  /// Bodies whose Betti numbers over GF(2) are not told by sheets: the laws that need it are left
+  /// out there. 0 for generated bodies.
+  std::size_t without_sheet_law = 0;
+  /// The family ends with its first failure.
+  std::optional<RandomFailure> failure;
+};
+
+struct RandomReport {
+  std::vector<FamilyReport> families;
+};
+
+/// Tears bodies of every family (random_run_bodies.hpp) until `fans` fans are split; see
+/// random_run_tear.hpp for what is done and random_run_trial.hpp for what is checked.
+/// `fresh_kernel` makes a kernel without a body; all are of one kind. Same seed and kernel, same
+/// report, on every machine. About 0.5 ms a fan for kernels as fast as `volume_map_kernel`.
+RandomReport run_random(const RandomOptions& options,
+                        const std::function<JudgedKernel()>& fresh_kernel);
+
+}  // namespace sunder::suite
