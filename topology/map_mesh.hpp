@@ -2,6 +2,9 @@
 // From a map back to a mesh as files hold it.
 #pragma once
 
+#include <vector>
+
+#include "topology/ids.hpp"
 #include "topology/tet_mesh.hpp"
 #include "topology/volume_map.hpp"
 
@@ -20,7 +23,17 @@ enum class MeshPoints {
 /// names and source numbers of tetrahedra from `source`. Source numbers of points are kept only
 /// with `MeshPoints::source`, since several vertices can share one.
 /// Needs: a map built from `source`, split or glued since or not. O(|T|).
-/// An inner crack with no split vertex (fixture 12) has no trace in any mesh: files hold it not.
+/// A cut that splits no vertex (fixture 12) has no trace in any mesh: see `unexpressed_cuts`.
 TetMesh mesh_of_map(const VolumeMap& map, const TetMesh& source, MeshPoints points);
+
+/// Cut faces that no mesh of the map can express: both sides have the same three vertices, so that
+/// a reader sews them again. Each once, from its lower half-face, in rising order.
+///
+/// Splitting exactly these, in any order, in the map built from such a mesh gives the same rows and
+/// neighbours again: their vertices are single orbits at the end, so none of them splits on the
+/// way. O(boundary log boundary) after a pass over the faces.
+/// Needs: a map built from a mesh, split or glued since or not. Trap: in a body with inverted
+/// tetrahedra a piece by itself may be turned over on reading, and has two corners exchanged then.
+std::vector<HalfFaceId> unexpressed_cuts(const VolumeMap& map);
 
 }  // namespace sunder

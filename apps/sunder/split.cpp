@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "apps/sunder/split_faces.hpp"
+#include "apps/sunder/split_output.hpp"
 #include "apps/sunder/words.hpp"
 #include "topology/build_map.hpp"
 #include "topology/invariants.hpp"
@@ -25,12 +26,21 @@ one after the other. Points are rows of the mesh file, counted from 0; lengths a
 that is not interior is told in its row of the answer, and changes nothing.
 
 Answer: the counts before and after, and for each face, in the order of splitting, which of its
-vertices and edges came apart, whether all three vertices did (the oracle), and whether a new
-component came off. With -o the cut mesh is written: every copy of a vertex is a point of its own,
-and the region of a tetrahedron is its component, numbered from 1.
+vertices and edges came apart, whether all three vertices did (the oracle), whether a new component
+came off, and how many tetrahedra the search for components visited to know. --oracle chooses that
+search; the answers are the same, the visits are not:
+  exact  when the oracle says yes, from both sides of the face until one side is known whole
+  paper  when the oracle says yes, the whole component (algorithm 4 of the paper)
+  walk   the whole component after every face
+
+With -o the cut mesh is written: every copy of a vertex is a point of its own, and the region of a
+tetrahedron is its component, numbered from 1. A cut face whose two sides still have the same three
+points cannot be told by vertex numbers: such faces are listed in OUT.cuts, and
+`sunder split OUT --faces OUT.cuts` has the same map again. When there is none, an OUT.cuts of an
+earlier run is removed.
 
 Exit codes: 0 done, 2 usage (also a vertex or normal that cannot be), 3 mesh or list of faces
-unreadable or invalid, 4 OUT not written.
+unreadable or invalid, 4 OUT or OUT.cuts not written.
 
 Examples:
   sunder split meshes/two_tets.msh --plane 0,0,1,0 -o halves.vtu
@@ -45,6 +55,7 @@ struct SplitArguments {
   std::string plane;
   std::filesystem::path output;
   FaceOrder order = FaceOrder::given;
+  Detection oracle = Detection::exact;
   bool json = false;
 };
 
@@ -55,6 +66,8 @@ struct SplitRow {
   std::string error;
   bool oracle = false;
   bool new_component = false;
+  /// Tetrahedra that the search for components looked at.
+  std::size_t visited = 0;
   /// Rows of the file's points, in rising order.
   std::vector<std::uint32_t> vertices;
   std::vector<std::array<std::uint32_t, 2>> edges;
@@ -65,6 +78,12 @@ struct SplitAnswer {
   Counts before, after;
   std::vector<SplitRow> rows;
 };
+
+std::size_t visited_by_all(const SplitAnswer& answer) {
+  std::size_t sum = 0;
+  for (const SplitRow& row : answer.rows) sum += row.visited;
+  return sum;
+}
 
 SplitRow row_of(const VolumeMap& map, const FaceRequest& request, const FaceSplit& split) {
   SplitRow row{.request = request, .oracle = oracle_says_new(split)};
@@ -84,7 +103,7 @@ SplitRow row_of(const VolumeMap& map, const FaceRequest& request, const FaceSpli
 
 /// Splits the faces one after the other; `components` follows.
 std::vector<SplitRow> split_all(VolumeMap& map, const std::vector<FaceRequest>& requests,
-                                Components& components) {
+                                Detection detection, Components& components) {
   ComponentScratch scratch;
   std::vector<SplitRow> rows;
   for (const FaceRequest& request : requests) {
@@ -94,9 +113,10 @@ std::vector<SplitRow> split_all(VolumeMap& map, const std::vector<FaceRequest>& 
     }
     const FaceSplit split = split_face(map, request.face);
     const ComponentUpdate update =
-        update_components(map, std::span(&split, 1), Detection::exact, components, scratch);
+        update_components(map, std::span(&split, 1), detection, components, scratch);
     rows.push_back(row_of(map, request, split));
     rows.back().new_component = update.created > 0;
+    rows.back().visited = update.visited;
   }
   return rows;
 }
@@ -118,11 +138,13 @@ void print_json(const SplitAnswer& answer, const std::vector<Finding>& findings)
                       {"split_vertices", row.vertices},
                       {"split_edges", row.edges},
                       {"oracle", row.oracle},
-                      {"new_component", row.new_component}});
+                      {"new_component", row.new_component},
+                      {"visited", row.visited}});
   }
   const nlohmann::ordered_json json{{"before", counts_json(answer.file_vertices, answer.before)},
                                     {"after", counts_json(answer.file_vertices, answer.after)},
                                     {"splits", splits},
+                                    {"visited", visited_by_all(answer)},
                                     {"findings", findings_json(findings)}};
   fmt::print("{}\n", json.dump(2));
 }
@@ -143,12 +165,13 @@ void print_counts(const SplitAnswer& answer) {
   line("Euler characteristic", a.euler_characteristic, b.euler_characteristic);
   line("Betti numbers", betti_text(a), betti_text(b));
   line("volume, m^3", fmt::format("{:.6g}", a.volume), fmt::format("{:.6g}", b.volume));
+  fmt::print("\nvisited by the search for components: {} tetrahedra\n", visited_by_all(answer));
 }
 
 void print_table(const SplitAnswer& answer) {
   print_counts(answer);
-  fmt::print("\n{:<22}{:<20}{:<36}{:<8}{}\n", "face", "vertices split", "edges split", "oracle",
-             "new component");
+  fmt::print("\n{:<22}{:<20}{:<36}{:<8}{:<15}{}\n", "face", "vertices split", "edges split",
+             "oracle", "new component", "visited");
   for (const SplitRow& row : answer.rows) {
     const std::string face = fmt::format("{}", fmt::join(row.request.points, " "));
     if (!row.error.empty()) {
@@ -159,10 +182,10 @@ void print_table(const SplitAnswer& answer) {
     for (const auto& edge : row.edges) {
       edges += fmt::format("{}{}-{}", edges.empty() ? "" : " ", edge[0], edge[1]);
     }
-    fmt::print("{:<22}{:<20}{:<36}{:<8}{}\n", face,
+    fmt::print("{:<22}{:<20}{:<36}{:<8}{:<15}{}\n", face,
                row.vertices.empty() ? "-" : fmt::format("{}", fmt::join(row.vertices, " ")),
                edges.empty() ? "-" : edges, row.oracle ? "yes" : "no",
-               row.new_component ? "yes" : "no");
+               row.new_component ? "yes" : "no", row.visited);
   }
 }
 
@@ -190,22 +213,6 @@ ExitCode refuse(const SplitArguments& arguments, const std::vector<Finding>& fin
   return exit_code;
 }
 
-/// Writes the cut mesh; what was lost or failed is appended to `findings`.
-void write_output(const SplitArguments& arguments, const TetMesh& file, TetMesh cut,
-                  std::vector<Finding>& findings) {
-  // Copies share their point's number, which only VTU can say.
-  if (format_of_name(arguments.output) == MeshFormat::msh) cut.source_point_id.clear();
-  if (!file.region.empty()) {
-    findings.push_back({.code = "regions_replaced",
-                        .severity = Severity::note,
-                        .text = "the mesh's own regions give way to components",
-                        .remedy = "take them from the input: tetrahedra keep their rows",
-                        .file = arguments.output.string()});
-  }
-  const std::vector<Finding> written = write_mesh(arguments.output, cut);
-  findings.insert(findings.end(), written.begin(), written.end());
-}
-
 ExitCode run_split(const SplitArguments& arguments) {
   Result<TetMesh> mesh = read_mesh(arguments.mesh);
   if (!mesh) return refuse(arguments, mesh.findings, ExitCode::bad_input);
@@ -225,10 +232,11 @@ ExitCode run_split(const SplitArguments& arguments) {
 
   SplitAnswer answer{.file_vertices = mesh->points.size(), .before = count_cells(*map)};
   Components components = label_components(*map);
-  answer.rows = split_all(*map, *requests, components);
+  answer.rows = split_all(*map, *requests, arguments.oracle, components);
   answer.after = count_cells(*map);
   if (!arguments.output.empty()) {
-    write_output(arguments, *mesh, cut_mesh(*mesh, *map, components), findings);
+    const auto written = write_cut_body(arguments.output, {*mesh, *map, components});
+    findings.insert(findings.end(), written.begin(), written.end());
   }
   arguments.json ? print_json(answer, findings) : print_table(answer);
   fmt::print(stderr, "{}", finding_lines(findings));
@@ -271,6 +279,15 @@ void add_options(CLI::App& command, SplitArguments& arguments) {
       ->transform(
           CLI::CheckedTransformer(std::map<std::string, FaceOrder>{{"given", FaceOrder::given},
                                                                    {"paper", FaceOrder::paper}})
+              .description(""));
+  command
+      .add_option("--oracle", arguments.oracle,
+                  "How components are found: exact (default), paper, walk; same answers")
+      ->type_name("exact|paper|walk")
+      ->transform(
+          CLI::CheckedTransformer(std::map<std::string, Detection>{{"exact", Detection::exact},
+                                                                   {"paper", Detection::oracle},
+                                                                   {"walk", Detection::walk}})
               .description(""));
   command.add_option("-o,--output", arguments.output, "Write the cut mesh (.msh or .vtu)")
       ->type_name("OUT");

@@ -8,7 +8,6 @@
 #include <charconv>
 #include <fstream>
 #include <iterator>
-#include <numeric>
 #include <sstream>
 #include <unordered_map>
 
@@ -142,37 +141,6 @@ std::string refusal_of(const VolumeMap& map, const FaceRequest& request) {
     return "not an interior face: only one tetrahedron has it, or it was split before";
   }
   return {};
-}
-
-TetMesh cut_mesh(const TetMesh& file, const VolumeMap& map, const Components& components) {
-  TetMesh cut;
-  cut.points = file.points;
-  cut.source_tetrahedron_id = file.source_tetrahedron_id;
-  cut.source_point_id = file.source_point_id;
-  if (cut.source_point_id.empty()) {
-    cut.source_point_id.resize(file.points.size());
-    std::iota(cut.source_point_id.begin(), cut.source_point_id.end(), 1);
-  }
-  std::vector<char> taken(file.points.size(), 0);
-  std::vector<std::uint32_t> point_of_row(map.vertices());
-  for (std::size_t row = 0; row < map.vertices(); ++row) {
-    const std::uint32_t point = map.point_of_vertex(VertexId{row});
-    point_of_row[row] = point;
-    if (taken[point]) {
-      point_of_row[row] = static_cast<std::uint32_t>(cut.points.size());
-      cut.points.push_back(file.points[point]);
-      cut.source_point_id.push_back(cut.source_point_id[point]);
-    }
-    taken[point] = 1;
-  }
-  for (const auto& corners : map.corners()) {
-    auto& tetrahedron = cut.tetrahedra.emplace_back();
-    for (int k = 0; k < 4; ++k) tetrahedron[k] = point_of_row[corners[k].index()];
-  }
-  for (const ComponentId component : components.of_tetrahedron) {
-    cut.region.push_back(static_cast<std::int32_t>(component.value) + 1);
-  }
-  return cut;
 }
 
 }  // namespace sunder

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which faces `sunder split` is to split, as the user names them; and the mesh that is left.
+// Which faces `sunder split` is to split, as the user names them.
 #pragma once
 
 #include <array>
@@ -8,10 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "topology/components.hpp"
 #include "topology/fan.hpp"
 #include "topology/finding.hpp"
-#include "topology/tet_mesh.hpp"
 #include "topology/volume_map.hpp"
 
 namespace sunder {
@@ -43,9 +41,5 @@ void order_requests(const VolumeMap& map, FaceOrder order, std::vector<FaceReque
 
 /// Why a face cannot be split, in words; empty when it can.
 std::string refusal_of(const VolumeMap& map, const FaceRequest& request);
-
-/// The body as it is cut now: the file's points in their rows, then one more for each further
-/// vertex there; region = component + 1; source numbers of points lead back to the file.
-TetMesh cut_mesh(const TetMesh& file, const VolumeMap& map, const Components& components);
 
 }  // namespace sunder

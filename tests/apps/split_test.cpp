@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // `sunder split`: the paper's figures and the fixtures of topology_cases through the command.
+#include <fmt/format.h>
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <set>
 
 #include "program.hpp"
-#include "topology/suite/shapes.hpp"
 #include "topology/io/mesh_file.hpp"
+#include "topology/suite/shapes.hpp"
 
 using namespace sunder;
 using namespace sunder::suite;
@@ -180,6 +182,119 @@ TEST_CASE("the cut mesh has its vertices doubled and a region a component", "[ap
     CHECK(checked[key] == after[key]);
   }
   CHECK(here.names() == std::vector<std::string>{name});
+}
+
+TEST_CASE("the three oracles answer alike and visit less and less", "[apps][split][oracle]") {
+  const Workplace here;
+  const auto answer = [&](const std::string& mesh, const std::string& oracle) {
+    const Outcome outcome =
+        here.run({"split", mesh, "--plane", "1,0.2,0,1.3", "--oracle", oracle, "--json"});
+    CHECK(outcome.exit_code == 0);
+    return outcome.json();
+  };
+  for (const std::string& mesh : {sample_mesh("ring.msh"), here.write("b.msh", ring({5, 4, 2}))}) {
+    std::vector<std::size_t> visited;
+    std::vector<json> answers;
+    for (const std::string oracle : {"walk", "paper", "exact"}) {
+      answers.push_back(answer(mesh, oracle));
+      visited.push_back(answers.back()["visited"]);
+      std::size_t sum = 0;
+      for (json& split : answers.back()["splits"]) {
+        sum += split["visited"].get<std::size_t>();
+        split.erase("visited");
+      }
+      CHECK(sum == visited.back());
+      answers.back().erase("visited");
+    }
+    CHECK(answers[0] == answers[1]);
+    CHECK(answers[0] == answers[2]);
+    CHECK(visited[0] > visited[1]);
+    CHECK(visited[1] > visited[2]);
+  }
+  const Outcome table =
+      here.run({"split", sample_mesh("ring.msh"), "--plane", "1,0,0,1.01", "--oracle", "paper"});
+  CHECK(table.out.find("visited by the search for components") != std::string::npos);
+  CHECK(here.run({"split", sample_mesh("ring.msh"), "--plane", "1,0,0,1", "--oracle", "delphi"})
+            .exit_code == 2);
+}
+
+TEST_CASE("the paper's oracle walks the whole component at each yes, the walk at each face",
+          "[apps][split][oracle][figure4]") {
+  const Workplace here;
+  const std::string faces = here.write("faces.txt", "1 5 21\n1 17 21\n9 13 29\n9 25 29\n");
+  const auto visited = [&](const std::string& oracle) {
+    const json answer =
+        here.run({"split", sample_mesh("ring.msh"), "--faces", faces, "--oracle", oracle, "--json"})
+            .json();
+    std::vector<std::size_t> counts;
+    for (const json& split : answer["splits"]) counts.push_back(split["visited"]);
+    return counts;
+  };
+  CHECK(visited("walk") == std::vector<std::size_t>{48, 48, 48, 48});
+  CHECK(visited("paper") == std::vector<std::size_t>{0, 48, 0, 48});
+  const auto exact = visited("exact");
+  CHECK(exact[0] == 0);
+  CHECK(exact[2] == 0);
+  CHECK(exact[3] <= 48);
+}
+
+TEST_CASE("cuts that vertex numbers cannot tell are listed beside, and give the same map again",
+          "[apps][split][cuts]") {
+  const std::string end = GENERATE(".msh", ".vtu");
+  const Workplace here;
+  const std::string mesh = here.write("box.msh", kuhn_box({4, 4, 4}));
+  // Fixture 12: a crack of two faces inside the body.
+  const std::string faces = here.write("faces.txt", "32 37 62\n32 57 62\n");
+  const std::string once = here.path("once" + end), twice = here.path("twice" + end);
+  const json first = here.run({"split", mesh, "--faces", faces, "-o", once, "--json"}).json();
+  CHECK(here.names() ==
+        std::vector<std::string>{"box.msh", "faces.txt", "once" + end, "once" + end + ".cuts"});
+  CHECK(first["findings"].back()["code"] == "cuts_beside");
+  CHECK(first["findings"].back()["count"] == 2);
+  CHECK(here.run({"check", once, "--json"}).json()["counts"]["faces"] == 864);
+  const Outcome again = here.run({"split", once, "--faces", once + ".cuts", "-o", twice, "--json"});
+  CHECK(again.exit_code == 0);
+  CHECK(again.json()["after"] == first["after"]);
+  const Result<TetMesh> a = read_mesh(std::filesystem::path(once)),
+                        b = read_mesh(std::filesystem::path(twice));
+  CHECK(a->tetrahedra == b->tetrahedra);
+  CHECK(a->points == b->points);
+  CHECK(a->region == b->region);
+  // Without such cuts the list of an earlier run is removed; a file that is none of ours is not.
+  CHECK(here.run({"split", mesh, "--plane", "0,0,1,2", "-o", once}).exit_code == 0);
+  CHECK_FALSE(std::filesystem::exists(once + ".cuts"));
+  here.write("twice" + end + ".cuts", "0 1 2\n");
+  CHECK(here.run({"split", mesh, "--plane", "0,0,1,2", "-o", twice}).exit_code == 0);
+  CHECK(std::filesystem::exists(twice + ".cuts"));
+}
+
+TEST_CASE("random cuts of many bodies are restored by the mesh and its list",
+          "[apps][split][cuts]") {
+  const std::uint64_t seed = 71;
+  INFO("seed " << seed);
+  std::mt19937_64 random(seed);
+  const Workplace here;
+  for (const NamedMesh& shape : all_shapes()) {
+    if (shape.mesh.tetrahedra.size() < 20) continue;
+    INFO(shape.name);
+    const std::string mesh = here.write("a.msh", shape.mesh);
+    std::string list;
+    for (const auto& t : shape.mesh.tetrahedra) {
+      if (below(random, 6) == 0) list += fmt::format("{} {} {}\n", t[0], t[1], t[2]);
+    }
+    const std::string once = here.path("b.vtu"), cuts = once + ".cuts", twice = here.path("c.vtu");
+    const json first =
+        here.run({"split", mesh, "--faces", here.write("f.txt", list), "-o", once, "--json"})
+            .json();
+    if (!std::filesystem::exists(cuts)) here.write("b.vtu.cuts", "");
+    const json second = here.run({"split", once, "--faces", cuts, "-o", twice, "--json"}).json();
+    for (const char* key : {"vertices", "edges", "faces", "components", "boundary_sheets"}) {
+      CHECK(first["after"][key] == second["after"][key]);
+    }
+    CHECK(read_mesh(std::filesystem::path(once))->tetrahedra ==
+          read_mesh(std::filesystem::path(twice))->tetrahedra);
+    std::filesystem::remove(cuts);
+  }
 }
 
 TEST_CASE("the same command gives the same bytes", "[apps][split]") {

@@ -2,7 +2,14 @@
 // A map written as a mesh and read again.
 #include "topology/map_mesh.hpp"
 
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+
 #include "tests/topology/built.hpp"
+#include "topology/io/mesh_file.hpp"
 
 using namespace sunder;
 using namespace sunder::suite;
@@ -36,6 +43,78 @@ TEST_CASE("a split map written with its vertices reads back as the same map",
     }
     CHECK(a.boundary_faces == b.boundary_faces + lost);
     if (lost == 0) CHECK(cells(a) == cells(b));
+  }
+}
+
+TEST_CASE("a cut mesh and its unexpressed cuts restore the same map, row for row",
+          "[topology][map_mesh]") {
+  const std::uint64_t seed = 62;
+  INFO("seed " << seed);
+  std::mt19937_64 random(seed);
+  const auto path = [](const char* end) {
+    return std::filesystem::temp_directory_path() / fmt::format("sunder_{}{}", getpid(), end);
+  };
+  std::size_t unexpressed = 0;
+  for (const NamedMesh& shape : all_shapes()) {
+    for (const std::size_t part : {1U, 4U, 16U}) {
+      INFO(shape.name << ", one face in " << part);
+      VolumeMap map = built(shape.mesh);
+      for (const HalfFaceId f : interior_faces(map)) {
+        if (below(random, part) == 0) split_face(map, f);
+      }
+      const std::vector<HalfFaceId> cuts = unexpressed_cuts(map);
+      unexpressed += cuts.size();
+      const TetMesh written = mesh_of_map(map, shape.mesh, MeshPoints::vertices);
+      std::vector<std::array<std::uint32_t, 3>> triples;
+      for (const HalfFaceId f : cuts) {
+        auto& triple = triples.emplace_back();
+        for (int k = 0; k < 3; ++k) {
+          triple[k] = written.tetrahedra[f.index() / 4][dart_order::face_corners[place_of(f)][k]];
+        }
+      }
+      for (const char* end : {".msh", ".vtu"}) {
+        REQUIRE_FALSE(has_error(write_mesh(path(end), written)));
+        const Result<TetMesh> read = read_mesh(path(end));
+        std::filesystem::remove(path(end));
+        REQUIRE(read);
+        VolumeMap again = built(*read);
+        std::vector<HalfFaceId> faces =
+            find_faces(again, std::span<const std::array<std::uint32_t, 3>>(triples));
+        CHECK(faces == cuts);
+        std::reverse(faces.begin(), faces.end());  // in whichever order
+        for (const HalfFaceId f : faces) CHECK(split_face(again, f).vertex_count == 0);
+        if (!again.reoriented().empty()) {
+          // It has no place in space: a piece of it alone has a negative volume.
+          CHECK(shape.name == "closed simplex boundary");
+          continue;
+        }
+        CHECK(std::ranges::equal(again.corners(), map.corners()));
+        CHECK(std::ranges::equal(again.neighbours(), map.neighbours()));
+        for (std::size_t v = 0; v < map.vertices(); ++v) {
+          REQUIRE(again.point(VertexId{v}) == map.point(VertexId{v}));
+        }
+        CHECK(label_components(again).of_tetrahedron == label_components(map).of_tetrahedron);
+        CHECK(unexpressed_cuts(again) == cuts);
+      }
+    }
+  }
+  CHECK(unexpressed > 100);
+}
+
+TEST_CASE("only cuts that split no vertex between their sides are unexpressed",
+          "[topology][map_mesh]") {
+  VolumeMap map = built(kuhn_box({4, 4, 4}));
+  CHECK(unexpressed_cuts(map).empty());
+  // Fixture 12: a crack of two faces inside a body.
+  std::vector<HalfFaceId> cuts = {face_on(map, {32, 37, 62}), face_on(map, {32, 57, 62})};
+  for (const HalfFaceId f : cuts) split_face(map, f);
+  std::sort(cuts.begin(), cuts.end());
+  CHECK(unexpressed_cuts(map) == cuts);
+  // Cut through to the surface everywhere, every face has two sides of its own.
+  const auto section = plane_faces(map, {{0, 0, 1}, 2});
+  for (const HalfFaceId f : *section) split_face(map, f);
+  for (const HalfFaceId f : *section) {
+    CHECK(std::ranges::count(unexpressed_cuts(map), f) == 0);
   }
 }
 
