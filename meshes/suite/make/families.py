@@ -2,6 +2,7 @@
 """All families, in the order of their names."""
 
 import balls
+import manifolds
 import page
 
-ALL = page.FAMILIES + balls.FAMILIES
+ALL = page.FAMILIES + balls.FAMILIES + manifolds.FAMILIES
