@@ -24,6 +24,8 @@ void compare_wholes(JudgedKernel& kernel, JudgedKernel& twin) {
   CHECK(same_partition(kernel.component_of_tetrahedron(), twin.component_of_tetrahedron()));
   if (kernel.own_faults) CHECK(kernel.own_faults() == std::vector<std::string>{});
   if (kernel.orientable) CHECK(kernel.orientable() == twin.orientable());
+  if (!kernel.homology) return;
+  if (const auto homology = kernel.homology()) CHECK(homology == twin.homology());
 }
 
 }  // namespace
@@ -80,9 +82,8 @@ void walk_beside_twin(JudgedKernel& kernel, const TetMesh& mesh, const Walk& wal
       REQUIRE(answer == expected);
       if (answer.did) cut.push_back(face);
     }
-    if (step % walk.every == 0) compare_wholes(kernel, twin);
+    if (step % walk.every == 0 || step == walk.steps) compare_wholes(kernel, twin);
   }
-  compare_wholes(kernel, twin);
 }
 
 }  // namespace sunder::test

@@ -19,8 +19,10 @@
 namespace sunder::suite {
 namespace {
 
-constexpr std::array<Detection, 3> all_detections = {Detection::walk, Detection::oracle,
-                                                     Detection::exact};
+constexpr std::array<Detection, 4> all_detections = {Detection::walk, Detection::dirty_counter,
+                                                     Detection::oracle, Detection::exact};
+constexpr std::array<const char*, 4> detection_names = {"walks", "the dirty counter",
+                                                        "the bare oracle", "lockstep"};
 
 struct Body {
   std::optional<VolumeMap> map;
@@ -28,7 +30,7 @@ struct Body {
   /// Updated after every split, which tells whether it separated.
   Components labels;
   /// Updated by each way of detection with all splits since the last look at the faults.
-  std::array<Components, 3> batched;
+  std::array<Components, all_detections.size()> batched;
   std::vector<FaceSplit> batch;
   /// Gluing makes labels void; they are walked anew when somebody asks.
   bool labels_are_void = true;
@@ -150,7 +152,7 @@ bool same_partition(const std::vector<Row>& a, const std::vector<Row>& b) {
 }
 
 void judge_labels(Body& body) {
-  const auto expect = [&body](bool holds, const char* what) {
+  const auto expect = [&body](bool holds, const std::string& what) {
     if (!holds) body.faults.push_back("after split " + std::to_string(body.splits) + ": " + what);
   };
   label_anew(body);
@@ -162,8 +164,7 @@ void judge_labels(Body& body) {
     const Components &a = body.batched[0], &b = body.batched[i];
     expect(a.of_tetrahedron == b.of_tetrahedron && a.of_vertex == b.of_vertex && a.size == b.size &&
                a.parent == b.parent,
-           i == 1 ? "labels by the bare oracle are not those by walks"
-                  : "labels by lockstep are not those by walks");
+           std::string("labels by ") + detection_names[i] + " are not those by walks");
   }
   const Components walked = label_components(*body.map);
   for (const Components* labels : {&body.labels, &body.batched[0]}) {

@@ -46,5 +46,4 @@ class Liar(minimal.Kernel):
 
 if __name__ == "__main__":
     liar = Liar(sys.argv[1], int(sys.argv[2]) if len(sys.argv) > 2 else 0)
-    minimal.Kernel = lambda: liar
-    minimal.main()
+    minimal.serve(liar, "liar glue orientable")

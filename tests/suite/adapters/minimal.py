@@ -123,33 +123,40 @@ class Kernel:
                     queue += at_edge.pop(edge, [])
         return f"counts {count(1)} {count(2)} {count(3)} {len(self.tetrahedra)} {count(0)} {boundary} {sheets}"
 
+    def vertices(self):
+        return self.numbers([(t, (p,)) for t, corners in enumerate(self.tetrahedra) for p in corners])
+
+    def components(self):
+        return self.numbers([(t, ()) for t in range(len(self.tetrahedra))])
+
     def numbers(self, cells):
         """Names of classes as numbers, in the order of the cells asked for."""
         name, number = self.classes(), {}
-        return " ".join(str(number.setdefault(name[c], len(number))) for c in cells)
+        return [number.setdefault(name[c], len(number)) for c in cells]
 
 
-def main():
-    kernel, read = Kernel(), sys.stdin.readline
+def serve(kernel, name_and_gifts):
+    """Reads questions and answers them, one line each, until there are no more."""
+    read = sys.stdin.readline
     while line := read():
         word, *rest = line.split()
-        n = [int(x) for x in rest] if word != "hello" else []
         if word == "hello":
-            answer = "hello 1 minimal glue orientable"
+            answer = "hello 1 " + name_and_gifts
         elif word == "mesh":
-            points = [tuple(map(float, read().split())) for _ in range(n[0])]
-            answer = kernel.load(points, [tuple(map(int, read().split())) for _ in range(n[1])])
+            points = [tuple(map(float, read().split())) for _ in range(int(rest[0]))]
+            tetrahedra = [tuple(map(int, read().split())) for _ in range(int(rest[1]))]
+            answer = kernel.load(points, tetrahedra)
         elif word == "split":
-            answer = kernel.split(*n)
+            answer = kernel.split(*map(int, rest))
         elif word == "glue":
-            answer = kernel.glue((n[0], n[1]), (n[2], n[3]))
+            t, p, u, q = map(int, rest)
+            answer = kernel.glue((t, p), (u, q))
         elif word == "counts":
             answer = kernel.counts()
-        elif word == "vertices":
-            corners = [(t, (p,)) for t, c in enumerate(kernel.tetrahedra) for p in c]
-            answer = "vertices " + kernel.numbers(corners)
-        elif word == "components":
-            answer = "components " + kernel.numbers([(t, ()) for t in range(len(kernel.tetrahedra))])
+        elif word == "vertices" or word == "components":
+            answer = " ".join([word, *map(str, getattr(kernel, word)())])
+        elif word == "homology" and hasattr(kernel, "homology"):
+            answer = kernel.homology()
         elif word == "orientable":
             answer = f"orientable {int(kernel.orientable())}"
         elif word == "quit":
@@ -160,4 +167,4 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    serve(Kernel(), "minimal glue orientable")
