@@ -28,6 +28,7 @@ BodyFamily family_of(const NamedMesh& named) {
 void add(CheckCounts& sum, const CheckCounts& times) {
   sum.splits += times.splits;
   sum.glues += times.glues;
+  sum.refusals += times.refusals;
   sum.laws += times.laws;
   sum.betti_changes += times.betti_changes;
   sum.wholes += times.wholes;
@@ -56,19 +57,26 @@ RandomFailure failure_of(const std::string& family, const RandomOptions& options
   failure.first = *trial.checks.first;
   failure.first.steps = trial.steps;
   failure.found = {std::move(trial.body), std::move(trial.steps)};
-  failure.shrunk = failure.found;
-  const Fails fails = [&fresh_kernel](const TetMesh& body, std::span<const Step> steps) {
-    if (body.tetrahedra.empty()) return false;
+  const auto seen = [&fresh_kernel](const TetMesh& body, std::span<const Step> steps) {
     JudgedKernel kernel = fresh_kernel();
-    return first_mismatch(body, steps, kernel).has_value();
+    return first_mismatch(body, steps, kernel);
   };
-  failure.repeats = fails(failure.found.body, failure.found.steps);
-  if (failure.repeats) failure.shrunk = shrink(failure.found.body, failure.found.steps, fails);
-  failure.fixture =
-      fixture_json(failure.shrunk.body, failure.shrunk.steps,
-                   {.name = "random",
-                    .shows = failure.first.what,
-                    .source = fmt::format("random run, seed {}, family {}", options.seed, family)});
+  failure.shrunk = failure.found;
+  failure.last = seen(failure.found.body, failure.found.steps);
+  if (failure.last) {
+    failure.shrunk = shrink(failure.found.body, failure.found.steps,
+                            [&seen](const TetMesh& body, std::span<const Step> steps) {
+                              return !body.tetrahedra.empty() && seen(body, steps).has_value();
+                            });
+    failure.last = seen(failure.shrunk.body, failure.shrunk.steps);
+  }
+  const Mismatch& shown = failure.last ? *failure.last : failure.first;
+  failure.fixture = fixture_json(
+      failure.shrunk.body, failure.shrunk.steps,
+      {.name = "random",
+       .shows =
+           fmt::format("{}: {} was answered, not {}", shown.what, shown.answered, shown.expected),
+       .source = fmt::format("random run, seed {}, family \"{}\"", options.seed, family)});
   return failure;
 }
 

@@ -35,9 +35,9 @@ struct RandomFailure {
   Mismatch first;
   /// The body and the steps it was seen on, and what is left of them.
   StepsOnBody found, shrunk;
-  /// False: the kernel did right when asked the same again, or the wrong answer was not one to a
-  /// step (a fan's faces, homology); then nothing was taken away.
-  bool repeats = false;
+  /// The first mismatch of the shrunk run. None: the kernel did right when asked the same again, or
+  /// the wrong answer was not one to a step (a fan's faces, homology); then nothing was taken away.
+  std::optional<Mismatch> last;
   /// A fixture file (docs/suite.md) with the shrunk run, ready to be saved.
   std::string fixture;
 };

@@ -197,6 +197,19 @@ void rejoin_some(TearRun& run, Tear& tear) {
   for (const HalfFaceId f : faces) part(tear, f);
 }
 
+/// What cannot be done, and must change nothing: splitting a face of the boundary, gluing one that
+/// is whole.
+void ask_in_vain(TearRun& run, Tear& tear) {
+  ++run.counts.vain;
+  const std::vector<HalfFaceId>& glued = tear.trial.twin.glued;
+  const HalfFaceId any{below(run.random, glued.size())};
+  if (glued[any.index()].is_none()) {
+    split(tear.trial, any);
+  } else if (tear.trial.kernel.glue) {
+    glue(tear.trial, any, glued[any.index()]);
+  }
+}
+
 /// The same faces split on a second kernel from the beginning, in any order and from any sides:
 /// what hangs together then is the same.
 void replay(TearRun& run, Tear& tear) {
@@ -250,6 +263,8 @@ void tear_once(TearRun& run, Tear& tear) {
     tear_face(run, tear);
   } else if (drawn < 20) {
     rejoin_some(run, tear);
+  } else if (drawn < 22) {
+    ask_in_vain(run, tear);
   } else {
     tear_fan(run, tear);
   }

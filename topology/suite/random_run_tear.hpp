@@ -24,6 +24,8 @@ struct TearCounts {
   std::size_t alarms = 0, separations = 0, missed = 0;
   /// Faces glued, to stay so or to be split again.
   std::size_t glues = 0;
+  /// Questions that had to be refused.
+  std::size_t vain = 0;
   /// Operations undone and done again in another order; among them those in all orders.
   std::size_t orders = 0, all_orders = 0;
   /// Bodies taken apart from the beginning on a second kernel, in another order.
@@ -66,8 +68,8 @@ struct TearRun {
   std::function<JudgedKernel()> fresh_kernel;
 };
 
-/// One operation drawn at random: mostly the fan of a vertex, sometimes a single face, a plane, or
-/// gluing some of what was split. Needs: a face that is whole.
+/// One operation drawn at random: mostly the fan of a vertex, sometimes a single face, a plane,
+/// gluing some of what was split, or what has to be refused. Needs: a face that is whole.
 void tear_once(TearRun& run, Tear& tear);
 
 }  // namespace sunder::suite

@@ -133,7 +133,7 @@ SplitAnswer split(Trial& trial, HalfFaceId face) {
   trial.checks.step = trial.steps.size();
   if (!trial.twin.glued[face.index()].is_none()) truth = answer_of(unglue(trial.twin, face));
   const SplitAnswer answered = trial.kernel.split(side);
-  ++trial.times.splits;
+  ++(truth.did ? trial.times.splits : trial.times.refusals);
   if (!(answered == truth)) compare(trial.checks, face_text(trial, side), truth, answered);
   trial.checks.made += 4;
   judge_answer(trial.checks, answered);
@@ -150,35 +150,27 @@ SplitAnswer split(Trial& trial, HalfFaceId face) {
   return truth;
 }
 
-void glue(Trial& trial, HalfFaceId a, HalfFaceId b) {
-  if (trial.checks.first) return;
+bool glue(Trial& trial, HalfFaceId a, HalfFaceId b) {
+  if (trial.checks.first) return false;
+  const auto free = [&trial](HalfFaceId f) { return trial.twin.glued[f.index()].is_none(); };
+  const bool can = a != b && free(a) && free(b);
   const Step step = {
       .kind = Step::Kind::glue, .a = side_of(trial.twin, a), .b = side_of(trial.twin, b)};
   trial.steps.push_back(step);
   trial.checks.step = trial.steps.size();
-  ++trial.times.glues;
-  if (!same(trial.checks, true, trial.kernel.glue(step.a, step.b))) {
-    differ(trial.checks, text_of(trial.twin, step), "glued", "refused");
+  ++(can ? trial.times.glues : trial.times.refusals);
+  if (!same(trial.checks, can, trial.kernel.glue(step.a, step.b))) {
+    differ(trial.checks, text_of(trial.twin, step), can ? "glued" : "refused",
+           can ? "refused" : "glued");
   }
+  if (!can) return false;
   // What gluing joins is what parting it again would part.
   glue_again(trial.twin, a, b);
   trial.counts = counts_before(trial.counts, answer_of(unglue(trial.twin, a)));
   glue_again(trial.twin, a, b);
   if (trial.closed_intact > 0) trial.closed = count_closed(trial.twin);
   trial.sheets_known = false;
-}
-
-void do_steps(Trial& trial, std::span<const Step> steps) {
-  for (const Step& step : steps) {
-    const HalfFaceId a = half_face_of(trial.twin, step.a);
-    if (step.kind == Step::Kind::split) {
-      split(trial, a);
-      continue;
-    }
-    const HalfFaceId b = half_face_of(trial.twin, step.b);
-    const auto whole = [&trial](HalfFaceId f) { return !trial.twin.glued[f.index()].is_none(); };
-    if (a != b && !whole(a) && !whole(b) && trial.kernel.glue) glue(trial, a, b);
-  }
+  return true;
 }
 
 void judge_whole(Trial& trial) {

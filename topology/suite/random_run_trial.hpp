@@ -29,8 +29,8 @@ bool due(Pace& pace, std::size_t cost);
 struct CheckCounts {
   /// Answers of splits against union-find round the face, and against the laws.
   std::size_t splits = 0;
-  /// Glues: refused or not.
-  std::size_t glues = 0;
+  /// Glues; splits of boundary faces and glues of whole faces, which have to be refused.
+  std::size_t glues = 0, refusals = 0;
   /// Kernel's counts after a split against the running ones; change of Betti numbers.
   std::size_t laws = 0, betti_changes = 0;
   /// Counts and partitions against union-find over the whole body.
@@ -65,14 +65,13 @@ struct Trial {
 /// Loads the body and judges it whole. Needs: a body that can be built.
 Trial begin_trial(TetMesh body, JudgedKernel kernel);
 
-/// Splits a face from this side and judges the answer, which is returned as it should be.
+/// Splits a face from this side and judges the answer, which is returned as it should be; a face on
+/// the boundary has to be refused.
 SplitAnswer split(Trial& trial, HalfFaceId face);
 
-/// Glues two half-faces with the same points. Needs: the kernel can, and both are on the boundary.
-void glue(Trial& trial, HalfFaceId a, HalfFaceId b);
-
-/// Does these steps; splits of boundary faces are asked too, glues that cannot be are left out.
-void do_steps(Trial& trial, std::span<const Step> steps);
+/// Glues two half-faces with the same points; false, and nothing changes, where one of them is not
+/// on the boundary. Needs: the kernel can glue.
+bool glue(Trial& trial, HalfFaceId a, HalfFaceId b);
 
 /// Counts and partitions against union-find over all.
 void judge_whole(Trial& trial);
