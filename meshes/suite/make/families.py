@@ -4,5 +4,6 @@
 import balls
 import manifolds
 import page
+import solids
 
-ALL = page.FAMILIES + balls.FAMILIES + manifolds.FAMILIES
+ALL = page.FAMILIES + balls.FAMILIES + manifolds.FAMILIES + solids.FAMILIES
