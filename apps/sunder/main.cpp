@@ -10,6 +10,7 @@
 #include "apps/sunder/exit_code.hpp"
 #include "apps/sunder/run.hpp"
 #include "apps/sunder/split.hpp"
+#include "apps/sunder/suite.hpp"
 
 namespace {
 
@@ -22,6 +23,7 @@ int run_program(int argc, char** argv) {
   sunder::add_run_command(program, exit_code);
   sunder::add_check_command(program, exit_code);
   sunder::add_split_command(program, exit_code);
+  sunder::add_suite_command(program, exit_code);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -41,7 +41,7 @@ struct SplitFan {
 struct SplitPlane {
   CuttingPlane plane;
 };
-/// Splits every interior face.
+/// Splits every face that is still glued, in an order of the intact body's interior faces.
 struct Shatter {
   enum class Order { rising, falling, seeded };
   Order order = Order::rising;

@@ -264,7 +264,11 @@ Verdict judge(const Fixture& fixture, const Truth& truth, JudgedKernel& kernel) 
   verdict.not_asked = trial.not_asked;
   verdict.known_difference = std::move(trial.known_difference);
   verdict.kernel_us = trial.kernel_us;
-  verdict.mismatch = trial.checks.first ? std::move(trial.checks.first) : truth.checks.first;
+  verdict.mismatch = std::move(trial.checks.first);
+  if (!verdict.mismatch && truth.checks.first) {
+    verdict.mismatch = truth.checks.first;
+    verdict.mismatch->what += " (the fixture against union-find)";
+  }
   if (!verdict.mismatch) return verdict;
   Mismatch& mismatch = *verdict.mismatch;
   mismatch.steps = steps_until(truth, mismatch.step);

@@ -107,19 +107,24 @@ std::vector<Step> steps_of(const SplitPlane& split, const GlueTwin& now, const T
   return between(now, all, positive, nullptr);
 }
 
-std::vector<Step> steps_of(const Shatter& shatter, const GlueTwin& now) {
-  std::vector<Step> steps;
-  for (std::size_t f = 0; f < now.glued.size(); ++f) {
-    const HalfFaceId across = now.glued[f];
-    if (!across.is_none() && across.index() > f) steps.push_back(split_from(now, HalfFaceId{f}));
+std::vector<Step> steps_of(const Shatter& shatter, const GlueTwin& intact, const GlueTwin& now) {
+  std::vector<HalfFaceId> faces;
+  for (std::size_t f = 0; f < intact.glued.size(); ++f) {
+    const HalfFaceId across = intact.glued[f];
+    if (!across.is_none() && across.index() > f) faces.push_back(HalfFaceId{f});
   }
-  if (shatter.order == Shatter::Order::falling) std::reverse(steps.begin(), steps.end());
-  if (shatter.order != Shatter::Order::seeded) return steps;
-  // Knuth's MMIX generator: any language has it in one line.
-  std::uint64_t s = shatter.seed;
-  for (std::size_t i = steps.size(); i > 1; --i) {
-    s = s * 6364136223846793005U + 1442695040888963407U;
-    std::swap(steps[i - 1], steps[(s >> 33) % i]);
+  if (shatter.order == Shatter::Order::falling) std::reverse(faces.begin(), faces.end());
+  if (shatter.order == Shatter::Order::seeded) {
+    // Knuth's MMIX generator: any language has it in one line.
+    std::uint64_t s = shatter.seed;
+    for (std::size_t i = faces.size(); i > 1; --i) {
+      s = s * 6364136223846793005U + 1442695040888963407U;
+      std::swap(faces[i - 1], faces[(s >> 33) % i]);
+    }
+  }
+  std::vector<Step> steps;
+  for (const HalfFaceId f : faces) {
+    if (!now.glued[f.index()].is_none()) steps.push_back(split_from(now, f));
   }
   return steps;
 }
@@ -186,7 +191,7 @@ std::vector<Step> steps_of(const Operation& operation, const GlueTwin& intact, c
   }
   if (const auto* fan = std::get_if<SplitFan>(&operation)) return steps_of(*fan, now, body);
   if (const auto* plane = std::get_if<SplitPlane>(&operation)) return steps_of(*plane, now, body);
-  return steps_of(std::get<Shatter>(operation), now);
+  return steps_of(std::get<Shatter>(operation), intact, now);
 }
 
 Operation operation_of(const Step& step) {
