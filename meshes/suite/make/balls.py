@@ -4,11 +4,11 @@
 from itertools import combinations
 
 import complexes
-import shapes
+import knots
 from case import Case
 from complexes import closure, facets, placed
 from family import Family
-from operations import mixture, plane, rich, shatters, split_side
+from operations import fan, mixture, plane, rich, split_side
 from twin import Glued
 
 
@@ -66,12 +66,28 @@ def rudin():
     yield from unshellable(tets, 26)
 
 
+def furch():
+    assert knots.is_three_colourable()
+    ball, exterior = knots.drilled(False), knots.drilled(True)
+    end = next(n for n, p in enumerate(ball[0]) if p == (4, 4, 1))
+    cuts = [fan(end, 0, 0, 1), plane((0, 0, 1), 1), plane((1, 0, 0), 4.5),
+            {"shatter": {"seed": 27}}]
+    yield Case("knotted-hole", ball, cuts, fields=True,
+               page={"built": {"betti": (1, 0, 0), "chi": 1, "sheets": 1}},
+               shows="the hole ends one cube above the floor: a ball, with an arc of one edge "
+                     "across it that is knotted")
+    yield Case("knot-exterior", exterior, cuts[1:], fields=True,
+               page={"built": {"betti": (1, 1, 0), "chi": 0, "sheets": 1}},
+               shows="drilled through: the outside of a trefoil, one handle")
+
+
 FAMILIES = [
-    Family("25-ziegler-ball", "the smallest known ball that cannot be shelled: no tetrahedron can be taken off so "
-           "that a ball is left",
+    Family("25-ziegler-ball", "the smallest known ball that cannot be shelled",
            "G. M. Ziegler, Shelling polyhedral 3-balls and 4-polytopes, Discrete Comput. Geom. 19 "
            "(1998); tried here with each", ziegler),
     Family("26-rudin-ball", "a subdivided tetrahedron that cannot be shelled",
            "M. E. Rudin, An unshellable triangulation of a tetrahedron, Bull. Amer. Math. Soc. 64 "
            "(1958); tried here with each", rudin),
+    Family("27-furch-ball", "a hole along a trefoil", "R. Furch, Zur Grundlegung der "
+           "kombinatorischen Topologie, Abh. Math. Sem. Hamburg 3 (1924)", furch),
 ]
