@@ -185,7 +185,7 @@ struct Trial {
   }
 
   void run(bool judged) {
-    if (!load(judged) || !is_body(fixture.body)) return;
+    if (!load(judged) || !truth.is_body) return;
     look(truth.built);
     if (!failed()) check_homology(fixture.built, truth.homology);
     for (std::size_t row = 0; row < truth.operations.size() && !failed(); ++row) {
@@ -230,10 +230,10 @@ std::vector<Step> steps_until(const Truth& truth, std::size_t end) {
 
 std::optional<Mismatch> first_mismatch(const TetMesh& body, std::span<const Step> steps,
                                        JudgedKernel& kernel) {
-  if (!is_body(body)) return std::nullopt;
   Fixture fixture{.name = "steps", .body = body};
   for (const Step& step : steps) fixture.operations.push_back({operation_of(step), {}});
   const Truth truth = truth_of(fixture);
+  if (!truth.is_body) return std::nullopt;
   Trial trial{fixture, truth, kernel};
   try {
     trial.run(false);

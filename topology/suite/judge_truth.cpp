@@ -9,7 +9,7 @@
 #include <set>
 #include <tuple>
 
-#include "topology/suite/homology.hpp"
+#include "topology/suite/judge_expected.hpp"
 #include "topology/suite/steps.hpp"
 
 namespace sunder::suite {
@@ -20,8 +20,6 @@ constexpr std::size_t every_step_up_to = 64;
 /// ... up to this many after every operation, and larger ones `most_moments` times.
 constexpr std::size_t every_operation_up_to = 1000;
 constexpr std::size_t most_moments = 64;
-/// Homology over Z of bodies up to this size is asked wherever the fixture says anything of it.
-constexpr std::size_t integers_up_to = 400;
 
 Moment moment_of(const GlueTwin& twin) {
   const TwinCounts c = union_find_counts(twin);
@@ -83,78 +81,7 @@ CellCounts added(CellCounts before, const std::vector<TrueStep>& splits) {
   return before;
 }
 
-struct Expectations {
-  const GlueTwin& twin;
-  const Expected& expected;
-  Checks& checks;
-};
-
-void check_homology(const Expectations& e, std::optional<IntegerHomology>& homology) {
-  const bool small = e.twin.tetrahedra.size() <= integers_up_to;
-  if (e.expected.betti_mod.empty() && !e.expected.homology) return;
-  const OrbitComplex complex = orbit_complex(e.twin);
-  for (const auto& [prime, betti] : e.expected.betti_mod) {
-    compare(e.checks, fmt::format("over GF({})", prime), betti, betti_numbers(complex, prime));
-  }
-  if (small || e.expected.homology) homology = integer_homology(complex);
-  if (e.expected.homology) compare(e.checks, *e.expected.homology, *homology);
-}
-
-void check_counts(const Expectations& e, const CellCounts& counts) {
-  if (e.expected.counts) compare(e.checks, *e.expected.counts, counts);
-  const auto& chi = e.expected.euler_characteristic;
-  if (chi && !same(e.checks, *chi, euler_characteristic(counts))) {
-    differ(e.checks, "Euler characteristic", std::to_string(*chi),
-           std::to_string(euler_characteristic(counts)));
-  }
-}
-
-void check_orientable(const Expectations& e) {
-  if (!e.expected.orientable) return;
-  const bool is = is_orientable(e.twin);
-  if (same(e.checks, *e.expected.orientable, is)) return;
-  differ(e.checks, "orientable", is ? "no" : "yes", is ? "yes" : "no");
-}
-
-void check_splits(const Expectations& e, const std::vector<TrueStep>& steps) {
-  std::map<std::array<int, 2>, std::size_t> tally;
-  std::size_t predicted = 0, separations = 0;
-  for (const TrueStep& s : steps) {
-    if (!s.split.did) continue;
-    ++tally[{static_cast<int>(s.split.vertices.size()), static_cast<int>(s.split.edges.size())}];
-    predicted += oracle_says_new(s.split) ? 1 : 0;
-    separations += s.split.separated ? 1 : 0;
-  }
-  if (e.expected.splits) {
-    compare(e.checks, "splits of the operation", e.expected.splits->size(), steps.size());
-    for (std::size_t i = 0; i < std::min(steps.size(), e.expected.splits->size()); ++i) {
-      const auto points = points_of(e.twin, steps[i].step.a);
-      compare(e.checks, fmt::format("{}", fmt::join(points, " ")), (*e.expected.splits)[i],
-              steps[i].split);
-    }
-  }
-  if (e.expected.tally) {
-    for (const auto& [key, number] : tally) (*e.expected.tally).count(key);
-    std::set<std::array<int, 2>> keys;
-    for (const auto& entry : *e.expected.tally) keys.insert(entry.first);
-    for (const auto& entry : tally) keys.insert(entry.first);
-    for (const auto& key : keys) {
-      const auto wanted = e.expected.tally->find(key);
-      const auto seen = tally.find(key);
-      compare(e.checks, fmt::format("splits of kind ({}, {})", key[0], key[1]),
-              wanted == e.expected.tally->end() ? 0 : wanted->second,
-              seen == tally.end() ? 0 : seen->second);
-    }
-  }
-  if (e.expected.predicted) {
-    compare(e.checks, "faces at which the oracle says yes", *e.expected.predicted, predicted);
-  }
-  if (e.expected.separations) {
-    compare(e.checks, "separations", *e.expected.separations, separations);
-  }
-}
-
-/// Edges and faces as index tuples of the file, and the points it uses.
+/// Points that are used, edges and faces as distinct tuples of the file's numbers.
 std::array<std::size_t, 3> file_cells_of(const TetMesh& mesh) {
   std::set<std::uint32_t> points;
   std::set<std::array<std::uint32_t, 2>> edges;
@@ -227,11 +154,9 @@ struct Course {
       if (size <= every_step_up_to || (!changed && size <= every_operation_up_to)) look(done.after);
     }
     if (is_looked_at(row)) look(operation.after);
-    const Expectations expectations{now, asked.after, truth.checks};
-    if (operation.after) check_counts(expectations, operation.after->counts);
-    check_splits(expectations, operation.steps);
-    check_homology(expectations, operation.homology);
-    check_orientable(expectations);
+    if (operation.after) check_counts(truth.checks, asked.after, operation.after->counts);
+    check_splits(truth.checks, asked.after, operation.steps, now);
+    operation.homology = check_homology(truth.checks, asked.after, now);
   }
 };
 
@@ -254,7 +179,8 @@ bool is_body(const TetMesh& mesh) {
 Truth truth_of(const Fixture& fixture) {
   Truth truth;
   if (fixture.refused) return truth;
-  if (!same(truth.checks, true, is_body(fixture.body))) {
+  truth.is_body = is_body(fixture.body);
+  if (!same(truth.checks, true, truth.is_body)) {
     differ(truth.checks, "body", "tetrahedra that can be glued",
            "a defective body, not \"refused\"");
     return truth;
@@ -269,10 +195,8 @@ Truth truth_of(const Fixture& fixture) {
   truth.built = moment_of(truth.intact);
   Course course{fixture, truth.intact, std::move(truth)};
   course.before = course.truth.built.counts;
-  const Expectations built{course.now, fixture.built, course.truth.checks};
-  check_counts(built, course.truth.built.counts);
-  check_homology(built, course.truth.homology);
-  check_orientable(built);
+  check_counts(course.truth.checks, fixture.built, course.truth.built.counts);
+  course.truth.homology = check_homology(course.truth.checks, fixture.built, course.now);
   for (std::size_t row = 0; row < fixture.operations.size(); ++row) course.run(row);
   return std::move(course.truth);
 }

@@ -40,7 +40,8 @@ struct TrueOperation {
 };
 
 struct Truth {
-  /// Needs the next two only when the body is one (`is_body`).
+  /// Whether there is a body to run on; nothing below but `checks` holds without.
+  bool is_body = false;
   GlueTwin intact;
   Moment built;
   std::optional<IntegerHomology> homology;
