@@ -35,6 +35,8 @@ struct Body {
   /// Gluing makes labels void; they are walked anew when somebody asks.
   bool labels_are_void = true;
   ComponentScratch scratch;
+  /// No tetrahedron is folded against its neighbours: Betti numbers follow from the boundary.
+  bool in_space = false;
   std::size_t splits = 0;
   std::vector<std::string> faults;
 };
@@ -64,6 +66,8 @@ std::vector<Finding> load(Body& body, const TetMesh& mesh) {
   body = {};
   body.file = mesh.tetrahedra;
   body.map = std::move(built.value);
+  body.in_space = std::none_of(built.findings.begin(), built.findings.end(),
+                               [](const Finding& f) { return f.code == "folded_tetrahedron"; });
   return built.findings;
 }
 
@@ -91,15 +95,23 @@ SplitAnswer in_file_points(const Body& body, const FaceSplit& split) {
   return answer;
 }
 
+/// The cells, for the laws; without Betti numbers where the body cannot lie in space, for there
+/// b2 = sheets - components does not hold: a product of circle and sphere has b2 = 1 and no sheet.
+Counts counted_for_laws(const Body& body) {
+  Counts counts = count_cells(*body.map);
+  if (!body.in_space) counts.betti.reset();
+  return counts;
+}
+
 SplitAnswer split(Body& body, FaceSide side) {
   const HalfFaceId face = half_face_at(body, side);
   if (body.map->neighbour(face).is_none()) return in_file_points(body, split_face(*body.map, face));
   label_anew(body);
   // The laws need all cells counted before and after: at most about 50 us a split on average.
   const bool counted = body.splits++ % (body.map->tetrahedra() / 50 + 1) == 0;
-  const Counts before = counted ? count_cells(*body.map) : Counts{};
+  const Counts before = counted ? counted_for_laws(body) : Counts{};
   const FaceSplit did = split_face(*body.map, face);
-  if (counted) note(body, check_split_laws(before, count_cells(*body.map), did));
+  if (counted) note(body, check_split_laws(before, counted_for_laws(body), did));
   const ComponentUpdate update =
       update_components(*body.map, std::span(&did, 1), Detection::exact, body.labels, body.scratch);
   if (update.created > 1) body.faults.push_back("one split made several components");
