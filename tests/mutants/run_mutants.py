@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: MIT
+"""Runs the suite against the kernel with one fault at a time and says which fixture kills it.
+
+    python3 run_mutants.py --program build/release/tests/mutants/sunder_mutant [--only NUMBER]
+
+Exit code 0 when the unharmed kernel passes and every fault is killed, 1 otherwise.
+"""
+
+import argparse
+import concurrent.futures
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import time
+
+HERE = pathlib.Path(__file__).resolve().parent
+PROJECT = HERE.parent.parent
+
+
+def run(program, fixtures, number, seconds):
+    """(fixture where it ended, how): how is None when the fault survived."""
+    environment = dict(os.environ, SUNDER_FAULT=str(number))
+    try:
+        done = subprocess.run([program, fixtures], env=environment, capture_output=True, text=True,
+                              timeout=seconds, check=False)
+        lines, code = done.stdout.splitlines(), done.returncode
+    except subprocess.TimeoutExpired as hung:
+        out = hung.stdout or b""
+        lines = (out if isinstance(out, str) else out.decode()).splitlines()
+        return lines[-1] if lines else "-", f"no answer within {seconds:.0f} s"
+    if code == 0:
+        return lines[-1] if lines else "-", None
+    if code == 1 and lines[-1].startswith("killed: "):
+        return lines[-2], lines[-1][len("killed: "):]
+    if code < 0:
+        return lines[-1] if lines else "-", f"ended by signal {-code}"
+    raise SystemExit(f"run_mutants.py: fault {number}: exit code {code}: {done.stderr.strip()}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--program", required=True, help="sunder_mutant, see tests/mutants")
+    parser.add_argument("--fixtures", default=PROJECT / "meshes/suite", help="folder of fixtures")
+    parser.add_argument("--seconds", type=float, default=120, help="time limit of one fault")
+    parser.add_argument("--only", type=int, help="number of one fault")
+    arguments = parser.parse_args()
+    entries = json.loads((HERE / "mutants.json").read_text(encoding="utf-8"))
+    faults = {0: ("-", "none: the kernel as it is")}
+    for entry in entries:
+        for fault in entry["faults"]:
+            faults[fault["number"]] = (entry["file"], fault["what"])
+    numbers = sorted(faults) if arguments.only is None else [arguments.only]
+    started = time.monotonic()
+
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        results = pool.map(lambda n: run(arguments.program, arguments.fixtures, n,
+                                         arguments.seconds), numbers)
+        survived = []
+        for number, (fixture, how) in zip(numbers, results):
+            file, what = faults[number]
+            if number == 0 and how is not None:
+                sys.exit(f"the unharmed kernel fails: {fixture}: {how}")
+            if number > 0 and how is None:
+                survived.append(number)
+            fate = f"{fixture}: {how}" if how else ("passes" if number == 0 else "SURVIVED")
+            print(f"{number:3}  {what}\n     {file}\n     {fate}", flush=True)
+    killed = len([n for n in numbers if n > 0]) - len(survived)
+    print(f"{killed} of {killed + len(survived)} faults killed, "
+          f"{time.monotonic() - started:.0f} s")
+    sys.exit(1 if survived else 0)
+
+
+if __name__ == "__main__":
+    main()
