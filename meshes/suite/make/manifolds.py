@@ -124,8 +124,8 @@ def pinches():
     yield Case("two-cracks-meet", box,
                [split(*f) for faces in quarter for f in faces] + [split(12, 13, 16),
                                                                   glue(9, 10, 13)],
-               shows="two cracks that touch at a vertex from opposite sides do not split it; the "
-                     "third does")
+               shows="two cracks that touch at a vertex from opposite sides do not split it, nor "
+                     "does a third; closing their ring does")
     chain = shapes.kuhn_cubes((3, 3, 3), lambda i, j, k: i == j == k)
     yield Case("cubes-corner-to-corner", chain, [plane((0, 0, 1), 1.5), {"shatter": "rising"}],
                page={"built": {"chi": 3, "sheets": 3}})
