@@ -10,6 +10,7 @@
 #include "topology/suite/fixture_json_write.hpp"
 #include "topology/suite/judge.hpp"
 #include "topology/suite/random_run_bodies.hpp"
+#include "topology/suite/random_run_numbers.hpp"
 
 namespace sunder::suite {
 namespace {
@@ -25,24 +26,14 @@ BodyFamily family_of(const NamedMesh& named) {
           }};
 }
 
-void add(CheckCounts& sum, const CheckCounts& times) {
-  sum.splits += times.splits;
-  sum.glues += times.glues;
-  sum.refusals += times.refusals;
-  sum.laws += times.laws;
-  sum.betti_changes += times.betti_changes;
-  sum.wholes += times.wholes;
-  sum.fans += times.fans;
-  sum.faults += times.faults;
-  sum.homologies += times.homologies;
-}
-
 /// Tears one body until nothing of it is whole or the family has its fans.
-void tear_body(TearRun& run, Tear& tear, std::size_t fans) {
+template <class Report>
+void tear_body(TearRun& run, Tear& tear, std::size_t fans, const Report& report) {
   try {
     judge_whole(tear.trial);
     while (!tear.trial.checks.first && tear.whole.size() > 0 && run.counts.fans < fans) {
       tear_once(run, tear);
+      report();
     }
     judge_whole(tear.trial);
     judge_faults(tear.trial);
@@ -102,10 +93,11 @@ FamilyReport run_family(const RandomOptions& options, const FamilyRun& mine,
     report.most = std::max(report.most, tetrahedra);
     report.without_sheet_law += tear.trial.sheets_tell_betti ? 0 : 1;
     ++report.bodies;
-    tear_body(run, tear, mine.fans);
-    add(report.checks, tear.trial.times);
+    tear_body(run, tear, mine.fans, [&] {
+      if (options.progress) options.progress(mine.done + run.counts.fans);
+    });
+    add(report.checks, tear.trial.times, check_numbers);
     report.comparisons += tear.trial.checks.made;
-    if (options.progress) options.progress(mine.done + run.counts.fans);
     if (run.counts.fans > fans_before) idle = 0;
     if (!tear.trial.checks.first) continue;
     report.failure = failure_of(report.name, options, fresh_kernel, tear.trial);
@@ -135,6 +127,21 @@ RandomReport run_random(const RandomOptions& options,
     report.families.push_back(run_family(options, mine, fresh_kernel));
   }
   return report;
+}
+
+FamilyReport total_of(const RandomReport& report) {
+  FamilyReport total;
+  total.name = "all";
+  for (const FamilyReport& family : report.families) {
+    total.fewest = total.bodies == 0 ? family.fewest : std::min(total.fewest, family.fewest);
+    total.most = std::max(total.most, family.most);
+    total.bodies += family.bodies;
+    total.comparisons += family.comparisons;
+    total.without_sheet_law += family.without_sheet_law;
+    add(total.counts, family.counts, tear_numbers);
+    add(total.checks, family.checks, check_numbers);
+  }
+  return total;
 }
 
 }  // namespace sunder::suite

@@ -25,7 +25,7 @@ struct RandomOptions {
   std::vector<NamedMesh> meshes;
   /// Families whose bodies can have more tetrahedra than this are left out (`meshes` are not).
   std::size_t largest = 6000;
-  /// Called now and then with the number of fans done. May be empty.
+  /// Called after every operation with the number of fans done. May be empty.
   std::function<void(std::size_t)> progress;
 };
 
@@ -68,5 +68,8 @@ struct RandomReport {
 /// report, on every machine. About 0.5 ms a fan for kernels as fast as `volume_map_kernel`.
 RandomReport run_random(const RandomOptions& options,
                         const std::function<JudgedKernel()>& fresh_kernel);
+
+/// All families together, without their failures.
+FamilyReport total_of(const RandomReport& report);
 
 }  // namespace sunder::suite

@@ -119,8 +119,12 @@ Trial begin_trial(TetMesh body, JudgedKernel kernel) {
   trial.sheets_known = true;
   trial.sheets_tell_betti =
       betti_numbers(orbit_complex(trial.twin), 2) == betti_from_sheets(trial.counts, trial.closed);
-  for (const Finding& f : trial.kernel.load(trial.body)) {
-    if (f.severity == Severity::error) differ(trial.checks, "loading", "a body", f.code);
+  try {
+    for (const Finding& f : trial.kernel.load(trial.body)) {
+      if (f.severity == Severity::error) differ(trial.checks, "loading", "a body", f.code);
+    }
+  } catch (const KernelLost& lost) {
+    differ(trial.checks, "loading", "a body", lost.what());
   }
   return trial;
 }
