@@ -31,7 +31,7 @@ except ImportError:
 
 def fixture(family):
     return {"$schema": "fixture.schema.json", "name": family.name, "shows": family.shows,
-            "source": family.source, "cases": [written(case) for case in family.cases()]}
+            "source": family.source, "cases": [written(family.name, c) for c in family.cases()]}
 
 
 def arguments():

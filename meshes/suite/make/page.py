@@ -277,7 +277,8 @@ def inverted():
 def defects():
     points, tets = shapes.two_tetrahedra()
     yield Case("repeated-point", (points, tets + [(0, 1, 1, 4)]))
-    yield Case("flat", (points + [(1, 1, 0)], tets + [(0, 1, 2, 5)]),
+    yield Case("flat", (points + [(1, 0, 1)], tets + [(0, 1, 3, 5)]),
+               [split(0, 1, 3), split(0, 1, 2)],
                shows="no volume: a warning here, an error for those who compute with it")
     yield Case("unused-point", (points + [(9, 9, 9)], tets), [split(0, 1, 2)])
     yield Case("coincident-points", (points + [points[0]], [tets[0], (1, 5, 2, 4)]),
