@@ -22,6 +22,7 @@ sys.path.insert(0, str(HERE / "make"))
 import families  # noqa: E402
 from case import written  # noqa: E402
 from layout import text_of  # noqa: E402
+from overview import readme  # noqa: E402
 
 try:
     import jsonschema
@@ -62,8 +63,14 @@ def main():
         else:
             path.write_text(text)
             print(f"{path.name}: {len(data['cases'])} cases, {len(text)} bytes", flush=True)
-    known = {f"{f.name}.json" for f in families.ALL} | {"fixture.schema.json"}
-    differing += sorted(p.name for p in HERE.glob("*.json") if p.name not in known)
+    files = {p.name for p in HERE.glob("*.json")} - {"fixture.schema.json"}
+    differing += sorted(files - {f"{f.name}.json" for f in families.ALL})
+    page = HERE / "README.md"
+    text = readme(page.read_text(), [HERE / name for name in files])
+    if not options.check:
+        page.write_text(text)
+    elif page.read_text() != text:
+        differing.append(page.name)
     for name in differing:
         print(f"{name} is not what make_suite.py makes")
     sys.exit(1 if differing else 0)

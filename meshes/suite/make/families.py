@@ -2,8 +2,12 @@
 """All families, in the order of their names."""
 
 import balls
+import defective
 import manifolds
 import page
 import solids
 
-ALL = page.FAMILIES + balls.FAMILIES + manifolds.FAMILIES + solids.FAMILIES
+ALL = (page.FAMILIES + balls.FAMILIES + manifolds.FAMILIES + solids.FAMILIES
+       + defective.FAMILIES)
+assert [family.name.split("-")[0] for family in ALL] == sorted(
+    family.name.split("-")[0] for family in ALL)

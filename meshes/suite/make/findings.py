@@ -22,12 +22,14 @@ def exact_volume(points, tet):
 def volume_sign(points, tet):
     """0 where the volume is 0 to rounding. No body of the suite is near the limit of that."""
     volume = exact_volume(points, tet)
+    if volume == 0:
+        return 0
     coordinates = [points[p] for p in tet]
     largest = max(abs(x) for p in coordinates for x in p)
     length = max(abs(x - y) for p in coordinates[1:] for x, y in zip(p, coordinates[0]))
     limit = ROUNDING * max(largest, length) * length ** 2
     assert abs(volume) < limit / 4 or abs(volume) > 4 * limit, f"{tet}: volume near rounding"
-    return 0 if abs(volume) < limit else (1 if volume > 0 else -1)
+    return 0 if abs(volume) < limit else 1 if volume > 0 else -1
 
 
 def usable_tetrahedra(points, tets):
