@@ -58,9 +58,8 @@ struct VertexSplit {
   VertexId vertex;
   /// Every corner that gets the appended row.
   std::span<const CornerId> leaving;
-  /// Corners that keep `vertex`; at least one, all of them when `staying_is_complete`.
+  /// Corners that keep `vertex`: at least one; all of them when they are fewer than `leaving`.
   std::span<const CornerId> staying;
-  bool staying_is_complete = false;
 };
 
 /// A 3-map of tetrahedra with rows. Algorithms are written once against this; `VolumeMap` (map and

@@ -133,8 +133,8 @@ StarSearch split_vertex_if_apart(K& map, VertexId v, CornerId kept, CornerId oth
     const CornerId c = star.corners(1)[next[1]++];
     grow_star(map, v, c, 1, star);
   }
-  const bool staying_is_complete = next[0] == star.corners(0).size();
-  return {map.split_vertex({v, star.corners(1), star.corners(0), staying_is_complete}), visited()};
+  // The staying side goes first, so where it is not walked out it is longer than the other.
+  return {map.split_vertex({v, star.corners(1), star.corners(0)}), visited()};
 }
 
 /// All corners of the orbit that `start` (of row `v`) belongs to.

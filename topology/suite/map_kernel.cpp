@@ -35,7 +35,8 @@ struct Body {
   /// Gluing makes labels void; they are walked anew when somebody asks.
   bool labels_are_void = true;
   ComponentScratch scratch;
-  /// No tetrahedron is folded against its neighbours: Betti numbers follow from the boundary.
+  /// No tetrahedron is flat or folded against its neighbours: Betti numbers follow from the
+  /// boundary.
   bool in_space = false;
   std::size_t splits = 0;
   std::vector<std::string> faults;
@@ -66,8 +67,9 @@ std::vector<Finding> load(Body& body, const TetMesh& mesh) {
   body = {};
   body.file = mesh.tetrahedra;
   body.map = std::move(built.value);
-  body.in_space = std::none_of(built.findings.begin(), built.findings.end(),
-                               [](const Finding& f) { return f.code == "folded_tetrahedron"; });
+  body.in_space = std::none_of(built.findings.begin(), built.findings.end(), [](const Finding& f) {
+    return f.code == "folded_tetrahedron" || f.code == "flat_tetrahedron";
+  });
   return built.findings;
 }
 
@@ -103,6 +105,29 @@ Counts counted_for_laws(const Body& body) {
   return counts;
 }
 
+VertexId row_at(const Body& body, TetId t, std::uint32_t point) {
+  for (const VertexId v : body.map->corners(t)) {
+    if (body.map->point_of_vertex(v) == point) return v;
+  }
+  return VertexId::none();
+}
+
+/// The contract of rows: the passed side keeps its own, the other has the copies; and the oracle
+/// says yes exactly when all three differ now.
+void judge_rows(Body& body, const FaceSplit& did) {
+  int different = 0;
+  for (const VertexId v : did.vertices) {
+    const std::uint32_t point = body.map->point_of_vertex(v);
+    const VertexId kept = row_at(body, tetrahedron_of(did.face), point);
+    const VertexId other = row_at(body, tetrahedron_of(did.opposite), point);
+    different += kept != other ? 1 : 0;
+    if (kept != v) body.faults.push_back("the side that was passed did not keep its row");
+  }
+  if (oracle_says_new(did) != (different == 3)) {
+    body.faults.push_back("the oracle does not say whether all three vertices split");
+  }
+}
+
 SplitAnswer split(Body& body, FaceSide side) {
   const HalfFaceId face = half_face_at(body, side);
   if (body.map->neighbour(face).is_none()) return in_file_points(body, split_face(*body.map, face));
@@ -112,6 +137,7 @@ SplitAnswer split(Body& body, FaceSide side) {
   const Counts before = counted ? counted_for_laws(body) : Counts{};
   const FaceSplit did = split_face(*body.map, face);
   if (counted) note(body, check_split_laws(before, counted_for_laws(body), did));
+  judge_rows(body, did);
   const ComponentUpdate update =
       update_components(*body.map, std::span(&did, 1), Detection::exact, body.labels, body.scratch);
   if (update.created > 1) body.faults.push_back("one split made several components");
@@ -126,7 +152,17 @@ SplitAnswer split(Body& body, FaceSide side) {
 
 bool glue(Body& body, FaceSide a, FaceSide b) {
   const HalfFaceId f = half_face_at(body, a), g = half_face_at(body, b);
+  const auto before = body.map->corners(tetrahedron_of(f));
+  std::array<VertexId, 4> lower = before;
+  for (VertexId& row : lower) {
+    const VertexId other = row_at(body, tetrahedron_of(g), body.map->point_of_vertex(row));
+    if (!other.is_none()) row = std::min(row, other);
+  }
+  lower[place_of(f)] = before[place_of(f)];
   if (glue_face(*body.map, f, g).refusal != GlueRefusal::none) return false;
+  if (body.map->corners(tetrahedron_of(f)) != lower) {
+    body.faults.push_back("gluing did not keep the lower rows");
+  }
   body.labels_are_void = true;
   return true;
 }
