@@ -72,12 +72,10 @@ def furch():
     end = next(n for n, p in enumerate(ball[0]) if p == (4, 4, 1))
     cuts = [fan(end, 0, 0, 1), plane((0, 0, 1), 1), plane((1, 0, 0), 4.5),
             {"shatter": {"seed": 27}}]
-    yield Case("knotted-hole", ball, cuts, fields=True,
-               page={"built": {"betti": (1, 0, 0), "chi": 1, "sheets": 1}},
+    yield Case("knotted-hole", ball, cuts, page={"built": {"betti": (1, 0, 0), "chi": 1, "sheets": 1}},
                shows="the hole ends one cube above the floor: a ball, with an arc of one edge "
                      "across it that is knotted")
-    yield Case("knot-exterior", exterior, cuts[1:], fields=True,
-               page={"built": {"betti": (1, 1, 0), "chi": 0, "sheets": 1}},
+    yield Case("knot-exterior", exterior, cuts[1:], page={"built": {"betti": (1, 1, 0), "chi": 0, "sheets": 1}},
                shows="drilled through: the outside of a trefoil, one handle")
 
 
@@ -89,5 +87,5 @@ FAMILIES = [
            "M. E. Rudin, An unshellable triangulation of a tetrahedron, Bull. Amer. Math. Soc. 64 "
            "(1958); tried here with each", rudin),
     Family("27-furch-ball", "a hole along a trefoil", "R. Furch, Zur Grundlegung der "
-           "kombinatorischen Topologie, Abh. Math. Sem. Hamburg 3 (1924)", furch),
+           "kombinatorischen Topologie, Abh. Math. Sem. Hamburg 3 (1924)", furch, slow=True),
 ]

@@ -7,8 +7,8 @@ KEYS = ("vertices", "edges", "faces", "tetrahedra", "components", "boundary_face
 COPY = "CGAL's map has no such check: the copy is sewn to the tetrahedron it repeats"
 TWIST = ("CGAL's map has no such check: the faces where the twist closes cannot be sewn and stay "
          "apart, which ones depends on the order of sewing")
-BLIND = ("CGAL's map has no such check: the first two tetrahedra of each face are sewn, others stay "
-         "apart")
+BLIND = ("CGAL's map has no such check: the first two tetrahedra of each face are sewn, others "
+         "stay apart")
 POINTS = "CGAL's map knows no points: four corners are four, whatever they are called"
 NOTHING = "CGAL's map has no such check: it is empty"
 

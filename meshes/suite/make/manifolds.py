@@ -11,7 +11,7 @@ from family import Family
 from operations import fan, glue, mixture, plane, rich, shatters, split, split_side
 from twin import Glued
 
-NOWHERE = ("; points are anywhere (folded tetrahedra), since the body has no place in space")
+NOWHERE = " (points anywhere: folded)"
 
 
 def closed_and_holed(name, tets, seed, closed, holed, shatter="falling"):
