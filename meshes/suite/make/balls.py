@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Balls that cannot be taken apart tetrahedron by tetrahedron, and balls with a knotted hole."""
 
-from itertools import combinations
-
 import complexes
 import knots
 from case import Case
@@ -72,10 +70,12 @@ def furch():
     end = next(n for n, p in enumerate(ball[0]) if p == (4, 4, 1))
     cuts = [fan(end, 0, 0, 1), plane((0, 0, 1), 1), plane((1, 0, 0), 4.5),
             {"shatter": {"seed": 27}}]
-    yield Case("knotted-hole", ball, cuts, page={"built": {"betti": (1, 0, 0), "chi": 1, "sheets": 1}},
+    yield Case("knotted-hole", ball, cuts,
+               page={"built": {"betti": (1, 0, 0), "chi": 1, "sheets": 1}},
                shows="the hole ends one cube above the floor: a ball, with an arc of one edge "
                      "across it that is knotted")
-    yield Case("knot-exterior", exterior, cuts[1:], page={"built": {"betti": (1, 1, 0), "chi": 0, "sheets": 1}},
+    yield Case("knot-exterior", exterior, cuts[1:],
+               page={"built": {"betti": (1, 1, 0), "chi": 0, "sheets": 1}},
                shows="drilled through: the outside of a trefoil, one handle")
 
 

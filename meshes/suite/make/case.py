@@ -9,7 +9,7 @@ from differences import known_differences
 from findings import findings
 from homology import betti_mod, integer_homology, orbit_complex, universal_coefficients
 from shapes import Random, centroid, kuhn_box
-from twin import Glued, face_points, file_cells
+from twin import Glued, file_cells
 
 # Above these numbers an expectation would be large, or slow to make or to hold a kernel against.
 LISTED_SPLITS = 200

@@ -112,10 +112,6 @@ def closure(simplices):
             for face in combinations(s, k)}
 
 
-def link(faces, face):
-    return {other - face for other in faces if face < other}
-
-
 def contracted(tets):
     """Contracts edges a-b with link(a) n link(b) = link(ab), which keeps the manifold (Dey et al.
     1999), the first such edge each time, until there is none."""
@@ -138,12 +134,6 @@ def contracted(tets):
 
 def without(tets, number):
     return [t for n, t in enumerate(tets) if n != number]
-
-
-def subdivided(tets):
-    """The first barycentric subdivision."""
-    return renamed({tuple(tuple(sorted(order[:k + 1])) for k in range(4))
-                    for t in tets for order in permutations(t)})
 
 
 def placed(tets, seed):

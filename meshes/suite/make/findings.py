@@ -5,7 +5,7 @@ exact numbers; whether one of them is an error that refuses the body."""
 from collections import Counter
 from fractions import Fraction
 
-from twin import EDGES, Glued, UnionFind, face_points
+from twin import EDGES, Glued, UnionFind
 
 ERRORS = {"empty_mesh", "no_tetrahedron", "index_out_of_range", "repeated_vertex",
           "duplicate_tetrahedron", "mirrored_tetrahedron", "overfull_face", "non_orientable"}

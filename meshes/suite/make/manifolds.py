@@ -8,7 +8,7 @@ import shapes
 from case import Case
 from complexes import facets, placed, renamed, without
 from family import Family
-from operations import fan, glue, mixture, plane, rich, shatters, split, split_side
+from operations import fan, glue, mixture, plane, shatters, split
 from twin import Glued
 
 NOWHERE = " (points anywhere: folded)"

@@ -28,4 +28,5 @@ def row(path):
 def readme(old, paths):
     """The page with its table made anew."""
     before, rest = old.split(BEGIN)
-    return before + BEGIN + HEAD + "".join(map(row, sorted(paths, key=lambda path: path.stem))) + END + rest.split(END)[1]
+    rows = map(row, sorted(paths, key=lambda path: path.stem))
+    return before + BEGIN + HEAD + "".join(rows) + END + rest.split(END)[1]

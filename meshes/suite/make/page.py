@@ -6,8 +6,7 @@ from itertools import permutations
 import shapes
 from case import Case, box_case
 from family import Family
-from operations import (BALL, SHATTERS, fan, glue, plane, shatters, split,
-                        split_side)
+from operations import BALL, SHATTERS, fan, glue, plane, shatters, split, split_side
 from twin import Glued
 
 PAGE = "topology cases, section 2, fixture "
@@ -356,7 +355,8 @@ FAMILIES = [
     family(21, "defects", "each defect has its own code", defects),
     family(22, "two-bodies", "a cut in one body leaves the other alone", two_bodies),
     family(23, "total-shatter", "a body split at every face is a heap of tetrahedra", total),
-    family(23, "total-shatter-6000", "a heap of 6 000 tetrahedra, in three orders", total_6000, slow=True),
+    family(23, "total-shatter-6000", "a heap of 6 000 tetrahedra, in three orders",
+           total_6000, slow=True),
     family(24, "several-at-once", "one operation may split a component in several places",
            several_at_once),
 ]

@@ -9,7 +9,7 @@ from complexes import alike
 from delaunay import cloud
 from family import Family
 from findings import exact_volume
-from operations import SHATTERS, fan, mixture, plane, rich, split_side
+from operations import fan, mixture, plane, rich, split_side
 from shapes import kuhn_cubes
 
 MESHES = pathlib.Path(__file__).resolve().parents[2]
