@@ -155,7 +155,10 @@ def channels():
     yield Case("three-handles", body, [plane((1, 0, 0), 1), plane((0, 1, 0), 1),
                                        plane((0, 0, 1), 1.5)],
                shows="each false positive cuts a handle: at most three before a separation",
-               page={"built": built, "file": (64, 266, 332)})
+               page={"built": built, "file": (64, 266, 332),
+                     "after": {0: {"predicted": 2, "separations": 1},
+                               1: {"predicted": 4, "separations": 2},
+                               2: {"predicted": 4, "separations": 4}}})
     yield from shatters("all", body)
 
 
