@@ -6,8 +6,9 @@ import defective
 import manifolds
 import page
 import solids
+import turned
 
 ALL = (page.FAMILIES + balls.FAMILIES + manifolds.FAMILIES + solids.FAMILIES
-       + defective.FAMILIES)
+       + defective.FAMILIES + turned.FAMILIES)
 assert [family.name.split("-")[0] for family in ALL] == sorted(
     family.name.split("-")[0] for family in ALL)
