@@ -109,12 +109,22 @@ std::string efficiency(const FamilyReport& family) {
                      100.0 * static_cast<double>(separations) / static_cast<double>(alarms));
 }
 
-void print_line(const FamilyReport& f, std::size_t mismatches) {
+constexpr const char* row = "{:<{}}{:>8}{:>10}{:>9}{:>9}{:>9}{:>9}{:>9}{:>7}{:>8}{:>8}{:>7}{:>6}\n";
+
+void print_line(const FamilyReport& f, std::size_t width, std::size_t mismatches) {
   const std::string sizes = fmt::format("{}-{}", f.fewest, f.most);
-  fmt::print("{:<27}{:>7}{:>10}{:>9}{:>9}{:>9}{:>9}{:>9}{:>7}{:>7}{:>8}{:>7}{:>7}\n", f.name,
-             f.bodies, sizes, f.counts.fans, f.counts.faces, f.counts.vertices, f.counts.alarms,
-             f.counts.separations, f.counts.missed, efficiency(f), f.counts.glues,
+  fmt::print(row, f.name, width, f.bodies, sizes, f.counts.fans, f.counts.faces, f.counts.vertices,
+             f.counts.alarms, f.counts.separations, f.counts.missed, efficiency(f), f.counts.glues,
              f.checks.homologies, mismatches);
+}
+
+void print_table(const KernelRun& run) {
+  std::size_t width = 0;
+  for (const FamilyReport& f : run.report.families) width = std::max(width, f.name.size());
+  fmt::print(row, "family", width, "bodies", "tets", "fans", "faces", "vertices", "alarms",
+             "parted", "missed", "true %", "glues", "homol.", "wrong");
+  for (const FamilyReport& f : run.report.families) print_line(f, width, f.failure ? 1 : 0);
+  print_line(suite::total_of(run.report), width, failures_of(run));
 }
 
 void print_failure(const FamilyReport& family) {
@@ -158,12 +168,8 @@ void print_checks(const FamilyReport& total) {
 
 void print_run(const RandomArguments& arguments, const KernelRun& run) {
   fmt::print("kernel {}, seed {}\n\n", run.kernel, arguments.seed);
-  fmt::print("{:<27}{:>7}{:>10}{:>9}{:>9}{:>9}{:>9}{:>9}{:>7}{:>7}{:>8}{:>7}{:>7}\n", "family",
-             "bodies", "tets", "fans", "faces", "vertices", "alarms", "parted", "missed", "true %",
-             "glues", "homol.", "wrong");
-  for (const FamilyReport& f : run.report.families) print_line(f, f.failure ? 1 : 0);
+  print_table(run);
   const FamilyReport total = suite::total_of(run.report);
-  print_line(total, failures_of(run));
   print_checks(total);
   for (const FamilyReport& f : run.report.families) {
     if (f.failure) print_failure(f);

@@ -51,8 +51,8 @@ struct FamilyReport {
   CheckCounts checks;
   /// Single comparisons.
   std::size_t comparisons = 0;
-  /// Bodies whose Betti numbers over GF(2) are not told by sheets: the laws that need it are left
-  /// out there. 0 for generated bodies.
+  /// Bodies whose Betti numbers over GF(2) are not told by sheets, and are computed instead. 0 for
+  /// generated bodies.
   std::size_t without_sheet_law = 0;
   /// The family ends with its first failure.
   std::optional<RandomFailure> failure;

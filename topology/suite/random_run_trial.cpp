@@ -53,22 +53,26 @@ std::string face_text(const Trial& trial, FaceSide side) {
                      side.tetrahedron);
 }
 
-/// The kernel's counts after a split; and, where the sheets before are known too, the change of the
-/// Betti numbers.
-void judge_laws(Trial& trial, const CellCounts& before, std::size_t closed_before,
-                const SplitAnswer& truth) {
+/// What a split (or, with `undone`, the glue that undoes one) made of the counts, as the kernel has
+/// them; and of the Betti numbers, where those before are known.
+void judge_laws(Trial& trial, const SplitAnswer& truth, bool undone) {
+  // Homology costs eight times what counting does.
+  const std::size_t cost = trial.body.tetrahedra.size() * (trial.sheets_tell_betti ? 1 : 8);
+  if (!due(trial.law_pace, cost)) {
+    trial.betti.reset();
+    return;
+  }
   ++trial.times.laws;
   const CellCounts answered = trial.kernel.counts();
-  CellCounts expected = trial.counts;
-  expected.boundary_sheets = answered.boundary_sheets;  // not known from the split alone
-  compare(trial.checks, expected, answered);
-  if (trial.sheets_known && trial.sheets_tell_betti) {
+  trial.counts.boundary_sheets = answered.boundary_sheets;  // not known from the step alone
+  compare(trial.checks, trial.counts, answered);
+  const BettiNumbers now = trial.sheets_tell_betti ? betti_from_sheets(answered, trial.closed)
+                                                   : betti_numbers(orbit_complex(trial.twin), 2);
+  if (trial.betti) {
     ++trial.times.betti_changes;
-    judge_change(trial.checks, betti_from_sheets(before, closed_before),
-                 betti_from_sheets(answered, trial.closed), truth);
+    judge_change(trial.checks, undone ? now : *trial.betti, undone ? *trial.betti : now, truth);
   }
-  trial.counts = answered;
-  trial.sheets_known = true;
+  trial.betti = now;
 }
 
 void compare_partitions(Trial& trial, const std::string& what,
@@ -116,9 +120,8 @@ Trial begin_trial(TetMesh body, JudgedKernel kernel) {
   trial.twin = glue_twin(trial.body.tetrahedra, trial.body.points.size());
   trial.closed = trial.closed_intact = count_closed(trial.twin);
   trial.counts = cell_counts(union_find_counts(trial.twin));
-  trial.sheets_known = true;
-  trial.sheets_tell_betti =
-      betti_numbers(orbit_complex(trial.twin), 2) == betti_from_sheets(trial.counts, trial.closed);
+  trial.betti = betti_numbers(orbit_complex(trial.twin), 2);
+  trial.sheets_tell_betti = *trial.betti == betti_from_sheets(trial.counts, trial.closed);
   try {
     for (const Finding& f : trial.kernel.load(trial.body)) {
       if (f.severity == Severity::error) differ(trial.checks, "loading", "a body", f.code);
@@ -142,15 +145,9 @@ SplitAnswer split(Trial& trial, HalfFaceId face) {
   trial.checks.made += 4;
   judge_answer(trial.checks, answered);
   if (!truth.did || trial.checks.first) return truth;
-  const CellCounts before = trial.counts;
-  const std::size_t closed_before = trial.closed;
-  trial.counts = counts_after(before, truth);
-  if (closed_before > 0) trial.closed = count_closed(trial.twin);
-  if (due(trial.law_pace, trial.body.tetrahedra.size())) {
-    judge_laws(trial, before, closed_before, truth);
-  } else {
-    trial.sheets_known = false;
-  }
+  trial.counts = counts_after(trial.counts, truth);
+  if (trial.closed > 0) trial.closed = count_closed(trial.twin);
+  judge_laws(trial, truth, false);
   return truth;
 }
 
@@ -170,10 +167,11 @@ bool glue(Trial& trial, HalfFaceId a, HalfFaceId b) {
   if (!can) return false;
   // What gluing joins is what parting it again would part.
   glue_again(trial.twin, a, b);
-  trial.counts = counts_before(trial.counts, answer_of(unglue(trial.twin, a)));
+  const SplitAnswer truth = answer_of(unglue(trial.twin, a));
   glue_again(trial.twin, a, b);
+  trial.counts = counts_before(trial.counts, truth);
   if (trial.closed_intact > 0) trial.closed = count_closed(trial.twin);
-  trial.sheets_known = false;
+  judge_laws(trial, truth, true);
   return true;
 }
 
@@ -181,10 +179,9 @@ void judge_whole(Trial& trial) {
   if (trial.checks.first) return;
   ++trial.times.wholes;
   const CellCounts expected = cell_counts(union_find_counts(trial.twin));
-  if (!trial.sheets_known) trial.counts.boundary_sheets = expected.boundary_sheets;
-  trial.sheets_known = true;
+  trial.counts.boundary_sheets = expected.boundary_sheets;
   compare(trial.checks, expected, trial.kernel.counts());
-  compare(trial.checks, expected, trial.counts);
+  compare(trial.checks, expected, trial.counts);  // the sum of all single steps
   compare_partitions(trial, "vertices of corners", corner_classes(trial.twin),
                      trial.kernel.vertex_of_corner());
   compare_partitions(trial, "components of tetrahedra", component_classes(trial.twin),

@@ -31,7 +31,7 @@ struct CheckCounts {
   std::size_t splits = 0;
   /// Glues; splits of boundary faces and glues of whole faces, which have to be refused.
   std::size_t glues = 0, refusals = 0;
-  /// Kernel's counts after a split against the running ones; change of Betti numbers.
+  /// Kernel's counts after a split or glue against the running ones; change of Betti numbers.
   std::size_t laws = 0, betti_changes = 0;
   /// Counts and partitions against union-find over the whole body.
   std::size_t wholes = 0;
@@ -47,16 +47,17 @@ struct Trial {
   TetMesh body;
   JudgedKernel kernel;
   GlueTwin twin;
-  /// Cells as the answers of the twin have them, running; sheets only when `sheets_known`.
+  /// Cells as the answers of the twin have them, running; sheets are those last counted.
   CellCounts counts;
-  bool sheets_known = false;
   /// Components without any boundary: now, and when the body was loaded.
   std::size_t closed = 0, closed_intact = 0;
-  /// Whether `betti_from_sheets` holds for this body.
+  /// Whether `betti_from_sheets` holds for this body; where not, homology is computed.
   bool sheets_tell_betti = false;
+  /// Over GF(2), of the body as it is now; absent when the last step was not looked at so far.
+  std::optional<BettiNumbers> betti;
   /// Everything asked of the kernel since it was loaded.
   std::vector<Step> steps;
-  Pace law_pace{.allowance = 64}, whole_pace{.allowance = 192}, fault_pace{.allowance = 48};
+  Pace law_pace{.allowance = 96}, whole_pace{.allowance = 256}, fault_pace{.allowance = 64};
   CheckCounts times;
   /// The first mismatch is here; after it nothing more need be asked.
   Checks checks;
