@@ -32,6 +32,7 @@ std::vector<Finding> check_scene(const Scene& scene) {
   integrator.time_step = scene.time_step;
   append(findings, check(integrator, "integrator"));
   append(findings, check(scene.contact, "contact"));
+  append(findings, check(scene.impact, "impact"));
   if (scene.bodies.empty()) {
     findings.push_back({.code = "no_body",
                         .text = "the scene has no body",

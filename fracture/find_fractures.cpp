@@ -34,11 +34,21 @@ Candidate make_candidate(const FractureScratch& scratch, const Cells& cells, Ver
   return {tension.value / cells.strength[v.index()], v};
 }
 
-/// The test chain over all vertices: bound, exact test, eigenvalue. Stops at a NaN.
+/// Row = VertexId: whether it is looked at. Taken before anything splits.
+std::vector<char> looked_at(const MechanicsState& mechanics, const StepMembers& members) {
+  std::vector<char> rows(mechanics.vertices.size());
+  for (std::size_t v = 0; v < rows.size(); ++v) {
+    rows[v] = members.has(mechanics.vertices.component[v]);
+  }
+  return rows;
+}
+
+/// The test chain over the vertices looked at: bound, exact test, eigenvalue. Stops at a NaN.
 CandidateQueue find_candidates(const Cells& cells, const FractureScratch& scratch,
-                               FractureReport& report) {
+                               std::span<const char> rows, FractureReport& report) {
   CandidateQueue queue;
   for (std::size_t row = 0; row < cells.map.vertices(); ++row) {
+    if (!rows[row]) continue;
     const VertexId v{row};
     const double xi = cells.strength[row];
     const Mat3& sigma = scratch.node_stress[row];
@@ -86,28 +96,32 @@ void follow_fan(Cells& cells, const ElementStress& elements, const FanEvent& eve
 }
 
 /// Counts those that waited and are over their threshold no longer; forgets who waited.
-void count_relieved(Cells& cells, const FractureScratch& scratch, FractureReport& report) {
+void count_relieved(Cells& cells, const FractureScratch& scratch, std::span<const char> rows,
+                    FractureReport& report) {
+  cells.waits.resize(cells.map.vertices(), 0);
   for (std::size_t row = 0; row < cells.waits.size(); ++row) {
-    if (!cells.waits[row]) continue;
+    if (!cells.waits[row] || !rows[row]) continue;
+    cells.waits[row] = 0;
     report.relieved += test_threshold(scratch.node_stress[row], cells.strength[row]) ==
                        ThresholdAnswer::below;
   }
-  cells.waits.assign(cells.map.vertices(), 0);
 }
 
 }  // namespace
 
 FractureReport find_fractures(Cells& cells, MechanicsState& mechanics,
-                              const FractureSettings& settings, FractureScratch& scratch) {
+                              const FractureSettings& settings, FractureScratch& scratch,
+                              const StepMembers& members) {
   FractureReport report;
   if (settings.mode == FractureMode::off) return report;
   const ElementStress elements = element_stress(cells, mechanics, settings.weight);
   // Report each tetrahedron's stress to its vertices and average it.
   average_node_stress(scratch.node_stress, elements, cells.map.vertices());
   // Check where a fracture occurs.
-  CandidateQueue queue = find_candidates(cells, scratch, report);
+  const std::vector<char> rows = looked_at(mechanics, members);
+  CandidateQueue queue = find_candidates(cells, scratch, rows, report);
   if (report.not_a_number) return report;
-  count_relieved(cells, scratch, report);
+  count_relieved(cells, scratch, rows, report);
 
   std::vector<char> broken(cells.map.vertices(), 0);
   while (!queue.empty()) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fracture/split_fan.hpp"
+#include "mechanics/step.hpp"
 
 namespace sunder {
 
@@ -43,7 +44,9 @@ struct FractureScratch {
 /// stresses are those from before, and breaking on them again would grind the star to single
 /// tetrahedra. Copies of a vertex whose turn has not come yet do take part.
 /// Leaves `mechanics.elements.component`, masses and frames to the caller (`rebuild`).
+/// Only vertices of `members` are looked at: the others' time has not come.
 FractureReport find_fractures(Cells& cells, MechanicsState& mechanics,
-                              const FractureSettings& settings, FractureScratch& scratch);
+                              const FractureSettings& settings, FractureScratch& scratch,
+                              const StepMembers& members = {});
 
 }  // namespace sunder

@@ -83,6 +83,7 @@ struct Scene {
   double duration = 1;
   IntegratorSettings integrator;
   ContactSettings contact;
+  ImpactSettings impact;
   FractureSettings fracture;
   /// How fast what is drawn follows the simulation after a split, s (section 3.3); 0: at once.
   double display_time_constant = 0.1;

@@ -1,29 +1,11 @@
 // SPDX-License-Identifier: MIT
 // One step: mechanics with contact, then fracture, then the components that came of it.
-#include "fracture/simulation.hpp"
-
 #include <algorithm>
-#include <chrono>
+
+#include "fracture/step_work.hpp"
 
 namespace sunder {
 namespace {
-
-/// Adds the time until the end of its scope to a stage.
-class StageTimer {
- public:
-  StageTimer(StepReport& report, Stage stage)
-      : ms_(report.stage_ms[static_cast<std::size_t>(stage)]) {}
-  ~StageTimer() {
-    ms_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_)
-               .count();
-  }
-  StageTimer(const StageTimer&) = delete;
-  StageTimer& operator=(const StageTimer&) = delete;
-
- private:
-  double& ms_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 /// The component that `id` was part of when the step began.
 ComponentId ancestor(const Components& labels, ComponentId id, std::size_t components_before) {
@@ -52,17 +34,32 @@ std::vector<ComponentId> touched_components(const Components& labels,
   return touched;
 }
 
+/// Pieces inherit what their ancestor was to the step.
+void inherit(StepWork& work, std::size_t before) {
+  const Components& labels = work.sim.state.cells.labels;
+  std::vector<double>& quiet = work.sim.state.impact.quiet;
+  const std::size_t count = labels.size.size();
+  if (!work.components.empty()) work.components.resize(count);
+  quiet.resize(count);
+  for (std::size_t id = before; id < count; ++id) {
+    const std::size_t old = ancestor(labels, ComponentId{id}, before).index();
+    if (!work.components.empty()) work.components[id] = work.components[old];
+    quiet[id] = quiet[old];
+  }
+}
+
 /// Brings mechanics and display up to date with what broke.
-void rebuild_components(Simulation& sim, StepReport& report) {
+void rebuild_components(StepWork& work, const FractureReport& fracture) {
+  Simulation& sim = work.sim;
   SimulationState& s = sim.state;
   const std::size_t before = s.display.size();
-  const auto touched = touched_components(s.cells.labels, report.fracture, before);
+  const auto touched = touched_components(s.cells.labels, fracture, before);
   std::vector<Vec3> old_rest_centre;
   for (std::size_t id = 0; id < before; ++id) {
     old_rest_centre.push_back(s.mechanics.components[id].rest_centre);
   }
   s.mechanics.elements.component = s.cells.labels.of_tetrahedron;
-  report.energy_released =
+  work.report.energy_released +=
       rebuild(s.mechanics, s.cells.map.corners(), touched, sim.scratch.mechanics).energy_released;
 
   s.display.resize(s.cells.labels.size.size());
@@ -73,6 +70,42 @@ void rebuild_components(Simulation& sim, StepReport& report) {
     const Vec3& centre = s.mechanics.components[id->index()].rest_centre;
     s.display[id->index()] = split_off(s.display[old], old_rest_centre[old], centre);
     s.display_target[id->index()] = split_off(s.display_target[old], old_rest_centre[old], centre);
+  }
+  inherit(work, before);
+}
+
+/// Adds the contact of a part to that of its step.
+void add_contact(ContactReport& sum, const ContactReport& part) {
+  sum.candidates = std::max(sum.candidates, part.candidates);
+  sum.contacts = std::max(sum.contacts, part.contacts);
+  sum.passes += part.passes;
+  sum.iterations += part.iterations;
+  if (part.residual - part.tolerated >= sum.residual - sum.tolerated) {
+    sum.residual = part.residual;
+    sum.tolerated = part.tolerated;
+  }
+  sum.converged = sum.converged && part.converged;
+  sum.deepest = std::max(sum.deepest, part.deepest);
+  sum.left_out += part.left_out;
+  sum.obstacle_impulse.resize(part.obstacle_impulse.size(), Vec3::Zero());
+  for (std::size_t k = 0; k < part.obstacle_impulse.size(); ++k) {
+    sum.obstacle_impulse[k] += part.obstacle_impulse[k];
+  }
+}
+
+/// Adds the fractures of a part to those of its step.
+void add_fracture(StepReport& sum, FractureReport&& part) {
+  FractureReport& all = sum.fracture;
+  all.tested += part.tested;
+  all.suspects += part.suspects;
+  all.reached += part.reached;
+  all.empty_fans += part.empty_fans;
+  all.relieved += part.relieved;
+  all.waiting = part.waiting;
+  all.not_a_number = part.not_a_number;
+  for (FanEvent& fan : part.fans) {
+    all.fans.push_back(std::move(fan));
+    sum.fan_time.push_back(sum.time);
   }
 }
 
@@ -95,40 +128,65 @@ Vec3 gravity_at(const GravitySettings& gravity, double time) {
   return gravity.acceleration * std::min(1.0, time / gravity.ramp_time);
 }
 
-StepReport advance(Simulation& sim) {
+PartResult take_part(StepWork& work, const PartPlan& plan) {
+  const StageTimer timer(work.report, Stage::mechanics);
+  Simulation& sim = work.sim;
   SimulationState& s = sim.state;
-  StepReport report;
+  IntegratorSettings settings = sim.scene.integrator;
+  settings.time_step = plan.length;
+  const StepInput input{s.cells.map.corners(), work.loads, settings, plan.part, work.members()};
+  ContactStepResult result =
+      advance_with_contact({s.mechanics, s.obstacles, s.contact}, input, sim.scene.contact,
+                           {sim.scratch.mechanics, sim.scratch.contact});
+  if (!result.adopted) return {false, std::move(result.blows)};
+  const double damping_work = work.report.status.damping_work + result.status.damping_work;
+  work.report.status = result.status;
+  work.report.status.damping_work = damping_work;
+  add_contact(work.report.contact, result.report);
+  work.report.time = s.mechanics.time;
+  if (work.observe) work.observe(sim, {plan.part.deformation, plan.length, result.report});
+  return {true, std::move(result.blows)};
+}
+
+void break_members(StepWork& work) {
+  if (work.failed()) return;
+  Simulation& sim = work.sim;
+  FractureReport found;
   {
-    const StageTimer timer(report, Stage::mechanics);
-    const Loads loads{
-        .gravity = gravity_at(sim.scene.gravity, s.mechanics.time + sim.scene.time_step)};
-    const StepInput input{s.cells.map.corners(), loads, sim.scene.integrator};
-    ContactStepResult result =
-        advance_with_contact({s.mechanics, s.obstacles, s.contact}, input, sim.scene.contact,
-                             {sim.scratch.mechanics, sim.scratch.contact});
-    report.status = result.status;
-    report.contact = std::move(result.report);
+    const StageTimer timer(work.report, Stage::fracture);
+    FractureSettings settings = sim.scene.fracture;
+    settings.max_fans -= std::min(settings.max_fans,
+                                  static_cast<std::uint32_t>(work.report.fracture.fans.size()));
+    found = find_fractures(sim.state.cells, sim.state.mechanics, settings, sim.scratch.fracture,
+                           work.members());
   }
+  if (!found.not_a_number && !found.fans.empty()) {
+    const StageTimer timer(work.report, Stage::rebuild);
+    rebuild_components(work, found);
+  }
+  add_fracture(work.report, std::move(found));
+}
+
+StepReport advance(Simulation& sim, const StepObserver& observe) {
+  SimulationState& s = sim.state;
+  StepWork work{sim, observe, {}, {}, {}, {}};
+  work.loads.gravity = gravity_at(sim.scene.gravity, s.mechanics.time + sim.scene.time_step);
+  s.impact.quiet.resize(s.mechanics.components.size(), ImpactWindow::closed);
+  if (sim.scene.impact.window && sim.scene.integrator.integrator == Integrator::floating_frame) {
+    advance_with_windows(work);
+  } else {
+    take_part(work, {{}, sim.scene.time_step});
+    break_members(work);
+  }
+  StepReport& report = work.report;
   report.step = ++s.step;
   report.time = s.mechanics.time;
   report.components = living_components(s.mechanics).size();
-  if (report.status.outcome != StepOutcome::fine) return report;
-  {
-    const StageTimer timer(report, Stage::fracture);
-    report.fracture =
-        find_fractures(s.cells, s.mechanics, sim.scene.fracture, sim.scratch.fracture);
-  }
-  if (report.fracture.not_a_number) return report;
-  if (!report.fracture.fans.empty()) {
-    const StageTimer timer(report, Stage::rebuild);
-    rebuild_components(sim, report);
-  }
-  {
+  if (!work.failed()) {
     const StageTimer timer(report, Stage::display);
     update_display(sim);
   }
-  report.components = living_components(s.mechanics).size();
-  return report;
+  return std::move(report);
 }
 
 }  // namespace sunder

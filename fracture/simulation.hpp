@@ -5,6 +5,8 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
+#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -17,6 +19,15 @@
 
 namespace sunder {
 
+/// Impact windows: which components are stepped finely, and how finely.
+struct ImpactWindow {
+  static constexpr double closed = std::numeric_limits<double>::infinity();
+  /// Row = ComponentId: s since the component last felt a blow; `closed` for all others.
+  std::vector<double> quiet;
+  /// s, the scene's step over a power of two; kept while a window is open.
+  double sub_step = 0;
+};
+
 /// What evolves and would have to be saved to go on later.
 struct SimulationState {
   Cells cells;
@@ -24,6 +35,7 @@ struct SimulationState {
   /// Those of the scene, where they are now.
   std::vector<Obstacle> obstacles;
   ContactMemory contact;
+  ImpactWindow impact;
   /// Row = ComponentId: where each component is drawn (section 3.3), and the target it was given in
   /// the last step.
   std::vector<DisplayState> display, display_target;
@@ -57,6 +69,22 @@ enum class Stage { mechanics, fracture, rebuild, display };
 inline constexpr std::array<std::string_view, 4> stage_names = {"mechanics", "fracture", "rebuild",
                                                                 "display"};
 
+/// What impact windows did in a step.
+struct ImpactReport {
+  /// Components for which a window opened.
+  std::uint32_t opened = 0;
+  /// Sub-steps, and the time they took together, s.
+  std::uint32_t sub_steps = 0;
+  double time = 0;
+  /// Most components that were stepped finely at once: the struck ones and what they could reach.
+  std::uint32_t components = 0;
+  /// Largest sub-step over the longest that resolves a blow it met; above 1 where pieces were
+  /// struck that are smaller than the one the window was opened for.
+  double coarseness = 0;
+  /// `ImpactSettings::max_sub_steps` was reached: the rest of the step was taken at once.
+  bool stopped = false;
+};
+
 /// What one step did.
 struct StepReport {
   std::uint64_t step = 0;
@@ -65,12 +93,23 @@ struct StepReport {
   StepStatus status;
   ContactReport contact;
   FractureReport fracture;
+  /// s, of each fan: the end of the sub-step in which it came.
+  std::vector<double> fan_time;
+  ImpactReport impact;
   /// J, deformation given up by pieces that became rigid tetrahedra.
   double energy_released = 0;
   std::size_t components = 0;
   /// Wall time of each stage, ms. For reports only.
   std::array<double, stage_names.size()> stage_ms{};
 };
+
+/// A part of a step as an observer sees it, right after it was taken and before anything breaks.
+struct PartReport {
+  Deformation deformation = Deformation::whole;
+  double length = 0;  ///< s
+  const ContactReport& contact;
+};
+using StepObserver = std::function<void(const Simulation&, const PartReport&)>;
 
 /// Builds every body of a scene at its start: map, columns, supports, placement, components.
 /// The findings tell all that is wrong with meshes, materials, obstacles and settings; warnings and
@@ -79,9 +118,13 @@ Result<Simulation> build_simulation(Scene scene);
 
 /// One step of length `scene.time_step`: contact and external forces -> integrate -> element stress
 /// at the new state -> fracture -> components (decisions.md, Order of a step).
+/// A step that would run into a blow is divided for the components struck and what they can reach:
+/// frozen deformations up to the blow, sub-steps while it lasts, each with its own fractures, and
+/// the rest at once; all others take the whole step, and everybody meets at its end
+/// (docs/impact.md). `observe` is called after each part.
 /// After an outcome other than fine in `status`, or a stress that is not a number, the simulation
 /// must not be advanced further; the state is as computed, for whoever wants to look.
-StepReport advance(Simulation& simulation);
+StepReport advance(Simulation& simulation, const StepObserver& observe = {});
 
 /// Gravity at a time, m/s^2: raised linearly over the ramp.
 Vec3 gravity_at(const GravitySettings& gravity, double time);

@@ -8,6 +8,7 @@
 
 #include <Eigen/OrderingMethods>
 
+#include "mechanics/impact.hpp"
 #include "mechanics/strain_displacement.hpp"
 #include "topology/assert.hpp"
 
@@ -156,13 +157,17 @@ void build_system(ComponentSystem& system, std::span<std::uint32_t> local_row,
       }
     }
   }
-  system.analysed = system.factored = false;
-  system.touched.clear();
+  system.cell_travel = cell_travel(state, component);
+  for (SystemFactor* factor : {&system.step, &system.wave}) {
+    factor->analysed = factor->factored = false;
+    factor->touched.clear();
+  }
 }
 
-void factor_system(ComponentSystem& system, const SystemMatrix& matrix) {
-  if (system.factored && system.factored_matrix == matrix) return;
-  system.touched.clear();
+void factor_system(ComponentSystem& system, const SystemMatrix& matrix, FactorUse use) {
+  SystemFactor& own = factor_of(system, use);
+  if (own.factored && own.matrix == matrix) return;
+  own.touched.clear();
   const auto dofs = static_cast<Eigen::Index>(3 * system.free_count);
   if (dofs > 0) {
     Sparse A = system.stiffness.topLeftCorner(dofs, dofs);
@@ -171,22 +176,23 @@ void factor_system(ComponentSystem& system, const SystemMatrix& matrix) {
       // The diagonal comes first in every column of a lower triangle.
       A.valuePtr()[A.outerIndexPtr()[i]] += matrix.mass * system.shape.mass[i / 3];
     }
-    if (!system.analysed) system.factor.analyzePattern(A);
-    system.factor.factorize(A);
+    if (!own.analysed) own.factor.analyzePattern(A);
+    own.factor.factorize(A);
   }
-  system.analysed = system.factored = true;
-  system.factored_matrix = matrix;
+  own.analysed = own.factored = true;
+  own.matrix = matrix;
 }
 
-void solve_system(const ComponentSystem& system, Eigen::Ref<Eigen::MatrixXd> x) {
-  SUNDER_ASSERT(system.factored, "solve_system: no factor");
+void solve_system(const ComponentSystem& system, Eigen::Ref<Eigen::MatrixXd> x, FactorUse use) {
+  const SystemFactor& own = use == FactorUse::step ? system.step : system.wave;
+  SUNDER_ASSERT(own.factored, "solve_system: no factor");
   if (system.free_count == 0) return;
-  if (system.factor.info() != Eigen::Success) {
+  if (own.factor.info() != Eigen::Success) {
     x.setConstant(std::numeric_limits<double>::quiet_NaN());
     return;
   }
-  system.factor.matrixL().solveInPlace(x);
-  system.factor.matrixU().solveInPlace(x);
+  own.factor.matrixL().solveInPlace(x);
+  own.factor.matrixU().solveInPlace(x);
 }
 
 void multiply_stiffness(Eigen::Ref<Eigen::VectorXd> y, const ComponentSystem& system,
@@ -251,7 +257,7 @@ void solve_needed(Columns& X, const Sparse& L, const std::vector<bool>& needed) 
 
 /// Columns of A^-1 of the touched vertices from place `first` on, into the compliance cache. Only
 /// rows at touched vertices are kept: those of later ones come from their own columns.
-void fill_compliance(ComponentSystem& system, std::size_t first) {
+void fill_compliance(SystemFactor& system, std::size_t first) {
   const auto k = static_cast<Eigen::Index>(system.touched.size());
   if (system.compliance.rows() < 3 * k) system.compliance.conservativeResize(6 * k, 6 * k);
   if (system.factor.info() != Eigen::Success) {
@@ -283,17 +289,19 @@ void fill_compliance(ComponentSystem& system, std::size_t first) {
 }  // namespace
 
 std::vector<std::uint32_t> touch_compliance(ComponentSystem& system,
-                                            std::span<const std::uint32_t> local_vertices) {
-  const std::size_t known = system.touched.size();
+                                            std::span<const std::uint32_t> local_vertices,
+                                            FactorUse use) {
+  SystemFactor& own = factor_of(system, use);
+  const std::size_t known = own.touched.size();
   std::vector<std::uint32_t> places;
   places.reserve(local_vertices.size());
   for (std::uint32_t v : local_vertices) {
     SUNDER_ASSERT(v < system.free_count, "touch_compliance: the vertex is held");
-    const auto found = std::find(system.touched.begin(), system.touched.end(), v);
-    places.push_back(static_cast<std::uint32_t>(found - system.touched.begin()));
-    if (found == system.touched.end()) system.touched.push_back(v);
+    const auto found = std::find(own.touched.begin(), own.touched.end(), v);
+    places.push_back(static_cast<std::uint32_t>(found - own.touched.begin()));
+    if (found == own.touched.end()) own.touched.push_back(v);
   }
-  if (system.touched.size() > known) fill_compliance(system, known);
+  if (own.touched.size() > known) fill_compliance(own, known);
   return places;
 }
 

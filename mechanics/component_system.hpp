@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The constant matrices of one component in its body frame: K, the factor of A, columns of A^-1.
+// The constant matrices of one component in its body frame: K, two factors of A, columns of A^-1.
 #pragma once
 
 #include <span>
@@ -22,9 +22,25 @@ struct SystemMatrix {
   friend bool operator==(const SystemMatrix&, const SystemMatrix&) = default;
 };
 
+/// The factor of one A with what has been asked of its inverse.
+struct SystemFactor {
+  using Sparse = Eigen::SparseMatrix<double>;
+  Eigen::SimplicialLLT<Sparse, Eigen::Lower, Eigen::NaturalOrdering<int>> factor;
+  bool analysed = false;
+  bool factored = false;
+  SystemMatrix matrix;  ///< what `factor` holds, when factored
+
+  /// Compliance cache: the local vertices touched so far and A^-1 between them, 3 k x 3 k.
+  std::vector<std::uint32_t> touched;
+  Eigen::MatrixXd compliance;  ///< 1/kg; body frame; capacity grows by doubling
+};
+
+/// Which of a component's factors: that of its steps, or that of the sub-steps of an impact.
+enum class FactorUse { step, wave };
+
 /// Everything constant between two changes of a component. Derived from the state; never saved.
 struct ComponentSystem {
-  using Sparse = Eigen::SparseMatrix<double>;
+  using Sparse = SystemFactor::Sparse;
 
   /// Its own numbering, n: free vertices in the order in which they are eliminated (approximate
   /// minimum degree on the graph of vertices), then the held ones. So the free dofs are the leading
@@ -33,18 +49,17 @@ struct ComponentSystem {
   std::size_t free_count = 0;
   RestShape shape;   ///< in that order
   Sparse stiffness;  ///< K, 3 n x 3 n, lower triangle, N/m
+  double cell_travel = 0;  ///< s, see `cell_travel` in impact.hpp
 
-  Eigen::SimplicialLLT<Sparse, Eigen::Lower, Eigen::NaturalOrdering<int>> factor;
-  bool analysed = false;
-  bool factored = false;
-  SystemMatrix factored_matrix;  ///< what `factor` holds, when factored
-
-  /// Compliance cache: the local vertices touched so far and A^-1 between them, 3 k x 3 k.
-  std::vector<std::uint32_t> touched;
-  Eigen::MatrixXd compliance;  ///< 1/kg; body frame; capacity grows by doubling
+  /// The second factor is made when a component is struck first.
+  SystemFactor step, wave;
 
   std::size_t size() const { return order.size(); }
 };
+
+inline SystemFactor& factor_of(ComponentSystem& system, FactorUse use) {
+  return use == FactorUse::step ? system.step : system.wave;
+}
 
 /// Makes K and the numbering of `component`; writes its rows of `local_row`. No factor yet.
 /// O(tetrahedra log) , 3 ms at 6 000 tetrahedra.
@@ -54,11 +69,13 @@ void build_system(ComponentSystem& system, std::span<std::uint32_t> local_row,
 
 /// Factors A over the free dofs unless that very matrix is factored already. The pattern is
 /// analysed once. Drops the compliance cache when the matrix changes.
-void factor_system(ComponentSystem& system, const SystemMatrix& matrix);
+void factor_system(ComponentSystem& system, const SystemMatrix& matrix,
+                   FactorUse use = FactorUse::step);
 
 /// x <- A^-1 x over the free vertices (3 free_count rows, any number of columns), in place. Becomes
 /// NaN where A was not positive definite, which only an overflow can bring about.
-void solve_system(const ComponentSystem& system, Eigen::Ref<Eigen::MatrixXd> x);
+void solve_system(const ComponentSystem& system, Eigen::Ref<Eigen::MatrixXd> x,
+                  FactorUse use = FactorUse::step);
 
 /// y = K x, all n vertices.
 void multiply_stiffness(Eigen::Ref<Eigen::VectorXd> y, const ComponentSystem& system,
@@ -67,6 +84,7 @@ void multiply_stiffness(Eigen::Ref<Eigen::VectorXd> y, const ComponentSystem& sy
 /// Makes sure that `local_vertices` (free ones, in the system's numbering) are in the compliance
 /// cache, with three back-solves for each new one, and gives their places there.
 std::vector<std::uint32_t> touch_compliance(ComponentSystem& system,
-                                            std::span<const std::uint32_t> local_vertices);
+                                            std::span<const std::uint32_t> local_vertices,
+                                            FactorUse use = FactorUse::step);
 
 }  // namespace sunder

@@ -5,64 +5,36 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
-#include "mechanics/contact_bodies.hpp"
 #include "mechanics/contact_bounce.hpp"
-#include "mechanics/contact_detect.hpp"
+#include "mechanics/contact_step.hpp"
 #include "topology/assert.hpp"
 
 namespace sunder {
-
-namespace {
-
-using ContactKey = std::tuple<std::uint32_t, VertexId, std::uint32_t, TetId>;
-
-ContactKey key_of(const ContactPoint& c) { return {c.ball, c.vertex, c.obstacle, c.tetrahedron}; }
-
-bool by_key(const ContactPoint& a, const ContactPoint& b) { return key_of(a) < key_of(b); }
-
-}  // namespace
-
-struct ContactScratch::Room {
-  DetectScratch detect;
-  ContactBodies bodies;
-  StepBlows blows;
-  std::vector<Vec3> ball_end;
-  std::vector<Vec3> change;
-  std::vector<ContactKey> known;
-  std::vector<std::uint32_t> count;  ///< row = ComponentId: contacts taken so far
-};
 
 ContactScratch::ContactScratch() : room(std::make_unique<Room>()) {}
 ContactScratch::~ContactScratch() = default;
 ContactScratch::ContactScratch(ContactScratch&&) noexcept = default;
 ContactScratch& ContactScratch::operator=(ContactScratch&&) noexcept = default;
 
-namespace {
-
-using Room = ContactScratch::Room;
-
-/// One step at work.
-struct ContactStep {
-  ContactPass pass;
-  ContactMemory& memory;
-  const ContactSettings& settings;
-  std::vector<ContactPoint>& contacts;
-  Room& room;
-  ContactReport report;
-
-  double h() const { return pass.input.settings.time_step; }
-};
-
 StepPaths paths_of(const ContactStep& step) {
   return {step.pass.state,     step.pass.input.corners, step.pass.mechanics.predicted.position,
-          step.pass.obstacles, step.room.ball_end,      step.h()};
+          step.pass.obstacles, step.room.ball_end,      step.h(),
+          step.pass.input.members};
 }
+
+double target_gap(const ContactStep& step, const ContactPoint& contact) {
+  const double allowed = -step.settings.allowed_penetration;
+  if (contact.gap_start >= allowed) return std::min(0.0, contact.gap_start);
+  return std::min(allowed, contact.gap_start + step.settings.push_out_speed * step.h());
+}
+
+namespace {
 
 void predict_balls(ContactStep& step) {
   const std::vector<Obstacle>& obstacles = step.pass.obstacles;
   step.room.ball_end.resize(obstacles.size(), Vec3::Zero());
+  if (step.is_wave()) return predict_wave_balls(step);
   const double h = step.h();
   for (std::size_t k = 0; k < obstacles.size(); ++k) {
     if (!obstacles[k].mass) continue;
@@ -99,13 +71,6 @@ Vec3 relative_shift(const ContactStep& step, const ContactPoint& contact) {
   return shift;
 }
 
-/// Where the gap may be at the end of the step: a contact that is too deep comes out slowly.
-double target_gap(const ContactStep& step, const ContactPoint& contact) {
-  const double allowed = -step.settings.allowed_penetration;
-  if (contact.gap_start >= allowed) return std::min(0.0, contact.gap_start);
-  return std::min(allowed, contact.gap_start + step.settings.push_out_speed * step.h());
-}
-
 /// Rounding of a gap: nothing below it is an overlap.
 double rounding_of(const ContactPath& path, const ContactPoint& contact) {
   return 128 * std::numeric_limits<double>::epsilon() *
@@ -115,6 +80,7 @@ double rounding_of(const ContactPath& path, const ContactPoint& contact) {
 /// What the end of the step lacks: gap less target, as predicted.
 double predicted_lack(const ContactStep& step, const ContactPoint& contact,
                       const ContactPath& path) {
+  if (step.is_wave()) return wave_lack(step, contact);
   return gap_end(contact, path) + contact.normal.dot(relative_shift(step, contact)) -
          target_gap(step, contact);
 }
@@ -140,12 +106,63 @@ bool take_place(ContactStep& step, const ContactPoint& contact) {
 /// Spreads equal depths over a face instead of filling it from one side.
 std::uint32_t scattered(VertexId v) { return v.value * 2654435761u; }
 
-/// Adds what has come near since the last pass: overlaps, deepest first, and what is nearer than
-/// the deepest overlap is deep. Gives that depth, m; 0 when nothing overlaps.
+/// Whether two sides meet so fast that it is a blow for one of them.
+bool is_blow_for_a_side(const ContactStep& step, const ContactPoint& contact, double speed,
+                        Blows& blows) {
+  const MechanicsState& state = step.pass.state;
+  const ImpactSettings& impact = *step.pass.input.part.impact;
+  bool any = false;
+  const auto try_side = [&](ComponentId id) {
+    const Component& component = state.components[id.index()];
+    if (!is_blow(state, component, speed, impact)) return;
+    any = true;
+    blows.struck.push_back(id);
+    blows.sub_step = std::min(blows.sub_step, wave_sub_step(state, component, impact));
+  };
+  if (contact.ball == ContactPoint::none) {
+    try_side(state.vertices.component[contact.vertex.index()]);
+  }
+  if (contact.obstacle == ContactPoint::none) {
+    try_side(state.elements.component[contact.tetrahedron.index()]);
+  }
+  return any;
+}
+
+/// Blows among the contacts found: they are told, and in a frozen part forgotten.
+void look_for_blows(ContactStep& step) {
+  DetectScratch& found = step.room.detect;
+  const StepPaths paths = paths_of(step);
+  Blows& blows = step.blows;
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < found.found.size(); ++k) {
+    const Meeting meeting = meeting_of(found.found[k], paths);
+    const bool blow = std::isfinite(meeting.time) &&
+                      is_blow_for_a_side(step, found.found[k], meeting.speed, blows);
+    if (blow) blows.time = std::min(blows.time, meeting.time);
+    if (blow && step.deformation() == Deformation::frozen) continue;
+    found.found[kept] = found.found[k];
+    found.found_gap[kept++] = found.found_gap[k];
+  }
+  found.found.resize(kept);
+  found.found_gap.resize(kept);
+  std::sort(blows.struck.begin(), blows.struck.end());
+  blows.struck.erase(std::unique(blows.struck.begin(), blows.struck.end()), blows.struck.end());
+}
+
+/// Finds contacts along the paths as they are predicted. False when there are blows on them that
+/// the step must not run into.
+bool detect_contacts(ContactStep& step) {
+  find_contacts(step.room.detect, step.memory, paths_of(step), step.settings);
+  if (!step.pass.input.part.impact || step.is_wave()) return true;
+  look_for_blows(step);
+  return step.deformation() == Deformation::frozen || step.blows.struck.empty();
+}
+
+/// Of the contacts found, adds what has come near since the last pass: overlaps, deepest first, and
+/// what is nearer than the deepest overlap is deep. Gives that depth, m; 0 when nothing overlaps.
 double add_new_contacts(ContactStep& step, double deepest) {
   DetectScratch& found = step.room.detect;
   const StepPaths paths = paths_of(step);
-  find_contacts(found, step.memory, paths, step.settings);
   std::vector<ContactKey>& known = step.room.known;
   known.clear();
   for (const ContactPoint& c : step.contacts) known.push_back(key_of(c));
@@ -182,6 +199,7 @@ double add_new_contacts(ContactStep& step, double deepest) {
 /// Gaps and slips of the rows at the predicted end of the step. Gives the largest error among the
 /// contacts: an overlap, or an impulse where there is a gap.
 double measure_rows(ContactStep& step) {
+  if (step.is_wave()) return measure_wave_rows(step);
   const StepPaths paths = paths_of(step);
   double worst = 0;
   for (std::size_t k = 0; k < step.contacts.size(); ++k) {
@@ -209,8 +227,12 @@ double measure_rows(ContactStep& step) {
 /// Solves, hands the changes on, and predicts what was touched.
 void solve_pass(ContactStep& step) {
   ContactBodies& bodies = step.room.bodies;
-  const SolveOutcome outcome = solve_contacts(
-      bodies.rows, bodies.bodies, {step.h(), step.report.tolerated, step.settings.max_iterations});
+  // With a unit step, displacements are velocities.
+  const double over = step.is_wave() ? step.h() : 1;
+  const SolveOutcome outcome =
+      solve_contacts(bodies.rows, bodies.bodies,
+                     {step.is_wave() ? 1 : step.h(), step.report.tolerated / over,
+                      step.settings.max_iterations});
   step.report.iterations += outcome.iterations;
   step.report.converged = step.report.converged && outcome.converged;
   step.room.change.resize(step.contacts.size());
@@ -218,33 +240,60 @@ void solve_pass(ContactStep& step) {
     step.room.change[k] = bodies.rows[k].impulse - step.contacts[k].impulse;
     step.contacts[k].impulse = bodies.rows[k].impulse;
   }
-  apply_changes(step.room.blows, bodies, step.room.change, step.pass);
-  predict_touched(step.room.blows, step.pass);
+  if (step.is_wave()) {
+    apply_wave_changes(step);
+  } else {
+    apply_changes(step.room.blows, bodies, step.room.change, step.pass);
+    predict_touched(step.room.blows, step.pass);
+  }
   predict_balls(step);
   ++step.report.passes;
 }
 
-/// Lets the first pass begin with the impulses that the same contacts needed in the last step.
+bool by_key(const ContactMemory::Remembered& a, const ContactMemory::Remembered& b) {
+  return key_of(a.contact) < key_of(b.contact);
+}
+
+/// Lets the first pass begin with the forces that the same contacts needed in the last step.
 void guess_from_last_step(ContactStep& step) {
-  const std::vector<ContactPoint>& last = step.memory.last_contacts;
+  const auto& last = step.memory.last_contacts;
   for (std::size_t k = 0; k < step.contacts.size(); ++k) {
-    const ContactPoint& contact = step.contacts[k];
+    const ContactMemory::Remembered contact{step.contacts[k], step.h()};
     const auto found = std::lower_bound(last.begin(), last.end(), contact, by_key);
-    if (found == last.end() || key_of(*found) != key_of(contact)) continue;
+    if (found == last.end() || key_of(found->contact) != key_of(contact.contact)) continue;
     // Turned with the normal, so that it stays inside the bounds and the circle.
     const Eigen::Quaterniond turn =
-        Eigen::Quaterniond::FromTwoVectors(found->normal, contact.normal);
-    step.room.bodies.rows[k].guess = turn * found->impulse;
+        Eigen::Quaterniond::FromTwoVectors(found->contact.normal, contact.contact.normal);
+    step.room.bodies.rows[k].guess = step.h() / found->step * (turn * found->contact.impulse);
   }
 }
 
-/// Passes until the predicted gaps are as solved for. What remains is the residual.
-void resolve(ContactStep& step) {
+/// Whether all sides of a contact belong to what the step moves.
+bool among_members(const ContactStep& step, const ContactPoint& contact) {
+  const StepMembers& members = step.pass.input.members;
+  const MechanicsState& state = step.pass.state;
+  if (contact.ball != ContactPoint::none) return members.has_ball(contact.ball);
+  return contact.vertex.index() < state.vertices.size() &&
+         members.has(state.vertices.component[contact.vertex.index()]);
+}
+
+/// Contacts of this step in place of those of the members' last one.
+void remember_contacts(ContactStep& step) {
+  auto& last = step.memory.last_contacts;
+  std::erase_if(last, [&](const auto& old) { return among_members(step, old.contact); });
+  for (const ContactPoint& contact : step.contacts) last.push_back({contact, step.h()});
+  std::sort(last.begin(), last.end(), by_key);
+}
+
+/// Passes until the predicted gaps are as solved for. What remains is the residual. False when
+/// nothing was done for the sake of a blow.
+bool resolve(ContactStep& step) {
   double deepest = 0;
   for (int k = 0; k <= step.settings.max_passes; ++k) {
     const std::size_t before = step.contacts.size();
+    if (!detect_contacts(step) && k == 0) return false;
     deepest = add_new_contacts(step, deepest);
-    if (deepest == 0) return;
+    if (deepest == 0) return true;
     step.report.tolerated = step.settings.tolerance * deepest;
     gather_bodies(step.room.bodies, step.contacts, step.pass);
     step.report.residual = measure_rows(step);
@@ -253,24 +302,25 @@ void resolve(ContactStep& step) {
         std::max({1e-3 * deepest, 1e-2 * step.settings.allowed_penetration, step.report.tolerated});
     const bool settled =
         k > 0 && step.contacts.size() == before && step.report.residual <= good_enough;
-    if (settled || k == step.settings.max_passes) return;
+    if (settled || k == step.settings.max_passes) break;
     if (k == 0) guess_from_last_step(step);
     solve_pass(step);
   }
+  return true;
 }
 
 void move_obstacles(ContactStep& step) {
+  const Vec3 fall = step.h() * step.pass.input.loads.gravity;
   for (std::size_t k = 0; k < step.pass.obstacles.size(); ++k) {
     Obstacle& obstacle = step.pass.obstacles[k];
     if (!obstacle.mass) {
       translate(obstacle.shape, step.h() * obstacle.velocity);
-      continue;
-    }
-    std::get<Sphere>(obstacle.shape).center = step.room.ball_end[k];
-    if (!step.room.blows.ball_touched[k]) {
-      obstacle.velocity += step.h() * step.pass.input.loads.gravity;
+    } else if (step.pass.input.members.has_ball(k) && !step.is_wave()) {
+      std::get<Sphere>(obstacle.shape).center = step.room.ball_end[k];
+      if (!step.room.blows.ball_touched[k]) obstacle.velocity += fall;
     }
   }
+  if (step.is_wave()) move_wave_balls(step);
 }
 
 void count_contacts(ContactStep& step) {
@@ -295,39 +345,65 @@ void sum_impulses(ContactStep& step) {
   }
 }
 
+/// Makes room for a step.
+void begin_step(ContactStep& step) {
+  ContactScratch::Room& room = step.room;
+  const MechanicsState& state = step.pass.state;
+  const std::size_t balls = step.pass.obstacles.size();
+  room.blows.component_touched.assign(state.components.size(), 0);
+  room.blows.ball_touched.assign(balls, 0);
+  room.blows.vertex_impulse.assign(state.vertices.size(), Vec3::Zero());
+  room.blows.ball_impulse.assign(balls, Vec3::Zero());
+  room.blows.ball_twist.assign(balls, Vec3::Zero());
+  room.count.assign(state.components.size(), 0);
+  const StepInput& input = step.pass.input;
+  predict(step.pass.mechanics, state, input, living_components(state, input.members));
+  if (input.members.component.empty()) return;
+  // What keeps still is where it is.
+  for (std::size_t v = 0; v < state.vertices.size(); ++v) {
+    if (input.members.has(state.vertices.component[v])) continue;
+    step.pass.mechanics.predicted.position[v] = state.vertices.position[v];
+  }
+}
+
+/// After the bodies were adopted: balls, bounces, memory.
+void end_step(ContactStep& step, bool fine) {
+  move_obstacles(step);
+  std::erase_if(step.contacts, [](const ContactPoint& c) { return c.impulse.isZero(0); });
+  const bool bounces = step.deformation() == Deformation::whole ||
+                       step.deformation() == Deformation::catch_up;
+  if (fine && bounces) {
+    take_back_bounce(step.contacts, step.room.bodies, step.pass, step.settings);
+  }
+  sum_impulses(step);
+  remember_contacts(step);
+}
+
 }  // namespace
 
 ContactStepResult advance_with_contact(const ContactWorld& world, const StepInput& input,
                                        const ContactSettings& settings,
                                        const ContactStepScratch& scratch) {
-  Room& room = *scratch.contact.room;
   scratch.contact.contacts.clear();
   ContactStep step{{input, world.state, world.obstacles, scratch.mechanics},
                    world.memory,
                    settings,
                    scratch.contact.contacts,
-                   room,
+                   *scratch.contact.room,
+                   {},
                    {}};
-  room.blows.component_touched.assign(world.state.components.size(), 0);
-  room.blows.ball_touched.assign(world.obstacles.size(), 0);
-  room.blows.vertex_impulse.assign(world.state.vertices.size(), Vec3::Zero());
-  room.count.assign(world.state.components.size(), 0);
-
-  predict(scratch.mechanics, world.state, input, living_components(world.state));
+  begin_step(step);
   predict_balls(step);
-  update_allowances(world.memory, room.detect, paths_of(step), step.settings);
-  resolve(step);
-  count_contacts(step);
+  update_allowances(world.memory, step.room.detect, paths_of(step), step.settings);
   ContactStepResult result;
-  result.status = adopt(world.state, scratch.mechanics, input);
-  move_obstacles(step);
-  std::erase_if(step.contacts, [](const ContactPoint& c) { return c.impulse.isZero(0); });
-  if (result.status.outcome == StepOutcome::fine) {
-    take_back_bounce(step.contacts, room.bodies, step.pass, settings);
+  result.adopted = resolve(step);
+  if (result.adopted) {
+    count_contacts(step);
+    if (step.is_wave() && input.part.impact) feel_blows(step);
+    result.status = adopt(world.state, scratch.mechanics, input);
+    end_step(step, result.status.outcome == StepOutcome::fine);
   }
-  sum_impulses(step);
-  world.memory.last_contacts = step.contacts;
-  std::sort(world.memory.last_contacts.begin(), world.memory.last_contacts.end(), by_key);
+  result.blows = std::move(step.blows);
   result.report = std::move(step.report);
   return result;
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mechanics/contact_grid.hpp"
+#include "mechanics/impact.hpp"
 #include "mechanics/obstacle.hpp"
 #include "mechanics/step.hpp"
 
@@ -75,8 +76,13 @@ struct ContactMemory {
     double overlap = 0;
   };
   std::vector<Allowance> allowances;
-  /// Contacts of the last step with their impulses: where the next solve begins.
-  std::vector<ContactPoint> last_contacts;
+  /// A contact with the impulse that it last had, and the length of that step, s.
+  struct Remembered {
+    ContactPoint contact;
+    double step = 0;
+  };
+  /// Where the next solve begins; sorted.
+  std::vector<Remembered> last_contacts;
   /// Components as the last step saw them; that is how a separation is noticed.
   std::vector<ComponentId> vertex_component, tetrahedron_component;
 };
@@ -123,6 +129,9 @@ struct ContactStepScratch {
 struct ContactStepResult {
   StepStatus status;
   ContactReport report;
+  Blows blows;  ///< only where `StepPart::impact` is given
+  /// False: there are blows ahead, and nothing was done.
+  bool adopted = true;
 };
 
 /// One whole step: predicts it without contact, finds what would overlap on the way (swept: fast
@@ -140,6 +149,14 @@ struct ContactStepResult {
 /// conserved to rounding, whatever the tolerance. Angular momentum too, but for contacts between
 /// pieces: their reaction acts on the middle of the tetrahedron, off the line of friction and off a
 /// normal that turned before they touched (0.4 per cent of L in the test).
+/// With `StepPart::impact` given: a step that would run into a blow is not taken but returned with
+/// what lies ahead; `frozen` leaves blows alone, they are the next part's; `wave` tells which
+/// components are in the midst of one: touched, with a vertex that comes or goes fast.
+/// In a `wave` contact is solved for velocities:
+///   v_end + max(gap_start, 0) / h >= 0,  j_n >= 0,  one of them zero,  friction against the slip,
+/// the impulse being a force over the sub-step. A vertex that touches then stays at rest while it is
+/// pressed: no oscillation against the constraint, no bounce to take back, and no work done but by
+/// friction, by the inelastic stop of what touches (a lumped mass each) and by the push-out.
 /// Limits: pieces are balls of tetrahedra and meet early or late (`ball_share`); a ball smaller
 /// than a face can enter between its vertices; pieces that pass each other by more than two radii
 /// in a step can miss. An outcome other than fine: see `adopt`.

@@ -25,9 +25,17 @@ Mat3 world_inertia(const MechanicsState& state, const Component& component) {
   return inertia;
 }
 
-/// Elastic displacement over a step of floating_frame for a unit impulse spread over the step as a
-/// force: beta h A^-1 on loads freed of their rigid part. Rigid fields r have A r = mu M r, so what
-/// a load's rigid part would give is subtracted in closed form. World axes, 3 k x 3 k.
+/// What A^-1 of a part of a step is multiplied by in the answer to a unit impulse that is spread
+/// over the part as a force: displacement beta h^2 over the part's length, or velocity in a wave.
+double answer_scale(const StepInput& input) {
+  if (input.part.deformation == Deformation::wave) return 1;
+  const double h = input.deformation_step();
+  return generalised_alpha(input.settings.rho_infinity).beta * h * (h / input.settings.time_step);
+}
+
+/// Elastic answer of floating_frame at the end of a part of a step: `answer_scale` A^-1 on loads
+/// freed of their rigid part. Rigid fields r have A r = mu M r, so what a load's rigid part would
+/// give is subtracted in closed form. World axes, 3 k x 3 k.
 Eigen::MatrixXd elastic_answer(const ContactPass& pass, const Component& component,
                                std::span<const VertexId> slots) {
   ComponentSystem& system = *pass.mechanics.systems[component.id.index()];
@@ -38,19 +46,21 @@ Eigen::MatrixXd elastic_answer(const ContactPass& pass, const Component& compone
     local.push_back(pass.mechanics.local_row[slots[k].index()]);
     slot.push_back(static_cast<Eigen::Index>(k));
   }
-  const std::vector<std::uint32_t> places = touch_compliance(system, local);
-  const double rigid = component.supported ? 0 : 1 / system.factored_matrix.mass;
+  const FactorUse use = pass.input.part.deformation == Deformation::wave ? FactorUse::wave
+                                                                         : FactorUse::step;
+  const std::vector<std::uint32_t> places = touch_compliance(system, local, use);
+  const SystemFactor& factor = factor_of(system, use);
+  const double rigid = component.supported ? 0 : 1 / factor.matrix.mass;
   const Mat3 inverse_inertia = system.shape.inertia.inverse();
   const Mat3 R = component.orientation.toRotationMatrix();
-  const IntegratorSettings& settings = pass.input.settings;
-  const double scale = generalised_alpha(settings.rho_infinity).beta * settings.time_step;
+  const double scale = answer_scale(pass.input);
   const auto size = static_cast<Eigen::Index>(3 * slots.size());
   Eigen::MatrixXd E = Eigen::MatrixXd::Zero(size, size);
   for (std::size_t a = 0; a < slot.size(); ++a) {
     const Mat3 arm_a = cross_matrix(system.shape.arm.col(local[a]));
     for (std::size_t b = 0; b < slot.size(); ++b) {
       const Mat3 arm_b = cross_matrix(system.shape.arm.col(local[b]));
-      Mat3 block = system.compliance.block<3, 3>(3 * places[a], 3 * places[b]) +
+      Mat3 block = factor.compliance.block<3, 3>(3 * places[a], 3 * places[b]) +
                    rigid * arm_a * inverse_inertia * arm_b;
       block.diagonal().array() -= rigid / component.mass;
       E.block<3, 3>(3 * slot[a], 3 * slot[b]) = scale * R * block * R.transpose();
@@ -71,7 +81,8 @@ AnsweringBody answering_component(const ContactPass& pass, const Component& comp
     body.inverse_mass = 1 / component.mass;
     body.inverse_inertia = world_inertia(pass.state, component).inverse();
   }
-  if (!component.isolated) body.elastic = elastic_answer(pass, component, slots);
+  const bool answers = pass.input.part.deformation != Deformation::frozen;
+  if (!component.isolated && answers) body.elastic = elastic_answer(pass, component, slots);
   return body;
 }
 
@@ -373,8 +384,12 @@ void predict_touched(StepBlows& blows, const ContactPass& pass) {
     }
   }
   blows.with_gravity.force = force;
-  predict(pass.mechanics, pass.state, {input.corners, blows.without_gravity, input.settings}, free);
-  predict(pass.mechanics, pass.state, {input.corners, blows.with_gravity, input.settings}, held);
+  const auto predict_with = [&](const Loads& loads, std::span<const ComponentId> components) {
+    predict(pass.mechanics, pass.state,
+            {input.corners, loads, input.settings, input.part, input.members}, components);
+  };
+  predict_with(blows.without_gravity, free);
+  predict_with(blows.with_gravity, held);
 }
 
 }  // namespace sunder

@@ -27,6 +27,8 @@ struct ContactBodies {
 struct StepBlows {
   std::vector<char> component_touched, ball_touched;
   std::vector<Vec3> vertex_impulse;     ///< |V|, N s: what deforms a component of floating_frame
+  std::vector<Vec3> ball_impulse;       ///< N s, of waves only, like the next
+  std::vector<Vec3> ball_twist;         ///< N m s, about the ball's centre
   Loads without_gravity, with_gravity;  ///< `force` is filled by `predict_touched`
 };
 

@@ -125,7 +125,7 @@ void take_back_bounce(std::span<ContactPoint> contacts, ContactBodies& bodies,
                       const ContactPass& pass, const ContactSettings& settings) {
   if (contacts.empty() || pass.input.settings.integrator != Integrator::floating_frame) return;
   gather_lumped_bodies(bodies, contacts, pass);
-  const double h = pass.input.settings.time_step;
+  const double h = pass.input.deformation_step();
   const Bounce bounce{pass, bodies, h * velocity_to_come(pass.input.settings)};
   const double fastest = set_rows(bounce, contacts);
   if (!(fastest > 0)) return;

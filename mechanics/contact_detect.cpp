@@ -40,7 +40,9 @@ void find_vertex_obstacle(DetectScratch& scratch, const StepPaths& paths, std::u
   ContactPoint contact;
   contact.obstacle = row;
   contact.friction = 0.5 * (friction + obstacle.friction);
+  if (obstacle.mass && !paths.members.has_ball(row)) return;
   for (std::size_t v = 0; v < paths.predicted.size(); ++v) {
+    if (!paths.members.has(paths.state.vertices.component[v])) continue;
     contact.vertex = VertexId{v};
     const ContactPath path = path_of(contact, paths);
     add_if_near(scratch, contact, shape, {path.start, path.end, 0});
@@ -50,10 +52,10 @@ void find_vertex_obstacle(DetectScratch& scratch, const StepPaths& paths, std::u
 void find_balls(DetectScratch& scratch, const StepPaths& paths) {
   for (std::uint32_t a = 0; a < paths.obstacles.size(); ++a) {
     const Obstacle& ball = paths.obstacles[a];
-    if (!ball.mass) continue;
+    if (!ball.mass || !paths.members.has_ball(a)) continue;
     for (std::uint32_t b = 0; b < paths.obstacles.size(); ++b) {
       const Obstacle& other = paths.obstacles[b];
-      if (a == b || (other.mass && b < a)) continue;
+      if (a == b || (other.mass && (b < a || !paths.members.has_ball(b)))) continue;
       ContactPoint contact;
       contact.ball = a;
       contact.obstacle = b;
@@ -180,6 +182,10 @@ void find_between_pieces(DetectScratch& scratch, const ContactMemory& memory,
   pair_up(scratch, paths);
   const std::size_t first = scratch.found.size();
   for (const SpherePair& pair : scratch.pairs) {
+    if (!paths.members.has(paths.state.vertices.component[pair.vertex.index()]) ||
+        !paths.members.has(paths.state.elements.component[pair.tetrahedron.index()])) {
+      continue;
+    }
     ContactPoint contact;
     contact.vertex = pair.vertex;
     contact.tetrahedron = pair.tetrahedron;
@@ -190,6 +196,15 @@ void find_between_pieces(DetectScratch& scratch, const ContactMemory& memory,
     add_if_near(scratch, contact, ball, {path.start, path.end, 0});
   }
   keep_deepest(scratch, paths, first);
+}
+
+/// Velocity of side A against side B at the start, m/s.
+Vec3 relative_velocity(const ContactPoint& contact, const StepPaths& paths) {
+  const std::vector<Vec3>& velocity = paths.state.vertices.velocity;
+  Vec3 sum = contact.ball == ContactPoint::none ? velocity[contact.vertex.index()]
+                                                : paths.obstacles[contact.ball].velocity;
+  if (contact.obstacle != ContactPoint::none) return sum - paths.obstacles[contact.obstacle].velocity;
+  return sum - center_of(paths.corners[contact.tetrahedron.index()], velocity);
 }
 
 }  // namespace
@@ -221,6 +236,22 @@ ContactPath path_of(const ContactPoint& contact, const StepPaths& paths) {
     path.end -= center_of(corners, paths.predicted);
   }
   return path;
+}
+
+Meeting meeting_of(const ContactPoint& contact, const StepPaths& paths) {
+  const ContactPath path = path_of(contact, paths);
+  const double h = paths.time_step;
+  const double start = contact.normal.dot(path.start) + contact.offset;
+  const double end = gap_end(contact, path);
+  const double speed = contact.normal.dot(relative_velocity(contact, paths));
+  if (start <= 0) return {0, -speed};
+  const double acceleration = 2 * (end - start - speed * h) / (h * h);
+  const double squared = speed * speed - 2 * acceleration * start;
+  if (!(squared >= 0)) return {};
+  const double root = std::sqrt(squared);
+  const double time = 2 * start / (root - speed);
+  if (!(time >= 0 && time <= h)) return {};
+  return {time, root};
 }
 
 void update_allowances(ContactMemory& memory, DetectScratch& scratch, const StepPaths& paths,

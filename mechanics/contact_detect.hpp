@@ -2,6 +2,7 @@
 // Which contacts a step meets, from the paths of points through it; nothing is solved here.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "mechanics/contact.hpp"
@@ -31,6 +32,7 @@ struct StepPaths {
   std::span<const Obstacle> obstacles;
   std::span<const Vec3> ball_end;  ///< row = obstacle: centre of a free sphere at the end
   double time_step;
+  StepMembers members = {};  ///< only they meet
 };
 
 /// Mean of a tetrahedron's four positions.
@@ -47,6 +49,15 @@ ContactPath path_of(const ContactPoint& contact, const StepPaths& paths);
 inline double gap_end(const ContactPoint& contact, const ContactPath& path) {
   return contact.normal.dot(path.end) + contact.offset;
 }
+
+/// When, after how many seconds, and how fast (m/s) the sides of a contact meet, from their gaps and
+/// velocities: the parabola with the gap and speed of the start and the gap of the end. What touches
+/// at the start meets at once. Infinite time: not in this step.
+struct Meeting {
+  double time = std::numeric_limits<double>::infinity();
+  double speed = 0;
+};
+Meeting meeting_of(const ContactPoint& contact, const StepPaths& paths);
 
 /// Notices which (tetrahedron, vertex) pairs overlap, now that the step begins, and shrinks what
 /// they are allowed; pairs whose components were one at the last call are allowed what they have.

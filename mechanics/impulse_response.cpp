@@ -140,14 +140,14 @@ void add_elastic_response(Eigen::MatrixXd& Y, ComponentSystem& system, const Ste
   const ImpulseAnswer answer = impulse_answer(input.settings);
   // A r = mu M r for rigid fields r, so the rigid part of A^-1 is that of M^-1 over mu.
   const double rigid_part =
-      component.supported ? 0 : answer.inverse / system.factored_matrix.mass + answer.mass;
+      component.supported ? 0 : answer.inverse / system.step.matrix.mass + answer.mass;
   const Mat3 inverse_inertia = system.shape.inertia.inverse();
   const Mat3 R = component.orientation.toRotationMatrix();
   for (std::size_t a = 0; a < free.row.size(); ++a) {
     const Mat3 arm_a = cross_matrix(system.shape.arm.col(free.local[a]));
     for (std::size_t b = 0; b < free.row.size(); ++b) {
       const Mat3 arm_b = cross_matrix(system.shape.arm.col(free.local[b]));
-      Mat3 block = answer.inverse * system.compliance.block<3, 3>(3 * places[a], 3 * places[b]) +
+      Mat3 block = answer.inverse * system.step.compliance.block<3, 3>(3 * places[a], 3 * places[b]) +
                    rigid_part * arm_a * inverse_inertia * arm_b;
       block.diagonal().array() -= rigid_part / component.mass;
       if (a == b) block.diagonal().array() += answer.mass / system.shape.mass[free.local[a]];

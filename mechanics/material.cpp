@@ -43,6 +43,11 @@ double bar_wave_speed(const Material& material) {
   return std::sqrt(material.young_modulus / material.density);
 }
 
+double compression_wave_speed(const Material& material) {
+  const auto [lambda, mu] = lame(material);
+  return std::sqrt((lambda + 2 * mu) / material.density);
+}
+
 std::vector<Finding> check(const Material& material, std::string_view place) {
   std::vector<Finding> findings;
   const auto need = [&](bool holds, double value, const Rule& rule) {

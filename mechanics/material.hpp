@@ -32,6 +32,9 @@ Lame lame(const Material& material);
 /// Speed of a compression wave along a bar, sqrt(E / rho), m/s.
 double bar_wave_speed(const Material& material);
 
+/// Speed of a compression wave in the solid, sqrt((lambda + 2 mu) / rho), m/s: the fastest there is.
+double compression_wave_speed(const Material& material);
+
 /// Everything that is wrong with `material`, an error each with value, range and remedy. `place`
 /// names it in the texts, such as "bodies[0].material". Poisson ratios above 0.49 are refused:
 /// linear tetrahedra lock there, and at 0.5 lambda is infinite.

@@ -39,6 +39,9 @@ void predict_component(MechanicsScratch& scratch, const MechanicsState& state,
     step_verlet(step);
     return;
   }
+  SUNDER_ASSERT(input.part.deformation == Deformation::whole ||
+                    input.settings.integrator == Integrator::floating_frame,
+                "predict: only floating_frame takes parts of steps");
   step.system = &prepared_system(scratch, state, input, component);
   if (input.settings.integrator == Integrator::implicit_euler) {
     step_implicit_euler(step);
@@ -47,17 +50,24 @@ void predict_component(MechanicsScratch& scratch, const MechanicsState& state,
   }
 }
 
-/// Columns of the state and of the prediction change places; frames are copied.
-void take_prediction(MechanicsState& state, MechanicsScratch& scratch) {
+/// Columns of the state and of the prediction change places, whole or by rows of members; frames
+/// are copied.
+void take_prediction(MechanicsState& state, MechanicsScratch& scratch, const StepMembers& members) {
   MechanicsScratch::Predicted& p = scratch.predicted;
   VertexColumns& v = state.vertices;
-  v.position.swap(p.position);
-  v.velocity.swap(p.velocity);
-  v.displacement.swap(p.displacement);
-  v.displacement_rate.swap(p.displacement_rate);
-  v.displacement_acceleration.swap(p.displacement_acceleration);
+  const auto take = [&](std::vector<Vec3>& present, std::vector<Vec3>& next) {
+    if (members.component.empty()) return present.swap(next);
+    for (std::size_t i = 0; i < present.size(); ++i) {
+      if (members.has(v.component[i])) present[i] = next[i];
+    }
+  };
+  take(v.position, p.position);
+  take(v.velocity, p.velocity);
+  take(v.displacement, p.displacement);
+  take(v.displacement_rate, p.displacement_rate);
+  take(v.displacement_acceleration, p.displacement_acceleration);
   for (Component& component : state.components) {
-    if (component.tetrahedra.empty()) continue;
+    if (component.tetrahedra.empty() || !members.has(component.id)) continue;
     const PredictedFrame& frame = p.frame[component.id.index()];
     component.centre = frame.centre;
     component.orientation = frame.orientation;
@@ -67,13 +77,14 @@ void take_prediction(MechanicsState& state, MechanicsScratch& scratch) {
 }
 
 /// The first vertex that is not a number, or else the first that has left its body.
-StepStatus judge(const MechanicsState& state) {
+StepStatus judge(const MechanicsState& state, const StepMembers& members) {
   // Ten radii: no linear displacement means anything there, and no bounded motion gets there.
   constexpr double most_radii = 10;
   const VertexColumns& vertices = state.vertices;
   StepStatus status;
   status.time = state.time;
   for (std::size_t v = 0; v < vertices.size(); ++v) {
+    if (!members.has(vertices.component[v])) continue;
     const bool finite = vertices.position[v].allFinite() && vertices.velocity[v].allFinite();
     const Component& component = state.components[vertices.component[v].index()];
     const double displacement = vertices.displacement[v].norm();
@@ -110,12 +121,16 @@ void predict(MechanicsScratch& scratch, const MechanicsState& state, const StepI
 }
 
 void measure_elements(MechanicsState& state, MechanicsScratch& scratch,
-                      std::span<const Corners> corners) {
+                      std::span<const Corners> corners, const StepMembers& members) {
   scratch.lame.clear();
   for (const Material& material : state.materials) scratch.lame.push_back(lame(material));
-  scratch.largest_turn.assign(state.components.size(), 0);
+  scratch.largest_turn.resize(state.components.size(), 0);
+  for (std::size_t c = 0; c < state.components.size(); ++c) {
+    if (members.has(ComponentId{c})) scratch.largest_turn[c] = 0;
+  }
   ElementColumns& elements = state.elements;
   for (std::size_t t = 0; t < elements.size(); ++t) {
+    if (!members.has(elements.component[t])) continue;
     const CornerVectors d = at_corners(state.vertices.displacement, corners[t]);
     const Mat3 H = displacement_gradient(elements.shape_gradient[t], d);
     elements.stress[t] = stress_of(H, scratch.lame[elements.material[t].index()]);
@@ -129,14 +144,14 @@ StepStatus adopt(MechanicsState& state, MechanicsScratch& scratch, const StepInp
                 "adopt: nothing predicted for these vertices");
   double damping_work = 0;
   for (const Component& component : state.components) {
-    if (!component.tetrahedra.empty()) {
+    if (!component.tetrahedra.empty() && input.members.has(component.id)) {
       damping_work += scratch.predicted.frame[component.id.index()].damping_work;
     }
   }
-  take_prediction(state, scratch);
+  take_prediction(state, scratch, input.members);
   state.time += input.settings.time_step;
-  measure_elements(state, scratch, input.corners);
-  StepStatus status = judge(state);
+  measure_elements(state, scratch, input.corners, input.members);
+  StepStatus status = judge(state, input.members);
   status.damping_work = damping_work;
   return status;
 }
@@ -148,10 +163,11 @@ StepStatus advance(MechanicsState& state, MechanicsScratch& scratch, const StepI
   return adopt(state, scratch, input);
 }
 
-std::vector<ComponentId> living_components(const MechanicsState& state) {
+std::vector<ComponentId> living_components(const MechanicsState& state,
+                                           const StepMembers& members) {
   std::vector<ComponentId> living;
   for (const Component& component : state.components) {
-    if (!component.tetrahedra.empty()) living.push_back(component.id);
+    if (!component.tetrahedra.empty() && members.has(component.id)) living.push_back(component.id);
   }
   return living;
 }

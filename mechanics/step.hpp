@@ -14,6 +14,7 @@
 namespace sunder {
 
 struct ComponentSystem;
+struct ImpactSettings;
 
 /// What acts during one step from outside, constant over the step.
 struct Loads {
@@ -58,12 +59,43 @@ struct MechanicsScratch {
   std::vector<double> largest_turn;
 };
 
+/// How deformations go through a step of floating_frame, or through a part of one.
+enum class Deformation {
+  whole,     ///< by generalised-alpha
+  frozen,    ///< not at all: the frame moves alone (held vertices keep their motion)
+  catch_up,  ///< by generalised-alpha over the whole step, in a part that may be shorter
+  wave,      ///< by the scheme of impacts (`WaveScheme`)
+};
+
+/// Which part of a step is taken; `IntegratorSettings::time_step` is its length.
+struct StepPart {
+  Deformation deformation = Deformation::whole;
+  double whole_step = 0;  ///< s, for `catch_up`
+  /// Given, contact looks out for blows (`advance_with_contact`).
+  const ImpactSettings* impact = nullptr;
+};
+
+/// What a step moves, by rows of components and obstacles: 0 keeps still and meets nothing.
+/// Empty: everything moves.
+struct StepMembers {
+  std::span<const char> component, ball;
+  bool has(ComponentId id) const { return component.empty() || component[id.index()] != 0; }
+  bool has_ball(std::size_t row) const { return ball.empty() || ball[row] != 0; }
+};
+
 /// What acts on the state in one step; nothing in it is changed. The spans and references must
-/// outlive the call.
+/// outlive the call. Parts and members are for whoever divides steps (fracture/impact_step.cpp).
 struct StepInput {
   std::span<const Corners> corners;  ///< |T|
   const Loads& loads;
   const IntegratorSettings& settings;
+  StepPart part = {};
+  StepMembers members = {};
+
+  /// s, over which the deformation goes by generalised-alpha.
+  double deformation_step() const {
+    return part.deformation == Deformation::catch_up ? part.whole_step : settings.time_step;
+  }
 };
 
 enum class StepOutcome {
@@ -91,8 +123,8 @@ Finding to_finding(const StepStatus& status);
 void predict(MechanicsScratch& scratch, const MechanicsState& state, const StepInput& input,
              std::span<const ComponentId> components);
 
-/// Makes the predicted state of every component the present one, advances the time, and computes
-/// element stress and turn in one pass. Needs: `predict` for every living component since the last
+/// Makes the predicted state of every member the present one, advances the time, and computes
+/// element stress and turn in one pass. Needs: `predict` for every living member since the last
 /// adoption. On an outcome other than fine the state is as computed, for whoever wants to look.
 StepStatus adopt(MechanicsState& state, MechanicsScratch& scratch, const StepInput& input);
 
@@ -102,9 +134,10 @@ StepStatus advance(MechanicsState& state, MechanicsScratch& scratch, const StepI
 /// Element stress (eq. 5) and the largest turn of an element in each component, in one pass, from
 /// the displacements as they are. `adopt` does it; for whoever sets displacements otherwise.
 void measure_elements(MechanicsState& state, MechanicsScratch& scratch,
-                      std::span<const Corners> corners);
+                      std::span<const Corners> corners, const StepMembers& members = {});
 
-/// The ids of the components that live (have tetrahedra), ascending.
-std::vector<ComponentId> living_components(const MechanicsState& state);
+/// The ids of the components that live (have tetrahedra) and are members, ascending.
+std::vector<ComponentId> living_components(const MechanicsState& state,
+                                           const StepMembers& members = {});
 
 }  // namespace sunder

@@ -21,7 +21,19 @@ ComponentSystem& built_system(MechanicsScratch& scratch, const MechanicsState& s
 ComponentSystem& prepared_system(MechanicsScratch& scratch, const MechanicsState& state,
                                  const StepInput& input, const Component& component) {
   ComponentSystem& system = built_system(scratch, state, input.corners, component);
-  factor_system(system, system_matrix(input.settings));
+  switch (input.part.deformation) {
+    case Deformation::frozen:
+      break;
+    case Deformation::wave:
+      factor_system(system, wave_matrix(input.settings, system.cell_travel), FactorUse::wave);
+      break;
+    case Deformation::whole:
+    case Deformation::catch_up: {
+      IntegratorSettings settings = input.settings;
+      settings.time_step = input.deformation_step();
+      factor_system(system, system_matrix(settings));
+    }
+  }
   return system;
 }
 

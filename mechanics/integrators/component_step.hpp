@@ -20,7 +20,8 @@ struct ComponentStep {
 ComponentSystem& built_system(MechanicsScratch& scratch, const MechanicsState& state,
                               std::span<const Corners> corners, const Component& component);
 
-/// The system of a component, built and factored for this step: at once where that is done already.
+/// The system of a component, built and factored for this part of a step: at once where that is
+/// done already.
 ComponentSystem& prepared_system(MechanicsScratch& scratch, const MechanicsState& state,
                                  const StepInput& input, const Component& component);
 

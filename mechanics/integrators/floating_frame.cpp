@@ -12,13 +12,13 @@ namespace {
 using Field = Eigen::Map<Eigen::Matrix3Xd>;
 
 /// The fields of the component at hand, in its system's numbering.
-struct Deformation {
+struct BodyDeformation {
   Field displacement, rate, acceleration;
 };
 
-Deformation gather_deformation(const ComponentStep& step) {
+BodyDeformation gather_deformation(const ComponentStep& step) {
   const std::size_t n = step.system->size();
-  Deformation d{work_field(step.scratch, Work::displacement, n),
+  BodyDeformation d{work_field(step.scratch, Work::displacement, n),
                 work_field(step.scratch, Work::rate, n),
                 work_field(step.scratch, Work::acceleration, n)};
   const VertexColumns& vertices = step.state.vertices;
@@ -29,8 +29,8 @@ Deformation gather_deformation(const ComponentStep& step) {
 }
 
 /// h v^T C v with the mean rate of the step, J.
-double damping_work(const ComponentStep& step, const Field& rate_old, const Field& rate_new) {
-  const RayleighDamping& damping = step.input.settings.damping;
+double damping_work(const ComponentStep& step, const RayleighDamping& damping,
+                    const Field& rate_old, const Field& rate_new) {
   Field mean = work_field(step.scratch, Work::argument, step.system->size());
   Field product = work_field(step.scratch, Work::product, step.system->size());
   mean = 0.5 * (rate_old + rate_new);
@@ -41,14 +41,21 @@ double damping_work(const ComponentStep& step, const Field& rate_old, const Fiel
           damping.stiffness_factor * mean.cwiseProduct(product).sum());
 }
 
+/// Held vertices go on at their constant rate, whatever the deformation's own time is.
+void move_held(const ComponentStep& step, BodyDeformation& d) {
+  const auto held = static_cast<Eigen::Index>(step.system->size() - step.system->free_count);
+  d.displacement.rightCols(held) += step.input.settings.time_step * d.rate.rightCols(held);
+}
+
 /// Generalised-alpha for M d'' + C d' + K d = load, in place; gives the damping work. Held vertices
 /// go on at their constant rate: their acceleration is zero and drops out of the system.
-double advance_deformation(const ComponentStep& step, Deformation& d, const Field& load) {
+double advance_deformation(const ComponentStep& step, BodyDeformation& d, const Field& load) {
   const IntegratorSettings& settings = step.input.settings;
   const auto [alpha_m, alpha_f, beta, gamma] = generalised_alpha(settings.rho_infinity);
   const auto [a, b] = settings.damping;
-  const double h = settings.time_step;
+  const double h = step.input.deformation_step();
   const std::size_t n = step.system->size();
+  const auto free = static_cast<Eigen::Index>(step.system->free_count);
   const bool damped = a > 0 || b > 0;
 
   Field rate_old = work_field(step.scratch, Work::spare, n);
@@ -57,7 +64,9 @@ double advance_deformation(const ComponentStep& step, Deformation& d, const Fiel
   argument = alpha_f * (d.displacement + b * d.rate);
   Field rhs = work_field(step.scratch, Work::product, n);
   // d and d' become their predictors; the weighted rate is alpha_f old + (1 - alpha_f) predictor.
-  d.displacement += h * d.rate + h * h * (0.5 - beta) * d.acceleration;
+  d.displacement.leftCols(free) +=
+      h * d.rate.leftCols(free) + h * h * (0.5 - beta) * d.acceleration.leftCols(free);
+  move_held(step, d);
   d.rate += h * (1 - gamma) * d.acceleration;
   argument += (1 - alpha_f) * (d.displacement + b * d.rate);
   multiply_stiffness(as_vector(rhs), *step.system, as_vector(argument));
@@ -73,7 +82,49 @@ double advance_deformation(const ComponentStep& step, Deformation& d, const Fiel
   d.acceleration = rhs;
   d.displacement += beta * h * h * d.acceleration;
   d.rate += gamma * h * d.acceleration;
-  return damped ? damping_work(step, rate_old, d.rate) : 0;
+  return damped ? damping_work(step, settings.damping, rate_old, d.rate) : 0;
+}
+
+/// The scheme of impacts (`WaveScheme`), in place; gives the damping work, its viscosity's included.
+double advance_wave(const ComponentStep& step, BodyDeformation& d, const Field& load) {
+  const IntegratorSettings& settings = step.input.settings;
+  const RayleighDamping damping = wave_damping(settings, step.system->cell_travel);
+  const double h = settings.time_step;
+  const double reach = WaveScheme::theta * h;
+  const std::size_t n = step.system->size();
+  const auto free = static_cast<Eigen::Index>(step.system->free_count);
+
+  Field argument = work_field(step.scratch, Work::argument, n);
+  argument = d.displacement + (reach + damping.stiffness_factor) * d.rate;
+  Field change = work_field(step.scratch, Work::product, n);
+  multiply_stiffness(as_vector(change), *step.system, as_vector(argument));
+  change = h * (load - change -
+                damping.mass_factor * (d.rate * step.system->shape.mass.asDiagonal()));
+  solve_system(*step.system, as_vector(change).head(3 * free), FactorUse::wave);
+  change.rightCols(static_cast<Eigen::Index>(n) - free).setZero();
+
+  Field rate_old = work_field(step.scratch, Work::spare, n);
+  rate_old = d.rate;
+  d.displacement.leftCols(free) += h * d.rate.leftCols(free) + reach * change.leftCols(free);
+  move_held(step, d);
+  d.rate += change;
+  d.acceleration.setZero();
+  return damping_work(step, damping, rate_old, d.rate);
+}
+
+/// Takes the deformation through the part of a step at hand; gives the damping work.
+double advance_part(const ComponentStep& step, BodyDeformation& d, const Field& load) {
+  switch (step.input.part.deformation) {
+    case Deformation::frozen:
+      move_held(step, d);
+      return 0;
+    case Deformation::wave:
+      return advance_wave(step, d, load);
+    case Deformation::whole:
+    case Deformation::catch_up:
+      break;
+  }
+  return advance_deformation(step, d, load);
 }
 
 /// Angular velocity of the frame and its derivative, body frame, at the start of the step.
@@ -83,7 +134,7 @@ struct Spin {
   Vec3 velocity, acceleration;
 };
 
-Spin present_spin(const ComponentStep& step, const Deformation& d, const Field& q,
+Spin present_spin(const ComponentStep& step, const BodyDeformation& d, const Field& q,
                   const Vec3& torque) {
   const Eigen::VectorXd& mass = step.system->shape.mass;
   Spin spin;
@@ -105,11 +156,14 @@ Spin present_spin(const ComponentStep& step, const Deformation& d, const Field& 
   return spin;
 }
 
-/// b at the time where generalised-alpha balances forces, freed of its rigid part. Positions and
+/// b at the time where the scheme balances forces, freed of its rigid part. Positions and
 /// rates are extrapolated there: taken at the start, the Coriolis force lags and feeds energy in.
-Field inertial_load(const ComponentStep& step, const Deformation& d, const Spin& spin) {
+Field inertial_load(const ComponentStep& step, const BodyDeformation& d, const Spin& spin) {
   const IntegratorSettings& settings = step.input.settings;
-  const double ahead = (1 - generalised_alpha(settings.rho_infinity).alpha_f) * settings.time_step;
+  const double balance = step.input.part.deformation == Deformation::wave
+                             ? WaveScheme::theta
+                             : 1 - generalised_alpha(settings.rho_infinity).alpha_f;
+  const double ahead = balance * settings.time_step;
   const RestShape& shape = step.system->shape;
   Field load = work_field(step.scratch, Work::load, step.system->size());
   const Vec3 w = spin.velocity + ahead * spin.acceleration;
@@ -131,7 +185,7 @@ Field inertial_load(const ComponentStep& step, const Deformation& d, const Spin&
 }
 
 /// Moves what rounding left of rigid motion in d and d' into the frame: no vertex moves.
-void settle_frame(const ComponentStep& step, Deformation& d, PredictedFrame& next) {
+void settle_frame(const ComponentStep& step, BodyDeformation& d, PredictedFrame& next) {
   const RestShape& shape = step.system->shape;
   const Vec3 shift = d.displacement * shape.mass / shape.total_mass;
   d.displacement.colwise() -= shift;
@@ -155,7 +209,7 @@ void settle_frame(const ComponentStep& step, Deformation& d, PredictedFrame& nex
 }
 
 /// Writes the rows; `q` must be arm + displacement, `spin` the body-frame angular velocity.
-void write_rows(const ComponentStep& step, const Deformation& d, const PredictedFrame& next,
+void write_rows(const ComponentStep& step, const BodyDeformation& d, const PredictedFrame& next,
                 const Vec3& spin, const Vec3& velocity) {
   MechanicsScratch::Predicted& predicted = step.scratch.predicted;
   const ComponentSystem& system = *step.system;
@@ -176,7 +230,7 @@ void write_rows(const ComponentStep& step, const Deformation& d, const Predicted
 void step_free(const ComponentStep& step) {
   const ComponentSystem& system = *step.system;
   const Eigen::VectorXd& mass = system.shape.mass;
-  Deformation d = gather_deformation(step);
+  BodyDeformation d = gather_deformation(step);
   Field q = work_field(step.scratch, Work::position, system.size());
   q = system.shape.arm + d.displacement;
 
@@ -184,7 +238,7 @@ void step_free(const ComponentStep& step) {
   const Spin spin = present_spin(step, d, q, load.torque);
   const Field b = inertial_load(step, d, spin);
   PredictedFrame next = advance_centre(step, load);
-  next.damping_work = advance_deformation(step, d, b);
+  next.damping_work = advance_part(step, d, b);
 
   q = system.shape.arm + d.displacement;
   const Mat3 inertia_new = inertia_of(mass, q);
@@ -203,13 +257,13 @@ void step_free(const ComponentStep& step) {
 
 void step_supported(const ComponentStep& step) {
   const Component& body = step.component;
-  Deformation d = gather_deformation(step);
+  BodyDeformation d = gather_deformation(step);
   Field load = work_field(step.scratch, Work::load, step.system->size());
   load.setZero();
   add_body_load(load, step, body.orientation.toRotationMatrix());
 
   PredictedFrame next;
-  next.damping_work = advance_deformation(step, d, load);
+  next.damping_work = advance_part(step, d, load);
   next.centre = body.centre + step.input.settings.time_step * body.frame_velocity;
   next.orientation = body.orientation;
   write_rows(step, d, next, Vec3::Zero(), body.frame_velocity);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "mechanics/integrators/coefficients.hpp"
 #include "mechanics/rotation.hpp"
 
 namespace sunder {
@@ -31,7 +32,7 @@ Vec3 midpoint_spin(const Eigen::Quaterniond& R, const SpinStep& spin, const Mat3
 
 RigidLoad rigid_load(const ComponentStep& step) {
   const Loads& loads = step.input.loads;
-  RigidLoad total{step.component.mass * loads.gravity, Vec3::Zero()};
+  RigidLoad total{step.component.mass * loads.gravity, Vec3::Zero(), Vec3::Zero()};
   if (loads.force.empty()) return total;
   for (VertexId v : step.component.vertices) {
     const Vec3& f = loads.force[v.index()];
@@ -44,10 +45,13 @@ RigidLoad rigid_load(const ComponentStep& step) {
 PredictedFrame advance_centre(const ComponentStep& step, const RigidLoad& load) {
   const Component& body = step.component;
   const double h = step.input.settings.time_step;
+  const bool wave = step.input.part.deformation == Deformation::wave;
+  const double share = wave ? WaveScheme::theta : 0.5;
   PredictedFrame next;
-  next.centre = body.centre + h / body.mass * (body.momentum + 0.5 * h * load.force);
+  next.centre = body.centre + h / body.mass *
+                                  (body.momentum + 0.5 * h * load.weight + share * h * load.force);
   next.orientation = body.orientation;
-  next.momentum = body.momentum + h * load.force;
+  next.momentum = body.momentum + h * (load.weight + load.force);
   next.angular_momentum = body.angular_momentum + h * load.torque;
   return next;
 }

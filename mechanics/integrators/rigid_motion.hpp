@@ -7,15 +7,18 @@
 
 namespace sunder {
 
-/// Force and torque about the centre, world, N and N m, at the start of the step.
+/// Weight, other forces and their torque about the centre, world, N and N m, at the start of the
+/// step.
 struct RigidLoad {
+  Vec3 weight = Vec3::Zero();
   Vec3 force = Vec3::Zero();
   Vec3 torque = Vec3::Zero();
 };
 RigidLoad rigid_load(const ComponentStep& step);
 
-/// c += h P/M + h^2 F/(2 M), P += h F, L += h tau: a parabola under gravity, to rounding. The
-/// orientation is left alone.
+/// c += h P/M + h^2 F/(2 M), P += h F, L += h tau: a parabola under gravity, to rounding. In a wave
+/// the forces other than weight are those of contact and move c by theta h^2 F/M, like the
+/// deformation: so a vertex held by contact stays where it is. The orientation is left alone.
 PredictedFrame advance_centre(const ComponentStep& step, const RigidLoad& load);
 
 /// What the turn of a step depends on.

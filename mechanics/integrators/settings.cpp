@@ -78,6 +78,18 @@ SystemMatrix system_matrix(const IntegratorSettings& settings) {
   return {1, 0};
 }
 
+RayleighDamping wave_damping(const IntegratorSettings& settings, double cell_travel) {
+  RayleighDamping damping = settings.damping;
+  damping.stiffness_factor += WaveScheme::viscosity * cell_travel;
+  return damping;
+}
+
+SystemMatrix wave_matrix(const IntegratorSettings& settings, double cell_travel) {
+  const double reach = WaveScheme::theta * settings.time_step;
+  const auto [a, b] = wave_damping(settings, cell_travel);
+  return {1 + reach * a, reach * b + reach * reach};
+}
+
 ImpulseAnswer impulse_answer(const IntegratorSettings& settings) {
   const double h = settings.time_step;
   const auto [a, b] = settings.damping;

@@ -46,6 +46,7 @@ Scene scene_of(const BarImpact& impact, const Scales& scales) {
   scene.integrator = impact.integrator;
   scene.contact = impact.contact;
   scene.contact.friction = 0;
+  scene.impact = impact.impact;
   scene.fracture.mode = impact.breaks ? FractureMode::all : FractureMode::off;
   return scene;
 }
@@ -75,10 +76,11 @@ void watch_stress(Watch& watch, const Simulation& sim) {
   }
 }
 
-void watch_part(Watch& watch, const Simulation& sim, double length, const Vec3& wall_impulse) {
+void watch_part(Watch& watch, const Simulation& sim, const PartReport& part) {
   watch_stress(watch, sim);
   const double end = sim.state.mechanics.time;
-  if (wall_impulse.norm() > 0.01 * watch.scales.stress * watch.scales.area * length) {
+  const double length = part.length;
+  if (part.contact.obstacle_impulse[0].norm() > 0.01 * watch.scales.stress * watch.scales.area * length) {
     if (watch.first_push < 0) watch.first_push = end - length;
     watch.last_push = end;
   }
@@ -99,13 +101,16 @@ BarOutcome run_bar(const BarImpact& impact) {
   const double h = sim->scene.time_step;
   const double wait = 3 * scales.travel() + 4 * h;
   const double give_up = 20 * scales.travel() + 40 * h;
+  const StepObserver observe = [&](const Simulation& now, const PartReport& part) {
+    watch_part(watch, now, part);
+  };
   const VertexColumns& vertices = sim->state.mechanics.vertices;
   const double mass = scales.area * Material{}.density;
   for (double time = 0; time < give_up; time += h) {
-    const StepReport report = advance(*sim);
+    const StepReport report = advance(*sim, observe);
     if (report.status.outcome != StepOutcome::fine) break;
     watch.seen.broke = watch.seen.broke || !report.fracture.fans.empty();
-    watch_part(watch, *sim, h, report.contact.obstacle_impulse[0]);
+    watch.seen.sub_steps += report.impact.sub_steps;
     watch.seen.rebound = momentum(vertices).x() / (mass * scales.speed);
     if (watch.seen.rebound > 0 && time > watch.last_push + wait) break;
   }

@@ -22,6 +22,7 @@ struct BarImpact {
   bool breaks = true;
   IntegratorSettings integrator = {};
   ContactSettings contact = {};
+  ImpactSettings impact = {};
 };
 
 /// What came of it; all of it would be 1 for the exact bar, but for what is said.
@@ -34,6 +35,7 @@ struct BarOutcome {
   double contact_time = 0;         ///< from first to last push of 1 per cent of rho c v, / (2 L/c)
   double energy_peak = 0;          ///< largest energy over that at the start
   double energy_end = 0;           ///< energy at the end / that at the start
+  unsigned sub_steps = 0;
   bool broke = false;
 };
 
