@@ -11,6 +11,7 @@
 #include <functional>
 #include <memory>
 
+#include "apps/sunder/suite_random.hpp"
 #include "apps/sunder/suite_report.hpp"
 #include "apps/sunder/words.hpp"
 #include "topology/io/mesh_file.hpp"
@@ -35,14 +36,22 @@ Table: result of each kernel (same; known: a difference that the fixture explain
 of single comparisons, and the time inside all kernels, microseconds. Of a mismatch: the first wrong
 number and the smallest sequence of steps found that shows one.
 
-Exit codes: 0 no mismatch, 1 mismatches, 2 usage (also a FILTER that no fixture has), 3 fixtures
-unreadable or invalid, 4 an exported file not written.
+With --random no fixture is run: bodies of a dozen families (and those of --mesh) are torn apart at
+random, fan by fan, with faces, planes and glues between, and every answer is held against
+union-find and the laws. The table tells, for each family, the fans with at least one face, the
+faces split, the vertices that came apart, the oracle's alarms, how many of them parted a component
+(true %), separations it missed, and mismatches. A family ends at its first mismatch; what is left
+of it after shrinking is printed as a fixture file.
+
+Exit codes: 0 no mismatch, 1 mismatches, 2 usage (also a FILTER that no fixture has, or a command
+that is no kernel), 3 fixtures or meshes unreadable or invalid, 4 an exported file not written.
 
 Examples:
   sunder suite
   sunder suite figure
   sunder suite '09-*' --kernel sunder --json
   sunder suite --kernel 'python3 tests/suite/adapters/minimal.py'
+  sunder suite --random 10000 --seed 7 --mesh meshes/bunny.msh
 )";
 
 struct SuiteArguments {
@@ -51,20 +60,15 @@ struct SuiteArguments {
   std::vector<std::string> kernels;
   std::filesystem::path output;
   bool json = false;
+  RandomArguments random;
 };
 
-/// A kernel and how to have a new one when it is lost.
-struct KernelSeat {
-  std::function<suite::JudgedKernel()> make;
-  suite::JudgedKernel kernel;
-};
-
-KernelSeat seat(const std::string& name) {
-  std::function<suite::JudgedKernel()> make = [name] { return suite::process_kernel(name); };
-  if (name == "sunder") make = suite::volume_map_kernel;
-  if (name == "cgal") make = suite::cgal_kernel;
-  if (name == "twin") make = suite::twin_kernel;
-  return {make, make()};
+/// What makes the kernel that --kernel names; for a command it throws `KernelLost` when that is none.
+std::function<suite::JudgedKernel()> maker_of(const std::string& name) {
+  if (name == "sunder") return suite::volume_map_kernel;
+  if (name == "cgal") return suite::cgal_kernel;
+  if (name == "twin") return suite::twin_kernel;
+  return [name] { return suite::process_kernel(name); };
 }
 
 std::filesystem::path fixture_folder(const SuiteArguments& arguments) {
@@ -89,7 +93,7 @@ std::vector<std::string> in_words(const suite::Truth& truth, const suite::Verdic
   return words;
 }
 
-SuiteRow judge_fixture(const suite::Fixture& fixture, std::vector<KernelSeat>& seats) {
+SuiteRow judge_fixture(const suite::Fixture& fixture, std::vector<suite::JudgedKernel>& kernels) {
   SuiteRow row{.fixture = fixture.name,
                .tetrahedra = fixture.body.tetrahedra.size(),
                .operations = fixture.operations.size()};
@@ -100,32 +104,28 @@ SuiteRow judge_fixture(const suite::Fixture& fixture, std::vector<KernelSeat>& s
   for (const suite::TrueOperation& operation : truth.operations) {
     row.steps += operation.steps.size();
   }
-  for (KernelSeat& s : seats) {
-    row.verdicts.push_back(suite::judge(fixture, truth, s.kernel));
+  for (suite::JudgedKernel& kernel : kernels) {
+    row.verdicts.push_back(suite::judge(fixture, truth, kernel));
     row.steps_in_words.push_back(in_words(truth, row.verdicts.back()));
-    if (row.verdicts.back().lost) s.kernel = s.make();
   }
   return row;
 }
 
-ExitCode judge_all(const std::vector<suite::Fixture>& fixtures, const SuiteArguments& arguments) {
-  std::vector<KernelSeat> seats;
+/// Judges the fixtures, printing rows as they come.
+ExitCode judge_all(const std::vector<suite::Fixture>& fixtures,
+                   std::vector<suite::JudgedKernel> kernels, bool as_json) {
   std::vector<std::string> names;
-  const std::vector<std::string> all = {"sunder", "cgal", "twin"};
-  for (const std::string& name : arguments.kernels.empty() ? all : arguments.kernels) {
-    seats.push_back(seat(name));
-    names.push_back(seats.back().kernel.name);
-  }
+  for (const suite::JudgedKernel& kernel : kernels) names.push_back(kernel.name);
   std::vector<SuiteRow> rows;
   bool wrong = false;
-  if (!arguments.json) fmt::print("{}", suite_heading(names));
+  if (!as_json) fmt::print("{}", suite_heading(names));
   for (const suite::Fixture& fixture : fixtures) {
-    rows.push_back(judge_fixture(fixture, seats));
+    rows.push_back(judge_fixture(fixture, kernels));
     for (const suite::Verdict& v : rows.back().verdicts) wrong = wrong || is_wrong(v);
-    if (!arguments.json) fmt::print("{}{}", suite_line(rows.back()), suite_details(rows.back()));
+    if (!as_json) fmt::print("{}{}", suite_line(rows.back()), suite_details(rows.back()));
     std::fflush(stdout);
   }
-  if (arguments.json) {
+  if (as_json) {
     fmt::print("{}\n", suite_json(rows, names).dump(2));
   } else {
     fmt::print("{}", suite_totals(rows, names));
@@ -133,16 +133,20 @@ ExitCode judge_all(const std::vector<suite::Fixture>& fixtures, const SuiteArgum
   return wrong ? ExitCode::problems : ExitCode::fine;
 }
 
-/// Writes the fixture as NAME.msh and NAME.json.
+std::string exported_name(const suite::Fixture& fixture) {
+  std::string name = fixture.name;
+  std::replace(name.begin(), name.end(), '/', '.');
+  return name;
+}
+
+/// Writes the fixture FAMILY/CASE as FAMILY.CASE.msh and FAMILY.CASE.json.
 std::vector<Finding> export_fixture(const suite::Fixture& fixture,
                                     const std::filesystem::path& folder) {
-  const std::filesystem::path path = folder / fixture.name;
-  std::error_code reason;
-  std::filesystem::create_directories(path.parent_path(), reason);
+  const std::string path = (folder / exported_name(fixture)).string();
   const std::string text = suite::fixture_json(fixture, suite::truth_of(fixture));
   std::vector<Finding> findings;
-  if (const auto failure = write_file(path.string() + ".json", text)) findings.push_back(*failure);
-  for (Finding& f : write_mesh(path.string() + ".msh", fixture.body)) {
+  if (const auto failure = write_file(path + ".json", text)) findings.push_back(*failure);
+  for (Finding& f : write_mesh(path + ".msh", fixture.body)) {
     findings.push_back(std::move(f));
   }
   return findings;
@@ -150,16 +154,26 @@ std::vector<Finding> export_fixture(const suite::Fixture& fixture,
 
 ExitCode export_all(const std::vector<suite::Fixture>& fixtures,
                     const std::filesystem::path& folder) {
+  std::error_code ignored;  // files that cannot be written say so themselves
+  std::filesystem::create_directories(folder, ignored);
   for (const suite::Fixture& fixture : fixtures) {
     const std::vector<Finding> findings = export_fixture(fixture, folder);
     fmt::print(stderr, "{}", finding_lines(findings));
     if (has_error(findings)) return ExitCode::not_written;
-    fmt::print("{}\n", (folder / fixture.name).string());
+    fmt::print("{}\n", (folder / exported_name(fixture)).string());
   }
   return ExitCode::fine;
 }
 
+ExitCode run_random(const SuiteArguments& arguments) {
+  std::vector<std::function<suite::JudgedKernel()>> kernels;
+  for (const std::string& name : arguments.kernels) kernels.push_back(maker_of(name));
+  if (kernels.empty()) kernels.emplace_back(suite::volume_map_kernel);
+  return run_random_suite(arguments.random, kernels, arguments.json);
+}
+
 ExitCode run_suite(const SuiteArguments& arguments) {
+  if (arguments.random.fans > 0) return run_random(arguments);
   const std::filesystem::path folder = fixture_folder(arguments);
   Result<std::vector<suite::Fixture>> fixtures = suite::read_fixture_folder(folder);
   fmt::print(stderr, "{}", finding_lines(fixtures.findings));
@@ -173,7 +187,17 @@ ExitCode run_suite(const SuiteArguments& arguments) {
     return ExitCode::usage;
   }
   if (!arguments.output.empty()) return export_all(*fixtures, arguments.output);
-  return judge_all(*fixtures, arguments);
+  std::vector<suite::JudgedKernel> kernels;
+  const std::vector<std::string> all = {"sunder", "cgal", "twin"};
+  try {
+    for (const std::string& name : arguments.kernels.empty() ? all : arguments.kernels) {
+      kernels.push_back(maker_of(name)());
+    }
+  } catch (const suite::KernelLost& lost) {
+    fmt::print(stderr, "sunder suite: {}\n", lost.what());
+    return ExitCode::usage;
+  }
+  return judge_all(*fixtures, std::move(kernels), arguments.json);
 }
 
 }  // namespace
@@ -182,9 +206,11 @@ void add_suite_command(CLI::App& program, ExitCode& exit_code) {
   const auto arguments = std::make_shared<SuiteArguments>();
   CLI::App* command =
       program.add_subcommand("suite", "Judge topology kernels by bodies whose answers are known");
-  command->add_option("FILTER", arguments->filter, "Part of the names of the fixtures to run");
-  command->add_option("--fixtures", arguments->fixtures, "Folder of fixture files")
-      ->type_name("DIR");
+  CLI::Option* const filter =
+      command->add_option("FILTER", arguments->filter, "Part of the names of the fixtures to run");
+  CLI::Option* const fixtures =
+      command->add_option("--fixtures", arguments->fixtures, "Folder of fixture files")
+          ->type_name("DIR");
   command->add_option("--kernel", arguments->kernels, "sunder, cgal, twin, or a shell command")
       ->type_name("KERNEL")
       ->expected(1)
@@ -196,6 +222,7 @@ void add_suite_command(CLI::App& program, ExitCode& exit_code) {
               "Judge nothing; write each fixture as MSH and JSON with every step and answer")
           ->type_name("DIR");
   command->add_flag("--json", arguments->json, "Print JSON instead of a table")->excludes(output);
+  add_random_options(*command, {filter, fixtures, output}, arguments->random);
   command->footer(footer);
   command->callback([=, &exit_code] { exit_code = run_suite(*arguments); });
 }
