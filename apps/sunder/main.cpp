@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <exception>
 
+#include "apps/sunder/bench_command.hpp"
 #include "apps/sunder/check.hpp"
 #include "apps/sunder/exit_code.hpp"
 #include "apps/sunder/run.hpp"
@@ -24,6 +25,7 @@ int run_program(int argc, char** argv) {
   sunder::add_check_command(program, exit_code);
   sunder::add_split_command(program, exit_code);
   sunder::add_suite_command(program, exit_code);
+  sunder::add_bench_command(program, exit_code);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// `sunder bench`: its command line, and where the figures go.
+#include "apps/sunder/bench_command.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "apps/sunder/bench_kernel.hpp"
+#include "apps/sunder/bench_report.hpp"
+#include "apps/sunder/words.hpp"
+#include "topology/io/output_file.hpp"
+
+namespace sunder {
+namespace {
+
+constexpr const char* kernel_footer = R"(
+Bodies: cubes of 384, 6 000, 48 000 and 384 000 tetrahedra; rings, one cell thick, of 48, 4 560 and
+28 320. The whole takes about six minutes and 2 GB; --quick leaves out bodies above 6 000.
+
+Memory counts the capacities of everything a map holds, in bytes a tetrahedron: CGAL's darts and
+attributes; vertex rows and neighbours of each tetrahedron (dense adjacency); a dart of each
+tetrahedron and a corner of each vertex (handles); point and tetrahedron of each vertex and the
+file's points (vertex columns). Beside it, what glibc's heap has in use.
+
+Times are microseconds, medians over the runs: this thread's own time for long stretches, wall time
+for single fans. CGAL's managed unsew<3> splits the same faces in the same run. Searches for
+components and the oracle are measured on random fans; a seed gives the same fans everywhere.
+
+Exit codes: 0 done, 2 usage, 4 an output was not written (or gnuplot is missing).
+
+Examples:
+  sunder bench kernel --quick
+  sunder bench kernel --csv kernel.csv --plot kernel.png
+)";
+
+struct BenchArguments {
+  KernelBenchSettings settings;
+  std::filesystem::path csv, plot;
+  bool json = false;
+};
+
+ExitCode run_kernel_bench(const BenchArguments& arguments) {
+  const KernelBench bench = bench_kernel(
+      arguments.settings, [](const BenchBody& body) { fmt::print(stderr, "{} ...\n", body.name); });
+  if (arguments.json) {
+    fmt::print("{}\n", bench_json(bench).dump(2));
+  } else {
+    fmt::print("{}", bench_table(bench));
+  }
+  std::vector<Finding> findings;
+  if (!arguments.csv.empty()) {
+    if (auto failure = write_file(arguments.csv, bench_csv(bench))) findings.push_back(*failure);
+  }
+  if (!arguments.plot.empty()) {
+    if (auto failure = plot_bench(bench, arguments.plot)) findings.push_back(*failure);
+  }
+  fmt::print(stderr, "{}", finding_lines(findings));
+  return findings.empty() ? ExitCode::fine : ExitCode::not_written;
+}
+
+void add_kernel_command(CLI::App& bench, ExitCode& exit_code) {
+  const auto arguments = std::make_shared<BenchArguments>();
+  CLI::App* command = bench.add_subcommand(
+      "kernel", "Memory, times and search costs of the 3-map, beside CGAL's managed unsew<3>");
+  command->add_flag("--quick", arguments->settings.quick, "Only bodies of up to 6 000 tetrahedra");
+  command->add_option("--runs", arguments->settings.runs, "Runs to take medians over (default 5)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000).description(""));
+  command->add_option("--seed", arguments->settings.seed, "Seed of the random faces and fans")
+      ->type_name("S");
+  command->add_option("--csv", arguments->csv, "Write the figures as CSV")->type_name("FILE");
+  command->add_option("--plot", arguments->plot, "Draw times over tetrahedra (PNG, by gnuplot)")
+      ->type_name("FILE.png");
+  command->add_flag("--json", arguments->json, "Print JSON instead of the table");
+  command->footer(kernel_footer);
+  command->callback([=, &exit_code] { exit_code = run_kernel_bench(*arguments); });
+}
+
+}  // namespace
+
+void add_bench_command(CLI::App& program, ExitCode& exit_code) {
+  CLI::App* bench = program.add_subcommand("bench", "Measure the program on this machine");
+  bench->require_subcommand(1);
+  bench->footer("sunder bench WHAT --help tells what is measured, and how.");
+  add_kernel_command(*bench, exit_code);
+}
+
+}  // namespace sunder

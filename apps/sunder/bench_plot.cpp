@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// The picture: a script for gnuplot, and the process that draws it.
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <iterator>
+
+#include "apps/sunder/bench_report.hpp"
+#include "topology/io/output_file.hpp"
+
+namespace sunder {
+namespace {
+
+struct Curve {
+  std::string_view quantity, title;
+  int color = 1;
+  bool dashed = false;
+};
+
+constexpr auto operations = std::to_array<Curve>({
+    {"managed_unsew", "CGAL managed unsew<3>, a face", 7, false},
+    {"split_first", "split face, intact body", 6, false},
+    {"split_components", "split face + components, to total shatter", 2, false},
+    {"build", "build with findings, a tetrahedron", 8, true},
+    {"quiet_total", "a fan that parts nothing, with components", 4, false},
+});
+constexpr auto searches = std::to_array<Curve>({
+    {"search_kept_us_walk", "full walk, nothing new", 7, false},
+    {"search_kept_us_dirty_counter", "dirty counter, nothing new", 4, false},
+    {"search_kept_us_oracle", "bare oracle, nothing new", 2, false},
+    {"search_kept_us_exact", "lockstep, nothing new", 6, false},
+    {"search_parted_us_walk", "full walk, new component", 7, true},
+    {"search_parted_us_dirty_counter", "dirty counter, new component", 4, true},
+    {"search_parted_us_oracle", "bare oracle, new component", 2, true},
+    {"search_parted_us_exact", "lockstep, new component", 6, true},
+});
+
+/// One panel: its curves, then their points inline, as gnuplot reads "-".
+void add_panel(std::string& script, const KernelBench& bench, std::string_view title,
+               std::span<const Curve> curves) {
+  std::string plot, data;
+  for (const Curve& curve : curves) {
+    std::string points;
+    for (const BenchFigure& f : bench.figures) {
+      if (f.quantity != curve.quantity || !f.body.starts_with("cube") || f.value <= 0) continue;
+      fmt::format_to(std::back_inserter(points), "{} {}\n", f.tetrahedra, f.value);
+    }
+    if (points.empty()) continue;
+    plot += fmt::format("{}'-' with linespoints title '{}' lc {} lw 2 pt 7 ps 1.1{}",
+                        plot.empty() ? "plot " : ", ", curve.title, curve.color,
+                        curve.dashed ? " dt 2" : "");
+    data += points + "e\n";
+  }
+  script += fmt::format("set title '{}'\n{}\n{}", title, plot, data);
+}
+
+std::string plot_script(const KernelBench& bench) {
+  std::string script =
+      "set terminal pngcairo size 1500,720 font 'DejaVu Sans,13'\n"
+      "set logscale xy\nset format x '10^{%T}'\nset format y '%g'\nset grid\n"
+      "set xlabel 'tetrahedra (cubes)'\nset ylabel 'microseconds'\nset xrange [200:800000]\n"
+      "set key below maxcols 2 font ',11' samplen 2\n";
+  script += fmt::format("set multiplot layout 1,2 title '{}'\n", bench.machine);
+  add_panel(script, bench, "Operations", operations);
+  add_panel(script, bench, "Search for components, a fan (mean)", searches);
+  return script + "unset multiplot\n";
+}
+
+/// Runs a shell command and gives what it prints; its exit code behind it.
+std::pair<std::string, int> output_of(const std::string& command) {
+  std::string out;
+  std::FILE* const pipe = popen(command.c_str(), "r");
+  if (pipe == nullptr) return {out, 127};
+  std::array<char, 65536> buffer;
+  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) {
+    out.append(buffer.data(), n);
+  }
+  const int status = pclose(pipe);
+  return {out, WIFEXITED(status) ? WEXITSTATUS(status) : 1};
+}
+
+}  // namespace
+
+std::optional<Finding> plot_bench(const KernelBench& bench, const std::filesystem::path& png) {
+  if (output_of("command -v gnuplot").second != 0) {
+    return Finding{.code = "gnuplot_missing",
+                   .text = "gnuplot, which draws the picture, is not installed",
+                   .remedy = "install it (Debian: apt-get install gnuplot-nox) or leave --plot out",
+                   .file = png.string()};
+  }
+  std::string name = (std::filesystem::temp_directory_path() / "sunder_plot_XXXXXX").string();
+  const int script_file = mkstemp(name.data());
+  if (script_file >= 0) close(script_file);
+  if (auto failure = write_file(name, plot_script(bench))) return failure;
+  const auto [picture, exit_code] = output_of("gnuplot '" + name + "'");
+  std::filesystem::remove(name);
+  if (exit_code != 0 || !picture.starts_with("\x89PNG")) {
+    return Finding{
+        .code = "gnuplot_failed",
+        .text = fmt::format("gnuplot ended with exit code {} and drew nothing", exit_code),
+        .remedy = "see what it said above; it has to be able to write PNG",
+        .file = png.string()};
+  }
+  return write_file(png, picture);
+}
+
+}  // namespace sunder
