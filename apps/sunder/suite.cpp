@@ -63,7 +63,8 @@ struct SuiteArguments {
   RandomArguments random;
 };
 
-/// What makes the kernel that --kernel names; for a command it throws `KernelLost` when that is none.
+/// What makes the kernel that --kernel names; for a command it throws `KernelLost` when that is
+/// none.
 std::function<suite::JudgedKernel()> maker_of(const std::string& name) {
   if (name == "sunder") return suite::volume_map_kernel;
   if (name == "cgal") return suite::cgal_kernel;
@@ -114,21 +115,24 @@ SuiteRow judge_fixture(const suite::Fixture& fixture, std::vector<suite::JudgedK
 /// Judges the fixtures, printing rows as they come.
 ExitCode judge_all(const std::vector<suite::Fixture>& fixtures,
                    std::vector<suite::JudgedKernel> kernels, bool as_json) {
-  std::vector<std::string> names;
-  for (const suite::JudgedKernel& kernel : kernels) names.push_back(kernel.name);
+  SuiteTable table;
+  for (const suite::JudgedKernel& kernel : kernels) table.kernels.push_back(kernel.name);
+  for (const suite::Fixture& f : fixtures) {
+    table.name_width = std::max(table.name_width, f.name.size());
+  }
   std::vector<SuiteRow> rows;
   bool wrong = false;
-  if (!as_json) fmt::print("{}", suite_heading(names));
+  if (!as_json) fmt::print("{}", suite_heading(table));
   for (const suite::Fixture& fixture : fixtures) {
     rows.push_back(judge_fixture(fixture, kernels));
     for (const suite::Verdict& v : rows.back().verdicts) wrong = wrong || is_wrong(v);
-    if (!as_json) fmt::print("{}{}", suite_line(rows.back()), suite_details(rows.back()));
+    if (!as_json) fmt::print("{}{}", suite_line(table, rows.back()), suite_details(rows.back()));
     std::fflush(stdout);
   }
   if (as_json) {
-    fmt::print("{}\n", suite_json(rows, names).dump(2));
+    fmt::print("{}\n", suite_json(table, rows).dump(2));
   } else {
-    fmt::print("{}", suite_totals(rows, names));
+    fmt::print("{}", suite_totals(table, rows));
   }
   return wrong ? ExitCode::problems : ExitCode::fine;
 }

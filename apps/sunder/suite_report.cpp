@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace sunder {
 namespace {
@@ -87,65 +88,77 @@ nlohmann::ordered_json verdict_json(const Verdict& v) {
   return json;
 }
 
+/// What is to be said of a verdict beside its row; empty when nothing.
+std::string details_of(const Verdict& v, const std::vector<std::string>& steps) {
+  std::string text;
+  if (!v.known_difference.empty()) text += fmt::format("known: {}\n", v.known_difference);
+  if (!v.mismatch) return text;
+  const suite::Mismatch& m = *v.mismatch;
+  const std::string when = m.operation == 0
+                               ? "after loading"
+                               : fmt::format("in operation {}, after step {}", m.operation, m.step);
+  text += fmt::format("{}: {}: expected {}, answered {}\n", when, m.what, m.expected, m.answered);
+  constexpr std::size_t most = 20;
+  if (steps.empty()) return text;
+  text += fmt::format("    seen with {} step{}:\n", steps.size(), steps.size() == 1 ? "" : "s");
+  for (std::size_t i = 0; i < std::min(most, steps.size()); ++i) {
+    text += fmt::format("      {}\n", steps[i]);
+  }
+  if (steps.size() > most) text += "      ... (--json has them all)\n";
+  return text;
+}
+
 }  // namespace
 
 bool is_wrong(const Verdict& verdict) { return verdict.mismatch.has_value(); }
 
-std::string suite_heading(const std::vector<std::string>& kernels) {
-  std::string line = fmt::format("{:<40}{:>11}{:>11}", "fixture", "tetrahedra", "operations");
-  for (const std::string& kernel : kernels) line += fmt::format("{:>10.9}", kernel);
+std::string suite_heading(const SuiteTable& table) {
+  std::string line =
+      fmt::format("{:<{}}{:>12}{:>11}", "fixture", table.name_width, "tetrahedra", "operations");
+  for (const std::string& kernel : table.kernels) line += fmt::format("{:>10.9}", kernel);
   return line + fmt::format("{:>10}{:>10}{:>14}\n", "checks", "result", "microseconds");
 }
 
-std::string suite_line(const SuiteRow& row) {
-  std::string line = fmt::format("{:<40}{:>11}{:>11}", row.fixture, row.tetrahedra, row.operations);
+std::string suite_line(const SuiteTable& table, const SuiteRow& row) {
+  std::string line = fmt::format("{:<{}}{:>12}{:>11}", row.fixture, table.name_width,
+                                 row.tetrahedra, row.operations);
   for (const Verdict& v : row.verdicts) line += fmt::format("{:>10}", result_of(v));
   const char* result = any_wrong(row) ? "DIFFERS" : "fine";
   return line + fmt::format("{:>10}{:>10}{:>14.0f}\n", checks_of(row), result, kernel_us(row));
 }
 
 std::string suite_details(const SuiteRow& row) {
-  std::string text;
+  std::vector<std::pair<std::string, std::string>> said;  // what, of whom
   for (std::size_t k = 0; k < row.verdicts.size(); ++k) {
-    const Verdict& v = row.verdicts[k];
-    if (!v.known_difference.empty()) {
-      text += fmt::format("  {}: known difference: {}\n", v.kernel, v.known_difference);
+    const std::string text = details_of(row.verdicts[k], row.steps_in_words[k]);
+    if (text.empty()) continue;
+    const auto same = std::find_if(said.begin(), said.end(),
+                                   [&text](const auto& entry) { return entry.first == text; });
+    if (same == said.end()) {
+      said.emplace_back(text, row.verdicts[k].kernel);
+    } else {
+      same->second += ", " + row.verdicts[k].kernel;
     }
-    if (!v.mismatch) continue;
-    const suite::Mismatch& m = *v.mismatch;
-    const std::string when =
-        m.operation == 0 ? "after loading"
-                         : fmt::format("in operation {}, after step {}", m.operation, m.step);
-    text += fmt::format("  {}: {}: {}: expected {}, answered {}\n", v.kernel, when, m.what,
-                        m.expected, m.answered);
-    constexpr std::size_t most = 20;
-    const std::vector<std::string>& words = row.steps_in_words[k];
-    if (words.empty()) continue;
-    text += fmt::format("    seen with {} step{}:\n", words.size(), words.size() == 1 ? "" : "s");
-    for (std::size_t i = 0; i < std::min(most, words.size()); ++i) {
-      text += fmt::format("      {}\n", words[i]);
-    }
-    if (words.size() > most) text += "      ... (--json has them all)\n";
   }
-  return text;
+  std::string lines;
+  for (const auto& [text, kernels] : said) lines += fmt::format("  {}: {}", kernels, text);
+  return lines;
 }
 
-std::string suite_totals(const std::vector<SuiteRow>& rows,
-                         const std::vector<std::string>& kernels) {
-  const Totals t = totals_of(rows, kernels.size());
+std::string suite_totals(const SuiteTable& table, const std::vector<SuiteRow>& rows) {
+  const Totals t = totals_of(rows, table.kernels.size());
   std::string times;
-  for (std::size_t k = 0; k < kernels.size(); ++k) {
-    times += fmt::format("{} {:.2f} s, ", kernels[k], t.kernel_us[k] * 1e-6);
+  for (std::size_t k = 0; k < table.kernels.size(); ++k) {
+    times += fmt::format("{} {:.2f} s, ", table.kernels[k], t.kernel_us[k] * 1e-6);
   }
   return fmt::format(
       "{} fixtures, {} kernels: {} operations, {} steps, {} checks, {} not asked, {} known "
       "differences, {} mismatches; {}truth {:.2f} s\n",
-      t.fixtures, kernels.size(), t.operations, t.steps, t.checks, t.not_asked, t.known_differences,
-      t.mismatches, times, t.truth_us * 1e-6);
+      t.fixtures, table.kernels.size(), t.operations, t.steps, t.checks, t.not_asked,
+      t.known_differences, t.mismatches, times, t.truth_us * 1e-6);
 }
 
-nlohmann::ordered_json suite_json(const std::vector<SuiteRow>& rows,
-                                  const std::vector<std::string>& kernels) {
+nlohmann::ordered_json suite_json(const SuiteTable& table, const std::vector<SuiteRow>& rows) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const SuiteRow& row : rows) {
     nlohmann::ordered_json verdicts = nlohmann::ordered_json::array();
@@ -157,8 +170,8 @@ nlohmann::ordered_json suite_json(const std::vector<SuiteRow>& rows,
                     {"truth_microseconds", row.truth_us},
                     {"verdicts", verdicts}});
   }
-  const Totals t = totals_of(rows, kernels.size());
-  return {{"kernels", kernels},
+  const Totals t = totals_of(rows, table.kernels.size());
+  return {{"kernels", table.kernels},
           {"fixtures", list},
           {"totals",
            {{"fixtures", t.fixtures},

@@ -26,17 +26,23 @@ struct SuiteRow {
 /// Whether a verdict is neither as expected nor a known difference.
 bool is_wrong(const suite::Verdict& verdict);
 
-/// Heading, one row, and totals of the table. `kernels`: their names.
-std::string suite_heading(const std::vector<std::string>& kernels);
-std::string suite_line(const SuiteRow& row);
-std::string suite_totals(const std::vector<SuiteRow>& rows,
-                         const std::vector<std::string>& kernels);
+/// What all lines of a table share.
+struct SuiteTable {
+  /// Names of the kernels, and length of the longest fixture's name.
+  std::vector<std::string> kernels;
+  std::size_t name_width = 7;
+};
 
-/// Every mismatch of a row, and every known difference with its reason, as lines of text.
+/// Heading, one row, and totals of the table.
+std::string suite_heading(const SuiteTable& table);
+std::string suite_line(const SuiteTable& table, const SuiteRow& row);
+std::string suite_totals(const SuiteTable& table, const std::vector<SuiteRow>& rows);
+
+/// Every mismatch of a row, and every known difference with its reason, as lines of text; kernels
+/// of which the same is to be said share them.
 std::string suite_details(const SuiteRow& row);
 
 /// {fixtures: [{fixture, tetrahedra, operations, steps, verdicts: [...]}], kernels, totals}.
-nlohmann::ordered_json suite_json(const std::vector<SuiteRow>& rows,
-                                  const std::vector<std::string>& kernels);
+nlohmann::ordered_json suite_json(const SuiteTable& table, const std::vector<SuiteRow>& rows);
 
 }  // namespace sunder

@@ -277,7 +277,9 @@ Verdict judge(const Fixture& fixture, const Truth& truth, JudgedKernel& kernel) 
   const auto fails = [&kernel](const TetMesh& body, std::span<const Step> steps) {
     return first_mismatch(body, steps, kernel).has_value();
   };
-  mismatch.steps = shrink(fixture.body, mismatch.steps, fails, {.body = false}).steps;
+  // Some seconds for a kernel that talks through a pipe.
+  const ShrinkLimits limits{.body = false, .work = 600000};
+  mismatch.steps = shrink(fixture.body, mismatch.steps, fails, limits).steps;
   return verdict;
 }
 
