@@ -31,7 +31,7 @@ std::string lost_message(const std::function<void()>& question) {
   return "";
 }
 
-std::string load_message(const std::string& commands, double seconds = 10) {
+std::string load_message(const std::string& commands, double seconds = 60) {
   JudgedKernel kernel = process_kernel(after_hello(commands), seconds);
   return lost_message([&] { kernel.load(two_tetrahedra()); });
 }
@@ -104,7 +104,7 @@ TEST_CASE("a process that dies is reported with the question and how it ended",
 
 TEST_CASE("a process that reads no more does not end ours", "[suite][process_kernel]") {
   // Without care the write into the closed pipe would be SIGPIPE.
-  JudgedKernel kernel = process_kernel(after_hello("exec 0<&-; sleep 0.3; exit 4"), 10);
+  JudgedKernel kernel = process_kernel(after_hello("exec 0<&-; sleep 0.3; exit 4"));
   const std::string message = lost_message([&] { kernel.load(kuhn_box({20, 20, 20})); });
   CHECK(contains(message, "ended with exit code 4"));
 }
@@ -181,7 +181,7 @@ TEST_CASE("homology over Z is read with its torsion", "[suite][process_kernel]")
 
 TEST_CASE("a liar is a mismatch or is lost, never believed", "[suite][process_kernel]") {
   const auto third_split = [](const std::string& lie) {
-    JudgedKernel kernel = process_kernel(adapter("liar.py " + lie + " 2"), 5), twin = twin_kernel();
+    JudgedKernel kernel = process_kernel(adapter("liar.py " + lie + " 2")), twin = twin_kernel();
     kernel.load(octahedron_star());
     twin.load(octahedron_star());
     for (const FaceSide side : {FaceSide{0, 5}, FaceSide{1, 5}}) {
