@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* kernel_footer = R"(
 Bodies: cubes of 384, 6 000, 48 000 and 384 000 tetrahedra; rings, one cell thick, of 48, 4 560 and
-28 320. The whole takes about six minutes and 2 GB; --quick leaves out bodies above 6 000.
+28 320. The whole takes two minutes of an idle machine and 2 GB; --quick leaves out bodies above 6 000.
 
 Memory counts the capacities of everything a map holds, in bytes a tetrahedron: CGAL's darts and
 attributes; vertex rows and neighbours of each tetrahedron (dense adjacency); a dart of each

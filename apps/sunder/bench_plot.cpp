@@ -62,8 +62,9 @@ std::string plot_script(const KernelBench& bench) {
   std::string script =
       "set terminal pngcairo size 1500,720 font 'DejaVu Sans,13'\n"
       "set logscale xy\nset format x '10^{%T}'\nset format y '%g'\nset grid\n"
-      "set xlabel 'tetrahedra (cubes)'\nset ylabel 'microseconds'\nset xrange [200:800000]\n"
-      "set key below maxcols 2 font ',11' samplen 2\n";
+      "set xlabel 'tetrahedra (cubes)' offset 0,0.4\nset ylabel 'microseconds'\nset xrange "
+      "[200:800000]\n"
+      "set key below maxcols 2 spacing 1.1 font ',11' samplen 2\n";
   script += fmt::format("set multiplot layout 1,2 title '{}'\n", bench.machine);
   add_panel(script, bench, "Operations", operations);
   add_panel(script, bench, "Search for components, a fan (mean)", searches);
