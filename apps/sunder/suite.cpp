@@ -40,8 +40,8 @@ With --random no fixture is run: bodies of a dozen families (and those of --mesh
 random, fan by fan, with faces, planes and glues between, and every answer is held against
 union-find and the laws. The table tells, for each family, the fans with at least one face, the
 faces split, the vertices that came apart, the oracle's alarms, how many of them parted a component
-(true %), separations it missed, and mismatches. A family ends at its first mismatch; what is left
-of it after shrinking is printed as a fixture file.
+(true %), separations it missed, and mismatches. The run ends at its first mismatch; what is left of
+it after shrinking is printed as a fixture file.
 
 Exit codes: 0 no mismatch, 1 mismatches, 2 usage (also a FILTER that no fixture has, or a command
 that is no kernel), 3 fixtures or meshes unreadable or invalid, 4 an exported file not written.
@@ -102,6 +102,7 @@ SuiteRow judge_fixture(const suite::Fixture& fixture, std::vector<suite::JudgedK
   const suite::Truth truth = suite::truth_of(fixture);
   const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - start;
   row.truth_us = time.count();
+  row.truth_checks = truth.checks.made;
   for (const suite::TrueOperation& operation : truth.operations) {
     row.steps += operation.steps.size();
   }

@@ -19,7 +19,7 @@ std::string_view result_of(const Verdict& verdict) {
 }
 
 std::size_t checks_of(const SuiteRow& row) {
-  std::size_t checks = 0;
+  std::size_t checks = row.truth_checks;
   for (const Verdict& v : row.verdicts) checks += v.checks;
   return checks;
 }
@@ -167,6 +167,7 @@ nlohmann::ordered_json suite_json(const SuiteTable& table, const std::vector<Sui
                     {"tetrahedra", row.tetrahedra},
                     {"operations", row.operations},
                     {"steps", row.steps},
+                    {"truth_checks", row.truth_checks},
                     {"truth_microseconds", row.truth_us},
                     {"verdicts", verdicts}});
   }

@@ -19,7 +19,8 @@ struct SuiteRow {
   std::vector<suite::Verdict> verdicts;
   /// The steps of each verdict's mismatch in words; empty where there is none.
   std::vector<std::vector<std::string>> steps_in_words;
-  /// Time of the twin's own run that the verdicts are held against, microseconds.
+  /// Comparisons of the fixture with the twin's own run, and the time of that, microseconds.
+  std::size_t truth_checks = 0;
   double truth_us = 0;
 };
 

@@ -135,6 +135,24 @@ TEST_CASE("one wrong number is caught where it begins, with the fewest steps", "
   }
 }
 
+TEST_CASE("a mismatch seen at the end of an operation is traced to its step", "[suite][judge]") {
+  // Above 64 tetrahedra a shatter is looked at when it is done.
+  Fixture fixture{.name = "box", .body = kuhn_box({3, 3, 3})};
+  fixture.operations = {{SplitFace{std::array{0U, 1U, 21U}}, {}}, {Shatter{}, {}}};
+  const auto lie = [](JudgedKernel& k, const Asked& asked) {
+    k.counts = [honest = k.counts, &asked] {
+      CellCounts c = honest();
+      c.edges += asked.splits >= 20 ? 1 : 0;
+      return c;
+    };
+  };
+  const Mismatch m = mismatch_of(fixture, changed(lie));
+  CHECK(m.what == "edges");
+  CHECK(m.operation == 2);
+  CHECK(m.step == 20);
+  CHECK(m.steps.size() == 20);
+}
+
 TEST_CASE("a lie that needs two certain faces is shown with just these", "[suite][judge]") {
   // Wrong once face 4 of the fan was split after figure 5's b.
   const auto lie = [](JudgedKernel& k, const Asked&) {
@@ -210,6 +228,10 @@ TEST_CASE("after a split on a boundary face nothing may have changed", "[suite][
                         {SplitFace{std::array{1U, 4U, 14U}}, {}}};
   const auto lie = [](JudgedKernel& k, const Asked&) {
     const auto extra = std::make_shared<std::size_t>(0);
+    k.load = [extra, honest = k.load](const TetMesh& mesh) {
+      *extra = 0;
+      return honest(mesh);
+    };
     k.split = [extra, honest = k.split](FaceSide side) {
       const SplitAnswer answer = honest(side);
       *extra += answer.did ? 0 : 1;

@@ -226,6 +226,34 @@ std::vector<Step> steps_until(const Truth& truth, std::size_t end) {
   return steps;
 }
 
+/// Counted from 1.
+std::size_t operation_of_step(const Truth& truth, std::size_t step) {
+  std::size_t operation = 0, end = 0;
+  while (end < step) end += truth.operations[operation++].steps.size();
+  return operation;
+}
+
+/// Takes the fixture's operations apart into steps, to see at which one the mismatch really begins
+/// and which of them it needs.
+void narrow_down(Mismatch& mismatch, const Fixture& fixture, const Truth& truth,
+                 JudgedKernel& kernel) {
+  const auto begins = first_mismatch(fixture.body, mismatch.steps, kernel);
+  if (!begins) return;
+  if (begins->step < mismatch.step) {
+    std::vector<Step> steps = std::move(mismatch.steps);
+    steps.resize(begins->step);
+    mismatch = *begins;
+    mismatch.operation = operation_of_step(truth, begins->step);
+    mismatch.steps = std::move(steps);
+  }
+  const auto fails = [&kernel](const TetMesh& body, std::span<const Step> steps) {
+    return first_mismatch(body, steps, kernel).has_value();
+  };
+  // Some seconds for a kernel that talks through a pipe.
+  const ShrinkLimits limits{.body = false, .work = 600000};
+  mismatch.steps = shrink(fixture.body, mismatch.steps, fails, limits).steps;
+}
+
 }  // namespace
 
 std::optional<Mismatch> first_mismatch(const TetMesh& body, std::span<const Step> steps,
@@ -260,26 +288,20 @@ Verdict judge(const Fixture& fixture, const Truth& truth, JudgedKernel& kernel) 
     verdict.lost = true;
     differ(trial.checks, "the kernel", "an answer", error.what());
   }
-  verdict.checks = trial.checks.made + truth.checks.made;
+  verdict.checks = trial.checks.made;
   verdict.not_asked = trial.not_asked;
   verdict.known_difference = std::move(trial.known_difference);
   verdict.kernel_us = trial.kernel_us;
   verdict.mismatch = std::move(trial.checks.first);
-  if (!verdict.mismatch && truth.checks.first) {
+  if (verdict.mismatch) {
+    verdict.mismatch->steps = steps_until(truth, verdict.mismatch->step);
+    // A kernel that hangs would do so in every trial.
+    if (!verdict.lost) narrow_down(*verdict.mismatch, fixture, truth, kernel);
+  } else if (truth.checks.first) {
     verdict.mismatch = truth.checks.first;
     verdict.mismatch->what += " (the fixture against union-find)";
+    verdict.mismatch->steps = steps_until(truth, verdict.mismatch->step);
   }
-  if (!verdict.mismatch) return verdict;
-  Mismatch& mismatch = *verdict.mismatch;
-  mismatch.steps = steps_until(truth, mismatch.step);
-  // A kernel that hangs would do so in every trial.
-  if (verdict.lost || !first_mismatch(fixture.body, mismatch.steps, kernel)) return verdict;
-  const auto fails = [&kernel](const TetMesh& body, std::span<const Step> steps) {
-    return first_mismatch(body, steps, kernel).has_value();
-  };
-  // Some seconds for a kernel that talks through a pipe.
-  const ShrinkLimits limits{.body = false, .work = 600000};
-  mismatch.steps = shrink(fixture.body, mismatch.steps, fails, limits).steps;
   return verdict;
 }
 

@@ -20,7 +20,7 @@ namespace sunder::suite {
 struct Verdict {
   std::string fixture, kernel;
   std::size_t tetrahedra = 0, operations = 0, steps = 0;
-  /// Single comparisons made.
+  /// Single comparisons of this kernel's answers; those of the fixture itself are `Truth`'s.
   std::size_t checks = 0;
   /// Questions the kernel cannot be asked.
   std::size_t not_asked = 0;
