@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <stdexcept>
 
 #include "apps/sunder/words.hpp"
 #include "topology/build_map.hpp"
 #include "topology/invariants.hpp"
 #include "topology/io/mesh_file.hpp"
+#include "topology/suite/homology.hpp"
 
 namespace sunder {
 namespace {
@@ -20,6 +22,8 @@ constexpr const char* footer = R"(
 MESH is Gmsh MSH 2.x or 4.1 (ASCII), MEDIT .mesh (ASCII) or VTU; its content decides, not its name.
 Coordinates are taken as metres, volumes are m^3. Vertices, edges and faces are counted as orbits
 of the 3-map: cells that only touch are not joined. Numbers in brackets are rows counted from 0.
+Betti numbers follow from boundary sheets where the body lies in space; where it is flat, folded or
+has no boundary they are those of its homology over the integers, which is told with its torsion.
 
 Exit codes: 0 no error found (warnings and notes may be), 1 a mesh with errors, 2 usage, 3 no mesh
 can be read from the file.
@@ -35,7 +39,19 @@ struct CheckReport {
   bool is_read = false;
   TetMesh mesh;
   std::optional<Counts> counts;
+  /// Where the body may not lie in space, so that its sheets do not tell its Betti numbers.
+  std::optional<suite::IntegerHomology> homology;
 };
+
+/// The homology of a body from its tetrahedra; nothing where its numbers outgrow 64 bits.
+std::optional<suite::IntegerHomology> homology_of(const TetMesh& mesh) {
+  try {
+    const auto twin = suite::glue_twin(mesh.tetrahedra, mesh.points.size());
+    return suite::integer_homology(suite::orbit_complex(twin));
+  } catch (const std::overflow_error&) {
+    return std::nullopt;
+  }
+}
 
 CheckReport check(const std::filesystem::path& path) {
   CheckReport report;
@@ -46,15 +62,27 @@ CheckReport check(const std::filesystem::path& path) {
   report.mesh = std::move(*mesh);
   // Flat tetrahedra do not hinder counting, but a body of them cannot be computed with.
   Result<VolumeMap> map = build_map(report.mesh, Severity::warning);
+  bool is_in_space = true;
   for (Finding& f : map.findings) {
-    if (f.code == "flat_tetrahedron" || f.code == "folded_tetrahedron")
+    if (f.code == "flat_tetrahedron" || f.code == "folded_tetrahedron") {
       f.severity = Severity::error;
+      is_in_space = false;
+    }
     f.file = path.string();
     report.findings.push_back(std::move(f));
   }
   std::stable_sort(report.findings.begin(), report.findings.end(),
                    [](const Finding& a, const Finding& b) { return a.severity > b.severity; });
-  if (map) report.counts = count_cells(*map);
+  if (!map) return report;
+  report.counts = count_cells(*map);
+  if (is_in_space && report.counts->betti) return report;
+  report.counts->betti.reset();
+  report.homology = homology_of(report.mesh);
+  if (!report.homology) return report;
+  const auto number = [&report](int d) {
+    return static_cast<std::ptrdiff_t>(report.homology->betti[d]);
+  };
+  report.counts->betti = {number(0), number(1), number(2)};
   return report;
 }
 
@@ -73,9 +101,31 @@ void print_json(const CheckReport& report) {
     }
     for (const char* key : {"euler_characteristic", "betti", "volume"}) json[key] = nullptr;
   }
+  if (report.homology) {
+    json["homology"] = {{"betti", report.homology->betti}, {"torsion", report.homology->torsion}};
+  }
   json["findings"] = findings_json(report.findings);
   json["valid"] = !has_error(report.findings);
   fmt::print("{}\n", json.dump(2));
+}
+
+/// "Z^2 + Z/3" of one dimension; "0" for nothing.
+std::string group_text(const suite::IntegerHomology& homology, std::size_t dimension) {
+  std::string text;
+  const auto add = [&text](const std::string& part) {
+    if (!text.empty()) text += " + ";
+    text += part;
+  };
+  const std::size_t rank = homology.betti[dimension];
+  if (rank > 0) add(rank == 1 ? "Z" : fmt::format("Z^{}", rank));
+  for (const std::uint64_t n : homology.torsion[dimension]) add(fmt::format("Z/{}", n));
+  return text.empty() ? "0" : text;
+}
+
+void print_homology(const suite::IntegerHomology& homology) {
+  fmt::print("homology            ");
+  for (std::size_t d = 0; d < 4; ++d) fmt::print(" H{} = {}", d, group_text(homology, d));
+  fmt::print("\n");
 }
 
 void print_table(const CheckReport& report) {
@@ -95,6 +145,7 @@ void print_table(const CheckReport& report) {
         "Euler characteristic{:>10}\nBetti numbers       {:>10}\nvolume, m^3         {:>10.6g}\n",
         c.euler_characteristic, betti_text(c), c.volume);
   }
+  if (report.homology) print_homology(*report.homology);
   fmt::print("{}{}\n", finding_lines(report.findings),
              has_error(report.findings) ? "not valid" : "valid");
 }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // `sunder check`: counts of known bodies, and defective inputs with one defect each.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <iterator>
 #include <limits>
 
 #include "program.hpp"
+#include "topology/suite/fixture.hpp"
 #include "topology/suite/shapes.hpp"
 
 using namespace sunder;
@@ -208,10 +210,30 @@ TEST_CASE("fixtures 3 and 4: touching bodies have more vertices than the file", 
   CHECK(vertex["euler_characteristic"] == 2);
 }
 
-TEST_CASE("a body without boundary has no Betti numbers of a body in space", "[apps][check]") {
+TEST_CASE("a body without boundary has its homology told, with torsion", "[apps][check]") {
   const Workplace here;
-  const auto json =
+  const auto sphere =
       here.run({"check", here.write("s.msh", closed_simplex_boundary()), "--json"}).json();
-  INFO(json.dump(1));
-  if (!json["counts"]["vertices"].is_null()) CHECK(json["betti"].is_null());
+  INFO(sphere.dump(1));
+  CHECK(sphere["betti"] == nlohmann::json::array({1, 0, 0}));
+  CHECK(sphere["homology"]["betti"] == nlohmann::json::array({1, 0, 0, 1}));
+  CHECK(sphere["homology"]["torsion"] == nlohmann::json::parse("[[], [], [], []]"));
+}
+
+TEST_CASE("a body that cannot lie in space has the Betti numbers of its homology",
+          "[apps][check]") {
+  const Workplace here;
+  // A lens space less a ball, as the topology suite has it: one sheet, H1 = Z/3.
+  const auto fixtures = sunder::suite::read_fixtures(SUNDER_MESHES "/suite/30-lens-spaces.json");
+  REQUIRE(fixtures);
+  const auto lens = std::find_if(fixtures->begin(), fixtures->end(), [](const auto& f) {
+    return f.name.find("lens-3-1-less-a-ball") != std::string::npos;
+  });
+  REQUIRE(lens != fixtures->end());
+  const auto json = here.run({"check", here.write("l.msh", lens->body), "--json"}).json();
+  CHECK(json["betti"] == nlohmann::json::array({1, 0, 0}));
+  CHECK(json["homology"]["torsion"] == nlohmann::json::parse("[[], [3], [], []]"));
+  const auto ring =
+      here.run({"check", here.write("r.msh", sunder::suite::ring({3, 3, 1})), "--json"});
+  CHECK_FALSE(ring.json().contains("homology"));
 }
