@@ -210,8 +210,9 @@ std::vector<Finding> Recorder::Parts::write_due(const Simulation& now) {
 std::vector<Finding> Recorder::record(const Simulation& now, const StepReport& report,
                                       double step_ms) {
   add_step(parts_->statistics, now, report, step_ms);
-  for (const FanEvent& fan : report.fracture.fans) {
-    parts_->events += event_line(fan, {report.step, report.time}, now.state.cells.map);
+  for (std::size_t k = 0; k < report.fracture.fans.size(); ++k) {
+    parts_->events += event_line(report.fracture.fans[k], {report.step, report.fan_time[k]},
+                                 now.state.cells.map);
   }
   return parts_->write_due(now);
 }

@@ -66,6 +66,16 @@ void add_contact(ContactStatistics& contact, const StepReport& report) {
   }
 }
 
+void add_impact(ImpactStatistics& impact, const ImpactReport& now) {
+  impact.steps += now.sub_steps > 0;
+  impact.opened += now.opened;
+  impact.sub_steps += now.sub_steps;
+  impact.stopped_steps += now.stopped;
+  impact.most_components = std::max(impact.most_components, now.components);
+  impact.time += now.time;
+  impact.coarseness = std::max(impact.coarseness, now.coarseness);
+}
+
 /// Mean, median, 99th percentile (nearest rank) and largest.
 ordered_json distribution(std::vector<float> values) {
   if (values.empty()) return {{"mean", 0}, {"median", 0}, {"p99", 0}, {"max", 0}};
@@ -95,6 +105,16 @@ ordered_json contact_report(const ContactStatistics& c) {
           {"worst_step", c.worst_step},
           {"left_out", c.left_out},
           {"deepest_overlap", c.deepest}};
+}
+
+ordered_json impact_report(const ImpactStatistics& i) {
+  return {{"windows", i.opened},
+          {"steps", i.steps},
+          {"sub_steps", i.sub_steps},
+          {"time", i.time},
+          {"most_components", i.most_components},
+          {"coarseness", i.coarseness},
+          {"stopped_steps", i.stopped_steps}};
 }
 
 /// What is missing between end and start is what supports took; without any it is rounding.
@@ -178,6 +198,7 @@ void add_step(RunStatistics& statistics, const Simulation& now, const StepReport
     statistics.predicted_rightly += fan.components.predicted > 0 && fan.components.created > 0;
   }
   add_contact(statistics.contact, report);
+  add_impact(statistics.impact, report.impact);
   add_momentum(statistics.momentum, now, report);
   statistics.damping_work += report.status.damping_work;
   statistics.energy_released += report.energy_released;
@@ -246,6 +267,7 @@ ordered_json run_report(const RunStatistics& s, const Simulation& now,
             {"efficiency", ratio(s.predicted_rightly, s.predicted)},
             {"missed", s.separated - s.predicted_rightly}}},
           {"contact", contact_report(s.contact)},
+          {"impact", impact_report(s.impact)},
           {"momentum", momentum_ledger(s.momentum, now)},
           {"energy", energy_ledger(s, now)},
           {"warnings", findings_json(s.warnings)}};
@@ -265,6 +287,14 @@ std::string summary_table(const ordered_json& r) {
       fmt::format("{} of {:.6g} s", r["steps"].get<std::uint64_t>(), number("/time_step")));
   row("step time", fmt::format("mean {:.3g} ms, max {:.3g} ms", number("/step_ms/mean"),
                                number("/step_ms/max")));
+  if (const auto sub_steps = r["impact"]["sub_steps"].get<std::uint64_t>(); sub_steps > 0) {
+    row("impacts", fmt::format("{} windows, {} sub-steps over {:.4g} s",
+                               r["impact"]["windows"].get<std::uint64_t>(), sub_steps,
+                               number("/impact/time")));
+  }
+  if (const auto stopped = r["impact"]["stopped_steps"].get<std::uint64_t>(); stopped > 0) {
+    row("", fmt::format("impact.max_sub_steps was reached in {} steps", stopped));
+  }
   row("fans", fmt::format("{} ({} faces)", r["fans"].get<std::uint64_t>(),
                           r["faces_split"].get<std::uint64_t>()));
   row("pieces", fmt::format("{} ({} single tetrahedra)", r["components"].get<std::uint64_t>(),

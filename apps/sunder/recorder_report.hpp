@@ -35,6 +35,15 @@ struct ContactStatistics {
   std::uint64_t worst_step = 0;
 };
 
+/// What impact windows did over a run.
+struct ImpactStatistics {
+  std::size_t steps = 0, opened = 0, sub_steps = 0, stopped_steps = 0;
+  std::uint32_t most_components = 0;
+  /// s, simulated.
+  double time = 0;
+  double coarseness = 0;
+};
+
 /// Everything that is added up over a run.
 struct RunStatistics {
   /// Wall time of every step and of its stages, ms.
@@ -53,6 +62,7 @@ struct RunStatistics {
   Energies energy_at_start;
   MomentumLedger momentum;
   ContactStatistics contact;
+  ImpactStatistics impact;
   /// kg.
   double mass_at_start = 0;
   std::vector<Finding> warnings;

@@ -257,6 +257,27 @@ void describe(V& v, ContactSettings& c) {
 }
 
 template <class V>
+void describe(V& v, ImpactSettings& i) {
+  v.field(Key{"window", "",
+              "Whether components that are struck are stepped finely while that lasts; without it "
+              "the step decides what breaks on impact"},
+          i.window);
+  v.field(Key{"fraction", "",
+              "Largest sub-step over L/c, the time in which a wave crosses the component",
+              Range{.low = 0, .high = 1, .without_low = true}},
+          i.fraction);
+  v.field(Key{"negligible", "",
+              "Part of the tensile strength below which the stress rho c v of a blow is none",
+              Range{.low = 0, .high = 1, .without_low = true}},
+          i.negligible);
+  v.field(Key{"max_sub_steps", "",
+              "Sub-steps in one step; the rest of the step is then taken at once, and the report "
+              "says so",
+              between(1, 1e6)},
+          i.max_sub_steps);
+}
+
+template <class V>
 void describe(V& v, CameraSettings& c) {
   v.field(Key{"eye", "m", "Where the camera stands", {}, true}, c.eye);
   v.field(Key{"target", "m", "What it looks at", {}, true}, c.target);
@@ -306,6 +327,7 @@ void describe(V& v, SceneFile& s) {
   v.field(Key{"duration", "s", "Length of the run", above(0)}, s.scene.duration);
   v.field(Key{"integrator", "", "How time is integrated"}, s.scene.integrator);
   v.field(Key{"contact", "", "How contact is solved"}, s.scene.contact);
+  v.field(Key{"impact", "", "How blows are stepped (docs/impact.md)"}, s.scene.impact);
   v.field(Key{"fracture", "", "What breaks and how it is found"}, s.scene.fracture);
   v.field(
       Key{"display_time_constant", "s",
