@@ -77,7 +77,8 @@ class Kernel:
         vertices = [p for p in face if apart((p,))]
         edges = [e for e in combinations(face, 2) if apart(e)]
         flat = [p for e in edges for p in e]
-        return " ".join(map(str, ["split", len(vertices), *vertices, len(edges), *flat, int(apart(()))]))
+        words = ["split", len(vertices), *vertices, len(edges), *flat, int(apart(()))]
+        return " ".join(map(str, words))
 
     def glue(self, a, b):
         if a in self.glued or b in self.glued or a == b:
@@ -121,10 +122,11 @@ class Kernel:
             while queue:
                 for edge in sheet.pop(queue.pop(), []):
                     queue += at_edge.pop(edge, [])
-        return f"counts {count(1)} {count(2)} {count(3)} {len(self.tetrahedra)} {count(0)} {boundary} {sheets}"
+        cells = [count(1), count(2), count(3), len(self.tetrahedra), count(0), boundary, sheets]
+        return " ".join(map(str, ["counts", *cells]))
 
     def vertices(self):
-        return self.numbers([(t, (p,)) for t, corners in enumerate(self.tetrahedra) for p in corners])
+        return self.numbers([(t, (p,)) for t, row in enumerate(self.tetrahedra) for p in row])
 
     def components(self):
         return self.numbers([(t, ()) for t in range(len(self.tetrahedra))])

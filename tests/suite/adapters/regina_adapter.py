@@ -16,7 +16,7 @@ LARGEST_HOMOLOGY = int(sys.argv[1]) if len(sys.argv) > 1 else 100
 
 
 def glue_by_points(triangulation, rows, corners_of, sides):
-    """Joins two facets, each (tetrahedron, opposite point), corners with the same point together."""
+    """Joins two facets, each (tetrahedron, opposite point), equal points together."""
     (t, p), (u, q) = sides
     there = [corners_of[u].index(q if x == p else x) for x in corners_of[t]]
     facet = triangulation.tetrahedron(rows[t])
