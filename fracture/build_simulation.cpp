@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "fracture/scene_loads.hpp"
 #include "fracture/simulation.hpp"
 #include "topology/build_map.hpp"
 #include "topology/check.hpp"
@@ -166,9 +167,11 @@ Result<Simulation> build_simulation(Scene scene) {
   Cells cells = make_cells(std::move(*map), *mechanics);
   Simulation sim{.scene = std::move(scene),
                  .bodies = std::move(bodies),
+                 .loads = {},
                  .state = {.cells = std::move(cells), .mechanics = std::move(*mechanics)}};
   sim.state.obstacles = sim.scene.obstacles;
   for (std::size_t b = 0; b < sim.bodies.size(); ++b) append(result.findings, hold_vertices(sim, b));
+  append(result.findings, make_scene_loads(sim));
   if (has_error(result.findings)) return result;
   const std::vector<ComponentId> living = living_components(sim.state.mechanics);
   rebuild(sim.state.mechanics, sim.state.cells.map.corners(), living, sim.scratch.mechanics);

@@ -26,6 +26,20 @@ struct HeldBox {
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
 };
 
+/// What pushes or pulls a body from outside: on its surface inside a box, or on the vertices there.
+struct LoadBox {
+  /// Corners of the box in the mesh's own coordinates, m; its surface belongs to it.
+  Eigen::Vector3d minimum = Eigen::Vector3d::Zero();
+  Eigen::Vector3d maximum = Eigen::Vector3d::Zero();
+  /// On every boundary face whose three vertices lie in the box, Pa; positive pushes into the body.
+  /// Follows the body's rigid motion.
+  double pressure = 0;
+  /// In all, in equal parts on every vertex in the box, N, world; keeps its direction.
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();
+  /// Time over which both are raised linearly, s; 0 applies them at once.
+  double ramp_time = 0;
+};
+
 /// One breakable body.
 struct BodySettings {
   std::string name;
@@ -38,6 +52,7 @@ struct BodySettings {
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
   Eigen::Vector3d spin = Eigen::Vector3d::Zero();
   std::vector<HeldBox> held;
+  std::vector<LoadBox> loads;
 };
 
 /// Gravity, raised linearly from zero over `ramp_time`.

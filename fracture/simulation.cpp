@@ -109,6 +109,24 @@ void add_fracture(StepReport& sum, FractureReport&& part) {
   }
 }
 
+/// Surface loads at `time` on the vertices as they are: rows may have come since the last part.
+void update_forces(StepWork& work, double time) {
+  if (work.sim.loads.empty()) return;
+  work.loads.force.assign(work.sim.state.mechanics.vertices.size(), Vec3::Zero());
+  add_corner_loads(work.loads.force, work.sim.loads, work.sim.state.mechanics,
+                   work.sim.state.cells.map.corners(), time);
+}
+
+/// What the surface loads of a part gave to its members, N s.
+Vec3 load_impulse(const StepWork& work, double length) {
+  const std::vector<ComponentId>& component = work.sim.state.mechanics.vertices.component;
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t v = 0; v < work.loads.force.size(); ++v) {
+    if (work.members().has(component[v])) sum += length * work.loads.force[v];
+  }
+  return sum;
+}
+
 /// Section 3.3: what is drawn follows the frames smoothly.
 void update_display(Simulation& sim) {
   SimulationState& s = sim.state;
@@ -134,6 +152,7 @@ PartResult take_part(StepWork& work, const PartPlan& plan) {
   SimulationState& s = sim.state;
   IntegratorSettings settings = sim.scene.integrator;
   settings.time_step = plan.length;
+  update_forces(work, s.mechanics.time + plan.length);
   const StepInput input{s.cells.map.corners(), work.loads, settings, plan.part, work.members()};
   ContactStepResult result =
       advance_with_contact({s.mechanics, s.obstacles, s.contact}, input, sim.scene.contact,
@@ -142,6 +161,7 @@ PartResult take_part(StepWork& work, const PartPlan& plan) {
   const double damping_work = work.report.status.damping_work + result.status.damping_work;
   work.report.status = result.status;
   work.report.status.damping_work = damping_work;
+  work.report.load_impulse += load_impulse(work, plan.length);
   add_contact(work.report.contact, result.report);
   work.report.time = s.mechanics.time;
   if (work.observe) work.observe(sim, {plan.part.deformation, plan.length, result.report});

@@ -15,6 +15,7 @@
 #include "fracture/scene.hpp"
 #include "mechanics/contact.hpp"
 #include "mechanics/display_state.hpp"
+#include "mechanics/loads.hpp"
 #include "mechanics/step.hpp"
 
 namespace sunder {
@@ -59,6 +60,8 @@ struct BodyRows {
 struct Simulation {
   Scene scene;
   std::vector<BodyRows> bodies;
+  /// Those of all bodies (`BodySettings::loads`); corners keep them through every split.
+  std::vector<CornerLoad> loads;
   SimulationState state;
   SimulationScratch scratch;
 };
@@ -96,6 +99,8 @@ struct StepReport {
   /// s, of each fan: the end of the sub-step in which it came.
   std::vector<double> fan_time;
   ImpactReport impact;
+  /// N s, given by surface loads, what acts at supports too.
+  Vec3 load_impulse = Vec3::Zero();
   /// J, deformation given up by pieces that became rigid tetrahedra.
   double energy_released = 0;
   std::size_t components = 0;

@@ -28,19 +28,24 @@ double kinetic_energy(const VertexColumns& vertices) {
   return sum;
 }
 
-double strain_energy(const MechanicsState& state) {
+double element_strain_energy(const MechanicsState& state, TetId element) {
+  // sigma : eps from sigma alone: (sigma : sigma - nu/(1+nu) tr^2) / (2 mu), with
+  // lambda / (3 lambda + 2 mu) = nu / (1 + nu).
   const ElementColumns& elements = state.elements;
+  const std::size_t t = element.index();
+  const Material& material = state.materials[elements.material[t].index()];
+  const double mu = lame(material).mu;
+  const double nu = material.poisson_ratio;
+  const Mat3& sigma = elements.stress[t];
+  const double trace = sigma.trace();
+  const double density = (sigma.squaredNorm() - nu / (1 + nu) * trace * trace) / (2 * mu);
+  return 0.5 * elements.rest_volume[t] * density;
+}
+
+double strain_energy(const MechanicsState& state) {
   double sum = 0;
-  for (std::size_t t = 0; t < elements.size(); ++t) {
-    // sigma : eps from sigma alone: (sigma : sigma - nu/(1+nu) tr^2) / (2 mu), with
-    // lambda / (3 lambda + 2 mu) = nu / (1 + nu).
-    const Material& material = state.materials[elements.material[t].index()];
-    const double mu = lame(material).mu;
-    const double nu = material.poisson_ratio;
-    const Mat3& sigma = elements.stress[t];
-    const double trace = sigma.trace();
-    const double density = (sigma.squaredNorm() - nu / (1 + nu) * trace * trace) / (2 * mu);
-    sum += 0.5 * elements.rest_volume[t] * density;
+  for (std::size_t t = 0; t < state.elements.size(); ++t) {
+    sum += element_strain_energy(state, TetId{t});
   }
   return sum;
 }

@@ -17,6 +17,9 @@ Vec3 angular_momentum(const VertexColumns& vertices);
 /// sum m v^2 / 2, J.
 double kinetic_energy(const VertexColumns& vertices);
 
+/// V sigma : eps / 2 of one element from its stress (eq. 5), J.
+double element_strain_energy(const MechanicsState& state, TetId element);
+
 /// sum V sigma : eps / 2 from the element stresses (eq. 5), J. Needs: `elements.stress` up to date.
 double strain_energy(const MechanicsState& state);
 

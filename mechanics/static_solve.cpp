@@ -105,4 +105,25 @@ std::vector<Finding> solve_static(MechanicsState& state, MechanicsScratch& scrat
   return findings;
 }
 
+std::vector<Vec3> support_forces(MechanicsScratch& scratch, const MechanicsState& state,
+                                 std::span<const Corners> corners, const Loads& loads) {
+  std::vector<Vec3> force(state.vertices.size(), Vec3::Zero());
+  const IntegratorSettings settings;
+  const StepInput input{corners, loads, settings};
+  for (const Component& component : state.components) {
+    if (component.tetrahedra.empty()) continue;
+    ComponentSystem& system = built_system(scratch, state, corners, component);
+    const Mat3 R = component.orientation.toRotationMatrix();
+    Eigen::Matrix3Xd d(3, static_cast<Eigen::Index>(system.size()));
+    Eigen::Matrix3Xd load = Eigen::Matrix3Xd::Zero(3, d.cols());
+    gather(d, system.order, state.vertices.displacement);
+    add_body_load(load, {scratch, state, input, component, &system}, R);
+    Eigen::VectorXd elastic(d.size());
+    multiply_stiffness(elastic, system, d.reshaped());
+    const Eigen::Matrix3Xd missing = elastic.reshaped(3, d.cols()) - load;
+    scatter(force, system.order, R * missing);
+  }
+  return force;
+}
+
 }  // namespace sunder

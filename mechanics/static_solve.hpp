@@ -19,4 +19,10 @@ namespace sunder {
 std::vector<Finding> solve_static(MechanicsState& state, MechanicsScratch& scratch,
                                   std::span<const Corners> corners, const Loads& loads);
 
+/// K d - (m g + f) of every vertex in the world, N, |V| rows: at held vertices the force with which
+/// the support pushes the body, at free ones what is missing to equilibrium (rounding after
+/// `solve_static`). `loads`: those of that call. O(|T|) beside systems already built.
+std::vector<Vec3> support_forces(MechanicsScratch& scratch, const MechanicsState& state,
+                                 std::span<const Corners> corners, const Loads& loads);
+
 }  // namespace sunder

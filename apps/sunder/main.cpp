@@ -11,6 +11,7 @@
 #include "apps/sunder/exit_code.hpp"
 #include "apps/sunder/run.hpp"
 #include "apps/sunder/split.hpp"
+#include "apps/sunder/static.hpp"
 #include "apps/sunder/suite.hpp"
 
 namespace {
@@ -22,6 +23,7 @@ int run_program(int argc, char** argv) {
   program.footer("sunder COMMAND --help tells each command's options, units and exit codes.");
   sunder::ExitCode exit_code = sunder::ExitCode::fine;
   sunder::add_run_command(program, exit_code);
+  sunder::add_static_command(program, exit_code);
   sunder::add_check_command(program, exit_code);
   sunder::add_split_command(program, exit_code);
   sunder::add_suite_command(program, exit_code);

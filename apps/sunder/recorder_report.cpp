@@ -49,6 +49,7 @@ void add_momentum(MomentumLedger& ledger, const Simulation& now, const StepRepor
       ledger.obstacles += impulse[i];
     }
   }
+  ledger.loads += report.load_impulse;
   ledger.gravity += mass * now.scene.time_step * gravity_at(now.scene.gravity, report.time);
 }
 
@@ -123,8 +124,10 @@ ordered_json momentum_ledger(const MomentumLedger& ledger, const Simulation& now
   return {{"start", numbers(ledger.start)},
           {"end", numbers(end)},
           {"gravity", numbers(ledger.gravity)},
+          {"loads", numbers(ledger.loads)},
           {"obstacles", numbers(ledger.obstacles)},
-          {"supports", numbers(end - ledger.start - ledger.gravity - ledger.obstacles)}};
+          {"supports",
+           numbers(end - ledger.start - ledger.gravity - ledger.loads - ledger.obstacles)}};
 }
 
 ordered_json energy_ledger(const RunStatistics& statistics, const Simulation& now) {

@@ -21,9 +21,9 @@ struct Energies {
 };
 
 /// Momentum of everything that moves (bodies and free balls) and what it was given from outside,
-/// kg m/s: gravity's impulses and those of obstacles without mass.
+/// kg m/s: impulses of gravity, of surface loads and of obstacles without mass.
 struct MomentumLedger {
-  Vec3 start = Vec3::Zero(), gravity = Vec3::Zero(), obstacles = Vec3::Zero();
+  Vec3 start = Vec3::Zero(), gravity = Vec3::Zero(), loads = Vec3::Zero(), obstacles = Vec3::Zero();
 };
 
 /// How contact went over a run.

@@ -116,6 +116,25 @@ void describe(V& v, HeldBox& h) {
 }
 
 template <class V>
+void describe(V& v, LoadBox& l) {
+  v.field(Key{"minimum", "m", "Lower corner of the box, in the mesh's own coordinates", {}, true},
+          l.minimum);
+  v.field(Key{"maximum", "m", "Upper corner; the box's surface belongs to it", {}, true},
+          l.maximum);
+  v.field(Key{"pressure", "Pa",
+              "On the boundary faces that lie in the box whole; positive pushes into the body, and "
+              "turns with it"},
+          l.pressure);
+  v.field(Key{"force", "N",
+              "In all, in the world, shared equally by the vertices in the box; keeps its "
+              "direction"},
+          l.force);
+  v.field(Key{"ramp_time", "s", "Time over which both are raised linearly; 0: at once",
+              at_least(0)},
+          l.ramp_time);
+}
+
+template <class V>
 void describe(V& v, BodySettings& b) {
   v.field(Key{"name", "", "What reports call the body"}, b.name);
   v.field(Key{"mesh",
@@ -132,6 +151,7 @@ void describe(V& v, BodySettings& b) {
   v.field(Key{"velocity", "m/s", "Velocity of the mass centre at the start"}, b.velocity);
   v.field(Key{"spin", "rad/s", "Angular velocity about the mass centre at the start"}, b.spin);
   v.field(Key{"held", "", "Boxes whose vertices the outside world holds or moves"}, b.held);
+  v.field(Key{"loads", "", "Boxes in which the body is pushed or pulled"}, b.loads);
 }
 
 template <class V>

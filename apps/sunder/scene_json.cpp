@@ -308,20 +308,34 @@ class ObjectReader {
   int alternatives_found_ = 0;
 };
 
-void check_holds(const Context& c, const BodySettings& body, const std::string& at) {
+/// A box of a body that must contain vertices; `code` says so where it has none.
+void check_box(const Context& c, const BodySettings& body, const Eigen::AlignedBox3d& box,
+               const std::string& place, const char* code) {
+  if (box.isEmpty()) {
+    c.add("bad_box", place, "has a minimum above its maximum", "exchange them where they are");
+    return;
+  }
+  const bool holds = std::ranges::any_of(body.mesh.points, [&](const Point& p) {
+    return box.contains(Eigen::Vector3d(p[0], p[1], p[2]));
+  });
+  if (!holds && !body.mesh.points.empty()) {
+    c.add(code, place, "contains no vertex of the mesh",
+          "give the box in the mesh's own coordinates, m, before it is turned and moved");
+  }
+}
+
+void check_boxes(const Context& c, const BodySettings& body, const std::string& at) {
   for (std::size_t i = 0; i < body.held.size(); ++i) {
-    const std::string place = fmt::format("{}/held/{}", at, i);
-    const Eigen::AlignedBox3d box(body.held[i].minimum, body.held[i].maximum);
-    if (box.isEmpty()) {
-      c.add("bad_box", place, "has a minimum above its maximum", "exchange them where they are");
-      continue;
-    }
-    const bool holds = std::ranges::any_of(body.mesh.points, [&](const Point& p) {
-      return box.contains(Eigen::Vector3d(p[0], p[1], p[2]));
-    });
-    if (!holds && !body.mesh.points.empty()) {
-      c.add("empty_hold", place, "contains no vertex of the mesh",
-            "give the box in the mesh's own coordinates, m, before it is turned and moved");
+    check_box(c, body, {body.held[i].minimum, body.held[i].maximum},
+              fmt::format("{}/held/{}", at, i), "empty_hold");
+  }
+  for (std::size_t i = 0; i < body.loads.size(); ++i) {
+    const LoadBox& load = body.loads[i];
+    const std::string place = fmt::format("{}/loads/{}", at, i);
+    check_box(c, body, {load.minimum, load.maximum}, place, "empty_load");
+    if (load.pressure == 0 && load.force.isZero(0)) {
+      c.add("no_load", place, "has neither a pressure nor a force",
+            "give \"pressure\" in Pa or \"force\" in N");
     }
   }
 }
@@ -333,7 +347,7 @@ void check_whole(const Context& c, const SceneFile& file) {
     c.add("out_of_range", "/bodies", "is empty", "give at least one body");
   }
   for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    check_holds(c, scene.bodies[i], fmt::format("/bodies/{}", i));
+    check_boxes(c, scene.bodies[i], fmt::format("/bodies/{}", i));
   }
   for (std::size_t i = 0; i < scene.obstacles.size(); ++i) {
     for (Finding f : check(scene.obstacles[i], i)) {

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// Loads on a body's surface and vertices, kept on corners of tetrahedra so that splits divide them.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "mechanics/mechanics_state.hpp"
+
+namespace sunder {
+
+/// A force on one corner of a tetrahedron. A vertex feels the sum over the corners of its star, so
+/// when it splits every copy keeps what acts on its own side.
+struct CornerLoad {
+  CornerId corner;
+  Vec3 force = Vec3::Zero();  ///< N, once fully raised; world, or the body frame where it turns
+  /// Turns with the frame of the corner's component (pressure); else it keeps its direction.
+  bool turns = false;
+  double ramp_time = 0;  ///< s over which it is raised linearly; 0: at once
+};
+
+/// A pressure on the face of tetrahedron `t` opposite to `place`, as three equal corner loads in
+/// the body frame: p V grad N_place each, since the outward area vector is -3 V grad N_place.
+/// `pressure`: Pa, pushes into the body; negative pulls.
+std::array<CornerLoad, 3> face_pressure(const ElementColumns& elements, TetId t, int place,
+                                        double pressure);
+
+/// A force on vertex `v` as corner loads of its `star`, in the ratio of what each tetrahedron gives
+/// to the vertex's mass. `force`: N, world. Appends to `loads`.
+void add_vertex_force(std::vector<CornerLoad>& loads, const MechanicsState& state,
+                      std::span<const CornerId> star, const Vec3& force);
+
+/// Adds what `loads` are at `time` (s; infinite: fully raised) to `force` (N, world, |V| rows,
+/// resized with zeros). `corners`: |T|, as they are now. O(loads).
+void add_corner_loads(std::vector<Vec3>& force, std::span<const CornerLoad> loads,
+                      const MechanicsState& state, std::span<const Corners> corners, double time);
+
+}  // namespace sunder
