@@ -128,31 +128,39 @@ void take_sub_step(StepWork& work) {
   break_members(work);
 }
 
-/// What is left of the step at once, or up to the next blow with frozen deformations. `left` in
-/// sub-steps; gives how many it took.
+/// Goes on to the sub-step in which the first blow falls, deformations frozen. `left` in sub-steps;
+/// gives how many it took.
+std::uint64_t approach(StepWork& work, std::uint64_t left, double time) {
+  const double sub_step = work.sim.state.impact.sub_step;
+  const double most = static_cast<double>(left - 1);
+  const auto count =
+      static_cast<std::uint64_t>(std::clamp(std::floor(time / sub_step), 0.0, most));
+  if (count == 0) return 0;
+  take_part(work, {{Deformation::frozen, 0, &work.sim.scene.impact},
+                   static_cast<double>(count) * sub_step});
+  return count;
+}
+
+/// What is left of the step at once, or the way to the next blow. `left` in sub-steps; gives how
+/// many it took.
 std::uint64_t take_coarsely(StepWork& work, std::uint64_t left) {
   Simulation& sim = work.sim;
-  const double sub_step = sim.state.impact.sub_step;
   const ImpactSettings* impact = work.report.impact.stopped ? nullptr : &sim.scene.impact;
   const PartResult rest =
       take_part(work, {{Deformation::catch_up, sim.scene.time_step, impact},
-                       static_cast<double>(left) * sub_step});
+                       static_cast<double>(left) * sim.state.impact.sub_step});
   if (rest.adopted) {
     break_members(work);
     return left;
   }
   open(work, rest.blows);
-  const double before = std::floor(rest.blows.time / sub_step);
-  const auto count = static_cast<std::uint64_t>(
-      std::clamp(before, 0.0, static_cast<double>(left - 1)));
-  if (count == 0) return 0;
-  take_part(work, {{Deformation::frozen, 0, impact}, static_cast<double>(count) * sub_step});
-  return count;
+  return approach(work, left, rest.blows.time);
 }
 
-/// The step of the members. Steps that are no longer than a window lasts at least are sub-stepped
-/// whole: to freeze what moves for a part of them would cost more accuracy than it saves.
-void advance_members(StepWork& work) {
+/// The step of the members, whose first blow falls at `blow` (s). Steps that are no longer than a
+/// window lasts at least are sub-stepped whole: to freeze what moves for a part of them would cost
+/// more accuracy than it saves.
+void advance_members(StepWork& work, double blow) {
   Simulation& sim = work.sim;
   ImpactReport& report = work.report.impact;
   report.components = std::max(
@@ -160,7 +168,9 @@ void advance_members(StepWork& work) {
       static_cast<std::uint32_t>(living_components(sim.state.mechanics, work.members()).size()));
   const double count = std::round(sim.scene.time_step / sim.state.impact.sub_step);
   const bool throughout = count <= waves_stay / sim.scene.impact.fraction;
-  for (auto left = static_cast<std::uint64_t>(count); left > 0 && !work.failed();) {
+  auto left = static_cast<std::uint64_t>(count);
+  if (!throughout) left -= approach(work, left, blow);
+  while (left > 0 && !work.failed()) {
     report.stopped = report.sub_steps >= sim.scene.impact.max_sub_steps;
     const bool fine = throughout || !open_windows(sim.state.impact).empty();
     if (fine && !report.stopped) {
@@ -183,10 +193,12 @@ void advance_with_windows(StepWork& work) {
   const double h = sim.scene.time_step;
   const double start = s.mechanics.time;
   const PartPlan whole{{Deformation::whole, 0, &sim.scene.impact}, h};
+  double blow = 0;
   if (open_windows(s.impact).empty()) {
     const PartResult all = take_part(work, whole);
     if (all.adopted) return break_members(work);
     open(work, all.blows);
+    blow = all.blows.time;
   }
   // The others go first, as long as no blow makes members of them.
   const std::vector<Obstacle> obstacles = s.obstacles;
@@ -196,6 +208,7 @@ void advance_with_windows(StepWork& work) {
     const PartResult others = take_part(work, whole);
     if (others.adopted) break;
     open(work, others.blows);
+    blow = std::min(blow, others.blows.time);
   }
   break_members(work);
   if (work.failed()) return;
@@ -204,7 +217,7 @@ void advance_with_windows(StepWork& work) {
   }
   take_the_others(work);
   s.mechanics.time = start;
-  advance_members(work);
+  advance_members(work, blow);
   if (work.failed()) return;
   for (std::size_t k = 0; k < obstacles.size(); ++k) {
     if (obstacles[k].mass) continue;
