@@ -9,6 +9,7 @@
 #include "apps/sunder/bench_command.hpp"
 #include "apps/sunder/check.hpp"
 #include "apps/sunder/exit_code.hpp"
+#include "apps/sunder/modes.hpp"
 #include "apps/sunder/run.hpp"
 #include "apps/sunder/split.hpp"
 #include "apps/sunder/static.hpp"
@@ -24,6 +25,7 @@ int run_program(int argc, char** argv) {
   sunder::ExitCode exit_code = sunder::ExitCode::fine;
   sunder::add_run_command(program, exit_code);
   sunder::add_static_command(program, exit_code);
+  sunder::add_modes_command(program, exit_code);
   sunder::add_check_command(program, exit_code);
   sunder::add_split_command(program, exit_code);
   sunder::add_suite_command(program, exit_code);
