@@ -6,6 +6,7 @@
 
 #include "mechanics/component_system.hpp"
 #include "mechanics/integrators/coefficients.hpp"
+#include "mechanics/integrators/component_step.hpp"
 #include "mechanics/rotation.hpp"
 #include "topology/assert.hpp"
 
@@ -27,10 +28,12 @@ Mat3 world_inertia(const MechanicsState& state, const Component& component) {
 
 /// What A^-1 of a part of a step is multiplied by in the answer to a unit impulse that is spread
 /// over the part as a force: displacement beta h^2 over the part's length, or velocity in a wave.
-double answer_scale(const StepInput& input) {
+double answer_scale(const ContactPass& pass, const Component& component) {
+  const StepInput& input = pass.input;
   if (input.part.deformation == Deformation::wave) return 1;
   const double h = input.deformation_step();
-  return generalised_alpha(input.settings.rho_infinity).beta * h * (h / input.settings.time_step);
+  const double rho = settings_of(input, pass.state, component).rho_infinity;
+  return generalised_alpha(rho).beta * h * (h / input.settings.time_step);
 }
 
 /// Elastic answer of floating_frame at the end of a part of a step: `answer_scale` A^-1 on loads
@@ -53,7 +56,7 @@ Eigen::MatrixXd elastic_answer(const ContactPass& pass, const Component& compone
   const double rigid = component.supported ? 0 : 1 / factor.matrix.mass;
   const Mat3 inverse_inertia = system.shape.inertia.inverse();
   const Mat3 R = component.orientation.toRotationMatrix();
-  const double scale = answer_scale(pass.input);
+  const double scale = answer_scale(pass, component);
   const auto size = static_cast<Eigen::Index>(3 * slots.size());
   Eigen::MatrixXd E = Eigen::MatrixXd::Zero(size, size);
   for (std::size_t a = 0; a < slot.size(); ++a) {

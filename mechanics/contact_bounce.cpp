@@ -5,14 +5,15 @@
 #include <algorithm>
 
 #include "mechanics/integrators/coefficients.hpp"
+#include "mechanics/integrators/component_step.hpp"
 #include "mechanics/mean_axis.hpp"
 
 namespace sunder {
 namespace {
 
 /// Share of h a that a free vertex will still gain from the acceleration the scheme remembers.
-double velocity_to_come(const IntegratorSettings& settings) {
-  const auto [alpha_m, alpha_f, beta, gamma] = generalised_alpha(settings.rho_infinity);
+double velocity_to_come(double rho_infinity) {
+  const auto [alpha_m, alpha_f, beta, gamma] = generalised_alpha(rho_infinity);
   const double r = -alpha_m / (1 - alpha_m);
   return (1 - gamma + gamma * r) / (1 - r);
 }
@@ -20,10 +21,14 @@ double velocity_to_come(const IntegratorSettings& settings) {
 struct Bounce {
   const ContactPass& pass;
   ContactBodies& bodies;
-  double reach;  ///< lambda h, s
 
   const Component& component_of(const ContactEnd& end) const {
     return pass.state.components[bodies.component[end.body].index()];
+  }
+  /// lambda h of the component at an end, s.
+  double reach(const ContactEnd& end) const {
+    const double rho = settings_of(pass.input, pass.state, component_of(end)).rho_infinity;
+    return pass.input.deformation_step() * velocity_to_come(rho);
   }
   bool is_ball(const ContactEnd& end) const { return bodies.ball[end.body] != ContactBodies::none; }
 };
@@ -42,7 +47,7 @@ Vec3 coming_velocity(const Bounce& bounce, const ContactEnd& end) {
     return mean;
   }
   const std::size_t v = end.vertex.index();
-  return vertices.velocity[v] + bounce.reach * (bounce.component_of(end).orientation *
+  return vertices.velocity[v] + bounce.reach(end) * (bounce.component_of(end).orientation *
                                                 vertices.displacement_acceleration[v]);
 }
 
@@ -57,7 +62,7 @@ void spend_acceleration(const Bounce& bounce, const ContactRow& row) {
     const Vec3 n = bounce.component_of(end).orientation.conjugate() * row.normal;
     const Vec3 along = n * n.dot(vertices.displacement_acceleration[v]);
     vertices.displacement_acceleration[v] -= along;
-    vertices.displacement_rate[v] += bounce.reach * along;
+    vertices.displacement_rate[v] += bounce.reach(end) * along;
   }
 }
 
@@ -125,8 +130,7 @@ void take_back_bounce(std::span<ContactPoint> contacts, ContactBodies& bodies,
                       const ContactPass& pass, const ContactSettings& settings) {
   if (contacts.empty() || pass.input.settings.integrator != Integrator::floating_frame) return;
   gather_lumped_bodies(bodies, contacts, pass);
-  const double h = pass.input.deformation_step();
-  const Bounce bounce{pass, bodies, h * velocity_to_come(pass.input.settings)};
+  const Bounce bounce{pass, bodies};
   const double fastest = set_rows(bounce, contacts);
   if (!(fastest > 0)) return;
   // With a unit step, displacements are velocities.

@@ -212,7 +212,8 @@ void describe(V& v, IntegratorSettings& i) {
           i.integrator);
   v.field(Key{"rho_infinity", "",
               "Of generalised-alpha: how much of an oscillation too fast for the step is left "
-              "after one step",
+              "after one step; falls to 0 for components whose slowest wave the step does not "
+              "resolve",
               between(0, 0.5)},
           i.rho_infinity);
   v.field(Key{"damping", "", "Rayleigh damping"}, i.damping);

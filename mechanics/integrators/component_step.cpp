@@ -2,6 +2,7 @@
 // What integrators share: a component's factored system, and loads in its frame.
 #include "mechanics/integrators/component_step.hpp"
 
+#include "mechanics/impact.hpp"
 #include "mechanics/integrators/coefficients.hpp"
 
 namespace sunder {
@@ -18,6 +19,16 @@ ComponentSystem& built_system(MechanicsScratch& scratch, const MechanicsState& s
   return *system;
 }
 
+IntegratorSettings settings_of(const StepInput& input, const MechanicsState& state,
+                               const Component& component) {
+  IntegratorSettings settings = input.settings;
+  if (settings.rho_infinity > 0 && !component.tetrahedra.empty()) {
+    settings.rho_infinity = followed_rho(settings.rho_infinity, input.deformation_step(),
+                                         extent_travel(state, component));
+  }
+  return settings;
+}
+
 ComponentSystem& prepared_system(MechanicsScratch& scratch, const MechanicsState& state,
                                  const StepInput& input, const Component& component) {
   ComponentSystem& system = built_system(scratch, state, input.corners, component);
@@ -29,7 +40,7 @@ ComponentSystem& prepared_system(MechanicsScratch& scratch, const MechanicsState
       break;
     case Deformation::whole:
     case Deformation::catch_up: {
-      IntegratorSettings settings = input.settings;
+      IntegratorSettings settings = settings_of(input, state, component);
       settings.time_step = input.deformation_step();
       factor_system(system, system_matrix(settings));
     }

@@ -16,6 +16,10 @@ struct ComponentStep {
   ComponentSystem* system;  ///< built and factored; null for isolated tetrahedra and verlet
 };
 
+/// The settings as a component takes them in this step: rho_infinity follows the step.
+IntegratorSettings settings_of(const StepInput& input, const MechanicsState& state,
+                               const Component& component);
+
 /// The system of a component, built where it is not yet; nothing is said of its factor.
 ComponentSystem& built_system(MechanicsScratch& scratch, const MechanicsState& state,
                               std::span<const Corners> corners, const Component& component);

@@ -50,7 +50,7 @@ void move_held(const ComponentStep& step, BodyDeformation& d) {
 /// Generalised-alpha for M d'' + C d' + K d = load, in place; gives the damping work. Held vertices
 /// go on at their constant rate: their acceleration is zero and drops out of the system.
 double advance_deformation(const ComponentStep& step, BodyDeformation& d, const Field& load) {
-  const IntegratorSettings& settings = step.input.settings;
+  const IntegratorSettings settings = settings_of(step.input, step.state, step.component);
   const auto [alpha_m, alpha_f, beta, gamma] = generalised_alpha(settings.rho_infinity);
   const auto [a, b] = settings.damping;
   const double h = step.input.deformation_step();
@@ -159,7 +159,7 @@ Spin present_spin(const ComponentStep& step, const BodyDeformation& d, const Fie
 /// b at the time where the scheme balances forces, freed of its rigid part. Positions and
 /// rates are extrapolated there: taken at the start, the Coriolis force lags and feeds energy in.
 Field inertial_load(const ComponentStep& step, const BodyDeformation& d, const Spin& spin) {
-  const IntegratorSettings& settings = step.input.settings;
+  const IntegratorSettings settings = settings_of(step.input, step.state, step.component);
   const double balance = step.input.part.deformation == Deformation::wave
                              ? WaveScheme::theta
                              : 1 - generalised_alpha(settings.rho_infinity).alpha_f;

@@ -2,6 +2,7 @@
 // Check of the integrator's settings, and the coefficients that follow from them.
 #include "mechanics/integrators/settings.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -59,6 +60,13 @@ std::vector<Finding> check(const IntegratorSettings& settings, std::string_view 
                                "Leave the damping out, or use floating_frame."));
   }
   return findings;
+}
+
+double followed_rho(double rho_infinity, double time_step, double extent_travel) {
+  constexpr double resolved = 0.3, unresolved = 3;
+  const double turn = M_PI * time_step / extent_travel;
+  const double part = std::log(unresolved / turn) / std::log(unresolved / resolved);
+  return rho_infinity * std::clamp(part, 0.0, 1.0);
 }
 
 SystemMatrix system_matrix(const IntegratorSettings& settings) {

@@ -35,6 +35,8 @@ struct IntegratorSettings {
   /// after one step. 0: a suddenly applied load gives the static answer at once, where 0.8 rings at
   /// 1.7 times of it for tens of steps and would break bodies that hold. Above 0.5 the Coriolis
   /// force, which is extrapolated, feeds what rings: measured, spinning bodies blow up from 0.8 on.
+  /// A component takes it where the step resolves its slowest axial mode; towards longer steps it
+  /// falls to 0 (`followed_rho`).
   double rho_infinity = 0;
   RayleighDamping damping = {};
   EulerFrame euler_frame = EulerFrame::current;
