@@ -2,7 +2,9 @@
 // One step: mechanics with contact, then fracture, then the components that came of it.
 #include <algorithm>
 
+#include "fracture/energy_ledger.hpp"
 #include "fracture/step_work.hpp"
+#include "mechanics/energy.hpp"
 
 namespace sunder {
 namespace {
@@ -117,16 +119,6 @@ void update_forces(StepWork& work, double time) {
                    work.sim.state.cells.map.corners(), time);
 }
 
-/// What the surface loads of a part gave to its members, N s.
-Vec3 load_impulse(const StepWork& work, double length) {
-  const std::vector<ComponentId>& component = work.sim.state.mechanics.vertices.component;
-  Vec3 sum = Vec3::Zero();
-  for (std::size_t v = 0; v < work.loads.force.size(); ++v) {
-    if (work.members().has(component[v])) sum += length * work.loads.force[v];
-  }
-  return sum;
-}
-
 /// Section 3.3: what is drawn follows the frames smoothly.
 void update_display(Simulation& sim) {
   SimulationState& s = sim.state;
@@ -153,6 +145,7 @@ PartResult take_part(StepWork& work, const PartPlan& plan) {
   IntegratorSettings settings = sim.scene.integrator;
   settings.time_step = plan.length;
   update_forces(work, s.mechanics.time + plan.length);
+  begin_part(work);
   const StepInput input{s.cells.map.corners(), work.loads, settings, plan.part, work.members()};
   ContactStepResult result =
       advance_with_contact({s.mechanics, s.obstacles, s.contact}, input, sim.scene.contact,
@@ -161,7 +154,7 @@ PartResult take_part(StepWork& work, const PartPlan& plan) {
   const double damping_work = work.report.status.damping_work + result.status.damping_work;
   work.report.status = result.status;
   work.report.status.damping_work = damping_work;
-  work.report.load_impulse += load_impulse(work, plan.length);
+  end_part(work, input);
   add_contact(work.report.contact, result.report);
   work.report.time = s.mechanics.time;
   if (work.observe) work.observe(sim, {plan.part.deformation, plan.length, result.report});
@@ -190,6 +183,8 @@ void break_members(StepWork& work) {
 StepReport advance(Simulation& sim, const StepObserver& observe) {
   SimulationState& s = sim.state;
   StepWork work{sim, observe, {}, {}, {}, {}};
+  const double kinetic = kinetic_energy(s.mechanics.vertices);
+  const double strain = strain_energy(s.mechanics);
   work.loads.gravity = gravity_at(sim.scene.gravity, s.mechanics.time + sim.scene.time_step);
   s.impact.quiet.resize(s.mechanics.components.size(), ImpactWindow::closed);
   if (sim.scene.impact.window && sim.scene.integrator.integrator == Integrator::floating_frame) {
@@ -201,6 +196,7 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
   StepReport& report = work.report;
   report.step = ++s.step;
   report.time = s.mechanics.time;
+  close_ledger(work, kinetic, strain);
   report.components = living_components(s.mechanics).size();
   if (!work.failed()) {
     const StageTimer timer(report, Stage::display);

@@ -43,11 +43,18 @@ struct SimulationState {
   std::uint64_t step = 0;
 };
 
+/// Rows of vertices at the start of the part of a step at hand, for the energy ledger.
+struct PartStart {
+  std::vector<Vec3> position;                    ///< m, world
+  std::vector<Vec3> displacement, acceleration;  ///< m, m/s^2, body frame
+};
+
 /// Working memory of a step and caches; can be thrown away between two steps.
 struct SimulationScratch {
   MechanicsScratch mechanics;
   ContactScratch contact;
   FractureScratch fracture;
+  PartStart before;
 };
 
 /// Rows of one body of the scene: its tetrahedra and the points of its mesh are consecutive.
@@ -88,6 +95,21 @@ struct ImpactReport {
   bool stopped = false;
 };
 
+/// Energies of a step, J, all recomputed from rows of vertices and tetrahedra.
+struct EnergyLedger {
+  double kinetic = 0, strain = 0;  ///< change over the step
+  double gravity = 0;              ///< work of gravity, sum m g . dx
+  double loads = 0;                ///< work of surface loads, sum f . dx
+  /// What generalised-alpha took, by its closed form (`numerical_loss`); none of other integrators
+  /// and of the sub-steps of impacts is known.
+  double numerical = 0;
+  /// kinetic + strain + damping work + energy released + numerical - gravity - loads: the work of
+  /// contact and of moving supports less what friction, inelastic blows and sub-steps of impacts
+  /// took, and what is of second order in the displacement. Without contact, moving supports, spin
+  /// and damping it is the residual of the ledger: rounding.
+  double balance = 0;
+};
+
 /// What one step did.
 struct StepReport {
   std::uint64_t step = 0;
@@ -101,6 +123,7 @@ struct StepReport {
   ImpactReport impact;
   /// N s, given by surface loads, what acts at supports too.
   Vec3 load_impulse = Vec3::Zero();
+  EnergyLedger energy;
   /// J, deformation given up by pieces that became rigid tetrahedra.
   double energy_released = 0;
   std::size_t components = 0;

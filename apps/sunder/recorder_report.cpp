@@ -138,7 +138,11 @@ ordered_json energy_ledger(const RunStatistics& statistics, const Simulation& no
           {"strain", pair(start.strain, end.strain)},
           {"gravity", pair(start.gravity, end.gravity)},
           {"damping_work", statistics.damping_work},
-          {"released_by_rigid_pieces", statistics.energy_released}};
+          {"released_by_rigid_pieces", statistics.energy_released},
+          {"gravity_work", statistics.gravity_work},
+          {"load_work", statistics.load_work},
+          {"numerical_loss", statistics.numerical_loss},
+          {"balance", statistics.balance}};
 }
 
 /// Past this turn a part's false strain theta^2 / 2 reaches a tenth of the breaking strain xi / E.
@@ -205,6 +209,10 @@ void add_step(RunStatistics& statistics, const Simulation& now, const StepReport
   add_momentum(statistics.momentum, now, report);
   statistics.damping_work += report.status.damping_work;
   statistics.energy_released += report.energy_released;
+  statistics.gravity_work += report.energy.gravity;
+  statistics.load_work += report.energy.loads;
+  statistics.numerical_loss += report.energy.numerical;
+  statistics.balance += report.energy.balance;
   if (!statistics.turned_too_far) check_turns(statistics, now, report);
 }
 

@@ -123,9 +123,9 @@ inline Body disc(std::size_t around, std::size_t rings, double radius, double he
   return plate(sheet, points, height, 1);
 }
 
-/// Pressure (Pa) on every boundary face all of whose vertices are `inside`, as forces on vertices.
-inline void press(std::vector<Vec3>& force, const Body& body, const MechanicsState& state,
-                  double pressure, const std::function<bool(const Vec3&)>& inside) {
+/// Tetrahedron and opposite corner of every boundary face all of whose vertices are `inside`.
+inline std::vector<std::pair<TetId, int>> boundary_faces(
+    const Body& body, const std::function<bool(const Vec3&)>& inside) {
   std::map<std::array<std::uint32_t, 3>, int> uses;
   const auto key = [&](std::size_t t, int place) {
     std::array<std::uint32_t, 3> k;
@@ -138,17 +138,25 @@ inline void press(std::vector<Vec3>& force, const Body& body, const MechanicsSta
   for (std::size_t t = 0; t < body.corners.size(); ++t) {
     for (int place = 0; place < 4; ++place) ++uses[key(t, place)];
   }
-  std::vector<CornerLoad> loads;
+  std::vector<std::pair<TetId, int>> faces;
   for (std::size_t t = 0; t < body.corners.size(); ++t) {
     for (int place = 0; place < 4; ++place) {
       const auto face = key(t, place);
-      if (uses[face] != 1) continue;
-      bool all = true;
+      bool all = uses[face] == 1;
       for (std::uint32_t v : face) all = all && inside(body.rest[v]);
-      if (!all) continue;
-      for (const CornerLoad& load : face_pressure(state.elements, TetId{t}, place, pressure)) {
-        loads.push_back(load);
-      }
+      if (all) faces.emplace_back(TetId{t}, place);
+    }
+  }
+  return faces;
+}
+
+/// Pressure (Pa) on those faces, as forces on vertices.
+inline void press(std::vector<Vec3>& force, const Body& body, const MechanicsState& state,
+                  double pressure, const std::function<bool(const Vec3&)>& inside) {
+  std::vector<CornerLoad> loads;
+  for (const auto& [t, place] : boundary_faces(body, inside)) {
+    for (const CornerLoad& load : face_pressure(state.elements, t, place, pressure)) {
+      loads.push_back(load);
     }
   }
   add_corner_loads(force, loads, state, body.corners, 0);

@@ -16,6 +16,8 @@ TEST_CASE("help and version end with 0 and stand on stdout", "[apps][command_lin
   for (const std::vector<std::string>& arguments : {std::vector<std::string>{"--help"},
                                                     {"check", "--help"},
                                                     {"split", "--help"},
+                                                    {"static", "--help"},
+                                                    {"modes", "--help"},
                                                     {"run", "-h"}}) {
     const Outcome help = here.run(arguments);
     CHECK(help.exit_code == 0);
@@ -38,7 +40,7 @@ TEST_CASE("the help of check and split gives units, exit codes and examples",
 TEST_CASE("every option that the help names is there", "[apps][command_line]") {
   const Workplace here;
   const std::regex option("--[a-z][a-z-]+");
-  for (const char* command : {"check", "split", "run"}) {
+  for (const char* command : {"check", "split", "run", "static", "modes"}) {
     const std::string help = here.run({command, "--help"}).out;
     std::set<std::string> names;
     for (std::sregex_iterator i(help.begin(), help.end(), option), end; i != end; ++i) {
@@ -77,6 +79,10 @@ TEST_CASE("mistakes on the command line end with 2 and are told on stderr",
            {"check"},
            {"check", cube, "--jason"},
            {"check", cube, cube},
+           {"static"},
+           {"modes"},
+           {"modes", cube, "--count", "0"},
+           {"modes", cube, "--count", "few"},
            {"split", cube},
            {"split", cube, "--fan"},
            {"split", cube, "--fan", "13,1,0"},
