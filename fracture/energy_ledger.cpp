@@ -32,7 +32,7 @@ bool has_closed_form(const StepInput& input) {
 
 void add_numerical_loss(StepWork& work, const StepInput& input) {
   const MechanicsState& m = work.sim.state.mechanics;
-  const PartStart& before = work.sim.scratch.before;
+  PartStart& before = work.sim.scratch.before;
   for (const ComponentId id : living_components(m, work.members())) {
     const Component& component = m.components[id.index()];
     const auto& system = work.sim.scratch.mechanics.systems[id.index()];
@@ -40,7 +40,7 @@ void add_numerical_loss(StepWork& work, const StepInput& input) {
     IntegratorSettings settings = settings_of(input, m, component);
     settings.time_step = input.deformation_step();
     work.report.energy.numerical +=
-        numerical_loss(*system, settings, {before.displacement, before.acceleration},
+        numerical_loss(before.work, *system, settings, {before.displacement, before.acceleration},
                        {m.vertices.displacement, m.vertices.displacement_acceleration});
   }
 }
@@ -66,8 +66,8 @@ void close_ledger(StepWork& work, double kinetic, double strain) {
   ledger.kinetic = kinetic_energy(m.vertices) - kinetic;
   ledger.strain = strain_energy(m) - strain;
   ledger.balance = ledger.kinetic + ledger.strain + ledger.numerical +
-                   work.report.status.damping_work + work.report.energy_released -
-                   ledger.gravity - ledger.loads;
+                   work.report.status.damping_work + work.report.energy_released - ledger.gravity -
+                   ledger.loads;
 }
 
 }  // namespace sunder

@@ -61,8 +61,9 @@ std::size_t add_force(Simulation& sim, const BodyRows& rows, const LoadBox& box)
 Finding nothing_loaded(const std::string& place, const char* what) {
   return {.code = "nothing_loaded",
           .text = fmt::format("{}: no {} of the mesh lies in its box", place, what),
-          .remedy = "give the box in the mesh's own coordinates, m, before it is turned and moved; "
-                    "a pressure needs boundary faces with all three vertices inside"};
+          .remedy =
+              "give the box in the mesh's own coordinates, m, before it is turned and moved; "
+              "a pressure needs boundary faces with all three vertices inside"};
 }
 
 }  // namespace

@@ -47,6 +47,7 @@ struct SimulationState {
 struct PartStart {
   std::vector<Vec3> position;                    ///< m, world
   std::vector<Vec3> displacement, acceleration;  ///< m, m/s^2, body frame
+  std::vector<double> work;                      ///< of `numerical_loss`
 };
 
 /// Working memory of a step and caches; can be thrown away between two steps.

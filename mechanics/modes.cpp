@@ -23,9 +23,9 @@ using Eigen::VectorXd;
 /// orthogonal in the usual sense.
 struct Problem {
   ComponentSystem& system;
-  VectorXd root_mass;      ///< sqrt(m) of each degree of freedom
-  double shift = 0;        ///< 1/s^2, s in (K + s M)^-1; above 0 where K is singular
-  MatrixXd found;          ///< orthonormal columns: rigid motions, then modes
+  VectorXd root_mass;         ///< sqrt(m) of each degree of freedom
+  double shift = 0;           ///< 1/s^2, s in (K + s M)^-1; above 0 where K is singular
+  MatrixXd found;             ///< orthonormal columns: rigid motions, then modes
   std::vector<double> value;  ///< (2 pi f)^2 of each column
 
   Index size() const { return root_mass.size(); }
@@ -120,7 +120,8 @@ bool find_by_lanczos(Problem& problem, Index count) {
 /// Small bodies: the `wanted` lowest from all at once.
 void find_densely(Problem& problem, Index wanted) {
   const Index n = problem.size();
-  MatrixXd K = MatrixXd(problem.system.stiffness.topLeftCorner(n, n)).selfadjointView<Eigen::Lower>();
+  MatrixXd K =
+      MatrixXd(problem.system.stiffness.topLeftCorner(n, n)).selfadjointView<Eigen::Lower>();
   const VectorXd root = problem.root_mass.cwiseInverse();
   K = root.asDiagonal() * K * root.asDiagonal();
   // Rigid motions are moved above everything else, exactly.
@@ -163,8 +164,9 @@ Modes sorted_modes(const Problem& problem, const Component& component, Index wan
                    std::size_t rigid) {
   std::vector<std::size_t> row(problem.value.size());
   std::iota(row.begin(), row.end(), std::size_t{0});
-  std::stable_sort(row.begin() + static_cast<std::ptrdiff_t>(rigid), row.end(),
-                   [&](std::size_t a, std::size_t b) { return problem.value[a] < problem.value[b]; });
+  std::stable_sort(
+      row.begin() + static_cast<std::ptrdiff_t>(rigid), row.end(),
+      [&](std::size_t a, std::size_t b) { return problem.value[a] < problem.value[b]; });
   Modes modes;
   modes.rigid = rigid;
   modes.shape = MatrixXd::Zero(static_cast<Index>(3 * component.vertices.size()), wanted);
@@ -211,8 +213,8 @@ Result<Modes> natural_modes(MechanicsScratch& scratch, const MechanicsState& sta
   }
   if (rigid > 0) {
     // A fiftieth of the first axial frequency: far below it, and K + s M stays well conditioned.
-    const Material& material = state.materials[state.elements.material
-                                                   [component.tetrahedra.front().index()].index()];
+    const Material& material =
+        state.materials[state.elements.material[component.tetrahedra.front().index()].index()];
     const double slow = 0.02 * bar_wave_speed(material) / component.rest_radius;
     problem.shift = slow * slow;
   }

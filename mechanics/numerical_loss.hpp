@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "mechanics/component_system.hpp"
 #include "mechanics/integrators/settings.hpp"
@@ -22,8 +23,9 @@ struct DeformationRows {
 ///          + h^2 (beta - gamma/2) (D(a.M a)/2 + (gamma - 1/2) Da.M Da),   D: after - before.
 /// May be negative in one step: the scheme lends energy to a . M a and takes it back. Exact for the
 /// linear part without Rayleigh damping; spin and damping leave terms of second order.
-/// O(tetrahedra): one product with K.
-double numerical_loss(const ComponentSystem& system, const IntegratorSettings& settings,
-                      const DeformationRows& before, const DeformationRows& after);
+/// `work`: anything; grows to 6 n. O(tetrahedra): one product with K.
+double numerical_loss(std::vector<double>& work, const ComponentSystem& system,
+                      const IntegratorSettings& settings, const DeformationRows& before,
+                      const DeformationRows& after);
 
 }  // namespace sunder

@@ -98,7 +98,8 @@ std::vector<Vec3> shape_column(const Simulation& sim, const std::vector<PieceMod
 std::vector<Finding> write_shapes(const std::filesystem::path& path, const Simulation& sim,
                                   const std::vector<PieceModes>& pieces) {
   TetMesh mesh;
-  for (const Vec3& x : sim.state.mechanics.vertices.position) mesh.points.push_back({x[0], x[1], x[2]});
+  for (const Vec3& x : sim.state.mechanics.vertices.position)
+    mesh.points.push_back({x[0], x[1], x[2]});
   for (const Corners& c : sim.state.cells.map.corners()) {
     mesh.tetrahedra.push_back({c[0].value, c[1].value, c[2].value, c[3].value});
   }
@@ -125,11 +126,10 @@ Result<std::vector<PieceModes>> all_modes(Simulation& sim, std::size_t count) {
   std::vector<PieceModes> pieces;
   for (const Component& component : m.components) {
     if (component.tetrahedra.empty()) continue;
-    Result<Modes> modes = natural_modes(sim.scratch.mechanics, m, sim.state.cells.map.corners(),
-                                        component.id, count);
+    Result<Modes> modes =
+        natural_modes(sim.scratch.mechanics, m, sim.state.cells.map.corners(), component.id, count);
     if (!modes) return std::move(modes.findings.front());
-    pieces.push_back(
-        {component.id, body[component.vertices.front().index()], std::move(*modes)});
+    pieces.push_back({component.id, body[component.vertices.front().index()], std::move(*modes)});
   }
   return pieces;
 }
@@ -172,8 +172,9 @@ void add_modes_command(CLI::App& program, ExitCode& exit_code) {
   command->add_option("-o,--output", arguments->output, "Write the shapes as VTU")
       ->type_name("FILE.vtu");
   command
-      ->add_option("--set", arguments->settings,
-                   "Change a value of the scene: bodies.0.material.density=2000; may be given often")
+      ->add_option(
+          "--set", arguments->settings,
+          "Change a value of the scene: bodies.0.material.density=2000; may be given often")
       ->type_name("KEY=VALUE")
       ->take_all();
   command->add_flag("--json", arguments->json, "Print JSON instead of a table");

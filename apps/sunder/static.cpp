@@ -110,8 +110,8 @@ void print_table(const StaticAnswer& answer) {
   };
   for (std::size_t b = 0; b < answer.bodies.size(); ++b) {
     const StaticBody& body = answer.bodies[b];
-    row("body", fmt::format("{} {} ({} tetrahedra, {:.6g} kg)", b, body.name, body.tetrahedra,
-                            body.mass));
+    row("body",
+        fmt::format("{} {} ({} tetrahedra, {:.6g} kg)", b, body.name, body.tetrahedra, body.mass));
     row("displacement",
         fmt::format("{:.6g} m {}", body.displacement.value, place(body.displacement)));
     row("strain energy", fmt::format("{:.6g} J", body.strain_energy));

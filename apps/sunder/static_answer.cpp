@@ -28,7 +28,8 @@ void displace_held(Simulation& sim) {
 
 std::string body_name(const Simulation& sim, std::size_t body) {
   const std::string& name = sim.scene.bodies[body].name;
-  return name.empty() ? fmt::format("bodies[{}]", body) : fmt::format("bodies[{}] ({})", body, name);
+  return name.empty() ? fmt::format("bodies[{}]", body)
+                      : fmt::format("bodies[{}] ({})", body, name);
 }
 
 /// The body a component of the unbroken scene is of.
@@ -47,8 +48,9 @@ void explain(const Simulation& sim, Finding& finding) {
   finding.text = fmt::format(
       "{}: its piece {} has no three held vertices off one line, so it has no equilibrium{}", body,
       id, sim.scene.obstacles.empty() ? "" : "; obstacles that carry a body are not supports here");
-  finding.remedy = "hold a face of it: \"held\": [{\"minimum\": [...], \"maximum\": [...]}] in the "
-                   "body; for what rests on an obstacle let `sunder run` settle with damping";
+  finding.remedy =
+      "hold a face of it: \"held\": [{\"minimum\": [...], \"maximum\": [...]}] in the "
+      "body; for what rests on an obstacle let `sunder run` settle with damping";
 }
 
 std::vector<Finding> notes(const Simulation& sim) {
@@ -65,8 +67,7 @@ std::vector<Finding> notes(const Simulation& sim) {
   return findings;
 }
 
-void check_turn(const Simulation& sim, const Component& component,
-                std::vector<Finding>& findings) {
+void check_turn(const Simulation& sim, const Component& component, std::vector<Finding>& findings) {
   const Material& material = sim.scene.bodies[body_of(sim, component)].material;
   const double turn = sim.scratch.mechanics.largest_turn[component.id.index()];
   const double valid = std::sqrt(0.2 * material.tensile_strength / material.young_modulus);
@@ -75,9 +76,11 @@ void check_turn(const Simulation& sim, const Component& component,
       {.code = "turned_too_far",
        .severity = Severity::warning,
        .ids = {static_cast<std::int64_t>(component.id.value)},
-       .text = fmt::format("{}: parts have turned by {:.3g} rad; the linear model is good to {:.3g}",
-                           body_name(sim, body_of(sim, component)), turn, valid),
-       .remedy = "read the answer as that of linear theory; take a smaller load or a stiffer body"});
+       .text =
+           fmt::format("{}: parts have turned by {:.3g} rad; the linear model is good to {:.3g}",
+                       body_name(sim, body_of(sim, component)), turn, valid),
+       .remedy =
+           "read the answer as that of linear theory; take a smaller load or a stiffer body"});
 }
 
 /// Measures one body after another.
@@ -210,9 +213,8 @@ Result<StaticAnswer> solve_scene(Simulation& sim) {
     result.findings.push_back(std::move(f));
   }
   if (!refused.empty()) return result;
-  const bool finite = std::ranges::all_of(m.elements.stress, [](const Mat3& s) {
-    return s.allFinite();
-  });
+  const bool finite =
+      std::ranges::all_of(m.elements.stress, [](const Mat3& s) { return s.allFinite(); });
   if (!finite) {
     result.findings.push_back(not_a_number(sim));
     return result;

@@ -31,12 +31,12 @@ struct SupportAnswer {
 struct StaticBody {
   std::string name;
   std::size_t vertices = 0, tetrahedra = 0;
-  double mass = 0;            ///< kg
-  Extreme displacement;       ///< m, size, against the place in the scene
-  double strain_energy = 0;   ///< J
-  Extreme principal_stress;   ///< Pa, largest eigenvalue of a node stress (eq. 6)
-  Extreme strength_share;     ///< the same over the vertex's tensile strength; from 1 on it breaks
-  Vec3 load = Vec3::Zero();   ///< N, world: gravity, pressure and forces, those at supports too
+  double mass = 0;           ///< kg
+  Extreme displacement;      ///< m, size, against the place in the scene
+  double strain_energy = 0;  ///< J
+  Extreme principal_stress;  ///< Pa, largest eigenvalue of a node stress (eq. 6)
+  Extreme strength_share;    ///< the same over the vertex's tensile strength; from 1 on it breaks
+  Vec3 load = Vec3::Zero();  ///< N, world: gravity, pressure and forces, those at supports too
   std::vector<SupportAnswer> supports;  ///< as the scene's `held`
   /// N: largest force that is missing at a free vertex. Rounding.
   double residual = 0;

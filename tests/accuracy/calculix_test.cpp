@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A pressed, held ring against CalculiX on the same mesh: its own pressure, displacements, stresses.
+// A pressed, held ring against CalculiX on the same mesh: its own pressure, displacements,
+// stresses.
 #include <unistd.h>
 
 #include <catch2/catch.hpp>

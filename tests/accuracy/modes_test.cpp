@@ -68,8 +68,8 @@ TEST_CASE("case 4: first bending frequencies of a cantilever, with the locking o
           "[accuracy][case4][modes]") {
   // Euler-Bernoulli 81.54 Hz; both planes as CalculiX gives them with consistent masses. Lumping
   // lowers them by less than (pi h / 2 L)^2 ... below 1 per cent here.
-  const auto [layers, low, high] = GENERATE(
-      table<int, double, double>({{1, 152.9, 200.5}, {2, 105.4, 125.2}, {4, 88.3, 94.7}}));
+  const auto [layers, low, high] =
+      GENERATE(table<int, double, double>({{1, 152.9, 200.5}, {2, 105.4, 125.2}, {4, 88.3, 94.7}}));
   const Body body = test::kuhn_block({10 * layers, layers, layers}, Vec3(1, 0.1, 0.1));
   const MechanicsState state =
       held_where(body, steel, [](const Vec3& x) { return x.x() < -0.5 + 1e-9; });
@@ -105,8 +105,8 @@ TEST_CASE("modes are orthogonal, satisfy their equation and none is missed", "[a
   // A cube has pairs of equal frequencies, which one Lanczos run does not see twice.
   const Body body = test::kuhn_block({5, 5, 5}, Vec3(1, 1, 1));
   const bool is_held = GENERATE(false, true);
-  const MechanicsState state = held_where(
-      body, steel, [&](const Vec3& x) { return is_held && x.z() < -0.5 + 1e-9; });
+  const MechanicsState state =
+      held_where(body, steel, [&](const Vec3& x) { return is_held && x.z() < -0.5 + 1e-9; });
   const Modes few = modes_of(state, body, 10);
   // The dense way, taken when many are asked for: nothing in common but K and M.
   const Modes many = modes_of(state, body, body.rest.size());

@@ -83,7 +83,8 @@ Attitude tumble(double h) {
 
 }  // namespace
 
-TEST_CASE("a free body flips about its middle axis when a rigid body does", "[accuracy][attitude]") {
+TEST_CASE("a free body flips about its middle axis when a rigid body does",
+          "[accuracy][attitude]") {
   const Attitude coarse = tumble(2e-3), fine = tumble(1e-3);
   INFO("errors " << coarse.error << " " << fine.error << " rad, flips " << fine.flips.size());
   REQUIRE(fine.expected.size() >= 2);

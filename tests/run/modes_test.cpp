@@ -40,14 +40,12 @@ Outcome run(const fs::path& folder, const json& scene, const std::string& words)
 
 }  // namespace
 
-TEST_CASE("sunder modes tells rigid motions from frequencies and ends as it says",
-          "[run][modes]") {
+TEST_CASE("sunder modes tells rigid motions from frequencies and ends as it says", "[run][modes]") {
   const fs::path folder =
       fs::temp_directory_path() / ("sunder_modes_test_" + std::to_string(getpid()));
   fs::create_directories(folder);
   json scene = {{"bodies", {{{"mesh", SUNDER_MESHES "/cube.msh"}}}}};
-  const Outcome free =
-      run(folder, scene, "--count 3 --json -o " + (folder / "m.vtu").string());
+  const Outcome free = run(folder, scene, "--count 3 --json -o " + (folder / "m.vtu").string());
   CHECK(free.exit_code == 0);
   const json piece = json::parse(free.out)["pieces"][0];
   CHECK(piece["rigid_modes"] == 6);

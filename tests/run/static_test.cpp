@@ -59,8 +59,9 @@ struct Outcome {
 /// Runs `sunder static` in a folder of its own.
 class Place {
  public:
-  Place() : folder_(std::filesystem::temp_directory_path() /
-                    ("sunder_static_test_" + std::to_string(getpid()))) {
+  Place()
+      : folder_(std::filesystem::temp_directory_path() /
+                ("sunder_static_test_" + std::to_string(getpid()))) {
     std::filesystem::create_directories(folder_);
   }
   ~Place() { std::filesystem::remove_all(folder_); }
@@ -113,9 +114,9 @@ TEST_CASE("a pressure on a bar's end gives p everywhere and p L / E at the end",
   CHECK((bar.load - pulled).norm() < 1e-10 * pulled.norm());
   CHECK((bar.supports[0].force + pulled).norm() < 1e-10 * pulled.norm());
   CHECK(bar.residual < 1e-10 * pulled.norm());
-  CHECK((scene.bodies[0].rotation.conjugate() * (bar.displacement.position -
-                                                 scene.bodies[0].translation)).x() ==
-        Approx(0.8));
+  CHECK((scene.bodies[0].rotation.conjugate() *
+         (bar.displacement.position - scene.bodies[0].translation))
+            .x() == Approx(0.8));
 }
 
 TEST_CASE("supports carry weight and moment of what they hold", "[run][static][loads]") {
