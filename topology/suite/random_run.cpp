@@ -42,32 +42,30 @@ void tear_body(TearRun& run, Tear& tear, std::size_t fans, const Report& report)
   }
 }
 
-RandomFailure failure_of(const std::string& family, const RandomOptions& options,
-                         const std::function<JudgedKernel()>& fresh_kernel, Trial& trial) {
+RandomFailure failure_of(Trial& trial, JudgedKernel& kernel, const std::string& source) {
   RandomFailure failure;
   failure.first = *trial.checks.first;
   failure.first.steps = trial.steps;
   failure.found = {std::move(trial.body), std::move(trial.steps)};
-  const auto seen = [&fresh_kernel](const TetMesh& body, std::span<const Step> steps) {
-    JudgedKernel kernel = fresh_kernel();
+  const auto seen = [&kernel](const TetMesh& body, std::span<const Step> steps) {
     return first_mismatch(body, steps, kernel);
   };
   failure.shrunk = failure.found;
   failure.last = seen(failure.found.body, failure.found.steps);
   if (failure.last) {
-    failure.shrunk = shrink(failure.found.body, failure.found.steps,
-                            [&seen](const TetMesh& body, std::span<const Step> steps) {
-                              return !body.tetrahedra.empty() && seen(body, steps).has_value();
-                            });
+    const Fails fails = [&seen](const TetMesh& body, std::span<const Step> steps) {
+      return !body.tetrahedra.empty() && seen(body, steps).has_value();
+    };
+    // Some seconds for a kernel that talks through a pipe.
+    const ShrinkLimits limits{.work = 1000000};
+    failure.shrunk = shrink(failure.found.body, failure.found.steps, fails, limits);
     failure.last = seen(failure.shrunk.body, failure.shrunk.steps);
   }
   const Mismatch& shown = failure.last ? *failure.last : failure.first;
-  failure.fixture = fixture_json(
-      failure.shrunk.body, failure.shrunk.steps,
-      {.name = "random",
-       .shows =
-           fmt::format("{}: {} was answered, not {}", shown.what, shown.answered, shown.expected),
-       .source = fmt::format("random run, seed {}, family \"{}\"", options.seed, family)});
+  const std::string shows =
+      fmt::format("{}: {} was answered, not {}", shown.what, shown.answered, shown.expected);
+  failure.fixture = fixture_json(failure.shrunk.body, failure.shrunk.steps,
+                                 {.name = "random", .shows = shows, .source = source});
   return failure;
 }
 
@@ -79,12 +77,12 @@ struct FamilyRun {
   std::size_t done = 0;
 };
 
+/// The bodies of a family on `kernel`; `second` is there for replays and for shrinking.
 FamilyReport run_family(const RandomOptions& options, const FamilyRun& mine,
-                        const std::function<JudgedKernel()>& fresh_kernel) {
+                        const JudgedKernel& kernel, const JudgedKernel& second) {
   FamilyReport report;
   report.name = mine.family.name;
-  TearRun run{.random = std::mt19937_64(mine.seed), .counts = {}, .fresh_kernel = fresh_kernel};
-  JudgedKernel kernel = fresh_kernel();
+  TearRun run{.random = std::mt19937_64(mine.seed), .counts = {}, .second = second};
   for (std::size_t idle = 0; run.counts.fans < mine.fans && idle < most_idle_bodies; ++idle) {
     const std::size_t fans_before = run.counts.fans;
     Tear tear = begin_tear(begin_trial(mine.family.draw(run.random), kernel));
@@ -100,7 +98,9 @@ FamilyReport run_family(const RandomOptions& options, const FamilyRun& mine,
     report.comparisons += tear.trial.checks.made;
     if (run.counts.fans > fans_before) idle = 0;
     if (!tear.trial.checks.first) continue;
-    report.failure = failure_of(report.name, options, fresh_kernel, tear.trial);
+    report.failure =
+        failure_of(tear.trial, run.second,
+                   fmt::format("random run, seed {}, family \"{}\"", options.seed, report.name));
     break;
   }
   report.counts = run.counts;
@@ -115,6 +115,7 @@ RandomReport run_random(const RandomOptions& options,
   for (const NamedMesh& mesh : options.meshes) families.push_back(family_of(mesh));
   std::size_t shares = 0, share = 0;
   for (const BodyFamily& family : families) shares += family.share;
+  const JudgedKernel kernel = fresh_kernel(), second = fresh_kernel();
   RandomReport report;
   for (std::size_t i = 0; i < families.size(); ++i) {
     const std::size_t begin = options.fans * share / shares;
@@ -124,7 +125,8 @@ RandomReport run_random(const RandomOptions& options,
                          .fans = options.fans * share / shares - begin,
                          .seed = options.seed + 0x9e3779b97f4a7c15U * (i + 1),
                          .done = begin};
-    report.families.push_back(run_family(options, mine, fresh_kernel));
+    report.families.push_back(run_family(options, mine, kernel, second));
+    if (report.families.back().failure) break;
   }
   return report;
 }

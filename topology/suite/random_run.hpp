@@ -54,18 +54,18 @@ struct FamilyReport {
   /// Bodies whose Betti numbers over GF(2) are not told by sheets, and are computed instead. 0 for
   /// generated bodies.
   std::size_t without_sheet_law = 0;
-  /// The family ends with its first failure.
   std::optional<RandomFailure> failure;
 };
 
+/// The run ends with its first failure: the last family has it then, and those after it are absent.
 struct RandomReport {
   std::vector<FamilyReport> families;
 };
 
 /// Tears bodies of every family (random_run_bodies.hpp) until `fans` fans are split; see
 /// random_run_tear.hpp for what is done and random_run_trial.hpp for what is checked.
-/// `fresh_kernel` makes a kernel without a body; all are of one kind. Same seed and kernel, same
-/// report, on every machine. About 0.5 ms a fan for kernels as fast as `volume_map_kernel`.
+/// `fresh_kernel` is asked for two kernels of one kind. Same seed and kernel, same report, on every
+/// machine. About 0.5 ms a fan for kernels as fast as `volume_map_kernel`.
 RandomReport run_random(const RandomOptions& options,
                         const std::function<JudgedKernel()>& fresh_kernel);
 

@@ -214,7 +214,7 @@ void ask_in_vain(TearRun& run, Tear& tear) {
 /// what hangs together then is the same.
 void replay(TearRun& run, Tear& tear) {
   ++run.counts.replays;
-  Trial second = begin_trial(tear.trial.body, run.fresh_kernel());
+  Trial second = begin_trial(tear.trial.body, run.second);
   Faces faces;
   for (const auto& sides : tear.parted) faces.push_back(sides[below(run.random, 2)]);
   shuffle(faces, run.random);

@@ -5,7 +5,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <random>
 #include <vector>
 
@@ -64,8 +63,8 @@ Tear begin_tear(Trial trial);
 struct TearRun {
   std::mt19937_64 random;
   TearCounts counts;
-  /// A fresh kernel without a body.
-  std::function<JudgedKernel()> fresh_kernel;
+  /// Of the same kind as the one that bodies are torn on.
+  JudgedKernel second;
 };
 
 /// One operation drawn at random: mostly the fan of a vertex, sometimes a single face, a plane,
