@@ -170,6 +170,14 @@ Loads full_loads(const Simulation& sim) {
   return loads;
 }
 
+bool is_finite(const StaticBody& body) {
+  bool finite = std::isfinite(body.displacement.value) && std::isfinite(body.strain_energy) &&
+                std::isfinite(body.principal_stress.value) && std::isfinite(body.residual) &&
+                body.load.allFinite();
+  for (const SupportAnswer& s : body.supports) finite = finite && s.force.allFinite();
+  return finite;
+}
+
 Finding not_a_number(const Simulation& sim) {
   return {.code = "not_a_number",
           .text = fmt::format("{}: the equilibrium is not a finite number", sim.scene.name),
@@ -213,19 +221,21 @@ Result<StaticAnswer> solve_scene(Simulation& sim) {
     result.findings.push_back(std::move(f));
   }
   if (!refused.empty()) return result;
+  StaticAnswer answer{{}, scene_node_stress(sim)};
   const bool finite =
-      std::ranges::all_of(m.elements.stress, [](const Mat3& s) { return s.allFinite(); });
-  if (!finite) {
+      std::ranges::all_of(answer.node_stress, [](const Mat3& s) { return s.allFinite(); });
+  if (finite) {
+    const std::vector<Vec3> missing = support_forces(sim.scratch.mechanics, m, corners, loads);
+    Survey survey(sim, loads, missing, answer.node_stress);
+    for (std::size_t b = 0; b < sim.bodies.size(); ++b) answer.bodies.push_back(survey.of(b));
+  }
+  if (!finite || !std::ranges::all_of(answer.bodies, is_finite)) {
     result.findings.push_back(not_a_number(sim));
     return result;
   }
   for (const Component& component : m.components) {
     if (!component.tetrahedra.empty()) check_turn(sim, component, result.findings);
   }
-  StaticAnswer answer{{}, scene_node_stress(sim)};
-  const std::vector<Vec3> missing = support_forces(sim.scratch.mechanics, m, corners, loads);
-  Survey survey(sim, loads, missing, answer.node_stress);
-  for (std::size_t b = 0; b < sim.bodies.size(); ++b) answer.bodies.push_back(survey.of(b));
   result.value = std::move(answer);
   return result;
 }
