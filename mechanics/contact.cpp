@@ -295,7 +295,11 @@ bool resolve(ContactStep& step) {
     deepest = add_new_contacts(step, deepest);
     if (deepest == 0) return true;
     step.report.tolerated = step.settings.tolerance * deepest;
-    gather_bodies(step.room.bodies, step.contacts, step.pass);
+    if (k == 0 || step.contacts.size() != before) {
+      gather_bodies(step.room.bodies, step.contacts, step.pass);
+    } else {
+      for (ContactRow& row : step.room.bodies.rows) row.guess.setZero();
+    }
     step.report.residual = measure_rows(step);
     // A thousandth of the overlap, and far below the depth that is never pushed out.
     const double good_enough =

@@ -61,12 +61,14 @@ Eigen::MatrixXd elastic_answer(const ContactPass& pass, const Component& compone
   Eigen::MatrixXd E = Eigen::MatrixXd::Zero(size, size);
   for (std::size_t a = 0; a < slot.size(); ++a) {
     const Mat3 arm_a = cross_matrix(system.shape.arm.col(local[a]));
-    for (std::size_t b = 0; b < slot.size(); ++b) {
+    for (std::size_t b = a; b < slot.size(); ++b) {
       const Mat3 arm_b = cross_matrix(system.shape.arm.col(local[b]));
       Mat3 block = factor.compliance.block<3, 3>(3 * places[a], 3 * places[b]) +
                    rigid * arm_a * inverse_inertia * arm_b;
       block.diagonal().array() -= rigid / component.mass;
-      E.block<3, 3>(3 * slot[a], 3 * slot[b]) = scale * R * block * R.transpose();
+      const Mat3 answer = scale * R * block * R.transpose();
+      E.block<3, 3>(3 * slot[a], 3 * slot[b]) = answer;
+      E.block<3, 3>(3 * slot[b], 3 * slot[a]) = answer.transpose();
     }
   }
   return E;

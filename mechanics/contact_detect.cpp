@@ -112,7 +112,7 @@ void pair_up(DetectScratch& scratch, const StepPaths& paths) {
     scratch.center_middle[t] = 0.5 * (scratch.center_start[t] + end);
     scratch.reach[t] = scratch.radius[t] + 0.5 * std::min(motion, 2 * scratch.radius[t]);
   }
-  find_sphere_pairs(scratch.pairs, scratch.grid,
+  find_sphere_pairs(scratch.pairs, scratch.grid, scratch.cache,
                     {scratch.point_middle, paths.state.vertices.component, scratch.center_middle,
                      scratch.reach, paths.state.elements.component});
 }
@@ -263,7 +263,7 @@ void update_allowances(ContactMemory& memory, DetectScratch& scratch, const Step
   if (pieces) {
     measure_balls(scratch, paths, settings.ball_share);
     if (!first_call) extend_remembered(memory, paths);
-    find_sphere_pairs(scratch.pairs, scratch.grid,
+    find_sphere_pairs(scratch.pairs, scratch.grid, scratch.cache,
                       {state.vertices.position, state.vertices.component, scratch.center_start,
                        scratch.radius, state.elements.component});
     for (const SpherePair& pair : scratch.pairs) {

@@ -6,12 +6,14 @@
 #include <vector>
 
 #include "mechanics/contact.hpp"
+#include "mechanics/contact_pairs.hpp"
 
 namespace sunder {
 
 /// Buffers of detection, kept from step to step.
 struct DetectScratch {
   GridScratch grid;
+  PairCache cache;
   std::vector<SpherePair> pairs;
   /// |T|: centres of the tetrahedra at the start and half-way, and their balls at rest, m.
   std::vector<Vec3> center_start, center_middle;

@@ -2,6 +2,8 @@
 // The uniform grid against its slow twin.
 #include "mechanics/contact_grid.hpp"
 
+#include "mechanics/contact_pairs.hpp"
+
 #include <catch2/catch.hpp>
 #include <limits>
 #include <random>
@@ -62,6 +64,36 @@ TEST_CASE("the grid allocates nothing the second time", "[mechanics][contact][gr
   CHECK(scratch.cell_of.data() == cells);
   CHECK(scratch.first_of.data() == buckets);
   CHECK(pairs.data() == found);
+}
+
+TEST_CASE("pairs sifted from a search with a margin are those of a fresh search",
+          "[mechanics][contact][grid]") {
+  const unsigned seed = GENERATE(1u, 2u, 3u);
+  INFO("seed " << seed);
+  Cloud cloud = random_cloud(seed, 3.0);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> way(-1e-3, 1e-3);
+  std::vector<Vec3> point_motion, center_motion;
+  for (int k = 0; k < 400; ++k) {
+    point_motion.emplace_back(way(random), way(random), way(random));
+    center_motion.emplace_back(way(random), way(random), way(random));
+  }
+  GridScratch grid, fresh_grid;
+  PairCache cache;
+  std::vector<SpherePair> sifted, fresh;
+  for (int step = 0; step < 60; ++step) {
+    for (std::size_t k = 0; k < 400; ++k) {
+      cloud.points[k] += point_motion[k];
+      cloud.centers[k] += center_motion[k];
+      cloud.radii[k] *= 1.0001;
+    }
+    if (step == 30) cloud.point_component[7] = ComponentId{5};  // something broke
+    if (step == 40) cloud.points[9] += Vec3::Constant(0.5);     // something jumped
+    find_sphere_pairs(sifted, grid, cache, cloud.query());
+    find_sphere_pairs(fresh, fresh_grid, cloud.query());
+    REQUIRE(sifted == fresh);
+  }
+  CHECK(cache.searches < 20);
 }
 
 TEST_CASE("the grid survives points that are not numbers or very far away",
