@@ -309,7 +309,7 @@ bool resolve(ContactStep& step) {
     if (settled || k == step.settings.max_passes) break;
     // In a wave sweeps begin at nothing and only take energy; the impulse of the last blow would
     // strike again where they are cut short (interlocked pieces gained 60 kJ by it).
-    if (k == 0) guess_from_last_step(step);
+    if (k == 0 && !step.is_wave()) guess_from_last_step(step);
     solve_pass(step);
   }
   return true;
