@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// `free_flight`: a CSV of what 10 s of flight at 50 rad/s leave of momenta and stress.
+#include <cstdio>
+
+#include "tests/accuracy/free_flight.hpp"
+
+using namespace sunder::accuracy;
+
+int main() {
+  std::puts("step / ms,P drift,L drift,energy drift,least stress,most stress,fans,failure");
+  for (const double step : {1e-3, 10e-3, 16.7e-3}) {
+    const FlightDrift d = run_free_flight({.time_step = step});
+    std::printf("%g,%.1e,%.1e,%.1e,%.5f,%.5f,%zu,%s\n", 1e3 * step, d.momentum, d.angular_momentum,
+                d.energy, d.least_stress, d.most_stress, d.fans, d.failure.c_str());
+    std::fflush(stdout);
+  }
+}
