@@ -114,8 +114,10 @@ void add_fracture(StepReport& sum, FractureReport&& part) {
 /// Surface loads at `time` on the vertices as they are: rows may have come since the last part.
 void update_forces(StepWork& work, double time) {
   if (work.sim.loads.empty()) return;
-  work.loads.force.assign(work.sim.state.mechanics.vertices.size(), Vec3::Zero());
-  add_corner_loads(work.loads.force, work.sim.loads, work.sim.state.mechanics,
+  const std::size_t count = work.sim.state.mechanics.vertices.size();
+  work.loads.force.assign(count, Vec3::Zero());
+  work.loads.turning.assign(count, Vec3::Zero());
+  add_corner_loads(work.loads, work.sim.loads, work.sim.state.mechanics,
                    work.sim.state.cells.map.corners(), time);
 }
 

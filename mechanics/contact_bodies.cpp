@@ -389,6 +389,8 @@ void predict_touched(StepBlows& blows, const ContactPass& pass) {
     }
   }
   blows.with_gravity.force = force;
+  // They have no moment about the present positions, and shall get none as the body turns.
+  blows.without_gravity.turning = force;
   const auto predict_with = [&](const Loads& loads, std::span<const ComponentId> components) {
     predict(pass.mechanics, pass.state,
             {input.corners, loads, input.settings, input.part, input.members}, components);

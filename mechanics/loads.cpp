@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "mechanics/step.hpp"
+
 namespace sunder {
 
 std::array<CornerLoad, 3> face_pressure(const ElementColumns& elements, TetId t, int place,
@@ -29,14 +31,26 @@ void add_vertex_force(std::vector<CornerLoad>& loads, const MechanicsState& stat
 
 void add_corner_loads(std::vector<Vec3>& force, std::span<const CornerLoad> loads,
                       const MechanicsState& state, std::span<const Corners> corners, double time) {
-  force.resize(state.vertices.size(), Vec3::Zero());
+  Loads sum;
+  sum.force.swap(force);
+  add_corner_loads(sum, loads, state, corners, time);
+  force.swap(sum.force);
+}
+
+void add_corner_loads(Loads& sum, std::span<const CornerLoad> loads, const MechanicsState& state,
+                      std::span<const Corners> corners, double time) {
+  sum.force.resize(state.vertices.size(), Vec3::Zero());
+  sum.turning.resize(state.vertices.size(), Vec3::Zero());
   for (const CornerLoad& load : loads) {
     const std::size_t t = tetrahedron_of(load.corner).index();
     const VertexId v = corners[t][static_cast<std::size_t>(place_of(load.corner))];
     const double raised = load.ramp_time > 0 ? std::min(1.0, time / load.ramp_time) : 1.0;
     Vec3 f = raised * load.force;
-    if (load.turns) f = state.components[state.elements.component[t].index()].orientation * f;
-    force[v.index()] += f;
+    if (load.turns) {
+      f = state.components[state.elements.component[t].index()].orientation * f;
+      sum.turning[v.index()] += f;
+    }
+    sum.force[v.index()] += f;
   }
 }
 

@@ -10,6 +10,8 @@
 
 namespace sunder {
 
+struct Loads;
+
 /// A force on one corner of a tetrahedron. A vertex feels the sum over the corners of its star, so
 /// when it splits every copy keeps what acts on its own side.
 struct CornerLoad {
@@ -35,5 +37,9 @@ void add_vertex_force(std::vector<CornerLoad>& loads, const MechanicsState& stat
 /// resized with zeros). `corners`: |T|, as they are now. O(loads).
 void add_corner_loads(std::vector<Vec3>& force, std::span<const CornerLoad> loads,
                       const MechanicsState& state, std::span<const Corners> corners, double time);
+
+/// The same, told apart: what turns with its body goes into `sum.turning` too.
+void add_corner_loads(Loads& sum, std::span<const CornerLoad> loads, const MechanicsState& state,
+                      std::span<const Corners> corners, double time);
 
 }  // namespace sunder

@@ -3,6 +3,7 @@
 #include "mechanics/step.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <string>
 
@@ -100,6 +101,22 @@ StepStatus judge(const MechanicsState& state, const StepMembers& members) {
   return status;
 }
 
+/// A component whose loads keep their direction while it turns away under them by more than half a
+/// turn: what deforms it is not known at any time of the step.
+void judge_turns(StepStatus& status, const MechanicsState& state, const MechanicsScratch& scratch,
+                 const StepMembers& members) {
+  for (const Component& component : state.components) {
+    if (component.tetrahedra.empty() || !members.has(component.id)) continue;
+    const double turned = scratch.predicted.frame[component.id.index()].turned;
+    if (!(turned > M_PI)) continue;
+    status.outcome = StepOutcome::overturned;
+    status.vertex = component.vertices.front();
+    status.component = component.id;
+    status.turned = turned;
+    return;
+  }
+}
+
 }  // namespace
 
 MechanicsScratch::MechanicsScratch() = default;
@@ -153,6 +170,9 @@ StepStatus adopt(MechanicsState& state, MechanicsScratch& scratch, const StepInp
   measure_elements(state, scratch, input.corners, input.members);
   StepStatus status = judge(state, input.members);
   status.damping_work = damping_work;
+  if (status.outcome != StepOutcome::not_a_number) {
+    judge_turns(status, state, scratch, input.members);
+  }
   return status;
 }
 
@@ -174,26 +194,36 @@ std::vector<ComponentId> living_components(const MechanicsState& state,
 
 Finding to_finding(const StepStatus& status) {
   SUNDER_ASSERT(status.outcome != StepOutcome::fine, "to_finding: the step was fine");
-  const bool diverged = status.outcome == StepOutcome::diverged;
+  Finding finding;
+  finding.ids = {static_cast<std::int64_t>(status.vertex.value)};
+  finding.remedy =
+      "Take the integrator floating_frame, or for verlet a time step below explicit_step_bound; "
+      "look for loads that are too large for the material.";
   char text[200];
-  if (diverged) {
+  if (status.outcome == StepOutcome::overturned) {
+    finding.code = "overturned";
+    finding.ids = {static_cast<std::int64_t>(status.component.value)};
+    std::snprintf(text, sizeof text,
+                  "At %.9g s the loads on component %u, which keep their direction, turn it by "
+                  "%.3g rad within one step.",
+                  status.time, status.component.value, status.turned);
+    finding.remedy =
+        "Take a shorter time step, hold the body, or give the load as a pressure, which turns with "
+        "it.";
+  } else if (status.outcome == StepOutcome::diverged) {
+    finding.code = "diverged";
     std::snprintf(text, sizeof text,
                   "At %.9g s vertex %u of component %u is displaced by %.6g m, more than ten radii "
                   "of its component.",
                   status.time, status.vertex.value, status.component.value, status.displacement);
   } else {
+    finding.code = "not_a_number";
     std::snprintf(text, sizeof text,
                   "At %.9g s the position or velocity of vertex %u of component %u is not a finite "
                   "number.",
                   status.time, status.vertex.value, status.component.value);
   }
-  Finding finding;
-  finding.code = diverged ? "diverged" : "not_a_number";
-  finding.ids = {static_cast<std::int64_t>(status.vertex.value)};
   finding.text = text;
-  finding.remedy =
-      "Take the integrator floating_frame, or for verlet a time step below explicit_step_bound; "
-      "look for loads that are too large for the material.";
   return finding;
 }
 

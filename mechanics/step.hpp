@@ -20,6 +20,9 @@ struct ImpactSettings;
 struct Loads {
   Vec3 gravity = Vec3::Zero();   ///< m/s^2
   std::vector<Vec3> force = {};  ///< N, world, |V| rows; empty: none
+  /// Which part of `force` turns with its body during the step, as pressure does, so that its
+  /// moment stays what it was at the start; the rest keeps its direction. |V| rows; empty: none.
+  std::vector<Vec3> turning = {};
 };
 
 /// What `predict` computes for one component beside its rows.
@@ -29,6 +32,7 @@ struct PredictedFrame {
   Vec3 momentum = Vec3::Zero();
   Vec3 angular_momentum = Vec3::Zero();
   double damping_work = 0;  ///< J taken by Rayleigh damping in this step, >= 0
+  double turned = 0;        ///< rad: h^2 / I times the largest moment of forces that do not turn
 };
 
 /// Scratch of one step and caches derived from the state (factors, compliance). All of it can be
@@ -102,6 +106,7 @@ enum class StepOutcome {
   fine,
   not_a_number,  ///< a position or velocity is not finite
   diverged,      ///< a vertex is farther from its reference than ten radii of its component
+  overturned,    ///< loads turn a component by more than half a turn within the step
 };
 
 /// How a step went; never silent.
@@ -110,6 +115,7 @@ struct StepStatus {
   VertexId vertex;          ///< the first vertex that shows it
   ComponentId component;    ///< its component
   double displacement = 0;  ///< m, of that vertex
+  double turned = 0;        ///< rad, of that component, for `overturned`
   double time = 0;          ///< s, end of the step
   double damping_work = 0;  ///< J taken by Rayleigh damping in this step
 };

@@ -243,10 +243,11 @@ void step_free(const ComponentStep& step) {
   q = system.shape.arm + d.displacement;
   const Mat3 inertia_new = inertia_of(mass, q);
   const Vec3 inner_new = moment_of(mass, q, d.rate);
-  next.orientation = turn_through_step(
-      step.component.orientation,
-      {0.5 * (spin.inertia + inertia_new), 0.5 * (spin.inner + inner_new),
-       step.component.angular_momentum, next.angular_momentum, step.input.settings.time_step});
+  turn_under_load(next, step.component,
+                  {0.5 * (spin.inertia + inertia_new), 0.5 * (spin.inner + inner_new),
+                   step.component.angular_momentum, next.angular_momentum,
+                   step.input.settings.time_step},
+                  load);
 
   settle_frame(step, d, next);
   q = system.shape.arm + d.displacement;

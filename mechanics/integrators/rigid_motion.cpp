@@ -28,17 +28,37 @@ Vec3 midpoint_spin(const Eigen::Quaterniond& R, const SpinStep& spin, const Mat3
   return w;
 }
 
+/// sum (R q) x f from sum q f^T.
+Vec3 moment_at(const Eigen::Quaterniond& R, const Mat3& dead) {
+  const Mat3 M = R.toRotationMatrix() * dead;
+  return {M(1, 2) - M(2, 1), M(2, 0) - M(0, 2), M(0, 1) - M(1, 0)};
+}
+
+/// Of a sub-step that resolves the oscillation of a body hung on such forces: 12 a period, as
+/// |dead| is at least half of the stiffness against turning.
+int dead_substeps(const Mat3& dead, double least_inertia, double time_step) {
+  constexpr int most = 4096;
+  const double turn = time_step * std::sqrt(2 * dead.norm() / least_inertia);
+  return turn < 0.5 * most ? std::max(1, static_cast<int>(std::ceil(2 * turn))) : most;
+}
+
 }  // namespace
 
 RigidLoad rigid_load(const ComponentStep& step) {
   const Loads& loads = step.input.loads;
   RigidLoad total{step.component.mass * loads.gravity, Vec3::Zero(), Vec3::Zero()};
   if (loads.force.empty()) return total;
+  const bool dead = step.input.part.deformation != Deformation::wave;
+  Mat3 arm_force = Mat3::Zero();
   for (VertexId v : step.component.vertices) {
-    const Vec3& f = loads.force[v.index()];
+    Vec3 f = loads.force[v.index()];
+    const Vec3 arm = step.state.vertices.position[v.index()] - step.component.centre;
     total.force += f;
-    total.torque += (step.state.vertices.position[v.index()] - step.component.centre).cross(f);
+    total.torque += arm.cross(f);
+    if (!loads.turning.empty()) f -= loads.turning[v.index()];
+    if (dead) arm_force += arm * f.transpose();
   }
+  total.dead = step.component.orientation.toRotationMatrix().transpose() * arm_force;
   return total;
 }
 
@@ -48,8 +68,8 @@ PredictedFrame advance_centre(const ComponentStep& step, const RigidLoad& load) 
   const bool wave = step.input.part.deformation == Deformation::wave;
   const double share = wave ? WaveScheme::theta : 0.5;
   PredictedFrame next;
-  next.centre = body.centre + h / body.mass *
-                                  (body.momentum + 0.5 * h * load.weight + share * h * load.force);
+  next.centre = body.centre +
+                h / body.mass * (body.momentum + 0.5 * h * load.weight + share * h * load.force);
   next.orientation = body.orientation;
   next.momentum = body.momentum + h * (load.weight + load.force);
   next.angular_momentum = body.angular_momentum + h * load.torque;
@@ -76,12 +96,42 @@ Eigen::Quaterniond turn_through_step(const Eigen::Quaterniond& start, const Spin
   return R;
 }
 
+void turn_under_load(PredictedFrame& next, const Component& body, const SpinStep& spin,
+                     const RigidLoad& load) {
+  if (load.dead.isZero(0)) {
+    next.orientation = turn_through_step(body.orientation, spin);
+    return;
+  }
+  const double h = spin.time_step;
+  const double least = spin.inertia.selfadjointView<Eigen::Lower>().eigenvalues()[0];
+  const int substeps = dead_substeps(load.dead, least, h);
+  Eigen::Quaterniond R = body.orientation;
+  SpinStep part = spin;
+  part.time_step = h / substeps;
+  Vec3 L = spin.momentum_old;
+  Vec3 moment = moment_at(R, load.dead);
+  const Vec3 constant = load.torque - moment;
+  double largest = 0;
+  for (int i = 0; i < substeps; ++i) {
+    largest = std::max(largest, moment.norm());
+    part.momentum_old = part.momentum_new = L + 0.5 * part.time_step * (constant + moment);
+    R = turn_through_step(R, part);
+    moment = moment_at(R, load.dead);
+    L = part.momentum_new + 0.5 * part.time_step * (constant + moment);
+  }
+  next.orientation = R;
+  next.angular_momentum = L;
+  next.turned = h * h * largest / least;
+}
+
 void step_rigid_body(const ComponentStep& step) {
   const Component& body = step.component;
-  PredictedFrame next = advance_centre(step, rigid_load(step));
-  next.orientation =
-      turn_through_step(body.orientation, {body.rest_inertia, Vec3::Zero(), body.angular_momentum,
-                                           next.angular_momentum, step.input.settings.time_step});
+  const RigidLoad load = rigid_load(step);
+  PredictedFrame next = advance_centre(step, load);
+  turn_under_load(next, body,
+                  {body.rest_inertia, Vec3::Zero(), body.angular_momentum, next.angular_momentum,
+                   step.input.settings.time_step},
+                  load);
   const Mat3 R = next.orientation.toRotationMatrix();
   const Vec3 spin = R * body.rest_inertia.ldlt().solve(R.transpose() * next.angular_momentum);
   MechanicsScratch::Predicted& predicted = step.scratch.predicted;

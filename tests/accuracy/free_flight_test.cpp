@@ -11,8 +11,7 @@ TEST_CASE("a rod of 30 GPa at 50 rad/s flies for 10 s with its momenta, its stre
   const double h = GENERATE(1e-3, 10e-3, 16.7e-3);
   const FlightDrift drift = run_free_flight({.time_step = h});
   INFO("step " << h << " s: P " << drift.momentum << ", L " << drift.angular_momentum << ", energy "
-               << drift.energy << ", stress " << drift.least_stress << " to "
-               << drift.most_stress);
+               << drift.energy << ", stress " << drift.least_stress << " to " << drift.most_stress);
   CHECK(drift.failure.empty());
   CHECK(drift.momentum < 1e-9);
   CHECK(drift.angular_momentum < 1e-9);
