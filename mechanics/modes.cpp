@@ -10,6 +10,8 @@
 #include <numeric>
 #include <string>
 
+#include <Eigen/SparseCholesky>
+
 #include "mechanics/integrators/component_step.hpp"
 
 namespace sunder {
@@ -119,9 +121,8 @@ bool find_by_lanczos(Problem& problem, Index count) {
 
 /// Small bodies: the `wanted` lowest from all at once.
 void find_densely(Problem& problem, Index wanted) {
-  const Index n = problem.size();
-  MatrixXd K =
-      MatrixXd(problem.system.stiffness.topLeftCorner(n, n)).selfadjointView<Eigen::Lower>();
+  MatrixXd K = MatrixXd(leading_scalars(problem.system.stiffness, problem.system.free_count))
+                   .selfadjointView<Eigen::Lower>();
   const VectorXd root = problem.root_mass.cwiseInverse();
   K = root.asDiagonal() * K * root.asDiagonal();
   // Rigid motions are moved above everything else, exactly.
@@ -134,14 +135,13 @@ void find_densely(Problem& problem, Index wanted) {
 
 /// How many eigenvalues lie below `value`: negative pivots of K - value M (Sylvester's law).
 Index count_below(const Problem& problem, double value) {
-  const Index n = problem.size();
-  ComponentSystem::Sparse A = problem.system.stiffness.topLeftCorner(n, n);
-  for (Index i = 0; i < n; ++i) {
+  using Sparse = Eigen::SparseMatrix<double>;
+  Sparse A = leading_scalars(problem.system.stiffness, problem.system.free_count);
+  for (Index i = 0; i < problem.size(); ++i) {
     const double root = problem.root_mass[i];
     A.valuePtr()[A.outerIndexPtr()[i]] -= value * root * root;
   }
-  const Eigen::SimplicialLDLT<ComponentSystem::Sparse, Eigen::Lower, Eigen::NaturalOrdering<int>>
-      factor(A);
+  const Eigen::SimplicialLDLT<Sparse, Eigen::Lower, Eigen::NaturalOrdering<int>> factor(A);
   return (factor.vectorD().array() < 0).count();
 }
 

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Products with matrices of blocks, and their scalars for libraries.
+#include "mechanics/block_matrix.hpp"
+
+#include <algorithm>
+
+namespace sunder {
+
+void multiply(double* y, const BlockMatrix& A, const double* x) {
+  const std::size_t n = A.size();
+  std::fill(y, y + 3 * n, 0.0);
+  const double* block = A.value.data();
+  for (std::size_t j = 0; j < n; ++j) {
+    const double x0 = x[3 * j], x1 = x[3 * j + 1], x2 = x[3 * j + 2];
+    double s0 = block[0] * x0 + block[3] * x1 + block[6] * x2;
+    double s1 = block[1] * x0 + block[4] * x1 + block[7] * x2;
+    double s2 = block[2] * x0 + block[5] * x1 + block[8] * x2;
+    block += 9;
+    for (std::uint32_t e = A.start[j] + 1; e < A.start[j + 1]; ++e, block += 9) {
+      const std::size_t i = 3 * std::size_t{A.row[e]};
+      const double t0 = x[i], t1 = x[i + 1], t2 = x[i + 2];
+      y[i] += block[0] * x0 + block[3] * x1 + block[6] * x2;
+      y[i + 1] += block[1] * x0 + block[4] * x1 + block[7] * x2;
+      y[i + 2] += block[2] * x0 + block[5] * x1 + block[8] * x2;
+      s0 += block[0] * t0 + block[1] * t1 + block[2] * t2;
+      s1 += block[3] * t0 + block[4] * t1 + block[5] * t2;
+      s2 += block[6] * t0 + block[7] * t1 + block[8] * t2;
+    }
+    y[3 * j] += s0;
+    y[3 * j + 1] += s1;
+    y[3 * j + 2] += s2;
+  }
+}
+
+Eigen::SparseMatrix<double> leading_scalars(const BlockMatrix& A, std::size_t count) {
+  const auto dofs = static_cast<Eigen::Index>(3 * count);
+  Eigen::SparseMatrix<double> scalars(dofs, dofs);
+  scalars.reserve(static_cast<Eigen::Index>(9 * A.row.size()));
+  for (std::size_t j = 0; j < count; ++j) {
+    for (int c = 0; c < 3; ++c) {
+      const auto column = static_cast<Eigen::Index>(3 * j) + c;
+      scalars.startVec(column);
+      for (std::uint32_t e = A.start[j]; e < A.start[j + 1]; ++e) {
+        if (A.row[e] >= count) break;
+        for (int r = e == A.start[j] ? c : 0; r < 3; ++r) {
+          scalars.insertBack(3 * static_cast<Eigen::Index>(A.row[e]) + r, column) =
+              A.value[9 * std::size_t{e} + static_cast<std::size_t>(3 * c + r)];
+        }
+      }
+    }
+  }
+  scalars.finalize();
+  return scalars;
+}
+
+}  // namespace sunder

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Symmetric sparse matrices of 3 x 3 blocks, one row of blocks a vertex; and graphs of vertices.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include <Eigen/Dense>
+#include <Eigen/Sparse>
+
+namespace sunder {
+
+/// Neighbours of each vertex, itself not among them: `neighbour[start[i]] ..
+/// neighbour[start[i+1]]`.
+struct VertexGraph {
+  std::vector<std::uint32_t> start;  ///< n + 1
+  std::vector<std::uint32_t> neighbour;
+  std::size_t size() const { return start.empty() ? 0 : start.size() - 1; }
+  std::span<const std::uint32_t> of(std::size_t vertex) const {
+    return {neighbour.data() + start[vertex], neighbour.data() + start[vertex + 1]};
+  }
+};
+
+/// The lower triangle of a symmetric matrix, column by column of blocks. Each column begins with
+/// its diagonal block (held whole), then rows ascend.
+struct BlockMatrix {
+  std::vector<std::uint32_t> start;  ///< n + 1: places of blocks
+  std::vector<std::uint32_t> row;    ///< of each block
+  std::vector<double> value;         ///< nine a block, column by column
+  std::size_t size() const { return start.empty() ? 0 : start.size() - 1; }
+};
+
+/// y = A x for 3 n numbers each; x and y apart. 10 ns a tetrahedron.
+void multiply(double* y, const BlockMatrix& A, const double* x);
+
+/// The lower triangle of the leading 3 `count` rows and columns, scalar by scalar, for libraries.
+Eigen::SparseMatrix<double> leading_scalars(const BlockMatrix& A, std::size_t count);
+
+}  // namespace sunder
