@@ -2,8 +2,11 @@
 // Names, units and words of the quantities.
 #include "apps/sunder/bench_figures.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <array>
+#include <fstream>
+#include <thread>
 
 namespace sunder {
 namespace {
@@ -114,6 +117,17 @@ std::vector<std::string> bodies_of(const KernelBench& bench) {
     if (std::find(bodies.begin(), bodies.end(), f.body) == bodies.end()) bodies.push_back(f.body);
   }
   return bodies;
+}
+
+std::string machine_name() {
+  std::string model = "unknown processor";
+  std::ifstream in("/proc/cpuinfo");
+  for (std::string line; std::getline(in, line);) {
+    if (!line.starts_with("model name")) continue;
+    model = line.substr(line.find(':') + 2);
+    break;
+  }
+  return fmt::format("{}, {} cores", model, std::thread::hardware_concurrency());
 }
 
 }  // namespace sunder

@@ -34,6 +34,9 @@ std::span<const BenchGroup> kernel_groups();
 /// In the order of the table.
 std::span<const BenchQuantity> kernel_quantities();
 
+/// "AMD EPYC, 2 cores"; as far as the system tells.
+std::string machine_name();
+
 /// One figure of one body.
 struct BenchFigure {
   std::string body;

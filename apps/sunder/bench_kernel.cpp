@@ -6,8 +6,6 @@
 #include <malloc.h>
 
 #include <algorithm>
-#include <fstream>
-#include <thread>
 
 #include "apps/sunder/bench_clock.hpp"
 #include "apps/sunder/bench_fans.hpp"
@@ -20,18 +18,6 @@
 
 namespace sunder {
 namespace {
-
-/// "AMD EPYC, 2 cores"; as far as the system tells.
-std::string machine_name() {
-  std::string model = "unknown processor";
-  std::ifstream in("/proc/cpuinfo");
-  for (std::string line; std::getline(in, line);) {
-    if (!line.starts_with("model name")) continue;
-    model = line.substr(line.find(':') + 2);
-    break;
-  }
-  return fmt::format("{}, {} cores", model, std::thread::hardware_concurrency());
-}
 
 double heap_in_use() {
   const auto info = mallinfo2();

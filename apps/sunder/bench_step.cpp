@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+// Times of a step without contact and cracks.
+#include "apps/sunder/bench_step.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "apps/sunder/bench_clock.hpp"
+#include "apps/sunder/bench_figures.hpp"
+#include "fracture/simulation.hpp"
+#include "mechanics/component_system.hpp"
+#include "mechanics/integrators/component_step.hpp"
+#include "topology/io/mesh_file.hpp"
+#include "topology/suite/shapes.hpp"
+
+namespace sunder {
+namespace {
+
+constexpr double base_modulus = 30e9, base_step = 1e-3;
+constexpr std::array<double, 4> moduli = {1e5, 1e7, 1e9, 1e11};
+constexpr std::array<double, 3> steps = {1e-4, 1e-3, 1.0 / 60};
+
+/// A body in free fall, turning, far from everything and too strong to break.
+Scene falling_scene(const TetMesh& mesh, double young_modulus, double time_step) {
+  Scene scene;
+  scene.time_step = time_step;
+  scene.bodies.push_back({.mesh = mesh,
+                          .material = {.young_modulus = young_modulus, .tensile_strength = 1e15},
+                          .translation = {0, 0, 1e4},
+                          .spin = {1, 2, 3}});
+  scene.obstacles.push_back({Plane{}});
+  return scene;
+}
+
+/// Adds figures of one body.
+struct Sink {
+  StepBench& bench;
+  std::string body;
+  std::size_t tetrahedra;
+  double young_modulus = base_modulus, time_step = base_step;
+  int runs;
+
+  void add(std::string_view quantity, double value) const {
+    bench.figures.push_back(
+        {body, tetrahedra, young_modulus, time_step, std::string(quantity), value});
+  }
+  /// Median of the wall times of `work`, ms, after one that does not count.
+  template <class Work>
+  double time(int count, const Work& work) const {
+    work();
+    std::vector<double> times;
+    for (int i = 0; i < std::max(1, count); ++i) {
+      const double start = wall_us();
+      work();
+      times.push_back(1e-3 * (wall_us() - start));
+    }
+    return median(std::move(times));
+  }
+  template <class Work>
+  double measure(std::string_view quantity, int count, const Work& work) const {
+    const double value = time(count, work);
+    add(quantity, value);
+    return value;
+  }
+};
+
+/// The graph that a matrix was made on.
+VertexGraph graph_of(const BlockMatrix& A) {
+  std::vector<std::vector<std::uint32_t>> neighbours(A.size());
+  for (std::uint32_t j = 0; j < A.size(); ++j) {
+    for (std::uint32_t e = A.start[j] + 1; e < A.start[j + 1]; ++e) {
+      neighbours[j].push_back(A.row[e]);
+      neighbours[A.row[e]].push_back(j);
+    }
+  }
+  VertexGraph graph;
+  graph.start.push_back(0);
+  for (const auto& list : neighbours) {
+    graph.neighbour.insert(graph.neighbour.end(), list.begin(), list.end());
+    graph.start.push_back(static_cast<std::uint32_t>(graph.neighbour.size()));
+  }
+  return graph;
+}
+
+/// What the constant matrices of the body cost to make.
+void measure_factor(Simulation& sim, const Sink& sink) {
+  const MechanicsState& m = sim.state.mechanics;
+  const Component& component = m.components.front();
+  const std::span<const Corners> corners = sim.state.cells.map.corners();
+  const int runs = sink.runs / 5;
+  ComponentSystem& system = *sim.scratch.mechanics.systems.front();
+  ComponentSystem other;
+  std::vector<std::uint32_t> local_row(m.vertices.size());
+  sink.measure("build", runs, [&] { build_system(other, local_row, m, corners, component); });
+  const VertexGraph graph = graph_of(system.stiffness);
+  sink.measure("analyse", runs, [&] { analyse(graph); });
+  const SystemMatrix matrix = system.step.matrix;
+  sink.measure("factor", runs, [&] {
+    system.step.factored = false;
+    factor_system(system, matrix);
+  });
+  Eigen::VectorXd x = Eigen::VectorXd::Random(static_cast<Eigen::Index>(3 * system.size()));
+  AlignedDoubles X(12 * static_cast<std::size_t>(x.size()), 1.0);
+  sink.measure("solve_12", runs, [&] { solve_12(X, system.step.factor, system.analysis); });
+  sink.add("factor_doubles", static_cast<double>(system.analysis.panel_size));
+
+  using Sparse = Eigen::SparseMatrix<double>;
+  Sparse A = leading_scalars(system.stiffness, system.free_count);
+  A *= matrix.stiffness;
+  for (Eigen::Index i = 0; i < A.cols(); ++i) {
+    A.coeffRef(i, i) += matrix.mass * system.shape.mass[i / 3];
+  }
+  Eigen::SimplicialLLT<Sparse, Eigen::Lower, Eigen::NaturalOrdering<int>> llt;
+  const int few = std::clamp(runs / 2, 1, 5);
+  sink.measure("eigen_analyse", few, [&] { llt.analyzePattern(A); });
+  sink.measure("eigen_factor", few, [&] { llt.factorize(A); });
+  sink.measure("eigen_solve", few, [&] {
+    llt.matrixL().solveInPlace(x);
+    llt.matrixU().solveInPlace(x);
+  });
+}
+
+/// The parts of a step, each called by itself, and the step as `advance` takes it.
+void measure_step(Simulation& sim, const Sink& sink) {
+  MechanicsState& m = sim.state.mechanics;
+  MechanicsScratch& scratch = sim.scratch.mechanics;
+  const std::span<const Corners> corners = sim.state.cells.map.corners();
+  for (int i = 0; i < 3; ++i) advance(sim);
+  ComponentSystem& system = *scratch.systems.front();
+  const auto dofs = static_cast<Eigen::Index>(3 * system.size());
+  Eigen::VectorXd x = Eigen::VectorXd::Random(dofs), y(dofs);
+  const double product =
+      sink.measure("product", sink.runs, [&] { multiply_stiffness(y, system, x); });
+  const double solve = sink.measure("solve", sink.runs, [&] { solve_system(system, x); });
+  const Loads loads{.gravity = sim.scene.gravity.acceleration};
+  const StepInput input{corners, loads, sim.scene.integrator};
+  const ComponentId only = m.components.front().id;
+  const double predicted = sink.time(sink.runs, [&] { predict(scratch, m, input, {&only, 1}); });
+  sink.add("frame", predicted - product - solve);
+  const double stress =
+      sink.measure("element_stress", sink.runs, [&] { measure_elements(m, scratch, corners); });
+  const double criterion = sink.measure("node_stress", sink.runs, [&] {
+    find_fractures(sim.state.cells, m, sim.scene.fracture, sim.scratch.fracture);
+  });
+  const double whole = sink.measure("step", sink.runs, [&] { advance(sim); });
+  sink.add("rest", whole - predicted - stress - criterion);
+  sink.add("step_over_solve", whole / solve);
+}
+
+/// Whole steps over moduli and steps; largest over least.
+Result<Simulation> measure_range(const TetMesh& mesh, Sink sink) {
+  Result<Simulation> built;
+  double least = 0, largest = 0;
+  for (const double modulus : moduli) {
+    for (const double step : steps) {
+      built = build_simulation(falling_scene(mesh, modulus, step));
+      if (!built) return built;
+      Simulation& sim = *built;
+      for (int i = 0; i < 3; ++i) advance(sim);
+      sink.young_modulus = modulus;
+      sink.time_step = step;
+      const double time = sink.measure("step", sink.runs, [&] { advance(sim); });
+      least = least == 0 ? time : std::min(least, time);
+      largest = std::max(largest, time);
+    }
+  }
+  sink.young_modulus = base_modulus;
+  sink.time_step = base_step;
+  sink.add("range", largest / least);
+  return built;
+}
+
+struct StepBody {
+  std::string name;
+  TetMesh mesh;
+};
+
+Result<std::vector<StepBody>> step_bodies(const StepBenchSettings& settings) {
+  Result<std::vector<StepBody>> result;
+  result.value.emplace();
+  for (const std::filesystem::path& path : settings.meshes) {
+    Result<TetMesh> mesh = read_mesh(path);
+    if (!mesh) {
+      result.value.reset();
+      result.findings = std::move(mesh.findings);
+      return result;
+    }
+    result->push_back({path.filename().string(), std::move(*mesh)});
+  }
+  if (!settings.meshes.empty()) return result;
+  result->push_back({"plate", suite::kuhn_box({23, 3, 1}, 0.05)});
+  result->push_back({"block", suite::kuhn_box({17, 10, 6}, 0.05)});
+  if (settings.large) result->push_back({"large block", suite::kuhn_box({32, 16, 16}, 0.05)});
+  return result;
+}
+
+}  // namespace
+
+std::vector<StepQuantity> step_quantities() {
+  return {
+      {"step", "ms", "Whole step"},
+      {"frame", "ms", "  loads, frame, momenta"},
+      {"product", "ms", "  product with K"},
+      {"solve", "ms", "  back-solve"},
+      {"element_stress", "ms", "  element stress and turn"},
+      {"node_stress", "ms", "  node stress and threshold tests"},
+      {"rest", "ms", "  rest: contact search, ledger, display"},
+      {"step_over_solve", "", "Whole step / back-solve"},
+      {"range", "", "Largest / least over modulus and step"},
+      {"build", "ms", "Build: order, K"},
+      {"analyse", "ms", "  of it order and analysis"},
+      {"factor", "ms", "Factor"},
+      {"solve_12", "ms", "Twelve back-solves at once"},
+      {"factor_doubles", "", "Doubles in the factor"},
+      {"eigen_analyse", "ms", "SimplicialLLT, same order: analysis"},
+      {"eigen_factor", "ms", "  factor"},
+      {"eigen_solve", "ms", "  back-solve"},
+  };
+}
+
+Result<StepBench> bench_step(const StepBenchSettings& settings,
+                             const std::function<void(const std::string&)>& progress) {
+  Result<StepBench> result;
+  Result<std::vector<StepBody>> bodies = step_bodies(settings);
+  if (!bodies) {
+    result.findings = std::move(bodies.findings);
+    return result;
+  }
+  StepBench bench{.machine = machine_name(), .runs = settings.runs, .figures = {}};
+  for (const StepBody& body : *bodies) {
+    progress(body.name);
+    const Sink sink{bench,        body.name, body.mesh.tetrahedra.size(),
+                    base_modulus, base_step, settings.runs};
+    Result<Simulation> sim = build_simulation(falling_scene(body.mesh, base_modulus, base_step));
+    if (sim) {
+      measure_step(*sim, sink);
+      measure_factor(*sim, sink);
+      sim = measure_range(body.mesh, sink);
+    }
+    if (!sim) {
+      result.findings = std::move(sim.findings);
+      return result;
+    }
+  }
+  result.value = std::move(bench);
+  return result;
+}
+
+}  // namespace sunder
