@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The picture: a script for gnuplot, and the process that draws it.
+// The picture: a script for gnuplot.
 #include <fmt/format.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <array>
-#include <cstdio>
-#include <cstdlib>
 #include <iterator>
 
 #include "apps/sunder/bench_report.hpp"
-#include "topology/io/output_file.hpp"
+#include "apps/sunder/gnuplot.hpp"
 
 namespace sunder {
 namespace {
@@ -71,42 +67,10 @@ std::string plot_script(const KernelBench& bench) {
   return script + "unset multiplot\n";
 }
 
-/// Runs a shell command and gives what it prints; its exit code behind it.
-std::pair<std::string, int> output_of(const std::string& command) {
-  std::string out;
-  std::FILE* const pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) return {out, 127};
-  std::array<char, 65536> buffer;
-  while (const std::size_t n = std::fread(buffer.data(), 1, buffer.size(), pipe)) {
-    out.append(buffer.data(), n);
-  }
-  const int status = pclose(pipe);
-  return {out, WIFEXITED(status) ? WEXITSTATUS(status) : 1};
-}
-
 }  // namespace
 
 std::optional<Finding> plot_bench(const KernelBench& bench, const std::filesystem::path& png) {
-  if (output_of("command -v gnuplot").second != 0) {
-    return Finding{.code = "gnuplot_missing",
-                   .text = "gnuplot, which draws the picture, is not installed",
-                   .remedy = "install it (Debian: apt-get install gnuplot-nox) or leave --plot out",
-                   .file = png.string()};
-  }
-  std::string name = (std::filesystem::temp_directory_path() / "sunder_plot_XXXXXX").string();
-  const int script_file = mkstemp(name.data());
-  if (script_file >= 0) close(script_file);
-  if (auto failure = write_file(name, plot_script(bench))) return failure;
-  const auto [picture, exit_code] = output_of("gnuplot '" + name + "'");
-  std::filesystem::remove(name);
-  if (exit_code != 0 || !picture.starts_with("\x89PNG")) {
-    return Finding{
-        .code = "gnuplot_failed",
-        .text = fmt::format("gnuplot ended with exit code {} and drew nothing", exit_code),
-        .remedy = "see what it said above; it has to be able to write PNG",
-        .file = png.string()};
-  }
-  return write_file(png, picture);
+  return draw_png(plot_script(bench), png);
 }
 
 }  // namespace sunder

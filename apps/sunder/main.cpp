@@ -7,6 +7,7 @@
 #include <exception>
 
 #include "apps/sunder/bench_command.hpp"
+#include "apps/sunder/chart.hpp"
 #include "apps/sunder/check.hpp"
 #include "apps/sunder/exit_code.hpp"
 #include "apps/sunder/modes.hpp"
@@ -30,6 +31,7 @@ int run_program(int argc, char** argv) {
   sunder::add_split_command(program, exit_code);
   sunder::add_suite_command(program, exit_code);
   sunder::add_bench_command(program, exit_code);
+  sunder::add_chart_command(program, exit_code);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
