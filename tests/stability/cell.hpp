@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// What a method may make of a scenario, and the methods there are.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mechanics/integrators/settings.hpp"
+
+namespace sunder::stability {
+
+/// From good to bad.
+enum class Outcome {
+  not_for_it,    ///< the scenario says nothing about this method
+  holds,         ///< what has to stay stays, and what there is a closed form for is right
+  refuses,       ///< the run is refused or stopped with the reason, before it shows nonsense
+  off_path,      ///< the mass centre leaves its parabola
+  loses,         ///< rigid motion is damped: the spin of the whole body goes
+  false_stress,  ///< stress or strain without a cause, which would break the body
+  gains,         ///< motion out of nothing: kinetic energy or spin
+  diverges,      ///< the run ends in `diverged` or `not_a_number`, which is reported
+};
+inline constexpr std::string_view outcome_names[] = {
+    "-", "holds", "refuses", "off path", "loses", "false stress", "gains", "diverges"};
+inline std::string_view name_of(Outcome outcome) {
+  return outcome_names[static_cast<std::size_t>(outcome)];
+}
+
+/// What came out, and the figure that says how clearly; what the figure is, the scenario says.
+struct Cell {
+  Outcome outcome = Outcome::not_for_it;
+  double figure = 0;
+};
+
+/// An integrator with its model and options; `time_step` is the scenario's.
+struct Method {
+  std::string name;
+  IntegratorSettings settings;
+  /// Energy swings about its mean by some of the vibration's, without a drift: explicit schemes.
+  bool energy_swings = false;
+  bool is_damped = true;  ///< whether it takes Rayleigh damping
+};
+
+/// All methods; a new one is one line.
+const std::vector<Method>& methods();
+
+}  // namespace sunder::stability

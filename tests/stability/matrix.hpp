@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// The stability matrix: scenarios where methods fail, times methods, with what is expected of each.
+#pragma once
+
+#include <functional>
+#include <map>
+
+#include "tests/stability/cell.hpp"
+
+namespace sunder::stability {
+
+/// A scenario for every method: what it makes of it, and which outcome is expected of whom. Who is
+/// not named is expected to hold.
+struct Scenario {
+  std::string name;
+  std::function<Cell(const Method&)> run;
+  std::map<std::string, Outcome> expected = {};
+
+  Outcome expected_of(const Method& method) const {
+    const auto at = expected.find(method.name);
+    return at == expected.end() ? Outcome::holds : at->second;
+  }
+};
+
+/// Scenarios of bodies in motion, for every method.
+std::vector<Scenario> motions();
+
+/// Scenarios that no integrator takes part in: rotations of degenerate shapes, contact, splits,
+/// input. Their one cell is run with the default method.
+std::vector<Scenario> others();
+
+}  // namespace sunder::stability

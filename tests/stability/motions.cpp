@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: MIT
+// Scenarios of bodies in motion: what each integrator makes of stiffness, step, spin and shape.
+#include <algorithm>
+#include <cmath>
+
+#include "mechanics/energy.hpp"
+#include "mechanics/rotation.hpp"
+#include "tests/stability/flight.hpp"
+#include "tests/stability/matrix.hpp"
+
+namespace sunder::stability {
+namespace {
+
+using test::Body;
+
+/// A vibrating block at a multiple of the explicit limit, free of weight and spin.
+Cell near_the_explicit_limit(const Method& method, double multiple) {
+  const Body body = flight_body();
+  const Flight flight{.material = {.young_modulus = 1e9}, .steps = 400, .spin = Vec3(0, 0, 0.01)};
+  Flight timed = flight;
+  timed.time_step = multiple * 2 / highest_frequency(test::state_of(body, flight.material), body);
+  timed.weight = false;
+  return fly(timed, method);
+}
+
+/// The worst of several flights.
+Cell worst_of(const Method& method, const std::vector<Flight>& flights) {
+  Cell worst;
+  for (const Flight& flight : flights) {
+    const Cell cell = fly(flight, method);
+    if (cell.outcome > worst.outcome ||
+        (cell.outcome == worst.outcome && cell.figure > worst.figure)) {
+      worst = cell;
+    }
+  }
+  return worst;
+}
+
+Cell all_stiffnesses(const Method& method, double time_step) {
+  std::vector<Flight> flights;
+  for (const double E : {1e5, 1e7, 30e9, 1e12}) {
+    flights.push_back({.material = {.young_modulus = E}, .time_step = time_step, .steps = 60});
+  }
+  return worst_of(method, flights);
+}
+
+Cell spin_in_equilibrium(const Method& method, double time_step) {
+  return fly({.time_step = time_step,
+              .steps = static_cast<int>(std::lround(1 / time_step)),
+              .spin = Vec3(0, 0, 50),
+              .deformation = 0,
+              .weight = false},
+             method);
+}
+
+/// A soft body at rest rings hard for a second. Figure: its spin at the end, rad/s.
+Cell ghost_torque(const Method& method) {
+  const Body body = flight_body();
+  MechanicsState state = test::state_of(body, {.young_modulus = 1e7});
+  std::mt19937 random(82);
+  test::deform(state, 5e-2, random);
+  IntegratorSettings settings = method.settings;
+  settings.time_step = 2e-4;
+  const StepStatus status = test::run(state, body, settings, 5000);
+  if (status.outcome != StepOutcome::fine) return {Outcome::diverges, status.time};
+  const double spin = angular_momentum(state.vertices).norm() /
+                      state.components[0].rest_inertia.eigenvalues().real().maxCoeff();
+  return {spin < 1e-11 ? Outcome::holds : Outcome::gains, spin};
+}
+
+/// Every tetrahedron turned inside out. Figure: the most energy there was over that of the start.
+Cell inverted(const Method& method) {
+  const Body body = test::kuhn_block({2, 2, 2}, Vec3(1, 1, 1));
+  MechanicsState state = test::state_of(body, {.young_modulus = 1e6});
+  for (Vec3& x : state.vertices.position) x = Vec3(-0.5 * x.x(), x.y(), 1.1 * x.z());
+  reframe(state, ComponentId{0});
+  MechanicsScratch scratch;
+  measure_elements(state, scratch, body.corners);
+  const double start = strain_energy(state);
+  IntegratorSettings settings = method.settings;
+  settings.time_step = 1e-3;
+  // Strains of 150 per cent turn the frame as fast as the body rings; damped, nothing may grow.
+  if (method.is_damped) settings.damping.stiffness_factor = 2e-3;
+  double most = 0;
+  const StepStatus status = test::run(state, body, settings, 1000, {}, [&] {
+    most = std::max(most, strain_energy(state) + kinetic_energy(state.vertices));
+  });
+  if (status.outcome != StepOutcome::fine) return {Outcome::diverges, status.time};
+  const double allowed = method.energy_swings ? 2 : 1.01;
+  return {most < allowed * start ? Outcome::holds : Outcome::gains, most / start};
+}
+
+/// A single tetrahedron whose one corner is pushed through the face opposite. Figure: how far an
+/// edge is off at the end, relative.
+Cell tetrahedron_through_itself(const Method& method) {
+  double worst = 0;
+  for (int k = 1; k <= 20; ++k) {
+    const Body body = test::single_tetrahedron(1);
+    MechanicsState state = test::state_of(body, {});
+    state.vertices.position[0] = 0.1 * k * Vec3(1, 1, 1) / 3;
+    reframe(state, ComponentId{0});
+    IntegratorSettings settings = method.settings;
+    settings.time_step = 1e-2;
+    const StepStatus status = test::run(state, body, settings, 100);
+    if (status.outcome != StepOutcome::fine) return {Outcome::diverges, status.time};
+    for (std::size_t a = 0; a < 4; ++a) {
+      for (std::size_t b = 0; b < a; ++b) {
+        const double rest = (body.rest[a] - body.rest[b]).norm();
+        const double now = (state.vertices.position[a] - state.vertices.position[b]).norm();
+        worst = std::max(worst, std::abs(now / rest - 1));
+      }
+    }
+  }
+  return {worst < 1e-12 ? Outcome::holds : Outcome::false_stress, worst};
+}
+
+/// A single tetrahedron that spins for a second. Figure: what is left of the spin.
+Cell tetrahedron_spin(const Method& method) {
+  const Body body = test::single_tetrahedron(0.01);
+  MechanicsState state = test::state_of(body, {});
+  place(state, ComponentId{0}, {.spin = Vec3(30, 40, 5)});
+  const double start = state.components[0].angular_momentum.norm();
+  IntegratorSettings settings = method.settings;
+  settings.time_step = 1e-2;
+  const StepStatus status = test::run(state, body, settings, 100);
+  if (status.outcome != StepOutcome::fine) return {Outcome::diverges, status.time};
+  const Rigid end = rigid_of(state);
+  const double left = end.spin.norm() / start;
+  if (left < 0.99) return {Outcome::loses, left};
+  return {left < 1.01 ? Outcome::holds : Outcome::gains, left};
+}
+
+/// A step of changing length, beside the same with all caches thrown away. Figure: the difference.
+Cell changing_step(const Method& method) {
+  const Body body = flight_body();
+  std::vector<Vec3> ends[2];
+  for (const bool thrown : {false, true}) {
+    MechanicsState state = test::state_of(body, {.young_modulus = 1e8});
+    std::mt19937 random(83);
+    test::deform(state, 1e-3, random);
+    MechanicsScratch scratch;
+    const Loads nothing;
+    for (int i = 0; i < 30; ++i) {
+      IntegratorSettings settings = method.settings;
+      settings.time_step = i % 3 == 0 ? 1e-4 : i % 3 == 1 ? 2e-4 : 5e-5;
+      if (thrown) scratch = MechanicsScratch{};
+      const StepStatus status = advance(state, scratch, {body.corners, nothing, settings});
+      if (status.outcome != StepOutcome::fine) return {Outcome::diverges, double(i)};
+    }
+    ends[thrown] = state.vertices.position;
+  }
+  double worst = 0;
+  for (std::size_t v = 0; v < ends[0].size(); ++v) {
+    worst = std::max(worst, (ends[0][v] - ends[1][v]).norm());
+  }
+  return {worst == 0 ? Outcome::holds : Outcome::false_stress, worst};
+}
+
+/// A bar bent exactly to a circle with outer strain 7e-4, forty times as long as thick. Figure: the
+/// largest stress over E times that strain.
+Cell slender(const Method& method) {
+  const double strain = 7e-4, thickness = 1, length = 40;
+  const Body body = test::kuhn_block({40, 1, 2}, Vec3(length, thickness, thickness));
+  const Material material{.young_modulus = 1e9, .poisson_ratio = 0};
+  MechanicsState state = test::state_of(body, material);
+  const double radius = thickness / 2 / strain;
+  for (std::size_t v = 0; v < body.rest.size(); ++v) {
+    const Vec3& r = body.rest[v];
+    const double turn = r.x() / radius, from_axis = radius + r.z();
+    state.vertices.position[v] =
+        Vec3(from_axis * std::sin(turn), r.y(), from_axis * std::cos(turn) - radius);
+  }
+  reframe(state, ComponentId{0});
+  MechanicsScratch scratch;
+  IntegratorSettings settings = method.settings;
+  settings.time_step = 1e-9;
+  const Loads nothing;
+  advance(state, scratch, {body.corners, nothing, settings});
+  const double figure = largest_stress(state) / (material.young_modulus * strain);
+  return {figure < 1.1 ? Outcome::holds : Outcome::false_stress, figure};
+}
+
+}  // namespace
+
+std::vector<Scenario> motions() {
+  const Outcome off_path = Outcome::off_path, loses = Outcome::loses;
+  const Outcome false_stress = Outcome::false_stress, gains = Outcome::gains;
+  const Outcome diverges = Outcome::diverges;
+  return {
+      {"vibration at 0.99 of the explicit limit",
+       [](const Method& m) { return near_the_explicit_limit(m, 0.99); }},
+      {"vibration at 1.01 of the explicit limit",
+       [](const Method& m) { return near_the_explicit_limit(m, 1.01); },
+       {{"verlet", diverges}}},
+      {"E 1e5 to 1e12, step 1 us",
+       [](const Method& m) { return all_stiffnesses(m, 1e-6); },
+       {{"implicit Euler", off_path}, {"implicit Euler, predicted", off_path}}},
+      {"E 1e5 to 1e12, step 1 ms",
+       [](const Method& m) { return all_stiffnesses(m, 1e-3); },
+       {{"implicit Euler", off_path},
+        {"implicit Euler, predicted", off_path},
+        {"verlet", diverges}}},
+      {"E 1e5 to 1e12, step 1/30 s",
+       [](const Method& m) { return all_stiffnesses(m, 1.0 / 30); },
+       {{"implicit Euler", false_stress},
+        {"implicit Euler, predicted", loses},
+        {"verlet", diverges}}},
+      {"50 rad/s in equilibrium, 30 GPa, step 1 ms",
+       [](const Method& m) { return spin_in_equilibrium(m, 1e-3); },
+       {{"implicit Euler", false_stress},
+        {"implicit Euler, predicted", loses},
+        {"verlet", diverges}}},
+      {"50 rad/s in equilibrium, 30 GPa, step 10 ms",
+       [](const Method& m) { return spin_in_equilibrium(m, 1e-2); },
+       {{"implicit Euler", false_stress},
+        {"implicit Euler, predicted", loses},
+        {"verlet", diverges}}},
+      // The paper's force has a torque of second order in the displacement.
+      {"a soft body at rest rings for 1 s",
+       ghost_torque,
+       {{"implicit Euler", gains}, {"implicit Euler, predicted", gains}}},
+      {"a body turned inside out", inverted},
+      {"a tetrahedron pushed through itself", tetrahedron_through_itself},
+      {"a tetrahedron spins for 1 s, step 10 ms", tetrahedron_spin},
+      {"slivers of 2 degrees, 30 GPa, step 20 us",
+       [](const Method& m) {
+         return fly({.time_step = 2e-5, .steps = 400, .sliver_angle = 2, .weight = false}, m);
+       },
+       {{"verlet", diverges}}},
+      {"nu 0.49, step 1 ms",
+       [](const Method& m) {
+         return fly({.material = {.poisson_ratio = 0.49}, .weight = false}, m);
+       },
+       {{"verlet", diverges}}},
+      {"the step changes its length", changing_step},
+      // Of one frame for the whole body: eps (L/t)^2 / 2 on top of eps.
+      {"a bar of 40 to 1 bent by 7e-4",
+       slender,
+       {{"floating frame", false_stress},
+        {"floating frame, rho .5", false_stress},
+        {"implicit Euler", false_stress},
+        {"implicit Euler, predicted", false_stress},
+        {"verlet", false_stress}}},
+  };
+}
+
+}  // namespace sunder::stability
