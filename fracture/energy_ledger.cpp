@@ -4,6 +4,7 @@
 
 #include "mechanics/energy.hpp"
 #include "mechanics/integrators/component_step.hpp"
+#include "mechanics/living.hpp"
 #include "mechanics/numerical_loss.hpp"
 
 namespace sunder {
@@ -33,16 +34,15 @@ bool has_closed_form(const StepInput& input) {
 void add_numerical_loss(StepWork& work, const StepInput& input) {
   const MechanicsState& m = work.sim.state.mechanics;
   PartStart& before = work.sim.scratch.before;
-  for (const ComponentId id : living_components(m, work.members())) {
-    const Component& component = m.components[id.index()];
-    const auto& system = work.sim.scratch.mechanics.systems[id.index()];
-    if (component.isolated || !system) continue;
+  for_each_living(m, work.members(), [&](const Component& component) {
+    const auto& system = work.sim.scratch.mechanics.systems[component.id.index()];
+    if (component.isolated || !system) return;
     IntegratorSettings settings = settings_of(input, m, component);
     settings.time_step = input.deformation_step();
     work.report.energy.numerical +=
         numerical_loss(before.work, *system, settings, {before.displacement, before.acceleration},
                        {m.vertices.displacement, m.vertices.displacement_acceleration});
-  }
+  });
 }
 
 }  // namespace

@@ -35,12 +35,11 @@ Candidate make_candidate(const FractureScratch& scratch, const Cells& cells, Ver
 }
 
 /// Row = VertexId: whether it is looked at. Taken before anything splits.
-std::vector<char> looked_at(const MechanicsState& mechanics, const StepMembers& members) {
-  std::vector<char> rows(mechanics.vertices.size());
+void look_at(std::vector<char>& rows, const MechanicsState& mechanics, const StepMembers& members) {
+  rows.resize(mechanics.vertices.size());
   for (std::size_t v = 0; v < rows.size(); ++v) {
     rows[v] = members.has(mechanics.vertices.component[v]);
   }
-  return rows;
 }
 
 /// The test chain over the vertices looked at: bound, exact test, eigenvalue. Stops at a NaN.
@@ -102,8 +101,8 @@ void count_relieved(Cells& cells, const FractureScratch& scratch, std::span<cons
   for (std::size_t row = 0; row < cells.waits.size(); ++row) {
     if (!cells.waits[row] || !rows[row]) continue;
     cells.waits[row] = 0;
-    report.relieved += test_threshold(scratch.node_stress[row], cells.strength[row]) ==
-                       ThresholdAnswer::below;
+    report.relieved +=
+        test_threshold(scratch.node_stress[row], cells.strength[row]) == ThresholdAnswer::below;
   }
 }
 
@@ -116,14 +115,15 @@ FractureReport find_fractures(Cells& cells, MechanicsState& mechanics,
   if (settings.mode == FractureMode::off) return report;
   const ElementStress elements = element_stress(cells, mechanics, settings.weight);
   // Report each tetrahedron's stress to its vertices and average it.
-  average_node_stress(scratch.node_stress, elements, cells.map.vertices());
+  average_node_stress(scratch.node_stress, elements, cells.map.vertices(), scratch.weight);
   // Check where a fracture occurs.
-  const std::vector<char> rows = looked_at(mechanics, members);
-  CandidateQueue queue = find_candidates(cells, scratch, rows, report);
+  look_at(scratch.rows, mechanics, members);
+  CandidateQueue queue = find_candidates(cells, scratch, scratch.rows, report);
   if (report.not_a_number) return report;
-  count_relieved(cells, scratch, rows, report);
+  count_relieved(cells, scratch, scratch.rows, report);
 
-  std::vector<char> broken(cells.map.vertices(), 0);
+  std::vector<char>& broken = scratch.broken;
+  broken.assign(cells.map.vertices(), 0);
   while (!queue.empty()) {
     const Candidate candidate = queue.top();
     queue.pop();

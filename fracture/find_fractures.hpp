@@ -32,6 +32,8 @@ struct FractureReport {
 struct FractureScratch {
   /// |V|, Pa, as it stands after the fans of the last call; for display too.
   std::vector<Mat3> node_stress;
+  std::vector<double> weight;      ///< |V|, of `average_node_stress`
+  std::vector<char> rows, broken;  ///< |V|: looked at; broken in this call
   FanScratch fan;
 };
 

@@ -7,20 +7,26 @@
 namespace sunder {
 
 void average_node_stress(std::vector<Mat3>& node_stress, const ElementStress& elements,
-                         std::size_t vertices) {
+                         std::size_t vertices, std::vector<double>& weight) {
   node_stress.assign(vertices, Mat3::Zero());
-  std::vector<double> total(vertices, 0.0);
+  weight.assign(vertices, 0.0);
   for (std::size_t t = 0; t < elements.corners.size(); ++t) {
     const double w = elements.weight[t];
     const Mat3 weighted = w * elements.stress[t];
     for (const VertexId v : elements.corners[t]) {
       node_stress[v.index()] += weighted;
-      total[v.index()] += w;
+      weight[v.index()] += w;
     }
   }
   for (std::size_t v = 0; v < vertices; ++v) {
-    if (total[v] > 0) node_stress[v] /= total[v];
+    if (weight[v] > 0) node_stress[v] /= weight[v];
   }
+}
+
+void average_node_stress(std::vector<Mat3>& node_stress, const ElementStress& elements,
+                         std::size_t vertices) {
+  std::vector<double> weight;
+  average_node_stress(node_stress, elements, vertices, weight);
 }
 
 Mat3 node_stress_of_star(const ElementStress& elements, std::span<const TetId> star) {

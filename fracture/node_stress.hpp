@@ -26,6 +26,10 @@ struct ElementStress {
 void average_node_stress(std::vector<Mat3>& node_stress, const ElementStress& elements,
                          std::size_t vertices);
 
+/// The same with room for the sums of weights, which is kept from call to call.
+void average_node_stress(std::vector<Mat3>& node_stress, const ElementStress& elements,
+                         std::size_t vertices, std::vector<double>& weight);
+
 /// The same for one vertex, from its star in the order of rows. `star`: not empty.
 Mat3 node_stress_of_star(const ElementStress& elements, std::span<const TetId> star);
 

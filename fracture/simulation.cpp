@@ -5,6 +5,7 @@
 #include "fracture/energy_ledger.hpp"
 #include "fracture/step_work.hpp"
 #include "mechanics/energy.hpp"
+#include "mechanics/living.hpp"
 
 namespace sunder {
 namespace {
@@ -89,7 +90,8 @@ void add_contact(ContactReport& sum, const ContactReport& part) {
   sum.converged = sum.converged && part.converged;
   sum.deepest = std::max(sum.deepest, part.deepest);
   sum.left_out += part.left_out;
-  sum.obstacle_impulse.resize(part.obstacle_impulse.size(), Vec3::Zero());
+  const std::size_t obstacles = std::max(sum.obstacle_impulse.size(), part.obstacle_impulse.size());
+  sum.obstacle_impulse.resize(obstacles, Vec3::Zero());
   for (std::size_t k = 0; k < part.obstacle_impulse.size(); ++k) {
     sum.obstacle_impulse[k] += part.obstacle_impulse[k];
   }
@@ -170,8 +172,8 @@ void break_members(StepWork& work) {
   {
     const StageTimer timer(work.report, Stage::fracture);
     FractureSettings settings = sim.scene.fracture;
-    settings.max_fans -= std::min(settings.max_fans,
-                                  static_cast<std::uint32_t>(work.report.fracture.fans.size()));
+    settings.max_fans -=
+        std::min(settings.max_fans, static_cast<std::uint32_t>(work.report.fracture.fans.size()));
     found = find_fractures(sim.state.cells, sim.state.mechanics, settings, sim.scratch.fracture,
                            work.members());
   }
@@ -185,6 +187,7 @@ void break_members(StepWork& work) {
 StepReport advance(Simulation& sim, const StepObserver& observe) {
   SimulationState& s = sim.state;
   StepWork work{sim, observe, {}, {}, {}, {}};
+  std::swap(work.loads, sim.scratch.loads);
   const double kinetic = kinetic_energy(s.mechanics.vertices);
   const double strain = strain_energy(s.mechanics);
   work.loads.gravity = gravity_at(sim.scene.gravity, s.mechanics.time + sim.scene.time_step);
@@ -199,11 +202,14 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
   report.step = ++s.step;
   report.time = s.mechanics.time;
   close_ledger(work, kinetic, strain);
-  report.components = living_components(s.mechanics).size();
+  for_each_living(s.mechanics, {}, [&](const Component&) { ++report.components; });
   if (!work.failed()) {
     const StageTimer timer(report, Stage::display);
     update_display(sim);
   }
+  work.loads.force.clear();
+  work.loads.turning.clear();
+  std::swap(work.loads, sim.scratch.loads);
   return std::move(report);
 }
 

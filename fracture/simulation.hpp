@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A scene in motion: one step is contact, mechanics, fracture, components. No file, no clock of walls
-// in any result (times of stages are reported, never used).
+// A scene in motion: one step is contact, mechanics, fracture, components. No file, no clock of
+// walls in any result (times of stages are reported, never used).
 #pragma once
 
 #include <array>
@@ -50,12 +50,13 @@ struct PartStart {
   std::vector<double> work;                      ///< of `numerical_loss`
 };
 
-/// Working memory of a step and caches; can be thrown away between two steps.
+/// Working memory of a step and caches; can be thrown away between steps.
 struct SimulationScratch {
   MechanicsScratch mechanics;
   ContactScratch contact;
   FractureScratch fracture;
   PartStart before;
+  Loads loads;
 };
 
 /// Rows of one body of the scene: its tetrahedra and the points of its mesh are consecutive.

@@ -32,6 +32,25 @@ void multiply(double* y, const BlockMatrix& A, const double* x) {
   }
 }
 
+double quadratic_form(const BlockMatrix& A, const double* x) {
+  const double* block = A.value.data();
+  double sum = 0;
+  for (std::size_t j = 0; j < A.size(); ++j) {
+    // Half of the diagonal block, and what lies below it.
+    double s0 = 0, s1 = 0, s2 = 0;
+    const double half[3] = {0.5 * x[3 * j], 0.5 * x[3 * j + 1], 0.5 * x[3 * j + 2]};
+    const double* y = half;
+    for (std::uint32_t e = A.start[j]; e < A.start[j + 1]; ++e, block += 9) {
+      if (e > A.start[j]) y = x + 3 * std::size_t{A.row[e]};
+      s0 += block[0] * y[0] + block[1] * y[1] + block[2] * y[2];
+      s1 += block[3] * y[0] + block[4] * y[1] + block[5] * y[2];
+      s2 += block[6] * y[0] + block[7] * y[1] + block[8] * y[2];
+    }
+    sum += s0 * x[3 * j] + s1 * x[3 * j + 1] + s2 * x[3 * j + 2];
+  }
+  return 2 * sum;
+}
+
 Eigen::SparseMatrix<double> leading_scalars(const BlockMatrix& A, std::size_t count) {
   const auto dofs = static_cast<Eigen::Index>(3 * count);
   Eigen::SparseMatrix<double> scalars(dofs, dofs);

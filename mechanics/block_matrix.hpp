@@ -34,6 +34,9 @@ struct BlockMatrix {
 /// y = A x for 3 n numbers each; x and y apart. 10 ns a tetrahedron.
 void multiply(double* y, const BlockMatrix& A, const double* x);
 
+/// x . A x. 5 ns a tetrahedron.
+double quadratic_form(const BlockMatrix& A, const double* x);
+
 /// The lower triangle of the leading 3 `count` rows and columns, scalar by scalar, for libraries.
 Eigen::SparseMatrix<double> leading_scalars(const BlockMatrix& A, std::size_t count);
 

@@ -8,6 +8,7 @@
 
 #include "mechanics/contact_bounce.hpp"
 #include "mechanics/contact_step.hpp"
+#include "mechanics/living.hpp"
 #include "topology/assert.hpp"
 
 namespace sunder {
@@ -18,8 +19,8 @@ ContactScratch::ContactScratch(ContactScratch&&) noexcept = default;
 ContactScratch& ContactScratch::operator=(ContactScratch&&) noexcept = default;
 
 StepPaths paths_of(const ContactStep& step) {
-  return {step.pass.state,     step.pass.input.corners, step.pass.mechanics.predicted.position,
-          step.pass.obstacles, step.room.ball_end,      step.h(),
+  return {step.pass.state,        step.pass.input.corners, step.pass.mechanics.predicted.position,
+          step.pass.obstacles,    step.room.ball_end,      step.h(),
           step.pass.input.members};
 }
 
@@ -229,10 +230,9 @@ void solve_pass(ContactStep& step) {
   ContactBodies& bodies = step.room.bodies;
   // With a unit step, displacements are velocities.
   const double over = step.is_wave() ? step.h() : 1;
-  const SolveOutcome outcome =
-      solve_contacts(bodies.rows, bodies.bodies,
-                     {step.is_wave() ? 1 : step.h(), step.report.tolerated / over,
-                      step.settings.max_iterations});
+  const SolveOutcome outcome = solve_contacts(
+      bodies.rows, bodies.bodies,
+      {step.is_wave() ? 1 : step.h(), step.report.tolerated / over, step.settings.max_iterations});
   step.report.iterations += outcome.iterations;
   step.report.converged = step.report.converged && outcome.converged;
   step.room.change.resize(step.contacts.size());
@@ -332,6 +332,7 @@ void move_obstacles(ContactStep& step) {
 void count_contacts(ContactStep& step) {
   ContactReport& report = step.report;
   report.candidates = static_cast<std::uint32_t>(step.contacts.size());
+  if (step.contacts.empty()) return;
   report.obstacle_impulse.assign(step.pass.obstacles.size(), Vec3::Zero());
   const StepPaths paths = paths_of(step);
   for (const ContactPoint& contact : step.contacts) {
@@ -363,7 +364,9 @@ void begin_step(ContactStep& step) {
   room.blows.ball_twist.assign(balls, Vec3::Zero());
   room.count.assign(state.components.size(), 0);
   const StepInput& input = step.pass.input;
-  predict(step.pass.mechanics, state, input, living_components(state, input.members));
+  for_each_living(state, input.members, [&](const Component& component) {
+    predict(step.pass.mechanics, state, input, {&component.id, 1});
+  });
   if (input.members.component.empty()) return;
   // What keeps still is where it is.
   for (std::size_t v = 0; v < state.vertices.size(); ++v) {
@@ -376,8 +379,8 @@ void begin_step(ContactStep& step) {
 void end_step(ContactStep& step, bool fine) {
   move_obstacles(step);
   std::erase_if(step.contacts, [](const ContactPoint& c) { return c.impulse.isZero(0); });
-  const bool bounces = step.deformation() == Deformation::whole ||
-                       step.deformation() == Deformation::catch_up;
+  const bool bounces =
+      step.deformation() == Deformation::whole || step.deformation() == Deformation::catch_up;
   if (fine && bounces) {
     take_back_bounce(step.contacts, step.room.bodies, step.pass, step.settings);
   }

@@ -98,8 +98,13 @@ struct ContactReport {
   bool converged = true;         ///< residual <= tolerated in the sweeps of every pass
   double deepest = 0;            ///< m, deepest overlap at the end of the step, >= 0
   std::uint32_t left_out = 0;    ///< contacts over `max_contacts_per_component`
-  /// Row = obstacle: impulse (N s) that it gave the bodies and balls it touched.
+  /// Row = obstacle: impulse (N s) that it gave the bodies and balls it touched; empty where there
+  /// was no contact.
   std::vector<Vec3> obstacle_impulse;
+
+  Vec3 impulse_of(std::size_t obstacle) const {
+    return obstacle_impulse.empty() ? Vec3::Zero() : obstacle_impulse[obstacle];
+  }
 };
 
 /// Room of one step, kept for the next; all of it may be thrown away between steps.
@@ -154,9 +159,9 @@ struct ContactStepResult {
 /// components are in the midst of one: touched, with a vertex that comes or goes fast.
 /// In a `wave` contact is solved for velocities:
 ///   v_end + max(gap_start, 0) / h >= 0,  j_n >= 0,  one of them zero,  friction against the slip,
-/// the impulse being a force over the sub-step. A vertex that touches then stays at rest while it is
-/// pressed: no oscillation against the constraint, no bounce to take back, and no work done but by
-/// friction, by the inelastic stop of what touches (a lumped mass each) and by the push-out.
+/// the impulse being a force over the sub-step. A vertex that touches then stays at rest while it
+/// is pressed: no oscillation against the constraint, no bounce to take back, and no work done but
+/// by friction, by the inelastic stop of what touches (a lumped mass each) and by the push-out.
 /// Limits: pieces are balls of tetrahedra and meet early or late (`ball_share`); a ball smaller
 /// than a face can enter between its vertices; pieces that pass each other by more than two radii
 /// in a step can miss. An outcome other than fine: see `adopt`.

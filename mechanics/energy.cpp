@@ -28,24 +28,46 @@ double kinetic_energy(const VertexColumns& vertices) {
   return sum;
 }
 
+namespace {
+
+/// What turns the stress of a material into energy: sigma : eps = (sigma : sigma - share tr^2) over
+/// 2 mu, with share = lambda / (3 lambda + 2 mu) = nu / (1 + nu).
+struct Compliance {
+  double half_inverse;  ///< 1 / (4 mu), 1/Pa
+  double share;
+};
+
+Compliance compliance_of(const Material& material) {
+  return {0.25 / lame(material).mu, material.poisson_ratio / (1 + material.poisson_ratio)};
+}
+
+double energy_of(const Mat3& sigma, double volume, const Compliance& compliance) {
+  const double trace = sigma.trace();
+  return volume * compliance.half_inverse *
+         (sigma.squaredNorm() - compliance.share * trace * trace);
+}
+
+}  // namespace
+
 double element_strain_energy(const MechanicsState& state, TetId element) {
-  // sigma : eps from sigma alone: (sigma : sigma - nu/(1+nu) tr^2) / (2 mu), with
-  // lambda / (3 lambda + 2 mu) = nu / (1 + nu).
   const ElementColumns& elements = state.elements;
   const std::size_t t = element.index();
-  const Material& material = state.materials[elements.material[t].index()];
-  const double mu = lame(material).mu;
-  const double nu = material.poisson_ratio;
-  const Mat3& sigma = elements.stress[t];
-  const double trace = sigma.trace();
-  const double density = (sigma.squaredNorm() - nu / (1 + nu) * trace * trace) / (2 * mu);
-  return 0.5 * elements.rest_volume[t] * density;
+  return energy_of(elements.stress[t], elements.rest_volume[t],
+                   compliance_of(state.materials[elements.material[t].index()]));
 }
 
 double strain_energy(const MechanicsState& state) {
+  const ElementColumns& elements = state.elements;
+  // Elements of one material follow each other.
+  MaterialId material = MaterialId::none();
+  Compliance compliance{};
   double sum = 0;
-  for (std::size_t t = 0; t < state.elements.size(); ++t) {
-    sum += element_strain_energy(state, TetId{t});
+  for (std::size_t t = 0; t < elements.size(); ++t) {
+    if (elements.material[t] != material) {
+      material = elements.material[t];
+      compliance = compliance_of(state.materials[material.index()]);
+    }
+    sum += energy_of(elements.stress[t], elements.rest_volume[t], compliance);
   }
   return sum;
 }

@@ -25,21 +25,46 @@ RestShape rest_shape(const VertexColumns& vertices, std::span<const VertexId> or
 }
 
 Mat3 inertia_of(const Eigen::VectorXd& mass, ConstLocalField q) {
-  Mat3 second = Mat3::Zero();
+  // Six sums in registers.
+  double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
   for (Eigen::Index i = 0; i < q.cols(); ++i) {
-    second += mass[i] * q.col(i) * q.col(i).transpose();
+    const double* p = q.col(i).data();
+    const double mx = mass[i] * p[0], my = mass[i] * p[1], mz = mass[i] * p[2];
+    xx += mx * p[0];
+    yy += my * p[1];
+    zz += mz * p[2];
+    xy += mx * p[1];
+    xz += mx * p[2];
+    yz += my * p[2];
   }
-  Mat3 inertia = -second;
-  inertia.diagonal().array() += second.trace();
+  Mat3 inertia;
+  inertia << yy + zz, -xy, -xz, -xy, xx + zz, -yz, -xz, -yz, xx + yy;
   return inertia;
 }
 
 Vec3 moment_of(const Eigen::VectorXd& mass, ConstLocalField a, ConstLocalField b) {
-  Vec3 sum = Vec3::Zero();
+  double x = 0, y = 0, z = 0;
   for (Eigen::Index i = 0; i < a.cols(); ++i) {
-    sum += mass[i] * Vec3(a.col(i)).cross(Vec3(b.col(i)));
+    const double* p = a.col(i).data();
+    const double* q = b.col(i).data();
+    x += mass[i] * (p[1] * q[2] - p[2] * q[1]);
+    y += mass[i] * (p[2] * q[0] - p[0] * q[2]);
+    z += mass[i] * (p[0] * q[1] - p[1] * q[0]);
   }
-  return sum;
+  return {x, y, z};
+}
+
+Mat3 product_of(const Eigen::VectorXd& mass, ConstLocalField a, ConstLocalField b) {
+  double s[9] = {};
+  for (Eigen::Index i = 0; i < a.cols(); ++i) {
+    const double* p = a.col(i).data();
+    const double* q = b.col(i).data();
+    for (int c = 0; c < 3; ++c) {
+      const double mq = mass[i] * q[c];
+      for (int r = 0; r < 3; ++r) s[3 * c + r] += p[r] * mq;
+    }
+  }
+  return Eigen::Map<const Mat3>(s);
 }
 
 RigidField rigid_answer(const RestShape& shape, ConstLocalField load) {
@@ -73,10 +98,7 @@ RigidField project_rate(LocalField rate, const RestShape& shape, ConstLocalField
   RigidField rigid;
   rigid.translation = rate * shape.mass / shape.total_mass;
   // sum m r0 x (phi x q) = (tr(Q) I - Q) phi with Q = sum m q r0^T.
-  Mat3 H = Mat3::Zero();
-  for (Eigen::Index i = 0; i < q.cols(); ++i) {
-    H -= shape.mass[i] * q.col(i) * shape.arm.col(i).transpose();
-  }
+  Mat3 H = -product_of(shape.mass, q, shape.arm);
   H.diagonal().array() -= H.trace();
   rigid.rotation = H.partialPivLu().solve(moment_of(shape.mass, shape.arm, rate));
   for (Eigen::Index i = 0; i < rate.cols(); ++i) {

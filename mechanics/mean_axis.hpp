@@ -32,6 +32,9 @@ Mat3 inertia_of(const Eigen::VectorXd& mass, ConstLocalField q);
 /// sum m a x b.
 Vec3 moment_of(const Eigen::VectorXd& mass, ConstLocalField a, ConstLocalField b);
 
+/// sum m a b^T.
+Mat3 product_of(const Eigen::VectorXd& mass, ConstLocalField a, ConstLocalField b);
+
 /// Velocity of a rigid motion at the rest positions: translation + rotation x r0.
 struct RigidField {
   Vec3 translation = Vec3::Zero();

@@ -12,8 +12,8 @@ double numerical_loss(std::vector<double>& work, const ComponentSystem& system,
   const auto [alpha_m, alpha_f, beta, gamma] = generalised_alpha(settings.rho_infinity);
   const double h = settings.time_step;
   const auto n = static_cast<Eigen::Index>(system.size());
-  if (work.size() < 6 * system.size()) work.resize(6 * system.size());
-  Eigen::Map<Eigen::VectorXd> moved(work.data(), 3 * n), product(work.data() + 3 * n, 3 * n);
+  if (work.size() < 3 * system.size()) work.resize(3 * system.size());
+  Eigen::Map<Eigen::VectorXd> moved(work.data(), 3 * n);
   double turned = 0, lent = 0;  // Dd.M Da, and what a . M a holds
   for (Eigen::Index i = 0; i < n; ++i) {
     const std::size_t v = system.order[static_cast<std::size_t>(i)].index();
@@ -26,8 +26,8 @@ double numerical_loss(std::vector<double>& work, const ComponentSystem& system,
     lent += mass * (0.5 * (now.squaredNorm() - old.squaredNorm()) +
                     (gamma - 0.5) * (now - old).squaredNorm());
   }
-  multiply_stiffness(product, system, moved);
-  return (0.5 - alpha_f) * (moved.dot(product) + turned) + h * h * (beta - gamma / 2) * lent;
+  return (0.5 - alpha_f) * (quadratic_form(system.stiffness, work.data()) + turned) +
+         h * h * (beta - gamma / 2) * lent;
 }
 
 }  // namespace sunder

@@ -23,7 +23,7 @@ struct DeformationRows {
 ///          + h^2 (beta - gamma/2) (D(a.M a)/2 + (gamma - 1/2) Da.M Da),   D: after - before.
 /// May be negative in one step: the scheme lends energy to a . M a and takes it back. Exact for the
 /// linear part without Rayleigh damping; spin and damping leave terms of second order.
-/// `work`: anything; grows to 6 n. O(tetrahedra): one product with K.
+/// `work`: anything; grows to 3 n. O(tetrahedra): one x . K x.
 double numerical_loss(std::vector<double>& work, const ComponentSystem& system,
                       const IntegratorSettings& settings, const DeformationRows& before,
                       const DeformationRows& after);

@@ -145,10 +145,7 @@ Spin present_spin(const ComponentStep& step, const BodyDeformation& d, const Fie
   spin.velocity = solver.solve(l - spin.inner);
   // d/dt (I w + sum m q x d') = R^T tau - w x l, with I' w = sum m [2 (q.d') w - d' (q.w) - q
   // (d'.w)]
-  Mat3 mixed = Mat3::Zero();
-  for (Eigen::Index i = 0; i < q.cols(); ++i) {
-    mixed += mass[i] * q.col(i) * d.rate.col(i).transpose();
-  }
+  const Mat3 mixed = product_of(mass, q, d.rate);
   const Vec3& w = spin.velocity;
   const Vec3 inertia_rate = 2 * mixed.trace() * w - mixed.transpose() * w - mixed * w;
   spin.acceleration = solver.solve(step.component.orientation.conjugate() * torque - w.cross(l) -
@@ -193,17 +190,16 @@ void settle_frame(const ComponentStep& step, BodyDeformation& d, PredictedFrame&
 
   Field q = work_field(step.scratch, Work::position, step.system->size());
   q = shape.arm + d.displacement;
-  Mat3 A = Mat3::Zero();
-  for (Eigen::Index i = 0; i < q.cols(); ++i) {
-    A += shape.mass[i] * q.col(i) * shape.arm.col(i).transpose();
-  }
+  const Mat3 A = product_of(shape.mass, q, shape.arm);
   const Eigen::Quaterniond turn = refine_rotation(A, Eigen::Quaterniond::Identity());
   const Mat3 back = turn.toRotationMatrix().transpose();
   next.orientation = (next.orientation * turn).normalized();
-  q = (back * q).eval();
-  d.displacement = q - shape.arm;
-  d.rate = (back * d.rate).eval();
-  d.acceleration = (back * d.acceleration).eval();
+  for (Eigen::Index i = 0; i < q.cols(); ++i) {
+    q.col(i) = back * Vec3(q.col(i));
+    d.displacement.col(i) = q.col(i) - shape.arm.col(i);
+    d.rate.col(i) = back * Vec3(d.rate.col(i));
+    d.acceleration.col(i) = back * Vec3(d.acceleration.col(i));
+  }
   project_rate(d.rate, shape, q);
   project_acceleration(d.acceleration, shape);
 }

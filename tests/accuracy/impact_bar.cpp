@@ -34,8 +34,8 @@ Scene scene_of(const BarImpact& impact, const Scales& scales) {
   Scene scene;
   BodySettings bar;
   bar.name = "bar";
-  bar.mesh = suite::kuhn_box({impact.cells[0], impact.cells[1], impact.cells[2]},
-                             1.0 / impact.cells[0]);
+  bar.mesh =
+      suite::kuhn_box({impact.cells[0], impact.cells[1], impact.cells[2]}, 1.0 / impact.cells[0]);
   bar.material.poisson_ratio = 0;
   bar.velocity = {-scales.speed, 0, 0};
   scene.time_step = impact.step * scales.travel();
@@ -69,8 +69,9 @@ void watch_stress(Watch& watch, const Simulation& sim) {
     see(sigma, watch.seen.element_compression, watch.seen.element_tension);
   }
   std::vector<Mat3> node;
-  average_node_stress(node, {sim.state.cells.map.corners(), m.elements.stress,
-                             m.elements.rest_volume}, m.vertices.size());
+  average_node_stress(node,
+                      {sim.state.cells.map.corners(), m.elements.stress, m.elements.rest_volume},
+                      m.vertices.size());
   for (const Mat3& sigma : node) {
     see(sigma, watch.seen.node_compression, watch.seen.node_tension);
   }
@@ -80,7 +81,7 @@ void watch_part(Watch& watch, const Simulation& sim, const PartReport& part) {
   watch_stress(watch, sim);
   const double end = sim.state.mechanics.time;
   const double length = part.length;
-  if (part.contact.obstacle_impulse[0].norm() > 0.01 * watch.scales.stress * watch.scales.area * length) {
+  if (part.contact.impulse_of(0).norm() > 0.01 * watch.scales.stress * watch.scales.area * length) {
     if (watch.first_push < 0) watch.first_push = end - length;
     watch.last_push = end;
   }

@@ -183,6 +183,7 @@ TEST_CASE("products in blocks agree with dense ones", "[mechanics][block_factor]
     Eigen::VectorXd y(x.size());
     multiply(y.data(), A, x.data());
     CHECK((y - dense_of(A) * x).norm() <= 1e-14 * (1 + y.norm()));
+    CHECK(std::abs(quadratic_form(A, x.data()) - x.dot(y)) <= 1e-13 * (1 + x.norm() * y.norm()));
   }
 }
 

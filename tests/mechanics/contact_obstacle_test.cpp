@@ -47,8 +47,8 @@ TEST_CASE("a block set on a plane comes to rest on it and weighs what it weighs"
     const ContactStepResult result = scene.step();
     REQUIRE(result.status.outcome == StepOutcome::fine);
     CHECK(result.report.converged);
-    impulse += result.report.obstacle_impulse[0].z();
-    if (k >= steps / 2) late_impulse += result.report.obstacle_impulse[0].z();
+    impulse += result.report.impulse_of(0).z();
+    if (k >= steps / 2) late_impulse += result.report.impulse_of(0).z();
   }
   INFO("time step " << time_step);
   // The sum of impulses is the weight times the time less the momentum that is left: exactly.
@@ -127,7 +127,7 @@ TEST_CASE("a ball strikes a block: momentum and angular momentum of both stay",
   for (int k = 0; k < static_cast<int>(0.1 / time_step); ++k) {
     const ContactStepResult result = scene.step();
     REQUIRE(result.status.outcome == StepOutcome::fine);
-    given += result.report.obstacle_impulse[0].norm();
+    given += result.report.impulse_of(0).norm();
     CHECK((scene.total_momentum() - p0).norm() < 1e-12 * p0.norm());
   }
   CHECK(given > 100);
@@ -228,7 +228,7 @@ TEST_CASE(
     const ContactStepResult result = scene.step();
     const double time = (k + 1) * expected.step;
     if (time > 0.5 && time <= 1.5) {
-      sum += result.report.obstacle_impulse[0].x() / h;
+      sum += result.report.impulse_of(0).x() / h;
       ++counted;
     }
     for (const Mat3& stress : scene.state.elements.stress) {
