@@ -22,6 +22,16 @@ struct Scenario {
   }
 };
 
+/// A ball on a block on a plane, the block `ratio` times as heavy as the ball.
+struct BallOnBlock {
+  double ratio = 1e6;
+  double time_step = 1e-3;
+  int steps = 1000;  ///< figures are those of the second half
+};
+
+/// Figure: how far the impulses are from the weights, relative to each weight.
+Cell ball_on_block(const BallOnBlock& pile, const Method& method);
+
 /// Scenarios of bodies in motion, for every method.
 std::vector<Scenario> motions();
 

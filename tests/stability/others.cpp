@@ -84,35 +84,6 @@ Cell refused_flat_tetrahedron() {
   return {made ? Outcome::holds : Outcome::refuses, 0};
 }
 
-/// A ball a millionth of the block's weight lies on it, the block on a plane. Figure: how far the
-/// impulses of a second are from the weights, relative to each.
-Cell mass_ratio() {
-  test::ContactScene scene{test::kuhn_block({3, 3, 3}, {1, 1, 1}), {}};
-  scene.state = test::state_of(scene.body, test::material_of(1e9));
-  place(scene.state, ComponentId{0}, {.translation = {0, 0, 0.5}});
-  const double height = std::sqrt(0.25 - 1.0 / 18);
-  Obstacle ball{.shape = Sphere{{0, 0, 1 + height}, 0.5}};
-  const double mass = scene.state.components[0].mass;
-  ball.mass = 1e-6 * mass;
-  scene.obstacles = {Obstacle{Plane{}}, ball};
-  scene.loads.gravity = {0, 0, -9.81};
-  scene.integrator.time_step = 1e-3;
-  scene.integrator.damping.stiffness_factor = 1e-3;
-  double floor = 0, under = 0;
-  const int steps = 1000, counted = 500;
-  for (int i = 0; i < steps; ++i) {
-    const ContactStepResult result = scene.step();
-    if (result.status.outcome != StepOutcome::fine) return {Outcome::diverges, double(i)};
-    if (i < steps - counted) continue;
-    floor += result.report.obstacle_impulse[0].z();
-    under -= result.report.obstacle_impulse[1].z();
-  }
-  const double time = counted * 1e-3 * 9.81;
-  return holds_below(std::max(std::abs(floor / (mass * (1 + 1e-6) * time) - 1),
-                              std::abs(under / (1e-6 * mass * time) - 1)),
-                     1e-6);
-}
-
 /// Sweeps of contact cut after the first. It must be told, momentum kept, energy not grown. Figure:
 /// the drift of momentum, relative.
 Cell contact_cut_short() {
@@ -228,6 +199,40 @@ Cell validity_warning() {
 
 }  // namespace
 
+Cell ball_on_block(const BallOnBlock& pile, const Method& method) {
+  test::ContactScene scene{test::kuhn_block({3, 3, 3}, {1, 1, 1}), {}};
+  scene.state = test::state_of(scene.body, test::material_of(1e9));
+  place(scene.state, ComponentId{0}, {.translation = {0, 0, 0.5}});
+  // On the four vertices in the middle of the top.
+  const double height = std::sqrt(0.25 - 1.0 / 18);
+  Obstacle ball{.shape = Sphere{{0, 0, 1 + height}, 0.5}};
+  const double mass = scene.state.components[0].mass;
+  ball.mass = mass / pile.ratio;
+  scene.obstacles = {Obstacle{Plane{}}, ball};
+  scene.loads.gravity = {0, 0, -9.81};
+  scene.integrator = method.settings;
+  scene.integrator.time_step = pile.time_step;
+  if (method.is_damped) scene.integrator.damping.stiffness_factor = 1e-3;
+  const double start = scene.energy();
+  double floor = 0, under = 0;
+  const int counted = pile.steps / 2;
+  for (int i = 0; i < pile.steps; ++i) {
+    const ContactStepResult result = scene.step();
+    if (result.status.outcome != StepOutcome::fine) return {Outcome::diverges, double(i)};
+    if (i < pile.steps - counted) continue;
+    floor += result.report.obstacle_impulse[0].z();
+    under -= result.report.obstacle_impulse[1].z();
+  }
+  // Weight may push it down, which gives gravity's energy to strain: none may be made.
+  const double gain = scene.energy() - start;
+  if (!(gain < (method.energy_swings ? 1e-5 : 1e-9) * std::abs(start)))
+    return {Outcome::gains, gain / std::abs(start)};
+  const double time = counted * pile.time_step * 9.81;
+  const double error = std::max(std::abs(floor / (mass * (1 + 1 / pile.ratio) * time) - 1),
+                                std::abs(under / (mass / pile.ratio * time) - 1));
+  return {Outcome::holds, error};
+}
+
 std::vector<Scenario> others() {
   const auto any = [](Cell (*run)()) { return [run](const Method&) { return run(); }; };
   const auto refuses = [](const char* name, std::function<Cell(const Method&)> run) {
@@ -249,7 +254,11 @@ std::vector<Scenario> others() {
       {"nu = 0.49", [](const Method&) { return refused_material(0.49); }},
       refuses("nu = 0.5", [](const Method&) { return refused_material(0.5); }),
       refuses("a flat tetrahedron", any(refused_flat_tetrahedron)),
-      {"masses 1 : 1e6 on top of each other", any(mass_ratio)},
+      {"masses 1 : 1e6 on top of each other",
+       [](const Method& method) {
+         const Cell cell = ball_on_block({}, method);
+         return cell.outcome == Outcome::holds ? holds_below(cell.figure, 1e-6) : cell;
+       }},
       {"sweeps of contact cut short", any(contact_cut_short)},
       {"a body breaks in flight", any(split_in_flight)},
       {"a budget of cracks", any(budget_of_cracks)},

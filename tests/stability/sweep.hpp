@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// The full sweep: maps of outcomes over step and stiffness, spin, Poisson's ratio, shape and mass.
+#pragma once
+
+#include <functional>
+
+#include "tests/stability/cell.hpp"
+
+namespace sunder::stability {
+
+/// A map: outcome over the time step and one other quantity.
+struct Map {
+  std::string name;      ///< in the CSV
+  std::string quantity;  ///< y axis with its unit
+  std::vector<double> values, time_steps;
+  std::function<Cell(const Method&, double value, double time_step)> run;
+};
+
+/// E 1e5 to 1e12 Pa; spin to 500 rad/s; nu to 0.5; slivers to 0.1 degrees; masses 1 : 1e6; each
+/// over steps of 1 us to 1/30 s.
+std::vector<Map> maps();
+
+/// One cell of a map.
+struct SweepRow {
+  std::string map, method;
+  double value = 0, time_step = 0;
+  Cell cell;
+};
+
+/// A script for gnuplot that writes a PNG to its output: a row a map, a column a method.
+std::string sweep_script(const std::vector<Map>& maps, const std::vector<SweepRow>& rows);
+
+}  // namespace sunder::stability
