@@ -34,10 +34,11 @@ Quantities:
   text += "\nMethods:\n";
   for (const ChartMethod& m : chart_methods()) text += fmt::format("  {}\n", m.name);
   return text + R"(
-Errors are against --exact, or against the default method at half the shortest step on the finest
-mesh; what that run itself still changes with step and mesh is its own error, and no point counts
-as better. Times are ms of mechanics, fracture and rebuilding (first factors too) over simulated ms,
-medians of up to a hundred runs, less what other programs took: ratios count, not the machine.
+Errors are against --exact, or against the default method at half the shortest step (with impacts a
+quarter of a wave's way through a cell at most) on the finest mesh; what that run itself still
+changes with step, window and mesh is its own error, and no point counts as better. Times are ms of
+mechanics, fracture and rebuilding (first factors too) over simulated ms, medians of up to a
+hundred runs, less what other programs took of the processor: ratios count, not the machine.
 Steps are made whole parts of the duration. Those of methods that only hold below a step bound are
 shares of it on each mesh.
 
@@ -79,7 +80,11 @@ std::vector<Finding> write_meshes(const ChartArguments& arguments, const ChartPo
 /// What the chart comes to, for people.
 std::string answer_text(const Chart& chart) {
   if (!chart.cheapest) {
-    return fmt::format("No run is inside an error of {:.3g}.\n", chart.within);
+    const double own = chart.reference.own_error;
+    return fmt::format("No run is inside an error of {:.3g}{}.\n", chart.within,
+                       own > chart.within
+                           ? fmt::format(", nor can one be: the reference's own is {:.2g}", own)
+                           : "");
   }
   const ChartPoint& p = chart.points[*chart.cheapest];
   return fmt::format("Cheapest inside an error of {:.3g}: {}\n{}\n", chart.within,

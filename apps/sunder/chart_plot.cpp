@@ -104,6 +104,10 @@ struct Extent {
 Extent extent_of(const Chart& chart) {
   Extent e;
   for (const ChartPoint& p : chart.points) {
+    if (p.outcome.end == ChartEnd::nothing_broke) {
+      e.low.cost = std::min(e.low.cost, p.outcome.cost);
+      e.high.cost = std::max(e.high.cost, p.outcome.cost);
+    }
     if (p.outcome.end != ChartEnd::fine) continue;
     const double error = counted_error(chart.reference, p.error);
     e.low = {std::min(e.low.cost, p.outcome.cost), std::min(e.low.error, error)};
@@ -111,7 +115,20 @@ Extent extent_of(const Chart& chart) {
   }
   e.low.error = std::min(e.low.error, chart.within);
   e.high.error = std::max(e.high.error, chart.within);
-  return {{e.low.cost / 1.6, e.low.error / 2}, {e.high.cost * 1.6, e.high.error * 2}};
+  return {{e.low.cost / 1.6, e.low.error / 2}, {e.high.cost * 1.6, e.high.error * 2.5}};
+}
+
+/// Runs in which nothing broke have a cost and no error: crosses along the upper edge.
+void add_unbroken(Plot& plot, const Chart& chart, double height) {
+  bool is_named = false;
+  for (const ChartPoint& p : chart.points) {
+    if (p.outcome.end != ChartEnd::nothing_broke) continue;
+    plot.add(fmt::format("{:.6g} {:.6g}\n", p.outcome.cost, height),
+             fmt::format("with points lc rgb '{}' pt 2 lw 2 ps 1.2",
+                         chart_methods()[p.setting.method].color),
+             is_named ? "" : "cross above: nothing broke");
+    is_named = true;
+  }
 }
 
 void add_level(Plot& plot, const Extent& extent, double level, const char* style,
@@ -133,13 +150,15 @@ std::string chart_script(const Chart& chart) {
   add_legend(plot, chart);
   add_marked(plot, chart);
   const Extent extent = extent_of(chart);
+  add_unbroken(plot, chart, extent.high.error / 1.4);
   add_level(plot, extent, chart.within, "lc rgb '#666666' dt 3 lw 1.5", "asked for");
   if (chart.reference.own_error > 0) {
     add_level(plot, extent, chart.reference.own_error, "lc rgb '#aa3377' dt 2 lw 1.5",
               "own error of the reference");
   }
-  const auto missing = std::ranges::count_if(
-      chart.points, [](const ChartPoint& p) { return p.outcome.end != ChartEnd::fine; });
+  const auto missing = std::ranges::count_if(chart.points, [](const ChartPoint& p) {
+    return p.outcome.end != ChartEnd::fine && p.outcome.end != ChartEnd::nothing_broke;
+  });
   std::string script = fmt::format(
       "set terminal pngcairo noenhanced size 1300,720 font 'DejaVu Sans,13'\n"
       "set logscale xy\nset format xy '%g'\nset grid lc rgb '#e4e4e4'\n"
