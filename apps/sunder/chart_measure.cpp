@@ -31,6 +31,7 @@ constexpr auto table = std::to_array<QuantityTraits>({
      of_the_value},
     {Quantity::first_fan_place, "first_fan_place", "m",
      "where the vertex that breaks first is at rest", true, "the bodies' extent at rest"},
+    {Quantity::fans, "fans", "", "number of cracks, a vertex each", false, of_the_value},
     {Quantity::largest_piece, "largest_piece", "",
      "mass of the largest piece at the end, as a share of all", false, of_the_value},
 });
@@ -113,6 +114,7 @@ bool Measure::watches_parts() const { return probe_.quantity == Quantity::peak_s
 void Measure::see_part(const Simulation& now) { peak_ = std::max(peak_, largest_stress(now)); }
 
 void Measure::see_step(const Simulation&, const StepReport& report) {
+  fans_ += static_cast<double>(report.fracture.fans.size());
   if (first_fan_ || report.fracture.fans.empty()) return;
   first_fan_ = probe_.quantity == Quantity::first_fan_place
                    ? report.fracture.fans.front().rest_position
@@ -148,6 +150,7 @@ Vec3 Measure::state_value(const Simulation& now) const {
     case Quantity::peak_stress:
     case Quantity::first_fan_time:
     case Quantity::first_fan_place:
+    case Quantity::fans:
       break;
   }
   return Vec3::Zero();
@@ -155,6 +158,7 @@ Vec3 Measure::state_value(const Simulation& now) const {
 
 std::optional<Vec3> Measure::value(const Simulation& end) const {
   if (probe_.quantity == Quantity::peak_stress) return Vec3(peak_, 0, 0);
+  if (probe_.quantity == Quantity::fans) return Vec3(fans_, 0, 0);
   if (probe_.quantity == Quantity::first_fan_time || probe_.quantity == Quantity::first_fan_place) {
     return first_fan_;
   }

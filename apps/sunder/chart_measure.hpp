@@ -20,6 +20,7 @@ enum class Quantity {
   angular_momentum,
   first_fan_time,
   first_fan_place,
+  fans,
   largest_piece,
 };
 
@@ -70,7 +71,7 @@ class Measure {
   TetId holder_;
   Eigen::Vector4d weight_ = Eigen::Vector4d::Zero();
   Vec3 at_start_ = Vec3::Zero();
-  double potential_at_start_ = 0, extent_ = 0, peak_ = 0;
+  double potential_at_start_ = 0, extent_ = 0, peak_ = 0, fans_ = 0;
   std::optional<Vec3> first_fan_;
 };
 

@@ -46,15 +46,15 @@ bool has_windows(const Chart& chart) {
                              [](const ChartPoint& p) { return p.setting.fraction > 0; });
 }
 
+/// From the last series to the first: the default lies on top.
 void add_series(Plot& plot, const Chart& chart) {
   const bool windows = has_windows(chart);
-  for (std::size_t k = 0; k < chart.points.size();) {
-    const ChartSetting& s = chart.points[k].setting;
+  for (std::size_t end = chart.points.size(); end > 0;) {
+    const ChartSetting& s = chart.points[end - 1].setting;
     std::string points;
-    for (; k < chart.points.size() && chart.points[k].setting.series == s.series; ++k) {
-      if (chart.points[k].outcome.end == ChartEnd::fine) {
-        points += point_line(chart, chart.points[k]);
-      }
+    for (; end > 0 && chart.points[end - 1].setting.series == s.series; --end) {
+      const ChartPoint& p = chart.points[end - 1];
+      if (p.outcome.end == ChartEnd::fine) points += point_line(chart, p);
     }
     if (points.empty()) continue;
     plot.add(points,

@@ -194,6 +194,7 @@ TEST_CASE("the stress of a pulled cube is its pressure, and its crack has a time
   REQUIRE(when.end == ChartEnd::fine);
   CHECK(when.value[0] == Approx(0.05).margin(2.1e-3));
   CHECK(when.fans > 0);
+  CHECK(run(here, {Quantity::fans, {}}).value[0] == static_cast<double>(when.fans));
   const ChartOutcome where = run(here, {Quantity::first_fan_place, {}});
   CHECK(where.value.minCoeff() >= 0);
   CHECK(where.value.maxCoeff() <= 2);
