@@ -34,6 +34,7 @@ std::vector<Finding> check_scene(const Scene& scene) {
   append(findings, check(integrator, "integrator"));
   append(findings, check(scene.contact, "contact"));
   append(findings, check(scene.impact, "impact"));
+  append(findings, check(scene.ladder));
   if (scene.bodies.empty()) {
     findings.push_back({.code = "no_body",
                         .text = "the scene has no body",

@@ -36,7 +36,7 @@ void add_numerical_loss(StepWork& work, const StepInput& input) {
   PartStart& before = work.sim.scratch.before;
   for_each_living(m, work.members(), [&](const Component& component) {
     const auto& system = work.sim.scratch.mechanics.systems[component.id.index()];
-    if (component.isolated || !system) return;
+    if (component.isolated || component.rung != Rung::full || !system) return;
     IntegratorSettings settings = settings_of(input, m, component);
     settings.time_step = input.deformation_step();
     work.report.energy.numerical +=

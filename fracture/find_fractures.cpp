@@ -38,7 +38,8 @@ Candidate make_candidate(const FractureScratch& scratch, const Cells& cells, Ver
 void look_at(std::vector<char>& rows, const MechanicsState& mechanics, const StepMembers& members) {
   rows.resize(mechanics.vertices.size());
   for (std::size_t v = 0; v < rows.size(); ++v) {
-    rows[v] = members.has(mechanics.vertices.component[v]);
+    const ComponentId id = mechanics.vertices.component[v];
+    rows[v] = members.has(id) && mechanics.components[id.index()].rung == Rung::full;
   }
 }
 

@@ -87,6 +87,19 @@ struct FractureSettings {
   FaceOrder face_order = FaceOrder::paper;
 };
 
+/// How little of a component's motion may be computed (docs/ladder.md).
+struct LadderSettings {
+  /// Whether components in free flight that cannot break move as rigid bodies.
+  bool rigid = true;
+  /// Whether components that lie still are left alone until something touches them.
+  bool sleep = true;
+  /// How long they must have lain still, s.
+  double sleep_after = 0.1;
+};
+
+/// What is wrong with the settings, each an error with value and remedy.
+std::vector<Finding> check(const LadderSettings& settings);
+
 /// A whole scene, SI units.
 struct Scene {
   std::string name;
@@ -100,6 +113,7 @@ struct Scene {
   ContactSettings contact;
   ImpactSettings impact;
   FractureSettings fracture;
+  LadderSettings ladder;
   /// How fast what is drawn follows the simulation after a split, s (section 3.3); 0: at once.
   double display_time_constant = 0.1;
 };

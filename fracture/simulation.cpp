@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fracture/energy_ledger.hpp"
+#include "fracture/ladder.hpp"
 #include "fracture/step_work.hpp"
 #include "mechanics/energy.hpp"
 #include "mechanics/living.hpp"
@@ -44,10 +45,12 @@ void inherit(StepWork& work, std::size_t before) {
   const std::size_t count = labels.size.size();
   if (!work.components.empty()) work.components.resize(count);
   quiet.resize(count);
+  work.touched.resize(count);
   for (std::size_t id = before; id < count; ++id) {
     const std::size_t old = ancestor(labels, ComponentId{id}, before).index();
     if (!work.components.empty()) work.components[id] = work.components[old];
     quiet[id] = quiet[old];
+    work.touched[id] = work.touched[old];
   }
 }
 
@@ -160,6 +163,7 @@ PartResult take_part(StepWork& work, const PartPlan& plan) {
   work.report.status.damping_work = damping_work;
   end_part(work, input);
   add_contact(work.report.contact, result.report);
+  note_touches(work);
   work.report.time = s.mechanics.time;
   if (work.observe) work.observe(sim, {plan.part.deformation, plan.length, result.report});
   return {true, std::move(result.blows)};
@@ -203,6 +207,7 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
   report.time = s.mechanics.time;
   close_ledger(work, kinetic, strain);
   for_each_living(s.mechanics, {}, [&](const Component&) { ++report.components; });
+  if (!work.failed()) choose_rungs(work);
   if (!work.failed()) {
     const StageTimer timer(report, Stage::display);
     update_display(sim);

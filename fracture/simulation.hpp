@@ -29,6 +29,11 @@ struct ImpactWindow {
   double sub_step = 0;
 };
 
+/// What decides on which rung components take their steps, beside their rows.
+struct LadderState {
+  std::vector<double> still;  ///< row = ComponentId: s for which it has lain still
+};
+
 /// What evolves and would have to be saved to go on later.
 struct SimulationState {
   Cells cells;
@@ -37,6 +42,7 @@ struct SimulationState {
   std::vector<Obstacle> obstacles;
   ContactMemory contact;
   ImpactWindow impact;
+  LadderState ladder;
   /// Row = ComponentId: where each component is drawn (section 3.3), and the target it was given in
   /// the last step.
   std::vector<DisplayState> display, display_target;
@@ -97,6 +103,11 @@ struct ImpactReport {
   bool stopped = false;
 };
 
+/// Components and their tetrahedra by the rung of the step to come, rows as `Rung`.
+struct LadderReport {
+  std::array<std::size_t, 3> components{}, tetrahedra{};
+};
+
 /// Energies of a step, J, all recomputed from rows of vertices and tetrahedra.
 struct EnergyLedger {
   double kinetic = 0, strain = 0;  ///< change over the step
@@ -123,10 +134,11 @@ struct StepReport {
   /// s, of each fan: the end of the sub-step in which it came.
   std::vector<double> fan_time;
   ImpactReport impact;
+  LadderReport ladder;
   /// N s, given by surface loads, what acts at supports too.
   Vec3 load_impulse = Vec3::Zero();
   EnergyLedger energy;
-  /// J, deformation given up by pieces that became rigid tetrahedra.
+  /// J, given up by pieces that became rigid tetrahedra and by components that took a lower rung.
   double energy_released = 0;
   std::size_t components = 0;
   /// Wall time of each stage, ms. For reports only.

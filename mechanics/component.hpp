@@ -10,6 +10,13 @@
 
 namespace sunder {
 
+/// How much of a component's motion a step computes: no more than it needs (docs/ladder.md).
+enum class Rung : unsigned char {
+  full,    ///< frame and deformation
+  rigid,   ///< the frame; what it is deformed by stays
+  asleep,  ///< nothing: it lies still
+};
+
 /// A component and its rigid reference (section 3.2): the reference of vertex i is
 /// centre + R (rest_position_i - rest_centre), R = orientation.
 /// All sums over vertices are weighted with the lumped masses.
@@ -31,6 +38,7 @@ struct Component {
   bool supported = false;              ///< holds a vertex with a prescribed motion
   Vec3 frame_velocity = Vec3::Zero();  ///< m/s; the frame of a supported component moves with it
   bool isolated = false;  ///< one free tetrahedron: a true rigid body, no finite elements
+  Rung rung = Rung::full;
 };
 
 }  // namespace sunder

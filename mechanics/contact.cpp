@@ -3,6 +3,7 @@
 #include "mechanics/contact.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -50,6 +51,7 @@ void predict_balls(ContactStep& step) {
 Vec3 weight_shift(const ContactStep& step, ComponentId id) {
   const Component& component = step.pass.state.components[id.index()];
   const bool shifts = takes_split_blow(step.pass, component) && !component.supported &&
+                      component.rung != Rung::asleep &&
                       !step.room.blows.component_touched[id.index()];
   return shifts ? Vec3{0.5 * step.h() * step.h() * step.pass.input.loads.gravity} : Vec3::Zero();
 }
@@ -157,6 +159,98 @@ bool detect_contacts(ContactStep& step) {
   if (!step.pass.input.part.impact || step.is_wave()) return true;
   look_for_blows(step);
   return step.deformation() == Deformation::frozen || step.blows.struck.empty();
+}
+
+/// The components that a contact acts on; null where a side is none.
+std::array<Component*, 2> sides_of(const ContactStep& step, const ContactPoint& contact) {
+  MechanicsState& state = step.pass.state;
+  std::array<Component*, 2> sides{};
+  if (contact.ball == ContactPoint::none) {
+    sides[0] = &state.components[state.vertices.component[contact.vertex.index()].index()];
+  }
+  if (contact.obstacle == ContactPoint::none) {
+    sides[1] = &state.components[state.elements.component[contact.tetrahedron.index()].index()];
+  }
+  return sides;
+}
+
+bool on_lower_rung(const Component* side) { return side && side->rung != Rung::full; }
+
+/// Whether neither side of a contact moves in this step.
+bool lie_still(const ContactStep& step, const ContactPoint& contact,
+               const std::array<Component*, 2>& sides) {
+  if (contact.ball != ContactPoint::none) return false;
+  for (const Component* side : sides) {
+    if (side && side->rung != Rung::asleep) return false;
+  }
+  if (contact.obstacle == ContactPoint::none) return true;
+  const Obstacle& obstacle = step.pass.obstacles[contact.obstacle];
+  return !obstacle.mass && obstacle.velocity.isZero(0);
+}
+
+/// Depth of the deepest overlap that the contacts found will have, or `deepest`, m.
+double deepest_lack(const ContactStep& step, double deepest) {
+  const StepPaths paths = paths_of(step);
+  for (const ContactPoint& contact : step.room.detect.found) {
+    const ContactPath path = path_of(contact, paths);
+    const double lack = predicted_lack(step, contact, path);
+    if (lack < -rounding_of(path, contact)) deepest = std::max(deepest, -lack);
+  }
+  return deepest;
+}
+
+/// Takes components that a contact found may act on, one that `add_new_contacts` would take, to the
+/// rung `full`; which, ascending.
+std::vector<ComponentId> rouse(ContactStep& step, double deepest) {
+  std::vector<ComponentId> roused;
+  deepest = deepest_lack(step, deepest);
+  if (deepest == 0) return roused;
+  const StepPaths paths = paths_of(step);
+  for (const ContactPoint& contact : step.room.detect.found) {
+    const std::array<Component*, 2> sides = sides_of(step, contact);
+    if (!on_lower_rung(sides[0]) && !on_lower_rung(sides[1])) continue;
+    if (lie_still(step, contact, sides)) continue;
+    if (!(predicted_lack(step, contact, path_of(contact, paths)) <= deepest)) continue;
+    for (Component* side : sides) {
+      if (!on_lower_rung(side)) continue;
+      side->rung = Rung::full;
+      roused.push_back(side->id);
+    }
+  }
+  std::sort(roused.begin(), roused.end());
+  return roused;
+}
+
+/// Forgets contacts with what stays on a lower rung: nothing overlaps it.
+void leave_alone(ContactStep& step) {
+  DetectScratch& found = step.room.detect;
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < found.found.size(); ++k) {
+    const std::array<Component*, 2> sides = sides_of(step, found.found[k]);
+    if (on_lower_rung(sides[0]) || on_lower_rung(sides[1])) continue;
+    found.found[kept] = found.found[k];
+    found.found_gap[kept++] = found.found_gap[k];
+  }
+  found.found.resize(kept);
+  found.found_gap.resize(kept);
+}
+
+/// Contacts along the paths, with everything roused that they act on. False when there are blows
+/// on them that the step must not run into.
+bool meet(ContactStep& step, double deepest) {
+  bool clear = detect_contacts(step);
+  const MechanicsState& state = step.pass.state;
+  if (std::ranges::none_of(state.components, [](const Component& c) { return on_lower_rung(&c); })) {
+    return clear;
+  }
+  for (;;) {
+    const std::vector<ComponentId> roused = rouse(step, deepest);
+    if (roused.empty()) break;
+    predict(step.pass.mechanics, step.pass.state, step.pass.input, roused);
+    clear = detect_contacts(step) && clear;
+  }
+  leave_alone(step);
+  return clear;
 }
 
 /// Of the contacts found, adds what has come near since the last pass: overlaps, deepest first, and
@@ -291,7 +385,7 @@ bool resolve(ContactStep& step) {
   double deepest = 0;
   for (int k = 0; k <= step.settings.max_passes; ++k) {
     const std::size_t before = step.contacts.size();
-    if (!detect_contacts(step) && k == 0) return false;
+    if (!meet(step, deepest) && k == 0) return false;
     deepest = add_new_contacts(step, deepest);
     if (deepest == 0) return true;
     step.report.tolerated = step.settings.tolerance * deepest;

@@ -218,6 +218,7 @@ RebuildReport rebuild(MechanicsState& state, std::span<const Corners> corners,
     set_members(state, component, std::move(members[i]), corners);
     set_supports(state, component);
     component.orientation = parent.frame.orientation;
+    component.rung = Rung::full;
     if (component.supported) seat_frame(state, component, parent);
     if (component.isolated) report.energy_released += present_strain(state, corners, component);
     fit_component(state, component);

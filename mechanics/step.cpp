@@ -32,7 +32,11 @@ void fit_rows(MechanicsScratch& scratch, const MechanicsState& state) {
 void predict_component(MechanicsScratch& scratch, const MechanicsState& state,
                        const StepInput& input, const Component& component) {
   ComponentStep step{scratch, state, input, component, nullptr};
-  if (component.isolated) {
+  if (component.rung == Rung::asleep) {
+    keep_still(step);
+    return;
+  }
+  if (component.isolated || component.rung == Rung::rigid) {
     step_rigid_body(step);
     return;
   }
@@ -142,12 +146,16 @@ void measure_elements(MechanicsState& state, MechanicsScratch& scratch,
   scratch.lame.clear();
   for (const Material& material : state.materials) scratch.lame.push_back(lame(material));
   scratch.largest_turn.resize(state.components.size(), 0);
+  // On lower rungs displacements stay what they were.
+  const auto changes = [&](ComponentId id) {
+    return members.has(id) && state.components[id.index()].rung == Rung::full;
+  };
   for (std::size_t c = 0; c < state.components.size(); ++c) {
-    if (members.has(ComponentId{c})) scratch.largest_turn[c] = 0;
+    if (changes(ComponentId{c})) scratch.largest_turn[c] = 0;
   }
   ElementColumns& elements = state.elements;
   for (std::size_t t = 0; t < elements.size(); ++t) {
-    if (!members.has(elements.component[t])) continue;
+    if (!changes(elements.component[t])) continue;
     const CornerVectors d = at_corners(state.vertices.displacement, corners[t]);
     const Mat3 H = displacement_gradient(elements.shape_gradient[t], d);
     elements.stress[t] = stress_of(H, scratch.lame[elements.material[t].index()]);

@@ -77,6 +77,13 @@ void add_impact(ImpactStatistics& impact, const ImpactReport& now) {
   impact.coarseness = std::max(impact.coarseness, now.coarseness);
 }
 
+void add_ladder(LadderStatistics& ladder, const LadderReport& now) {
+  for (std::size_t rung = 0; rung < ladder.components.size(); ++rung) {
+    ladder.components[rung] += now.components[rung];
+    ladder.tetrahedra[rung] += now.tetrahedra[rung];
+  }
+}
+
 /// Mean, median, 99th percentile (nearest rank) and largest.
 ordered_json distribution(std::vector<float> values) {
   if (values.empty()) return {{"mean", 0}, {"median", 0}, {"p99", 0}, {"max", 0}};
@@ -116,6 +123,14 @@ ordered_json impact_report(const ImpactStatistics& i) {
           {"most_components", i.most_components},
           {"coarseness", i.coarseness},
           {"stopped_steps", i.stopped_steps}};
+}
+
+/// Steps of components, and of tetrahedra, on each rung.
+ordered_json ladder_report(const LadderStatistics& l) {
+  const auto rungs = [](const std::array<std::size_t, 3>& steps) {
+    return ordered_json{{"full", steps[0]}, {"rigid", steps[1]}, {"asleep", steps[2]}};
+  };
+  return {{"component_steps", rungs(l.components)}, {"tetrahedron_steps", rungs(l.tetrahedra)}};
 }
 
 /// What is missing between end and start is what supports took; without any it is rounding.
@@ -206,6 +221,7 @@ void add_step(RunStatistics& statistics, const Simulation& now, const StepReport
   }
   add_contact(statistics.contact, report);
   add_impact(statistics.impact, report.impact);
+  add_ladder(statistics.ladder, report.ladder);
   add_momentum(statistics.momentum, now, report);
   statistics.damping_work += report.status.damping_work;
   statistics.energy_released += report.energy_released;
@@ -279,6 +295,7 @@ ordered_json run_report(const RunStatistics& s, const Simulation& now,
             {"missed", s.separated - s.predicted_rightly}}},
           {"contact", contact_report(s.contact)},
           {"impact", impact_report(s.impact)},
+          {"ladder", ladder_report(s.ladder)},
           {"momentum", momentum_ledger(s.momentum, now)},
           {"energy", energy_ledger(s, now)},
           {"warnings", findings_json(s.warnings)}};

@@ -44,6 +44,11 @@ struct ImpactStatistics {
   double coarseness = 0;
 };
 
+/// How many components and tetrahedra took steps on each rung, over a run.
+struct LadderStatistics {
+  std::array<std::size_t, 3> components{}, tetrahedra{};
+};
+
 /// Everything that is added up over a run.
 struct RunStatistics {
   /// Wall time of every step and of its stages, ms.
@@ -64,6 +69,7 @@ struct RunStatistics {
   MomentumLedger momentum;
   ContactStatistics contact;
   ImpactStatistics impact;
+  LadderStatistics ladder;
   /// kg.
   double mass_at_start = 0;
   std::vector<Finding> warnings;

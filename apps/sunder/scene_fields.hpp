@@ -299,6 +299,17 @@ void describe(V& v, ImpactSettings& i) {
 }
 
 template <class V>
+void describe(V& v, LadderSettings& l) {
+  v.field(Key{"rigid", "",
+              "Whether components in free flight that cannot break there move as rigid bodies"},
+          l.rigid);
+  v.field(Key{"sleep", "",
+              "Whether components that lie still are left alone until something touches them"},
+          l.sleep);
+  v.field(Key{"sleep_after", "s", "How long they must have lain still", above(0)}, l.sleep_after);
+}
+
+template <class V>
 void describe(V& v, CameraSettings& c) {
   v.field(Key{"eye", "m", "Where the camera stands", {}, true}, c.eye);
   v.field(Key{"target", "m", "What it looks at", {}, true}, c.target);
@@ -350,6 +361,8 @@ void describe(V& v, SceneFile& s) {
   v.field(Key{"contact", "", "How contact is solved"}, s.scene.contact);
   v.field(Key{"impact", "", "How blows are stepped (docs/impact.md)"}, s.scene.impact);
   v.field(Key{"fracture", "", "What breaks and how it is found"}, s.scene.fracture);
+  v.field(Key{"ladder", "", "How little of a component's motion is computed (docs/ladder.md)"},
+          s.scene.ladder);
   v.field(
       Key{"display_time_constant", "s",
           "In which the drawn reference of a new piece goes to its own (section 3.3); 0: at once",

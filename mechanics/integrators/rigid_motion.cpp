@@ -126,24 +126,52 @@ void turn_under_load(PredictedFrame& next, const Component& body, const SpinStep
 
 void step_rigid_body(const ComponentStep& step) {
   const Component& body = step.component;
+  const VertexColumns& vertices = step.state.vertices;
+  const auto arm_of = [&](VertexId v) {
+    return Vec3{vertices.rest_position[v.index()] - body.rest_centre +
+                vertices.displacement[v.index()]};
+  };
+  Mat3 inertia = body.rest_inertia;
+  if (!body.isolated) {
+    inertia.setZero();
+    for (VertexId v : body.vertices) {
+      const Vec3 q = arm_of(v);
+      inertia -= vertices.mass[v.index()] * q * q.transpose();
+      inertia.diagonal().array() += vertices.mass[v.index()] * q.squaredNorm();
+    }
+  }
   const RigidLoad load = rigid_load(step);
   PredictedFrame next = advance_centre(step, load);
   turn_under_load(next, body,
-                  {body.rest_inertia, Vec3::Zero(), body.angular_momentum, next.angular_momentum,
+                  {inertia, Vec3::Zero(), body.angular_momentum, next.angular_momentum,
                    step.input.settings.time_step},
                   load);
   const Mat3 R = next.orientation.toRotationMatrix();
-  const Vec3 spin = R * body.rest_inertia.ldlt().solve(R.transpose() * next.angular_momentum);
+  const Vec3 spin = R * inertia.ldlt().solve(R.transpose() * next.angular_momentum);
   MechanicsScratch::Predicted& predicted = step.scratch.predicted;
   for (VertexId v : body.vertices) {
-    const Vec3 arm = R * (step.state.vertices.rest_position[v.index()] - body.rest_centre);
+    const Vec3 arm = R * arm_of(v);
     predicted.position[v.index()] = next.centre + arm;
     predicted.velocity[v.index()] = next.momentum / body.mass + spin.cross(arm);
-    predicted.displacement[v.index()].setZero();
+    predicted.displacement[v.index()] = vertices.displacement[v.index()];
     predicted.displacement_rate[v.index()].setZero();
     predicted.displacement_acceleration[v.index()].setZero();
   }
   predicted.frame[body.id.index()] = next;
+}
+
+void keep_still(const ComponentStep& step) {
+  const Component& body = step.component;
+  const VertexColumns& vertices = step.state.vertices;
+  MechanicsScratch::Predicted& predicted = step.scratch.predicted;
+  for (VertexId v : body.vertices) {
+    predicted.position[v.index()] = vertices.position[v.index()];
+    predicted.displacement[v.index()] = vertices.displacement[v.index()];
+    predicted.velocity[v.index()].setZero();
+    predicted.displacement_rate[v.index()].setZero();
+    predicted.displacement_acceleration[v.index()].setZero();
+  }
+  predicted.frame[body.id.index()] = {body.centre, body.orientation, Vec3::Zero(), Vec3::Zero(), 0};
 }
 
 }  // namespace sunder

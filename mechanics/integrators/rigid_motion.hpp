@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The six rigid degrees of freedom of a free component, and isolated tetrahedra, which have no
-// other.
+// The six rigid degrees of freedom of a free component, and of those that take no others.
 #pragma once
 
 #include "mechanics/integrators/component_step.hpp"
@@ -47,7 +46,11 @@ Eigen::Quaterniond turn_through_step(const Eigen::Quaterniond& start, const Spin
 void turn_under_load(PredictedFrame& next, const Component& body, const SpinStep& spin,
                      const RigidLoad& load);
 
-/// A step of an isolated tetrahedron: a rigid body with the inertia of its lumped vertices.
+/// A step of an isolated tetrahedron or of a component on the rung `rigid`: a rigid body, deformed
+/// as it is, with the inertia of its lumped vertices.
 void step_rigid_body(const ComponentStep& step);
+
+/// A step of a component that sleeps: its rows as they are, without velocity.
+void keep_still(const ComponentStep& step);
 
 }  // namespace sunder

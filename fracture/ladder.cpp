@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+// The rungs of components and the bounds that decide them.
+#include "fracture/ladder.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "fracture/step_work.hpp"
+#include "mechanics/energy.hpp"
+#include "mechanics/impact.hpp"
+
+namespace sunder {
+namespace {
+
+/// The bound may reach this part of the strength: a component that takes its deformation up again
+/// swings once about where it would have been.
+constexpr double safe_part = 0.5;
+
+const Material& material_of(const MechanicsState& state, const Component& component) {
+  const TetId t = component.tetrahedra.front();
+  return state.materials[state.elements.material[t.index()].index()];
+}
+
+double lowest_strength(const SimulationState& s, const Component& component) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (VertexId v : component.vertices) lowest = std::min(lowest, s.cells.strength[v.index()]);
+  return lowest;
+}
+
+/// Rows of components on a corner of which a surface load acts.
+std::vector<char> loaded_components(const Simulation& sim) {
+  std::vector<char> loaded(sim.state.mechanics.components.size(), 0);
+  for (const CornerLoad& load : sim.loads) {
+    const TetId t = tetrahedron_of(load.corner);
+    loaded[sim.state.mechanics.elements.component[t.index()].index()] = 1;
+  }
+  return loaded;
+}
+
+/// J that a component gives up when it stops deforming: its vertices move with the frame alone.
+double stop_deforming(MechanicsState& state, const Component& component) {
+  VertexColumns& vertices = state.vertices;
+  Mat3 inertia = Mat3::Zero();
+  double before = 0, after = 0;
+  for (VertexId v : component.vertices) {
+    const Vec3 arm = vertices.position[v.index()] - component.centre;
+    const double m = vertices.mass[v.index()];
+    inertia -= m * arm * arm.transpose();
+    inertia.diagonal().array() += m * arm.squaredNorm();
+    before += 0.5 * m * vertices.velocity[v.index()].squaredNorm();
+  }
+  const Vec3 spin = inertia.ldlt().solve(component.angular_momentum);
+  for (VertexId v : component.vertices) {
+    const Vec3 arm = vertices.position[v.index()] - component.centre;
+    vertices.velocity[v.index()] = component.momentum / component.mass + spin.cross(arm);
+    vertices.displacement_rate[v.index()].setZero();
+    vertices.displacement_acceleration[v.index()].setZero();
+    after += 0.5 * vertices.mass[v.index()] * vertices.velocity[v.index()].squaredNorm();
+  }
+  return before - after;
+}
+
+/// Whether what it would give up is nothing against what breaks it: vertices that swing at less than
+/// a millionth of the critical speed xi / (rho c).
+bool hardly_swings(const MechanicsState& state, const Component& component, double strength) {
+  constexpr double nothing = 1e-6;
+  const Material& material = material_of(state, component);
+  const double critical = strength / (material.density * compression_wave_speed(material));
+  // An acceleration counts as the speed that it stands for in the slowest mode.
+  const double period = extent_travel(state, component) / 3;
+  return std::ranges::all_of(component.vertices, [&](VertexId v) {
+    return state.vertices.displacement_rate[v.index()].norm() +
+               period * state.vertices.displacement_acceleration[v.index()].norm() <
+           nothing * critical;
+  });
+}
+
+/// Whether the component may go rigid or stay so.
+bool flies_safely(const StepWork& work, const Component& component) {
+  const SimulationState& s = work.sim.state;
+  const std::size_t row = component.id.index();
+  if (component.supported || component.isolated || work.touched[row]) return false;
+  if (s.impact.quiet[row] != ImpactWindow::closed) return false;
+  const double strength = lowest_strength(s, component);
+  return hardly_swings(s.mechanics, component, strength) &&
+         flight_stress_bound(s.mechanics, component) < safe_part * strength;
+}
+
+double fastest_vertex(const MechanicsState& state, const Component& component) {
+  double squared = 0;
+  for (VertexId v : component.vertices) {
+    squared = std::max(squared, state.vertices.velocity[v.index()].squaredNorm());
+  }
+  return std::sqrt(squared);
+}
+
+/// Whether what acts from outside is constant from now on.
+bool loads_are_steady(const Simulation& sim) {
+  const double now = sim.state.mechanics.time;
+  return now >= sim.scene.gravity.ramp_time &&
+         std::ranges::all_of(sim.loads, [&](const CornerLoad& l) { return now >= l.ramp_time; });
+}
+
+bool is_carried(const MechanicsState& state, const Component& component) {
+  return component.supported && std::ranges::any_of(component.vertices, [&](VertexId v) {
+    const MotionId motion = state.vertices.support[v.index()];
+    return !motion.is_none() && !state.motions[motion.index()].velocity.isZero(0);
+  });
+}
+
+/// Takes sleep from everything that touches what is awake. `rested`: row = component.
+void keep_awake_with_neighbours(std::vector<char>& rested, const SimulationState& s) {
+  using Sides = std::array<std::size_t, 2>;
+  constexpr std::size_t outside = std::numeric_limits<std::size_t>::max();
+  std::vector<Sides> touching;
+  for (const ContactMemory::Remembered& last : s.contact.last_contacts) {
+    const ContactPoint& c = last.contact;
+    Sides sides{outside, outside};
+    bool moved = c.ball != ContactPoint::none;
+    if (!moved) sides[0] = s.mechanics.vertices.component[c.vertex.index()].index();
+    if (c.obstacle == ContactPoint::none) {
+      sides[1] = s.mechanics.elements.component[c.tetrahedron.index()].index();
+    } else {
+      const Obstacle& obstacle = s.obstacles[c.obstacle];
+      moved = moved || obstacle.mass || !obstacle.velocity.isZero(0);
+    }
+    for (const std::size_t side : sides) {
+      if (moved && side != outside) rested[side] = 0;
+    }
+    if (sides[0] != outside && sides[1] != outside) touching.push_back(sides);
+  }
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (const auto& [a, b] : touching) {
+      if (rested[a] == rested[b]) continue;
+      rested[a] = rested[b] = 0;
+      changed = true;
+    }
+  }
+}
+
+/// Row = component: may sleep from now on.
+std::vector<char> rested_components(StepWork& work) {
+  SimulationState& s = work.sim.state;
+  const LadderSettings& settings = work.sim.scene.ladder;
+  // What lies still may creep by the depth that contact leaves alone, in the time it takes.
+  const double still_speed = work.sim.scene.contact.allowed_penetration / settings.sleep_after;
+  const bool steady = loads_are_steady(work.sim);
+  std::vector<char> rested(s.mechanics.components.size(), 0);
+  s.ladder.still.resize(rested.size(), 0);
+  for (const Component& c : s.mechanics.components) {
+    if (c.tetrahedra.empty()) continue;
+    double& still = s.ladder.still[c.id.index()];
+    const bool moves = !steady || is_carried(s.mechanics, c) ||
+                       s.impact.quiet[c.id.index()] != ImpactWindow::closed ||
+                       fastest_vertex(s.mechanics, c) > still_speed;
+    still = moves ? 0 : still + work.sim.scene.time_step;
+    rested[c.id.index()] = c.rung == Rung::asleep || still >= settings.sleep_after;
+  }
+  keep_awake_with_neighbours(rested, s);
+  return rested;
+}
+
+/// Gives the kinetic energy that is lost, J.
+double fall_asleep(MechanicsState& state, Component& component) {
+  double energy = 0;
+  component.rung = Rung::asleep;
+  component.momentum.setZero();
+  component.angular_momentum.setZero();
+  for (VertexId v : component.vertices) {
+    energy += 0.5 * state.vertices.mass[v.index()] * state.vertices.velocity[v.index()].squaredNorm();
+    state.vertices.velocity[v.index()].setZero();
+    state.vertices.displacement_rate[v.index()].setZero();
+    state.vertices.displacement_acceleration[v.index()].setZero();
+  }
+  return energy;
+}
+
+}  // namespace
+
+std::vector<Finding> check(const LadderSettings& settings) {
+  // Written so that a NaN fails.
+  if (settings.sleep_after > 0) return {};
+  return {{.code = "bad_ladder_setting",
+           .text = "ladder.sleep_after is " + std::to_string(settings.sleep_after) +
+                   " s; allowed is a number above 0",
+           .remedy = "leave it out for the default, or set ladder.sleep to false"}};
+}
+
+double flight_stress_bound(const MechanicsState& state, const Component& component) {
+  const Material& material = material_of(state, component);
+  double energy = 0;
+  for (TetId t : component.tetrahedra) energy += element_strain_energy(state, t);
+  double lightest = std::numeric_limits<double>::infinity();
+  double squared_speed = 0;
+  const Vec3 drift = component.momentum / component.mass;
+  for (VertexId v : component.vertices) {
+    const double m = state.vertices.mass[v.index()];
+    lightest = std::min(lightest, m);
+    energy += 0.5 * m * state.vertices.displacement_rate[v.index()].squaredNorm();
+    squared_speed =
+        std::max(squared_speed, (state.vertices.velocity[v.index()] - drift).squaredNorm());
+  }
+  const double smallest_star = 4 * lightest / material.density;
+  return std::sqrt(2 * material.young_modulus * energy / smallest_star) +
+         2 * material.density * squared_speed;
+}
+
+void note_touches(StepWork& work) {
+  const MechanicsState& m = work.sim.state.mechanics;
+  work.touched.resize(m.components.size(), 0);
+  for (const ContactPoint& c : work.sim.scratch.contact.contacts) {
+    if (c.ball == ContactPoint::none) {
+      work.touched[m.vertices.component[c.vertex.index()].index()] = 1;
+    }
+    if (c.obstacle == ContactPoint::none) {
+      work.touched[m.elements.component[c.tetrahedron.index()].index()] = 1;
+    }
+  }
+}
+
+void choose_rungs(StepWork& work) {
+  SimulationState& s = work.sim.state;
+  const LadderSettings& settings = work.sim.scene.ladder;
+  work.touched.resize(s.mechanics.components.size(), 0);
+  std::vector<char> rested(s.mechanics.components.size(), 0), loaded(rested);
+  if (settings.sleep) rested = rested_components(work);
+  if (settings.rigid && !work.sim.loads.empty()) loaded = loaded_components(work.sim);
+  for (Component& c : s.mechanics.components) {
+    if (c.tetrahedra.empty()) continue;
+    const std::size_t row = c.id.index();
+    if (rested[row]) {
+      if (c.rung != Rung::asleep) work.report.energy_released += fall_asleep(s.mechanics, c);
+    } else if (settings.rigid && !loaded[row] && flies_safely(work, c)) {
+      if (c.rung != Rung::rigid) work.report.energy_released += stop_deforming(s.mechanics, c);
+      c.rung = Rung::rigid;
+    } else {
+      c.rung = Rung::full;
+    }
+    LadderReport& report = work.report.ladder;
+    ++report.components[static_cast<std::size_t>(c.rung)];
+    report.tetrahedra[static_cast<std::size_t>(c.rung)] += c.tetrahedra.size();
+  }
+}
+
+}  // namespace sunder
