@@ -39,7 +39,7 @@ void look_at(std::vector<char>& rows, const MechanicsState& mechanics, const Ste
   rows.resize(mechanics.vertices.size());
   for (std::size_t v = 0; v < rows.size(); ++v) {
     const ComponentId id = mechanics.vertices.component[v];
-    rows[v] = members.has(id) && mechanics.components[id.index()].rung == Rung::full;
+    rows[v] = members.has(id) && deforms(mechanics.components[id.index()].rung);
   }
 }
 

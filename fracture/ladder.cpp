@@ -24,8 +24,9 @@ const Material& material_of(const MechanicsState& state, const Component& compon
   return state.materials[state.elements.material[t.index()].index()];
 }
 
+/// Pa. What cannot break is seen to move all the same: it counts as breaking at a strain of 1e-4.
 double lowest_strength(const SimulationState& s, const Component& component) {
-  double lowest = std::numeric_limits<double>::infinity();
+  double lowest = 1e-4 * material_of(s.mechanics, component).young_modulus;
   for (VertexId v : component.vertices) lowest = std::min(lowest, s.cells.strength[v.index()]);
   return lowest;
 }
@@ -63,30 +64,42 @@ double stop_deforming(MechanicsState& state, const Component& component) {
   return before - after;
 }
 
-/// Whether what it would give up is nothing against what breaks it: vertices that swing at less than
-/// a millionth of the critical speed xi / (rho c).
-bool hardly_swings(const MechanicsState& state, const Component& component, double strength) {
-  constexpr double nothing = 1e-6;
+/// Largest speed of a vertex in its component's frame over the critical speed xi / (rho c), whose
+/// wave would break it. An acceleration counts as the speed that it stands for in the slowest mode.
+double swing(const MechanicsState& state, const Component& component, double strength) {
   const Material& material = material_of(state, component);
-  const double critical = strength / (material.density * compression_wave_speed(material));
-  // An acceleration counts as the speed that it stands for in the slowest mode.
   const double period = extent_travel(state, component) / 3;
-  return std::ranges::all_of(component.vertices, [&](VertexId v) {
-    return state.vertices.displacement_rate[v.index()].norm() +
-               period * state.vertices.displacement_acceleration[v.index()].norm() <
-           nothing * critical;
-  });
+  double fastest = 0;
+  for (VertexId v : component.vertices) {
+    fastest = std::max(fastest, state.vertices.displacement_rate[v.index()].norm() +
+                                    period * state.vertices.displacement_acceleration[v.index()].norm());
+  }
+  return fastest * material.density * compression_wave_speed(material) / strength;
 }
 
-/// Whether the component may go rigid or stay so.
+/// Whether no contact and no blow had to do with the component in this step.
+bool is_left_alone(const StepWork& work, const Component& component) {
+  return !work.touched[component.id.index()] &&
+         work.sim.state.impact.quiet[component.id.index()] == ImpactWindow::closed;
+}
+
+/// Whether the component may go rigid or stay so. What it would give up must be nothing: outcomes of
+/// many blows are chaotic, and a millionth of the critical speed is seen in them late.
 bool flies_safely(const StepWork& work, const Component& component) {
+  constexpr double nothing = 1e-6;
   const SimulationState& s = work.sim.state;
-  const std::size_t row = component.id.index();
-  if (component.supported || component.isolated || work.touched[row]) return false;
-  if (s.impact.quiet[row] != ImpactWindow::closed) return false;
+  if (component.supported || component.isolated || !is_left_alone(work, component)) return false;
   const double strength = lowest_strength(s, component);
-  return hardly_swings(s.mechanics, component, strength) &&
+  return swing(s.mechanics, component, strength) < nothing &&
          flight_stress_bound(s.mechanics, component) < safe_part * strength;
+}
+
+/// Whether the component may go from equilibrium to equilibrium.
+bool is_loaded_slowly(const StepWork& work, const Component& component) {
+  constexpr double slow = 1e-3;
+  const SimulationState& s = work.sim.state;
+  return component.supported && is_left_alone(work, component) &&
+         swing(s.mechanics, component, lowest_strength(s, component)) < slow;
 }
 
 double fastest_vertex(const MechanicsState& state, const Component& component) {
@@ -225,18 +238,22 @@ void note_touches(StepWork& work) {
 void choose_rungs(StepWork& work) {
   SimulationState& s = work.sim.state;
   const LadderSettings& settings = work.sim.scene.ladder;
+  const bool climbs = work.sim.scene.integrator.integrator == Integrator::floating_frame;
   work.touched.resize(s.mechanics.components.size(), 0);
   std::vector<char> rested(s.mechanics.components.size(), 0), loaded(rested);
-  if (settings.sleep) rested = rested_components(work);
+  if (climbs && settings.sleep) rested = rested_components(work);
   if (settings.rigid && !work.sim.loads.empty()) loaded = loaded_components(work.sim);
   for (Component& c : s.mechanics.components) {
     if (c.tetrahedra.empty()) continue;
     const std::size_t row = c.id.index();
+    double& given_up = work.report.energy_released;
     if (rested[row]) {
-      if (c.rung != Rung::asleep) work.report.energy_released += fall_asleep(s.mechanics, c);
-    } else if (settings.rigid && !loaded[row] && flies_safely(work, c)) {
-      if (c.rung != Rung::rigid) work.report.energy_released += stop_deforming(s.mechanics, c);
+      if (c.rung != Rung::asleep) given_up += fall_asleep(s.mechanics, c);
+    } else if (climbs && settings.rigid && !loaded[row] && flies_safely(work, c)) {
+      if (c.rung != Rung::rigid) given_up += stop_deforming(s.mechanics, c);
       c.rung = Rung::rigid;
+    } else if (climbs && settings.quasi_static && is_loaded_slowly(work, c)) {
+      c.rung = Rung::quasi_static;
     } else {
       c.rung = Rung::full;
     }

@@ -28,10 +28,13 @@ void note_touches(StepWork& work);
 /// - `rigid`: free, not touched in this step, in no impact window, without surface loads, and
 ///   `flight_stress_bound` below half of the lowest strength of its vertices. Its rates of
 ///   deformation are given up and counted. It stays while the bound holds and nothing overlaps it.
+/// - `quasi_static`: supported, not touched in this step, in no impact window, and no free vertex
+///   moving in its frame at more than a thousandth of the critical speed xi / (rho c): inertia could
+///   not add more than that part of the strength. It stays while that holds.
 /// - `asleep`: no vertex of it and of all that it touches has been faster than the step allows to be
 ///   called rest for `sleep_after`, with gravity and loads fully raised. Touched by what is awake,
 ///   or overlapped on the way of anything, it wakes (mechanics/contact.cpp).
-/// - `full`: all others.
+/// - `full`: all others, and everything under other integrators than floating_frame.
 void choose_rungs(StepWork& work);
 
 }  // namespace sunder

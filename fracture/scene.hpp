@@ -91,6 +91,8 @@ struct FractureSettings {
 struct LadderSettings {
   /// Whether components in free flight that cannot break move as rigid bodies.
   bool rigid = true;
+  /// Whether supported components under slow loads go from equilibrium to equilibrium.
+  bool quasi_static = true;
   /// Whether components that lie still are left alone until something touches them.
   bool sleep = true;
   /// How long they must have lain still, s.

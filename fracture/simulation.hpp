@@ -105,7 +105,7 @@ struct ImpactReport {
 
 /// Components and their tetrahedra by the rung of the step to come, rows as `Rung`.
 struct LadderReport {
-  std::array<std::size_t, 3> components{}, tetrahedra{};
+  std::array<std::size_t, rung_count> components{}, tetrahedra{};
 };
 
 /// Energies of a step, J, all recomputed from rows of vertices and tetrahedra.

@@ -10,6 +10,7 @@
 #include "mechanics/integrators/component_step.hpp"
 #include "mechanics/integrators/floating_frame.hpp"
 #include "mechanics/integrators/implicit_euler.hpp"
+#include "mechanics/integrators/quasi_static.hpp"
 #include "mechanics/integrators/rigid_motion.hpp"
 #include "mechanics/integrators/verlet.hpp"
 #include "mechanics/strain_displacement.hpp"
@@ -48,6 +49,10 @@ void predict_component(MechanicsScratch& scratch, const MechanicsState& state,
                     input.settings.integrator == Integrator::floating_frame,
                 "predict: only floating_frame takes parts of steps");
   step.system = &prepared_system(scratch, state, input, component);
+  if (component.rung == Rung::quasi_static) {
+    step_quasi_static(step);
+    return;
+  }
   if (input.settings.integrator == Integrator::implicit_euler) {
     step_implicit_euler(step);
   } else {
@@ -148,7 +153,7 @@ void measure_elements(MechanicsState& state, MechanicsScratch& scratch,
   scratch.largest_turn.resize(state.components.size(), 0);
   // On lower rungs displacements stay what they were.
   const auto changes = [&](ComponentId id) {
-    return members.has(id) && state.components[id.index()].rung == Rung::full;
+    return members.has(id) && deforms(state.components[id.index()].rung);
   };
   for (std::size_t c = 0; c < state.components.size(); ++c) {
     if (changes(ComponentId{c})) scratch.largest_turn[c] = 0;

@@ -127,8 +127,9 @@ ordered_json impact_report(const ImpactStatistics& i) {
 
 /// Steps of components, and of tetrahedra, on each rung.
 ordered_json ladder_report(const LadderStatistics& l) {
-  const auto rungs = [](const std::array<std::size_t, 3>& steps) {
-    return ordered_json{{"full", steps[0]}, {"rigid", steps[1]}, {"asleep", steps[2]}};
+  const auto rungs = [](const std::array<std::size_t, rung_count>& steps) {
+    return ordered_json{
+        {"full", steps[0]}, {"quasi_static", steps[1]}, {"rigid", steps[2]}, {"asleep", steps[3]}};
   };
   return {{"component_steps", rungs(l.components)}, {"tetrahedron_steps", rungs(l.tetrahedra)}};
 }

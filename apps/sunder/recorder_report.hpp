@@ -46,7 +46,7 @@ struct ImpactStatistics {
 
 /// How many components and tetrahedra took steps on each rung, over a run.
 struct LadderStatistics {
-  std::array<std::size_t, 3> components{}, tetrahedra{};
+  std::array<std::size_t, rung_count> components{}, tetrahedra{};
 };
 
 /// Everything that is added up over a run.

@@ -303,6 +303,9 @@ void describe(V& v, LadderSettings& l) {
   v.field(Key{"rigid", "",
               "Whether components in free flight that cannot break there move as rigid bodies"},
           l.rigid);
+  v.field(Key{"quasi_static", "",
+              "Whether supported components under slow loads go from equilibrium to equilibrium"},
+          l.quasi_static);
   v.field(Key{"sleep", "",
               "Whether components that lie still are left alone until something touches them"},
           l.sleep);

@@ -4,6 +4,7 @@
 
 #include "mechanics/impact.hpp"
 #include "mechanics/integrators/coefficients.hpp"
+#include "mechanics/integrators/quasi_static.hpp"
 
 namespace sunder {
 
@@ -32,6 +33,10 @@ IntegratorSettings settings_of(const StepInput& input, const MechanicsState& sta
 ComponentSystem& prepared_system(MechanicsScratch& scratch, const MechanicsState& state,
                                  const StepInput& input, const Component& component) {
   ComponentSystem& system = built_system(scratch, state, input.corners, component);
+  if (component.rung == Rung::quasi_static) {
+    factor_system(system, quasi_static_matrix());
+    return system;
+  }
   switch (input.part.deformation) {
     case Deformation::frozen:
       break;

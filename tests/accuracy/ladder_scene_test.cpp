@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// The sample scenes break into the same pieces on the ladder as always full, as far as their
+// outcome is decided by more than rounding.
+#include <catch2/catch.hpp>
+
+#include "apps/sunder/scene_json.hpp"
+#include "tests/accuracy/ladder_scene.hpp"
+
+using namespace sunder;
+using namespace sunder::accuracy;
+
+namespace {
+
+Scene sample_scene(const char* name, double duration) {
+  Result<SceneFile> file = read_scene(std::string(SUNDER_MESHES "/scenes/") + name + ".json");
+  REQUIRE(file);
+  file->scene.duration = duration;
+  return file->scene;
+}
+
+}  // namespace
+
+TEST_CASE("the fans of the sample scenes are those of always-full dynamics", "[ladder][scenes]") {
+  const auto [name, duration] = GENERATE(std::pair{"block", 2.0}, std::pair{"bunny", 0.021},
+                                         std::pair{"monolith", 0.1});
+  const Scene scene = sample_scene(name, duration);
+  const LadderOutcome full = run_on_ladder(always_full(scene));
+  const LadderOutcome ladder = run_on_ladder(scene);
+  CAPTURE(name, full.fans.size(), ladder.fans.size());
+  CHECK(full.fans.size() > 50);
+  CHECK(same_fans(ladder, full) == full.fans.size());
+  CHECK(ladder.fans.size() == full.fans.size());
+  CHECK(ladder.tetrahedra[static_cast<std::size_t>(Rung::full)] <
+        full.tetrahedra[static_cast<std::size_t>(Rung::full)]);
+}
