@@ -31,14 +31,14 @@ double lowest_strength(const SimulationState& s, const Component& component) {
   return lowest;
 }
 
-/// Rows of components on a corner of which a surface load acts.
-std::vector<char> loaded_components(const Simulation& sim) {
-  std::vector<char> loaded(sim.state.mechanics.components.size(), 0);
+/// Marks components on a corner of which a surface load acts.
+void find_loaded(Simulation& sim) {
+  std::vector<char>& loaded = sim.scratch.ladder.loaded;
+  loaded.assign(sim.state.mechanics.components.size(), 0);
   for (const CornerLoad& load : sim.loads) {
     const TetId t = tetrahedron_of(load.corner);
     loaded[sim.state.mechanics.elements.component[t.index()].index()] = 1;
   }
-  return loaded;
 }
 
 /// J that a component gives up when it stops deforming: its vertices move with the frame alone.
@@ -79,14 +79,14 @@ double swing(const MechanicsState& state, const Component& component, double str
 
 /// Whether no contact and no blow had to do with the component in this step.
 bool is_left_alone(const StepWork& work, const Component& component) {
-  return !work.touched[component.id.index()] &&
+  return !work.sim.scratch.ladder.touched[component.id.index()] &&
          work.sim.state.impact.quiet[component.id.index()] == ImpactWindow::closed;
 }
 
 /// Whether the component may go rigid or stay so. What it would give up must be nothing: outcomes of
-/// many blows are chaotic, and a millionth of the critical speed is seen in them late.
+/// many blows are chaotic, and a millionth of the critical speed was seen in them late.
 bool flies_safely(const StepWork& work, const Component& component) {
-  constexpr double nothing = 1e-6;
+  constexpr double nothing = 1e-8;
   const SimulationState& s = work.sim.state;
   if (component.supported || component.isolated || !is_left_alone(work, component)) return false;
   const double strength = lowest_strength(s, component);
@@ -124,11 +124,13 @@ bool is_carried(const MechanicsState& state, const Component& component) {
   });
 }
 
-/// Takes sleep from everything that touches what is awake. `rested`: row = component.
-void keep_awake_with_neighbours(std::vector<char>& rested, const SimulationState& s) {
+/// Takes rest from everything that touches what is awake.
+void keep_awake_with_neighbours(LadderScratch& ladder, const SimulationState& s) {
   using Sides = std::array<std::size_t, 2>;
   constexpr std::size_t outside = std::numeric_limits<std::size_t>::max();
-  std::vector<Sides> touching;
+  std::vector<char>& rested = ladder.rested;
+  std::vector<Sides>& touching = ladder.touching;
+  touching.clear();
   for (const ContactMemory::Remembered& last : s.contact.last_contacts) {
     const ContactPoint& c = last.contact;
     Sides sides{outside, outside};
@@ -155,14 +157,14 @@ void keep_awake_with_neighbours(std::vector<char>& rested, const SimulationState
   }
 }
 
-/// Row = component: may sleep from now on.
-std::vector<char> rested_components(StepWork& work) {
+/// Marks components that may sleep from now on.
+void find_rested(StepWork& work) {
   SimulationState& s = work.sim.state;
   const LadderSettings& settings = work.sim.scene.ladder;
   // What lies still may creep by the depth that contact leaves alone, in the time it takes.
   const double still_speed = work.sim.scene.contact.allowed_penetration / settings.sleep_after;
   const bool steady = loads_are_steady(work.sim);
-  std::vector<char> rested(s.mechanics.components.size(), 0);
+  std::vector<char>& rested = work.sim.scratch.ladder.rested;
   s.ladder.still.resize(rested.size(), 0);
   for (const Component& c : s.mechanics.components) {
     if (c.tetrahedra.empty()) continue;
@@ -173,8 +175,7 @@ std::vector<char> rested_components(StepWork& work) {
     still = moves ? 0 : still + work.sim.scene.time_step;
     rested[c.id.index()] = c.rung == Rung::asleep || still >= settings.sleep_after;
   }
-  keep_awake_with_neighbours(rested, s);
-  return rested;
+  keep_awake_with_neighbours(work.sim.scratch.ladder, s);
 }
 
 /// Gives the kinetic energy that is lost, J.
@@ -224,13 +225,14 @@ double flight_stress_bound(const MechanicsState& state, const Component& compone
 
 void note_touches(StepWork& work) {
   const MechanicsState& m = work.sim.state.mechanics;
-  work.touched.resize(m.components.size(), 0);
+  std::vector<char>& touched = work.sim.scratch.ladder.touched;
+  touched.resize(m.components.size(), 0);
   for (const ContactPoint& c : work.sim.scratch.contact.contacts) {
     if (c.ball == ContactPoint::none) {
-      work.touched[m.vertices.component[c.vertex.index()].index()] = 1;
+      touched[m.vertices.component[c.vertex.index()].index()] = 1;
     }
     if (c.obstacle == ContactPoint::none) {
-      work.touched[m.elements.component[c.tetrahedron.index()].index()] = 1;
+      touched[m.elements.component[c.tetrahedron.index()].index()] = 1;
     }
   }
 }
@@ -239,17 +241,18 @@ void choose_rungs(StepWork& work) {
   SimulationState& s = work.sim.state;
   const LadderSettings& settings = work.sim.scene.ladder;
   const bool climbs = work.sim.scene.integrator.integrator == Integrator::floating_frame;
-  work.touched.resize(s.mechanics.components.size(), 0);
-  std::vector<char> rested(s.mechanics.components.size(), 0), loaded(rested);
-  if (climbs && settings.sleep) rested = rested_components(work);
-  if (settings.rigid && !work.sim.loads.empty()) loaded = loaded_components(work.sim);
+  LadderScratch& ladder = work.sim.scratch.ladder;
+  ladder.touched.resize(s.mechanics.components.size(), 0);
+  ladder.rested.assign(s.mechanics.components.size(), 0);
+  if (climbs && settings.sleep) find_rested(work);
+  find_loaded(work.sim);
   for (Component& c : s.mechanics.components) {
     if (c.tetrahedra.empty()) continue;
     const std::size_t row = c.id.index();
     double& given_up = work.report.energy_released;
-    if (rested[row]) {
+    if (ladder.rested[row]) {
       if (c.rung != Rung::asleep) given_up += fall_asleep(s.mechanics, c);
-    } else if (climbs && settings.rigid && !loaded[row] && flies_safely(work, c)) {
+    } else if (climbs && settings.rigid && !ladder.loaded[row] && flies_safely(work, c)) {
       if (c.rung != Rung::rigid) given_up += stop_deforming(s.mechanics, c);
       c.rung = Rung::rigid;
     } else if (climbs && settings.quasi_static && is_loaded_slowly(work, c)) {

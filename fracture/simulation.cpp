@@ -42,15 +42,16 @@ std::vector<ComponentId> touched_components(const Components& labels,
 void inherit(StepWork& work, std::size_t before) {
   const Components& labels = work.sim.state.cells.labels;
   std::vector<double>& quiet = work.sim.state.impact.quiet;
+  std::vector<char>& touched = work.sim.scratch.ladder.touched;
   const std::size_t count = labels.size.size();
   if (!work.components.empty()) work.components.resize(count);
   quiet.resize(count);
-  work.touched.resize(count);
+  touched.resize(count);
   for (std::size_t id = before; id < count; ++id) {
     const std::size_t old = ancestor(labels, ComponentId{id}, before).index();
     if (!work.components.empty()) work.components[id] = work.components[old];
     quiet[id] = quiet[old];
-    work.touched[id] = work.touched[old];
+    touched[id] = touched[old];
   }
 }
 
@@ -194,6 +195,7 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
   std::swap(work.loads, sim.scratch.loads);
   const double kinetic = kinetic_energy(s.mechanics.vertices);
   const double strain = strain_energy(s.mechanics);
+  sim.scratch.ladder.touched.assign(s.mechanics.components.size(), 0);
   work.loads.gravity = gravity_at(sim.scene.gravity, s.mechanics.time + sim.scene.time_step);
   s.impact.quiet.resize(s.mechanics.components.size(), ImpactWindow::closed);
   if (sim.scene.impact.window && sim.scene.integrator.integrator == Integrator::floating_frame) {

@@ -56,11 +56,19 @@ struct PartStart {
   std::vector<double> work;                      ///< of `numerical_loss`
 };
 
+/// What the choice of rungs looks at, rows = ComponentId.
+struct LadderScratch {
+  std::vector<char> touched;  ///< a contact has pushed at it in this step
+  std::vector<char> rested, loaded;
+  std::vector<std::array<std::size_t, 2>> touching;
+};
+
 /// Working memory of a step and caches; can be thrown away between steps.
 struct SimulationScratch {
   MechanicsScratch mechanics;
   ContactScratch contact;
   FractureScratch fracture;
+  LadderScratch ladder;
   PartStart before;
   Loads loads;
 };

@@ -33,8 +33,6 @@ struct StepWork {
   StepReport report;
   /// Members of the part at hand; rows of components and obstacles, empty: all.
   std::vector<char> components, balls;
-  /// Row = ComponentId: a contact has pushed at it in this step.
-  std::vector<char> touched = {};
 
   StepMembers members() const { return {components, balls}; }
   bool failed() const {

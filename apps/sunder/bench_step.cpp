@@ -33,6 +33,7 @@ Scene falling_scene(const TetMesh& mesh, double young_modulus, double time_step)
                           .translation = {0, 0, 1e4},
                           .spin = {1, 2, 3}});
   scene.obstacles.push_back({Plane{}});
+  scene.ladder = {.rigid = false, .quasi_static = false, .sleep = false};
   return scene;
 }
 

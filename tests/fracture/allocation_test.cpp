@@ -36,9 +36,14 @@ using namespace sunder;
 
 TEST_CASE("a step without contact and cracks allocates nothing after the first ones",
           "[fracture][step]") {
-  for (const bool held : {false, true}) {
+  const auto [held, ladder] =
+      GENERATE(std::pair{false, false}, std::pair{true, false}, std::pair{false, true},
+               std::pair{true, true});
+  {
     INFO((held ? "held, loaded and damped" : "falling and turning"));
+    INFO((ladder ? "on the ladder" : "always full"));
     Scene scene;
+    scene.ladder = {.rigid = ladder, .quasi_static = ladder, .sleep = ladder};
     scene.bodies.push_back({.mesh = suite::kuhn_box({6, 3, 2}, 0.1),
                             .material = {.tensile_strength = 1e12},
                             .translation = {0, 0, 100},
