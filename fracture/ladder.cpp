@@ -86,7 +86,7 @@ bool is_left_alone(const StepWork& work, const Component& component) {
 /// Whether the component may go rigid or stay so. What it would give up must be nothing: outcomes of
 /// many blows are chaotic, and a millionth of the critical speed was seen in them late.
 bool flies_safely(const StepWork& work, const Component& component) {
-  constexpr double nothing = 1e-8;
+  constexpr double nothing = 1e-7;
   const SimulationState& s = work.sim.state;
   if (component.supported || component.isolated || !is_left_alone(work, component)) return false;
   const double strength = lowest_strength(s, component);

@@ -27,7 +27,7 @@ void note_touches(StepWork& work);
 /// Chooses the rungs of the next step, after everything else in this one:
 /// - `rigid`: free, not touched in this step, in no impact window, without surface loads, and
 ///   `flight_stress_bound` below half of the lowest strength of its vertices, no vertex swinging at
-///   more than 1e-8 of the critical speed. Its rates of
+///   more than 1e-7 of the critical speed. Its rates of
 ///   deformation are given up and counted. It stays while the bound holds and nothing overlaps it.
 /// - `quasi_static`: supported, not touched in this step, in no impact window, and no free vertex
 ///   moving in its frame at more than a thousandth of the critical speed xi / (rho c): inertia could

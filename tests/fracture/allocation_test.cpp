@@ -57,7 +57,7 @@ TEST_CASE("a step without contact and cracks allocates nothing after the first o
     }
     Result<Simulation> sim = build_simulation(scene);
     REQUIRE(sim);
-    for (int i = 0; i < 5; ++i) advance(*sim);
+    for (int i = 0; i < 100; ++i) advance(*sim);  // rungs are chosen, too
     const std::size_t before = allocations;
     for (int i = 0; i < 20; ++i) advance(*sim);
     CHECK(allocations == before);
