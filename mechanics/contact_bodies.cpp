@@ -38,9 +38,9 @@ double answer_scale(const ContactPass& pass, const Component& component) {
 
 /// Elastic answer of floating_frame at the end of a part of a step: `answer_scale` A^-1 on loads
 /// freed of their rigid part. Rigid fields r have A r = mu M r, so what a load's rigid part would
-/// give is subtracted in closed form. World axes, 3 k x 3 k.
-Eigen::MatrixXd elastic_answer(const ContactPass& pass, const Component& component,
-                               std::span<const VertexId> slots) {
+/// give is subtracted in closed form.
+void answer_elastically(AnsweringBody& body, const ContactPass& pass, const Component& component,
+                        std::span<const VertexId> slots) {
   ComponentSystem& system = *pass.mechanics.systems[component.id.index()];
   std::vector<std::uint32_t> local;
   std::vector<Eigen::Index> slot;
@@ -53,25 +53,20 @@ Eigen::MatrixXd elastic_answer(const ContactPass& pass, const Component& compone
                                                                          : FactorUse::step;
   const std::vector<std::uint32_t> places = touch_compliance(system, local, use);
   const SystemFactor& factor = factor_of(system, use);
-  const double rigid = component.supported ? 0 : 1 / factor.matrix.mass;
-  const Mat3 inverse_inertia = system.shape.inertia.inverse();
-  const Mat3 R = component.orientation.toRotationMatrix();
   const double scale = answer_scale(pass, component);
+  body.turn = component.orientation.toRotationMatrix();
+  if (!component.supported) {
+    body.rigid_mass = scale / (factor.matrix.mass * component.mass);
+    body.rigid_inertia = scale / factor.matrix.mass * system.shape.inertia.inverse();
+  }
   const auto size = static_cast<Eigen::Index>(3 * slots.size());
-  Eigen::MatrixXd E = Eigen::MatrixXd::Zero(size, size);
-  for (std::size_t a = 0; a < slot.size(); ++a) {
-    const Mat3 arm_a = cross_matrix(system.shape.arm.col(local[a]));
-    for (std::size_t b = a; b < slot.size(); ++b) {
-      const Mat3 arm_b = cross_matrix(system.shape.arm.col(local[b]));
-      Mat3 block = factor.compliance.block<3, 3>(3 * places[a], 3 * places[b]) +
-                   rigid * arm_a * inverse_inertia * arm_b;
-      block.diagonal().array() -= rigid / component.mass;
-      const Mat3 answer = scale * R * block * R.transpose();
-      E.block<3, 3>(3 * slot[a], 3 * slot[b]) = answer;
-      E.block<3, 3>(3 * slot[b], 3 * slot[a]) = answer.transpose();
+  body.elastic.setZero(size, size);
+  for (std::size_t b = 0; b < slot.size(); ++b) {
+    for (std::size_t a = 0; a < slot.size(); ++a) {
+      body.elastic.block<3, 3>(3 * slot[a], 3 * slot[b]) =
+          scale * factor.compliance.block<3, 3>(3 * places[a], 3 * places[b]);
     }
   }
-  return E;
 }
 
 AnsweringBody answering_component(const ContactPass& pass, const Component& component,
@@ -87,7 +82,7 @@ AnsweringBody answering_component(const ContactPass& pass, const Component& comp
     body.inverse_inertia = world_inertia(pass.state, component).inverse();
   }
   const bool answers = pass.input.part.deformation != Deformation::frozen;
-  if (!component.isolated && answers) body.elastic = elastic_answer(pass, component, slots);
+  if (!component.isolated && answers) answer_elastically(body, pass, component, slots);
   return body;
 }
 
@@ -180,7 +175,11 @@ ContactEnd vertex_end(const ContactBodies& bodies, const ContactPass& pass, Vert
   end.body = bodies.body_of_component[id.index()];
   end.weight = weight;
   end.arm = pass.state.vertices.position[v.index()] - pass.state.components[id.index()].centre;
-  if (bodies.bodies[end.body].elastic.size() > 0) end.slot = bodies.slot_of_vertex[v.index()];
+  if (bodies.bodies[end.body].elastic.size() > 0) {
+    const Component& component = pass.state.components[id.index()];
+    end.slot = bodies.slot_of_vertex[v.index()];
+    end.rest_arm = pass.state.vertices.rest_position[v.index()] - component.rest_centre;
+  }
   return end;
 }
 

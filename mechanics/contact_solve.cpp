@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mechanics/rotation.hpp"
+
 namespace sunder {
 namespace {
 
@@ -18,7 +20,10 @@ Mat3 answer_between(const AnsweringBody& body, const ContactEnd& a, const Contac
     answer.col(k) += step * spin.cross(a.arm);
   }
   if (a.slot != ContactEnd::rigid_slot && b.slot != ContactEnd::rigid_slot) {
-    answer += body.elastic.block<3, 3>(3 * a.slot, 3 * b.slot);
+    Mat3 elastic = body.elastic.block<3, 3>(3 * a.slot, 3 * b.slot) +
+                   cross_matrix(a.rest_arm) * body.rigid_inertia * cross_matrix(b.rest_arm);
+    elastic.diagonal().array() -= body.rigid_mass;
+    answer += body.turn * elastic * body.turn.transpose();
   }
   return answer;
 }
@@ -43,7 +48,11 @@ Vec3 relative_displacement(const ContactRow& row, std::span<const AnsweringBody>
     const ContactEnd& end = row.ends[i];
     const AnsweringBody& body = bodies[end.body];
     Vec3 moved = step * (body.velocity + body.spin.cross(end.arm));
-    if (end.slot != ContactEnd::rigid_slot) moved += body.displacement.segment<3>(3 * end.slot);
+    if (end.slot != ContactEnd::rigid_slot) {
+      const Vec3 turned = body.rigid_inertia * body.moment;
+      moved += body.turn * (body.displacement.segment<3>(3 * end.slot) +
+                            end.rest_arm.cross(turned) - body.rigid_mass * body.impulse);
+    }
     sum += end.weight * moved;
   }
   return sum;
@@ -57,7 +66,10 @@ void add_impulse(const ContactRow& row, std::span<AnsweringBody> bodies, const V
     body.velocity += body.inverse_mass * share;
     body.spin += body.inverse_inertia * end.arm.cross(share);
     if (end.slot != ContactEnd::rigid_slot) {
-      body.displacement.noalias() += body.elastic.middleCols<3>(3 * end.slot) * share;
+      const Vec3 own = body.turn.transpose() * share;
+      body.displacement.noalias() += body.elastic.middleCols<3>(3 * end.slot) * own;
+      body.impulse += own;
+      body.moment += end.rest_arm.cross(own);
     }
   }
 }
@@ -141,7 +153,9 @@ SolveOutcome solve_contacts(std::span<ContactRow> rows, std::span<AnsweringBody>
   for (AnsweringBody& body : bodies) {
     body.velocity.setZero();
     body.spin.setZero();
-    body.displacement = Eigen::VectorXd::Zero(body.elastic.rows());
+    body.impulse.setZero();
+    body.moment.setZero();
+    body.displacement.setZero(body.elastic.rows());
   }
   for (ContactRow& row : rows) {
     row.answer = own_answer(row, bodies, limits.step);

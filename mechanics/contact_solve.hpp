@@ -13,15 +13,22 @@
 namespace sunder {
 
 /// A body as the solver sees it: displacement of its points at the end of the step for impulses,
-/// rigid part h (J/m + I^-1 T x arm) plus an elastic part E between its slots.
+/// rigid part h (J/m + I^-1 T x arm) plus an elastic part between its slots,
+///   turn (E + rest_arm x J0^-1 (rest_arm x .) - 1/m) turn^T,
+/// the last two over all slots at once: what E has of rigid answers and should not have. Kept apart
+/// so that neither a turn of the body nor other slots cost a pass over E.
 struct AnsweringBody {
   double inverse_mass = 0;              ///< 1/kg; 0: does not move
   Mat3 inverse_inertia = Mat3::Zero();  ///< 1/(kg m^2), world
-  Eigen::MatrixXd elastic;              ///< 3k x 3k, m/(N s); empty: rigid
+  Eigen::MatrixXd elastic;              ///< E, 3k x 3k, m/(N s), the body's own frame; empty: rigid
+  Mat3 turn = Mat3::Identity();         ///< from that frame to the world
+  double rigid_mass = 0;                ///< 1/m of the elastic part, m/(N s)
+  Mat3 rigid_inertia = Mat3::Zero();    ///< J0^-1 of the elastic part, 1/(N s m)
   // What the solve accumulates:
   Vec3 velocity = Vec3::Zero();  ///< m/s, change
   Vec3 spin = Vec3::Zero();      ///< rad/s, change
-  Eigen::VectorXd displacement;  ///< 3k, m: elastic change
+  Eigen::VectorXd displacement;  ///< 3k, m: change by E, own frame
+  Vec3 impulse = Vec3::Zero(), moment = Vec3::Zero();  ///< on slots, own frame, N s and N s m
 };
 
 /// One of the points a contact acts on.
@@ -31,6 +38,7 @@ struct ContactEnd {
   std::uint32_t slot = rigid_slot;  ///< its place in the body's elastic answer, or `rigid_slot`
   double weight = 1;                ///< share of the impulse: sums to +1 on side A, -1 on side B
   Vec3 arm = Vec3::Zero();          ///< m, from the body's mass centre
+  Vec3 rest_arm = Vec3::Zero();     ///< m, the same at rest in the body's own frame
   VertexId vertex;  ///< of no concern to the solver; none() for a whole isolated tetrahedron
 };
 

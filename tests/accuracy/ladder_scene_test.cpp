@@ -30,6 +30,7 @@ TEST_CASE("the fans of the sample scenes are those of always-full dynamics", "[l
   CHECK(full.fans.size() > 50);
   CHECK(same_fans(ladder, full) == full.fans.size());
   CHECK(ladder.fans.size() == full.fans.size());
-  CHECK(ladder.tetrahedra[static_cast<std::size_t>(Rung::full)] <
-        full.tetrahedra[static_cast<std::size_t>(Rung::full)]);
+  const auto full_rung = static_cast<std::size_t>(Rung::full);
+  // The slab lies on its supports while gravity grows: nothing of it flies or rests.
+  if (scene.name != "block") CHECK(ladder.tetrahedra[full_rung] < full.tetrahedra[full_rung]);
 }
