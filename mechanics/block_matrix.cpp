@@ -3,6 +3,7 @@
 #include "mechanics/block_matrix.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace sunder {
 
@@ -49,6 +50,57 @@ double quadratic_form(const BlockMatrix& A, const double* x) {
     sum += s0 * x[3 * j] + s1 * x[3 * j + 1] + s2 * x[3 * j + 2];
   }
   return 2 * sum;
+}
+
+VertexGraph graph_of(const BlockMatrix& A, std::size_t count) {
+  VertexGraph graph;
+  graph.start.assign(count + 1, 0);
+  const auto for_links = [&](auto visit) {
+    for (std::uint32_t j = 0; j < count; ++j) {
+      for (std::uint32_t e = A.start[j] + 1; e < A.start[j + 1] && A.row[e] < count; ++e) {
+        visit(j, A.row[e]);
+        visit(A.row[e], j);
+      }
+    }
+  };
+  for_links([&](std::uint32_t a, std::uint32_t) { ++graph.start[a + 1]; });
+  std::partial_sum(graph.start.begin(), graph.start.end(), graph.start.begin());
+  graph.neighbour.resize(graph.start.back());
+  std::vector<std::uint32_t> next(graph.start.begin(), graph.start.end() - 1);
+  for_links([&](std::uint32_t a, std::uint32_t b) { graph.neighbour[next[a]++] = b; });
+  return graph;
+}
+
+BlockMatrix renumbered(const BlockMatrix& A, std::span<const std::uint32_t> place) {
+  using Block = Eigen::Map<const Eigen::Matrix3d>;
+  const std::size_t n = place.size();
+  BlockMatrix B;
+  B.start.assign(n + 1, 0);
+  for (std::size_t j = 0; j < n; ++j) {
+    for (std::uint32_t e = A.start[j]; e < A.start[j + 1] && A.row[e] < n; ++e) {
+      ++B.start[std::min(place[j], place[A.row[e]]) + 1];
+    }
+  }
+  std::partial_sum(B.start.begin(), B.start.end(), B.start.begin());
+  B.row.resize(B.start.back());
+  B.value.resize(9 * B.row.size());
+  std::vector<std::uint32_t> next;
+  for (std::size_t j = 0; j < n; ++j) next.push_back(B.start[j] + 1);
+  for (std::size_t j = 0; j < n; ++j) {
+    for (std::uint32_t e = A.start[j]; e < A.start[j + 1] && A.row[e] < n; ++e) {
+      const std::uint32_t column = place[j], row = place[A.row[e]];
+      const std::uint32_t at = row == column ? B.start[row] : next[std::min(row, column)]++;
+      B.row[at] = std::max(row, column);
+      const Block from(A.value.data() + 9 * std::size_t{e});
+      Eigen::Map<Eigen::Matrix3d> to(B.value.data() + 9 * std::size_t{at});
+      if (row >= column) {
+        to = from;
+      } else {
+        to = from.transpose();
+      }
+    }
+  }
+  return B;
 }
 
 Eigen::SparseMatrix<double> leading_scalars(const BlockMatrix& A, std::size_t count) {

@@ -37,6 +37,12 @@ void multiply(double* y, const BlockMatrix& A, const double* x);
 /// x . A x. 5 ns a tetrahedron.
 double quadratic_form(const BlockMatrix& A, const double* x);
 
+/// The graph of the leading `count` rows.
+VertexGraph graph_of(const BlockMatrix& A, std::size_t count);
+
+/// The leading rows with row i as row `place[i]`. Rows of a column do not ascend.
+BlockMatrix renumbered(const BlockMatrix& A, std::span<const std::uint32_t> place);
+
 /// The lower triangle of the leading 3 `count` rows and columns, scalar by scalar, for libraries.
 Eigen::SparseMatrix<double> leading_scalars(const BlockMatrix& A, std::size_t count);
 

@@ -66,4 +66,7 @@ void solve_backward(double* x, const Panel& panel, const PanelRows& rows);
 void solve_forward_12(double* X, const Panel& panel, const PanelRows& rows, double* gathered);
 void solve_backward_12(double* X, const Panel& panel, const PanelRows& rows, double* gathered);
 
+/// C -= V^T W, 12 x 12 row by row, over `rows` rows of twelve numbers each.
+void subtract_gram_12(double* C, const double* V, const double* W, std::size_t rows);
+
 }  // namespace sunder

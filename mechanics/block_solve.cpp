@@ -197,6 +197,12 @@ SUNDER_LANES void solve_backward_12(double* X, const Panel& panel, const PanelRo
   }
 }
 
+SUNDER_LANES void subtract_gram_12(double* C, const double* V, const double* W, std::size_t rows) {
+  for (std::size_t strip = 0; strip < 12; strip += 4) {
+    subtract_product<3, 4, 1, 12>(C + 12 * strip, 12, W, V + strip, rows);
+  }
+}
+
 namespace {
 
 Panel panel_of(const BlockFactor& factor, const Supernode& node) {
@@ -204,39 +210,64 @@ Panel panel_of(const BlockFactor& factor, const Supernode& node) {
   return {const_cast<double*>(factor.panels.data() + node.panel), node.width(), node.height()};
 }
 
+std::size_t highest(const BlockAnalysis& analysis) {
+  std::size_t height = 0;
+  for (const Supernode& node : analysis.supernodes) {
+    height = std::max<std::size_t>(height, node.height());
+  }
+  return height;
+}
+
 }  // namespace
 
-void solve(double* x, const BlockFactor& factor, const BlockAnalysis& analysis) {
+void solve_lower(double* x, const BlockFactor& factor, const BlockAnalysis& analysis) {
   for (const Supernode& node : analysis.supernodes) {
     solve_forward(x, panel_of(factor, node), {node.first, analysis.rows_below(node).data()});
   }
+}
+
+void solve_upper(double* x, const BlockFactor& factor, const BlockAnalysis& analysis) {
   for (auto node = analysis.supernodes.rbegin(); node != analysis.supernodes.rend(); ++node) {
     solve_backward(x, panel_of(factor, *node), {node->first, analysis.rows_below(*node).data()});
   }
 }
 
-void solve_12(AlignedDoubles& X, const BlockFactor& factor, const BlockAnalysis& analysis,
+void solve(double* x, const BlockFactor& factor, const BlockAnalysis& analysis) {
+  solve_lower(x, factor, analysis);
+  solve_upper(x, factor, analysis);
+}
+
+void solve_lower_12(double* X, const BlockFactor& factor, const BlockAnalysis& analysis,
+                    std::span<const char> needed) {
+  AlignedDoubles gathered(36 * highest(analysis));
+  for (std::size_t s = 0; s < analysis.supernodes.size(); ++s) {
+    if (!needed.empty() && !needed[s]) continue;
+    const Supernode& node = analysis.supernodes[s];
+    solve_forward_12(X, panel_of(factor, node), {node.first, analysis.rows_below(node).data()},
+                     gathered.data());
+  }
+}
+
+void solve_upper_12(double* X, const BlockFactor& factor, const BlockAnalysis& analysis,
+                    std::span<const char> needed) {
+  AlignedDoubles gathered(36 * highest(analysis));
+  for (std::size_t s = analysis.supernodes.size(); s-- > 0;) {
+    if (!needed.empty() && !needed[s]) continue;
+    const Supernode& node = analysis.supernodes[s];
+    solve_backward_12(X, panel_of(factor, node), {node.first, analysis.rows_below(node).data()},
+                      gathered.data());
+  }
+}
+
+void solve_12(double* X, const BlockFactor& factor, const BlockAnalysis& analysis,
               std::span<const char> needed) {
-  std::size_t highest = 0;
-  for (const Supernode& node : analysis.supernodes) {
-    highest = std::max<std::size_t>(highest, node.height());
-  }
-  AlignedDoubles gathered(36 * highest);
-  double* x = X.data();
-  double* room = gathered.data();
-  const std::size_t count = analysis.supernodes.size();
-  for (std::size_t s = 0; s < count; ++s) {
-    if (!needed.empty() && !needed[s]) continue;
-    const Supernode& node = analysis.supernodes[s];
-    solve_forward_12(x, panel_of(factor, node), {node.first, analysis.rows_below(node).data()},
-                     room);
-  }
-  for (std::size_t s = count; s-- > 0;) {
-    if (!needed.empty() && !needed[s]) continue;
-    const Supernode& node = analysis.supernodes[s];
-    solve_backward_12(x, panel_of(factor, node), {node.first, analysis.rows_below(node).data()},
-                      room);
-  }
+  solve_lower_12(X, factor, analysis, needed);
+  solve_upper_12(X, factor, analysis, needed);
+}
+
+void mark_needed(std::vector<char>& needed, const BlockAnalysis& analysis, std::uint32_t row) {
+  std::uint32_t s = analysis.supernode_of[row];
+  for (; s != Supernode::none && !needed[s]; s = analysis.supernodes[s].parent) needed[s] = 1;
 }
 
 }  // namespace sunder

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Assembly, elimination order, factor and compliance of one component.
+// Assembly and elimination order of one component.
 #include "mechanics/component_system.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <numeric>
 
+#include "mechanics/assemble_system.hpp"
 #include "mechanics/impact.hpp"
 #include "mechanics/strain_displacement.hpp"
-#include "topology/assert.hpp"
 
 namespace sunder {
 namespace {
@@ -67,39 +67,24 @@ VertexGraph free_graph(const VertexStars& stars, std::span<const std::uint32_t> 
 }
 
 /// Free vertices in the order of elimination, held ones after them; `local_row` says which.
-/// Gives the tetrahedra at each row.
-VertexStars choose_order(ComponentSystem& system, std::span<std::uint32_t> local_row,
-                         const MechanicsState& state, std::span<const Corners> corners,
-                         const Component& component) {
+void choose_order(ComponentSystem& system, std::span<std::uint32_t> local_row,
+                  const SystemInput& input) {
+  const Component& component = input.component;
   for (std::size_t i = 0; i < component.vertices.size(); ++i) {
     local_row[component.vertices[i].index()] = static_cast<std::uint32_t>(i);
   }
-  const VertexStars stars = vertex_stars(local_row, corners, component);
-  std::vector<std::uint32_t> natural, held_rows;
-  for (std::size_t i = 0; i < component.vertices.size(); ++i) {
-    const VertexId v = component.vertices[i];
-    const bool is_free = state.vertices.support[v.index()].is_none();
-    (is_free ? natural : held_rows).push_back(static_cast<std::uint32_t>(i));
+  const VertexStars stars = vertex_stars(local_row, input.corners, component);
+  std::vector<VertexId> natural, held_vertices;
+  for (const VertexId v : component.vertices) {
+    const bool is_free = input.state.vertices.support[v.index()].is_none();
+    (is_free ? natural : held_vertices).push_back(v);
     local_row[v.index()] = is_free ? static_cast<std::uint32_t>(natural.size() - 1) : held;
   }
   system.free_count = natural.size();
-  system.analysis = analyse(free_graph(stars, local_row, corners, component));
-
-  std::vector<std::uint32_t> rows;
-  for (std::uint32_t i : system.analysis.order) rows.push_back(natural[i]);
-  rows.insert(rows.end(), held_rows.begin(), held_rows.end());
+  system.analysis = analyse(free_graph(stars, local_row, input.corners, component));
   system.order.clear();
-  VertexStars ordered;
-  ordered.start.push_back(0);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const VertexId v = component.vertices[rows[i]];
-    system.order.push_back(v);
-    local_row[v.index()] = static_cast<std::uint32_t>(i);
-    const auto star = stars.of(rows[i]);
-    ordered.tetrahedron.insert(ordered.tetrahedron.end(), star.begin(), star.end());
-    ordered.start.push_back(static_cast<std::uint32_t>(ordered.tetrahedron.size()));
-  }
-  return ordered;
+  for (std::uint32_t i : system.analysis.order) system.order.push_back(natural[i]);
+  system.order.insert(system.order.end(), held_vertices.begin(), held_vertices.end());
 }
 
 /// The rows of every column, its own first and then ascending.
@@ -137,130 +122,48 @@ void assemble_stiffness(BlockMatrix& K, const VertexStars& stars,
     for (std::uint32_t e = K.start[j]; e < K.start[j + 1]; ++e) place[K.row[e]] = e;
     for (TetId t : stars.of(j)) {
       const ShapeGradient& G = elements.shape_gradient[t.index()];
+      const double volume = elements.rest_volume[t.index()];
+      const Lame& material = constants[elements.material[t.index()].index()];
+      const Lame scaled{volume * material.lambda, volume * material.mu};
       const Corners& c = corners[t.index()];
       int own = 0;
       while (local_row[c[static_cast<std::size_t>(own)].index()] != j) ++own;
       for (int a = 0; a < 4; ++a) {
         const std::uint32_t row = local_row[c[static_cast<std::size_t>(a)].index()];
         if (row < j) continue;
-        Eigen::Map<Mat3>(K.value.data() + 9 * std::size_t{place[row]}) +=
-            stiffness_block(G.col(a), G.col(own), elements.rest_volume[t.index()],
-                            constants[elements.material[t.index()].index()]);
+        add_stiffness_block(K.value.data() + 9 * std::size_t{place[row]}, G.col(a), G.col(own),
+                            scaled);
       }
     }
   }
 }
 
 }  // namespace
+
+void assemble_system(ComponentSystem& system, std::span<std::uint32_t> local_row,
+                     const SystemInput& input) {
+  for (std::size_t i = 0; i < system.order.size(); ++i) {
+    local_row[system.order[i].index()] = static_cast<std::uint32_t>(i);
+  }
+  const Component& component = input.component;
+  const VertexStars stars = vertex_stars(local_row, input.corners, component);
+  system.shape = rest_shape(input.state.vertices, system.order, component.rest_centre);
+  set_pattern(system.stiffness, stars, local_row, input.corners);
+  assemble_stiffness(system.stiffness, stars, local_row, input.state, input.corners);
+  system.cell_travel = cell_travel(input.state, component);
+  system.tetrahedra = component.tetrahedra;
+  system.corners.clear();
+  for (TetId t : component.tetrahedra) system.corners.push_back(input.corners[t.index()]);
+}
 
 void build_system(ComponentSystem& system, std::span<std::uint32_t> local_row,
                   const MechanicsState& state, std::span<const Corners> corners,
                   const Component& component) {
-  const VertexStars stars = choose_order(system, local_row, state, corners, component);
-  system.shape = rest_shape(state.vertices, system.order, component.rest_centre);
-  set_pattern(system.stiffness, stars, local_row, corners);
-  assemble_stiffness(system.stiffness, stars, local_row, state, corners);
-  system.cell_travel = cell_travel(state, component);
-  for (SystemFactor* factor : {&system.step, &system.wave}) {
-    factor->factored = false;
-    factor->touched.clear();
-  }
-}
-
-void factor_system(ComponentSystem& system, const SystemMatrix& matrix, FactorUse use) {
-  SystemFactor& own = factor_of(system, use);
-  if (own.factored && own.matrix == matrix) return;
-  own.touched.clear();
-  FactorRoom room;
-  factor(own.factor, system.analysis,
-         {system.stiffness, system.shape.mass, matrix.mass, matrix.stiffness}, room);
-  own.factored = true;
-  own.matrix = matrix;
-}
-
-void solve_system(const ComponentSystem& system, Eigen::Ref<Eigen::MatrixXd> x, FactorUse use) {
-  const SystemFactor& own = use == FactorUse::step ? system.step : system.wave;
-  SUNDER_ASSERT(own.factored, "solve_system: no factor");
-  if (!own.factor.positive_definite) {
-    x.setConstant(std::numeric_limits<double>::quiet_NaN());
-    return;
-  }
-  for (Eigen::Index j = 0; j < x.cols(); ++j) {
-    solve(x.col(j).data(), own.factor, system.analysis);
-  }
-}
-
-void multiply_stiffness(Eigen::Ref<Eigen::VectorXd> y, const ComponentSystem& system,
-                        const Eigen::Ref<const Eigen::VectorXd>& x) {
-  multiply(y.data(), system.stiffness, x.data());
-}
-
-namespace {
-
-/// Vertices whose columns of A^-1 are solved for together: 12 right-hand sides fill the registers.
-constexpr std::size_t block_vertices = 4;
-
-/// Supernodes that the entries of A^-1 between touched vertices depend on: theirs and all above.
-std::vector<char> needed_supernodes(const BlockAnalysis& analysis,
-                                    std::span<const std::uint32_t> touched) {
-  std::vector<char> needed(analysis.supernodes.size(), 0);
-  for (std::uint32_t v : touched) {
-    std::uint32_t s = analysis.supernode_of[v];
-    for (; s != Supernode::none && !needed[s]; s = analysis.supernodes[s].parent) needed[s] = 1;
-  }
-  return needed;
-}
-
-/// Columns of A^-1 of the touched vertices from place `first` on, into the compliance cache. Only
-/// rows at touched vertices are kept: those of later ones come from their own columns.
-void fill_compliance(SystemFactor& own, const BlockAnalysis& analysis, std::size_t first) {
-  const std::size_t k = own.touched.size();
-  const auto size = static_cast<Eigen::Index>(3 * k);
-  if (own.compliance.rows() < size) own.compliance.conservativeResize(2 * size, 2 * size);
-  if (!own.factor.positive_definite) {
-    own.compliance.setConstant(std::numeric_limits<double>::quiet_NaN());
-    return;
-  }
-  const std::vector<char> needed = needed_supernodes(analysis, own.touched);
-  AlignedDoubles X(36 * analysis.order.size());
-  const auto block = [&X](std::uint32_t vertex, std::size_t b) {
-    return Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>, 0, Eigen::OuterStride<12>>(
-        X.data() + 36 * std::size_t{vertex} + 3 * b);
-  };
-  for (std::size_t next = first; next < k; next += block_vertices) {
-    const std::size_t count = std::min(block_vertices, k - next);
-    std::fill(X.begin(), X.end(), 0.0);
-    for (std::size_t b = 0; b < count; ++b) block(own.touched[next + b], b).setIdentity();
-    solve_12(X, own.factor, analysis, needed);
-    for (std::size_t b = 0; b < count; ++b) {
-      const auto column = static_cast<Eigen::Index>(3 * (next + b));
-      for (std::size_t i = 0; i < k; ++i) {
-        const auto row = static_cast<Eigen::Index>(3 * i);
-        const Mat3 answer = block(own.touched[i], b);
-        own.compliance.block<3, 3>(row, column) = answer;
-        own.compliance.block<3, 3>(column, row) = answer.transpose();
-      }
-    }
-  }
-}
-
-}  // namespace
-
-std::vector<std::uint32_t> touch_compliance(ComponentSystem& system,
-                                            std::span<const std::uint32_t> local_vertices,
-                                            FactorUse use) {
-  SystemFactor& own = factor_of(system, use);
-  const std::size_t known = own.touched.size();
-  std::vector<std::uint32_t> places;
-  places.reserve(local_vertices.size());
-  for (std::uint32_t v : local_vertices) {
-    SUNDER_ASSERT(v < system.free_count, "touch_compliance: the vertex is held");
-    const auto found = std::find(own.touched.begin(), own.touched.end(), v);
-    places.push_back(static_cast<std::uint32_t>(found - own.touched.begin()));
-    if (found == own.touched.end()) own.touched.push_back(v);
-  }
-  if (own.touched.size() > known) fill_compliance(own, system.analysis, known);
-  return places;
+  system = ComponentSystem{};
+  choose_order(system, local_row, {state, corners, component});
+  assemble_system(system, local_row, {state, corners, component});
+  const auto free_end = system.order.begin() + static_cast<std::ptrdiff_t>(system.free_count);
+  system.row_vertex.assign(system.order.begin(), free_end);
 }
 
 }  // namespace sunder

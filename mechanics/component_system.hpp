@@ -9,6 +9,7 @@
 
 #include "mechanics/block_factor.hpp"
 #include "mechanics/component.hpp"
+#include "mechanics/factor_border.hpp"
 #include "mechanics/mean_axis.hpp"
 #include "mechanics/mechanics_state.hpp"
 
@@ -25,12 +26,15 @@ struct SystemMatrix {
 /// The factor of one A with what has been asked of its inverse.
 struct SystemFactor {
   BlockFactor factor;
+  BorderFactor border;
   bool factored = false;
   SystemMatrix matrix;  ///< what `factor` holds, when factored
 
   /// Compliance cache: the local vertices touched so far and A^-1 between them, 3 k x 3 k.
   std::vector<std::uint32_t> touched;
   Eigen::MatrixXd compliance;  ///< 1/kg; body frame; capacity grows by doubling
+  /// Room of `solve_system` for extended rows.
+  mutable std::vector<double> extended;
 };
 
 /// Which of a component's factors: that of its steps, or that of the sub-steps of an impact.
@@ -45,24 +49,54 @@ struct ComponentSystem {
   std::size_t free_count = 0;
   RestShape shape;         ///< in that order
   BlockMatrix stiffness;   ///< K, all n vertices, N/m
-  BlockAnalysis analysis;  ///< of the free vertices
-  double cell_travel = 0;  ///< s, see `cell_travel` in impact.hpp
+  BlockAnalysis analysis;  ///< of the free vertices, or of those that the factors were made for
+  /// Extended row of every free vertex; empty: its own number.
+  std::vector<std::uint32_t> factor_row;
+  FactorBorder border;
+  std::uint32_t border_age = 0;  ///< parts of steps that the border has served
+  double cell_travel = 0;        ///< s, see `cell_travel` in impact.hpp
 
   /// The second factor is made when a component is struck first.
   SystemFactor step, wave;
 
+  /// What it was made of, so that a later split can tell which vertices are copies of which.
+  std::vector<TetId> tetrahedra;
+  std::vector<Corners> corners;
+  std::vector<VertexId> row_vertex;  ///< of every extended row
+
   std::size_t size() const { return order.size(); }
+};
+
+/// When a border has done its service: it must be below this many copies, and then serve this many
+/// parts of steps. Fixed numbers, so that results do not depend on timing.
+struct BorderLimits {
+  static constexpr std::size_t copies = 32;
+  static constexpr std::uint32_t age = 100;
 };
 
 inline SystemFactor& factor_of(ComponentSystem& system, FactorUse use) {
   return use == FactorUse::step ? system.step : system.wave;
 }
 
+/// What systems are made of.
+struct SystemInput {
+  const MechanicsState& state;
+  std::span<const Corners> corners;  ///< |T|
+  const Component& component;
+};
+
 /// Makes K and the numbering of `component`; writes its rows of `local_row`. No factor yet.
 /// O(blocks of L), 3 ms at 6 000 tetrahedra.
 void build_system(ComponentSystem& system, std::span<std::uint32_t> local_row,
                   const MechanicsState& state, std::span<const Corners> corners,
                   const Component& component);
+
+/// What `build_system` makes, with the factors of `old` serving on under a border: `old` is the
+/// system of the same component before vertices of it split or pieces came off it. False, and
+/// `system` is unfinished, where that cannot be or would not pay: too many copies (`BorderLimits`),
+/// more than half gone, no factor, or other vertices held. Takes what it needs out of `old`.
+bool extend_system(ComponentSystem& system, ComponentSystem& old,
+                   std::span<std::uint32_t> local_row, const SystemInput& input);
 
 /// Factors A over the free dofs unless that very matrix is factored already. Drops the compliance
 /// cache when the matrix changes. 10 ms at 6 000 tetrahedra.

@@ -192,6 +192,17 @@ void seat_frame(const MechanicsState& state, Component& component, const Parent&
   component.centre = parent.frame.centre + parent.frame.orientation * shift;
 }
 
+/// Factors may serve on; those of a component that is gone do not. A system retired before, and not
+/// asked for since, is still the one to compare with.
+void retire_system(MechanicsScratch& scratch, ComponentId id, bool gone) {
+  if (id.index() >= scratch.systems.size()) return;
+  std::unique_ptr<ComponentSystem>& system = scratch.systems[id.index()];
+  std::unique_ptr<ComponentSystem>& retired = scratch.retired[id.index()];
+  if (system) retired = std::move(system);
+  system.reset();
+  if (gone) retired.reset();
+}
+
 }  // namespace
 
 RebuildReport rebuild(MechanicsState& state, std::span<const Corners> corners,
@@ -208,7 +219,7 @@ RebuildReport rebuild(MechanicsState& state, std::span<const Corners> corners,
   RebuildReport report;
   for (std::size_t i = 0; i < touched.size(); ++i) {
     Component& component = state.components[touched[i].index()];
-    if (touched[i].index() < scratch.systems.size()) scratch.systems[touched[i].index()].reset();
+    retire_system(scratch, touched[i], members[i].empty());
     if (members[i].empty()) {
       component = Component{};
       component.id = touched[i];

@@ -44,7 +44,8 @@ struct MechanicsScratch {
   MechanicsScratch& operator=(MechanicsScratch&&) noexcept;
 
   /// Row = ComponentId; null until needed.
-  std::vector<std::unique_ptr<ComponentSystem>> systems;
+  /// `retired`: the one before its last split, whose factors may serve on (`extend_system`).
+  std::vector<std::unique_ptr<ComponentSystem>> systems, retired;
   /// Row = VertexId: its place in `Component::vertices`; valid for components with a system.
   std::vector<std::uint32_t> local_row;
 

@@ -43,6 +43,19 @@ ElementStiffness element_stiffness(const ShapeGradient& gradient, double rest_vo
 Mat3 stiffness_block(const Vec3& gradient_a, const Vec3& gradient_b, double rest_volume,
                      const Lame& lame);
 
+/// Adds that block, column by column, at `to`. `scaled`: the constants times the rest volume, N m.
+inline void add_stiffness_block(double* to, const Vec3& gradient_a, const Vec3& gradient_b,
+                                const Lame& scaled) {
+  const double* a = gradient_a.data();
+  const double* b = gradient_b.data();
+  const double shear = scaled.mu * (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]);
+  for (int c = 0; c < 3; ++c) {
+    const double along = scaled.lambda * b[c], across = scaled.mu * a[c];
+    for (int r = 0; r < 3; ++r) to[3 * c + r] += along * a[r] + across * b[r];
+    to[4 * c] += shear;
+  }
+}
+
 /// H = sum_a d_a G_a^T, 3 x 3, no unit: its symmetric part is the strain, its skew part the turn.
 inline Mat3 displacement_gradient(const ShapeGradient& gradient, const CornerVectors& d) {
   return d * gradient.transpose();

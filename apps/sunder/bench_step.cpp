@@ -69,24 +69,6 @@ struct Sink {
   }
 };
 
-/// The graph that a matrix was made on.
-VertexGraph graph_of(const BlockMatrix& A) {
-  std::vector<std::vector<std::uint32_t>> neighbours(A.size());
-  for (std::uint32_t j = 0; j < A.size(); ++j) {
-    for (std::uint32_t e = A.start[j] + 1; e < A.start[j + 1]; ++e) {
-      neighbours[j].push_back(A.row[e]);
-      neighbours[A.row[e]].push_back(j);
-    }
-  }
-  VertexGraph graph;
-  graph.start.push_back(0);
-  for (const auto& list : neighbours) {
-    graph.neighbour.insert(graph.neighbour.end(), list.begin(), list.end());
-    graph.start.push_back(static_cast<std::uint32_t>(graph.neighbour.size()));
-  }
-  return graph;
-}
-
 /// What the constant matrices of the body cost to make.
 void measure_factor(Simulation& sim, const Sink& sink) {
   const MechanicsState& m = sim.state.mechanics;
@@ -97,7 +79,7 @@ void measure_factor(Simulation& sim, const Sink& sink) {
   ComponentSystem other;
   std::vector<std::uint32_t> local_row(m.vertices.size());
   sink.measure("build", runs, [&] { build_system(other, local_row, m, corners, component); });
-  const VertexGraph graph = graph_of(system.stiffness);
+  const VertexGraph graph = graph_of(system.stiffness, system.free_count);
   sink.measure("analyse", runs, [&] { analyse(graph); });
   const SystemMatrix matrix = system.step.matrix;
   sink.measure("factor", runs, [&] {
@@ -106,7 +88,7 @@ void measure_factor(Simulation& sim, const Sink& sink) {
   });
   Eigen::VectorXd x = Eigen::VectorXd::Random(static_cast<Eigen::Index>(3 * system.size()));
   AlignedDoubles X(12 * static_cast<std::size_t>(x.size()), 1.0);
-  sink.measure("solve_12", runs, [&] { solve_12(X, system.step.factor, system.analysis); });
+  sink.measure("solve_12", runs, [&] { solve_12(X.data(), system.step.factor, system.analysis); });
   sink.add("factor_doubles", static_cast<double>(system.analysis.panel_size));
 
   using Sparse = Eigen::SparseMatrix<double>;
@@ -150,6 +132,77 @@ void measure_step(Simulation& sim, const Sink& sink) {
   const double whole = sink.measure("step", sink.runs, [&] { advance(sim); });
   sink.add("rest", whole - predicted - stress - criterion);
   sink.add("step_over_solve", whole / solve);
+}
+
+/// The `count` vertices of the component that are nearest to its first one.
+std::vector<VertexId> vertices_of_crack(const MechanicsState& m, std::size_t count) {
+  std::vector<VertexId> nearest = m.components.front().vertices;
+  const Vec3 start = m.vertices.rest_position[nearest.front().index()];
+  const auto distance = [&](VertexId v) {
+    return (m.vertices.rest_position[v.index()] - start).norm();
+  };
+  std::ranges::stable_sort(nearest, {}, distance);
+  nearest.resize(std::min(count, nearest.size()));
+  return nearest;
+}
+
+/// Splits stars along planes through their vertices; the component stays whole, for mechanics.
+void crack(MechanicsState& m, std::vector<Corners>& corners, std::span<const VertexId> vertices) {
+  for (const VertexId v : vertices) {
+    const Vec3 at = m.vertices.rest_position[v.index()];
+    std::vector<std::size_t> star;
+    for (std::size_t t = 0; t < corners.size(); ++t) {
+      if (std::ranges::find(corners[t], v) != corners[t].end()) star.push_back(t);
+    }
+    const auto is_above = [&](std::size_t t) {
+      Vec3 centre = Vec3::Zero();
+      for (const VertexId u : corners[t]) centre += 0.25 * m.vertices.rest_position[u.index()];
+      return (centre - at).dot(Vec3(1, 2, 3)) > 0;
+    };
+    const auto above = std::ranges::partition(star, is_above).begin() - star.begin();
+    // A star on one side of the plane is halved all the same.
+    const auto moved = above > 0 && above < std::ssize(star) ? above : std::ssize(star) / 2;
+    if (moved == 0) continue;
+    const VertexId copy = append_copy(m.vertices, v);
+    for (std::ptrdiff_t i = 0; i < moved; ++i) {
+      std::ranges::replace(corners[star[static_cast<std::size_t>(i)]], v, copy);
+    }
+  }
+}
+
+/// What a crack costs: old factor under a border, or all anew.
+void measure_crack(const Simulation& sim, std::size_t count, const Sink& sink) {
+  MechanicsState m = sim.state.mechanics;
+  const auto before = sim.state.cells.map.corners();
+  std::vector<Corners> corners(before.begin(), before.end());
+  crack(m, corners, vertices_of_crack(m, count));
+  MechanicsScratch scratch;
+  const ComponentId only = m.components.front().id;
+  rebuild(m, corners, {&only, 1}, scratch);
+  std::vector<std::uint32_t> local_row(m.vertices.size());
+  const SystemInput input{m, corners, m.components.front()};
+  const ComponentSystem& old = *sim.scratch.mechanics.systems.front();
+  const SystemMatrix matrix = old.step.matrix;
+  ComponentSystem copy, system, fresh;
+  std::vector<double> times;
+  for (int run = 0; run < std::max(3, sink.runs / 5); ++run) {
+    copy = old;
+    const double start = wall_us();
+    if (!extend_system(system, copy, local_row, input)) return;
+    factor_system(system, matrix);
+    times.push_back(1e-3 * (wall_us() - start));
+  }
+  const std::string name = fmt::format("crack_{}", count);
+  const double bordered = median(std::move(times));
+  sink.add(name + "_bordered", bordered);
+  const double anew = sink.measure(name + "_rebuilt", std::max(3, sink.runs / 5), [&] {
+    build_system(fresh, local_row, m, corners, m.components.front());
+    factor_system(fresh, matrix);
+  });
+  Eigen::VectorXd x = Eigen::VectorXd::Random(static_cast<Eigen::Index>(3 * fresh.size()));
+  const double plain = sink.time(sink.runs, [&] { solve_system(fresh, x); });
+  const double solve = sink.measure(name + "_solve", sink.runs, [&] { solve_system(system, x); });
+  sink.add(name + "_even", (anew - bordered) / (solve - plain));
 }
 
 /// Whole steps over moduli and steps; largest over least.
@@ -202,7 +255,7 @@ Result<std::vector<StepBody>> step_bodies(const StepBenchSettings& settings) {
 }  // namespace
 
 std::vector<StepQuantity> step_quantities() {
-  return {
+  std::vector<StepQuantity> all = {
       {"step", "ms", "Whole step"},
       {"frame", "ms", "  loads, frame, momenta"},
       {"product", "ms", "  product with K"},
@@ -221,6 +274,14 @@ std::vector<StepQuantity> step_quantities() {
       {"eigen_factor", "ms", "  factor"},
       {"eigen_solve", "ms", "  back-solve"},
   };
+  for (const std::size_t n : crack_sizes) {
+    all.push_back({fmt::format("crack_{}_bordered", n), "ms",
+                   fmt::format("Crack of {} vertices: K and border", n)});
+    all.push_back({fmt::format("crack_{}_rebuilt", n), "ms", "  anew: order, K, factor"});
+    all.push_back({fmt::format("crack_{}_solve", n), "ms", "  back-solve under the border"});
+    all.push_back({fmt::format("crack_{}_even", n), "", "  back-solves until anew is cheaper"});
+  }
+  return all;
 }
 
 Result<StepBench> bench_step(const StepBenchSettings& settings,
@@ -240,6 +301,7 @@ Result<StepBench> bench_step(const StepBenchSettings& settings,
     if (sim) {
       measure_step(*sim, sink);
       measure_factor(*sim, sink);
+      for (const std::size_t n : crack_sizes) measure_crack(*sim, n, sink);
       sim = measure_range(body.mesh, sink);
     }
     if (!sim) {

@@ -2,6 +2,7 @@
 // `sunder bench step`: what a step without contact and cracks costs, in parts, and its factor.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -34,9 +35,9 @@ struct StepFigure {
 };
 
 struct StepQuantity {
-  std::string_view name;  ///< as in CSV and JSON
-  std::string_view unit;
-  std::string_view text;  ///< as in the table
+  std::string name;  ///< as in CSV and JSON
+  std::string unit;
+  std::string text;  ///< as in the table
 };
 
 /// In the order of the table.
@@ -47,6 +48,9 @@ struct StepBench {
   int runs = 0;
   std::vector<StepFigure> figures;
 };
+
+/// Numbers of vertices that are split in the cracks measured.
+inline constexpr std::array<std::size_t, 4> crack_sizes = {1, 3, 10, 30};
 
 /// Measures everything. `progress` is told each body before its turn. Errors: those of reading and
 /// building the bodies.

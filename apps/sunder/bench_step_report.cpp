@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -48,7 +49,7 @@ std::optional<double> figure_of(const StepBench& bench, const Wanted& wanted) {
 std::string cell_of(std::optional<double> value, std::string_view quantity) {
   if (!value) return "-";
   if (quantity == "factor_doubles") return fmt::format("{:.0f}", *value);
-  return fmt::format("{:.{}f}", *value, *value < 10 ? 3 : 1);
+  return fmt::format("{:.{}f}", *value, std::abs(*value) < 10 ? 3 : 1);
 }
 
 void append_range(std::string& out, const StepBench& bench) {

@@ -11,11 +11,16 @@ namespace sunder {
 ComponentSystem& built_system(MechanicsScratch& scratch, const MechanicsState& state,
                               std::span<const Corners> corners, const Component& component) {
   scratch.systems.resize(state.components.size());
+  scratch.retired.resize(state.components.size());
   scratch.local_row.resize(state.vertices.size());
   std::unique_ptr<ComponentSystem>& system = scratch.systems[component.id.index()];
   if (!system) {
     system = std::make_unique<ComponentSystem>();
-    build_system(*system, scratch.local_row, state, corners, component);
+    std::unique_ptr<ComponentSystem>& old = scratch.retired[component.id.index()];
+    if (!old || !extend_system(*system, *old, scratch.local_row, {state, corners, component})) {
+      build_system(*system, scratch.local_row, state, corners, component);
+    }
+    old.reset();
   }
   return *system;
 }

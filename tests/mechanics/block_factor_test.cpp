@@ -162,7 +162,7 @@ TEST_CASE("solves in blocks agree with dense ones on graphs of every shape",
     solve(x.data(), L, analysis);
     CHECK((x - expected.col(0)).norm() <= 1e-13 * expected.col(0).norm());
     AlignedDoubles X = twelve(B);
-    solve_12(X, L, analysis);
+    solve_12(X.data(), L, analysis);
     double worst = 0;
     for (Eigen::Index i = 0; i < 3 * n; ++i) {
       for (Eigen::Index k = 0; k < 12; ++k) {
