@@ -6,15 +6,16 @@
 
 namespace sunder {
 
-/// Remembers where the vertices are before a part of a step.
+/// Remembers the state before a part of a step.
 void begin_part(StepWork& work);
 
-/// Adds to the report of the step what gravity, surface loads and the integrator did in the part
-/// just adopted: impulse and work of loads, work of gravity, numerical loss. `input`: as the part
-/// was taken with. One product with K for each member.
+/// Adds to the report of the step what happened in the part just adopted: change of strain, work of
+/// gravity, surface loads, contact and supports, losses, impulse of loads. `input`: as the part was
+/// taken with. O(vertices + contacts), beside the pass over elements that `adopt` makes anyway; one
+/// product with K for each component whose supports move.
 void end_part(StepWork& work, const StepInput& input);
 
-/// Closes the ledger of a step that began with `kinetic` and `strain`, J.
-void close_ledger(StepWork& work, double kinetic, double strain);
+/// Closes the ledger of a step that began with `kinetic` J.
+void close_ledger(StepWork& work, double kinetic);
 
 }  // namespace sunder

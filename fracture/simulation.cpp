@@ -66,8 +66,10 @@ void rebuild_components(StepWork& work, const FractureReport& fracture) {
     old_rest_centre.push_back(s.mechanics.components[id].rest_centre);
   }
   s.mechanics.elements.component = s.cells.labels.of_tetrahedron;
-  work.report.energy_released +=
-      rebuild(s.mechanics, s.cells.map.corners(), touched, sim.scratch.mechanics).energy_released;
+  const RebuildReport rebuilt =
+      rebuild(s.mechanics, s.cells.map.corners(), touched, sim.scratch.mechanics);
+  work.report.energy_released += rebuilt.energy_released;
+  work.report.energy.strain -= rebuilt.strain_released;
 
   s.display.resize(s.cells.labels.size.size());
   s.display_target.resize(s.display.size());
@@ -194,7 +196,6 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
   StepWork work{sim, observe, {}, {}, {}, {}};
   std::swap(work.loads, sim.scratch.loads);
   const double kinetic = kinetic_energy(s.mechanics.vertices);
-  const double strain = strain_energy(s.mechanics);
   sim.scratch.ladder.touched.assign(s.mechanics.components.size(), 0);
   work.loads.gravity = gravity_at(sim.scene.gravity, s.mechanics.time + sim.scene.time_step);
   s.impact.quiet.resize(s.mechanics.components.size(), ImpactWindow::closed);
@@ -207,9 +208,9 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
   StepReport& report = work.report;
   report.step = ++s.step;
   report.time = s.mechanics.time;
-  close_ledger(work, kinetic, strain);
   for_each_living(s.mechanics, {}, [&](const Component&) { ++report.components; });
   if (!work.failed()) choose_rungs(work);
+  close_ledger(work, kinetic);
   if (!work.failed()) {
     const StageTimer timer(report, Stage::display);
     update_display(sim);

@@ -49,11 +49,13 @@ struct SimulationState {
   std::uint64_t step = 0;
 };
 
-/// Rows of vertices at the start of the part of a step at hand, for the energy ledger.
+/// The state at the start of the part of a step at hand, for the energy ledger.
 struct PartStart {
-  std::vector<Vec3> position;                    ///< m, world
-  std::vector<Vec3> displacement, acceleration;  ///< m, m/s^2, body frame
-  std::vector<double> work;                      ///< of `numerical_loss`
+  std::vector<Vec3> position;                          ///< m, world
+  std::vector<Vec3> displacement, rate, acceleration;  ///< m, m/s, m/s^2, body frame
+  std::vector<Vec3> momentum, angular_momentum;        ///< row = ComponentId
+  std::vector<double> work;                            ///< of a product with K
+  std::vector<char> touched;                           ///< row = ComponentId: contact gave it some
 };
 
 /// What the choice of rungs looks at, rows = ComponentId.
@@ -116,19 +118,25 @@ struct LadderReport {
   std::array<std::size_t, rung_count> components{}, tetrahedra{};
 };
 
-/// Energies of a step, J, all recomputed from rows of vertices and tetrahedra.
+/// Where the energy of the bodies went in a step, J: work in = what came of it + residual,
+///   gravity + loads + contact + supports
+///     = kinetic + strain + damping work + numerical + energy released + residual.
+/// Everything is recomputed from rows and impulses, part by part; nothing is taken as the rest.
 struct EnergyLedger {
   double kinetic = 0, strain = 0;  ///< change over the step
-  double gravity = 0;              ///< work of gravity, sum m g . dx
-  double loads = 0;                ///< work of surface loads, sum f . dx
-  /// What generalised-alpha took, by its closed form (`numerical_loss`); none of other integrators
-  /// and of the sub-steps of impacts is known.
+  double gravity = 0;              ///< sum m g . dx
+  double loads = 0;                ///< of surface loads, sum f . dx
+  /// Of contact on bodies: each impulse times the mean velocity of its point over the part. A wall
+  /// that stands still takes by friction, and by stopping the lumped layer that touches it.
+  double contact = 0;
+  double friction = 0;  ///< of that, what sliding turned into heat; free spheres' turning left out
+  double supports = 0;  ///< of supports that move
+  /// What the scheme took: of deformations by its closed form (`numerical_loss`, `wave_loss`), and
+  /// of the frame of what is touched, which a blow stops without a bounce. Only of floating_frame;
+  /// what other integrators take is in the residual.
   double numerical = 0;
-  /// kinetic + strain + damping work + energy released + numerical - gravity - loads: the work of
-  /// contact and of moving supports less what friction, inelastic blows and sub-steps of impacts
-  /// took, and what is of second order in the displacement. Without contact, moving supports, spin
-  /// and damping it is the residual of the ledger: rounding.
-  double balance = 0;
+  double residual = 0;
+  double moved = 0;  ///< sum of the sizes of all terms: what the residual is to be compared with
 };
 
 /// What one step did.

@@ -28,46 +28,29 @@ double kinetic_energy(const VertexColumns& vertices) {
   return sum;
 }
 
-namespace {
-
-/// What turns the stress of a material into energy: sigma : eps = (sigma : sigma - share tr^2) over
-/// 2 mu, with share = lambda / (3 lambda + 2 mu) = nu / (1 + nu).
-struct Compliance {
-  double half_inverse;  ///< 1 / (4 mu), 1/Pa
-  double share;
-};
-
-Compliance compliance_of(const Material& material) {
-  return {0.25 / lame(material).mu, material.poisson_ratio / (1 + material.poisson_ratio)};
-}
-
-double energy_of(const Mat3& sigma, double volume, const Compliance& compliance) {
-  const double trace = sigma.trace();
-  return volume * compliance.half_inverse *
-         (sigma.squaredNorm() - compliance.share * trace * trace);
-}
-
-}  // namespace
+StressEnergy::StressEnergy(const Material& material)
+    : factor(0.25 / lame(material).mu),
+      share(material.poisson_ratio / (1 + material.poisson_ratio)) {}
 
 double element_strain_energy(const MechanicsState& state, TetId element) {
   const ElementColumns& elements = state.elements;
   const std::size_t t = element.index();
-  return energy_of(elements.stress[t], elements.rest_volume[t],
-                   compliance_of(state.materials[elements.material[t].index()]));
+  const StressEnergy energy(state.materials[elements.material[t].index()]);
+  return elements.rest_volume[t] * energy.density(elements.stress[t]);
 }
 
 double strain_energy(const MechanicsState& state) {
   const ElementColumns& elements = state.elements;
   // Elements of one material follow each other.
   MaterialId material = MaterialId::none();
-  Compliance compliance{};
+  StressEnergy energy;
   double sum = 0;
   for (std::size_t t = 0; t < elements.size(); ++t) {
     if (elements.material[t] != material) {
       material = elements.material[t];
-      compliance = compliance_of(state.materials[material.index()]);
+      energy = StressEnergy(state.materials[material.index()]);
     }
-    sum += energy_of(elements.stress[t], elements.rest_volume[t], compliance);
+    sum += elements.rest_volume[t] * energy.density(elements.stress[t]);
   }
   return sum;
 }

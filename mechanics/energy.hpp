@@ -23,6 +23,30 @@ double element_strain_energy(const MechanicsState& state, TetId element);
 /// sum V sigma : eps / 2 from the element stresses (eq. 5), J. Needs: `elements.stress` up to date.
 double strain_energy(const MechanicsState& state);
 
+/// What a measure of element stresses changed in a component's strain energy, J.
+struct StrainChange {
+  double before = 0, after = 0;
+  double difference = 0;  ///< Dd . K Dd: twice the energy of the difference of the stresses
+};
+
+/// Turns stresses of one material into energies: sigma : eps = (sigma : sigma - share tr^2) / 2 mu
+/// with share = lambda / (3 lambda + 2 mu) = nu / (1 + nu).
+struct StressEnergy {
+  double factor = 0;  ///< 1 / (4 mu), 1/Pa
+  double share = 0;
+  StressEnergy() = default;
+  explicit StressEnergy(const Material& material);
+  /// sigma : eps / 2, J/m^3. `sigma` symmetric.
+  double density(const Mat3& sigma) const {
+    const double trace = sigma(0, 0) + sigma(1, 1) + sigma(2, 2);
+    const double normal = sigma(0, 0) * sigma(0, 0) + sigma(1, 1) * sigma(1, 1) +
+                          sigma(2, 2) * sigma(2, 2);
+    const double shear = sigma(1, 0) * sigma(1, 0) + sigma(2, 0) * sigma(2, 0) +
+                         sigma(2, 1) * sigma(2, 1);
+    return factor * (normal + 2 * shear - share * trace * trace);
+  }
+};
+
 /// - sum m g . x, J.
 double gravity_energy(const VertexColumns& vertices, const Vec3& gravity);
 

@@ -61,6 +61,7 @@ void place(MechanicsState& state, ComponentId component, const Placement& placem
 struct RebuildReport {
   /// J: strain and deformational kinetic energy of pieces that became isolated rigid tetrahedra.
   double energy_released = 0;
+  double strain_released = 0;  ///< J, the strain in it
 };
 
 /// Brings components up to date after splits or after supports changed. For every component in

@@ -231,7 +231,7 @@ RebuildReport rebuild(MechanicsState& state, std::span<const Corners> corners,
     component.orientation = parent.frame.orientation;
     component.rung = Rung::full;
     if (component.supported) seat_frame(state, component, parent);
-    if (component.isolated) report.energy_released += present_strain(state, corners, component);
+    if (component.isolated) report.strain_released += present_strain(state, corners, component);
     fit_component(state, component);
     if (component.isolated) {
       report.energy_released += make_rigid(state, component);
@@ -239,6 +239,7 @@ RebuildReport rebuild(MechanicsState& state, std::span<const Corners> corners,
       carry_acceleration(state, component, parent.frame.orientation);
     }
   }
+  report.energy_released += report.strain_released;
   return report;
 }
 

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mechanics/energy.hpp"
 #include "mechanics/integrators/settings.hpp"
 #include "mechanics/mechanics_state.hpp"
 
@@ -31,7 +32,7 @@ struct PredictedFrame {
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
   Vec3 momentum = Vec3::Zero();
   Vec3 angular_momentum = Vec3::Zero();
-  double damping_work = 0;  ///< J taken by Rayleigh damping in this step, >= 0
+  double damping_work = 0;  ///< J taken by Rayleigh damping in this step
   double turned = 0;        ///< rad: h^2 / I times the largest moment of forces that do not turn
 };
 
@@ -58,10 +59,13 @@ struct MechanicsScratch {
 
   /// Local vectors of the component at hand, 3 n each, grown to the largest and kept.
   std::array<std::vector<double>, 8> work;
-  std::vector<Lame> lame;  ///< row = MaterialId
+  std::vector<Lame> lame;                    ///< row = MaterialId
+  std::vector<StressEnergy> stress_energy;  ///< row = MaterialId
   /// Row = ComponentId: largest turn theta of an element against its component, rad, at the new
   /// state (size of the skew part of the displacement gradient); for the validity warning.
   std::vector<double> largest_turn;
+  /// Row = ComponentId: what the last measure of its stresses changed, J.
+  std::vector<StrainChange> strain;
 };
 
 /// How deformations go through a step of floating_frame, or through a part of one.

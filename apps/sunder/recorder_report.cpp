@@ -157,8 +157,13 @@ ordered_json energy_ledger(const RunStatistics& statistics, const Simulation& no
           {"released_by_rigid_pieces", statistics.energy_released},
           {"gravity_work", statistics.gravity_work},
           {"load_work", statistics.load_work},
+          {"contact_work", statistics.contact_work},
+          {"support_work", statistics.support_work},
+          {"friction_heat", statistics.friction},
           {"numerical_loss", statistics.numerical_loss},
-          {"balance", statistics.balance}};
+          {"residual", statistics.residual},
+          {"residual_over_energy_moved",
+           statistics.moved > 0 ? statistics.residual_size / statistics.moved : 0}};
 }
 
 /// Past this turn a part's false strain theta^2 / 2 reaches a tenth of the breaking strain xi / E.
@@ -229,7 +234,12 @@ void add_step(RunStatistics& statistics, const Simulation& now, const StepReport
   statistics.gravity_work += report.energy.gravity;
   statistics.load_work += report.energy.loads;
   statistics.numerical_loss += report.energy.numerical;
-  statistics.balance += report.energy.balance;
+  statistics.contact_work += report.energy.contact;
+  statistics.support_work += report.energy.supports;
+  statistics.friction += report.energy.friction;
+  statistics.residual += report.energy.residual;
+  statistics.residual_size += std::abs(report.energy.residual);
+  statistics.moved += report.energy.moved;
   if (!statistics.turned_too_far) check_turns(statistics, now, report);
 }
 

@@ -64,7 +64,8 @@ struct RunStatistics {
   std::size_t predicted = 0, predicted_rightly = 0, separated = 0;
   /// J.
   double damping_work = 0, energy_released = 0;
-  double gravity_work = 0, load_work = 0, numerical_loss = 0, balance = 0;
+  double gravity_work = 0, load_work = 0, contact_work = 0, support_work = 0, friction = 0;
+  double numerical_loss = 0, residual = 0, residual_size = 0, moved = 0;
   Energies energy_at_start;
   MomentumLedger momentum;
   ContactStatistics contact;

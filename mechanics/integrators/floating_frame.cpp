@@ -28,17 +28,23 @@ BodyDeformation gather_deformation(const ComponentStep& step) {
   return d;
 }
 
-/// h v^T C v with the mean rate of the step, J.
+/// Dd . C d' with the rate where the scheme balances forces: at `balance` of the way from the rate
+/// of the start to `d.rate`. What the damping took in the step, exactly, J.
 double damping_work(const ComponentStep& step, const RayleighDamping& damping,
-                    const Field& rate_old, const Field& rate_new) {
-  Field mean = work_field(step.scratch, Work::argument, step.system->size());
-  Field product = work_field(step.scratch, Work::product, step.system->size());
-  mean = 0.5 * (rate_old + rate_new);
-  multiply_stiffness(as_vector(product), *step.system, as_vector(mean));
-  const double inner = mean.colwise().squaredNorm().dot(step.system->shape.mass.transpose());
-  return step.input.settings.time_step *
-         (damping.mass_factor * inner +
-          damping.stiffness_factor * mean.cwiseProduct(product).sum());
+                    const BodyDeformation& d, double balance) {
+  const std::size_t n = step.system->size();
+  Field way = work_field(step.scratch, Work::argument, n);
+  gather(way, step.system->order, step.state.vertices.displacement);
+  way = d.displacement - way;
+  Field rate = work_field(step.scratch, Work::spare, n);
+  gather(rate, step.system->order, step.state.vertices.displacement_rate);
+  rate = balance * d.rate + (1 - balance) * rate;
+  Field product = work_field(step.scratch, Work::product, n);
+  multiply_stiffness(as_vector(product), *step.system, as_vector(way));
+  const double inner =
+      way.cwiseProduct(rate).colwise().sum().dot(step.system->shape.mass.transpose());
+  return damping.mass_factor * inner +
+         damping.stiffness_factor * rate.cwiseProduct(product).sum();
 }
 
 /// Held vertices go on at their constant rate, whatever the deformation's own time is.
@@ -58,8 +64,6 @@ double advance_deformation(const ComponentStep& step, BodyDeformation& d, const 
   const auto free = static_cast<Eigen::Index>(step.system->free_count);
   const bool damped = a > 0 || b > 0;
 
-  Field rate_old = work_field(step.scratch, Work::spare, n);
-  if (damped) rate_old = d.rate;
   Field argument = work_field(step.scratch, Work::argument, n);
   argument = alpha_f * (d.displacement + b * d.rate);
   Field rhs = work_field(step.scratch, Work::product, n);
@@ -82,7 +86,7 @@ double advance_deformation(const ComponentStep& step, BodyDeformation& d, const 
   d.acceleration = rhs;
   d.displacement += beta * h * h * d.acceleration;
   d.rate += gamma * h * d.acceleration;
-  return damped ? damping_work(step, settings.damping, rate_old, d.rate) : 0;
+  return damped ? damping_work(step, settings.damping, d, 1 - alpha_f) : 0;
 }
 
 /// The scheme of impacts (`WaveScheme`), in place; gives the damping work, its viscosity's included.
@@ -103,13 +107,11 @@ double advance_wave(const ComponentStep& step, BodyDeformation& d, const Field& 
   solve_system(*step.system, as_vector(change).head(3 * free), FactorUse::wave);
   change.rightCols(static_cast<Eigen::Index>(n) - free).setZero();
 
-  Field rate_old = work_field(step.scratch, Work::spare, n);
-  rate_old = d.rate;
   d.displacement.leftCols(free) += h * d.rate.leftCols(free) + reach * change.leftCols(free);
   move_held(step, d);
   d.rate += change;
   d.acceleration.setZero();
-  return damping_work(step, damping, rate_old, d.rate);
+  return damping_work(step, damping, d, WaveScheme::theta);
 }
 
 /// Takes the deformation through the part of a step at hand; gives the damping work.

@@ -32,6 +32,7 @@ Scene flight_scene(const FreeFlight& flight) {
   scene.gravity.acceleration.setZero();
   scene.time_step = flight.time_step;
   scene.integrator = flight.integrator;
+  scene.ladder.rigid = flight.ladder;
   return scene;
 }
 

@@ -17,6 +17,7 @@ struct FreeFlight {
   double duration = 10;     ///< s
   double spin = 50;         ///< rad/s
   double young_modulus = 30e9;
+  bool ladder = true;  ///< whether it may fly as a rigid body
   IntegratorSettings integrator = {};
 };
 
