@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 
+#include "apps/sunder/bench_cholmod.hpp"
 #include "apps/sunder/bench_clock.hpp"
 #include "apps/sunder/bench_figures.hpp"
 #include "fracture/simulation.hpp"
@@ -69,6 +70,34 @@ struct Sink {
   }
 };
 
+/// Other factors of the same matrix: Eigen's in our order, and CHOLMOD's in its own.
+void measure_others(const ComponentSystem& system, const Sink& sink) {
+  using Sparse = Eigen::SparseMatrix<double>;
+  const SystemMatrix& matrix = system.step.matrix;
+  Sparse A = leading_scalars(system.stiffness, system.free_count);
+  A *= matrix.stiffness;
+  for (Eigen::Index i = 0; i < A.cols(); ++i) {
+    A.coeffRef(i, i) += matrix.mass * system.shape.mass[i / 3];
+  }
+  const Eigen::VectorXd b = Eigen::VectorXd::Random(A.cols());
+  Eigen::VectorXd x = b;
+  Eigen::SimplicialLLT<Sparse, Eigen::Lower, Eigen::NaturalOrdering<int>> llt;
+  const int few = std::clamp(sink.runs / 10, 1, 5);
+  sink.measure("eigen_analyse", few, [&] { llt.analyzePattern(A); });
+  sink.measure("eigen_factor", few, [&] { llt.factorize(A); });
+  sink.measure("eigen_solve", 4 * few, [&] {
+    x = b;
+    llt.matrixL().solveInPlace(x);
+    llt.matrixU().solveInPlace(x);
+  });
+  const auto cholmod = time_cholmod(A, b, x, few);
+  if (!cholmod) return;
+  sink.add("cholmod_analyse", cholmod->analyse);
+  sink.add("cholmod_factor", cholmod->factor);
+  sink.add("cholmod_solve", cholmod->solve);
+  sink.add("cholmod_difference", cholmod->error);
+}
+
 /// What the constant matrices of the body cost to make.
 void measure_factor(Simulation& sim, const Sink& sink) {
   const MechanicsState& m = sim.state.mechanics;
@@ -90,21 +119,6 @@ void measure_factor(Simulation& sim, const Sink& sink) {
   AlignedDoubles X(12 * static_cast<std::size_t>(x.size()), 1.0);
   sink.measure("solve_12", runs, [&] { solve_12(X.data(), system.step.factor, system.analysis); });
   sink.add("factor_doubles", static_cast<double>(system.analysis.panel_size));
-
-  using Sparse = Eigen::SparseMatrix<double>;
-  Sparse A = leading_scalars(system.stiffness, system.free_count);
-  A *= matrix.stiffness;
-  for (Eigen::Index i = 0; i < A.cols(); ++i) {
-    A.coeffRef(i, i) += matrix.mass * system.shape.mass[i / 3];
-  }
-  Eigen::SimplicialLLT<Sparse, Eigen::Lower, Eigen::NaturalOrdering<int>> llt;
-  const int few = std::clamp(runs / 2, 1, 5);
-  sink.measure("eigen_analyse", few, [&] { llt.analyzePattern(A); });
-  sink.measure("eigen_factor", few, [&] { llt.factorize(A); });
-  sink.measure("eigen_solve", few, [&] {
-    llt.matrixL().solveInPlace(x);
-    llt.matrixU().solveInPlace(x);
-  });
 }
 
 /// The parts of a step, each called by itself, and the step as `advance` takes it.
@@ -273,6 +287,10 @@ std::vector<StepQuantity> step_quantities() {
       {"eigen_analyse", "ms", "SimplicialLLT, same order: analysis"},
       {"eigen_factor", "ms", "  factor"},
       {"eigen_solve", "ms", "  back-solve"},
+      {"cholmod_analyse", "ms", "CHOLMOD, own order, OpenBLAS: analysis"},
+      {"cholmod_factor", "ms", "  factor"},
+      {"cholmod_solve", "ms", "  back-solve"},
+      {"cholmod_difference", "", "  difference to Eigen's answer"},
   };
   for (const std::size_t n : crack_sizes) {
     all.push_back({fmt::format("crack_{}_bordered", n), "ms",
@@ -301,6 +319,7 @@ Result<StepBench> bench_step(const StepBenchSettings& settings,
     if (sim) {
       measure_step(*sim, sink);
       measure_factor(*sim, sink);
+      measure_others(*sim->scratch.mechanics.systems.front(), sink);
       for (const std::size_t n : crack_sizes) measure_crack(*sim, n, sink);
       sim = measure_range(body.mesh, sink);
     }

@@ -48,6 +48,7 @@ std::optional<double> figure_of(const StepBench& bench, const Wanted& wanted) {
 
 std::string cell_of(std::optional<double> value, std::string_view quantity) {
   if (!value) return "-";
+  if (quantity == "cholmod_difference") return fmt::format("{:.1e}", *value);
   if (quantity == "factor_doubles") return fmt::format("{:.0f}", *value);
   return fmt::format("{:.{}f}", *value, std::abs(*value) < 10 ? 3 : 1);
 }
