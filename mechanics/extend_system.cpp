@@ -108,7 +108,9 @@ bool extend_system(ComponentSystem& system, ComponentSystem& old,
   ExtendedRows rows(input.state.vertices.size(), none);
   const std::size_t first = old.border.columns.size();
   find_copies(old, rows, input);
-  if (old.border.columns.size() > BorderLimits::copies) return false;
+  const std::size_t copies = old.border.columns.size();
+  if (copies > BorderLimits::copies) return false;
+  if (copies * BorderLimits::vertices_to_copy > old.border.base) return false;
   fill_columns(old, rows, first, input);
   if (!set_order(system, rows, input)) return false;
   assemble_system(system, local_row, input);

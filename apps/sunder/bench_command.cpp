@@ -84,7 +84,10 @@ Bodies: boxes of 414 and 6 120 tetrahedra (with --large one of 49 152), or those
 concrete in free fall, turning, too strong to break. A step is what `sunder run` takes: contact
 search, floating_frame, element and node stress, threshold tests, energy ledger, display.
 
-Times are milliseconds on the wall, medians; parts of a step are called by themselves. Give the
+Times are milliseconds on the wall, medians; parts of a step are called by themselves. Over modulus
+and step the simulations take turns (bodies of up to 10 000 tetrahedra). A crack splits the vertices
+nearest to a corner; the old factor serves on under a border, or order, K and factor are made anew
+(docs/factor.md). Give the
 process its priority on a busy machine: echo -15 > /proc/self/autogroup. Ours and Eigen's factor
 have the same order of elimination. The build type is Release: -O3, no -march; AVX2 where there is.
 

@@ -76,7 +76,7 @@ void update_components(Cracking& c) {
 }
 
 Cracking cracking_body(bool held, std::mt19937& random) {
-  const Body body = shaken(kuhn_block({6, 4, 3}, {1, 0.6, 0.4}), 0.03, random);
+  const Body body = shaken(kuhn_block({9, 6, 4}, {1, 0.6, 0.4}), 0.02, random);
   Cracking c{body, state_of(body, Material{})};
   if (!held) return c;
   c.state.motions.push_back({});
