@@ -216,6 +216,8 @@ void end_part(StepWork& work, const StepInput& input) {
     }
   });
   if (input.settings.integrator == Integrator::floating_frame) add_losses(work, input);
+  follow_cracks(work.report.cracks, work.sim.state.cracks, work.sim.state.mechanics,
+                {work.sim.scratch.before.displacement, work.members(), input.settings.time_step});
 }
 
 void close_ledger(StepWork& work, double kinetic) {

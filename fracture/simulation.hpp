@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "fracture/cells.hpp"
+#include "fracture/crack_energy.hpp"
 #include "fracture/find_fractures.hpp"
 #include "fracture/scene.hpp"
 #include "mechanics/contact.hpp"
@@ -46,6 +47,8 @@ struct SimulationState {
   /// Row = ComponentId: where each component is drawn (section 3.3), and the target it was given in
   /// the last step.
   std::vector<DisplayState> display, display_target;
+  std::vector<OpenCrack> cracks;  ///< whose energy is still being measured
+  std::uint64_t fans = 0;         ///< so far
   std::uint64_t step = 0;
 };
 
@@ -154,6 +157,9 @@ struct StepReport {
   /// N s, given by surface loads, what acts at supports too.
   Vec3 load_impulse = Vec3::Zero();
   EnergyLedger energy;
+  /// Fans whose energy was settled in this step; not of this step, and not in the ledger: what
+  /// they give up goes into motion and from there into losses.
+  std::vector<CrackEnergy> cracks;
   /// J, given up by pieces that became rigid tetrahedra and by components that took a lower rung.
   double energy_released = 0;
   std::size_t components = 0;

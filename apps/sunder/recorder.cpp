@@ -61,7 +61,8 @@ bool is_ours(const std::string& name) {
                        [](char c) { return c >= '0' && c <= '9'; });
   };
   return numbered("frame_", ".vtu") || numbered("picture_", ".png") || name == "frames.pvd" ||
-         name == "events.jsonl" || name == "fragments.csv" || name == "report.json";
+         name == "events.jsonl" || name == "cracks.csv" ||
+         name == "fragments.csv" || name == "report.json";
 }
 
 /// Makes the folders and removes what an earlier run left: frames of two runs must not mix.
@@ -230,6 +231,7 @@ std::vector<Finding> Recorder::finish(const Simulation& now, RunEnd end) {
     if (auto finding = write_file(p.folder / name, text)) findings.push_back(std::move(*finding));
   };
   write("events.jsonl", p.events);
+  write("cracks.csv", cracks_csv(p.statistics.cracks));
   write("fragments.csv", fragments_csv(pieces));
   write("report.json", p.report.dump(2) + "\n");
   return findings;

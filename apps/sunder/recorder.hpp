@@ -33,7 +33,7 @@ struct RecordedRun {
 /// picture's number is its place in time. All files are written beside and renamed.
 ///
 ///     folder/frames.pvd  frames/frame_000000.vtu ...   picture_000.png ...
-///            events.jsonl  fragments.csv  report.json
+///            events.jsonl  cracks.csv  fragments.csv  report.json
 ///
 /// The same scene gives the same bytes but in report.json, which holds the only wall times.
 class Recorder {

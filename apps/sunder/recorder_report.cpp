@@ -146,6 +146,19 @@ ordered_json momentum_ledger(const MomentumLedger& ledger, const Simulation& now
            numbers(end - ledger.start - ledger.gravity - ledger.loads - ledger.obstacles)}};
 }
 
+/// What the fans whose energy was settled gave up together.
+ordered_json crack_ledger(std::span<const CrackEnergy> cracks) {
+  double area = 0, energy = 0;
+  for (const CrackEnergy& crack : cracks) {
+    area += crack.area;
+    energy += crack.energy;
+  }
+  return {{"measured", cracks.size()},
+          {"area", area},
+          {"energy", energy},
+          {"energy_per_area", area > 0 ? energy / area : 0}};
+}
+
 ordered_json energy_ledger(const RunStatistics& statistics, const Simulation& now) {
   const Energies end = energies(now);
   const Energies& start = statistics.energy_at_start;
@@ -229,6 +242,7 @@ void add_step(RunStatistics& statistics, const Simulation& now, const StepReport
   add_impact(statistics.impact, report.impact);
   add_ladder(statistics.ladder, report.ladder);
   add_momentum(statistics.momentum, now, report);
+  statistics.cracks.insert(statistics.cracks.end(), report.cracks.begin(), report.cracks.end());
   statistics.damping_work += report.status.damping_work;
   statistics.energy_released += report.energy_released;
   statistics.gravity_work += report.energy.gravity;
@@ -309,6 +323,7 @@ ordered_json run_report(const RunStatistics& s, const Simulation& now,
           {"ladder", ladder_report(s.ladder)},
           {"momentum", momentum_ledger(s.momentum, now)},
           {"energy", energy_ledger(s, now)},
+          {"cracks", crack_ledger(s.cracks)},
           {"warnings", findings_json(s.warnings)}};
 }
 

@@ -66,6 +66,7 @@ struct RunStatistics {
   double damping_work = 0, energy_released = 0;
   double gravity_work = 0, load_work = 0, contact_work = 0, support_work = 0, friction = 0;
   double numerical_loss = 0, residual = 0, residual_size = 0, moved = 0;
+  std::vector<CrackEnergy> cracks;
   Energies energy_at_start;
   MomentumLedger momentum;
   ContactStatistics contact;

@@ -117,6 +117,16 @@ std::string fragments_csv(std::vector<Fragment> fragments) {
   return text;
 }
 
+std::string cracks_csv(std::vector<CrackEnergy> cracks) {
+  std::ranges::sort(cracks, {}, &CrackEnergy::fan);
+  std::string text = "fan,time,area,energy,energy_per_area\r\n";
+  for (const CrackEnergy& c : cracks) {
+    text += fmt::format("{},{},{},{},{}\r\n", c.fan, c.time, c.area, c.energy,
+                        c.area > 0 ? c.energy / c.area : 0);
+  }
+  return text;
+}
+
 std::string event_line(const FanEvent& event, const EventTime& when, const VolumeMap& map) {
   ordered_json faces = ordered_json::array();
   for (const FaceSplit& split : event.faces) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "fracture/cells.hpp"
+#include "fracture/crack_energy.hpp"
 #include "fracture/split_fan.hpp"
 #include "mechanics/mechanics_state.hpp"
 #include "topology/finding.hpp"
@@ -50,6 +51,10 @@ std::vector<Fragment> fragments(const Cells& cells, const MechanicsState& mechan
 /// The table of fragments as CSV (RFC 4180, one header line, SI units, numbers that read back
 /// exactly), largest mass first, ties by id.
 std::string fragments_csv(std::vector<Fragment> fragments);
+
+/// What fans gave up, as CSV in the order of the fans: fan (line of events.jsonl, from 0), time (s),
+/// area (m^2), energy (J), energy_per_area (J/m^2).
+std::string cracks_csv(std::vector<CrackEnergy> cracks);
 
 /// When a fan happened.
 struct EventTime {

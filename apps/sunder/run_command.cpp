@@ -18,6 +18,7 @@ Files in DIR (an earlier run's files of these names are taken away):
   report.json               counts, times, ledgers, warnings
   fragments.csv             one line a piece
   events.jsonl              one line a crack
+  cracks.csv                area and energy of each crack
 
 Exit codes: 0 done, 2 usage, 3 bad scene or mesh, 4 not written, 5 the simulation failed
 (the files tell until when), 130 interrupted by Ctrl-C (likewise).
