@@ -6,6 +6,7 @@
 
 #include "fracture/scene_loads.hpp"
 #include "fracture/simulation.hpp"
+#include "fracture/step_work.hpp"
 #include "topology/build_map.hpp"
 #include "topology/check.hpp"
 
@@ -211,6 +212,8 @@ Result<Simulation> build_simulation(Scene scene) {
   for (std::size_t b = 0; b < sim.bodies.size(); ++b) place_body(sim, b);
   warn_of_slender_bodies(result.findings, sim.state.mechanics);
   start_display(sim.state);
+  append(result.findings, check_integrator_bounds(sim));
+  if (has_error(result.findings)) return result;
   result.value = std::move(sim);
   return result;
 }

@@ -165,6 +165,7 @@ PartResult take_part(StepWork& work, const PartPlan& plan) {
                            {sim.scratch.mechanics, sim.scratch.contact});
   if (!result.adopted) return {false, std::move(result.blows)};
   const double damping_work = work.report.status.damping_work + result.status.damping_work;
+  add_solve(result.status.solve, work.report.status.solve);
   work.report.status = result.status;
   work.report.status.damping_work = damping_work;
   end_part(work, input);
@@ -204,6 +205,8 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
   s.impact.quiet.resize(s.mechanics.components.size(), ImpactWindow::closed);
   if (sim.scene.impact.window && sim.scene.integrator.integrator == Integrator::floating_frame) {
     advance_with_windows(work);
+  } else if (sim.scene.integrator.integrator == Integrator::sub_stepped) {
+    advance_sub_stepped(work);
   } else {
     take_part(work, {{}, sim.scene.time_step});
     break_members(work);

@@ -59,6 +59,14 @@ PartResult take_part(StepWork& work, const PartPlan& plan);
 /// members are members, and have their share in open windows.
 void break_members(StepWork& work);
 
+/// A step of the integrator sub_stepped: equal parts below nine tenths of the least element bound,
+/// each with contact and cracks of its own.
+void advance_sub_stepped(StepWork& work);
+
+/// Errors where the bodies as they are ask for more than a bounded integrator gives: verlet above
+/// its step, sub_stepped above its count, modal above its size. Splits only make bodies smaller.
+std::vector<Finding> check_integrator_bounds(Simulation& sim);
+
 /// A step in which components may be struck: blows ahead open windows (docs/impact.md).
 void advance_with_windows(StepWork& work);
 

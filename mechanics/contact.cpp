@@ -50,7 +50,9 @@ void predict_balls(ContactStep& step) {
 /// + h^2 g / 2 for what has not been touched yet, nothing for the rest.
 Vec3 weight_shift(const ContactStep& step, ComponentId id) {
   const Component& component = step.pass.state.components[id.index()];
-  const bool shifts = takes_split_blow(step.pass, component) && !component.supported &&
+  const bool falls_later =
+      component.isolated || !is_explicit(step.pass.input.settings.integrator);
+  const bool shifts = falls_later && !component.supported &&
                       component.rung != Rung::asleep &&
                       !step.room.blows.component_touched[id.index()];
   return shifts ? Vec3{0.5 * step.h() * step.h() * step.pass.input.loads.gravity} : Vec3::Zero();

@@ -7,6 +7,7 @@
 #include "mechanics/component_system.hpp"
 #include "mechanics/integrators/coefficients.hpp"
 #include "mechanics/integrators/component_step.hpp"
+#include "mechanics/integrators/modal.hpp"
 #include "mechanics/rotation.hpp"
 #include "topology/assert.hpp"
 
@@ -48,6 +49,20 @@ void answer_elastically(AnsweringBody& body, const ContactPass& pass, const Comp
     if (!pass.state.vertices.support[slots[k].index()].is_none()) continue;
     local.push_back(pass.mechanics.local_row[slots[k].index()]);
     slot.push_back(static_cast<Eigen::Index>(k));
+  }
+  if (pass.input.settings.integrator == Integrator::modal) {
+    body.turn = component.orientation.toRotationMatrix();
+    const auto all = static_cast<Eigen::Index>(3 * slots.size());
+    body.elastic.setZero(all, all);
+    const Eigen::MatrixXd answer =
+        modal_answer({pass.mechanics, pass.state, pass.input, component, &system}, local);
+    for (std::size_t b = 0; b < slot.size(); ++b) {
+      for (std::size_t a = 0; a < slot.size(); ++a) {
+        body.elastic.block<3, 3>(3 * slot[a], 3 * slot[b]) = answer.block<3, 3>(
+            static_cast<Eigen::Index>(3 * a), static_cast<Eigen::Index>(3 * b));
+      }
+    }
+    return;
   }
   const FactorUse use = pass.input.part.deformation == Deformation::wave ? FactorUse::wave
                                                                          : FactorUse::step;
@@ -320,7 +335,7 @@ void deforming_forces(std::vector<Vec3>& force, const StepBlows& blows, const Co
 }  // namespace
 
 bool takes_split_blow(const ContactPass& pass, const Component& component) {
-  return component.isolated || pass.input.settings.integrator == Integrator::floating_frame;
+  return component.isolated || is_floating(pass.input.settings.integrator);
 }
 
 void gather_bodies(ContactBodies& bodies, std::span<const ContactPoint> contacts,
@@ -365,7 +380,7 @@ void apply_changes(StepBlows& blows, const ContactBodies& bodies, std::span<cons
 void predict_touched(StepBlows& blows, const ContactPass& pass) {
   const StepInput& input = pass.input;
   blows.without_gravity = {Vec3::Zero(), input.loads.force};
-  blows.with_gravity = {input.loads.gravity, {}};
+  blows.with_gravity = {input.loads.gravity, {}, {}, true};
   blows.without_gravity.force.resize(pass.state.vertices.size(), Vec3::Zero());
   std::vector<Vec3>& force = blows.without_gravity.force;
   std::vector<ComponentId> free, held;

@@ -4,17 +4,11 @@
 
 #include <span>
 
+#include "mechanics/integrators/settings.hpp"
 #include "mechanics/mechanics_state.hpp"
 #include "mechanics/rigid_reference.hpp"
 
 namespace sunder {
-
-enum class ElasticForce {
-  /// -dE/dx of E = d^T K d / 2 with the rotation's own change: net force and torque are zero.
-  conservative,
-  /// The paper's -R K d: leaves a net torque sum d x K d, second order in the displacement.
-  paper,
-};
 
 /// What algorithm 1 looks at.
 struct ElasticInput {

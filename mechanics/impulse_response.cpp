@@ -182,7 +182,7 @@ Eigen::MatrixXd end_of_step_response(MechanicsScratch& scratch, const MechanicsS
   const double h = input.settings.time_step;
   if (component.isolated) return rigid_response(state, component, struck.vertices, h);
   Eigen::MatrixXd Y = Eigen::MatrixXd::Zero(3 * k, 3 * k);
-  if (input.settings.integrator == Integrator::verlet) {
+  if (is_explicit(input.settings.integrator)) {
     for (Eigen::Index i = 0; i < k; ++i) {
       const std::size_t v = struck.vertices[static_cast<std::size_t>(i)].index();
       if (!state.vertices.support[v].is_none()) continue;

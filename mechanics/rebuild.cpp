@@ -5,6 +5,7 @@
 #include "mechanics/component_system.hpp"
 #include "mechanics/elastic_force.hpp"
 #include "mechanics/fit_motion.hpp"
+#include "mechanics/integrators/baseline_system.hpp"
 #include "mechanics/mechanics_state.hpp"
 #include "mechanics/step.hpp"
 #include "topology/assert.hpp"
@@ -220,6 +221,9 @@ RebuildReport rebuild(MechanicsState& state, std::span<const Corners> corners,
   for (std::size_t i = 0; i < touched.size(); ++i) {
     Component& component = state.components[touched[i].index()];
     retire_system(scratch, touched[i], members[i].empty());
+    if (touched[i].index() < scratch.baselines.size()) {
+      scratch.baselines[touched[i].index()].reset();
+    }
     if (members[i].empty()) {
       component = Component{};
       component.id = touched[i];

@@ -7,9 +7,15 @@
 #include <cstdio>
 #include <string>
 
-#include "mechanics/integrators/component_step.hpp"
+#include "mechanics/corotational_force.hpp"
+#include "mechanics/integrators/baseline_system.hpp"
+#include "mechanics/integrators/broyden.hpp"
+#include "mechanics/integrators/corotational_euler.hpp"
 #include "mechanics/integrators/floating_frame.hpp"
 #include "mechanics/integrators/implicit_euler.hpp"
+#include "mechanics/integrators/isolated.hpp"
+#include "mechanics/integrators/modal.hpp"
+#include "mechanics/integrators/newton_cg.hpp"
 #include "mechanics/integrators/quasi_static.hpp"
 #include "mechanics/integrators/rigid_motion.hpp"
 #include "mechanics/integrators/verlet.hpp"
@@ -30,6 +36,26 @@ void fit_rows(MechanicsScratch& scratch, const MechanicsState& state) {
   p.frame.resize(state.components.size());
 }
 
+/// Implicit Euler, in the solver and the model that the settings name.
+void step_euler(ComponentStep& step) {
+  const IntegratorSettings& settings = step.input.settings;
+  const bool corotational = settings.model == ElasticModel::corotational;
+  const bool reassembled = settings.integrator == Integrator::implicit_euler && corotational &&
+                           settings.corotational_solve == CorotationalSolve::reassembled;
+  const bool by_mass = settings.integrator == Integrator::broyden &&
+                       settings.broyden_start == BroydenStart::mass;
+  const bool needs_factor =
+      !reassembled && !by_mass && settings.integrator != Integrator::newton_cg;
+  step.system = needs_factor ? &prepared_system(step.scratch, step.state, step.input, step.component)
+                             : &built_system(step.scratch, step.state, step.input.corners,
+                                             step.component);
+  if (settings.integrator == Integrator::broyden) return step_broyden(step);
+  if (settings.integrator == Integrator::newton_cg) return step_newton_cg(step);
+  if (reassembled) return step_reassembled_euler(step);
+  if (corotational) return step_prefactored_euler(step);
+  step_implicit_euler(step);
+}
+
 void predict_component(MechanicsScratch& scratch, const MechanicsState& state,
                        const StepInput& input, const Component& component) {
   ComponentStep step{scratch, state, input, component, nullptr};
@@ -37,26 +63,36 @@ void predict_component(MechanicsScratch& scratch, const MechanicsState& state,
     keep_still(step);
     return;
   }
+  if (component.isolated && input.settings.isolated == IsolatedTetrahedra::projection) {
+    return step_projected(step);
+  }
+  if (component.isolated && input.settings.isolated == IsolatedTetrahedra::qr) {
+    return step_edge_framed(step);
+  }
   if (component.isolated || component.rung == Rung::rigid) {
     step_rigid_body(step);
     return;
   }
-  if (input.settings.integrator == Integrator::verlet) {
-    step_verlet(step);
-    return;
-  }
+  const Integrator integrator = input.settings.integrator;
   SUNDER_ASSERT(input.part.deformation == Deformation::whole ||
-                    input.settings.integrator == Integrator::floating_frame,
+                    integrator == Integrator::floating_frame,
                 "predict: only floating_frame takes parts of steps");
-  step.system = &prepared_system(scratch, state, input, component);
-  if (component.rung == Rung::quasi_static) {
-    step_quasi_static(step);
-    return;
-  }
-  if (input.settings.integrator == Integrator::implicit_euler) {
-    step_implicit_euler(step);
-  } else {
-    step_floating_frame(step);
+  switch (integrator) {
+    case Integrator::floating_frame:
+      step.system = &prepared_system(scratch, state, input, component);
+      if (component.rung == Rung::quasi_static) return step_quasi_static(step);
+      return step_floating_frame(step);
+    case Integrator::modal:
+      step.system = &built_system(scratch, state, input.corners, component);
+      return step_floating_frame(step);
+    case Integrator::verlet:
+      return step_verlet(step);
+    case Integrator::sub_stepped:
+      return step_sub_stepped(step);
+    case Integrator::implicit_euler:
+    case Integrator::broyden:
+    case Integrator::newton_cg:
+      return step_euler(step);
   }
 }
 
@@ -84,6 +120,14 @@ void take_prediction(MechanicsState& state, MechanicsScratch& scratch, const Ste
     component.momentum = frame.momentum;
     component.angular_momentum = frame.angular_momentum;
   }
+}
+
+/// What of a displacement gradient is left of an element that takes its own turn out of it.
+Mat3 own_strain(const Mat3& H) {
+  const Mat3 F = Mat3::Identity() + H;
+  Mat3 strain = element_rotation(F, Mat3::Identity()).transpose() * F;
+  strain.diagonal().array() -= 1;
+  return strain;
 }
 
 /// The first vertex that is not a number, or else the first that has left its body.
@@ -157,7 +201,8 @@ void predict(MechanicsScratch& scratch, const MechanicsState& state, const StepI
 }
 
 void measure_elements(MechanicsState& state, MechanicsScratch& scratch,
-                      std::span<const Corners> corners, const StepMembers& members) {
+                      std::span<const Corners> corners, const StepMembers& members,
+                      ElasticModel model) {
   scratch.lame.clear();
   scratch.stress_energy.clear();
   for (const Material& material : state.materials) {
@@ -198,7 +243,8 @@ void measure_elements(MechanicsState& state, MechanicsScratch& scratch,
     }
     if (!is_changing) continue;
     const CornerVectors d = at_corners(state.vertices.displacement, corners[t]);
-    const Mat3 H = displacement_gradient(elements.shape_gradient[t], d);
+    Mat3 H = displacement_gradient(elements.shape_gradient[t], d);
+    if (model == ElasticModel::corotational) H = own_strain(H);
     const MaterialId material = elements.material[t];
     const double volume = elements.rest_volume[t];
     const double before =
@@ -217,18 +263,25 @@ StepStatus adopt(MechanicsState& state, MechanicsScratch& scratch, const StepInp
   SUNDER_ASSERT(scratch.predicted.position.size() == state.vertices.size(),
                 "adopt: nothing predicted for these vertices");
   double damping_work = 0;
+  SolveReport solve;
   for (const Component& component : state.components) {
     if (!component.tetrahedra.empty() && input.members.has(component.id)) {
-      damping_work += scratch.predicted.frame[component.id.index()].damping_work;
+      const PredictedFrame& frame = scratch.predicted.frame[component.id.index()];
+      damping_work += frame.damping_work;
+      add_solve(solve, frame.solve);
     }
   }
   take_prediction(state, scratch, input.members);
   state.time += input.settings.time_step;
-  measure_elements(state, scratch, input.corners, input.members);
+  measure_elements(state, scratch, input.corners, input.members, input.settings.model);
   StepStatus status = judge(state, input.members);
   status.damping_work = damping_work;
   if (status.outcome != StepOutcome::not_a_number) {
     judge_turns(status, state, scratch, input.members);
+  }
+  status.solve = solve;
+  if (solve.sub_steps > input.settings.max_sub_steps) {
+    status.outcome = StepOutcome::too_many_sub_steps;
   }
   return status;
 }
@@ -249,6 +302,13 @@ std::vector<ComponentId> living_components(const MechanicsState& state,
   return living;
 }
 
+void add_solve(SolveReport& sum, const SolveReport& part) {
+  sum.sub_steps = std::max(sum.sub_steps, part.sub_steps);
+  sum.iterations = std::max(sum.iterations, part.iterations);
+  sum.force_evaluations += part.force_evaluations;
+  sum.not_converged += part.not_converged;
+}
+
 Finding to_finding(const StepStatus& status) {
   SUNDER_ASSERT(status.outcome != StepOutcome::fine, "to_finding: the step was fine");
   Finding finding;
@@ -267,6 +327,15 @@ Finding to_finding(const StepStatus& status) {
     finding.remedy =
         "Take a shorter time step, hold the body, or give the load as a pressure, which turns with "
         "it.";
+  } else if (status.outcome == StepOutcome::too_many_sub_steps) {
+    finding.code = "too_many_sub_steps";
+    finding.ids.clear();
+    std::snprintf(text, sizeof text,
+                  "The step that ends at %.9g s would need %u explicit sub-steps, more than "
+                  "max_sub_steps.",
+                  status.time, status.solve.sub_steps);
+    finding.remedy =
+        "Raise integrator.max_sub_steps, take a shorter time step, or use floating_frame.";
   } else if (status.outcome == StepOutcome::diverged) {
     finding.code = "diverged";
     std::snprintf(text, sizeof text,

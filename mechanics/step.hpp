@@ -11,9 +11,11 @@
 #include "mechanics/energy.hpp"
 #include "mechanics/integrators/settings.hpp"
 #include "mechanics/mechanics_state.hpp"
+#include "mechanics/step_status.hpp"
 
 namespace sunder {
 
+struct BaselineSystem;
 struct ComponentSystem;
 struct ImpactSettings;
 
@@ -24,6 +26,10 @@ struct Loads {
   /// Which part of `force` turns with its body during the step, as pressure does, so that its
   /// moment stays what it was at the start; the rest keeps its direction. |V| rows; empty: none.
   std::vector<Vec3> turning = {};
+  /// Gravity changes velocities at the start of the step instead of bending paths to parabolas: for
+  /// what contact presses, whose rest would otherwise be a saw-tooth of +- g h / 2. For implicit
+  /// Euler; others take no note of it.
+  bool weight_at_start = false;
 };
 
 /// What `predict` computes for one component beside its rows.
@@ -34,6 +40,7 @@ struct PredictedFrame {
   Vec3 angular_momentum = Vec3::Zero();
   double damping_work = 0;  ///< J taken by Rayleigh damping in this step
   double turned = 0;        ///< rad: h^2 / I times the largest moment of forces that do not turn
+  SolveReport solve = {};
 };
 
 /// Scratch of one step and caches derived from the state (factors, compliance). All of it can be
@@ -47,6 +54,8 @@ struct MechanicsScratch {
   /// Row = ComponentId; null until needed.
   /// `retired`: the one before its last split, whose factors may serve on (`extend_system`).
   std::vector<std::unique_ptr<ComponentSystem>> systems, retired;
+  /// What the baselines keep for a component; row = ComponentId, null until needed.
+  std::vector<std::unique_ptr<BaselineSystem>> baselines;
   /// Row = VertexId: its place in `Component::vertices`; valid for components with a system.
   std::vector<std::uint32_t> local_row;
 
@@ -61,6 +70,9 @@ struct MechanicsScratch {
   std::array<std::vector<double>, 8> work;
   std::vector<Lame> lame;                    ///< row = MaterialId
   std::vector<StressEnergy> stress_energy;  ///< row = MaterialId
+  /// Row = TetId: the step that its element stands explicitly, s; elements keep it for ever. Empty
+  /// until needed.
+  std::vector<double> element_step_bound;
   /// Row = ComponentId: largest turn theta of an element against its component, rad, at the new
   /// state (size of the skew part of the displacement gradient); for the validity warning.
   std::vector<double> largest_turn;
@@ -107,27 +119,6 @@ struct StepInput {
   }
 };
 
-enum class StepOutcome {
-  fine,
-  not_a_number,  ///< a position or velocity is not finite
-  diverged,      ///< a vertex is farther from its reference than ten radii of its component
-  overturned,    ///< loads turn a component by more than half a turn within the step
-};
-
-/// How a step went; never silent.
-struct StepStatus {
-  StepOutcome outcome = StepOutcome::fine;
-  VertexId vertex;          ///< the first vertex that shows it
-  ComponentId component;    ///< its component
-  double displacement = 0;  ///< m, of that vertex
-  double turned = 0;        ///< rad, of that component, for `overturned`
-  double time = 0;          ///< s, end of the step
-  double damping_work = 0;  ///< J taken by Rayleigh damping in this step
-};
-
-/// The finding that says a step failed: where, value, remedy. Needs an outcome other than fine.
-Finding to_finding(const StepStatus& status);
-
 /// Computes the state of `components` at the end of the step into `scratch.predicted` and changes
 /// nothing else: it may be run again, say after `apply_impulses`. Builds and factors what is
 /// missing for these components (110 ms at 6 000 tetrahedra, once), then one solve each.
@@ -144,8 +135,11 @@ StepStatus advance(MechanicsState& state, MechanicsScratch& scratch, const StepI
 
 /// Element stress (eq. 5) and the largest turn of an element in each component, in one pass, from
 /// the displacements as they are. `adopt` does it; for whoever sets displacements otherwise.
+/// With corotational elements the stress is that of their own strain, in the body frame as if they
+/// had not turned in it (the rest configuration, where cracks are decided), and turns count as none.
 void measure_elements(MechanicsState& state, MechanicsScratch& scratch,
-                      std::span<const Corners> corners, const StepMembers& members = {});
+                      std::span<const Corners> corners, const StepMembers& members = {},
+                      ElasticModel model = ElasticModel::rigid_reference);
 
 /// The ids of the components that live (have tetrahedra) and are members, ascending.
 std::vector<ComponentId> living_components(const MechanicsState& state,

@@ -84,6 +84,14 @@ void add_ladder(LadderStatistics& ladder, const LadderReport& now) {
   }
 }
 
+void add_solve_report(SolveStatistics& solve, const SolveReport& now) {
+  solve.iterations += now.iterations;
+  solve.most_iterations = std::max<std::uint64_t>(solve.most_iterations, now.iterations);
+  solve.force_evaluations += now.force_evaluations;
+  solve.not_converged += now.not_converged > 0;
+  solve.sub_steps += now.sub_steps;
+}
+
 /// Mean, median, 99th percentile (nearest rank) and largest.
 ordered_json distribution(std::vector<float> values) {
   if (values.empty()) return {{"mean", 0}, {"median", 0}, {"p99", 0}, {"max", 0}};
@@ -113,6 +121,14 @@ ordered_json contact_report(const ContactStatistics& c) {
           {"worst_step", c.worst_step},
           {"left_out", c.left_out},
           {"deepest_overlap", c.deepest}};
+}
+
+ordered_json integrator_report(const SolveStatistics& s, std::uint64_t steps) {
+  return {{"iterations",
+           {{"mean", ratio(s.iterations, steps)}, {"max", s.most_iterations}}},
+          {"force_evaluations", s.force_evaluations},
+          {"not_converged", s.not_converged},
+          {"sub_steps", s.sub_steps}};
 }
 
 ordered_json impact_report(const ImpactStatistics& i) {
@@ -241,6 +257,7 @@ void add_step(RunStatistics& statistics, const Simulation& now, const StepReport
   add_contact(statistics.contact, report);
   add_impact(statistics.impact, report.impact);
   add_ladder(statistics.ladder, report.ladder);
+  add_solve_report(statistics.solve, report.status.solve);
   add_momentum(statistics.momentum, now, report);
   statistics.cracks.insert(statistics.cracks.end(), report.cracks.begin(), report.cracks.end());
   statistics.damping_work += report.status.damping_work;
@@ -321,6 +338,7 @@ ordered_json run_report(const RunStatistics& s, const Simulation& now,
           {"contact", contact_report(s.contact)},
           {"impact", impact_report(s.impact)},
           {"ladder", ladder_report(s.ladder)},
+          {"integrator", integrator_report(s.solve, now.state.step)},
           {"momentum", momentum_ledger(s.momentum, now)},
           {"energy", energy_ledger(s, now)},
           {"cracks", crack_ledger(s.cracks)},
@@ -348,6 +366,10 @@ std::string summary_table(const ordered_json& r) {
   }
   if (const auto stopped = r["impact"]["stopped_steps"].get<std::uint64_t>(); stopped > 0) {
     row("", fmt::format("impact.max_sub_steps was reached in {} steps", stopped));
+  }
+  if (const auto given_up = r["integrator"]["not_converged"].get<std::uint64_t>(); given_up > 0) {
+    row("integrator", fmt::format("iterations given up in {} steps, which the factor took",
+                                  given_up));
   }
   row("fans", fmt::format("{} ({} faces)", r["fans"].get<std::uint64_t>(),
                           r["faces_split"].get<std::uint64_t>()));

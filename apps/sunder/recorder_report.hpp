@@ -49,6 +49,15 @@ struct LadderStatistics {
   std::array<std::size_t, rung_count> components{}, tetrahedra{};
 };
 
+/// How iterations of integrators went over a run; nothing of those that have none.
+struct SolveStatistics {
+  /// The most of any component in each step.
+  std::uint64_t iterations = 0, most_iterations = 0;
+  std::uint64_t force_evaluations = 0, sub_steps = 0;
+  /// Steps in which a component's iterations were given up.
+  std::size_t not_converged = 0;
+};
+
 /// Everything that is added up over a run.
 struct RunStatistics {
   /// Wall time of every step and of its stages, ms.
@@ -72,6 +81,7 @@ struct RunStatistics {
   ContactStatistics contact;
   ImpactStatistics impact;
   LadderStatistics ladder;
+  SolveStatistics solve;
   /// kg.
   double mass_at_start = 0;
   std::vector<Finding> warnings;

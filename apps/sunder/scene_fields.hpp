@@ -66,7 +66,37 @@ inline const Names<FaceOrder>& names_of(FaceOrder) {
 inline const Names<Integrator>& names_of(Integrator) {
   static const Names<Integrator> names = {{Integrator::floating_frame, "floating_frame"},
                                           {Integrator::implicit_euler, "implicit_euler"},
-                                          {Integrator::verlet, "verlet"}};
+                                          {Integrator::verlet, "verlet"},
+                                          {Integrator::broyden, "broyden"},
+                                          {Integrator::newton_cg, "newton_cg"},
+                                          {Integrator::sub_stepped, "sub_stepped"},
+                                          {Integrator::modal, "modal"}};
+  return names;
+}
+inline const Names<IsolatedTetrahedra>& names_of(IsolatedTetrahedra) {
+  static const Names<IsolatedTetrahedra> names = {{IsolatedTetrahedra::rigid, "rigid"},
+                                                  {IsolatedTetrahedra::projection, "projection"},
+                                                  {IsolatedTetrahedra::qr, "qr"}};
+  return names;
+}
+inline const Names<ElasticModel>& names_of(ElasticModel) {
+  static const Names<ElasticModel> names = {{ElasticModel::rigid_reference, "rigid_reference"},
+                                            {ElasticModel::corotational, "corotational"}};
+  return names;
+}
+inline const Names<ElasticForce>& names_of(ElasticForce) {
+  static const Names<ElasticForce> names = {{ElasticForce::conservative, "conservative"},
+                                            {ElasticForce::paper, "paper"}};
+  return names;
+}
+inline const Names<BroydenStart>& names_of(BroydenStart) {
+  static const Names<BroydenStart> names = {{BroydenStart::mass, "mass"},
+                                            {BroydenStart::factor, "factor"}};
+  return names;
+}
+inline const Names<CorotationalSolve>& names_of(CorotationalSolve) {
+  static const Names<CorotationalSolve> names = {{CorotationalSolve::reassembled, "reassembled"},
+                                                 {CorotationalSolve::prefactored, "prefactored"}};
   return names;
 }
 inline const Names<EulerFrame>& names_of(EulerFrame) {
@@ -208,7 +238,9 @@ template <class V>
 void describe(V& v, IntegratorSettings& i) {
   v.field(Key{"method", "",
               "floating_frame: rigid motion apart, the default; implicit_euler: the paper's "
-              "baseline, loses spin; verlet: explicit, needs steps of microseconds"},
+              "baseline, loses spin; verlet: explicit, needs steps of microseconds; broyden, "
+              "newton_cg: implicit Euler by iterations; sub_stepped: verlet as often a step as it "
+              "takes; modal: every mode exact, small bodies"},
           i.integrator);
   v.field(Key{"rho_infinity", "",
               "Of generalised-alpha: how much of an oscillation too fast for the step is left "
@@ -218,6 +250,33 @@ void describe(V& v, IntegratorSettings& i) {
           i.rho_infinity);
   v.field(Key{"damping", "", "Rayleigh damping"}, i.damping);
   v.field(Key{"euler_frame", "", "Which frame implicit_euler linearises in"}, i.euler_frame);
+  v.field(Key{"elastic_force", "",
+              "Of broyden, newton_cg, verlet and sub_stepped with the model rigid_reference: conservative, or "
+              "the paper's, which leaves a torque of second order"},
+          i.elastic_force);
+  v.field(Key{"broyden_start", "",
+              "First guess of broyden: the mass matrix (the paper's), or the factor of the step"},
+          i.broyden_start);
+  v.field(Key{"corotational_solve", "",
+              "implicit_euler with the model corotational: reassembled and factored every step, or "
+              "prefactored at rest and iterated"},
+          i.corotational_solve);
+  v.field(Key{"tolerance", "",
+              "Of iterations: the step's residual that is good enough, over the one they begin "
+              "with",
+              Range{.low = 0, .high = 0.1, .without_low = true}},
+          i.tolerance);
+  v.field(Key{"max_iterations", "",
+              "Iterations of broyden, newton_cg (of conjugate gradients) and prefactored; then the "
+              "factor takes the step, and the report says so",
+              between(1, 1e9)},
+          i.max_iterations);
+  v.field(Key{"max_sub_steps", "", "Sub-steps that sub_stepped may take in a step",
+              between(1, 4e9)},
+          i.max_sub_steps);
+  v.field(Key{"broyden_memory", "", "Updates that broyden keeps before it begins anew",
+              between(1, 1e5)},
+          i.broyden_memory);
 }
 
 template <class V>
@@ -360,6 +419,16 @@ void describe(V& v, SceneFile& s) {
               "a strong blow lives for a few body lengths over the speed of sound"},
           s.scene.time_step);
   v.field(Key{"duration", "s", "Length of the run", above(0)}, s.scene.duration);
+  v.field(Key{"model", "",
+              "rigid_reference: linear in the frame of each piece, the paper's and the default; "
+              "corotational: in a frame of each tetrahedron's own, the paper's comparison, not for "
+              "floating_frame and modal"},
+          s.scene.integrator.model);
+  v.field(Key{"isolated", "",
+              "Free single tetrahedra: rigid bodies, which keep their spin; or, as the paper has "
+              "them, by projection on the rigid shape or elastic in the frame of their edges (qr), "
+              "which lose it"},
+          s.scene.integrator.isolated);
   v.field(Key{"integrator", "", "How time is integrated"}, s.scene.integrator);
   v.field(Key{"contact", "", "How contact is solved"}, s.scene.contact);
   v.field(Key{"impact", "", "How blows are stepped (docs/impact.md)"}, s.scene.impact);

@@ -3,6 +3,7 @@
 #include "mechanics/integrators/floating_frame.hpp"
 
 #include "mechanics/integrators/coefficients.hpp"
+#include "mechanics/integrators/modal.hpp"
 #include "mechanics/integrators/rigid_motion.hpp"
 #include "mechanics/rotation.hpp"
 
@@ -126,6 +127,11 @@ double advance_part(const ComponentStep& step, BodyDeformation& d, const Field& 
     case Deformation::catch_up:
       break;
   }
+  if (step.input.settings.integrator == Integrator::modal) {
+    advance_modes(step, {d.displacement, d.rate}, load);
+    move_held(step, d);
+    return 0;
+  }
   return advance_deformation(step, d, load);
 }
 
@@ -159,9 +165,9 @@ Spin present_spin(const ComponentStep& step, const BodyDeformation& d, const Fie
 /// rates are extrapolated there: taken at the start, the Coriolis force lags and feeds energy in.
 Field inertial_load(const ComponentStep& step, const BodyDeformation& d, const Spin& spin) {
   const IntegratorSettings settings = settings_of(step.input, step.state, step.component);
-  const double balance = step.input.part.deformation == Deformation::wave
-                             ? WaveScheme::theta
-                             : 1 - generalised_alpha(settings.rho_infinity).alpha_f;
+  double balance = 1 - generalised_alpha(settings.rho_infinity).alpha_f;
+  if (step.input.part.deformation == Deformation::wave) balance = WaveScheme::theta;
+  if (settings.integrator == Integrator::modal) balance = 0.5;
   const double ahead = balance * settings.time_step;
   const RestShape& shape = step.system->shape;
   Field load = work_field(step.scratch, Work::load, step.system->size());
@@ -181,6 +187,17 @@ Field inertial_load(const ComponentStep& step, const BodyDeformation& d, const S
   }
   project_load(load, shape);
   return load;
+}
+
+/// What inertial forces are extrapolated with: of modes their mean rate over the step.
+BodyDeformation motion_ahead(const ComponentStep& step, const BodyDeformation& d) {
+  if (step.input.settings.integrator != Integrator::modal) return d;
+  const std::size_t n = step.system->size();
+  BodyDeformation ahead{d.displacement, work_field(step.scratch, Work::spare, n),
+                        work_field(step.scratch, Work::argument, n)};
+  mean_modal_rate(ahead.rate, step, {d.displacement, d.rate});
+  ahead.acceleration.setZero();
+  return ahead;
 }
 
 /// Moves what rounding left of rigid motion in d and d' into the frame: no vertex moves.
@@ -234,7 +251,7 @@ void step_free(const ComponentStep& step) {
 
   const RigidLoad load = rigid_load(step);
   const Spin spin = present_spin(step, d, q, load.torque);
-  const Field b = inertial_load(step, d, spin);
+  const Field b = inertial_load(step, motion_ahead(step, d), spin);
   PredictedFrame next = advance_centre(step, load);
   next.damping_work = advance_part(step, d, b);
 

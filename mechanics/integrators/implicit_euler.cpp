@@ -2,8 +2,8 @@
 // Linearised implicit Euler on the constant factor.
 #include "mechanics/integrators/implicit_euler.hpp"
 
-#include "mechanics/fit_motion.hpp"
-#include "mechanics/integrators/rigid_motion.hpp"
+#include "mechanics/integrators/model_force.hpp"
+#include "mechanics/rigid_reference.hpp"
 
 namespace sunder {
 namespace {
@@ -59,21 +59,6 @@ Field impulse_of_forces(const ComponentStep& step, const RigidFrame& frame, cons
   return load;
 }
 
-/// Positions and velocities at the end are in `predicted`; fits the frame to them.
-PredictedFrame fit_prediction(const ComponentStep& step) {
-  MechanicsScratch::Predicted& predicted = step.scratch.predicted;
-  const Component& body = step.component;
-  const MotionInput motion{step.state.vertices, predicted.position, predicted.velocity};
-  const DeformationOutput out{predicted.displacement, predicted.displacement_rate};
-  const RigidFrame moved{body.centre + step.input.settings.time_step * body.frame_velocity,
-                         body.orientation};
-  const FittedMotion fitted =
-      body.supported ? express_motion(out, motion, body, moved) : fit_motion(out, motion, body);
-  for (VertexId v : body.vertices) predicted.displacement_acceleration[v.index()].setZero();
-  return {fitted.frame.centre, fitted.frame.orientation, fitted.momentum, fitted.angular_momentum,
-          0};
-}
-
 }  // namespace
 
 void step_implicit_euler(const ComponentStep& step) {
@@ -99,14 +84,15 @@ void step_implicit_euler(const ComponentStep& step) {
   }
 
   MechanicsScratch::Predicted& predicted = step.scratch.predicted;
+  const Vec3 shift = parabola_shift(step);
   for (std::size_t i = 0; i < system.size(); ++i) {
     const std::size_t v = system.order[i].index();
     predicted.velocity[v] =
         step.state.vertices.velocity[v] + R * change.col(static_cast<Eigen::Index>(i));
     predicted.position[v] =
-        step.state.vertices.position[v] + settings.time_step * predicted.velocity[v];
+        step.state.vertices.position[v] + settings.time_step * predicted.velocity[v] - shift;
   }
-  predicted.frame[step.component.id.index()] = fit_prediction(step);
+  fit_prediction(step);
 }
 
 }  // namespace sunder

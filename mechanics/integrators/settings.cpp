@@ -26,6 +26,42 @@ Finding refused(const char* code, std::string text, const char* remedy) {
   return finding;
 }
 
+/// What only some integrators or models take.
+std::vector<Finding> check_baseline(const IntegratorSettings& settings, const std::string& at) {
+  std::vector<Finding> findings;
+  const bool corotational = settings.model == ElasticModel::corotational;
+  const bool damped = settings.damping.mass_factor != 0 || settings.damping.stiffness_factor != 0;
+  const bool takes_damping = settings.integrator == Integrator::floating_frame ||
+                             (settings.integrator == Integrator::implicit_euler && !corotational);
+  if (damped && !takes_damping) {
+    findings.push_back(refused(
+        "damping_not_supported",
+        at + ".damping is set, but only floating_frame and, with the model rigid_reference, "
+             "implicit_euler have any.",
+        "Leave the damping out, or use floating_frame."));
+  }
+  if (corotational && is_floating(settings.integrator)) {
+    findings.push_back(refused("model_not_supported",
+                               "model is corotational, but " + at +
+                                   ".method moves bodies in one frame, which is the model "
+                                   "rigid_reference.",
+                               "Take the method implicit_euler, or leave the model out."));
+  }
+  if (!(settings.tolerance > 0 && settings.tolerance <= 0.1)) {
+    findings.push_back(refused(
+        "bad_tolerance",
+        at + ".tolerance is " + number(settings.tolerance) + "; allowed is above 0 up to 0.1.",
+        "Leave it out: 1e-6."));
+  }
+  if (settings.max_iterations < 1 || settings.broyden_memory < 1 || settings.max_sub_steps < 1) {
+    findings.push_back(refused("bad_iterations",
+                               at + ".max_iterations, " + at + ".broyden_memory and " + at +
+                                   ".max_sub_steps begin at 1.",
+                               "Leave them out."));
+  }
+  return findings;
+}
+
 }  // namespace
 
 std::vector<Finding> check(const IntegratorSettings& settings, std::string_view place) {
@@ -53,12 +89,7 @@ std::vector<Finding> check(const IntegratorSettings& settings, std::string_view 
   };
   need_damping("mass_factor", settings.damping.mass_factor, "1/s");
   need_damping("stiffness_factor", settings.damping.stiffness_factor, "s");
-  const bool damped = settings.damping.mass_factor != 0 || settings.damping.stiffness_factor != 0;
-  if (settings.integrator == Integrator::verlet && damped) {
-    findings.push_back(refused("damping_not_supported",
-                               at + ".damping is set, but the integrator verlet has none.",
-                               "Leave the damping out, or use floating_frame."));
-  }
+  for (Finding& f : check_baseline(settings, at)) findings.push_back(std::move(f));
   return findings;
 }
 
@@ -73,14 +104,18 @@ SystemMatrix system_matrix(const IntegratorSettings& settings) {
   const double h = settings.time_step;
   const auto [a, b] = settings.damping;
   switch (settings.integrator) {
+    case Integrator::modal:
     case Integrator::floating_frame: {
       const GeneralisedAlpha g = generalised_alpha(settings.rho_infinity);
       const double rate = (1 - g.alpha_f) * g.gamma * h;
       return {1 - g.alpha_m + rate * a, rate * b + (1 - g.alpha_f) * g.beta * h * h};
     }
     case Integrator::implicit_euler:
+    case Integrator::broyden:
+    case Integrator::newton_cg:
       return {1 + h * a, h * b + h * h};
     case Integrator::verlet:
+    case Integrator::sub_stepped:
       break;
   }
   return {1, 0};
@@ -102,6 +137,7 @@ ImpulseAnswer impulse_answer(const IntegratorSettings& settings) {
   const double h = settings.time_step;
   const auto [a, b] = settings.damping;
   switch (settings.integrator) {
+    case Integrator::modal:
     case Integrator::floating_frame: {
       const GeneralisedAlpha g = generalised_alpha(settings.rho_infinity);
       const SystemMatrix A = system_matrix(settings);
@@ -111,8 +147,11 @@ ImpulseAnswer impulse_answer(const IntegratorSettings& settings) {
       return {h * (1 - g.alpha_m) + excess * a - mass * A.mass, mass};
     }
     case Integrator::implicit_euler:
+    case Integrator::broyden:
+    case Integrator::newton_cg:
       return {h, 0};
     case Integrator::verlet:
+    case Integrator::sub_stepped:
       break;
   }
   return {0, h};

@@ -2,16 +2,30 @@
 // Explicit velocity Verlet on the conservative force: the independent twin, and small stiff pieces.
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "mechanics/integrators/component_step.hpp"
 
 namespace sunder {
 
-/// v += h a / 2, x += h v, v += h a(x) / 2: second order, symplectic. Momenta are kept to rounding,
-/// as the conservative force has no net torque. Stable below 2 / (highest angular frequency) only.
-/// Two passes over the tetrahedra. No damping.
-void step_verlet(const ComponentStep& step);
+/// v += h a / 2, x += h v, v += h a(x) / 2: second order, symplectic; `count` times with h / count.
+/// Momenta are kept to rounding, as the conservative force has no net torque. Stable below
+/// 2 / (highest angular frequency) only. One pass over the tetrahedra each and one more. No damping.
+void step_verlet(const ComponentStep& step, std::uint32_t count = 1);
+
+/// `step_verlet` with the least count that keeps sub-steps below nine tenths of the component's
+/// bound. Where that is more than `max_sub_steps` nothing moves, and the report tells the count.
+void step_sub_stepped(const ComponentStep& step);
+
+/// Least count of equal parts of `length` (s) below nine tenths of `bound` (s).
+/// More than four thousand million are told as that.
+std::uint32_t sub_step_count(double length, double bound);
+
+/// The least over the elements of a component of what `explicit_step_bound` tells; elements are
+/// measured once and kept in `scratch`.
+double component_step_bound(MechanicsScratch& scratch, const MechanicsState& state,
+                            const Component& component);
 
 /// A step that is surely stable, s: the least over elements of 2 / sqrt(lambda_max(M_e^-1 K_e)),
 /// M_e = a quarter of the element's mass at each corner; 0.7 to 0.8 of the true limit. Infinite for

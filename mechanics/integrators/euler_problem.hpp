@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// The equation of an implicit Euler step as a root to find: what Broyden and Newton share.
+#pragma once
+
+#include <cstdint>
+
+#include "mechanics/integrators/component_step.hpp"
+
+namespace sunder {
+
+/// Fields in the world, one column a vertex in the order of the component's system.
+using WorldField = Eigen::Matrix3Xd;
+
+/// F(y) = M (y - start) - h (f + f_el(x + h y)) = 0 for the velocities y at the end of the step,
+/// start = v + h g. Held vertices: y is their support's, F zero.
+struct EulerProblem {
+  const ComponentStep& step;  ///< with a system; it needs no factor
+  WorldField start;           ///< m/s
+  double floor = 0;           ///< N s: what of |F| is rounding
+  std::uint32_t evaluations = 0;
+};
+
+/// Needs: `step.system`.
+EulerProblem euler_problem(const ComponentStep& step);
+
+/// F(y), N s. One evaluation of the model's forces. Overwrites rows of `scratch.predicted`.
+void residual(WorldField& F, EulerProblem& problem, const WorldField& y);
+
+/// y <- y - B^-1 F for the body-frame matrix of the present factor, over free vertices; `F` becomes
+/// that step. R: body to world.
+void factor_step(WorldField& F, const ComponentStep& step, const Mat3& R);
+
+/// |F| at which iterations may end: the tolerance times where they began, or rounding.
+double good_enough(const EulerProblem& problem, double first);
+
+/// Writes the prediction: y with the momentum of the mass centre made exact whatever the tolerance,
+/// and x + h y less `parabola_shift`.
+void finish_euler(const EulerProblem& problem, WorldField& y, const SolveReport& report);
+
+/// The step by the factor, where iterations were given up; the report says so.
+void fall_back(const ComponentStep& step, SolveReport report);
+
+}  // namespace sunder
