@@ -63,8 +63,8 @@ void break_members(StepWork& work);
 /// each with contact and cracks of its own.
 void advance_sub_stepped(StepWork& work);
 
-/// Errors where the bodies as they are ask for more than a bounded integrator gives: verlet above
-/// its step, sub_stepped above its count, modal above its size. Splits only make bodies smaller.
+/// What the bodies as they are ask of a bounded integrator beyond its bounds: a warning for verlet
+/// above its step, errors for sub_stepped above its count and modal above its size. Splits only make bodies smaller.
 std::vector<Finding> check_integrator_bounds(Simulation& sim);
 
 /// A step in which components may be struck: blows ahead open windows (docs/impact.md).

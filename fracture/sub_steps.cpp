@@ -29,6 +29,7 @@ void check_explicit(std::vector<Finding>& findings, Simulation& sim) {
   if (settings.integrator == Integrator::verlet && h > bound) {
     findings.push_back(
         {.code = "explicit_step_too_long",
+         .severity = Severity::warning,
          .text = fmt::format("time_step is {:.6g} s; verlet is surely stable up to {:.6g} s only", h,
                              bound),
          .remedy = "take that step, or the method sub_stepped, which divides steps, or "
