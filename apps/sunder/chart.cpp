@@ -122,7 +122,7 @@ void choose_steps(ChartWork& work, const Scene& scene) {
   for (const double f : factors) {
     if (a.steps.empty()) work.grid.steps.push_back(f * scene.time_step);
   }
-  work.grid.wall_shares = a.quick ? std::vector{0.9, 0.3} : std::vector{2., 0.9, 0.45, 0.2};
+  work.grid.wall_shares = a.quick ? std::vector{2., 0.9, 0.3} : std::vector{2., 0.9, 0.45, 0.2};
   if (scene.obstacles.empty() && scene.bodies.size() < 2) return;
   work.grid.fractions = a.fractions;
   if (!a.fractions.empty()) return;
@@ -262,6 +262,13 @@ std::string label_of(const ChartWork& work, const ChartSetting& s) {
                      work.chart.tetrahedra[s.mesh]);
 }
 
+/// Whether a longer step of the series says that this one takes too long. Beyond its wall a method
+/// may be slower than below.
+bool is_hopeless(const ChartPoint& longer, const ChartSetting& setting) {
+  if (longer.setting.series != setting.series || longer.setting.wall_share > 1) return false;
+  return longer.outcome.end == ChartEnd::over_limit || longer.outcome.end == ChartEnd::skipped;
+}
+
 /// Every point of the grid; a series that took too long is not tried at shorter steps.
 void run_all(ChartWork& work) {
   std::vector<ChartSetting> settings = chart_settings(work.grid);
@@ -287,17 +294,16 @@ void run_all(ChartWork& work) {
   }
 }
 
-/// Whether a point is the schema's default at the scene's step, and whether it is the paper's
-/// choice: its longest step below the wall, or the scene's where it has none.
+/// Whether a point is the schema's default at the scene's step, and whether it may be the paper's
+/// choice: its own method at a step that it solves; the longest of them is taken.
 bool is_default(const ChartWork& work, const ChartSetting& s) {
   const double fraction = work.grid.fractions.empty() ? 0 : ImpactSettings{}.fraction;
   return s.mesh == 0 && s.method == 0 && s.variant.empty() && s.fraction == fraction &&
          std::abs(s.step / work.scene_step - 1) < 1e-9;
 }
-bool is_paper(const ChartWork& work, const ChartSetting& s) {
-  if (s.mesh != 0 || s.method != paper_method() || !s.variant.empty()) return false;
-  if (chart_methods()[s.method].has_wall) return s.wall_share < 1;
-  return std::abs(s.step / work.scene_step - 1) < 1e-9;
+bool is_paper(const ChartPoint& p) {
+  const ChartSetting& s = p.setting;
+  return s.mesh == 0 && s.method == paper_method() && s.variant.empty() && p.outcome.given_up == 0;
 }
 
 /// Series run from long steps to short ones: the last point first.
@@ -327,7 +333,7 @@ void find_front(ChartWork& work) {
     lasting.push_back({p.outcome.cost, counted_error(chart.reference, p.lasting_error)});
     row.push_back(k);
     if (!chart.default_point && is_default(work, p.setting)) chart.default_point = k;
-    if (!chart.paper_point && is_paper(work, p.setting)) chart.paper_point = k;
+    if (!chart.paper_point && is_paper(p)) chart.paper_point = k;
   }
   for (const std::size_t k : pareto_front(fine)) {
     chart.front.push_back(row[k]);

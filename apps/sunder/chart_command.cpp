@@ -39,6 +39,7 @@ quarter of a wave's way through a cell at most) on the finest mesh; what that ru
 changes with step, window and mesh is its own error, and no point counts as better. Times are ms of
 mechanics, fracture and rebuilding (first factors too) over simulated ms, medians of up to a
 hundred runs, less what other programs took of the processor: ratios count, not the machine.
+given_up counts steps whose iterations did not converge and that the factor took.
 Steps are made whole parts of the duration. Those of methods that only hold below a step bound are
 shares of it on each mesh.
 

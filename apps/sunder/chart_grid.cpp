@@ -20,10 +20,27 @@ constexpr auto methods = std::to_array<ChartMethod>({
      "#0072b2"},
     {"floating_frame, rho 0.5", "integrator.method=floating_frame integrator.rho_infinity=0.5",
      true, false, "#56b4e9"},
+    {"floating_frame, no ladder",
+     "integrator.method=floating_frame integrator.rho_infinity=0 ladder.rigid=false "
+     "ladder.quasi_static=false ladder.sleep=false",
+     true, false, "#332288"},
     {"implicit_euler", "integrator.method=implicit_euler integrator.euler_frame=current", false,
      false, "#d55e00"},
     {"implicit_euler, predicted frame",
      "integrator.method=implicit_euler integrator.euler_frame=predicted", false, false, "#e69f00"},
+    {"broyden, mass (paper)", "integrator.method=broyden integrator.broyden_start=mass", false,
+     true, "#cc0000"},
+    {"broyden, factor", "integrator.method=broyden integrator.broyden_start=factor", false, false,
+     "#ff8888"},
+    {"newton_cg", "integrator.method=newton_cg", false, false, "#cc79a7"},
+    {"corotational, reassembled",
+     "model=corotational integrator.method=implicit_euler "
+     "integrator.corotational_solve=reassembled",
+     false, false, "#666666"},
+    {"corotational, prefactored",
+     "model=corotational integrator.method=implicit_euler "
+     "integrator.corotational_solve=prefactored",
+     false, false, "#aaaaaa"},
     {"verlet", "integrator.method=verlet", false, true, "#009e73"},
 });
 
@@ -66,7 +83,7 @@ std::vector<std::string> words(std::string_view text) {
 std::span<const ChartMethod> chart_methods() { return methods; }
 
 std::size_t paper_method() {
-  const auto row = std::ranges::find(methods, "implicit_euler", &ChartMethod::name);
+  const auto row = std::ranges::find(methods, "broyden, mass (paper)", &ChartMethod::name);
   SUNDER_ASSERT(row != methods.end(), "the paper's own method is in the table");
   return static_cast<std::size_t>(row - methods.begin());
 }

@@ -70,6 +70,7 @@ ordered_json point_json(const Chart& chart, const ChartPoint& p) {
     json["reason"] = p.outcome.reason;
     return json;
   }
+  json["given_up_steps"] = p.outcome.given_up;
   json["value"] = value_json(chart, p.outcome.value);
   json["error"] = p.error;
   json["lasting_error"] = p.lasting_error;
@@ -130,14 +131,15 @@ std::string chart_csv(const Chart& chart) {
       q.name, chart.scene, q.unit, q.scale, value_text(chart, chart.reference.value, " "), q.unit,
       chart.reference.how, chart.reference.own_error);
   out +=
-      "method,variant,window_fraction,time_step,mesh,tetrahedra,steps,sub_steps,fans,value,error,"
+      "method,variant,window_fraction,time_step,mesh,tetrahedra,steps,sub_steps,given_up,fans,"
+      "value,error,"
       "lasting_error,"
       "below_reference,ms_per_ms,runs,on_front,end,reason\n";
   for (const ChartPoint& p : chart.points) {
     const ChartOutcome& o = p.outcome;
     const bool fine = o.end == ChartEnd::fine;
     fmt::format_to(
-        std::back_inserter(out), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+        std::back_inserter(out), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
         quoted(std::string(chart_methods()[p.setting.method].name)), quoted(p.setting.variant),
         p.setting.fraction, p.setting.step, p.setting.mesh, o.tetrahedra, o.steps, o.sub_steps,
         o.fans, fine ? value_text(chart, o.value, " ") : "", number(p.error),

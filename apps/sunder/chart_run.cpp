@@ -64,6 +64,7 @@ double step_through(Simulation& sim, Measure* measure, double limit, ChartOutcom
       measure->see_step(sim, report);
       outcome.fans += report.fracture.fans.size();
       outcome.sub_steps += report.impact.sub_steps;
+      outcome.given_up += report.status.solve.not_converged > 0;
       ++outcome.steps;
     }
     if (const std::optional<Finding> failure = step_failure(report, sim)) {

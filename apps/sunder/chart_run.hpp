@@ -35,6 +35,8 @@ struct ChartOutcome {
   /// less what other programs took of the processor meanwhile.
   double cost = 0;
   std::size_t runs = 0, tetrahedra = 0, steps = 0, sub_steps = 0, fans = 0;
+  /// Steps in which iterations were given up and the factor took over.
+  std::size_t given_up = 0;
   /// s of wall, of the first run.
   double wall = 0;
 };
