@@ -295,7 +295,7 @@ void run_all(ChartWork& work) {
 }
 
 /// Whether a point is the schema's default at the scene's step, and whether it may be the paper's
-/// choice: its own method at a step that it solves; the longest of them is taken.
+/// choice: its own method at a step that it solves; the cheapest of them is taken.
 bool is_default(const ChartWork& work, const ChartSetting& s) {
   const double fraction = work.grid.fractions.empty() ? 0 : ImpactSettings{}.fraction;
   return s.mesh == 0 && s.method == 0 && s.variant.empty() && s.fraction == fraction &&
@@ -333,7 +333,9 @@ void find_front(ChartWork& work) {
     lasting.push_back({p.outcome.cost, counted_error(chart.reference, p.lasting_error)});
     row.push_back(k);
     if (!chart.default_point && is_default(work, p.setting)) chart.default_point = k;
-    if (!chart.paper_point && is_paper(p)) chart.paper_point = k;
+    const bool cheaper =
+        !chart.paper_point || p.outcome.cost < chart.points[*chart.paper_point].outcome.cost;
+    if (is_paper(p) && cheaper) chart.paper_point = k;
   }
   for (const std::size_t k : pareto_front(fine)) {
     chart.front.push_back(row[k]);

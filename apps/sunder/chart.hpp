@@ -69,7 +69,8 @@ struct Chart {
   std::vector<ChartPoint> points;
   /// Rows of `points`, ascending in cost.
   std::vector<std::size_t> front;
-  /// The schema's default setting at the scene's step, and the paper's; none where not fine.
+  /// The schema's default setting at the scene's step, and the cheapest run of the paper's own
+  /// method; none where not fine.
   std::optional<std::size_t> default_point, paper_point;
   double within = 0;
   /// The cheapest whose lasting error is within.
