@@ -30,8 +30,8 @@ void check_explicit(std::vector<Finding>& findings, Simulation& sim) {
     findings.push_back(
         {.code = "explicit_step_too_long",
          .severity = Severity::warning,
-         .text = fmt::format("time_step is {:.6g} s; verlet is surely stable up to {:.6g} s only", h,
-                             bound),
+         .text = fmt::format("time_step is {:.6g} s; verlet is surely stable up to {:.6g} s only",
+                             h, bound),
          .remedy = "take that step, or the method sub_stepped, which divides steps, or "
                    "floating_frame"});
   }
@@ -39,9 +39,10 @@ void check_explicit(std::vector<Finding>& findings, Simulation& sim) {
   if (settings.integrator == Integrator::sub_stepped && count > settings.max_sub_steps) {
     findings.push_back(
         {.code = "too_many_sub_steps",
-         .text = fmt::format("time_step is {:.6g} s; sub_stepped needs {} sub-steps of {:.6g} s for "
-                             "it, and integrator.max_sub_steps is {}",
-                             h, count, h / count, settings.max_sub_steps),
+         .text =
+             fmt::format("time_step is {:.6g} s; sub_stepped needs {} sub-steps of {:.6g} s for "
+                         "it, and integrator.max_sub_steps is {}",
+                         h, count, h / count, settings.max_sub_steps),
          .remedy = "raise integrator.max_sub_steps, take a shorter time_step, or the method "
                    "floating_frame"});
   }

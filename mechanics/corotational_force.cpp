@@ -9,8 +9,8 @@ namespace sunder {
 Mat3 element_rotation(const Mat3& F, const Mat3& near) {
   Mat3 R = near;
   constexpr int most_iterations = 4;
-  // What is left after a turn of 1e-5 is 1e-10 of the strain.
-  constexpr double converged = 1e-5;
+  // Cubic, as what Newton leaves out is proportional to the turn itself: 1e-12 after one of 1e-4.
+  constexpr double converged = 1e-4;
   for (int i = 0; i < most_iterations; ++i) {
     const Mat3 P = R.transpose() * F;
     const Vec3 skew(P(2, 1) - P(1, 2), P(0, 2) - P(2, 0), P(1, 0) - P(0, 1));
@@ -31,10 +31,23 @@ Mat3 element_rotation(const Mat3& F, const Mat3& near) {
   return refine_rotation(F, Eigen::Quaterniond(near)).toRotationMatrix();
 }
 
+namespace {
+
+/// The turn of a component's first element: near those of all where it is stiff, even where the
+/// positions have turned since its orientation was taken.
+Mat3 first_turn(const ElasticInput& input, const Component& component) {
+  const TetId t = component.tetrahedra.front();
+  const CornerVectors x = at_corners(input.positions, input.corners[t.index()]);
+  return element_rotation(deformation_gradient(input.state.elements.shape_gradient[t.index()], x),
+                          component.orientation.toRotationMatrix());
+}
+
+}  // namespace
+
 void corotational_forces(std::span<Vec3> force, const ElasticInput& input,
                          const Component& component) {
   const ElementColumns& elements = input.state.elements;
-  const Mat3 near = component.orientation.toRotationMatrix();
+  const Mat3 near = first_turn(input, component);
   for (VertexId v : component.vertices) force[v.index()].setZero();
   for (TetId t : component.tetrahedra) {
     const Corners& corners = input.corners[t.index()];
@@ -50,7 +63,7 @@ void corotational_forces(std::span<Vec3> force, const ElasticInput& input,
 
 void element_rotations(std::vector<Mat3>& rotation, const ElasticInput& input,
                        const Component& component) {
-  const Mat3 near = component.orientation.toRotationMatrix();
+  const Mat3 near = first_turn(input, component);
   rotation.clear();
   for (TetId t : component.tetrahedra) {
     const CornerVectors x = at_corners(input.positions, input.corners[t.index()]);

@@ -12,6 +12,7 @@
 #include <type_traits>
 
 #include "apps/sunder/scene_fields.hpp"
+#include "apps/sunder/scene_notes.hpp"
 #include "apps/sunder/scene_text.hpp"
 #include "topology/check.hpp"
 #include "topology/io/mesh_file.hpp"
@@ -401,7 +402,9 @@ Result<SceneFile> read_scene(const std::filesystem::path& path,
   check_whole(context, file);
   file.scene.integrator.time_step = file.scene.time_step;
   if (file.scene.name.empty()) file.scene.name = path.stem().string();
-  if (!has_error(result.findings)) result.value = std::move(file);
+  if (has_error(result.findings)) return result;
+  for (Finding& f : scene_notes(*text, file)) result.findings.push_back(std::move(f));
+  result.value = std::move(file);
   return result;
 }
 

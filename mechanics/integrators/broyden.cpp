@@ -46,7 +46,7 @@ void first_guess(WorldField& z, const ComponentStep& step, const Mat3& R) {
 }  // namespace
 
 void step_broyden(const ComponentStep& step) {
-  constexpr double hopeless = 1e6;
+  constexpr double hopeless = 1e12;
   const IntegratorSettings& settings = step.input.settings;
   EulerProblem problem = euler_problem(step);
   WorldField y = problem.start, F;

@@ -83,8 +83,8 @@ void step_projected(const ComponentStep& step) {
   std::vector<Vec3>& alone = step.scratch.predicted.position;
   for (int a = 0; a < 4; ++a) {
     const std::size_t v = c.row[static_cast<std::size_t>(a)];
-    alone[v] = c.position.col(a) +
-               h * (c.velocity.col(a) + h / vertices.mass[v] * force_on(step, v));
+    alone[v] =
+        c.position.col(a) + h * (c.velocity.col(a) + h / vertices.mass[v] * force_on(step, v));
   }
   const RigidFrame frame = rigid_reference(body, vertices, alone);
   for (int a = 0; a < 4; ++a) {
@@ -113,9 +113,9 @@ void step_edge_framed(const ComponentStep& step) {
   const bool framed = edge_frame(now, ahead) && edge_frame(before, rest);
   const Mat3 R = framed ? Mat3(now * before.transpose()) : body.orientation.toRotationMatrix();
 
-  const ElementStiffness K = element_stiffness(
-      elements.shape_gradient[t.index()], elements.rest_volume[t.index()],
-      lame(step.state.materials[elements.material[t.index()].index()]));
+  const ElementStiffness K =
+      element_stiffness(elements.shape_gradient[t.index()], elements.rest_volume[t.index()],
+                        lame(step.state.materials[elements.material[t.index()].index()]));
   // K feels no translation, but taken out it leaves no rounding of it.
   CornerVectors d = R.transpose() * (ahead.colwise() - ahead.col(0));
   d -= (rest.colwise() - rest.col(0)).eval();

@@ -41,8 +41,7 @@ Eigen::VectorXd free_dofs(const ComponentStep& step, ConstLocalField field) {
 /// S^T M u of free vertices.
 Eigen::VectorXd coordinates(const ModalBasis& basis, const ComponentStep& step,
                             ConstLocalField field) {
-  return basis.shape.transpose() *
-         dof_masses(*step.system).cwiseProduct(free_dofs(step, field));
+  return basis.shape.transpose() * dof_masses(*step.system).cwiseProduct(free_dofs(step, field));
 }
 
 /// Forces on free vertices with what held ones do to them in the middle of the step.
@@ -53,8 +52,8 @@ Eigen::VectorXd force_on_free(const ComponentStep& step, const ModalDeformation&
   Eigen::VectorXd force = free_dofs(step, load);
   if (held == 0) return force;
   Eigen::Matrix3Xd moved = Eigen::Matrix3Xd::Zero(3, d.displacement.cols());
-  moved.rightCols(held) = d.displacement.rightCols(held) +
-                          0.5 * step.input.settings.time_step * d.rate.rightCols(held);
+  moved.rightCols(held) =
+      d.displacement.rightCols(held) + 0.5 * step.input.settings.time_step * d.rate.rightCols(held);
   Eigen::VectorXd product(moved.size());
   multiply_stiffness(product, *step.system, moved.reshaped());
   return force - product.head(3 * free);

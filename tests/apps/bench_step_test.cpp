@@ -44,3 +44,24 @@ TEST_CASE("the bench of steps refuses what is no mesh", "[apps][bench]") {
   CHECK(here.run({"bench", "step", SUNDER_MESHES "/README.md"}).exit_code == 3);
   CHECK(here.run({"bench", "step", "--runs", "0"}).exit_code == 2);
 }
+
+TEST_CASE("the bench of methods measures every method on every body, and the same in its CSV",
+          "[apps][bench]") {
+  const Workplace here;
+  const Outcome outcome =
+      here.run({"bench", "methods", "--runs", "1", "--json", "--csv", here.path("m.csv")});
+  INFO(outcome.err);
+  const json answer = outcome.json();
+  // Ten methods on the plate, modes not on the block, each twice.
+  CHECK(answer["figures"].size() == 38);
+  for (const json& f : answer["figures"]) {
+    INFO(f.dump());
+    CHECK(f["ms"] > 0);
+    const bool by_mass = f["method"] == "broyden from the mass matrix";
+    CHECK(f["given_up"] == by_mass);
+  }
+  std::ifstream csv(here.path("m.csv"));
+  std::size_t lines = 0;
+  for (std::string line; std::getline(csv, line);) ++lines;
+  CHECK(lines == answer["figures"].size() + 3);
+}

@@ -159,9 +159,10 @@ TEST_CASE("a projected tetrahedron turns by atan(sin phi / (2 - cos phi)) after 
   CHECK((momentum(state.vertices) - state.components[0].mass * velocity).norm() < 1e-12);
 }
 
-TEST_CASE("a tetrahedron in the frame of its edges loses its spin like implicit Euler, a rigid one "
-          "none",
-          "[mechanics][baselines][isolated]") {
+TEST_CASE(
+    "a tetrahedron in the frame of its edges loses its spin like implicit Euler, a rigid one "
+    "none",
+    "[mechanics][baselines][isolated]") {
   const Body body = regular_tetrahedron(0.05);
   const double w = 50, h = 1e-2;
   const auto left = [&](IsolatedTetrahedra isolated) {

@@ -166,3 +166,18 @@ TEST_CASE("rotations are an axis and degrees; directions need no unit length", "
   const auto& plane = std::get<Plane>(file->scene.obstacles[0].shape);
   CHECK((plane.normal - Eigen::Vector3d(0, 0.8, 0.6)).norm() < 1e-15);
 }
+
+TEST_CASE("windows asked for with a method that has none are noted, defaults are not",
+          "[run][scene]") {
+  json scene = cube_scene();
+  const std::vector<std::string> broyden = {"integrator.method=broyden"};
+  CHECK(read(scene, broyden).findings.empty());
+  scene["impact"]["window"] = true;
+  CHECK(read(scene).findings.empty());
+  const Result<SceneFile> noted = read(scene, broyden);
+  REQUIRE(noted);
+  REQUIRE(noted.findings.size() == 1);
+  CHECK(noted.findings[0].code == "no_impact_windows");
+  CHECK(noted.findings[0].severity == Severity::note);
+  CHECK(noted.findings[0].line > 0);
+}
