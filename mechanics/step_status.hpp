@@ -19,9 +19,9 @@ struct SolveReport {
 
 enum class StepOutcome {
   fine,
-  not_a_number,  ///< a position or velocity is not finite
-  diverged,      ///< a vertex is farther from its reference than ten radii of its component
-  overturned,    ///< loads turn a component by more than half a turn within the step
+  not_a_number,        ///< a position or velocity is not finite
+  diverged,            ///< a vertex is farther from its reference than ten radii of its component
+  overturned,          ///< loads turn a component by more than half a turn within the step
   too_many_sub_steps,  ///< sub_stepped would need more than allowed; nothing was stepped
 };
 

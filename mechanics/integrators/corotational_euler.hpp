@@ -9,8 +9,8 @@
 
 namespace sunder {
 
-/// sum R K_e R^T in the frame of the component, and the factor of M + h^2 times it: the pattern made
-/// once, the values those of the last step.
+/// sum R K_e R^T in the frame of the component, and the factor of M + h^2 times it: the pattern
+/// made once, the values those of the last step.
 struct ReassembledSystem {
   BlockAnalysis analysis;          ///< its own: a component's system may serve on under a border
   std::vector<std::uint32_t> row;  ///< of every free vertex of the component's system

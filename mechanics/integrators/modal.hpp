@@ -28,7 +28,8 @@ struct ModalDeformation {
 };
 
 /// Exact for a load that is constant over the step, at any step:
-///   q <- q cos wh + q' sin(wh)/w + p (1 - cos wh)/w^2,  q' <- -q w sin wh + q' cos wh + p sin(wh)/w.
+///   q <- q cos wh + q' sin(wh)/w + p (1 - cos wh)/w^2,  q' <- -q w sin wh + q' cos wh + p
+///   sin(wh)/w.
 /// Free vertices only; held ones are where they are in the middle of the step. No damping.
 /// Two dense products: 10 us at 60 vertices, 1 ms at 300.
 void advance_modes(const ComponentStep& step, const ModalDeformation& d, ConstLocalField load);
@@ -38,7 +39,8 @@ void advance_modes(const ComponentStep& step, const ModalDeformation& d, ConstLo
 void mean_modal_rate(LocalField rate, const ComponentStep& step, const ModalDeformation& d);
 
 /// Displacement (rows, of free vertices) at the end of the step for unit impulses (columns) that
-/// act as forces all through it: S diag((1 - cos wh) / (w^2 h)) S^T. Body frame, 3 k x 3 k, m/(N s).
+/// act as forces all through it: S diag((1 - cos wh) / (w^2 h)) S^T. Body frame, 3 k x 3 k, m/(N
+/// s).
 Eigen::MatrixXd modal_answer(const ComponentStep& step, std::span<const std::uint32_t> vertices);
 
 }  // namespace sunder

@@ -11,7 +11,8 @@ namespace sunder {
 
 /// v += h a / 2, x += h v, v += h a(x) / 2: second order, symplectic; `count` times with h / count.
 /// Momenta are kept to rounding, as the conservative force has no net torque. Stable below
-/// 2 / (highest angular frequency) only. One pass over the tetrahedra each and one more. No damping.
+/// 2 / (highest angular frequency) only. One pass over the tetrahedra each and one more. No
+/// damping.
 void step_verlet(const ComponentStep& step, std::uint32_t count = 1);
 
 /// `step_verlet` with the least count that keeps sub-steps below nine tenths of the component's
