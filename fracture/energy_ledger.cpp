@@ -12,7 +12,16 @@
 namespace sunder {
 namespace {
 
-void add_work(StepWork& work, double length) {
+void add_load_impulse(StepWork& work, double length) {
+  if (work.loads.force.empty()) return;
+  const VertexColumns& vertices = work.sim.state.mechanics.vertices;
+  for (std::size_t v = 0; v < work.loads.force.size(); ++v) {
+    if (!work.members().has(vertices.component[v])) continue;
+    work.report.load_impulse += length * work.loads.force[v];
+  }
+}
+
+void add_work(StepWork& work) {
   const VertexColumns& vertices = work.sim.state.mechanics.vertices;
   const std::vector<Vec3>& before = work.sim.scratch.before.position;
   const bool is_loaded = !work.loads.force.empty();
@@ -20,9 +29,7 @@ void add_work(StepWork& work, double length) {
     if (!work.members().has(vertices.component[v])) continue;
     const Vec3 way = vertices.position[v] - before[v];
     work.report.energy.gravity += vertices.mass[v] * work.loads.gravity.dot(way);
-    if (!is_loaded) continue;
-    work.report.energy.loads += work.loads.force[v].dot(way);
-    work.report.load_impulse += length * work.loads.force[v];
+    if (is_loaded) work.report.energy.loads += work.loads.force[v].dot(way);
   }
 }
 
@@ -192,8 +199,11 @@ void add_support_work(StepWork& work, const StepInput& input, const Component& c
 void begin_part(StepWork& work) {
   const MechanicsState& m = work.sim.state.mechanics;
   PartStart& before = work.sim.scratch.before;
+  const bool is_kept = work.sim.scene.energy_ledger;
+  work.sim.scratch.mechanics.measures_strain = is_kept;
+  if (is_kept || !work.sim.state.cracks.empty()) before.displacement = m.vertices.displacement;
+  if (!is_kept) return;
   before.position = m.vertices.position;
-  before.displacement = m.vertices.displacement;
   before.rate = m.vertices.displacement_rate;
   before.acceleration = m.vertices.displacement_acceleration;
   before.momentum.clear();
@@ -205,23 +215,30 @@ void begin_part(StepWork& work) {
 }
 
 void end_part(StepWork& work, const StepInput& input) {
-  add_work(work, input.settings.time_step);
+  const MechanicsState& m = work.sim.state.mechanics;
+  const double length = input.settings.time_step;
+  add_load_impulse(work, length);
+  follow_cracks(work.report.cracks, work.sim.state.cracks, m,
+                {work.sim.scratch.before.displacement, work.members(), length});
+  if (!work.sim.scene.energy_ledger) return;
+  add_work(work);
   add_contact_work(work, input);
+  const bool has_closed_forms = input.settings.integrator == Integrator::floating_frame;
   const MechanicsScratch& scratch = work.sim.scratch.mechanics;
-  for_each_living(work.sim.state.mechanics, work.members(), [&](const Component& component) {
+  for_each_living(m, work.members(), [&](const Component& component) {
     const StrainChange& change = scratch.strain[component.id.index()];
     work.report.energy.strain += change.after - change.before;
-    if (input.settings.integrator == Integrator::floating_frame) {
-      add_support_work(work, input, component);
-    }
+    if (has_closed_forms) add_support_work(work, input, component);
   });
-  if (input.settings.integrator == Integrator::floating_frame) add_losses(work, input);
-  follow_cracks(work.report.cracks, work.sim.state.cracks, work.sim.state.mechanics,
-                {work.sim.scratch.before.displacement, work.members(), input.settings.time_step});
+  if (has_closed_forms) add_losses(work, input);
 }
 
 void close_ledger(StepWork& work, double kinetic) {
   EnergyLedger& ledger = work.report.energy;
+  if (!work.sim.scene.energy_ledger) {
+    ledger = {};
+    return;
+  }
   ledger.kinetic = kinetic_energy(work.sim.state.mechanics.vertices) - kinetic;
   const double in[] = {ledger.gravity, ledger.loads, ledger.contact, ledger.supports};
   const double out[] = {ledger.kinetic, ledger.strain, ledger.numerical,

@@ -116,6 +116,8 @@ struct Scene {
   ImpactSettings impact;
   FractureSettings fracture;
   LadderSettings ladder;
+  /// Whether each step's energy ledger is kept (a tenth of a step in which nothing else happens).
+  bool energy_ledger = true;
   /// How fast what is drawn follows the simulation after a split, s (section 3.3); 0: at once.
   double display_time_constant = 0.1;
 };

@@ -199,7 +199,7 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
   SimulationState& s = sim.state;
   StepWork work{sim, observe, {}, {}, {}, {}};
   std::swap(work.loads, sim.scratch.loads);
-  const double kinetic = kinetic_energy(s.mechanics.vertices);
+  const double kinetic = sim.scene.energy_ledger ? kinetic_energy(s.mechanics.vertices) : 0;
   sim.scratch.ladder.touched.assign(s.mechanics.components.size(), 0);
   work.loads.gravity = gravity_at(sim.scene.gravity, s.mechanics.time + sim.scene.time_step);
   s.impact.quiet.resize(s.mechanics.components.size(), ImpactWindow::closed);

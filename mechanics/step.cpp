@@ -246,6 +246,12 @@ void measure_elements(MechanicsState& state, MechanicsScratch& scratch,
     Mat3 H = displacement_gradient(elements.shape_gradient[t], d);
     if (model == ElasticModel::corotational) H = own_strain(H);
     const MaterialId material = elements.material[t];
+    const Mat3 stress = stress_of(H, scratch.lame[material.index()]);
+    largest = std::max(largest, turn_of(H));
+    if (!scratch.measures_strain) {
+      elements.stress[t] = stress;
+      continue;
+    }
     const double volume = elements.rest_volume[t];
     const double before =
         volume * scratch.stress_energy[material.index()].density(elements.stress[t]);
@@ -253,8 +259,7 @@ void measure_elements(MechanicsState& state, MechanicsScratch& scratch,
     change.before += before;
     change.after += after;
     change.difference += 2 * (before + after - volume * elements.stress[t].cwiseProduct(H).sum());
-    elements.stress[t] = stress_of(H, scratch.lame[material.index()]);
-    largest = std::max(largest, turn_of(H));
+    elements.stress[t] = stress;
   }
   put_down();
 }

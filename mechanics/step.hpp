@@ -76,8 +76,9 @@ struct MechanicsScratch {
   /// Row = ComponentId: largest turn theta of an element against its component, rad, at the new
   /// state (size of the skew part of the displacement gradient); for the validity warning.
   std::vector<double> largest_turn;
-  /// Row = ComponentId: what the last measure of its stresses changed, J.
+  /// Row = ComponentId: what the last measure of its stresses changed, J, where asked for.
   std::vector<StrainChange> strain;
+  bool measures_strain = true;
 };
 
 /// How deformations go through a step of floating_frame, or through a part of one.

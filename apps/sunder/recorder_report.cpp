@@ -179,20 +179,22 @@ ordered_json energy_ledger(const RunStatistics& statistics, const Simulation& no
   const Energies end = energies(now);
   const Energies& start = statistics.energy_at_start;
   const auto pair = [](double a, double b) { return ordered_json{{"start", a}, {"end", b}}; };
-  return {{"kinetic", pair(start.kinetic, end.kinetic)},
-          {"strain", pair(start.strain, end.strain)},
-          {"gravity", pair(start.gravity, end.gravity)},
-          {"damping_work", statistics.damping_work},
-          {"released_by_rigid_pieces", statistics.energy_released},
-          {"gravity_work", statistics.gravity_work},
-          {"load_work", statistics.load_work},
-          {"contact_work", statistics.contact_work},
-          {"support_work", statistics.support_work},
-          {"friction_heat", statistics.friction},
-          {"numerical_loss", statistics.numerical_loss},
-          {"residual", statistics.residual},
-          {"residual_over_energy_moved",
-           statistics.moved > 0 ? statistics.residual_size / statistics.moved : 0}};
+  ordered_json report = {{"kinetic", pair(start.kinetic, end.kinetic)},
+                         {"strain", pair(start.strain, end.strain)},
+                         {"gravity", pair(start.gravity, end.gravity)},
+                         {"damping_work", statistics.damping_work},
+                         {"released_by_rigid_pieces", statistics.energy_released}};
+  if (!now.scene.energy_ledger) return report;
+  report["gravity_work"] = statistics.gravity_work;
+  report["load_work"] = statistics.load_work;
+  report["contact_work"] = statistics.contact_work;
+  report["support_work"] = statistics.support_work;
+  report["friction_heat"] = statistics.friction;
+  report["numerical_loss"] = statistics.numerical_loss;
+  report["residual"] = statistics.residual;
+  report["residual_over_energy_moved"] =
+      statistics.moved > 0 ? statistics.residual_size / statistics.moved : 0;
+  return report;
 }
 
 /// Past this turn a part's false strain theta^2 / 2 reaches a tenth of the breaking strain xi / E.

@@ -145,3 +145,23 @@ TEST_CASE("Rayleigh damping has its own place in the ledger", "[accuracy][ledger
   CHECK(damped > 0.1 * start);
   CHECK(std::abs(rest) < 0.1 * damped);
 }
+
+TEST_CASE("without the ledger a run is the same to the bit", "[accuracy][ledger]") {
+  std::vector<Vec3> ends[2];
+  for (const bool kept : {false, true}) {
+    Scene scene = bar_scene();
+    scene.bodies[0].velocity = {-2, 0, 0};
+    scene.bodies[0].translation = {0.001, 0, 0};
+    scene.obstacles = {{.shape = Plane{.normal = {1, 0, 0}}}};
+    scene.energy_ledger = kept;
+    Simulation sim = built(scene);
+    double seen = 0;
+    for (int i = 0; i < 20; ++i) {
+      const EnergyLedger ledger = advance(sim).energy;
+      seen += ledger.moved + std::abs(ledger.kinetic);
+    }
+    CHECK((seen > 0) == kept);
+    ends[kept] = sim.state.mechanics.vertices.position;
+  }
+  CHECK(ends[0] == ends[1]);
+}
