@@ -262,13 +262,6 @@ std::string label_of(const ChartWork& work, const ChartSetting& s) {
                      work.chart.tetrahedra[s.mesh]);
 }
 
-/// Whether a longer step of the series says that this one takes too long. Beyond its wall a method
-/// may be slower than below.
-bool is_hopeless(const ChartPoint& longer, const ChartSetting& setting) {
-  if (longer.setting.series != setting.series || longer.setting.wall_share > 1) return false;
-  return longer.outcome.end == ChartEnd::over_limit || longer.outcome.end == ChartEnd::skipped;
-}
-
 /// Every point of the grid; a series that took too long is not tried at shorter steps.
 void run_all(ChartWork& work) {
   std::vector<ChartSetting> settings = chart_settings(work.grid);
