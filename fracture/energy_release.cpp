@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <limits>
+#include <optional>
 
 #include "mechanics/integrators/component_step.hpp"
 #include "mechanics/integrators/quasi_static.hpp"
@@ -92,9 +92,9 @@ void fill_column(Trial& trial, FactorBorder::Column& column, VertexId vertex,
 /// Load of a part of a vertex less the force its tetrahedra bear, N, body frame.
 Vec3 missing_force(const ReleaseInput& input, VertexId vertex, std::span<const TetId> side) {
   const MechanicsState& m = input.mechanics;
-  const Mat3 back =
-      m.components[m.vertices.component[vertex.index()].index()].orientation.toRotationMatrix()
-          .transpose();
+  const Mat3 back = m.components[m.vertices.component[vertex.index()].index()]
+                        .orientation.toRotationMatrix()
+                        .transpose();
   Vec3 force = Vec3::Zero();
   for (const TetId t : side) {
     const Corners& corners = input.cells.map.corners(t);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The energy that a fan would release, per area, found on the body as it is and without changing it.
+// The energy that a fan would release, per area, found on the body as it is and without changing
+// it.
 #pragma once
 
 #include <span>
@@ -50,16 +51,16 @@ struct EnergyRelease {
   double per_area() const { return area > 0 ? energy / area : 0; }
 };
 
-/// Potential energy that splitting `faces` (of one component) would release, through the factor of K
-/// with the copies as a border (factor_border.hpp): with r the force that each copy is left without
-/// on its side and S the corner that is left of the bordered matrix,
+/// Potential energy that splitting `faces` (of one component) would release, through the factor of
+/// K with the copies as a border (factor_border.hpp): with r the force that each copy is left
+/// without on its side and S the corner that is left of the bordered matrix,
 ///   Delta Pi = r . S^-1 r / 2,
 /// which is exact in linear statics and equals the virtual crack closure of crack_energy.hpp.
-/// Faces on the boundary count for nothing. Held vertices do not part. Errors: "not_supported" where
-/// the component has no equilibrium; "not_a_number".
-/// Cost: twelve half back-solves for four copies, 0.5 ms at 6 000 tetrahedra, once K is factored;
-/// where a piece comes free, three whole ones a copy instead. Leaves that factor in `scratch`, as
-/// `solve_static` and quasi-static steps do; a step of another kind factors anew.
+/// Faces on the boundary count for nothing. Held vertices do not part. Errors: "not_supported"
+/// where the component has no equilibrium; "not_a_number". Cost: twelve half back-solves for four
+/// copies, 0.5 ms at 6 000 tetrahedra, once K is factored; where a piece comes free, three whole
+/// ones a copy instead. Leaves that factor in `scratch`, as `solve_static` and quasi-static steps
+/// do; a step of another kind factors anew.
 Result<EnergyRelease> energy_release(MechanicsScratch& scratch, const ReleaseInput& input,
                                      std::span<const HalfFaceId> faces);
 

@@ -71,8 +71,7 @@ double rest_area(const Cells& cells, std::span<const HalfFaceId> faces) {
     if (cells.map.neighbour(face).is_none()) continue;
     const auto& corners = cells.map.corners(tetrahedron_of(face));
     const auto x = [&](int k) {
-      const Point& p =
-          cells.map.point(corners[static_cast<std::size_t>((place_of(face) + k) % 4)]);
+      const Point& p = cells.map.point(corners[static_cast<std::size_t>((place_of(face) + k) % 4)]);
       return Vec3(p[0], p[1], p[2]);
     };
     area += 0.5 * (x(2) - x(1)).cross(x(3) - x(1)).norm();

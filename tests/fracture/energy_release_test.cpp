@@ -30,14 +30,14 @@ Simulation loaded_block(std::mt19937& random) {
   }
   block.rotation = Eigen::Quaterniond(0.8, 0.2, -0.4, 0.4).normalized();
   block.held = {{.minimum = {-1, -1, -1}, .maximum = {1e-6, 9, 9}}};
-  block.loads = {{.minimum = {0.5 - 1e-6, -1, -1}, .maximum = {9, 9, 9}, .pressure = -1e6},
-                 {.minimum = {0.2, 0.3 - 1e-6, -1}, .maximum = {9, 9, 9}, .force = {1e3, 2e3, 3e3}}};
+  block.loads = {
+      {.minimum = {0.5 - 1e-6, -1, -1}, .maximum = {9, 9, 9}, .pressure = -1e6},
+      {.minimum = {0.2, 0.3 - 1e-6, -1}, .maximum = {9, 9, 9}, .force = {1e3, 2e3, 3e3}}};
   scene.bodies = {block};
   return std::move(*build_simulation(std::move(scene)));
 }
 
-Loads full_loads(const Simulation& sim, const MechanicsState& m,
-                 std::span<const Corners> corners) {
+Loads full_loads(const Simulation& sim, const MechanicsState& m, std::span<const Corners> corners) {
   Loads loads{.gravity = sim.scene.gravity.acceleration};
   add_corner_loads(loads.force, sim.loads, m, corners, std::numeric_limits<double>::infinity());
   return loads;
@@ -94,8 +94,8 @@ TEST_CASE("energy released by fans of random bodies is that of a copy split and 
     const ReleaseInput input{sim.state.cells, m, sim.scene.gravity.acceleration, force};
     for (int k = 0; k < 40; ++k) {
       const VertexId v{random() % m.vertices.size()};
-      const auto faces = fan_faces(sim.state.cells.map, v,
-                                   {normal(random), normal(random), normal(random)});
+      const auto faces =
+          fan_faces(sim.state.cells.map, v, {normal(random), normal(random), normal(random)});
       const auto release = energy_release(sim.scratch.mechanics, input, *faces);
       REQUIRE(release);
       if (faces->empty()) continue;
@@ -155,7 +155,8 @@ TEST_CASE("a piece that comes free releases what strained it, or without end wha
   const Vec3 gravity{0, 0, -9.81};
   const auto corners = sim.state.cells.map.corners();
   REQUIRE(solve_static(m, sim.scratch.mechanics, corners, {.gravity = gravity}).empty());
-  const auto loaded = energy_release(sim.scratch.mechanics, {sim.state.cells, m, gravity}, *section);
+  const auto loaded =
+      energy_release(sim.scratch.mechanics, {sim.state.cells, m, gravity}, *section);
   REQUIRE(loaded);
   CHECK(std::isinf(loaded->energy));
 }

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Edge crack and penny crack against fracture mechanics.
+#include "tests/accuracy/crack_cases.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace sunder::accuracy;
+
+TEST_CASE(
+    "at an edge crack the tip stress goes as h^-1/2, and with toughness the breaking load "
+    "stays while a bare strength loses sqrt 2 a halving",
+    "[accuracy][crack]") {
+  const auto rows = edge_cracks({8, 16, 32});
+  const double exponent = std::log(rows[2].tip_stress / rows[0].tip_stress) / std::log(4.0);
+  CHECK(exponent == Approx(0.5).margin(0.1));
+  for (const CrackAnswer& row : rows) {
+    INFO("a/h " << row.cells);
+    CHECK(row.load_toughness == Approx(rows[1].load_toughness).epsilon(0.05));
+    CHECK(row.load_energy == Approx(1).epsilon(0.08));
+    CHECK(row.factor == Approx(rows[1].factor).epsilon(0.05));
+  }
+  CHECK(rows[0].load_strength / rows[1].load_strength == Approx(std::sqrt(2.0)).epsilon(0.05));
+  CHECK(rows[1].load_strength / rows[2].load_strength == Approx(std::sqrt(2.0)).epsilon(0.05));
+}
+
+TEST_CASE("a penny crack releases 4 (1 - nu^2) sigma^2 a / (pi E) per area when its front grows",
+          "[accuracy][crack]") {
+  CHECK(penny_crack(8).front_release == Approx(1).epsilon(0.15));
+}
