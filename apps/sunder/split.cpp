@@ -11,6 +11,7 @@
 
 #include "apps/sunder/split_faces.hpp"
 #include "apps/sunder/split_output.hpp"
+#include "apps/sunder/static_fan.hpp"
 #include "apps/sunder/words.hpp"
 #include "topology/build_map.hpp"
 #include "topology/invariants.hpp"
@@ -243,13 +244,6 @@ ExitCode run_split(const SplitArguments& arguments) {
   return has_error(findings) ? ExitCode::not_written : ExitCode::fine;
 }
 
-std::string check_fan(const std::string& list) {
-  const auto x = numbers_of(list, 4);
-  const bool is_row = x && (*x)[0] >= 0 && (*x)[0] < 4294967295.0 &&
-                      (*x)[0] == static_cast<double>(static_cast<std::uint32_t>((*x)[0]));
-  return is_row ? "" : "'" + list + "' is not V,NX,NY,NZ: a row of a point and three numbers";
-}
-
 std::string check_plane(const std::string& list) {
   return numbers_of(list, 4) ? "" : "'" + list + "' is not NX,NY,NZ,D: four numbers";
 }
@@ -265,7 +259,7 @@ void add_options(CLI::App& command, SplitArguments& arguments) {
       ->add_option("--fan", arguments.fan,
                    "The fan at point V of the plane through it with normal (NX, NY, NZ)")
       ->type_name("V,NX,NY,NZ")
-      ->check(CLI::Validator(check_fan, "", "fan"));
+      ->check(CLI::Validator(check_fan_text, "", "fan"));
   which
       ->add_option("--plane", arguments.plane,
                    "The section of the plane NX x + NY y + NZ z = D (D in m for a unit normal)")

@@ -8,12 +8,14 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "apps/sunder/recorder_tables.hpp"
 #include "apps/sunder/scene_json.hpp"
 #include "apps/sunder/static_answer.hpp"
+#include "apps/sunder/static_fan.hpp"
 #include "apps/sunder/words.hpp"
 
 namespace sunder {
@@ -30,6 +32,9 @@ part in it: what lies on one is not supported by it here.
 Answers, per body and over all: largest displacement (m), strain energy (J), largest principal
 stress of a vertex (Pa) and its share of the tensile strength, each with the point of the mesh
 (counted from 0) and its place (m); force (N) and moment about the mass centre (N m) of each support.
+--fan V,NX,NY,NZ adds what the fan at point V (of all bodies' meshes, one after the other) with this
+normal in the mesh's axes would release: faces, area (m^2), energy (J) and energy per area (J/m^2),
+beside the material's where it has a toughness (docs/energy.md). Nothing is split.
 FILE.vtu holds the deformed bodies with displacement, node stress and largest principal stress.
 
 Exit codes: 0 done, 2 usage, 3 bad scene or mesh or no equilibrium, 4 not written, 5 the answer is
@@ -43,6 +48,7 @@ Examples:
 struct StaticArguments {
   std::filesystem::path scene, output;
   std::vector<std::string> settings;
+  std::string fan;
   bool json = false;
 };
 
@@ -149,10 +155,20 @@ ExitCode run_static(const StaticArguments& arguments) {
     print(unwritten);
     if (has_error(unwritten)) return ExitCode::not_written;
   }
+  std::optional<FanAnswer> fan;
+  if (!arguments.fan.empty()) {
+    const Result<FanAnswer> released = fan_answer(*sim, arguments.fan);
+    print(released.findings);
+    if (!released) return ExitCode::usage;
+    fan = *released;
+  }
   if (arguments.json) {
-    fmt::print("{}\n", answer_json(sim->scene.name, *answer, answer.findings).dump(2));
+    ordered_json json = answer_json(sim->scene.name, *answer, answer.findings);
+    if (fan) json["fan"] = to_json(*fan);
+    fmt::print("{}\n", json.dump(2));
   } else {
     print_table(*answer);
+    if (fan) fmt::print("{}", to_table(*fan));
   }
   return ExitCode::fine;
 }
@@ -171,6 +187,9 @@ void add_static_command(CLI::App& program, ExitCode& exit_code) {
                    "Change a value of the scene: gravity.ramp_time=2; may be given often")
       ->type_name("KEY=VALUE")
       ->take_all();
+  command->add_option("--fan", arguments->fan, "Energy that a fan would release")
+      ->type_name("V,NX,NY,NZ")
+      ->check(CLI::Validator(check_fan_text, "", "fan"));
   command->add_flag("--json", arguments->json, "Print JSON instead of a table");
   command->footer(footer);
   command->callback([=, &exit_code] { exit_code = run_static(*arguments); });
