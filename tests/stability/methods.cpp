@@ -12,6 +12,20 @@ const std::vector<Method>& methods() {
       {"implicit Euler, predicted",
        {.integrator = Integrator::implicit_euler, .euler_frame = EulerFrame::predicted}},
       {"verlet", {.integrator = Integrator::verlet}, true, false},
+      {"sub-stepped", {.integrator = Integrator::sub_stepped}, true, false},
+      {"modal", {.integrator = Integrator::modal}, true},
+      {"Broyden", {.integrator = Integrator::broyden}},
+      {"Broyden, factor",
+       {.integrator = Integrator::broyden, .broyden_start = BroydenStart::factor}},
+      {"Newton with CG", {.integrator = Integrator::newton_cg}},
+      {"corotational",
+       {.integrator = Integrator::implicit_euler, .model = ElasticModel::corotational}},
+      {"corotational, prefactored",
+       {.integrator = Integrator::implicit_euler,
+        .model = ElasticModel::corotational,
+        .corotational_solve = CorotationalSolve::prefactored}},
+      {"floating, tetrahedra projected", {.isolated = IsolatedTetrahedra::projection}},
+      {"floating, tetrahedra by qr", {.isolated = IsolatedTetrahedra::qr}},
   };
   return all;
 }

@@ -157,7 +157,7 @@ Cell changing_step(const Method& method) {
 }
 
 /// A bar bent exactly to a circle with outer strain 7e-4, forty times as long as thick. Figure: the
-/// largest stress over E times that strain.
+/// largest mean stress of a cross-section, which is zero in truth, over that of the outer fibre.
 Cell slender(const Method& method) {
   const double strain = 7e-4, thickness = 1, length = 40;
   const Body body = test::kuhn_block({40, 1, 2}, Vec3(length, thickness, thickness));
@@ -176,68 +176,125 @@ Cell slender(const Method& method) {
   settings.time_step = 1e-9;
   const Loads nothing;
   advance(state, scratch, {body.corners, nothing, settings});
-  const double figure = largest_stress(state) / (material.young_modulus * strain);
-  return {figure < 1.1 ? Outcome::holds : Outcome::false_stress, figure};
+  double mean[40] = {};  // twelve tetrahedra a cross-section
+  for (std::size_t t = 0; t < body.corners.size(); ++t) {
+    mean[t / 12] += state.elements.stress[t](0, 0) / 12;
+  }
+  double largest = 0;
+  for (const double stress : mean) largest = std::max(largest, std::abs(stress));
+  const double figure = largest / (material.young_modulus * strain);
+  return {figure < 0.05 ? Outcome::holds : Outcome::false_stress, figure};
+}
+
+/// Whether the method iterates to a tolerance.
+bool iterates(const Method& method) {
+  const IntegratorSettings& s = method.settings;
+  return s.integrator == Integrator::broyden || s.integrator == Integrator::newton_cg ||
+         s.corotational_solve == CorotationalSolve::prefactored;
+}
+
+/// Iterations cut after two: the run must tell, keep momentum, and stay sound by the factor.
+/// Figure: the drift of momentum, relative.
+Cell cut_short(const Method& method) {
+  if (!iterates(method)) return {};
+  const Body body = flight_body();
+  MechanicsState state = test::state_of(body, {});
+  place(state, ComponentId{0}, {.velocity = Vec3(1, 2, 3)});
+  std::mt19937 random(86);
+  test::deform(state, 1e-4, random);
+  const Vec3 P = momentum(state.vertices);
+  MechanicsScratch scratch;
+  measure_elements(state, scratch, body.corners);
+  const double start = kinetic_energy(state.vertices) + strain_energy(state);
+  IntegratorSettings settings = method.settings;
+  settings.time_step = 1e-3;
+  settings.max_iterations = 2;
+  settings.tolerance = 1e-12;
+  std::uint32_t told = 0;
+  const Loads nothing;
+  for (int i = 0; i < 50; ++i) {
+    const StepStatus status = advance(state, scratch, {body.corners, nothing, settings});
+    if (status.outcome != StepOutcome::fine) return {Outcome::diverges, double(i)};
+    told += status.solve.not_converged;
+    const double energy = kinetic_energy(state.vertices) + strain_energy(state);
+    if (energy > (1 + 1e-9) * start) return {Outcome::gains, energy / start};
+  }
+  const double drift = (momentum(state.vertices) - P).norm() / P.norm();
+  return {told > 0 && drift < 1e-12 ? Outcome::holds : Outcome::false_stress, drift};
 }
 
 }  // namespace
 
 std::vector<Scenario> motions() {
-  const Outcome loses = Outcome::loses;
-  const Outcome false_stress = Outcome::false_stress, gains = Outcome::gains;
-  const Outcome diverges = Outcome::diverges;
+  const Outcome loses = Outcome::loses, false_stress = Outcome::false_stress;
+  const Outcome gains = Outcome::gains, diverges = Outcome::diverges;
+  using Expected = std::map<std::string, Outcome>;
+  using Names = std::vector<std::string>;
+  // Implicit Euler linearised where the step begins, and what falls back on it; and where it ends.
+  const Names at_start = {"implicit Euler", "Broyden", "corotational"};
+  const Names at_end = {"implicit Euler, predicted", "Broyden, factor", "Newton with CG",
+                        "corotational, prefactored"};
+  const auto with = [](Expected expected, const Names& who, Outcome what) {
+    for (const std::string& name : who) expected[name] = what;
+    return expected;
+  };
+  const Expected explicit_fails = {{"verlet", diverges}};
+  const Expected spinning = with(with(explicit_fails, at_start, false_stress), at_end, loses);
+  Expected one_frame, direct;
+  for (const Method& method : methods()) {
+    if (method.settings.model == ElasticModel::rigid_reference) {
+      one_frame[method.name] = false_stress;
+    }
+    if (!iterates(method)) direct[method.name] = Outcome::not_for_it;
+  }
   return {
       {"vibration at 0.99 of the explicit limit",
        [](const Method& m) { return near_the_explicit_limit(m, 0.99); }},
       {"vibration at 1.01 of the explicit limit",
-       [](const Method& m) { return near_the_explicit_limit(m, 1.01); },
-       {{"verlet", diverges}}},
-      {"E 1e5 to 1e12, step 1 us",
-       [](const Method& m) { return all_stiffnesses(m, 1e-6); }},
-      {"E 1e5 to 1e12, step 1 ms",
-       [](const Method& m) { return all_stiffnesses(m, 1e-3); },
-       {{"verlet", diverges}}},
+       [](const Method& m) { return near_the_explicit_limit(m, 1.01); }, explicit_fails},
+      {"E 1e5 to 1e12, step 1 us", [](const Method& m) { return all_stiffnesses(m, 1e-6); }},
+      {"E 1e5 to 1e12, step 1 ms", [](const Method& m) { return all_stiffnesses(m, 1e-3); },
+       explicit_fails},
       {"E 1e5 to 1e12, step 1/30 s",
        [](const Method& m) { return all_stiffnesses(m, 1.0 / 30); },
+       // Iterations that give up there are taken by the factor, linearised where the step begins
+       // (1e10 Pa on); with Broyden from the factor that ends in kinetic energy at 1e12 Pa. Modal,
+       // undamped, keeps ringing with what the spin's forces begin in the softest body.
        {{"implicit Euler", false_stress},
         {"implicit Euler, predicted", loses},
-        {"verlet", diverges}}},
+        {"verlet", diverges},
+        {"modal", false_stress},
+        {"Broyden", false_stress},
+        {"Broyden, factor", gains},
+        {"Newton with CG", false_stress},
+        {"corotational", false_stress},
+        {"corotational, prefactored", false_stress}}},
       {"50 rad/s in equilibrium, 30 GPa, step 1 ms",
-       [](const Method& m) { return spin_in_equilibrium(m, 1e-3); },
-       {{"implicit Euler", false_stress},
-        {"implicit Euler, predicted", loses},
-        {"verlet", diverges}}},
+       [](const Method& m) { return spin_in_equilibrium(m, 1e-3); }, spinning},
       {"50 rad/s in equilibrium, 30 GPa, step 10 ms",
-       [](const Method& m) { return spin_in_equilibrium(m, 1e-2); },
-       {{"implicit Euler", false_stress},
-        {"implicit Euler, predicted", loses},
-        {"verlet", diverges}}},
-      // The paper's force has a torque of second order in the displacement.
-      {"a soft body at rest rings for 1 s",
-       ghost_torque,
-       {{"implicit Euler", gains}, {"implicit Euler, predicted", gains}}},
+       [](const Method& m) { return spin_in_equilibrium(m, 1e-2); }, spinning},
+      // The paper's force has a torque of second order; implicit Euler changes L by h^2 sum v x f.
+      {"a soft body at rest rings for 1 s", ghost_torque,
+       with(with({}, at_start, gains), at_end, gains)},
       {"a body turned inside out", inverted},
       {"a tetrahedron pushed through itself", tetrahedron_through_itself},
-      {"a tetrahedron spins for 1 s, step 10 ms", tetrahedron_spin},
+      {"a tetrahedron spins for 1 s, step 10 ms",
+       tetrahedron_spin,
+       {{"floating, tetrahedra projected", loses}, {"floating, tetrahedra by qr", loses}}},
       {"slivers of 2 degrees, 30 GPa, step 20 us",
        [](const Method& m) {
          return fly({.time_step = 2e-5, .steps = 400, .sliver_angle = 2, .weight = false}, m);
        },
-       {{"verlet", diverges}}},
+       explicit_fails},
       {"nu 0.49, step 1 ms",
        [](const Method& m) {
          return fly({.material = {.poisson_ratio = 0.49}, .weight = false}, m);
        },
-       {{"verlet", diverges}}},
+       explicit_fails},
       {"the step changes its length", changing_step},
+      {"iterations cut after two", cut_short, direct},
       // Of one frame for the whole body: eps (L/t)^2 / 2 on top of eps.
-      {"a bar of 40 to 1 bent by 7e-4",
-       slender,
-       {{"floating frame", false_stress},
-        {"floating frame, rho .5", false_stress},
-        {"implicit Euler", false_stress},
-        {"implicit Euler, predicted", false_stress},
-        {"verlet", false_stress}}},
+      {"a bar of 40 to 1 bent by 7e-4", slender, one_frame},
   };
 }
 

@@ -120,8 +120,17 @@ std::vector<Map> maps() {
   };
 }
 
+std::vector<Method> mapped_methods() {
+  std::vector<Method> some;
+  for (const Method& method : methods()) {
+    if (method.settings.isolated == IntegratorSettings{}.isolated) some.push_back(method);
+  }
+  return some;
+}
+
 std::string sweep_script(const std::vector<Map>& all, const std::vector<SweepRow>& rows) {
-  const std::size_t columns = methods().size();
+  const std::vector<Method> shown = mapped_methods();
+  const std::size_t columns = shown.size();
   const std::size_t width = 100 + 190 * columns, height = 60 + 190 * all.size();
   std::string script =
       formatted("set terminal pngcairo size %zu,%zu font 'DejaVu Sans,10'\n", width, height);
@@ -132,8 +141,8 @@ std::string sweep_script(const std::vector<Map>& all, const std::vector<SweepRow
       "set tics nomirror out scale 0.4\nset border lc rgb '#aaaaaa'\nset title offset 0,-0.6\n";
   for (const Map& map : all) {
     const bool top = &map == &all.front(), bottom = &map == &all.back();
-    for (const Method& method : methods()) {
-      const bool left = &method == &methods().front();
+    for (const Method& method : shown) {
+      const bool left = &method == &shown.front();
       if (bottom && left) script += legend();
       script += formatted("set title '%s'\n", top ? method.name.c_str() : "");
       script += bottom ? "set xlabel 'step, s' offset 0,0.6\n" : "unset xlabel\n";

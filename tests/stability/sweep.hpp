@@ -20,6 +20,10 @@ struct Map {
 /// over steps of 1 us to 1/30 s.
 std::vector<Map> maps();
 
+/// The methods of the maps: without those that differ only in isolated tetrahedra, which no map
+/// has.
+std::vector<Method> mapped_methods();
+
 /// One cell of a map.
 struct SweepRow {
   std::string map, method;

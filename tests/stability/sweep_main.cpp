@@ -19,7 +19,7 @@ int main(int count, char** words) {
   std::fputs("map,method,value,step / s,outcome,figure\n", file);
   const std::vector<Map> all = maps();
   std::vector<SweepRow> rows;
-  for (const Method& method : methods()) {
+  for (const Method& method : mapped_methods()) {
     const auto start = std::chrono::steady_clock::now();
     std::size_t tally[std::size(outcome_names)] = {};
     for (const Map& map : all) {
