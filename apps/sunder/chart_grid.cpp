@@ -42,6 +42,8 @@ constexpr auto methods = std::to_array<ChartMethod>({
      "integrator.corotational_solve=prefactored",
      false, false, "#aaaaaa"},
     {"verlet", "integrator.method=verlet", false, true, "#009e73"},
+    {"sub_stepped", "integrator.method=sub_stepped", false, false, "#66cc99"},
+    {"modal", "integrator.method=modal", false, false, "#882255"},
 });
 
 /// Adds the settings of one series.
