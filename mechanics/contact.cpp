@@ -464,7 +464,8 @@ void begin_step(ContactStep& step) {
     predict(step.pass.mechanics, state, input, {&component.id, 1});
   });
   if (input.members.component.empty()) return;
-  // What keeps still is where it is.
+  // What keeps still is where it is; the room for it is there also where no member lives.
+  predict(step.pass.mechanics, state, input, {});
   for (std::size_t v = 0; v < state.vertices.size(); ++v) {
     if (input.members.has(state.vertices.component[v])) continue;
     step.pass.mechanics.predicted.position[v] = state.vertices.position[v];
