@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "fracture/draw_strength.hpp"
+#include "fracture/make_cuts.hpp"
 #include "fracture/scene_loads.hpp"
 #include "fracture/simulation.hpp"
 #include "fracture/step_work.hpp"
@@ -30,6 +32,7 @@ std::vector<Finding> check_scene(const Scene& scene) {
   for (std::size_t o = 0; o < scene.obstacles.size(); ++o) {
     append(findings, check(scene.obstacles[o], o));
   }
+  append(findings, check_strengths(scene.bodies));
   IntegratorSettings integrator = scene.integrator;
   integrator.time_step = scene.time_step;
   append(findings, check(integrator, "integrator"));
@@ -72,10 +75,12 @@ Result<MechanicsState> make_columns(const Scene& scene, const std::vector<BodyRo
   std::vector<MaterialId> material(map.tetrahedra());
   std::vector<Material> materials;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    materials.push_back(scene.bodies[b].material);
+    const BodyMaterials own = materials_of(scene.bodies[b]);
     for (std::size_t t = bodies[b].first_tetrahedron; t < bodies[b].end_tetrahedron; ++t) {
-      material[t] = MaterialId{b};
+      material[t] =
+          MaterialId{materials.size() + own.of_tetrahedron[t - bodies[b].first_tetrahedron]};
     }
+    materials.insert(materials.end(), own.materials.begin(), own.materials.end());
   }
   return make_state({.rest_positions = rest,
                      .corners = map.corners(),
@@ -193,12 +198,16 @@ Result<Simulation> build_simulation(Scene scene) {
     append(result.findings, std::move(map.findings));
     return result;
   }
+  std::vector<char> skin = boundary_of(*map);
+  append(result.findings, make_cuts(*map, scene.bodies, bodies));
+  if (has_error(result.findings)) return result;
   const Components labels = label_components(*map);
   Result<MechanicsState> mechanics = make_columns(scene, bodies, *map, labels);
   append(result.findings, std::move(mechanics.findings));
   if (!mechanics) return result;
 
-  Cells cells = make_cells(std::move(*map), *mechanics);
+  Cells cells = make_cells(std::move(*map), *mechanics, std::move(skin));
+  draw_strengths(cells, *mechanics, scene.bodies, bodies);
   Simulation sim{.scene = std::move(scene),
                  .bodies = std::move(bodies),
                  .loads = {},

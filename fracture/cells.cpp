@@ -41,12 +41,18 @@ double mean_edge_length(const VertexColumns& vertices, std::span<const Corners> 
 
 }  // namespace
 
-Cells make_cells(VolumeMap map, const MechanicsState& mechanics) {
-  Cells cells{.map = std::move(map), .labels = {}, .skin = {}, .strength = {}, .waits = {}};
-  cells.labels = label_components(cells.map);
-  for (const auto& neighbours : cells.map.neighbours()) {
-    for (const HalfFaceId n : neighbours) cells.skin.push_back(n.is_none());
+std::vector<char> boundary_of(const VolumeMap& map) {
+  std::vector<char> boundary;
+  for (const auto& neighbours : map.neighbours()) {
+    for (const HalfFaceId n : neighbours) boundary.push_back(n.is_none());
   }
+  return boundary;
+}
+
+Cells make_cells(VolumeMap map, const MechanicsState& mechanics, std::vector<char> skin) {
+  Cells cells{.map = std::move(map), .skin = std::move(skin)};
+  cells.labels = label_components(cells.map);
+  if (cells.skin.empty()) cells.skin = boundary_of(cells.map);
   // Before anything is cracked the smallest strength around a vertex needs no star.
   cells.strength.assign(cells.map.vertices(), std::numeric_limits<double>::infinity());
   for (std::size_t t = 0; t < cells.map.tetrahedra(); ++t) {
@@ -56,12 +62,25 @@ Cells make_cells(VolumeMap map, const MechanicsState& mechanics) {
       cells.strength[v.index()] = std::min(cells.strength[v.index()], xi);
     }
   }
+  cells.painted.assign(cells.map.vertices(), 0);
+  cells.flaw.assign(cells.map.vertices(), 1);
+  cells.unbreakable.assign(cells.map.vertices(), 0);
   cells.waits.assign(cells.map.vertices(), 0);
   return cells;
 }
 
+void append_copy(Cells& cells, VertexId from) {
+  const auto append = [from](auto& column) { column.push_back(column[from.index()]); };
+  append(cells.strength);
+  append(cells.painted);
+  append(cells.flaw);
+  append(cells.unbreakable);
+  append(cells.waits);
+}
+
 double vertex_strength(const Cells& cells, const MechanicsState& mechanics, VertexId vertex,
                        std::span<const TetId> star) {
+  if (cells.unbreakable[vertex.index()]) return std::numeric_limits<double>::infinity();
   double strength = std::numeric_limits<double>::infinity();
   double toughness = strength;
   for (const TetId t : star) {
@@ -69,6 +88,8 @@ double vertex_strength(const Cells& cells, const MechanicsState& mechanics, Vert
     strength = std::min(strength, m.tensile_strength);
     if (m.toughness) toughness = std::min(toughness, *m.toughness);
   }
+  if (cells.painted[vertex.index()] > 0) strength = cells.painted[vertex.index()];
+  strength *= cells.flaw[vertex.index()];
   if (std::isinf(toughness) || !is_crack_tip(cells, vertex, star)) return strength;
   const double h = mean_edge_length(mechanics.vertices, cells.map.corners(), star);
   return crack_tip_factor * toughness / std::sqrt(h);

@@ -20,14 +20,29 @@ struct Cells {
   std::vector<char> skin;
   /// |V|, Pa: the tensile threshold xi of each vertex (see `vertex_strength`).
   std::vector<double> strength;
+  /// |V|, Pa: painted on the mesh; 0 where the materials around decide.
+  std::vector<double> painted;
+  /// |V|: what the material's or painted strength is multiplied with (Weibull); copies keep it.
+  std::vector<double> flaw;
+  /// |V|: 1 where the vertex never splits: no face that touches it is ever unsewn in a fan.
+  std::vector<char> unbreakable;
   /// |V|: 1 while a vertex waits for a fan that the budget of a step did not allow.
   std::vector<char> waits;
 };
 
-/// The cells of a body that has not broken yet. `mechanics`: made from the same rows.
-Cells make_cells(VolumeMap map, const MechanicsState& mechanics);
+/// Which half-faces lie on the boundary, 4 |T|.
+std::vector<char> boundary_of(const VolumeMap& map);
 
-/// Threshold xi of one vertex, Pa: the smallest tensile strength around it; where its material has a
+/// The cells of a body that has not broken yet, all of the strength of their materials.
+/// `mechanics`: made from the same rows. `skin`: `boundary_of` the map before it was cut; empty:
+/// nothing was cut.
+Cells make_cells(VolumeMap map, const MechanicsState& mechanics, std::vector<char> skin = {});
+
+/// Appends the columns of a copy of vertex `from`: it inherits everything.
+void append_copy(Cells& cells, VertexId from);
+
+/// Threshold xi of one vertex, Pa: the smallest tensile strength around it or that painted on it,
+/// times its flaw; infinite where it is unbreakable. Where its material has a
 /// toughness K_Ic and the vertex is a crack tip (a cracked face lies in its star), 0.45 K_Ic /
 /// sqrt(h) alone, h the mean edge length of its star, because the stress there grows like
 /// 1 / sqrt(h) and a bare strength would depend on the mesh (decisions.md, Mesh dependence).

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "fracture/body_settings.hpp"
 #include "mechanics/contact.hpp"
 #include "mechanics/integrators/settings.hpp"
 #include "mechanics/material.hpp"
@@ -53,6 +54,9 @@ struct BodySettings {
   Eigen::Vector3d spin = Eigen::Vector3d::Zero();
   std::vector<HeldBox> held;
   std::vector<LoadBox> loads;
+  std::vector<CutSettings> cuts;
+  StrengthSettings strength;
+  std::vector<UnbreakablePart> unbreakable;
 };
 
 /// Gravity, raised linearly from zero over `ramp_time`.

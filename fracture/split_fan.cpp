@@ -2,6 +2,7 @@
 // The fan of a vertex: which plane, which faces, unsewing them, and the rows that come of it.
 #include "fracture/split_fan.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "topology/assert.hpp"
@@ -40,6 +41,13 @@ bool borders_crack(const Cells& cells, HalfFaceId face) {
     } while (d != start);
   }
   return false;
+}
+
+bool touches_unbreakable(const Cells& cells, HalfFaceId face) {
+  const auto& corners = cells.map.corners(tetrahedron_of(face));
+  return std::ranges::any_of(
+      dart_order::face_corners[place_of(face)],
+      [&](int place) { return cells.unbreakable[corners[place].index()] != 0; });
 }
 
 struct FanQuality {
@@ -86,8 +94,7 @@ void append_columns(Cells& cells, MechanicsState& mechanics, const FaceSplit& sp
     const VertexCopy& copy = split.split_vertices[i];
     const VertexId row = append_copy(mechanics.vertices, copy.old_row);
     SUNDER_ASSERT(row == copy.new_row, "vertex columns out of step with the map");
-    cells.strength.push_back(cells.strength[copy.old_row.index()]);
-    cells.waits.push_back(cells.waits[copy.old_row.index()]);
+    append_copy(cells, copy.old_row);
   }
 }
 
@@ -113,6 +120,7 @@ FanPlane choose_fan(const Cells& cells, VertexId vertex, const PrincipalTension&
     auto faces = fan_faces(cells.map, vertex, to_point(normal));
     SUNDER_ASSERT(faces, "a unit normal and a living vertex always have a fan");
     FanPlane fan{normal, std::move(*faces)};
+    std::erase_if(fan.faces, [&](HalfFaceId f) { return touches_unbreakable(cells, f); });
     if (fan.faces.empty()) continue;
     const FanQuality quality = judge_fan(cells, fan);
     if (best.faces.empty() || is_better(quality, best_quality)) {

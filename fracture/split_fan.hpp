@@ -33,7 +33,8 @@ struct FanEvent {
 /// Where a fan is cut: among the normals the stress allows, the one whose faces are least
 /// misaligned with it (area-weighted mean of |n . n_f|), then the one that continues an existing
 /// crack, then the first of `candidate_normals`. Gives the normal and its faces, in rising order;
-/// no faces when every candidate has the whole star on one side.
+/// no faces when every candidate has the whole star on one side. Faces that touch an unbreakable
+/// vertex are left out: a vertex splits by faces at it alone, so it never does.
 struct FanPlane {
   Vec3 normal = Vec3::Zero();
   std::vector<HalfFaceId> faces;

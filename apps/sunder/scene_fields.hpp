@@ -165,6 +165,71 @@ void describe(V& v, LoadBox& l) {
 }
 
 template <class V>
+void describe(V& v, RestBox& b) {
+  v.field(Key{"minimum", "m", "Lower corner of the box, in the mesh's own coordinates", {}, true},
+          b.minimum);
+  v.field(Key{"maximum", "m", "Upper corner; the box's surface belongs to it", {}, true},
+          b.maximum);
+}
+
+template <class V>
+void describe(V& v, RestBall& b) {
+  v.field(Key{"center", "m", "Centre, in the mesh's own coordinates", {}, true}, b.center);
+  v.field(Key{"radius", "m", "Radius; the ball's surface belongs to it", above(0), true}, b.radius);
+}
+
+template <class V>
+void describe(V& v, CutPlane& p) {
+  v.field(Key{"point", "m", "On the plane, in the mesh's own coordinates", {}, true}, p.point);
+  v.direction(Key{"normal", "", "Across the plane; any length but 0", {}, true}, p.normal);
+}
+
+template <class V>
+void describe(V& v, CutSettings& c) {
+  v.alternative(Key{"plane", "", "The faces between tetrahedra with their centres on its two sides"},
+                CutPlane{}, c.faces);
+  v.alternative(Key{"faces", "",
+                    "Text file, relative to the scene file: three rows of the mesh's points, counted "
+                    "from 0, a line (as `sunder split --faces`)"},
+                FaceList{}, c.faces);
+  v.field(Key{"box", "", "Where given, only faces whose three vertices lie in it"}, c.box);
+  v.field(Key{"ball", "", "Where given, only faces whose three vertices lie in it"}, c.ball);
+}
+
+template <class V>
+void describe(V& v, RegionStrength& r) {
+  v.field(Key{"region", "", "Name or number of a region of the mesh", {}, true}, r.region);
+  v.field(Key{"tensile_strength", "Pa", "In place of the material's", above(0)},
+          r.tensile_strength);
+  v.field(Key{"toughness", "Pa sqrt(m)", "In place of the material's", above(0)}, r.toughness);
+}
+
+template <class V>
+void describe(V& v, WeibullSettings& w) {
+  v.field(Key{"modulus", "", "Weibull's m: the larger, the less strengths scatter", above(0)},
+          w.modulus);
+  v.field(Key{"reference_volume", "m^3",
+              "Volume whose strength has the scale that material, region or field give", above(0)},
+          w.reference_volume);
+  v.field(Key{"seed", "", "Another number draws other strengths", between(0, 4294967295.0)},
+          w.seed);
+}
+
+template <class V>
+void describe(V& v, StrengthSettings& s) {
+  v.field(Key{"regions", "", "Regions of the mesh with strengths of their own"}, s.regions);
+  v.field(Key{"weibull", "", "Draws each vertex's strength by Weibull's law, by the volume it stands for"},
+          s.weibull);
+}
+
+template <class V>
+void describe(V& v, UnbreakablePart& u) {
+  v.alternative(Key{"region", "", "Name or number of a region: the vertices of its tetrahedra"},
+                RegionName{}, u.where);
+  v.alternative(Key{"box", "", "The vertices in it"}, RestBox{}, u.where);
+}
+
+template <class V>
 void describe(V& v, BodySettings& b) {
   v.field(Key{"name", "", "What reports call the body"}, b.name);
   v.field(Key{"mesh",
@@ -182,6 +247,10 @@ void describe(V& v, BodySettings& b) {
   v.field(Key{"spin", "rad/s", "Angular velocity about the mass centre at the start"}, b.spin);
   v.field(Key{"held", "", "Boxes whose vertices the outside world holds or moves"}, b.held);
   v.field(Key{"loads", "", "Boxes in which the body is pushed or pulled"}, b.loads);
+  v.field(Key{"cuts", "", "Cracks that are there from the start, closed and without load"}, b.cuts);
+  v.field(Key{"strength", "", "Strengths beside that of the material (docs/strength.md)"},
+          b.strength);
+  v.field(Key{"unbreakable", "", "Parts whose vertices never split"}, b.unbreakable);
 }
 
 template <class V>

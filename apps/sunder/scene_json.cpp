@@ -15,6 +15,7 @@
 #include "apps/sunder/scene_notes.hpp"
 #include "apps/sunder/scene_text.hpp"
 #include "topology/check.hpp"
+#include "topology/io/face_list.hpp"
 #include "topology/io/mesh_file.hpp"
 
 namespace sunder {
@@ -170,6 +171,28 @@ void read(const Context& c, const Key&, const json& value, const std::string& at
       f.line = c.line_of(at);
     }
     c.findings.push_back(std::move(f));
+  }
+}
+
+void read(const Context& c, const Key&, const json& value, const std::string& at,
+          FaceList& member) {
+  if (!value.is_string()) return c.wrong_type(value, at, "the name of a file of faces");
+  auto faces = read_face_list(c.folder / value.get<std::string>());
+  for (Finding& f : faces.findings) {
+    f.text = fmt::format("{} ({}): {}", dotted(at), value.get<std::string>(), f.text);
+    c.findings.push_back(std::move(f));
+  }
+  if (faces) member = {value.get<std::string>(), std::move(*faces)};
+}
+
+void read(const Context& c, const Key&, const json& value, const std::string& at,
+          RegionName& member) {
+  if (value.is_string()) {
+    member.text = value.get<std::string>();
+  } else if (value.is_number_integer()) {
+    member.text = value.dump();
+  } else {
+    c.wrong_type(value, at, "the name or the number of a region");
   }
 }
 

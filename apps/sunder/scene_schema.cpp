@@ -110,6 +110,12 @@ class SchemaWriter {
   static ordered_json schema_of(const Key&, const TetMesh&) {
     return {{"type", "string"}, {"minLength", 1}};
   }
+  static ordered_json schema_of(const Key&, const FaceList&) {
+    return {{"type", "string"}, {"minLength", 1}};
+  }
+  static ordered_json schema_of(const Key&, const RegionName&) {
+    return {{"type", ordered_json::array({"string", "integer"})}};
+  }
   static ordered_json schema_of(const Key&, const Eigen::Quaterniond&) {
     return {{"type", "object"},
             {"properties",

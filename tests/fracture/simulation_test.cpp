@@ -75,8 +75,7 @@ TEST_CASE("a body cut by command at rest keeps zero kinetic energy", "[fracture]
     splits.push_back(split_face(s.cells.map, f));
     for (int i = 0; i < splits.back().vertex_count; ++i) {
       append_copy(s.mechanics.vertices, splits.back().split_vertices[i].old_row);
-      s.cells.strength.push_back(Material{}.tensile_strength);
-      s.cells.waits.push_back(0);
+      append_copy(s.cells, splits.back().split_vertices[i].old_row);
     }
   }
   update_components(s.cells.map, splits, Detection::exact, s.cells.labels,
