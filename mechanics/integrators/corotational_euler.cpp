@@ -119,16 +119,19 @@ void assemble(ReassembledSystem& system, const ComponentStep& step, std::span<co
   }
 }
 
-/// Impulse of all forces where the step is linearised, N s, world, into a field of the system.
-WorldField impulse_of_forces(const ComponentStep& step, std::vector<Mat3>& turn, bool at_start) {
+/// Impulse of all forces but weight where the step is linearised, N s, world, into a field of the
+/// system. `start`: velocities with the weight's change in them, which a held body resists.
+WorldField impulse_of_forces(const ComponentStep& step, std::vector<Mat3>& turn, bool at_start,
+                             const WorldField& start) {
   MechanicsScratch::Predicted& predicted = step.scratch.predicted;
   const VertexColumns& vertices = step.state.vertices;
   const Component& body = step.component;
   const double h = step.input.settings.time_step;
-  for (VertexId v : body.vertices) {
-    predicted.position[v.index()] = vertices.position[v.index()];
-    predicted.velocity[v.index()] = vertices.velocity[v.index()];
-    if (!at_start) predicted.position[v.index()] += h * vertices.velocity[v.index()];
+  for (std::size_t i = 0; i < step.system->size(); ++i) {
+    const std::size_t v = step.system->order[i].index();
+    predicted.velocity[v] = start.col(static_cast<Eigen::Index>(i));
+    predicted.position[v] = vertices.position[v];
+    if (!at_start) predicted.position[v] += h * predicted.velocity[v];
   }
   const ElasticInput elastic{step.state, step.input.corners, predicted.position};
   element_rotations(turn, elastic, body);
@@ -183,15 +186,16 @@ void solve_reassembled(WorldField& impulse, ReassembledSystem& system, const Com
 
 void step_reassembled_euler(const ComponentStep& step) {
   const Component& body = step.component;
-  const bool at_start = step.input.settings.euler_frame == EulerFrame::current;
+  const bool at_start =
+      body.supported || step.input.settings.euler_frame == EulerFrame::current;
   ReassembledSystem& system = reassembled_system(step);
   std::vector<Mat3>& turn = baseline_of(step).turn;
-  WorldField change = impulse_of_forces(step, turn, at_start);
+  EulerProblem problem = euler_problem(step);
+  WorldField change = impulse_of_forces(step, turn, at_start, problem.start);
 
   const Mat3 R = body.orientation.toRotationMatrix();
   assemble(system, step, turn, R);
   solve_reassembled(change, system, step, R);
-  EulerProblem problem = euler_problem(step);
   WorldField y = problem.start + change;
   SolveReport report;
   report.iterations = 1;
