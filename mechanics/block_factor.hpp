@@ -44,8 +44,8 @@ void solve_upper(double* x, const BlockFactor& factor, const BlockAnalysis& anal
 void solve(double* x, const BlockFactor& factor, const BlockAnalysis& analysis);
 
 /// The same for twelve right-hand sides, X row by row, 3 n x 12. With `needed` (one a supernode)
-/// only rows of the supernodes that are: right where all ancestors of a needed one are needed and X
-/// is zero elsewhere; other rows are left wrong.
+/// only rows of the supernodes that are, and all ancestors of a needed one must be. Right for L^-1
+/// where X is zero elsewhere, and for L^-T everywhere; other rows are not touched.
 void solve_lower_12(double* X, const BlockFactor& factor, const BlockAnalysis& analysis,
                     std::span<const char> needed = {});
 void solve_upper_12(double* X, const BlockFactor& factor, const BlockAnalysis& analysis,

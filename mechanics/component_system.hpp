@@ -2,6 +2,7 @@
 // The constant matrices of one component in its body frame: K, two factors of A, columns of A^-1.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -33,6 +34,7 @@ struct SystemFactor {
   /// Compliance cache: the local vertices touched so far and A^-1 between them, 3 k x 3 k.
   std::vector<std::uint32_t> touched;
   Eigen::MatrixXd compliance;  ///< 1/kg; body frame; capacity grows by doubling
+  std::vector<char> needed;    ///< supernodes that entries between touched vertices depend on
   /// Room of `solve_system` for extended rows.
   mutable std::vector<double> extended;
 };
@@ -113,8 +115,36 @@ void solve_system(const ComponentSystem& system, Eigen::Ref<Eigen::MatrixXd> x,
 void multiply_stiffness(Eigen::Ref<Eigen::VectorXd> y, const ComponentSystem& system,
                         const Eigen::Ref<const Eigen::VectorXd>& x);
 
-/// Makes sure that `local_vertices` (free ones, in the system's numbering) are in the compliance
-/// cache, with three back-solves for each new one, and gives their places there.
+/// Up to four vertices whose columns of A^-1 are solved for together: twelve right-hand sides fill
+/// the registers.
+struct ColumnBlock {
+  static constexpr std::uint32_t size = 4;
+  ComponentSystem* system = nullptr;
+  FactorUse use = FactorUse::step;
+  std::uint32_t count = 0;
+  std::array<std::uint32_t, size> place{};  ///< in `SystemFactor::touched`
+
+  std::span<const std::uint32_t> places() const { return {place.data(), count}; }
+};
+
+/// Room of one thread at work on columns.
+struct ColumnRoom {
+  AlignedDoubles X;
+  std::vector<char> loaded;
+};
+
+/// Gives `local_vertices` (free ones, in the system's numbering) places in the compliance cache.
+/// The columns of new ones are appended to `missing`; the cache is right after `fill_columns`.
+std::vector<std::uint32_t> note_touched(ComponentSystem& system,
+                                        std::span<const std::uint32_t> local_vertices,
+                                        FactorUse use, std::vector<ColumnBlock>& missing);
+
+/// Solves for columns, block by block: same bytes for any number of threads. `rooms` is kept from
+/// call to call.
+void fill_columns(std::span<const ColumnBlock> blocks, unsigned threads,
+                  std::vector<ColumnRoom>& rooms);
+
+/// Both at once, on one thread: three back-solves for each new vertex.
 std::vector<std::uint32_t> touch_compliance(ComponentSystem& system,
                                             std::span<const std::uint32_t> local_vertices,
                                             FactorUse use = FactorUse::step);

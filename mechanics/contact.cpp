@@ -460,6 +460,7 @@ void begin_step(ContactStep& step) {
   room.blows.ball_twist.assign(balls, Vec3::Zero());
   room.count.assign(state.components.size(), 0);
   const StepInput& input = step.pass.input;
+  prepare(step.pass.mechanics, state, input);
   for_each_living(state, input.members, [&](const Component& component) {
     predict(step.pass.mechanics, state, input, {&component.id, 1});
   });

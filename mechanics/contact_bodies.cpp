@@ -37,19 +37,40 @@ double answer_scale(const ContactPass& pass, const Component& component) {
   return generalised_alpha(rho).beta * h * (h / input.settings.time_step);
 }
 
+/// The factor that answers blows in this part of a step.
+FactorUse use_of(const ContactPass& pass) {
+  return pass.input.part.deformation == Deformation::wave ? FactorUse::wave : FactorUse::step;
+}
+
+/// Vertices of slots that are free, by their numbers in the system, and their slots.
+struct FreeSlots {
+  std::vector<std::uint32_t> local;
+  std::vector<Eigen::Index> slot;
+};
+
+FreeSlots free_slots(const ContactPass& pass, std::span<const VertexId> slots) {
+  FreeSlots free;
+  for (std::size_t k = 0; k < slots.size(); ++k) {
+    if (!pass.state.vertices.support[slots[k].index()].is_none()) continue;
+    free.local.push_back(pass.mechanics.local_row[slots[k].index()]);
+    free.slot.push_back(static_cast<Eigen::Index>(k));
+  }
+  return free;
+}
+
+/// Whether the body answers by deforming, in floating_frame or modal.
+bool answers_elastically(const ContactPass& pass, const Component& component) {
+  return takes_split_blow(pass, component) && !component.isolated &&
+         pass.input.part.deformation != Deformation::frozen;
+}
+
 /// Elastic answer of floating_frame at the end of a part of a step: `answer_scale` A^-1 on loads
 /// freed of their rigid part. Rigid fields r have A r = mu M r, so what a load's rigid part would
 /// give is subtracted in closed form.
 void answer_elastically(AnsweringBody& body, const ContactPass& pass, const Component& component,
                         std::span<const VertexId> slots) {
   ComponentSystem& system = *pass.mechanics.systems[component.id.index()];
-  std::vector<std::uint32_t> local;
-  std::vector<Eigen::Index> slot;
-  for (std::size_t k = 0; k < slots.size(); ++k) {
-    if (!pass.state.vertices.support[slots[k].index()].is_none()) continue;
-    local.push_back(pass.mechanics.local_row[slots[k].index()]);
-    slot.push_back(static_cast<Eigen::Index>(k));
-  }
+  const auto [local, slot] = free_slots(pass, slots);
   if (pass.input.settings.integrator == Integrator::modal) {
     body.turn = component.orientation.toRotationMatrix();
     const auto all = static_cast<Eigen::Index>(3 * slots.size());
@@ -64,8 +85,7 @@ void answer_elastically(AnsweringBody& body, const ContactPass& pass, const Comp
     }
     return;
   }
-  const FactorUse use = pass.input.part.deformation == Deformation::wave ? FactorUse::wave
-                                                                         : FactorUse::step;
+  const FactorUse use = use_of(pass);
   const std::vector<std::uint32_t> places = touch_compliance(system, local, use);
   const SystemFactor& factor = factor_of(system, use);
   const double scale = answer_scale(pass, component);
@@ -84,6 +104,25 @@ void answer_elastically(AnsweringBody& body, const ContactPass& pass, const Comp
   }
 }
 
+/// Columns of A^-1 that the answers will be made of, those of all bodies together.
+void solve_for_columns(const ContactBodies& bodies, const ContactPass& pass) {
+  if (pass.input.settings.integrator == Integrator::modal) return;
+  std::vector<ColumnBlock> missing;
+  for (std::size_t b = 0; b < bodies.component.size(); ++b) {
+    if (bodies.component[b].is_none()) continue;
+    const Component& component = pass.state.components[bodies.component[b].index()];
+    if (!answers_elastically(pass, component)) continue;
+    note_touched(*pass.mechanics.systems[component.id.index()],
+                 free_slots(pass, bodies.slots[b]).local, use_of(pass), missing);
+  }
+  // What one thread could take from the other must be worth starting it.
+  std::size_t rows = 0;
+  for (const ColumnBlock& block : missing) rows += block.system->free_count;
+  constexpr std::size_t least_rows = 4000;
+  fill_columns(missing, rows >= least_rows ? pass.mechanics.threads : 1,
+               pass.mechanics.column_rooms);
+}
+
 AnsweringBody answering_component(const ContactPass& pass, const Component& component,
                                   std::span<const VertexId> slots) {
   AnsweringBody body;
@@ -96,8 +135,7 @@ AnsweringBody answering_component(const ContactPass& pass, const Component& comp
     body.inverse_mass = 1 / component.mass;
     body.inverse_inertia = world_inertia(pass.state, component).inverse();
   }
-  const bool answers = pass.input.part.deformation != Deformation::frozen;
-  if (!component.isolated && answers) answer_elastically(body, pass, component, slots);
+  if (answers_elastically(pass, component)) answer_elastically(body, pass, component, slots);
   return body;
 }
 
@@ -239,10 +277,10 @@ ContactRow row_of(const ContactPoint& contact, const ContactBodies& bodies,
   return row;
 }
 
+/// The enlisted bodies and their rows.
 template <class MakeComponent>
 void gather(ContactBodies& bodies, std::span<const ContactPoint> contacts, const ContactPass& pass,
             MakeComponent make_component) {
-  enlist_all(bodies, contacts, pass);
   bodies.bodies.clear();
   for (std::size_t b = 0; b < bodies.component.size(); ++b) {
     bodies.bodies.push_back(bodies.component[b].is_none()
@@ -340,11 +378,14 @@ bool takes_split_blow(const ContactPass& pass, const Component& component) {
 
 void gather_bodies(ContactBodies& bodies, std::span<const ContactPoint> contacts,
                    const ContactPass& pass) {
+  enlist_all(bodies, contacts, pass);
+  solve_for_columns(bodies, pass);
   gather(bodies, contacts, pass, answering_component);
 }
 
 void gather_lumped_bodies(ContactBodies& bodies, std::span<const ContactPoint> contacts,
                           const ContactPass& pass) {
+  enlist_all(bodies, contacts, pass);
   gather(bodies, contacts, pass, lumped_component);
 }
 

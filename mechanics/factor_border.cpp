@@ -175,18 +175,19 @@ void solve_bordered(double* x, const BorderFactor& part, const BorderedMatrix& A
 }
 
 void solve_bordered_12(double* X, const BorderFactor& part, const BorderedMatrix& A,
-                       std::span<const char> needed) {
+                       std::span<const char> loaded, std::span<const char> needed) {
   using Rows = Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, 12, Eigen::RowMajor>>;
   fold(X, A.border, 12);
-  solve_lower_12(X, A.factor, A.analysis, needed);
+  solve_lower_12(X, A.factor, A.analysis, loaded);
   Rows z(X + 36 * A.border.base, static_cast<Index>(3 * part.copies), 12);
-  const std::vector<char> shared = both(part.needed, needed);
+  const std::vector<char> met = both(part.needed, loaded);
   for (const BorderFactor::Block& block : part.blocks) {
     const auto count = static_cast<Index>(3 * block.count);
     z.middleRows(static_cast<Index>(3 * block.first), count) +=
-        minus_product(A.analysis, shared, block.W.data(), X).topRows(count);
+        minus_product(A.analysis, met, block.W.data(), X).topRows(count);
   }
   solve_corner(z, part);
+  const std::vector<char> shared = both(part.needed, needed);
   for (const BorderFactor::Block& block : part.blocks) {
     const auto own =
         z.middleRows(static_cast<Index>(3 * block.first), static_cast<Index>(3 * block.count));

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <string>
 
+#include "mechanics/component_system.hpp"
 #include "mechanics/corotational_force.hpp"
 #include "mechanics/integrators/baseline_system.hpp"
 #include "mechanics/integrators/broyden.hpp"
@@ -19,6 +20,8 @@
 #include "mechanics/integrators/quasi_static.hpp"
 #include "mechanics/integrators/rigid_motion.hpp"
 #include "mechanics/integrators/verlet.hpp"
+#include "mechanics/living.hpp"
+#include "mechanics/parallel.hpp"
 #include "mechanics/strain_displacement.hpp"
 #include "topology/assert.hpp"
 
@@ -187,6 +190,32 @@ MechanicsScratch::~MechanicsScratch() = default;
 MechanicsScratch::MechanicsScratch(MechanicsScratch&&) noexcept = default;
 MechanicsScratch& MechanicsScratch::operator=(MechanicsScratch&&) noexcept = default;
 
+void prepare(MechanicsScratch& scratch, const MechanicsState& state, const StepInput& input) {
+  if (input.settings.integrator != Integrator::floating_frame) return;
+  if (input.part.deformation == Deformation::frozen) return;
+  fit_systems(scratch, state);
+  std::vector<const Component*> missing;
+  std::size_t vertices = 0, most = 0;
+  for_each_living(state, input.members, [&](const Component& component) {
+    if (component.isolated || !deforms(component.rung)) return;
+    const ComponentSystem* system = scratch.systems[component.id.index()].get();
+    const bool wave = input.part.deformation == Deformation::wave;
+    if (system && (wave ? system->wave : system->step).factored) return;
+    missing.push_back(&component);
+    vertices += component.vertices.size();
+    most = std::max(most, component.vertices.size());
+  });
+  // The largest first, so that it does not begin when all others are done.
+  std::ranges::stable_sort(missing, std::ranges::greater{},
+                           [](const Component* c) { return c->vertices.size(); });
+  // What one thread could take from the other must be worth starting it.
+  constexpr std::size_t least_vertices = 100;
+  const unsigned threads = vertices - most >= least_vertices ? scratch.threads : 1;
+  parallel_for(threads, missing.size(), [&](std::size_t k, unsigned) {
+    prepared_system(scratch, state, input, *missing[k]);
+  });
+}
+
 void predict(MechanicsScratch& scratch, const MechanicsState& state, const StepInput& input,
              std::span<const ComponentId> components) {
   SUNDER_ASSERT(input.corners.size() == state.elements.size(), "predict: corners of another mesh");
@@ -292,6 +321,7 @@ StepStatus adopt(MechanicsState& state, MechanicsScratch& scratch, const StepInp
 }
 
 StepStatus advance(MechanicsState& state, MechanicsScratch& scratch, const StepInput& input) {
+  prepare(scratch, state, input);
   for (const Component& component : state.components) {
     predict(scratch, state, input, {&component.id, 1});
   }

@@ -16,6 +16,7 @@
 namespace sunder {
 
 struct BaselineSystem;
+struct ColumnRoom;
 struct ComponentSystem;
 struct ImpactSettings;
 
@@ -79,6 +80,10 @@ struct MechanicsScratch {
   /// Row = ComponentId: what the last measure of its stresses changed, J, where asked for.
   std::vector<StrainChange> strain;
   bool measures_strain = true;
+  /// Threads that factors and columns of the inverse are made on. Results are the same bytes for
+  /// any number.
+  unsigned threads = 1;
+  std::vector<ColumnRoom> column_rooms;  ///< one a thread
 };
 
 /// How deformations go through a step of floating_frame, or through a part of one.
@@ -125,6 +130,10 @@ struct StepInput {
 /// missing for these components (110 ms at 6 000 tetrahedra, once), then one solve each.
 void predict(MechanicsScratch& scratch, const MechanicsState& state, const StepInput& input,
              std::span<const ComponentId> components);
+
+/// Builds and factors what the components will need in this part of a step, on
+/// `scratch.threads` threads: `predict` would do it one by one.
+void prepare(MechanicsScratch& scratch, const MechanicsState& state, const StepInput& input);
 
 /// Makes the predicted state of every member the present one, advances the time, and computes
 /// element stress and turn in one pass. Needs: `predict` for every living member since the last

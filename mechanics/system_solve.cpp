@@ -2,8 +2,10 @@
 // Factors of a system, solves with them, and compliance.
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 #include "mechanics/component_system.hpp"
+#include "mechanics/parallel.hpp"
 #include "topology/assert.hpp"
 
 namespace sunder {
@@ -113,75 +115,118 @@ void multiply_stiffness(Eigen::Ref<Eigen::VectorXd> y, const ComponentSystem& sy
 
 namespace {
 
-/// Vertices whose columns of A^-1 are solved for together: 12 right-hand sides fill the registers.
-constexpr std::size_t block_vertices = 4;
-
-/// Supernodes that the entries of A^-1 between touched vertices depend on: theirs and all above.
-std::vector<char> needed_supernodes(const ComponentSystem& system,
-                                    std::span<const std::uint32_t> touched) {
-  std::vector<char> needed(system.analysis.supernodes.size(), 0);
+/// The row of the factor that a vertex is, or is a copy of.
+std::uint32_t origin_row(const ComponentSystem& system, std::uint32_t vertex) {
   const std::size_t base = system.analysis.order.size();
-  for (std::uint32_t v : touched) {
-    std::uint32_t row = factor_row(system, v);
-    while (row >= base) row = system.border.columns[row - base].origin;
-    mark_needed(needed, system.analysis, row);
-  }
-  return needed;
+  std::uint32_t row = factor_row(system, vertex);
+  while (row >= base) row = system.border.columns[row - base].origin;
+  return row;
 }
 
-/// Columns of A^-1 of the touched vertices from place `first` on, into the compliance cache. Only
-/// rows at touched vertices are kept: those of later ones come from their own columns.
-void fill_compliance(SystemFactor& own, const ComponentSystem& system, std::size_t first) {
-  const std::size_t k = own.touched.size();
-  const auto size = static_cast<Eigen::Index>(3 * k);
-  if (own.compliance.rows() < size) own.compliance.conservativeResize(2 * size, 2 * size);
-  if (!own.factor.positive_definite) {
-    own.compliance.setConstant(std::numeric_limits<double>::quiet_NaN());
-    return;
+/// Marks what the rows of the vertices depend on: their supernodes and all above.
+void mark_supernodes(std::vector<char>& marked, const ComponentSystem& system,
+                     std::span<const std::uint32_t> vertices) {
+  marked.assign(system.analysis.supernodes.size(), 0);
+  for (std::uint32_t v : vertices) mark_needed(marked, system.analysis, origin_row(system, v));
+}
+
+/// Zeros where loads and answers will be.
+void clear_rows(AlignedDoubles& X, const ComponentSystem& system, std::span<const char> needed) {
+  if (X.size() < 36 * factor_rows(system)) X.resize(36 * factor_rows(system));
+  for (std::size_t s = 0; s < needed.size(); ++s) {
+    if (!needed[s]) continue;
+    const Supernode& node = system.analysis.supernodes[s];
+    std::fill(X.data() + 36 * node.first, X.data() + 36 * node.end, 0.0);
   }
-  const std::vector<char> needed = needed_supernodes(system, own.touched);
-  AlignedDoubles X(36 * factor_rows(system));
+  std::fill(X.data() + 36 * system.analysis.order.size(), X.data() + 36 * factor_rows(system), 0.0);
+}
+
+/// The columns of A^-1 of up to four touched vertices, by their places, into the compliance cache.
+/// A column gives the entries between its vertex and those of lower places, so that no two columns
+/// write the same.
+void fill_block(SystemFactor& own, const ComponentSystem& system, const ColumnBlock& task,
+                ColumnRoom& room) {
+  const std::span<const std::uint32_t> places = task.places();
+  std::array<std::uint32_t, ColumnBlock::size> vertices;
+  for (std::size_t b = 0; b < places.size(); ++b) vertices[b] = own.touched[places[b]];
+  mark_supernodes(room.loaded, system, {vertices.data(), places.size()});
+  clear_rows(room.X, system, own.needed);
   const auto block = [&](std::uint32_t vertex, std::size_t b) {
     return Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>, 0, Eigen::OuterStride<12>>(
-        X.data() + 36 * std::size_t{factor_row(system, vertex)} + 3 * b);
+        room.X.data() + 36 * std::size_t{factor_row(system, vertex)} + 3 * b);
   };
-  for (std::size_t next = first; next < k; next += block_vertices) {
-    const std::size_t count = std::min(block_vertices, k - next);
-    std::fill(X.begin(), X.end(), 0.0);
-    for (std::size_t b = 0; b < count; ++b) block(own.touched[next + b], b).setIdentity();
-    if (system.border.columns.empty()) {
-      solve_12(X.data(), own.factor, system.analysis, needed);
-    } else {
-      solve_bordered_12(X.data(), own.border, bordered(system, own), needed);
-    }
-    for (std::size_t b = 0; b < count; ++b) {
-      const auto column = static_cast<Eigen::Index>(3 * (next + b));
-      for (std::size_t i = 0; i < k; ++i) {
-        const auto row = static_cast<Eigen::Index>(3 * i);
-        const Mat3 answer = block(own.touched[i], b);
-        own.compliance.block<3, 3>(row, column) = answer;
-        own.compliance.block<3, 3>(column, row) = answer.transpose();
-      }
+  for (std::size_t b = 0; b < places.size(); ++b) block(vertices[b], b).setIdentity();
+  if (system.border.columns.empty()) {
+    solve_lower_12(room.X.data(), own.factor, system.analysis, room.loaded);
+    solve_upper_12(room.X.data(), own.factor, system.analysis, own.needed);
+  } else {
+    solve_bordered_12(room.X.data(), own.border, bordered(system, own), room.loaded, own.needed);
+  }
+  for (std::size_t b = 0; b < places.size(); ++b) {
+    const auto column = static_cast<Eigen::Index>(3 * places[b]);
+    for (std::size_t i = 0; i <= places[b]; ++i) {
+      const auto row = static_cast<Eigen::Index>(3 * i);
+      const Mat3 answer = block(own.touched[i], b);
+      own.compliance.block<3, 3>(row, column) = answer;
+      own.compliance.block<3, 3>(column, row) = answer.transpose();
     }
   }
 }
 
 }  // namespace
 
-std::vector<std::uint32_t> touch_compliance(ComponentSystem& system,
-                                            std::span<const std::uint32_t> local_vertices,
-                                            FactorUse use) {
+void fill_columns(std::span<const ColumnBlock> blocks, unsigned threads,
+                  std::vector<ColumnRoom>& rooms) {
+  rooms.resize(std::max<std::size_t>(rooms.size(), std::max(threads, 1u)));
+  parallel_for(threads, blocks.size(), [&](std::size_t k, unsigned worker) {
+    const ColumnBlock& block = blocks[k];
+    fill_block(factor_of(*block.system, block.use), *block.system, block, rooms[worker]);
+  });
+}
+
+std::vector<std::uint32_t> note_touched(ComponentSystem& system,
+                                        std::span<const std::uint32_t> local_vertices,
+                                        FactorUse use, std::vector<ColumnBlock>& missing) {
   SystemFactor& own = factor_of(system, use);
   const std::size_t known = own.touched.size();
   std::vector<std::uint32_t> places;
   places.reserve(local_vertices.size());
   for (std::uint32_t v : local_vertices) {
-    SUNDER_ASSERT(v < system.free_count, "touch_compliance: the vertex is held");
+    SUNDER_ASSERT(v < system.free_count, "note_touched: the vertex is held");
     const auto found = std::find(own.touched.begin(), own.touched.end(), v);
     places.push_back(static_cast<std::uint32_t>(found - own.touched.begin()));
     if (found == own.touched.end()) own.touched.push_back(v);
   }
-  if (own.touched.size() > known) fill_compliance(own, system, known);
+  if (own.touched.size() == known) return places;
+  const auto size = static_cast<Eigen::Index>(3 * own.touched.size());
+  if (own.compliance.rows() < size) own.compliance.conservativeResize(2 * size, 2 * size);
+  if (!own.factor.positive_definite) {
+    own.compliance.setConstant(std::numeric_limits<double>::quiet_NaN());
+    return places;
+  }
+  mark_supernodes(own.needed, system, own.touched);
+  // Neighbours in the order of elimination share most of their way up.
+  std::vector<std::uint32_t> fresh(own.touched.size() - known);
+  std::iota(fresh.begin(), fresh.end(), static_cast<std::uint32_t>(known));
+  const auto row = [&](std::uint32_t place) { return origin_row(system, own.touched[place]); };
+  std::ranges::stable_sort(fresh, {}, row);
+  for (std::size_t first = 0; first < fresh.size(); first += ColumnBlock::size) {
+    ColumnBlock block{&system, use, 0, {}};
+    for (; block.count < ColumnBlock::size && first + block.count < fresh.size(); ++block.count) {
+      block.place[block.count] = fresh[first + block.count];
+    }
+    missing.push_back(block);
+  }
+  return places;
+}
+
+std::vector<std::uint32_t> touch_compliance(ComponentSystem& system,
+                                            std::span<const std::uint32_t> local_vertices,
+                                            FactorUse use) {
+  std::vector<ColumnBlock> missing;
+  std::vector<ColumnRoom> rooms;
+  std::vector<std::uint32_t> places = note_touched(system, local_vertices, use, missing);
+  fill_columns(missing, 1, rooms);
   return places;
 }
 

@@ -61,6 +61,7 @@ ExitCode run_scene(const RunArguments& arguments) {
   print(file.findings);
   if (!file) return ExitCode::bad_input;
   Result<Simulation> simulation = build_simulation(file->scene);
+  if (simulation) simulation->scratch.mechanics.threads = arguments.threads;
   print(simulation.findings);
   if (!simulation) return ExitCode::bad_input;
 

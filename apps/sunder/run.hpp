@@ -19,6 +19,8 @@ struct RunArguments {
   /// `dotted.path=value` changes of the scene, in their order.
   std::vector<std::string> settings;
   bool quiet = false;
+  /// Threads for factors; the result is the same for any number.
+  unsigned threads = 1;
   /// The report as JSON on stdout instead of the table.
   bool json = false;
 };

@@ -8,11 +8,15 @@
 
 namespace sunder {
 
-ComponentSystem& built_system(MechanicsScratch& scratch, const MechanicsState& state,
-                              std::span<const Corners> corners, const Component& component) {
+void fit_systems(MechanicsScratch& scratch, const MechanicsState& state) {
   scratch.systems.resize(state.components.size());
   scratch.retired.resize(state.components.size());
   scratch.local_row.resize(state.vertices.size());
+}
+
+ComponentSystem& built_system(MechanicsScratch& scratch, const MechanicsState& state,
+                              std::span<const Corners> corners, const Component& component) {
+  fit_systems(scratch, state);
   std::unique_ptr<ComponentSystem>& system = scratch.systems[component.id.index()];
   if (!system) {
     system = std::make_unique<ComponentSystem>();

@@ -20,6 +20,9 @@ struct ComponentStep {
 IntegratorSettings settings_of(const StepInput& input, const MechanicsState& state,
                                const Component& component);
 
+/// As many places for systems as the state has components, and rows as it has vertices.
+void fit_systems(MechanicsScratch& scratch, const MechanicsState& state);
+
 /// The system of a component, built where it is not yet; nothing is said of its factor.
 ComponentSystem& built_system(MechanicsScratch& scratch, const MechanicsState& state,
                               std::span<const Corners> corners, const Component& component);

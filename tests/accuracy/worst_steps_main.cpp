@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `worst_steps SCENE.json STEP DURATION`: the dearest steps of a run with what they did, as a CSV.
+// `worst_steps SCENE.json STEP DURATION [THREADS]`: the dearest steps of a run with what they did, as a CSV.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -38,8 +38,8 @@ Row row_of(const StepReport& report) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 4) {
-    std::fputs("usage: worst_steps SCENE.json STEP DURATION\n", stderr);
+  if (argc != 4 && argc != 5) {
+    std::fputs("usage: worst_steps SCENE.json STEP DURATION [THREADS]\n", stderr);
     return 2;
   }
   Result<SceneFile> file = read_scene(argv[1]);
@@ -51,6 +51,7 @@ int main(int argc, char** argv) {
   Result<Simulation> sim = build_simulation(std::move(file->scene));
   for (const Finding& f : sim.findings) std::fprintf(stderr, "%s\n", f.text.c_str());
   if (!sim) return 3;
+  if (argc == 5) sim->scratch.mechanics.threads = static_cast<unsigned>(std::atoi(argv[4]));
   std::vector<Row> rows;
   while (sim->state.mechanics.time < duration * (1 - 1e-9)) {
     const StepReport report = advance(*sim);
