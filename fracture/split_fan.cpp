@@ -3,6 +3,7 @@
 #include "fracture/split_fan.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "topology/assert.hpp"
@@ -48,6 +49,14 @@ bool touches_unbreakable(const Cells& cells, HalfFaceId face) {
   return std::ranges::any_of(
       dart_order::face_corners[place_of(face)],
       [&](int place) { return cells.unbreakable[corners[place].index()] != 0; });
+}
+
+/// The faces that a plane parts, but for those that nothing may split.
+std::vector<HalfFaceId> breakable_faces(const Cells& cells, VertexId vertex, const Vec3& normal) {
+  auto faces = fan_faces(cells.map, vertex, to_point(normal));
+  SUNDER_ASSERT(faces, "a normal and a living vertex always have a fan");
+  std::erase_if(*faces, [&](HalfFaceId f) { return touches_unbreakable(cells, f); });
+  return std::move(*faces);
 }
 
 struct FanQuality {
@@ -99,14 +108,57 @@ void append_columns(Cells& cells, MechanicsState& mechanics, const FaceSplit& sp
 }
 
 /// The vertices of the fan's faces have a crack beside them now: their threshold may be another.
-void refresh_strength(Cells& cells, const MechanicsState& mechanics, const FanEvent& event) {
-  const auto refresh = [&](VertexId v) {
-    cells.strength[v.index()] = vertex_strength(cells, mechanics, v, star(cells.map, v));
-  };
+/// Gives the tetrahedra met.
+std::size_t refresh_strength(Cells& cells, const MechanicsState& mechanics, const FanEvent& event) {
+  std::vector<VertexId> rows;
   for (const FaceSplit& split : event.faces) {
-    for (const VertexId v : split.vertices) refresh(v);
-    for (int i = 0; i < split.vertex_count; ++i) refresh(split.split_vertices[i].new_row);
+    rows.insert(rows.end(), split.vertices.begin(), split.vertices.end());
+    for (int i = 0; i < split.vertex_count; ++i) rows.push_back(split.split_vertices[i].new_row);
   }
+  // Faces of a fan share vertices, the one that broke above all.
+  std::sort(rows.begin(), rows.end());
+  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+  std::size_t met = 0;
+  for (const VertexId v : rows) {
+    const std::vector<TetId> around = star(cells.map, v);
+    cells.strength[v.index()] = vertex_strength(cells, mechanics, v, around);
+    met += around.size();
+  }
+  return met;
+}
+
+double wall_us() {
+  return std::chrono::duration<double, std::micro>(
+             std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
+
+FanEvent begin_event(const Cells& cells, const MechanicsState& mechanics, VertexId vertex) {
+  return {.vertex = vertex,
+          .point = cells.map.point_of_vertex(vertex),
+          .rest_position = mechanics.vertices.rest_position[vertex.index()],
+          .strength = cells.strength[vertex.index()]};
+}
+
+/// Splits the faces of `event`'s fan one by one, and finds what comes of it.
+void split_faces(Cells& cells, MechanicsState& mechanics, FanEvent& event,
+                 std::vector<HalfFaceId> faces, const FractureSettings& settings,
+                 ComponentScratch& scratch) {
+  const double start = wall_us();
+  order_faces(cells.map, settings.face_order, faces);
+  // What split is known after each face, for the oracle.
+  event.faces.reserve(faces.size());
+  for (const HalfFaceId face : faces) {
+    event.faces.push_back(split_face(cells.map, face));
+    append_columns(cells, mechanics, event.faces.back());
+    event.visited += event.faces.back().visited;
+  }
+  // If the oracle predicts new connected components, identify them.
+  event.components =
+      update_components(cells.map, event.faces, settings.detection, cells.labels, scratch);
+  event.visited += event.components.visited;
+  event.visited += refresh_strength(cells, mechanics, event);
+  event.split_us = wall_us() - start;
 }
 
 }  // namespace
@@ -117,10 +169,7 @@ FanPlane choose_fan(const Cells& cells, VertexId vertex, const PrincipalTension&
   FanPlane best;
   FanQuality best_quality;
   for (const Vec3& normal : candidate_normals(tension, face_normals)) {
-    auto faces = fan_faces(cells.map, vertex, to_point(normal));
-    SUNDER_ASSERT(faces, "a unit normal and a living vertex always have a fan");
-    FanPlane fan{normal, std::move(*faces)};
-    std::erase_if(fan.faces, [&](HalfFaceId f) { return touches_unbreakable(cells, f); });
+    FanPlane fan{normal, breakable_faces(cells, vertex, normal)};
     if (fan.faces.empty()) continue;
     const FanQuality quality = judge_fan(cells, fan);
     if (best.faces.empty() || is_better(quality, best_quality)) {
@@ -134,25 +183,15 @@ FanPlane choose_fan(const Cells& cells, VertexId vertex, const PrincipalTension&
 FanEvent split_fan(Cells& cells, MechanicsState& mechanics, VertexId vertex,
                    const PrincipalTension& tension, const FractureSettings& settings,
                    FanScratch& scratch) {
-  FanEvent event{.vertex = vertex,
-                 .point = cells.map.point_of_vertex(vertex),
-                 .rest_position = mechanics.vertices.rest_position[vertex.index()],
-                 .stress = tension.value,
-                 .strength = cells.strength[vertex.index()]};
+  FanEvent event = begin_event(cells, mechanics, vertex);
+  event.stress = tension.value;
   // Signs of the tetrahedra around v relatively to the plane, and the faces between them.
+  const double start = wall_us();
   FanPlane fan = choose_fan(cells, vertex, tension);
+  event.choose_us = wall_us() - start;
   event.normal = fan.normal;
-  order_faces(cells.map, settings.face_order, fan.faces);
-  // Split them one by one; what split is known after each, for the oracle.
-  for (const HalfFaceId face : fan.faces) {
-    event.faces.push_back(split_face(cells.map, face));
-    append_columns(cells, mechanics, event.faces.back());
-  }
-  if (event.faces.empty()) return event;
-  // If the oracle predicts new connected components, identify them.
-  event.components = update_components(cells.map, event.faces, settings.detection, cells.labels,
-                                       scratch.components);
-  refresh_strength(cells, mechanics, event);
+  if (fan.faces.empty()) return event;
+  split_faces(cells, mechanics, event, std::move(fan.faces), settings, scratch.components);
   return event;
 }
 

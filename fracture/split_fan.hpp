@@ -28,6 +28,11 @@ struct FanEvent {
   std::vector<FaceSplit> faces;
   /// What the oracle predicted and what there was to find.
   ComponentUpdate components;
+  /// Tetrahedra met by splits, search and strengths: a measure of the cost that no clock changes.
+  std::size_t visited = 0;
+  /// Wall time of choosing the plane, and of all the rest: faces, rows, components, strengths; us.
+  /// For reports only.
+  double choose_us = 0, split_us = 0;
 };
 
 /// Where a fan is cut: among the normals the stress allows, the one whose faces are least

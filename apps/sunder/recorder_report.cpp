@@ -252,6 +252,9 @@ void add_step(RunStatistics& statistics, const Simulation& now, const StepReport
   statistics.waiting = fracture.waiting;
   for (const FanEvent& fan : fracture.fans) {
     statistics.faces_split += fan.faces.size();
+    statistics.searched += fan.components.visited;
+    statistics.fan_us[fan.components.created > 0 ? 1 : 0].push_back(
+        static_cast<float>(fan.choose_us + fan.split_us));
     statistics.predicted += fan.components.predicted > 0;
     statistics.separated += fan.components.created > 0;
     statistics.predicted_rightly += fan.components.predicted > 0 && fan.components.created > 0;
@@ -316,6 +319,10 @@ ordered_json run_report(const RunStatistics& s, const Simulation& now,
           {"stage_ms", stages},
           {"fans", s.fans},
           {"faces_split", s.faces_split},
+          {"fan_us",
+           {{"no_new_component", distribution(s.fan_us[0])},
+            {"new_component", distribution(s.fan_us[1])}}},
+          {"searched_tetrahedra", s.searched},
           {"empty_fans", s.empty_fans},
           {"relieved", s.relieved},
           {"waiting", s.waiting},

@@ -71,6 +71,10 @@ struct RunStatistics {
   /// Of the oracle: fans that predicted a separation, those of them that had one, fans that had
   /// one.
   std::size_t predicted = 0, predicted_rightly = 0, separated = 0;
+  /// Wall time of each fan from its plane to its components, us, without and with new ones; and the
+  /// tetrahedra the searches for components met.
+  std::array<std::vector<float>, 2> fan_us;
+  std::size_t searched = 0;
   /// J.
   double damping_work = 0, energy_released = 0;
   double gravity_work = 0, load_work = 0, contact_work = 0, support_work = 0, friction = 0;

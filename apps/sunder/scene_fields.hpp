@@ -56,7 +56,10 @@ inline const Names<StressWeight>& names_of(StressWeight) {
 }
 inline const Names<Detection>& names_of(Detection) {
   static const Names<Detection> names = {
-      {Detection::exact, "exact"}, {Detection::oracle, "oracle"}, {Detection::walk, "walk"}};
+      {Detection::exact, "exact"},
+      {Detection::oracle, "oracle"},
+      {Detection::dirty_counter, "dirty_counter"},
+      {Detection::walk, "walk"}};
   return names;
 }
 inline const Names<FaceOrder>& names_of(FaceOrder) {
@@ -360,7 +363,9 @@ void describe(V& v, FractureSettings& f) {
           f.weight);
   v.field(
       Key{"detection", "",
-          "How new pieces are found: exact lockstep search, the paper's oracle, or a full walk"},
+          "How new pieces are found, always the same: exact: search in lockstep, cost of the smaller "
+          "side; oracle: walk where the paper's oracle says so (false alarms walk too); "
+          "dirty_counter: walk where three vertices came apart; walk: walk after every fan"},
       f.detection);
   v.field(
       Key{"face_order", "",
