@@ -145,8 +145,7 @@ void mark_unbreakable(Cells& cells, const BodySettings& body, const BodyRows& ro
   for (const UnbreakablePart& part : body.unbreakable) {
     const auto* name = std::get_if<RegionName>(&part.where);
     const auto* box = std::get_if<RestBox>(&part.where);
-    const std::optional<std::int32_t> region =
-        name != nullptr ? find_region(body.mesh, *name) : std::nullopt;
+    const std::int32_t region = name != nullptr ? find_region(body.mesh, *name).value_or(0) : 0;
     for (std::size_t t = rows.first_tetrahedron; t < rows.end_tetrahedron; ++t) {
       for (const VertexId v : cells.map.corners(TetId{t})) {
         const Point& p = cells.map.point(v);
@@ -170,20 +169,20 @@ double weibull_factor(const WeibullSettings& settings, const DrawPlace& place) {
 }
 
 std::optional<std::int32_t> find_region(const TetMesh& mesh, const RegionName& name) {
-  std::optional<std::int32_t> region;
-  for (const auto& [number, known] : mesh.region_name) {
-    if (known == name.text) region = number;
-  }
-  if (!region) {
-    std::int32_t number = 0;
+  std::int32_t region = 0;
+  const auto named = std::ranges::find_if(
+      mesh.region_name, [&](const auto& entry) { return entry.second == name.text; });
+  if (named != mesh.region_name.end()) {
+    region = named->first;
+  } else {
     const char* const end = name.text.data() + name.text.size();
-    const auto [stop, reason] = std::from_chars(name.text.data(), end, number);
-    if (reason == std::errc{} && stop == end) region = number;
+    const auto [stop, reason] = std::from_chars(name.text.data(), end, region);
+    if (reason != std::errc{} || stop != end) return std::nullopt;
   }
-  if (!region) return region;
-  const bool used = mesh.region.empty() ? *region == 0
-                                        : std::ranges::find(mesh.region, *region) != mesh.region.end();
-  return used ? region : std::nullopt;
+  const bool used = mesh.region.empty() ? region == 0
+                                        : std::ranges::find(mesh.region, region) != mesh.region.end();
+  if (!used) return std::nullopt;
+  return region;
 }
 
 std::vector<Finding> check_strengths(std::span<const BodySettings> bodies) {
@@ -211,7 +210,7 @@ BodyMaterials materials_of(const BodySettings& body) {
     if (r.tensile_strength) material.tensile_strength = *r.tensile_strength;
     if (r.toughness) material.toughness = r.toughness;
     result.materials.push_back(material);
-    const std::optional<std::int32_t> region = find_region(body.mesh, r.region);
+    const std::int32_t region = find_region(body.mesh, r.region).value_or(0);
     for (std::size_t t = 0; t < result.of_tetrahedron.size(); ++t) {
       if (region_of(body.mesh, t) == region) result.of_tetrahedron[t] = row;
     }

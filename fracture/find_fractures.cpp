@@ -143,7 +143,7 @@ FractureReport find_fractures(Cells& cells, MechanicsState& mechanics,
     broken[v.index()] = 1;
     FanEvent event = split_fan(cells, mechanics, v, tension, settings, scratch.fan);
     if (event.faces.empty()) {
-      ++report.empty_fans;
+      ++(event.refused ? report.refused_fans : report.empty_fans);
       continue;
     }
     follow_fan(cells, elements, event, scratch, broken, queue);

@@ -20,6 +20,8 @@ struct FractureReport {
   std::size_t tested = 0, suspects = 0, reached = 0;
   /// Vertices over their threshold with every tetrahedron on one side of every allowed plane.
   std::size_t empty_fans = 0;
+  /// Fans that the limits on pieces refused.
+  std::size_t refused_fans = 0;
   /// Vertices that waited for a fan and fell below their threshold before their turn came.
   std::size_t relieved = 0;
   /// Vertices over their threshold that the budget left for a later step.

@@ -85,6 +85,10 @@ struct FractureSettings {
   /// Fans a step may make in the mode `budget`.
   std::uint32_t max_fans = 64;
   StressWeight weight = StressWeight::volume;
+  /// kg; a fan that would part a lighter piece is refused. 0: none is too small.
+  double smallest_piece = 0;
+  /// Of the whole scene; a fan that would make more is refused. 0: no limit.
+  std::uint32_t max_pieces = 0;
   /// How new connected components are found (section 4.2).
   Detection detection = Detection::exact;
   /// In which order the faces of a fan are unsewn (figure 5).

@@ -113,6 +113,7 @@ void add_fracture(StepReport& sum, FractureReport&& part) {
   all.suspects += part.suspects;
   all.reached += part.reached;
   all.empty_fans += part.empty_fans;
+  all.refused_fans += part.refused_fans;
   all.relieved += part.relieved;
   all.waiting = part.waiting;
   all.not_a_number = part.not_a_number;

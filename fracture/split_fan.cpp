@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "fracture/piece_limits.hpp"
 #include "topology/assert.hpp"
 #include "topology/fan.hpp"
 
@@ -191,6 +192,8 @@ FanEvent split_fan(Cells& cells, MechanicsState& mechanics, VertexId vertex,
   event.choose_us = wall_us() - start;
   event.normal = fan.normal;
   if (fan.faces.empty()) return event;
+  event.refused = exceeds_limits(cells, mechanics, fan.faces, settings, scratch.components);
+  if (event.refused) return event;
   split_faces(cells, mechanics, event, std::move(fan.faces), settings, scratch.components);
   return event;
 }

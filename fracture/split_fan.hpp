@@ -26,6 +26,8 @@ struct FanEvent {
   /// One entry a face, in the order in which they were split; empty when every tetrahedron lay on
   /// one side of the plane: then nothing changed.
   std::vector<FaceSplit> faces;
+  /// Whether the limits on pieces kept it from being split; it has no faces then.
+  bool refused = false;
   /// What the oracle predicted and what there was to find.
   ComponentUpdate components;
   /// Tetrahedra met by splits, search and strengths: a measure of the cost that no clock changes.

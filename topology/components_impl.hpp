@@ -12,8 +12,9 @@ namespace sunder::detail {
 inline constexpr std::uint32_t no_tetrahedron = std::numeric_limits<std::uint32_t>::max();
 
 /// Parts of one old component that grow towards each other; lists of tetrahedra are chained
-/// through `scratch.next`, so that joining two parts is O(1).
-template <Kernel K>
+/// through `scratch.next`, so that joining two parts is O(1). Of `K` only tetrahedra() and
+/// neighbour() are asked.
+template <class K>
 class Lockstep {
  public:
   Lockstep(const K& map, ComponentScratch& scratch) : map_(map), s_(scratch) {

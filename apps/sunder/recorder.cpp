@@ -28,6 +28,7 @@ struct Recorder::Parts {
   std::uint32_t pictures = 0;
   std::optional<std::uint64_t> last_frame, last_picture;
   std::string events;
+  std::vector<std::uint64_t> birth;  // step, by component; those of the start have 0
   std::optional<render::Renderer> renderer;
   RunView view;
   nlohmann::ordered_json report;
@@ -212,6 +213,9 @@ std::vector<Finding> Recorder::record(const Simulation& now, const StepReport& r
                                       double step_ms) {
   add_step(parts_->statistics, now, report, step_ms);
   for (std::size_t k = 0; k < report.fracture.fans.size(); ++k) {
+    const ComponentUpdate& made = report.fracture.fans[k].components;
+    if (made.created > 0) parts_->birth.resize(made.first_new.index(), 0);
+    parts_->birth.resize(parts_->birth.size() + made.created, report.step);
     parts_->events += event_line(report.fracture.fans[k], {report.step, report.fan_time[k]},
                                  now.state.cells.map);
   }
@@ -225,7 +229,7 @@ std::vector<Finding> Recorder::finish(const Simulation& now, RunEnd end) {
     if (!p.frame_steps.empty() && p.last_frame != now.state.step) findings = p.write_frame_of(now);
     if (p.renderer && p.last_picture != now.state.step) append(findings, p.draw_picture(now));
   }
-  const std::vector<Fragment> pieces = fragments(now.state.cells, now.state.mechanics, p.origin);
+  const std::vector<Fragment> pieces = fragments(now.state.cells, now.state.mechanics, p.origin, p.birth);
   p.report = run_report(p.statistics, now, pieces, end);
   const auto write = [&](const char* name, const std::string& text) {
     if (auto finding = write_file(p.folder / name, text)) findings.push_back(std::move(*finding));

@@ -248,6 +248,7 @@ void add_step(RunStatistics& statistics, const Simulation& now, const StepReport
   statistics.suspects += fracture.suspects;
   statistics.reached += fracture.reached;
   statistics.empty_fans += fracture.empty_fans;
+  statistics.refused_fans += fracture.refused_fans;
   statistics.relieved += fracture.relieved;
   statistics.waiting = fracture.waiting;
   for (const FanEvent& fan : fracture.fans) {
@@ -324,6 +325,7 @@ ordered_json run_report(const RunStatistics& s, const Simulation& now,
             {"new_component", distribution(s.fan_us[1])}}},
           {"searched_tetrahedra", s.searched},
           {"empty_fans", s.empty_fans},
+          {"refused_fans", s.refused_fans},
           {"relieved", s.relieved},
           {"waiting", s.waiting},
           {"components", pieces.size()},

@@ -49,6 +49,22 @@ Vec3 spin_of(const Component& component, const VertexColumns& v, const Fragment&
   return inertia_of(moment).ldlt().solve(L);
 }
 
+/// Adds the boundary faces of one tetrahedron.
+void add_surface(Fragment& f, const Cells& cells, TetId t) {
+  for (int place = 0; place < 4; ++place) {
+    const HalfFaceId face = half_face(t, place);
+    if (!cells.map.neighbour(face).is_none()) continue;
+    std::array<Vec3, 3> p;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const VertexId v = cells.map.corners(t)[dart_order::face_corners[place][k]];
+      p[k] = Vec3(cells.map.point(v).data());
+    }
+    const double area = 0.5 * (p[1] - p[0]).cross(p[2] - p[0]).norm();
+    f.surface += area;
+    if (is_crack_face(cells, face)) f.crack_area += area;
+  }
+}
+
 Fragment fragment(const Component& component, const Cells& cells, const MechanicsState& mechanics) {
   const VertexColumns& v = mechanics.vertices;
   Fragment f;
@@ -66,6 +82,7 @@ Fragment fragment(const Component& component, const Cells& cells, const Mechanic
   Mat3 moment = Mat3::Zero();
   for (const TetId t : component.tetrahedra) {
     f.volume += mechanics.elements.rest_volume[t.index()];
+    add_surface(f, cells, t);
     std::array<Vec3, 4> r;
     for (std::size_t a = 0; a < 4; ++a) {
       r[a] = v.position[cells.map.corners(t)[a].index()] - f.center;
@@ -90,11 +107,14 @@ Origins origins(std::span<const BodySettings> bodies) {
 }
 
 std::vector<Fragment> fragments(const Cells& cells, const MechanicsState& mechanics,
-                                const Origins& origins) {
+                                const Origins& origins, std::span<const std::uint64_t> birth) {
   std::vector<Fragment> all;
   for (const Component& component : mechanics.components) {
     if (component.tetrahedra.empty()) continue;
     all.push_back(fragment(component, cells, mechanics));
+    const std::size_t id = component.id.index();
+    all.back().parent = cells.labels.parent[id];
+    if (id < birth.size()) all.back().birth_step = birth[id];
     all.back().body = origins.body[component.tetrahedra.front().index()];
   }
   return all;
@@ -105,14 +125,16 @@ std::string fragments_csv(std::vector<Fragment> fragments) {
   std::string text =
       "component,body,tetrahedra,vertices,mass,volume,center_x,center_y,center_z,velocity_x,"
       "velocity_y,velocity_z,spin_x,spin_y,spin_z,inertia_xx,inertia_yy,inertia_zz,inertia_xy,"
-      "inertia_yz,inertia_xz\r\n";
+      "inertia_yz,inertia_xz,surface,crack_area,parent,birth_step\r\n";
   for (const Fragment& f : fragments) {
     text += fmt::format("{},{},{},{},{},{}", f.id.value, f.body, f.tetrahedra, f.vertices, f.mass,
                         f.volume);
     for (const Vec3* v : {&f.center, &f.velocity, &f.spin}) {
       text += fmt::format(",{},{},{}", (*v)[0], (*v)[1], (*v)[2]);
     }
-    text += fmt::format(",{}\r\n", fmt::join(six(f.inertia), ","));
+    text += fmt::format(",{},{},{},", fmt::join(six(f.inertia), ","), f.surface, f.crack_area);
+    if (!f.parent.is_none()) text += fmt::format("{}", f.parent.value);
+    text += fmt::format(",{}\r\n", f.birth_step);
   }
   return text;
 }

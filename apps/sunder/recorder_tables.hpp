@@ -35,6 +35,13 @@ struct Fragment {
   /// kg; m^3 at rest.
   double mass = 0;
   double volume = 0;
+  /// m^2 at rest: of all its boundary faces, and of those among them that cracks (cuts at the start
+  /// too) have made; the difference was the body's own surface.
+  double surface = 0;
+  double crack_area = 0;
+  /// What it came off, none() for what was there at the start, and the step in which it did.
+  ComponentId parent;
+  std::uint64_t birth_step = 0;
   /// Mass centre, m, its velocity, m/s, and the spin of the rigid motion with the same angular
   /// momentum, rad/s; all in the world, from the vertices.
   Vec3 center = Vec3::Zero();
@@ -44,9 +51,10 @@ struct Fragment {
   Mat3 inertia = Mat3::Zero();
 };
 
-/// Every living piece in the order of the ids. O(|V| + |T|).
+/// Every living piece in the order of the ids. `birth`: the step of each id's birth, where known.
+/// O(|V| + |T|).
 std::vector<Fragment> fragments(const Cells& cells, const MechanicsState& mechanics,
-                                const Origins& origins);
+                                const Origins& origins, std::span<const std::uint64_t> birth = {});
 
 /// The table of fragments as CSV (RFC 4180, one header line, SI units, numbers that read back
 /// exactly), largest mass first, ties by id.

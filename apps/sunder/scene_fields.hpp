@@ -361,6 +361,14 @@ void describe(V& v, FractureSettings& f) {
           f.max_fans);
   v.field(Key{"weight", "", "How elements weigh in a node stress (eq. 6; the paper: mass)"},
           f.weight);
+  v.field(Key{"smallest_piece", "kg",
+              "A crack that would part a lighter piece is refused; 0: none is too small",
+              at_least(0)},
+          f.smallest_piece);
+  v.field(Key{"max_pieces", "",
+              "Pieces in the scene; a crack that would make more is refused; 0: no limit",
+              between(0, 4294967295.0)},
+          f.max_pieces);
   v.field(
       Key{"detection", "",
           "How new pieces are found, always the same: exact: search in lockstep, cost of the smaller "

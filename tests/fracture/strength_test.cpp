@@ -6,6 +6,7 @@
 
 #include "fracture/draw_strength.hpp"
 #include "mechanics/energy.hpp"
+#include "tests/fracture/tension.hpp"
 #include "topology/build_map.hpp"
 #include "topology/fan.hpp"
 #include "topology/suite/shapes.hpp"
@@ -178,6 +179,57 @@ TEST_CASE("an unbreakable vertex never splits, whatever breaks beside it", "[fra
   CHECK(fans > 0);
   for (std::size_t v = points; v < sim.state.cells.map.vertices(); ++v) {
     CHECK_FALSE(marked[sim.state.cells.map.point_of_vertex(VertexId{v})]);
+  }
+}
+
+namespace {
+
+/// A block that shatters, under limits: masses of its pieces, kg, and the fans refused.
+struct Shattered {
+  std::vector<double> mass;
+  std::vector<ComponentId> piece;  // of each tetrahedron
+  std::size_t refused = 0;
+  double lightest() const { return *std::ranges::min_element(mass); }
+};
+Shattered shatter(double smallest, std::uint32_t most) {
+  test::Tension body = test::uniform_tension(jittered(kuhn_box({3, 3, 3}, 0.1), 0.01, 3),
+                                             Vec3::UnitZ(), 4e6);
+  FractureSettings settings;
+  settings.smallest_piece = smallest;
+  settings.max_pieces = most;
+  FractureScratch scratch;
+  const FractureReport report = find_fractures(body.cells, body.state, settings, scratch);
+  Shattered result{.mass = std::vector<double>(body.cells.labels.size.size(), 0),
+                   .piece = body.cells.labels.of_tetrahedron,
+                   .refused = report.refused_fans};
+  for (std::size_t t = 0; t < result.piece.size(); ++t) {
+    result.mass[result.piece[t].index()] += body.state.elements.mass[t];
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("limits on pieces hold exactly, and refuse nothing else", "[fracture][limits]") {
+  const Shattered free = shatter(0, 0);
+  REQUIRE(free.mass.size() > 2);
+  CHECK(free.refused == 0);
+  // Limits that the free block keeps change nothing: pieces only get lighter while it breaks.
+  const auto pieces = static_cast<std::uint32_t>(free.mass.size());
+  const Shattered same = shatter(0.999 * free.lightest(), pieces);
+  CHECK(same.refused == 0);
+  CHECK(same.piece == free.piece);
+  for (const std::uint32_t most : {1U, pieces - 1}) {
+    INFO(most << " pieces at most");
+    const Shattered few = shatter(0, most);
+    CHECK(few.mass.size() <= most);
+    CHECK(few.refused > 0);
+  }
+  for (const double times : {1.01, 1.5}) {
+    INFO(times << " times the lightest");
+    const Shattered heavy = shatter(times * free.lightest(), 0);
+    CHECK(heavy.lightest() >= times * free.lightest());
+    CHECK(heavy.refused > 0);
   }
 }
 

@@ -47,6 +47,40 @@ TEST_CASE("frames are spread evenly with both ends, or by their interval", "[run
   CHECK(step_count(scene) == 11);
 }
 
+TEST_CASE("fragments share mass and surface, and were parted by the faces that split",
+          "[run][recorder]") {
+  auto file = read_scene(std::string(SUNDER_SCENES "/monolith.json"));
+  REQUIRE(file);
+  file->scene.bodies[0].material.tensile_strength = 1e6;
+  Simulation sim = std::move(*build_simulation(file->scene));
+  const Origins from = origins(sim.scene.bodies);
+  const Fragment whole = fragments(sim.state.cells, sim.state.mechanics, from).at(0);
+  CHECK(whole.crack_area == 0);
+  CHECK(whole.parent.is_none());
+  double split = 0;
+  for (int i = 0; i < 240; ++i) {
+    for (const FanEvent& fan : advance(sim).fracture.fans) {
+      for (const FaceSplit& face : fan.faces) {
+        std::array<Vec3, 3> p;
+        for (int k = 0; k < 3; ++k) p[k] = Vec3(sim.state.cells.map.point(face.vertices[k]).data());
+        split += 0.5 * (p[1] - p[0]).cross(p[2] - p[0]).norm();
+      }
+    }
+  }
+  const auto pieces = fragments(sim.state.cells, sim.state.mechanics, from);
+  REQUIRE(pieces.size() > 1);
+  double mass = 0, surface = 0, cracks = 0;
+  for (const Fragment& f : pieces) {
+    mass += f.mass;
+    surface += f.surface;
+    cracks += f.crack_area;
+    if (!f.parent.is_none()) CHECK(f.parent < f.id);
+  }
+  CHECK(mass == Approx(whole.mass).epsilon(1e-12));
+  CHECK(surface - cracks == Approx(whole.surface).epsilon(1e-12));
+  CHECK(cracks == Approx(2 * split).epsilon(1e-12));
+}
+
 TEST_CASE("fragments of an intact body have the solid's mass, volume and inertia",
           "[run][recorder]") {
   const Simulation simulation = shipped("monolith");

@@ -107,6 +107,34 @@ TEST_CASE("the schema knows a key exactly when the reader does", "[run][schema]"
   });
 }
 
+TEST_CASE("cuts and strengths are read, and what is wrong with them has its line", "[run][scene]") {
+  json scene = cube_scene();
+  json& body = scene["bodies"][0];
+  body["cuts"] = {{{"plane", {{"point", {0, 0, 0.5}}, {"normal", {0, 0, 2}}}},
+                   {"box", {{"minimum", {0, 0, 0}}, {"maximum", {1, 1, 1}}}}},
+                  {{"plane", {{"point", {0, 0, 0}}, {"normal", {1, 0, 0}}}},
+                   {"ball", {{"center", {0, 0, 0}}, {"radius", 2}}}}};
+  body["strength"] = {{"regions", {{{"region", 1}, {"tensile_strength", 1e6}}}},
+                      {"weibull", {{"modulus", 8}, {"seed", 5}}}};
+  body["unbreakable"] = {{{"region", "feet"}}};
+  const Result<SceneFile> file = read(scene);
+  REQUIRE(file);
+  const BodySettings& settings = file->scene.bodies[0];
+  REQUIRE(settings.cuts.size() == 2);
+  CHECK(std::get<CutPlane>(settings.cuts[0].faces).normal == Eigen::Vector3d(0, 0, 1));
+  CHECK(settings.cuts[0].box.has_value());
+  CHECK(settings.cuts[1].ball->radius == 2);
+  CHECK(settings.strength.regions.at(0).region.text == "1");
+  CHECK(settings.strength.weibull->modulus == 8);
+  CHECK(settings.strength.weibull->seed == 5);
+  CHECK(std::get<RegionName>(settings.unbreakable.at(0).where).text == "feet");
+  body["cuts"] = {{{"faces", "there_is_none.txt"}}, json::object()};
+  body["strength"]["weibull"]["modulus"] = 0;
+  body["unbreakable"] = {{{"region", 0.5}}};
+  CHECK(codes(read(scene).findings) ==
+        std::multiset<std::string>{"cannot_open", "missing_key", "out_of_range", "wrong_type"});
+}
+
 TEST_CASE("all that is wrong is told at once, each at its line", "[run][scene]") {
   json scene = cube_scene();
   scene["bodies"][0]["material"] = {{"density", -1}, {"poisson_ratio", 0.5}, {"strenght", 1}};
