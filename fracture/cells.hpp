@@ -11,6 +11,13 @@
 
 namespace sunder {
 
+/// A vertex over its threshold with every tetrahedron on one side of every plane its stress allows.
+struct EmptyFan {
+  VertexId vertex;
+  /// Its stress when that was found, divided by its norm.
+  Mat3 stress_direction;
+};
+
 /// The topological half of a simulation's state.
 struct Cells {
   VolumeMap map;
@@ -28,6 +35,8 @@ struct Cells {
   std::vector<char> unbreakable;
   /// |V|: 1 while a vertex waits for a fan that the budget of a step did not allow.
   std::vector<char> waits;
+  /// Those that wait until their stress changes, each vertex once.
+  std::vector<EmptyFan> empty_fans;
 };
 
 /// Which half-faces lie on the boundary, 4 |T|.

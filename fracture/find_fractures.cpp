@@ -2,6 +2,7 @@
 // Candidates, their queue, and a fan for each.
 #include "fracture/find_fractures.hpp"
 
+#include <algorithm>
 #include <queue>
 
 #include "fracture/node_stress.hpp"
@@ -10,6 +11,12 @@
 
 namespace sunder {
 namespace {
+
+/// Overstresses that differ by less are tied: far above rounding and what a solver leaves, far below
+/// what a mesh resolves.
+constexpr double tie = 1e-6;
+/// Change of a tensor over its norm that may turn its planes by about half a degree.
+constexpr double changed_direction = 0.01;
 
 /// A vertex that reaches its threshold, by how far: the most overstressed comes first.
 struct Candidate {
@@ -21,17 +28,44 @@ struct Candidate {
     return a.vertex > b.vertex;
   }
 };
-using CandidateQueue = std::priority_queue<Candidate>;
+
+/// One call at work.
+struct Work {
+  Cells& cells;
+  MechanicsState& mechanics;
+  const FractureSettings& settings;
+  FractureScratch& scratch;
+  ElementStress elements;
+  FractureReport report = {};
+  std::priority_queue<Candidate> queue = {};
+
+  const Mat3& stress(VertexId v) const { return scratch.node_stress[v.index()]; }
+  ThresholdAnswer test(VertexId v) const {
+    return test_threshold(stress(v), cells.strength[v.index()]);
+  }
+};
 
 ElementStress element_stress(const Cells& cells, const MechanicsState& mechanics,
-                             StressWeight weight) {
+                             NodeStress mode) {
   const ElementColumns& e = mechanics.elements;
-  return {cells.map.corners(), e.stress, weight == StressWeight::volume ? e.rest_volume : e.mass};
+  return {cells.map.corners(), e.stress, mode == NodeStress::mass ? e.mass : e.rest_volume};
 }
 
-Candidate make_candidate(const FractureScratch& scratch, const Cells& cells, VertexId v) {
-  const PrincipalTension tension = principal_tension(scratch.node_stress[v.index()]);
-  return {tension.value / cells.strength[v.index()], v};
+/// Reports each tetrahedron's stress to its vertices.
+void measure_all(FractureScratch& scratch, const VolumeMap& map, const ElementStress& elements,
+                 NodeStress mode) {
+  if (mode == NodeStress::fit) {
+    return fit_node_stress(scratch.node_stress, scratch.fit, map, elements);
+  }
+  average_node_stress(scratch.node_stress, elements, map.vertices(), scratch.weight);
+}
+
+void measure(Work& work, VertexId v) {
+  const VolumeMap& map = work.cells.map;
+  work.scratch.node_stress[v.index()] =
+      work.settings.node_stress == NodeStress::fit
+          ? fit_node_stress(work.scratch.fit, map, work.elements, v)
+          : node_stress_of_star(work.elements, star(map, v));
 }
 
 /// Row = VertexId: whether it is looked at. Taken before anything splits.
@@ -43,113 +77,193 @@ void look_at(std::vector<char>& rows, const MechanicsState& mechanics, const Ste
   }
 }
 
-/// The test chain over the vertices looked at: bound, exact test, eigenvalue. Stops at a NaN.
-CandidateQueue find_candidates(const Cells& cells, const FractureScratch& scratch,
-                               std::span<const char> rows, FractureReport& report) {
-  CandidateQueue queue;
-  for (std::size_t row = 0; row < cells.map.vertices(); ++row) {
-    if (!rows[row]) continue;
-    const VertexId v{row};
-    const double xi = cells.strength[row];
-    const Mat3& sigma = scratch.node_stress[row];
-    ++report.tested;
-    if (gershgorin_bound(sigma) < xi) continue;
-    ++report.suspects;
-    const ThresholdAnswer answer = test_threshold(sigma, xi);
-    if (answer == ThresholdAnswer::not_a_number) {
-      report.not_a_number = v;
-      return {};
-    }
-    if (answer == ThresholdAnswer::below) continue;
-    ++report.reached;
-    queue.push(make_candidate(scratch, cells, v));
-  }
-  return queue;
+/// Takes vertices with empty fans out of the rows until their stress changes.
+void hold_empty_fans(Work& work) {
+  std::erase_if(work.cells.empty_fans, [&](const EmptyFan& empty) {
+    char& row = work.scratch.rows[empty.vertex.index()];
+    if (!row) return false;  // not its time
+    const Mat3& sigma = work.stress(empty.vertex);
+    const double change = (sigma / sigma.norm() - empty.stress_direction).norm();
+    // A change that is not a number is one.
+    if (!(change <= changed_direction)) return true;
+    if (work.test(empty.vertex) != ThresholdAnswer::reached) return true;
+    row = 0;
+    ++work.report.still_empty;
+    return false;
+  });
 }
 
-/// Averages again what a fan changed and queues the copies of vertices whose turn is still to come.
-void follow_fan(Cells& cells, const ElementStress& elements, const FanEvent& event,
-                FractureScratch& scratch, std::vector<char>& broken, CandidateQueue& queue) {
-  scratch.node_stress.resize(cells.map.vertices());
-  broken.resize(cells.map.vertices(), 0);
-  const auto average = [&](VertexId v) {
-    scratch.node_stress[v.index()] = node_stress_of_star(elements, star(cells.map, v));
-  };
-  for (const FaceSplit& split : event.faces) {
-    for (int i = 0; i < split.vertex_count; ++i) {
-      const auto [old_row, new_row] = split.split_vertices[i];
-      average(old_row);
-      average(new_row);
-      broken[new_row.index()] = broken[old_row.index()];
+void enqueue(Work& work, VertexId v) {
+  const double overstress =
+      principal_tension(work.stress(v)).value / work.cells.strength[v.index()];
+  work.scratch.queued[v.index()] = overstress;
+  work.queue.push({overstress, v});
+}
+
+/// The test over the vertices looked at. Stops at a NaN.
+void find_candidates(Work& work) {
+  FractureReport& report = work.report;
+  for (std::size_t row = 0; row < work.cells.map.vertices(); ++row) {
+    if (!work.scratch.rows[row]) continue;
+    const VertexId v{row};
+    ++report.tested;
+    const ThresholdAnswer answer = test_threshold(work.stress(v), work.cells.strength[row],
+                                                  work.settings.test, report.suspects);
+    if (answer == ThresholdAnswer::below) continue;
+    if (answer == ThresholdAnswer::not_a_number) {
+      report.not_a_number = v;
+      return;
     }
-  }
-  for (const FaceSplit& split : event.faces) {
-    for (int i = 0; i < split.vertex_count; ++i) {
-      const VertexId v = split.split_vertices[i].new_row;
-      if (broken[v.index()]) continue;
-      if (test_threshold(scratch.node_stress[v.index()], cells.strength[v.index()]) ==
-          ThresholdAnswer::reached) {
-        queue.push(make_candidate(scratch, cells, v));
-      }
-    }
+    ++report.reached;
+    enqueue(work, v);
   }
 }
 
 /// Counts those that waited and are over their threshold no longer; forgets who waited.
-void count_relieved(Cells& cells, const FractureScratch& scratch, std::span<const char> rows,
-                    FractureReport& report) {
-  cells.waits.resize(cells.map.vertices(), 0);
-  for (std::size_t row = 0; row < cells.waits.size(); ++row) {
-    if (!cells.waits[row] || !rows[row]) continue;
-    cells.waits[row] = 0;
-    report.relieved +=
-        test_threshold(scratch.node_stress[row], cells.strength[row]) == ThresholdAnswer::below;
+void count_relieved(Work& work) {
+  std::vector<char>& waits = work.cells.waits;
+  waits.resize(work.cells.map.vertices(), 0);
+  for (std::size_t row = 0; row < waits.size(); ++row) {
+    if (!waits[row] || !work.scratch.rows[row]) continue;
+    waits[row] = 0;
+    work.report.relieved += work.test(VertexId{row}) == ThresholdAnswer::below;
+  }
+}
+
+/// Whether an entry of the queue still stands: later ones of the same vertex replace it.
+bool stands(const Work& work, const Candidate& c) {
+  return work.scratch.queued[c.vertex.index()] == c.overstress;
+}
+
+/// The most overstressed candidates, as far as each is tied with the one before.
+void take_tied(std::vector<VertexId>& tied, Work& work) {
+  tied.clear();
+  double last = 0;
+  while (!work.queue.empty()) {
+    const Candidate c = work.queue.top();
+    if (stands(work, c)) {
+      if (!tied.empty() && c.overstress < last * (1 - tie)) return;
+      last = c.overstress;
+      work.scratch.queued[c.vertex.index()] = 0;
+      tied.push_back(c.vertex);
+    }
+    work.queue.pop();
+  }
+}
+
+/// Fans of the tied candidates on the state as it is; none for those that wait or cannot break.
+std::vector<PlannedFan> plan_fans(Work& work, std::span<const VertexId> tied) {
+  FractureReport& report = work.report;
+  std::vector<PlannedFan> plans;
+  for (const VertexId v : tied) {
+    if (work.settings.node_stress == NodeStress::fit) measure(work, v);
+    if (work.test(v) != ThresholdAnswer::reached) {
+      ++report.relieved;
+      continue;
+    }
+    if (work.settings.mode == FractureMode::budget &&
+        report.fans.size() + plans.size() >= work.settings.max_fans) {
+      work.cells.waits[v.index()] = 1;
+      ++report.waiting;
+      continue;
+    }
+    work.scratch.broken[v.index()] = 1;
+    PlannedFan plan = plan_fan(work.cells, v, principal_tension(work.stress(v)));
+    if (plan.plane.faces.empty()) {
+      ++report.empty_fans;
+      work.cells.empty_fans.push_back({v, work.stress(v) / work.stress(v).norm()});
+      continue;
+    }
+    plans.push_back(std::move(plan));
+  }
+  return plans;
+}
+
+/// Rows that a fan split, old and new; copies of what has broken have broken.
+void note_splits(Work& work, const FanEvent& event, std::vector<VertexId>& split_rows) {
+  FractureScratch& scratch = work.scratch;
+  const std::size_t rows = work.cells.map.vertices();
+  scratch.node_stress.resize(rows);
+  scratch.broken.resize(rows, 0);
+  scratch.queued.resize(rows, 0);
+  for (const FaceSplit& split : event.faces) {
+    for (int i = 0; i < split.vertex_count; ++i) {
+      const auto [old_row, new_row] = split.split_vertices[i];
+      split_rows.push_back(old_row);
+      split_rows.push_back(new_row);
+      scratch.broken[new_row.index()] = scratch.broken[old_row.index()];
+    }
+  }
+}
+
+/// Measures what the fans of a tie split, and queues it anew.
+void follow_splits(Work& work, std::vector<VertexId>& split_rows) {
+  std::sort(split_rows.begin(), split_rows.end());
+  split_rows.erase(std::unique(split_rows.begin(), split_rows.end()), split_rows.end());
+  if (work.settings.node_stress == NodeStress::fit) follow_splits(work.scratch.fit, work.cells.map);
+  std::erase_if(work.cells.empty_fans, [&](const EmptyFan& empty) {
+    return std::binary_search(split_rows.begin(), split_rows.end(), empty.vertex);
+  });
+  for (const VertexId v : split_rows) {
+    measure(work, v);
+    if (work.scratch.broken[v.index()]) continue;
+    double& queued = work.scratch.queued[v.index()];
+    const bool stood = queued > 0;
+    queued = 0;
+    if (work.test(v) == ThresholdAnswer::reached) {
+      enqueue(work, v);
+    } else {
+      work.report.relieved += stood;
+    }
   }
 }
 
 }  // namespace
 
+std::vector<Mat3> node_stress_of(const Cells& cells, const MechanicsState& mechanics,
+                                 NodeStress mode) {
+  FractureScratch scratch;
+  measure_all(scratch, cells.map, element_stress(cells, mechanics, mode), mode);
+  return std::move(scratch.node_stress);
+}
+
 FractureReport find_fractures(Cells& cells, MechanicsState& mechanics,
                               const FractureSettings& settings, FractureScratch& scratch,
                               const StepMembers& members) {
-  FractureReport report;
-  if (settings.mode == FractureMode::off) return report;
-  const ElementStress elements = element_stress(cells, mechanics, settings.weight);
-  // Report each tetrahedron's stress to its vertices and average it.
-  average_node_stress(scratch.node_stress, elements, cells.map.vertices(), scratch.weight);
-  // Check where a fracture occurs.
+  if (settings.mode == FractureMode::off) return {};
+  Work work{cells, mechanics, settings, scratch,
+            element_stress(cells, mechanics, settings.node_stress)};
+  measure_all(scratch, cells.map, work.elements, settings.node_stress);
   look_at(scratch.rows, mechanics, members);
-  CandidateQueue queue = find_candidates(cells, scratch, scratch.rows, report);
-  if (report.not_a_number) return report;
-  count_relieved(cells, scratch, scratch.rows, report);
-
-  std::vector<char>& broken = scratch.broken;
-  broken.assign(cells.map.vertices(), 0);
-  while (!queue.empty()) {
-    const Candidate candidate = queue.top();
-    queue.pop();
-    const VertexId v = candidate.vertex;
-    const PrincipalTension tension = principal_tension(scratch.node_stress[v.index()]);
-    if (test_threshold(scratch.node_stress[v.index()], cells.strength[v.index()]) !=
-        ThresholdAnswer::reached) {
-      ++report.relieved;
-      continue;
+  if (settings.node_stress == NodeStress::fit) {
+    for (std::size_t row = 0; row < scratch.rows.size(); ++row) {
+      work.report.unfitted += scratch.rows[row] && !scratch.fit.patches[row].fitted;
     }
-    if (settings.mode == FractureMode::budget && report.fans.size() >= settings.max_fans) {
-      cells.waits[v.index()] = 1;
-      ++report.waiting;
-      continue;
-    }
-    broken[v.index()] = 1;
-    FanEvent event = split_fan(cells, mechanics, v, tension, settings, scratch.fan);
-    if (event.faces.empty()) {
-      ++(event.refused ? report.refused_fans : report.empty_fans);
-      continue;
-    }
-    follow_fan(cells, elements, event, scratch, broken, queue);
-    report.fans.push_back(std::move(event));
   }
-  return report;
+  hold_empty_fans(work);
+  scratch.broken.assign(cells.map.vertices(), 0);
+  scratch.queued.assign(cells.map.vertices(), 0);
+  find_candidates(work);
+  if (work.report.not_a_number) return std::move(work.report);
+  count_relieved(work);
+
+  std::vector<VertexId> tied, split_rows;
+  while (!work.queue.empty()) {
+    take_tied(tied, work);
+    split_rows.clear();
+    for (PlannedFan& plan : plan_fans(work, tied)) {
+      FanEvent event = split_fan(cells, mechanics, std::move(plan), settings, scratch.fan);
+      if (event.faces.empty()) {
+        // Refused, or its neighbours' fans had all of its faces.
+        ++(event.refused ? work.report.refused_fans : work.report.relieved);
+        continue;
+      }
+      note_splits(work, event, split_rows);
+      work.report.fans.push_back(std::move(event));
+    }
+    follow_splits(work, split_rows);
+  }
+  return std::move(work.report);
 }
 
 }  // namespace sunder

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fracture/body_settings.hpp"
+#include "fracture/threshold_test.hpp"
 #include "mechanics/contact.hpp"
 #include "mechanics/integrators/settings.hpp"
 #include "mechanics/material.hpp"
@@ -77,14 +78,23 @@ enum class FractureMode {
   budget,
 };
 
-/// How elements weigh in a node stress (eq. 6).
-enum class StressWeight { volume, mass };
+/// How the stress of a vertex follows from those of the tetrahedra near it.
+enum class NodeStress {
+  /// Mean over the tetrahedra around it, weighted by rest volume.
+  volume,
+  /// The same by mass (eq. 6 as printed).
+  mass,
+  /// Linear least-squares fit over two rings of tetrahedra, evaluated at the vertex
+  /// (fracture/stress_fit.hpp); `volume` where that is not to be trusted.
+  fit,
+};
 
 struct FractureSettings {
   FractureMode mode = FractureMode::all;
   /// Fans a step may make in the mode `budget`.
   std::uint32_t max_fans = 64;
-  StressWeight weight = StressWeight::volume;
+  NodeStress node_stress = NodeStress::volume;
+  ThresholdTest test = ThresholdTest::chain;
   /// kg; a fan that would part a lighter piece is refused. 0: none is too small.
   double smallest_piece = 0;
   /// Of the whole scene; a fan that would make more is refused. 0: no limit.

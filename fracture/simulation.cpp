@@ -113,6 +113,8 @@ void add_fracture(StepReport& sum, FractureReport&& part) {
   all.suspects += part.suspects;
   all.reached += part.reached;
   all.empty_fans += part.empty_fans;
+  all.still_empty = part.still_empty;
+  all.unfitted = std::max(all.unfitted, part.unfitted);
   all.refused_fans += part.refused_fans;
   all.relieved += part.relieved;
   all.waiting = part.waiting;

@@ -134,13 +134,6 @@ double wall_us() {
       .count();
 }
 
-FanEvent begin_event(const Cells& cells, const MechanicsState& mechanics, VertexId vertex) {
-  return {.vertex = vertex,
-          .point = cells.map.point_of_vertex(vertex),
-          .rest_position = mechanics.vertices.rest_position[vertex.index()],
-          .strength = cells.strength[vertex.index()]};
-}
-
 /// Splits the faces of `event`'s fan one by one, and finds what comes of it.
 void split_faces(Cells& cells, MechanicsState& mechanics, FanEvent& event,
                  std::vector<HalfFaceId> faces, const FractureSettings& settings,
@@ -181,20 +174,29 @@ FanPlane choose_fan(const Cells& cells, VertexId vertex, const PrincipalTension&
   return best;
 }
 
-FanEvent split_fan(Cells& cells, MechanicsState& mechanics, VertexId vertex,
-                   const PrincipalTension& tension, const FractureSettings& settings,
-                   FanScratch& scratch) {
-  FanEvent event = begin_event(cells, mechanics, vertex);
-  event.stress = tension.value;
+PlannedFan plan_fan(const Cells& cells, VertexId vertex, const PrincipalTension& tension) {
   // Signs of the tetrahedra around v relatively to the plane, and the faces between them.
   const double start = wall_us();
-  FanPlane fan = choose_fan(cells, vertex, tension);
-  event.choose_us = wall_us() - start;
-  event.normal = fan.normal;
-  if (fan.faces.empty()) return event;
-  event.refused = exceeds_limits(cells, mechanics, fan.faces, settings, scratch.components);
-  if (event.refused) return event;
-  split_faces(cells, mechanics, event, std::move(fan.faces), settings, scratch.components);
+  PlannedFan fan{vertex, choose_fan(cells, vertex, tension), tension.value,
+                 cells.strength[vertex.index()]};
+  fan.choose_us = wall_us() - start;
+  return fan;
+}
+
+FanEvent split_fan(Cells& cells, MechanicsState& mechanics, PlannedFan fan,
+                   const FractureSettings& settings, FanScratch& scratch) {
+  FanEvent event{.vertex = fan.vertex,
+                 .point = cells.map.point_of_vertex(fan.vertex),
+                 .rest_position = mechanics.vertices.rest_position[fan.vertex.index()],
+                 .normal = fan.plane.normal,
+                 .stress = fan.stress,
+                 .strength = fan.strength,
+                 .choose_us = fan.choose_us};
+  std::vector<HalfFaceId>& faces = fan.plane.faces;
+  std::erase_if(faces, [&](HalfFaceId f) { return cells.map.neighbour(f).is_none(); });
+  event.refused = exceeds_limits(cells, mechanics, faces, settings, scratch.components);
+  if (event.refused || faces.empty()) return event;
+  split_faces(cells, mechanics, event, std::move(faces), settings, scratch.components);
   return event;
 }
 

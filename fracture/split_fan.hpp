@@ -48,23 +48,33 @@ struct FanPlane {
 };
 FanPlane choose_fan(const Cells& cells, VertexId vertex, const PrincipalTension& tension);
 
+/// A fan decided on: several can be decided on the same state and split one after the other, since
+/// half-faces keep their names.
+struct PlannedFan {
+  VertexId vertex;
+  FanPlane plane;
+  double stress = 0, strength = 0;  ///< Pa, when it was decided
+  double choose_us = 0;             ///< wall time of deciding, for reports only
+};
+
+/// The fan of `vertex` for its stress (`choose_fan`); no faces where it is empty.
+PlannedFan plan_fan(const Cells& cells, VertexId vertex, const PrincipalTension& tension);
+
 /// Working memory of `split_fan`, kept between calls.
 struct FanScratch {
   ComponentScratch components;
 };
 
-/// Splits the fan of `vertex` (algorithm 4): signs of the tetrahedra around it from rest centres,
-/// the faces between different signs, each unsewn in turn and the oracle asked after each, then the
-/// components. Appends the columns of every vertex that split, in `mechanics.vertices` and
-/// `cells.strength`; masses and frames are left to `rebuild`, `elements.component` to its caller.
+/// Splits the faces of a fan (algorithm 4), but for those that another fan has split since it was
+/// decided on: each is unsewn in turn and the oracle asked after each, then the components. Appends
+/// the columns of every vertex that split, in `mechanics.vertices` and `cells.strength`; masses and frames are left to `rebuild`, `elements.component` to its caller.
 ///
 ///        +   |   -            before: one vertex v        after: v on the side of the half-face
 ///      ______v______    ->    ______v | v'______          that was passed, a copy on the other
 ///            |                      + | -
 ///
 /// Needs: a living vertex. Cost: the star, the faces' stars, the smaller sides of what comes off.
-FanEvent split_fan(Cells& cells, MechanicsState& mechanics, VertexId vertex,
-                   const PrincipalTension& tension, const FractureSettings& settings,
-                   FanScratch& scratch);
+FanEvent split_fan(Cells& cells, MechanicsState& mechanics, PlannedFan fan,
+                   const FractureSettings& settings, FanScratch& scratch);
 
 }  // namespace sunder

@@ -26,8 +26,29 @@ ThresholdAnswer test_threshold(const Eigen::Matrix3d& sigma, double xi) {
   const double m3 = r * m2 - p * syz * syz - q * sxz * sxz - 2 * sxy * syz * sxz;
   if (p > 0 && m2 > 0 && m3 > 0) return ThresholdAnswer::below;
   // Infinite entries make a NaN of the minors too: no stress is infinite, so both are failures.
-  if (!std::isfinite(m3) || !std::isfinite(m2)) return ThresholdAnswer::not_a_number;
+  if (!std::isfinite(m3) || !std::isfinite(m2)) {
+    // An infinite threshold leaves no minors, and nothing finite reaches it.
+    const bool unreachable = xi == std::numeric_limits<double>::infinity() && sigma.allFinite();
+    return unreachable ? ThresholdAnswer::below : ThresholdAnswer::not_a_number;
+  }
   return ThresholdAnswer::reached;
+}
+
+ThresholdAnswer test_eigenvalues(const Eigen::Matrix3d& sigma, double xi) {
+  if (!sigma.allFinite() || std::isnan(xi)) return ThresholdAnswer::not_a_number;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(sigma, Eigen::EigenvaluesOnly);
+  return solver.eigenvalues()(2) >= xi ? ThresholdAnswer::reached : ThresholdAnswer::below;
+}
+
+ThresholdAnswer test_threshold(const Eigen::Matrix3d& sigma, double xi, ThresholdTest way,
+                               std::size_t& suspects) {
+  if (way == ThresholdTest::chain || way == ThresholdTest::gershgorin) {
+    // A bound that is not a number is not below: the second test tells.
+    if (gershgorin_bound(sigma) < xi) return ThresholdAnswer::below;
+    ++suspects;
+  }
+  const bool minors = way == ThresholdTest::chain || way == ThresholdTest::exact;
+  return minors ? test_threshold(sigma, xi) : test_eigenvalues(sigma, xi);
 }
 
 double largest_principal_stress(const Eigen::Matrix3d& sigma) {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "fracture/node_stress.hpp"
+#include "fracture/find_fractures.hpp"
 #include "mechanics/energy.hpp"
 
 namespace sunder {
@@ -48,12 +48,8 @@ Eigen::Vector4d weights(const MechanicsState& state, const Corners& corners, Tet
 /// Largest size of an eigenvalue over all node stresses, Pa.
 double largest_stress(const Simulation& now) {
   const MechanicsState& m = now.state.mechanics;
-  std::vector<Mat3> node;
-  const bool by_mass = now.scene.fracture.weight == StressWeight::mass;
-  average_node_stress(node,
-                      {now.state.cells.map.corners(), m.elements.stress,
-                       by_mass ? m.elements.mass : m.elements.rest_volume},
-                      m.vertices.size());
+  const std::vector<Mat3> node =
+      node_stress_of(now.state.cells, m, now.scene.fracture.node_stress);
   double largest = 0;
   for (const Mat3& sigma : node) {
     // The largest size of an eigenvalue is no larger than the norm: most need no eigenvalues.

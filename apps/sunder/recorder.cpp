@@ -10,7 +10,7 @@
 
 #include "apps/render/renderer.hpp"
 #include "apps/sunder/pictures.hpp"
-#include "fracture/node_stress.hpp"
+#include "fracture/find_fractures.hpp"
 #include "topology/io/output_file.hpp"
 #include "topology/io/vtu.hpp"
 
@@ -100,19 +100,6 @@ std::vector<std::uint64_t> due_pictures(const SceneFile& file) {
   return due;
 }
 
-std::vector<Mat3> node_stress_of(const Simulation& now) {
-  const MechanicsState& m = now.state.mechanics;
-  std::vector<Mat3> stress;
-  average_node_stress(
-      stress,
-      {.corners = now.state.cells.map.corners(),
-       .stress = m.elements.stress,
-       .weight = now.scene.fracture.weight == StressWeight::mass ? m.elements.mass
-                                                                 : m.elements.rest_volume},
-      m.vertices.size());
-  return stress;
-}
-
 }  // namespace
 
 std::uint64_t step_count(const Scene& scene) {
@@ -176,7 +163,8 @@ Result<Recorder> Recorder::open(const RecordedRun& run, const Simulation& start,
 
 std::vector<Finding> Recorder::Parts::write_frame_of(const Simulation& now) {
   const std::string name = fmt::format("frames/frame_{:06}.vtu", frames.size());
-  const std::vector<Mat3> stress = node_stress_of(now);
+  const std::vector<Mat3> stress =
+      node_stress_of(now.state.cells, now.state.mechanics, now.scene.fracture.node_stress);
   std::vector<Finding> findings =
       write_frame(folder / name, now.state.cells, now.state.mechanics, origin, stress);
   if (has_error(findings)) return findings;

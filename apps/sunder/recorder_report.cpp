@@ -248,6 +248,8 @@ void add_step(RunStatistics& statistics, const Simulation& now, const StepReport
   statistics.suspects += fracture.suspects;
   statistics.reached += fracture.reached;
   statistics.empty_fans += fracture.empty_fans;
+  statistics.still_empty = fracture.still_empty;
+  statistics.unfitted = std::max(statistics.unfitted, fracture.unfitted);
   statistics.refused_fans += fracture.refused_fans;
   statistics.relieved += fracture.relieved;
   statistics.waiting = fracture.waiting;
@@ -325,6 +327,8 @@ ordered_json run_report(const RunStatistics& s, const Simulation& now,
             {"new_component", distribution(s.fan_us[1])}}},
           {"searched_tetrahedra", s.searched},
           {"empty_fans", s.empty_fans},
+          {"still_empty", s.still_empty},
+          {"unfitted", s.unfitted},
           {"refused_fans", s.refused_fans},
           {"relieved", s.relieved},
           {"waiting", s.waiting},

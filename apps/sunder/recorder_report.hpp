@@ -66,6 +66,8 @@ struct RunStatistics {
   std::size_t fans = 0, faces_split = 0;
   /// Of Gershgorin's bound and of vertices that were over their threshold.
   std::size_t tested = 0, suspects = 0, reached = 0, empty_fans = 0, relieved = 0;
+  /// Vertices that still wait with an empty fan, and most that the node stress `fit` did not fit.
+  std::size_t still_empty = 0, unfitted = 0;
   std::size_t refused_fans = 0;
   /// Left over by the last step's budget.
   std::size_t waiting = 0;

@@ -49,9 +49,16 @@ inline const Names<FractureMode>& names_of(FractureMode) {
       {FractureMode::off, "off"}, {FractureMode::all, "all"}, {FractureMode::budget, "budget"}};
   return names;
 }
-inline const Names<StressWeight>& names_of(StressWeight) {
-  static const Names<StressWeight> names = {{StressWeight::volume, "volume"},
-                                            {StressWeight::mass, "mass"}};
+inline const Names<NodeStress>& names_of(NodeStress) {
+  static const Names<NodeStress> names = {
+      {NodeStress::volume, "volume"}, {NodeStress::mass, "mass"}, {NodeStress::fit, "fit"}};
+  return names;
+}
+inline const Names<ThresholdTest>& names_of(ThresholdTest) {
+  static const Names<ThresholdTest> names = {{ThresholdTest::eigenvalues, "eigenvalues"},
+                                             {ThresholdTest::gershgorin, "gershgorin"},
+                                             {ThresholdTest::exact, "exact"},
+                                             {ThresholdTest::chain, "chain"}};
   return names;
 }
 inline const Names<Detection>& names_of(Detection) {
@@ -359,8 +366,15 @@ void describe(V& v, FractureSettings& f) {
           f.mode);
   v.field(Key{"max_fans", "", "Cracks a step in mode budget", between(1, 4294967295.0)},
           f.max_fans);
-  v.field(Key{"weight", "", "How elements weigh in a node stress (eq. 6; the paper: mass)"},
-          f.weight);
+  v.field(Key{"node_stress", "",
+              "Stress of a vertex: mean of the tetrahedra around it weighted by volume, or by mass "
+              "(eq. 6, the paper's), or fit: linear fit over two rings, better at surfaces"},
+          f.node_stress);
+  v.field(Key{"test", "",
+              "How vertices are tested against their threshold, with the same answers: eigenvalues; "
+              "gershgorin: bound, then eigenvalues (the paper's); exact: leading minors; chain: "
+              "bound, then minors"},
+          f.test);
   v.field(Key{"smallest_piece", "kg",
               "A crack that would part a lighter piece is refused; 0: none is too small",
               at_least(0)},

@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "fracture/fracture_plane.hpp"
-#include "fracture/node_stress.hpp"
+#include "fracture/find_fractures.hpp"
 #include "mechanics/static_solve.hpp"
 
 namespace sunder {
@@ -197,15 +197,7 @@ std::vector<std::size_t> body_of_vertices(const Simulation& sim) {
 }
 
 std::vector<Mat3> scene_node_stress(const Simulation& sim) {
-  const MechanicsState& m = sim.state.mechanics;
-  std::vector<Mat3> stress;
-  const bool by_mass = sim.scene.fracture.weight == StressWeight::mass;
-  average_node_stress(stress,
-                      {.corners = sim.state.cells.map.corners(),
-                       .stress = m.elements.stress,
-                       .weight = by_mass ? m.elements.mass : m.elements.rest_volume},
-                      m.vertices.size());
-  return stress;
+  return node_stress_of(sim.state.cells, sim.state.mechanics, sim.scene.fracture.node_stress);
 }
 
 Result<StaticAnswer> solve_scene(Simulation& sim) {

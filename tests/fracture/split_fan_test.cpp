@@ -99,7 +99,7 @@ TEST_CASE("a fan costs the same in a body 1, 8 and 64 times as large", "[fractur
         const VertexId v = body.cells.map.corners(TetId{0})[place];
         PrincipalTension tension;
         tension.directions = normal.normalized();
-        const FanEvent fan = split_fan(body.cells, body.state, v, tension, {}, scratch);
+        const FanEvent fan = split_fan(body.cells, body.state, plan_fan(body.cells, v, tension), {}, scratch);
         met += fan.visited;
         created += fan.components.created;
       }

@@ -90,3 +90,41 @@ TEST_CASE("a stress that is not a number is a failure and never a fracture", "[f
   }
   CHECK(test_threshold(Matrix3d::Identity(), nan) == ThresholdAnswer::not_a_number);
 }
+
+TEST_CASE("all ways to test give the same answer on a million tensors 1e-9 from the threshold",
+          "[fracture]") {
+  const std::uint64_t seed = std::random_device{}();
+  INFO("seed " << seed);
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> exponent(-9, 0);
+  std::size_t wrong = 0, suspects = 0, tested = 0;
+  while (tested < 1000000) {
+    const Matrix3d m = random_symmetric(random, 1e6);
+    const double value = largest_eigenvalue(m);
+    // Of a threshold far below the entries 1e-9 is less than their rounding leaves of the minors.
+    if (value < 1e5) continue;
+    ++tested;
+    const double away = 1.2 * std::pow(10, exponent(random));
+    const bool above = tested % 2 == 0;
+    const double xi = value * (above ? 1 - 0.9 * away : 1 + 1.2 * away);
+    const auto expected = above ? ThresholdAnswer::reached : ThresholdAnswer::below;
+    for (const ThresholdTest way : {ThresholdTest::eigenvalues, ThresholdTest::gershgorin,
+                                    ThresholdTest::exact, ThresholdTest::chain}) {
+      // Eigenvalues cost a hundred times the others: a sixteenth of the tensors will do.
+      if (way == ThresholdTest::gershgorin && tested % 16 != 0) continue;
+      if (way == ThresholdTest::eigenvalues && tested % 16 > 1) continue;
+      wrong += test_threshold(m, xi, way, suspects) != expected;
+    }
+  }
+  CHECK(wrong == 0);
+}
+
+TEST_CASE("no stress reaches an infinite threshold, whichever way it is tested", "[fracture]") {
+  std::size_t suspects = 0;
+  for (const ThresholdTest way : {ThresholdTest::eigenvalues, ThresholdTest::gershgorin,
+                                  ThresholdTest::exact, ThresholdTest::chain}) {
+    const double infinite = std::numeric_limits<double>::infinity();
+    CHECK(test_threshold(1e9 * Matrix3d::Identity(), infinite, way, suspects) ==
+          ThresholdAnswer::below);
+  }
+}
