@@ -11,9 +11,6 @@
 namespace sunder {
 namespace {
 
-/// The factor C of decisions.md: mode I, about one element from the tip.
-constexpr double crack_tip_factor = 0.45;
-
 bool is_crack_tip(const Cells& cells, VertexId vertex, std::span<const TetId> star) {
   for (const TetId t : star) {
     for (int place = 0; place < 4; ++place) {

@@ -160,9 +160,9 @@ CrackAnswer measured(const Case& c, int cells, double release, double K) {
     ++tips;
   }
   answer.fan_release /= tips;
-  // The vertex's threshold is 0.45 K_Ic / sqrt(h) with K_Ic = 1.
+  // The vertex's threshold is C K_Ic / sqrt(h) with K_Ic = 1.
   answer.load_toughness = threshold * K / (answer.tip_stress * sigma);
-  answer.factor = 0.45 * answer.load_energy / answer.load_toughness;
+  answer.factor = crack_tip_factor * answer.load_energy / answer.load_toughness;
   return answer;
 }
 

@@ -14,7 +14,7 @@ struct CrackAnswer {
   /// Energy released per area, over that of the closed form: by growing the whole front by one
   /// element, and the mean over its vertices of single fans.
   double front_release = 0, fan_release = 0;
-  /// Breaking load over the closed form's: by the tip threshold 0.45 K_Ic / sqrt(h), by the energy
+  /// Breaking load over the closed form's: by the tip threshold C K_Ic / sqrt(h), by the energy
   /// of the whole front, and by a strength without toughness that is right at a / h = 8.
   double load_toughness = 0, load_energy = 0, load_strength = 0;
   /// C of C K_Ic / sqrt(h) for which tip stress and energy of the front break at the same load.
