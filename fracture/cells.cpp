@@ -92,4 +92,12 @@ double vertex_strength(const Cells& cells, const MechanicsState& mechanics, Vert
   return crack_tip_factor * toughness / std::sqrt(h);
 }
 
+Vec3 rest_area_vector(const Cells& cells, HalfFaceId face) {
+  const Corners& corners = cells.map.corners(tetrahedron_of(face));
+  const auto& order = dart_order::face_corners[place_of(face)];
+  const auto x = [&](int k) { return Vec3(cells.map.point(corners[order[k]]).data()); };
+  const Vec3 a = x(0);
+  return 0.5 * (x(1) - a).cross(x(2) - a);
+}
+
 }  // namespace sunder

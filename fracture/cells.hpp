@@ -63,6 +63,9 @@ inline constexpr double crack_tip_factor = 0.54;
 double vertex_strength(const Cells& cells, const MechanicsState& mechanics, VertexId vertex,
                        std::span<const TetId> star);
 
+/// Area vector of a face at rest, m^2, by the order of its corners in `dart_order`.
+Vec3 rest_area_vector(const Cells& cells, HalfFaceId face);
+
 /// Whether a half-face lies on the boundary because of a crack.
 inline bool is_crack_face(const Cells& cells, HalfFaceId face) {
   return cells.map.neighbour(face).is_none() && !cells.skin[face.index()];

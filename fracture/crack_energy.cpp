@@ -9,15 +9,6 @@
 namespace sunder {
 namespace {
 
-double rest_area(const MechanicsState& state, std::span<const Corners> corners, HalfFaceId face) {
-  const Corners& c = corners[tetrahedron_of(face).index()];
-  const auto x = [&](int k) -> const Vec3& {
-    return state.vertices
-        .rest_position[c[static_cast<std::size_t>((place_of(face) + k) % 4)].index()];
-  };
-  return 0.5 * (x(2) - x(1)).cross(x(3) - x(1)).norm();
-}
-
 /// Rows of one vertex that came apart, and the crack they belong to.
 struct Parted {
   std::size_t crack;
@@ -71,19 +62,19 @@ CrackEnergy energy_of(const OpenCrack& crack) {
 }
 
 void open_cracks(std::vector<OpenCrack>& cracks, const NewCracks& fresh,
-                 const MechanicsState& state, std::span<const Corners> corners) {
+                 const MechanicsState& state, const Cells& cells) {
   const std::size_t first = cracks.size();
   for (std::size_t k = 0; k < fresh.fans.size(); ++k) {
     OpenCrack& crack = cracks.emplace_back();
     crack.fan = fresh.first_fan + k;
     crack.time = fresh.time;
     for (const FaceSplit& face : fresh.fans[k].faces) {
-      crack.area += rest_area(state, corners, face.face);
+      crack.area += rest_area_vector(cells, face.face).norm();
     }
   }
   std::vector<std::uint32_t> group(state.vertices.size(), 0);  // 1 + row of `parted`; 0: whole
   const std::vector<Parted> parted = parted_vertices(fresh.fans, first, group);
-  const std::vector<Vec3> force = forces_on(group, state, corners);
+  const std::vector<Vec3> force = forces_on(group, state, cells.map.corners());
   for (const Parted& vertex : parted) {
     // What is left of the sum is the vertex's own inertia and load: the same for every side.
     Vec3 sum = Vec3::Zero();

@@ -48,7 +48,7 @@ struct NewCracks {
   double time = 0;
 };
 void open_cracks(std::vector<OpenCrack>& cracks, const NewCracks& fresh,
-                 const MechanicsState& state, std::span<const Corners> corners);
+                 const MechanicsState& state, const Cells& cells);
 
 /// A part of a step that was just adopted.
 struct CrackStep {

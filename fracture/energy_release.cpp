@@ -239,7 +239,10 @@ std::vector<Vec3> corner_forces(std::span<const CornerLoad> loads, const Mechani
 Result<EnergyRelease> energy_release(MechanicsScratch& scratch, const ReleaseInput& input,
                                      std::span<const HalfFaceId> faces) {
   EnergyRelease release;
-  release.area = rest_area(input.cells, faces);
+  for (const HalfFaceId face : faces) {
+    if (input.cells.map.neighbour(face).is_none()) continue;
+    release.area += rest_area_vector(input.cells, face).norm();
+  }
   const std::vector<PartedVertex> parted = parted_vertices(input.cells.map, faces);
   if (parted.empty()) return release;
   const MechanicsState& m = input.mechanics;

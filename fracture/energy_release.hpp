@@ -7,26 +7,12 @@
 #include <vector>
 
 #include "fracture/cells.hpp"
+#include "fracture/parted_vertices.hpp"
 #include "mechanics/loads.hpp"
 #include "mechanics/step.hpp"
 #include "topology/finding.hpp"
 
 namespace sunder {
-
-/// A vertex that would come apart if some faces were split.
-struct PartedVertex {
-  VertexId vertex;
-  /// The tetrahedra of each part of its star, rising; the parts by their lowest tetrahedron. Two or
-  /// more.
-  std::vector<std::vector<TetId>> sides;
-};
-
-/// The vertices that splitting `faces` would part, in rising order of row: those whose star falls
-/// apart when its tetrahedra no longer meet across these faces. Nothing is split. O(stars).
-std::vector<PartedVertex> parted_vertices(const VolumeMap& map, std::span<const HalfFaceId> faces);
-
-/// Area of faces at rest, m^2.
-double rest_area(const Cells& cells, std::span<const HalfFaceId> faces);
 
 /// A supported body in equilibrium, with what pulls at it.
 struct ReleaseInput {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Which vertices a set of faces would part, without splitting one.
+#include "fracture/parted_vertices.hpp"
+
 #include <algorithm>
 
-#include "fracture/energy_release.hpp"
 #include "topology/fan.hpp"
 
 namespace sunder {
@@ -63,20 +64,6 @@ std::vector<PartedVertex> parted_vertices(const VolumeMap& map, std::span<const 
     if (sides.size() > 1) parted.push_back({v, std::move(sides)});
   }
   return parted;
-}
-
-double rest_area(const Cells& cells, std::span<const HalfFaceId> faces) {
-  double area = 0;
-  for (const HalfFaceId face : faces) {
-    if (cells.map.neighbour(face).is_none()) continue;
-    const auto& corners = cells.map.corners(tetrahedron_of(face));
-    const auto x = [&](int k) {
-      const Point& p = cells.map.point(corners[static_cast<std::size_t>((place_of(face) + k) % 4)]);
-      return Vec3(p[0], p[1], p[2]);
-    };
-    area += 0.5 * (x(2) - x(1)).cross(x(3) - x(1)).norm();
-  }
-  return area;
 }
 
 }  // namespace sunder

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "fracture/parted_vertices.hpp"
 #include "topology/components_impl.hpp"
 
 namespace sunder {
@@ -28,28 +29,17 @@ struct MapWithoutFan {
   }
 };
 
-/// Whether no chain of faces round `v` joins the two sides of `face`.
-bool comes_apart(const MapWithoutFan& view, VertexId v, HalfFaceId face) {
-  const TetId goal = tetrahedron_of(view.map.neighbour(face));
-  std::vector<TetId> met = {tetrahedron_of(face)};
-  for (std::size_t i = 0; i < met.size(); ++i) {
-    const auto& corners = view.map.corners(met[i]);
-    for (int place = 0; place < 4; ++place) {
-      if (corners[place] == v) continue;
-      const HalfFaceId across = view.neighbour(half_face(met[i], place));
-      if (across.is_none()) continue;
-      const TetId t = tetrahedron_of(across);
-      if (t == goal) return false;
-      if (std::ranges::find(met, t) == met.end()) met.push_back(t);
-    }
-  }
-  return true;
-}
-
-bool may_part(const MapWithoutFan& view, HalfFaceId face) {
-  const auto& corners = view.map.corners(tetrahedron_of(face));
+/// Whether the two sides of `face` would be apart at all three of its vertices (the oracle).
+/// `parted`: by row.
+bool may_part(const VolumeMap& map, std::span<const PartedVertex> parted, HalfFaceId face) {
+  const TetId own = tetrahedron_of(face), other = tetrahedron_of(map.neighbour(face));
+  const auto& corners = map.corners(own);
   return std::ranges::all_of(dart_order::face_corners[place_of(face)], [&](int place) {
-    return comes_apart(view, corners[place], face);
+    const auto at = std::ranges::lower_bound(parted, corners[place], {}, &PartedVertex::vertex);
+    if (at == parted.end() || at->vertex != corners[place]) return false;
+    return std::ranges::none_of(at->sides, [&](const std::vector<TetId>& side) {
+      return std::ranges::binary_search(side, own) && std::ranges::binary_search(side, other);
+    });
   });
 }
 
@@ -71,9 +61,10 @@ bool exceeds_limits(const Cells& cells, const MechanicsState& mechanics,
                     ComponentScratch& scratch) {
   if (faces.empty() || (settings.smallest_piece <= 0 && settings.max_pieces == 0)) return false;
   const MapWithoutFan view(cells.map, faces);
+  const std::vector<PartedVertex> parted = parted_vertices(cells.map, faces);
   detail::Lockstep<MapWithoutFan> search(view, scratch);
   for (const HalfFaceId face : faces) {
-    if (!may_part(view, face)) continue;
+    if (!may_part(cells.map, parted, face)) continue;
     search.add_source(tetrahedron_of(face));
     search.add_source(tetrahedron_of(cells.map.neighbour(face)));
   }

@@ -14,17 +14,6 @@ namespace sunder {
 namespace {
 
 Point to_point(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
-Vec3 to_vec3(const Point& p) { return {p[0], p[1], p[2]}; }
-
-/// Area vector of a face at rest, m^2.
-Vec3 area_vector(const Cells& cells, HalfFaceId face) {
-  const auto& corners = cells.map.corners(tetrahedron_of(face));
-  const auto& order = dart_order::face_corners[place_of(face)];
-  const Vec3 a = to_vec3(cells.map.point(corners[order[0]]));
-  const Vec3 b = to_vec3(cells.map.point(corners[order[1]]));
-  const Vec3 c = to_vec3(cells.map.point(corners[order[2]]));
-  return 0.5 * (b - a).cross(c - a);
-}
 
 /// Whether walking round one of the half-face's edges, away from the face, ends at a crack.
 bool borders_crack(const Cells& cells, HalfFaceId face) {
@@ -69,7 +58,7 @@ FanQuality judge_fan(const Cells& cells, const FanPlane& fan) {
   FanQuality quality;
   double area = 0, aligned = 0;
   for (const HalfFaceId f : fan.faces) {
-    const Vec3 a = area_vector(cells, f);
+    const Vec3 a = rest_area_vector(cells, f);
     area += a.norm();
     aligned += std::abs(a.dot(fan.normal));
     quality.on_crack += borders_crack(cells, f) || borders_crack(cells, cells.map.neighbour(f));
@@ -92,7 +81,7 @@ std::vector<Vec3> interior_face_normals(const Cells& cells, VertexId vertex) {
       const HalfFaceId f = half_face(t, place);
       if (cells.map.corners(t)[place] == vertex) continue;
       const HalfFaceId other = cells.map.neighbour(f);
-      if (!other.is_none() && f < other) normals.push_back(area_vector(cells, f).normalized());
+      if (!other.is_none() && f < other) normals.push_back(rest_area_vector(cells, f).normalized());
     }
   }
   return normals;

@@ -71,37 +71,34 @@ void answer_elastically(AnsweringBody& body, const ContactPass& pass, const Comp
                         std::span<const VertexId> slots) {
   ComponentSystem& system = *pass.mechanics.systems[component.id.index()];
   const auto [local, slot] = free_slots(pass, slots);
-  if (pass.input.settings.integrator == Integrator::modal) {
-    body.turn = component.orientation.toRotationMatrix();
-    const auto all = static_cast<Eigen::Index>(3 * slots.size());
-    body.elastic.setZero(all, all);
-    const Eigen::MatrixXd answer =
-        modal_answer({pass.mechanics, pass.state, pass.input, component, &system}, local);
+  body.turn = component.orientation.toRotationMatrix();
+  const auto size = static_cast<Eigen::Index>(3 * slots.size());
+  body.elastic.setZero(size, size);
+  const auto fill = [&](auto block) {
     for (std::size_t b = 0; b < slot.size(); ++b) {
       for (std::size_t a = 0; a < slot.size(); ++a) {
-        body.elastic.block<3, 3>(3 * slot[a], 3 * slot[b]) = answer.block<3, 3>(
-            static_cast<Eigen::Index>(3 * a), static_cast<Eigen::Index>(3 * b));
+        body.elastic.block<3, 3>(3 * slot[a], 3 * slot[b]) = block(a, b);
       }
     }
-    return;
+  };
+  if (pass.input.settings.integrator == Integrator::modal) {
+    const Eigen::MatrixXd answer =
+        modal_answer({pass.mechanics, pass.state, pass.input, component, &system}, local);
+    return fill([&](std::size_t a, std::size_t b) -> Mat3 {
+      return answer.block<3, 3>(static_cast<Eigen::Index>(3 * a), static_cast<Eigen::Index>(3 * b));
+    });
   }
   const FactorUse use = use_of(pass);
   const std::vector<std::uint32_t> places = touch_compliance(system, local, use);
   const SystemFactor& factor = factor_of(system, use);
   const double scale = answer_scale(pass, component);
-  body.turn = component.orientation.toRotationMatrix();
   if (!component.supported) {
     body.rigid_mass = scale / (factor.matrix.mass * component.mass);
     body.rigid_inertia = scale / factor.matrix.mass * system.shape.inertia.inverse();
   }
-  const auto size = static_cast<Eigen::Index>(3 * slots.size());
-  body.elastic.setZero(size, size);
-  for (std::size_t b = 0; b < slot.size(); ++b) {
-    for (std::size_t a = 0; a < slot.size(); ++a) {
-      body.elastic.block<3, 3>(3 * slot[a], 3 * slot[b]) =
-          scale * factor.compliance.block<3, 3>(3 * places[a], 3 * places[b]);
-    }
-  }
+  fill([&](std::size_t a, std::size_t b) -> Mat3 {
+    return scale * factor.compliance.block<3, 3>(3 * places[a], 3 * places[b]);
+  });
 }
 
 /// Columns of A^-1 that the answers will be made of, those of all bodies together.

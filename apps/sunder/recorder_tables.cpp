@@ -54,12 +54,7 @@ void add_surface(Fragment& f, const Cells& cells, TetId t) {
   for (int place = 0; place < 4; ++place) {
     const HalfFaceId face = half_face(t, place);
     if (!cells.map.neighbour(face).is_none()) continue;
-    std::array<Vec3, 3> p;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const VertexId v = cells.map.corners(t)[dart_order::face_corners[place][k]];
-      p[k] = Vec3(cells.map.point(v).data());
-    }
-    const double area = 0.5 * (p[1] - p[0]).cross(p[2] - p[0]).norm();
+    const double area = rest_area_vector(cells, face).norm();
     f.surface += area;
     if (is_crack_face(cells, face)) f.crack_area += area;
   }

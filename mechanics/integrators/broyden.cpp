@@ -52,10 +52,7 @@ void step_broyden(const ComponentStep& step) {
   WorldField y = problem.start, F;
   residual(F, problem, y);
   // The factor is turned as the body will be.
-  const Mat3 R = step.component.supported ? step.component.orientation.toRotationMatrix()
-                                          : rigid_reference(step.component, step.state.vertices,
-                                                            step.scratch.predicted.position)
-                                                .orientation.toRotationMatrix();
+  const Mat3 R = predicted_turn(step);
   const double first = F.norm(), target = good_enough(problem, first);
   Updates updates{baseline_of(step).updates};
   SolveReport report;

@@ -208,10 +208,7 @@ void step_prefactored_euler(const ComponentStep& step) {
   EulerProblem problem = euler_problem(step);
   WorldField y = problem.start, F;
   residual(F, problem, y);
-  const Mat3 R = step.component.supported ? step.component.orientation.toRotationMatrix()
-                                          : rigid_reference(step.component, step.state.vertices,
-                                                            step.scratch.predicted.position)
-                                                .orientation.toRotationMatrix();
+  const Mat3 R = predicted_turn(step);
   const double first = F.norm(), target = good_enough(problem, first);
   SolveReport report;
   double last = first;

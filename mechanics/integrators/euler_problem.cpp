@@ -136,6 +136,13 @@ void finish_euler(const EulerProblem& problem, WorldField& y, const SolveReport&
   predicted.frame[step.component.id.index()].solve = report;
 }
 
+Mat3 predicted_turn(const ComponentStep& step) {
+  const Component& body = step.component;
+  if (body.supported) return body.orientation.toRotationMatrix();
+  return rigid_reference(body, step.state.vertices, step.scratch.predicted.position)
+      .orientation.toRotationMatrix();
+}
+
 void fall_back(const ComponentStep& step, SolveReport report) {
   ComponentStep by_factor = step;
   report.not_converged = 1;

@@ -127,14 +127,11 @@ void step_newton_cg(const ComponentStep& step) {
     const bool going = std::isfinite(F.norm()) && k < most_systems;
     if (!going || report.iterations >= settings.max_iterations) return fall_back(step, report);
     const std::vector<Vec3>& position = step.scratch.predicted.position;
-    const RigidFrame frame = step.component.supported
-                                 ? RigidFrame{Vec3::Zero(), step.component.orientation}
-                                 : rigid_reference(step.component, step.state.vertices, position);
     if (settings.model == ElasticModel::corotational) {
       const ElasticInput elastic{step.state, step.input.corners, position};
       element_rotations(baseline_of(step).turn, elastic, step.component);
     }
-    const Tangent tangent = make_tangent(step, frame.orientation.toRotationMatrix());
+    const Tangent tangent = make_tangent(step, predicted_turn(step));
     report.iterations +=
         newton_step(F, tangent, 0.5 * target, settings.max_iterations - report.iterations);
     y += F;

@@ -55,7 +55,7 @@ std::size_t cut_in_the_middle(Simulation& sim) {
                              scratch);
     if (!fan.faces.empty()) fans.push_back(std::move(fan));
   }
-  open_cracks(sim.state.cracks, {fans, 0, m.time}, m, sim.state.cells.map.corners());
+  open_cracks(sim.state.cracks, {fans, 0, m.time}, m, sim.state.cells);
   m.elements.component = sim.state.cells.labels.of_tetrahedron;
   std::vector<ComponentId> all;
   for (std::size_t c = 0; c < sim.state.cells.labels.size.size(); ++c) all.emplace_back(c);

@@ -103,7 +103,7 @@ TEST_CASE("a strength drawn has the law's own value for its uniform number", "[f
   CHECK(weibull_factor(w, {1, 0, 1}) != whole);
 }
 
-TEST_CASE("a pulled bar breaks first near its weakest vertex, and copies keep their flaw",
+TEST_CASE("a pulled bar breaks where the strength drawn is reached, and copies keep their flaw",
           "[fracture][strength]") {
   for (const std::uint32_t seed : {1U, 2U, 3U}) {
     INFO("seed " << seed);

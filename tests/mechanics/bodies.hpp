@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <random>
@@ -113,6 +114,16 @@ inline StepStatus run(
     if (status.outcome != StepOutcome::fine) break;
   }
   return status;
+}
+
+/// Projection of the displacement on the first axial mode of a bar of 1 m along x, kg m.
+inline double axial_amplitude(const MechanicsState& state) {
+  double sum = 0;
+  for (std::size_t v = 0; v < state.vertices.size(); ++v) {
+    sum += state.vertices.mass[v] * state.vertices.displacement[v].x() *
+           std::sin(3.14159265358979323846 * state.vertices.rest_position[v].x());
+  }
+  return sum;
 }
 
 }  // namespace sunder::test
