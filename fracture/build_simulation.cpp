@@ -58,8 +58,7 @@ TetMesh join_meshes(const std::vector<BodySettings>& bodies, std::vector<BodyRow
       for (std::uint32_t& c : corners) c += first_point;
       all.tetrahedra.push_back(corners);
     }
-    rows.push_back(
-        {first_tetrahedron, all.tetrahedra.size(), first_point, all.points.size()});
+    rows.push_back({first_tetrahedron, all.tetrahedra.size(), first_point, all.points.size()});
   }
   return all;
 }
@@ -110,10 +109,10 @@ std::vector<Finding> hold_vertices(Simulation& sim, std::size_t body) {
     }
     m.motions.push_back({held[i].velocity});
     if (count > 0) continue;
-    findings.push_back({.code = "nothing_held",
-                        .text = fmt::format("bodies[{}].held[{}]: no vertex of the mesh lies in it",
-                                            body, i),
-                        .remedy = "give the box in the mesh's own coordinates, m"});
+    findings.push_back(
+        {.code = "nothing_held",
+         .text = fmt::format("bodies[{}].held[{}]: no vertex of the mesh lies in it", body, i),
+         .remedy = "give the box in the mesh's own coordinates, m"});
   }
   return findings;
 }
@@ -168,10 +167,11 @@ void warn_of_slender_bodies(std::vector<Finding>& findings, const MechanicsState
         {.code = "slender_body",
          .severity = Severity::warning,
          .ids = {static_cast<std::int64_t>(c.id.index())},
-         .text = fmt::format("component {} is {:.3g} times as long as thick and breaks at a strain "
-                             "of {:.3g}: bent so far, one rigid reference sees up to {:.0f} per cent "
-                             "of false strain in it",
-                             c.id.index(), ratio, strain, 50 * strain * ratio * ratio),
+         .text =
+             fmt::format("component {} is {:.3g} times as long as thick and breaks at a strain "
+                         "of {:.3g}: bent so far, one rigid reference sees up to {:.0f} per cent "
+                         "of false strain in it",
+                         c.id.index(), ratio, strain, 50 * strain * ratio * ratio),
          .remedy = "read its bending stresses as too high, or take a stiffer material or a "
                    "shorter body"});
   }
@@ -213,7 +213,8 @@ Result<Simulation> build_simulation(Scene scene) {
                  .loads = {},
                  .state = {.cells = std::move(cells), .mechanics = std::move(*mechanics)}};
   sim.state.obstacles = sim.scene.obstacles;
-  for (std::size_t b = 0; b < sim.bodies.size(); ++b) append(result.findings, hold_vertices(sim, b));
+  for (std::size_t b = 0; b < sim.bodies.size(); ++b)
+    append(result.findings, hold_vertices(sim, b));
   append(result.findings, make_scene_loads(sim));
   if (has_error(result.findings)) return result;
   const std::vector<ComponentId> living = living_components(sim.state.mechanics);

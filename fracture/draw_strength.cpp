@@ -56,9 +56,8 @@ struct BodyFindings {
 
   void add(const char* code, const std::string& where, const std::string& text,
            const std::string& remedy) const {
-    findings.push_back({.code = code,
-                        .text = fmt::format("{}.{} {}", place, where, text),
-                        .remedy = remedy});
+    findings.push_back(
+        {.code = code, .text = fmt::format("{}.{} {}", place, where, text), .remedy = remedy});
   }
   void number(const std::string& where, double value) const {
     if (value > 0 && std::isfinite(value)) return;
@@ -66,7 +65,8 @@ struct BodyFindings {
         "give a finite number above 0");
   }
   void unknown_region(const std::string& where, const RegionName& name) const {
-    add("unknown_region", where, fmt::format("is '{}': no tetrahedron of the mesh has it", name.text),
+    add("unknown_region", where,
+        fmt::format("is '{}': no tetrahedron of the mesh has it", name.text),
         "give the name or the number of a region; `sunder check` lists them");
   }
 };
@@ -179,8 +179,9 @@ std::optional<std::int32_t> find_region(const TetMesh& mesh, const RegionName& n
     const auto [stop, reason] = std::from_chars(name.text.data(), end, region);
     if (reason != std::errc{} || stop != end) return std::nullopt;
   }
-  const bool used = mesh.region.empty() ? region == 0
-                                        : std::ranges::find(mesh.region, region) != mesh.region.end();
+  const bool used = mesh.region.empty()
+                        ? region == 0
+                        : std::ranges::find(mesh.region, region) != mesh.region.end();
   if (!used) return std::nullopt;
   return region;
 }

@@ -12,8 +12,8 @@
 namespace sunder {
 namespace {
 
-/// Overstresses that differ by less are tied: far above rounding and what a solver leaves, far below
-/// what a mesh resolves.
+/// Overstresses that differ by less are tied: far above rounding and what a solver leaves, far
+/// below what a mesh resolves.
 constexpr double tie = 1e-6;
 /// Change of a tensor over its norm that may turn its planes by about half a degree.
 constexpr double changed_direction = 0.01;
@@ -45,8 +45,7 @@ struct Work {
   }
 };
 
-ElementStress element_stress(const Cells& cells, const MechanicsState& mechanics,
-                             NodeStress mode) {
+ElementStress element_stress(const Cells& cells, const MechanicsState& mechanics, NodeStress mode) {
   const ElementColumns& e = mechanics.elements;
   return {cells.map.corners(), e.stress, mode == NodeStress::mass ? e.mass : e.rest_volume};
 }

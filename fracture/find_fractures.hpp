@@ -39,11 +39,12 @@ struct FractureReport {
 struct FractureScratch {
   /// |V|, Pa, as it stands after the fans of the last call; for display too.
   std::vector<Mat3> node_stress;
-  std::vector<double> weight;      ///< |V|, of `average_node_stress`
+  std::vector<double> weight;  ///< |V|, of `average_node_stress`
   std::vector<char> rows;      ///< |V|: looked at
   std::vector<char> broken;    ///< |V|: broken in this call
-  std::vector<double> queued;  ///< |V|: overstress with which it stands in the queue; 0: it does not
-  StressFit fit;               ///< of the node stress `fit`
+  std::vector<double>
+      queued;     ///< |V|: overstress with which it stands in the queue; 0: it does not
+  StressFit fit;  ///< of the node stress `fit`
   FanScratch fan;
 };
 

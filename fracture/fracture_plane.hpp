@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The plane of a crack at a vertex: normals that the stress allows. Which one wins is the fan's affair.
+// The plane of a crack at a vertex: normals that the stress allows. Which one wins is the fan's
+// affair.
 #pragma once
 
 #include <Eigen/Core>

@@ -73,8 +73,8 @@ void gather_members(StepWork& work, std::span<const ComponentId> seeds) {
     others.push_back({ball.center, ball.radius, &work.balls[k]});
   }
   for (ComponentId id : seeds) work.components[id.index()] = 1;
-  const auto seeds_end = std::partition(others.begin(), others.end(),
-                                        [](const Around& a) { return *a.member == 0; });
+  const auto seeds_end =
+      std::partition(others.begin(), others.end(), [](const Around& a) { return *a.member == 0; });
   reached.assign(seeds_end, others.end());
   others.erase(seeds_end, others.end());
   while (!reached.empty()) {
@@ -133,8 +133,7 @@ void take_sub_step(StepWork& work) {
 std::uint64_t approach(StepWork& work, std::uint64_t left, double time) {
   const double sub_step = work.sim.state.impact.sub_step;
   const double most = static_cast<double>(left - 1);
-  const auto count =
-      static_cast<std::uint64_t>(std::clamp(std::floor(time / sub_step), 0.0, most));
+  const auto count = static_cast<std::uint64_t>(std::clamp(std::floor(time / sub_step), 0.0, most));
   if (count == 0) return 0;
   take_part(work, {{Deformation::frozen, 0, &work.sim.scene.impact},
                    static_cast<double>(count) * sub_step});
@@ -146,9 +145,8 @@ std::uint64_t approach(StepWork& work, std::uint64_t left, double time) {
 std::uint64_t take_coarsely(StepWork& work, std::uint64_t left) {
   Simulation& sim = work.sim;
   const ImpactSettings* impact = work.report.impact.stopped ? nullptr : &sim.scene.impact;
-  const PartResult rest =
-      take_part(work, {{Deformation::catch_up, sim.scene.time_step, impact},
-                       static_cast<double>(left) * sim.state.impact.sub_step});
+  const PartResult rest = take_part(work, {{Deformation::catch_up, sim.scene.time_step, impact},
+                                           static_cast<double>(left) * sim.state.impact.sub_step});
   if (rest.adopted) {
     break_members(work);
     return left;

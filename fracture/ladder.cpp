@@ -71,8 +71,9 @@ double swing(const MechanicsState& state, const Component& component, double str
   const double period = extent_travel(state, component) / 3;
   double fastest = 0;
   for (VertexId v : component.vertices) {
-    fastest = std::max(fastest, state.vertices.displacement_rate[v.index()].norm() +
-                                    period * state.vertices.displacement_acceleration[v.index()].norm());
+    fastest =
+        std::max(fastest, state.vertices.displacement_rate[v.index()].norm() +
+                              period * state.vertices.displacement_acceleration[v.index()].norm());
   }
   return fastest * material.density * compression_wave_speed(material) / strength;
 }
@@ -83,8 +84,8 @@ bool is_left_alone(const StepWork& work, const Component& component) {
          work.sim.state.impact.quiet[component.id.index()] == ImpactWindow::closed;
 }
 
-/// Whether the component may go rigid or stay so. What it would give up must be nothing: outcomes of
-/// many blows are chaotic, and a millionth of the critical speed was seen in them late.
+/// Whether the component may go rigid or stay so. What it would give up must be nothing: outcomes
+/// of many blows are chaotic, and a millionth of the critical speed was seen in them late.
 bool flies_safely(const StepWork& work, const Component& component) {
   constexpr double nothing = 1e-7;
   const SimulationState& s = work.sim.state;
@@ -119,9 +120,9 @@ bool loads_are_steady(const Simulation& sim) {
 
 bool is_carried(const MechanicsState& state, const Component& component) {
   return component.supported && std::ranges::any_of(component.vertices, [&](VertexId v) {
-    const MotionId motion = state.vertices.support[v.index()];
-    return !motion.is_none() && !state.motions[motion.index()].velocity.isZero(0);
-  });
+           const MotionId motion = state.vertices.support[v.index()];
+           return !motion.is_none() && !state.motions[motion.index()].velocity.isZero(0);
+         });
 }
 
 /// Takes rest from everything that touches what is awake.
@@ -185,7 +186,8 @@ double fall_asleep(MechanicsState& state, Component& component) {
   component.momentum.setZero();
   component.angular_momentum.setZero();
   for (VertexId v : component.vertices) {
-    energy += 0.5 * state.vertices.mass[v.index()] * state.vertices.velocity[v.index()].squaredNorm();
+    energy +=
+        0.5 * state.vertices.mass[v.index()] * state.vertices.velocity[v.index()].squaredNorm();
     state.vertices.velocity[v.index()].setZero();
     state.vertices.displacement_rate[v.index()].setZero();
     state.vertices.displacement_acceleration[v.index()].setZero();

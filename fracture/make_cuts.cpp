@@ -35,7 +35,8 @@ struct Cut {
   std::vector<Finding>& findings;
 
   void add(const char* code, const std::string& text, const char* remedy) const {
-    findings.push_back({.code = code, .text = fmt::format("{}: {}", place, text), .remedy = remedy});
+    findings.push_back(
+        {.code = code, .text = fmt::format("{}: {}", place, text), .remedy = remedy});
   }
 };
 
@@ -92,8 +93,8 @@ void check_place(const Cut& cut) {
 std::vector<HalfFaceId> faces_of(const Cut& cut, const VolumeMap& map) {
   check_place(cut);
   const std::size_t before = cut.findings.size();
-  std::vector<HalfFaceId> faces = std::visit(
-      [&](const auto& what) { return faces_of(cut, map, what); }, cut.settings.faces);
+  std::vector<HalfFaceId> faces =
+      std::visit([&](const auto& what) { return faces_of(cut, map, what); }, cut.settings.faces);
   std::erase_if(faces, [&](HalfFaceId f) { return !contains(cut.settings, map, f); });
   if (faces.empty() && cut.findings.size() == before) {
     cut.add("nothing_cut", "no face inside the body lies in it",

@@ -61,8 +61,7 @@ void rebuild_components(StepWork& work, const FractureReport& fracture) {
   SimulationState& s = sim.state;
   const std::size_t before = s.display.size();
   const auto touched = touched_components(s.cells.labels, fracture, before);
-  open_cracks(s.cracks, {fracture.fans, s.fans, s.mechanics.time}, s.mechanics,
-              s.cells);
+  open_cracks(s.cracks, {fracture.fans, s.fans, s.mechanics.time}, s.mechanics, s.cells);
   s.fans += fracture.fans.size();
   std::vector<Vec3> old_rest_centre;
   for (std::size_t id = 0; id < before; ++id) {

@@ -36,9 +36,9 @@ bool borders_crack(const Cells& cells, HalfFaceId face) {
 
 bool touches_unbreakable(const Cells& cells, HalfFaceId face) {
   const auto& corners = cells.map.corners(tetrahedron_of(face));
-  return std::ranges::any_of(
-      dart_order::face_corners[place_of(face)],
-      [&](int place) { return cells.unbreakable[corners[place].index()] != 0; });
+  return std::ranges::any_of(dart_order::face_corners[place_of(face)], [&](int place) {
+    return cells.unbreakable[corners[place].index()] != 0;
+  });
 }
 
 /// The faces that a plane parts, but for those that nothing may split.

@@ -67,7 +67,8 @@ struct FanScratch {
 
 /// Splits the faces of a fan (algorithm 4), but for those that another fan has split since it was
 /// decided on: each is unsewn in turn and the oracle asked after each, then the components. Appends
-/// the columns of every vertex that split, in `mechanics.vertices` and `cells.strength`; masses and frames are left to `rebuild`, `elements.component` to its caller.
+/// the columns of every vertex that split, in `mechanics.vertices` and `cells.strength`; masses and
+/// frames are left to `rebuild`, `elements.component` to its caller.
 ///
 ///        +   |   -            before: one vertex v        after: v on the side of the half-face
 ///      ______v______    ->    ______v | v'______          that was passed, a copy on the other

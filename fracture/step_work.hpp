@@ -64,7 +64,8 @@ void break_members(StepWork& work);
 void advance_sub_stepped(StepWork& work);
 
 /// What the bodies as they are ask of a bounded integrator beyond its bounds: a warning for verlet
-/// above its step, errors for sub_stepped above its count and modal above its size. Splits only make bodies smaller.
+/// above its step, errors for sub_stepped above its count and modal above its size. Splits only
+/// make bodies smaller.
 std::vector<Finding> check_integrator_bounds(Simulation& sim);
 
 /// A step in which components may be struck: blows ahead open windows (docs/impact.md).

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Node stress by a linear fit over two rings of tetrahedra: weights from rest geometry, kept until a
-// crack comes by.
+// Node stress by a linear fit over two rings of tetrahedra: weights from rest geometry, kept until
+// a crack comes by.
 #pragma once
 
 #include <cstdint>
@@ -40,12 +40,11 @@ struct StressFit {
 ///
 /// Weights of the linear least-squares fit of the element stresses, taken at rest centres x_e and
 /// weighted by rest volume V_e, evaluated at the vertex: with the volume-weighted mean m and
-/// covariance C of the centres, w_e = V_e / sum V (1 - (m - v)^T C^-1 (x_e - m)). They depend on rest
-/// geometry alone, and reproduce every linear stress field exactly.
-/// Falls back to the mean over the star (`fitted` false) where the patch has fewer than eight
-/// tetrahedra, C is singular to 1e-6, or the vertex lies so far outside of the centres,
-/// (m - v)^T C^-1 (m - v) > 25, that the fit would amplify errors of the stresses fivefold.
-/// `volume`: |T|, m^3. O(patch), some 10 us.
+/// covariance C of the centres, w_e = V_e / sum V (1 - (m - v)^T C^-1 (x_e - m)). They depend on
+/// rest geometry alone, and reproduce every linear stress field exactly. Falls back to the mean
+/// over the star (`fitted` false) where the patch has fewer than eight tetrahedra, C is singular to
+/// 1e-6, or the vertex lies so far outside of the centres, (m - v)^T C^-1 (m - v) > 25, that the
+/// fit would amplify errors of the stresses fivefold. `volume`: |T|, m^3. O(patch), some 10 us.
 StressPatch make_stress_patch(const VolumeMap& map, std::span<const double> volume,
                               VertexId vertex);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does the largest principal stress of a vertex reach the tensile threshold? Bound, exact test, value.
+// Does the largest principal stress of a vertex reach the tensile threshold? Bound, exact test,
+// value.
 #pragma once
 
 #include <Eigen/Core>

@@ -69,9 +69,9 @@ struct ComponentSystem {
   std::size_t size() const { return order.size(); }
 };
 
-/// How far a border goes: this many copies, but one to this many vertices of the factor at most, for
-/// this many parts of steps. Fixed numbers, so that results do not depend on timing; where a new
-/// factor costs as much is measured by `sunder bench step`.
+/// How far a border goes: this many copies, but one to this many vertices of the factor at most,
+/// for this many parts of steps. Fixed numbers, so that results do not depend on timing; where a
+/// new factor costs as much is measured by `sunder bench step`.
 struct BorderLimits {
   static constexpr std::size_t copies = 32, vertices_to_copy = 20;
   static constexpr std::uint32_t age = 100;

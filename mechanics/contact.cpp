@@ -50,10 +50,8 @@ void predict_balls(ContactStep& step) {
 /// + h^2 g / 2 for what has not been touched yet, nothing for the rest.
 Vec3 weight_shift(const ContactStep& step, ComponentId id) {
   const Component& component = step.pass.state.components[id.index()];
-  const bool falls_later =
-      component.isolated || !is_explicit(step.pass.input.settings.integrator);
-  const bool shifts = falls_later && !component.supported &&
-                      component.rung != Rung::asleep &&
+  const bool falls_later = component.isolated || !is_explicit(step.pass.input.settings.integrator);
+  const bool shifts = falls_later && !component.supported && component.rung != Rung::asleep &&
                       !step.room.blows.component_touched[id.index()];
   return shifts ? Vec3{0.5 * step.h() * step.h() * step.pass.input.loads.gravity} : Vec3::Zero();
 }
@@ -242,7 +240,8 @@ void leave_alone(ContactStep& step) {
 bool meet(ContactStep& step, double deepest) {
   bool clear = detect_contacts(step);
   const MechanicsState& state = step.pass.state;
-  if (std::ranges::none_of(state.components, [](const Component& c) { return on_lower_rung(&c); })) {
+  if (std::ranges::none_of(state.components,
+                           [](const Component& c) { return on_lower_rung(&c); })) {
     return clear;
   }
   for (;;) {

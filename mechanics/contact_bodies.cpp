@@ -241,7 +241,9 @@ void add_tetrahedron_ends(ContactRow& row, TetId t, const ContactBodies& bodies,
   const Component& component = pass.state.components[id.index()];
   if (component.isolated) {
     const Vec3 arm = center_of(corners, pass.state.vertices.position) - component.centre;
-    add_end(row, {bodies.body_of_component[id.index()], ContactEnd::rigid_slot, -1, arm, Vec3::Zero(), {}});
+    add_end(
+        row,
+        {bodies.body_of_component[id.index()], ContactEnd::rigid_slot, -1, arm, Vec3::Zero(), {}});
     return;
   }
   for (VertexId v : corners) add_end(row, vertex_end(bodies, pass, v, -0.25));
@@ -261,7 +263,8 @@ ContactRow row_of(const ContactPoint& contact, const ContactBodies& bodies,
     const Sphere& ball = sphere_of(pass.obstacles[contact.ball]);
     const Vec3 arm = -ball.radius * contact.normal;
     place = ball.center + arm;
-    add_end(row, {bodies.body_of_ball[contact.ball], ContactEnd::rigid_slot, 1, arm, Vec3::Zero(), {}});
+    add_end(row,
+            {bodies.body_of_ball[contact.ball], ContactEnd::rigid_slot, 1, arm, Vec3::Zero(), {}});
   }
   if (contact.obstacle == ContactPoint::none) {
     add_tetrahedron_ends(row, contact.tetrahedron, bodies, pass);
@@ -269,7 +272,9 @@ ContactRow row_of(const ContactPoint& contact, const ContactBodies& bodies,
     // From the ball's centre to where side A is, not to its surface: both sides then feel the same
     // line of action, and angular momentum is conserved exactly.
     const Vec3 arm = place - sphere_of(pass.obstacles[contact.obstacle]).center;
-    add_end(row, {bodies.body_of_ball[contact.obstacle], ContactEnd::rigid_slot, -1, arm, Vec3::Zero(), {}});
+    add_end(
+        row,
+        {bodies.body_of_ball[contact.obstacle], ContactEnd::rigid_slot, -1, arm, Vec3::Zero(), {}});
   }
   return row;
 }

@@ -48,7 +48,7 @@ Vec3 coming_velocity(const Bounce& bounce, const ContactEnd& end) {
   }
   const std::size_t v = end.vertex.index();
   return vertices.velocity[v] + bounce.reach(end) * (bounce.component_of(end).orientation *
-                                                vertices.displacement_acceleration[v]);
+                                                     vertices.displacement_acceleration[v]);
 }
 
 /// Normal acceleration that a vertex remembers becomes the velocity it stands for.

@@ -52,9 +52,9 @@ inline double gap_end(const ContactPoint& contact, const ContactPath& path) {
   return contact.normal.dot(path.end) + contact.offset;
 }
 
-/// When, after how many seconds, and how fast (m/s) the sides of a contact meet, from their gaps and
-/// velocities: the parabola with the gap and speed of the start and the gap of the end. What touches
-/// at the start meets at once. Infinite time: not in this step.
+/// When, after how many seconds, and how fast (m/s) the sides of a contact meet, from their gaps
+/// and velocities: the parabola with the gap and speed of the start and the gap of the end. What
+/// touches at the start meets at once. Infinite time: not in this step.
 struct Meeting {
   double time = std::numeric_limits<double>::infinity();
   double speed = 0;

@@ -25,9 +25,9 @@ struct AnsweringBody {
   double rigid_mass = 0;                ///< 1/m of the elastic part, m/(N s)
   Mat3 rigid_inertia = Mat3::Zero();    ///< J0^-1 of the elastic part, 1/(N s m)
   // What the solve accumulates:
-  Vec3 velocity = Vec3::Zero();  ///< m/s, change
-  Vec3 spin = Vec3::Zero();      ///< rad/s, change
-  Eigen::VectorXd displacement;  ///< 3k, m: change by E, own frame
+  Vec3 velocity = Vec3::Zero();                        ///< m/s, change
+  Vec3 spin = Vec3::Zero();                            ///< rad/s, change
+  Eigen::VectorXd displacement;                        ///< 3k, m: change by E, own frame
   Vec3 impulse = Vec3::Zero(), moment = Vec3::Zero();  ///< on slots, own frame, N s and N s m
 };
 

@@ -155,9 +155,8 @@ void predict_wave_balls(ContactStep& step) {
     const Obstacle& ball = step.pass.obstacles[k];
     if (!ball.mass) continue;
     const Vec3 pushed = WaveScheme::theta * step.room.blows.ball_impulse[k] / *ball.mass;
-    step.room.ball_end[k] =
-        std::get<Sphere>(ball.shape).center +
-        h * (ball.velocity + 0.5 * h * step.pass.input.loads.gravity + pushed);
+    step.room.ball_end[k] = std::get<Sphere>(ball.shape).center +
+                            h * (ball.velocity + 0.5 * h * step.pass.input.loads.gravity + pushed);
   }
 }
 
@@ -185,8 +184,7 @@ void feel_blows(ContactStep& step) {
     }
     if (!is_blow(state, component, fastest, impact)) continue;
     step.blows.struck.push_back(component.id);
-    step.blows.sub_step =
-        std::min(step.blows.sub_step, wave_sub_step(state, component, impact));
+    step.blows.sub_step = std::min(step.blows.sub_step, wave_sub_step(state, component, impact));
   }
 }
 

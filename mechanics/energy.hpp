@@ -39,10 +39,10 @@ struct StressEnergy {
   /// sigma : eps / 2, J/m^3. `sigma` symmetric.
   double density(const Mat3& sigma) const {
     const double trace = sigma(0, 0) + sigma(1, 1) + sigma(2, 2);
-    const double normal = sigma(0, 0) * sigma(0, 0) + sigma(1, 1) * sigma(1, 1) +
-                          sigma(2, 2) * sigma(2, 2);
-    const double shear = sigma(1, 0) * sigma(1, 0) + sigma(2, 0) * sigma(2, 0) +
-                         sigma(2, 1) * sigma(2, 1);
+    const double normal =
+        sigma(0, 0) * sigma(0, 0) + sigma(1, 1) * sigma(1, 1) + sigma(2, 2) * sigma(2, 2);
+    const double shear =
+        sigma(1, 0) * sigma(1, 0) + sigma(2, 0) * sigma(2, 0) + sigma(2, 1) * sigma(2, 1);
     return factor * (normal + 2 * shear - share * trace * trace);
   }
 };

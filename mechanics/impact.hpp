@@ -38,7 +38,8 @@ struct Blows {
   std::vector<ComponentId> struck;  ///< ascending, none twice
 };
 
-/// s, the time of a compression wave's way through a cell of mean size: the mean of (6 V)^(1/3) / c.
+/// s, the time of a compression wave's way through a cell of mean size: the mean of (6 V)^(1/3) /
+/// c.
 double cell_travel(const MechanicsState& state, const Component& component);
 
 /// L/c of a component, s.

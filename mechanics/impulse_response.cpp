@@ -146,8 +146,9 @@ void add_elastic_response(Eigen::MatrixXd& Y, ComponentSystem& system, const Imp
     const Mat3 arm_a = cross_matrix(system.shape.arm.col(free.local[a]));
     for (std::size_t b = 0; b < free.row.size(); ++b) {
       const Mat3 arm_b = cross_matrix(system.shape.arm.col(free.local[b]));
-      Mat3 block = answer.inverse * system.step.compliance.block<3, 3>(3 * places[a], 3 * places[b]) +
-                   rigid_part * arm_a * inverse_inertia * arm_b;
+      Mat3 block =
+          answer.inverse * system.step.compliance.block<3, 3>(3 * places[a], 3 * places[b]) +
+          rigid_part * arm_a * inverse_inertia * arm_b;
       block.diagonal().array() -= rigid_part / component.mass;
       if (a == b) block.diagonal().array() += answer.mass / system.shape.mass[free.local[a]];
       Y.block<3, 3>(3 * free.row[a], 3 * free.row[b]) += R * block * R.transpose();

@@ -32,7 +32,8 @@ Lame lame(const Material& material);
 /// Speed of a compression wave along a bar, sqrt(E / rho), m/s.
 double bar_wave_speed(const Material& material);
 
-/// Speed of a compression wave in the solid, sqrt((lambda + 2 mu) / rho), m/s: the fastest there is.
+/// Speed of a compression wave in the solid, sqrt((lambda + 2 mu) / rho), m/s: the fastest there
+/// is.
 double compression_wave_speed(const Material& material);
 
 /// Everything that is wrong with `material`, an error each with value, range and remedy. `place`

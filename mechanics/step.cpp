@@ -45,13 +45,13 @@ void step_euler(ComponentStep& step) {
   const bool corotational = settings.model == ElasticModel::corotational;
   const bool reassembled = settings.integrator == Integrator::implicit_euler && corotational &&
                            settings.corotational_solve == CorotationalSolve::reassembled;
-  const bool by_mass = settings.integrator == Integrator::broyden &&
-                       settings.broyden_start == BroydenStart::mass;
+  const bool by_mass =
+      settings.integrator == Integrator::broyden && settings.broyden_start == BroydenStart::mass;
   const bool needs_factor =
       !reassembled && !by_mass && settings.integrator != Integrator::newton_cg;
-  step.system = needs_factor ? &prepared_system(step.scratch, step.state, step.input, step.component)
-                             : &built_system(step.scratch, step.state, step.input.corners,
-                                             step.component);
+  step.system = needs_factor
+                    ? &prepared_system(step.scratch, step.state, step.input, step.component)
+                    : &built_system(step.scratch, step.state, step.input.corners, step.component);
   if (settings.integrator == Integrator::broyden) return step_broyden(step);
   if (settings.integrator == Integrator::newton_cg) return step_newton_cg(step);
   if (reassembled) return step_reassembled_euler(step);
@@ -77,9 +77,9 @@ void predict_component(MechanicsScratch& scratch, const MechanicsState& state,
     return;
   }
   const Integrator integrator = input.settings.integrator;
-  SUNDER_ASSERT(input.part.deformation == Deformation::whole ||
-                    integrator == Integrator::floating_frame,
-                "predict: only floating_frame takes parts of steps");
+  SUNDER_ASSERT(
+      input.part.deformation == Deformation::whole || integrator == Integrator::floating_frame,
+      "predict: only floating_frame takes parts of steps");
   switch (integrator) {
     case Integrator::floating_frame:
       step.system = &prepared_system(scratch, state, input, component);

@@ -69,7 +69,7 @@ struct MechanicsScratch {
 
   /// Local vectors of the component at hand, 3 n each, grown to the largest and kept.
   std::array<std::vector<double>, 8> work;
-  std::vector<Lame> lame;                    ///< row = MaterialId
+  std::vector<Lame> lame;                   ///< row = MaterialId
   std::vector<StressEnergy> stress_energy;  ///< row = MaterialId
   /// Row = TetId: the step that its element stands explicitly, s; elements keep it for ever. Empty
   /// until needed.
@@ -146,7 +146,8 @@ StepStatus advance(MechanicsState& state, MechanicsScratch& scratch, const StepI
 /// Element stress (eq. 5) and the largest turn of an element in each component, in one pass, from
 /// the displacements as they are. `adopt` does it; for whoever sets displacements otherwise.
 /// With corotational elements the stress is that of their own strain, in the body frame as if they
-/// had not turned in it (the rest configuration, where cracks are decided), and turns count as none.
+/// had not turned in it (the rest configuration, where cracks are decided), and turns count as
+/// none.
 void measure_elements(MechanicsState& state, MechanicsScratch& scratch,
                       std::span<const Corners> corners, const StepMembers& members = {},
                       ElasticModel model = ElasticModel::rigid_reference);

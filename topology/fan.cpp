@@ -23,7 +23,8 @@ template std::vector<HalfFaceId> fan_faces<VolumeMap>(const VolumeMap&, VertexId
                                                       std::span<const char>);
 template Result<std::vector<HalfFaceId>> fan_faces<VolumeMap>(const VolumeMap&, VertexId,
                                                               const Point&);
-template Result<std::vector<HalfFaceId>> plane_faces<VolumeMap>(const VolumeMap&, const CuttingPlane&);
+template Result<std::vector<HalfFaceId>> plane_faces<VolumeMap>(const VolumeMap&,
+                                                                const CuttingPlane&);
 template void order_faces<VolumeMap>(const VolumeMap&, FaceOrder, std::vector<HalfFaceId>&);
 template std::vector<HalfFaceId> find_faces<VolumeMap>(const VolumeMap&,
                                                        std::span<const detail::PointTriple>);

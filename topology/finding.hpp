@@ -55,7 +55,7 @@ struct Result {
   std::vector<Finding> findings;
 
   Result() = default;
-  Result(T v) : value(std::move(v)) {}  // NOLINT: a value is a result
+  Result(T v) : value(std::move(v)) {}                     // NOLINT: a value is a result
   Result(Finding f) { findings.push_back(std::move(f)); }  // NOLINT: so is a reason
   explicit operator bool() const { return value.has_value(); }
   T& operator*() { return *value; }

@@ -48,8 +48,7 @@ Eigen::Vector4d weights(const MechanicsState& state, const Corners& corners, Tet
 /// Largest size of an eigenvalue over all node stresses, Pa.
 double largest_stress(const Simulation& now) {
   const MechanicsState& m = now.state.mechanics;
-  const std::vector<Mat3> node =
-      node_stress_of(now.state.cells, m, now.scene.fracture.node_stress);
+  const std::vector<Mat3> node = node_stress_of(now.state.cells, m, now.scene.fracture.node_stress);
   double largest = 0;
   for (const Mat3& sigma : node) {
     // The largest size of an eigenvalue is no larger than the norm: most need no eigenvalues.

@@ -62,8 +62,8 @@ bool is_ours(const std::string& name) {
                        [](char c) { return c >= '0' && c <= '9'; });
   };
   return numbered("frame_", ".vtu") || numbered("picture_", ".png") || name == "frames.pvd" ||
-         name == "events.jsonl" || name == "cracks.csv" ||
-         name == "fragments.csv" || name == "report.json";
+         name == "events.jsonl" || name == "cracks.csv" || name == "fragments.csv" ||
+         name == "report.json";
 }
 
 /// Makes the folders and removes what an earlier run left: frames of two runs must not mix.
@@ -204,8 +204,8 @@ std::vector<Finding> Recorder::record(const Simulation& now, const StepReport& r
     const ComponentUpdate& made = report.fracture.fans[k].components;
     if (made.created > 0) parts_->birth.resize(made.first_new.index(), 0);
     parts_->birth.resize(parts_->birth.size() + made.created, report.step);
-    parts_->events += event_line(report.fracture.fans[k], {report.step, report.fan_time[k]},
-                                 now.state.cells.map);
+    parts_->events +=
+        event_line(report.fracture.fans[k], {report.step, report.fan_time[k]}, now.state.cells.map);
   }
   return parts_->write_due(now);
 }
@@ -217,7 +217,8 @@ std::vector<Finding> Recorder::finish(const Simulation& now, RunEnd end) {
     if (!p.frame_steps.empty() && p.last_frame != now.state.step) findings = p.write_frame_of(now);
     if (p.renderer && p.last_picture != now.state.step) append(findings, p.draw_picture(now));
   }
-  const std::vector<Fragment> pieces = fragments(now.state.cells, now.state.mechanics, p.origin, p.birth);
+  const std::vector<Fragment> pieces =
+      fragments(now.state.cells, now.state.mechanics, p.origin, p.birth);
   p.report = run_report(p.statistics, now, pieces, end);
   const auto write = [&](const char* name, const std::string& text) {
     if (auto finding = write_file(p.folder / name, text)) findings.push_back(std::move(*finding));

@@ -124,8 +124,7 @@ ordered_json contact_report(const ContactStatistics& c) {
 }
 
 ordered_json integrator_report(const SolveStatistics& s, std::uint64_t steps) {
-  return {{"iterations",
-           {{"mean", ratio(s.iterations, steps)}, {"max", s.most_iterations}}},
+  return {{"iterations", {{"mean", ratio(s.iterations, steps)}, {"max", s.most_iterations}}},
           {"force_evaluations", s.force_evaluations},
           {"not_converged", s.not_converged},
           {"sub_steps", s.sub_steps}};
@@ -153,13 +152,13 @@ ordered_json ladder_report(const LadderStatistics& l) {
 /// What is missing between end and start is what supports took; without any it is rounding.
 ordered_json momentum_ledger(const MomentumLedger& ledger, const Simulation& now) {
   const Vec3 end = moving_momentum(now);
-  return {{"start", numbers(ledger.start)},
-          {"end", numbers(end)},
-          {"gravity", numbers(ledger.gravity)},
-          {"loads", numbers(ledger.loads)},
-          {"obstacles", numbers(ledger.obstacles)},
-          {"supports",
-           numbers(end - ledger.start - ledger.gravity - ledger.loads - ledger.obstacles)}};
+  return {
+      {"start", numbers(ledger.start)},
+      {"end", numbers(end)},
+      {"gravity", numbers(ledger.gravity)},
+      {"loads", numbers(ledger.loads)},
+      {"obstacles", numbers(ledger.obstacles)},
+      {"supports", numbers(end - ledger.start - ledger.gravity - ledger.loads - ledger.obstacles)}};
 }
 
 /// What the fans whose energy was settled gave up together.
@@ -383,8 +382,8 @@ std::string summary_table(const ordered_json& r) {
     row("", fmt::format("impact.max_sub_steps was reached in {} steps", stopped));
   }
   if (const auto given_up = r["integrator"]["not_converged"].get<std::uint64_t>(); given_up > 0) {
-    row("integrator", fmt::format("iterations given up in {} steps, which the factor took",
-                                  given_up));
+    row("integrator",
+        fmt::format("iterations given up in {} steps, which the factor took", given_up));
   }
   row("fans", fmt::format("{} ({} faces)", r["fans"].get<std::uint64_t>(),
                           r["faces_split"].get<std::uint64_t>()));

@@ -60,8 +60,8 @@ std::vector<Fragment> fragments(const Cells& cells, const MechanicsState& mechan
 /// exactly), largest mass first, ties by id.
 std::string fragments_csv(std::vector<Fragment> fragments);
 
-/// What fans gave up, as CSV in the order of the fans: fan (line of events.jsonl, from 0), time (s),
-/// area (m^2), energy (J), energy_per_area (J/m^2).
+/// What fans gave up, as CSV in the order of the fans: fan (line of events.jsonl, from 0), time
+/// (s), area (m^2), energy (J), energy_per_area (J/m^2).
 std::string cracks_csv(std::vector<CrackEnergy> cracks);
 
 /// When a fan happened.

@@ -61,8 +61,9 @@ void add_options(CLI::App& command, RunArguments& arguments, std::vector<std::st
       ->type_name("SECONDS")
       ->description("Simulated time between VTU frames, instead of --frames")
       ->excludes(frames);
-  command.add_option("--threads", arguments.threads,
-                     "Threads for factors and contact of large pieces; results do not depend on it")
+  command
+      .add_option("--threads", arguments.threads,
+                  "Threads for factors and contact of large pieces; results do not depend on it")
       ->capture_default_str()
       ->check(CLI::Range(1, 64));
   command.add_flag("--quiet", arguments.quiet, "No progress on stderr");

@@ -62,11 +62,10 @@ inline const Names<ThresholdTest>& names_of(ThresholdTest) {
   return names;
 }
 inline const Names<Detection>& names_of(Detection) {
-  static const Names<Detection> names = {
-      {Detection::exact, "exact"},
-      {Detection::oracle, "oracle"},
-      {Detection::dirty_counter, "dirty_counter"},
-      {Detection::walk, "walk"}};
+  static const Names<Detection> names = {{Detection::exact, "exact"},
+                                         {Detection::oracle, "oracle"},
+                                         {Detection::dirty_counter, "dirty_counter"},
+                                         {Detection::walk, "walk"}};
   return names;
 }
 inline const Names<FaceOrder>& names_of(FaceOrder) {
@@ -169,9 +168,9 @@ void describe(V& v, LoadBox& l) {
               "In all, in the world, shared equally by the vertices in the box; keeps its "
               "direction"},
           l.force);
-  v.field(Key{"ramp_time", "s", "Time over which both are raised linearly; 0: at once",
-              at_least(0)},
-          l.ramp_time);
+  v.field(
+      Key{"ramp_time", "s", "Time over which both are raised linearly; 0: at once", at_least(0)},
+      l.ramp_time);
 }
 
 template <class V>
@@ -196,12 +195,14 @@ void describe(V& v, CutPlane& p) {
 
 template <class V>
 void describe(V& v, CutSettings& c) {
-  v.alternative(Key{"plane", "", "The faces between tetrahedra with their centres on its two sides"},
-                CutPlane{}, c.faces);
-  v.alternative(Key{"faces", "",
-                    "Text file, relative to the scene file: three rows of the mesh's points, counted "
-                    "from 0, a line (as `sunder split --faces`)"},
-                FaceList{}, c.faces);
+  v.alternative(
+      Key{"plane", "", "The faces between tetrahedra with their centres on its two sides"},
+      CutPlane{}, c.faces);
+  v.alternative(
+      Key{"faces", "",
+          "Text file, relative to the scene file: three rows of the mesh's points, counted "
+          "from 0, a line (as `sunder split --faces`)"},
+      FaceList{}, c.faces);
   v.field(Key{"box", "", "Where given, only faces whose three vertices lie in it"}, c.box);
   v.field(Key{"ball", "", "Where given, only faces whose three vertices lie in it"}, c.ball);
 }
@@ -228,7 +229,8 @@ void describe(V& v, WeibullSettings& w) {
 template <class V>
 void describe(V& v, StrengthSettings& s) {
   v.field(Key{"regions", "", "Regions of the mesh with strengths of their own"}, s.regions);
-  v.field(Key{"weibull", "", "Draws each vertex's strength by Weibull's law, by the volume it stands for"},
+  v.field(Key{"weibull", "",
+              "Draws each vertex's strength by Weibull's law, by the volume it stands for"},
           s.weibull);
 }
 
@@ -330,7 +332,8 @@ void describe(V& v, IntegratorSettings& i) {
   v.field(Key{"damping", "", "Rayleigh damping"}, i.damping);
   v.field(Key{"euler_frame", "", "Which frame implicit_euler linearises in"}, i.euler_frame);
   v.field(Key{"elastic_force", "",
-              "Of broyden, newton_cg, verlet and sub_stepped with the model rigid_reference: conservative, or "
+              "Of broyden, newton_cg, verlet and sub_stepped with the model rigid_reference: "
+              "conservative, or "
               "the paper's, which leaves a torque of second order"},
           i.elastic_force);
   v.field(Key{"broyden_start", "",
@@ -350,9 +353,9 @@ void describe(V& v, IntegratorSettings& i) {
               "factor takes the step, and the report says so",
               between(1, 1e9)},
           i.max_iterations);
-  v.field(Key{"max_sub_steps", "", "Sub-steps that sub_stepped may take in a step",
-              between(1, 4e9)},
-          i.max_sub_steps);
+  v.field(
+      Key{"max_sub_steps", "", "Sub-steps that sub_stepped may take in a step", between(1, 4e9)},
+      i.max_sub_steps);
   v.field(Key{"broyden_memory", "", "Updates that broyden keeps before it begins anew",
               between(1, 1e5)},
           i.broyden_memory);
@@ -370,25 +373,26 @@ void describe(V& v, FractureSettings& f) {
               "Stress of a vertex: mean of the tetrahedra around it weighted by volume, or by mass "
               "(eq. 6, the paper's), or fit: linear fit over two rings, better at surfaces"},
           f.node_stress);
-  v.field(Key{"test", "",
-              "How vertices are tested against their threshold, with the same answers: eigenvalues; "
-              "gershgorin: bound, then eigenvalues (the paper's); exact: leading minors; chain: "
-              "bound, then minors"},
-          f.test);
-  v.field(Key{"smallest_piece", "kg",
-              "A crack that would part a lighter piece is refused; 0: none is too small",
-              at_least(0)},
-          f.smallest_piece);
+  v.field(
+      Key{"test", "",
+          "How vertices are tested against their threshold, with the same answers: eigenvalues; "
+          "gershgorin: bound, then eigenvalues (the paper's); exact: leading minors; chain: "
+          "bound, then minors"},
+      f.test);
+  v.field(
+      Key{"smallest_piece", "kg",
+          "A crack that would part a lighter piece is refused; 0: none is too small", at_least(0)},
+      f.smallest_piece);
   v.field(Key{"max_pieces", "",
               "Pieces in the scene; a crack that would make more is refused; 0: no limit",
               between(0, 4294967295.0)},
           f.max_pieces);
-  v.field(
-      Key{"detection", "",
-          "How new pieces are found, always the same: exact: search in lockstep, cost of the smaller "
-          "side; oracle: walk where the paper's oracle says so (false alarms walk too); "
-          "dirty_counter: walk where three vertices came apart; walk: walk after every fan"},
-      f.detection);
+  v.field(Key{"detection", "",
+              "How new pieces are found, always the same: exact: search in lockstep, cost of the "
+              "smaller "
+              "side; oracle: walk where the paper's oracle says so (false alarms walk too); "
+              "dirty_counter: walk where three vertices came apart; walk: walk after every fan"},
+          f.detection);
   v.field(
       Key{"face_order", "",
           "Order in which the faces of a fan are unsewn: paper: those with an edge on the surface "
@@ -528,10 +532,11 @@ void describe(V& v, SceneFile& s) {
   v.field(Key{"integrator", "", "How time is integrated"}, s.scene.integrator);
   v.field(Key{"contact", "", "How contact is solved"}, s.scene.contact);
   v.field(Key{"impact", "", "How blows are stepped (docs/impact.md)"}, s.scene.impact);
-  v.field(Key{"energy_ledger", "",
-              "Whether works, losses and the residual of every step are added up; without it a step "
-              "in which nothing else happens is a tenth shorter"},
-          s.scene.energy_ledger);
+  v.field(
+      Key{"energy_ledger", "",
+          "Whether works, losses and the residual of every step are added up; without it a step "
+          "in which nothing else happens is a tenth shorter"},
+      s.scene.energy_ledger);
   v.field(Key{"fracture", "", "What breaks and how it is found"}, s.scene.fracture);
   v.field(Key{"ladder", "", "How little of a component's motion is computed (docs/ladder.md)"},
           s.scene.ladder);

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <limits>
 
-#include "fracture/fracture_plane.hpp"
 #include "fracture/find_fractures.hpp"
+#include "fracture/fracture_plane.hpp"
 #include "mechanics/static_solve.hpp"
 
 namespace sunder {

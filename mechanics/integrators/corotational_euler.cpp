@@ -186,8 +186,7 @@ void solve_reassembled(WorldField& impulse, ReassembledSystem& system, const Com
 
 void step_reassembled_euler(const ComponentStep& step) {
   const Component& body = step.component;
-  const bool at_start =
-      body.supported || step.input.settings.euler_frame == EulerFrame::current;
+  const bool at_start = body.supported || step.input.settings.euler_frame == EulerFrame::current;
   ReassembledSystem& system = reassembled_system(step);
   std::vector<Mat3>& turn = baseline_of(step).turn;
   EulerProblem problem = euler_problem(step);

@@ -26,8 +26,8 @@ EulerProblem euler_problem(const ComponentStep& step);
 /// F(y), N s. One evaluation of the model's forces. Overwrites rows of `scratch.predicted`.
 void residual(WorldField& F, EulerProblem& problem, const WorldField& y);
 
-/// How the component lies in `scratch.predicted.position`, body to world: its support's turn, or that
-/// of its rigid reference.
+/// How the component lies in `scratch.predicted.position`, body to world: its support's turn, or
+/// that of its rigid reference.
 Mat3 predicted_turn(const ComponentStep& step);
 
 /// y <- y - B^-1 F for the body-frame matrix of the present factor, over free vertices; `F` becomes

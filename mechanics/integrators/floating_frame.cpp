@@ -20,8 +20,8 @@ struct BodyDeformation {
 BodyDeformation gather_deformation(const ComponentStep& step) {
   const std::size_t n = step.system->size();
   BodyDeformation d{work_field(step.scratch, Work::displacement, n),
-                work_field(step.scratch, Work::rate, n),
-                work_field(step.scratch, Work::acceleration, n)};
+                    work_field(step.scratch, Work::rate, n),
+                    work_field(step.scratch, Work::acceleration, n)};
   const VertexColumns& vertices = step.state.vertices;
   gather(d.displacement, step.system->order, vertices.displacement);
   gather(d.rate, step.system->order, vertices.displacement_rate);
@@ -44,8 +44,7 @@ double damping_work(const ComponentStep& step, const RayleighDamping& damping,
   multiply_stiffness(as_vector(product), *step.system, as_vector(way));
   const double inner =
       way.cwiseProduct(rate).colwise().sum().dot(step.system->shape.mass.transpose());
-  return damping.mass_factor * inner +
-         damping.stiffness_factor * rate.cwiseProduct(product).sum();
+  return damping.mass_factor * inner + damping.stiffness_factor * rate.cwiseProduct(product).sum();
 }
 
 /// Held vertices go on at their constant rate, whatever the deformation's own time is.
@@ -90,7 +89,8 @@ double advance_deformation(const ComponentStep& step, BodyDeformation& d, const 
   return damped ? damping_work(step, settings.damping, d, 1 - alpha_f) : 0;
 }
 
-/// The scheme of impacts (`WaveScheme`), in place; gives the damping work, its viscosity's included.
+/// The scheme of impacts (`WaveScheme`), in place; gives the damping work, its viscosity's
+/// included.
 double advance_wave(const ComponentStep& step, BodyDeformation& d, const Field& load) {
   const IntegratorSettings& settings = step.input.settings;
   const RayleighDamping damping = wave_damping(settings, step.system->cell_travel);
@@ -103,8 +103,8 @@ double advance_wave(const ComponentStep& step, BodyDeformation& d, const Field& 
   argument = d.displacement + (reach + damping.stiffness_factor) * d.rate;
   Field change = work_field(step.scratch, Work::product, n);
   multiply_stiffness(as_vector(change), *step.system, as_vector(argument));
-  change = h * (load - change -
-                damping.mass_factor * (d.rate * step.system->shape.mass.asDiagonal()));
+  change =
+      h * (load - change - damping.mass_factor * (d.rate * step.system->shape.mass.asDiagonal()));
   solve_system(*step.system, as_vector(change).head(3 * free), FactorUse::wave);
   change.rightCols(static_cast<Eigen::Index>(n) - free).setZero();
 
@@ -258,11 +258,11 @@ void step_free(const ComponentStep& step) {
   q = system.shape.arm + d.displacement;
   const Mat3 inertia_new = inertia_of(mass, q);
   const Vec3 inner_new = moment_of(mass, q, d.rate);
-  turn_under_load(next, step.component,
-                  {0.5 * (spin.inertia + inertia_new), 0.5 * (spin.inner + inner_new),
-                   step.component.angular_momentum, next.angular_momentum,
-                   step.input.settings.time_step},
-                  load);
+  turn_under_load(
+      next, step.component,
+      {0.5 * (spin.inertia + inertia_new), 0.5 * (spin.inner + inner_new),
+       step.component.angular_momentum, next.angular_momentum, step.input.settings.time_step},
+      load);
 
   settle_frame(step, d, next);
   q = system.shape.arm + d.displacement;

@@ -54,10 +54,10 @@ std::vector<Finding> check_baseline(const IntegratorSettings& settings, const st
         "Leave it out: 1e-6."));
   }
   if (settings.max_iterations < 1 || settings.broyden_memory < 1 || settings.max_sub_steps < 1) {
-    findings.push_back(refused("bad_iterations",
-                               at + ".max_iterations, " + at + ".broyden_memory and " + at +
-                                   ".max_sub_steps begin at 1.",
-                               "Leave them out."));
+    findings.push_back(refused(
+        "bad_iterations",
+        at + ".max_iterations, " + at + ".broyden_memory and " + at + ".max_sub_steps begin at 1.",
+        "Leave them out."));
   }
   return findings;
 }

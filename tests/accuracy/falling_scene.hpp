@@ -8,7 +8,7 @@ namespace sunder::accuracy {
 
 /// What a run of a scene came to.
 struct FallOutcome {
-  double first_fan = 0;      ///< s; 0: none
+  double first_fan = 0;  ///< s; 0: none
   std::size_t fans = 0;
   std::size_t pieces = 0;
   double largest_share = 1;  ///< mass of the largest piece over all

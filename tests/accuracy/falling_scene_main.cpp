@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `falling_scene [SCENE.json] [STEP] [DURATION]`: a CSV of the outcome at steps of h, h/4, h/16, with
-// and without impact windows, and at other fractions.
+// `falling_scene [SCENE.json] [STEP] [DURATION]`: a CSV of the outcome at steps of h, h/4, h/16,
+// with and without impact windows, and at other fractions.
 #include <cstdio>
 #include <cstdlib>
 

@@ -15,14 +15,15 @@ void print_row(const BarImpact& impact) {
   std::printf("%dx%dx%d,%g,%g,%.3f,%.3f,%.3f,%.3f,%.4f,%.3f,%.3f,%.3f,%u,%s\n", impact.cells[0],
               impact.cells[1], impact.cells[2], impact.step, impact.touches_at,
               o.element_compression, o.node_compression, o.element_tension, o.node_tension,
-              o.rebound, o.contact_time, o.energy_peak, o.energy_end, o.sub_steps, o.broke ? "yes" : "no");
+              o.rebound, o.contact_time, o.energy_peak, o.energy_end, o.sub_steps,
+              o.broke ? "yes" : "no");
   std::fflush(stdout);
 }
 
 }  // namespace
 
-/// Arguments: `--whole` leaves fracture out, so that all of a run is of one bar; `--no-window` leaves
-/// impact windows out; `--fraction F` sets their sub-step over L/c.
+/// Arguments: `--whole` leaves fracture out, so that all of a run is of one bar; `--no-window`
+/// leaves impact windows out; `--fraction F` sets their sub-step over L/c.
 int main(int argc, char** argv) {
   BarImpact impact;
   for (int i = 1; i < argc; ++i) {

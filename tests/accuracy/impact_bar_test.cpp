@@ -7,9 +7,10 @@
 using namespace sunder;
 using namespace sunder::accuracy;
 
-TEST_CASE("a flat bar struck at 1.5 xi / (rho c) sees rho c v, leaves after 2 L/c and stays whole, "
-          "whatever the step",
-          "[accuracy][impact]") {
+TEST_CASE(
+    "a flat bar struck at 1.5 xi / (rho c) sees rho c v, leaves after 2 L/c and stays whole, "
+    "whatever the step",
+    "[accuracy][impact]") {
   const auto cells = GENERATE(std::array{20, 1, 1}, std::array{12, 2, 2});
   const double step = GENERATE(0.02, 0.3, 1.0, 3.0, 10.0, 250.0);
   const BarOutcome o = run_bar({.cells = cells, .step = step, .impact = {}});

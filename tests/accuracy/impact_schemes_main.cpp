@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `impact_schemes`: time schemes for impact side by side on a chain of masses, as a CSV: what the
-// scheme of impact windows was chosen by. L = rho = c = v = 1, so that the exact bar has stress 1 at
-// the wall, no tension, contact for 2 and rebound at 1.
+// scheme of impact windows was chosen by. L = rho = c = v = 1, so that the exact bar has stress 1
+// at the wall, no tension, contact for 2 and rebound at 1.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -75,8 +75,8 @@ double step_generalised_alpha(Chain& c, const Scheme& s, double h) {
   const double rho = s.parameter;
   const double am = (2 * rho - 1) / (rho + 1), af = rho / (rho + 1), width = 1 - am + af;
   const double beta = 0.25 * width * width, gamma = 0.5 - am + af;
-  const MatrixXd A = (1 - am) * MatrixXd(c.mass.asDiagonal()) +
-                     (1 - af) * (gamma * h * c.C + beta * h * h * c.K);
+  const MatrixXd A =
+      (1 - am) * MatrixXd(c.mass.asDiagonal()) + (1 - af) * (gamma * h * c.C + beta * h * h * c.K);
   const Eigen::LLT<MatrixXd> solver(A);
   const VectorXd u = c.u + h * c.v + h * h * (0.5 - beta) * c.a;
   const VectorXd v = c.v + h * (1 - gamma) * c.a;
@@ -140,8 +140,8 @@ void print_run(const Scheme& scheme, int cells, double h) {
     if (first < 0) first = (k - 1) * h;
     last = k * h;
   }
-  const double energy = 0.5 * chain.v.dot(chain.mass.cwiseProduct(chain.v)) +
-                        0.5 * chain.u.dot(chain.K * chain.u);
+  const double energy =
+      0.5 * chain.v.dot(chain.mass.cwiseProduct(chain.v)) + 0.5 * chain.u.dot(chain.K * chain.u);
   std::printf("%s,%d,%g,%.3f,%.3f,%.3f,%.3f,%.3f\n", scheme.name, cells, h, peak, tension,
               chain.mass.dot(chain.v), 0.5 * (last - first), 2 * energy);
 }

@@ -15,7 +15,7 @@ struct LadderOutcome {
   std::vector<std::pair<std::uint64_t, VertexId>> fans;  ///< step and vertex, in order
   std::vector<double> time;                              ///< s, of each fan
   std::size_t pieces = 0;
-  double ms = 0;  ///< of the processor, all steps
+  double ms = 0;                                     ///< of the processor, all steps
   std::array<std::size_t, rung_count> tetrahedra{};  ///< tetrahedron-steps on each rung
 };
 

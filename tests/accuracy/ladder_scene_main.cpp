@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `ladder_scene SCENE.json...`: for each scene the fans, the time and the rungs on the ladder, always
-// full, and always full from a start moved by 1e-12; as a CSV.
+// `ladder_scene SCENE.json...`: for each scene the fans, the time and the rungs on the ladder,
+// always full, and always full from a start moved by 1e-12; as a CSV.
 #include <cstdio>
 
 #include "apps/sunder/scene_json.hpp"
@@ -27,7 +27,9 @@ void print_row(const Scene& scene, const char* run, const LadderOutcome& o,
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::puts("scene,run,fans,pieces,same as full,first difference,ms,of full,full,quasi-static,rigid,asleep");
+  std::puts(
+      "scene,run,fans,pieces,same as full,first difference,ms,of "
+      "full,full,quasi-static,rigid,asleep");
   for (int i = 1; i < argc; ++i) {
     const Result<SceneFile> file = read_scene(argv[i]);
     for (const Finding& f : file.findings) std::fprintf(stderr, "%s\n", f.text.c_str());

@@ -21,8 +21,8 @@ Scene sample_scene(const char* name, double duration) {
 }  // namespace
 
 TEST_CASE("the fans of the sample scenes are those of always-full dynamics", "[ladder][scenes]") {
-  const auto [name, duration] = GENERATE(std::pair{"block", 2.0}, std::pair{"bunny", 0.021},
-                                         std::pair{"monolith", 0.1});
+  const auto [name, duration] =
+      GENERATE(std::pair{"block", 2.0}, std::pair{"bunny", 0.021}, std::pair{"monolith", 0.1});
   const Scene scene = sample_scene(name, duration);
   const LadderOutcome full = run_on_ladder(always_full(scene));
   const LadderOutcome ladder = run_on_ladder(scene);

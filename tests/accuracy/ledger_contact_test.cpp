@@ -64,7 +64,8 @@ TEST_CASE("the ledger of a blow closes through all its sub-steps", "[accuracy][l
   scene.time_step = GENERATE(5e-5, 5e-4);
   double damping = 0;
   const double mass = 1000 * 0.8 * 0.04, start = 0.5 * mass * 4;
-  const EnergyLedger sum = run(scene, static_cast<int>(std::lround(0.15 / scene.time_step)), &damping);
+  const EnergyLedger sum =
+      run(scene, static_cast<int>(std::lround(0.15 / scene.time_step)), &damping);
   INFO("of " << start << " J: kinetic " << sum.kinetic << ", strain " << sum.strain << ", contact "
              << sum.contact << ", friction " << sum.friction << ", scheme " << sum.numerical
              << ", viscosity " << damping << ", residual " << sum.residual);
@@ -101,12 +102,11 @@ TEST_CASE("a bar pulled by its ends takes the work of its supports", "[accuracy]
   bar.material.poisson_ratio = 0;
   const double speed = 0.01, time = 0.02;
   const bool both = GENERATE(false, true);
-  bar.held = {{.minimum = {-1, -1, -1},
-               .maximum = {1e-6, 9, 9},
-               .velocity = {both ? -speed / 2 : 0, 0, 0}},
-              {.minimum = {0.8 - 1e-6, -1, -1},
-               .maximum = {9, 9, 9},
-               .velocity = {both ? speed / 2 : speed, 0, 0}}};
+  bar.held = {
+      {.minimum = {-1, -1, -1}, .maximum = {1e-6, 9, 9}, .velocity = {both ? -speed / 2 : 0, 0, 0}},
+      {.minimum = {0.8 - 1e-6, -1, -1},
+       .maximum = {9, 9, 9},
+       .velocity = {both ? speed / 2 : speed, 0, 0}}};
   Scene scene = scene_of({bar});
   scene.time_step = GENERATE(1e-5, 1e-3);
   scene.integrator.damping.stiffness_factor = GENERATE(0.0, 1e-5);
@@ -115,9 +115,8 @@ TEST_CASE("a bar pulled by its ends takes the work of its supports", "[accuracy]
       run(scene, static_cast<int>(std::lround(time / scene.time_step)), &damping);
   const double strain = speed * time / 0.8;
   const double expected = 0.5 * 1e9 * strain * strain * 0.8 * 0.04;
-  INFO("strain " << sum.strain << " of " << expected << ", supports " << sum.supports
-                 << ", scheme " << sum.numerical << ", damping " << damping << ", residual "
-                 << sum.residual);
+  INFO("strain " << sum.strain << " of " << expected << ", supports " << sum.supports << ", scheme "
+                 << sum.numerical << ", damping " << damping << ", residual " << sum.residual);
   CHECK(sum.strain == Approx(expected).epsilon(0.02));
   CHECK(sum.supports == Approx(expected).epsilon(0.1));
   CHECK(sum.residual < 1e-6 * expected);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `worst_steps SCENE.json STEP DURATION [THREADS]`: the dearest steps of a run with what they did, as a CSV.
+// `worst_steps SCENE.json STEP DURATION [THREADS]`: the dearest steps of a run with what they did,
+// as a CSV.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>

@@ -36,9 +36,8 @@ using namespace sunder;
 
 TEST_CASE("a step without contact and cracks allocates nothing after the first ones",
           "[fracture][step]") {
-  const auto [held, ladder] =
-      GENERATE(std::pair{false, false}, std::pair{true, false}, std::pair{false, true},
-               std::pair{true, true});
+  const auto [held, ladder] = GENERATE(std::pair{false, false}, std::pair{true, false},
+                                       std::pair{false, true}, std::pair{true, true});
   {
     INFO((held ? "held, loaded and damped" : "falling and turning"));
     INFO((ladder ? "on the ladder" : "always full"));

@@ -19,8 +19,8 @@ Scene lying_block() {
   BodySettings block;
   block.name = "block";
   block.mesh = std::move(*mesh);
-  block.material = {.young_modulus = 3e8, .poisson_ratio = 0.2, .density = 2400,
-                    .tensile_strength = 8e4};
+  block.material = {
+      .young_modulus = 3e8, .poisson_ratio = 0.2, .density = 2400, .tensile_strength = 8e4};
   // x <- z, y <- x, z <- y
   block.rotation = Eigen::AngleAxisd(2 * M_PI / 3, Vec3(1, 1, 1).normalized());
   block.translation = {-1, 0, 0.15};
@@ -71,8 +71,8 @@ TEST_CASE("a block held at its ends breaks at its mesh's static limit, gravity r
   REQUIRE(still);
   MechanicsState& m = still->state.mechanics;
   const Loads loads{.gravity = scene.gravity.acceleration, .force = {}};
-  const auto findings = solve_static(m, still->scratch.mechanics,
-                                     still->state.cells.map.corners(), loads);
+  const auto findings =
+      solve_static(m, still->scratch.mechanics, still->state.cells.map.corners(), loads);
   REQUIRE(findings.empty());
   const double share = scene.bodies[0].material.tensile_strength / largest_breaking_stress(*still);
   INFO("static limit at " << share << " of gravity");

@@ -51,8 +51,8 @@ std::size_t cut_in_the_middle(Simulation& sim) {
   const std::size_t rows = m.vertices.size();
   for (std::size_t v = 0; v < rows; ++v) {
     if (std::abs(m.vertices.rest_position[v].x() - 0.4) > 1e-9) continue;
-    FanEvent fan = split_fan(sim.state.cells, m, plan_fan(sim.state.cells, VertexId{v}, tension), {},
-                             scratch);
+    FanEvent fan =
+        split_fan(sim.state.cells, m, plan_fan(sim.state.cells, VertexId{v}, tension), {}, scratch);
     if (!fan.faces.empty()) fans.push_back(std::move(fan));
   }
   open_cracks(sim.state.cracks, {fans, 0, m.time}, m, sim.state.cells);

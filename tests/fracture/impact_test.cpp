@@ -69,9 +69,7 @@ Vec3 total_momentum(const Simulation& sim) {
 }
 
 /// s, L/c of the cube.
-double travel() {
-  return 2 * std::sqrt(3) * 0.15 / compression_wave_speed(Material{});
-}
+double travel() { return 2 * std::sqrt(3) * 0.15 / compression_wave_speed(Material{}); }
 
 }  // namespace
 
@@ -173,8 +171,8 @@ TEST_CASE("energy never grows among wedged pieces, though the sweeps are cut sho
   Scene scene = on_plane({slab});
   scene.obstacles[0].friction = 0.6;
   for (const double x : {-0.9, 0.9}) {
-    scene.obstacles.push_back({.shape = Box{.center = {x, 0, 0.3}, .half_extent = {0.15, 0.6, 0.3}},
-                               .friction = 0.6});
+    scene.obstacles.push_back(
+        {.shape = Box{.center = {x, 0, 0.3}, .half_extent = {0.15, 0.6, 0.3}}, .friction = 0.6});
   }
   scene.gravity.acceleration = {0, 0, -9.81};
   scene.fracture.mode = FractureMode::all;
@@ -280,7 +278,8 @@ TEST_CASE("a blow below the negligible part of the strength opens no window and 
   }
 }
 
-TEST_CASE("the bound on sub-steps is kept and told, and the step still ends", "[fracture][impact]") {
+TEST_CASE("the bound on sub-steps is kept and told, and the step still ends",
+          "[fracture][impact]") {
   BodySettings cube = cube_over_plane(1e-4);
   cube.velocity = {0, 0, -3};
   Scene scene = on_plane({cube});
@@ -330,7 +329,8 @@ TEST_CASE("settings of impacts out of range are told", "[fracture][impact]") {
   const ImpactSettings wrong{.fraction = 0, .negligible = 2, .max_sub_steps = 0};
   const std::vector<Finding> findings = check(wrong, "impact");
   REQUIRE(findings.size() == 3);
-  CHECK(findings[0].text == "impact.fraction is 0.000000; allowed is a number above 0 and at most 1.");
+  CHECK(findings[0].text ==
+        "impact.fraction is 0.000000; allowed is a number above 0 and at most 1.");
   CHECK(check(ImpactSettings{}, "impact").empty());
   const ImpactSettings nan{.fraction = std::nan("")};
   CHECK(check(nan, "impact").size() == 1);

@@ -36,7 +36,8 @@ void full_always(Scene& scene) {
 double largest_node_stress(const Simulation& sim) {
   std::vector<Mat3> stress;
   const ElementColumns& elements = sim.state.mechanics.elements;
-  average_node_stress(stress, {sim.state.cells.map.corners(), elements.stress, elements.rest_volume},
+  average_node_stress(stress,
+                      {sim.state.cells.map.corners(), elements.stress, elements.rest_volume},
                       sim.state.cells.map.vertices());
   double largest = 0;
   for (const Mat3& sigma : stress) {
@@ -47,9 +48,12 @@ double largest_node_stress(const Simulation& sim) {
 
 /// Bodies of many shapes, all about 0.1 m.
 std::vector<TetMesh> shapes() {
-  return {jittered(kuhn_box({12, 2, 2}, 0.01), 1e-3, 1), jittered(kuhn_box({8, 8, 2}, 0.0125), 1e-3, 2),
-          jittered(kuhn_box({3, 3, 3}, 0.03), 3e-3, 3),  ring({6, 6, 2}, 0.02),
-          kuhn_cubes({8, 8, 2}, [](int i, int j, int) { return i < 2 || j < 2; }, 0.0125),
+  return {jittered(kuhn_box({12, 2, 2}, 0.01), 1e-3, 1),
+          jittered(kuhn_box({8, 8, 2}, 0.0125), 1e-3, 2),
+          jittered(kuhn_box({3, 3, 3}, 0.03), 3e-3, 3),
+          ring({6, 6, 2}, 0.02),
+          kuhn_cubes(
+              {8, 8, 2}, [](int i, int j, int) { return i < 2 || j < 2; }, 0.0125),
           two_tetrahedra()};
 }
 
@@ -70,9 +74,11 @@ TEST_CASE("a body that swings in flight never exceeds the bound of its energy", 
     scene.time_step = 2e-6;
     Simulation sim = built(scene);
     VertexColumns& vertices = sim.state.mechanics.vertices;
-    for (Vec3& v : vertices.velocity) v = 0.1 * Vec3(normal(random), normal(random), normal(random));
+    for (Vec3& v : vertices.velocity)
+      v = 0.1 * Vec3(normal(random), normal(random), normal(random));
     reframe(sim.state.mechanics, ComponentId{0});
-    const double bound = flight_stress_bound(sim.state.mechanics, sim.state.mechanics.components[0]);
+    const double bound =
+        flight_stress_bound(sim.state.mechanics, sim.state.mechanics.components[0]);
     double largest = 0;
     for (int i = 0; i < 100; ++i) {
       REQUIRE(advance(sim).status.outcome == StepOutcome::fine);
@@ -94,7 +100,8 @@ TEST_CASE("a spinning body is stressed by less than the bound of its spin", "[la
       scene.time_step = 1e-3;
       Simulation sim = built(scene);
       double fastest = 0;
-      for (const Vec3& v : sim.state.mechanics.vertices.velocity) fastest = std::max(fastest, v.norm());
+      for (const Vec3& v : sim.state.mechanics.vertices.velocity)
+        fastest = std::max(fastest, v.norm());
       for (int i = 0; i < 20; ++i) REQUIRE(advance(sim).status.outcome == StepOutcome::fine);
       const double bound = 2 * Material{}.density * fastest * fastest;
       CAPTURE(mesh.tetrahedra.size(), axis.transpose(), bound);
@@ -148,8 +155,7 @@ TEST_CASE("a body that lies still sleeps, and a ball that falls on it wakes it",
   for (const Point& p : scene.bodies[0].mesh.points) low = std::min(low, p[2]);
   scene.bodies[0].translation = {0, 0, 1e-4 - low};
   // Falls for 0.45 s; one metre.
-  scene.obstacles = {{.shape = Plane{}},
-                     {.shape = Sphere{{0.075, 0.075, 1.2}, 0.04}, .mass = 2.0}};
+  scene.obstacles = {{.shape = Plane{}}, {.shape = Sphere{{0.075, 0.075, 1.2}, 0.04}, .mass = 2.0}};
   Simulation sim = built(scene);
   Scene always = scene;
   full_always(always);
@@ -206,7 +212,7 @@ TEST_CASE("a body too slender for one frame is warned of, a stout one is not", "
       return f.code == "slender_body" && f.severity == Severity::warning;
     });
   };
-  CHECK(!warned(30, 3e6));   // L/t = 15, strain 1e-4: a tenth at 32
+  CHECK(!warned(30, 3e6));  // L/t = 15, strain 1e-4: a tenth at 32
   CHECK(warned(80, 3e6));
   CHECK(warned(30, 30e6));
   CHECK(!warned(80, std::numeric_limits<double>::infinity()));

@@ -6,8 +6,8 @@
 #include <numeric>
 
 #include "mechanics/energy.hpp"
-#include "topology/suite/shapes.hpp"
 #include "topology/invariants.hpp"
+#include "topology/suite/shapes.hpp"
 
 using namespace sunder;
 using namespace sunder::suite;
@@ -16,8 +16,10 @@ namespace {
 
 Scene bar_scene() {
   Scene scene;
-  scene.bodies.push_back({.name = "bar", .mesh = jittered(kuhn_box({6, 2, 2}, 0.1), 0.01, 4),
-                          .material = {}, .held = {}});
+  scene.bodies.push_back({.name = "bar",
+                          .mesh = jittered(kuhn_box({6, 2, 2}, 0.1), 0.01, 4),
+                          .material = {},
+                          .held = {}});
   scene.gravity.acceleration.setZero();
   scene.time_step = 1e-3;
   return scene;

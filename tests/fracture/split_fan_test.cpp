@@ -45,9 +45,9 @@ TEST_CASE("a fan leaves rows, columns and labels that agree with the map", "[fra
   CHECK(scratch.node_stress.size() == body.cells.map.vertices());
   // The labels equal a full walk up to their names.
   const Components walk = label_components(body.cells.map);
-  CHECK(walk.size.size() == std::size_t(std::count_if(body.cells.labels.size.begin(),
-                                                      body.cells.labels.size.end(),
-                                                      [](std::size_t n) { return n > 0; })));
+  CHECK(walk.size.size() ==
+        std::size_t(std::count_if(body.cells.labels.size.begin(), body.cells.labels.size.end(),
+                                  [](std::size_t n) { return n > 0; })));
   for (std::size_t t = 1; t < body.cells.map.tetrahedra(); ++t) {
     CHECK((walk.of_tetrahedron[t] == walk.of_tetrahedron[t - 1]) ==
           (body.cells.labels.of_tetrahedron[t] == body.cells.labels.of_tetrahedron[t - 1]));
@@ -72,8 +72,8 @@ TEST_CASE("pieces weigh what the body weighed to 1e-12", "[fracture]") {
 
 TEST_CASE("every way of detection gives the same pieces", "[fracture]") {
   std::vector<std::vector<ComponentId>> labels;
-  for (const Detection d : {Detection::walk, Detection::oracle, Detection::dirty_counter,
-                            Detection::exact}) {
+  for (const Detection d :
+       {Detection::walk, Detection::oracle, Detection::dirty_counter, Detection::exact}) {
     Tension body = weak_body(4e6);
     FractureScratch scratch;
     FractureSettings settings;
@@ -99,7 +99,8 @@ TEST_CASE("a fan costs the same in a body 1, 8 and 64 times as large", "[fractur
         const VertexId v = body.cells.map.corners(TetId{0})[place];
         PrincipalTension tension;
         tension.directions = normal.normalized();
-        const FanEvent fan = split_fan(body.cells, body.state, plan_fan(body.cells, v, tension), {}, scratch);
+        const FanEvent fan =
+            split_fan(body.cells, body.state, plan_fan(body.cells, v, tension), {}, scratch);
         met += fan.visited;
         created += fan.components.created;
       }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Strengths of regions and vertices, Weibull's law, unbreakable parts, and cracks at the start.
-#include <catch2/catch.hpp>
 #include <algorithm>
+#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "fracture/draw_strength.hpp"
@@ -82,18 +82,21 @@ TEST_CASE("1 000 Weibull bars of three sizes and two meshes have the mean of the
       {jittered(kuhn_box({6, 2, 2}, 0.2), 0.02, 4), 0.192}};
   for (const double m : {6.0, 12.0}) {
     for (const auto& [mesh, volume] : bars) {
-      INFO("modulus " << m << ", " << volume << " m^3, " << mesh.tetrahedra.size() << " tetrahedra");
+      INFO("modulus " << m << ", " << volume << " m^3, " << mesh.tetrahedra.size()
+                      << " tetrahedra");
       double closed = std::pow(volume, -1 / m) * std::tgamma(1 + 1 / m);
       CHECK(mean_strength(mesh, m) == Approx(closed).epsilon(0.02));
     }
   }
 }
 
-TEST_CASE("a strength drawn has the law's own value for its uniform number", "[fracture][strength]") {
+TEST_CASE("a strength drawn has the law's own value for its uniform number",
+          "[fracture][strength]") {
   // The mean of the m-th power is that of -ln U, which is 1; a law over the seeds.
   double sum = 0;
   for (std::uint32_t seed = 0; seed < 20000; ++seed) {
-    sum += std::pow(weibull_factor({.modulus = 5, .reference_volume = 2, .seed = seed}, {1, 7, 2}), 5);
+    sum +=
+        std::pow(weibull_factor({.modulus = 5, .reference_volume = 2, .seed = seed}, {1, 7, 2}), 5);
   }
   CHECK(sum / 20000 == Approx(1).epsilon(0.03));
   const WeibullSettings w{.modulus = 5, .reference_volume = 1, .seed = 3};
@@ -192,8 +195,8 @@ struct Shattered {
   double lightest() const { return *std::ranges::min_element(mass); }
 };
 Shattered shatter(double smallest, std::uint32_t most) {
-  test::Tension body = test::uniform_tension(jittered(kuhn_box({3, 3, 3}, 0.1), 0.01, 3),
-                                             Vec3::UnitZ(), 4e6);
+  test::Tension body =
+      test::uniform_tension(jittered(kuhn_box({3, 3, 3}, 0.1), 0.01, 3), Vec3::UnitZ(), 4e6);
   FractureSettings settings;
   settings.smallest_piece = smallest;
   settings.max_pieces = most;
@@ -244,8 +247,8 @@ TEST_CASE("a cut through the body leaves two pieces at rest, with crack faces",
   for (std::size_t f = 0; f < 4 * sim.state.cells.map.tetrahedra(); ++f) {
     crack_faces += is_crack_face(sim.state.cells, HalfFaceId{f});
   }
-  CHECK(crack_faces == 2 * plane_faces(*build_map(scene.bodies[0].mesh),
-                                       CuttingPlane{{1, 0, 0}, 0.31})->size());
+  CHECK(crack_faces ==
+        2 * plane_faces(*build_map(scene.bodies[0].mesh), CuttingPlane{{1, 0, 0}, 0.31})->size());
   for (int i = 0; i < 20; ++i) {
     const StepReport report = advance(sim);
     REQUIRE(report.status.outcome == StepOutcome::fine);
@@ -254,12 +257,13 @@ TEST_CASE("a cut through the body leaves two pieces at rest, with crack faces",
   CHECK(kinetic_energy(sim.state.mechanics.vertices) < 1e-20);
 }
 
-TEST_CASE("a box keeps a cut to an edge crack, and toughness rules at its tip", "[fracture][cuts]") {
+TEST_CASE("a box keeps a cut to an edge crack, and toughness rules at its tip",
+          "[fracture][cuts]") {
   Scene scene = pulled_bar(kuhn_box({6, 4, 4}, 0.1));
   scene.bodies[0].held.clear();
   scene.bodies[0].material.toughness = 1e6;
-  scene.bodies[0].cuts = {{.faces = CutPlane{{0.3, 0, 0}, {1, 0, 0}},
-                           .box = RestBox{{-1, -1, -1}, {1, 0.2001, 1}}}};
+  scene.bodies[0].cuts = {
+      {.faces = CutPlane{{0.3, 0, 0}, {1, 0, 0}}, .box = RestBox{{-1, -1, -1}, {1, 0.2001, 1}}}};
   const Simulation sim = built(scene);
   const sunder::Cells& cells = sim.state.cells;
   CHECK(cells.labels.size.size() == 1);
@@ -286,12 +290,15 @@ TEST_CASE("bad cuts and strengths are errors that say where", "[fracture][cuts][
     change(scene.bodies[0]);
     return error_codes(scene);
   };
-  CHECK(with([](BodySettings& b) { b.cuts = {{.faces = CutPlane{{9, 0, 0}, {1, 0, 0}}}}; }) ==
-        Codes{"nothing_cut"});
-  CHECK(with([](BodySettings& b) { b.cuts = {{.faces = CutPlane{{0, 0, 0}, {0, 0, 0}}}}; }) ==
-        Codes{"not_a_direction"});
-  CHECK(with([](BodySettings& b) { b.cuts = {{.faces = FaceList{"", {{0, 1, 999}}}}}; }) ==
-        Codes{"not_interior"});
+  CHECK(with([](BodySettings& b) {
+          b.cuts = {{.faces = CutPlane{{9, 0, 0}, {1, 0, 0}}}};
+        }) == Codes{"nothing_cut"});
+  CHECK(with([](BodySettings& b) {
+          b.cuts = {{.faces = CutPlane{{0, 0, 0}, {0, 0, 0}}}};
+        }) == Codes{"not_a_direction"});
+  CHECK(with([](BodySettings& b) {
+          b.cuts = {{.faces = FaceList{"", {{0, 1, 999}}}}};
+        }) == Codes{"not_interior"});
   CHECK(with([](BodySettings& b) { b.strength.regions = {{.region = {"steel"}}}; }) ==
         Codes{"unknown_region"});
   CHECK(with([](BodySettings& b) {
@@ -300,6 +307,7 @@ TEST_CASE("bad cuts and strengths are errors that say where", "[fracture][cuts][
   CHECK(with([](BodySettings& b) { b.strength.weibull = WeibullSettings{.modulus = 0}; }) ==
         Codes{"strength_out_of_range"});
   CHECK(with([](BodySettings& b) { b.strength.painted = {1e6}; }) == Codes{"painted_strength"});
-  CHECK(with([](BodySettings& b) { b.unbreakable = {{RestBox{{5, 5, 5}, {6, 6, 6}}}}; }) ==
-        Codes{"nothing_unbreakable"});
+  CHECK(with([](BodySettings& b) {
+          b.unbreakable = {{RestBox{{5, 5, 5}, {6, 6, 6}}}};
+        }) == Codes{"nothing_unbreakable"});
 }

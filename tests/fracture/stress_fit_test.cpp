@@ -109,9 +109,10 @@ TEST_CASE("the fit equals its slow twin while cracks go through its patches", "[
     random_stress(body, random);
     fit_node_stress(stress, fit, body.cells.map, body.elements());
     for (std::size_t v = 0; v < stress.size(); ++v) {
-      const Mat3 twin = fit.patches[v].fitted
-                            ? slow_fit(body, VertexId{v})
-                            : node_stress_of_star(body.elements(), star(body.cells.map, VertexId{v}));
+      const Mat3 twin =
+          fit.patches[v].fitted
+              ? slow_fit(body, VertexId{v})
+              : node_stress_of_star(body.elements(), star(body.cells.map, VertexId{v}));
       REQUIRE((stress[v] - twin).norm() < 1e-10);
     }
     crack(body, random, 25);

@@ -8,8 +8,8 @@
 #include "fracture/find_fractures.hpp"
 #include "fracture/node_stress.hpp"
 #include "mechanics/strain_displacement.hpp"
-#include "topology/suite/shapes.hpp"
 #include "topology/build_map.hpp"
+#include "topology/suite/shapes.hpp"
 
 namespace sunder::test {
 

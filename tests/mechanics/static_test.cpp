@@ -148,7 +148,8 @@ TEST_CASE("Kuhn's tetrahedra lock by the known ratios", "[mechanics][static]") {
   // E 2e11, nu 0.3, 1 x 0.1 x 0.1 m, 1 kN: Timoshenko's tip is 2.0156e-4 m. Layers and ratio of
   // mechanics_notes, measured twice, with CalculiX and a prototype.
   const Material material{.young_modulus = 2e11, .poisson_ratio = 0.3, .density = 7800};
-  const auto [layers, ratio] = GENERATE(table<int, double>({{1, 0.219}, {2, 0.504}, {4, 0.787}, {6, 0.887}, {8, 0.930}}));
+  const auto [layers, ratio] =
+      GENERATE(table<int, double>({{1, 0.219}, {2, 0.504}, {4, 0.787}, {6, 0.887}, {8, 0.930}}));
   Cantilever bar =
       cantilever({10 * layers, layers, layers}, Vec3(1, 0.1, 0.1), material, Vec3(0, 0, -1000));
   MechanicsScratch scratch;

@@ -57,12 +57,14 @@ fs::path write_scene(const Folder& folder, const json& scene) {
 /// The monolith struck at once by one ball: breaks within 0.02 s.
 json struck_scene() {
   return {{"name", "struck"},
-          {"bodies", {{{"mesh", SUNDER_MESHES "/monolith.msh"},
-                       {"material", {{"young_modulus", 30e9}, {"tensile_strength", 2e6}}}}}},
-          {"obstacles", {{{"plane", {{"normal", {0, 0, 1}}}}},
-                         {{"sphere", {{"center", {0, -0.4, 1.3}}, {"radius", 0.2}}},
-                          {"velocity", {0, 20, 0}},
-                          {"mass", 120}}}},
+          {"bodies",
+           {{{"mesh", SUNDER_MESHES "/monolith.msh"},
+             {"material", {{"young_modulus", 30e9}, {"tensile_strength", 2e6}}}}}},
+          {"obstacles",
+           {{{"plane", {{"normal", {0, 0, 1}}}}},
+            {{"sphere", {{"center", {0, -0.4, 1.3}}, {"radius", 0.2}}},
+             {"velocity", {0, 20, 0}},
+             {"mass", 120}}}},
           {"time_step", 2.5e-4},
           {"duration", 0.02}};
 }
@@ -144,8 +146,8 @@ TEST_CASE("two runs of a scene that breaks leave the same bytes", "[run]") {
   const Folder folder("bytes");
   const fs::path scene = write_scene(folder, struck_scene());
   for (const char* out : {"a", "b"}) {
-    const Outcome o = run(folder, scene.string() + " --quiet --frames 3 -o " +
-                                      (folder.path / out).string());
+    const Outcome o =
+        run(folder, scene.string() + " --quiet --frames 3 -o " + (folder.path / out).string());
     INFO(o.text);
     REQUIRE(o.exit_code == 0);
   }

@@ -48,7 +48,8 @@ TEST_CASE("A shattering body takes the same bytes on one, two and three threads"
     CHECK(same_bytes(a.position, b.position));
     CHECK(same_bytes(a.velocity, b.velocity));
     CHECK(same_bytes(a.displacement, b.displacement));
-    CHECK(same_bytes(alone.state.mechanics.elements.stress, together.state.mechanics.elements.stress));
+    CHECK(same_bytes(alone.state.mechanics.elements.stress,
+                     together.state.mechanics.elements.stress));
   }
 }
 

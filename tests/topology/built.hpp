@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
-#include "topology/suite/glue_twin.hpp"
-#include "topology/suite/shapes.hpp"
 #include "topology/build_map.hpp"
 #include "topology/check.hpp"
 #include "topology/components.hpp"
 #include "topology/fan.hpp"
 #include "topology/invariants.hpp"
 #include "topology/split_face.hpp"
+#include "topology/suite/glue_twin.hpp"
+#include "topology/suite/shapes.hpp"
 
 namespace sunder::test {
 
