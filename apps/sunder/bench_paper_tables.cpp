@@ -10,7 +10,7 @@ namespace {
 constexpr std::array<PaperScene, 3> scenes = {{
     {"monolith", "Struck monolith", 1000, 180},
     {"block", "Strained block", 2500, 60},
-    {"bunny", "Falling bunny", 160, 101},
+    {"bunny", "Falling bunny", 160, 20},
 }};
 
 /// Figures of the three scenes, in their order.
