@@ -75,6 +75,7 @@ void step_broyden(const ComponentStep& step) {
     ++report.iterations;
   }
   report.force_evaluations = problem.evaluations;
+  if (!is_nearest_root(problem, y)) return fall_back(step, report);
   finish_euler(problem, y, report);
 }
 

@@ -14,9 +14,9 @@ namespace sunder {
 /// whose text was not to be had. With B0 = M (`BroydenStart::mass`) it needs hundreds of
 /// evaluations at twice the explicit step and diverges from about three on; with the factor it
 /// takes two to five. Ends at `tolerance`, begins anew after `broyden_memory` updates; at
-/// `max_iterations`, or when the residual has grown by 1e12, the factor takes the step and
-/// the report says so. Momentum is exact at any tolerance. Costs an evaluation of forces each. No
-/// damping.
+/// `max_iterations`, when the residual has grown by 1e12, or at a root that is not the step's
+/// (`is_nearest_root`), the factor takes the step and the report says so. Momentum is exact at any
+/// tolerance. Costs an evaluation of forces each. No damping.
 void step_broyden(const ComponentStep& step);
 
 }  // namespace sunder

@@ -114,6 +114,25 @@ double good_enough(const EulerProblem& problem, double first) {
   return std::max(problem.step.input.settings.tolerance * first, problem.floor);
 }
 
+bool is_nearest_root(const EulerProblem& problem, const WorldField& y) {
+  const ComponentStep& step = problem.step;
+  if (step.component.supported) return true;
+  const ComponentSystem& system = *step.system;
+  const double h = step.input.settings.time_step;
+  WorldField ahead(3, y.cols());
+  for (std::size_t i = 0; i < system.size(); ++i) {
+    const auto column = static_cast<Eigen::Index>(i);
+    ahead.col(column) = step.state.vertices.position[system.order[i].index()];
+  }
+  const WorldField end = ahead + h * y;
+  ahead += h * problem.start;
+  const Vec3 centre = ahead * system.shape.mass / system.shape.total_mass;
+  ahead.colwise() -= centre;
+  const Mat3 S = end * system.shape.mass.asDiagonal() * ahead.transpose();
+  const Mat3 stiffness = S.trace() * Mat3::Identity() - 0.5 * (S + S.transpose());
+  return Eigen::LLT<Mat3>(stiffness).info() == Eigen::Success;
+}
+
 void finish_euler(const EulerProblem& problem, WorldField& y, const SolveReport& report) {
   const ComponentStep& step = problem.step;
   const ComponentSystem& system = *step.system;

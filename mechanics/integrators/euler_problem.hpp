@@ -37,6 +37,14 @@ void factor_step(WorldField& F, const ComponentStep& step, const Mat3& R);
 /// |F| at which iterations may end: the tolerance times where they began, or rounding.
 double good_enough(const EulerProblem& problem, double first);
 
+/// Whether a root is the step and not another solution of its equation. The equation asks that
+/// |M^(1/2) (x + h y - x - h start)|^2 / 2 h^2 + strain energy does not change; a stiff body that
+/// turns by w h meets that at the angle arctan(w h), where it is least, and half a turn on, where
+/// it is greatest and the spin comes out at up to 1 / (w h) times itself. With
+/// S = sum m x_end x_ahead^T it is least with regard to turns where tr(S) 1 - sym(S) is positive
+/// definite. Iterations that begin far off, stiff bodies at long steps, do find the other one.
+bool is_nearest_root(const EulerProblem& problem, const WorldField& y);
+
 /// Writes the prediction: y with the momentum of the mass centre made exact whatever the tolerance,
 /// and x + h y less `parabola_shift`.
 void finish_euler(const EulerProblem& problem, WorldField& y, const SolveReport& report);

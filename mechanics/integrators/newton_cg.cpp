@@ -138,6 +138,7 @@ void step_newton_cg(const ComponentStep& step) {
     residual(F, problem, y);
   }
   report.force_evaluations = problem.evaluations;
+  if (!is_nearest_root(problem, y)) return fall_back(step, report);
   finish_euler(problem, y, report);
 }
 

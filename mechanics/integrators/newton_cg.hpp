@@ -12,8 +12,9 @@ namespace sunder {
 /// What is rigid of a step is solved apart and exactly, so that gravity and momentum do not depend
 /// on where iterations stop. `tolerance` is that of the step's residual; the iterations of
 /// conjugate gradients grow with h times the highest frequency (some 270 at 30 GPa, 1 ms, 6 000
-/// tetrahedra). At `max_iterations` of them the factor takes the step and the report says so. No
-/// damping.
+/// tetrahedra). At `max_iterations` of them, or at a
+/// root that is not the step's (`is_nearest_root`), the factor takes the step and the report says
+/// so. No damping.
 void step_newton_cg(const ComponentStep& step);
 
 }  // namespace sunder

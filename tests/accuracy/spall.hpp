@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// A pressure pulse that meets the free end of a flat bar and breaks layers off it.
+#pragma once
+
+#include <vector>
+
+namespace sunder::accuracy {
+
+/// A bar of Kuhn cells, 1 m long, nu = 0, in which a sawtooth of compression runs towards a free
+/// end: it rises to s0 over r = `front` cells and falls to nothing over the rest of its length l.
+/// Reflected it is tension; less what still comes in, that is 2 s0 delta / (l - r) at the depth
+/// delta, so that the first layer comes off at (l - r) xi / (2 s0), at the speed
+/// (2 s0 - xi) / (rho c). Of a sharp front what is left, s0 - xi, does the same: floor(s0 / xi)
+/// layers of that thickness. Of one that rises over some cells it does not: what of the rise had
+/// passed the crack before it opened goes on ahead of the release, meets less and less that still
+/// comes in, and breaks on behind the first layer, however fine the mesh is.
+struct Spall {
+  int cells = 150, across = 1;
+  double length = 0.4;     ///< l, m
+  double peak = 1.5;       ///< s0 / xi
+  double front = 8;        ///< cells
+  double step = 0.25;      ///< of a wave's way through a cell
+  double viscosity = 0.1;  ///< C = this (cell / c) K
+};
+
+struct SpallOutcome {
+  std::vector<double> thickness;  ///< m, of the layers, the first one first
+  double exact_thickness = 0;     ///< (l - r) xi / (2 s0)
+  std::size_t exact_layers = 0;   ///< floor(s0 / xi), of a sharp front
+  double speed = 0;               ///< of the first layer; 0: none / ((2 s0 - xi) / (rho c))
+  double time = 0;      ///< of the first crack / (time from the front's reflection, delta / c)
+  double momentum = 0;  ///< at the end / that of the pulse
+};
+
+/// Runs until the pulse has gone.
+SpallOutcome run_spall(const Spall& spall);
+
+}  // namespace sunder::accuracy
