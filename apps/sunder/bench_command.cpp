@@ -198,7 +198,7 @@ one solve a step; our defaults. Parts of the scenes are run: the column of steps
 fans of a run are cut again with every way of finding components; threshold tests, forces and
 stresses of both models are measured on moments of the run in the paper's mode.
 
-Times of steps are this thread's own, of fans medians of five on the wall. docs/paper.md reads them.
+Times of steps are this thread's own, of fans medians of nine on the wall. docs/paper.md reads them.
 
 Exit codes: 0 done, 2 usage, 3 a scene has errors, 4 an output was not written.
 

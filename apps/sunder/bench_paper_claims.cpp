@@ -32,6 +32,7 @@ struct View {
 
 std::string percent(double value) { return fmt::format("{:.1f} %", 100 * value); }
 std::string times(double value) { return fmt::format("{:.3g} x", value); }
+std::string fine_times(double value) { return fmt::format("{:.4g} x", value); }
 std::string count(double value) { return fmt::format("{:.0f}", value); }
 
 /// A claim before it is held against figures.
@@ -87,8 +88,11 @@ std::vector<Question> questions_of_accelerations() {
   return {
       {"Gershgorin's test is 3 times faster than eigenvalues",
        [](const View& v) { return v("test_speed"); }, times, [](double r) { return r >= 3; }},
-      {"about 80 % or more of what the bound lets through does break",
+      {"about 80 % or more of what the bound lets through is over the threshold",
        [](const View& v) { return v("gershgorin_efficiency"); }, percent,
+       [](double r) { return r >= 0.78; }},
+      {"- had vertices with empty fans been tested every step",
+       [](const View& v) { return v("gershgorin_retested"); }, percent,
        [](double r) { return r >= 0.78; }},
       {"the oracle is right in over 90 % of its predictions",
        [](const View& v) { return v("oracle_efficiency"); }, percent,
@@ -100,7 +104,7 @@ std::vector<Question> questions_of_accelerations() {
        [](const View& v) { return v.ratio("walk_none", "walk_new"); }, times,
        [](double r) { return r > 1; }},
       {"with a new component the oracle costs at most 2 % more",
-       [](const View& v) { return less_one(v.ratio("oracle_new", "walk_new")); }, percent,
+       [](const View& v) { return less_one(v("oracle_cost")); }, percent,
        [](double r) { return r <= 0.021; }},
       {"without one it saves at least 55 %, up to 67 %",
        [](const View& v) { return one_less(v.ratio("oracle_none", "walk_none")); }, percent,
@@ -108,33 +112,42 @@ std::vector<Question> questions_of_accelerations() {
   };
 }
 
-/// Of the last paragraph.
+/// Of the last paragraph, and one of section 7.
 std::vector<Question> questions_of_models() {
   return {
       {"corotational node stress is lower: largest of the run without fractures, over ours",
-       [](const View& v) { return v.ratio("peak_stress_corotational", "peak_stress"); }, times,
+       [](const View& v) { return v.ratio("peak_stress_corotational", "peak_stress"); }, fine_times,
        [](double r) { return r < 1; }},
       {"- at the same positions, vertices above half of the largest",
-       [](const View& v) { return v("same_state_ratio"); }, times, [](double r) { return r < 1; }},
+       [](const View& v) { return v("same_state_ratio"); }, fine_times,
+       [](double r) { return r < 1; }},
       {"so it shatters less: fans over ours",
        [](const View& v) { return v.ratio("fractures_corotational", "fractures"); }, times,
        [](double r) { return r < 1; }},
       {"- pieces over ours", [](const View& v) { return v.ratio("pieces_corotational", "pieces"); },
        times, [](double r) { return r < 1; }},
+      {"one crack a step shatters less (section 7): pieces over ours",
+       [](const View& v) { return v.ratio("pieces_single", "pieces"); }, times,
+       [](double r) { return r < 1; }},
   };
 }
 
 PaperClaim answer(const PaperBench& bench, const Question& question) {
   PaperClaim claim{question.text, {}, {}, "-"};
   const std::string_view mode = paper_modes().front().name;
+  int asked = 0, held = 0;
   for (const PaperScene& scene : paper_scenes()) {
     const auto cell = [&](const Number& value) { return value ? question.format(*value) : "-"; };
     const Number ours = question.number({bench, scene.name, mode});
     claim.paper.push_back(cell(question.number({bench, scene.name, theirs})));
     claim.ours.push_back(cell(ours));
-    if (!ours) continue;
-    if (!question.holds(*ours)) claim.verdict = "differs";
-    if (claim.verdict == "-") claim.verdict = "holds";
+    asked += ours.has_value();
+    held += ours && question.holds(*ours);
+  }
+  if (asked > 0) {
+    claim.verdict = held == asked ? "holds"
+                    : held == 0   ? "differs"
+                                  : fmt::format("holds in {} of {}", held, asked);
   }
   return claim;
 }

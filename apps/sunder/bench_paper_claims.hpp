@@ -13,7 +13,7 @@ namespace sunder {
 struct PaperClaim {
   std::string text;
   std::vector<std::string> paper, ours;  ///< row = scene
-  /// "holds" or "differs" by what `text` says, in all scenes that have figures; "-" without any.
+  /// "holds", "differs" or "holds in N of M", of the scenes that have figures; "-" without any.
   std::string verdict;
 };
 

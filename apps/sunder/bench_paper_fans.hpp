@@ -25,6 +25,8 @@ struct FanReplay {
   /// us, means likewise: choosing the plane and its faces, the same in every way.
   std::array<double, 2> choose_us{};
   std::array<std::size_t, 2> fans{};
+  /// Median over the fans with a new component of the time with oracle over that without it.
+  double oracle_cost = 1;
   /// Fans with a new component at which the oracle was silent, as the walks tell.
   std::size_t missed = 0;
 };

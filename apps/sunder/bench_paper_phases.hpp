@@ -8,7 +8,8 @@
 
 namespace sunder {
 
-/// A phase of fracturing: steps with fans, ended where `phase_gap` steps in a row have none.
+/// A phase of fracturing: steps with fans, parted where at least `phase_gap` steps in a row have
+/// none.
 inline constexpr std::size_t phase_gap = 10;
 
 /// Steps count from 1.

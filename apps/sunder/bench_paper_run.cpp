@@ -101,6 +101,7 @@ void add_step(PaperRun& run, const Simulation& now, const StepReport& report) {
   run.counts.tested += report.fracture.tested;
   run.counts.suspects += report.fracture.suspects;
   run.counts.reached += report.fracture.reached;
+  run.counts.still_empty += report.fracture.still_empty;
   for (const FanEvent& fan : report.fracture.fans) add_fan(run, fan);
   run.given_up += report.status.solve.not_converged > 0;
   for (const Mat3& sigma : now.scratch.fracture.node_stress) {

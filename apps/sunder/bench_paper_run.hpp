@@ -47,6 +47,8 @@ struct RecordedFan {
 /// Counts of table 3.
 struct PaperCounts {
   std::size_t tested = 0, suspects = 0, reached = 0;  ///< vertices
+  /// Vertices over their threshold that waited with an empty fan and were not tested again.
+  std::size_t still_empty = 0;
   std::size_t fans = 0, faces = 0;
   /// Fans with a new component, fans that the oracle pointed at, those of them that had one.
   std::size_t separated = 0, predicted = 0, predicted_rightly = 0;
