@@ -247,7 +247,7 @@ FractureReport find_fractures(Cells& cells, MechanicsState& mechanics,
   count_relieved(work);
 
   std::vector<VertexId> tied, split_rows;
-  while (!work.queue.empty()) {
+  for (std::uint32_t round = 0; !work.queue.empty(); ++round) {
     take_tied(tied, work);
     split_rows.clear();
     for (PlannedFan& plan : plan_fans(work, tied)) {
@@ -257,6 +257,7 @@ FractureReport find_fractures(Cells& cells, MechanicsState& mechanics,
         ++(event.refused ? work.report.refused_fans : work.report.relieved);
         continue;
       }
+      event.round = round;
       note_splits(work, event, split_rows);
       work.report.fans.push_back(std::move(event));
     }

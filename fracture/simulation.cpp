@@ -105,6 +105,22 @@ void add_contact(ContactReport& sum, const ContactReport& part) {
   }
 }
 
+/// The fans that the script has for the search at hand.
+FractureReport make_scripted_fans(StepWork& work) {
+  Simulation& sim = work.sim;
+  FractureReport made;
+  if (!std::ranges::all_of(sim.state.mechanics.elements.stress,
+                           [](const Mat3& stress) { return stress.allFinite(); })) {
+    // The search fails on it and makes none; a script has nothing for it.
+    return find_fractures(sim.state.cells, sim.state.mechanics, sim.scene.fracture,
+                          sim.scratch.fracture, work.members());
+  }
+  made.fans = make_fans({sim.state.cells, sim.state.mechanics}, sim.scene.fracture, *sim.script,
+                        {sim.state.step + 1, work.report.parts}, sim.scratch.fracture.fan);
+  work.report.departed = sim.script->departure.has_value();
+  return made;
+}
+
 /// Adds the fractures of a part to those of its step.
 void add_fracture(StepReport& sum, FractureReport&& part) {
   FractureReport& all = sum.fracture;
@@ -121,6 +137,7 @@ void add_fracture(StepReport& sum, FractureReport&& part) {
   for (FanEvent& fan : part.fans) {
     all.fans.push_back(std::move(fan));
     sum.fan_time.push_back(sum.time);
+    sum.fan_part.push_back(sum.parts);
   }
 }
 
@@ -187,14 +204,16 @@ void break_members(StepWork& work) {
     FractureSettings settings = sim.scene.fracture;
     settings.max_fans -=
         std::min(settings.max_fans, static_cast<std::uint32_t>(work.report.fracture.fans.size()));
-    found = find_fractures(sim.state.cells, sim.state.mechanics, settings, sim.scratch.fracture,
-                           work.members());
+    found = sim.script ? make_scripted_fans(work)
+                       : find_fractures(sim.state.cells, sim.state.mechanics, settings,
+                                        sim.scratch.fracture, work.members());
   }
   if (!found.not_a_number && !found.fans.empty()) {
     const StageTimer timer(work.report, Stage::rebuild);
     rebuild_components(work, found);
   }
   add_fracture(work.report, std::move(found));
+  ++work.report.parts;
 }
 
 StepReport advance(Simulation& sim, const StepObserver& observe) {

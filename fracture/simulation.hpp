@@ -7,11 +7,13 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "fracture/cells.hpp"
 #include "fracture/crack_energy.hpp"
+#include "fracture/fan_script.hpp"
 #include "fracture/find_fractures.hpp"
 #include "fracture/scene.hpp"
 #include "mechanics/contact.hpp"
@@ -90,6 +92,8 @@ struct Simulation {
   std::vector<BodyRows> bodies;
   /// Those of all bodies (`BodySettings::loads`); corners keep them through every split.
   std::vector<CornerLoad> loads;
+  /// Fans to make in place of finding any: those of an earlier run (replay).
+  std::optional<FanScript> script;
   SimulationState state;
   SimulationScratch scratch;
 };
@@ -152,6 +156,12 @@ struct StepReport {
   FractureReport fracture;
   /// s, of each fan: the end of the sub-step in which it came.
   std::vector<double> fan_time;
+  /// Of each fan: which search for fractures of the step it came from, from 0; and how many
+  /// searches there were.
+  std::vector<std::uint32_t> fan_part;
+  std::uint32_t parts = 0;
+  /// Whether the script has a fan that cannot be made (`FanScript::departure`).
+  bool departed = false;
   ImpactReport impact;
   LadderReport ladder;
   /// N s, given by surface loads, what acts at supports too.
@@ -186,8 +196,10 @@ Result<Simulation> build_simulation(Scene scene);
 /// frozen deformations up to the blow, sub-steps while it lasts, each with its own fractures, and
 /// the rest at once; all others take the whole step, and everybody meets at its end
 /// (docs/impact.md). `observe` is called after each part.
-/// After an outcome other than fine in `status`, or a stress that is not a number, the simulation
-/// must not be advanced further; the state is as computed, for whoever wants to look.
+/// With a script its fans are made instead of looking for any.
+/// After an outcome other than fine in `status`, a stress that is not a number, or a departure from
+/// the script, the simulation must not be advanced further; the state is as computed, for whoever
+/// wants to look.
 StepReport advance(Simulation& simulation, const StepObserver& observe = {});
 
 /// Gravity at a time, m/s^2: raised linearly over the ramp.

@@ -172,6 +172,16 @@ PlannedFan plan_fan(const Cells& cells, VertexId vertex, const PrincipalTension&
   return fan;
 }
 
+PlannedFan plan_known_fan(const Cells& cells, VertexId vertex, const Vec3& normal, double stress) {
+  const double start = wall_us();
+  PlannedFan fan{vertex,
+                 {normal, breakable_faces(cells, vertex, normal)},
+                 stress,
+                 cells.strength[vertex.index()]};
+  fan.choose_us = wall_us() - start;
+  return fan;
+}
+
 FanEvent split_fan(Cells& cells, MechanicsState& mechanics, PlannedFan fan,
                    const FractureSettings& settings, FanScratch& scratch) {
   FanEvent event{.vertex = fan.vertex,

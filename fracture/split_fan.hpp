@@ -23,6 +23,9 @@ struct FanEvent {
   /// Largest principal stress and the threshold it reached, Pa.
   double stress = 0;
   double strength = 0;
+  /// Which round of its search it came from, from 0: fans of one round were decided on the same
+  /// state.
+  std::uint32_t round = 0;
   /// One entry a face, in the order in which they were split; empty when every tetrahedron lay on
   /// one side of the plane: then nothing changed.
   std::vector<FaceSplit> faces;
@@ -59,6 +62,10 @@ struct PlannedFan {
 
 /// The fan of `vertex` for its stress (`choose_fan`); no faces where it is empty.
 PlannedFan plan_fan(const Cells& cells, VertexId vertex, const PrincipalTension& tension);
+
+/// The fan of `vertex` along a plane that is known already; `stress` (Pa) is only noted.
+/// Needs: a living vertex, a normal that is not zero.
+PlannedFan plan_known_fan(const Cells& cells, VertexId vertex, const Vec3& normal, double stress);
 
 /// Working memory of `split_fan`, kept between calls.
 struct FanScratch {

@@ -36,7 +36,8 @@ struct StepWork {
 
   StepMembers members() const { return {components, balls}; }
   bool failed() const {
-    return report.status.outcome != StepOutcome::fine || report.fracture.not_a_number.has_value();
+    return report.status.outcome != StepOutcome::fine || report.fracture.not_a_number.has_value() ||
+           report.departed;
   }
 };
 

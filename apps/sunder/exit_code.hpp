@@ -15,6 +15,8 @@ enum class ExitCode : int {
   not_written = 4,
   /// The simulation failed: diverged, not a number.
   failed = 5,
+  /// A replay is not the run whose log it follows.
+  departed = 6,
   interrupted = 130,
 };
 

@@ -27,12 +27,15 @@ struct Recorder::Parts {
   std::vector<PvdFrame> frames;
   std::uint32_t pictures = 0;
   std::optional<std::uint64_t> last_frame, last_picture;
-  std::string events;
+  EventLog events;
+  nlohmann::ordered_json counts;
   std::vector<std::uint64_t> birth;  // step, by component; those of the start have 0
   std::optional<render::Renderer> renderer;
   RunView view;
   nlohmann::ordered_json report;
 
+  explicit Parts(const RecordedRun& run)
+      : folder(run.folder), output(run.file.output), events(run.file), counts(run.counts) {}
   std::vector<Finding> write_frame_of(const Simulation& now);
   std::vector<Finding> draw_picture(const Simulation& now);
   std::vector<Finding> write_due(const Simulation& now);
@@ -136,9 +139,7 @@ Recorder::~Recorder() = default;
 
 Result<Recorder> Recorder::open(const RecordedRun& run, const Simulation& start,
                                 std::vector<Finding> warnings) {
-  auto parts = std::make_unique<Parts>();
-  parts->folder = run.folder;
-  parts->output = run.file.output;
+  auto parts = std::make_unique<Parts>(run);
   parts->origin = origins(run.file.scene.bodies);
   parts->frame_steps = due_frames(run.file);
   parts->picture_steps = due_pictures(run.file);
@@ -204,8 +205,10 @@ std::vector<Finding> Recorder::record(const Simulation& now, const StepReport& r
     const ComponentUpdate& made = report.fracture.fans[k].components;
     if (made.created > 0) parts_->birth.resize(made.first_new.index(), 0);
     parts_->birth.resize(parts_->birth.size() + made.created, report.step);
-    parts_->events +=
-        event_line(report.fracture.fans[k], {report.step, report.fan_time[k]}, now.state.cells.map);
+    const std::uint64_t fan = parts_->statistics.fans - report.fracture.fans.size() + k;
+    parts_->events.add(event_of(report.fracture.fans[k],
+                                {fan, report.step, report.fan_part[k], report.fan_time[k]},
+                                now.state.cells.map));
   }
   return parts_->write_due(now);
 }
@@ -217,13 +220,18 @@ std::vector<Finding> Recorder::finish(const Simulation& now, RunEnd end) {
     if (!p.frame_steps.empty() && p.last_frame != now.state.step) findings = p.write_frame_of(now);
     if (p.renderer && p.last_picture != now.state.step) append(findings, p.draw_picture(now));
   }
+  if (!p.counts.is_null()) take_search_counts(p.statistics, p.counts);
+  p.events.add({{"end", to_string(end)},
+                {"steps", now.state.step},
+                {"fans", p.statistics.fans},
+                {"search", search_counts(p.statistics)}});
   const std::vector<Fragment> pieces =
       fragments(now.state.cells, now.state.mechanics, p.origin, p.birth);
   p.report = run_report(p.statistics, now, pieces, end);
   const auto write = [&](const char* name, const std::string& text) {
     if (auto finding = write_file(p.folder / name, text)) findings.push_back(std::move(*finding));
   };
-  write("events.jsonl", p.events);
+  write("events.jsonl", p.events.text());
   write("cracks.csv", cracks_csv(p.statistics.cracks));
   write("fragments.csv", fragments_csv(pieces));
   write("report.json", p.report.dump(2) + "\n");
@@ -231,6 +239,7 @@ std::vector<Finding> Recorder::finish(const Simulation& now, RunEnd end) {
 }
 
 const RunStatistics& Recorder::statistics() const { return parts_->statistics; }
+const EventLog& Recorder::events() const { return parts_->events; }
 const nlohmann::ordered_json& Recorder::report() const { return parts_->report; }
 
 }  // namespace sunder

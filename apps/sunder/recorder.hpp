@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "apps/sunder/event_log.hpp"
 #include "apps/sunder/recorder_report.hpp"
 #include "apps/sunder/scene_json.hpp"
 #include "fracture/simulation.hpp"
@@ -27,6 +28,8 @@ std::vector<std::uint64_t> interval_steps(const Scene& scene, double interval);
 struct RecordedRun {
   std::filesystem::path folder;
   const SceneFile& file;
+  /// Of a replay: what the searches of the run it repeats counted (`search_counts`).
+  nlohmann::ordered_json counts = nullptr;
 };
 
 /// Keeps the files of a run. Guarded: `frames.pvd` lists exactly the frames that are there, and a
@@ -56,6 +59,8 @@ class Recorder {
   std::vector<Finding> finish(const Simulation& now, RunEnd end);
 
   const RunStatistics& statistics() const;
+  /// events.jsonl as far as it goes; whole after `finish`.
+  const EventLog& events() const;
   /// report.json; needs `finish`.
   const nlohmann::ordered_json& report() const;
 

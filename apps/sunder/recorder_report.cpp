@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "apps/sunder/event_log.hpp"
 #include "apps/sunder/words.hpp"
 #include "mechanics/energy.hpp"
 
@@ -300,7 +301,6 @@ std::optional<Finding> step_failure(const StepReport& report, const Simulation& 
 
 ordered_json run_report(const RunStatistics& s, const Simulation& now,
                         std::span<const Fragment> pieces, RunEnd end) {
-  constexpr std::array<std::string_view, 3> ends = {"finished", "interrupted", "failed"};
   ordered_json stages = ordered_json::object();
   for (std::size_t i = 0; i < stage_names.size(); ++i) {
     stages[std::string(stage_names[i])] = distribution(s.stage_ms[i]);
@@ -311,7 +311,7 @@ ordered_json run_report(const RunStatistics& s, const Simulation& now,
     largest = std::max(largest, piece.mass);
   }
   return {{"scene", now.scene.name},
-          {"end", ends[static_cast<std::size_t>(end)]},
+          {"end", to_string(end)},
           {"steps", now.state.step},
           {"time", now.state.mechanics.time},
           {"time_step", now.scene.time_step},

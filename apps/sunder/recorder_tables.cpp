@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Fragments, events and VTU frames from the state of a simulation.
+// Fragments, cracks and VTU frames from the state of a simulation.
 #include "apps/sunder/recorder_tables.hpp"
 
 #include <fmt/format.h>
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "fracture/threshold_test.hpp"
 #include "topology/io/vtu.hpp"
@@ -14,10 +13,6 @@
 
 namespace sunder {
 namespace {
-
-using nlohmann::ordered_json;
-
-ordered_json numbers(const Vec3& v) { return {v[0], v[1], v[2]}; }
 
 /// VTK's order of a symmetric tensor.
 std::array<double, 6> six(const Mat3& m) {
@@ -142,46 +137,6 @@ std::string cracks_csv(std::vector<CrackEnergy> cracks) {
                         c.area > 0 ? c.energy / c.area : 0);
   }
   return text;
-}
-
-std::string event_line(const FanEvent& event, const EventTime& when, const VolumeMap& map) {
-  ordered_json faces = ordered_json::array();
-  for (const FaceSplit& split : event.faces) {
-    ordered_json points = ordered_json::array(), copies = ordered_json::array(),
-                 edges = ordered_json::array();
-    for (const int corner :
-         dart_order::face_corners[static_cast<std::size_t>(place_of(split.face))]) {
-      const VertexId v = map.corners(tetrahedron_of(split.face))[static_cast<std::size_t>(corner)];
-      points.push_back(map.point_of_vertex(v));
-    }
-    for (int i = 0; i < split.vertex_count; ++i) {
-      const VertexCopy& copy = split.split_vertices[static_cast<std::size_t>(i)];
-      copies.push_back({copy.old_row.value, copy.new_row.value});
-    }
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (split.split_edges >> i & 1) edges.push_back({points[i], points[(i + 1) % 3]});
-    }
-    faces.push_back({{"points", points},
-                     {"split_vertices", copies},
-                     {"split_edges", edges},
-                     {"oracle", oracle_says_new(split)}});
-  }
-  ordered_json created = ordered_json::array();
-  for (std::size_t i = 0; i < event.components.created; ++i) {
-    created.push_back(event.components.first_new.value + i);
-  }
-  const ordered_json line = {{"step", when.step},
-                             {"time", when.time},
-                             {"vertex", event.vertex.value},
-                             {"point", event.point},
-                             {"rest_position", numbers(event.rest_position)},
-                             {"normal", numbers(event.normal)},
-                             {"stress", event.stress},
-                             {"strength", event.strength},
-                             {"faces", faces},
-                             {"oracle", event.components.predicted},
-                             {"new_components", created}};
-  return line.dump() + "\n";
 }
 
 std::vector<Finding> write_frame(const std::filesystem::path& path, const Cells& cells,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a run writes about its state: frames for viewers, the table of fragments, lines of events.
+// What a run writes about its state: frames for viewers, the tables of fragments and cracks.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,6 @@
 
 #include "fracture/cells.hpp"
 #include "fracture/crack_energy.hpp"
-#include "fracture/split_fan.hpp"
 #include "mechanics/mechanics_state.hpp"
 #include "topology/finding.hpp"
 
@@ -60,22 +59,9 @@ std::vector<Fragment> fragments(const Cells& cells, const MechanicsState& mechan
 /// exactly), largest mass first, ties by id.
 std::string fragments_csv(std::vector<Fragment> fragments);
 
-/// What fans gave up, as CSV in the order of the fans: fan (line of events.jsonl, from 0), time
+/// What fans gave up, as CSV in the order of the fans: fan (`fan` in events.jsonl), time
 /// (s), area (m^2), energy (J), energy_per_area (J/m^2).
 std::string cracks_csv(std::vector<CrackEnergy> cracks);
-
-/// When a fan happened.
-struct EventTime {
-  std::size_t step = 0;
-  /// s, end of the step.
-  double time = 0;
-};
-
-/// One line of JSON for one fan, with its line end: step, time, vertex, point, rest_position,
-/// normal, stress, strength, faces ({points, split_vertices [[old, new]...], split_edges, oracle}),
-/// oracle (faces that predict a separation) and new_components. Rows as they are after the fan.
-/// `map`: at any later time; names the faces' points.
-std::string event_line(const FanEvent& event, const EventTime& when, const VolumeMap& map);
 
 /// Writes one frame as VTU: the present positions with every vertex as often as the map has it.
 /// Point data: `displacement` (m, world: position minus rigid reference), `velocity` (m/s),

@@ -19,14 +19,16 @@ struct RunArguments {
   /// `dotted.path=value` changes of the scene, in their order.
   std::vector<std::string> settings;
   bool quiet = false;
+  /// Event log of an earlier run to repeat; empty: none.
+  std::filesystem::path replay;
   /// Threads for factors; the result is the same for any number.
   unsigned threads = 1;
   /// The report as JSON on stdout instead of the table.
   bool json = false;
 };
 
-/// Reads the scene, steps it to its end, to a failure or to Ctrl-C, and writes its files. Findings
-/// go to stderr, the result to stdout.
+/// Reads the scene, steps it to its end, to a failure or to Ctrl-C, and writes its files; a replay
+/// stops where it departs from its log. Findings go to stderr, the result to stdout.
 ExitCode run_scene(const RunArguments& arguments);
 
 /// Adds the subcommand `run` to the program; `exit_code` is set when it has run.

@@ -17,16 +17,17 @@ Files in DIR (an earlier run's files of these names are taken away):
   picture_*.png             with --png or the scene's output.pictures
   report.json               counts, times, ledgers, warnings
   fragments.csv             one line a piece
-  events.jsonl              one line a crack
+  events.jsonl              one line a crack; --replay repeats the run from it
   cracks.csv                area and energy of each crack
 
 Exit codes: 0 done, 2 usage, 3 bad scene or mesh, 4 not written, 5 the simulation failed
-(the files tell until when), 130 interrupted by Ctrl-C (likewise).
+(the files tell until when), 6 a replay departed from its log (likewise), 130 interrupted by Ctrl-C (likewise).
 
 Examples:
   sunder run meshes/scenes/bunny.json -o out/bunny --png 6
   sunder run meshes/scenes/block.json --set gravity.ramp_time=2 \
     --set bodies.0.material.tensile_strength=3e6 --frame-interval 0.01
+  sunder run meshes/scenes/bunny.json -o out/again --replay out/bunny/events.jsonl
 )";
 
 /// `--frames 10` is `--set output.frames=10`: one way in, one place that checks.
@@ -61,6 +62,11 @@ void add_options(CLI::App& command, RunArguments& arguments, std::vector<std::st
       ->type_name("SECONDS")
       ->description("Simulated time between VTU frames, instead of --frames")
       ->excludes(frames);
+  command
+      .add_option("--replay", arguments.replay,
+                  "Make the cracks of this event log instead of testing for any; same scene, same "
+                  "--set")
+      ->type_name("EVENTS");
   command
       .add_option("--threads", arguments.threads,
                   "Threads for factors and contact of large pieces; results do not depend on it")
