@@ -20,7 +20,7 @@ struct CrackSide {
 
 /// A fan whose opening is still followed.
 struct OpenCrack {
-  std::uint64_t fan = 0;  ///< running number, from 0: the line in events.jsonl
+  std::uint64_t fan = 0;  ///< running number, from 0: `fan` in events.jsonl
   double time = 0;        ///< s, of the fan
   double area = 0;        ///< m^2, of its faces at rest
   std::vector<CrackSide> sides;
