@@ -22,10 +22,11 @@ constexpr const char* mend = "replay the log as the run wrote it; edited logs ar
 
 /// A log while it is read.
 struct LogReader {
-  Replay replay;
-  std::string check;     ///< of the line before
-  std::size_t line = 0;  ///< from 1
-  bool ended = false;    ///< the last line has been read
+  const ReplayedScene& scene;
+  Replay replay = {};
+  std::string check = {};  ///< of the line before
+  std::size_t line = 0;    ///< from 1
+  bool ended = false;      ///< the last line has been read
   std::vector<Finding> findings = {};
 
   bool refuse(const char* code, std::string text, const char* remedy = mend) {
@@ -60,8 +61,7 @@ bool holds_check(LogReader& reader, std::string_view text) {
   return true;
 }
 
-bool read_head(LogReader& reader, const ordered_json& head, std::string_view text,
-               const std::string& hash) {
+bool read_head(LogReader& reader, const ordered_json& head, std::string_view text) {
   if (head.value("log", ordered_json()) != "sunder events" || !is_count(head, "format")) {
     return reader.refuse("other_log_format", "is not the head of an event log",
                          "give the events.jsonl of a run; logs of formats before 2 have no head "
@@ -74,10 +74,12 @@ bool read_head(LogReader& reader, const ordered_json& head, std::string_view tex
                          "replay it with the program that wrote it (`sunder` in its first line)");
   }
   if (!holds_check(reader, text)) return false;
-  if (const ordered_json theirs = head.value("scene_hash", ordered_json()); theirs != hash) {
+  if (const ordered_json theirs = head.value("scene_hash", ordered_json());
+      theirs != reader.scene.hash) {
     return reader.refuse(
         "other_scene",
-        fmt::format("is of a scene with the hash {}; this one has \"{}\"", theirs.dump(), hash),
+        fmt::format("is of a scene with the hash {}; this one has \"{}\"", theirs.dump(),
+                    reader.scene.hash),
         "give the scene and the --set changes that the run had; a changed mesh is another scene");
   }
   if (const ordered_json theirs = head.value("sunder", ordered_json()); theirs != SUNDER_VERSION) {
@@ -88,7 +90,7 @@ bool read_head(LogReader& reader, const ordered_json& head, std::string_view tex
         "if it departs, replay it with the version that wrote it");
     reader.findings.back().severity = Severity::warning;
   }
-  reader.check = hash;
+  reader.check = reader.scene.hash;
   return true;
 }
 
@@ -160,18 +162,23 @@ bool read_end(LogReader& reader, const ordered_json& end, std::string_view text)
     return reader.refuse("bad_event_log", "is not the end of a log");
   }
   replay.steps = end["steps"].get<std::uint64_t>();
+  const std::uint64_t all = reader.scene.steps;
+  if (replay.steps > all || (replay.end == RunEnd::finished && replay.steps < all)) {
+    return reader.refuse("bad_event_log", fmt::format("says {} after {} steps; the scene has {}",
+                                                      word, replay.steps, all));
+  }
   reader.ended = true;
   return true;
 }
 
-bool read_line(LogReader& reader, std::string_view text, const std::string& hash) {
+bool read_line(LogReader& reader, std::string_view text) {
   if (reader.ended) return reader.refuse("bad_event_log", "stands after the end of the log");
   const ordered_json line = ordered_json::parse(text, nullptr, false);
   if (!line.is_object()) {
     return reader.refuse("bad_event_log",
                          "is not a JSON object; the file was cut off or is no event log");
   }
-  if (reader.line == 1) return read_head(reader, line, text, hash);
+  if (reader.line == 1) return read_head(reader, line, text);
   return line.contains("end") ? read_end(reader, line, text) : read_fan(reader, line, text);
 }
 
@@ -206,7 +213,7 @@ Finding departed(const Replay& replay, std::size_t line, std::string text) {
 
 }  // namespace
 
-Result<Replay> read_replay(const std::filesystem::path& path, const std::string& hash) {
+Result<Replay> read_replay(const std::filesystem::path& path, const ReplayedScene& scene) {
   std::ifstream in(path, std::ios::binary);
   std::error_code not_a_folder;
   if (!in || std::filesystem::is_directory(path, not_a_folder)) {
@@ -216,13 +223,13 @@ Result<Replay> read_replay(const std::filesystem::path& path, const std::string&
                    .file = path.string()};
   }
   const std::string bytes(std::istreambuf_iterator<char>(in), {});
-  LogReader reader;
+  LogReader reader{scene};
   reader.replay.file = path.string();
   bool fine = true;
   for (std::size_t begin = 0; fine && begin < bytes.size();) {
     const std::string_view text = line_at(bytes, begin);
     ++reader.line;
-    fine = read_line(reader, text, hash);
+    fine = read_line(reader, text);
     begin += text.size() + 1;
     if (reader.line == 1 && begin < bytes.size()) reader.replay.lines = bytes.substr(begin);
   }

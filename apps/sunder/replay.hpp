@@ -26,11 +26,17 @@ struct Replay {
   nlohmann::ordered_json counts;
 };
 
-/// Reads an event log for the scene with the hash `hash` (`scene_hash`), holding every line to its
-/// check and its place. Warning: other_program (a run of another version may depart).
-/// Errors, with file, line and remedy: cannot_open, other_log_format, other_scene, bad_event_log
-/// (not JSON, changed, missing or repeated lines, a fan out of order, cut off).
-Result<Replay> read_replay(const std::filesystem::path& path, const std::string& hash);
+/// The scene that a log has to be of.
+struct ReplayedScene {
+  std::string hash;         ///< `scene_hash`
+  std::uint64_t steps = 0;  ///< `step_count`
+};
+
+/// Reads an event log for a scene, holding every line to its check and its place. Warning:
+/// other_program (a run of another version may depart). Errors, with file, line and remedy:
+/// cannot_open, other_log_format, other_scene, bad_event_log (not JSON, changed, missing or
+/// repeated lines, a fan out of order, cut off).
+Result<Replay> read_replay(const std::filesystem::path& path, const ReplayedScene& scene);
 
 /// Compares what the replay has logged so far (`EventLog::text`) with the log: the finding
 /// `replay_departed` names the first line that differs, what in it, and both values. `finished`:

@@ -100,7 +100,7 @@ bool read_log(std::optional<Replay>& replay, const RunArguments& arguments, cons
             .remedy = "give another folder with -o"}});
     return false;
   }
-  Result<Replay> log = read_replay(arguments.replay, scene_hash(file));
+  Result<Replay> log = read_replay(arguments.replay, {scene_hash(file), step_count(file.scene)});
   print(log.findings);
   replay = std::move(log.value);
   return replay.has_value();
