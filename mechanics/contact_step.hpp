@@ -47,6 +47,22 @@ StepPaths paths_of(const ContactStep& step);
 /// Where the gap may be at the end of the step: a contact that is too deep comes out slowly.
 double target_gap(const ContactStep& step, const ContactPoint& contact);
 
+/// How much farther apart two sides end than predicted, m, once weight is taken as a blow at the
+/// start for what has not been touched yet.
+Vec3 relative_shift(const ContactStep& step, const ContactPoint& contact);
+
+/// What the end of the step lacks, m: gap less target, as predicted.
+double predicted_lack(const ContactStep& step, const ContactPoint& contact,
+                      const ContactPath& path);
+
+/// Contacts along the paths, with everything roused that they act on. False when there are blows
+/// on them that the step must not run into.
+bool meet(ContactStep& step, double deepest);
+
+/// Of the contacts found, adds what has come near since the last pass: overlaps, deepest first, and
+/// what is nearer than the deepest overlap is deep. Gives that depth, m; 0 when nothing overlaps.
+double add_new_contacts(ContactStep& step, double deepest);
+
 /// What the end of a wave's sub-step lacks, m: velocity times h, and the gap of its start less its
 /// target.
 double wave_lack(const ContactStep& step, const ContactPoint& contact);

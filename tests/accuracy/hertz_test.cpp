@@ -10,7 +10,7 @@ using namespace sunder::accuracy;
 
 TEST_CASE("case 12: a round body stays on a wall for Hertz's time and presses with his force",
           "[accuracy][case12]") {
-  // 3 cells in the radius of contact: too stiff by a fifth, which is 0.08 of force and time.
+  // 3 cells in the radius of contact, 2 000 vertices: too stiff by a fifth, which is 0.08 of both.
   const double speed = GENERATE(0.3, 3.0);
   const double nu = speed < 1 ? 0 : 0.2;
   const double smallest = 0.02 * std::pow(speed / 3, 0.4);
@@ -31,7 +31,7 @@ TEST_CASE("case 12: with cells time and force of a round body come to Hertz's",
   const HertzOutcome fine = run_hertz({.cells = 9});
   INFO("time " << coarse.contact_time << ", " << fine.contact_time << "; force " << coarse.force
                << ", " << fine.force);
-  // Of first order: two thirds of the cells' width, two thirds of the error.
+  // Two thirds of the cells' width, two thirds of the error.
   CHECK((1 - fine.contact_time) / (1 - coarse.contact_time) == Approx(2.0 / 3).margin(0.15));
   CHECK((fine.force - 1) / (coarse.force - 1) == Approx(0.55).margin(0.2));
 }
