@@ -3,10 +3,12 @@
 #include "fracture/find_fractures.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <queue>
 
 #include "fracture/node_stress.hpp"
 #include "fracture/threshold_test.hpp"
+#include "fracture/tip_energy.hpp"
 #include "topology/fan.hpp"
 
 namespace sunder {
@@ -73,6 +75,29 @@ void look_at(std::vector<char>& rows, const MechanicsState& mechanics, const Ste
   for (std::size_t v = 0; v < rows.size(); ++v) {
     const ComponentId id = mechanics.vertices.component[v];
     rows[v] = members.has(id) && deforms(mechanics.components[id.index()].rung);
+  }
+}
+
+/// With the criterion `energy`: the threshold of a crack tip as it is deformed now.
+void set_tip_strength(Work& work, VertexId v) {
+  const RelaxedState& relaxed = work.scratch.relaxed;
+  const bool opened = work.elements.stress.data() == relaxed.stress.data();
+  const Deformed deformed{opened ? relaxed.displacement : work.mechanics.vertices.displacement,
+                          work.elements.stress};
+  work.cells.strength[v.index()] =
+      tip_strength(work.cells, work.mechanics, deformed, {v, work.stress(v)});
+}
+
+void set_tip_strengths(Work& work) {
+  const VolumeMap& map = work.cells.map;
+  std::vector<char> cracked(map.vertices(), 0);
+  for (std::size_t f = 0; f < 4 * map.tetrahedra(); ++f) {
+    if (!is_crack_face(work.cells, HalfFaceId{f})) continue;
+    for (std::size_t k = 1; k < 4; ++k)
+      cracked[map.corners(TetId{f / 4})[(f % 4 + k) % 4].index()] = 1;
+  }
+  for (std::size_t row = 0; row < cracked.size(); ++row) {
+    if (cracked[row] && work.scratch.rows[row]) set_tip_strength(work, VertexId{row});
   }
 }
 
@@ -195,8 +220,19 @@ void note_splits(Work& work, const FanEvent& event, std::vector<VertexId>& split
   }
 }
 
+/// Lets what was split open, and adds the vertices whose stress that changes.
+void relax(Work& work, std::vector<VertexId>& rows) {
+  RelaxedState& relaxed = work.scratch.relaxed;
+  relax_around(relaxed, work.cells, work.mechanics, work.settings.relax);
+  const std::vector<char>& looked_at = work.scratch.rows;
+  std::ranges::copy_if(relaxed.changed, std::back_inserter(rows), [&](VertexId v) {
+    return v.index() < looked_at.size() && looked_at[v.index()];
+  });
+}
+
 /// Measures what the fans of a tie split, and queues it anew.
 void follow_splits(Work& work, std::vector<VertexId>& split_rows) {
+  if (work.settings.relax > 0) relax(work, split_rows);
   std::sort(split_rows.begin(), split_rows.end());
   split_rows.erase(std::unique(split_rows.begin(), split_rows.end()), split_rows.end());
   if (work.settings.node_stress == NodeStress::fit) follow_splits(work.scratch.fit, work.cells.map);
@@ -206,6 +242,7 @@ void follow_splits(Work& work, std::vector<VertexId>& split_rows) {
   for (const VertexId v : split_rows) {
     measure(work, v);
     if (work.scratch.broken[v.index()]) continue;
+    if (work.settings.criterion == FractureCriterion::energy) set_tip_strength(work, v);
     double& queued = work.scratch.queued[v.index()];
     const bool stood = queued > 0;
     queued = 0;
@@ -239,6 +276,7 @@ FractureReport find_fractures(Cells& cells, MechanicsState& mechanics,
       work.report.unfitted += scratch.rows[row] && !scratch.fit.patches[row].fitted;
     }
   }
+  if (settings.criterion == FractureCriterion::energy) set_tip_strengths(work);
   hold_empty_fans(work);
   scratch.broken.assign(cells.map.vertices(), 0);
   scratch.queued.assign(cells.map.vertices(), 0);
@@ -246,6 +284,10 @@ FractureReport find_fractures(Cells& cells, MechanicsState& mechanics,
   if (work.report.not_a_number) return std::move(work.report);
   count_relieved(work);
 
+  if (settings.relax > 0 && !work.queue.empty()) {
+    start_relaxing(scratch.relaxed, mechanics);
+    work.elements.stress = scratch.relaxed.stress;
+  }
   std::vector<VertexId> tied, split_rows;
   for (std::uint32_t round = 0; !work.queue.empty(); ++round) {
     take_tied(tied, work);
@@ -258,6 +300,7 @@ FractureReport find_fractures(Cells& cells, MechanicsState& mechanics,
         continue;
       }
       event.round = round;
+      if (settings.relax > 0) note_fan(scratch.relaxed, cells, mechanics, event);
       note_splits(work, event, split_rows);
       work.report.fans.push_back(std::move(event));
     }

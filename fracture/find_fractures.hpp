@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "fracture/relax_patch.hpp"
 #include "fracture/split_fan.hpp"
 #include "fracture/stress_fit.hpp"
 #include "mechanics/step.hpp"
@@ -46,6 +47,7 @@ struct FractureScratch {
       queued;     ///< |V|: overstress with which it stands in the queue; 0: it does not
   StressFit fit;  ///< of the node stress `fit`
   FanScratch fan;
+  RelaxedState relaxed;  ///< with `FractureSettings::relax`
 };
 
 /// Node stress of every vertex in one of its modes, Pa, rest frame: for reports. The fit's weights
@@ -68,6 +70,9 @@ std::vector<Mat3> node_stress_of(const Cells& cells, const MechanicsState& mecha
 /// step at most: the element stresses are those from before, and breaking on them again would grind
 /// the star to single tetrahedra. With `fit`, neighbours of what split are measured again when
 /// their turn comes.
+///
+/// With `relax` the stresses around the fans of a tie are solved for again and decide from there
+/// on: whoever they bring over the threshold joins the queue, whoever they relieve leaves it.
 ///
 /// A vertex with an empty fan waits until its stress changes, untested: until its tensor over its
 /// norm differs by more than 0.01 (Frobenius; a stress that only grows keeps its planes), it has

@@ -89,12 +89,26 @@ enum class NodeStress {
   fit,
 };
 
+/// What breaks a vertex at the tip of a crack where the material has a toughness K_Ic.
+enum class FractureCriterion {
+  /// Its largest principal stress: 0.54 K_Ic / sqrt(h) (`vertex_strength`).
+  stress,
+  /// The energy that the crack's front would release there per area: K_Ic^2 (1 - nu^2) / E
+  /// (fracture/tip_energy.hpp).
+  energy,
+};
+
 struct FractureSettings {
   FractureMode mode = FractureMode::all;
   /// Fans a step may make in the mode `budget`.
   std::uint32_t max_fans = 64;
   NodeStress node_stress = NodeStress::volume;
   ThresholdTest test = ThresholdTest::chain;
+  /// What breaks a crack tip of a material with a toughness.
+  FractureCriterion criterion = FractureCriterion::stress;
+  /// Rings of tetrahedra around each fan whose stresses are solved for again within the step, so
+  /// that a crack's tip bears what the crack no longer bears; 0: none (the paper's).
+  std::uint32_t relax = 0;
   /// kg; a fan that would part a lighter piece is refused. 0: none is too small.
   double smallest_piece = 0;
   /// Of the whole scene; a fan that would make more is refused. 0: no limit.

@@ -49,6 +49,11 @@ inline const Names<FractureMode>& names_of(FractureMode) {
       {FractureMode::off, "off"}, {FractureMode::all, "all"}, {FractureMode::budget, "budget"}};
   return names;
 }
+inline const Names<FractureCriterion>& names_of(FractureCriterion) {
+  static const Names<FractureCriterion> names = {{FractureCriterion::stress, "stress"},
+                                                 {FractureCriterion::energy, "energy"}};
+  return names;
+}
 inline const Names<NodeStress>& names_of(NodeStress) {
   static const Names<NodeStress> names = {
       {NodeStress::volume, "volume"}, {NodeStress::mass, "mass"}, {NodeStress::fit, "fit"}};
@@ -373,6 +378,15 @@ void describe(V& v, FractureSettings& f) {
               "Stress of a vertex: mean of the tetrahedra around it weighted by volume, or by mass "
               "(eq. 6, the paper's), or fit: linear fit over two rings, better at surfaces"},
           f.node_stress);
+  v.field(Key{"criterion", "",
+              "What breaks a crack tip of a material with a toughness: stress: the node stress "
+              "there; energy: what the crack's front would release per area"},
+          f.criterion);
+  v.field(Key{"relax", "",
+              "Rings of tetrahedra around each fan whose stresses are solved for again within the "
+              "step, so that a crack's tip bears what the crack no longer bears; 0: none",
+              between(0, 1000)},
+          f.relax);
   v.field(
       Key{"test", "",
           "How vertices are tested against their threshold, with the same answers: eigenvalues; "

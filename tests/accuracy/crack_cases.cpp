@@ -10,6 +10,7 @@
 #include "fracture/energy_release.hpp"
 #include "fracture/fracture_plane.hpp"
 #include "fracture/node_stress.hpp"
+#include "fracture/tip_energy.hpp"
 #include "mechanics/static_solve.hpp"
 #include "tests/accuracy/shapes.hpp"
 #include "topology/build_map.hpp"
@@ -151,6 +152,14 @@ CrackAnswer measured(const Case& c, int cells, double release, double K) {
     normal[std::size_t(c.normal)] = 1;
     const auto fan = fan_faces(map, VertexId{v}, normal);
     answer.fan_release += energy_release(body.scratch, input, *fan)->per_area() / release;
+    const Deformed deformed{m.vertices.displacement, m.elements.stress};
+    const double G0 = K * K * (1 - c.nu * c.nu) / young;
+    const auto energy = [&](TipDomain domain) {
+      return tip_energy(body.cells, m.elements, deformed, VertexId{v}, domain).value_or(0) / G0;
+    };
+    answer.star_energy += energy(TipDomain::star);
+    answer.domain_energy += energy(TipDomain::two_rings);
+    answer.most_energy = std::max(answer.most_energy, energy(TipDomain::two_rings));
     const double tension = principal_tension(stress[v]).value;
     const double strength = vertex_strength(body.cells, m, VertexId{v}, star(map, VertexId{v}));
     if (tension / strength > answer.tip_stress * sigma / (threshold > 0 ? threshold : 1)) {
@@ -160,6 +169,8 @@ CrackAnswer measured(const Case& c, int cells, double release, double K) {
     ++tips;
   }
   answer.fan_release /= tips;
+  answer.star_energy /= tips;
+  answer.domain_energy /= tips;
   // The vertex's threshold is C K_Ic / sqrt(h) with K_Ic = 1.
   answer.load_toughness = threshold * K / (answer.tip_stress * sigma);
   answer.factor = crack_tip_factor * answer.load_energy / answer.load_toughness;

@@ -14,6 +14,9 @@ struct CrackAnswer {
   /// Energy released per area, over that of the closed form: by growing the whole front by one
   /// element, and the mean over its vertices of single fans.
   double front_release = 0, fan_release = 0;
+  /// Energy of the domain integral at the front's vertices over the closed form's at the crack as
+  /// it is: over the tip's star, over two rings; the mean, and the largest of the latter.
+  double star_energy = 0, domain_energy = 0, most_energy = 0;
   /// Breaking load over the closed form's: by the tip threshold C K_Ic / sqrt(h), by the energy
   /// of the whole front, and by a strength without toughness that is right at a / h = 8.
   double load_toughness = 0, load_energy = 0, load_strength = 0;

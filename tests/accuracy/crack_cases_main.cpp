@@ -9,12 +9,14 @@ using namespace sunder::accuracy;
 namespace {
 
 void print(const char* name, const std::vector<CrackAnswer>& answers) {
-  std::printf("%s\n%5s %9s %10s %11s %9s %10s %9s %9s %7s\n", name, "a/h", "vertices", "tip stress",
-              "G front", "G fan", "load: C", "energy", "strength", "C");
+  std::printf("%s\n%5s %9s %10s %11s %9s %10s %9s %9s %7s %7s %7s %7s\n", name, "a/h", "vertices",
+              "tip stress", "G front", "G fan", "load: C", "energy", "strength", "C", "star",
+              "domain", "most");
   for (const CrackAnswer& a : answers) {
-    std::printf("%5d %9zu %10.3f %11.3f %9.3f %10.3f %9.3f %9.3f %7.3f\n", a.cells, a.vertices,
-                a.tip_stress, a.front_release, a.fan_release, a.load_toughness, a.load_energy,
-                a.load_strength, a.factor);
+    std::printf("%5d %9zu %10.3f %11.3f %9.3f %10.3f %9.3f %9.3f %7.3f %7.3f %7.3f %7.3f\n",
+                a.cells, a.vertices, a.tip_stress, a.front_release, a.fan_release, a.load_toughness,
+                a.load_energy, a.load_strength, a.factor, a.star_energy, a.domain_energy,
+                a.most_energy);
   }
 }
 
@@ -22,5 +24,5 @@ void print(const char* name, const std::vector<CrackAnswer>& answers) {
 
 int main() {
   print("edge crack: G and loads over the closed form's", edge_cracks({8, 16, 32}));
-  print("penny crack", {penny_crack(4), penny_crack(8)});
+  print("penny crack", {penny_crack(4), penny_crack(8), penny_crack(16)});
 }

@@ -21,6 +21,7 @@ TEST_CASE(
     CHECK(row.load_toughness == Approx(1).epsilon(0.1));
     CHECK(row.load_energy == Approx(1).epsilon(0.08));
     CHECK(row.factor == Approx(rows[1].factor).epsilon(0.05));
+    CHECK(row.domain_energy == Approx(row.front_release).epsilon(0.03));
   }
   CHECK(rows[0].load_strength / rows[1].load_strength == Approx(std::sqrt(2.0)).epsilon(0.05));
   CHECK(rows[1].load_strength / rows[2].load_strength == Approx(std::sqrt(2.0)).epsilon(0.05));
@@ -28,5 +29,7 @@ TEST_CASE(
 
 TEST_CASE("a penny crack releases 4 (1 - nu^2) sigma^2 a / (pi E) per area when its front grows",
           "[accuracy][crack]") {
-  CHECK(penny_crack(8).front_release == Approx(1).epsilon(0.15));
+  const CrackAnswer row = penny_crack(8);
+  CHECK(row.front_release == Approx(1).epsilon(0.15));
+  CHECK(row.domain_energy == Approx(row.front_release).epsilon(0.03));
 }
