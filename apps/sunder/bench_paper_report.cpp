@@ -123,6 +123,40 @@ Grid table_4(const PaperBench& bench) {
   return grid;
 }
 
+Grid met_table(const PaperBench& bench) {
+  Grid grid = grid_of(bench,
+                      {{"walk_new_met", "Without oracle, new CC", count},
+                       {"walk_none_met", "no new CC", count},
+                       {"oracle_new_met", "With oracle, new CC", count},
+                       {"oracle_none_met", "no new CC", count},
+                       {"exact_new_met", "Lockstep, new CC", count},
+                       {"exact_none_met", "no new CC", count}},
+                      both);
+  grid.title = "Work of a rupture: tetrahedra met by splits, search and strengths";
+  return grid;
+}
+
+Grid largest_steps(const PaperBench& bench) {
+  Grid grid = grid_of(bench,
+                      {{"fracture_median", "median, ms", digits},
+                       {"fracture_max", "max., ms", digits},
+                       {"fracture_max_step", "at step", count},
+                       {"first_break", "first fans", count},
+                       {"breaking_steps", "steps with fans", count},
+                       {"phases", "phases", count},
+                       {"max_in_phase", "place in its phase", count},
+                       {"phase_length", "of", count},
+                       {"later_near_max", "later above 0.9 max.", count},
+                       {"fracture_share", "fracture's share", percent}},
+                      every);
+  std::erase_if(grid.rows, [](const auto& row) { return row[1] == "paper"; });
+  grid.title = "Steps with fractures: where the largest lies";
+  grid.note =
+      "A phase ends where ten steps in a row have no fan. Share: of the fracture process in "
+      "the steps with fans.";
+  return grid;
+}
+
 Grid test_table(const PaperBench& bench) {
   Grid grid = grid_of(bench,
                       {{"test_eigenvalues", "eigenvalues", digits},
@@ -157,8 +191,8 @@ Grid claim_table(const PaperBench& bench) {
 }
 
 std::vector<Grid> grids(const PaperBench& bench) {
-  return {table_1(bench), table_2(bench),    table_3(bench),
-          table_4(bench), test_table(bench), claim_table(bench)};
+  return {table_1(bench),   table_2(bench),       table_3(bench),    table_4(bench),
+          met_table(bench), largest_steps(bench), test_table(bench), claim_table(bench)};
 }
 
 std::string heading(const PaperBench& bench) {

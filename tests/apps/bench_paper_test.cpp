@@ -73,6 +73,8 @@ TEST_CASE("the paper's tables are all there, ours beside, the same in text, CSV 
   CHECK(table("Table 2").size() == 1 + 3 * 6);
   CHECK(table("Table 3").size() == 1 + 3 * 3);
   CHECK(table("Table 4").size() == 1 + 3 * 3);
+  CHECK(table("Work").size() == 1 + 3 * 2);
+  CHECK(table("Steps with").size() == 1 + 3 * 5);
   CHECK(table("Threshold").size() == 1 + 3);
   CHECK(table("Claims").size() == 1 + 20);
 
