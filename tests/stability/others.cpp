@@ -220,8 +220,8 @@ Cell ball_on_block(const BallOnBlock& pile, const Method& method) {
     const ContactStepResult result = scene.step();
     if (result.status.outcome != StepOutcome::fine) return {Outcome::diverges, double(i)};
     if (i < pile.steps - counted) continue;
-    floor += result.report.obstacle_impulse[0].z();
-    under -= result.report.obstacle_impulse[1].z();
+    floor += result.report.impulse_of(0).z();
+    under -= result.report.impulse_of(1).z();
   }
   // Weight may push it down, which gives gravity's energy to strain: none may be made.
   const double gain = scene.energy() - start;
