@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace sunder {
 namespace {
 
@@ -17,8 +19,8 @@ std::string misfit(const Cells& cells, const ScriptedFan& fan) {
     return fmt::format("vertex {} is not there yet: the highest is {}", fan.vertex.value,
                        cells.map.vertices() - 1);
   }
-  if (!fan.normal.allFinite() || !(fan.normal.norm() > 0)) {
-    return fmt::format("the normal of the fan at vertex {} points nowhere", fan.vertex.value);
+  if (!(std::abs(fan.normal.norm() - 1) < 1e-9)) {
+    return fmt::format("the normal of the fan at vertex {} is not of length 1", fan.vertex.value);
   }
   return {};
 }

@@ -26,7 +26,7 @@ struct ScriptedFan {
   /// Fans of one round of a search were decided on the same state (`FanEvent::round`).
   std::uint32_t round = 0;
   VertexId vertex;
-  Vec3 normal = Vec3::Zero();  ///< rest frame, any length but 0
+  Vec3 normal = Vec3::Zero();  ///< rest frame, of length 1
   double stress = 0;           ///< Pa, only noted in the event
 };
 

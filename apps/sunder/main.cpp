@@ -10,6 +10,7 @@
 #include "apps/sunder/chart.hpp"
 #include "apps/sunder/check.hpp"
 #include "apps/sunder/exit_code.hpp"
+#include "apps/sunder/fragments.hpp"
 #include "apps/sunder/modes.hpp"
 #include "apps/sunder/run.hpp"
 #include "apps/sunder/split.hpp"
@@ -27,6 +28,7 @@ int run_program(int argc, char** argv) {
   sunder::add_run_command(program, exit_code);
   sunder::add_static_command(program, exit_code);
   sunder::add_modes_command(program, exit_code);
+  sunder::add_fragments_command(program, exit_code);
   sunder::add_check_command(program, exit_code);
   sunder::add_split_command(program, exit_code);
   sunder::add_suite_command(program, exit_code);
