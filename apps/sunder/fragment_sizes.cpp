@@ -180,6 +180,14 @@ FragmentSizes measure_fragments(const PieceColumns& pieces, std::span<const doub
   }
   result.laws = fit_laws(result.pieces);
   result.control = fit_laws(result.elements);
+  if (!result.elements.empty()) {
+    const auto first = std::ranges::upper_bound(result.pieces, result.elements.back());
+    const std::span<const double> beyond(first, result.pieces.end());
+    result.beyond_elements = beyond.size();
+    if (beyond.size() >= fewest_for_fit && beyond.front() < beyond.back()) {
+      result.beyond = fit_law(SizeLaw::power, beyond, result.elements.back());
+    }
+  }
   result.from_elements = sample_distance(result.pieces, result.elements);
   result.larger_from_elements = sample_distance(larger, result.elements);
   return result;

@@ -52,6 +52,10 @@ struct FragmentSizes {
   std::size_t single_tetrahedra = 0;
   /// Part of the volume that single tetrahedra have, and of the largest piece.
   double single_part = 0, largest_part = 0;
+  /// Pieces larger than the largest element, and the power law that fits them best where there are
+  /// `fewest_for_fit`: only they can tell of more than the mesh.
+  std::size_t beyond_elements = 0;
+  std::optional<FittedLaw> beyond;
   /// Of all pieces, and of those of two and more tetrahedra, from the elements.
   SampleDistance from_elements, larger_from_elements;
 };

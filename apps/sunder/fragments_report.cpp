@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sunder {
 namespace {
@@ -51,49 +52,74 @@ ordered_json laws_json(const SampleLaws& laws) {
   for (const FittedLaw& law : laws.whole) whole.push_back(law_json(law));
   for (std::size_t k = 0; k < laws.tail.size(); ++k) {
     tail.push_back(law_json(laws.tail[k]));
+    if (k > 0) tail.back()["limit_is_power_law"] = is_power_limit(laws.tail[k]);
     if (k > 0) tail.back()["power_law_against_it"] = laws.against[k - 1];
   }
   return {{"whole", whole}, {"tail_values", laws.tail_values}, {"tail", tail}};
 }
 
-std::string law_line(const FittedLaw& law) {
-  std::string parameters;
+std::string parameters_of(const FittedLaw& law, std::size_t values) {
+  if (law.law == SizeLaw::power) {
+    return fmt::format("exponent {:.4g} +- {:.2g}", law.parameters[0],
+                       law.parameters[0] / std::sqrt(static_cast<double>(values)));
+  }
+  if (law.cut > 0 && is_power_limit(law)) return "(runs away to its limit, the power law)";
+  std::string text;
   const auto names = parameter_names(law.law);
   for (std::size_t k = 0; k < 2; ++k) {
-    if (*names[k] != '\0') parameters += fmt::format("{} {:.4g}  ", names[k], law.parameters[k]);
+    if (*names[k] != '\0') text += fmt::format("{} {:.4g}  ", names[k], law.parameters[k]);
   }
-  return fmt::format("  {:<12} {:<38} {:>9.4f} {:>9.4f}", name_of(law), parameters,
+  return text;
+}
+
+std::string law_line(const FittedLaw& law, std::size_t values) {
+  return fmt::format("  {:<12} {:<40} {:>9.4f} {:>9.4f}", name_of(law), parameters_of(law, values),
                      law.log_likelihood, law.distance);
 }
 
-std::string laws_text(const SampleLaws& laws, std::string_view what, std::string_view unit) {
-  std::string text =
-      fmt::format("  {:<51} {:>9} {:>9}\n", fmt::format("all {}", what), "ln L / n", "K-S");
-  for (const FittedLaw& law : laws.whole) text += law_line(law) + "\n";
+std::string laws_text(const SampleLaws& laws, std::size_t count, std::string_view what,
+                      std::string_view unit) {
+  std::string text = fmt::format("  {:<53} {:>9} {:>9}\n", fmt::format("all {} {}", count, what),
+                                 "ln L / n", "K-S");
+  for (const FittedLaw& law : laws.whole) text += law_line(law, count) + "\n";
   if (laws.tail.empty()) return text;
   text +=
       fmt::format("  {}\n", fmt::format("the {} {} from {:.4g} {} on, where a power law fits best",
                                         laws.tail_values, what, laws.tail[0].cut, unit));
   for (std::size_t k = 0; k < laws.tail.size(); ++k) {
-    text += law_line(laws.tail[k]);
+    text += law_line(laws.tail[k], laws.tail_values);
     if (k > 0) text += fmt::format("   power law against it {:+.1f}", laws.against[k - 1]);
     text += "\n";
   }
   return text;
 }
 
-/// Whether the tail is a power law's, in a sentence.
+/// Whether the tail is a power law's, in a sentence. Laws whose limit it is do not stand against
+/// it.
 std::string verdict(const SampleLaws& laws) {
   if (laws.tail.empty()) return {};
-  const double worst = std::ranges::min(laws.against);
+  std::size_t nearest = 1;
+  double worst = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 1; k < laws.tail.size(); ++k) {
+    if (is_power_limit(laws.tail[k]) || laws.against[k - 1] >= worst) continue;
+    worst = laws.against[k - 1];
+    nearest = k;
+  }
   // 1.96 standard deviations: one chance in twenty.
   if (worst > 1.96) return "The tail is nearer to a power law than to the others.\n";
-  if (worst < -1.96) {
-    const auto k = std::ranges::min_element(laws.against) - laws.against.begin();
-    return fmt::format("The tail is no power law: {} is nearer.\n",
-                       name_of(laws.tail[static_cast<std::size_t>(k) + 1]));
+  if (worst >= -1.96) return "The sample does not tell the tail's power law from the others.\n";
+  return fmt::format("The tail is no power law: {} is nearer.\n", name_of(laws.tail[nearest]));
+}
+
+/// What is larger than any element.
+std::string beyond_text(const FragmentSizes& s) {
+  std::string text =
+      fmt::format("{} pieces are larger than the largest element", s.beyond_elements);
+  if (!s.beyond) {
+    return text + fmt::format(": too few ({}) to tell of more than the mesh\n", fewest_for_fit);
   }
-  return "The sample does not tell the tail's power law from the others.\n";
+  return text + fmt::format("; their power law has the {}, K-S {:.3f}\n",
+                            parameters_of(*s.beyond, s.beyond_elements), s.beyond->distance);
 }
 
 /// At most about 400 steps of the cumulative number, the largest values all.
@@ -137,14 +163,16 @@ std::string fragments_text(const FragmentSizes& s) {
         s.elements.size(), s.elements.front(), s.elements.back(), unit,
         s.elements[s.elements.size() / 2], s.from_elements.distance, s.from_elements.probability,
         s.larger_from_elements.distance);
+    text += beyond_text(s);
   }
   if (s.laws.whole.empty()) {
     return text +
            fmt::format("Too few pieces for a law: below {} a fit means nothing.\n", fewest_for_fit);
   }
-  text += "\n" + laws_text(s.laws, "pieces", unit) + verdict(s.laws);
+  text += "\n" + laws_text(s.laws, n, "pieces", unit) + verdict(s.laws);
   if (!s.control.whole.empty()) {
-    text += "\nControl: the same for the mesh\n" + laws_text(s.control, "elements", unit);
+    text += "\nControl: the same for the mesh\n" +
+            laws_text(s.control, s.elements.size(), "elements", unit);
   }
   return text;
 }
@@ -168,6 +196,8 @@ ordered_json fragments_json(const FragmentSizes& s) {
                       {"median", s.elements[s.elements.size() / 2]},
                       {"largest", s.elements.back()},
                       {"laws", laws_json(s.control)}};
+  json["beyond_elements"] = {{"pieces", s.beyond_elements},
+                             {"power_law", s.beyond ? law_json(*s.beyond) : ordered_json()}};
   json["distance_from_elements"] = {{"all", s.from_elements.distance},
                                     {"probability", s.from_elements.probability},
                                     {"two_and_more_tetrahedra", s.larger_from_elements.distance}};

@@ -152,6 +152,13 @@ double kolmogorov_tail(double t) {
 
 }  // namespace
 
+bool is_power_limit(const FittedLaw& law) {
+  const auto [p, q] = law.parameters;
+  // Over a factor of 1e6 in x the slope of ln P(X >= x) then changes by less than a half, or by
+  // less than 14 / q^2.
+  return (law.law == SizeLaw::weibull && p < 0.03) || (law.law == SizeLaw::lognormal && q > 20);
+}
+
 double survival(const FittedLaw& law, double x) {
   return std::exp(log_tail(law, x) - log_tail(law, law.cut));
 }

@@ -37,6 +37,10 @@ struct FittedLaw {
   double distance = 0;
 };
 
+/// Whether a fit above a cut has run away to the limit in which Weibull's law (modulus 0) and the
+/// lognormal (deviation without bounds) are power laws.
+bool is_power_limit(const FittedLaw& law);
+
 /// Fewest values a law is fitted to: below it laws cannot be told apart (docs/fragments.md).
 inline constexpr std::size_t fewest_for_fit = 50;
 
