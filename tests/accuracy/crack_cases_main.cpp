@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "tests/accuracy/crack_cases.hpp"
+#include "tests/accuracy/disc_crack.hpp"
 
 using namespace sunder::accuracy;
 
@@ -20,9 +21,17 @@ void print(const char* name, const std::vector<CrackAnswer>& answers) {
   }
 }
 
+void print(const DiscAnswer& a) {
+  std::printf("%5d %9zu %8.3f %7.3f %7.2f %9.2f %7.2f %7.2f %8.3f %6zu\n", a.cells, a.vertices,
+              a.tension, a.load, a.first, a.farthest, a.length, a.area, a.upright, a.fans);
+}
+
 }  // namespace
 
 int main() {
   print("edge crack: G and loads over the closed form's", edge_cracks({8, 16, 32}));
   print("penny crack", {penny_crack(4), penny_crack(8), penny_crack(16)});
+  std::printf("Brazilian disc\n%5s %9s %8s %7s %7s %9s %7s %7s %8s %6s\n", "D/h", "vertices",
+              "tension", "load", "first", "farthest", "length", "area", "upright", "fans");
+  for (const int cells : {18, 36}) print(brazilian_disc(cells));
 }

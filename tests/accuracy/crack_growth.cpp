@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <stdexcept>
 
 #include "fracture/simulation.hpp"
@@ -11,6 +12,22 @@
 
 namespace sunder::accuracy {
 namespace {
+
+/// Moves vertices that are neither on the surface nor on the cut.
+void shake(TetMesh& mesh, const NotchedBar& bar) {
+  const double b = bar.height, cell = b / bar.cells, eps = 1e-3 * cell;
+  std::mt19937 random(1);
+  const auto shift = [&] { return bar.shake * cell * (double(random()) / 2147483648.0 - 1); };
+  for (Point& p : mesh.points) {
+    if (p[0] < eps || p[0] > 2 * b - eps) continue;
+    if (p[1] < 0.25 * b + eps && std::abs(p[0] - b) < eps) continue;
+    const Point by = {shift(), shift(), shift()};
+    const auto inside = [&](int axis, double end) {
+      return p[std::size_t(axis)] > eps && p[std::size_t(axis)] < end - eps;
+    };
+    p = {p[0] + by[0], p[1] + inside(1, b) * by[1], p[2] + inside(2, bar.thickness * cell) * by[2]};
+  }
+}
 
 Scene scene_of(const NotchedBar& bar) {
   const double b = bar.height, cell = b / bar.cells;
@@ -21,9 +38,11 @@ Scene scene_of(const NotchedBar& bar) {
   const double eps = 1e-3 * cell;
   body.held = {{.minimum = {-1, -1, -1}, .maximum = {eps, 9, 9}},
                {.minimum = {2 * b - eps, -1, -1}, .maximum = {9, 9, 9}, .velocity = {speed, 0, 0}}};
-  body.cuts = {{.faces = CutPlane{.point = {b, 0, 0}, .normal = {1, 0, 0}},
-                .box = RestBox{{-1, -1, -1}, {9, 0.25 * b + eps, 9}},
-                .ball = {}}};
+  shake(body.mesh, bar);
+  if (bar.cut)
+    body.cuts = {{.faces = CutPlane{.point = {b, 0, 0}, .normal = {1, 0, 0}},
+                  .box = RestBox{{-1, -1, -1}, {9, 0.25 * b + eps, 9}},
+                  .ball = {}}};
   Scene scene;
   scene.bodies = {body};
   scene.gravity.acceleration.setZero();
@@ -46,8 +65,8 @@ void add_cracks(GrowthAnswer& answer, const Simulation& sim, const NotchedBar& b
           std::max(answer.farthest, std::abs(cells.map.point(v)[0] - bar.height) / bar.height);
     }
   }
-  const double section = bar.height * cell * bar.thickness;
-  answer.area = (area - 0.25 * section) / (0.75 * section);
+  const double section = bar.height * cell * bar.thickness, cut = bar.cut ? 0.25 : 0;
+  answer.area = (area / section - cut) / (1 - cut);
   double whole = 0, largest = 0;
   for (const Component& c : sim.state.mechanics.components) {
     whole += c.mass;

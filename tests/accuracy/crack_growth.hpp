@@ -17,6 +17,8 @@ struct NotchedBar {
   Material material;
   double stress_rate = 1e6;  ///< of the uncracked bar, Pa/s
   double time_step = 1e-3;   ///< s
+  double shake = 0;          ///< of vertices inside, over their distance
+  bool cut = true;
   FractureSettings fracture;
 };
 

@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "tests/accuracy/disc_crack.hpp"
+
 using namespace sunder;
 using namespace sunder::accuracy;
 
@@ -23,4 +25,39 @@ TEST_CASE(
   CHECK(answer.area == Approx(1));
   CHECK(answer.farthest < 1e-9);
   CHECK(answer.smallest == Approx(0.5));
+}
+
+TEST_CASE(
+    "where a load step takes many vertices over their strength at once, stresses solved for "
+    "again leave one crack where fans on stale stresses shatter",
+    "[accuracy][crack][relax]") {
+  NotchedBar bar{.height = 0.4,
+                 .cells = 8,
+                 .material = {.young_modulus = 30e9,
+                              .poisson_ratio = 0.2,
+                              .density = 2400,
+                              .tensile_strength = 3e6,
+                              .toughness = 1e6},
+                 .stress_rate = 3e8,
+                 .shake = 0.15};
+  const GrowthAnswer shattered = pulled_apart(bar, 5);
+  bar.fracture.relax = 2;
+  const GrowthAnswer clean = pulled_apart(bar, 5);
+  CHECK(clean.pieces == 2);
+  CHECK(clean.area < 1.5);
+  CHECK(shattered.pieces > 2);
+  CHECK(shattered.area > 3 * clean.area);
+}
+
+TEST_CASE(
+    "a disc pressed on two arcs of 20 degrees breaks at the load of Hondros, along the "
+    "loaded diameter",
+    "[accuracy][crack][disc]") {
+  const DiscAnswer disc = brazilian_disc(18);
+  CHECK(disc.tension == Approx(1).margin(0.08));
+  CHECK(disc.load == Approx(1).margin(0.08));
+  CHECK(disc.first < 0.5);
+  CHECK(disc.farthest < 2);
+  CHECK(disc.upright > 0.8);
+  CHECK(disc.length >= 0.75);
 }
