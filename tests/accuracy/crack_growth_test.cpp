@@ -57,7 +57,8 @@ TEST_CASE(
   CHECK(disc.tension == Approx(1).margin(0.08));
   CHECK(disc.load == Approx(1).margin(0.08));
   CHECK(disc.first < 0.5);
-  CHECK(disc.farthest < 2);
-  CHECK(disc.upright > 0.8);
+  CHECK(disc.farthest < 1);
+  CHECK(disc.upright > 0.95);
+  CHECK(disc.area < 1.3);
   CHECK(disc.length >= 0.75);
 }
