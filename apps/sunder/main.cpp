@@ -9,6 +9,7 @@
 #include "apps/sunder/bench_command.hpp"
 #include "apps/sunder/chart.hpp"
 #include "apps/sunder/check.hpp"
+#include "apps/sunder/convert.hpp"
 #include "apps/sunder/exit_code.hpp"
 #include "apps/sunder/fragments.hpp"
 #include "apps/sunder/modes.hpp"
@@ -30,6 +31,7 @@ int run_program(int argc, char** argv) {
   sunder::add_modes_command(program, exit_code);
   sunder::add_fragments_command(program, exit_code);
   sunder::add_check_command(program, exit_code);
+  sunder::add_convert_command(program, exit_code);
   sunder::add_split_command(program, exit_code);
   sunder::add_suite_command(program, exit_code);
   sunder::add_bench_command(program, exit_code);

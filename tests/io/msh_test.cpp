@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// MSH 2.2 and 4.1: Gmsh's and meshio's files, what is carried, and the way back.
+// MSH 2.2, 4.0 and 4.1, text and binary: Gmsh's and meshio's files, what is carried, and the way
+// back.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <set>
 
@@ -12,7 +14,8 @@ using namespace sunder::test;
 TEST_CASE("Gmsh's and meshio's files of two boxes give one and the same body", "[io][msh]") {
   const auto* const name =
       GENERATE("gmsh_22.msh", "gmsh_41.msh", "gmsh_41_all.msh", "gmsh_41_parametric.msh",
-               "gmsh_41_no_groups.msh", "meshio_22.msh", "meshio_41.msh");
+               "gmsh_41_no_groups.msh", "meshio_22.msh", "meshio_41.msh", "gmsh_40.msh",
+               "gmsh_22_binary.msh", "gmsh_41_binary.msh");
   INFO(name);
   const Result<TetMesh> mesh = read_mesh(sample(name));
   INFO(summary(mesh.findings));
@@ -25,7 +28,8 @@ TEST_CASE("Gmsh's and meshio's files of two boxes give one and the same body", "
 }
 
 TEST_CASE("physical groups become regions with names", "[io][msh]") {
-  const auto* const name = GENERATE("gmsh_22.msh", "gmsh_41.msh");
+  const auto* const name = GENERATE("gmsh_22.msh", "gmsh_41.msh", "gmsh_22_binary.msh",
+                                    "gmsh_41_binary.msh", "gmsh_40.msh");
   const Result<TetMesh> mesh = read_mesh(sample(name));
   REQUIRE(mesh);
   CHECK(mesh->region_name == std::map<std::int32_t, std::string>{{3, "shell"}, {7, "core"}});
@@ -49,7 +53,28 @@ TEST_CASE("surface, line and point elements are left out with a note", "[io][msh
   CHECK(mesh.findings[0].code == "skipped_cells");
   CHECK(mesh.findings[0].severity == Severity::note);
   CHECK(mesh.findings[0].text.find("triangles") != std::string::npos);
-  CHECK(mesh->source_tetrahedron_id.size() == 48);  // they do not begin with 1 in the file
+  CHECK(mesh->source_tetrahedron_id.empty());  // they count on from the cells before them
+}
+
+TEST_CASE("second-order tetrahedra are read by their corners", "[io][msh]") {
+  const Result<TetMesh> mesh = read_mesh(sample("gmsh_41_second_order.msh"));
+  REQUIRE(mesh);
+  CHECK(summary(mesh.findings) == "note skipped_cells 0, note corners_only 334");
+  CHECK(mesh->tetrahedra.size() == 48);
+  CHECK(volume(*mesh) == Approx(1.7).epsilon(1e-12));
+}
+
+TEST_CASE("a file keeps its surfaces, edges and points with their groups", "[io][msh]") {
+  const auto* const name = GENERATE("gmsh_41.msh", "gmsh_41_binary.msh", "gmsh_40.msh",
+                                    "gmsh_22.msh", "gmsh_22_binary.msh");
+  INFO(name);
+  const Result<FileMesh> mesh = read_file_mesh(sample(name));
+  REQUIRE(mesh);
+  CHECK(mesh.findings.empty());
+  CHECK(mesh->triangles.corners.size() == 4);  // "all around" is one side of the first box
+  CHECK(std::ranges::count(mesh->triangles.region, 9) == 4);
+  CHECK(mesh->region_name[2] == std::map<std::int32_t, std::string>{{9, "all around"}});
+  CHECK(mesh->region_name[3].size() == 2);
 }
 
 TEST_CASE("the two versions of MSH give the same mesh", "[io][msh]") {

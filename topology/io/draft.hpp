@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "topology/file_mesh.hpp"
 #include "topology/finding.hpp"
-#include "topology/tet_mesh.hpp"
 
 namespace sunder::io {
 
@@ -19,23 +19,27 @@ namespace sunder::io {
 struct Draft {
   /// The file's text; lines of findings are counted in it. Empty for binary data.
   std::string_view text;
-  TetMesh mesh;
+  FileMesh mesh;
   std::vector<Finding> findings;
-  /// Cells that are not linear tetrahedra, by their plural name, and the place of the first.
+  /// Cells of one kind, and the place of the first.
   struct Others {
     std::size_t count = 0;
     std::size_t first_at = 0;
   };
+  /// Cells that are left out, by their plural name: below dimension 3, and volume cells.
   std::map<std::string, Others> surface_cells;
   std::map<std::string, Others> volume_cells;
+  /// Cells of higher order, read by their corners, by their plural name.
+  std::map<std::string, Others> curved_cells;
 };
 
 /// Appends a point; counts it under nan_coordinate where one is no finite number.
 void add_point(Draft& draft, const Point& point, std::size_t at);
 
-/// A tetrahedron as a file gives it.
-struct FileTetrahedron {
-  /// Rows of points; -1 where the file's number belongs to no point.
+/// A cell as a file gives it, its corners first.
+struct FileCell {
+  /// Rows of points; -1 where the file's number belongs to no point. Those beyond the corners of
+  /// the cell are not looked at.
   std::array<std::int64_t, 4> rows;
   /// The file's own numbers, for messages.
   std::array<std::int64_t, 4> numbers;
@@ -43,17 +47,22 @@ struct FileTetrahedron {
   std::size_t at = 0;
 };
 
-/// Appends a tetrahedron; counts it under index_out_of_range or repeated_vertex where it is wrong.
-/// Rows are judged against the points there are now.
-void add_tetrahedron(Draft& draft, const FileTetrahedron& tetrahedron);
+/// Appends a simplex of `dimension` 0 to 3 to its list of cells (region, entity and ids are left to
+/// the reader). Counted under index_out_of_range where it names points that are not there yet, and
+/// under repeated_vertex (a tetrahedron: an error) or degenerate_cell (others: a warning).
+void add_cell(Draft& draft, int dimension, const FileCell& cell);
 
-/// Counts `count` cells that are not linear tetrahedra: those of dimension 3 will be refused.
+/// Counts `count` cells that are left out: those of dimension 3 will be refused.
 void add_other_cells(Draft& draft, std::string_view plural_name, int dimension, std::size_t count,
                      std::size_t at);
 
-/// Ends the reading: numbers that only repeat the row are dropped, a mesh without tetrahedra and
-/// other volume cells become errors, skipped surface cells a note. Errors stand first; no value
-/// when there is one.
-Result<TetMesh> finish(Draft&& draft);
+/// Counts `count` cells of higher order that are read by their corners.
+void add_curved_cells(Draft& draft, std::string_view plural_name, std::size_t count,
+                      std::size_t at);
+
+/// Ends the reading: numbers that only repeat the row are dropped; volume cells that are left out
+/// become an error (with `tetrahedra_only` a warning), cells below dimension 3 and those read by
+/// their corners notes. Errors stand first; no value when there is one.
+Result<FileMesh> finish(Draft&& draft, bool tetrahedra_only);
 
 }  // namespace sunder::io

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Reading MEDIT in ASCII: keywords in any order, each with a count and that many rows.
+// MEDIT in ASCII, read and written: keywords in any order, each with a count and that many rows.
 #include "topology/io/medit.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
+#include "topology/io/number_sink.hpp"
 #include "topology/io/scan.hpp"
 
 namespace sunder::io {
@@ -20,17 +21,12 @@ struct Section {
   std::string_view name;
 };
 constexpr Section sections[] = {
-    {"Edges", 3, 1, "edges"},
-    {"Triangles", 4, 2, "triangles"},
     {"Quadrilaterals", 5, 2, "quadrilaterals"},
     {"Hexahedra", 9, 3, "hexahedra"},
     {"Hexaedra", 9, 3, "hexahedra"},
     {"Prisms", 7, 3, "prisms"},
     {"Pentahedra", 7, 3, "prisms"},
     {"Pyramids", 6, 3, "pyramids"},
-    {"TetrahedraP2", 11, 3, "second-order tetrahedra"},
-    {"TrianglesP2", 7, 2, "second-order triangles"},
-    {"EdgesP2", 4, 1, "second-order edges"},
     {"Corners", 1, -1, ""},
     {"RequiredVertices", 1, -1, ""},
     {"Ridges", 1, -1, ""},
@@ -46,14 +42,35 @@ constexpr Section sections[] = {
     {"TangentAtEdges", 3, -1, ""},
 };
 
+/// Sections of simplices: their corners come first, a reference last.
+struct Simplices {
+  std::string_view keyword;
+  int dimension;
+  std::size_t nodes;
+  std::string_view name;
+};
+constexpr Simplices simplices[] = {
+    {"Edges", 1, 2, "edges"},
+    {"Triangles", 2, 3, "triangles"},
+    {"Tetrahedra", 3, 4, "tetrahedra"},
+    {"EdgesP2", 1, 3, "second-order edges"},
+    {"TrianglesP2", 2, 6, "second-order triangles"},
+    {"TetrahedraP2", 3, 10, "second-order tetrahedra"},
+};
+
 struct MeditReader {
   Scanner s;
   Draft draft;
   bool has_vertices = false;
-  bool has_tetrahedra = false;
-  /// Tetrahedra may stand before the vertices: judged at the end.
-  std::vector<FileTetrahedron> tetrahedra;
-  std::vector<std::int32_t> region;
+  /// Whether a section of simplices was read, by its place in the table.
+  std::array<bool, std::size(simplices)> has_cells{};
+  /// Cells may stand before the vertices: judged at the end.
+  struct Row {
+    int dimension;
+    FileCell cell;
+    std::int32_t reference;
+  };
+  std::vector<Row> rows;
 };
 
 /// The next word, passing comments (# to the end of the line).
@@ -84,32 +101,37 @@ void read_vertices(MeditReader& r) {
   r.has_vertices = true;
   const std::size_t n = read_count(r.s, "vertices", 8);
   r.draft.mesh.points.reserve(n);
+  r.draft.mesh.point_region.reserve(n);
   for (std::size_t i = 0; i < n; ++i) {
     skip_blanks(r.s);
     const std::size_t at = r.s.at;
     Point p;
     for (double& x : p) x = read_number<double>(r.s, "a coordinate");
     add_point(r.draft, p, at);
-    read_number<std::int64_t>(r.s, "a vertex's reference");
+    r.draft.mesh.point_region.push_back(read_number<std::int32_t>(r.s, "a vertex's reference"));
   }
 }
 
-void read_tetrahedra(MeditReader& r) {
-  refuse_second(r, r.has_tetrahedra, "Tetrahedra");
-  r.has_tetrahedra = true;
-  const std::size_t n = read_count(r.s, "tetrahedra", 10);
-  r.tetrahedra.reserve(n);
-  r.region.reserve(n);
+void read_cells(MeditReader& r, std::size_t kind, std::size_t section_at) {
+  const Simplices& section = simplices[kind];
+  refuse_second(r, r.has_cells[kind], section.keyword);
+  r.has_cells[kind] = true;
+  const std::size_t n = read_count(r.s, section.name, 2 * (section.nodes + 1));
+  const std::size_t corners = static_cast<std::size_t>(section.dimension) + 1;
+  if (section.nodes > corners) add_curved_cells(r.draft, section.name, n, section_at);
+  r.rows.reserve(r.rows.size() + n);
   for (std::size_t i = 0; i < n; ++i) {
     skip_blanks(r.s);
-    FileTetrahedron t;
-    t.at = r.s.at;
-    for (int k = 0; k < 4; ++k) {
-      t.numbers[k] = read_number<std::int64_t>(r.s, "a vertex number");
-      t.rows[k] = t.numbers[k] > 0 ? t.numbers[k] - 1 : -1;
+    MeditReader::Row& row = r.rows.emplace_back();
+    row.dimension = section.dimension;
+    row.cell.at = r.s.at;
+    for (std::size_t k = 0; k < corners; ++k) {
+      const auto number = read_number<std::int64_t>(r.s, "a vertex number");
+      row.cell.numbers[k] = number;
+      row.cell.rows[k] = number > 0 ? number - 1 : -1;
     }
-    r.tetrahedra.push_back(t);
-    r.region.push_back(read_number<std::int32_t>(r.s, "a tetrahedron's reference"));
+    skip_words(r.s, section.nodes - corners, "a vertex number");
+    row.reference = read_number<std::int32_t>(r.s, "a cell's reference");
   }
 }
 
@@ -154,19 +176,29 @@ void read_section(MeditReader& r, std::string_view keyword, std::size_t at) {
     read_dimension(r);
   } else if (keyword == "Vertices") {
     read_vertices(r);
-  } else if (keyword == "Tetrahedra") {
-    read_tetrahedra(r);
   } else {
+    for (std::size_t kind = 0; kind < std::size(simplices); ++kind) {
+      if (simplices[kind].keyword == keyword) return read_cells(r, kind, at);
+    }
     skip_section(r, keyword, at);
   }
 }
 
-void finish_tetrahedra(MeditReader& r) {
-  r.draft.mesh.tetrahedra.reserve(r.tetrahedra.size());
-  for (const FileTetrahedron& t : r.tetrahedra) add_tetrahedron(r.draft, t);
-  const bool referenced =
-      std::any_of(r.region.begin(), r.region.end(), [](std::int32_t x) { return x != 0; });
-  if (referenced) r.draft.mesh.region = std::move(r.region);
+/// References that are all 0 say nothing.
+void drop_zeros(std::vector<std::int32_t>& references) {
+  if (std::ranges::all_of(references, [](std::int32_t x) { return x == 0; })) references.clear();
+}
+
+void finish_cells(MeditReader& r) {
+  FileMesh& mesh = r.draft.mesh;
+  for (const MeditReader::Row& row : r.rows) {
+    add_cell(r.draft, row.dimension, row.cell);
+    for_each_cell_list(mesh, [&](auto& cells, int dimension) {
+      if (dimension == row.dimension) cells.region.push_back(row.reference);
+    });
+  }
+  drop_zeros(mesh.point_region);
+  for_each_cell_list(mesh, [](auto& cells, int) { drop_zeros(cells.region); });
 }
 
 }  // namespace
@@ -184,8 +216,37 @@ Draft read_medit(std::string_view text) {
           .text = "the file ends without a section Vertices",
           .remedy = "the file was cut short, or holds no mesh: write it again"});
   }
-  finish_tetrahedra(r);
+  finish_cells(r);
   return std::move(r.draft);
+}
+
+std::string write_medit(const FileMesh& mesh) {
+  NumberSink out;
+  out.bytes.reserve(64 * mesh.points.size() + 32 * cell_count(mesh));
+  put_text(out, "MeshVersionFormatted 2\nDimension 3\n");
+  const auto section = [&out](std::string_view keyword, std::size_t rows) {
+    put_text(out, keyword);
+    out.bytes += ' ';
+    put_text(out, rows);
+    out.bytes += '\n';
+  };
+  section("Vertices", mesh.points.size());
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    for (const double x : mesh.points[i]) put<double>(out, x);
+    put<std::int32_t>(out, mesh.point_region.empty() ? 0 : mesh.point_region[i], '\n');
+  }
+  constexpr std::string_view keywords[] = {"", "Edges", "Triangles", "Tetrahedra"};
+  for_each_cell_list(mesh, [&](const auto& cells, int dimension) {
+    if (dimension == 0 || cells.corners.empty()) return;
+    const std::vector<std::int32_t>& label = label_of(cells);
+    section(keywords[dimension], cells.corners.size());
+    for (std::size_t i = 0; i < cells.corners.size(); ++i) {
+      for (const std::uint32_t corner : cells.corners[i]) put<std::int64_t>(out, corner + 1L);
+      put<std::int32_t>(out, label.empty() ? 0 : label[i], '\n');
+    }
+  });
+  put_text(out, "End\n");
+  return std::move(out.bytes);
 }
 
 }  // namespace sunder::io

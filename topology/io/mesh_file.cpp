@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which format a file has, and the way into and out of it.
+// Which format a file has, and the way into it.
 #include "topology/io/mesh_file.hpp"
 
 #include <fmt/format.h>
@@ -11,40 +11,51 @@
 #include <string>
 #include <system_error>
 
+#include "topology/io/gzip.hpp"
 #include "topology/io/medit.hpp"
 #include "topology/io/msh.hpp"
+#include "topology/io/region_names.hpp"
 #include "topology/io/scan.hpp"
-#include "topology/io/vtu.hpp"
 #include "topology/io/vtu_read.hpp"
 
 namespace sunder {
 namespace {
 
+constexpr std::string_view msh_versions[] = {"4.1", "4.0", "2.2", "1"};
 constexpr FormatTraits traits[] = {
     {.format = MeshFormat::msh,
      .name = "Gmsh MSH",
      .extension = ".msh",
-     .is_read = true,
-     .is_written = true,
-     .holds_regions = true,
+     .versions = msh_versions,
+     .writes_binary = true,
+     .holds_cells = {true, true, true, true},
      .holds_region_names = true,
-     .holds_source_ids = true},
+     .holds_entities = true,
+     .holds_point_ids = true,
+     .holds_cell_ids = true,
+     .holds_point_data = true,
+     .holds_cell_data = true},
     {.format = MeshFormat::medit,
      .name = "MEDIT",
      .extension = ".mesh",
-     .is_read = true,
-     .is_written = false,
-     .holds_regions = true,
-     .holds_region_names = false,
-     .holds_source_ids = false},
+     .versions = {},
+     .holds_cells = {false, true, true, true},
+     .holds_point_regions = true},
     {.format = MeshFormat::vtu,
      .name = "VTU",
      .extension = ".vtu",
-     .is_read = true,
-     .is_written = true,
-     .holds_regions = true,
-     .holds_region_names = false,
-     .holds_source_ids = true},
+     .versions = {},
+     .writes_text = false,
+     .writes_binary = true,
+     .usually_binary = true,
+     .holds_cells = {true, true, true, true},
+     .holds_entities = true,
+     .holds_point_regions = true,
+     .holds_point_ids = true,
+     .holds_cell_ids = true,
+     .holds_point_data = true,
+     .holds_cell_data = true,
+     .holds_number_types = true},
 };
 
 /// Beginnings of files that are often met and not read, and what to do with them.
@@ -58,7 +69,6 @@ constexpr Stranger strangers[] = {
     {"# vtk DataFile"sv, "a legacy VTK file", "save it as .vtu"},
     {"\x89HDF"sv, "an HDF5 file", "convert it: meshio convert FILE NEW.vtu"},
     {"CDF\x01"sv, "a NetCDF (Exodus) file", "convert it: meshio convert FILE NEW.vtu"},
-    {"\x1f\x8b"sv, "a gzip archive", "unpack it first"},
     {"PK\x03\x04"sv, "a zip archive", "unpack it first"},
     {"\x01\0\0\0"sv, "a binary MEDIT file (.meshb)", "save it as .mesh (ASCII)"},
     {"solid"sv, "an STL surface", "fill it with tetrahedra first"},
@@ -80,12 +90,11 @@ Finding unknown_content(std::string_view bytes) {
           .remedy = "give a tetrahedral mesh in one of these formats"};
 }
 
-std::string lower_extension(const std::filesystem::path& name) {
-  std::string extension = name.extension().string();
-  for (char& c : extension) {
+std::string lower(std::string text) {
+  for (char& c : text) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   }
-  return extension;
+  return text;
 }
 
 io::Draft read_as(MeshFormat format, std::string_view text) {
@@ -138,6 +147,38 @@ Result<std::string> bytes_of(const std::filesystem::path& path) {
   return bytes;
 }
 
+Finding empty_file(std::string_view bytes) {
+  return {.code = "empty_file",
+          .text = fmt::format("the file is empty ({} bytes)", bytes.size()),
+          .remedy = "write it again"};
+}
+
+/// Takes what a ReadFailure ends into the findings.
+template <class Work>
+void guarded(std::vector<Finding>& findings, Work work) {
+  try {
+    work();
+  } catch (io::ReadFailure& failure) {
+    findings.push_back(std::move(failure.finding));
+  }
+}
+
+/// Names in the file beside, where the mesh's own format holds none and there is such a file.
+void take_names_beside(const std::filesystem::path& path, Result<FileMesh>& result) {
+  std::error_code unknown;
+  const std::filesystem::path beside = io::names_beside(path);
+  for (const auto& names : result->region_name) {
+    if (!names.empty()) return;
+  }
+  if (!std::filesystem::is_regular_file(beside, unknown)) return;
+  const Result<std::string> text = bytes_of(beside);
+  std::vector<Finding> findings = text.findings;
+  if (text) guarded(findings, [&] { io::read_region_names(*text, *result); });
+  for (Finding& f : findings) f.file = beside.string();
+  if (has_error(findings)) result.value.reset();
+  result.findings.insert(result.findings.begin(), findings.begin(), findings.end());
+}
+
 }  // namespace
 
 std::span<const FormatTraits> format_traits() { return traits; }
@@ -162,96 +203,106 @@ std::optional<MeshFormat> format_of_content(std::string_view bytes) {
 }
 
 std::optional<MeshFormat> format_of_name(const std::filesystem::path& name) {
-  const std::string extension = lower_extension(name);
+  std::string extension = lower(name.extension().string());
+  if (extension == ".gz") extension = lower(name.stem().extension().string());
   for (const FormatTraits& t : traits) {
     if (t.extension == extension) return t.format;
   }
   return std::nullopt;
 }
 
-Result<TetMesh> read_mesh(std::string_view bytes, std::string_view name) {
-  Result<TetMesh> result;
-  const auto format = format_of_content(bytes);
-  if (bytes.find_first_not_of(" \t\r\n") == std::string_view::npos) {
-    result.findings.push_back({.code = "empty_file",
-                               .text = fmt::format("the file is empty ({} bytes)", bytes.size()),
-                               .remedy = "write it again"});
-  } else if (!format) {
-    result.findings.push_back(unknown_content(bytes));
-  } else {
+Result<FileMesh> read_file_mesh(std::string_view bytes, std::string_view name,
+                                const ReadOptions& options) {
+  Result<FileMesh> result;
+  std::string whole;
+  guarded(result.findings, [&] {
+    if (io::is_gzip(bytes)) bytes = whole = io::unpacked(bytes);
     if (bytes.substr(0, 3) == "\xef\xbb\xbf") bytes.remove_prefix(3);
-    try {
-      result = io::finish(read_as(*format, bytes));
-    } catch (io::ReadFailure& failure) {
-      result.findings.push_back(std::move(failure.finding));
+    const auto format = format_of_content(bytes);
+    if (bytes.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+      result.findings.push_back(empty_file(bytes));
+    } else if (!format) {
+      result.findings.push_back(unknown_content(bytes));
+    } else {
+      try {
+        result = io::finish(read_as(*format, bytes), options.tetrahedra_only);
+      } catch (io::ReadFailure& failure) {
+        result.findings.push_back(std::move(failure.finding));
+      }
+      note_misleading_name(*format, name, result.findings);
     }
-    note_misleading_name(*format, name, result.findings);
-  }
+  });
   for (Finding& finding : result.findings) finding.file = name;
   return result;
 }
 
+Result<FileMesh> read_file_mesh(const std::filesystem::path& path, const ReadOptions& options) {
+  Result<FileMesh> result;
+  {
+    const Result<std::string> bytes = bytes_of(path);
+    if (!bytes) {
+      result.findings = bytes.findings;
+      return result;
+    }
+    result = read_file_mesh(*bytes, path.string(), options);
+  }
+  if (result) take_names_beside(path, result);
+  return result;
+}
+
+namespace {
+
+/// "108 triangles, 12 edges" of the cells below dimension 3; empty where there are none.
+std::string lower_cells(const FileMesh& mesh) {
+  constexpr std::string_view names[] = {"vertices", "edges", "triangles"};
+  std::string text;
+  for_each_cell_list(mesh, [&](const auto& cells, int dimension) {
+    if (dimension == 3 || cells.corners.empty()) return;
+    text +=
+        fmt::format("{}{} {}", text.empty() ? "" : ", ", cells.corners.size(), names[dimension]);
+  });
+  return text;
+}
+
+Result<TetMesh> tetrahedra_of(Result<FileMesh>&& file, std::string_view name) {
+  Result<TetMesh> result;
+  result.findings = std::move(file.findings);
+  if (!file) return result;
+  const std::string others = lower_cells(*file);
+  if (file->tetrahedra.corners.empty()) {
+    result.findings.insert(
+        result.findings.begin(),
+        {.code = "no_tetrahedron",
+         .text = fmt::format("the file has {} points but no tetrahedron", file->points.size()),
+         .remedy = others.empty() ? "give a volume mesh of tetrahedra"
+                                  : "the file holds a surface: fill it with tetrahedra first (a "
+                                    "mesher such as sunder-mesh or gmsh -3 does)",
+         .file = std::string(name)});
+  }
+  if (!others.empty()) {
+    const auto first_note = std::ranges::find(result.findings, Severity::note, &Finding::severity);
+    result.findings.insert(first_note,
+                           {.code = "skipped_cells",
+                            .severity = Severity::note,
+                            .count = cell_count(*file) - file->tetrahedra.corners.size(),
+                            .text = fmt::format("{} are left out", others),
+                            .remedy = "nothing to do: only tetrahedra are used",
+                            .file = std::string(name)});
+  }
+  if (!has_error(result.findings)) {
+    result.value = tet_mesh_of(std::move(*file));
+  }
+  return result;
+}
+
+}  // namespace
+
+Result<TetMesh> read_mesh(std::string_view bytes, std::string_view name) {
+  return tetrahedra_of(read_file_mesh(bytes, name), name);
+}
+
 Result<TetMesh> read_mesh(const std::filesystem::path& path) {
-  const Result<std::string> bytes = bytes_of(path);
-  if (bytes) return read_mesh(*bytes, path.string());
-  Result<TetMesh> refused;
-  refused.findings = bytes.findings;
-  return refused;
-}
-
-std::vector<Finding> lost_on_writing(const TetMesh& mesh, MeshFormat format) {
-  const FormatTraits& t = traits_of(format);
-  std::vector<Finding> lost;
-  const auto lose = [&](std::string code, std::size_t count, std::string text) {
-    lost.push_back({.code = std::move(code),
-                    .severity = Severity::warning,
-                    .count = count,
-                    .text = std::move(text),
-                    .remedy = fmt::format("write another format than {} to keep them", t.name)});
-  };
-  if (!t.holds_regions && !mesh.region.empty()) {
-    lose("regions_lost", mesh.region.size(), fmt::format("{} holds no regions", t.name));
-  }
-  if (!t.holds_region_names && !mesh.region_name.empty()) {
-    lose("region_names_lost", mesh.region_name.size(),
-         fmt::format("{} holds no names of regions", t.name));
-  }
-  const std::size_t ids = mesh.source_point_id.size() + mesh.source_tetrahedron_id.size();
-  const bool writable =
-      format != MeshFormat::msh || (io::are_msh_numbers(mesh.source_point_id) &&
-                                    io::are_msh_numbers(mesh.source_tetrahedron_id));
-  if (ids > 0 && (!t.holds_source_ids || !writable)) {
-    lose("source_ids_lost", ids,
-         fmt::format("{} cannot hold these source numbers: rows are counted from 1", t.name));
-  }
-  const auto odd = std::count_if(mesh.region.begin(), mesh.region.end(),
-                                 [](std::int32_t region) { return region < 1; });
-  if (format == MeshFormat::msh && odd > 0) {
-    lost.push_back({.code = "region_not_positive",
-                    .severity = Severity::warning,
-                    .count = static_cast<std::size_t>(odd),
-                    .text =
-                        "regions below 1 are written as they are; Gmsh takes 0 for no group and "
-                        "a negative number for a reversed one",
-                    .remedy = "number the regions from 1 up"});
-  }
-  return lost;
-}
-
-std::vector<Finding> write_mesh(const std::filesystem::path& path, const TetMesh& mesh) {
-  const auto format = format_of_name(path);
-  if (!format || !traits_of(*format).is_written) {
-    return {{.code = "unknown_format",
-             .text = fmt::format("files ending in '{}' are not written: .msh and .vtu are",
-                                 path.extension().string()),
-             .remedy = "name the file *.msh or *.vtu",
-             .file = path.string()}};
-  }
-  std::vector<Finding> findings = lost_on_writing(mesh, *format);
-  std::vector<Finding> failures =
-      *format == MeshFormat::msh ? io::write_msh(path, mesh) : write_vtu(path, mesh);
-  findings.insert(findings.end(), failures.begin(), failures.end());
-  return findings;
+  return tetrahedra_of(read_file_mesh(path), path.string());
 }
 
 }  // namespace sunder

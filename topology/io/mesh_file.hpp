@@ -2,12 +2,15 @@
 // Mesh files in and out: which formats there are, what each can carry, and how to read and write.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "topology/file_mesh.hpp"
 #include "topology/finding.hpp"
 #include "topology/tet_mesh.hpp"
 
@@ -15,18 +18,31 @@ namespace sunder {
 
 enum class MeshFormat { msh, medit, vtu };
 
-/// What a format can hold of a TetMesh, beside points and tetrahedra, and what we do with it.
+/// What a format can hold of a FileMesh beside points, and what we do with it.
 struct FormatTraits {
   MeshFormat format;
   /// As messages name it.
   std::string_view name;
-  /// The usual ending of a file's name, with its dot.
+  /// The usual ending of a file's name, with its dot; `--to` names formats by it, without the dot.
   std::string_view extension;
-  bool is_read;
-  bool is_written;
-  bool holds_regions;
-  bool holds_region_names;
-  bool holds_source_ids;
+  /// Versions that can be written, the usual one first; empty where there is but one.
+  std::span<const std::string_view> versions;
+  bool writes_text = true;
+  bool writes_binary = false;
+  /// What is written unless the caller asks otherwise.
+  bool usually_binary = false;
+  /// By dimension: whether vertices, edges, triangles, tetrahedra can stand in it.
+  std::array<bool, 4> holds_cells{false, false, false, true};
+  bool holds_regions = true;
+  bool holds_region_names = false;
+  bool holds_entities = false;
+  bool holds_point_regions = false;
+  bool holds_point_ids = false;
+  bool holds_cell_ids = false;
+  bool holds_point_data = false;
+  bool holds_cell_data = false;
+  /// Whether columns keep the type of their numbers.
+  bool holds_number_types = false;
 };
 
 /// Every format, one row each.
@@ -38,38 +54,67 @@ const FormatTraits& traits_of(MeshFormat format);
 /// The format that `bytes` begin like, whatever the file is called; none when no format does.
 std::optional<MeshFormat> format_of_content(std::string_view bytes);
 
-/// The format usual for a name's ending (.msh, .mesh, .vtu; upper case too); none for others.
+/// The format usual for a name's ending (upper case too, and before .gz); none for others.
 std::optional<MeshFormat> format_of_name(const std::filesystem::path& name);
 
-/// A mesh read from a file; its content decides the format.
-/// Formats: Gmsh MSH 2.x and 4.1 (ASCII), MEDIT .mesh (ASCII), VTU (ASCII, base64, raw; plain or
-/// zlib; both byte orders).
-/// Leaves in the value: every tetrahedron with four different rows below the number of points, and
-/// finite coordinates. Orientation, flatness and gluing are not judged: see build_map.
-/// Regions: MSH's physical groups (or, without any, its volume entities when there are several),
-/// MEDIT's references (unless all are 0), VTU's cell array `region`, `gmsh:physical`, `medit:ref`,
-/// `CellEntityIds` or `cell_tags`, the first that is there.
-/// Surface, line and point cells are left out with a note; other volume cells are refused.
-/// Errors, with file and line (byte or array in binary data): cannot_open, empty_file,
-/// unknown_format, unknown_version, binary_not_read, truncated_file, bad_number,
+struct ReadOptions {
+  /// Volume cells that are no tetrahedra are left out with a warning instead of refused.
+  bool tetrahedra_only = false;
+};
+
+/// All that a mesh file holds; its content decides the format. Packed files (gzip) are unpacked.
+/// Formats: Gmsh MSH 1, 2.x, 4.0, 4.1 (text and binary), MEDIT .mesh (text), VTU (text, base64,
+/// raw; plain or zlib; both byte orders).
+/// Names of regions that the format cannot hold are taken from `NAME.regions` beside it, if that is
+/// there (see write_file_mesh).
+/// Leaves in the value: every tetrahedron with four different rows below the number of points,
+/// finite coordinates, columns as long as what they belong to. Orientation, flatness and gluing are
+/// not judged: see build_map.
+/// Regions: MSH's physical groups, MEDIT's references (unless all are 0), VTU's cell array
+/// `region`, `gmsh:physical`, `medit:ref`, `CellEntityIds` or `cell_tags`, the first that is there.
+/// Cells that are no simplices are left out with a note below dimension 3, refused there.
+/// Errors, with file and line (byte or array in binary data): cannot_open, empty_file, bad_gzip,
+/// unknown_format, unknown_version, truncated_file, bad_number,
 /// number_out_of_range, count_too_big, wrong_count, wrong_section_order, missing_section,
 /// unknown_section, bad_name, unsupported_cells, unknown_cell_type, index_out_of_range,
-/// repeated_vertex, nan_coordinate, duplicate_id, no_tetrahedron, bad_xml, bad_attribute,
+/// repeated_vertex, nan_coordinate, duplicate_id, bad_xml, bad_attribute,
 /// missing_array, bad_offsets, bad_base64, bad_zlib, unsupported_compressor. No count is trusted
 /// beyond what the file's bytes can hold. Cost: O(file), the file is held in memory once.
-Result<TetMesh> read_mesh(const std::filesystem::path& path);
+Result<FileMesh> read_file_mesh(const std::filesystem::path& path, const ReadOptions& options = {});
 
 /// The same for a file's bytes already in memory; `name` stands in the findings.
+Result<FileMesh> read_file_mesh(std::string_view bytes, std::string_view name,
+                                const ReadOptions& options = {});
+
+/// The tetrahedra of a mesh file, to compute with: what read_file_mesh gives, other cells left out
+/// with a note. Errors: also no_tetrahedron.
+Result<TetMesh> read_mesh(const std::filesystem::path& path);
 Result<TetMesh> read_mesh(std::string_view bytes, std::string_view name);
 
-/// What writing `mesh` in `format` would leave out or change: warnings, empty when nothing.
-std::vector<Finding> lost_on_writing(const TetMesh& mesh, MeshFormat format);
+struct WriteOptions {
+  /// The format that the name's ending says, if none is given.
+  std::optional<MeshFormat> format;
+  /// One of the format's `versions`; the usual one if empty.
+  std::string version;
+  /// Text or binary; what is usual for the format if not given.
+  std::optional<bool> is_binary;
+};
 
-/// Writes `mesh` in the format that the name's ending says: .msh is MSH 4.1 ASCII with doubles in
-/// their shortest exact form, .vtu is VTU with raw appended data.
-/// Needs: `region`, `source_point_id` and `source_tetrahedron_id` empty or as long as their rows.
-/// Leaves: the whole new file, or what was there before; it is written beside and renamed.
-/// Errors: unknown_format, cannot_write; the warnings of lost_on_writing stand beside them.
+/// What writing `mesh` would leave out or change: warnings, empty when nothing. Names of regions
+/// are not lost: they go to a file beside.
+/// Needs: the options name a format, a version and an encoding that it has.
+std::vector<Finding> lost_on_writing(const FileMesh& mesh, const WriteOptions& options);
+
+/// Writes `mesh`. Doubles in text have their shortest form that reads back to the same bits; VTU
+/// has raw appended data. Names of regions that the format cannot hold are written to
+/// `PATH.regions` with a note, one line each: dimension, region, name in quotes. Needs: columns
+/// empty or as long as what they belong to. Leaves: each file whole, or what was there before; they
+/// are written beside and renamed. Errors: unknown_format, unknown_version (also an encoding that
+/// the format does not have), cannot_write; the warnings of lost_on_writing stand beside them.
+std::vector<Finding> write_file_mesh(const std::filesystem::path& path, const FileMesh& mesh,
+                                     const WriteOptions& options = {});
+
+/// The same for tetrahedra alone.
 std::vector<Finding> write_mesh(const std::filesystem::path& path, const TetMesh& mesh);
 
 }  // namespace sunder

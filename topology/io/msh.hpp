@@ -2,23 +2,26 @@
 // Internal to topology/io: Gmsh's MSH format.
 #pragma once
 
-#include <filesystem>
+#include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
-#include "topology/finding.hpp"
 #include "topology/io/draft.hpp"
-#include "topology/tet_mesh.hpp"
 
 namespace sunder::io {
 
-/// Reads MSH 2.x or 4.1 ASCII. Throws ReadFailure.
+/// Reads MSH 1, 2.x, 4.0 or 4.1, text or binary. Throws ReadFailure.
 Draft read_msh(std::string_view text);
 
-/// Writes MSH 4.1 ASCII: one block of nodes, one block of elements for each run of one region.
-std::vector<Finding> write_msh(const std::filesystem::path& path, const TetMesh& mesh);
+/// The bytes of an MSH file: `version` 10, 22, 40 or 41. In versions 4 one block of nodes, and one
+/// of elements for each run of one entity. Needs: version 1 is text.
+std::string write_msh(const FileMesh& mesh, int version, bool is_binary);
 
-/// True when the numbers can stand in an MSH file: positive and each only once.
-bool are_msh_numbers(const std::vector<std::int64_t>& numbers);
+/// The numbers of the cells of each dimension.
+std::vector<std::span<const std::int64_t>> cell_numbers(const FileMesh& mesh);
+
+/// True when the numbers can stand in an MSH file: positive and each only once among all lists.
+bool are_msh_numbers(std::span<const std::span<const std::int64_t>> lists);
 
 }  // namespace sunder::io

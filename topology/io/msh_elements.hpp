@@ -14,7 +14,6 @@ struct ElementType {
   int dimension;
   std::size_t nodes;
 };
-inline constexpr int tetrahedron_type = 4;
 inline constexpr ElementType element_types[] = {
     {1, "lines", 1, 2},
     {2, "triangles", 2, 3},
@@ -52,5 +51,21 @@ inline constexpr ElementType element_types[] = {
     {92, "third-order hexahedra", 3, 64},
     {93, "fourth-order hexahedra", 3, 125},
 };
+
+/// Whether it is a simplex, whose corners are its first nodes.
+constexpr bool is_simplex(const ElementType& type) {
+  for (const std::string_view kind : {"points", "lines", "triangles", "tetrahedra"}) {
+    if (type.name.ends_with(kind)) return true;
+  }
+  return false;
+}
+
+/// Whether it has nodes beside its corners.
+constexpr bool is_curved(const ElementType& type) {
+  return is_simplex(type) && type.nodes > static_cast<std::size_t>(type.dimension) + 1;
+}
+
+/// The number of the element type of first-order simplices of a dimension.
+inline constexpr int simplex_type[] = {15, 1, 2, 4};
 
 }  // namespace sunder::io

@@ -1,290 +1,131 @@
 // SPDX-License-Identifier: MIT
-// Reading Gmsh's MSH 2.x and 4.1 in ASCII, section by section.
+// Reading Gmsh's MSH 1, 2.x, 4.0 and 4.1, in text and binary: the sections, one after the other.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
-#include <unordered_map>
 
 #include "topology/io/msh.hpp"
-#include "topology/io/msh_elements.hpp"
-#include "topology/io/scan.hpp"
+#include "topology/io/msh_reader.hpp"
 
 namespace sunder::io {
 namespace {
 
-struct MshReader {
-  Scanner s;
-  Draft draft;
-  /// 0 until $MeshFormat was read, then 2 or 4.
-  int version = 0;
-  bool has_nodes = false;
-  bool has_elements = false;
-  /// Region by the physical group, and by the volume entity, of each tetrahedron.
-  std::vector<std::int32_t> physical;
-  std::vector<std::int32_t> entity;
-  /// MSH 4.1: first physical group of each volume entity.
-  std::unordered_map<std::int64_t, std::int32_t> physical_of_volume;
-  /// Row of each node number: an array where the numbers are dense, else a hash.
-  std::int64_t lowest_number = 0;
-  std::vector<std::int64_t> dense_row;
-  std::unordered_map<std::int64_t, std::int64_t> sparse_row;
-};
-
-std::int32_t read_tag(MshReader& r, std::string_view what) {
-  return read_number<std::int32_t>(r.s, what);
-}
-
-std::int64_t row_of(const MshReader& r, std::int64_t number) {
-  if (!r.dense_row.empty()) {
-    const std::uint64_t place =
-        static_cast<std::uint64_t>(number) - static_cast<std::uint64_t>(r.lowest_number);
-    return place < r.dense_row.size() ? r.dense_row[place] : -1;
-  }
-  const auto found = r.sparse_row.find(number);
-  return found == r.sparse_row.end() ? -1 : found->second;
-}
-
-/// Fills the table from node numbers to rows; `at` is the section's place.
-void index_nodes(MshReader& r, std::size_t at) {
-  const std::vector<std::int64_t>& numbers = r.draft.mesh.source_point_id;
-  if (numbers.empty()) return;
-  const auto [low, high] = std::minmax_element(numbers.begin(), numbers.end());
-  r.lowest_number = *low;
-  const std::uint64_t spread = static_cast<std::uint64_t>(*high) - static_cast<std::uint64_t>(*low);
-  const bool dense = spread / 4 <= numbers.size();
-  if (dense) r.dense_row.assign(spread + 1, -1);
-  for (std::size_t row = 0; row < numbers.size(); ++row) {
-    if (const std::int64_t before = row_of(r, numbers[row]); before >= 0) {
-      fail(r.s.text, at,
-           {.code = "duplicate_id",
-            .ids = {before, static_cast<std::int64_t>(row)},
-            .text = fmt::format("the points in rows {} and {} of this section have the same number "
-                                "{}",
-                                before, row, numbers[row]),
-            .remedy = "give every point its own number"});
-    }
-    if (dense) {
-      r.dense_row[static_cast<std::uint64_t>(numbers[row]) -
-                  static_cast<std::uint64_t>(r.lowest_number)] = static_cast<std::int64_t>(row);
-    } else {
-      r.sparse_row.emplace(numbers[row], static_cast<std::int64_t>(row));
-    }
-  }
-}
-
-const ElementType& read_element_type(MshReader& r) {
-  skip_blanks(r.s);
-  const std::size_t at = r.s.at;
-  const auto number = read_number<std::int64_t>(r.s, "an element type");
-  for (const ElementType& type : element_types) {
-    if (type.number == number) return type;
-  }
-  fail(r.s.text, at,
-       {.code = "unknown_cell_type",
-        .text = fmt::format("element type {} is not known", number),
-        .remedy = "save the mesh with first-order elements only"});
+int version_of(std::string_view word) {
+  if (word == "4.1") return 41;
+  if (word == "4" || word == "4.0") return 40;
+  if (word == "2" || word.substr(0, 2) == "2.") return 20;
+  return 0;
 }
 
 void read_format(MshReader& r) {
-  skip_blanks(r.s);
-  const std::size_t at = r.s.at;
-  const std::string_view version = next_word(r.s);
-  if (version == "4.1") {
-    r.version = 4;
-  } else if (version == "2" || version.substr(0, 2) == "2.") {
-    r.version = 2;
-  } else {
-    if (version.empty()) fail_expected(r.s, "a format version");
-    fail(r.s.text, at,
+  Scanner& s = r.in.s;
+  skip_blanks(s);
+  const std::size_t at = s.at;
+  const std::string_view version = next_word(s);
+  if (version.empty()) fail_expected(s, "a format version");
+  r.version = version_of(version);
+  if (r.version == 0) {
+    fail(s.text, at,
          {.code = "unknown_version",
-          .text = fmt::format("MSH version {} is not read: 2.x and 4.1 are", in_quotes(version)),
+          .text = fmt::format("MSH version {} is not read: 1, 2.x, 4.0 and 4.1 are",
+                              in_quotes(version)),
           .remedy = "convert it: gmsh FILE -save -format msh41 -o NEW.msh"});
   }
-  const auto binary = read_number<std::int64_t>(r.s, "0 (ASCII) or 1 (binary)");
-  if (binary != 0) {
-    fail(r.s.text, at,
-         {.code = "binary_not_read",
-          .text = fmt::format("this is a binary MSH {} file: only ASCII is read", version),
-          .remedy = "convert it: gmsh FILE -save -format msh41 -bin 0 -o NEW.msh"});
+  const std::size_t kind_at = s.at;
+  const auto binary = read_number<std::int64_t>(s, "0 (ASCII) or 1 (binary)");
+  const auto size = read_number<std::int64_t>(s, "the size of a floating-point number");
+  if (binary < 0 || binary > 1 || size != 8) {
+    fail(s.text, kind_at,
+         {.code = "unknown_version",
+          .text = fmt::format("MSH of kind {} with numbers of {} bytes is not read: kinds 0 and 1 "
+                              "with 8 bytes are",
+                              binary, size),
+          .remedy = "write the file again with a 64-bit Gmsh"});
   }
-  read_number<std::int64_t>(r.s, "the size of a floating-point number");
-  expect_word(r.s, "$EndMeshFormat");
+  if (binary == 1) {
+    rest_of_line(s);
+    r.in.is_binary = true;
+    const auto one = read_raw<std::int32_t>(r.in, "the number 1 that tells the byte order");
+    r.in.swap = byte_swapped(one) == 1;
+    if (one != 1 && !r.in.swap) {
+      fail(s.text, at,
+           {.code = "bad_number",
+            .text = fmt::format("{} stands where the number 1 tells the byte order", one),
+            .remedy = "the file is damaged: copy or write it again (as binary, not as text)"});
+    }
+    r.draft.text = {};  // there are no lines to count
+  }
+  expect_word(s, "$EndMeshFormat");
 }
 
 void read_physical_names(MshReader& r) {
-  const std::size_t names = read_count(r.s, "physical names", 6);
+  Scanner& s = r.in.s;
+  const std::size_t names = read_count(s, "physical names", 6);
   for (std::size_t i = 0; i < names; ++i) {
-    const auto dimension = read_number<std::int64_t>(r.s, "the dimension of a physical group");
-    const std::int32_t tag = read_tag(r, "the number of a physical group");
-    const std::size_t at = r.s.at;
-    const std::string_view name = rest_of_line(r.s);
-    if (name.size() < 2 || name.front() != '"' || name.back() != '"') {
-      fail(r.s.text, at,
+    const auto dimension = read_number<std::int64_t>(s, "the dimension of a physical group");
+    const auto tag = read_number<std::int32_t>(s, "the number of a physical group");
+    const std::size_t at = s.at;
+    const std::string_view name = rest_of_line(s);
+    if (name.size() < 2 || name.front() != '"' || name.back() != '"' || dimension < 0 ||
+        dimension > 3) {
+      fail(s.text, at,
            {.code = "bad_name",
-            .text = fmt::format("{} stands where a name in double quotes was expected",
-                                in_quotes(name)),
+            .text = fmt::format("{} of dimension {} stands where a name in double quotes, of "
+                                "dimension 0 to 3, was expected",
+                                in_quotes(name), dimension),
             .remedy = "write the name as \"name\""});
     }
-    if (dimension == 3) {
-      r.draft.mesh.region_name[tag] = std::string(name.substr(1, name.size() - 2));
-    }
+    r.draft.mesh.region_name[static_cast<std::size_t>(dimension)][tag] =
+        std::string(name.substr(1, name.size() - 2));
   }
-  expect_word(r.s, "$EndPhysicalNames");
 }
 
-/// MSH 4.1: of the entities only the volumes' physical groups are kept.
+/// 4.0 and 4.1: of the entities only the physical groups are kept.
 void read_entities(MshReader& r) {
   std::array<std::size_t, 4> entities;
-  for (std::size_t& n : entities) n = read_count(r.s, "entities", 8);
+  for (std::size_t& n : entities) n = read_bounded<std::uint64_t>(r.in, "entities", 8, 12);
   for (std::size_t dimension = 0; dimension < 4; ++dimension) {
+    // Version 4.0 gives points a box too.
+    const std::size_t extent = dimension == 0 && r.version == 41 ? 3 : 6;
     for (std::size_t i = 0; i < entities[dimension]; ++i) {
-      const std::int32_t tag = read_tag(r, "an entity's number");
-      skip_words(r.s, dimension == 0 ? 3 : 6, "an entity's extent");
-      const std::size_t groups = read_count(r.s, "physical groups", 2);
+      const std::int64_t tag = read_int(r, "an entity's number");
+      skip_numbers(r.in, extent, 8 * extent, "an entity's extent");
+      const std::size_t groups = read_bounded<std::uint64_t>(r.in, "physical groups", 2, 4);
+      r.entities_of_several_groups += groups > 1;
       for (std::size_t g = 0; g < groups; ++g) {
         const std::int32_t group = read_tag(r, "a physical group");
-        if (dimension == 3 && g == 0) r.physical_of_volume[tag] = group;
+        if (g == 0) r.physical_of_entity[dimension][tag] = group;
       }
       if (dimension == 0) continue;
-      skip_words(r.s, read_count(r.s, "bounding entities", 2), "a bounding entity");
+      const std::size_t bounding = read_bounded<std::uint64_t>(r.in, "bounding entities", 2, 4);
+      skip_numbers(r.in, bounding, 4 * bounding, "a bounding entity");
     }
   }
-  expect_word(r.s, "$EndEntities");
-}
-
-Point read_point(MshReader& r) {
-  constexpr std::string_view what = "a coordinate";
-  const double x = read_number<double>(r.s, what);
-  const double y = read_number<double>(r.s, what);
-  const double z = read_number<double>(r.s, what);
-  return {x, y, z};
-}
-
-void read_nodes_2(MshReader& r) {
-  const std::size_t nodes = read_count(r.s, "nodes", 8);
-  r.draft.mesh.points.reserve(nodes);
-  r.draft.mesh.source_point_id.reserve(nodes);
-  for (std::size_t i = 0; i < nodes; ++i) {
-    skip_blanks(r.s);
-    const std::size_t at = r.s.at;
-    r.draft.mesh.source_point_id.push_back(read_number<std::int64_t>(r.s, "a node number"));
-    add_point(r.draft, read_point(r), at);
-  }
-}
-
-/// Sums over blocks are checked against the total that the section announced.
-void check_total(MshReader& r, std::string_view what, std::size_t announced, std::size_t found) {
-  if (announced == found) return;
-  fail(r.s.text, r.s.at,
-       {.code = "wrong_count",
-        .text = fmt::format("the section announces {} {}, but its blocks hold {}", announced, what,
-                            found),
-        .remedy = "correct the counts, or write the file again"});
-}
-
-void read_nodes_4(MshReader& r) {
-  const std::size_t blocks = read_count(r.s, "blocks of nodes", 8);
-  const std::size_t nodes = read_count(r.s, "nodes", 8);
-  skip_words(r.s, 2, "the lowest and highest node number");
-  TetMesh& mesh = r.draft.mesh;
-  mesh.points.reserve(nodes);
-  mesh.source_point_id.reserve(nodes);
-  for (std::size_t b = 0; b < blocks; ++b) {
-    const auto dimension = read_number<std::int64_t>(r.s, "the dimension of an entity (0 to 3)");
-    read_tag(r, "an entity's number");
-    const auto parametric = read_number<std::int64_t>(r.s, "0 or 1 (parametric)");
-    const std::size_t in_block = read_count(r.s, "nodes", 8);
-    for (std::size_t i = 0; i < in_block; ++i) {
-      mesh.source_point_id.push_back(read_number<std::int64_t>(r.s, "a node number"));
-    }
-    for (std::size_t i = 0; i < in_block; ++i) {
-      skip_blanks(r.s);
-      const std::size_t at = r.s.at;
-      add_point(r.draft, read_point(r), at);
-      if (parametric != 0) {
-        skip_words(r.s, static_cast<std::size_t>(std::clamp<std::int64_t>(dimension, 0, 3)),
-                   "a parametric coordinate");
-      }
-    }
-  }
-  check_total(r, "nodes", nodes, mesh.points.size());
-}
-
-void read_tetrahedron(MshReader& r) {
-  FileTetrahedron tetrahedron;
-  tetrahedron.at = r.s.at;
-  for (int k = 0; k < 4; ++k) {
-    tetrahedron.numbers[k] = read_number<std::int64_t>(r.s, "a node number");
-    tetrahedron.rows[k] = row_of(r, tetrahedron.numbers[k]);
-  }
-  add_tetrahedron(r.draft, tetrahedron);
-}
-
-void read_elements_2(MshReader& r) {
-  const std::size_t elements = read_count(r.s, "elements", 8);
-  for (std::size_t i = 0; i < elements; ++i) {
-    skip_blanks(r.s);
-    const std::size_t at = r.s.at;
-    const auto number = read_number<std::int64_t>(r.s, "an element number");
-    const ElementType& type = read_element_type(r);
-    const std::size_t tags = read_count(r.s, "tags", 2);
-    if (type.number != tetrahedron_type) {
-      add_other_cells(r.draft, type.name, type.dimension, 1, at);
-      skip_words(r.s, tags + type.nodes, "a node number");
-      continue;
-    }
-    r.draft.mesh.source_tetrahedron_id.push_back(number);
-    r.physical.push_back(tags > 0 ? read_tag(r, "a physical group") : 0);
-    r.entity.push_back(tags > 1 ? read_tag(r, "a volume's number") : 0);
-    if (tags > 2) skip_words(r.s, tags - 2, "a tag");
-    read_tetrahedron(r);
-  }
-}
-
-void read_elements_4(MshReader& r) {
-  const std::size_t blocks = read_count(r.s, "blocks of elements", 8);
-  const std::size_t elements = read_count(r.s, "elements", 4);
-  skip_words(r.s, 2, "the lowest and highest element number");
-  std::size_t found = 0;
-  for (std::size_t b = 0; b < blocks; ++b) {
-    skip_blanks(r.s);
-    const std::size_t at = r.s.at;
-    const auto dimension = read_number<std::int64_t>(r.s, "the dimension of an entity (0 to 3)");
-    const std::int32_t tag = read_tag(r, "an entity's number");
-    const ElementType& type = read_element_type(r);
-    const std::size_t in_block = read_count(r.s, "elements", 2 * (1 + type.nodes));
-    found += in_block;
-    if (type.number != tetrahedron_type) {
-      add_other_cells(r.draft, type.name, type.dimension, in_block, at);
-      skip_words(r.s, in_block * (1 + type.nodes), "a node number");
-      continue;
-    }
-    const auto group = dimension == 3 ? r.physical_of_volume.find(tag) : r.physical_of_volume.end();
-    const std::int32_t physical = group == r.physical_of_volume.end() ? 0 : group->second;
-    r.physical.insert(r.physical.end(), in_block, physical);
-    r.entity.insert(r.entity.end(), in_block, tag);
-    r.draft.mesh.tetrahedra.reserve(r.draft.mesh.tetrahedra.size() + in_block);
-    for (std::size_t i = 0; i < in_block; ++i) {
-      r.draft.mesh.source_tetrahedron_id.push_back(
-          read_number<std::int64_t>(r.s, "an element number"));
-      read_tetrahedron(r);
-    }
-  }
-  check_total(r, "elements", elements, found);
 }
 
 [[noreturn]] void fail_order(MshReader& r, std::size_t at, std::string text, std::string remedy) {
-  fail(r.s.text, at,
+  fail(r.in.s.text, at,
        {.code = "wrong_section_order", .text = std::move(text), .remedy = std::move(remedy)});
+}
+
+/// Nothing but the line's end stands between a section's name and raw data.
+void pass_line_end(MshReader& r) {
+  if (r.in.is_binary) rest_of_line(r.in.s);
 }
 
 void read_nodes(MshReader& r, std::size_t at) {
   if (r.has_nodes) fail_order(r, at, "a second $Nodes section", "join the two sections");
   r.has_nodes = true;
-  r.version == 2 ? read_nodes_2(r) : read_nodes_4(r);
-  expect_word(r.s, "$EndNodes");
-  index_nodes(r, at);
+  read_msh_nodes(r);
+  std::array<std::int64_t, 2> twice;
+  const std::vector<std::int64_t>& numbers = r.draft.mesh.source_point_id;
+  if (index_numbers(r.nodes, numbers, twice)) return;
+  fail(r.in.s.text, at,
+       {.code = "duplicate_id",
+        .ids = {twice[0], twice[1]},
+        .text = fmt::format("the points in rows {} and {} of this section have the same number {}",
+                            twice[0], twice[1], numbers[static_cast<std::size_t>(twice[0])]),
+        .remedy = "give every point its own number"});
 }
 
 void read_elements(MshReader& r, std::size_t at) {
@@ -293,26 +134,37 @@ void read_elements(MshReader& r, std::size_t at) {
   }
   if (r.has_elements) fail_order(r, at, "a second $Elements section", "join the two sections");
   r.has_elements = true;
-  r.version == 2 ? read_elements_2(r) : read_elements_4(r);
-  expect_word(r.s, "$EndElements");
+  read_msh_elements(r);
 }
 
-/// Periodic links, partitions, post-processing data and whatever else comes.
+/// Periodic links, partitions, and whatever else comes.
 void skip_section(MshReader& r, std::string_view name, std::size_t at) {
+  Scanner& s = r.in.s;
   const std::string end = fmt::format("$End{}", name.substr(1));
-  const std::size_t found = r.s.text.find(end, r.s.at);
+  const std::size_t found = s.text.find(end, s.at);
   if (found == std::string_view::npos) {
-    fail(r.s.text, at,
+    fail(s.text, at,
          {.code = "truncated_file",
           .text = fmt::format("section {} has no {}", in_quotes(name), in_quotes(end)),
           .remedy = "the file was cut short, or the section's name is wrong"});
   }
-  r.s.at = found + end.size();
+  s.at = found + end.size();
+}
+
+void refuse_before_format(MshReader& r, std::string_view name, std::size_t at) {
+  if (name == "$PostFormat") {
+    fail(r.in.s.text, at,
+         {.code = "unknown_version",
+          .text = "a file that starts with $PostFormat holds a view, not a mesh",
+          .remedy = "give the mesh itself (gmsh FILE -save -format msh41 -o NEW.msh)"});
+  }
+  fail_order(r, at, fmt::format("{} stands before $MeshFormat", in_quotes(name)),
+             "put $MeshFormat first");
 }
 
 void read_section(MshReader& r, std::string_view name, std::size_t at) {
   if (name.front() != '$' || name.size() < 2) {
-    fail(r.s.text, at,
+    fail(r.in.s.text, at,
          {.code = "unknown_section",
           .text = fmt::format("{} stands where a section's name ($Nodes, ...) was expected",
                               in_quotes(name)),
@@ -320,50 +172,86 @@ void read_section(MshReader& r, std::string_view name, std::size_t at) {
   }
   if (name == "$MeshFormat" && r.version == 0) return read_format(r);
   if (name == "$Comments") return skip_section(r, name, at);
-  if (r.version == 0) {
-    if (name == "$NOD" || name == "$PostFormat") {
-      fail(
-          r.s.text, at,
-          {.code = "unknown_version",
-           .text = fmt::format("a file that starts with {} is not read: MSH 2.x and 4.1 are", name),
-           .remedy = "convert it: gmsh FILE -save -format msh41 -o NEW.msh"});
-    }
-    fail_order(r, at, fmt::format("{} stands before $MeshFormat", in_quotes(name)),
-               "put $MeshFormat first");
+  // Version 1 has no $MeshFormat.
+  if (r.version == 0 && name == "$NOD") r.version = 10;
+  if (r.version == 0) refuse_before_format(r, name, at);
+  if (name == "$NOD" || name == "$Nodes") {
+    pass_line_end(r);
+    read_nodes(r, at);
+    return expect_word(r.in.s, name == "$NOD" ? "$ENDNOD" : "$EndNodes");
   }
-  if (name == "$PhysicalNames") return read_physical_names(r);
-  if (name == "$Entities" && r.version == 4) {
+  if (name == "$ELM" || name == "$Elements") {
+    pass_line_end(r);
+    read_elements(r, at);
+    return expect_word(r.in.s, name == "$ELM" ? "$ENDELM" : "$EndElements");
+  }
+  if (name == "$PhysicalNames") {
+    read_physical_names(r);
+    return expect_word(r.in.s, "$EndPhysicalNames");
+  }
+  if (name == "$Entities" && r.version >= 40) {
     if (r.has_elements) {
       fail_order(r, at, "$Entities stands behind $Elements", "move it before $Nodes");
     }
-    return read_entities(r);
+    pass_line_end(r);
+    read_entities(r);
+    return expect_word(r.in.s, "$EndEntities");
   }
-  if (name == "$Nodes") return read_nodes(r, at);
-  if (name == "$Elements") return read_elements(r, at);
+  if (name == "$NodeData" || name == "$ElementData") {
+    if (!r.has_elements) {
+      fail_order(r, at, fmt::format("{} stands before $Elements", name),
+                 "move the section to the file's end");
+    }
+    read_msh_data(r, name == "$NodeData");
+    return expect_word(r.in.s, fmt::format("$End{}", name.substr(1)));
+  }
   skip_section(r, name, at);
 }
 
-/// Physical groups where the file has any, else the volume entities where there are several.
-void choose_regions(MshReader& r) {
-  const auto varied = [](const std::vector<std::int32_t>& v) {
-    return std::adjacent_find(v.begin(), v.end(), std::not_equal_to<>()) != v.end();
+/// A column that says nothing is dropped: groups that are all 0, entities that repeat the groups.
+template <std::size_t Corners>
+void drop_empty_labels(CellList<Corners>& cells) {
+  const auto none = [](const std::vector<std::int32_t>& labels) {
+    return std::all_of(labels.begin(), labels.end(), [](std::int32_t x) { return x == 0; });
   };
-  const bool grouped = r.physical_of_volume.size() > 0 ||
-                       std::any_of(r.physical.begin(), r.physical.end(), [](auto p) { return p; });
-  if (grouped) {
-    r.draft.mesh.region = std::move(r.physical);
-  } else if (varied(r.entity)) {
-    r.draft.mesh.region = std::move(r.entity);
-  }
+  if (none(cells.region)) cells.region.clear();
+  const bool usual = cells.region.empty() && std::all_of(cells.entity.begin(), cells.entity.end(),
+                                                         [](std::int32_t x) { return x == 1; });
+  if (none(cells.entity) || cells.entity == cells.region || usual) cells.entity.clear();
 }
 
 }  // namespace
 
+bool index_numbers(NumberIndex& index, const std::vector<std::int64_t>& numbers,
+                   std::array<std::int64_t, 2>& twice) {
+  index = {};
+  if (numbers.empty()) return true;
+  const auto [low, high] = std::minmax_element(numbers.begin(), numbers.end());
+  index.lowest = *low;
+  const std::uint64_t spread = static_cast<std::uint64_t>(*high) - static_cast<std::uint64_t>(*low);
+  const bool dense = spread / 4 <= numbers.size();
+  if (dense) index.dense.assign(spread + 1, -1);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const auto row = static_cast<std::int64_t>(i);
+    if (const std::int64_t before = row_of(index, numbers[i]); before >= 0) {
+      twice = {before, row};
+      return false;
+    }
+    if (dense) {
+      index.dense[static_cast<std::uint64_t>(numbers[i]) -
+                  static_cast<std::uint64_t>(index.lowest)] = row;
+    } else {
+      index.sparse.emplace(numbers[i], row);
+    }
+  }
+  return true;
+}
+
 Draft read_msh(std::string_view text) {
-  MshReader r{.s = {.text = text}, .draft = {.text = text}};
-  while (!peek_word(r.s).empty()) {
-    const std::size_t at = r.s.at;
-    read_section(r, next_word(r.s), at);
+  MshReader r{.in = {.s = {.text = text}}, .draft = {.text = text}};
+  while (!peek_word(r.in.s).empty()) {
+    const std::size_t at = r.in.s.at;
+    read_section(r, next_word(r.in.s), at);
   }
   for (const auto& [seen, name] :
        {std::pair{r.version != 0, "$MeshFormat"}, std::pair{r.has_nodes, "$Nodes"},
@@ -374,7 +262,17 @@ Draft read_msh(std::string_view text) {
           .text = fmt::format("the file ends without a section {}", name),
           .remedy = "the file was cut short, or holds no mesh: write it again"});
   }
-  choose_regions(r);
+  for_each_cell_list(r.draft.mesh, [](auto& cells, int) { drop_empty_labels(cells); });
+  if (r.entities_of_several_groups > 0) {
+    r.draft.findings.push_back(
+        {.code = "further_groups",
+         .severity = Severity::warning,
+         .count = r.entities_of_several_groups,
+         .text = fmt::format("{} entities belong to several physical groups: the first of each is "
+                             "kept",
+                             r.entities_of_several_groups),
+         .remedy = "give every entity one group, if the others matter"});
+  }
   return std::move(r.draft);
 }
 

@@ -105,25 +105,28 @@ void skip_words(Scanner& s, std::size_t n, std::string_view what) {
   }
 }
 
-std::size_t read_count(Scanner& s, std::string_view what, std::size_t least_bytes) {
-  const std::string number_of = fmt::format("a number of {}", what);
-  skip_blanks(s);
-  const std::size_t at = s.at;
-  const auto count = read_number<std::int64_t>(s, number_of);
+void check_count(const Scanner& s, std::size_t at, std::int64_t count, std::string_view what,
+                 std::size_t least_bytes) {
   if (count < 0) {
     fail(s.text, at,
          {.code = "bad_number",
-          .text = fmt::format("{} is not {}: it is below 0", count, number_of),
+          .text = fmt::format("{} is not a number of {}: it is below 0", count, what),
           .remedy = "correct this line, or write the file again"});
   }
   const std::size_t left = s.text.size() - s.at;
-  if (static_cast<std::size_t>(count) > left / least_bytes) {
-    fail(s.text, at,
-         {.code = "count_too_big",
-          .text = fmt::format("{} {} are announced, but the {} bytes left can hold at most {}",
-                              count, what, left, left / least_bytes),
-          .remedy = "correct the count; if it is right, the file was cut short"});
-  }
+  if (static_cast<std::size_t>(count) <= left / least_bytes) return;
+  fail(s.text, at,
+       {.code = "count_too_big",
+        .text = fmt::format("{} {} are announced, but the {} bytes left can hold at most {}", count,
+                            what, left, left / least_bytes),
+        .remedy = "correct the count; if it is right, the file was cut short"});
+}
+
+std::size_t read_count(Scanner& s, std::string_view what, std::size_t least_bytes) {
+  skip_blanks(s);
+  const std::size_t at = s.at;
+  const auto count = read_number<std::int64_t>(s, fmt::format("a number of {}", what));
+  check_count(s, at, count, what, least_bytes);
   return static_cast<std::size_t>(count);
 }
 

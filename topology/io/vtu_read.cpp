@@ -1,82 +1,18 @@
 // SPDX-License-Identifier: MIT
-// From the arrays of a VTU file to tetrahedra: cell types, offsets and regions judged.
+// From the arrays of a VTU file to points, cells and columns.
 #include "topology/io/vtu_read.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
+#include <optional>
 
 #include "topology/io/scan.hpp"
+#include "topology/io/vtk_cells.hpp"
 #include "topology/io/vtu_xml.hpp"
 
 namespace sunder::io {
 namespace {
-
-/// VTK's cell types: number, plural name, dimension (vtkCellType.h).
-struct CellType {
-  std::int64_t number;
-  std::string_view name;
-  int dimension;
-};
-constexpr std::int64_t tetrahedron_type = 10;
-constexpr CellType cell_types[] = {
-    {0, "empty cells", 0},
-    {1, "vertices", 0},
-    {2, "poly-vertices", 0},
-    {3, "lines", 1},
-    {4, "polylines", 1},
-    {5, "triangles", 2},
-    {6, "triangle strips", 2},
-    {7, "polygons", 2},
-    {8, "pixels", 2},
-    {9, "quadrilaterals", 2},
-    {10, "tetrahedra", 3},
-    {11, "voxels", 3},
-    {12, "hexahedra", 3},
-    {13, "wedges", 3},
-    {14, "pyramids", 3},
-    {15, "pentagonal prisms", 3},
-    {16, "hexagonal prisms", 3},
-    {21, "quadratic edges", 1},
-    {22, "quadratic triangles", 2},
-    {23, "quadratic quadrilaterals", 2},
-    {24, "quadratic tetrahedra", 3},
-    {25, "quadratic hexahedra", 3},
-    {26, "quadratic wedges", 3},
-    {27, "quadratic pyramids", 3},
-    {28, "biquadratic quadrilaterals", 2},
-    {29, "triquadratic hexahedra", 3},
-    {30, "quadratic-linear quadrilaterals", 2},
-    {31, "quadratic-linear wedges", 3},
-    {32, "biquadratic-quadratic wedges", 3},
-    {33, "biquadratic-quadratic hexahedra", 3},
-    {34, "biquadratic triangles", 2},
-    {35, "cubic lines", 1},
-    {36, "quadratic polygons", 2},
-    {37, "triquadratic pyramids", 3},
-    {41, "convex point sets", 3},
-    {42, "polyhedra", 3},
-    {68, "Lagrange curves", 1},
-    {69, "Lagrange triangles", 2},
-    {70, "Lagrange quadrilaterals", 2},
-    {71, "Lagrange tetrahedra", 3},
-    {72, "Lagrange hexahedra", 3},
-    {73, "Lagrange wedges", 3},
-    {74, "Lagrange pyramids", 3},
-    {75, "Bezier curves", 1},
-    {76, "Bezier triangles", 2},
-    {77, "Bezier quadrilaterals", 2},
-    {78, "Bezier tetrahedra", 3},
-    {79, "Bezier hexahedra", 3},
-    {80, "Bezier wedges", 3},
-    {81, "Bezier pyramids", 3},
-};
-
-/// Integer cell arrays that mean a region, ours first; the others as Gmsh, meshio, CGAL and FEniCS
-/// name them.
-constexpr std::string_view region_names[] = {"region", "gmsh:physical", "medit:ref",
-                                             "CellEntityIds", "cell_tags"};
 
 const VtuArray* find_array(const std::vector<VtuArray>& arrays, std::string_view name) {
   const auto found =
@@ -119,123 +55,72 @@ void read_points(const VtuDocument& document, const VtuPiece& piece, Draft& draf
   }
 }
 
-/// The cells of one piece: what each is, and where its points end in the list.
-struct Cells {
-  std::vector<std::int64_t> types;
-  std::vector<std::int64_t> ends;
-  std::vector<std::int64_t> points;
-};
-
-Cells read_cells(const VtuDocument& document, const VtuPiece& piece) {
-  Cells cells;
+VtkCells read_cells(const VtuDocument& document, const VtuPiece& piece) {
+  VtkCells cells;
   if (piece.cells == 0) return cells;
   const VtuArray& offsets = needed_array(document, piece, "offsets");
   const VtuArray& connectivity = needed_array(document, piece, "connectivity");
   cells.types = read_integers(document.layout, needed_array(document, piece, "types"), piece.cells);
   cells.ends = read_integers(document.layout, offsets, piece.cells);
-  std::int64_t before = 0;
-  for (std::size_t c = 0; c < piece.cells; ++c) {
-    const std::int64_t size = cells.ends[c] - before;
-    if (cells.ends[c] < before || (cells.types[c] == tetrahedron_type && size != 4)) {
-      fail(document.layout.text, offsets.at,
-           {.code = "bad_offsets",
-            .ids = {static_cast<std::int64_t>(c)},
-            .text = fmt::format("cell {} (VTK type {}) ends at offset {}, the one before at {}{}",
-                                c, cells.types[c], cells.ends[c], before,
-                                cells.ends[c] < before ? ": offsets must not fall"
-                                                       : ": a tetrahedron has 4 points"),
-            .remedy = "the file is damaged: write it again"});
-    }
-    before = cells.ends[c];
-  }
-  if (static_cast<std::size_t>(before) > document.layout.text.size() * most_unfolding) {
+  check_vtk_cells(cells, document.layout.text, offsets.at);
+  const auto listed = static_cast<std::size_t>(cells.ends.back());
+  if (listed > document.layout.text.size() * most_unfolding) {
     fail(document.layout.text, offsets.at,
          {.code = "count_too_big",
-          .text = fmt::format("the last offset is {}, more than the file can hold", before),
+          .text = fmt::format("the last offset is {}, more than the file can hold", listed),
           .remedy = "the file is damaged: write it again"});
   }
-  cells.points = read_integers(document.layout, connectivity, static_cast<std::size_t>(before));
+  cells.points = read_integers(document.layout, connectivity, listed);
   return cells;
 }
 
-void add_other_cell(const VtuDocument& document, const VtuPiece& piece, std::int64_t number,
-                    Draft& draft) {
-  const auto* const type = std::find_if(std::begin(cell_types), std::end(cell_types),
-                                        [&](const CellType& t) { return t.number == number; });
-  if (type == std::end(cell_types)) {
-    fail_piece(document, piece,
-               {.code = "unknown_cell_type",
-                .text = fmt::format("VTK cell type {} is not known", number),
-                .remedy = "save the mesh with linear cells only"});
-  }
-  add_other_cells(draft, type->name, type->dimension, 1, piece.at);
-}
+constexpr std::pair<std::string_view, NumberType> number_types[] = {
+    {"Float64", NumberType::float64}, {"Float32", NumberType::float32},
+    {"Int8", NumberType::int8},       {"UInt8", NumberType::uint8},
+    {"Int16", NumberType::int16},     {"UInt16", NumberType::uint16},
+    {"Int32", NumberType::int32},     {"UInt32", NumberType::uint32},
+    {"Int64", NumberType::int64},     {"UInt64", NumberType::uint64}};
 
-/// Values of an array, one a cell, of those cells that are tetrahedra.
-template <class Value>
-void append_of_tetrahedra(const Cells& cells, const std::vector<std::int64_t>& values,
-                          std::vector<Value>& out) {
-  for (std::size_t c = 0; c < cells.types.size(); ++c) {
-    if (cells.types[c] == tetrahedron_type) out.push_back(static_cast<Value>(values[c]));
+/// An array as a column; arrays that are no numbers (strings) are none.
+std::optional<DataColumn> read_column(const VtuDocument& document, const VtuArray& array,
+                                      std::size_t rows, Draft& draft) {
+  const auto* const type =
+      std::ranges::find(number_types, array.type, &std::pair<std::string_view, NumberType>::first);
+  if (type == std::end(number_types)) {
+    draft.findings.push_back({.code = "skipped_data",
+                              .severity = Severity::warning,
+                              .text = fmt::format("the data {} of type {} are left out",
+                                                  in_quotes(array.name), in_quotes(array.type)),
+                              .remedy = "give them as numbers, if they matter",
+                              .line = line_of(document.layout.text, array.at)});
+    return std::nullopt;
   }
-}
-
-bool is_integer_scalar(const VtuArray& array) {
-  return array.components == 1 && array.type.substr(0, 5) != "Float";
-}
-
-/// Regions and source ids; of several pieces all or none have them.
-void read_columns(const VtuDocument& document, const VtuPiece& piece, const Cells& cells,
-                  Draft& draft) {
-  for (const std::string_view name : region_names) {
-    const VtuArray* array = find_array(piece.cell_data, name);
-    if (array == nullptr || !is_integer_scalar(*array)) continue;
-    const auto values = read_integers(document.layout, *array, piece.cells);
-    for (const std::int64_t value : values) {
-      if (value >= std::numeric_limits<std::int32_t>::min() &&
-          value <= std::numeric_limits<std::int32_t>::max()) {
-        continue;
-      }
-      fail(document.layout.text, array->at,
-           {.code = "number_out_of_range",
-            .text = fmt::format("region {} has more than 32 bits", value),
-            .remedy = "number the regions from -2147483648 to 2147483647"});
-    }
-    append_of_tetrahedra(cells, values, draft.mesh.region);
-    break;
+  DataColumn column{array.name, array.components, type->second, {}};
+  if (type->second == NumberType::float64 || type->second == NumberType::float32) {
+    column.values = read_doubles(document.layout, array, rows * array.components);
+  } else {
+    column.values = read_integers(document.layout, array, rows * array.components);
   }
-  const VtuArray* array = find_array(piece.cell_data, "source_tetrahedron_id");
-  if (array != nullptr && is_integer_scalar(*array)) {
-    append_of_tetrahedra(cells, read_integers(document.layout, *array, piece.cells),
-                         draft.mesh.source_tetrahedron_id);
-  }
-  array = find_array(piece.point_data, "source_point_id");
-  if (array != nullptr && is_integer_scalar(*array)) {
-    const auto ids = read_integers(document.layout, *array, piece.points);
-    draft.mesh.source_point_id.insert(draft.mesh.source_point_id.end(), ids.begin(), ids.end());
-  }
+  return column;
 }
 
 void read_piece(const VtuDocument& document, const VtuPiece& piece, Draft& draft) {
-  const auto first_point = static_cast<std::int64_t>(draft.mesh.points.size());
+  VtkPiece place{.first_point = draft.mesh.points.size(), .points = piece.points};
   read_points(document, piece, draft);
-  const auto points = static_cast<std::int64_t>(piece.points);
-  const Cells cells = read_cells(document, piece);
-  const std::size_t at = cells.types.empty() ? 0 : needed_array(document, piece, "connectivity").at;
-  for (std::size_t c = 0; c < cells.types.size(); ++c) {
-    if (cells.types[c] != tetrahedron_type) {
-      add_other_cell(document, piece, cells.types[c], draft);
-      continue;
-    }
-    FileTetrahedron tetrahedron{.at = at};
-    for (int k = 0; k < 4; ++k) {
-      const std::int64_t row = cells.points[static_cast<std::size_t>(cells.ends[c]) - 4 + k];
-      tetrahedron.numbers[k] = row;
-      tetrahedron.rows[k] = row >= 0 && row < points ? first_point + row : -1;
-    }
-    add_tetrahedron(draft, tetrahedron);
+  {
+    const VtkCells cells = read_cells(document, piece);
+    const std::size_t at =
+        cells.types.empty() ? 0 : needed_array(document, piece, "connectivity").at;
+    add_vtk_cells(draft, place, cells, at);
   }
-  read_columns(document, piece, cells, draft);
+  for (const VtuArray& array : piece.cell_data) {
+    const auto column = read_column(document, array, piece.cells, draft);
+    if (column) add_vtk_cell_column(draft, place, *column, array.at);
+  }
+  for (const VtuArray& array : piece.point_data) {
+    auto column = read_column(document, array, piece.points, draft);
+    if (column) add_vtk_point_column(draft, place, std::move(*column), array.at);
+  }
 }
 
 }  // namespace
@@ -244,12 +129,7 @@ Draft read_vtu(std::string_view text) {
   const VtuDocument document = parse_vtu(text);
   Draft draft{.text = text};
   for (const VtuPiece& piece : document.pieces) read_piece(document, piece, draft);
-  TetMesh& mesh = draft.mesh;
-  if (mesh.region.size() != mesh.tetrahedra.size()) mesh.region.clear();
-  if (mesh.source_point_id.size() != mesh.points.size()) mesh.source_point_id.clear();
-  if (mesh.source_tetrahedron_id.size() != mesh.tetrahedra.size()) {
-    mesh.source_tetrahedron_id.clear();
-  }
+  finish_vtk_columns(draft);
   return draft;
 }
 

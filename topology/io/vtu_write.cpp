@@ -6,9 +6,13 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstring>
 #include <iterator>
+#include <optional>
 
 #include "topology/io/output_file.hpp"
+#include "topology/io/vtk_cells.hpp"
+#include "topology/io/vtu_read.hpp"
 
 namespace sunder {
 namespace {
@@ -50,16 +54,26 @@ struct VtuWriter {
   std::size_t appended_bytes = 0;
 };
 
+void add_array(VtuWriter& out, std::string_view type, std::string_view name, std::size_t components,
+               std::string_view bytes) {
+  fmt::format_to(std::back_inserter(out.xml),
+                 "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" "
+                 "format=\"appended\" offset=\"{}\"/>\n",
+                 type, escaped(name), components, out.appended_bytes);
+  out.arrays.push_back(bytes);
+  out.appended_bytes += sizeof(std::uint64_t) + bytes.size();
+}
+
+template <class Value>
+std::string_view bytes_of(std::span<const Value> values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size_bytes()};
+}
+
 void add_array(VtuWriter& out, const NamedColumn& column) {
   std::visit(
       [&](const auto values) {
-        fmt::format_to(std::back_inserter(out.xml),
-                       "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" "
-                       "format=\"appended\" offset=\"{}\"/>\n",
-                       vtk_type(std::remove_cv_t<typename decltype(values)::element_type>{}),
-                       escaped(column.name), column.components, out.appended_bytes);
-        out.arrays.emplace_back(reinterpret_cast<const char*>(values.data()), values.size_bytes());
-        out.appended_bytes += sizeof(std::uint64_t) + values.size_bytes();
+        add_array(out, vtk_type(std::remove_cv_t<typename decltype(values)::element_type>{}),
+                  column.name, column.components, bytes_of(values));
       },
       column.values);
 }
@@ -90,17 +104,81 @@ void add_own(VtuWriter& out, std::string_view name, const std::vector<Value>& va
   if (!values.empty() && !taken) add_array(out, {name, std::span<const Value>(values)});
 }
 
-void add_mesh(VtuWriter& out, const TetMesh& mesh, std::span<const std::int32_t> offsets,
+/// Where cells stand: Offset is the type of `offsets`.
+template <class Offset>
+void add_mesh(VtuWriter& out, const std::vector<Point>& points,
+              std::span<const std::int32_t> connectivity, std::span<const Offset> offsets,
               std::span<const std::uint8_t> types) {
   out.xml += "<Points>\n";
-  add_array(out, vector_column("Points", mesh.points));
-  // VTK's ids are signed; the bits are the same below 2^31.
-  const auto* const ids = reinterpret_cast<const std::int32_t*>(mesh.tetrahedra.data());
+  add_array(out, vector_column("Points", points));
   out.xml += "</Points>\n<Cells>\n";
-  add_array(out, {"connectivity", std::span(ids, 4 * mesh.tetrahedra.size())});
+  add_array(out, {"connectivity", connectivity});
   add_array(out, {"offsets", offsets});
   add_array(out, {"types", types});
   out.xml += "</Cells>\n";
+}
+
+void begin_file(VtuWriter& out, std::size_t points, std::size_t cells) {
+  out.xml = fmt::format(
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
+      "byte_order=\"{}\" header_type=\"UInt64\">\n<UnstructuredGrid>\n"
+      "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
+      std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian", points, cells);
+}
+
+/// Ends the XML and writes it with all arrays behind it.
+std::optional<Finding> end_file(VtuWriter& out, const std::filesystem::path& path) {
+  out.xml += "</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
+  std::vector<std::uint64_t> headers;
+  headers.reserve(out.arrays.size());
+  std::vector<std::string_view> parts{out.xml};
+  for (const std::string_view bytes : out.arrays) {
+    headers.push_back(bytes.size());
+    parts.emplace_back(reinterpret_cast<const char*>(&headers.back()), sizeof(std::uint64_t));
+    parts.push_back(bytes);
+  }
+  parts.emplace_back("\n</AppendedData>\n</VTKFile>\n");
+  return write_file(path, parts);
+}
+
+template <class Stored, class Value>
+std::string stored_as(const std::vector<Value>& values) {
+  std::string bytes(values.size() * sizeof(Stored), '\0');
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto stored = static_cast<Stored>(values[i]);
+    std::memcpy(bytes.data() + i * sizeof(Stored), &stored, sizeof(Stored));
+  }
+  return bytes;
+}
+
+/// VTK's word for a type, and a column's values in it.
+std::pair<std::string_view, std::string> in_own_type(const DataColumn& column) {
+  return std::visit(
+      [&](const auto& v) -> std::pair<std::string_view, std::string> {
+        switch (column.type) {
+          case NumberType::float64:
+            return {"Float64", stored_as<double>(v)};
+          case NumberType::float32:
+            return {"Float32", stored_as<float>(v)};
+          case NumberType::int8:
+            return {"Int8", stored_as<std::int8_t>(v)};
+          case NumberType::uint8:
+            return {"UInt8", stored_as<std::uint8_t>(v)};
+          case NumberType::int16:
+            return {"Int16", stored_as<std::int16_t>(v)};
+          case NumberType::uint16:
+            return {"UInt16", stored_as<std::uint16_t>(v)};
+          case NumberType::int32:
+            return {"Int32", stored_as<std::int32_t>(v)};
+          case NumberType::uint32:
+            return {"UInt32", stored_as<std::uint32_t>(v)};
+          case NumberType::int64:
+            return {"Int64", stored_as<std::int64_t>(v)};
+          default:
+            return {"UInt64", stored_as<std::uint64_t>(v)};
+        }
+      },
+      column.values);
 }
 
 }  // namespace
@@ -114,17 +192,13 @@ std::vector<Finding> write_vtu(const std::filesystem::path& path, const TetMesh&
   if (!findings.empty()) return findings;
 
   std::vector<std::int32_t> offsets(mesh.tetrahedra.size());
-  for (std::size_t i = 0; i < offsets.size(); ++i)
+  for (std::size_t i = 0; i < offsets.size(); ++i) {
     offsets[i] = static_cast<std::int32_t>(4 * i + 4);
+  }
   const std::vector<std::uint8_t> types(mesh.tetrahedra.size(), 10);
 
   VtuWriter out;
-  out.xml = fmt::format(
-      "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
-      "byte_order=\"{}\" header_type=\"UInt64\">\n<UnstructuredGrid>\n"
-      "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
-      std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian", mesh.points.size(),
-      mesh.tetrahedra.size());
+  begin_file(out, mesh.points.size(), mesh.tetrahedra.size());
   out.xml += "<PointData>\n";
   for (const NamedColumn& column : point_data) add_array(out, column);
   add_own(out, "source_point_id", mesh.source_point_id, point_data);
@@ -133,20 +207,34 @@ std::vector<Finding> write_vtu(const std::filesystem::path& path, const TetMesh&
   add_own(out, "region", mesh.region, cell_data);
   add_own(out, "source_tetrahedron_id", mesh.source_tetrahedron_id, cell_data);
   out.xml += "</CellData>\n";
-  add_mesh(out, mesh, offsets, types);
-  out.xml += "</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
-
-  std::vector<std::uint64_t> headers;
-  headers.reserve(out.arrays.size());
-  std::vector<std::string_view> parts{out.xml};
-  for (const std::string_view bytes : out.arrays) {
-    headers.push_back(bytes.size());
-    parts.emplace_back(reinterpret_cast<const char*>(&headers.back()), sizeof(std::uint64_t));
-    parts.push_back(bytes);
-  }
-  parts.emplace_back("\n</AppendedData>\n</VTKFile>\n");
-  if (auto failure = write_file(path, parts)) findings.push_back(*failure);
+  // VTK's ids are signed; the bits are the same below 2^31.
+  const auto* const ids = reinterpret_cast<const std::int32_t*>(mesh.tetrahedra.data());
+  add_mesh(out, mesh.points, std::span(ids, 4 * mesh.tetrahedra.size()),
+           std::span<const std::int32_t>(offsets), types);
+  if (auto failure = end_file(out, path)) findings.push_back(*failure);
   return findings;
+}
+
+std::vector<Finding> io::write_vtu(const std::filesystem::path& path, const FileMesh& mesh) {
+  const VtkGrid grid = vtk_grid(mesh);
+  VtuWriter out;
+  begin_file(out, mesh.points.size(), grid.types.size());
+  std::vector<std::string> stored;
+  stored.reserve(grid.point_data.size() + grid.cell_data.size());  // views into it must stay valid
+  const auto add = [&](const DataColumn& column) {
+    auto [type, bytes] = in_own_type(column);
+    stored.push_back(std::move(bytes));
+    add_array(out, type, column.name, column.components, stored.back());
+  };
+  out.xml += "<PointData>\n";
+  for (const DataColumn& column : grid.point_data) add(column);
+  out.xml += "</PointData>\n<CellData>\n";
+  for (const DataColumn& column : grid.cell_data) add(column);
+  out.xml += "</CellData>\n";
+  add_mesh(out, mesh.points, grid.connectivity, std::span<const std::int64_t>(grid.ends),
+           grid.types);
+  if (auto failure = end_file(out, path)) return {*failure};
+  return {};
 }
 
 std::vector<Finding> write_pvd(const std::filesystem::path& path,

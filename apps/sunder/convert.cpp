@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+// `sunder convert`: reads all that a mesh file holds, tells what the new format cannot hold,
+// writes.
+#include "apps/sunder/convert.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "apps/sunder/words.hpp"
+#include "topology/io/mesh_file.hpp"
+
+namespace sunder {
+namespace {
+
+constexpr const char* footer = R"(
+Read, known by content and not by name, packed by gzip or not: Gmsh MSH 1, 2.2, 4.0, 4.1 (text and
+binary), MEDIT .mesh (text), VTU (text, base64, raw; plain or zlib).
+Written, by OUT's ending or --to: msh (4.1, or --format-version 4.0, 2.2, 1; text or --binary), mesh
+(text), vtu (raw binary). Points and cells keep their order; numbers, regions, entities and data go
+along where the format holds them. Names of regions that it does not hold go to OUT.regions, which
+is read with OUT. Everything else that would be lost is listed first, as warnings.
+
+Exit codes: 0 written, 1 something would be lost and --strict was given (nothing is written),
+2 usage, 3 the input cannot be read, 4 the output cannot be written.
+
+Examples:
+  sunder convert body.msh body.vtu
+  sunder convert body.vtu body.msh --format-version 2.2 --binary --strict
+)";
+
+struct Arguments {
+  std::filesystem::path in;
+  std::filesystem::path out;
+  std::string to;
+  std::string version;
+  bool text = false;
+  bool binary = false;
+  bool strict = false;
+  bool tetrahedra_only = false;
+  bool json = false;
+};
+
+struct Conversion {
+  std::vector<Finding> findings;
+  FileMesh mesh;
+  bool is_read = false;
+  bool is_written = false;
+  /// Whether something is lost between the two files.
+  bool has_losses = false;
+};
+
+std::optional<MeshFormat> format_called(const std::string& word) {
+  return format_of_name("mesh." + word);
+}
+
+/// What was left out on reading is as lost as what cannot be written.
+bool is_loss(const Finding& finding) {
+  return finding.severity == Severity::warning || finding.code == "skipped_cells";
+}
+
+Conversion convert(const Arguments& arguments) {
+  Conversion result;
+  Result<FileMesh> mesh =
+      read_file_mesh(arguments.in, {.tetrahedra_only = arguments.tetrahedra_only});
+  result.findings = std::move(mesh.findings);
+  if (!mesh) return result;
+  result.is_read = true;
+  result.mesh = std::move(*mesh);
+  WriteOptions options{.version = arguments.version};
+  options.format =
+      arguments.to.empty() ? format_of_name(arguments.out) : format_called(arguments.to);
+  if (arguments.text || arguments.binary) options.is_binary = arguments.binary;
+  result.has_losses = std::ranges::any_of(result.findings, is_loss);
+  if (arguments.strict && options.format) {
+    std::vector<Finding> lost = lost_on_writing(result.mesh, options);
+    result.has_losses = result.has_losses || !lost.empty();
+    if (result.has_losses) {
+      std::ranges::move(lost, std::back_inserter(result.findings));
+      return result;
+    }
+  }
+  std::vector<Finding> written = write_file_mesh(arguments.out, result.mesh, options);
+  result.is_written = !has_error(written);
+  result.has_losses = result.has_losses || std::ranges::any_of(written, is_loss);
+  std::ranges::move(written, std::back_inserter(result.findings));
+  return result;
+}
+
+nlohmann::ordered_json counts_json(const FileMesh& mesh) {
+  return {{"points", mesh.points.size()},
+          {"vertices", mesh.vertices.corners.size()},
+          {"edges", mesh.edges.corners.size()},
+          {"triangles", mesh.triangles.corners.size()},
+          {"tetrahedra", mesh.tetrahedra.corners.size()}};
+}
+
+void print(const Arguments& arguments, const Conversion& result) {
+  if (arguments.json) {
+    nlohmann::ordered_json json;
+    json["counts"] = result.is_read ? counts_json(result.mesh) : nlohmann::ordered_json{};
+    json["written"] = result.is_written;
+    json["lossless"] = result.is_written && !result.has_losses;
+    json["findings"] = findings_json(result.findings);
+    fmt::print("{}\n", json.dump(2));
+    return;
+  }
+  fmt::print("{}", finding_lines(result.findings));
+  if (!result.is_written) {
+    fmt::print("nothing is written\n");
+    return;
+  }
+  fmt::print("{}: {} points, {} tetrahedra, {} triangles, {} edges, {} vertices{}\n",
+             arguments.out.string(), result.mesh.points.size(),
+             result.mesh.tetrahedra.corners.size(), result.mesh.triangles.corners.size(),
+             result.mesh.edges.corners.size(), result.mesh.vertices.corners.size(),
+             result.has_losses ? "" : "; nothing is lost");
+}
+
+ExitCode run_convert(const Arguments& arguments) {
+  const Conversion result = convert(arguments);
+  print(arguments, result);
+  if (!result.is_read) return ExitCode::bad_input;
+  if (result.is_written) return ExitCode::fine;
+  const auto is_usage = [](const Finding& f) {
+    return f.code == "unknown_format" || f.code == "unknown_version";
+  };
+  if (std::ranges::any_of(result.findings, is_usage)) return ExitCode::usage;
+  return has_error(result.findings) ? ExitCode::not_written : ExitCode::problems;
+}
+
+std::string known_format(const std::string& word) {
+  if (format_called(word)) return {};
+  std::string words;
+  for (const FormatTraits& t : format_traits()) {
+    words += fmt::format("{}{}", words.empty() ? "" : ", ", t.extension.substr(1));
+  }
+  return fmt::format("{} is no format: give one of {}", word, words);
+}
+
+}  // namespace
+
+void add_convert_command(CLI::App& program, ExitCode& exit_code) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command =
+      program.add_subcommand("convert", "Convert a mesh file, telling what would be lost");
+  command->add_option("IN", arguments->in, "Mesh file to read")->type_name("FILE")->required();
+  command->add_option("OUT", arguments->out, "Mesh file to write")->type_name("FILE")->required();
+  command->add_option("--to", arguments->to, "Format to write; default: by OUT's ending")
+      ->type_name("FORMAT")
+      ->check(known_format);
+  command
+      ->add_option("--format-version", arguments->version,
+                   "Version of the format; default: the newest")
+      ->type_name("VERSION");
+  CLI::Option* text = command->add_flag("--text", arguments->text, "Write text");
+  command->add_flag("--binary", arguments->binary, "Write binary data")->excludes(text);
+  command->add_flag("--strict", arguments->strict, "Write nothing if anything would be lost");
+  command->add_flag("--tetrahedra-only", arguments->tetrahedra_only,
+                    "Leave volume cells out that are no tetrahedra");
+  command->add_flag("--json", arguments->json, "Print JSON instead of a table");
+  command->footer(footer);
+  command->callback([=, &exit_code] { exit_code = run_convert(*arguments); });
+}
+
+}  // namespace sunder

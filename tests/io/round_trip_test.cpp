@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// A mesh with everything in it through every format, version and encoding: what a format holds
+// comes back in every bit, what it does not hold was announced.
+#include <algorithm>
+#include <catch2/catch.hpp>
+
+#include "io_support.hpp"
+
+using namespace sunder;
+using namespace sunder::test;
+
+namespace {
+
+DataColumn reals(std::string name, std::size_t components, std::size_t rows) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < rows * components; ++i) {
+    values.push_back(1 / (static_cast<double>(i) + 3) - 0.1);
+  }
+  return {std::move(name), components, NumberType::float64, std::move(values)};
+}
+
+/// Cells of every dimension, labels, entities, ids, names, data: all that MSH holds.
+FileMesh full_mesh() {
+  FileMesh mesh = file_mesh_of(two_tetrahedra());
+  mesh.source_point_id = {9, 4, 1'000'000'007, 1, 2};
+  mesh.vertices.corners = {{0}, {3}};
+  mesh.vertices.region = {4, 4};
+  mesh.vertices.source_id = {7, 8};
+  mesh.edges.corners = {{0, 1}};
+  mesh.edges.entity = {12};
+  mesh.edges.region = {5};
+  mesh.edges.source_id = {3};
+  mesh.triangles.corners = {{0, 1, 2}, {1, 2, 3}, {0, 1, 3}};
+  mesh.triangles.region = {2, 2, 6};
+  mesh.triangles.entity = {31, 32, 33};
+  mesh.triangles.source_id = {21, 20, 19};
+  mesh.tetrahedra.entity = {41, 42};
+  mesh.tetrahedra.source_id = {100, 50};
+  mesh.region_name[2] = {{2, "inlet wall"}, {6, "out \\ let"}};
+  mesh.region_name[0] = {{4, "pinned"}};
+  mesh.point_region = {0, 3, 3, -1, 2};
+  mesh.point_data = {reals("height", 1, 5), reals("velocity", 3, 5)};
+  mesh.tetrahedra.data = {reals("damage", 1, 2), reals("stress", 9, 2)};
+  mesh.triangles.data = {reals("damage", 1, 3)};
+  return mesh;
+}
+
+/// What is left of `mesh` in a format.
+FileMesh held(FileMesh mesh, const FormatTraits& t, const std::string& version) {
+  const bool is_msh_1 = t.format == MeshFormat::msh && version == "1";
+  for_each_cell_list(mesh, [&](auto& cells, int d) {
+    if (!t.holds_cells[static_cast<std::size_t>(d)]) cells = {};
+    if (!t.holds_entities) cells.entity.clear();
+    if (!t.holds_cell_ids) cells.source_id.clear();
+    if (!t.holds_cell_data || is_msh_1) cells.data.clear();
+  });
+  if (!t.holds_point_ids) mesh.source_point_id.clear();
+  if (!t.holds_point_data || is_msh_1) mesh.point_data.clear();
+  if (!t.holds_point_regions) mesh.point_region.clear();
+  return mesh;
+}
+
+struct Variant {
+  const FormatTraits* traits;
+  std::string version;
+  bool is_binary;
+};
+
+std::vector<Variant> variants() {
+  std::vector<Variant> all;
+  for (const FormatTraits& t : format_traits()) {
+    std::vector<std::string> versions(t.versions.begin(), t.versions.end());
+    if (versions.empty()) versions.emplace_back();
+    for (const std::string& version : versions) {
+      if (t.writes_text) all.push_back({&t, version, false});
+      const bool is_msh_1 = t.format == MeshFormat::msh && version == "1";
+      if (t.writes_binary && !is_msh_1) all.push_back({&t, version, true});
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("what a format holds comes back in every bit", "[io][round_trip]") {
+  for (const Variant& variant : variants()) {
+    const FormatTraits& t = *variant.traits;
+    INFO(t.name << " " << variant.version << (variant.is_binary ? " binary" : " text"));
+    const FileMesh mesh = held(full_mesh(), t, variant.version);
+    const TemporaryFolder folder;
+    const auto path = folder.path() / ("mesh" + std::string(t.extension));
+    const WriteOptions options{t.format, variant.version, variant.is_binary};
+    const auto findings = write_file_mesh(path, mesh, options);
+    INFO(summary(findings));
+    CHECK(std::ranges::none_of(findings,
+                               [](const Finding& f) { return f.severity != Severity::note; }));
+    const Result<FileMesh> back = read_file_mesh(path);
+    INFO(summary(back.findings));
+    REQUIRE(back);
+    CHECK(back.findings.empty());
+    CHECK(back->points == mesh.points);
+    CHECK(back->source_point_id == mesh.source_point_id);
+    CHECK(back->point_region == mesh.point_region);
+    CHECK(back->point_data == mesh.point_data);
+    CHECK(back->vertices == mesh.vertices);
+    CHECK(back->edges == mesh.edges);
+    CHECK(back->triangles == mesh.triangles);
+    CHECK(back->tetrahedra == mesh.tetrahedra);
+    CHECK(back->region_name == mesh.region_name);
+  }
+}

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Internal to the writers: numbers one after the other, as text or as raw bytes.
+#pragma once
+
+#include <charconv>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+namespace sunder::io {
+
+/// A file while it is written. Doubles become their shortest text that reads back to the same bits.
+struct NumberSink {
+  std::string bytes;
+  bool is_binary = false;
+};
+
+/// Appends a number as text, whatever the sink is.
+template <class Number>
+requires std::is_arithmetic_v<Number>
+void put_text(NumberSink& out, Number number) {
+  char word[32];
+  const auto [end, error] = std::to_chars(word, word + sizeof word, number);
+  out.bytes.append(word, end);
+}
+
+inline void put_text(NumberSink& out, std::string_view text) { out.bytes += text; }
+
+/// Appends a raw number, stored as `Stored`.
+template <class Stored, class Number>
+void put_raw(NumberSink& out, Number number) {
+  const auto stored = static_cast<Stored>(number);
+  out.bytes.append(reinterpret_cast<const char*>(&stored), sizeof stored);
+}
+
+/// Appends a number and, in text, `after` it.
+template <class Stored, class Number>
+void put(NumberSink& out, Number number, char after = ' ') {
+  if (out.is_binary) return put_raw<Stored>(out, number);
+  put_text(out, number);
+  out.bytes += after;
+}
+
+}  // namespace sunder::io

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: MIT
+// What a format cannot hold of a mesh, and the way out into a file.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "topology/io/medit.hpp"
+#include "topology/io/mesh_file.hpp"
+#include "topology/io/msh.hpp"
+#include "topology/io/output_file.hpp"
+#include "topology/io/region_names.hpp"
+#include "topology/io/scan.hpp"
+#include "topology/io/vtu_read.hpp"
+
+namespace sunder {
+namespace {
+
+constexpr std::string_view cell_names[] = {"vertices", "edges", "triangles", "tetrahedra"};
+
+/// Collects what is lost, each kind once.
+struct Losses {
+  const FormatTraits& to;
+  std::vector<Finding> findings;
+};
+
+void lose(Losses& losses, std::string_view code, std::size_t count, std::string text) {
+  losses.findings.push_back(
+      {.code = std::string(code),
+       .severity = Severity::warning,
+       .count = count,
+       .text = std::move(text),
+       .remedy = fmt::format("write another format than {} to keep them", losses.to.name)});
+}
+
+void lose_cells(Losses& losses, const FileMesh& mesh) {
+  for_each_cell_list(mesh, [&](const auto& cells, int d) {
+    const std::size_t n = cells.corners.size();
+    if (n == 0 || losses.to.holds_cells[static_cast<std::size_t>(d)]) return;
+    lose(losses, "cells_lost", n, fmt::format("{} holds no {}", losses.to.name, cell_names[d]));
+  });
+}
+
+void lose_labels(Losses& losses, const FileMesh& mesh) {
+  std::size_t regions = 0, entities = 0;
+  for_each_cell_list(mesh, [&](const auto& cells, int d) {
+    if (!losses.to.holds_cells[static_cast<std::size_t>(d)]) return;
+    regions += cells.region.size();
+    // Where no region is given, the entity is written in its place.
+    if (!cells.region.empty() || label_of(cells).empty()) entities += cells.entity.size();
+  });
+  const std::string_view name = losses.to.name;
+  if (regions > 0 && !losses.to.holds_regions) {
+    lose(losses, "regions_lost", regions, fmt::format("{} holds no regions", name));
+  }
+  if (entities > 0 && !losses.to.holds_entities) {
+    lose(losses, "entities_lost", entities, fmt::format("{} holds no entities", name));
+  }
+  if (!mesh.point_region.empty() && !losses.to.holds_point_regions) {
+    lose(losses, "point_regions_lost", mesh.point_region.size(),
+         fmt::format("{} holds no regions of points", name));
+  }
+}
+
+void lose_ids(Losses& losses, const FileMesh& mesh, std::string_view version) {
+  std::size_t cells = 0;
+  for (const auto list : io::cell_numbers(mesh)) cells += list.size();
+  const std::size_t points = mesh.source_point_id.size();
+  const bool is_msh = losses.to.format == MeshFormat::msh;
+  const auto fits = [&](const std::vector<std::span<const std::int64_t>>& lists) {
+    if (!io::are_msh_numbers(lists)) return false;
+    if (version == "4.1") return true;
+    return std::ranges::all_of(lists, [](auto list) {
+      return list.empty() || *std::ranges::max_element(list) <= 2147483647;
+    });
+  };
+  const bool keeps_points =
+      losses.to.holds_point_ids && (!is_msh || fits({std::span(mesh.source_point_id)}));
+  const bool keeps_cells = losses.to.holds_cell_ids && (!is_msh || fits(io::cell_numbers(mesh)));
+  const std::size_t lost = (keeps_points ? 0 : points) + (keeps_cells ? 0 : cells);
+  if (lost == 0) return;
+  lose(losses, "source_ids_lost", lost,
+       is_msh
+           ? "points and elements are numbered anew: MSH needs positive numbers, each once (below "
+             "2^31 before version 4.1)"
+           : fmt::format("{} does not hold numbers of {}", losses.to.name,
+                         keeps_points  ? "cells"
+                         : keeps_cells ? "points"
+                                       : "points and cells"));
+}
+
+void lose_data(Losses& losses, const FileMesh& mesh, std::string_view version) {
+  const bool none = losses.to.format == MeshFormat::msh && version == "1";
+  std::size_t typed = 0, lost = 0;
+  std::string names;
+  const auto judge = [&](const DataColumn& column, bool is_held) {
+    if (is_held && !none) {
+      typed += column.type != NumberType::float64;
+      return;
+    }
+    ++lost;
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", column.name);
+  };
+  for (const DataColumn& column : mesh.point_data) judge(column, losses.to.holds_point_data);
+  for_each_cell_list(mesh, [&](const auto& cells, int) {
+    for (const DataColumn& column : cells.data) judge(column, losses.to.holds_cell_data);
+  });
+  if (lost > 0) {
+    lose(losses, "data_lost", lost,
+         fmt::format("{} does not hold the data {}", losses.to.name, names));
+  }
+  if (typed > 0 && !losses.to.holds_number_types) {
+    lose(losses, "number_types_lost", typed,
+         fmt::format("{} columns become double-precision numbers", typed));
+  }
+}
+
+/// In MSH 4 each entity belongs to one group, and regions below 1 are read by few.
+void lose_in_msh(Losses& losses, const FileMesh& mesh, std::string_view version) {
+  bool below = false;
+  std::size_t split = 0;
+  for_each_cell_list(mesh, [&](const auto& cells, int) {
+    below = below || std::ranges::any_of(cells.region, [](std::int32_t r) { return r < 1; });
+    std::map<std::int32_t, std::int32_t> group;
+    for (std::size_t i = 0; i < cells.entity.size() && !cells.region.empty(); ++i) {
+      if (group.emplace(cells.entity[i], cells.region[i]).first->second == cells.region[i])
+        continue;
+      split += cells.entity.size();
+      break;
+    }
+  });
+  if (below) {
+    losses.findings.push_back({.code = "region_not_positive",
+                               .severity = Severity::warning,
+                               .text = "a region is 0 or less: Sunder reads it back, but Gmsh and "
+                                       "others expect physical groups from 1 up",
+                               .remedy = "number the regions from 1 up"});
+  }
+  if (split > 0 && version[0] == '4') {
+    lose(losses, "entities_lost", split,
+         "entities with cells of several regions give way to the regions: each belongs to one "
+         "group in MSH 4");
+  }
+}
+
+bool holds_names(const FormatTraits& t, std::string_view version) {
+  return t.holds_region_names && version != "1";
+}
+
+std::size_t name_count(const FileMesh& mesh) {
+  std::size_t names = 0;
+  for (const auto& of_dimension : mesh.region_name) names += of_dimension.size();
+  return names;
+}
+
+std::string version_of(const FormatTraits& t, const WriteOptions& options) {
+  if (!options.version.empty() || t.versions.empty()) return options.version;
+  return std::string(t.versions.front());
+}
+
+bool binary_of(const FormatTraits& t, const WriteOptions& options) {
+  return options.is_binary.value_or(t.usually_binary);
+}
+
+/// The reason why a format cannot be written so, if there is one.
+std::optional<Finding> refused(const FormatTraits& t, const WriteOptions& options) {
+  if (!options.version.empty() &&
+      std::ranges::find(t.versions, options.version) == t.versions.end()) {
+    return Finding{.code = "unknown_version",
+                   .text = fmt::format("{} is not written in version {}", t.name, options.version),
+                   .remedy = t.versions.empty()
+                                 ? std::string("give no version")
+                                 : fmt::format("give one of {}", fmt::join(t.versions, ", "))};
+  }
+  const bool is_binary = binary_of(t, options);
+  const bool has = is_binary ? t.writes_binary && version_of(t, options) != "1" : t.writes_text;
+  if (has) return std::nullopt;
+  return Finding{.code = "unknown_version",
+                 .text = fmt::format("{} {} is not written as {}", t.name, version_of(t, options),
+                                     is_binary ? "binary" : "text"),
+                 .remedy = is_binary ? "ask for text" : "ask for binary"};
+}
+
+int msh_version(std::string_view version) {
+  if (version == "1") return 10;
+  return version == "2.2" ? 22 : version == "4.0" ? 40 : 41;
+}
+
+std::optional<Finding> write_as(const std::filesystem::path& path, const FileMesh& mesh,
+                                const FormatTraits& t, const WriteOptions& options) {
+  switch (t.format) {
+    case MeshFormat::msh:
+      return write_file(
+          path, io::write_msh(mesh, msh_version(version_of(t, options)), binary_of(t, options)));
+    case MeshFormat::medit:
+      return write_file(path, io::write_medit(mesh));
+    case MeshFormat::vtu: {
+      std::vector<Finding> findings = io::write_vtu(path, mesh);
+      if (!findings.empty()) return std::move(findings.front());
+      return std::nullopt;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<Finding> lost_on_writing(const FileMesh& mesh, const WriteOptions& options) {
+  const FormatTraits& t = traits_of(options.format.value());
+  Losses losses{t, {}};
+  const std::string version = version_of(t, options);
+  lose_cells(losses, mesh);
+  lose_labels(losses, mesh);
+  lose_ids(losses, mesh, version);
+  lose_data(losses, mesh, version);
+  if (t.format == MeshFormat::msh) lose_in_msh(losses, mesh, version);
+  return std::move(losses.findings);
+}
+
+std::vector<Finding> write_file_mesh(const std::filesystem::path& path, const FileMesh& mesh,
+                                     const WriteOptions& options) {
+  WriteOptions chosen = options;
+  if (!chosen.format) chosen.format = format_of_name(path);
+  if (!chosen.format) {
+    std::string endings;
+    for (const FormatTraits& t : format_traits()) {
+      endings += fmt::format("{}{}", endings.empty() ? "" : ", ", t.extension);
+    }
+    return {{.code = "unknown_format",
+             .text = fmt::format("the ending {} names no format that is written",
+                                 io::in_quotes(path.extension().string())),
+             .remedy = fmt::format("end the name with one of {}", endings),
+             .file = path.string()}};
+  }
+  const FormatTraits& t = traits_of(*chosen.format);
+  std::vector<Finding> findings;
+  if (auto reason = refused(t, chosen)) {
+    findings.push_back(std::move(*reason));
+  } else {
+    findings = lost_on_writing(mesh, chosen);
+    auto failure = write_as(path, mesh, t, chosen);
+    if (failure) findings.insert(findings.begin(), std::move(*failure));
+    if (!failure && name_count(mesh) > 0 && !holds_names(t, version_of(t, chosen))) {
+      const std::filesystem::path beside = io::names_beside(path);
+      if (auto error = io::write_region_names(beside, mesh)) {
+        findings.insert(findings.begin(), std::move(*error));
+      } else {
+        findings.push_back({.code = "names_beside",
+                            .severity = Severity::note,
+                            .count = name_count(mesh),
+                            .text = fmt::format("{} holds no names of regions: they are in {}",
+                                                t.name, beside.string()),
+                            .remedy = "keep that file beside the mesh: it is read with it"});
+      }
+    }
+  }
+  for (Finding& finding : findings) finding.file = path.string();
+  return findings;
+}
+
+std::vector<Finding> write_mesh(const std::filesystem::path& path, const TetMesh& mesh) {
+  return write_file_mesh(path, file_mesh_of(mesh));
+}
+
+}  // namespace sunder
