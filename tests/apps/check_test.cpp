@@ -49,7 +49,7 @@ std::vector<Defect> unreadable_files() {
       {"empty", "a.msh", "", "empty_file", 0},
       {"garbage", "a.msh", "\x7f\x45\x4c\x46 and so on", "unknown_format", 0},
       {"version", "a.msh", msh_with("4.1 0 8", "5.0 0 8"), "unknown_version", 2},
-      {"binary", "a.msh", io_sample("gmsh_41_binary.msh"), "binary_not_read", 2},
+      {"binary, cut", "a.msh", io_sample("gmsh_41_binary.msh").substr(0, 999), "truncated_file", 0},
       {"cut", "a.msh", good.substr(0, good.size() - 20), "truncated_file", 89},
       {"count too big", "a.msh", changed(good, "$Nodes\n23", "$Nodes\n230000"), "count_too_big",
        11},

@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Cuts a mesh with `sunder split -o` and reads the result with meshio and gmsh.
+"""Reads with meshio and gmsh what `sunder split -o` and `sunder convert` write.
 
-Usage: others_read_it.py SUNDER MESHES. Exit code 77: nothing here to read it with.
+Usage: others_read_it.py SUNDER MESHES SAMPLES. Exit code 77: nothing here to read it with.
 """
 import pathlib
 import shutil
@@ -47,3 +47,30 @@ with tempfile.TemporaryDirectory() as folder:
             assert check.returncode == 0, check.stdout + check.stderr
             assert "components                   2" in check.stdout, check.stdout
             print("gmsh reads and writes it again, with the same two components")
+
+    # Every version and encoding of MSH, and VTU, as `sunder convert` writes them.
+    original = pathlib.Path(sys.argv[3]) / "gmsh_41.msh"
+    targets = [("mesh.vtu", []), ("medit.mesh", [])]
+    for version in ("4.1", "4.0", "2.2", "1"):
+        targets.append((f"text{version}.msh", ["--format-version", version]))
+        if version != "1":
+            targets.append((f"binary{version}.msh", ["--format-version", version, "--binary"]))
+    for name, options in targets:
+        out = pathlib.Path(folder) / name
+        subprocess.run([sunder, "convert", original, out, *options], check=True,
+                       stdout=subprocess.DEVNULL)
+        if not import_error and name != "text1.msh":  # meshio does not read version 1
+            mesh = meshio.read(out)
+            assert len(mesh.points) == 23, (name, len(mesh.points))
+            tetrahedra = sum(len(b.data) for b in mesh.cells if b.type == "tetra")
+            assert tetrahedra == 48, (name, tetrahedra)
+        if gmsh and name != "mesh.vtu":
+            again = pathlib.Path(folder) / "again.msh"
+            result = subprocess.run([gmsh, out, "-save", "-format", "msh41", "-o", again],
+                                    check=True, text=True, capture_output=True)
+            assert "Error" not in result.stdout + result.stderr, (name, result.stdout)
+            check = subprocess.run([sunder, "check", again, "--json"], text=True,
+                                   capture_output=True)
+            assert check.returncode == 0, (name, check.stdout)
+            assert '"tetrahedra": 48' in check.stdout, (name, check.stdout)
+        print(f"others read {name}")
