@@ -64,7 +64,7 @@ with tempfile.TemporaryDirectory() as folder:
             assert len(mesh.points) == 23, (name, len(mesh.points))
             tetrahedra = sum(len(b.data) for b in mesh.cells if b.type == "tetra")
             assert tetrahedra == 48, (name, tetrahedra)
-        if gmsh and name != "mesh.vtu":
+        if gmsh and name not in ("mesh.vtu", "binary4.0.msh"):  # gmsh reads 4.0 as text only
             again = pathlib.Path(folder) / "again.msh"
             result = subprocess.run([gmsh, out, "-save", "-format", "msh41", "-o", again],
                                     check=True, text=True, capture_output=True)

@@ -226,7 +226,7 @@ std::string write_medit(const FileMesh& mesh) {
   put_text(out, "MeshVersionFormatted 2\nDimension 3\n");
   const auto section = [&out](std::string_view keyword, std::size_t rows) {
     put_text(out, keyword);
-    out.bytes += ' ';
+    out.bytes += '\n';  // meshio wants the count on a line of its own
     put_text(out, rows);
     out.bytes += '\n';
   };

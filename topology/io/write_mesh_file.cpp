@@ -120,7 +120,9 @@ void lose_in_msh(Losses& losses, const FileMesh& mesh, std::string_view version)
   bool below = false;
   std::size_t split = 0;
   for_each_cell_list(mesh, [&](const auto& cells, int) {
-    below = below || std::ranges::any_of(cells.region, [](std::int32_t r) { return r < 1; });
+    // 0 is no group, which an entity of its own number can say.
+    const std::int32_t lowest = cells.entity.empty() ? 1 : 0;
+    below = below || std::ranges::any_of(cells.region, [&](std::int32_t r) { return r < lowest; });
     std::map<std::int32_t, std::int32_t> group;
     for (std::size_t i = 0; i < cells.entity.size() && !cells.region.empty(); ++i) {
       if (group.emplace(cells.entity[i], cells.region[i]).first->second == cells.region[i])
