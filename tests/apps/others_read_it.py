@@ -59,7 +59,8 @@ with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder) / name
         subprocess.run([sunder, "convert", original, out, *options], check=True,
                        stdout=subprocess.DEVNULL)
-        if not import_error and name != "text1.msh":  # meshio does not read version 1
+        # meshio does not read version 1, nor Gmsh's own files of 4.0.
+        if not import_error and name not in ("text1.msh", "text4.0.msh", "binary4.0.msh"):
             mesh = meshio.read(out)
             assert len(mesh.points) == 23, (name, len(mesh.points))
             tetrahedra = sum(len(b.data) for b in mesh.cells if b.type == "tetra")
