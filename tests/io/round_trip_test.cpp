@@ -82,6 +82,15 @@ std::vector<Variant> variants() {
 
 }  // namespace
 
+TEST_CASE("Gmsh's legacy VTK file is read", "[io][vtk]") {
+  const Result<TetMesh> mesh = read_mesh(sample("gmsh.vtk"));
+  INFO(summary(mesh.findings));
+  REQUIRE(mesh);
+  CHECK(mesh->points.size() == 23);
+  CHECK(mesh->tetrahedra.size() == 48);
+  CHECK(volume(*mesh) == Approx(1.7).epsilon(1e-12));
+}
+
 TEST_CASE("what a format holds comes back in every bit", "[io][round_trip]") {
   for (const Variant& variant : variants()) {
     const FormatTraits& t = *variant.traits;

@@ -16,12 +16,14 @@
 #include "topology/io/msh.hpp"
 #include "topology/io/region_names.hpp"
 #include "topology/io/scan.hpp"
+#include "topology/io/vtk.hpp"
 #include "topology/io/vtu_read.hpp"
 
 namespace sunder {
 namespace {
 
 constexpr std::string_view msh_versions[] = {"4.1", "4.0", "2.2", "1"};
+constexpr std::string_view vtk_versions[] = {"4.2", "5.1"};
 constexpr FormatTraits traits[] = {
     {.format = MeshFormat::msh,
      .name = "Gmsh MSH",
@@ -56,6 +58,20 @@ constexpr FormatTraits traits[] = {
      .holds_point_data = true,
      .holds_cell_data = true,
      .holds_number_types = true},
+    {.format = MeshFormat::vtk,
+     .name = "VTK",
+     .extension = ".vtk",
+     .versions = vtk_versions,
+     .writes_binary = true,
+     .usually_binary = true,
+     .holds_cells = {true, true, true, true},
+     .holds_entities = true,
+     .holds_point_regions = true,
+     .holds_point_ids = true,
+     .holds_cell_ids = true,
+     .holds_point_data = true,
+     .holds_cell_data = true,
+     .holds_number_types = true},
 };
 
 /// Beginnings of files that are often met and not read, and what to do with them.
@@ -66,7 +82,6 @@ struct Stranger {
 };
 using namespace std::string_view_literals;
 constexpr Stranger strangers[] = {
-    {"# vtk DataFile"sv, "a legacy VTK file", "save it as .vtu"},
     {"\x89HDF"sv, "an HDF5 file", "convert it: meshio convert FILE NEW.vtu"},
     {"CDF\x01"sv, "a NetCDF (Exodus) file", "convert it: meshio convert FILE NEW.vtu"},
     {"PK\x03\x04"sv, "a zip archive", "unpack it first"},
@@ -80,12 +95,12 @@ Finding unknown_content(std::string_view bytes) {
   for (const Stranger& s : strangers) {
     if (bytes.substr(0, s.magic.size()) != s.magic) continue;
     return {.code = "unknown_format",
-            .text = fmt::format("this is {}: MSH, MEDIT and VTU are read", s.name),
+            .text = fmt::format("this is {}: MSH, MEDIT, VTU and VTK are read", s.name),
             .remedy = std::string(s.remedy)};
   }
   return {.code = "unknown_format",
           .text = fmt::format("the file begins with {}: MSH begins with $MeshFormat, MEDIT with "
-                              "MeshVersionFormatted, VTU with <VTKFile",
+                              "MeshVersionFormatted, VTU with <VTKFile, VTK with # vtk DataFile",
                               io::in_quotes(bytes.substr(0, 24))),
           .remedy = "give a tetrahedral mesh in one of these formats"};
 }
@@ -105,6 +120,8 @@ io::Draft read_as(MeshFormat format, std::string_view text) {
       return io::read_medit(text);
     case MeshFormat::vtu:
       return io::read_vtu(text);
+    case MeshFormat::vtk:
+      return io::read_vtk(text);
   }
   return {};
 }
@@ -193,7 +210,7 @@ std::optional<MeshFormat> format_of_content(std::string_view bytes) {
   if (bytes.substr(0, 3) == byte_order_mark) bytes.remove_prefix(3);
   io::Scanner s{bytes};
   while (io::peek_word(s).substr(0, 1) == "#") {
-    if (io::rest_of_line(s).substr(0, 14) == "# vtk DataFile") return std::nullopt;
+    if (io::rest_of_line(s).substr(0, 14) == "# vtk DataFile") return MeshFormat::vtk;
   }
   const std::string_view word = io::peek_word(s);
   if (word.substr(0, 1) == "$") return MeshFormat::msh;

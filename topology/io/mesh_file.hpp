@@ -16,7 +16,7 @@
 
 namespace sunder {
 
-enum class MeshFormat { msh, medit, vtu };
+enum class MeshFormat { msh, medit, vtu, vtk };
 
 /// What a format can hold of a FileMesh beside points, and what we do with it.
 struct FormatTraits {
@@ -64,7 +64,7 @@ struct ReadOptions {
 
 /// All that a mesh file holds; its content decides the format. Packed files (gzip) are unpacked.
 /// Formats: Gmsh MSH 1, 2.x, 4.0, 4.1 (text and binary), MEDIT .mesh (text), VTU (text, base64,
-/// raw; plain or zlib; both byte orders).
+/// raw; plain or zlib; both byte orders), legacy VTK 1.0 to 5.1 (text and binary).
 /// Names of regions that the format cannot hold are taken from `NAME.regions` beside it, if that is
 /// there (see write_file_mesh).
 /// Leaves in the value: every tetrahedron with four different rows below the number of points,

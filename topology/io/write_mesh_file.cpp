@@ -11,6 +11,7 @@
 #include "topology/io/output_file.hpp"
 #include "topology/io/region_names.hpp"
 #include "topology/io/scan.hpp"
+#include "topology/io/vtk.hpp"
 #include "topology/io/vtu_read.hpp"
 
 namespace sunder {
@@ -196,6 +197,9 @@ std::optional<Finding> write_as(const std::filesystem::path& path, const FileMes
           path, io::write_msh(mesh, msh_version(version_of(t, options)), binary_of(t, options)));
     case MeshFormat::medit:
       return write_file(path, io::write_medit(mesh));
+    case MeshFormat::vtk:
+      return write_file(path, io::write_vtk(mesh, version_of(t, options) == "5.1" ? 51 : 42,
+                                            binary_of(t, options)));
     case MeshFormat::vtu: {
       std::vector<Finding> findings = io::write_vtu(path, mesh);
       if (!findings.empty()) return std::move(findings.front());
