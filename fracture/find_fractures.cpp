@@ -192,7 +192,9 @@ std::vector<PlannedFan> plan_fans(Work& work, std::span<const VertexId> tied) {
       continue;
     }
     work.scratch.broken[v.index()] = 1;
-    PlannedFan plan = plan_fan(work.cells, v, principal_tension(work.stress(v)));
+    const ComponentId component = work.mechanics.vertices.component[v.index()];
+    PlannedFan plan = plan_fan(work.cells, v, principal_tension(work.stress(v)),
+                               work.mechanics.components[component.index()].rest_centre);
     if (plan.plane.faces.empty()) {
       ++report.empty_fans;
       work.cells.empty_fans.push_back({v, work.stress(v) / work.stress(v).norm()});

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fracture/cells.hpp"
-#include "fracture/fracture_plane.hpp"
+#include "fracture/choose_fan.hpp"
 #include "fracture/scene.hpp"
 #include "topology/split_face.hpp"
 
@@ -39,33 +39,6 @@ struct FanEvent {
   /// For reports only.
   double choose_us = 0, split_us = 0;
 };
-
-/// Where a fan is cut: among the normals the stress allows, the one whose faces are least
-/// misaligned with it (area-weighted mean of |n . n_f|), then the one that continues an existing
-/// crack, then the first of `candidate_normals`. Gives the normal and its faces, in rising order;
-/// no faces when every candidate has the whole star on one side. Faces that touch an unbreakable
-/// vertex are left out: a vertex splits by faces at it alone, so it never does.
-struct FanPlane {
-  Vec3 normal = Vec3::Zero();
-  std::vector<HalfFaceId> faces;
-};
-FanPlane choose_fan(const Cells& cells, VertexId vertex, const PrincipalTension& tension);
-
-/// A fan decided on: several can be decided on the same state and split one after the other, since
-/// half-faces keep their names.
-struct PlannedFan {
-  VertexId vertex;
-  FanPlane plane;
-  double stress = 0, strength = 0;  ///< Pa, when it was decided
-  double choose_us = 0;             ///< wall time of deciding, for reports only
-};
-
-/// The fan of `vertex` for its stress (`choose_fan`); no faces where it is empty.
-PlannedFan plan_fan(const Cells& cells, VertexId vertex, const PrincipalTension& tension);
-
-/// The fan of `vertex` along a plane that is known already; `stress` (Pa) is only noted.
-/// Needs: a living vertex, a normal that is not zero.
-PlannedFan plan_known_fan(const Cells& cells, VertexId vertex, const Vec3& normal, double stress);
 
 /// Working memory of `split_fan`, kept between calls.
 struct FanScratch {
