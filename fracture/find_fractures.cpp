@@ -101,7 +101,12 @@ void set_tip_strengths(Work& work) {
   }
 }
 
-/// Takes vertices with empty fans out of the rows until their stress changes.
+/// From now on the vertex waits until its stress changes.
+void hold(Work& work, VertexId v) {
+  work.cells.empty_fans.push_back({v, work.stress(v) / work.stress(v).norm()});
+}
+
+/// Takes vertices with empty or refused fans out of the rows until their stress changes.
 void hold_empty_fans(Work& work) {
   std::erase_if(work.cells.empty_fans, [&](const EmptyFan& empty) {
     char& row = work.scratch.rows[empty.vertex.index()];
@@ -197,7 +202,7 @@ std::vector<PlannedFan> plan_fans(Work& work, std::span<const VertexId> tied) {
                                work.mechanics.components[component.index()].rest_centre);
     if (plan.plane.faces.empty()) {
       ++report.empty_fans;
-      work.cells.empty_fans.push_back({v, work.stress(v) / work.stress(v).norm()});
+      hold(work, v);
       continue;
     }
     plans.push_back(std::move(plan));
@@ -296,9 +301,13 @@ FractureReport find_fractures(Cells& cells, MechanicsState& mechanics,
     split_rows.clear();
     for (PlannedFan& plan : plan_fans(work, tied)) {
       FanEvent event = split_fan(cells, mechanics, std::move(plan), settings, scratch.fan);
+      if (event.refused) {
+        ++work.report.refused_fans;
+        hold(work, event.vertex);
+        continue;
+      }
       if (event.faces.empty()) {
-        // Refused, or its neighbours' fans had all of its faces.
-        ++(event.refused ? work.report.refused_fans : work.report.relieved);
+        ++work.report.relieved;  // its neighbours' fans had all of its faces
         continue;
       }
       event.round = round;

@@ -21,10 +21,9 @@ struct FractureReport {
   /// reach their threshold: the last two give the bound's efficiency (table 3).
   std::size_t tested = 0, suspects = 0, reached = 0;
   /// Vertices newly found over their threshold with every tetrahedron on one side of every allowed
-  /// plane; and those that still wait for their stress to change, which were not tested again.
-  std::size_t empty_fans = 0, still_empty = 0;
-  /// Fans that the limits on pieces refused.
-  std::size_t refused_fans = 0;
+  /// plane; those whose fan the limits on pieces refused; and those that still wait for their
+  /// stress to change since they were counted as either, and were not tested again.
+  std::size_t empty_fans = 0, refused_fans = 0, still_empty = 0;
   /// Vertices that waited for a fan and fell below their threshold before their turn came, or whose
   /// faces a neighbour's fan had split by then.
   std::size_t relieved = 0;
@@ -62,8 +61,10 @@ std::vector<Mat3> node_stress_of(const Cells& cells, const MechanicsState& mecha
 /// Candidates whose overstresses differ by no more than 1e-6 from one to the next are tied: planes
 /// and faces of all of them are decided on the state as it is before any of them is split. So what
 /// breaks first does not depend on the numbers of vertices, and mirror images break alike: their
-/// stresses differ by the rounding of sums in another order and of the solver, 1e-9 and less. (What
-/// cannot be alike: a tetrahedron that is its own mirror image, cut by the plane of the mirror.)
+/// stresses differ by the rounding of sums in another order and of the solver, 1e-9 and less. Held
+/// by tests for mirrors across the coordinate planes of the mesh through the body's mass centre.
+/// What cannot be alike: a vertex on the mirror's plane whose best fan is not its own image has one
+/// of two images, by `choose_fan`'s last rule; and the limits on pieces, which know an order.
 ///
 /// After the fans of a tie the stress of every vertex they split is measured again, of old rows as
 /// of new, and those over their threshold take part with it. A vertex and its copies break once a
@@ -74,9 +75,9 @@ std::vector<Mat3> node_stress_of(const Cells& cells, const MechanicsState& mecha
 /// With `relax` the stresses around the fans of a tie are solved for again and decide from there
 /// on: whoever they bring over the threshold joins the queue, whoever they relieve leaves it.
 ///
-/// A vertex with an empty fan waits until its stress changes, untested: until its tensor over its
-/// norm differs by more than 0.01 (Frobenius; a stress that only grows keeps its planes), it has
-/// been below its threshold, or it has been split.
+/// A vertex whose fan is empty or was refused waits until its stress changes, untested: until its
+/// tensor over its norm differs by more than 0.01 (Frobenius; half a degree; a stress that only
+/// grows keeps its planes), it has been below its threshold, or it has been split.
 /// Leaves `mechanics.elements.component`, masses and frames to the caller (`rebuild`).
 /// Only vertices of `members` are looked at: the others' time has not come.
 FractureReport find_fractures(Cells& cells, MechanicsState& mechanics,

@@ -12,6 +12,7 @@
 #include "apps/sunder/bench_paper_report.hpp"
 #include "apps/sunder/bench_report.hpp"
 #include "apps/sunder/bench_step.hpp"
+#include "apps/sunder/bench_threshold.hpp"
 #include "apps/sunder/words.hpp"
 #include "topology/io/output_file.hpp"
 
@@ -212,12 +213,15 @@ struct PaperArguments {
   std::filesystem::path csv, markdown;
 };
 
+/// The folder given, or that of the three scenes.
+std::filesystem::path scenes_in(const std::filesystem::path& given) {
+  const std::filesystem::path here = "meshes/scenes";
+  if (!given.empty()) return given;
+  return std::filesystem::is_directory(here) ? here : SUNDER_SOURCE_DIR / here;
+}
+
 ExitCode run_paper_bench(PaperArguments arguments) {
-  if (arguments.settings.scenes.empty()) {
-    const std::filesystem::path here = "meshes/scenes";
-    arguments.settings.scenes =
-        std::filesystem::is_directory(here) ? here : SUNDER_SOURCE_DIR / here;
-  }
+  arguments.settings.scenes = scenes_in(arguments.settings.scenes);
   const Result<PaperBench> bench = bench_paper(
       arguments.settings, [](const std::string& run) { fmt::print(stderr, "{} ...\n", run); });
   if (!bench) {
@@ -255,6 +259,61 @@ void add_paper_command(CLI::App& bench, ExitCode& exit_code) {
   command->callback([=, &exit_code] { exit_code = run_paper_bench(*arguments); });
 }
 
+constexpr const char* threshold_footer = R"(
+Node stresses come from moments of the beginnings of monolith, block and bunny (meshes/scenes), as
+far as they stay below their thresholds, and from a random generator. Ways of the test: eigenvalues;
+gershgorin (bound, then eigenvalues: the paper's); exact (leading minors); chain (bound, then
+minors: the default). All answer the same. Times are this thread's own.
+
+Exit codes: 0 done, 2 usage, 3 a scene has errors, 4 an output was not written.
+
+Examples:
+  sunder bench threshold
+  sunder bench threshold --runs 100 --csv threshold.csv
+)";
+
+struct ThresholdArguments {
+  ThresholdBenchSettings settings;
+  std::filesystem::path csv;
+  bool json = false;
+};
+
+ExitCode run_threshold_bench(ThresholdArguments arguments) {
+  arguments.settings.scenes = scenes_in(arguments.settings.scenes);
+  const Result<ThresholdBench> bench =
+      bench_threshold(arguments.settings,
+                      [](const std::string& source) { fmt::print(stderr, "{} ...\n", source); });
+  if (!bench) {
+    fmt::print(stderr, "{}", finding_lines(bench.findings));
+    return ExitCode::bad_input;
+  }
+  fmt::print("{}", arguments.json ? threshold_json(*bench) : threshold_table(*bench));
+  if (arguments.csv.empty()) return ExitCode::fine;
+  if (auto failure = write_file(arguments.csv, threshold_csv(*bench))) {
+    fmt::print(stderr, "{}", finding_lines({*failure}));
+    return ExitCode::not_written;
+  }
+  return ExitCode::fine;
+}
+
+void add_threshold_command(CLI::App& bench, ExitCode& exit_code) {
+  const auto arguments = std::make_shared<ThresholdArguments>();
+  CLI::App* command =
+      bench.add_subcommand("threshold", "What the test of an unbroken vertex costs in each way");
+  command
+      ->add_option("--runs", arguments->settings.runs, "Passes to take medians over (default 25)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100000).description(""));
+  command->add_option("--seed", arguments->settings.seed, "Seed of the random tensors")
+      ->type_name("S");
+  command->add_option("--scenes", arguments->settings.scenes, "Folder of the three scenes")
+      ->type_name("FOLDER");
+  command->add_option("--csv", arguments->csv, "Write the figures as CSV")->type_name("FILE");
+  command->add_flag("--json", arguments->json, "Print JSON instead of the table");
+  command->footer(threshold_footer);
+  command->callback([=, &exit_code] { exit_code = run_threshold_bench(*arguments); });
+}
+
 }  // namespace
 
 void add_bench_command(CLI::App& program, ExitCode& exit_code) {
@@ -265,6 +324,7 @@ void add_bench_command(CLI::App& program, ExitCode& exit_code) {
   add_step_command(*bench, exit_code);
   add_methods_command(*bench, exit_code);
   add_paper_command(*bench, exit_code);
+  add_threshold_command(*bench, exit_code);
 }
 
 }  // namespace sunder

@@ -65,3 +65,24 @@ TEST_CASE("the bench of methods measures every method on every body, and the sam
   for (std::string line; std::getline(csv, line);) ++lines;
   CHECK(lines == answer["figures"].size() + 3);
 }
+
+TEST_CASE(
+    "the bench of the threshold test times every way on every source, and the same in its CSV",
+    "[apps][bench]") {
+  const Workplace here;
+  const Outcome outcome =
+      here.run({"bench", "threshold", "--runs", "1", "--json", "--csv", here.path("t.csv")});
+  INFO(outcome.err);
+  const json answer = outcome.json();
+  CHECK(answer["figures"].size() == 16);  // three scenes and random tensors, four ways
+  for (const json& f : answer["figures"]) {
+    INFO(f.dump());
+    CHECK(f["ns"] > 0);
+    CHECK(f["tensors"] > 1000);
+  }
+  std::ifstream csv(here.path("t.csv"));
+  std::size_t lines = 0;
+  for (std::string line; std::getline(csv, line);) ++lines;
+  CHECK(lines == answer["figures"].size() + 3);
+  CHECK(here.run({"bench", "threshold", "--scenes", here.path("")}).exit_code == 3);
+}
