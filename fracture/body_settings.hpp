@@ -69,6 +69,9 @@ struct StrengthSettings {
   std::vector<RegionStrength> regions;
   /// Pa, one a point of the mesh, in place of those of material and regions; empty: none.
   std::vector<double> painted;
+  /// The point field of the mesh's file that a scene file's reader takes `painted` from; empty:
+  /// none.
+  std::string field;
   std::optional<WeibullSettings> weibull;
 };
 

@@ -234,6 +234,10 @@ void describe(V& v, WeibullSettings& w) {
 template <class V>
 void describe(V& v, StrengthSettings& s) {
   v.field(Key{"regions", "", "Regions of the mesh with strengths of their own"}, s.regions);
+  v.field(Key{"field", "Pa",
+              "Point field of the mesh file (VTU point data, MSH node data): the strength of each "
+              "vertex, in place of those of material and regions"},
+          s.field);
   v.field(Key{"weibull", "",
               "Draws each vertex's strength by Weibull's law, by the volume it stands for"},
           s.weibull);

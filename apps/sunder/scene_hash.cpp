@@ -56,6 +56,10 @@ class SceneHasher {
   }
   void add(RegionName& region) { add(region.text); }
   void add(FaceList& faces) { add(faces.points); }
+  void add(StrengthSettings& strength) {
+    fields::describe(*this, strength);
+    add(strength.painted);
+  }
   void add(TetMesh& mesh) {
     add(mesh.points);
     add(mesh.tetrahedra);

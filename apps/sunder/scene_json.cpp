@@ -13,6 +13,7 @@
 
 #include "apps/sunder/scene_fields.hpp"
 #include "apps/sunder/scene_notes.hpp"
+#include "apps/sunder/scene_paint.hpp"
 #include "apps/sunder/scene_text.hpp"
 #include "topology/check.hpp"
 #include "topology/io/face_list.hpp"
@@ -423,6 +424,9 @@ Result<SceneFile> read_scene(const std::filesystem::path& path,
   fields::describe(reader, file);
   reader.finish();
   check_whole(context, file);
+  for (Finding& f : paint_strengths(file.scene, *text, context.folder)) {
+    result.findings.push_back(std::move(f));
+  }
   file.scene.integrator.time_step = file.scene.time_step;
   if (file.scene.name.empty()) file.scene.name = path.stem().string();
   if (has_error(result.findings)) return result;

@@ -9,6 +9,8 @@
 #include <string>
 
 #include "apps/sunder/scene_json.hpp"
+#include "fracture/simulation.hpp"
+#include "topology/io/vtu.hpp"
 
 using namespace sunder;
 using nlohmann::json;
@@ -208,4 +210,49 @@ TEST_CASE("windows asked for with a method that has none are noted, defaults are
   CHECK(noted.findings[0].code == "no_impact_windows");
   CHECK(noted.findings[0].severity == Severity::note);
   CHECK(noted.findings[0].line > 0);
+}
+
+TEST_CASE("a painted field of the mesh's file is the strength of its points", "[run][scene]") {
+  // Two tetrahedra; the numbers of the MSH file's nodes are not its rows.
+  const std::vector<Point> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}};
+  const TetMesh mesh{.points = points, .tetrahedra = {{0, 1, 2, 3}, {1, 0, 2, 4}}};
+  const std::vector<double> xi = {1e6, 2e6, 3e6, 4e6, 5e6};
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("sunder_paint_" + std::to_string(getpid()));
+  std::filesystem::create_directory(folder);
+  const std::string vtu = (folder / "painted.vtu").string();
+  const std::string msh = (folder / "painted.msh").string();
+  const std::vector<NamedColumn> columns = {{"xi", std::span(xi), 1},
+                                            vector_column("wind", points)};
+  REQUIRE(write_vtu(vtu, mesh, columns).empty());
+  std::ofstream(msh)
+      << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n5\n10 0 0 0\n7 1 0 0\n8 0 1 "
+         "0\n9 0 0 1\n12 0 0 -1\n$EndNodes\n$Elements\n2\n1 4 2 0 1 10 7 8 9\n2 4 2 "
+         "0 1 7 10 8 12\n$EndElements\n$NodeData\n1\n\"other\"\n1\n0\n3\n0\n1\n1\n7 "
+         "1\n$EndNodeData\n$NodeData\n1\n\"xi\"\n1\n0.0\n3\n0\n1\n5\n7 2e6\n8 3e6\n9 "
+         "4e6\n10 1e6\n12 5e6\n$EndNodeData\n";
+  json scene = cube_scene();
+  json& body = scene["bodies"][0];
+  for (const std::string& file : {vtu, msh}) {
+    INFO(file);
+    body["mesh"] = file;
+    body["strength"] = {{"field", "xi"}};
+    const auto painted = read(scene);
+    REQUIRE(painted);
+    CHECK(painted->scene.bodies[0].strength.painted == xi);
+    CHECK(build_simulation(painted->scene));
+    body["strength"]["field"] = "nothing";
+    CHECK(codes(read(scene).findings) == std::multiset<std::string>{"no_such_field"});
+    CHECK(read(scene).findings.front().line > 1);
+  }
+  // Of "other" four nodes have no number.
+  body["strength"]["field"] = "other";
+  const auto holes = read(scene);
+  REQUIRE(holes);
+  CHECK(codes(build_simulation(holes->scene).findings) ==
+        std::multiset<std::string>{"painted_strength"});
+  body["mesh"] = vtu;
+  body["strength"]["field"] = "wind";
+  CHECK(codes(read(scene).findings) == std::multiset<std::string>{"not_a_scalar"});
+  std::filesystem::remove_all(folder);
 }

@@ -322,4 +322,41 @@ Result<TetMesh> read_mesh(const std::filesystem::path& path) {
   return tetrahedra_of(read_file_mesh(path), path.string());
 }
 
+Result<std::vector<double>> read_point_field(const std::filesystem::path& path,
+                                             std::string_view field) {
+  Result<FileMesh> mesh = read_file_mesh(path);
+  Result<std::vector<double>> result;
+  result.findings = std::move(mesh.findings);
+  if (!mesh) return result;
+  const auto refuse = [&](std::string_view code, std::string text, std::string remedy) {
+    result.findings.insert(result.findings.begin(), {.code = std::string(code),
+                                                     .text = std::move(text),
+                                                     .remedy = std::move(remedy),
+                                                     .file = path.string()});
+    return std::move(result);
+  };
+  DataColumn* column = nullptr;
+  std::string known;
+  for (DataColumn& c : mesh->point_data) {
+    if (c.name == field) column = &c;
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", c.name);
+  }
+  if (column == nullptr) {
+    return refuse("no_such_field",
+                  fmt::format("the file has no point field {}", io::in_quotes(field)),
+                  known.empty() ? "it has no point fields at all: paint one"
+                                : fmt::format("it has {}", known));
+  }
+  if (column->components != 1) {
+    return refuse("not_a_scalar",
+                  fmt::format("the point field {} has {} components", io::in_quotes(field),
+                              column->components),
+                  "name a field with one number a point");
+  }
+  result.value = std::visit(
+      [](const auto& values) { return std::vector<double>(values.begin(), values.end()); },
+      column->values);
+  return result;
+}
+
 }  // namespace sunder

@@ -91,6 +91,12 @@ Result<FileMesh> read_file_mesh(std::string_view bytes, std::string_view name,
 Result<TetMesh> read_mesh(const std::filesystem::path& path);
 Result<TetMesh> read_mesh(std::string_view bytes, std::string_view name);
 
+/// One number for each point of a mesh file, in the order of `read_mesh`: the scalar point data of
+/// that name (of several the last), not-a-number where the file has none for a point (MSH).
+/// Errors: those of read_file_mesh, no_such_field, not_a_scalar. Cost: that of reading the mesh.
+Result<std::vector<double>> read_point_field(const std::filesystem::path& path,
+                                             std::string_view field);
+
 struct WriteOptions {
   /// The format that the name's ending says, if none is given.
   std::optional<MeshFormat> format;
