@@ -19,7 +19,7 @@ namespace sunder {
 namespace {
 
 constexpr const char* footer = R"(
-MESH is Gmsh MSH 1 to 4.1 (text or binary), MEDIT .mesh (text), VTU or legacy VTK, packed by gzip
+MESH is Gmsh MSH 1 to 4.1 (text or binary), MEDIT, VTU or legacy VTK, packed by gzip
 or not; its content decides, not its name.
 Coordinates are taken as metres, volumes are m^3. Vertices, edges and faces are counted as orbits
 of the 3-map: cells that only touch are not joined. Numbers in brackets are rows counted from 0.

@@ -18,10 +18,10 @@ namespace {
 
 constexpr const char* footer = R"(
 Read, known by content and not by name, packed by gzip or not: Gmsh MSH 1, 2.2, 4.0, 4.1 (text and
-binary), MEDIT .mesh (text), VTU (text, base64, raw; plain or zlib), legacy VTK 1.0 to 5.1 (text and
+binary), MEDIT (text and binary), VTU (text, base64, raw; plain or zlib), legacy VTK 1.0 to 5.1 (text and
 binary).
 Written, by OUT's ending or --to: msh (4.1, or --format-version 4.0, 2.2, 1; text or --binary), mesh
-(text), vtu (raw binary), vtk (4.2, or --format-version 5.1; binary or --text). Points and cells keep their order; numbers, regions, entities and data go
+(text or --binary; .meshb is binary), vtu (raw binary), vtk (4.2, or --format-version 5.1; binary or --text). Points and cells keep their order; numbers, regions, entities and data go
 along where the format holds them. Names of regions that it does not hold go to OUT.regions, which
 is read with OUT. Everything else that would be lost is listed first, as warnings.
 

@@ -125,7 +125,6 @@ TEST_CASE("what is no mesh file is named", "[io][defects]") {
       {"another VTK", "# vtk DataFile Version 2.0\nx\nASCII\nDATASET POLYDATA\n", "unknown_format",
        4, "POLYDATA"},
       {"HDF5", "\x89HDF\r\n", "unknown_format", 0, "HDF5"},
-      {"binary MEDIT", std::string("\1\0\0\0\2\0\0\0", 8), "unknown_format", 0, ".meshb"},
       {"MSH view", "$PostFormat\n1.4 0 8\n$EndPostFormat\n", "unknown_version", 1, "$PostFormat"},
       {"MSH 1", "$NOD\n1\n1 0 0 0\n$ENDNOD\n", "missing_section", 5, "$Elements"},
       {"packed, cut", std::string("\x1f\x8b\x08\0\0\0\0\0\0\3", 10), "truncated_file", 0,
@@ -299,6 +298,29 @@ TEST_CASE("a sample that is not read says how to convert it", "[io][defects]") {
   const Result<TetMesh> mesh = read_mesh(sample("meshio_lzma.vtu"));
   CHECK_FALSE(mesh);
   CHECK(mesh.findings.at(0).code == "unsupported_compressor");
+}
+
+TEST_CASE("each defect of a binary MEDIT file is found", "[io][defects][medit]") {
+  const TemporaryFolder folder;
+  REQUIRE_FALSE(has_error(write_mesh(folder.path() / "good.meshb", two_tetrahedra())));
+  const std::string good = bytes_of(folder.path() / "good.meshb");
+  REQUIRE(good.size() == 8 + 16 + (16 + 5 * 28) + (16 + 2 * 20) + 12);
+  const auto with = [&good](std::size_t at, std::int32_t number) {
+    std::string bad = good;
+    return bad.replace(at, 4, reinterpret_cast<const char*>(&number), 4);
+  };
+  const std::size_t vertices = 24, tetrahedra = vertices + 16 + 5 * 28;
+  check_defects({
+      {"version", with(4, 9), "unknown_version", 0, "version 9"},
+      {"dimension", with(20, 2), "unsupported_cells", 0, "dimension 2"},
+      {"cut", good.substr(0, 100), "count_too_big", 0, "5 vertices"},
+      {"count", with(vertices + 12, 1000000), "count_too_big", 0, "1000000 vertices"},
+      {"below 0", with(vertices + 12, -1), "bad_number", 0, "below 0"},
+      {"next before", with(vertices + 4, 8), "wrong_count", 0, "byte 8"},
+      {"next behind", with(vertices + 4, 1 << 20), "truncated_file", 0, "byte 1048576"},
+      {"no such point", with(tetrahedra + 16, 77), "index_out_of_range", 0, "point 77"},
+      {"no vertices", with(vertices, 999), "missing_section", 0, "Vertices"},
+  });
 }
 
 const std::string good_vtk = R"(# vtk DataFile Version 3.0

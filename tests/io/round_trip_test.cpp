@@ -91,6 +91,14 @@ TEST_CASE("Gmsh's legacy VTK file is read", "[io][vtk]") {
   CHECK(volume(*mesh) == Approx(1.7).epsilon(1e-12));
 }
 
+TEST_CASE("a name that ends with .meshb is written as binary MEDIT", "[io][medit]") {
+  const TemporaryFolder folder;
+  const FileMesh mesh = file_mesh_of(two_tetrahedra());
+  CHECK_FALSE(has_error(write_file_mesh(folder.path() / "a.meshb", mesh)));
+  CHECK(bytes_of(folder.path() / "a.meshb")[0] == 1);
+  CHECK(read_file_mesh(folder.path() / "a.meshb")->points == mesh.points);
+}
+
 TEST_CASE("what a format holds comes back in every bit", "[io][round_trip]") {
   for (const Variant& variant : variants()) {
     const FormatTraits& t = *variant.traits;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Internal to topology/io: the MEDIT format (.mesh).
+// Internal to topology/io: the MEDIT format (.mesh, .meshb).
 #pragma once
 
 #include <string>
@@ -9,10 +9,11 @@
 
 namespace sunder::io {
 
-/// Reads MEDIT ASCII. Throws ReadFailure.
+/// Reads MEDIT, text or binary (versions 1 to 4, either byte order). Throws ReadFailure.
 Draft read_medit(std::string_view text);
 
-/// The bytes of a MEDIT ASCII file of version 2 (doubles). Vertex cells are not written.
-std::string write_medit(const FileMesh& mesh);
+/// The bytes of a MEDIT file with doubles: text (version 2) or binary (version 3). Vertex cells are
+/// not written.
+std::string write_medit(const FileMesh& mesh, bool is_binary);
 
 }  // namespace sunder::io

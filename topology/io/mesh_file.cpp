@@ -28,6 +28,7 @@ constexpr FormatTraits traits[] = {
     {.format = MeshFormat::msh,
      .name = "Gmsh MSH",
      .extension = ".msh",
+     .binary_extension = {},
      .versions = msh_versions,
      .writes_binary = true,
      .holds_cells = {true, true, true, true},
@@ -40,12 +41,15 @@ constexpr FormatTraits traits[] = {
     {.format = MeshFormat::medit,
      .name = "MEDIT",
      .extension = ".mesh",
+     .binary_extension = ".meshb",
      .versions = {},
+     .writes_binary = true,
      .holds_cells = {false, true, true, true},
      .holds_point_regions = true},
     {.format = MeshFormat::vtu,
      .name = "VTU",
      .extension = ".vtu",
+     .binary_extension = {},
      .versions = {},
      .writes_text = false,
      .writes_binary = true,
@@ -61,6 +65,7 @@ constexpr FormatTraits traits[] = {
     {.format = MeshFormat::vtk,
      .name = "VTK",
      .extension = ".vtk",
+     .binary_extension = {},
      .versions = vtk_versions,
      .writes_binary = true,
      .usually_binary = true,
@@ -85,7 +90,6 @@ constexpr Stranger strangers[] = {
     {"\x89HDF"sv, "an HDF5 file", "convert it: meshio convert FILE NEW.vtu"},
     {"CDF\x01"sv, "a NetCDF (Exodus) file", "convert it: meshio convert FILE NEW.vtu"},
     {"PK\x03\x04"sv, "a zip archive", "unpack it first"},
-    {"\x01\0\0\0"sv, "a binary MEDIT file (.meshb)", "save it as .mesh (ASCII)"},
     {"solid"sv, "an STL surface", "fill it with tetrahedra first"},
     {"ply"sv, "a PLY file", "fill the surface with tetrahedra first"},
     {"OFF"sv, "an OFF surface", "fill it with tetrahedra first"},
@@ -110,6 +114,12 @@ std::string lower(std::string text) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   }
   return text;
+}
+
+/// The ending in lower case, that before .gz.
+std::string lower_extension(const std::filesystem::path& name) {
+  const std::string extension = lower(name.extension().string());
+  return extension == ".gz" ? lower(name.stem().extension().string()) : extension;
 }
 
 io::Draft read_as(MeshFormat format, std::string_view text) {
@@ -208,6 +218,8 @@ const FormatTraits& traits_of(MeshFormat format) {
 std::optional<MeshFormat> format_of_content(std::string_view bytes) {
   constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
   if (bytes.substr(0, 3) == byte_order_mark) bytes.remove_prefix(3);
+  using namespace std::string_view_literals;
+  if (bytes.starts_with("\1\0\0\0"sv) || bytes.starts_with("\0\0\0\1"sv)) return MeshFormat::medit;
   io::Scanner s{bytes};
   while (io::peek_word(s).substr(0, 1) == "#") {
     if (io::rest_of_line(s).substr(0, 14) == "# vtk DataFile") return MeshFormat::vtk;
@@ -220,12 +232,20 @@ std::optional<MeshFormat> format_of_content(std::string_view bytes) {
 }
 
 std::optional<MeshFormat> format_of_name(const std::filesystem::path& name) {
-  std::string extension = lower(name.extension().string());
-  if (extension == ".gz") extension = lower(name.stem().extension().string());
+  const std::string extension = lower_extension(name);
   for (const FormatTraits& t : traits) {
-    if (t.extension == extension) return t.format;
+    if (extension == t.extension || (!extension.empty() && extension == t.binary_extension)) {
+      return t.format;
+    }
   }
   return std::nullopt;
+}
+
+bool is_binary_name(const std::filesystem::path& name) {
+  const std::string extension = lower_extension(name);
+  return !extension.empty() && std::ranges::any_of(traits, [&](const FormatTraits& t) {
+    return t.binary_extension == extension;
+  });
 }
 
 Result<FileMesh> read_file_mesh(std::string_view bytes, std::string_view name,
@@ -244,6 +264,13 @@ Result<FileMesh> read_file_mesh(std::string_view bytes, std::string_view name,
       try {
         result = io::finish(read_as(*format, bytes), options.tetrahedra_only);
       } catch (io::ReadFailure& failure) {
+        // Lines mean nothing in raw data; those of VTU are those of its tags.
+        const bool has_lines =
+            *format == MeshFormat::vtu || bytes.find('\0') == std::string_view::npos;
+        if (!has_lines) {
+          failure.finding.line = 0;
+          failure.finding.text += fmt::format(" (at byte {})", failure.at);
+        }
         result.findings.push_back(std::move(failure.finding));
       }
       note_misleading_name(*format, name, result.findings);

@@ -25,6 +25,8 @@ struct FormatTraits {
   std::string_view name;
   /// The usual ending of a file's name, with its dot; `--to` names formats by it, without the dot.
   std::string_view extension;
+  /// The usual ending of binary files, where it is another one.
+  std::string_view binary_extension;
   /// Versions that can be written, the usual one first; empty where there is but one.
   std::span<const std::string_view> versions;
   bool writes_text = true;
@@ -57,29 +59,31 @@ std::optional<MeshFormat> format_of_content(std::string_view bytes);
 /// The format usual for a name's ending (upper case too, and before .gz); none for others.
 std::optional<MeshFormat> format_of_name(const std::filesystem::path& name);
 
+/// Whether a name has the ending of a format's binary files, such as .meshb.
+bool is_binary_name(const std::filesystem::path& name);
+
 struct ReadOptions {
   /// Volume cells that are no tetrahedra are left out with a warning instead of refused.
   bool tetrahedra_only = false;
 };
 
 /// All that a mesh file holds; its content decides the format. Packed files (gzip) are unpacked.
-/// Formats: Gmsh MSH 1, 2.x, 4.0, 4.1 (text and binary), MEDIT .mesh (text), VTU (text, base64,
-/// raw; plain or zlib; both byte orders), legacy VTK 1.0 to 5.1 (text and binary).
-/// Names of regions that the format cannot hold are taken from `NAME.regions` beside it, if that is
-/// there (see write_file_mesh).
-/// Leaves in the value: every tetrahedron with four different rows below the number of points,
-/// finite coordinates, columns as long as what they belong to. Orientation, flatness and gluing are
-/// not judged: see build_map.
-/// Regions: MSH's physical groups, MEDIT's references (unless all are 0), VTU's cell array
-/// `region`, `gmsh:physical`, `medit:ref`, `CellEntityIds` or `cell_tags`, the first that is there.
-/// Cells that are no simplices are left out with a note below dimension 3, refused there.
-/// Errors, with file and line (byte or array in binary data): cannot_open, empty_file, bad_gzip,
-/// unknown_format, unknown_version, truncated_file, bad_number,
-/// number_out_of_range, count_too_big, wrong_count, wrong_section_order, missing_section,
-/// unknown_section, bad_name, unsupported_cells, unknown_cell_type, index_out_of_range,
-/// repeated_vertex, nan_coordinate, duplicate_id, bad_xml, bad_attribute,
-/// missing_array, bad_offsets, bad_base64, bad_zlib, unsupported_compressor. No count is trusted
-/// beyond what the file's bytes can hold. Cost: O(file), the file is held in memory once.
+/// Formats: Gmsh MSH 1, 2.x, 4.0, 4.1 (text and binary), MEDIT (text and binary), VTU (text,
+/// base64, raw; plain or zlib; both byte orders), legacy VTK 1.0 to 5.1 (text and binary). Names of
+/// regions that the format cannot hold are taken from `NAME.regions` beside it, if that is there
+/// (see write_file_mesh). Leaves in the value: every tetrahedron with four different rows below the
+/// number of points, finite coordinates, columns as long as what they belong to. Orientation,
+/// flatness and gluing are not judged: see build_map. Regions: MSH's physical groups, MEDIT's
+/// references (unless all are 0), VTU's cell array `region`, `gmsh:physical`, `medit:ref`,
+/// `CellEntityIds` or `cell_tags`, the first that is there. Cells that are no simplices are left
+/// out with a note below dimension 3, refused there. Errors, with file and line (byte or array in
+/// binary data): cannot_open, empty_file, bad_gzip, unknown_format, unknown_version,
+/// truncated_file, bad_number, number_out_of_range, count_too_big, wrong_count,
+/// wrong_section_order, missing_section, unknown_section, bad_name, unsupported_cells,
+/// unknown_cell_type, index_out_of_range, repeated_vertex, nan_coordinate, duplicate_id, bad_xml,
+/// bad_attribute, missing_array, bad_offsets, bad_base64, bad_zlib, unsupported_compressor. No
+/// count is trusted beyond what the file's bytes can hold. Cost: O(file), the file is held in
+/// memory once.
 Result<FileMesh> read_file_mesh(const std::filesystem::path& path, const ReadOptions& options = {});
 
 /// The same for a file's bytes already in memory; `name` stands in the findings.
@@ -102,7 +106,7 @@ struct WriteOptions {
   std::optional<MeshFormat> format;
   /// One of the format's `versions`; the usual one if empty.
   std::string version;
-  /// Text or binary; what is usual for the format if not given.
+  /// Text or binary; if not given what the name's ending says, else what is usual for the format.
   std::optional<bool> is_binary;
 };
 

@@ -29,7 +29,7 @@ std::string in_quotes(std::string_view text) {
 
 void fail(std::string_view text, std::size_t at, Finding finding) {
   finding.line = line_of(text, at);
-  throw ReadFailure{std::move(finding)};
+  throw ReadFailure{std::move(finding), at};
 }
 
 void fail_expected(const Scanner& s, std::string_view what, std::errc reason) {

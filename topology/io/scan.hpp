@@ -14,6 +14,8 @@ namespace sunder::io {
 /// Thrown by the readers' inner functions and caught in read_mesh: it never leaves the library.
 struct ReadFailure {
   Finding finding;
+  /// Byte of the file.
+  std::size_t at = 0;
 };
 
 /// A place in a text. Blanks are spaces, tabs and line ends of any kind.

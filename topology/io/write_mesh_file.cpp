@@ -196,7 +196,7 @@ std::optional<Finding> write_as(const std::filesystem::path& path, const FileMes
       return write_file(
           path, io::write_msh(mesh, msh_version(version_of(t, options)), binary_of(t, options)));
     case MeshFormat::medit:
-      return write_file(path, io::write_medit(mesh));
+      return write_file(path, io::write_medit(mesh, binary_of(t, options)));
     case MeshFormat::vtk:
       return write_file(path, io::write_vtk(mesh, version_of(t, options) == "5.1" ? 51 : 42,
                                             binary_of(t, options)));
@@ -238,6 +238,7 @@ std::vector<Finding> write_file_mesh(const std::filesystem::path& path, const Fi
              .remedy = fmt::format("end the name with one of {}", endings),
              .file = path.string()}};
   }
+  if (!chosen.is_binary && is_binary_name(path)) chosen.is_binary = true;
   const FormatTraits& t = traits_of(*chosen.format);
   std::vector<Finding> findings;
   if (auto reason = refused(t, chosen)) {
