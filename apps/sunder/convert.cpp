@@ -121,6 +121,38 @@ void print(const Arguments& arguments, const Conversion& result) {
              result.has_losses ? "" : "; nothing is lost");
 }
 
+std::string_view yes_or_no(bool held) { return held ? "yes" : "no"; }
+
+/// What each format holds, as the Markdown table of docs/formats.md.
+void print_formats() {
+  fmt::print(
+      "| format | ending | written as | cells | regions | their names | entities | regions of "
+      "points "
+      "| numbers of points | of cells | data of points | of cells | types of numbers |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+  constexpr std::string_view cell_words[] = {"vertices", "edges", "triangles", "tetrahedra"};
+  for (const FormatTraits& t : format_traits()) {
+    std::string cells, written = fmt::format("{}", fmt::join(t.versions, ", "));
+    for (std::size_t d = 0; d < 4; ++d) {
+      if (t.holds_cells[d]) cells += fmt::format("{}{}", cells.empty() ? "" : ", ", cell_words[d]);
+    }
+    written += fmt::format("{}{}", written.empty() ? "" : "; ",
+                           t.writes_text && t.writes_binary ? "text, binary"
+                           : t.writes_binary                ? "binary"
+                                                            : "text");
+    const std::string ending = t.binary_extension.empty()
+                                   ? std::string(t.extension)
+                                   : fmt::format("{}, {}", t.extension, t.binary_extension);
+    fmt::print("| {} | {} | {} | {} |", t.name, ending, written, cells);
+    for (const bool held : {t.holds_regions, t.holds_region_names, t.holds_entities,
+                            t.holds_point_regions, t.holds_point_ids, t.holds_cell_ids,
+                            t.holds_point_data, t.holds_cell_data, t.holds_number_types}) {
+      fmt::print(" {} |", yes_or_no(held));
+    }
+    fmt::print("\n");
+  }
+}
+
 ExitCode run_convert(const Arguments& arguments) {
   const Conversion result = convert(arguments);
   print(arguments, result);
@@ -163,6 +195,13 @@ void add_convert_command(CLI::App& program, ExitCode& exit_code) {
   command->add_flag("--tetrahedra-only", arguments->tetrahedra_only,
                     "Leave volume cells out that are no tetrahedra");
   command->add_flag("--json", arguments->json, "Print JSON instead of a table");
+  command->add_flag_callback(
+      "--formats",
+      [] {
+        print_formats();
+        throw CLI::Success();
+      },
+      "Print what each format can hold, as a table, and end");
   command->footer(footer);
   command->callback([=, &exit_code] { exit_code = run_convert(*arguments); });
 }

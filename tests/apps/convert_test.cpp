@@ -112,3 +112,14 @@ TEST_CASE("volume cells that are no tetrahedra are refused, or left out on reque
       here.run({"convert", mixed, here.path("b.vtu"), "--tetrahedra-only", "--strict"});
   CHECK(strict.exit_code == 1);
 }
+
+TEST_CASE("the table of formats in the documentation is the program's own", "[apps][convert]") {
+  const Workplace here;
+  const Outcome table = here.run({"convert", "--formats"});
+  CHECK(table.exit_code == 0);
+  const std::string page = bytes_of(std::string(SUNDER_MESHES) + "/../docs/formats.md");
+  CHECK(page.find(table.out) != std::string::npos);
+  for (const FormatTraits& t : format_traits()) {
+    CHECK(table.out.find("| " + std::string(t.name) + " |") != std::string::npos);
+  }
+}
