@@ -170,6 +170,9 @@ std::string fragments_text(const FragmentSizes& s) {
            fmt::format("Too few pieces for a law: below {} a fit means nothing.\n", fewest_for_fit);
   }
   text += "\n" + laws_text(s.laws, n, "pieces", unit) + verdict(s.laws);
+  if (!s.elements.empty() && s.from_elements.probability > 0.05) {
+    text += "The pieces are distributed as the elements are: these laws are the mesh's.\n";
+  }
   if (!s.control.whole.empty()) {
     text += "\nControl: the same for the mesh\n" +
             laws_text(s.control, s.elements.size(), "elements", unit);
@@ -235,7 +238,8 @@ std::string fragments_script(const FragmentSizes& s, const std::string& title) {
       "set terminal pngcairo size 900,600 font 'DejaVu Sans,11'\n"
       "set title '{}' noenhanced\nset logscale xy\nset format '%.0e'\nset format y '%g'\n"
       "set xlabel '{} x of a piece, {}'\nset ylabel 'pieces of at least x'\n"
-      "set yrange [0.7:{:.6g}]\nset key bottom left\nset grid lc rgb '#dddddd'\n{}\n{}",
+      "set yrange [0.7:{:.6g}]\nset key outside bottom center horizontal\nset grid lc rgb "
+      "'#dddddd'\n{}\n{}",
       quoted, size_measure_names[static_cast<std::size_t>(s.measure)],
       unit_of(s) == "m^3" ? "m³" : unit_of(s), 1.5 * n, curves, data);
 }

@@ -187,18 +187,17 @@ std::string_view line_at(std::string_view text, std::size_t begin) {
   return text.substr(begin, text.find('\n', begin) - begin);
 }
 
-/// Which key of two lines differs, and how; empty where none of the log's does.
+/// Which key of two lines differs, and how.
 std::string first_difference(std::string_view theirs, std::string_view ours) {
   const ordered_json a = ordered_json::parse(theirs, nullptr, false);
   const ordered_json b = ordered_json::parse(ours, nullptr, false);
-  if (!a.is_object() || !b.is_object()) return {};
   for (const auto& [key, value] : a.items()) {
     const ordered_json here = b.value(key, ordered_json());
     if (value.dump() == here.dump()) continue;
     return fmt::format("{} is {} in the log and {} in the replay", key, shown(json(value)),
                        shown(json(here)));
   }
-  return {};
+  return "is not what the replay writes, byte by byte";
 }
 
 Finding departed(const Replay& replay, std::size_t line, std::string text) {
@@ -242,10 +241,15 @@ Result<Replay> read_replay(const std::filesystem::path& path, const ReplayedScen
   return result;
 }
 
-std::optional<Finding> compare_logs(const Replay& replay, std::string_view text, bool finished) {
+std::optional<Finding> compare_logs(Replay& replay, std::string_view text, bool finished) {
   text.remove_prefix(std::min(text.size(), text.find('\n') + 1));
   const std::string_view theirs = replay.lines;
-  if (finished ? theirs == text : theirs.starts_with(text)) return std::nullopt;
+  const std::string_view fresh = text.substr(replay.compared);
+  const std::string_view wanted = theirs.substr(replay.compared);
+  if (finished ? wanted == fresh : wanted.starts_with(fresh)) {
+    replay.compared = text.size();
+    return std::nullopt;
+  }
   std::size_t line = 2, begin = 0;
   while (begin < text.size() && begin < theirs.size() &&
          line_at(text, begin) == line_at(theirs, begin)) {

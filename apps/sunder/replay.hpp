@@ -19,6 +19,7 @@ struct Replay {
   FanScript script;
   /// The log's lines after its first, as they stand.
   std::string lines;
+  std::size_t compared = 0;  ///< bytes of them that the replay has written too
   /// How the run ended and after how many steps.
   RunEnd end = RunEnd::finished;
   std::uint64_t steps = 0;
@@ -40,8 +41,8 @@ Result<Replay> read_replay(const std::filesystem::path& path, const ReplayedScen
 
 /// Compares what the replay has logged so far (`EventLog::text`) with the log: the finding
 /// `replay_departed` names the first line that differs, what in it, and both values. `finished`:
-/// whether the replay's log is whole.
-std::optional<Finding> compare_logs(const Replay& replay, std::string_view text, bool finished);
+/// whether the replay's log is whole. Needs: `text` only ever grows. Cost: what is new.
+std::optional<Finding> compare_logs(Replay& replay, std::string_view text, bool finished);
 
 /// The fan of the script that could not be made, as a finding `replay_departed`.
 Finding departure(const Replay& replay, const ScriptDeparture& departure);

@@ -37,7 +37,7 @@ void print(const std::vector<Finding>& findings) {
 struct RunWork {
   Simulation& simulation;
   Recorder& recorder;
-  const std::optional<Replay>& replay;
+  std::optional<Replay>& replay;
 
   std::uint64_t steps() const { return replay ? replay->steps : step_count(simulation.scene); }
 };
@@ -45,8 +45,8 @@ struct RunWork {
 /// Where a replay is no longer the run of its log. `ended`: nothing while it goes on.
 std::optional<Finding> departure_of(const RunWork& work, std::optional<ExitCode> ended) {
   if (!work.replay) return std::nullopt;
-  const std::optional<ScriptDeparture>& unmade = work.simulation.script->departure;
-  if (unmade) return departure(*work.replay, *unmade);
+  const std::optional<FanScript>& script = work.simulation.script;
+  if (script && script->departure) return departure(*work.replay, *script->departure);
   if (ended == ExitCode::fine && work.replay->end == RunEnd::failed) {
     return missed_failure(*work.replay);
   }
@@ -120,7 +120,10 @@ ExitCode run_scene(const RunArguments& arguments) {
   print(simulation.findings);
   if (!simulation) return ExitCode::bad_input;
   simulation->scratch.mechanics.threads = arguments.threads;
-  if (replay) simulation->script = replay->script;
+  // With the criterion `energy` strengths come from the search: it is made, and held to the log.
+  if (replay && file->scene.fracture.criterion != FractureCriterion::energy) {
+    simulation->script = replay->script;
+  }
 
   watch_for_interrupt();
   Result<Recorder> recorder =

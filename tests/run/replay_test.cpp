@@ -180,7 +180,7 @@ TEST_CASE("a replay, and a run on a busy machine, leave the bytes of the run", "
 
 TEST_CASE("replays repeat limits, budgets, sub-steps and drawn strengths", "[run][replay]") {
   std::map<std::string, json> scenes;
-  for (const char* name : {"limits", "budget", "fit", "sub_stepped"}) {
+  for (const char* name : {"limits", "budget", "fit", "relax", "energy", "sub_stepped"}) {
     scenes[name] = struck_scene();
     scenes[name]["duration"] = 0.002;
   }
@@ -188,6 +188,11 @@ TEST_CASE("replays repeat limits, budgets, sub-steps and drawn strengths", "[run
   scenes["budget"]["fracture"] = {{"mode", "budget"}, {"max_fans", 5}};
   scenes["fit"]["fracture"] = {{"node_stress", "fit"}};
   scenes["fit"]["bodies"][0]["strength"] = {{"weibull", {{"modulus", 8}}}};
+  for (const char* name : {"relax", "energy"}) {
+    scenes[name]["fracture"] = {{"relax", 2}};
+    scenes[name]["bodies"][0]["material"]["toughness"] = 1e6;
+  }
+  scenes["energy"]["fracture"]["criterion"] = "energy";
   scenes["sub_stepped"]["duration"] = 0.001;
   scenes["sub_stepped"]["integrator"] = {{"method", "sub_stepped"}};
   scenes["sub_stepped"]["bodies"][0]["material"]["tensile_strength"] = 1e6;
