@@ -158,24 +158,22 @@ FragmentSizes measure_fragments(const PieceColumns& pieces, std::span<const doub
   FragmentSizes result{.measure = measure};
   const double volume = sum_of(pieces.volume);
   const double density = sum_of(pieces.mass) / volume;
-  std::vector<double> larger;
+  std::vector<double> singles;
   for (std::size_t row = 0; row < pieces.volume.size(); ++row) {
     const double size = measure == SizeMeasure::mass
                             ? pieces.mass[row]
                             : in_measure(pieces.volume[row], measure, density);
     result.pieces.push_back(size);
-    if (pieces.tetrahedra[row] > 1) {
-      larger.push_back(size);
-    } else {
-      ++result.single_tetrahedra;
-      result.single_part += pieces.volume[row] / volume;
-    }
+    if (pieces.tetrahedra[row] > 1) continue;
+    singles.push_back(size);
+    result.single_part += pieces.volume[row] / volume;
   }
+  result.single_tetrahedra = singles.size();
   result.largest_part = std::ranges::max(pieces.volume) / volume;
   for (const double element : elements) {
     result.elements.push_back(in_measure(element, measure, density));
   }
-  for (std::vector<double>* sample : {&result.pieces, &result.elements, &larger}) {
+  for (std::vector<double>* sample : {&result.pieces, &result.elements, &singles}) {
     std::ranges::sort(*sample);
   }
   result.laws = fit_laws(result.pieces);
@@ -189,7 +187,7 @@ FragmentSizes measure_fragments(const PieceColumns& pieces, std::span<const doub
     }
   }
   result.from_elements = sample_distance(result.pieces, result.elements);
-  result.larger_from_elements = sample_distance(larger, result.elements);
+  result.singles_from_elements = sample_distance(singles, result.elements);
   return result;
 }
 

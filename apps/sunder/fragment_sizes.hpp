@@ -56,8 +56,8 @@ struct FragmentSizes {
   /// `fewest_for_fit`: only they can tell of more than the mesh.
   std::size_t beyond_elements = 0;
   std::optional<FittedLaw> beyond;
-  /// Of all pieces, and of those of two and more tetrahedra, from the elements.
-  SampleDistance from_elements, larger_from_elements;
+  /// Of all pieces, and of those that are single tetrahedra, from the elements.
+  SampleDistance from_elements, singles_from_elements;
 };
 
 /// Sizes of pieces and, where `elements` (m^3) are known, of elements: mass by the mean density of

@@ -116,7 +116,8 @@ std::string beyond_text(const FragmentSizes& s) {
   std::string text =
       fmt::format("{} pieces are larger than the largest element", s.beyond_elements);
   if (!s.beyond) {
-    return text + fmt::format(": too few ({}) to tell of more than the mesh\n", fewest_for_fit);
+    return text +
+           fmt::format(": too few (below {}) to tell of more than the mesh\n", fewest_for_fit);
   }
   return text + fmt::format("; their power law has the {}, K-S {:.3f}\n",
                             parameters_of(*s.beyond, s.beyond_elements), s.beyond->distance);
@@ -158,24 +159,25 @@ std::string fragments_text(const FragmentSizes& s) {
   } else {
     text += fmt::format(
         "{} elements, {:.4g} to {:.4g} {}, median {:.4g}\nDistance of all pieces from the "
-        "elements {:.3f} (probability {:.2g} if they were the same), of those of two and more "
-        "tetrahedra {:.3f}\n",
+        "elements {:.3f} (probability {:.2g} if they were the same), of single tetrahedra {:.3f} "
+        "({:.2g})\n",
         s.elements.size(), s.elements.front(), s.elements.back(), unit,
         s.elements[s.elements.size() / 2], s.from_elements.distance, s.from_elements.probability,
-        s.larger_from_elements.distance);
+        s.singles_from_elements.distance, s.singles_from_elements.probability);
     text += beyond_text(s);
   }
   if (s.laws.whole.empty()) {
     return text +
            fmt::format("Too few pieces for a law: below {} a fit means nothing.\n", fewest_for_fit);
   }
-  text += "\n" + laws_text(s.laws, n, "pieces", unit) + verdict(s.laws);
+  text += "\n";
+  text += laws_text(s.laws, n, "pieces", unit) + verdict(s.laws);
   if (!s.elements.empty() && s.from_elements.probability > 0.05) {
     text += "The pieces are distributed as the elements are: these laws are the mesh's.\n";
   }
   if (!s.control.whole.empty()) {
-    text += "\nControl: the same for the mesh\n" +
-            laws_text(s.control, s.elements.size(), "elements", unit);
+    text += "\nControl: the same for the mesh\n";
+    text += laws_text(s.control, s.elements.size(), "elements", unit);
   }
   return text;
 }
@@ -201,9 +203,11 @@ ordered_json fragments_json(const FragmentSizes& s) {
                       {"laws", laws_json(s.control)}};
   json["beyond_elements"] = {{"pieces", s.beyond_elements},
                              {"power_law", s.beyond ? law_json(*s.beyond) : ordered_json()}};
-  json["distance_from_elements"] = {{"all", s.from_elements.distance},
-                                    {"probability", s.from_elements.probability},
-                                    {"two_and_more_tetrahedra", s.larger_from_elements.distance}};
+  const auto distance = [](const SampleDistance& d) {
+    return ordered_json{{"distance", d.distance}, {"probability", d.probability}};
+  };
+  json["from_elements"] = {{"all", distance(s.from_elements)},
+                           {"single_tetrahedra", distance(s.singles_from_elements)}};
   return json;
 }
 
