@@ -379,5 +379,6 @@ TEST_CASE("a scene's hash knows every value and the mesh, and not the names", "[
   CHECK(changed([](SceneFile& f) { f.scene.obstacles[1].mass = std::nullopt; }));
   CHECK(changed([](SceneFile& f) { f.scene.fracture.max_fans = 65; }));
   CHECK(changed([](SceneFile& f) { f.scene.bodies[0].cuts.push_back({CutPlane{}, {}, {}}); }));
+  CHECK(changed([](SceneFile& f) { f.scene.bodies[0].strength.painted = {1e6}; }));
   CHECK(changed([](SceneFile& f) { f.scene.bodies[0].strength.weibull = WeibullSettings{}; }));
 }
