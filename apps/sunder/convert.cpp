@@ -12,6 +12,7 @@
 
 #include "apps/sunder/words.hpp"
 #include "topology/io/mesh_file.hpp"
+#include "topology/repair.hpp"
 
 namespace sunder {
 namespace {
@@ -24,12 +25,14 @@ Written, by OUT's ending or --to: msh (4.1, or --format-version 4.0, 2.2, 1; tex
 (text or --binary; .meshb is binary), vtu (raw binary), vtk (4.2, or --format-version 5.1; binary or --text). Points and cells keep their order; numbers, regions, entities and data go
 along where the format holds them. Names of regions that it does not hold go to OUT.regions, which
 is read with OUT. Everything else that would be lost is listed first, as warnings.
+Repairs are made in the order in which --help lists them, each tells what it changed.
 
 Exit codes: 0 written, 1 something would be lost and --strict was given (nothing is written),
-2 usage, 3 the input cannot be read, 4 the output cannot be written.
+2 usage, 3 the input cannot be read or repaired, 4 the output cannot be written.
 
 Examples:
   sunder convert body.msh body.vtu
+  sunder convert body.msh clean.msh --merge-points 1e-6 --drop-duplicates --fix-orientation
   sunder convert body.vtu body.msh --format-version 2.2 --binary --strict
 )";
 
@@ -43,12 +46,14 @@ struct Arguments {
   bool strict = false;
   bool tetrahedra_only = false;
   bool json = false;
+  Repairs repairs;
 };
 
 struct Conversion {
   std::vector<Finding> findings;
   FileMesh mesh;
   bool is_read = false;
+  bool is_repaired = true;
   bool is_written = false;
   /// Whether something is lost between the two files.
   bool has_losses = false;
@@ -71,11 +76,17 @@ Conversion convert(const Arguments& arguments) {
   if (!mesh) return result;
   result.is_read = true;
   result.mesh = std::move(*mesh);
+  // A repair was asked for: what it drops is no loss.
+  result.has_losses = std::ranges::any_of(result.findings, is_loss);
+  std::ranges::move(repair(result.mesh, arguments.repairs), std::back_inserter(result.findings));
+  if (has_error(result.findings)) {
+    result.is_repaired = false;
+    return result;
+  }
   WriteOptions options{.version = arguments.version};
   options.format =
       arguments.to.empty() ? format_of_name(arguments.out) : format_called(arguments.to);
   if (arguments.text || arguments.binary) options.is_binary = arguments.binary;
-  result.has_losses = std::ranges::any_of(result.findings, is_loss);
   if (arguments.strict && options.format) {
     std::vector<Finding> lost = lost_on_writing(result.mesh, options);
     result.has_losses = result.has_losses || !lost.empty();
@@ -156,7 +167,7 @@ void print_formats() {
 ExitCode run_convert(const Arguments& arguments) {
   const Conversion result = convert(arguments);
   print(arguments, result);
-  if (!result.is_read) return ExitCode::bad_input;
+  if (!result.is_read || !result.is_repaired) return ExitCode::bad_input;
   if (result.is_written) return ExitCode::fine;
   const auto is_usage = [](const Finding& f) {
     return f.code == "unknown_format" || f.code == "unknown_version";
@@ -194,6 +205,23 @@ void add_convert_command(CLI::App& program, ExitCode& exit_code) {
   command->add_flag("--strict", arguments->strict, "Write nothing if anything would be lost");
   command->add_flag("--tetrahedra-only", arguments->tetrahedra_only,
                     "Leave volume cells out that are no tetrahedra");
+  command
+      ->add_option(
+          "--merge-points", arguments->repairs.merge_points,
+          "Repair: merge points within this distance; 0: those that coincide. Unit: that of "
+          "the file")
+      ->type_name("DISTANCE")
+      ->check(CLI::NonNegativeNumber);
+  Repairs& repairs = arguments->repairs;
+  command->add_flag("--drop-duplicates", repairs.drop_duplicates,
+                    "Repair: of tetrahedra with the same points keep the first");
+  command->add_flag("--split-nonmanifold", repairs.split_nonmanifold,
+                    "Repair: copies of points where stars of tetrahedra only touch");
+  command->add_flag("--largest-component", repairs.largest_component,
+                    "Repair: keep the largest component");
+  command->add_flag("--fix-orientation", repairs.fix_orientation,
+                    "Repair: swap two points of inverted tetrahedra");
+  command->add_flag("--drop-unused", repairs.drop_unused, "Repair: drop points that no cell uses");
   command->add_flag("--json", arguments->json, "Print JSON instead of a table");
   command->add_flag_callback(
       "--formats",

@@ -113,6 +113,22 @@ TEST_CASE("volume cells that are no tetrahedra are refused, or left out on reque
   CHECK(strict.exit_code == 1);
 }
 
+TEST_CASE("repairs are made on request and told", "[apps][convert]") {
+  const Workplace here;
+  TetMesh mesh{.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {5, 5, 5}, {0, 0, 1}},
+               .tetrahedra = {{0, 2, 1, 3}, {0, 1, 2, 5}}};
+  const std::string faulty = here.write("faulty.msh", mesh);
+  const Outcome repaired =
+      here.run({"convert", faulty, here.path("clean.msh"), "--merge-points", "0",
+                "--drop-duplicates", "--fix-orientation", "--drop-unused", "--json"});
+  INFO(repaired.out << repaired.err);
+  CHECK(repaired.exit_code == 0);
+  CHECK(repaired.json()["counts"]["tetrahedra"] == 1);
+  CHECK(repaired.json()["counts"]["points"] == 4);
+  CHECK(here.run({"check", here.path("clean.msh")}).exit_code == 0);
+  CHECK(here.run({"convert", faulty, here.path("a.msh"), "--merge-points", "-1"}).exit_code == 2);
+}
+
 TEST_CASE("the table of formats in the documentation is the program's own", "[apps][convert]") {
   const Workplace here;
   const Outcome table = here.run({"convert", "--formats"});
