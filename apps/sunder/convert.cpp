@@ -19,13 +19,14 @@ namespace {
 
 constexpr const char* footer = R"(
 Read, known by content and not by name, packed by gzip or not: Gmsh MSH 1, 2.2, 4.0, 4.1 (text and
-binary), MEDIT (text and binary), VTU (text, base64, raw; plain or zlib), legacy VTK 1.0 to 5.1 (text and
-binary).
+binary), MEDIT (text and binary), VTU (text, base64, raw; plain or zlib), legacy VTK 1.0 to 5.1 (text
+and binary).
 Written, by OUT's ending or --to: msh (4.1, or --format-version 4.0, 2.2, 1; text or --binary), mesh
-(text or --binary; .meshb is binary), vtu (raw binary), vtk (4.2, or --format-version 5.1; binary or --text). Points and cells keep their order; numbers, regions, entities and data go
-along where the format holds them. Names of regions that it does not hold go to OUT.regions, which
-is read with OUT. Everything else that would be lost is listed first, as warnings.
-Repairs are made in the order in which --help lists them, each tells what it changed.
+(text or --binary; .meshb is binary), vtu (raw binary), vtk (4.2, or --format-version 5.1; binary or
+--text). Points and cells keep their order; numbers, regions, entities and data go along where the
+format holds them (--formats). Names of regions that it does not hold go to OUT.regions, which is
+read with OUT. Everything else that would be lost is listed first, as warnings.
+Repairs are made in the order in which they are listed here, and each tells what it changed.
 
 Exit codes: 0 written, 1 something would be lost and --strict was given (nothing is written),
 2 usage, 3 the input cannot be read or repaired, 4 the output cannot be written.
@@ -198,7 +199,7 @@ void add_convert_command(CLI::App& program, ExitCode& exit_code) {
       ->check(known_format);
   command
       ->add_option("--format-version", arguments->version,
-                   "Version of the format; default: the newest")
+                   "Version of the format; default: the first that --formats lists")
       ->type_name("VERSION");
   CLI::Option* text = command->add_flag("--text", arguments->text, "Write text");
   command->add_flag("--binary", arguments->binary, "Write binary data")->excludes(text);
