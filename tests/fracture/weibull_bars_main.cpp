@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Bars with strengths drawn by Weibull's law, each pulled until it breaks: mean and size effect.
-//   weibull_bars [BARS] [MODULUS]      (1000 and 8; about three minutes)
+//   weibull_bars [BARS] [MODULUS]      (1000 and 8; a minute)
 #include <fmt/format.h>
 
 #include <cmath>
