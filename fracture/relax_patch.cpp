@@ -3,6 +3,7 @@
 #include "fracture/relax_patch.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "mechanics/strain_displacement.hpp"
@@ -61,26 +62,31 @@ std::map<VertexId, std::vector<VertexId>> rows_of_copies(RelaxedState& relaxed,
 /// A piece of the body as if it were a component: `vertices` are the patch's, rim and all.
 Component patch_around(const Cells& cells, const MechanicsState& m, std::vector<VertexId>& inner,
                        std::uint32_t rings) {
-  const auto grow = [&](std::vector<TetId>& tets) {
-    tets.clear();
-    for (const VertexId v : inner) {
-      const std::vector<TetId> around = star(cells.map, v);
-      tets.insert(tets.end(), around.begin(), around.end());
-    }
-    sort_unique(tets);
-  };
   Component patch;
   sort_unique(inner);
-  std::size_t before = 0;
-  for (std::uint32_t ring = 1; ring < rings && inner.size() > before; ++ring) {
-    before = inner.size();
-    grow(patch.tetrahedra);
-    for (const TetId t : patch.tetrahedra) {
-      inner.insert(inner.end(), cells.map.corners(t).begin(), cells.map.corners(t).end());
+  std::vector<VertexId> edge = inner, met;
+  std::vector<TetId> fresh;
+  for (std::uint32_t ring = 1; !edge.empty(); ++ring) {
+    fresh.clear();
+    for (const VertexId v : edge) {
+      const std::vector<TetId> around = star(cells.map, v);
+      fresh.insert(fresh.end(), around.begin(), around.end());
     }
-    sort_unique(inner);
+    sort_unique(fresh);
+    patch.tetrahedra.insert(patch.tetrahedra.end(), fresh.begin(), fresh.end());
+    if (ring == rings) break;
+    met.clear();
+    for (const TetId t : fresh) {
+      const Corners& c = cells.map.corners(t);
+      met.insert(met.end(), c.begin(), c.end());
+    }
+    sort_unique(met);
+    edge.clear();
+    std::ranges::set_difference(met, inner, std::back_inserter(edge));
+    inner.insert(inner.end(), edge.begin(), edge.end());
+    std::ranges::sort(inner);
   }
-  grow(patch.tetrahedra);
+  sort_unique(patch.tetrahedra);
   for (const TetId t : patch.tetrahedra) {
     const Corners& c = cells.map.corners(t);
     patch.vertices.insert(patch.vertices.end(), c.begin(), c.end());

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Makes the structured sample meshes: ring, cube, two_tets and monolith (MSH 4.1 ASCII).
+"""Makes the structured sample meshes: ring, cube, two_tets, bar and monolith (MSH 4.1 ASCII).
 
     python3 make_samples.py [FOLDER]        write them into FOLDER (default: this script's)
     python3 make_samples.py --check         say which committed files differ; exit 1 if any does
@@ -114,6 +114,20 @@ def monolith():
     return points, oriented(points, tets)
 
 
+def bar():
+    """A bar of 0.8 x 0.06 x 0.4 m in 24 x 2 x 12 Kuhn cells, shaken but for the lower quarter of its
+    middle section, where a notch can be cut."""
+    divisions, lengths = (24, 2, 12), (0.8, 0.06, 0.4)
+    points, tets = kuhn(divisions, lengths)
+    points = [tuple(round(c, 6) for c in p) for p in points]
+    cell = [length / n for length, n in zip(lengths, divisions)]
+    notch = [abs(x - 0.4) < 1e-9 and z < 0.1 + 1e-9 for x, y, z in points]
+    shaken = jitter(points, lengths, [0.2 * c for c in cell], seed=5)
+    points = [tuple(round(c, 6) for c in (p if fixed else q))
+              for p, q, fixed in zip(points, shaken, notch)]
+    return points, oriented(points, tets)
+
+
 def two_tets():
     return ([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (0, 0, -1)], [(0, 1, 2, 3), (1, 0, 2, 4)])
 
@@ -122,6 +136,7 @@ SAMPLES = {
     "ring": lambda: kuhn((3, 3, 1), (3, 3, 1), holes=((1, 1, 0),)),
     "cube": lambda: kuhn((2, 2, 2), (2, 2, 2)),
     "two_tets": two_tets,
+    "bar": bar,
     "monolith": monolith,
 }
 

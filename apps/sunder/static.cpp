@@ -35,6 +35,9 @@ stress of a vertex (Pa) and its share of the tensile strength, each with the poi
 --fan V,NX,NY,NZ adds what the fan at point V (of all bodies' meshes, one after the other) with this
 normal in the mesh's axes would release: faces, area (m^2), energy (J) and energy per area (J/m^2),
 beside the material's where it has a toughness (docs/energy.md). Nothing is split.
+--fans SHARE lists that for the fan of every vertex with at least this share of its strength (1: what
+would break now), most energy per area first, and beside it what the crack's front would release at
+vertices that are on one.
 FILE.vtu holds the deformed bodies with displacement, node stress and largest principal stress.
 
 Exit codes: 0 done, 2 usage, 3 bad scene or mesh or no equilibrium, 4 not written, 5 the answer is
@@ -49,6 +52,7 @@ struct StaticArguments {
   std::filesystem::path scene, output;
   std::vector<std::string> settings;
   std::string fan;
+  std::optional<double> fans;
   bool json = false;
 };
 
@@ -162,13 +166,23 @@ ExitCode run_static(const StaticArguments& arguments) {
     if (!released) return ExitCode::usage;
     fan = *released;
   }
+  std::vector<FanCandidate> candidates;
+  if (arguments.fans) {
+    Result<std::vector<FanCandidate>> found =
+        fan_candidates(*sim, answer->node_stress, *arguments.fans);
+    print(found.findings);
+    if (!found) return ExitCode::failed;
+    candidates = std::move(*found);
+  }
   if (arguments.json) {
     ordered_json json = answer_json(sim->scene.name, *answer, answer.findings);
     if (fan) json["fan"] = to_json(*fan);
+    if (arguments.fans) json["fans"] = to_json(candidates);
     fmt::print("{}\n", json.dump(2));
   } else {
     print_table(*answer);
     if (fan) fmt::print("{}", to_table(*fan));
+    if (arguments.fans) fmt::print("{}", to_table(candidates));
   }
   return ExitCode::fine;
 }
@@ -190,6 +204,11 @@ void add_static_command(CLI::App& program, ExitCode& exit_code) {
   command->add_option("--fan", arguments->fan, "Energy that a fan would release")
       ->type_name("V,NX,NY,NZ")
       ->check(CLI::Validator(check_fan_text, "", "fan"));
+  command
+      ->add_option("--fans", arguments->fans,
+                   "Energies of the fans of all vertices at this share of their strength or more")
+      ->type_name("SHARE")
+      ->check(CLI::NonNegativeNumber);
   command->add_flag("--json", arguments->json, "Print JSON instead of a table");
   command->footer(footer);
   command->callback([=, &exit_code] { exit_code = run_static(*arguments); });

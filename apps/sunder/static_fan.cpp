@@ -6,12 +6,44 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "apps/sunder/words.hpp"
+#include "fracture/split_fan.hpp"
+#include "fracture/tip_energy.hpp"
 #include "topology/fan.hpp"
 
 namespace sunder {
+namespace {
+
+/// A body in equilibrium and what pulls at it, by corner.
+struct LoadedBody {
+  Simulation& sim;
+  std::span<const Vec3> force;
+};
+
+std::vector<Vec3> fully_raised(const Simulation& sim) {
+  return corner_forces(sim.loads, sim.state.mechanics, std::numeric_limits<double>::infinity());
+}
+
+/// What is wrong; nothing when the answer has its release.
+std::vector<Finding> add_release(FanAnswer& answer, const LoadedBody& body, VertexId vertex,
+                                 std::span<const HalfFaceId> faces) {
+  const Cells& cells = body.sim.state.cells;
+  const MechanicsState& m = body.sim.state.mechanics;
+  answer.faces = faces.size();
+  const auto release =
+      energy_release(body.sim.scratch.mechanics,
+                     {cells, m, body.sim.scene.gravity.acceleration, body.force}, faces);
+  if (!release) return release.findings;
+  answer.release = *release;
+  const TetId t = cells.map.incident_tetrahedron(vertex);
+  answer.fracture_energy = fracture_energy(m.materials[m.elements.material[t.index()].index()]);
+  return {};
+}
+
+}  // namespace
 
 std::string check_fan_text(const std::string& list) {
   const auto x = numbers_of(list, 4);
@@ -36,19 +68,36 @@ Result<FanAnswer> fan_answer(Simulation& sim, const std::string& list) {
     return result;
   }
   answer.normal.normalize();
-  answer.faces = faces->size();
+  const auto force = fully_raised(sim);
+  result.findings = add_release(answer, {sim, force}, VertexId{row}, *faces);
+  if (result.findings.empty()) result.value = answer;
+  return result;
+}
+
+Result<std::vector<FanCandidate>> fan_candidates(Simulation& sim, std::span<const Mat3> node_stress,
+                                                 double share) {
+  const Cells& cells = sim.state.cells;
   const MechanicsState& m = sim.state.mechanics;
-  const auto force = corner_forces(sim.loads, m, std::numeric_limits<double>::infinity());
-  const auto release = energy_release(sim.scratch.mechanics,
-                                      {cells, m, sim.scene.gravity.acceleration, force}, *faces);
-  if (!release) {
-    result.findings = release.findings;
-    return result;
+  const auto force = fully_raised(sim);
+  Result<std::vector<FanCandidate>> result;
+  std::vector<FanCandidate> candidates;
+  for (std::size_t v = 0; v < node_stress.size(); ++v) {
+    const PrincipalTension tension = principal_tension(node_stress[v]);
+    if (!(tension.value > 0) || !(tension.value >= share * cells.strength[v])) continue;
+    const FanPlane plane = choose_fan(cells, VertexId{v}, tension);
+    if (plane.faces.empty()) continue;
+    FanCandidate candidate{
+        .fan = {.point = cells.map.point_of_vertex(VertexId{v}), .normal = plane.normal},
+        .share = tension.value / cells.strength[v]};
+    result.findings = add_release(candidate.fan, {sim, force}, VertexId{v}, plane.faces);
+    if (!result.findings.empty()) return result;
+    candidate.front =
+        tip_energy(cells, m.elements, {m.vertices.displacement, m.elements.stress}, VertexId{v});
+    candidates.push_back(candidate);
   }
-  answer.release = *release;
-  const TetId t = cells.map.incident_tetrahedron(VertexId{row});
-  answer.fracture_energy = fracture_energy(m.materials[m.elements.material[t.index()].index()]);
-  result.value = answer;
+  std::ranges::stable_sort(candidates, std::greater<>(),
+                           [](const FanCandidate& c) { return c.fan.release.per_area(); });
+  result.value = std::move(candidates);
   return result;
 }
 
@@ -79,6 +128,31 @@ std::string to_table(const FanAnswer& answer) {
     text += fmt::format(" (K_Ic^2 (1 - nu^2) / E: {:.6g} J/m^2)", answer.fracture_energy);
   }
   return text + "\n";
+}
+
+nlohmann::ordered_json to_json(const std::vector<FanCandidate>& candidates) {
+  auto list = nlohmann::ordered_json::array();
+  for (const FanCandidate& c : candidates) {
+    nlohmann::ordered_json row = to_json(c.fan);
+    row["strength_share"] = c.share;
+    row["front_energy_per_area"] =
+        c.front ? nlohmann::ordered_json(*c.front) : nlohmann::ordered_json();
+    list.push_back(std::move(row));
+  }
+  return list;
+}
+
+std::string to_table(const std::vector<FanCandidate>& candidates) {
+  std::string text = fmt::format("{:>8} {:>9} {:>12} {:>12} {:>12} {:>12}  {}\n", "vertex", "share",
+                                 "area m^2", "fan J/m^2", "front J/m^2", "limit J/m^2", "normal");
+  for (const FanCandidate& c : candidates) {
+    text += fmt::format(
+        "{:>8} {:>9.4g} {:>12.5g} {:>12.5g} {:>12} {:>12.5g}  ({:.3f}, {:.3f}, {:.3f})\n",
+        c.fan.point, c.share, c.fan.release.area, c.fan.release.per_area(),
+        c.front ? fmt::format("{:.5g}", *c.front) : "-", c.fan.fracture_energy, c.fan.normal[0],
+        c.fan.normal[1], c.fan.normal[2]);
+  }
+  return text;
 }
 
 }  // namespace sunder

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What a fan at a vertex of a body in equilibrium would release: `sunder static --fan`.
+// What fans at vertices of a body in equilibrium would release: `sunder static --fan`, `--fans`.
 #pragma once
 
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "fracture/energy_release.hpp"
 #include "fracture/simulation.hpp"
@@ -28,8 +31,24 @@ std::string check_fan_text(const std::string& list);
 /// own axes. Errors: those of `fan_faces` and `energy_release`.
 Result<FanAnswer> fan_answer(Simulation& sim, const std::string& list);
 
+/// A vertex near its threshold and what its fan would release.
+struct FanCandidate {
+  FanAnswer fan;
+  double share = 0;  ///< largest principal stress over the strength
+  /// J/m^2: what the crack's front would release there (`tip_energy`), where the vertex is on one.
+  std::optional<double> front;
+};
+
+/// The fan of every vertex whose largest principal stress is at least `share` of its strength, and
+/// that has one, by falling energy per area. `sim`: as `solve_scene` leaves it; is not changed;
+/// `node_stress`: |V|. Errors: those of `energy_release`. Cost: one of those a vertex.
+Result<std::vector<FanCandidate>> fan_candidates(Simulation& sim, std::span<const Mat3> node_stress,
+                                                 double share);
+
 /// Infinite numbers as null.
 nlohmann::ordered_json to_json(const FanAnswer& answer);
+nlohmann::ordered_json to_json(const std::vector<FanCandidate>& candidates);
 std::string to_table(const FanAnswer& answer);
+std::string to_table(const std::vector<FanCandidate>& candidates);
 
 }  // namespace sunder

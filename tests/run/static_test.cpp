@@ -3,6 +3,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <filesystem>
@@ -12,6 +14,7 @@
 #include <string>
 
 #include "apps/sunder/static_answer.hpp"
+#include "apps/sunder/static_fan.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/suite/shapes.hpp"
 
@@ -217,6 +220,41 @@ TEST_CASE("loads stay with the sides of a split", "[run][static][loads][split]")
     CHECK(pull > 1e4);
   }
   CHECK(pieces > 1);
+}
+
+TEST_CASE("fans near their threshold are listed by the energy they would release, as one by one",
+          "[run][static][fan]") {
+  Scene scene = held_bar({4, 2, 2});
+  scene.bodies[0].material.tensile_strength = 1e5;
+  scene.bodies[0].material.toughness = 1e5;
+  scene.bodies[0].cuts = {{.faces = CutPlane{.point = {0.2, 0, 0}, .normal = {1, 0, 0}},
+                           .box = RestBox{{-1, -1, -1}, {9, 0.1001, 9}},
+                           .ball = {}}};
+  LoadBox pull = end_of(0.4);
+  pull.pressure = -5e4;
+  scene.bodies[0].loads = {pull};
+  Simulation sim = std::move(*build_simulation(scene));
+  const StaticAnswer answer = std::move(*solve_scene(sim));
+  const auto all = fan_candidates(sim, answer.node_stress, 0);
+  REQUIRE(all);
+  REQUIRE(all->size() > 10);
+  std::size_t on_front = 0;
+  for (std::size_t i = 0; i < all->size(); ++i) {
+    const FanCandidate& c = (*all)[i];
+    if (i > 0) CHECK(c.fan.release.per_area() <= (*all)[i - 1].fan.release.per_area());
+    if (!c.front) continue;
+    ++on_front;
+    CHECK(sim.state.mechanics.vertices.rest_position[c.fan.point].x() == Approx(0.2));
+    const auto list =
+        fmt::format("{},{},{},{}", c.fan.point, c.fan.normal[0], c.fan.normal[1], c.fan.normal[2]);
+    const auto one = fan_answer(sim, list);
+    REQUIRE(one);
+    CHECK(one->release.energy == Approx(c.fan.release.energy));
+  }
+  CHECK(on_front == 3);
+  for (const FanCandidate& c : *fan_candidates(sim, answer.node_stress, 0.7)) {
+    CHECK(c.share >= 0.7);
+  }
 }
 
 TEST_CASE("sunder static answers in JSON, writes VTU and ends as it says", "[run][static]") {
