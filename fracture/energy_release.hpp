@@ -44,7 +44,7 @@ struct EnergyRelease {
 /// which is exact in linear statics and equals the virtual crack closure of crack_energy.hpp.
 /// Faces on the boundary count for nothing. Held vertices do not part. Errors: "not_supported"
 /// where the component has no equilibrium; "not_a_number". Cost: twelve half back-solves for four
-/// copies, 0.5 ms at 6 000 tetrahedra, once K is factored; where a piece comes free, three whole
+/// copies, 0.2 ms at 6 000 tetrahedra, once K is factored; where a piece comes free, three whole
 /// ones a copy instead. Leaves that factor in `scratch`, as `solve_static` and quasi-static steps
 /// do; a step of another kind factors anew.
 Result<EnergyRelease> energy_release(MechanicsScratch& scratch, const ReleaseInput& input,
