@@ -26,7 +26,8 @@ std::string misfit(const Cells& cells, const ScriptedFan& fan) {
 }
 
 /// Plans the fans from the script's next up to `end` on the state as it is.
-std::vector<PlannedFan> plan_round(const Cells& cells, FanScript& script, std::size_t end) {
+std::vector<PlannedFan> plan_round(const Cells& cells, const FractureSettings& settings,
+                                   FanScript& script, std::size_t end) {
   std::vector<PlannedFan> plans;
   for (std::size_t row = script.next; row < end; ++row) {
     const ScriptedFan& fan = script.fans[row];
@@ -36,6 +37,7 @@ std::vector<PlannedFan> plan_round(const Cells& cells, FanScript& script, std::s
       break;
     }
     plans.push_back(plan_known_fan(cells, fan.vertex, fan.normal, fan.stress));
+    if (settings.criterion == FractureCriterion::energy) plans.back().strength = fan.strength;
   }
   return plans;
 }
@@ -67,7 +69,7 @@ std::vector<FanEvent> make_fans(BrokenBody body, const FractureSettings& setting
       return made;
     }
     const std::uint32_t round = script.fans[script.next].round;
-    for (PlannedFan& plan : plan_round(body.cells, script, end_of_round(script))) {
+    for (PlannedFan& plan : plan_round(body.cells, settings, script, end_of_round(script))) {
       FanEvent event = split_fan(body.cells, body.mechanics, std::move(plan), unlimited, scratch);
       if (event.faces.empty()) {
         depart(script, script.next,

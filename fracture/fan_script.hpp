@@ -28,6 +28,7 @@ struct ScriptedFan {
   VertexId vertex;
   Vec3 normal = Vec3::Zero();  ///< rest frame, of length 1
   double stress = 0;           ///< Pa, only noted in the event
+  double strength = 0;         ///< Pa, only noted, with the criterion `energy`: stresses made it
 };
 
 /// A fan of the script that cannot be made.

@@ -131,6 +131,8 @@ bool read_fan(LogReader& reader, const ordered_json& fan, std::string_view text)
     wanted.normal[i] = fan["normal"][static_cast<std::size_t>(i)].get<double>();
   }
   wanted.stress = fan["stress"].get<double>();
+  const auto strength = fan.find("strength");
+  if (strength != fan.end() && strength->is_number()) wanted.strength = strength->get<double>();
   if (!script.fans.empty() && wanted.place < script.fans.back().place) {
     return reader.refuse("bad_event_log", "comes before the fan in the line above it");
   }
