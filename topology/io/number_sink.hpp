@@ -2,7 +2,9 @@
 // Internal to the writers: numbers one after the other, as text or as raw bytes.
 #pragma once
 
-#include <charconv>
+#include <fmt/compile.h>
+
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -19,9 +21,8 @@ struct NumberSink {
 template <class Number>
 requires std::is_arithmetic_v<Number>
 void put_text(NumberSink& out, Number number) {
-  char word[32];
-  const auto [end, error] = std::to_chars(word, word + sizeof word, number);
-  out.bytes.append(word, end);
+  // std::to_chars writes 2e-04 for 0.0002.
+  fmt::format_to(std::back_inserter(out.bytes), FMT_COMPILE("{}"), number);
 }
 
 inline void put_text(NumberSink& out, std::string_view text) { out.bytes += text; }
