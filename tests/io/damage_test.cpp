@@ -10,8 +10,9 @@ using namespace sunder::test;
 
 namespace {
 
-const char* const samples[] = {"gmsh_22.msh",        "gmsh_41.msh",    "gmsh_41_all.msh",
-                               "gmsh_41_binary.msh", "gmsh.mesh",      "meshio_ascii.vtu",
+const char* const samples[] = {"gmsh_22.msh",        "gmsh_41.msh",        "gmsh_41_all.msh",
+                               "gmsh_41_binary.msh", "gmsh_22_binary.msh", "gmsh_40.msh",
+                               "gmsh.vtk",           "gmsh.mesh",          "meshio_ascii.vtu",
                                "meshio_plain.vtu",   "meshio_zlib.vtu"};
 
 /// A value that keeps its promise, or an error that says what, where and what to do.
@@ -52,6 +53,18 @@ TEST_CASE("a file cut at any place is answered", "[io][damage]") {
       for (std::size_t size = 0; size < whole.size(); ++size) {
         check_answer(read_mesh(whole.substr(0, size), "damaged"));
       }
+    }
+  }
+}
+
+TEST_CASE("a binary file cut at any place is answered", "[io][damage]") {
+  const TemporaryFolder folder;
+  for (const char* name : {"body.meshb", "body.vtk"}) {
+    REQUIRE_FALSE(has_error(write_mesh(folder.path() / name, two_tetrahedra())));
+    const std::string whole = bytes_of(folder.path() / name);
+    for (std::size_t size = 0; size < whole.size(); ++size) {
+      INFO(name << " cut after " << size << " bytes");
+      check_answer(read_mesh(whole.substr(0, size), "damaged"));
     }
   }
 }
