@@ -10,6 +10,7 @@
 #include "fracture/threshold_test.hpp"
 #include "fracture/tip_energy.hpp"
 #include "topology/fan.hpp"
+#include "topology/sort_unique.hpp"
 
 namespace sunder {
 namespace {
@@ -240,8 +241,7 @@ void relax(Work& work, std::vector<VertexId>& rows) {
 /// Measures what the fans of a tie split, and queues it anew.
 void follow_splits(Work& work, std::vector<VertexId>& split_rows) {
   if (work.settings.relax > 0) relax(work, split_rows);
-  std::sort(split_rows.begin(), split_rows.end());
-  split_rows.erase(std::unique(split_rows.begin(), split_rows.end()), split_rows.end());
+  sort_unique(split_rows);
   if (work.settings.node_stress == NodeStress::fit) follow_splits(work.scratch.fit, work.cells.map);
   std::erase_if(work.cells.empty_fans, [&](const EmptyFan& empty) {
     return std::binary_search(split_rows.begin(), split_rows.end(), empty.vertex);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "topology/fan.hpp"
+#include "topology/sort_unique.hpp"
 
 namespace sunder {
 namespace {
@@ -56,8 +57,7 @@ std::vector<PartedVertex> parted_vertices(const VolumeMap& map, std::span<const 
     }
   }
   std::sort(cut.begin(), cut.end());
-  std::sort(touched.begin(), touched.end());
-  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+  sort_unique(touched);
   std::vector<PartedVertex> parted;
   for (const VertexId v : touched) {
     std::vector<std::vector<TetId>> sides = parts_of_star(map, v, cut);

@@ -9,17 +9,12 @@
 #include "mechanics/strain_displacement.hpp"
 #include "topology/assert.hpp"
 #include "topology/fan.hpp"
+#include "topology/sort_unique.hpp"
 
 namespace sunder {
 namespace {
 
 using Eigen::Index;
-
-template <class T>
-void sort_unique(std::vector<T>& rows) {
-  std::sort(rows.begin(), rows.end());
-  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-}
 
 /// What the star of a vertex bears in the state, N, and its mass, kg.
 struct Borne {

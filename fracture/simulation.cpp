@@ -7,6 +7,7 @@
 #include "fracture/step_work.hpp"
 #include "mechanics/energy.hpp"
 #include "mechanics/living.hpp"
+#include "topology/sort_unique.hpp"
 
 namespace sunder {
 namespace {
@@ -33,8 +34,7 @@ std::vector<ComponentId> touched_components(const Components& labels,
     touched.emplace_back(id);
     touched.push_back(ancestor(labels, ComponentId{id}, components_before));
   }
-  std::sort(touched.begin(), touched.end());
-  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+  sort_unique(touched);
   return touched;
 }
 

@@ -8,6 +8,7 @@
 #include "fracture/piece_limits.hpp"
 #include "topology/assert.hpp"
 #include "topology/fan.hpp"
+#include "topology/sort_unique.hpp"
 
 namespace sunder {
 namespace {
@@ -31,8 +32,7 @@ std::size_t refresh_strength(Cells& cells, const MechanicsState& mechanics, cons
     for (int i = 0; i < split.vertex_count; ++i) rows.push_back(split.split_vertices[i].new_row);
   }
   // Faces of a fan share vertices, the one that broke above all.
-  std::sort(rows.begin(), rows.end());
-  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+  sort_unique(rows);
   std::size_t met = 0;
   for (const VertexId v : rows) {
     const std::vector<TetId> around = star(cells.map, v);

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "topology/fan.hpp"
+#include "topology/sort_unique.hpp"
 
 namespace sunder {
 namespace {
@@ -19,19 +20,13 @@ constexpr double largest_reach = 25;
 
 Vec3 to_vec3(const Point& p) { return {p[0], p[1], p[2]}; }
 
-template <class T>
-void make_unique(std::vector<T>& rows) {
-  std::sort(rows.begin(), rows.end());
-  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-}
-
 /// Vertices of the tetrahedra around one, itself among them, by rising row.
 std::vector<VertexId> vertices_around(const VolumeMap& map, std::span<const TetId> star) {
   std::vector<VertexId> vertices;
   for (const TetId t : star) {
     for (const VertexId v : map.corners(t)) vertices.push_back(v);
   }
-  make_unique(vertices);
+  sort_unique(vertices);
   return vertices;
 }
 
@@ -41,7 +36,7 @@ std::vector<TetId> two_rings(const VolumeMap& map, std::span<const TetId> ring) 
     const std::vector<TetId> more = star(map, v);
     patch.insert(patch.end(), more.begin(), more.end());
   }
-  make_unique(patch);
+  sort_unique(patch);
   return patch;
 }
 

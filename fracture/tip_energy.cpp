@@ -11,6 +11,7 @@
 #include "fracture/fracture_plane.hpp"
 #include "mechanics/strain_displacement.hpp"
 #include "topology/fan.hpp"
+#include "topology/sort_unique.hpp"
 
 namespace sunder {
 namespace {
@@ -75,12 +76,6 @@ struct Domain {
 
   bool has(VertexId v) const { return std::ranges::binary_search(ones, v); }
 };
-
-template <class T>
-void sort_unique(std::vector<T>& rows) {
-  std::sort(rows.begin(), rows.end());
-  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-}
 
 Domain grown(const VolumeMap& map, std::span<const TetId> star_of_vertex) {
   Domain domain;

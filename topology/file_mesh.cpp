@@ -12,6 +12,12 @@ std::size_t cell_count(const FileMesh& mesh) {
   return count;
 }
 
+std::size_t name_count(const FileMesh& mesh) {
+  std::size_t names = 0;
+  for (const auto& of_dimension : mesh.region_name) names += of_dimension.size();
+  return names;
+}
+
 TetMesh tet_mesh_of(FileMesh&& mesh) {
   TetMesh result;
   result.points = std::move(mesh.points);

@@ -89,6 +89,9 @@ void for_each_cell_list(Mesh&& mesh, Work&& work) {
 /// All cells together.
 std::size_t cell_count(const FileMesh& mesh);
 
+/// Names of regions of all dimensions together.
+std::size_t name_count(const FileMesh& mesh);
+
 /// What stands for the region of these cells in formats that know one label a cell: `region`, or
 /// the entities where no region is given and there are several; empty otherwise.
 template <std::size_t Corners>

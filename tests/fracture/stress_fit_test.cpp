@@ -3,6 +3,8 @@
 #include "fracture/stress_fit.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <optional>
 #include <random>
 #include <set>
 
@@ -46,21 +48,51 @@ void random_stress(Tension& body, std::mt19937_64& random) {
   }
 }
 
-/// The fit as it is defined: tetrahedra that share a vertex with the star, and the normal equations
-/// of sum V |a + B (x - v) - sigma|^2, entry by entry.
-Mat3 slow_fit(const Tension& body, VertexId vertex) {
+/// Tetrahedra that share a vertex with the star.
+std::vector<std::size_t> slow_patch(const Tension& body, VertexId vertex) {
   std::set<VertexId> ring = {};
   const auto& corners = body.cells.map.corners();
-  const auto has = [&](std::size_t t, VertexId v) {
-    return std::ranges::find(corners[t], v) != corners[t].end();
-  };
-  for (std::size_t t = 0; t < corners.size(); ++t) {
-    if (has(t, vertex)) ring.insert(corners[t].begin(), corners[t].end());
+  for (const auto& c : corners) {
+    if (std::ranges::find(c, vertex) != c.end()) ring.insert(c.begin(), c.end());
   }
+  std::vector<std::size_t> patch;
+  for (std::size_t t = 0; t < corners.size(); ++t) {
+    if (std::ranges::any_of(corners[t], [&](VertexId v) { return ring.contains(v); })) {
+      patch.push_back(t);
+    }
+  }
+  return patch;
+}
+
+/// Whether a fit is to be trusted, by its definition; nothing where rounding decides.
+std::optional<bool> is_trusted(const Tension& body, VertexId vertex) {
+  const std::vector<std::size_t> patch = slow_patch(body, vertex);
+  if (patch.size() < 8) return false;
+  double volume = 0;
+  Vec3 first = Vec3::Zero();
+  Mat3 second = Mat3::Zero();
+  for (const std::size_t t : patch) {
+    const Vec3 x = rest_centre(body, TetId{t}) - body.state.vertices.rest_position[vertex.index()];
+    volume += body.state.elements.rest_volume[t];
+    first += body.state.elements.rest_volume[t] * x;
+    second += body.state.elements.rest_volume[t] * x * x.transpose();
+  }
+  const Vec3 mean = first / volume;
+  const Mat3 C = second / volume - mean * mean.transpose();
+  const Vec3 spread = C.jacobiSvd().singularValues();
+  const double reach = mean.dot(C.inverse() * mean);
+  if (std::abs(spread[2] / spread[0] / 1e-6 - 1) < 1e-3 || std::abs(reach / 25 - 1) < 1e-9) {
+    return std::nullopt;
+  }
+  return spread[2] > 1e-6 * spread[0] && reach <= 25;
+}
+
+/// The fit as it is defined: the normal equations of sum V |a + B (x - v) - sigma|^2 over the
+/// patch, entry by entry.
+Mat3 slow_fit(const Tension& body, VertexId vertex) {
   Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
   Eigen::Matrix<double, 4, 9> right = Eigen::Matrix<double, 4, 9>::Zero();
-  for (std::size_t t = 0; t < corners.size(); ++t) {
-    if (std::ranges::none_of(corners[t], [&](VertexId v) { return ring.contains(v); })) continue;
+  for (const std::size_t t : slow_patch(body, vertex)) {
     Eigen::Vector4d p;
     p << 1, rest_centre(body, TetId{t}) - body.state.vertices.rest_position[vertex.index()];
     const double volume = body.state.elements.rest_volume[t];
@@ -78,7 +110,8 @@ TEST_CASE("the fit reproduces every linear stress field at every vertex, cracked
   INFO("seed " << seed);
   std::mt19937_64 random(seed);
   Tension body = uniform_tension(jittered(kuhn_box({4, 3, 3}), 0.15, 5), Vec3::UnitX(), 1);
-  crack(body, random, 60);
+  const bool cracked = GENERATE(false, true);
+  if (cracked) crack(body, random, 60);
   random_stress(body, random);
   const Mat3 a = body.state.elements.stress[0], bx = body.state.elements.stress[1],
              by = body.state.elements.stress[2], bz = body.state.elements.stress[3];
@@ -91,11 +124,15 @@ TEST_CASE("the fit reproduces every linear stress field at every vertex, cracked
   fit_node_stress(stress, fit, body.cells.map, body.elements());
   std::size_t fitted = 0;
   for (std::size_t v = 0; v < stress.size(); ++v) {
+    if (const auto trusted = is_trusted(body, VertexId{v})) {
+      REQUIRE(fit.patches[v].fitted == *trusted);
+    }
     if (!fit.patches[v].fitted) continue;
     ++fitted;
     REQUIRE((stress[v] - field(body.state.vertices.rest_position[v])).norm() < 1e-11);
   }
-  CHECK(fitted > 0.9 * double(stress.size()));
+  // Of a cracked body it depends on where the cracks are.
+  if (!cracked) CHECK(fitted > 0.9 * double(stress.size()));
 }
 
 TEST_CASE("the fit equals its slow twin while cracks go through its patches", "[fracture][fit]") {

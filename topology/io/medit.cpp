@@ -298,17 +298,16 @@ void read_text(MeditReader& r) {
   }
 }
 
-/// Whether the bytes are the number 1 in either order, as binary files begin.
-bool begins_binary(std::string_view bytes) {
+}  // namespace
+
+bool is_binary_medit(std::string_view bytes) {
   using namespace std::string_view_literals;
   return bytes.starts_with("\1\0\0\0"sv) || bytes.starts_with("\0\0\0\1"sv);
 }
 
-}  // namespace
-
 Draft read_medit(std::string_view text) {
   MeditReader r{.in = {.s = {.text = text}}, .draft = {.text = text}};
-  if (begins_binary(text)) {
+  if (is_binary_medit(text)) {
     r.draft.text = {};  // there are no lines to count
     read_binary(r);
   } else {

@@ -24,6 +24,29 @@ namespace {
 
 constexpr std::string_view msh_versions[] = {"4.1", "4.0", "2.2", "1"};
 constexpr std::string_view vtk_versions[] = {"4.2", "5.1"};
+
+/// VTK's formats hold all but names; only the legacy one is written as text too.
+constexpr FormatTraits vtk_traits(MeshFormat format, std::string_view name,
+                                  std::string_view extension,
+                                  std::span<const std::string_view> versions) {
+  return {.format = format,
+          .name = name,
+          .extension = extension,
+          .binary_extension = {},
+          .versions = versions,
+          .writes_text = format == MeshFormat::vtk,
+          .writes_binary = true,
+          .usually_binary = true,
+          .holds_cells = {true, true, true, true},
+          .holds_entities = true,
+          .holds_point_regions = true,
+          .holds_point_ids = true,
+          .holds_cell_ids = true,
+          .holds_point_data = true,
+          .holds_cell_data = true,
+          .holds_number_types = true};
+}
+
 constexpr FormatTraits traits[] = {
     {.format = MeshFormat::msh,
      .name = "Gmsh MSH",
@@ -46,37 +69,8 @@ constexpr FormatTraits traits[] = {
      .writes_binary = true,
      .holds_cells = {false, true, true, true},
      .holds_point_regions = true},
-    {.format = MeshFormat::vtu,
-     .name = "VTU",
-     .extension = ".vtu",
-     .binary_extension = {},
-     .versions = {},
-     .writes_text = false,
-     .writes_binary = true,
-     .usually_binary = true,
-     .holds_cells = {true, true, true, true},
-     .holds_entities = true,
-     .holds_point_regions = true,
-     .holds_point_ids = true,
-     .holds_cell_ids = true,
-     .holds_point_data = true,
-     .holds_cell_data = true,
-     .holds_number_types = true},
-    {.format = MeshFormat::vtk,
-     .name = "VTK",
-     .extension = ".vtk",
-     .binary_extension = {},
-     .versions = vtk_versions,
-     .writes_binary = true,
-     .usually_binary = true,
-     .holds_cells = {true, true, true, true},
-     .holds_entities = true,
-     .holds_point_regions = true,
-     .holds_point_ids = true,
-     .holds_cell_ids = true,
-     .holds_point_data = true,
-     .holds_cell_data = true,
-     .holds_number_types = true},
+    vtk_traits(MeshFormat::vtu, "VTU", ".vtu", {}),
+    vtk_traits(MeshFormat::vtk, "VTK", ".vtk", vtk_versions),
 };
 
 /// Beginnings of files that are often met and not read, and what to do with them.
@@ -218,8 +212,7 @@ const FormatTraits& traits_of(MeshFormat format) {
 std::optional<MeshFormat> format_of_content(std::string_view bytes) {
   constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
   if (bytes.substr(0, 3) == byte_order_mark) bytes.remove_prefix(3);
-  using namespace std::string_view_literals;
-  if (bytes.starts_with("\1\0\0\0"sv) || bytes.starts_with("\0\0\0\1"sv)) return MeshFormat::medit;
+  if (io::is_binary_medit(bytes)) return MeshFormat::medit;
   io::Scanner s{bytes};
   while (io::peek_word(s).substr(0, 1) == "#") {
     if (io::rest_of_line(s).substr(0, 14) == "# vtk DataFile") return MeshFormat::vtk;

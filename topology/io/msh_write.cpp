@@ -120,8 +120,7 @@ void end_section(MshWriter& w, std::string_view name) {
 }
 
 void write_names(MshWriter& w) {
-  std::size_t names = 0;
-  for (const auto& of_dimension : w.mesh.region_name) names += of_dimension.size();
+  const std::size_t names = name_count(w.mesh);
   if (names == 0 || w.version == 10) return;
   put_text(w.out, "$PhysicalNames\n");
   put_text(w.out, names);

@@ -48,6 +48,37 @@ void add_vtk_point_column(Draft& draft, const VtkPiece& piece, DataColumn&& colu
 /// ids) or not-a-number (data): vtk_grid fills with them.
 void finish_vtk_columns(Draft& draft);
 
+/// Calls `work` with a zero of the type that a file stores numbers in.
+template <class Work>
+decltype(auto) with_stored(NumberType type, Work&& work) {
+  switch (type) {
+    case NumberType::float64:
+      return work(double{});
+    case NumberType::float32:
+      return work(float{});
+    case NumberType::int8:
+      return work(std::int8_t{});
+    case NumberType::uint8:
+      return work(std::uint8_t{});
+    case NumberType::int16:
+      return work(std::int16_t{});
+    case NumberType::uint16:
+      return work(std::uint16_t{});
+    case NumberType::int32:
+      return work(std::int32_t{});
+    case NumberType::uint32:
+      return work(std::uint32_t{});
+    case NumberType::int64:
+      return work(std::int64_t{});
+    default:
+      return work(std::uint64_t{});
+  }
+}
+
+/// VTU's words for the types, in the order of NumberType.
+inline constexpr std::string_view vtu_types[] = {"Float64", "Float32", "Int8",   "UInt8", "Int16",
+                                                 "UInt16",  "Int32",   "UInt32", "Int64", "UInt64"};
+
 /// A mesh as VTK's formats hold it: one list of cells, columns over all of them.
 struct VtkGrid {
   std::vector<std::int32_t> connectivity;

@@ -99,22 +99,8 @@ void begin_numbers(VtkReader& r, std::size_t n, const VtkType& type, std::string
 }
 
 std::vector<std::int64_t> read_integers(VtkReader& r, std::size_t n, const VtkType& type) {
-  switch (type.type) {
-    case NumberType::int8:
-      return read_values<std::int8_t, std::int64_t>(r, n);
-    case NumberType::uint8:
-      return read_values<std::uint8_t, std::int64_t>(r, n);
-    case NumberType::int16:
-      return read_values<std::int16_t, std::int64_t>(r, n);
-    case NumberType::uint16:
-      return read_values<std::uint16_t, std::int64_t>(r, n);
-    case NumberType::int32:
-      return read_values<std::int32_t, std::int64_t>(r, n);
-    case NumberType::uint32:
-      return read_values<std::uint32_t, std::int64_t>(r, n);
-    default:
-      return read_values<std::int64_t, std::int64_t>(r, n);
-  }
+  return with_stored(type.type,
+                     [&]<class Stored>(Stored) { return read_values<Stored, std::int64_t>(r, n); });
 }
 
 bool is_real(const VtkType& type) {
@@ -122,8 +108,8 @@ bool is_real(const VtkType& type) {
 }
 
 std::vector<double> read_reals(VtkReader& r, std::size_t n, const VtkType& type) {
-  return type.type == NumberType::float64 ? read_values<double, double>(r, n)
-                                          : read_values<float, double>(r, n);
+  return with_stored(type.type,
+                     [&]<class Stored>(Stored) { return read_values<Stored, double>(r, n); });
 }
 
 /// A product of two counts that have to fit into the file: too big where it overflows.

@@ -47,44 +47,21 @@ void put_values(NumberSink& out, const DataColumn& column) {
   if (out.is_binary) out.bytes += '\n';
 }
 
-/// Integers of 32 bits have a word of their own from version 5 on, which meshio needs there.
+/// Words for the types, in the order of NumberType. Integers of 32 bits have words of their own
+/// from version 5 on, which meshio needs there.
+constexpr std::string_view type_words_42[] = {
+    "double",         "float", "signed_char",  "unsigned_char", "short",
+    "unsigned_short", "int",   "unsigned_int", "vtktypeint64",  "vtktypeuint64"};
+constexpr std::string_view type_words_51[] = {
+    "double",         "float",        "signed_char",   "unsigned_char", "short",
+    "unsigned_short", "vtktypeint32", "vtktypeuint32", "vtktypeint64",  "vtktypeuint64"};
+
 void put_column(NumberSink& out, const DataColumn& column, std::size_t rows, int version) {
-  const auto head = [&](std::string_view type) {
-    fmt::format_to(std::back_inserter(out.bytes), "{} {} {} {}\n", encoded(column.name),
-                   column.components, rows, type);
-  };
-  switch (column.type) {
-    case NumberType::float64:
-      head("double");
-      return put_values<double>(out, column);
-    case NumberType::float32:
-      head("float");
-      return put_values<float>(out, column);
-    case NumberType::int8:
-      head("signed_char");
-      return put_values<std::int8_t>(out, column);
-    case NumberType::uint8:
-      head("unsigned_char");
-      return put_values<std::uint8_t>(out, column);
-    case NumberType::int16:
-      head("short");
-      return put_values<std::int16_t>(out, column);
-    case NumberType::uint16:
-      head("unsigned_short");
-      return put_values<std::uint16_t>(out, column);
-    case NumberType::int32:
-      head(version == 51 ? "vtktypeint32" : "int");
-      return put_values<std::int32_t>(out, column);
-    case NumberType::uint32:
-      head(version == 51 ? "vtktypeuint32" : "unsigned_int");
-      return put_values<std::uint32_t>(out, column);
-    case NumberType::int64:
-      head("vtktypeint64");
-      return put_values<std::int64_t>(out, column);
-    case NumberType::uint64:
-      head("vtktypeuint64");
-      return put_values<std::uint64_t>(out, column);
-  }
+  const auto place = static_cast<std::size_t>(column.type);
+  fmt::format_to(std::back_inserter(out.bytes), "{} {} {} {}\n", encoded(column.name),
+                 column.components, rows,
+                 version == 51 ? type_words_51[place] : type_words_42[place]);
+  with_stored(column.type, [&]<class Stored>(Stored) { put_values<Stored>(out, column); });
 }
 
 void put_cells_42(NumberSink& out, const VtkGrid& grid) {

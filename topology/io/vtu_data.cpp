@@ -10,7 +10,7 @@
 #include <cstring>
 #include <span>
 
-#include "topology/io/scan.hpp"
+#include "topology/io/number_source.hpp"
 
 namespace sunder::io {
 namespace {
@@ -105,24 +105,17 @@ void take(ByteSource& in, char* out, std::size_t n) {
   }
 }
 
-template <class Value>
-Value swapped(Value value) {
-  auto bytes = std::bit_cast<std::array<char, sizeof(Value)>>(value);
-  std::reverse(bytes.begin(), bytes.end());
-  return std::bit_cast<Value>(bytes);
-}
-
 /// A word of a block header.
 std::uint64_t take_word(ByteSource& in) {
   const bool swap = in.layout.byte_order != std::endian::native;
   if (in.layout.header_bytes == 4) {
     std::uint32_t word = 0;
     take(in, reinterpret_cast<char*>(&word), sizeof word);
-    return swap ? swapped(word) : word;
+    return swap ? byte_swapped(word) : word;
   }
   std::uint64_t word = 0;
   take(in, reinterpret_cast<char*>(&word), sizeof word);
-  return swap ? swapped(word) : word;
+  return swap ? byte_swapped(word) : word;
 }
 
 void expect_bytes(const ByteSource& in, std::uint64_t announced, std::size_t expected) {
@@ -211,7 +204,7 @@ std::vector<Value> converted(const std::string& bytes, bool swap) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     Stored stored;
     std::memcpy(&stored, bytes.data() + i * sizeof(Stored), sizeof(Stored));
-    values[i] = static_cast<Value>(swap ? swapped(stored) : stored);
+    values[i] = static_cast<Value>(swap ? byte_swapped(stored) : stored);
   }
   return values;
 }

@@ -74,19 +74,11 @@ VtkCells read_cells(const VtuDocument& document, const VtuPiece& piece) {
   return cells;
 }
 
-constexpr std::pair<std::string_view, NumberType> number_types[] = {
-    {"Float64", NumberType::float64}, {"Float32", NumberType::float32},
-    {"Int8", NumberType::int8},       {"UInt8", NumberType::uint8},
-    {"Int16", NumberType::int16},     {"UInt16", NumberType::uint16},
-    {"Int32", NumberType::int32},     {"UInt32", NumberType::uint32},
-    {"Int64", NumberType::int64},     {"UInt64", NumberType::uint64}};
-
 /// An array as a column; arrays that are no numbers (strings) are none.
 std::optional<DataColumn> read_column(const VtuDocument& document, const VtuArray& array,
                                       std::size_t rows, Draft& draft) {
-  const auto* const type =
-      std::ranges::find(number_types, array.type, &std::pair<std::string_view, NumberType>::first);
-  if (type == std::end(number_types)) {
+  const auto* const word = std::ranges::find(vtu_types, array.type);
+  if (word == std::end(vtu_types)) {
     draft.findings.push_back({.code = "skipped_data",
                               .severity = Severity::warning,
                               .text = fmt::format("the data {} of type {} are left out",
@@ -95,8 +87,9 @@ std::optional<DataColumn> read_column(const VtuDocument& document, const VtuArra
                               .line = line_of(document.layout.text, array.at)});
     return std::nullopt;
   }
-  DataColumn column{array.name, array.components, type->second, {}};
-  if (type->second == NumberType::float64 || type->second == NumberType::float32) {
+  const auto type = static_cast<NumberType>(word - vtu_types);
+  DataColumn column{array.name, array.components, type, {}};
+  if (type == NumberType::float64 || type == NumberType::float32) {
     column.values = read_doubles(document.layout, array, rows * array.components);
   } else {
     column.values = read_integers(document.layout, array, rows * array.components);

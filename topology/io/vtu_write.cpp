@@ -151,34 +151,11 @@ std::string stored_as(const std::vector<Value>& values) {
   return bytes;
 }
 
-/// VTK's word for a type, and a column's values in it.
-std::pair<std::string_view, std::string> in_own_type(const DataColumn& column) {
-  return std::visit(
-      [&](const auto& v) -> std::pair<std::string_view, std::string> {
-        switch (column.type) {
-          case NumberType::float64:
-            return {"Float64", stored_as<double>(v)};
-          case NumberType::float32:
-            return {"Float32", stored_as<float>(v)};
-          case NumberType::int8:
-            return {"Int8", stored_as<std::int8_t>(v)};
-          case NumberType::uint8:
-            return {"UInt8", stored_as<std::uint8_t>(v)};
-          case NumberType::int16:
-            return {"Int16", stored_as<std::int16_t>(v)};
-          case NumberType::uint16:
-            return {"UInt16", stored_as<std::uint16_t>(v)};
-          case NumberType::int32:
-            return {"Int32", stored_as<std::int32_t>(v)};
-          case NumberType::uint32:
-            return {"UInt32", stored_as<std::uint32_t>(v)};
-          case NumberType::int64:
-            return {"Int64", stored_as<std::int64_t>(v)};
-          default:
-            return {"UInt64", stored_as<std::uint64_t>(v)};
-        }
-      },
-      column.values);
+/// A column's values in its own type.
+std::string in_own_type(const DataColumn& column) {
+  return io::with_stored(column.type, [&]<class Stored>(Stored) {
+    return std::visit([](const auto& v) { return stored_as<Stored>(v); }, column.values);
+  });
 }
 
 }  // namespace
@@ -222,9 +199,9 @@ std::vector<Finding> io::write_vtu(const std::filesystem::path& path, const File
   std::vector<std::string> stored;
   stored.reserve(grid.point_data.size() + grid.cell_data.size());  // views into it must stay valid
   const auto add = [&](const DataColumn& column) {
-    auto [type, bytes] = in_own_type(column);
-    stored.push_back(std::move(bytes));
-    add_array(out, type, column.name, column.components, stored.back());
+    stored.push_back(in_own_type(column));
+    add_array(out, io::vtu_types[static_cast<std::size_t>(column.type)], column.name,
+              column.components, stored.back());
   };
   out.xml += "<PointData>\n";
   for (const DataColumn& column : grid.point_data) add(column);

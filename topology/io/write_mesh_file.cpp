@@ -150,12 +150,6 @@ bool holds_names(const FormatTraits& t, std::string_view version) {
   return t.holds_region_names && version != "1";
 }
 
-std::size_t name_count(const FileMesh& mesh) {
-  std::size_t names = 0;
-  for (const auto& of_dimension : mesh.region_name) names += of_dimension.size();
-  return names;
-}
-
 std::string version_of(const FormatTraits& t, const WriteOptions& options) {
   if (!options.version.empty() || t.versions.empty()) return options.version;
   return std::string(t.versions.front());
