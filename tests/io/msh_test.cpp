@@ -160,3 +160,15 @@ TEST_CASE("the content decides the format, and a misleading name is noted", "[io
   REQUIRE(mesh);
   CHECK(summary(mesh.findings) == "note skipped_cells 0, note misleading_name 0");
 }
+
+TEST_CASE("cells of which only some have numbers are numbered anew, and it is said", "[io][msh]") {
+  FileMesh mesh = file_mesh_of(two_tetrahedra());
+  mesh.tetrahedra.source_id = {100, 50};
+  mesh.triangles.corners = {{0, 1, 2}};
+  const TemporaryFolder folder;
+  CHECK(summary(write_file_mesh(folder.path() / "a.msh", mesh)) == "warning source_ids_lost 0");
+  CHECK(read_file_mesh(folder.path() / "a.msh")->tetrahedra.source_id.empty());
+  mesh.triangles.source_id = {7};
+  CHECK(write_file_mesh(folder.path() / "a.msh", mesh).empty());
+  CHECK(read_file_mesh(folder.path() / "a.msh")->tetrahedra.source_id == mesh.tetrahedra.source_id);
+}

@@ -18,10 +18,12 @@ Draft read_msh(std::string_view text);
 /// of elements for each run of one entity. Needs: version 1 is text.
 std::string write_msh(const FileMesh& mesh, int version, bool is_binary);
 
-/// The numbers of the cells of each dimension.
-std::vector<std::span<const std::int64_t>> cell_numbers(const FileMesh& mesh);
-
-/// True when the numbers can stand in an MSH file: positive and each only once among all lists.
-bool are_msh_numbers(std::span<const std::span<const std::int64_t>> lists);
+/// Which of a mesh's own numbers an MSH file can hold: positive, each only once (cells of all
+/// dimensions together), below 2^31 before version 4.1 (41), and given for every point or cell.
+struct HeldNumbers {
+  bool points = false;
+  bool cells = false;
+};
+HeldNumbers msh_holds(const FileMesh& mesh, int version);
 
 }  // namespace sunder::io

@@ -60,42 +60,38 @@ void find_entities(MshWriter& w) {
   });
 }
 
-/// Versions before 4.1 store numbers in 4 bytes.
-bool fits(int version, std::int64_t number) {
-  return version == 41 || number <= std::numeric_limits<std::int32_t>::max();
-}
+using NumberLists = std::vector<std::span<const std::int64_t>>;
 
-Numbers number_points(const FileMesh& mesh, int version) {
-  const auto& own = mesh.source_point_id;
-  const std::vector<std::span<const std::int64_t>> lists = {own};
-  if (own.empty() || own.size() != mesh.points.size() || !are_msh_numbers(lists)) {
-    return {false, std::min<std::int64_t>(1, mesh.points.size()),
-            static_cast<std::int64_t>(mesh.points.size())};
-  }
-  const auto [low, high] = std::minmax_element(own.begin(), own.end());
-  if (!fits(version, *high)) return {false, 1, static_cast<std::int64_t>(own.size())};
-  return {true, *low, *high};
-}
-
-Numbers number_cells(const FileMesh& mesh, int version) {
-  const auto count = static_cast<std::int64_t>(cell_count(mesh));
-  Numbers numbers{are_msh_numbers(cell_numbers(mesh)), std::min<std::int64_t>(1, count), count};
-  bool all = count > 0;
+/// The numbers of the cells of each dimension that has cells.
+NumberLists cell_numbers(const FileMesh& mesh) {
+  NumberLists lists;
   for_each_cell_list(mesh, [&](const auto& cells, int) {
-    all = all && cells.source_id.size() == cells.corners.size();
+    if (!cells.corners.empty()) lists.emplace_back(cells.source_id);
   });
-  numbers.is_own = numbers.is_own && all;
-  if (!numbers.is_own) return numbers;
-  const Numbers usual{false, 1, count};
-  numbers.low = std::numeric_limits<std::int64_t>::max();
-  numbers.high = 0;
-  for (const auto list : cell_numbers(mesh)) {
-    for (const std::int64_t n : list) {
-      numbers.low = std::min(numbers.low, n);
-      numbers.high = std::max(numbers.high, n);
-    }
-  }
-  return fits(version, numbers.high) ? numbers : usual;
+  return lists;
+}
+
+/// All numbers, rising.
+std::vector<std::int64_t> sorted(const NumberLists& lists) {
+  std::vector<std::int64_t> all;
+  for (const auto list : lists) all.insert(all.end(), list.begin(), list.end());
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+bool holds(const NumberLists& lists, std::size_t rows, int version) {
+  const std::vector<std::int64_t> all = sorted(lists);
+  const std::int64_t most = version == 41 ? std::numeric_limits<std::int64_t>::max()
+                                          : std::numeric_limits<std::int32_t>::max();
+  return rows > 0 && all.size() == rows && all.front() >= 1 && all.back() <= most &&
+         std::adjacent_find(all.begin(), all.end()) == all.end();
+}
+
+Numbers numbers_of(bool is_own, const NumberLists& lists, std::size_t rows) {
+  const auto count = static_cast<std::int64_t>(rows);
+  if (!is_own) return {false, std::min<std::int64_t>(1, count), count};
+  const std::vector<std::int64_t> all = sorted(lists);
+  return {true, all.front(), all.back()};
 }
 
 std::int64_t point_number(const MshWriter& w, std::size_t row) {
@@ -368,24 +364,16 @@ void write_data(MshWriter& w) {
 
 }  // namespace
 
-std::vector<std::span<const std::int64_t>> cell_numbers(const FileMesh& mesh) {
-  std::vector<std::span<const std::int64_t>> lists;
-  for_each_cell_list(mesh, [&](const auto& cells, int) { lists.emplace_back(cells.source_id); });
-  return lists;
-}
-
-bool are_msh_numbers(std::span<const std::span<const std::int64_t>> lists) {
-  std::vector<std::int64_t> sorted;
-  for (const auto list : lists) sorted.insert(sorted.end(), list.begin(), list.end());
-  std::sort(sorted.begin(), sorted.end());
-  return (sorted.empty() || sorted.front() >= 1) &&
-         std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
+HeldNumbers msh_holds(const FileMesh& mesh, int version) {
+  return {holds({mesh.source_point_id}, mesh.points.size(), version),
+          holds(cell_numbers(mesh), cell_count(mesh), version)};
 }
 
 std::string write_msh(const FileMesh& mesh, int version, bool is_binary) {
   MshWriter w{.out = {.is_binary = is_binary}, .mesh = mesh, .version = version};
-  w.points = number_points(mesh, version);
-  w.cells = number_cells(mesh, version);
+  const HeldNumbers own = msh_holds(mesh, version);
+  w.points = numbers_of(own.points, {mesh.source_point_id}, mesh.points.size());
+  w.cells = numbers_of(own.cells, cell_numbers(mesh), cell_count(mesh));
   find_entities(w);
   w.out.bytes.reserve(64 * mesh.points.size() + 40 * cell_count(mesh));
   if (version != 10) {

@@ -63,21 +63,20 @@ void lose_labels(Losses& losses, const FileMesh& mesh) {
   }
 }
 
+int msh_version(std::string_view version) {
+  if (version == "1") return 10;
+  return version == "2.2" ? 22 : version == "4.0" ? 40 : 41;
+}
+
 void lose_ids(Losses& losses, const FileMesh& mesh, std::string_view version) {
   std::size_t cells = 0;
-  for (const auto list : io::cell_numbers(mesh)) cells += list.size();
+  for_each_cell_list(mesh, [&](const auto& list, int) { cells += list.source_id.size(); });
   const std::size_t points = mesh.source_point_id.size();
   const bool is_msh = losses.to.format == MeshFormat::msh;
-  const auto fits = [&](const std::vector<std::span<const std::int64_t>>& lists) {
-    if (!io::are_msh_numbers(lists)) return false;
-    if (version == "4.1") return true;
-    return std::ranges::all_of(lists, [](auto list) {
-      return list.empty() || *std::ranges::max_element(list) <= 2147483647;
-    });
-  };
-  const bool keeps_points =
-      losses.to.holds_point_ids && (!is_msh || fits({std::span(mesh.source_point_id)}));
-  const bool keeps_cells = losses.to.holds_cell_ids && (!is_msh || fits(io::cell_numbers(mesh)));
+  const io::HeldNumbers own =
+      is_msh ? io::msh_holds(mesh, msh_version(version)) : io::HeldNumbers{true, true};
+  const bool keeps_points = losses.to.holds_point_ids && own.points;
+  const bool keeps_cells = losses.to.holds_cell_ids && own.cells;
   const std::size_t lost = (keeps_points ? 0 : points) + (keeps_cells ? 0 : cells);
   if (lost == 0) return;
   lose(losses, "source_ids_lost", lost,
@@ -176,11 +175,6 @@ std::optional<Finding> refused(const FormatTraits& t, const WriteOptions& option
                  .text = fmt::format("{} {} is not written as {}", t.name, version_of(t, options),
                                      is_binary ? "binary" : "text"),
                  .remedy = is_binary ? "ask for text" : "ask for binary"};
-}
-
-int msh_version(std::string_view version) {
-  if (version == "1") return 10;
-  return version == "2.2" ? 22 : version == "4.0" ? 40 : 41;
 }
 
 std::optional<Finding> write_as(const std::filesystem::path& path, const FileMesh& mesh,
