@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "apps/sunder/words.hpp"
 #include "topology/io/mesh_file.hpp"
@@ -18,14 +19,11 @@ namespace sunder {
 namespace {
 
 constexpr const char* footer = R"(
-Read, known by content and not by name, packed by gzip or not: Gmsh MSH 1, 2.2, 4.0, 4.1 (text and
-binary), MEDIT (text and binary), VTU (text, base64, raw; plain or zlib), legacy VTK 1.0 to 5.1 (text
-and binary).
-Written, by OUT's ending or --to: msh (4.1, or --format-version 4.0, 2.2, 1; text or --binary), mesh
-(text or --binary; .meshb is binary), vtu (raw binary), vtk (4.2, or --format-version 5.1; binary or
---text). Points and cells keep their order; numbers, regions, entities and data go along where the
-format holds them (--formats). Names of regions that it does not hold go to OUT.regions, which is
-read with OUT. Everything else that would be lost is listed first, as warnings.
+IN is known by its content, not by its name; it may be packed by gzip. OUT's ending names the format,
+or --to does. `sunder convert --formats` lists the formats, their endings, versions and encodings
+(the usual ones first), and what each can hold. Points and cells keep their order; numbers, regions,
+entities and data go along where the format holds them. Names of regions that it does not hold go to
+OUT.regions, which is read with OUT. Everything else that would be lost is listed first, as warnings.
 Repairs are made in the order in which they are listed here, and each tells what it changed.
 
 Exit codes: 0 written, 1 something would be lost and --strict was given (nothing is written),
@@ -42,8 +40,8 @@ struct Arguments {
   std::filesystem::path out;
   std::string to;
   std::string version;
-  bool text = false;
-  bool binary = false;
+  std::optional<Encoding> encoding;
+  bool zlib = false;
   bool strict = false;
   bool tetrahedra_only = false;
   bool json = false;
@@ -84,10 +82,10 @@ Conversion convert(const Arguments& arguments) {
     result.is_repaired = false;
     return result;
   }
-  WriteOptions options{.version = arguments.version};
+  WriteOptions options{
+      .version = arguments.version, .encoding = arguments.encoding, .pack = arguments.zlib};
   options.format =
       arguments.to.empty() ? format_of_name(arguments.out) : format_called(arguments.to);
-  if (arguments.text || arguments.binary) options.is_binary = arguments.binary;
   if (arguments.strict && options.format) {
     std::vector<Finding> lost = lost_on_writing(result.mesh, options);
     result.has_losses = result.has_losses || !lost.empty();
@@ -142,20 +140,22 @@ void print_formats() {
       "points "
       "| numbers of points | of cells | data of points | of cells | types of numbers |\n"
       "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+  constexpr std::string_view encoding_words[] = {"text", "binary", "base64"};
   constexpr std::string_view cell_words[] = {"vertices", "edges", "triangles", "tetrahedra"};
   for (const FormatTraits& t : format_traits()) {
     std::string cells, written = fmt::format("{}", fmt::join(t.versions, ", "));
     for (std::size_t d = 0; d < 4; ++d) {
       if (t.holds_cells[d]) cells += fmt::format("{}{}", cells.empty() ? "" : ", ", cell_words[d]);
     }
-    written += fmt::format("{}{}", written.empty() ? "" : "; ",
-                           t.writes_text && t.writes_binary ? "text, binary"
-                           : t.writes_binary                ? "binary"
-                                                            : "text");
-    const std::string ending = t.binary_extension.empty()
-                                   ? std::string(t.extension)
-                                   : fmt::format("{}, {}", t.extension, t.binary_extension);
-    fmt::print("| {} | {} | {} | {} |", t.name, ending, written, cells);
+    for (const Encoding e : t.encodings) {
+      written += fmt::format("{}{}",
+                             written.empty()       ? ""
+                             : e == t.encodings[0] ? "; "
+                                                   : ", ",
+                             encoding_words[static_cast<std::size_t>(e)]);
+    }
+    if (t.packs) written += ", zlib";
+    fmt::print("| {} | {} | {} | {} |", t.name, fmt::join(t.extensions, ", "), written, cells);
     for (const bool held : {t.holds_regions, t.holds_region_names, t.holds_entities,
                             t.holds_point_regions, t.holds_point_ids, t.holds_cell_ids,
                             t.holds_point_data, t.holds_cell_data, t.holds_number_types}) {
@@ -181,7 +181,7 @@ std::string known_format(const std::string& word) {
   if (format_called(word)) return {};
   std::string words;
   for (const FormatTraits& t : format_traits()) {
-    words += fmt::format("{}{}", words.empty() ? "" : ", ", t.extension.substr(1));
+    words += fmt::format("{}{}", words.empty() ? "" : ", ", t.extensions[0].substr(1));
   }
   return fmt::format("{} is no format: give one of {}", word, words);
 }
@@ -201,8 +201,17 @@ void add_convert_command(CLI::App& program, ExitCode& exit_code) {
       ->add_option("--format-version", arguments->version,
                    "Version of the format; default: the first that --formats lists")
       ->type_name("VERSION");
-  CLI::Option* text = command->add_flag("--text", arguments->text, "Write text");
-  command->add_flag("--binary", arguments->binary, "Write binary data")->excludes(text);
+  const auto ask_for = [=](Encoding encoding) { return [=] { arguments->encoding = encoding; }; };
+  CLI::Option* text = command->add_flag_callback("--text", ask_for(Encoding::text), "Write text");
+  CLI::Option* binary =
+      command->add_flag_callback("--binary", ask_for(Encoding::binary), "Write binary data");
+  command
+      ->add_flag_callback("--base64", ask_for(Encoding::base64),
+                          "Write binary data as base64 (VTU)")
+      ->excludes(text)
+      ->excludes(binary);
+  binary->excludes(text);
+  command->add_flag("--zlib", arguments->zlib, "Pack binary data or base64 by zlib (VTU)");
   command->add_flag("--strict", arguments->strict, "Write nothing if anything would be lost");
   command->add_flag("--tetrahedra-only", arguments->tetrahedra_only,
                     "Leave volume cells out that are no tetrahedra");

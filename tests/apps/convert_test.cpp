@@ -26,8 +26,9 @@ TEST_CASE("a two-material box goes round through every format and comes back", "
   const Result<FileMesh> first = read_file_mesh(io_sample("gmsh_41.msh"));
   REQUIRE(first);
   for (const FormatTraits& t : format_traits()) {
+    if (!t.holds_cells[3]) continue;  // surfaces
     INFO(t.name);
-    const std::string middle = here.path("middle" + std::string(t.extension));
+    const std::string middle = here.path("middle" + std::string(t.extensions[0]));
     const Outcome there = here.run({"convert", io_sample("gmsh_41.msh"), middle, "--json"});
     INFO(there.out << there.err);
     REQUIRE(there.exit_code == 0);
@@ -80,7 +81,9 @@ TEST_CASE("versions, encodings and --to decide what is written", "[apps][convert
   CHECK(converted({"--to", "mesh"}) == "MeshVersionFormatted ");
   CHECK(converted({"--to", "msh", "--format-version", "3"}) == "exit 2");
   CHECK(converted({"--to", "msh", "--format-version", "1", "--binary"}) == "exit 2");
-  CHECK(converted({"--to", "vtu", "--text"}) == "exit 2");
+  CHECK(converted({"--to", "vtu", "--text"}) == "<?xml version=\"1.0\"?>");
+  CHECK(converted({"--to", "vtu", "--text", "--zlib"}) == "exit 2");
+  CHECK(converted({"--to", "mesh", "--base64"}) == "exit 2");
   CHECK(converted({"--to", "step"}) == "exit 2");
   CHECK(converted({}) == "exit 2");  // .out names no format
 }

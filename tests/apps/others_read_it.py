@@ -50,7 +50,9 @@ with tempfile.TemporaryDirectory() as folder:
 
     # Every version and encoding of MSH, and VTU, as `sunder convert` writes them.
     original = pathlib.Path(sys.argv[3]) / "gmsh_41.msh"
-    targets = [("mesh.vtu", []), ("medit.mesh", []), ("medit.meshb", [])]
+    targets = [("mesh.vtu", []), ("text.vtu", ["--text"]), ("base64.vtu", ["--base64"]),
+               ("raw_zlib.vtu", ["--zlib"]), ("base64_zlib.vtu", ["--base64", "--zlib"]),
+               ("medit.mesh", []), ("medit.meshb", [])]
     for version in ("4.2", "5.1"):
         targets += [(f"text{version}.vtk", ["--text", "--format-version", version]),
                     (f"binary{version}.vtk", ["--format-version", version])]

@@ -63,8 +63,15 @@ FileMesh held(FileMesh mesh, const FormatTraits& t, const std::string& version) 
 struct Variant {
   const FormatTraits* traits;
   std::string version;
-  bool is_binary;
+  Encoding encoding = Encoding::text;
+  bool pack = false;
 };
+
+std::string to_string(const Variant& v) {
+  constexpr const char* words[] = {" text", " binary", " base64"};
+  return std::string(v.traits->name) + " " + v.version + words[static_cast<int>(v.encoding)] +
+         (v.pack ? " zlib" : "");
+}
 
 std::vector<Variant> variants() {
   std::vector<Variant> all;
@@ -72,9 +79,12 @@ std::vector<Variant> variants() {
     std::vector<std::string> versions(t.versions.begin(), t.versions.end());
     if (versions.empty()) versions.emplace_back();
     for (const std::string& version : versions) {
-      if (t.writes_text) all.push_back({&t, version, false});
-      const bool is_msh_1 = t.format == MeshFormat::msh && version == "1";
-      if (t.writes_binary && !is_msh_1) all.push_back({&t, version, true});
+      for (const Encoding encoding : t.encodings) {
+        const bool is_msh_1 = t.format == MeshFormat::msh && version == "1";
+        if (is_msh_1 && encoding != Encoding::text) continue;
+        all.push_back({&t, version, encoding});
+        if (t.packs && encoding != Encoding::text) all.push_back({&t, version, encoding, true});
+      }
     }
   }
   return all;
@@ -102,11 +112,11 @@ TEST_CASE("a name that ends with .meshb is written as binary MEDIT", "[io][medit
 TEST_CASE("what a format holds comes back in every bit", "[io][round_trip]") {
   for (const Variant& variant : variants()) {
     const FormatTraits& t = *variant.traits;
-    INFO(t.name << " " << variant.version << (variant.is_binary ? " binary" : " text"));
+    INFO(to_string(variant));
     const FileMesh mesh = held(full_mesh(), t, variant.version);
     const TemporaryFolder folder;
-    const auto path = folder.path() / ("mesh" + std::string(t.extension));
-    const WriteOptions options{t.format, variant.version, variant.is_binary};
+    const auto path = folder.path() / ("mesh" + std::string(t.extensions[0]));
+    const WriteOptions options{t.format, variant.version, variant.encoding, variant.pack};
     const auto findings = write_file_mesh(path, mesh, options);
     INFO(summary(findings));
     CHECK(std::ranges::none_of(findings,

@@ -74,8 +74,8 @@ TEST_CASE("a PVD list names each frame with its time", "[io][vtu]") {
 
 TEST_CASE("every format is known by its name's ending", "[io]") {
   for (const FormatTraits& row : format_traits()) {
-    CHECK(format_of_name("mesh" + std::string(row.extension)) == row.format);
-    CHECK(format_of_name("mesh" + std::string(row.extension) + ".gz") == row.format);
+    CHECK(format_of_name("mesh" + std::string(row.extensions[0])) == row.format);
+    CHECK(format_of_name("mesh" + std::string(row.extensions[0]) + ".gz") == row.format);
     CHECK(&traits_of(row.format) == &row);
   }
 }

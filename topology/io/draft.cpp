@@ -12,6 +12,11 @@
 namespace sunder::io {
 namespace {
 
+/// Line of byte `at`; 0 in binary data.
+std::size_t line_in(const Draft& draft, std::size_t at) {
+  return draft.text.empty() ? 0 : line_of(draft.text, at);
+}
+
 /// Counts row `id` under `code`; `words()` gives the text and remedy and is asked for once a code.
 template <class Words>
 void add_problem(Draft& draft, std::string_view code, std::size_t id, std::size_t at, Words words) {
@@ -24,7 +29,8 @@ void add_problem(Draft& draft, std::string_view code, std::size_t id, std::size_
     finding = &draft.findings.back();
     finding->code = code;
     finding->count = 0;
-    finding->line = draft.text.empty() ? 0 : line_of(draft.text, at);
+    finding->file = draft.file;
+    finding->line = line_in(draft, at);
   }
   ++finding->count;
   if (finding->ids.size() < Finding::max_ids) finding->ids.push_back(static_cast<std::int64_t>(id));
@@ -62,42 +68,47 @@ std::pair<std::string, std::size_t> listed(const std::map<std::string, Draft::Ot
   return {text, sum};
 }
 
-std::size_t first_line(const Draft& draft, const std::map<std::string, Draft::Others>& cells) {
-  std::size_t first = std::string::npos;
-  for (const auto& [name, others] : cells) first = std::min(first, others.first_at);
-  return draft.text.empty() ? 0 : line_of(draft.text, first);
+/// The finding, at the place of the first of the cells.
+Finding at_first(const std::map<std::string, Draft::Others>& cells, Finding finding) {
+  const Draft::Others* first = &cells.begin()->second;
+  for (const auto& [name, others] : cells) {
+    if (others.file == first->file && others.line < first->line) first = &others;
+  }
+  finding.file = first->file;
+  finding.line = first->line;
+  return finding;
 }
 
 void judge_other_cells(Draft& draft, bool tetrahedra_only) {
+  const auto add = [&draft](const std::map<std::string, Draft::Others>& cells, Finding finding,
+                            std::string_view what) {
+    const auto [text, sum] = listed(cells);
+    finding.text = fmt::format("{}{}", text, what);
+    finding.count = sum;
+    draft.findings.push_back(at_first(cells, std::move(finding)));
+  };
   if (!draft.volume_cells.empty()) {
-    const auto [text, sum] = listed(draft.volume_cells);
-    const std::string_view what = tetrahedra_only ? "are left out, as was asked for"
-                                                  : "of volume cells only tetrahedra are read";
-    draft.findings.push_back({.code = "unsupported_cells",
-                              .severity = tetrahedra_only ? Severity::warning : Severity::error,
-                              .count = sum,
-                              .text = fmt::format("{}: {}", text, what),
-                              .remedy = "mesh the body with tetrahedra, or split these cells into "
-                                        "tetrahedra",
-                              .line = first_line(draft, draft.volume_cells)});
+    add(draft.volume_cells,
+        {.code = "unsupported_cells",
+         .severity = tetrahedra_only ? Severity::warning : Severity::error,
+         .remedy = "mesh the body with tetrahedra, or split these cells into tetrahedra"},
+        tetrahedra_only ? ": are left out, as was asked for"
+                        : ": of volume cells only tetrahedra are read");
   }
   if (!draft.curved_cells.empty()) {
-    const auto [text, sum] = listed(draft.curved_cells);
-    draft.findings.push_back({.code = "corners_only",
-                              .severity = Severity::note,
-                              .count = sum,
-                              .text = fmt::format("{} are read by their corners", text),
-                              .remedy = "nothing to do, if their sides are straight; their other "
-                                        "points stay as unused points",
-                              .line = first_line(draft, draft.curved_cells)});
+    add(draft.curved_cells,
+        {.code = "corners_only",
+         .severity = Severity::note,
+         .remedy = "nothing to do, if their sides are straight; their other points stay as unused "
+                   "points"},
+        " are read by their corners");
   }
   if (!draft.surface_cells.empty()) {
-    const auto [text, sum] = listed(draft.surface_cells);
-    draft.findings.push_back({.code = "skipped_cells",
-                              .severity = Severity::note,
-                              .count = sum,
-                              .text = fmt::format("{} are left out", text),
-                              .remedy = "nothing to do: only simplices are used"});
+    add(draft.surface_cells,
+        {.code = "skipped_cells",
+         .severity = Severity::note,
+         .remedy = "nothing to do: only simplices are used"},
+        " are left out");
   }
 }
 
@@ -172,11 +183,15 @@ void add_cell(Draft& draft, int dimension, const FileCell& cell) {
 
 namespace {
 
-void count_cells(std::map<std::string, Draft::Others>& cells, std::string_view plural_name,
-                 std::size_t count, std::size_t at) {
+/// Counts cells of one kind in `cells`, one of the draft's lists.
+void count_cells(Draft& draft, std::map<std::string, Draft::Others>& cells,
+                 std::string_view plural_name, std::size_t count, std::size_t at) {
   if (count == 0) return;
   Draft::Others& others = cells[std::string(plural_name)];
-  if (others.count == 0) others.first_at = at;
+  if (others.count == 0) {
+    others.file = draft.file;
+    others.line = line_in(draft, at);
+  }
   others.count += count;
 }
 
@@ -184,12 +199,13 @@ void count_cells(std::map<std::string, Draft::Others>& cells, std::string_view p
 
 void add_other_cells(Draft& draft, std::string_view plural_name, int dimension, std::size_t count,
                      std::size_t at) {
-  count_cells(dimension == 3 ? draft.volume_cells : draft.surface_cells, plural_name, count, at);
+  auto& cells = dimension == 3 ? draft.volume_cells : draft.surface_cells;
+  count_cells(draft, cells, plural_name, count, at);
 }
 
 void add_curved_cells(Draft& draft, std::string_view plural_name, std::size_t count,
                       std::size_t at) {
-  count_cells(draft.curved_cells, plural_name, count, at);
+  count_cells(draft, draft.curved_cells, plural_name, count, at);
 }
 
 Result<FileMesh> finish(Draft&& draft, bool tetrahedra_only) {

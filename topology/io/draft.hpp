@@ -19,12 +19,16 @@ namespace sunder::io {
 struct Draft {
   /// The file's text; lines of findings are counted in it. Empty for binary data.
   std::string_view text;
+  /// The name of another file of the mesh while that is read; findings name it. Empty for the mesh
+  /// file itself.
+  std::string file;
   FileMesh mesh;
   std::vector<Finding> findings;
   /// Cells of one kind, and the place of the first.
   struct Others {
     std::size_t count = 0;
-    std::size_t first_at = 0;
+    std::string file;
+    std::size_t line = 0;
   };
   /// Cells that are left out, by their plural name: below dimension 3, and volume cells.
   std::map<std::string, Others> surface_cells;

@@ -298,11 +298,16 @@ void read_text(MeditReader& r) {
   }
 }
 
-}  // namespace
-
+/// Whether the bytes are the number 1 in either order.
 bool is_binary_medit(std::string_view bytes) {
   using namespace std::string_view_literals;
   return bytes.starts_with("\1\0\0\0"sv) || bytes.starts_with("\0\0\0\1"sv);
+}
+
+}  // namespace
+
+bool is_medit(std::string_view text) {
+  return is_binary_medit(text) || first_word(text) == "MeshVersionFormatted";
 }
 
 Draft read_medit(std::string_view text) {

@@ -9,8 +9,9 @@
 
 namespace sunder::io {
 
-/// Whether the bytes are the number 1 in either order, as binary MEDIT files begin.
-bool is_binary_medit(std::string_view bytes);
+/// Whether a file begins like MEDIT: with MeshVersionFormatted, or binary with the number 1 in
+/// either byte order.
+bool is_medit(std::string_view text);
 
 /// Reads MEDIT, text or binary (versions 1 to 4, either byte order). Throws ReadFailure.
 Draft read_medit(std::string_view text);

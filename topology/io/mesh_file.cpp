@@ -1,77 +1,21 @@
 // SPDX-License-Identifier: MIT
-// Which format a file has, and the way into it.
+// The way from a file or its bytes to a mesh.
 #include "topology/io/mesh_file.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <memory>
 #include <string>
 #include <system_error>
 
+#include "topology/io/formats.hpp"
 #include "topology/io/gzip.hpp"
-#include "topology/io/medit.hpp"
-#include "topology/io/msh.hpp"
+#include "topology/io/input_file.hpp"
 #include "topology/io/region_names.hpp"
 #include "topology/io/scan.hpp"
-#include "topology/io/vtk.hpp"
-#include "topology/io/vtu_read.hpp"
 
 namespace sunder {
 namespace {
-
-constexpr std::string_view msh_versions[] = {"4.1", "4.0", "2.2", "1"};
-constexpr std::string_view vtk_versions[] = {"4.2", "5.1"};
-
-/// VTK's formats hold all but names; only the legacy one is written as text too.
-constexpr FormatTraits vtk_traits(MeshFormat format, std::string_view name,
-                                  std::string_view extension,
-                                  std::span<const std::string_view> versions) {
-  return {.format = format,
-          .name = name,
-          .extension = extension,
-          .binary_extension = {},
-          .versions = versions,
-          .writes_text = format == MeshFormat::vtk,
-          .writes_binary = true,
-          .usually_binary = true,
-          .holds_cells = {true, true, true, true},
-          .holds_entities = true,
-          .holds_point_regions = true,
-          .holds_point_ids = true,
-          .holds_cell_ids = true,
-          .holds_point_data = true,
-          .holds_cell_data = true,
-          .holds_number_types = true};
-}
-
-constexpr FormatTraits traits[] = {
-    {.format = MeshFormat::msh,
-     .name = "Gmsh MSH",
-     .extension = ".msh",
-     .binary_extension = {},
-     .versions = msh_versions,
-     .writes_binary = true,
-     .holds_cells = {true, true, true, true},
-     .holds_region_names = true,
-     .holds_entities = true,
-     .holds_point_ids = true,
-     .holds_cell_ids = true,
-     .holds_point_data = true,
-     .holds_cell_data = true},
-    {.format = MeshFormat::medit,
-     .name = "MEDIT",
-     .extension = ".mesh",
-     .binary_extension = ".meshb",
-     .versions = {},
-     .writes_binary = true,
-     .holds_cells = {false, true, true, true},
-     .holds_point_regions = true},
-    vtk_traits(MeshFormat::vtu, "VTU", ".vtu", {}),
-    vtk_traits(MeshFormat::vtk, "VTK", ".vtk", vtk_versions),
-};
 
 /// Beginnings of files that are often met and not read, and what to do with them.
 struct Stranger {
@@ -103,34 +47,7 @@ Finding unknown_content(std::string_view bytes) {
           .remedy = "give a tetrahedral mesh in one of these formats"};
 }
 
-std::string lower(std::string text) {
-  for (char& c : text) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return text;
-}
-
-/// The ending in lower case, that before .gz.
-std::string lower_extension(const std::filesystem::path& name) {
-  const std::string extension = lower(name.extension().string());
-  return extension == ".gz" ? lower(name.stem().extension().string()) : extension;
-}
-
-io::Draft read_as(MeshFormat format, std::string_view text) {
-  switch (format) {
-    case MeshFormat::msh:
-      return io::read_msh(text);
-    case MeshFormat::medit:
-      return io::read_medit(text);
-    case MeshFormat::vtu:
-      return io::read_vtu(text);
-    case MeshFormat::vtk:
-      return io::read_vtk(text);
-  }
-  return {};
-}
-
-void note_misleading_name(MeshFormat format, std::string_view name,
+void note_misleading_name(MeshFormat format, const std::filesystem::path& name,
                           std::vector<Finding>& findings) {
   const auto by_name = format_of_name(name);
   if (!by_name || *by_name == format) return;
@@ -138,34 +55,7 @@ void note_misleading_name(MeshFormat format, std::string_view name,
                       .severity = Severity::note,
                       .text = fmt::format("the name says {}, the content is {}",
                                           traits_of(*by_name).name, traits_of(format).name),
-                      .remedy = fmt::format("name it *{}", traits_of(format).extension)});
-}
-
-/// The file's bytes, or the system's reason why there are none.
-Result<std::string> bytes_of(const std::filesystem::path& path) {
-  const auto refused = [&](int error) {
-    return Finding{
-        .code = "cannot_open",
-        .text = fmt::format("the file cannot be read: {}", std::generic_category().message(error)),
-        .remedy = "check the name and the permissions",
-        .file = path.string()};
-  };
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
-                                                             &std::fclose);
-  if (!file) return refused(errno);
-  std::string bytes;
-  std::error_code unknown;
-  const auto size = std::filesystem::file_size(path, unknown);
-  // One byte more than the file has, so that the first read already meets its end.
-  std::size_t filled = 0;
-  bytes.resize(unknown ? 1 << 16 : size + 1);
-  while (const std::size_t n = std::fread(&bytes[filled], 1, bytes.size() - filled, file.get())) {
-    filled += n;
-    if (filled == bytes.size()) bytes.resize(2 * filled);
-  }
-  if (std::ferror(file.get())) return refused(errno);
-  bytes.resize(filled);
-  return bytes;
+                      .remedy = fmt::format("name it *{}", traits_of(format).extensions[0])});
 }
 
 Finding empty_file(std::string_view bytes) {
@@ -192,7 +82,7 @@ void take_names_beside(const std::filesystem::path& path, Result<FileMesh>& resu
     if (!names.empty()) return;
   }
   if (!std::filesystem::is_regular_file(beside, unknown)) return;
-  const Result<std::string> text = bytes_of(beside);
+  const Result<std::string> text = io::bytes_of_file(beside);
   std::vector<Finding> findings = text.findings;
   if (text) guarded(findings, [&] { io::read_region_names(*text, *result); });
   for (Finding& f : findings) f.file = beside.string();
@@ -202,86 +92,60 @@ void take_names_beside(const std::filesystem::path& path, Result<FileMesh>& resu
 
 }  // namespace
 
-std::span<const FormatTraits> format_traits() { return traits; }
+namespace io {
+namespace {
 
-const FormatTraits& traits_of(MeshFormat format) {
-  return *std::find_if(std::begin(traits), std::end(traits),
-                       [&](const FormatTraits& t) { return t.format == format; });
-}
-
-std::optional<MeshFormat> format_of_content(std::string_view bytes) {
-  constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
-  if (bytes.substr(0, 3) == byte_order_mark) bytes.remove_prefix(3);
-  if (io::is_binary_medit(bytes)) return MeshFormat::medit;
-  io::Scanner s{bytes};
-  while (io::peek_word(s).substr(0, 1) == "#") {
-    if (io::rest_of_line(s).substr(0, 14) == "# vtk DataFile") return MeshFormat::vtk;
-  }
-  const std::string_view word = io::peek_word(s);
-  if (word.substr(0, 1) == "$") return MeshFormat::msh;
-  if (word == "MeshVersionFormatted") return MeshFormat::medit;
-  if (word.substr(0, 5) == "<?xml" || word.substr(0, 8) == "<VTKFile") return MeshFormat::vtu;
-  return std::nullopt;
-}
-
-std::optional<MeshFormat> format_of_name(const std::filesystem::path& name) {
-  const std::string extension = lower_extension(name);
-  for (const FormatTraits& t : traits) {
-    if (extension == t.extension || (!extension.empty() && extension == t.binary_extension)) {
-      return t.format;
-    }
-  }
-  return std::nullopt;
-}
-
-bool is_binary_name(const std::filesystem::path& name) {
-  const std::string extension = lower_extension(name);
-  return !extension.empty() && std::ranges::any_of(traits, [&](const FormatTraits& t) {
-    return t.binary_extension == extension;
-  });
-}
-
-Result<FileMesh> read_file_mesh(std::string_view bytes, std::string_view name,
-                                const ReadOptions& options) {
+/// What read_file_mesh does once bytes are there, packed or not.
+Result<FileMesh> read_bytes(FileSource source, const std::filesystem::path& path,
+                            const ReadOptions& options) {
   Result<FileMesh> result;
   std::string whole;
   guarded(result.findings, [&] {
-    if (io::is_gzip(bytes)) bytes = whole = io::unpacked(bytes);
-    if (bytes.substr(0, 3) == "\xef\xbb\xbf") bytes.remove_prefix(3);
-    const auto format = format_of_content(bytes);
-    if (bytes.find_first_not_of(" \t\r\n") == std::string_view::npos) {
-      result.findings.push_back(empty_file(bytes));
+    if (is_gzip(source.text)) source.text = whole = unpacked(source.text);
+    if (source.text.starts_with(byte_order_mark)) source.text.remove_prefix(3);
+    const auto format = format_of_content(source.text);
+    if (source.text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+      result.findings.push_back(empty_file(source.text));
     } else if (!format) {
-      result.findings.push_back(unknown_content(bytes));
+      result.findings.push_back(unknown_content(source.text));
     } else {
-      try {
-        result = io::finish(read_as(*format, bytes), options.tetrahedra_only);
-      } catch (io::ReadFailure& failure) {
-        // Lines mean nothing in raw data; those of VTU are those of its tags.
-        const bool has_lines =
-            *format == MeshFormat::vtu || bytes.find('\0') == std::string_view::npos;
-        if (!has_lines) {
-          failure.finding.line = 0;
-          failure.finding.text += fmt::format(" (at byte {})", failure.at);
-        }
-        result.findings.push_back(std::move(failure.finding));
-      }
-      note_misleading_name(*format, name, result.findings);
+      result = read_format(*format, source, options);
+      note_misleading_name(*format, path, result.findings);
     }
   });
-  for (Finding& finding : result.findings) finding.file = name;
+  for (Finding& finding : result.findings) {
+    finding.file =
+        finding.file.empty() ? path.string() : (path.parent_path() / finding.file).string();
+  }
   return result;
+}
+
+}  // namespace
+}  // namespace io
+
+Result<FileMesh> read_file_mesh(std::string_view bytes, std::string_view name,
+                                const ReadOptions& options) {
+  const auto no_file = [](const std::string& other) -> Result<std::string> {
+    return Finding{.code = "cannot_open",
+                   .text = fmt::format("{} is needed beside it, but only bytes were given",
+                                       io::in_quotes(other)),
+                   .remedy = "read the mesh from its folder"};
+  };
+  return io::read_bytes({bytes, std::string(name), no_file}, name, options);
 }
 
 Result<FileMesh> read_file_mesh(const std::filesystem::path& path, const ReadOptions& options) {
   Result<FileMesh> result;
   {
-    const Result<std::string> bytes = bytes_of(path);
+    const Result<std::string> bytes = io::bytes_of_file(path);
     if (!bytes) {
       result.findings = bytes.findings;
       return result;
     }
-    result = read_file_mesh(*bytes, path.string(), options);
+    const auto other_file = [&](const std::string& name) {
+      return io::bytes_beside(path.parent_path(), name);
+    };
+    result = io::read_bytes({*bytes, path.filename().string(), other_file}, path, options);
   }
   if (result) take_names_beside(path, result);
   return result;

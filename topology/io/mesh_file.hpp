@@ -18,21 +18,25 @@ namespace sunder {
 
 enum class MeshFormat { msh, medit, vtu, vtk };
 
+/// How numbers stand in a file: as digits, as raw bytes, or as bytes written in base64.
+enum class Encoding { text, binary, base64 };
+
 /// What a format can hold of a FileMesh beside points, and what we do with it.
 struct FormatTraits {
   MeshFormat format;
   /// As messages name it.
   std::string_view name;
-  /// The usual ending of a file's name, with its dot; `--to` names formats by it, without the dot.
-  std::string_view extension;
-  /// The usual ending of binary files, where it is another one.
-  std::string_view binary_extension;
+  /// Endings of its files' names with their dots, the usual one first; `--to` names formats by
+  /// them, without the dot.
+  std::span<const std::string_view> extensions;
+  /// The ending among them that means binary, where there is one.
+  std::string_view binary_extension = {};
+  /// How it can be written, the usual way first.
+  std::span<const Encoding> encodings;
+  /// Whether arrays can be packed by zlib inside the file.
+  bool packs = false;
   /// Versions that can be written, the usual one first; empty where there is but one.
-  std::span<const std::string_view> versions;
-  bool writes_text = true;
-  bool writes_binary = false;
-  /// What is written unless the caller asks otherwise.
-  bool usually_binary = false;
+  std::span<const std::string_view> versions = {};
   /// By dimension: whether vertices, edges, triangles, tetrahedra can stand in it.
   std::array<bool, 4> holds_cells{false, false, false, true};
   bool holds_regions = true;
@@ -106,8 +110,10 @@ struct WriteOptions {
   std::optional<MeshFormat> format;
   /// One of the format's `versions`; the usual one if empty.
   std::string version;
-  /// Text or binary; if not given what the name's ending says, else what is usual for the format.
-  std::optional<bool> is_binary;
+  /// One of the format's `encodings`; if not given what the name's ending says, else the usual.
+  std::optional<Encoding> encoding;
+  /// Arrays are packed by zlib, in formats that know it.
+  bool pack = false;
 };
 
 /// What writing `mesh` would leave out or change: warnings, empty when nothing. Names of regions

@@ -11,6 +11,9 @@
 
 namespace sunder::io {
 
+/// Whether a file begins like one of MSH: with a section's name.
+bool is_msh(std::string_view text);
+
 /// Reads MSH 1, 2.x, 4.0 or 4.1, text or binary. Throws ReadFailure.
 Draft read_msh(std::string_view text);
 

@@ -247,6 +247,8 @@ bool index_numbers(NumberIndex& index, const std::vector<std::int64_t>& numbers,
   return true;
 }
 
+bool is_msh(std::string_view text) { return first_word(text).starts_with('$'); }
+
 Draft read_msh(std::string_view text) {
   MshReader r{.in = {.s = {.text = text}}, .draft = {.text = text}};
   while (!peek_word(r.in.s).empty()) {

@@ -48,6 +48,15 @@ std::string_view peek_word(Scanner& s);
 /// The next word; empty at the end.
 std::string_view next_word(Scanner& s);
 
+/// The first word of a text; empty where there is none.
+inline std::string_view first_word(std::string_view text) {
+  Scanner s{text};
+  return peek_word(s);
+}
+
+/// UTF-8's, which some editors put before a text.
+inline constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+
 /// What is left of the line, its end passed; without blanks before and after.
 std::string_view rest_of_line(Scanner& s);
 

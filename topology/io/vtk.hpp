@@ -9,6 +9,9 @@
 
 namespace sunder::io {
 
+/// Whether a line among the first comments is VTK's head.
+bool is_vtk(std::string_view text);
+
 /// Reads the simplices and columns of versions 1.0 to 5.1, text or binary. Throws ReadFailure.
 Draft read_vtk(std::string_view text);
 

@@ -374,6 +374,14 @@ void read_head(VtkReader& r) {
 
 }  // namespace
 
+bool is_vtk(std::string_view text) {
+  Scanner s{text};
+  while (peek_word(s).starts_with('#')) {
+    if (rest_of_line(s).starts_with("# vtk DataFile")) return true;
+  }
+  return false;
+}
+
 Draft read_vtk(std::string_view text) {
   VtkReader r{.in = {.s = {.text = text}}, .draft = {.text = text}};
   read_head(r);

@@ -118,6 +118,11 @@ void read_piece(const VtuDocument& document, const VtuPiece& piece, Draft& draft
 
 }  // namespace
 
+bool is_vtu(std::string_view text) {
+  const std::string_view word = first_word(text);
+  return word.starts_with("<?xml") || word.starts_with("<VTKFile");
+}
+
 Draft read_vtu(std::string_view text) {
   const VtuDocument document = parse_vtu(text);
   Draft draft{.text = text};

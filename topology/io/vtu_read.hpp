@@ -3,18 +3,22 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string_view>
-#include <vector>
 
-#include "topology/io/draft.hpp"
+#include "topology/io/formats.hpp"
 
 namespace sunder::io {
+
+/// Whether a file begins like XML.
+bool is_vtu(std::string_view text);
 
 /// Reads the simplices and columns of every piece. Throws ReadFailure.
 Draft read_vtu(std::string_view text);
 
-/// Writes all cells and columns as one VTU file with raw appended data, each column in its type.
-/// Errors: cannot_write.
-std::vector<Finding> write_vtu(const std::filesystem::path& path, const FileMesh& mesh);
+/// Writes all cells and columns as one VTU file, each column in its type: `text`, `base64`, or
+/// `binary` as raw appended data; the latter two packed by zlib if asked for. Errors: cannot_write.
+std::optional<Finding> write_vtu(const std::filesystem::path& path, const FileMesh& mesh,
+                                 const FileEncoding& how);
 
 }  // namespace sunder::io

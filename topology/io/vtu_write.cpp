@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Writing VTU with raw appended data, straight from the columns' memory, and PVD lists.
+// Writing VTU, raw data straight from the columns' memory, and PVD lists.
 #include "topology/io/vtu.hpp"
 
 #include <fmt/format.h>
@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <deque>
 #include <iterator>
 #include <optional>
 
 #include "topology/io/output_file.hpp"
 #include "topology/io/vtk_cells.hpp"
+#include "topology/io/vtu_encode.hpp"
 #include "topology/io/vtu_read.hpp"
 
 namespace sunder {
@@ -40,28 +42,70 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
-constexpr std::string_view vtk_type(double) { return "Float64"; }
-constexpr std::string_view vtk_type(float) { return "Float32"; }
-constexpr std::string_view vtk_type(std::int32_t) { return "Int32"; }
-constexpr std::string_view vtk_type(std::uint32_t) { return "UInt32"; }
-constexpr std::string_view vtk_type(std::int64_t) { return "Int64"; }
-constexpr std::string_view vtk_type(std::uint8_t) { return "UInt8"; }
+constexpr NumberType type_of(double) { return NumberType::float64; }
+constexpr NumberType type_of(float) { return NumberType::float32; }
+constexpr NumberType type_of(std::int32_t) { return NumberType::int32; }
+constexpr NumberType type_of(std::uint32_t) { return NumberType::uint32; }
+constexpr NumberType type_of(std::int64_t) { return NumberType::int64; }
+constexpr NumberType type_of(std::uint8_t) { return NumberType::uint8; }
 
-/// The XML part as it grows, and the arrays that will follow it.
+/// The XML part as it grows, and what will follow it.
 struct VtuWriter {
+  Encoding encoding = Encoding::binary;
+  bool pack = false;
   std::string xml;
-  std::vector<std::string_view> arrays;
+  /// Raw data behind the XML: the caller's columns, and headers and packed arrays of our own.
+  std::vector<std::string_view> appended;
+  std::deque<std::string> own;
   std::size_t appended_bytes = 0;
 };
 
-void add_array(VtuWriter& out, std::string_view type, std::string_view name, std::size_t components,
+void append(VtuWriter& out, std::string_view bytes) {
+  out.appended.push_back(bytes);
+  out.appended_bytes += bytes.size();
+}
+
+void append_own(VtuWriter& out, std::string bytes) {
+  append(out, out.own.emplace_back(std::move(bytes)));
+}
+
+std::string header_of(std::string_view bytes) {
+  const std::uint64_t size = bytes.size();
+  return {reinterpret_cast<const char*>(&size), sizeof size};
+}
+
+void append_array(VtuWriter& out, std::string_view bytes) {
+  if (!out.pack) {
+    append_own(out, header_of(bytes));
+    append(out, bytes);
+    return;
+  }
+  io::PackedArray array = io::packed(bytes);
+  append_own(out, std::move(array.header));
+  append_own(out, std::move(array.blocks));
+}
+
+/// Header and data are one stream of base64, but two where they are packed.
+std::string inline_array(const VtuWriter& out, std::string_view bytes) {
+  if (!out.pack) return io::in_base64(header_of(bytes) + std::string(bytes));
+  const io::PackedArray array = io::packed(bytes);
+  return io::in_base64(array.header) + io::in_base64(array.blocks);
+}
+
+void add_array(VtuWriter& out, NumberType type, std::string_view name, std::size_t components,
                std::string_view bytes) {
   fmt::format_to(std::back_inserter(out.xml),
-                 "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" "
-                 "format=\"appended\" offset=\"{}\"/>\n",
-                 type, escaped(name), components, out.appended_bytes);
-  out.arrays.push_back(bytes);
-  out.appended_bytes += sizeof(std::uint64_t) + bytes.size();
+                 "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" ",
+                 io::vtu_types[static_cast<std::size_t>(type)], escaped(name), components);
+  if (out.encoding == Encoding::binary) {
+    fmt::format_to(std::back_inserter(out.xml), "format=\"appended\" offset=\"{}\"/>\n",
+                   out.appended_bytes);
+    return append_array(out, bytes);
+  }
+  const bool is_text = out.encoding == Encoding::text;
+  out.xml += is_text ? "format=\"ascii\">\n" : "format=\"binary\">\n";
+  out.xml += is_text ? io::in_digits(type, components, bytes) : inline_array(out, bytes) + '\n';
+  out.xml += "</DataArray>\n";
 }
 
 template <class Value>
@@ -72,7 +116,7 @@ std::string_view bytes_of(std::span<const Value> values) {
 void add_array(VtuWriter& out, const NamedColumn& column) {
   std::visit(
       [&](const auto values) {
-        add_array(out, vtk_type(std::remove_cv_t<typename decltype(values)::element_type>{}),
+        add_array(out, type_of(std::remove_cv_t<typename decltype(values)::element_type>{}),
                   column.name, column.components, bytes_of(values));
       },
       column.values);
@@ -121,22 +165,22 @@ void add_mesh(VtuWriter& out, const std::vector<Point>& points,
 void begin_file(VtuWriter& out, std::size_t points, std::size_t cells) {
   out.xml = fmt::format(
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
-      "byte_order=\"{}\" header_type=\"UInt64\">\n<UnstructuredGrid>\n"
+      "byte_order=\"{}\" header_type=\"UInt64\"{}>\n<UnstructuredGrid>\n"
       "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
-      std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian", points, cells);
+      std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian",
+      out.pack ? " compressor=\"vtkZLibDataCompressor\"" : "", points, cells);
 }
 
-/// Ends the XML and writes it with all arrays behind it.
+/// Ends the XML and writes it with all appended data behind it.
 std::optional<Finding> end_file(VtuWriter& out, const std::filesystem::path& path) {
-  out.xml += "</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
-  std::vector<std::uint64_t> headers;
-  headers.reserve(out.arrays.size());
-  std::vector<std::string_view> parts{out.xml};
-  for (const std::string_view bytes : out.arrays) {
-    headers.push_back(bytes.size());
-    parts.emplace_back(reinterpret_cast<const char*>(&headers.back()), sizeof(std::uint64_t));
-    parts.push_back(bytes);
+  out.xml += "</Piece>\n</UnstructuredGrid>\n";
+  if (out.appended.empty()) {
+    out.xml += "</VTKFile>\n";
+    return write_file(path, out.xml);
   }
+  out.xml += "<AppendedData encoding=\"raw\">\n_";
+  std::vector<std::string_view> parts{out.xml};
+  parts.insert(parts.end(), out.appended.begin(), out.appended.end());
   parts.emplace_back("\n</AppendedData>\n</VTKFile>\n");
   return write_file(path, parts);
 }
@@ -192,16 +236,15 @@ std::vector<Finding> write_vtu(const std::filesystem::path& path, const TetMesh&
   return findings;
 }
 
-std::vector<Finding> io::write_vtu(const std::filesystem::path& path, const FileMesh& mesh) {
+std::optional<Finding> io::write_vtu(const std::filesystem::path& path, const FileMesh& mesh,
+                                     const FileEncoding& how) {
   const VtkGrid grid = vtk_grid(mesh);
-  VtuWriter out;
+  VtuWriter out{.encoding = how.encoding, .pack = how.pack};
   begin_file(out, mesh.points.size(), grid.types.size());
-  std::vector<std::string> stored;
-  stored.reserve(grid.point_data.size() + grid.cell_data.size());  // views into it must stay valid
+  std::deque<std::string> stored;  // what is appended refers to it
   const auto add = [&](const DataColumn& column) {
-    stored.push_back(in_own_type(column));
-    add_array(out, io::vtu_types[static_cast<std::size_t>(column.type)], column.name,
-              column.components, stored.back());
+    add_array(out, column.type, column.name, column.components,
+              stored.emplace_back(in_own_type(column)));
   };
   out.xml += "<PointData>\n";
   for (const DataColumn& column : grid.point_data) add(column);
@@ -210,8 +253,7 @@ std::vector<Finding> io::write_vtu(const std::filesystem::path& path, const File
   out.xml += "</CellData>\n";
   add_mesh(out, mesh.points, grid.connectivity, std::span<const std::int64_t>(grid.ends),
            grid.types);
-  if (auto failure = end_file(out, path)) return {*failure};
-  return {};
+  return end_file(out, path);
 }
 
 std::vector<Finding> write_pvd(const std::filesystem::path& path,

@@ -5,14 +5,11 @@
 #include <algorithm>
 #include <map>
 
-#include "topology/io/medit.hpp"
+#include "topology/io/formats.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/io/msh.hpp"
-#include "topology/io/output_file.hpp"
 #include "topology/io/region_names.hpp"
 #include "topology/io/scan.hpp"
-#include "topology/io/vtk.hpp"
-#include "topology/io/vtu_read.hpp"
 
 namespace sunder {
 namespace {
@@ -63,18 +60,13 @@ void lose_labels(Losses& losses, const FileMesh& mesh) {
   }
 }
 
-int msh_version(std::string_view version) {
-  if (version == "1") return 10;
-  return version == "2.2" ? 22 : version == "4.0" ? 40 : 41;
-}
-
 void lose_ids(Losses& losses, const FileMesh& mesh, std::string_view version) {
   std::size_t cells = 0;
   for_each_cell_list(mesh, [&](const auto& list, int) { cells += list.source_id.size(); });
   const std::size_t points = mesh.source_point_id.size();
   const bool is_msh = losses.to.format == MeshFormat::msh;
   const io::HeldNumbers own =
-      is_msh ? io::msh_holds(mesh, msh_version(version)) : io::HeldNumbers{true, true};
+      is_msh ? io::msh_holds(mesh, version == "4.1" ? 41 : 22) : io::HeldNumbers{true, true};
   const bool keeps_points = losses.to.holds_point_ids && own.points;
   const bool keeps_cells = losses.to.holds_cell_ids && own.cells;
   const std::size_t lost = (keeps_points ? 0 : points) + (keeps_cells ? 0 : cells);
@@ -154,47 +146,42 @@ std::string version_of(const FormatTraits& t, const WriteOptions& options) {
   return std::string(t.versions.front());
 }
 
-bool binary_of(const FormatTraits& t, const WriteOptions& options) {
-  return options.is_binary.value_or(t.usually_binary);
+constexpr std::string_view encoding_words[] = {"text", "binary data", "base64"};
+
+std::string_view word_of(Encoding encoding) {
+  return encoding_words[static_cast<std::size_t>(encoding)];
 }
 
 /// The reason why a format cannot be written so, if there is one.
-std::optional<Finding> refused(const FormatTraits& t, const WriteOptions& options) {
-  if (!options.version.empty() &&
-      std::ranges::find(t.versions, options.version) == t.versions.end()) {
+std::optional<Finding> refused(const FormatTraits& t, const io::FileEncoding& how) {
+  const auto has = [](const auto& list, const auto& item) {
+    return std::ranges::find(list, item) != list.end();
+  };
+  if (!how.version.empty() && !has(t.versions, how.version)) {
     return Finding{.code = "unknown_version",
-                   .text = fmt::format("{} is not written in version {}", t.name, options.version),
+                   .text = fmt::format("{} is not written in version {}", t.name, how.version),
                    .remedy = t.versions.empty()
                                  ? std::string("give no version")
                                  : fmt::format("give one of {}", fmt::join(t.versions, ", "))};
   }
-  const bool is_binary = binary_of(t, options);
-  const bool has = is_binary ? t.writes_binary && version_of(t, options) != "1" : t.writes_text;
-  if (has) return std::nullopt;
-  return Finding{.code = "unknown_version",
-                 .text = fmt::format("{} {} is not written as {}", t.name, version_of(t, options),
-                                     is_binary ? "binary" : "text"),
-                 .remedy = is_binary ? "ask for text" : "ask for binary"};
-}
-
-std::optional<Finding> write_as(const std::filesystem::path& path, const FileMesh& mesh,
-                                const FormatTraits& t, const WriteOptions& options) {
-  switch (t.format) {
-    case MeshFormat::msh:
-      return write_file(
-          path, io::write_msh(mesh, msh_version(version_of(t, options)), binary_of(t, options)));
-    case MeshFormat::medit:
-      return write_file(path, io::write_medit(mesh, binary_of(t, options)));
-    case MeshFormat::vtk:
-      return write_file(path, io::write_vtk(mesh, version_of(t, options) == "5.1" ? 51 : 42,
-                                            binary_of(t, options)));
-    case MeshFormat::vtu: {
-      std::vector<Finding> findings = io::write_vtu(path, mesh);
-      if (!findings.empty()) return std::move(findings.front());
-      return std::nullopt;
+  const bool is_msh_1 = t.format == MeshFormat::msh && how.version == "1";
+  if (!has(t.encodings, how.encoding) || (is_msh_1 && how.encoding != Encoding::text)) {
+    std::string words;
+    for (const Encoding e : t.encodings) {
+      if (is_msh_1 && e != Encoding::text) continue;
+      words += fmt::format("{}{}", words.empty() ? "" : " or ", word_of(e));
     }
+    return Finding{
+        .code = "unknown_version",
+        .text = fmt::format("{}{}{} is not written as {}", t.name, how.version.empty() ? "" : " ",
+                            how.version, word_of(how.encoding)),
+        .remedy = fmt::format("ask for {}", words)};
   }
-  return std::nullopt;
+  if (!how.pack || (t.packs && how.encoding != Encoding::text)) return std::nullopt;
+  return Finding{
+      .code = "unknown_version",
+      .text = fmt::format("{} as {} is not packed by zlib", t.name, word_of(how.encoding)),
+      .remedy = "leave out --zlib: only binary data and base64 of VTU know it"};
 }
 
 }  // namespace
@@ -218,7 +205,7 @@ std::vector<Finding> write_file_mesh(const std::filesystem::path& path, const Fi
   if (!chosen.format) {
     std::string endings;
     for (const FormatTraits& t : format_traits()) {
-      endings += fmt::format("{}{}", endings.empty() ? "" : ", ", t.extension);
+      endings += fmt::format("{}{}", endings.empty() ? "" : ", ", t.extensions[0]);
     }
     return {{.code = "unknown_format",
              .text = fmt::format("the ending {} names no format that is written",
@@ -226,16 +213,23 @@ std::vector<Finding> write_file_mesh(const std::filesystem::path& path, const Fi
              .remedy = fmt::format("end the name with one of {}", endings),
              .file = path.string()}};
   }
-  if (!chosen.is_binary && is_binary_name(path)) chosen.is_binary = true;
   const FormatTraits& t = traits_of(*chosen.format);
+  const std::string version = version_of(t, chosen);
+  const io::FileEncoding how{
+      version, chosen.encoding.value_or(is_binary_name(path) ? Encoding::binary : t.encodings[0]),
+      chosen.pack};
   std::vector<Finding> findings;
-  if (auto reason = refused(t, chosen)) {
+  if (path.extension() == ".gz") {
+    findings.push_back({.code = "unknown_format",
+                        .text = "the name ends with .gz: packed files are read, not written",
+                        .remedy = "leave out .gz, and pack the file with gzip"});
+  } else if (auto reason = refused(t, how)) {
     findings.push_back(std::move(*reason));
   } else {
     findings = lost_on_writing(mesh, chosen);
-    auto failure = write_as(path, mesh, t, chosen);
+    auto failure = io::code_of(t.format).write(path, mesh, how);
     if (failure) findings.insert(findings.begin(), std::move(*failure));
-    if (!failure && name_count(mesh) > 0 && !holds_names(t, version_of(t, chosen))) {
+    if (!failure && name_count(mesh) > 0 && !holds_names(t, version)) {
       const std::filesystem::path beside = io::names_beside(path);
       if (auto error = io::write_region_names(beside, mesh)) {
         findings.insert(findings.begin(), std::move(*error));

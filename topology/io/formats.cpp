@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// The table of formats: what each can carry, how it is known, which code reads and writes it.
+#include "topology/io/formats.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+
+#include "topology/io/medit.hpp"
+#include "topology/io/msh.hpp"
+#include "topology/io/output_file.hpp"
+#include "topology/io/scan.hpp"
+#include "topology/io/vtk.hpp"
+#include "topology/io/vtu_read.hpp"
+
+namespace sunder {
+namespace {
+
+constexpr std::string_view msh_names[] = {".msh"};
+constexpr std::string_view msh_versions[] = {"4.1", "4.0", "2.2", "1"};
+constexpr std::string_view medit_names[] = {".mesh", ".meshb"};
+constexpr std::string_view vtu_names[] = {".vtu"};
+constexpr std::string_view vtk_names[] = {".vtk"};
+constexpr std::string_view vtk_versions[] = {"4.2", "5.1"};
+constexpr Encoding text_first[] = {Encoding::text, Encoding::binary};
+constexpr Encoding binary_first[] = {Encoding::binary, Encoding::text};
+constexpr Encoding vtu_encodings[] = {Encoding::binary, Encoding::base64, Encoding::text};
+
+/// VTK's formats hold all but names.
+constexpr FormatTraits vtk_traits(MeshFormat format, std::string_view name,
+                                  std::span<const std::string_view> extensions,
+                                  std::span<const Encoding> encodings) {
+  return {
+      .format = format,
+      .name = name,
+      .extensions = extensions,
+      .encodings = encodings,
+      .packs = format == MeshFormat::vtu,
+      .versions = format == MeshFormat::vtk ? vtk_versions : std::span<const std::string_view>{},
+      .holds_cells = {true, true, true, true},
+      .holds_entities = true,
+      .holds_point_regions = true,
+      .holds_point_ids = true,
+      .holds_cell_ids = true,
+      .holds_point_data = true,
+      .holds_cell_data = true,
+      .holds_number_types = true};
+}
+
+constexpr FormatTraits traits[] = {
+    {.format = MeshFormat::msh,
+     .name = "Gmsh MSH",
+     .extensions = msh_names,
+     .encodings = text_first,
+     .versions = msh_versions,
+     .holds_cells = {true, true, true, true},
+     .holds_region_names = true,
+     .holds_entities = true,
+     .holds_point_ids = true,
+     .holds_cell_ids = true,
+     .holds_point_data = true,
+     .holds_cell_data = true},
+    {.format = MeshFormat::medit,
+     .name = "MEDIT",
+     .extensions = medit_names,
+     .binary_extension = ".meshb",
+     .encodings = text_first,
+     .holds_cells = {false, true, true, true},
+     .holds_point_regions = true},
+    vtk_traits(MeshFormat::vtu, "VTU", vtu_names, vtu_encodings),
+    vtk_traits(MeshFormat::vtk, "VTK", vtk_names, binary_first),
+};
+
+using io::FileEncoding;
+using io::FileSource;
+using Path = std::filesystem::path;
+
+int msh_version(std::string_view version) {
+  if (version == "1") return 10;
+  return version == "2.2" ? 22 : version == "4.0" ? 40 : 41;
+}
+
+/// In the order of `traits`.
+constexpr io::FormatCode codes[] = {
+    {&io::is_msh, [](const FileSource& source) { return io::read_msh(source.text); },
+     [](const Path& path, const FileMesh& mesh, const FileEncoding& how) {
+       return write_file(path, io::write_msh(mesh, msh_version(how.version), how.is_binary()));
+     }},
+    {&io::is_medit, [](const FileSource& source) { return io::read_medit(source.text); },
+     [](const Path& path, const FileMesh& mesh, const FileEncoding& how) {
+       return write_file(path, io::write_medit(mesh, how.is_binary()));
+     }},
+    {&io::is_vtu, [](const FileSource& source) { return io::read_vtu(source.text); },
+     &io::write_vtu},
+    {&io::is_vtk, [](const FileSource& source) { return io::read_vtk(source.text); },
+     [](const Path& path, const FileMesh& mesh, const FileEncoding& how) {
+       return write_file(path,
+                         io::write_vtk(mesh, how.version == "5.1" ? 51 : 42, how.is_binary()));
+     }},
+};
+static_assert(std::size(codes) == std::size(traits));
+
+std::string lower(std::string text) {
+  for (char& c : text) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return text;
+}
+
+/// The ending in lower case, that before .gz.
+std::string lower_extension(const Path& name) {
+  const std::string extension = lower(name.extension().string());
+  return extension == ".gz" ? lower(name.stem().extension().string()) : extension;
+}
+
+}  // namespace
+
+std::span<const FormatTraits> format_traits() { return traits; }
+
+const FormatTraits& traits_of(MeshFormat format) {
+  return *std::ranges::find(traits, format, &FormatTraits::format);
+}
+
+const io::FormatCode& io::code_of(MeshFormat format) {
+  return codes[&traits_of(format) - std::begin(traits)];
+}
+
+std::optional<MeshFormat> format_of_content(std::string_view bytes) {
+  if (bytes.starts_with(io::byte_order_mark)) bytes.remove_prefix(io::byte_order_mark.size());
+  for (const FormatTraits& t : traits) {
+    if (io::code_of(t.format).is_like(bytes)) return t.format;
+  }
+  return std::nullopt;
+}
+
+std::optional<MeshFormat> format_of_name(const Path& name) {
+  const std::string extension = lower_extension(name);
+  for (const FormatTraits& t : traits) {
+    if (std::ranges::find(t.extensions, extension) != t.extensions.end()) return t.format;
+  }
+  return std::nullopt;
+}
+
+bool is_binary_name(const Path& name) {
+  const std::string extension = lower_extension(name);
+  return !extension.empty() &&
+         std::ranges::find(traits, extension, &FormatTraits::binary_extension) != std::end(traits);
+}
+
+Result<FileMesh> io::read_format(MeshFormat format, const FileSource& source,
+                                 const ReadOptions& options) {
+  try {
+    return finish(code_of(format).read(source), options.tetrahedra_only);
+  } catch (ReadFailure& failure) {
+    // Lines mean nothing in raw data; those of VTU are those of its tags.
+    const bool has_lines = format == MeshFormat::vtu || !failure.finding.file.empty() ||
+                           source.text.find('\0') == std::string_view::npos;
+    if (!has_lines) {
+      failure.finding.line = 0;
+      failure.finding.text += fmt::format(" (at byte {})", failure.at);
+    }
+    return std::move(failure.finding);
+  }
+}
+
+}  // namespace sunder

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Internal to topology/io: what a reader is given, and the way from each format to its code.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "topology/io/draft.hpp"
+#include "topology/io/mesh_file.hpp"
+
+namespace sunder::io {
+
+/// A file as a reader meets it.
+struct FileSource {
+  /// Its bytes, unpacked, without a byte-order mark.
+  std::string_view text;
+  /// Its name, without folders.
+  std::string name;
+  /// The bytes of another file of the same mesh by its name relative to this file's folder,
+  /// unpacked (`NAME.gz` too). Errors: cannot_open, outside_folder, bad_gzip. Always there; where
+  /// only bytes are known it opens nothing.
+  std::function<Result<std::string>(const std::string& name)> other_file;
+};
+
+/// How a file is to be written, every choice made.
+struct FileEncoding {
+  std::string_view version;
+  Encoding encoding = Encoding::text;
+  bool pack = false;
+
+  bool is_binary() const { return encoding == Encoding::binary; }
+};
+
+/// What each format can do, beside its traits.
+struct FormatCode {
+  /// Whether a file's first bytes are those of this format. `text` is the whole file.
+  bool (*is_like)(std::string_view text);
+  /// Throws ReadFailure.
+  Draft (*read)(const FileSource& source);
+  /// Errors: cannot_write.
+  std::optional<Finding> (*write)(const std::filesystem::path& path, const FileMesh& mesh,
+                                  const FileEncoding& encoding);
+};
+const FormatCode& code_of(MeshFormat format);
+
+/// Reads a file of a known format: what `read_file_mesh` does once it knows it. Throws nothing;
+/// findings name no file but other files of the mesh.
+Result<FileMesh> read_format(MeshFormat format, const FileSource& source,
+                             const ReadOptions& options);
+
+}  // namespace sunder::io

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Internal to topology/io: the bytes of files, and of those that lie beside a file.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "topology/finding.hpp"
+
+namespace sunder::io {
+
+/// The file's bytes. Errors: cannot_open, with the system's reason.
+Result<std::string> bytes_of_file(const std::filesystem::path& path);
+
+/// The unpacked bytes of `name` (or `name`.gz) in `folder` or below it; links are followed first.
+/// Errors: cannot_open, outside_folder, bad_gzip, truncated_file.
+Result<std::string> bytes_beside(const std::filesystem::path& folder, const std::string& name);
+
+}  // namespace sunder::io
