@@ -40,10 +40,11 @@ constexpr FindingWords flat_tetrahedron = {
 
 // A finding about the mesh as a whole, without ids.
 void report_whole(Survey& survey, const FindingWords& words) {
-  Places places;
+  Places places(PlaceKind::points);
   places.add(0);
   report(survey, words, places);
   survey.findings.back().ids.clear();
+  if (survey.keeps_places) survey.places.pop_back();
 }
 
 using Index4 = std::array<std::uint32_t, 4>;
@@ -103,7 +104,10 @@ void report(Survey& survey, const FindingWords& words, const Places& places) {
   finding.code = words.code;
   finding.severity = words.severity;
   finding.count = places.count();
-  finding.ids = places.ids();
+  const auto& rows = places.rows();
+  const std::size_t size = rows_of_place(places.kind());
+  const std::size_t kept = std::min(rows.size(), Finding::max_ids / size * size);
+  finding.ids.assign(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(kept));
   for (const char* c = words.text; *c != '\0'; ++c) {
     if (*c == '%') {
       finding.text += std::to_string(places.count());
@@ -113,6 +117,12 @@ void report(Survey& survey, const FindingWords& words, const Places& places) {
   }
   finding.remedy = words.remedy;
   survey.findings.push_back(std::move(finding));
+  if (survey.keeps_places) survey.places.push_back({words.code, places.kind(), rows});
+}
+
+void sort_findings(std::vector<Finding>& findings) {
+  std::stable_sort(findings.begin(), findings.end(),
+                   [](const Finding& a, const Finding& b) { return a.severity > b.severity; });
 }
 
 void survey_size(Survey& s, std::size_t tetrahedra, std::size_t points) {
@@ -128,12 +138,13 @@ void survey_entries(Survey& s) {
     report_whole(s, points == 0 ? empty_mesh : no_tetrahedron);
   }
   survey_columns(s);
-  Places not_finite;
+  Places not_finite(PlaceKind::points, s.keeps_places);
   for (std::size_t p = 0; p < points; ++p) {
     if (!is_finite(mesh.points[p])) not_finite.add(p);
   }
   report(s, nan_coordinate, not_finite);
-  Places out_of_range, repeated, flat;
+  Places out_of_range(PlaceKind::tetrahedra, s.keeps_places);
+  Places repeated = out_of_range, flat = out_of_range;
   s.usable.assign(mesh.tetrahedra.size(), 1);
   s.sign.assign(mesh.tetrahedra.size(), 0);
   for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
@@ -157,16 +168,15 @@ void survey_entries(Survey& s) {
   report(s, words, flat);
 }
 
-Survey survey_mesh(const TetMesh& mesh, Severity bad_volume) {
-  Survey survey{mesh, bad_volume, {}, {}, {}, {}, {}, {}, {}, {}};
+Survey survey_mesh(const TetMesh& mesh, Severity bad_volume, bool keeps_places) {
+  Survey survey{.mesh = mesh, .bad_volume = bad_volume, .keeps_places = keeps_places};
   survey_size(survey, most_tetrahedra, most_points);
   if (!survey.findings.empty()) return survey;
   survey_entries(survey);
   survey_faces(survey);
   survey_orientation(survey);
   survey_vertices(survey);
-  std::stable_sort(survey.findings.begin(), survey.findings.end(),
-                   [](const Finding& a, const Finding& b) { return a.severity > b.severity; });
+  sort_findings(survey.findings);
   return survey;
 }
 

@@ -84,6 +84,17 @@ ComponentCount count_components(const K& map) {
   return count;
 }
 
+/// Euler characteristic and Betti numbers from the counts; `closed`: components without boundary.
+inline void derive_invariants(Counts& counts, std::size_t closed) {
+  const auto number = [](std::size_t n) { return static_cast<std::ptrdiff_t>(n); };
+  counts.euler_characteristic = number(counts.vertices) - number(counts.edges) +
+                                number(counts.faces) - number(counts.tetrahedra);
+  if (closed > 0) return;
+  const std::ptrdiff_t b0 = number(counts.components);
+  const std::ptrdiff_t b2 = number(counts.boundary_sheets) - b0;
+  counts.betti = {b0, b0 + b2 - counts.euler_characteristic, b2};
+}
+
 inline double tetrahedron_volume(const Point& a, const Point& b, const Point& c, const Point& d) {
   const Point u = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
   const Point v = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
@@ -151,13 +162,7 @@ Counts count_cells(const K& map) {
   counts.boundary_sheets = count_boundary_sheets(map);
   const auto [components, closed] = detail::count_components(map);
   counts.components = components;
-  const auto number = [](std::size_t n) { return static_cast<std::ptrdiff_t>(n); };
-  counts.euler_characteristic = number(counts.vertices) - number(counts.edges) +
-                                number(counts.faces) - number(counts.tetrahedra);
-  if (closed == 0) {
-    const std::ptrdiff_t b2 = number(counts.boundary_sheets) - number(components);
-    counts.betti = {number(components), number(components) + b2 - counts.euler_characteristic, b2};
-  }
+  detail::derive_invariants(counts, closed);
   return counts;
 }
 

@@ -124,7 +124,8 @@ void join_run(Survey& s, std::uint32_t lowest, std::uint64_t others,
     s.neighbours[run[1] / 4][run[1] % 4] = HalfFaceId{run[0]};
   }
   if (run.size() <= 2) return;
-  defects.overfull.add(lowest);
+  defects.overfull.add(std::array{lowest, static_cast<std::uint32_t>(others >> 32),
+                                  static_cast<std::uint32_t>(others)});
   if (!defects.overfull_ids.empty()) return;
   defects.overfull_ids = {static_cast<std::int64_t>(lowest),
                           static_cast<std::int64_t>(others >> 32),
@@ -136,7 +137,8 @@ void join_run(Survey& s, std::uint32_t lowest, std::uint64_t others,
 }
 
 void report_copies(Survey& s) {
-  Places duplicates, mirrored;
+  Places duplicates(PlaceKind::tetrahedra, s.keeps_places);
+  Places mirrored(PlaceKind::tetrahedra, s.keeps_places);
   for (std::size_t t = 0; t < s.usable.size(); ++t) {
     if (s.usable[t] == 2) duplicates.add(t);
     if (s.usable[t] == 3) mirrored.add(t);
@@ -149,18 +151,23 @@ void report_copies(Survey& s) {
 /// One face-connected set of tetrahedra: orients them relative to the first.
 struct ParityWalk {
   std::vector<std::uint32_t> members;
+  bool has_boundary = false;
   Places& conflicts;
 };
 
 void walk_parity(Survey& s, std::uint32_t first, std::vector<char>& met, ParityWalk& walk) {
   walk.members.assign(1, first);
+  walk.has_boundary = false;
   met[first] = 1;
   for (std::size_t i = 0; i < walk.members.size(); ++i) {
     const std::uint32_t t = walk.members[i];
     bool conflict = false;
     for (unsigned p = 0; p < 4; ++p) {
       const HalfFaceId across = s.neighbours[t][p];
-      if (across.is_none()) continue;
+      if (across.is_none()) {
+        walk.has_boundary = true;
+        continue;
+      }
       // Alike means that the face's order leaves one as it enters the other: opposite parity.
       const bool alike = is_odd(s, 4 * t + p) != is_odd(s, across.value);
       const std::uint32_t u = across.value / 4;
@@ -197,7 +204,7 @@ void orient_by_volume(Survey& s, const std::vector<std::uint32_t>& members) {
 void survey_faces(Survey& s) {
   s.neighbours.assign(s.mesh.tetrahedra.size(), {});
   FaceBuckets buckets = bucket_faces(s);
-  FaceDefects defects;
+  FaceDefects defects{Places(PlaceKind::faces, s.keeps_places), {}};
   std::vector<std::uint32_t> run;
   for (std::size_t p = 0; p < s.mesh.points.size(); ++p) {
     const auto begin = buckets.entries.begin() + static_cast<std::ptrdiff_t>(buckets.first[p]);
@@ -219,12 +226,15 @@ void survey_orientation(Survey& s) {
   const std::size_t tetrahedra = s.mesh.tetrahedra.size();
   s.flipped.assign(tetrahedra, 0);
   std::vector<char> met(tetrahedra, 0);
-  Places conflicts, inverted, folded;
-  ParityWalk walk{{}, conflicts};
+  Places conflicts(PlaceKind::tetrahedra, s.keeps_places);
+  Places inverted = conflicts, folded = conflicts;
+  ParityWalk walk{.conflicts = conflicts};
   for (std::size_t t = 0; t < tetrahedra; ++t) {
     if (met[t] || !s.usable[t]) continue;
     walk_parity(s, static_cast<std::uint32_t>(t), met, walk);
     orient_by_volume(s, walk.members);
+    ++s.components;
+    s.closed_components += walk.has_boundary ? 0 : 1;
   }
   for (std::size_t t = 0; t < tetrahedra; ++t) {
     if (!s.usable[t]) continue;

@@ -103,7 +103,7 @@ void finish_further_rows(Survey& s, const std::vector<std::uint32_t>& start_corn
 
 void survey_orbits(Survey& s, const CornerBuckets& buckets) {
   s.rows.assign(s.mesh.tetrahedra.size(), {none, none, none, none});
-  Places pinched;
+  Places pinched(PlaceKind::points, s.keeps_places);
   std::vector<std::uint32_t> stack, further_start;
   for (std::uint32_t p = 0; p < s.mesh.points.size(); ++p) {
     std::size_t orbits = 0;
@@ -158,8 +158,9 @@ void survey_edges(Survey& s, const CornerBuckets& buckets) {
     std::uint32_t orbits = 0;
   };
   std::vector<Seen> seen(s.mesh.points.size());
-  Places pinched;
-  std::vector<std::int64_t> ends;
+  Places pinched(PlaceKind::edges, s.keeps_places);
+  s.edges = 0;
+  s.edges_at_row.assign(s.point_of_row.size(), 0);
   for (std::uint32_t p = 0; p < s.mesh.points.size(); ++p) {
     for (std::size_t k = buckets.first[p]; k < buckets.first[p + 1]; ++k) {
       const std::uint32_t t = buckets.corners[k] / 4;
@@ -168,16 +169,17 @@ void survey_edges(Survey& s, const CornerBuckets& buckets) {
         const std::uint32_t q = s.mesh.tetrahedra[t][j];
         if (q <= p || (marked[t] >> edge_bit(i, j) & 1U) != 0) continue;
         mark_edge(s, t, i, j, marked);
+        ++s.edges;
+        ++s.edges_at_row[s.rows[t][i]];
+        ++s.edges_at_row[s.rows[t][j]];
         Seen& other = seen[q];
         if (other.from != p) other = {p, 0};
         if (++other.orbits != 2) continue;
-        pinched.add(p);
-        if (ends.size() + 2 <= Finding::max_ids) ends.insert(ends.end(), {p, q});
+        pinched.add(std::array{p, q});
       }
     }
   }
   report(s, pinched_edge, pinched);
-  if (pinched.count() > 0) s.findings.back().ids = ends;
 }
 
 void survey_points(Survey& s) {
@@ -189,7 +191,7 @@ void survey_points(Survey& s) {
       if (p < points) used[p] = 1;
     }
   }
-  Places unused, coincident;
+  Places unused(PlaceKind::points, s.keeps_places), coincident = unused;
   std::vector<std::uint32_t> order;
   for (std::uint32_t p = 0; p < points; ++p) {
     if (!used[p]) unused.add(p);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `sunder check`: reads a mesh, builds its 3-map, counts its cells, lists every finding.
+// `sunder check`: reads a mesh, counts its cells, measures its tetrahedra, lists every finding.
 #include "apps/sunder/check.hpp"
 
 #include <fmt/format.h>
@@ -9,171 +9,121 @@
 #include <memory>
 #include <stdexcept>
 
-#include "apps/sunder/words.hpp"
-#include "topology/build_map.hpp"
-#include "topology/invariants.hpp"
+#include "apps/sunder/check_report.hpp"
+#include "topology/finding_cells.hpp"
 #include "topology/io/mesh_file.hpp"
-#include "topology/suite/homology.hpp"
 
 namespace sunder {
 namespace {
 
 constexpr const char* footer = R"(
-MESH is Gmsh MSH 1 to 4.1 (text or binary), MEDIT, VTU or legacy VTK, packed by gzip
-or not; its content decides, not its name.
+MESH is any mesh file that sunder convert reads (sunder convert --formats lists them), packed by
+gzip or not; its content decides, not its name.
 Coordinates are taken as metres, volumes are m^3. Vertices, edges and faces are counted as orbits
 of the 3-map: cells that only touch are not joined. Numbers in brackets are rows counted from 0.
 Betti numbers follow from boundary sheets where the body lies in space; where it is flat, folded or
 has no boundary they are those of its homology over the integers, which is told with its torsion.
+Dihedral angles lie between two faces of a tetrahedron (70.5 degrees in a regular one). Radius
+ratios are 3 r / R of the spheres inside and around it: 1 for a regular one, 0 for a flat one.
+docs/checks.md tells every finding, its tolerance and what to do about it.
 
 Exit codes: 0 no error found (warnings and notes may be), 1 a mesh with errors, 2 usage, 3 no mesh
-can be read from the file.
+can be read from the file, 4 FILE of --write-findings cannot be written.
 
 Examples:
   sunder check meshes/ring.msh
   sunder check body.vtu --json | jq .counts
+  sunder check body.inp --write-findings look.vtu
 )";
 
-/// What is known of a mesh in the end; `counts` where a map could be built.
-struct CheckReport {
-  std::vector<Finding> findings;
-  bool is_read = false;
-  TetMesh mesh;
-  std::optional<Counts> counts;
-  /// Where the body may not lie in space, so that its sheets do not tell its Betti numbers.
-  std::optional<suite::IntegerHomology> homology;
+struct Arguments {
+  std::filesystem::path mesh;
+  std::filesystem::path findings;
+  bool json = false;
 };
 
 /// The homology of a body from its tetrahedra; nothing where its numbers outgrow 64 bits.
-std::optional<suite::IntegerHomology> homology_of(const TetMesh& mesh) {
+std::optional<suite::IntegerHomology> homology_of(const FileMesh& mesh) {
   try {
-    const auto twin = suite::glue_twin(mesh.tetrahedra, mesh.points.size());
+    const auto twin = suite::glue_twin(mesh.tetrahedra.corners, mesh.points.size());
     return suite::integer_homology(suite::orbit_complex(twin));
   } catch (const std::overflow_error&) {
     return std::nullopt;
   }
 }
 
-CheckReport check(const std::filesystem::path& path) {
-  CheckReport report;
-  Result<TetMesh> mesh = read_mesh(path);
-  report.findings = std::move(mesh.findings);
-  if (!mesh) return report;
-  report.is_read = true;
-  report.mesh = std::move(*mesh);
-  // Flat tetrahedra do not hinder counting, but a body of them cannot be computed with.
-  Result<VolumeMap> map = build_map(report.mesh, Severity::warning);
-  bool is_in_space = true;
-  for (Finding& f : map.findings) {
-    if (f.code == "flat_tetrahedron" || f.code == "folded_tetrahedron") {
-      f.severity = Severity::error;
-      is_in_space = false;
-    }
-    f.file = path.string();
-    report.findings.push_back(std::move(f));
-  }
-  std::stable_sort(report.findings.begin(), report.findings.end(),
-                   [](const Finding& a, const Finding& b) { return a.severity > b.severity; });
-  if (!map) return report;
-  report.counts = count_cells(*map);
-  if (is_in_space && report.counts->betti) return report;
-  report.counts->betti.reset();
-  report.homology = homology_of(report.mesh);
-  if (!report.homology) return report;
+/// The Betti numbers of a body that may not lie in space.
+void find_homology(CheckReport& report, const FileMesh& mesh) {
+  report.homology = homology_of(mesh);
+  if (!report.homology) return;
   const auto number = [&report](int d) {
     return static_cast<std::ptrdiff_t>(report.homology->betti[d]);
   };
   report.counts->betti = {number(0), number(1), number(2)};
-  return report;
 }
 
-void print_json(const CheckReport& report) {
-  nlohmann::ordered_json json;
-  Counts unknown;
-  unknown.tetrahedra = report.mesh.tetrahedra.size();
-  json["counts"] =
-      cell_counts_json(report.mesh.points.size(), report.counts ? *report.counts : unknown);
-  json.update(invariants_json(report.counts ? *report.counts : unknown));
-  if (!report.counts) {
-    // Nothing is claimed that was not counted.
-    for (auto& [key, value] : json["counts"].items()) {
-      const bool known = report.is_read && (key == "file_vertices" || key == "tetrahedra");
-      if (!known) value = nullptr;
+/// Gives the exit code of a failure.
+ExitCode write_findings(CheckReport& report, const FileMesh& mesh, const MeshCheck& check) {
+  const FileMesh cells = cells_of_findings(mesh, check);
+  if (cell_count(cells) == 0) return ExitCode::fine;
+  const std::vector<Finding> written = write_file_mesh(report.findings_file, cells);
+  report.findings.insert(report.findings.end(), written.begin(), written.end());
+  if (has_error(written)) return ExitCode::not_written;
+  report.cells_written = cell_count(cells);
+  return ExitCode::fine;
+}
+
+ExitCode run_check(const Arguments& arguments) {
+  CheckReport report;
+  report.findings_file = arguments.findings;
+  ExitCode exit_code = ExitCode::bad_input;
+  Result<FileMesh> mesh = read_file_mesh(arguments.mesh);
+  report.findings = std::move(mesh.findings);
+  if (mesh) {
+    const MeshCheck check = check_file_mesh(*mesh, !arguments.findings.empty());
+    for (const Finding& f : check.findings) {
+      report.findings.push_back(f);
+      report.findings.back().file = arguments.mesh.string();
     }
-    for (const char* key : {"euler_characteristic", "betti", "volume"}) json[key] = nullptr;
+    report.is_read = !mesh->tetrahedra.corners.empty();
+    report.points = mesh->points.size();
+    report.tetrahedra = mesh->tetrahedra.corners.size();
+    report.counts = check.counts;
+    report.quality = check.quality;
+    if (report.counts && !report.counts->betti) find_homology(report, *mesh);
+    const bool is_bad = has_error(report.findings);
+    exit_code = !report.is_read ? ExitCode::bad_input
+                : is_bad        ? ExitCode::problems
+                                : ExitCode::fine;
+    if (!arguments.findings.empty()) {
+      const ExitCode failure = write_findings(report, *mesh, check);
+      if (failure != ExitCode::fine) exit_code = failure;
+    }
   }
-  if (report.homology) {
-    json["homology"] = {{"betti", report.homology->betti}, {"torsion", report.homology->torsion}};
-  }
-  json["findings"] = findings_json(report.findings);
-  json["valid"] = !has_error(report.findings);
-  fmt::print("{}\n", json.dump(2));
-}
-
-/// "Z^2 + Z/3" of one dimension; "0" for nothing.
-std::string group_text(const suite::IntegerHomology& homology, std::size_t dimension) {
-  std::string text;
-  const auto add = [&text](const std::string& part) {
-    if (!text.empty()) text += " + ";
-    text += part;
-  };
-  const std::size_t rank = homology.betti[dimension];
-  if (rank > 0) add(rank == 1 ? "Z" : fmt::format("Z^{}", rank));
-  for (const std::uint64_t n : homology.torsion[dimension]) add(fmt::format("Z/{}", n));
-  return text.empty() ? "0" : text;
-}
-
-void print_homology(const suite::IntegerHomology& homology) {
-  fmt::print("homology            ");
-  for (std::size_t d = 0; d < 4; ++d) fmt::print(" H{} = {}", d, group_text(homology, d));
-  fmt::print("\n");
-}
-
-void print_table(const CheckReport& report) {
-  if (report.is_read) {
-    fmt::print("points in the file  {:>10}\ntetrahedra          {:>10}\n",
-               report.mesh.points.size(), report.mesh.tetrahedra.size());
-  }
-  if (report.counts) {
-    const Counts& c = *report.counts;
-    fmt::print(
-        "vertices            {:>10}\nedges               {:>10}\nfaces               {:>10}\n",
-        c.vertices, c.edges, c.faces);
-    fmt::print(
-        "components          {:>10}\nboundary faces      {:>10}\nboundary sheets     {:>10}\n",
-        c.components, c.boundary_faces, c.boundary_sheets);
-    fmt::print(
-        "Euler characteristic{:>10}\nBetti numbers       {:>10}\nvolume, m^3         {:>10.6g}\n",
-        c.euler_characteristic, betti_text(c), c.volume);
-  }
-  if (report.homology) print_homology(*report.homology);
-  fmt::print("{}{}\n", finding_lines(report.findings),
-             has_error(report.findings) ? "not valid" : "valid");
-}
-
-ExitCode run_check(const std::filesystem::path& path, bool as_json) {
-  const CheckReport report = check(path);
-  as_json ? print_json(report) : print_table(report);
-  if (!report.is_read) return ExitCode::bad_input;
-  return has_error(report.findings) ? ExitCode::problems : ExitCode::fine;
+  std::ranges::stable_sort(report.findings, std::ranges::greater{}, &Finding::severity);
+  arguments.json ? print_json(report) : print_table(report);
+  return exit_code;
 }
 
 }  // namespace
 
 void add_check_command(CLI::App& program, ExitCode& exit_code) {
-  struct Arguments {
-    std::filesystem::path mesh;
-    bool json = false;
-  };
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command =
-      program.add_subcommand("check", "Count the cells of a mesh and list what is wrong with it");
-  command->add_option("MESH", arguments->mesh, "Mesh file (.msh, .mesh, .vtu)")
+  CLI::App* command = program.add_subcommand(
+      "check", "Count the cells of a mesh, measure them, list what is wrong");
+  command->add_option("MESH", arguments->mesh, "Mesh file")->type_name("FILE")->required();
+  command
+      ->add_option("--write-findings", arguments->findings,
+                   "Write every cell and point that a finding names as a mesh to look at; its "
+                   "ending says the format, .vtu shows all. Cells have their finding as region "
+                   "and column, and their row in MESH")
       ->type_name("FILE")
-      ->required();
+      ->check([](const std::string& name) {
+        return format_of_name(name) ? std::string() : name + " has the ending of no mesh format";
+      });
   command->add_flag("--json", arguments->json, "Print JSON instead of a table");
   command->footer(footer);
-  command->callback([=, &exit_code] { exit_code = run_check(arguments->mesh, arguments->json); });
+  command->callback([=, &exit_code] { exit_code = run_check(*arguments); });
 }
 
 }  // namespace sunder
