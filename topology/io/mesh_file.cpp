@@ -11,6 +11,7 @@
 #include "topology/io/formats.hpp"
 #include "topology/io/gzip.hpp"
 #include "topology/io/input_file.hpp"
+#include "topology/io/named_regions.hpp"
 #include "topology/io/region_names.hpp"
 #include "topology/io/scan.hpp"
 
@@ -74,17 +75,23 @@ void guarded(std::vector<Finding>& findings, Work work) {
   }
 }
 
-/// Names in the file beside, where the mesh's own format holds none and there is such a file.
-void take_names_beside(const std::filesystem::path& path, Result<FileMesh>& result) {
+/// Names in the file beside, where the mesh's own format holds none or only words, and there is
+/// such a file.
+void take_names_beside(const std::filesystem::path& path, MeshFormat format,
+                       Result<FileMesh>& result) {
   std::error_code unknown;
   const std::filesystem::path beside = io::names_beside(path);
-  for (const auto& names : result->region_name) {
-    if (!names.empty()) return;
-  }
+  const bool has_words = traits_of(format).regions_are_words;
+  if (name_count(*result) > 0 && !has_words) return;
   if (!std::filesystem::is_regular_file(beside, unknown)) return;
   const Result<std::string> text = io::bytes_of_file(beside);
   std::vector<Finding> findings = text.findings;
-  if (text) guarded(findings, [&] { io::read_region_names(*text, *result); });
+  if (text) {
+    guarded(findings, [&] {
+      const io::RegionNames names = io::read_region_names(*text);
+      has_words ? io::match_names(*result, names) : void(result->region_name = names);
+    });
+  }
   for (Finding& f : findings) f.file = beside.string();
   if (has_error(findings)) result.value.reset();
   result.findings.insert(result.findings.begin(), findings.begin(), findings.end());
@@ -95,15 +102,22 @@ void take_names_beside(const std::filesystem::path& path, Result<FileMesh>& resu
 namespace io {
 namespace {
 
+/// A mesh and the format that it was read as.
+struct ReadBytes {
+  Result<FileMesh> mesh;
+  std::optional<MeshFormat> format;
+};
+
 /// What read_file_mesh does once bytes are there, packed or not.
-Result<FileMesh> read_bytes(FileSource source, const std::filesystem::path& path,
-                            const ReadOptions& options) {
-  Result<FileMesh> result;
+ReadBytes read_bytes(FileSource source, const std::filesystem::path& path,
+                     const ReadOptions& options) {
+  ReadBytes read;
+  auto& [result, format] = read;
   std::string whole;
   guarded(result.findings, [&] {
     if (is_gzip(source.text)) source.text = whole = unpacked(source.text);
     if (source.text.starts_with(byte_order_mark)) source.text.remove_prefix(3);
-    const auto format = format_of_content(source.text);
+    format = format_of_content(source.text);
     if (source.text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
       result.findings.push_back(empty_file(source.text));
     } else if (!format) {
@@ -117,7 +131,7 @@ Result<FileMesh> read_bytes(FileSource source, const std::filesystem::path& path
     finding.file =
         finding.file.empty() ? path.string() : (path.parent_path() / finding.file).string();
   }
-  return result;
+  return read;
 }
 
 }  // namespace
@@ -131,11 +145,12 @@ Result<FileMesh> read_file_mesh(std::string_view bytes, std::string_view name,
                                        io::in_quotes(other)),
                    .remedy = "read the mesh from its folder"};
   };
-  return io::read_bytes({bytes, std::string(name), no_file}, name, options);
+  return io::read_bytes({bytes, std::string(name), no_file}, name, options).mesh;
 }
 
 Result<FileMesh> read_file_mesh(const std::filesystem::path& path, const ReadOptions& options) {
-  Result<FileMesh> result;
+  io::ReadBytes read;
+  auto& [result, format] = read;
   {
     const Result<std::string> bytes = io::bytes_of_file(path);
     if (!bytes) {
@@ -145,10 +160,10 @@ Result<FileMesh> read_file_mesh(const std::filesystem::path& path, const ReadOpt
     const auto other_file = [&](const std::string& name) {
       return io::bytes_beside(path.parent_path(), name);
     };
-    result = io::read_bytes({*bytes, path.filename().string(), other_file}, path, options);
+    read = io::read_bytes({*bytes, path.filename().string(), other_file}, path, options);
   }
-  if (result) take_names_beside(path, result);
-  return result;
+  if (result) take_names_beside(path, *format, result);
+  return std::move(result);
 }
 
 namespace {

@@ -41,6 +41,9 @@ struct FormatTraits {
   std::array<bool, 4> holds_cells{false, false, false, true};
   bool holds_regions = true;
   bool holds_region_names = false;
+  /// Regions are words there, such as sets: their numbers and full names go beside (see
+  /// named_regions.hpp).
+  bool regions_are_words = false;
   bool holds_entities = false;
   bool holds_point_regions = false;
   bool holds_point_ids = false;

@@ -31,7 +31,8 @@ std::optional<Finding> write_region_names(const std::filesystem::path& path, con
   return write_file(path, text);
 }
 
-void read_region_names(std::string_view text, FileMesh& mesh) {
+std::array<std::map<std::int32_t, std::string>, 4> read_region_names(std::string_view text) {
+  std::array<std::map<std::int32_t, std::string>, 4> names;
   Scanner s{text};
   while (!peek_word(s).empty()) {
     const std::size_t at = s.at;
@@ -51,9 +52,10 @@ void read_region_names(std::string_view text, FileMesh& mesh) {
                                 in_quotes(name), dimension),
             .remedy = "write the line as: 3 7 \"name\""});
     }
-    mesh.region_name[static_cast<std::size_t>(dimension)][region] =
+    names[static_cast<std::size_t>(dimension)][region] =
         std::string(name.substr(1, name.size() - 2));
   }
+  return names;
 }
 
 }  // namespace sunder::io

@@ -18,8 +18,7 @@ std::filesystem::path names_beside(const std::filesystem::path& path);
 /// Writes the names, a line each: dimension, region, name in double quotes. Errors: cannot_write.
 std::optional<Finding> write_region_names(const std::filesystem::path& path, const FileMesh& mesh);
 
-/// Puts the names of such a file's text into `mesh`. Throws ReadFailure (bad_number, bad_name,
-/// unknown_section).
-void read_region_names(std::string_view text, FileMesh& mesh);
+/// The names in such a file's text, by dimension. Throws ReadFailure (bad_number, bad_name).
+std::array<std::map<std::int32_t, std::string>, 4> read_region_names(std::string_view text);
 
 }  // namespace sunder::io

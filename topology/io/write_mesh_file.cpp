@@ -234,12 +234,16 @@ std::vector<Finding> write_file_mesh(const std::filesystem::path& path, const Fi
       if (auto error = io::write_region_names(beside, mesh)) {
         findings.insert(findings.begin(), std::move(*error));
       } else {
-        findings.push_back({.code = "names_beside",
-                            .severity = Severity::note,
-                            .count = name_count(mesh),
-                            .text = fmt::format("{} holds no names of regions: they are in {}",
-                                                t.name, beside.string()),
-                            .remedy = "keep that file beside the mesh: it is read with it"});
+        findings.push_back(
+            {.code = "names_beside",
+             .severity = Severity::note,
+             .count = name_count(mesh),
+             .text = fmt::format("{} {} in {}", t.name,
+                                 t.regions_are_words
+                                     ? "has words for regions: their numbers and names are"
+                                     : "holds no names of regions: they are",
+                                 beside.string()),
+             .remedy = "keep that file beside the mesh: it is read with it"});
       }
     }
   }
