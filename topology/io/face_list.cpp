@@ -8,6 +8,8 @@
 #include <fstream>
 #include <string>
 
+#include "topology/io/scan.hpp"
+
 namespace sunder {
 namespace {
 
@@ -50,9 +52,9 @@ Result<std::vector<std::array<std::uint32_t, 3>>> read_face_list(
     std::array<std::uint32_t, 3> triple{};
     if (!read_triple(content, triple)) {
       return Finding{.code = "bad_face",
-                     .text = fmt::format("'{}' is no face: three rows of points, counted from 0, "
+                     .text = fmt::format("{} is no face: three rows of points, counted from 0, "
                                          "were expected",
-                                         content.substr(0, 60)),
+                                         io::in_quotes(content)),
                      .remedy = "correct this line",
                      .file = path.string(),
                      .line = number};
