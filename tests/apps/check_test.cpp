@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "program.hpp"
+#include "topology/io/mesh_file.hpp"
 #include "topology/suite/fixture.hpp"
 #include "topology/suite/shapes.hpp"
 
@@ -237,4 +238,83 @@ TEST_CASE("a body that cannot lie in space has the Betti numbers of its homology
   const auto ring =
       here.run({"check", here.write("r.msh", sunder::suite::ring({3, 3, 1})), "--json"});
   CHECK_FALSE(ring.json().contains("homology"));
+}
+
+TEST_CASE("check measures the tetrahedra", "[apps][check]") {
+  const Workplace here;
+  const auto quality = here.run({"check", sample_mesh("ring.msh"), "--json"}).json()["quality"];
+  CHECK(quality["dihedral_angle"]["smallest"] == nlohmann::json{{"value", 45}, {"tetrahedron", 0}});
+  CHECK(quality["dihedral_angle"]["largest"]["value"] == 90);
+  CHECK(quality["volume"]["ratio"] == 1);
+  CHECK(quality["edge"]["shortest"]["value"] == 1);
+  CHECK(quality["radius_ratio"]["mean"].get<double>() == Approx(0.7174).epsilon(1e-4));
+}
+
+TEST_CASE("check holds a file's triangles against its tetrahedra", "[apps][check]") {
+  const Workplace here;
+  FileMesh mesh = file_mesh_of(two_tetrahedra());
+  mesh.triangles.corners = {{0, 1, 2}, {0, 3, 4}, {0, 1, 3}};
+  REQUIRE(write_file_mesh(here.path("a.msh"), mesh).empty());
+  const Outcome outcome = here.run({"check", here.path("a.msh"), "--json"});
+  const auto findings = outcome.json()["findings"];
+  CHECK(outcome.exit_code == 0);
+  REQUIRE(findings.size() == 2);
+  CHECK(findings[0]["code"] == "stray_triangle");
+  CHECK(findings[0]["ids"] == nlohmann::json::array({1}));
+  CHECK(findings[0]["file"] == here.path("a.msh"));
+  CHECK(findings[1]["code"] == "interface_triangle");
+}
+
+TEST_CASE("check writes the cells that findings name, all of them, in any format",
+          "[apps][check][findings]") {
+  TetMesh mesh = kuhn_box({3, 3, 3});
+  for (std::size_t t = 0; t < 40; ++t) std::swap(mesh.tetrahedra[t][0], mesh.tetrahedra[t][1]);
+  mesh.points.push_back({5, 5, 5});
+  for (const char* name : {"look.vtu", "look.msh", "look.mesh", "look.vtk"}) {
+    INFO(name);
+    const Workplace here;
+    const std::string path = here.write("a.msh", mesh);
+    const Outcome outcome =
+        here.run({"check", path, "--json", "--write-findings", here.path(name)});
+    CHECK(outcome.exit_code == 0);
+    CHECK(outcome.json()["findings_file"]["cells"] == 41);
+    CHECK(outcome.json()["findings_file"]["path"] == here.path(name));
+    const auto cells = read_file_mesh(here.path(name));
+    REQUIRE(cells);
+    CHECK(cells->tetrahedra.corners.size() == 40);
+    CHECK(cells->tetrahedra.region == std::vector<std::int32_t>(40, 1));
+    CHECK(cells->region_name[3].at(1) == "inverted_tetrahedron");
+    if (std::string(name) != "look.vtu") continue;
+    CHECK(cells->vertices.corners.size() == 1);
+    CHECK(cells->region_name[0].at(2) == "unused_point");
+    const auto& rows = std::get<std::vector<std::int64_t>>(cells->tetrahedra.data.at(1).values);
+    CHECK(cells->tetrahedra.data.at(1).name == "row");
+    for (std::int64_t t = 0; t < 40; ++t) CHECK(rows[static_cast<std::size_t>(t)] == t);
+  }
+}
+
+TEST_CASE("check writes no mesh of findings where none names a cell", "[apps][check][findings]") {
+  const Workplace here;
+  const Outcome fine =
+      here.run({"check", sample_mesh("cube.msh"), "--write-findings", here.path("look.vtu")});
+  CHECK(fine.exit_code == 0);
+  CHECK(fine.out.find("nothing is written") != std::string::npos);
+  const Outcome unread = here.run(
+      {"check", here.write("a.msh", "nothing"), "--write-findings", here.path("look.vtu")});
+  CHECK(unread.exit_code == 3);
+  CHECK(here.names() == std::vector<std::string>{"a.msh"});
+}
+
+TEST_CASE("check tells where the mesh of findings cannot be written", "[apps][check][findings]") {
+  const Workplace here;
+  TetMesh mesh = one_tetrahedron();
+  mesh.points.push_back({5, 5, 5});
+  const std::string path = here.write("a.msh", mesh);
+  const Outcome folder =
+      here.run({"check", path, "--json", "--write-findings", here.path("no/such/look.vtu")});
+  CHECK(folder.exit_code == 4);
+  CHECK(folder.json()["findings"][0]["code"] == "cannot_write");
+  CHECK(folder.json()["findings_file"]["path"].is_null());
+  CHECK(here.run({"check", path, "--write-findings", here.path("look.png")}).exit_code == 2);
+  CHECK(here.names() == std::vector<std::string>{"a.msh"});
 }
