@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "apps/sunder/bench_formats.hpp"
 #include "apps/sunder/bench_kernel.hpp"
 #include "apps/sunder/bench_methods.hpp"
 #include "apps/sunder/bench_paper_report.hpp"
@@ -325,6 +326,7 @@ void add_bench_command(CLI::App& program, ExitCode& exit_code) {
   add_methods_command(*bench, exit_code);
   add_paper_command(*bench, exit_code);
   add_threshold_command(*bench, exit_code);
+  add_formats_command(*bench, exit_code);
 }
 
 }  // namespace sunder

@@ -1,0 +1,289 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: MIT
+"""A two-material box through every ordered pair of formats, by sunder, meshio and gmsh.
+
+Usage: conversion_matrix.py SUNDER [-o PAGE.md]
+
+The box has two named volumes, two named surfaces, a field on its points and one on its cells. For each
+pair A, B every program gets the same file in A (written by sunder) and writes B. What of A's file
+survived is read from B's file by sunder, and, where sunder cannot read it, the pair has failed.
+Prints Markdown: a summary by target, and one matrix a program. Exit code 1: sunder failed somewhere, or
+lost what another program kept; 77: neither meshio nor gmsh is installed.
+"""
+import argparse
+import contextlib
+import io
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+try:
+    import meshio
+except ImportError:
+    meshio = None
+GMSH = shutil.which("gmsh")
+
+# Name, ending, options of sunder, file_format and arguments of meshio, -format and options of gmsh.
+FORMATS = [
+    ("MSH 4.1", "msh", [], ("gmsh", {"binary": False}), ["msh41"]),
+    ("MSH 4.1 binary", "msh", ["--binary"], ("gmsh", {}), ["msh41", "-bin"]),
+    ("MSH 4.0", "msh", ["--format-version", "4.0"], None, ["msh40"]),
+    ("MSH 2.2", "msh", ["--format-version", "2.2"], ("gmsh22", {"binary": False}), ["msh22"]),
+    ("MSH 2.2 binary", "msh", ["--format-version", "2.2", "--binary"], ("gmsh22", {}),
+     ["msh22", "-bin"]),
+    ("MSH 1", "msh", ["--format-version", "1"], None, ["msh1"]),
+    ("MEDIT", "mesh", [], ("medit", {}), ["mesh"]),
+    ("MEDIT binary", "meshb", [], ("medit", {}), None),
+    ("VTU", "vtu", [], ("vtu", {}), None),
+    ("VTU text", "vtu", ["--text"], ("vtu", {"binary": False}), None),
+    ("VTK 4.2", "vtk", [], ("vtk42", {}), ["vtk", "-bin"]),
+    ("VTK 4.2 text", "vtk", ["--text"], ("vtk42", {"binary": False}), ["vtk"]),
+    ("VTK 5.1", "vtk", ["--format-version", "5.1"], ("vtk51", {}), None),
+    ("TetGen", "node", [], ("tetgen", {}), None),
+    ("Abaqus", "inp", [], ("abaqus", {}), ["inp"]),
+    ("OVM", "ovm", [], None, None),
+    ("OFF", "off", [], ("off", {}), None),
+    ("OBJ", "obj", [], ("obj", {}), None),
+    ("STL", "stl", [], ("stl", {"binary": True}), ["stl", "-bin"]),
+    ("STL text", "stl", ["--text"], ("stl", {}), ["stl"]),
+    ("PLY", "ply", [], ("ply", {}), None),
+    ("PLY text", "ply", ["--text"], ("ply", {"binary": False}), None),
+]
+# What may survive, and the letter that tells that it did not.
+ITEMS = {"coordinates": "x", "tetrahedra": "T", "triangles": "F", "order": "o", "volumes": "v",
+         "surfaces": "s", "names": "n", "point data": "p", "cell data": "c"}
+
+
+def box():
+    """The box in MSH 2.2: two cubes of six tetrahedra side by side."""
+    points = [(0.1 * i, j / 3, 0.7 * k) for i in range(3) for j in range(2) for k in range(2)]
+    row = {(i, j, k): 4 * i + 2 * j + k + 1 for i in range(3) for j in range(2) for k in range(2)}
+    steps = [(0, 1, 2), (1, 2, 0), (2, 0, 1), (1, 0, 2), (0, 2, 1), (2, 1, 0)]
+    tetrahedra, triangles = [], []
+    for i in range(2):
+        for n, order in enumerate(steps):
+            at, corners = [i, 0, 0], [(i, 0, 0)]
+            for axis in order:
+                at[axis] += 1
+                corners.append(tuple(at))
+            if n >= 3:
+                corners[2], corners[3] = corners[3], corners[2]
+            tetrahedra.append((7 if i == 0 else 3, [row[c] for c in corners]))
+    for i, tag in ((0, 2), (2, 6)):
+        a, b, c, d = (row[i, j, k] for j, k in ((0, 0), (1, 0), (1, 1), (0, 1)))
+        triangles += [(tag, (a, b, c)), (tag, (a, c, d))]
+    text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n4\n"
+    text += '3 7 "core"\n3 3 "outer shell"\n2 2 "inlet"\n2 6 "outlet"\n$EndPhysicalNames\n'
+    text += f"$Nodes\n{len(points)}\n"
+    text += "".join(f"{n + 1} {x!r} {y!r} {z!r}\n" for n, (x, y, z) in enumerate(points))
+    text += f"$EndNodes\n$Elements\n{len(triangles) + len(tetrahedra)}\n"
+    cells = [(2, c) for c in triangles] + [(4, c) for c in tetrahedra]
+    for n, (kind, (tag, corners)) in enumerate(cells):
+        text += f"{n + 1} {kind} 2 {tag} {tag} {' '.join(map(str, corners))}\n"
+    text += "$EndElements\n$NodeData\n1\n\"height\"\n1\n0\n3\n0\n1\n12\n"
+    text += "".join(f"{n + 1} {p[2] / 3!r}\n" for n, p in enumerate(points))
+    text += f"$EndNodeData\n$ElementData\n1\n\"damage\"\n1\n0\n3\n0\n1\n{len(cells)}\n"
+    text += "".join(f"{n + 1} {1 / (n + 3)!r}\n" for n in range(len(cells)))
+    return text + "$EndElementData\n"
+
+
+def sections(text):
+    """The lines of each section of an MSH file."""
+    found, lines = {}, iter(text.splitlines())
+    for line in lines:
+        if line.startswith("$"):
+            body = []
+            for inner in lines:
+                if inner.startswith("$End"):
+                    break
+                body.append(inner)
+            found.setdefault(line[1:], []).append(body)
+    return found
+
+
+def nearest(point):
+    """A point's coordinates without their last digits, by which it is known again."""
+    return tuple(round(x, 5) + 0.0 for x in point)
+
+
+def contents(sunder, path, folder):
+    """What sunder reads from a file, item by item; None where it cannot be read."""
+    again = folder / "judged.msh"
+    for stale in (again, pathlib.Path(f"{again}.regions")):
+        stale.unlink(missing_ok=True)
+    if subprocess.run([sunder, "convert", path, again, "--format-version", "2.2"],
+                      capture_output=True).returncode != 0:
+        return None
+    found = sections(again.read_text())
+    points, known = [], {}
+    for line in found["Nodes"][0][1:]:
+        number, *xyz = line.split()
+        points.append(tuple(map(float, xyz)))
+        known[number] = nearest(points[-1])
+    cells, order, number_of = {"2": {}, "4": {}}, [], {}
+    for line in found["Elements"][0][1:]:
+        words = line.split()
+        tags = 3 + int(words[2])
+        corners = [known[w] for w in words[tags:]]
+        if words[1] in cells:
+            cell = tuple(sorted(corners))
+            cells[words[1]][cell] = words[3] if tags > 3 else "0"
+            number_of[words[0]] = cell
+            order.append(corners)
+    names = {}
+    for line in found.get("PhysicalNames", [[]])[0][1:]:
+        dimension, number, name = line.split(" ", 2)
+        names[dimension, number] = name
+    data = {"NodeData": {}, "ElementData": {}}
+    for kind, fields in data.items():
+        of = known if kind == "NodeData" else number_of
+        for body in found.get(kind, []):
+            for line in body[8:]:
+                number, *values = line.split()
+                if len(values) == 1 and number in of:
+                    fields[body[1], of[number]] = values
+    return {
+        "coordinates": dict.fromkeys(points),
+        "tetrahedra": dict.fromkeys(cells["4"]),
+        "triangles": dict.fromkeys(cells["2"]),
+        "order": {"": ([nearest(p) for p in points], order)},
+        "volumes": cells["4"] if set(cells["4"].values()) != {"0"} else {},
+        "surfaces": cells["2"] if set(cells["2"].values()) != {"0"} else {},
+        "names": names,
+        "point data": data["NodeData"],
+        "cell data": data["ElementData"],
+    }
+
+
+def survived(before, after):
+    """The items of `before` that are the same in `after`; None where that could not be read."""
+    if after is None:
+        return None
+    return {item for item, values in before.items()
+            if values and all(k in after[item] and after[item][k] == v for k, v in values.items())}
+
+
+def by_sunder(sunder, source, out, target):
+    run = subprocess.run([sunder, "convert", source, out, *target[2]], capture_output=True)
+    return run.returncode == 0
+
+
+def by_meshio(_, source, out, target):
+    file_format, arguments = target[3]
+    try:
+        with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
+            meshio.write(out, meshio.read(source), file_format=file_format, **arguments)
+    except (Exception, SystemExit):
+        return False
+    return True
+
+
+def by_gmsh(_, source, out, target):
+    try:
+        run = subprocess.run([GMSH, source, "-save", "-format", target[4][0], *target[4][1:],
+                              "-o", out], capture_output=True, errors="replace", timeout=60)
+    except subprocess.TimeoutExpired:
+        return False
+    return run.returncode == 0 and "Error" not in run.stdout + run.stderr
+
+
+def convert_all(sunder, sources, folder, programs):
+    """For each program and pair what survived: a set of items, or None where it failed."""
+    results = {name: {} for name in programs}
+    for source in sources:
+        before = contents(sunder, sources[source], folder)
+        for target in FORMATS:
+            if target[0] not in sources:
+                continue
+            for program, (convert, handles) in programs.items():
+                if not handles(target):
+                    continue
+                place = folder / "out"
+                shutil.rmtree(place, ignore_errors=True)
+                place.mkdir()
+                out = place / f"box.{target[1]}"
+                done = convert(sunder, sources[source], out, target)
+                after = contents(sunder, out, folder) if done and out.exists() else None
+                results[program][source, target[0]] = survived(before, after)
+    return results
+
+
+def judged(results, pair, program):
+    """`=`, the letters of what was lost though some program keeps it, `X`, or a blank."""
+    if pair not in results[program]:
+        return ""
+    kept = results[program][pair]
+    if kept is None:
+        return "X"
+    possible = set().union(*(r[pair] or set() for r in results.values() if pair in r))
+    return "".join(letter for item, letter in ITEMS.items() if item in possible - kept) or "="
+
+
+def page(results, names, programs):
+    lines = ["| to | " + " | ".join(programs) + " |", "|---|" + "---|" * len(programs)]
+    for target in names:
+        row = []
+        for program in programs:
+            marks = [judged(results, (source, target), program) for source in names]
+            marks = [mark for mark in marks if mark]
+            row.append(f"{marks.count('=')} / {len(marks) - marks.count('=') - marks.count('X')} "
+                       f"/ {marks.count('X')}" if marks else "not written")
+        lines.append(f"| {target} | " + " | ".join(row) + " |")
+    totals = []
+    for program in programs:
+        marks = [judged(results, pair, program) for pair in results[program]]
+        totals.append(f"{marks.count('=')} / {len(marks) - marks.count('=') - marks.count('X')} / "
+                      f"{marks.count('X')}")
+    lines.append("| **all** | " + " | ".join(f"**{total}**" for total in totals) + " |")
+    for program in programs:
+        lines += ["", f"### {program}", "", "| from \\ to | " + " | ".join(names) + " |",
+                  "|---|" + "---|" * len(names)]
+        for source in names:
+            marks = [judged(results, (source, target), program) for target in names]
+            lines.append(f"| {source} | " + " | ".join(marks) + " |")
+    return "\n".join(lines) + "\n"
+
+
+def main():
+    arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    arguments.add_argument("sunder")
+    arguments.add_argument("-o", "--output")
+    given = arguments.parse_args()
+    if not meshio and not GMSH:
+        print("neither meshio nor gmsh is installed")
+        return 77
+    programs = {"sunder": (by_sunder, lambda t: True)}
+    if meshio:
+        programs["meshio"] = (by_meshio, lambda t: t[3] is not None)
+    if GMSH:
+        programs["gmsh"] = (by_gmsh, lambda t: t[4] is not None)
+    table = subprocess.run([given.sunder, "convert", "--formats"], capture_output=True, text=True,
+                           check=True).stdout
+    with tempfile.TemporaryDirectory() as place:
+        folder = pathlib.Path(place)
+        (folder / "box.msh").write_text(box())
+        sources = {}
+        for target in FORMATS:
+            if f".{target[1]}" not in table:
+                continue
+            name = target[0].replace(" ", "_")
+            (folder / name).mkdir()
+            sources[target[0]] = folder / name / f"box.{target[1]}"
+            subprocess.run([given.sunder, "convert", folder / "box.msh", sources[target[0]],
+                            *target[2]], check=True, stdout=subprocess.DEVNULL)
+        results = convert_all(given.sunder, sources, folder, programs)
+    text = page(results, list(sources), list(programs))
+    print(text, end="")
+    if given.output:
+        pathlib.Path(given.output).write_text(text)
+    worse = [pair for pair in results["sunder"] if judged(results, pair, "sunder") != "="]
+    for source, target in worse:
+        print(f"sunder, {source} to {target}: {judged(results, (source, target), 'sunder')}",
+              file=sys.stderr)
+    return 1 if worse else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
