@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Reads with meshio and gmsh what `sunder split -o` and `sunder convert` write.
+"""Reads with meshio, gmsh and VTK what `sunder split -o` and `sunder convert` write.
 
 Usage: others_read_it.py SUNDER MESHES SAMPLES. Exit code 77: nothing here to read it with.
 """
@@ -15,10 +15,28 @@ try:
     import meshio
 except ImportError as error:
     import_error = error
+try:
+    import vtk
+except ImportError:
+    vtk = None
 gmsh = shutil.which("gmsh")
-if import_error and not gmsh:
-    print("neither meshio nor gmsh is installed")
+if import_error and not gmsh and not vtk:
+    print("neither meshio nor gmsh nor VTK is installed")
     sys.exit(77)
+
+
+
+def read_by_vtk(path):
+    """VTK's own answer: points, cells and the regions of the cells."""
+    reader = (vtk.vtkXMLUnstructuredGridReader() if path.suffix == ".vtu"
+              else vtk.vtkUnstructuredGridReader())
+    reader.SetFileName(str(path))
+    reader.Update()
+    grid = reader.GetOutput()
+    regions = grid.GetCellData().GetArray("region")
+    return (grid.GetNumberOfPoints(), grid.GetNumberOfCells(),
+            {int(regions.GetTuple1(i)) for i in range(grid.GetNumberOfCells())})
+
 
 sunder, meshes = sys.argv[1], pathlib.Path(sys.argv[2])
 with tempfile.TemporaryDirectory() as folder:
@@ -64,8 +82,9 @@ with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder) / name
         subprocess.run([sunder, "convert", original, out, *options], check=True,
                        stdout=subprocess.DEVNULL)
-        # meshio does not read version 1, nor Gmsh's own files of 4.0.
-        if not import_error and name not in ("text1.msh", "text4.0.msh", "binary4.0.msh"):
+        # meshio does not read version 1, nor Gmsh's own files of 4.0; VTK's `int` is 8 bytes to it.
+        if not import_error and name not in ("text1.msh", "text4.0.msh", "binary4.0.msh",
+                                             "binary5.1.vtk"):
             mesh = meshio.read(out)
             assert len(mesh.points) == 23, (name, len(mesh.points))
             tetrahedra = sum(len(b.data) for b in mesh.cells if b.type == "tetra")
@@ -79,4 +98,6 @@ with tempfile.TemporaryDirectory() as folder:
                                    capture_output=True)
             assert check.returncode == 0, (name, check.stdout)
             assert '"tetrahedra": 48' in check.stdout, (name, check.stdout)
+        if vtk and out.suffix in (".vtu", ".vtk"):
+            assert read_by_vtk(out) == (23, 52, {3, 7, 9}), (name, read_by_vtk(out))
         print(f"others read {name}")

@@ -53,13 +53,15 @@ FORMATS = [
 ]
 # What may survive, and the letter that tells that it did not.
 ITEMS = {"coordinates": "x", "tetrahedra": "T", "triangles": "F", "order": "o", "volumes": "v",
-         "surfaces": "s", "names": "n", "point data": "p", "cell data": "c"}
+         "surfaces": "s", "names": "n", "entities": "e", "numbers": "i", "point data": "p",
+         "cell data": "c"}
 
 
 def box():
     """The box in MSH 2.2: two cubes of six tetrahedra side by side."""
     points = [(0.1 * i, j / 3, 0.7 * k) for i in range(3) for j in range(2) for k in range(2)]
-    row = {(i, j, k): 4 * i + 2 * j + k + 1 for i in range(3) for j in range(2) for k in range(2)}
+    row = {(i, j, k): 3 * (4 * i + 2 * j + k) + 5
+           for i in range(3) for j in range(2) for k in range(2)}
     steps = [(0, 1, 2), (1, 2, 0), (2, 0, 1), (1, 0, 2), (0, 2, 1), (2, 1, 0)]
     tetrahedra, triangles = [], []
     for i in range(2):
@@ -77,15 +79,15 @@ def box():
     text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n4\n"
     text += '3 7 "core"\n3 3 "outer shell"\n2 2 "inlet"\n2 6 "outlet"\n$EndPhysicalNames\n'
     text += f"$Nodes\n{len(points)}\n"
-    text += "".join(f"{n + 1} {x!r} {y!r} {z!r}\n" for n, (x, y, z) in enumerate(points))
+    text += "".join(f"{3 * n + 5} {x!r} {y!r} {z!r}\n" for n, (x, y, z) in enumerate(points))
     text += f"$EndNodes\n$Elements\n{len(triangles) + len(tetrahedra)}\n"
     cells = [(2, c) for c in triangles] + [(4, c) for c in tetrahedra]
     for n, (kind, (tag, corners)) in enumerate(cells):
-        text += f"{n + 1} {kind} 2 {tag} {tag} {' '.join(map(str, corners))}\n"
+        text += f"{2 * n + 20} {kind} 2 {tag} {tag + 30} {' '.join(map(str, corners))}\n"
     text += "$EndElements\n$NodeData\n1\n\"height\"\n1\n0\n3\n0\n1\n12\n"
-    text += "".join(f"{n + 1} {p[2] / 3!r}\n" for n, p in enumerate(points))
+    text += "".join(f"{3 * n + 5} {p[2] / 3!r}\n" for n, p in enumerate(points))
     text += f"$EndNodeData\n$ElementData\n1\n\"damage\"\n1\n0\n3\n0\n1\n{len(cells)}\n"
-    text += "".join(f"{n + 1} {1 / (n + 3)!r}\n" for n in range(len(cells)))
+    text += "".join(f"{2 * n + 20} {1 / (n + 3)!r}\n" for n in range(len(cells)))
     return text + "$EndElementData\n"
 
 
@@ -117,7 +119,7 @@ def contents(sunder, path, folder):
                       capture_output=True).returncode != 0:
         return None
     found = sections(again.read_text())
-    points, known = [], {}
+    points, known, entities = [], {}, {}
     for line in found["Nodes"][0][1:]:
         number, *xyz = line.split()
         points.append(tuple(map(float, xyz)))
@@ -130,6 +132,7 @@ def contents(sunder, path, folder):
         if words[1] in cells:
             cell = tuple(sorted(corners))
             cells[words[1]][cell] = words[3] if tags > 3 else "0"
+            entities[cell] = words[4] if tags > 4 else "0"
             number_of[words[0]] = cell
             order.append(corners)
     names = {}
@@ -152,6 +155,10 @@ def contents(sunder, path, folder):
         "volumes": cells["4"] if set(cells["4"].values()) != {"0"} else {},
         "surfaces": cells["2"] if set(cells["2"].values()) != {"0"} else {},
         "names": names,
+        # Where no entity is given they are written like the regions.
+        "entities": entities if entities != cells["2"] | cells["4"] else {},
+        "numbers": {} if list(known) == [str(n + 1) for n in range(len(known))] else
+                   {cell: number for number, cell in (known | number_of).items()},
         "point data": data["NodeData"],
         "cell data": data["ElementData"],
     }
@@ -221,6 +228,20 @@ def judged(results, pair, program):
     return "".join(letter for item, letter in ITEMS.items() if item in possible - kept) or "="
 
 
+def carried(results, names, programs):
+    """Which programs bring which items into which formats, from any source."""
+    lines = ["| to | " + " | ".join(ITEMS) + " |", "|---|" + "---|" * len(ITEMS)]
+    for target in names:
+        row = []
+        for item in ITEMS:
+            able = [program for program in programs
+                    if any(kept and item in kept and pair[1] == target
+                           for pair, kept in results[program].items())]
+            row.append(", ".join(able))
+        lines.append(f"| {target} | " + " | ".join(row) + " |")
+    return lines
+
+
 def page(results, names, programs):
     lines = ["| to | " + " | ".join(programs) + " |", "|---|" + "---|" * len(programs)]
     for target in names:
@@ -237,6 +258,7 @@ def page(results, names, programs):
         totals.append(f"{marks.count('=')} / {len(marks) - marks.count('=') - marks.count('X')} / "
                       f"{marks.count('X')}")
     lines.append("| **all** | " + " | ".join(f"**{total}**" for total in totals) + " |")
+    lines += [""] + carried(results, names, programs)
     for program in programs:
         lines += ["", f"### {program}", "", "| from \\ to | " + " | ".join(names) + " |",
                   "|---|" + "---|" * len(names)]

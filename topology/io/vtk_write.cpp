@@ -47,20 +47,15 @@ void put_values(NumberSink& out, const DataColumn& column) {
   if (out.is_binary) out.bytes += '\n';
 }
 
-/// Words for the types, in the order of NumberType. Integers of 32 bits have words of their own
-/// from version 5 on, which meshio needs there.
-constexpr std::string_view type_words_42[] = {
+/// VTK's words for the types, in the order of NumberType. meshio 5.0 does not know all of them.
+constexpr std::string_view type_words[] = {
     "double",         "float", "signed_char",  "unsigned_char", "short",
     "unsigned_short", "int",   "unsigned_int", "vtktypeint64",  "vtktypeuint64"};
-constexpr std::string_view type_words_51[] = {
-    "double",         "float",        "signed_char",   "unsigned_char", "short",
-    "unsigned_short", "vtktypeint32", "vtktypeuint32", "vtktypeint64",  "vtktypeuint64"};
 
-void put_column(NumberSink& out, const DataColumn& column, std::size_t rows, int version) {
+void put_column(NumberSink& out, const DataColumn& column, std::size_t rows) {
   const auto place = static_cast<std::size_t>(column.type);
   fmt::format_to(std::back_inserter(out.bytes), "{} {} {} {}\n", encoded(column.name),
-                 column.components, rows,
-                 version == 51 ? type_words_51[place] : type_words_42[place]);
+                 column.components, rows, type_words[place]);
   with_stored(column.type, [&]<class Stored>(Stored) { put_values<Stored>(out, column); });
 }
 
@@ -90,11 +85,11 @@ void put_cells_51(NumberSink& out, const VtkGrid& grid) {
 }
 
 void put_fields(NumberSink& out, std::string_view section, const std::vector<DataColumn>& columns,
-                std::size_t rows, int version) {
+                std::size_t rows) {
   if (columns.empty()) return;
   fmt::format_to(std::back_inserter(out.bytes), "{} {}\nFIELD FieldData {}\n", section, rows,
                  columns.size());
-  for (const DataColumn& column : columns) put_column(out, column, rows, version);
+  for (const DataColumn& column : columns) put_column(out, column, rows);
 }
 
 }  // namespace
@@ -116,8 +111,8 @@ std::string write_vtk(const FileMesh& mesh, int version, bool is_binary) {
   fmt::format_to(std::back_inserter(out.bytes), "CELL_TYPES {}\n", grid.types.size());
   for (const std::uint8_t type : grid.types) put_vtk<std::int32_t>(out, type, '\n');
   if (is_binary) out.bytes += '\n';
-  put_fields(out, "CELL_DATA", grid.cell_data, grid.types.size(), version);
-  put_fields(out, "POINT_DATA", grid.point_data, mesh.points.size(), version);
+  put_fields(out, "CELL_DATA", grid.cell_data, grid.types.size());
+  put_fields(out, "POINT_DATA", grid.point_data, mesh.points.size());
   return std::move(out.bytes);
 }
 
