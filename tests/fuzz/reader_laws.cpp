@@ -13,14 +13,11 @@
 #include <vector>
 
 #include "topology/io/face_list.hpp"
+#include "topology/io/formats.hpp"
 #include "topology/io/gzip.hpp"
-#include "topology/io/medit.hpp"
 #include "topology/io/mesh_file.hpp"
-#include "topology/io/msh.hpp"
 #include "topology/io/region_names.hpp"
 #include "topology/io/scan.hpp"
-#include "topology/io/vtk.hpp"
-#include "topology/io/vtu_read.hpp"
 
 namespace sunder::test {
 namespace {
@@ -164,9 +161,13 @@ std::vector<WriteOptions> ways_to_write(const FormatTraits& t) {
   std::vector<std::string> versions(t.versions.begin(), t.versions.end());
   if (versions.empty()) versions.emplace_back();
   for (const std::string& version : versions) {
-    if (t.writes_text) ways.push_back({t.format, version, false});
-    const bool is_msh_1 = t.format == MeshFormat::msh && version == "1";
-    if (t.writes_binary && !is_msh_1) ways.push_back({t.format, version, true});
+    for (const Encoding encoding : t.encodings) {
+      const bool is_msh_1 = t.format == MeshFormat::msh && version == "1";
+      if (is_msh_1 && encoding != Encoding::text) continue;
+      ways.push_back({t.format, version, encoding});
+      if (t.packs && encoding != Encoding::text)
+        ways.push_back({t.format, version, encoding, true});
+    }
   }
   return ways;
 }
@@ -202,8 +203,9 @@ std::string bad_round_trip(const FileMesh& mesh, const FormatTraits& t, std::siz
   const std::vector<WriteOptions> ways = ways_to_write(t);
   if (ways.empty()) return {};
   const WriteOptions& way = ways[choice % ways.size()];
-  const std::string words = fmt::format("{} {} {}", t.name, way.version, *way.is_binary);
-  const auto path = empty_folder() / ("mesh" + std::string(t.extension));
+  const std::string words =
+      fmt::format("{} {} {}", t.name, way.version, static_cast<int>(*way.encoding));
+  const auto path = empty_folder() / ("mesh" + std::string(t.extensions[0]));
   const std::vector<Finding> findings = write_file_mesh(path, mesh, way);
   if (has_error(findings)) return fmt::format("not written as {}: {}", words, findings[0].text);
   const Result<FileMesh> back = read_file_mesh(path);
@@ -214,35 +216,33 @@ std::string bad_round_trip(const FileMesh& mesh, const FormatTraits& t, std::siz
   return lost.empty() ? lost : fmt::format("{} do not come back from {}", lost, words);
 }
 
-io::Draft draft_of(MeshFormat format, std::string_view bytes) {
-  switch (format) {
-    case MeshFormat::msh:
-      return io::read_msh(bytes);
-    case MeshFormat::medit:
-      return io::read_medit(bytes);
-    case MeshFormat::vtu:
-      return io::read_vtu(bytes);
-    case MeshFormat::vtk:
-      return io::read_vtk(bytes);
-  }
-  return {};
-}
+constexpr std::string_view mark = "@@@ ";
 
-/// The reader of one format, whatever the bytes begin like.
-Result<FileMesh> read_as(MeshFormat format, std::string_view bytes, bool tetrahedra_only) {
-  try {
-    return io::finish(draft_of(format, bytes), tetrahedra_only);
-  } catch (io::ReadFailure& failure) {
-    return std::move(failure.finding);
-  }
+/// A mesh of several files is one input: behind the first each begins with a line "@@@ .ending".
+io::FileSource source_of(std::string_view bytes, std::string_view extension) {
+  io::FileSource source;
+  source.text = bytes.substr(0, bytes.find(mark));
+  source.name = "fuzz" + std::string(extension);
+  source.other_file = [bytes](const std::string& name) -> Result<std::string> {
+    const std::string begin =
+        std::string(mark) + name.substr(std::min(name.rfind('.'), name.size()));
+    const std::size_t at = bytes.find(begin + '\n');
+    if (at == std::string_view::npos) {
+      return Finding{.code = "cannot_open", .text = "no such file", .remedy = "name another"};
+    }
+    const std::string_view rest = bytes.substr(at + begin.size() + 1);
+    return std::string(rest.substr(0, rest.find(mark)));
+  };
+  return source;
 }
 
 std::string broken_law_of_format(const FuzzTarget& target, std::string_view bytes) {
   const FormatTraits& t = format_traits()[static_cast<std::size_t>(target.format)];
   const std::size_t hash = hash_of(bytes);
+  const io::FileSource source = source_of(bytes, t.extensions[0]);
   Result<FileMesh> mesh;
-  std::string bad =
-      excess_memory(bytes.size(), [&] { mesh = read_as(t.format, bytes, (hash >> 20) % 2 == 1); });
+  std::string bad = excess_memory(
+      bytes.size(), [&] { mesh = io::read_format(t.format, source, {(hash >> 20) % 2 == 1}); });
   if (bad.empty()) bad = bad_finding(mesh.findings, bytes);
   if (!bad.empty()) return bad;
   if (bool(mesh) == has_error(mesh.findings)) return "an error and a value, or neither";
@@ -283,7 +283,7 @@ std::string broken_law_of_regions(const FuzzTarget&, std::string_view bytes) {
   std::vector<Finding> findings;
   const std::string bad = excess_memory(bytes.size(), [&] {
     try {
-      io::read_region_names(bytes, mesh);
+      mesh.region_name = io::read_region_names(bytes);
     } catch (io::ReadFailure& failure) {
       findings.push_back(std::move(failure.finding));
     }
@@ -296,7 +296,7 @@ std::string broken_law_of_regions(const FuzzTarget&, std::string_view bytes) {
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   FileMesh back;
   try {
-    io::read_region_names(text, back);
+    back.region_name = io::read_region_names(text);
   } catch (io::ReadFailure& failure) {
     return fmt::format("the names are not read back: {}", failure.finding.text);
   }
@@ -315,7 +315,7 @@ std::string broken_law_of_faces(const FuzzTarget&, std::string_view bytes) {
 std::vector<FuzzTarget> all_targets() {
   std::vector<FuzzTarget> all;
   for (const FormatTraits& t : format_traits()) {
-    all.push_back({std::string(t.extension.substr(1)), broken_law_of_format,
+    all.push_back({std::string(t.extensions[0].substr(1)), broken_law_of_format,
                    static_cast<int>(&t - format_traits().data())});
   }
   all.push_back({"any", broken_law_of_any});

@@ -59,16 +59,20 @@ int main(int argc, char** argv) {
     return 2;
   }
   for (const FormatTraits& t : format_traits()) {
-    const auto folder = std::filesystem::path(argv[1]) / t.extension.substr(1);
+    const std::string_view ending = t.extensions[0];
+    const auto folder = std::filesystem::path(argv[1]) / ending.substr(1);
     std::filesystem::create_directories(folder);
     std::vector<std::string> versions(t.versions.begin(), t.versions.end());
     if (versions.empty()) versions.emplace_back();
     for (const std::string& version : versions) {
-      for (const bool is_binary : {false, true}) {
-        const std::string name = fmt::format("{}{}{}", version, is_binary ? "b" : "t", t.extension);
-        const WriteOptions way{t.format, version, is_binary};
-        write_file_mesh(folder / ("small" + name), small_mesh(), way);
-        write_file_mesh(folder / ("full" + name), full_mesh(), way);
+      for (const Encoding encoding : t.encodings) {
+        for (const bool pack : {false, true}) {
+          const std::string name =
+              fmt::format("{}{}{}{}", version, static_cast<int>(encoding), int(pack), ending);
+          const WriteOptions way{t.format, version, encoding, pack};
+          write_file_mesh(folder / ("small" + name), small_mesh(), way);
+          write_file_mesh(folder / ("full" + name), full_mesh(), way);
+        }
       }
     }
   }
