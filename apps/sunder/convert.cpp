@@ -19,11 +19,13 @@ namespace sunder {
 namespace {
 
 constexpr const char* footer = R"(
-IN is known by its content, not by its name; it may be packed by gzip. OUT's ending names the format,
-or --to does. `sunder convert --formats` lists the formats, their endings, versions and encodings
-(the usual ones first), and what each can hold. Points and cells keep their order; numbers, regions,
-entities and data go along where the format holds them. Names of regions that it does not hold go to
-OUT.regions, which is read with OUT. Everything else that would be lost is listed first, as warnings.
+IN is known by its content, not by its name (TetGen's files by their names, any of which may be
+given: STEM.node, .ele, .face and .edge are read and written together); it may be packed by gzip.
+OUT's ending names the format, or --to does. `sunder convert --formats` lists the formats, their
+endings, versions and encodings (the usual ones first), and what each can hold. Points and cells
+keep their order; numbers, regions, entities and data go along where the format holds them. Names of
+regions that it does not hold go to OUT.regions, which is read with OUT. Everything else that would
+be lost is listed first, as warnings.
 Repairs are made in the order in which they are listed here, and each tells what it changed.
 
 Exit codes: 0 written, 1 something would be lost and --strict was given (nothing is written),
@@ -156,12 +158,14 @@ void print_formats() {
     }
     if (t.packs) written += ", zlib";
     fmt::print("| {} | {} | {} | {} |", t.name, fmt::join(t.extensions, ", "), written, cells);
-    for (const bool held : {t.holds_regions, t.holds_region_names, t.holds_entities,
-                            t.holds_point_regions, t.holds_point_ids, t.holds_cell_ids,
-                            t.holds_point_data, t.holds_cell_data, t.holds_number_types}) {
+    for (const bool held :
+         {t.holds_regions, t.holds_region_names, t.holds_entities, t.holds_point_regions,
+          t.holds_point_ids, t.holds_cell_ids, t.holds_point_data}) {
       fmt::print(" {} |", yes_or_no(held));
     }
-    fmt::print("\n");
+    fmt::print(" {} | {} |\n",
+               t.cell_data_from == 3 ? "of tetrahedra" : yes_or_no(t.holds_cell_data),
+               yes_or_no(t.holds_number_types));
   }
 }
 

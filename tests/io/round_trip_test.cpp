@@ -52,7 +52,7 @@ FileMesh held(FileMesh mesh, const FormatTraits& t, const std::string& version) 
     if (!t.holds_cells[static_cast<std::size_t>(d)]) cells = {};
     if (!t.holds_entities) cells.entity.clear();
     if (!t.holds_cell_ids) cells.source_id.clear();
-    if (!t.holds_cell_data || is_msh_1) cells.data.clear();
+    if (!t.holds_cell_data || d < t.cell_data_from || is_msh_1) cells.data.clear();
   });
   if (!t.holds_point_ids) mesh.source_point_id.clear();
   if (!t.holds_point_data || is_msh_1) mesh.point_data.clear();

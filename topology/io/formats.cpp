@@ -6,11 +6,13 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 #include "topology/io/medit.hpp"
 #include "topology/io/msh.hpp"
 #include "topology/io/output_file.hpp"
 #include "topology/io/scan.hpp"
+#include "topology/io/tetgen.hpp"
 #include "topology/io/vtk.hpp"
 #include "topology/io/vtu_read.hpp"
 
@@ -22,7 +24,9 @@ constexpr std::string_view msh_versions[] = {"4.1", "4.0", "2.2", "1"};
 constexpr std::string_view medit_names[] = {".mesh", ".meshb"};
 constexpr std::string_view vtu_names[] = {".vtu"};
 constexpr std::string_view vtk_names[] = {".vtk"};
+constexpr std::string_view tetgen_names[] = {".node", ".ele", ".face", ".edge"};
 constexpr std::string_view vtk_versions[] = {"4.2", "5.1"};
+constexpr Encoding text_only[] = {Encoding::text};
 constexpr Encoding text_first[] = {Encoding::text, Encoding::binary};
 constexpr Encoding binary_first[] = {Encoding::binary, Encoding::text};
 constexpr Encoding vtu_encodings[] = {Encoding::binary, Encoding::base64, Encoding::text};
@@ -70,6 +74,15 @@ constexpr FormatTraits traits[] = {
      .holds_point_regions = true},
     vtk_traits(MeshFormat::vtu, "VTU", vtu_names, vtu_encodings),
     vtk_traits(MeshFormat::vtk, "VTK", vtk_names, binary_first),
+    {.format = MeshFormat::tetgen,
+     .name = "TetGen",
+     .extensions = tetgen_names,
+     .encodings = text_only,
+     .holds_cells = {false, true, true, true},
+     .holds_point_regions = true,
+     .holds_point_data = true,
+     .holds_cell_data = true,
+     .cell_data_from = 3},
 };
 
 using io::FileEncoding;
@@ -98,6 +111,7 @@ constexpr io::FormatCode codes[] = {
        return write_file(path,
                          io::write_vtk(mesh, how.version == "5.1" ? 51 : 42, how.is_binary()));
      }},
+    {&io::is_tetgen, &io::read_tetgen, &io::write_tetgen},
 };
 static_assert(std::size(codes) == std::size(traits));
 
@@ -146,6 +160,30 @@ bool is_binary_name(const Path& name) {
   const std::string extension = lower_extension(name);
   return !extension.empty() &&
          std::ranges::find(traits, extension, &FormatTraits::binary_extension) != std::end(traits);
+}
+
+bool io::read_other_file(Draft& draft, const FileSource& source, const std::string& name,
+                         const std::function<void(std::string_view)>& work) {
+  Result<std::string> bytes = source.other_file(name);
+  if (!bytes) {
+    Finding& reason = bytes.findings.at(0);
+    if (reason.code == "missing_file") return false;
+    reason.file = name;
+    throw ReadFailure{std::move(reason)};
+  }
+  std::string_view text = *bytes;
+  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  const std::string_view text_before = std::exchange(draft.text, text);
+  const std::string file_before = std::exchange(draft.file, name);
+  try {
+    work(text);
+  } catch (ReadFailure& failure) {
+    if (failure.finding.file.empty()) failure.finding.file = name;
+    throw;
+  }
+  draft.text = text_before;
+  draft.file = file_before;
+  return true;
 }
 
 Result<FileMesh> io::read_format(MeshFormat format, const FileSource& source,

@@ -20,10 +20,16 @@ struct FileSource {
   /// Its name, without folders.
   std::string name;
   /// The bytes of another file of the same mesh by its name relative to this file's folder,
-  /// unpacked (`NAME.gz` too). Errors: cannot_open, outside_folder, bad_gzip. Always there; where
-  /// only bytes are known it opens nothing.
+  /// unpacked (`NAME.gz` too). Errors: missing_file, cannot_open, outside_folder, bad_gzip. Always
+  /// there; where only bytes are known every file is missing.
   std::function<Result<std::string>(const std::string& name)> other_file;
 };
+
+/// Reads another file of the mesh by `work(text)`: findings and failures name it meanwhile. False
+/// where there is no such file. Throws ReadFailure: what `work` throws, and the errors of
+/// `other_file` but missing_file.
+bool read_other_file(Draft& draft, const FileSource& source, const std::string& name,
+                     const std::function<void(std::string_view)>& work);
 
 /// How a file is to be written, every choice made.
 struct FileEncoding {

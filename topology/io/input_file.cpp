@@ -63,7 +63,12 @@ Result<std::string> bytes_beside(const std::filesystem::path& folder, const std:
                    .remedy = "put that file beside the mesh and name it without folders"};
   }
   const std::filesystem::path packed = root / (name + ".gz");
-  if (!std::filesystem::exists(path, unknown) && std::filesystem::exists(packed, unknown)) {
+  if (!std::filesystem::exists(path, unknown)) {
+    if (!std::filesystem::exists(packed, unknown)) {
+      return Finding{.code = "missing_file",
+                     .text = fmt::format("there is no file {}", in_quotes(name)),
+                     .remedy = "put that file beside the mesh"};
+    }
     path = std::filesystem::weakly_canonical(packed, unknown);
     if (unknown || !is_below(path, root)) return cannot_open(packed, ENOENT);
   }

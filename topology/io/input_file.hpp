@@ -13,7 +13,7 @@ namespace sunder::io {
 Result<std::string> bytes_of_file(const std::filesystem::path& path);
 
 /// The unpacked bytes of `name` (or `name`.gz) in `folder` or below it; links are followed first.
-/// Errors: cannot_open, outside_folder, bad_gzip, truncated_file.
+/// Errors: missing_file, cannot_open, outside_folder, bad_gzip, truncated_file.
 Result<std::string> bytes_beside(const std::filesystem::path& folder, const std::string& name);
 
 }  // namespace sunder::io

@@ -14,6 +14,7 @@
 #include "topology/io/named_regions.hpp"
 #include "topology/io/region_names.hpp"
 #include "topology/io/scan.hpp"
+#include "topology/io/tetgen.hpp"
 
 namespace sunder {
 namespace {
@@ -34,11 +35,17 @@ constexpr Stranger strangers[] = {
     {"OFF"sv, "an OFF surface", "fill it with tetrahedra first"},
 };
 
-Finding unknown_content(std::string_view bytes) {
+Finding unknown_content(std::string_view bytes, const std::filesystem::path& name) {
+  const std::filesystem::path ending = name.extension();
+  if (io::is_numbers(bytes) && (ending == ".poly" || ending == ".smesh")) {
+    return {.code = "unknown_format",
+            .text = "this is what TetGen fills with tetrahedra, not a mesh of them",
+            .remedy = "run tetgen -p on it, and give the .node file that it writes"};
+  }
   for (const Stranger& s : strangers) {
     if (bytes.substr(0, s.magic.size()) != s.magic) continue;
     return {.code = "unknown_format",
-            .text = fmt::format("this is {}: MSH, MEDIT, VTU and VTK are read", s.name),
+            .text = fmt::format("this is {}: MSH, MEDIT, VTU, VTK and TetGen are read", s.name),
             .remedy = std::string(s.remedy)};
   }
   return {.code = "unknown_format",
@@ -80,7 +87,7 @@ void guarded(std::vector<Finding>& findings, Work work) {
 void take_names_beside(const std::filesystem::path& path, MeshFormat format,
                        Result<FileMesh>& result) {
   std::error_code unknown;
-  const std::filesystem::path beside = io::names_beside(path);
+  const std::filesystem::path beside = io::names_beside(path, format);
   const bool has_words = traits_of(format).regions_are_words;
   if (name_count(*result) > 0 && !has_words) return;
   if (!std::filesystem::is_regular_file(beside, unknown)) return;
@@ -118,10 +125,14 @@ ReadBytes read_bytes(FileSource source, const std::filesystem::path& path,
     if (is_gzip(source.text)) source.text = whole = unpacked(source.text);
     if (source.text.starts_with(byte_order_mark)) source.text.remove_prefix(3);
     format = format_of_content(source.text);
+    // Files of numbers alone are known by their names.
+    if (!format && is_numbers(source.text) && format_of_name(path) == MeshFormat::tetgen) {
+      format = MeshFormat::tetgen;
+    }
     if (source.text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
       result.findings.push_back(empty_file(source.text));
     } else if (!format) {
-      result.findings.push_back(unknown_content(source.text));
+      result.findings.push_back(unknown_content(source.text, path));
     } else {
       result = read_format(*format, source, options);
       note_misleading_name(*format, path, result.findings);
@@ -140,7 +151,7 @@ ReadBytes read_bytes(FileSource source, const std::filesystem::path& path,
 Result<FileMesh> read_file_mesh(std::string_view bytes, std::string_view name,
                                 const ReadOptions& options) {
   const auto no_file = [](const std::string& other) -> Result<std::string> {
-    return Finding{.code = "cannot_open",
+    return Finding{.code = "missing_file",
                    .text = fmt::format("{} is needed beside it, but only bytes were given",
                                        io::in_quotes(other)),
                    .remedy = "read the mesh from its folder"};

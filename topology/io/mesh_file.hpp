@@ -16,7 +16,7 @@
 
 namespace sunder {
 
-enum class MeshFormat { msh, medit, vtu, vtk };
+enum class MeshFormat { msh, medit, vtu, vtk, tetgen };
 
 /// How numbers stand in a file: as digits, as raw bytes, or as bytes written in base64.
 enum class Encoding { text, binary, base64 };
@@ -50,6 +50,8 @@ struct FormatTraits {
   bool holds_cell_ids = false;
   bool holds_point_data = false;
   bool holds_cell_data = false;
+  /// The lowest dimension of cells whose data it holds.
+  int cell_data_from = 0;
   /// Whether columns keep the type of their numbers.
   bool holds_number_types = false;
 };

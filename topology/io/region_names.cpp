@@ -8,6 +8,7 @@
 
 #include "topology/io/output_file.hpp"
 #include "topology/io/scan.hpp"
+#include "topology/io/tetgen.hpp"
 
 namespace sunder::io {
 namespace {
@@ -16,8 +17,9 @@ constexpr std::string_view first_line = "# Sunder region names: dimension, regio
 
 }  // namespace
 
-std::filesystem::path names_beside(const std::filesystem::path& path) {
+std::filesystem::path names_beside(const std::filesystem::path& path, MeshFormat format) {
   std::filesystem::path beside = path;
+  if (format == MeshFormat::tetgen) (beside = tetgen_stem(path)) += ".node";
   return beside += ".regions";
 }
 

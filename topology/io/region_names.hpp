@@ -9,11 +9,12 @@
 
 #include "topology/file_mesh.hpp"
 #include "topology/finding.hpp"
+#include "topology/io/mesh_file.hpp"
 
 namespace sunder::io {
 
-/// `PATH.regions`.
-std::filesystem::path names_beside(const std::filesystem::path& path);
+/// `PATH.regions`; for TetGen's files, whichever is named, `STEM.node.regions`.
+std::filesystem::path names_beside(const std::filesystem::path& path, MeshFormat format);
 
 /// Writes the names, a line each: dimension, region, name in double quotes. Errors: cannot_write.
 std::optional<Finding> write_region_names(const std::filesystem::path& path, const FileMesh& mesh);

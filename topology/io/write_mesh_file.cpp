@@ -94,8 +94,9 @@ void lose_data(Losses& losses, const FileMesh& mesh, std::string_view version) {
     names += fmt::format("{}{}", names.empty() ? "" : ", ", column.name);
   };
   for (const DataColumn& column : mesh.point_data) judge(column, losses.to.holds_point_data);
-  for_each_cell_list(mesh, [&](const auto& cells, int) {
-    for (const DataColumn& column : cells.data) judge(column, losses.to.holds_cell_data);
+  for_each_cell_list(mesh, [&](const auto& cells, int d) {
+    const bool is_held = losses.to.holds_cell_data && d >= losses.to.cell_data_from;
+    for (const DataColumn& column : cells.data) judge(column, is_held);
   });
   if (lost > 0) {
     lose(losses, "data_lost", lost,
@@ -230,7 +231,7 @@ std::vector<Finding> write_file_mesh(const std::filesystem::path& path, const Fi
     auto failure = io::code_of(t.format).write(path, mesh, how);
     if (failure) findings.insert(findings.begin(), std::move(*failure));
     if (!failure && name_count(mesh) > 0 && !holds_names(t, version)) {
-      const std::filesystem::path beside = io::names_beside(path);
+      const std::filesystem::path beside = io::names_beside(path, t.format);
       if (auto error = io::write_region_names(beside, mesh)) {
         findings.insert(findings.begin(), std::move(*error));
       } else {

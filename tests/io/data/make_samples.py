@@ -54,3 +54,29 @@ meshio.gmsh.write("meshio_41.msh", mesh, fmt_version="4.1", binary=False)
 meshio.gmsh.write("meshio_22.msh", mesh, fmt_version="2.2", binary=False)
 pathlib.Path("two_boxes.geo").unlink()
 pathlib.Path("no_groups.geo").unlink()
+
+# TetGen's own files: the same two boxes, their facets and regions as tetgen -p wants them.
+POLY = """12 3 1 1
+{points}
+11 1
+{facets}
+0
+2
+0 0.5 0.5 0.5 7 -1
+1 1.3 0.5 0.5 3 -1
+"""
+CORNERS = [(x, y, z) for x in (0, 1, 1.7) for y in (0, 1) for z in (0, 1)]
+FACETS = [(0, 1, 3, 2, 0), (4, 5, 7, 6, 9), (8, 9, 11, 10, 6)] + [
+    (4 * i + a, 4 * i + b, 4 * i + b + 4, 4 * i + a + 4, 5 + i)
+    for i in (0, 1) for a, b in ((0, 1), (1, 3), (3, 2), (2, 0))]
+for stem, options in (("tetgen", "-pzAfeQ"), ("tetgen_2nd", "-pzAfeo2Q")):
+    poly = pathlib.Path(f"{stem}.poly")
+    poly.write_text(POLY.format(
+        points="\n".join(f"{i} {x} {y} {z} {i + 0.5} {1 + i // 6}"
+                         for i, (x, y, z) in enumerate(CORNERS)),
+        facets="\n".join(f"1 0 {f[4]}\n4 {f[0]} {f[1]} {f[2]} {f[3]}" for f in FACETS)))
+    subprocess.run(["tetgen", options, poly], check=True, stdout=subprocess.DEVNULL)
+    poly.unlink()
+meshio.tetgen.write("meshio.node", meshio.Mesh(
+    mesh.points, [("tetra", mesh.cells_dict["tetra"])], point_data={"height": mesh.points[:, 2] / 3},
+    cell_data={"tetgen:ref": [mesh.get_cell_data("gmsh:physical", "tetra")]}))

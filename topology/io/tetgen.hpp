@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Internal to topology/io: TetGen's files, STEM.node, STEM.ele, STEM.face and STEM.edge.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
+#include "topology/io/formats.hpp"
+
+namespace sunder::io {
+
+/// Never: the files are numbers alone, only their names say what they are.
+bool is_tetgen(std::string_view text);
+
+/// Whether a text may be one of TetGen's files, once its name says so: it begins with a number or
+/// with a comment (#).
+bool is_numbers(std::string_view text);
+
+/// The path without the ending of one of TetGen's files (and .gz behind it); whole where it has
+/// none.
+std::filesystem::path tetgen_stem(const std::filesystem::path& path);
+
+/// Reads the mesh that one of its files is named of: STEM.node is needed, the others are read where
+/// they are there. Points are numbered one after the other, from any number. Throws ReadFailure.
+Draft read_tetgen(const FileSource& source);
+
+/// Writes STEM.ele, STEM.face and STEM.edge, then STEM.node, numbered from 1. Without triangles
+/// (edges) STEM.face (STEM.edge) is only written, empty, where one of an earlier mesh is there:
+/// it would be read as part of this one. Leaves each file whole; where one cannot be written those
+/// before it are new. Errors: cannot_write.
+std::optional<Finding> write_tetgen(const std::filesystem::path& path, const FileMesh& mesh,
+                                    const FileEncoding& encoding);
+
+/// How data columns are named in a comment, for both sides: bytes that would end a name are %XX.
+/// `escape_first` writes the first byte so in any case.
+std::string escaped_name(std::string_view name, bool escape_first);
+
+/// Names of an .ele file's first attribute by which it is the region of the tetrahedra.
+bool is_tetgen_region(std::string_view name);
+
+}  // namespace sunder::io
