@@ -155,7 +155,8 @@ TEST_CASE("what TetGen's files do not hold is told", "[io][tetgen]") {
   mesh.triangles.corners = {{0, 1, 2}};
   mesh.triangles.data = {{"t", 1, NumberType::float64, std::vector<double>{1}}};
   mesh.vertices.corners = {{0}};
-  const auto lost = lost_on_writing(mesh, {.format = MeshFormat::tetgen});
+  const auto lost =
+      lost_on_writing(mesh, {.format = MeshFormat::tetgen, .version = {}, .encoding = {}});
   CHECK(summary(lost) == "warning cells_lost 0, warning data_lost 0");
 }
 
