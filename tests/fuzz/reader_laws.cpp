@@ -228,7 +228,7 @@ io::FileSource source_of(std::string_view bytes, std::string_view extension) {
         std::string(mark) + name.substr(std::min(name.rfind('.'), name.size()));
     const std::size_t at = bytes.find(begin + '\n');
     if (at == std::string_view::npos) {
-      return Finding{.code = "cannot_open", .text = "no such file", .remedy = "name another"};
+      return Finding{.code = "missing_file", .text = "no such file", .remedy = "name another"};
     }
     const std::string_view rest = bytes.substr(at + begin.size() + 1);
     return std::string(rest.substr(0, rest.find(mark)));
