@@ -33,9 +33,9 @@ constexpr FindingWords contact_unfinished = {
     "% boundary points were not held against all faces near them: too many faces overlap",
     "mend the other findings first; what is told of hanging vertices may not be all"};
 
-/// Looks at boxes that a boundary point may take on average. A body that is cut along every face
-/// needs about 200; without a bound n faces in one place would take n^2.
-constexpr std::size_t looks_a_point = 500;
+/// Looks at boxes for each boundary point and face. Ordinary meshes need about 20, also when they
+/// are cut along every face; without a bound n faces through each other would take n^2.
+constexpr std::size_t looks_each = 50;
 
 Point difference(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -197,7 +197,7 @@ void find_hanging(Contact& c) {
   for (const std::uint32_t face : c.faces) boxes.push_back(box_of(c, face));
   const BoxTree tree = box_tree(std::move(boxes));
   std::vector<std::uint32_t> hanging, unfinished;
-  std::size_t looks_left = looks_a_point * (c.at.size() + 1);
+  std::size_t looks_left = looks_each * (c.at.size() + c.faces.size());
   for (std::uint32_t place = 0; place < c.at.size(); ++place) {
     bool hangs = false;
     const bool is_left_out = looks_left == 0;

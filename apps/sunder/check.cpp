@@ -123,7 +123,13 @@ void add_check_command(CLI::App& program, ExitCode& exit_code) {
       });
   command->add_flag("--json", arguments->json, "Print JSON instead of a table");
   command->footer(footer);
-  command->callback([=, &exit_code] { exit_code = run_check(*arguments); });
+  command->callback([=, &exit_code] {
+    std::error_code cannot_compare;
+    if (std::filesystem::equivalent(arguments->mesh, arguments->findings, cannot_compare)) {
+      throw CLI::ValidationError("--write-findings", "FILE is MESH itself");
+    }
+    exit_code = run_check(*arguments);
+  });
 }
 
 }  // namespace sunder

@@ -316,5 +316,6 @@ TEST_CASE("check tells where the mesh of findings cannot be written", "[apps][ch
   CHECK(folder.json()["findings"][0]["code"] == "cannot_write");
   CHECK(folder.json()["findings_file"]["path"].is_null());
   CHECK(here.run({"check", path, "--write-findings", here.path("look.png")}).exit_code == 2);
+  CHECK(here.run({"check", path, "--write-findings", path}).exit_code == 2);
   CHECK(here.names() == std::vector<std::string>{"a.msh"});
 }
