@@ -64,6 +64,20 @@ void add_other_cells(Draft& draft, std::string_view plural_name, int dimension, 
 void add_curved_cells(Draft& draft, std::string_view plural_name, std::size_t count,
                       std::size_t at);
 
+/// Counts one more finding of that code; `words()` gives the whole finding and is asked for once. A
+/// file can give reason for as many findings as it has bytes.
+template <class Words>
+void add_counted(Draft& draft, std::string_view code, Words words) {
+  for (Finding& f : draft.findings) {
+    if (f.code == code) {
+      ++f.count;
+      return;
+    }
+  }
+  draft.findings.push_back(words());
+  draft.findings.back().code = code;
+}
+
 /// Ends the reading: numbers that only repeat the row are dropped; volume cells that are left out
 /// become an error (with `tetrahedra_only` a warning), cells below dimension 3 and those read by
 /// their corners notes. Errors stand first; no value when there is one.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// MEDIT read and written: keywords in any order, each with a count and that many rows. In binary
+// Reading MEDIT: keywords in any order, each with a count and that many rows. In binary
 // files keywords are numbers, and each tells where the next stands.
 #include "topology/io/medit.hpp"
 
@@ -7,7 +7,6 @@
 
 #include <algorithm>
 
-#include "topology/io/number_sink.hpp"
 #include "topology/io/number_source.hpp"
 
 namespace sunder::io {
@@ -72,13 +71,14 @@ struct MeditReader {
   bool has_vertices = false;
   /// Whether a section of simplices was read, by its place in the table.
   std::array<bool, std::size(simplices)> has_cells{};
-  /// Cells may stand before the vertices: judged at the end.
-  struct Row {
-    int dimension;
-    FileCell cell;
-    std::int32_t reference;
+  /// Sections of cells before the vertices, which are needed to judge them: read behind those.
+  struct Early {
+    std::size_t kind;
+    /// Of the keyword, and behind it.
+    std::size_t section_at;
+    std::size_t at;
   };
-  std::vector<Row> rows;
+  std::vector<Early> early;
 };
 
 /// The next word, passing comments (# to the end of the line).
@@ -132,6 +132,58 @@ void read_dimension(MeditReader& r) {
         .remedy = "give a volume mesh of tetrahedra"});
 }
 
+/// The rows of a section whose keyword was passed.
+void read_cell_rows(MeditReader& r, std::size_t kind, std::size_t section_at) {
+  const Simplices& section = simplices[kind];
+  const std::size_t n = read_rows(r, section.name, section.nodes + 1);
+  const std::size_t corners = static_cast<std::size_t>(section.dimension) + 1;
+  if (section.nodes > corners) add_curved_cells(r.draft, section.name, n, section_at);
+  std::vector<std::int32_t>* references = nullptr;
+  for_each_cell_list(r.draft.mesh, [&](auto& cells, int dimension) {
+    if (dimension != section.dimension) return;
+    cells.corners.reserve(cells.corners.size() + n);
+    cells.region.reserve(cells.region.size() + n);
+    references = &cells.region;
+  });
+  for (std::size_t i = 0; i < n; ++i) {
+    FileCell cell{.at = place_of_next(r.in)};
+    for (std::size_t k = 0; k < corners; ++k) {
+      const std::int64_t number = read_integer(r, "a vertex number");
+      cell.numbers[k] = number;
+      cell.rows[k] = number > 0 ? number - 1 : -1;
+    }
+    const std::size_t others = section.nodes - corners;
+    skip_numbers(r.in, others, (r.version == 4 ? 8 : 4) * others, "a vertex number");
+    add_cell(r.draft, section.dimension, cell);
+    references->push_back(read_reference(r, "a cell's reference"));
+  }
+}
+
+void read_cells(MeditReader& r, std::size_t kind, std::size_t section_at) {
+  const Simplices& section = simplices[kind];
+  refuse_second(r, r.has_cells[kind], section.keyword);
+  r.has_cells[kind] = true;
+  if (r.has_vertices) return read_cell_rows(r, kind, section_at);
+  r.early.push_back({kind, section_at, r.in.s.at});
+  const std::size_t numbers = section.nodes + 1;
+  const std::size_t n = read_rows(r, section.name, numbers);
+  if (r.in.is_binary) {
+    skip_numbers(r.in, 0, (r.version == 4 ? 8 : 4) * n * numbers, "a vertex number");
+  } else {
+    for (std::size_t i = 0; i < n * numbers; ++i) read_integer(r, "a vertex number");
+  }
+}
+
+void read_early_cells(MeditReader& r) {
+  const std::size_t at = r.in.s.at;
+  for (const MeditReader::Early& early : r.early) {
+    r.in.s.at = early.at;
+    read_cell_rows(r, early.kind, early.section_at);
+  }
+  r.early.clear();
+  r.in.s.at = at;
+}
+
 void read_vertices(MeditReader& r) {
   refuse_second(r, r.has_vertices, "Vertices");
   r.has_vertices = true;
@@ -145,30 +197,7 @@ void read_vertices(MeditReader& r) {
     add_point(r.draft, p, at);
     r.draft.mesh.point_region.push_back(read_reference(r, "a vertex's reference"));
   }
-}
-
-void read_cells(MeditReader& r, std::size_t kind, std::size_t section_at) {
-  const Simplices& section = simplices[kind];
-  refuse_second(r, r.has_cells[kind], section.keyword);
-  r.has_cells[kind] = true;
-  const std::size_t n = read_rows(r, section.name, section.nodes + 1);
-  const std::size_t corners = static_cast<std::size_t>(section.dimension) + 1;
-  if (section.nodes > corners) add_curved_cells(r.draft, section.name, n, section_at);
-  r.rows.reserve(r.rows.size() + n);
-  for (std::size_t i = 0; i < n; ++i) {
-    place_of_next(r.in);
-    MeditReader::Row& row = r.rows.emplace_back();
-    row.dimension = section.dimension;
-    row.cell.at = r.in.s.at;
-    for (std::size_t k = 0; k < corners; ++k) {
-      const std::int64_t number = read_integer(r, "a vertex number");
-      row.cell.numbers[k] = number;
-      row.cell.rows[k] = number > 0 ? number - 1 : -1;
-    }
-    const std::size_t others = section.nodes - corners;
-    skip_numbers(r.in, others, (r.version == 4 ? 8 : 4) * others, "a vertex number");
-    row.reference = read_reference(r, "a cell's reference");
-  }
+  read_early_cells(r);
 }
 
 /// Rows that are not used; an unknown keyword is passed up to the next word that is no number.
@@ -194,11 +223,12 @@ void skip_section(MeditReader& r, std::string_view keyword, std::size_t at) {
     }
     return;
   }
-  r.draft.findings.push_back({.code = "unknown_section",
-                              .severity = Severity::note,
-                              .text = fmt::format("section {} is passed over", in_quotes(keyword)),
-                              .remedy = "nothing to do, if it holds no cells",
-                              .line = line_of(r.in.s.text, at)});
+  add_counted(r.draft, "unknown_section", [&] {
+    return Finding{.severity = Severity::note,
+                   .text = fmt::format("section {} is passed over", in_quotes(keyword)),
+                   .remedy = "nothing to do, if it holds no cells",
+                   .line = line_of(r.in.s.text, at)};
+  });
   for (std::string_view word = peek_word(r.in.s); !word.empty(); word = peek_word(r.in.s)) {
     if (std::isalpha(static_cast<unsigned char>(word.front())) || word.front() == '#') return;
     next_word(r.in.s);
@@ -225,16 +255,9 @@ void drop_zeros(std::vector<std::int32_t>& references) {
   if (std::ranges::all_of(references, [](std::int32_t x) { return x == 0; })) references.clear();
 }
 
-void finish_cells(MeditReader& r) {
-  FileMesh& mesh = r.draft.mesh;
-  for (const MeditReader::Row& row : r.rows) {
-    add_cell(r.draft, row.dimension, row.cell);
-    for_each_cell_list(mesh, [&](auto& cells, int dimension) {
-      if (dimension == row.dimension) cells.region.push_back(row.reference);
-    });
-  }
-  drop_zeros(mesh.point_region);
-  for_each_cell_list(mesh, [](auto& cells, int) { drop_zeros(cells.region); });
+void drop_empty_references(MeditReader& r) {
+  drop_zeros(r.draft.mesh.point_region);
+  for_each_cell_list(r.draft.mesh, [](auto& cells, int) { drop_zeros(cells.region); });
 }
 
 /// One keyword of a binary file, up to where the next stands; cells that are no simplices are
@@ -324,81 +347,8 @@ Draft read_medit(std::string_view text) {
           .text = "the file ends without a section Vertices",
           .remedy = "the file was cut short, or holds no mesh: write it again"});
   }
-  finish_cells(r);
+  drop_empty_references(r);
   return std::move(r.draft);
-}
-
-namespace {
-
-constexpr std::string_view keywords[] = {"", "Edges", "Triangles", "Tetrahedra"};
-
-std::string write_text(const FileMesh& mesh) {
-  NumberSink out;
-  out.bytes.reserve(64 * mesh.points.size() + 32 * cell_count(mesh));
-  put_text(out, "MeshVersionFormatted 2\nDimension 3\n");
-  const auto section = [&out](std::string_view keyword, std::size_t rows) {
-    put_text(out, keyword);
-    out.bytes += '\n';  // meshio wants the count on a line of its own
-    put_text(out, rows);
-    out.bytes += '\n';
-  };
-  section("Vertices", mesh.points.size());
-  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
-    for (const double x : mesh.points[i]) put<double>(out, x);
-    put<std::int32_t>(out, mesh.point_region.empty() ? 0 : mesh.point_region[i], '\n');
-  }
-  for_each_cell_list(mesh, [&](const auto& cells, int dimension) {
-    if (dimension == 0 || cells.corners.empty()) return;
-    const std::vector<std::int32_t>& label = label_of(cells);
-    section(keywords[dimension], cells.corners.size());
-    for (std::size_t i = 0; i < cells.corners.size(); ++i) {
-      for (const std::uint32_t corner : cells.corners[i]) put<std::int64_t>(out, corner + 1L);
-      put<std::int32_t>(out, label.empty() ? 0 : label[i], '\n');
-    }
-  });
-  put_text(out, "End\n");
-  return std::move(out.bytes);
-}
-
-/// Version 3: doubles, 4-byte integers, places of 8 bytes.
-std::string write_binary(const FileMesh& mesh) {
-  NumberSink out{.is_binary = true};
-  out.bytes.reserve(64 + 28 * mesh.points.size() + 20 * cell_count(mesh));
-  put_raw<std::int32_t>(out, 1);
-  put_raw<std::int32_t>(out, 3);
-  // A keyword, and the place behind `bytes` more.
-  const auto section = [&out](int code, std::size_t bytes) {
-    put_raw<std::int32_t>(out, code);
-    put_raw<std::int64_t>(out, out.bytes.size() + sizeof(std::int64_t) + bytes);
-  };
-  section(dimension_code, 4);
-  put_raw<std::int32_t>(out, 3);
-  section(vertices_code, 4 + 28 * mesh.points.size());
-  put_raw<std::int32_t>(out, mesh.points.size());
-  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
-    for (const double x : mesh.points[i]) put_raw<double>(out, x);
-    put_raw<std::int32_t>(out, mesh.point_region.empty() ? 0 : mesh.point_region[i]);
-  }
-  for_each_cell_list(mesh, [&](const auto& cells, int dimension) {
-    if (dimension == 0 || cells.corners.empty()) return;
-    const std::vector<std::int32_t>& label = label_of(cells);
-    const auto* const kind = std::ranges::find(simplices, keywords[dimension], &Simplices::keyword);
-    section(kind->code, 4 + 4 * (kind->nodes + 1) * cells.corners.size());
-    put_raw<std::int32_t>(out, cells.corners.size());
-    for (std::size_t i = 0; i < cells.corners.size(); ++i) {
-      for (const std::uint32_t corner : cells.corners[i]) put_raw<std::int32_t>(out, corner + 1);
-      put_raw<std::int32_t>(out, label.empty() ? 0 : label[i]);
-    }
-  });
-  put_raw<std::int32_t>(out, end_code);
-  put_raw<std::int64_t>(out, 0);
-  return std::move(out.bytes);
-}
-
-}  // namespace
-
-std::string write_medit(const FileMesh& mesh, bool is_binary) {
-  return is_binary ? write_binary(mesh) : write_text(mesh);
 }
 
 }  // namespace sunder::io

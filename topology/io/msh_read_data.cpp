@@ -47,54 +47,61 @@ DataHead read_head(MshReader& r) {
 
 /// One column for each kind of cells (or for the points), made when the first row of it comes.
 struct Target {
-  NumberIndex index;
+  const NumberIndex* index = nullptr;
   std::size_t rows = 0;
   std::vector<DataColumn>* columns = nullptr;
   std::vector<double> values;
 };
 
-/// Rows by number, of points or of cells of one dimension.
-Target target_of(const std::vector<std::int64_t>& numbers, std::vector<DataColumn>& columns) {
-  Target target{.rows = numbers.size(), .columns = &columns};
-  std::array<std::int64_t, 2> twice;
-  index_numbers(target.index, numbers, twice);  // of equal numbers the first takes the rows
-  return target;
+std::vector<Target> targets_of(MshReader& r, bool of_nodes) {
+  FileMesh& mesh = r.draft.mesh;
+  std::vector<Target> targets;
+  if (of_nodes) {
+    targets.push_back({&r.nodes, mesh.points.size(), &mesh.point_data, {}});
+    return targets;
+  }
+  const bool is_first = !r.cells;
+  if (is_first) r.cells.emplace();
+  for_each_cell_list(mesh, [&](auto& cells, int dimension) {
+    NumberIndex& index = (*r.cells)[static_cast<std::size_t>(dimension)];
+    std::array<std::int64_t, 2> twice;
+    // Of equal numbers the first takes the rows.
+    if (is_first) index_numbers(index, cells.source_id, twice);
+    targets.push_back({&index, cells.corners.size(), &cells.data, {}});
+  });
+  return targets;
 }
 
-/// Rows that the section leaves out are no numbers. What a hostile file can ask for is bounded by
-/// its size: more than a tensor a row only where the bytes to fill it are there.
-void make_room(const MshReader& r, const DataHead& head, Target& target) {
-  const std::size_t bytes = r.in.s.text.size();
-  if (head.components > 9 && head.components > bytes / target.rows) {
+/// Rows that the section leaves out are no numbers. So a few bytes could ask for a column of all
+/// rows, again and again: all columns together are bounded by the file's size. Columns that are
+/// given in full stay below two thirds of the bound, whatever they hold.
+void make_column(MshReader& r, const DataHead& head, Target& target) {
+  const std::size_t most = r.in.s.text.size() * 6 / sizeof(double) - r.data_numbers;
+  if (head.components > most / target.rows) {
     fail(r.in.s.text, r.in.s.at,
          {.code = "count_too_big",
-          .text = fmt::format("{} components for {} rows, more than {} bytes hold", head.components,
-                              target.rows, bytes),
-          .remedy = "correct the count, or give the data of all rows"});
+          .text = fmt::format("{} components for {} rows: with the data before they are more than "
+                              "a file of {} bytes should ask for",
+                              head.components, target.rows, r.in.s.text.size()),
+          .remedy = "correct the count, give the data of all rows, or split the file"});
   }
+  r.data_numbers += target.rows * head.components;
   target.values.assign(target.rows * head.components, std::numeric_limits<double>::quiet_NaN());
 }
 
 }  // namespace
 
 void read_msh_data(MshReader& r, bool of_nodes) {
-  FileMesh& mesh = r.draft.mesh;
   const DataHead head = read_head(r);
-  std::vector<Target> targets;
-  if (of_nodes) {
-    targets.push_back(target_of(mesh.source_point_id, mesh.point_data));
-  } else {
-    for_each_cell_list(
-        mesh, [&](auto& cells, int) { targets.push_back(target_of(cells.source_id, cells.data)); });
-  }
+  std::vector<Target> targets = targets_of(r, of_nodes);
   std::size_t strays = 0;
   for (std::size_t i = 0; i < head.rows; ++i) {
     const std::int64_t number = read_int(r, "the number of a row");
     double* out = nullptr;
     for (Target& target : targets) {
-      const std::int64_t row = row_of(target.index, number);
+      const std::int64_t row = row_of(*target.index, number);
       if (row < 0) continue;
-      if (target.values.empty()) make_room(r, head, target);
+      if (target.values.empty()) make_column(r, head, target);
       out = target.values.data() + static_cast<std::size_t>(row) * head.components;
       break;
     }
@@ -109,15 +116,13 @@ void read_msh_data(MshReader& r, bool of_nodes) {
     target.columns->push_back(
         {head.name, head.components, NumberType::float64, std::move(target.values)});
   }
-  if (strays > 0) {
-    r.draft.findings.push_back(
-        {.code = "stray_data",
-         .severity = Severity::warning,
-         .count = strays,
-         .text = fmt::format("{} rows of the data {} belong to no {} that is kept", strays,
-                             in_quotes(head.name), of_nodes ? "point" : "cell"),
-         .remedy = "nothing to do, if those cells are not needed"});
-  }
+  if (strays == 0) return;
+  add_counted(r.draft, "stray_data", [&] {
+    return Finding{.severity = Severity::warning,
+                   .text = fmt::format("{} rows of the data {} belong to no {} that is kept",
+                                       strays, in_quotes(head.name), of_nodes ? "point" : "cell"),
+                   .remedy = "nothing to do, if those cells are not needed"};
+  });
 }
 
 }  // namespace sunder::io

@@ -74,18 +74,6 @@ constexpr CellType cell_types[] = {
     {81, "Bezier pyramids", 3},
 };
 
-/// Integer cell arrays that mean a region or an entity, ours first; the others as Gmsh, meshio,
-/// CGAL and FEniCS name them.
-constexpr std::string_view region_names[] = {"region", "gmsh:physical", "medit:ref",
-                                             "CellEntityIds", "cell_tags"};
-constexpr std::string_view entity_names[] = {"entity", "gmsh:geometrical"};
-constexpr std::string_view point_region_names[] = {"point_region"};
-constexpr std::string_view id_names[] = {"source_cell_id", "source_tetrahedron_id"};
-
-bool is_one_of(std::span<const std::string_view> names, std::string_view name) {
-  return std::ranges::find(names, name) != names.end();
-}
-
 const CellType& cell_type(const Draft& draft, std::int64_t number, std::size_t at) {
   const auto* const type = std::ranges::find(cell_types, number, &CellType::number);
   if (type == std::end(cell_types)) {
@@ -95,67 +83,6 @@ const CellType& cell_type(const Draft& draft, std::int64_t number, std::size_t a
           .remedy = "save the mesh with linear cells only"});
   }
   return *type;
-}
-
-template <class Value>
-void append(std::vector<Value>& to, const std::vector<std::int64_t>& values, const VtkPiece& piece,
-            int dimension) {
-  for (std::size_t c = 0; c < piece.list_of_cell.size(); ++c) {
-    if (piece.list_of_cell[c] == dimension) to.push_back(static_cast<Value>(values[c]));
-  }
-}
-
-void check_label(const Draft& draft, const std::vector<std::int64_t>& values, std::size_t at) {
-  for (const std::int64_t value : values) {
-    if (value >= std::numeric_limits<std::int32_t>::min() &&
-        value <= std::numeric_limits<std::int32_t>::max()) {
-      continue;
-    }
-    fail(draft.text, at,
-         {.code = "number_out_of_range",
-          .text = fmt::format("region {} has more than 32 bits", value),
-          .remedy = "number the regions from -2147483648 to 2147483647"});
-  }
-}
-
-/// Appends the rows `picked` of `column` to the column of that name. What earlier pieces lack is
-/// found out at the end.
-void append_data(std::vector<DataColumn>& columns, const DataColumn& column,
-                 const std::vector<std::size_t>& picked) {
-  const auto found = std::ranges::find(columns, column.name, &DataColumn::name);
-  DataColumn* to = found == columns.end() ? nullptr : &*found;
-  if (to == nullptr) {
-    columns.push_back({column.name, column.components, column.type, {}});
-    to = &columns.back();
-    if (column.values.index() == 1) to->values = std::vector<std::int64_t>{};
-  }
-  if (to->components != column.components || to->values.index() != column.values.index()) return;
-  std::visit(
-      [&](auto& out) {
-        const auto& in = std::get<std::remove_reference_t<decltype(out)>>(column.values);
-        for (const std::size_t row : picked) {
-          const auto first = in.begin() + static_cast<std::ptrdiff_t>(row * column.components);
-          out.insert(out.end(), first, first + static_cast<std::ptrdiff_t>(column.components));
-        }
-      },
-      to->values);
-}
-
-std::size_t length_of(const DataColumn& column) {
-  return std::visit([](const auto& v) { return v.size(); }, column.values);
-}
-
-void drop_incomplete(Draft& draft, std::vector<DataColumn>& columns, std::size_t rows) {
-  std::erase_if(columns, [&](const DataColumn& column) {
-    if (length_of(column) == rows * column.components) return false;
-    draft.findings.push_back(
-        {.code = "column_incomplete",
-         .severity = Severity::warning,
-         .text = fmt::format("the data {} are not given alike in all pieces: left out",
-                             in_quotes(column.name)),
-         .remedy = "write the file again, with this array in every piece or as one piece"});
-    return true;
-  });
 }
 
 /// How many points a cell has at least: the corners of simplices.
@@ -190,12 +117,21 @@ void check_vtk_cells(const VtkCells& cells, std::string_view text, std::size_t a
 
 void add_vtk_cells(Draft& draft, VtkPiece& piece, const VtkCells& cells, std::size_t at) {
   const auto points = static_cast<std::int64_t>(piece.points);
-  std::size_t begin = 0;
   piece.list_of_cell.reserve(cells.types.size());
+  for (const std::int64_t number : cells.types) {
+    const CellType& type = cell_type(draft, number, at);
+    piece.list_of_cell.push_back(static_cast<std::int8_t>(type.is_simplex ? type.dimension : -1));
+    if (type.is_simplex) ++piece.cells[static_cast<std::size_t>(type.dimension)];
+  }
+  for_each_cell_list(draft.mesh, [&](auto& list, int dimension) {
+    const auto d = static_cast<std::size_t>(dimension);
+    piece.first_cell[d] = list.corners.size();
+    make_room(list.corners, piece.cells[d]);
+  });
+  std::size_t begin = 0;
   for (std::size_t c = 0; c < cells.types.size(); ++c) {
     const CellType& type = cell_type(draft, cells.types[c], at);
     const auto end = static_cast<std::size_t>(cells.ends[c]);
-    piece.list_of_cell.push_back(static_cast<std::int8_t>(type.is_simplex ? type.dimension : -1));
     if (!type.is_simplex) {
       add_other_cells(draft, type.name, type.dimension, 1, at);
     } else {
@@ -211,97 +147,6 @@ void add_vtk_cells(Draft& draft, VtkPiece& piece, const VtkCells& cells, std::si
     }
     begin = end;
   }
-}
-
-void add_vtk_cell_column(Draft& draft, const VtkPiece& piece, const DataColumn& column,
-                         std::size_t at) {
-  const auto* const integers = std::get_if<std::vector<std::int64_t>>(&column.values);
-  const bool is_scalar = integers != nullptr && column.components == 1;
-  const bool is_region = is_scalar && is_one_of(region_names, column.name);
-  const bool is_entity = is_scalar && is_one_of(entity_names, column.name);
-  if (is_region || is_entity) check_label(draft, *integers, at);
-  std::array<std::vector<std::size_t>, 4> picked;
-  for (std::size_t c = 0; c < piece.list_of_cell.size(); ++c) {
-    if (piece.list_of_cell[c] >= 0) {
-      picked[static_cast<std::size_t>(piece.list_of_cell[c])].push_back(c);
-    }
-  }
-  for_each_cell_list(draft.mesh, [&](auto& cells, int dimension) {
-    const auto& rows = picked[static_cast<std::size_t>(dimension)];
-    if (rows.empty()) return;
-    const std::size_t before = cells.corners.size() - rows.size();
-    if (is_region && cells.region.size() == before) {
-      append(cells.region, *integers, piece, dimension);
-    } else if (is_entity && cells.entity.size() == before) {
-      append(cells.entity, *integers, piece, dimension);
-    } else if (is_scalar && is_one_of(id_names, column.name)) {
-      append(cells.source_id, *integers, piece, dimension);
-    } else {
-      append_data(cells.data, column, rows);
-    }
-  });
-}
-
-void add_vtk_point_column(Draft& draft, const VtkPiece& piece, DataColumn&& column,
-                          std::size_t at) {
-  FileMesh& mesh = draft.mesh;
-  auto* const integers = std::get_if<std::vector<std::int64_t>>(&column.values);
-  const bool is_scalar = integers != nullptr && column.components == 1;
-  if (is_scalar && column.name == "source_point_id") {
-    mesh.source_point_id.insert(mesh.source_point_id.end(), integers->begin(), integers->end());
-    return;
-  }
-  if (is_scalar && is_one_of(point_region_names, column.name)) {
-    check_label(draft, *integers, at);
-    mesh.point_region.insert(mesh.point_region.end(), integers->begin(), integers->end());
-    return;
-  }
-  if (piece.first_point == 0) {  // the usual file of one piece: nothing is copied
-    const bool is_new =
-        std::ranges::find(mesh.point_data, column.name, &DataColumn::name) == mesh.point_data.end();
-    if (is_new) return mesh.point_data.push_back(std::move(column));
-  }
-  std::vector<std::size_t> rows(piece.points);
-  for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = i;
-  append_data(mesh.point_data, column, rows);
-}
-
-namespace {
-
-/// What a writer had to put where cells of some dimension have no such column.
-void drop_fillings(FileMesh& mesh) {
-  int kinds = 0;
-  for_each_cell_list(mesh, [&](const auto& cells, int) { kinds += !cells.corners.empty(); });
-  if (kinds < 2) return;
-  const auto drop_zeros = [](auto& labels) {
-    if (std::ranges::all_of(labels, [](auto x) { return x == 0; })) labels.clear();
-  };
-  for_each_cell_list(mesh, [&](auto& cells, int) {
-    drop_zeros(cells.region);
-    drop_zeros(cells.entity);
-    drop_zeros(cells.source_id);
-    std::erase_if(cells.data, [](const DataColumn& column) {
-      const auto* const values = std::get_if<std::vector<double>>(&column.values);
-      return values != nullptr && std::ranges::all_of(*values, [](double x) { return x != x; });
-    });
-  });
-}
-
-}  // namespace
-
-void finish_vtk_columns(Draft& draft) {
-  FileMesh& mesh = draft.mesh;
-  if (mesh.source_point_id.size() != mesh.points.size()) mesh.source_point_id.clear();
-  if (mesh.point_region.size() != mesh.points.size()) mesh.point_region.clear();
-  drop_incomplete(draft, mesh.point_data, mesh.points.size());
-  for_each_cell_list(mesh, [&](auto& cells, int) {
-    const std::size_t rows = cells.corners.size();
-    if (cells.region.size() != rows) cells.region.clear();
-    if (cells.entity.size() != rows) cells.entity.clear();
-    if (cells.source_id.size() != rows) cells.source_id.clear();
-    drop_incomplete(draft, cells.data, rows);
-  });
-  drop_fillings(mesh);
 }
 
 namespace {

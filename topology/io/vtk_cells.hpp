@@ -2,6 +2,8 @@
 // Internal to topology/io: cells and columns as VTK's formats hold them, of all kinds in one list.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -25,6 +27,9 @@ struct VtkPiece {
   std::size_t points = 0;
   /// The list that each of its cells went to, by dimension; -1 where it was left out.
   std::vector<std::int8_t> list_of_cell;
+  /// By dimension: how many went there, and the row of the first.
+  std::array<std::size_t, 4> cells{};
+  std::array<std::size_t, 4> first_cell{};
 };
 
 /// Fails with bad_offsets where ends fall or a cell has fewer points than its type; `at`: the place
@@ -35,18 +40,13 @@ void check_vtk_cells(const VtkCells& cells, std::string_view text, std::size_t a
 /// Fails with unknown_cell_type. Needs: check_vtk_cells passed, and as many `points` as it counts.
 void add_vtk_cells(Draft& draft, VtkPiece& piece, const VtkCells& cells, std::size_t at);
 
-/// A column of cells goes to the lists of its cells: as region, entity or source id by its name,
-/// otherwise as data. A region or an id that was given before is not replaced. `at`: for messages.
-void add_vtk_cell_column(Draft& draft, const VtkPiece& piece, const DataColumn& column,
-                         std::size_t at);
-
-/// A column of points: source ids or regions by its name, or data. `at`: for messages.
-void add_vtk_point_column(Draft& draft, const VtkPiece& piece, DataColumn&& column, std::size_t at);
-
-/// Drops columns that not all pieces had, with a warning, and labels and ids that are incomplete.
-/// Where there are cells of several dimensions, those of one lose columns of nothing but 0 (labels,
-/// ids) or not-a-number (data): vtk_grid fills with them.
-void finish_vtk_columns(Draft& draft);
+/// Room for `more` rows: just that at first, later at least half as much again.
+template <class Row>
+void make_room(std::vector<Row>& rows, std::size_t more) {
+  const std::size_t needed = rows.size() + more;
+  if (needed <= rows.capacity()) return;
+  rows.reserve(rows.empty() ? needed : std::max(needed, rows.capacity() + rows.capacity() / 2));
+}
 
 /// Calls `work` with a zero of the type that a file stores numbers in.
 template <class Work>

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
+#include <utility>
 
 #include "topology/io/number_source.hpp"
 #include "topology/io/vtk.hpp"
-#include "topology/io/vtk_cells.hpp"
+#include "topology/io/vtk_columns.hpp"
 
 namespace sunder::io {
 namespace {
@@ -46,6 +46,7 @@ struct VtkReader {
   Draft draft;
   VtkCells cells;
   VtkPiece piece;
+  VtkNames names;
   bool has_points = false;
   bool has_cells = false;
   bool has_types = false;
@@ -80,15 +81,18 @@ const VtkType& read_type(VtkReader& r) {
         .remedy = "write the array with one of these types"});
 }
 
-template <class Stored, class Value>
-std::vector<Value> read_values(VtkReader& r, std::size_t n) {
-  std::vector<Value> values;
-  values.reserve(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    values.push_back(r.in.is_binary ? static_cast<Value>(read_raw<Stored>(r.in, "a number"))
-                                    : read_number<Value>(r.in.s, "a number"));
+/// Hands `n` numbers to `take`, one after the other.
+template <class Value, class Take>
+void read_numbers(VtkReader& r, std::size_t n, const VtkType& type, Take&& take) {
+  if (!r.in.is_binary) {
+    for (std::size_t i = 0; i < n; ++i) take(read_number<Value>(r.in.s, "a number"));
+    return;
   }
-  return values;
+  with_stored(type.type, [&]<class Stored>(Stored) {
+    for (std::size_t i = 0; i < n; ++i) {
+      take(static_cast<Value>(read_raw<Stored>(r.in, "a number")));
+    }
+  });
 }
 
 /// Raw numbers begin behind the line's end.
@@ -99,17 +103,10 @@ void begin_numbers(VtkReader& r, std::size_t n, const VtkType& type, std::string
 }
 
 std::vector<std::int64_t> read_integers(VtkReader& r, std::size_t n, const VtkType& type) {
-  return with_stored(type.type,
-                     [&]<class Stored>(Stored) { return read_values<Stored, std::int64_t>(r, n); });
-}
-
-bool is_real(const VtkType& type) {
-  return type.type == NumberType::float64 || type.type == NumberType::float32;
-}
-
-std::vector<double> read_reals(VtkReader& r, std::size_t n, const VtkType& type) {
-  return with_stored(type.type,
-                     [&]<class Stored>(Stored) { return read_values<Stored, double>(r, n); });
+  std::vector<std::int64_t> values;
+  values.reserve(n);
+  read_numbers<std::int64_t>(r, n, type, [&](std::int64_t value) { values.push_back(value); });
+  return values;
 }
 
 /// A product of two counts that have to fit into the file: too big where it overflows.
@@ -120,25 +117,31 @@ std::size_t product(VtkReader& r, std::size_t a, std::size_t b, std::string_view
   return a * b;
 }
 
+void refuse_second(VtkReader& r, bool& seen, std::string_view section) {
+  if (std::exchange(seen, true)) {
+    fail(r.in.s.text, r.in.s.at,
+         {.code = "wrong_section_order",
+          .text = fmt::format("a second section {}", section),
+          .remedy = "join the two sections, or give them as two files"});
+  }
+}
+
 void read_points(VtkReader& r) {
+  refuse_second(r, r.has_points, "POINTS");
   const std::size_t n = read_count(r.in.s, "points", 3);
   const VtkType& type = read_type(r);
   const std::size_t numbers = product(r, n, 3, "coordinates");
   begin_numbers(r, numbers, type, "coordinates");
   const std::size_t at = r.in.s.at;
-  if (!is_real(type)) {
-    const auto x = read_integers(r, numbers, type);
-    for (std::size_t i = 0; i < n; ++i) {
-      add_point(r.draft, {double(x[3 * i]), double(x[3 * i + 1]), double(x[3 * i + 2])}, at);
-    }
-  } else {
-    const auto x = read_reals(r, numbers, type);
-    r.draft.mesh.points.reserve(n);
-    for (std::size_t i = 0; i < n; ++i) {
-      add_point(r.draft, {x[3 * i], x[3 * i + 1], x[3 * i + 2]}, at);
-    }
-  }
-  r.has_points = true;
+  r.draft.mesh.points.reserve(n);
+  Point point;
+  std::size_t k = 0;
+  read_numbers<double>(r, numbers, type, [&](double x) {
+    point[k++] = x;
+    if (k < 3) return;
+    add_point(r.draft, point, at);
+    k = 0;
+  });
   r.piece.points = n;
 }
 
@@ -148,6 +151,8 @@ void read_counted_cells(VtkReader& r, std::size_t n, std::size_t size) {
   begin_numbers(r, size, integer, "numbers of cells");
   const std::size_t at = r.in.s.at;
   const std::vector<std::int64_t> list = read_integers(r, size, integer);
+  r.cells.ends.reserve(n);
+  r.cells.points.reserve(list.size() - std::min(n, list.size()));
   std::size_t next = 0;
   for (std::size_t c = 0; c < n; ++c) {
     const std::int64_t count = next < list.size() ? list[next] : -1;
@@ -166,15 +171,25 @@ void read_counted_cells(VtkReader& r, std::size_t n, std::size_t size) {
   }
 }
 
+const VtkType& read_integer_type(VtkReader& r) {
+  const std::size_t at = r.in.s.at;
+  const VtkType& type = read_type(r);
+  if (!is_real(type.type)) return type;
+  fail(r.in.s.text, at,
+       {.code = "bad_attribute",
+        .text = fmt::format("type {} where integers were expected", type.name),
+        .remedy = "write the array with an integer type"});
+}
+
 /// From version 5.0 on: where each cell begins, and all points.
 void read_offset_cells(VtkReader& r, std::size_t offsets, std::size_t size) {
   expect_word(r.in.s, "OFFSETS");
-  const VtkType& offset_type = read_type(r);
+  const VtkType& offset_type = read_integer_type(r);
   begin_numbers(r, offsets, offset_type, "offsets");
   const std::size_t at = r.in.s.at;
   std::vector<std::int64_t> begins = read_integers(r, offsets, offset_type);
   expect_word(r.in.s, "CONNECTIVITY");
-  const VtkType& type = read_type(r);
+  const VtkType& type = read_integer_type(r);
   begin_numbers(r, size, type, "numbers of cells");
   r.cells.points = read_integers(r, size, type);
   const bool whole = begins.empty()
@@ -193,9 +208,9 @@ void read_offset_cells(VtkReader& r, std::size_t offsets, std::size_t size) {
 }
 
 void read_cells(VtkReader& r) {
+  refuse_second(r, r.has_cells, "CELLS");
   const std::size_t n = read_count(r.in.s, "cells", 1);
   const std::size_t size = read_count(r.in.s, "numbers of cells", 1);
-  r.has_cells = true;
   Scanner ahead = r.in.s;  // raw numbers may begin with what looks like blanks
   const bool has_offsets = peek_word(ahead) == "OFFSETS";
   r.cells_at = ahead.at;
@@ -203,6 +218,7 @@ void read_cells(VtkReader& r) {
 }
 
 void read_types(VtkReader& r) {
+  refuse_second(r, r.has_types, "CELL_TYPES");
   const std::size_t n = read_count(r.in.s, "cell types", 1);
   const std::size_t at = r.in.s.at;
   const VtkType& integer = number_types[7];
@@ -214,7 +230,6 @@ void read_types(VtkReader& r) {
           .text = fmt::format("{} cell types for {} cells", n, r.cells.ends.size()),
           .remedy = "give each cell its type, behind CELLS"});
   }
-  r.has_types = true;
   check_vtk_cells(r.cells, r.draft.text, r.cells_at);
   add_vtk_cells(r.draft, r.piece, r.cells, r.cells_at);
   r.cells = {};
@@ -241,23 +256,25 @@ void take_column(VtkReader& r, std::string_view name, std::size_t components, st
                  const VtkType& type) {
   const std::size_t n = product(r, rows, components, "numbers");
   begin_numbers(r, n, type, "numbers");
-  const std::size_t at = r.in.s.at;
-  DataColumn column{decoded(name), components, type.type, {}};
-  if (is_real(type)) {
-    column.values = read_reals(r, n, type);
-  } else {
-    column.values = read_integers(r, n, type);
-  }
-  if (r.data_of == 0 || components == 0) return;  // of the whole file: a time, a cycle
-  if (rows != r.rows) {
-    fail(r.in.s.text, at,
+  const VtkArrayHead head{decoded(name), components, type.type, r.data_of == 2, r.in.s.at};
+  const bool is_of_rows = r.data_of != 0 && components > 0;  // others: a time, a cycle
+  if (is_of_rows && rows != r.rows) {
+    fail(r.in.s.text, head.at,
          {.code = "wrong_count",
           .text =
               fmt::format("array {} has {} rows: {} were expected", in_quotes(name), rows, r.rows),
           .remedy = "give one row for each point or cell"});
   }
-  if (r.data_of == 1) return add_vtk_point_column(r.draft, r.piece, std::move(column), at);
-  add_vtk_cell_column(r.draft, r.piece, column, at);
+  if (!is_of_rows || rows == 0 || !is_new_name(r.draft, r.names, head)) {
+    is_real(type.type) ? read_numbers<double>(r, n, type, [](double) {})
+                       : read_numbers<std::int64_t>(r, n, type, [](std::int64_t) {});
+  } else if (is_vtk_label(head)) {
+    add_vtk_label(r.draft, r.piece, head, read_integers(r, n, type));
+  } else if (is_real(type.type)) {
+    read_numbers<double>(r, n, type, begin_vtk_data<double>(r.draft, r.piece, head, n));
+  } else {
+    read_numbers<std::int64_t>(r, n, type, begin_vtk_data<std::int64_t>(r.draft, r.piece, head, n));
+  }
 }
 
 /// Names of components and units, up to a blank line.

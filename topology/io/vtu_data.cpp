@@ -8,9 +8,12 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <span>
+#include <iterator>
+#include <memory>
+#include <new>
 
 #include "topology/io/number_source.hpp"
+#include "topology/io/vtk_cells.hpp"
 
 namespace sunder::io {
 namespace {
@@ -134,19 +137,42 @@ std::string take_plain(ByteSource& in, std::size_t expected) {
   return bytes;
 }
 
-/// One zlib stream of `packed` bytes into `out`, which it has to fill.
-void unfold(ByteSource& in, std::uint64_t packed, std::span<char> out) {
+/// Appends what one zlib stream of `packed` bytes unfolds to, which has to be `size` bytes. Room is
+/// made as they come: the size is only what a header says.
+void unfold(ByteSource& in, std::uint64_t packed, std::size_t size, std::string& out) {
   if (packed > most_left(in)) fail_short(in, packed - most_left(in));
   std::string block(packed, '\0');
   take(in, block.data(), packed);
-  uLongf size = out.size();
-  const int status = uncompress(reinterpret_cast<Bytef*>(out.data()), &size,
-                                reinterpret_cast<const Bytef*>(block.data()), packed);
-  if (status != Z_OK || size != out.size()) {
-    fail_array(in.layout, in.array, "bad_zlib",
-               fmt::format("a block of {} bytes does not unfold to {}: {}", packed, out.size(),
-                           status == Z_OK ? fmt::format("it holds {}", size) : zError(status)));
+  z_stream stream{};
+  if (inflateInit(&stream) != Z_OK) throw std::bad_alloc();
+  const std::unique_ptr<z_stream, int (*)(z_stream*)> owner(&stream, &inflateEnd);
+  constexpr std::size_t most = std::size_t{1} << 30;  // zlib counts in 32 bits
+  const std::size_t begin = out.size();
+  std::size_t filled = 0, taken = 0;
+  int status = Z_OK;
+  while (status == Z_OK) {
+    if (filled == out.size() - begin) {
+      out.resize(begin + std::min(size + 1, std::max<std::size_t>(4 * packed, 2 * filled) + 64));
+    }
+    const std::size_t given = std::min(most, block.size() - taken);
+    const std::size_t room = std::min(most, out.size() - begin - filled);
+    stream.next_in = reinterpret_cast<Bytef*>(block.data() + taken);
+    stream.avail_in = static_cast<uInt>(given);
+    stream.next_out = reinterpret_cast<Bytef*>(out.data() + begin + filled);
+    stream.avail_out = static_cast<uInt>(room);
+    status = inflate(&stream, Z_NO_FLUSH);
+    taken += given - stream.avail_in;
+    filled += room - stream.avail_out;
+    if (filled > size) break;
   }
+  if (status != Z_STREAM_END || filled != size) {
+    fail_array(in.layout, in.array, "bad_zlib",
+               fmt::format("a block of {} bytes does not unfold to {}: {}", packed, size,
+                           status == Z_STREAM_END ? fmt::format("it holds {}", filled)
+                           : filled > size        ? std::string("it holds more")
+                                                  : zError(status)));
+  }
+  out.resize(begin + size);
 }
 
 /// [blocks, bytes of a block, bytes of the last one or 0, packed bytes of each block], then those.
@@ -170,17 +196,14 @@ std::string take_compressed(ByteSource& in, std::size_t expected) {
   std::vector<std::uint64_t> packed(blocks);
   for (std::uint64_t& p : packed) p = take_word(in);
   // Some writers end a base64 stream here and begin another: next_group sees to that.
-  std::string bytes(expected, '\0');
-  std::size_t at = 0;
+  std::string bytes;
   for (std::size_t i = 0; i < blocks; ++i) {
-    const std::size_t size = i < whole ? block_bytes : last_bytes;
-    unfold(in, packed[i], std::span(bytes.data() + at, size));
-    at += size;
+    unfold(in, packed[i], i < whole ? block_bytes : last_bytes, bytes);
   }
   return bytes;
 }
 
-std::string decode(const VtuLayout& layout, const VtuArray& array, std::size_t expected_bytes) {
+std::string decode(VtuLayout& layout, const VtuArray& array, std::size_t expected_bytes) {
   std::string_view encoded = array.content;
   if (array.is_appended) {
     if (array.offset > layout.appended.size()) {
@@ -188,82 +211,105 @@ std::string decode(const VtuLayout& layout, const VtuArray& array, std::size_t e
                  fmt::format("its data begin at byte {} of the appended data, which end after {}",
                              array.offset, layout.appended.size()));
     }
+    const std::size_t size = layout.appended.size();
+    const std::size_t known =
+        layout.is_compressed || expected_bytes > size - array.offset ? 0 : expected_bytes;
+    if (layout.taken > size || known > size - layout.taken) {
+      fail_array(layout, array, "bad_offsets",
+                 fmt::format("with the arrays before it takes more than the {} bytes of appended "
+                             "data: some share bytes",
+                             size));
+    }
     encoded = layout.appended.substr(array.offset);
   }
   ByteSource in{.layout = layout,
                 .array = array,
                 .encoded = encoded,
                 .is_base64 = !array.is_appended || layout.appended_encoding == VtuEncoding::base64};
-  return layout.is_compressed ? take_compressed(in, expected_bytes)
-                              : take_plain(in, expected_bytes);
+  std::string bytes =
+      layout.is_compressed ? take_compressed(in, expected_bytes) : take_plain(in, expected_bytes);
+  if (array.is_appended) layout.taken += in.at;
+  return bytes;
 }
 
+constexpr std::size_t block_size = 512;
+
 template <class Stored, class Value>
-std::vector<Value> converted(const std::string& bytes, bool swap) {
-  std::vector<Value> values(bytes.size() / sizeof(Stored));
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    Stored stored;
-    std::memcpy(&stored, bytes.data() + i * sizeof(Stored), sizeof(Stored));
-    values[i] = static_cast<Value>(swap ? byte_swapped(stored) : stored);
+void take_raw(const std::string& bytes, bool swap, const TakeValues<Value>& take) {
+  std::array<Value, block_size> block;
+  for (std::size_t at = 0; at < bytes.size();) {
+    std::size_t n = 0;
+    for (; n < block_size && at < bytes.size(); ++n, at += sizeof(Stored)) {
+      Stored stored;
+      std::memcpy(&stored, bytes.data() + at, sizeof(Stored));
+      block[n] = static_cast<Value>(swap ? byte_swapped(stored) : stored);
+    }
+    take({block.data(), n});
   }
-  return values;
 }
 
 template <class Value>
-std::vector<Value> read_text(const VtuLayout& layout, const VtuArray& array, std::size_t expected) {
+void take_text(const VtuLayout& layout, const VtuArray& array, std::size_t expected,
+               const TakeValues<Value>& take) {
   const std::size_t begin = static_cast<std::size_t>(array.content.data() - layout.text.data());
   Scanner s{layout.text.substr(0, begin + array.content.size()), begin};
-  std::vector<Value> values;
-  values.reserve(std::min(expected, array.content.size() / 2 + 1));
-  while (!peek_word(s).empty()) values.push_back(read_number<Value>(s, "a number"));
-  if (values.size() != expected) {
+  std::array<Value, block_size> block;
+  std::size_t found = 0;
+  while (found < expected && !peek_word(s).empty()) {
+    block[found++ % block_size] = read_number<Value>(s, "a number");
+    if (found % block_size == 0) take(block);
+  }
+  if (found % block_size > 0) take({block.data(), found % block_size});
+  if (found < expected || !peek_word(s).empty()) {
     fail_array(layout, array, "wrong_count",
                fmt::format("it holds {} numbers, {} were expected from the numbers of points and "
                            "cells",
-                           values.size(), expected));
+                           found < expected ? fmt::format("{}", found) : "more", expected));
   }
-  return values;
 }
 
 template <class Value>
-std::vector<Value> read_values(const VtuLayout& layout, const VtuArray& array,
-                               std::size_t expected) {
-  if (array.is_ascii) return read_text<Value>(layout, array, expected);
+void read_values(VtuLayout& layout, const VtuArray& array, std::size_t expected,
+                 const TakeValues<Value>& take) {
+  const auto* const word = std::ranges::find(vtu_types, array.type);
+  if (word == std::end(vtu_types)) {
+    fail_array(layout, array, "bad_attribute",
+               fmt::format("type {} is not one of Float32, Float64, Int8 ... UInt64",
+                           in_quotes(array.type)),
+               "write the array with one of these types");
+  }
+  if (array.is_ascii) return take_text<Value>(layout, array, expected, take);
   const bool swap = layout.byte_order != std::endian::native;
-  const auto read_as = [&]<class Stored>(Stored) {
-    return converted<Stored, Value>(decode(layout, array, expected * sizeof(Stored)), swap);
-  };
-  if (array.type == "Float64") return read_as(double{});
-  if (array.type == "Float32") return read_as(float{});
-  if (array.type == "Int8") return read_as(std::int8_t{});
-  if (array.type == "UInt8") return read_as(std::uint8_t{});
-  if (array.type == "Int16") return read_as(std::int16_t{});
-  if (array.type == "UInt16") return read_as(std::uint16_t{});
-  if (array.type == "Int32") return read_as(std::int32_t{});
-  if (array.type == "UInt32") return read_as(std::uint32_t{});
-  if (array.type == "Int64") return read_as(std::int64_t{});
-  if (array.type == "UInt64") return read_as(std::uint64_t{});
-  fail_array(
-      layout, array, "bad_attribute",
-      fmt::format("type {} is not one of Float32, Float64, Int8 ... UInt64", in_quotes(array.type)),
-      "write the array with one of these types");
+  with_stored(static_cast<NumberType>(word - std::begin(vtu_types)), [&]<class Stored>(Stored) {
+    take_raw<Stored>(decode(layout, array, expected * sizeof(Stored)), swap, take);
+  });
 }
 
 }  // namespace
 
-std::vector<double> read_doubles(const VtuLayout& layout, const VtuArray& array,
-                                 std::size_t expected) {
-  return read_values<double>(layout, array, expected);
+void read_doubles(VtuLayout& layout, const VtuArray& array, std::size_t expected,
+                  const TakeValues<double>& take) {
+  read_values<double>(layout, array, expected, take);
 }
 
-std::vector<std::int64_t> read_integers(const VtuLayout& layout, const VtuArray& array,
-                                        std::size_t expected) {
+void read_integers(VtuLayout& layout, const VtuArray& array, std::size_t expected,
+                   const TakeValues<std::int64_t>& take) {
   if (array.type.substr(0, 5) == "Float") {
     fail_array(layout, array, "bad_attribute",
                fmt::format("type {} where integers were expected", in_quotes(array.type)),
                "write the array with an integer type");
   }
-  return read_values<std::int64_t>(layout, array, expected);
+  read_values<std::int64_t>(layout, array, expected, take);
+}
+
+std::vector<std::int64_t> read_integers(VtuLayout& layout, const VtuArray& array,
+                                        std::size_t expected) {
+  std::vector<std::int64_t> values;
+  read_integers(layout, array, expected, [&](std::span<const std::int64_t> block) {
+    if (values.empty()) values.reserve(expected);  // the bytes for so many are there
+    values.insert(values.end(), block.begin(), block.end());
+  });
+  return values;
 }
 
 }  // namespace sunder::io

@@ -5,6 +5,8 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +26,9 @@ struct VtuLayout {
   VtuEncoding appended_encoding = VtuEncoding::base64;
   /// What follows the underscore of AppendedData, to the file's end.
   std::string_view appended;
+  /// How many of its bytes the arrays read so far took. They may not share any: a small file could
+  /// say to be big.
+  std::size_t taken = 0;
 };
 
 /// A DataArray's tag.
@@ -41,12 +46,18 @@ struct VtuArray {
   std::string_view content;
 };
 
+/// What takes an array's values, block by block.
+template <class Value>
+using TakeValues = std::function<void(std::span<const Value>)>;
+
 /// The array's values, all of them. `expected`: how many there have to be.
 /// Throws ReadFailure (wrong_count, truncated_file, bad_number, bad_base64, bad_zlib,
-/// bad_attribute); never allocates more than the file's bytes can unfold to.
-std::vector<double> read_doubles(const VtuLayout& layout, const VtuArray& array,
-                                 std::size_t expected);
-std::vector<std::int64_t> read_integers(const VtuLayout& layout, const VtuArray& array,
+/// bad_attribute, count_too_big); never allocates more than the array's bytes, unfolded.
+void read_doubles(VtuLayout& layout, const VtuArray& array, std::size_t expected,
+                  const TakeValues<double>& take);
+void read_integers(VtuLayout& layout, const VtuArray& array, std::size_t expected,
+                   const TakeValues<std::int64_t>& take);
+std::vector<std::int64_t> read_integers(VtuLayout& layout, const VtuArray& array,
                                         std::size_t expected);
 
 /// zlib never unfolds a byte to more than this (zlib's technical notes: 1032 to 1).

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "topology/io/scan.hpp"
 
@@ -20,6 +21,8 @@ struct VtuParser {
   VtuDocument document;
   /// Names of the open elements.
   std::vector<std::string> open;
+  /// Names of elements and attributes that came; expat keeps every new one.
+  std::set<std::string, std::less<>> names;
   /// The array whose end tag has not come yet.
   VtuArray* array = nullptr;
   bool stopped_at_appended = false;
@@ -109,7 +112,7 @@ void start_piece(VtuParser& p, Attributes attributes) {
   p.document.pieces.push_back(std::move(piece));
 }
 
-std::vector<VtuArray>* arrays_of(VtuPiece& piece, std::string_view parent) {
+std::list<VtuArray>* arrays_of(VtuPiece& piece, std::string_view parent) {
   if (parent == "Points") return &piece.point_arrays;
   if (parent == "Cells") return &piece.cell_arrays;
   if (parent == "PointData") return &piece.point_data;
@@ -120,11 +123,16 @@ std::vector<VtuArray>* arrays_of(VtuPiece& piece, std::string_view parent) {
 void start_array(VtuParser& p, Attributes attributes) {
   const bool in_piece = p.open.size() >= 3 && p.open[p.open.size() - 3] == "Piece";
   if (!in_piece || p.document.pieces.empty()) return;
-  std::vector<VtuArray>* arrays = arrays_of(p.document.pieces.back(), p.open[p.open.size() - 2]);
+  std::list<VtuArray>* arrays = arrays_of(p.document.pieces.back(), p.open[p.open.size() - 2]);
   if (arrays == nullptr) return;
   VtuArray array{.at = place(p)};
   array.name = attribute(attributes, "Name").value_or("");
-  array.type = attribute(attributes, "type").value_or("");
+  const auto type = attribute(attributes, "type");
+  if (!type) {
+    fail_tag(p, "bad_attribute", fmt::format("array {} has no type", in_quotes(array.name)),
+             "write its type, such as type=\"Float64\"");
+  }
+  array.type = *type;
   array.components = count_attribute(p, attributes, "NumberOfComponents", 1);
   const std::string_view format = attribute(attributes, "format").value_or("ascii");
   array.is_ascii = format == "ascii";
@@ -140,7 +148,26 @@ void start_array(VtuParser& p, Attributes attributes) {
   p.array = &arrays->back();
 }
 
+/// What a VTU file needs is far below these bounds; a hostile one would fill memory with tags.
+void bound_tags(VtuParser& p, std::string_view name, Attributes attributes) {
+  constexpr std::size_t deepest = 64, most_names = 1024;
+  if (p.open.size() == deepest) {
+    fail_tag(p, "bad_xml", fmt::format("tags are nested more than {} deep", deepest),
+             "this is no VTU file: its tags are nested five deep");
+  }
+  const auto know = [&p](std::string_view word) {
+    if (p.names.find(word) == p.names.end()) p.names.emplace(word);
+  };
+  know(name);
+  for (; *attributes != nullptr; attributes += 2) know(attributes[0]);
+  if (p.names.size() > most_names) {
+    fail_tag(p, "bad_xml", fmt::format("more than {} names of tags and attributes", most_names),
+             "this is no VTU file: it has a few dozen");
+  }
+}
+
 void start_element(VtuParser& p, std::string_view name, Attributes attributes) {
+  bound_tags(p, name, attributes);
   p.open.emplace_back(name);
   if (p.open.size() == 1 && name != "VTKFile") {
     fail_tag(p, "unknown_format", fmt::format("the document is {}, not VTKFile", in_quotes(name)),
@@ -240,7 +267,8 @@ VtuDocument parse_vtu(std::string_view text) {
   XML_SetUserData(p.xml, &p);
   XML_SetElementHandler(p.xml, on_start, on_end);
   XML_SetStartDoctypeDeclHandler(p.xml, on_doctype);
-  constexpr std::size_t chunk = std::size_t{1} << 30;  // expat counts bytes in an int
+  // In parts, so that what expat keeps of an unfinished tag is bounded.
+  constexpr std::size_t chunk = std::size_t{1} << 16;
   for (std::size_t at = 0; at < text.size(); at += chunk) {
     const std::size_t size = std::min(chunk, text.size() - at);
     const bool last = at + size == text.size();
@@ -248,6 +276,10 @@ VtuDocument parse_vtu(std::string_view text) {
     if (p.failure) throw ReadFailure{std::move(*p.failure)};
     if (p.stopped_at_appended) break;
     if (status != XML_STATUS_OK) fail_xml(p);
+    if (at + size - std::min(place(p), at) > 2 * chunk) {
+      fail_tag(p, "bad_xml", fmt::format("a tag or comment has more than {} bytes", chunk),
+               "the file is damaged: copy or write it again");
+    }
   }
   if (p.stopped_at_appended) find_appended(p);
   return std::move(p.document);

@@ -2,6 +2,7 @@
 // Internal to the VTU reader: the XML part of the file as plain data, no array decoded yet.
 #pragma once
 
+#include <list>
 #include <string_view>
 #include <vector>
 
@@ -15,10 +16,10 @@ struct VtuPiece {
   std::size_t cells = 0;
   /// Into VtuLayout::text.
   std::size_t at = 0;
-  std::vector<VtuArray> point_arrays;
-  std::vector<VtuArray> cell_arrays;
-  std::vector<VtuArray> point_data;
-  std::vector<VtuArray> cell_data;
+  std::list<VtuArray> point_arrays;
+  std::list<VtuArray> cell_arrays;
+  std::list<VtuArray> point_data;
+  std::list<VtuArray> cell_data;
 };
 
 struct VtuDocument {

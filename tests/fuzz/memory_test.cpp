@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: MIT
+// Files made to take as much memory as they can, a few hundred kilobytes each: the readers stay
+// below ten times the file.
+#include <fmt/format.h>
+
+#include <bit>
+#include <catch2/catch.hpp>
+#include <cstring>
+#include <functional>
+
+#include "reader_laws.hpp"
+#include "topology/io/number_source.hpp"
+
+using namespace sunder;
+using namespace sunder::test;
+
+namespace {
+
+constexpr std::size_t many = 60'000;
+
+std::string repeated(std::size_t n, const std::function<std::string(std::size_t)>& part) {
+  std::string text;
+  for (std::size_t i = 0; i < n; ++i) text += part(i);
+  return text;
+}
+
+std::string repeated(std::size_t n, std::string_view part) {
+  return repeated(n, [&](std::size_t) { return std::string(part); });
+}
+
+template <class Number>
+std::string raw(Number number) {
+  std::string bytes(sizeof number, '\0');
+  std::memcpy(bytes.data(), &number, sizeof number);
+  return bytes;
+}
+
+/// VTK's legacy files are big-endian.
+std::string big(std::int32_t number) { return raw(io::byte_swapped(number)); }
+
+struct Hostile {
+  const char* reader;
+  const char* what;
+  std::string bytes;
+};
+
+std::string msh_41(std::string_view nodes, std::size_t node_count, std::string_view elements,
+                   std::size_t element_count) {
+  return fmt::format(
+      "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 {} 1 1\n0 1 0 {}\n{}$EndNodes\n"
+      "$Elements\n1 {} 1 1\n0 1 15 {}\n{}$EndElements\n",
+      node_count, node_count, nodes, element_count, element_count, elements);
+}
+
+std::string msh_22(std::string_view nodes, std::size_t node_count, std::string_view elements,
+                   std::size_t element_count) {
+  return fmt::format(
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n{}\n{}$EndNodes\n"
+      "$Elements\n{}\n{}$EndElements\n",
+      node_count, nodes, element_count, elements);
+}
+
+std::vector<Hostile> hostile_msh() {
+  const std::string one_node = "1\n0 0 0\n";
+  const std::string points = repeated(many, "1 1\n");
+  const auto numbered = [](std::size_t step) {
+    return [step](std::size_t i) { return fmt::format("{} 0 0 0\n", 1 + i * step); };
+  };
+  const auto section = [](std::string_view name) {
+    return fmt::format("${0}\n1\n\"\"\n0\n3\n0\n9\n1\n1 0 0 0 0 0 0 0 0 0\n$End{0}\n", name);
+  };
+  const auto names = [](std::size_t i) { return fmt::format("{} {} \"\"\n", i % 4, i / 4); };
+  const auto entities = [](std::size_t i) { return fmt::format("{} 0 0 0 0\n", i); };
+  return {
+      {"msh", "point elements of 4 bytes", msh_41(one_node, 1, points, many)},
+      {"msh", "point elements of 9 bytes",
+       msh_22("1 0 0 0\n", 1, repeated(many, "1 15 0 1\n"), many)},
+      {"msh", "dense numbers of nodes", msh_22(repeated(many, numbered(1)), many, "", 0)},
+      {"msh", "numbers of nodes with gaps", msh_22(repeated(many, numbered(4)), many, "", 0)},
+      {"msh", "scattered numbers of nodes", msh_22(repeated(many, numbered(9)), many, "", 0)},
+      {"msh", "many data of one element each",
+       msh_41(one_node, 1, points, many) + repeated(4'000, section("ElementData"))},
+      {"msh", "many data of one node each",
+       msh_22(repeated(many, numbered(1)), many, "", 0) + repeated(4'000, section("NodeData"))},
+      {"msh", "names",
+       fmt::format("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n{}\n{}"
+                   "$EndPhysicalNames\n",
+                   many, repeated(many, names))},
+      {"msh", "entities",
+       fmt::format("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Entities\n{} 0 0 0\n{}$EndEntities\n",
+                   many, repeated(many, entities))},
+  };
+}
+
+std::vector<Hostile> hostile_medit() {
+  const std::string head = "MeshVersionFormatted 2\nDimension 3\n";
+  const std::string points = "Vertices\n2\n0 0 0 0\n0 0 1 0\n";
+  const std::string edges = fmt::format("Edges\n{}\n{}", many, repeated(many, "1 2 3\n"));
+  const auto binary = [](std::string_view first, std::string_view second) {
+    return raw(1) + raw(2) + std::string(first) + std::string(second) + raw(54) + raw(0);
+  };
+  const auto section = [](int code, std::string_view rows, std::size_t count, std::size_t at) {
+    return raw(code) + raw(static_cast<std::int32_t>(at + 12 + rows.size())) +
+           raw(static_cast<std::int32_t>(count)) + std::string(rows);
+  };
+  const std::string two_points(56, '\0');
+  const std::string rows = repeated(many, raw(1) + raw(2) + raw(3));
+  const std::string raw_points = section(4, two_points, 2, 8);
+  const std::string raw_edges = section(5, rows, many, 8);
+  return {
+      {"mesh", "edges behind vertices", head + points + edges},
+      {"mesh", "edges before vertices", head + edges + points},
+      {"mesh", "raw edges behind vertices",
+       binary(raw_points, section(5, rows, many, 8 + raw_points.size()))},
+      {"mesh", "raw edges before vertices",
+       binary(raw_edges, section(4, two_points, 2, 8 + raw_edges.size()))},
+      {"mesh", "vertices",
+       fmt::format("{}Vertices\n{}\n{}", head, many, repeated(many, "0 0 0 0\n"))},
+      {"mesh", "sections that nobody knows", head + repeated(many, "A\n") + points},
+  };
+}
+
+std::string vtk(std::string_view kind, std::string_view points, std::string_view rest) {
+  return fmt::format("# vtk DataFile Version 4.2\n\n{}\nDATASET UNSTRUCTURED_GRID\nPOINTS {}\n{}",
+                     kind, points, rest);
+}
+
+/// Cells on the first points, alternately vertices and edges or vertices alone.
+std::string vtk_cells(std::size_t n, bool mixed) {
+  const auto cell = [&](std::size_t i) {
+    return mixed && i % 2 == 1 ? big(2) + big(0) + big(1) : big(1) + big(0);
+  };
+  const auto type = [&](std::size_t i) { return big(mixed && i % 2 == 1 ? 3 : 1); };
+  return fmt::format("CELLS {} {}\n{}\nCELL_TYPES {}\n{}\n", n, mixed ? n / 2 * 5 : 2 * n,
+                     repeated(n, cell), n, repeated(n, type));
+}
+
+std::vector<Hostile> hostile_vtk() {
+  const std::string two = "2 double\n0 0 0 0 0 1\n";
+  const std::string no_cells = "CELLS 0 0\nCELL_TYPES 0\n";
+  const std::string one_cell = "CELLS 1 2\n1 0\nCELL_TYPES 1\n1\n";
+  const std::string four_cells =
+      "CELLS 4 14\n1 0\n2 0 1\n3 0 1 1\n4 0 1 2 3\nCELL_TYPES 4\n1\n3\n5\n10\n";
+  const std::string raw_two = "2 double\n" + std::string(48, '\0') + "\n";
+  const std::string bytes(many, '\1');
+  const auto array = [](std::string_view tail) {
+    return [tail](std::size_t i) { return fmt::format("{} {}\n", i, tail); };
+  };
+  const auto columns = [&](std::string_view tail, std::size_t n) {
+    return fmt::format("FIELD f {}\n{}", n, repeated(n, array(tail)));
+  };
+  return {
+      {"vtk", "vertices as text",
+       vtk("ASCII", two,
+           fmt::format("CELLS {} {}\n{}CELL_TYPES {}\n{}", many, 2 * many, repeated(many, "1 0\n"),
+                       many, repeated(many, "1\n")))},
+      {"vtk", "cells of no points",
+       vtk("ASCII", two,
+           fmt::format("CELLS {0} {0}\n{1}CELL_TYPES {0}\n{2}", many, repeated(many, "0\n"),
+                       repeated(many, "2\n")))},
+      {"vtk", "points of one byte a number",
+       vtk("BINARY", fmt::format("{} char\n{}\n", many, bytes + bytes + bytes), no_cells)},
+      {"vtk", "points as text",
+       vtk("ASCII", fmt::format("{} int\n{}", many, repeated(many, "0 0 0\n")), no_cells)},
+      {"vtk", "a column of bytes on points",
+       vtk("BINARY", fmt::format("{} char\n{}\n", 2, "abcdef"),
+           no_cells + "POINT_DATA 2\nFIELD f 1\na 100000 2 char\n" + repeated(200'000, "x"))},
+      {"vtk", "a column of bytes on cells of one kind",
+       vtk("BINARY", raw_two,
+           vtk_cells(2, false) + "CELL_DATA 2\nFIELD f 1\na 100000 2 char\n" +
+               repeated(200'000, "x"))},
+      {"vtk", "a column of bytes on cells of two kinds",
+       vtk("BINARY", raw_two,
+           vtk_cells(2, true) + "CELL_DATA 2\nFIELD f 1\na 100000 2 char\n" +
+               repeated(200'000, "x"))},
+      {"vtk", "columns of bytes on many cells of two kinds",
+       vtk("BINARY", raw_two,
+           vtk_cells(many / 2, true) +
+               fmt::format("CELL_DATA {}\nFIELD f 1\na 5 {} char\n", many / 2, many / 2) +
+               repeated(many / 2 * 5, "x"))},
+      {"vtk", "empty columns",
+       vtk("ASCII", "0 int\n", no_cells + "POINT_DATA 0\n" + columns("1 0 int", many))},
+      {"vtk", "columns of one number",
+       vtk("ASCII", "1 int\n0 0 0\n", one_cell + "POINT_DATA 1\n" + columns("1 1 int 0", many))},
+      {"vtk", "columns of four kinds of cells",
+       vtk("ASCII", "4 int\n0 0 0 0 0 1 0 1 0 1 0 0\n",
+           four_cells + "CELL_DATA 4\n" + columns("1 4 int 0 0 0 0", many))},
+      {"vtk", "the same column again and again",
+       vtk("ASCII", two,
+           one_cell + "POINT_DATA 2\n" + repeated(many / 4, "FIELD f 1\na 1 2 int 0 0\n"))},
+  };
+}
+
+std::string vtu(std::string_view attributes, std::string_view inside,
+                std::string_view behind = {}) {
+  return fmt::format(
+      "<VTKFile type=\"UnstructuredGrid\" byte_order=\"LittleEndian\" {}><UnstructuredGrid>{}"
+      "</UnstructuredGrid>{}</VTKFile>",
+      attributes, inside, behind);
+}
+
+std::string vtu_piece(std::size_t points, std::size_t cells, std::string_view inside) {
+  return fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">{}</Piece>", points, cells,
+                     inside);
+}
+
+std::string vtu_points(std::string_view how, std::string_view text = {}) {
+  return fmt::format("<Points><DataArray NumberOfComponents=\"3\" {}>{}</DataArray></Points>", how,
+                     text);
+}
+
+std::string appended(std::string_view bytes) {
+  return fmt::format("<AppendedData encoding=\"raw\">_{}{}</AppendedData>",
+                     raw(static_cast<std::uint32_t>(bytes.size())), bytes);
+}
+
+std::vector<Hostile> hostile_vtu() {
+  const std::string bytes(3 * many, '\1');
+  const std::string int8 = "type=\"Int8\" format=\"appended\" offset=\"0\"";
+  const std::string one_point = vtu_points("type=\"Int8\"", "0 0 0");
+  const auto data = [&](std::size_t i) {
+    return fmt::format("<DataArray Name=\"{}\" {}/>", i, int8);
+  };
+  const auto tags = [](std::size_t i) { return fmt::format("<x{}/>", i); };
+  const auto attributes = [](std::size_t i) { return fmt::format(" x{}=\"\"", i); };
+  const auto small = [](std::size_t i) {
+    return fmt::format("<DataArray type=\"Int8\" Name=\"{}\">0</DataArray>", i);
+  };
+  const auto in_points = [](std::string_view text) {
+    return fmt::format("<PointData>{}</PointData>", text);
+  };
+  const std::string cells =
+      "<Cells><DataArray Name=\"types\" type=\"Int8\">1 3</DataArray>"
+      "<DataArray Name=\"offsets\" type=\"Int8\">1 3</DataArray>"
+      "<DataArray Name=\"connectivity\" type=\"Int8\">0 0 0</DataArray></Cells>";
+  // One zlib block that says to hold far more than its 8 bytes do.
+  const std::string lie = raw(1u) + raw(3'000'000u) + raw(0u) + raw(8u) + "abcdefgh" + bytes;
+  return {
+      {"vtu", "points of one byte a number",
+       vtu("", vtu_piece(many, 0, vtu_points(int8)), appended(bytes))},
+      {"vtu", "arrays that share their bytes",
+       vtu("",
+           vtu_piece(many, 0,
+                     vtu_points(int8) + in_points(repeated(200,
+                                                           [&](std::size_t i) {
+                                                             return fmt::format(
+                                                                 "<DataArray Name=\"{}\" "
+                                                                 "NumberOfComponents=\"3\" {}/>",
+                                                                 i, int8);
+                                                           }))),
+           appended(bytes))},
+      {"vtu", "a column of bytes on cells of two kinds",
+       vtu("",
+           vtu_piece(1, 2,
+                     one_point + cells +
+                         fmt::format("<CellData><DataArray Name=\"a\" "
+                                     "NumberOfComponents=\"{}\" {}/></CellData>",
+                                     bytes.size() / 2, int8)),
+           appended(bytes))},
+      {"vtu", "nested tags", vtu("", repeated(many, "<a>"))},
+      {"vtu", "tags of many names", vtu("", repeated(many, tags))},
+      {"vtu", "attributes of many names", vtu(repeated(many, attributes), "")},
+      {"vtu", "empty pieces",
+       vtu("", repeated(many / 4, [](std::size_t) { return vtu_piece(0, 0, ""); }))},
+      {"vtu", "arrays without anything",
+       vtu("", vtu_piece(0, 0, in_points(repeated(many, "<DataArray/>"))))},
+      {"vtu", "empty columns", vtu("", vtu_piece(0, 0, in_points(repeated(many / 4, data))))},
+      {"vtu", "columns of one number",
+       vtu("", vtu_piece(1, 0, one_point + in_points(repeated(many / 4, small))))},
+      {"vtu", "a long attribute", vtu("x=\"" + bytes + bytes + "\"", "")},
+      {"vtu", "a packed block that lies",
+       vtu("compressor=\"vtkZLibDataCompressor\"", vtu_piece(1'000'000, 0, vtu_points(int8)),
+           "<AppendedData encoding=\"raw\">_" + lie + "</AppendedData>")},
+      {"vtu", "points as text",
+       vtu("", vtu_piece(many, 0, vtu_points("type=\"Int8\"", repeated(3 * many, "0 "))))},
+  };
+}
+
+void check_all(const std::vector<Hostile>& files) {
+  for (const Hostile& file : files) {
+    INFO(file.reader << ": " << file.what << ", " << file.bytes.size() << " bytes");
+    const FuzzTarget* target = find_target(file.reader);
+    REQUIRE(target != nullptr);
+    CHECK(target->broken_law(*target, file.bytes) == "");
+  }
+}
+
+}  // namespace
+
+TEST_CASE("MSH takes at most ten times the file", "[fuzz][memory][msh]") {
+  check_all(hostile_msh());
+}
+
+TEST_CASE("MEDIT takes at most ten times the file", "[fuzz][memory][medit]") {
+  check_all(hostile_medit());
+}
+
+TEST_CASE("VTK takes at most ten times the file", "[fuzz][memory][vtk]") {
+  check_all(hostile_vtk());
+}
+
+TEST_CASE("VTU takes at most ten times the file", "[fuzz][memory][vtu]") {
+  check_all(hostile_vtu());
+}
