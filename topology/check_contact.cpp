@@ -8,10 +8,13 @@
 
 #include "topology/box_tree.hpp"
 #include "topology/kernel.hpp"
+#include "topology/point_math.hpp"
 #include "topology/survey.hpp"
 
 namespace sunder {
 namespace {
+
+using detail::cross, detail::difference, detail::dot, detail::length;
 
 constexpr FindingWords hanging_vertex = {
     "hanging_vertex", Severity::warning,
@@ -36,13 +39,6 @@ constexpr FindingWords contact_unfinished = {
 /// Looks at boxes for each boundary point and face. Ordinary meshes need about 20, also when they
 /// are cut along every face; without a bound n faces through each other would take n^2.
 constexpr std::size_t looks_each = 50;
-
-Point difference(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double length(const Point& a) { return std::sqrt(dot(a, a)); }
 
 /// The boundary of a mesh by places in space: points with the same coordinates are one place.
 struct Contact {

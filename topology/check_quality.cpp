@@ -5,16 +5,13 @@
 #include <numbers>
 
 #include "topology/kernel.hpp"
+#include "topology/point_math.hpp"
 #include "topology/survey.hpp"
 
 namespace sunder {
 namespace {
 
-Point difference(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Point cross(const Point& a, const Point& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
+using detail::cross, detail::difference, detail::dot, detail::length;
 
 constexpr std::array<std::array<int, 2>, 6> edge_ends = {
     {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
@@ -46,12 +43,12 @@ Shape shape_of(const TetMesh& mesh, const std::array<std::uint32_t, 4>& t) {
   }
   for (int k = 0; k < 6; ++k) {
     const Point e = difference(x[edge_ends[k][1]], x[edge_ends[k][0]]);
-    s.edge[k] = std::sqrt(dot(e, e));
+    s.edge[k] = length(e);
   }
   for (int p = 0; p < 4; ++p) {
     const auto& c = dart_order::face_corners[p];
     s.normal[p] = cross(difference(x[c[1]], x[c[0]]), difference(x[c[2]], x[c[0]]));
-    s.area[p] = std::sqrt(dot(s.normal[p], s.normal[p]));
+    s.area[p] = length(s.normal[p]);
   }
   s.volume = std::abs(dot(s.normal[0], difference(x[0], x[1])));
   return s;
@@ -79,7 +76,7 @@ std::optional<double> cosine(const Shape& s, int i, int j) {
 /// The angle itself, degrees; near 0 and 180 as good as in the middle.
 double angle(const Shape& s, int i, int j) {
   const Point c = cross(s.normal[i], s.normal[j]);
-  return std::atan2(std::sqrt(dot(c, c)), -dot(s.normal[i], s.normal[j])) * 180 / std::numbers::pi;
+  return std::atan2(length(c), -dot(s.normal[i], s.normal[j])) * 180 / std::numbers::pi;
 }
 
 using Extreme = Quality::Extreme;

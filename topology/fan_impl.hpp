@@ -8,13 +8,10 @@
 #include <string>
 
 #include "topology/fan.hpp"
+#include "topology/point_math.hpp"
 #include "topology/split_face_impl.hpp"
 
 namespace sunder::detail {
-
-inline double dot(const Point& a, const Point& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 inline double largest_magnitude(const Point& a) {
   return std::max({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])});

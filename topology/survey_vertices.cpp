@@ -78,7 +78,9 @@ void flood_orbit(Survey& s, std::uint32_t start, std::uint32_t row,
 }
 
 /// Gives the further orbits their rows, behind all points: by lowest tetrahedron, then by point.
-void finish_further_rows(Survey& s, const std::vector<std::uint32_t>& start_corner) {
+/// `start_corner` and `edges`: a corner of each, and how many edges end in it.
+void finish_further_rows(Survey& s, const std::vector<std::uint32_t>& start_corner,
+                         const std::vector<std::uint32_t>& edges) {
   struct Orbit {
     std::uint32_t tetrahedron, point, index;
     auto operator<=>(const Orbit&) const = default;
@@ -93,36 +95,13 @@ void finish_further_rows(Survey& s, const std::vector<std::uint32_t>& start_corn
   for (const Orbit& orbit : orbits) {
     row[orbit.index] = static_cast<std::uint32_t>(s.point_of_row.size());
     s.point_of_row.push_back(orbit.point);
+    s.edges_at_row.push_back(edges[orbit.index]);
   }
   for (auto& rows : s.rows) {
     for (std::uint32_t& r : rows) {
       if (r != none && r >= further) r = row[r - further];
     }
   }
-}
-
-void survey_orbits(Survey& s, const CornerBuckets& buckets) {
-  s.rows.assign(s.mesh.tetrahedra.size(), {none, none, none, none});
-  Places pinched(PlaceKind::points, s.keeps_places);
-  std::vector<std::uint32_t> stack, further_start;
-  for (std::uint32_t p = 0; p < s.mesh.points.size(); ++p) {
-    std::size_t orbits = 0;
-    for (std::size_t i = buckets.first[p]; i < buckets.first[p + 1]; ++i) {
-      const std::uint32_t c = buckets.corners[i];
-      if (s.rows[c / 4][c % 4] != none) continue;
-      std::uint32_t row = further + static_cast<std::uint32_t>(further_start.size());
-      if (orbits++ == 0) {
-        row = static_cast<std::uint32_t>(s.point_of_row.size());
-        s.point_of_row.push_back(p);
-      } else {
-        further_start.push_back(c);
-      }
-      flood_orbit(s, c, row, stack);
-    }
-    if (orbits > 1) pinched.add(p);
-  }
-  if (!further_start.empty()) finish_further_rows(s, further_start);
-  report(s, pinched_vertex, pinched);
 }
 
 /// Number (0 to 5) of the edge between two places of a tetrahedron.
@@ -150,36 +129,97 @@ void mark_edge(const Survey& s, std::uint32_t t, int i, int j, std::vector<std::
   }
 }
 
-void survey_edges(Survey& s, const CornerBuckets& buckets) {
-  std::vector<std::uint8_t> marked(s.mesh.tetrahedra.size(), 0);
-  // For the point p at hand: how often an orbit between p and another point has begun.
+/// The further orbits met so far, each by a corner; working memory.
+struct Flood {
+  std::vector<std::uint32_t> further_start;
+  std::vector<std::uint32_t> stack;
+};
+
+/// What becomes known of edges while points are gone through.
+struct EdgeWalk {
+  /// Bit k: edge k of the tetrahedron is in an orbit that was met.
+  std::vector<std::uint8_t> marked;
+  /// For the point at hand: how often an orbit between it and another one has begun.
   struct Seen {
     std::uint32_t from = none;
     std::uint32_t orbits = 0;
   };
-  std::vector<Seen> seen(s.mesh.points.size());
-  Places pinched(PlaceKind::edges, s.keeps_places);
-  s.edges = 0;
-  s.edges_at_row.assign(s.point_of_row.size(), 0);
-  for (std::uint32_t p = 0; p < s.mesh.points.size(); ++p) {
-    for (std::size_t k = buckets.first[p]; k < buckets.first[p + 1]; ++k) {
-      const std::uint32_t t = buckets.corners[k] / 4;
-      const int i = static_cast<int>(buckets.corners[k] % 4);
-      for (int j = 0; j < 4; ++j) {
-        const std::uint32_t q = s.mesh.tetrahedra[t][j];
-        if (q <= p || (marked[t] >> edge_bit(i, j) & 1U) != 0) continue;
-        mark_edge(s, t, i, j, marked);
-        ++s.edges;
-        ++s.edges_at_row[s.rows[t][i]];
-        ++s.edges_at_row[s.rows[t][j]];
-        Seen& other = seen[q];
-        if (other.from != p) other = {p, 0};
-        if (++other.orbits != 2) continue;
-        pinched.add(std::array{p, q});
-      }
+  std::vector<Seen> seen;
+  /// Ends in each row, of first and of further orbits.
+  std::vector<std::uint32_t> at_row, at_further;
+  std::size_t edges = 0;
+  std::vector<std::array<std::uint32_t, 2>> pinched;
+};
+
+void count_end(EdgeWalk& walk, std::uint32_t row) {
+  auto& at = row >= further ? walk.at_further : walk.at_row;
+  const std::size_t place = row >= further ? row - further : row;
+  if (at.size() <= place) at.resize(place + 1, 0);
+  ++at[place];
+}
+
+/// The edges from `p` to lower points; the corners of both have their rows.
+void walk_edges(const Survey& s, const CornerBuckets& buckets, std::uint32_t p, EdgeWalk& walk) {
+  for (std::size_t k = buckets.first[p]; k < buckets.first[p + 1]; ++k) {
+    const std::uint32_t t = buckets.corners[k] / 4;
+    const int i = static_cast<int>(buckets.corners[k] % 4);
+    for (int j = 0; j < 4; ++j) {
+      const std::uint32_t q = s.mesh.tetrahedra[t][j];
+      if (q >= p || (walk.marked[t] >> edge_bit(i, j) & 1U) != 0) continue;
+      mark_edge(s, t, i, j, walk.marked);
+      ++walk.edges;
+      count_end(walk, s.rows[t][i]);
+      count_end(walk, s.rows[t][j]);
+      EdgeWalk::Seen& other = walk.seen[q];
+      if (other.from != p) other = {p, 0};
+      if (++other.orbits == 2) walk.pinched.push_back({q, p});
     }
   }
+}
+
+/// Rows of the vertex orbits at `p`. Gives how many there are.
+std::size_t flood_point(Survey& s, const CornerBuckets& buckets, std::uint32_t p, Flood& flood) {
+  std::size_t orbits = 0;
+  for (std::size_t i = buckets.first[p]; i < buckets.first[p + 1]; ++i) {
+    const std::uint32_t c = buckets.corners[i];
+    if (s.rows[c / 4][c % 4] != none) continue;
+    std::uint32_t row = further + static_cast<std::uint32_t>(flood.further_start.size());
+    if (orbits++ == 0) {
+      row = static_cast<std::uint32_t>(s.point_of_row.size());
+      s.point_of_row.push_back(p);
+    } else {
+      flood.further_start.push_back(c);
+    }
+    flood_orbit(s, c, row, flood.stack);
+  }
+  return orbits;
+}
+
+void report_edges(Survey& s, EdgeWalk& walk) {
+  s.edges = walk.edges;
+  Places pinched(PlaceKind::edges, s.keeps_places);
+  std::sort(walk.pinched.begin(), walk.pinched.end());
+  for (const auto& edge : walk.pinched) pinched.add(edge);
   report(s, pinched_edge, pinched);
+}
+
+/// Vertices and edges in one go over the points: the tetrahedra at one lie anywhere in memory.
+void survey_orbits(Survey& s, const CornerBuckets& buckets) {
+  s.rows.assign(s.mesh.tetrahedra.size(), {none, none, none, none});
+  Places pinched(PlaceKind::points, s.keeps_places);
+  Flood flood;
+  EdgeWalk walk;
+  walk.marked.assign(s.mesh.tetrahedra.size(), 0);
+  walk.seen.resize(s.mesh.points.size());
+  for (std::uint32_t p = 0; p < s.mesh.points.size(); ++p) {
+    if (flood_point(s, buckets, p, flood) > 1) pinched.add(p);
+    walk_edges(s, buckets, p, walk);
+  }
+  walk.at_row.resize(s.point_of_row.size(), 0);
+  s.edges_at_row = std::move(walk.at_row);
+  if (!flood.further_start.empty()) finish_further_rows(s, flood.further_start, walk.at_further);
+  report(s, pinched_vertex, pinched);
+  report_edges(s, walk);
 }
 
 void survey_points(Survey& s) {
@@ -217,7 +257,6 @@ void survey_points(Survey& s) {
 void survey_vertices(Survey& s) {
   const CornerBuckets buckets = bucket_corners(s);
   survey_orbits(s, buckets);
-  survey_edges(s, buckets);
   survey_points(s);
 }
 
