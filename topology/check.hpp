@@ -45,7 +45,8 @@ constexpr std::size_t rows_of_place(PlaceKind kind) {
   return kind == PlaceKind::edges ? 2 : kind == PlaceKind::faces ? 3 : 1;
 }
 
-/// All places of one finding, where a Finding keeps the first few.
+/// All places of one finding, where a Finding keeps the first few. The faces in which vertices hang
+/// are further places of `hanging_vertex`, which its count leaves out.
 struct FindingPlaces {
   std::string code;
   PlaceKind kind = PlaceKind::points;

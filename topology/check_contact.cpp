@@ -9,6 +9,7 @@
 #include "topology/box_tree.hpp"
 #include "topology/kernel.hpp"
 #include "topology/point_math.hpp"
+#include "topology/sort_unique.hpp"
 #include "topology/survey.hpp"
 
 namespace sunder {
@@ -187,19 +188,33 @@ bool hangs_on(Contact& c, std::uint32_t place, std::uint32_t face) {
   return !is_near && lies_inside(c, corners, edges, c.at[place]);
 }
 
+/// Keeps faces as further places of a finding, where there are any.
+void show_faces(Contact& c, const char* code, std::vector<std::uint32_t> faces) {
+  if (faces.empty()) return;
+  sort_unique(faces);
+  FindingPlaces places{code, PlaceKind::faces, {}};
+  for (const std::uint32_t face : faces) {
+    const auto points = points_of(c, face);
+    places.rows.insert(places.rows.end(), points.begin(), points.end());
+  }
+  c.survey.places.push_back(std::move(places));
+}
+
 void find_hanging(Contact& c) {
   std::vector<Box> boxes;
   boxes.reserve(c.faces.size());
   for (const std::uint32_t face : c.faces) boxes.push_back(box_of(c, face));
   const BoxTree tree = box_tree(std::move(boxes));
-  std::vector<std::uint32_t> hanging, unfinished;
+  std::vector<std::uint32_t> hanging, unfinished, hung_in;
   std::size_t looks_left = looks_each * (c.at.size() + c.faces.size());
   for (std::uint32_t place = 0; place < c.at.size(); ++place) {
     bool hangs = false;
     const bool is_left_out = looks_left == 0;
     if (!is_left_out) {
       const std::size_t looks = for_each_box_at(tree, c.at[place], [&](std::uint32_t row) {
-        hangs = hangs_on(c, place, c.faces[row]) || hangs;
+        if (!hangs_on(c, place, c.faces[row])) return;
+        hangs = true;
+        if (c.survey.keeps_places) hung_in.push_back(c.faces[row]);
       });
       looks_left -= std::min(looks, looks_left);
     }
@@ -213,6 +228,7 @@ void find_hanging(Contact& c) {
   for (const std::uint32_t p : hanging) hung.add(p);
   for (const std::uint32_t p : unfinished) left.add(p);
   report(c.survey, hanging_vertex, hung);
+  show_faces(c, hanging_vertex.code, std::move(hung_in));
   report(c.survey, contact_unfinished, left);
 }
 
