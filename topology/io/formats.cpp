@@ -10,8 +10,10 @@
 
 #include "topology/io/medit.hpp"
 #include "topology/io/msh.hpp"
+#include "topology/io/off.hpp"
 #include "topology/io/output_file.hpp"
 #include "topology/io/scan.hpp"
+#include "topology/io/stl.hpp"
 #include "topology/io/tetgen.hpp"
 #include "topology/io/vtk.hpp"
 #include "topology/io/vtu_read.hpp"
@@ -26,6 +28,8 @@ constexpr std::string_view vtu_names[] = {".vtu"};
 constexpr std::string_view vtk_names[] = {".vtk"};
 constexpr std::string_view tetgen_names[] = {".node", ".ele", ".face", ".edge"};
 constexpr std::string_view vtk_versions[] = {"4.2", "5.1"};
+constexpr std::string_view off_names[] = {".off"};
+constexpr std::string_view stl_names[] = {".stl"};
 constexpr Encoding text_only[] = {Encoding::text};
 constexpr Encoding text_first[] = {Encoding::text, Encoding::binary};
 constexpr Encoding binary_first[] = {Encoding::binary, Encoding::text};
@@ -83,6 +87,18 @@ constexpr FormatTraits traits[] = {
      .holds_point_data = true,
      .holds_cell_data = true,
      .cell_data_from = 3},
+    {.format = MeshFormat::off,
+     .name = "OFF",
+     .extensions = off_names,
+     .encodings = text_only,
+     .holds_cells = {false, false, true, false},
+     .holds_regions = false},
+    {.format = MeshFormat::stl,
+     .name = "STL",
+     .extensions = stl_names,
+     .encodings = binary_first,
+     .holds_cells = {false, false, true, false},
+     .holds_regions = false},
 };
 
 using io::FileEncoding;
@@ -92,6 +108,16 @@ using Path = std::filesystem::path;
 int msh_version(std::string_view version) {
   if (version == "1") return 10;
   return version == "2.2" ? 22 : version == "4.0" ? 40 : 41;
+}
+
+std::optional<Finding> write_stl(const Path& path, const FileMesh& mesh, const FileEncoding& how) {
+  const std::size_t too_big = how.is_binary() ? io::stl_points(mesh, true).too_big : 0;
+  if (too_big == 0) return write_file(path, io::write_stl(mesh, how.is_binary()));
+  return Finding{.code = "number_out_of_range",
+                 .count = too_big,
+                 .text = fmt::format(
+                     "{} points have coordinates beyond 3.4e38: binary STL has floats", too_big),
+                 .remedy = "write text (--text), which keeps every digit"};
 }
 
 /// In the order of `traits`.
@@ -112,6 +138,11 @@ constexpr io::FormatCode codes[] = {
                          io::write_vtk(mesh, how.version == "5.1" ? 51 : 42, how.is_binary()));
      }},
     {&io::is_tetgen, &io::read_tetgen, &io::write_tetgen},
+    {&io::is_off, [](const FileSource& source) { return io::read_off(source.text); },
+     [](const Path& path, const FileMesh& mesh, const FileEncoding&) {
+       return write_file(path, io::write_off(mesh));
+     }},
+    {&io::is_stl, [](const FileSource& source) { return io::read_stl(source.text); }, &write_stl},
 };
 static_assert(std::size(codes) == std::size(traits));
 

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <map>
 
+#include "topology/boundary_surface.hpp"
 #include "topology/io/formats.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/io/msh.hpp"
 #include "topology/io/region_names.hpp"
 #include "topology/io/scan.hpp"
+#include "topology/io/stl.hpp"
 
 namespace sunder {
 namespace {
@@ -138,6 +140,40 @@ void lose_in_msh(Losses& losses, const FileMesh& mesh, std::string_view version)
   }
 }
 
+/// What formats of surfaces leave out of a mesh with tetrahedra.
+void lose_inside(Losses& losses, const FileMesh& mesh, const BoundarySurface& surface) {
+  const std::string_view name = losses.to.name;
+  lose(losses, "cells_lost", mesh.tetrahedra.corners.size(),
+       fmt::format("{} holds no tetrahedra: their boundary of {} triangles is written", name,
+                   surface.mesh.triangles.corners.size()));
+  for (std::size_t d = 0; d < 3; ++d) {
+    if (surface.lost_cells[d] == 0 || !losses.to.holds_cells[d]) continue;
+    lose(losses, "cells_lost", surface.lost_cells[d],
+         fmt::format("{} {} are not on the boundary of the tetrahedra", surface.lost_cells[d],
+                     cell_names[d]));
+  }
+  if (surface.lost_points == 0) return;
+  lose(losses, "points_lost", surface.lost_points,
+       fmt::format("{} points that the boundary does not use are dropped", surface.lost_points));
+}
+
+/// STL has corners of triangles and no points.
+void lose_in_stl(Losses& losses, const FileMesh& mesh, bool is_binary) {
+  const io::StlPoints points = io::stl_points(mesh, is_binary);
+  if (points.unused + points.merged > 0 || points.is_reordered) {
+    lose(losses, "points_renumbered", mesh.points.size(),
+         fmt::format("points come back in the order in which triangles use them: {} that none uses "
+                     "are dropped, {} become one with another at the same place",
+                     points.unused, points.merged));
+  }
+  if (points.rounded == 0) return;
+  lose(losses, "coordinates_rounded", points.rounded,
+       fmt::format("{} points have coordinates that are no floats: they change by up to {:.2g} of "
+                   "their size",
+                   points.rounded, points.largest_change));
+  losses.findings.back().remedy = "write text (--text), which keeps every digit";
+}
+
 bool holds_names(const FormatTraits& t, std::string_view version) {
   return t.holds_region_names && version != "1";
 }
@@ -185,18 +221,39 @@ std::optional<Finding> refused(const FormatTraits& t, const io::FileEncoding& ho
       .remedy = "leave out --zlib: only binary data and base64 of VTU know it"};
 }
 
-}  // namespace
+/// The boundary of a mesh with tetrahedra, for formats that hold none.
+std::optional<BoundarySurface> surface_for(const FileMesh& mesh, const FormatTraits& t) {
+  if (t.holds_cells[3] || mesh.tetrahedra.corners.empty()) return std::nullopt;
+  return boundary_surface(mesh);
+}
 
-std::vector<Finding> lost_on_writing(const FileMesh& mesh, const WriteOptions& options) {
+std::vector<Finding> losses_of(const FileMesh& mesh, const std::optional<BoundarySurface>& surface,
+                               const WriteOptions& options) {
   const FormatTraits& t = traits_of(options.format.value());
   Losses losses{t, {}};
   const std::string version = version_of(t, options);
-  lose_cells(losses, mesh);
-  lose_labels(losses, mesh);
-  lose_ids(losses, mesh, version);
-  lose_data(losses, mesh, version);
+  if (surface) {
+    lose_inside(losses, mesh, *surface);
+  } else {
+    lose_cells(losses, mesh);
+  }
+  const FileMesh& written = surface ? surface->mesh : mesh;
+  lose_labels(losses, written);
+  // Points of a surface are numbered after those of the body: that is no number of the user's.
+  if (!surface || !mesh.source_point_id.empty()) lose_ids(losses, written, version);
+  lose_data(losses, written, version);
   if (t.format == MeshFormat::msh) lose_in_msh(losses, mesh, version);
+  if (t.format == MeshFormat::stl) {
+    const Encoding encoding = options.encoding.value_or(t.encodings[0]);
+    lose_in_stl(losses, written, encoding == Encoding::binary);
+  }
   return std::move(losses.findings);
+}
+
+}  // namespace
+
+std::vector<Finding> lost_on_writing(const FileMesh& mesh, const WriteOptions& options) {
+  return losses_of(mesh, surface_for(mesh, traits_of(options.format.value())), options);
 }
 
 std::vector<Finding> write_file_mesh(const std::filesystem::path& path, const FileMesh& mesh,
@@ -227,18 +284,21 @@ std::vector<Finding> write_file_mesh(const std::filesystem::path& path, const Fi
   } else if (auto reason = refused(t, how)) {
     findings.push_back(std::move(*reason));
   } else {
-    findings = lost_on_writing(mesh, chosen);
-    auto failure = io::code_of(t.format).write(path, mesh, how);
+    const std::optional<BoundarySurface> surface = surface_for(mesh, t);
+    const FileMesh& written = surface ? surface->mesh : mesh;
+    chosen.encoding = how.encoding;
+    findings = losses_of(mesh, surface, chosen);
+    auto failure = io::code_of(t.format).write(path, written, how);
     if (failure) findings.insert(findings.begin(), std::move(*failure));
-    if (!failure && name_count(mesh) > 0 && !holds_names(t, version)) {
+    if (!failure && name_count(written) > 0 && !holds_names(t, version)) {
       const std::filesystem::path beside = io::names_beside(path, t.format);
-      if (auto error = io::write_region_names(beside, mesh)) {
+      if (auto error = io::write_region_names(beside, written)) {
         findings.insert(findings.begin(), std::move(*error));
       } else {
         findings.push_back(
             {.code = "names_beside",
              .severity = Severity::note,
-             .count = name_count(mesh),
+             .count = name_count(written),
              .text = fmt::format("{} {} in {}", t.name,
                                  t.regions_are_words
                                      ? "has words for regions: their numbers and names are"

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Makes the sample meshes in this folder with gmsh 4.8.4 and python3-meshio 5.0.0 (Debian 12).
+"""Makes the sample meshes in this folder with gmsh 4.8.4, python3-meshio 5.0.0, admesh 0.98.4,
+openscad 2021.01 and assimp 5.2.0 (Debian 12).
 
 Run it here, without arguments: python3 make_samples.py. Gmsh's files hold two boxes of 12 and 24
 tetrahedra (physical groups "core" = 7 and "shell" = 3), meshio's the same mesh converted.
@@ -52,6 +53,30 @@ volume.write("meshio_lzma.vtu", compression="lzma")
 meshio.medit.write("meshio.mesh", meshio.Mesh(mesh.points, volume.cells))
 meshio.gmsh.write("meshio_41.msh", mesh, fmt_version="4.1", binary=False)
 meshio.gmsh.write("meshio_22.msh", mesh, fmt_version="2.2", binary=False)
+
+# Surfaces: all 46 triangles of the two boxes, the wall between them included.
+gmsh("gmsh.stl", "-format", "stl", "-save_all")
+gmsh("gmsh_binary.stl", "-format", "stl", "-bin", "-save_all")
+surface = meshio.read("gmsh.stl")
+surface = meshio.Mesh(surface.points, surface.cells)
+surface.write("meshio.off")
+surface.write("meshio.obj")
+surface.write("meshio.stl", binary=False)
+surface.write("meshio.ply", binary=False)
+surface.write("meshio_binary.ply", binary=True)
+run = lambda *words: subprocess.run(words, check=True, stdout=subprocess.DEVNULL,
+                                    stderr=subprocess.DEVNULL)
+run("admesh", "-c", "gmsh.stl", "-a", "admesh.stl")
+run("admesh", "-c", "gmsh.stl", "-b", "admesh_binary.stl")
+pathlib.Path("box.scad").write_text("cube([1, 2, 3]);")
+run("openscad", "-o", "openscad.off", "box.scad")
+run("openscad", "-o", "openscad.stl", "box.scad")
+run("admesh", "openscad.stl", "--write-off=admesh.off")
+run("assimp", "export", "openscad.stl", "assimp.obj")
+run("assimp", "export", "openscad.stl", "assimp.ply")
+run("assimp", "export", "openscad.stl", "assimp_binary.ply", "-fplyb")
+for name in ("box.scad", "assimp.mtl"):
+    pathlib.Path(name).unlink()
 pathlib.Path("two_boxes.geo").unlink()
 pathlib.Path("no_groups.geo").unlink()
 
