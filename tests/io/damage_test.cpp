@@ -10,10 +10,20 @@ using namespace sunder::test;
 
 namespace {
 
-const char* const samples[] = {"gmsh_22.msh",        "gmsh_41.msh",        "gmsh_41_all.msh",
-                               "gmsh_41_binary.msh", "gmsh_22_binary.msh", "gmsh_40.msh",
-                               "gmsh.vtk",           "gmsh.mesh",          "meshio_ascii.vtu",
-                               "meshio_plain.vtu",   "meshio_zlib.vtu"};
+const char* const samples[] = {
+    "gmsh_22.msh",     "gmsh_41.msh", "gmsh_41_all.msh", "gmsh_41_binary.msh", "gmsh_22_binary.msh",
+    "gmsh_40.msh",     "gmsh.vtk",    "gmsh.mesh",       "meshio_ascii.vtu",   "meshio_plain.vtu",
+    "meshio_zlib.vtu", "gmsh.stl",    "gmsh_binary.stl", "meshio.off",         "openscad.off"};
+
+/// The same of surfaces, which are no bodies: the mesh with all that its file holds.
+void check_surface(const std::string& bytes) {
+  const Result<FileMesh> mesh = read_file_mesh(bytes, "damaged");
+  REQUIRE(mesh.value.has_value() != has_error(mesh.findings));
+  if (!mesh) return;
+  for (const auto& t : mesh->triangles.corners) {
+    for (const auto p : t) REQUIRE(p < mesh->points.size());
+  }
+}
 
 /// A value that keeps its promise, or an error that says what, where and what to do.
 void check_answer(const Result<TetMesh>& mesh) {
@@ -42,8 +52,8 @@ TEST_CASE("a file cut at any place is answered", "[io][damage]") {
     const std::string whole = bytes_of(sample(name));
     for (std::size_t size = 0; size < whole.size(); size += 1 + size / 300) {
       INFO(name << " cut after " << size << " bytes");
-      const Result<TetMesh> mesh = read_mesh(whole.substr(0, size), "damaged");
-      check_answer(mesh);
+      check_answer(read_mesh(whole.substr(0, size), "damaged"));
+      check_surface(whole.substr(0, size));
     }
   }
   TetMesh body = two_tetrahedra();
@@ -92,5 +102,6 @@ TEST_CASE("a file with bytes changed at random is answered", "[io][damage]") {
     }
     INFO("round " << round);
     check_answer(read_mesh(file, "damaged"));
+    check_surface(file);
   }
 }

@@ -25,8 +25,8 @@ double volume6(const FileMesh& mesh) {
 }
 
 bool has(const std::vector<Finding>& findings, std::string_view code, std::size_t count) {
-  return std::ranges::any_of(
-      findings, [&](const Finding& f) { return f.code == code && f.count == count; });
+  return std::ranges::any_of(findings,
+                             [&](const Finding& f) { return f.code == code && f.count == count; });
 }
 
 using Key = std::array<std::uint32_t, 3>;
@@ -141,7 +141,8 @@ TEST_CASE("the boundary of a body is closed, outward and in order", "[io][surfac
 TEST_CASE("triangles of the file give the boundary their labels, others are lost",
           "[io][surface]") {
   FileMesh mesh = file_mesh_of(two_tetrahedra());
-  mesh.triangles.corners = {{0, 3, 1}, {1, 0, 2}, {3, 1, 0}};  // boundary, the wall, the first again
+  mesh.triangles.corners = {
+      {0, 3, 1}, {1, 0, 2}, {3, 1, 0}};  // boundary, the wall, the first again
   mesh.triangles.region = {7, 8, 9};
   mesh.triangles.source_id = {70, 80, 90};
   mesh.triangles.data = {{"load", 1, NumberType::float64, std::vector<double>{1.5, 2.5, 3.5}}};
@@ -171,8 +172,7 @@ TEST_CASE("faces of three tetrahedra and of two equal ones are no boundary", "[i
   CHECK(boundary_surface(mesh).mesh.triangles.corners.empty());
 }
 
-TEST_CASE("what a surface leaves out of a body is told, and is what is written",
-          "[io][surface]") {
+TEST_CASE("what a surface leaves out of a body is told, and is what is written", "[io][surface]") {
   const TemporaryFolder folder;
   FileMesh mesh = block();
   mesh.points.push_back({9, 9, 9});
@@ -204,8 +204,8 @@ TEST_CASE("binary STL tells what its floats change", "[io][stl]") {
   const auto findings = write_file_mesh(folder.path() / "big.stl", mesh);
   CHECK(findings.at(0).code == "number_out_of_range");
   CHECK(folder.names().empty());
-  CHECK_FALSE(has_error(
-      write_file_mesh(folder.path() / "big.stl", mesh, {.encoding = Encoding::text})));
+  CHECK_FALSE(
+      has_error(write_file_mesh(folder.path() / "big.stl", mesh, {.encoding = Encoding::text})));
 }
 
 TEST_CASE("STL: -0 is 0, and a binary file may begin with solid", "[io][stl]") {

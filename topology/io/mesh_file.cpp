@@ -64,6 +64,16 @@ void note_misleading_name(MeshFormat format, const std::filesystem::path& name,
                       .remedy = fmt::format("name it *{}", traits_of(format).extensions[0])});
 }
 
+/// Files of numbers alone, and binary STL of a wrong size, are known by their names.
+std::optional<MeshFormat> format_without_mark(std::string_view bytes,
+                                              const std::filesystem::path& name) {
+  const auto by_name = format_of_name(name);
+  const bool is_raw = bytes.find('\0') != std::string_view::npos;
+  if (by_name == MeshFormat::stl && is_raw) return by_name;
+  const bool is_of_numbers = by_name == MeshFormat::tetgen || by_name == MeshFormat::off;
+  return is_of_numbers && io::is_numbers(bytes) ? by_name : std::nullopt;
+}
+
 Finding empty_file(std::string_view bytes) {
   return {.code = "empty_file",
           .text = fmt::format("the file is empty ({} bytes)", bytes.size()),
@@ -123,10 +133,7 @@ ReadBytes read_bytes(FileSource source, const std::filesystem::path& path,
     if (is_gzip(source.text)) source.text = whole = unpacked(source.text);
     if (source.text.starts_with(byte_order_mark)) source.text.remove_prefix(3);
     format = format_of_content(source.text);
-    // Files of numbers alone are known by their names.
-    if (!format && is_numbers(source.text) && format_of_name(path) == MeshFormat::tetgen) {
-      format = MeshFormat::tetgen;
-    }
+    if (!format) format = format_without_mark(source.text, path);
     if (source.text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
       result.findings.push_back(empty_file(source.text));
     } else if (!format) {

@@ -78,7 +78,8 @@ struct ReadOptions {
 
 /// All that a mesh file holds; its content decides the format. Packed files (gzip) are unpacked.
 /// Formats: Gmsh MSH 1, 2.x, 4.0, 4.1 (text and binary), MEDIT (text and binary), VTU (text,
-/// base64, raw; plain or zlib; both byte orders), legacy VTK 1.0 to 5.1 (text and binary). Names of
+/// base64, raw; plain or zlib; both byte orders), legacy VTK 1.0 to 5.1 (text and binary), OFF and
+/// STL (text and binary; triangles, no tetrahedra). Names of
 /// regions that the format cannot hold are taken from `NAME.regions` beside it, if that is there
 /// (see write_file_mesh). Leaves in the value: every tetrahedron with four different rows below the
 /// number of points, finite coordinates, columns as long as what they belong to. Orientation,

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Makes the sample meshes in this folder with gmsh 4.8.4, python3-meshio 5.0.0, admesh 0.98.4,
-openscad 2021.01 and assimp 5.2.0 (Debian 12).
+"""Makes the sample meshes in this folder with gmsh 4.8.4, python3-meshio 5.0.0, TetGen 1.5.0,
+admesh 0.98.4, openscad 2021.01 and assimp 5.2.0 (Debian 12).
 
 Run it here, without arguments: python3 make_samples.py. Gmsh's files hold two boxes of 12 and 24
 tetrahedra (physical groups "core" = 7 and "shell" = 3), meshio's the same mesh converted.
