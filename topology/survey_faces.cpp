@@ -125,12 +125,11 @@ void join_run(Survey& s, std::uint32_t lowest, std::uint64_t others,
     s.neighbours[run[1] / 4][run[1] % 4] = HalfFaceId{run[0]};
   }
   if (run.size() <= 2) return;
-  defects.overfull.add(std::array{lowest, static_cast<std::uint32_t>(others >> 32),
-                                  static_cast<std::uint32_t>(others)});
+  const std::array points = {lowest, static_cast<std::uint32_t>(others >> 32),
+                             static_cast<std::uint32_t>(others)};
+  defects.overfull.add(points);
   if (!defects.overfull_ids.empty()) return;
-  defects.overfull_ids = {static_cast<std::int64_t>(lowest),
-                          static_cast<std::int64_t>(others >> 32),
-                          static_cast<std::int64_t>(others & 0xffffffffU)};
+  defects.overfull_ids.assign(points.begin(), points.end());
   std::sort(run.begin(), run.end());
   for (std::size_t i = 0; i < run.size() && defects.overfull_ids.size() < Finding::max_ids; ++i) {
     defects.overfull_ids.push_back(run[i] / 4);
