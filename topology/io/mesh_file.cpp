@@ -127,7 +127,8 @@ struct ReadBytes {
 ReadBytes read_bytes(FileSource source, const std::filesystem::path& path,
                      const ReadOptions& options) {
   ReadBytes read;
-  auto& [result, format] = read;
+  Result<FileMesh>& result = read.mesh;  // clang 14 captures no structured bindings
+  std::optional<MeshFormat>& format = read.format;
   std::string whole;
   guarded(result.findings, [&] {
     if (is_gzip(source.text)) source.text = whole = unpacked(source.text);
