@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <set>
 #include <span>
 
 #include "topology/io/scan.hpp"
@@ -233,8 +235,47 @@ VtkGrid vtk_grid(const FileMesh& mesh) {
         {"point_region", 1, NumberType::int32,
          std::vector<std::int64_t>(mesh.point_region.begin(), mesh.point_region.end())});
   }
-  grid.point_data.insert(grid.point_data.end(), mesh.point_data.begin(), mesh.point_data.end());
+  for (const DataColumn& column : mesh.point_data) {
+    const auto same = std::ranges::find(grid.point_data, column.name, &DataColumn::name);
+    if (same == grid.point_data.end()) grid.point_data.push_back(column);
+  }
   return grid;
+}
+
+namespace {
+
+/// The columns of each name that came first; null for our own.
+using FirstColumns = std::map<std::string_view, const DataColumn*>;
+
+void judge_names(const std::vector<DataColumn>& columns, FirstColumns& first,
+                 std::vector<std::string>& clashes) {
+  std::set<std::string_view> here;
+  for (const DataColumn& column : columns) {
+    const DataColumn* const like = first.emplace(column.name, &column).first->second;
+    const bool is_second = !here.insert(column.name).second;
+    if (is_second || like == nullptr || like->components != column.components ||
+        like->type != column.type) {
+      clashes.push_back(column.name);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> vtk_clashes(const FileMesh& mesh) {
+  std::vector<std::string> clashes;
+  FirstColumns of_points, of_cells;
+  if (!mesh.source_point_id.empty()) of_points["source_point_id"] = nullptr;
+  if (!mesh.point_region.empty()) of_points["point_region"] = nullptr;
+  judge_names(mesh.point_data, of_points, clashes);
+  for_each_cell_list(mesh, [&](const auto& cells, int) {
+    if (!cells.region.empty()) of_cells["region"] = nullptr;
+    if (!cells.entity.empty()) of_cells["entity"] = nullptr;
+    if (!cells.source_id.empty()) of_cells["source_cell_id"] = nullptr;
+  });
+  for_each_cell_list(mesh,
+                     [&](const auto& cells, int) { judge_names(cells.data, of_cells, clashes); });
+  return clashes;
 }
 
 }  // namespace sunder::io

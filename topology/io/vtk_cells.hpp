@@ -4,12 +4,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "topology/io/draft.hpp"
+#include "topology/io/scan.hpp"
 
 namespace sunder::io {
 
@@ -75,6 +79,22 @@ decltype(auto) with_stored(NumberType type, Work&& work) {
   }
 }
 
+/// The next number of a text as a file with raw numbers of type `Stored` would have it: integers
+/// that the type does not hold fail, reals are rounded to it. `Value`: double or std::int64_t.
+template <class Stored, class Value>
+Value read_text_as(Scanner& s, std::string_view what) {
+  if constexpr (std::is_integral_v<Stored>) {
+    return static_cast<Value>(read_number<Stored>(s, what));
+  } else {
+    const double x = read_number<double>(s, what);
+    constexpr double most = std::numeric_limits<Stored>::max();
+    if (std::abs(x) > most) {
+      return static_cast<Value>(std::copysign(std::numeric_limits<double>::infinity(), x));
+    }
+    return static_cast<Value>(static_cast<Stored>(x));
+  }
+}
+
 /// VTU's words for the types, in the order of NumberType.
 inline constexpr std::string_view vtu_types[] = {"Float64", "Float32", "Int8",   "UInt8", "Int16",
                                                  "UInt16",  "Int32",   "UInt32", "Int64", "UInt64"};
@@ -89,5 +109,10 @@ struct VtkGrid {
   std::vector<DataColumn> cell_data;
 };
 VtkGrid vtk_grid(const FileMesh& mesh);
+
+/// Names of data that do not reach the grid whole: a name stands for one array there, of points or
+/// of all cells. The second of a name is left out, and so is what has the name of our own labels;
+/// what has other components or numbers than the first is filled.
+std::vector<std::string> vtk_clashes(const FileMesh& mesh);
 
 }  // namespace sunder::io

@@ -248,7 +248,7 @@ void take_raw(const std::string& bytes, bool swap, const TakeValues<Value>& take
   }
 }
 
-template <class Value>
+template <class Stored, class Value>
 void take_text(const VtuLayout& layout, const VtuArray& array, std::size_t expected,
                const TakeValues<Value>& take) {
   const std::size_t begin = static_cast<std::size_t>(array.content.data() - layout.text.data());
@@ -256,7 +256,7 @@ void take_text(const VtuLayout& layout, const VtuArray& array, std::size_t expec
   std::array<Value, block_size> block;
   std::size_t found = 0;
   while (found < expected && !peek_word(s).empty()) {
-    block[found++ % block_size] = read_number<Value>(s, "a number");
+    block[found++ % block_size] = read_text_as<Stored, Value>(s, "a number");
     if (found % block_size == 0) take(block);
   }
   if (found % block_size > 0) take({block.data(), found % block_size});
@@ -278,9 +278,9 @@ void read_values(VtuLayout& layout, const VtuArray& array, std::size_t expected,
                            in_quotes(array.type)),
                "write the array with one of these types");
   }
-  if (array.is_ascii) return take_text<Value>(layout, array, expected, take);
   const bool swap = layout.byte_order != std::endian::native;
   with_stored(static_cast<NumberType>(word - std::begin(vtu_types)), [&]<class Stored>(Stored) {
+    if (array.is_ascii) return take_text<Stored>(layout, array, expected, take);
     take_raw<Stored>(decode(layout, array, expected * sizeof(Stored)), swap, take);
   });
 }

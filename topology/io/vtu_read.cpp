@@ -41,7 +41,9 @@ void read_points(VtuDocument& document, const VtuPiece& piece, Draft& draft) {
                 .text = "this piece has no array under Points",
                 .remedy = "the file is incomplete: write it again"});
   }
-  const VtuArray& array = piece.point_arrays.front();
+  VtuArray array = piece.point_arrays.front();
+  // Digits of coordinates are kept, whatever the type.
+  if (array.is_ascii && array.type == "Float32") array.type = "Float64";
   if (array.components != 3) {
     fail(document.layout.text, array.at,
          {.code = "bad_attribute",

@@ -12,6 +12,7 @@
 #include "topology/io/region_names.hpp"
 #include "topology/io/scan.hpp"
 #include "topology/io/stl.hpp"
+#include "topology/io/vtk_cells.hpp"
 
 namespace sunder {
 namespace {
@@ -100,6 +101,14 @@ void lose_data(Losses& losses, const FileMesh& mesh, std::string_view version) {
     const bool is_held = losses.to.holds_cell_data && d >= losses.to.cell_data_from;
     for (const DataColumn& column : cells.data) judge(column, is_held);
   });
+  if (losses.to.format == MeshFormat::vtk || losses.to.format == MeshFormat::vtu) {
+    const std::vector<std::string> clashes = io::vtk_clashes(mesh);
+    if (!clashes.empty()) {
+      lose(losses, "data_lost", clashes.size(),
+           fmt::format("{} has one array of a name: further ones are lost ({})", losses.to.name,
+                       fmt::join(clashes, ", ")));
+    }
+  }
   if (lost > 0) {
     lose(losses, "data_lost", lost,
          fmt::format("{} does not hold the data {}", losses.to.name, names));
