@@ -2,11 +2,12 @@
 # SPDX-License-Identifier: MIT
 """Times sunder, meshio and gmsh on the same files in the same run.
 
-Usage: bench_convert.py SUNDER [--cells N] [--runs N] [-o PAGE.md]
+Usage: bench_convert.py SUNDER [--cells N] [--runs N] [--page PAGE.md]
 
 The files are those of `sunder bench formats`: a box of 6 N^3 tetrahedra. Reading and writing: sunder and
 meshio each within their own process, from and to files, medians of the runs. Whole commands, their
-starting included: sunder convert, gmsh -save, meshio convert, and sunder check. Prints Markdown.
+starting included: sunder convert, gmsh -save, meshio convert, and sunder check. Prints Markdown; --page
+puts it into a page, between the lines that name it.
 """
 import argparse
 import contextlib
@@ -19,6 +20,8 @@ import subprocess
 import sys
 import tempfile
 import time
+
+import conversion_matrix
 
 try:
     import meshio
@@ -124,7 +127,7 @@ def main():
     arguments.add_argument("sunder")
     arguments.add_argument("--cells", type=int, default=41)
     arguments.add_argument("--runs", type=int, default=3)
-    arguments.add_argument("-o", "--output")
+    arguments.add_argument("--page")
     given = arguments.parse_args()
     with tempfile.TemporaryDirectory() as place:
         folder = pathlib.Path(place)
@@ -132,13 +135,14 @@ def main():
             [given.sunder, "bench", "formats", "--cells", str(given.cells), "--runs",
              str(max(3, given.runs)), "--keep", place, "--json"],
             check=True, capture_output=True, text=True).stdout)
-        lines = [f"{bench['tetrahedra']} tetrahedra, {bench['points']} points.", ""]
+        lines = [f"{bench['tetrahedra']} tetrahedra, {bench['points']} points; medians of "
+                 f"{given.runs} runs; {conversion_matrix.versions()}.", ""]
         lines += read_and_write(bench["formats"], folder, given.runs)
         lines += [""] + whole_commands(given.sunder, folder, given.runs)
     text = "\n".join(lines) + "\n"
     print(text, end="")
-    if given.output:
-        pathlib.Path(given.output).write_text(text)
+    if given.page:
+        conversion_matrix.put_into(given.page, "times", text, False)
     return 0
 
 

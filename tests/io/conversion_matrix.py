@@ -2,13 +2,16 @@
 # SPDX-License-Identifier: MIT
 """A two-material box through every ordered pair of formats, by sunder, meshio and gmsh.
 
-Usage: conversion_matrix.py SUNDER [-o PAGE.md]
+Usage: conversion_matrix.py SUNDER [--plain | --carry] [--page PAGE.md [--check]]
 
-The box has two named volumes, two named surfaces, a field on its points and one on its cells. For each
-pair A, B every program gets the same file in A (written by sunder) and writes B. What of A's file
-survived is read from B's file by sunder, and, where sunder cannot read it, the pair has failed.
-Prints Markdown: a summary by target, and one matrix a program. Exit code 1: sunder failed somewhere, or
-lost what another program kept; 77: neither meshio nor gmsh is installed.
+The box has two named volumes, two named surfaces, numbers that do not count on, a field on its points
+and one on its cells; --plain leaves out numbers and fields. For each pair A, B every program gets the
+same file in A (written by sunder) and writes B. What of A's file survived is read from B's file by
+sunder, and, where sunder cannot read it, the pair has failed. Prints Markdown: a summary by target and
+one matrix a program; with --carry instead which program brings what into which format, from four
+sources. --page puts it into a page, between the lines that name it; with --check the page must say so
+already. Exit code 1: sunder failed somewhere, or lost what another program kept, or the page differs;
+77: meshio or gmsh is not installed, or (with --check) of another version than the page's.
 """
 import argparse
 import contextlib
@@ -51,16 +54,23 @@ FORMATS = [
     ("PLY", "ply", [], ("ply", {}), None),
     ("PLY text", "ply", ["--text"], ("ply", {"binary": False}), None),
 ]
+CARRY_SOURCES = ["MSH 4.1", "MEDIT", "VTU text", "VTK 4.2 text"]
 # What may survive, and the letter that tells that it did not.
 ITEMS = {"coordinates": "x", "tetrahedra": "T", "triangles": "F", "order": "o", "volumes": "v",
          "surfaces": "s", "names": "n", "entities": "e", "numbers": "i", "point data": "p",
          "cell data": "c"}
 
 
-def box():
+def box(plain):
     """The box in MSH 2.2: two cubes of six tetrahedra side by side."""
+    def node(n):
+        return n + 1 if plain else 3 * n + 5
+
+    def cell(n):
+        return n + 1 if plain else 2 * n + 20
+
     points = [(0.1 * i, j / 3, 0.7 * k) for i in range(3) for j in range(2) for k in range(2)]
-    row = {(i, j, k): 3 * (4 * i + 2 * j + k) + 5
+    row = {(i, j, k): node(4 * i + 2 * j + k)
            for i in range(3) for j in range(2) for k in range(2)}
     steps = [(0, 1, 2), (1, 2, 0), (2, 0, 1), (1, 0, 2), (0, 2, 1), (2, 1, 0)]
     tetrahedra, triangles = [], []
@@ -79,15 +89,18 @@ def box():
     text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n4\n"
     text += '3 7 "core"\n3 3 "outer shell"\n2 2 "inlet"\n2 6 "outlet"\n$EndPhysicalNames\n'
     text += f"$Nodes\n{len(points)}\n"
-    text += "".join(f"{3 * n + 5} {x!r} {y!r} {z!r}\n" for n, (x, y, z) in enumerate(points))
+    text += "".join(f"{node(n)} {x!r} {y!r} {z!r}\n" for n, (x, y, z) in enumerate(points))
     text += f"$EndNodes\n$Elements\n{len(triangles) + len(tetrahedra)}\n"
     cells = [(2, c) for c in triangles] + [(4, c) for c in tetrahedra]
     for n, (kind, (tag, corners)) in enumerate(cells):
-        text += f"{2 * n + 20} {kind} 2 {tag} {tag + 30} {' '.join(map(str, corners))}\n"
-    text += "$EndElements\n$NodeData\n1\n\"height\"\n1\n0\n3\n0\n1\n12\n"
-    text += "".join(f"{3 * n + 5} {p[2] / 3!r}\n" for n, p in enumerate(points))
+        text += f"{cell(n)} {kind} 2 {tag} {tag + 30} {' '.join(map(str, corners))}\n"
+    text += "$EndElements\n"
+    if plain:
+        return text
+    text += "$NodeData\n1\n\"height\"\n1\n0\n3\n0\n1\n12\n"
+    text += "".join(f"{node(n)} {p[2] / 3!r}\n" for n, p in enumerate(points))
     text += f"$EndNodeData\n$ElementData\n1\n\"damage\"\n1\n0\n3\n0\n1\n{len(cells)}\n"
-    text += "".join(f"{2 * n + 20} {1 / (n + 3)!r}\n" for n in range(len(cells)))
+    text += "".join(f"{cell(n)} {1 / (n + 3)!r}\n" for n in range(len(cells)))
     return text + "$EndElementData\n"
 
 
@@ -196,13 +209,13 @@ def by_gmsh(_, source, out, target):
     return run.returncode == 0 and "Error" not in run.stdout + run.stderr
 
 
-def convert_all(sunder, sources, folder, programs):
+def convert_all(sunder, sources, targets, folder, programs):
     """For each program and pair what survived: a set of items, or None where it failed."""
     results = {name: {} for name in programs}
     for source in sources:
         before = contents(sunder, sources[source], folder)
         for target in FORMATS:
-            if target[0] not in sources:
+            if target[0] not in targets:
                 continue
             for program, (convert, handles) in programs.items():
                 if not handles(target):
@@ -229,7 +242,7 @@ def judged(results, pair, program):
 
 
 def carried(results, names, programs):
-    """Which programs bring which items into which formats, from any source."""
+    """Which programs (S, M, G) bring which items into which formats, from any source."""
     lines = ["| to | " + " | ".join(ITEMS) + " |", "|---|" + "---|" * len(ITEMS)]
     for target in names:
         row = []
@@ -237,74 +250,112 @@ def carried(results, names, programs):
             able = [program for program in programs
                     if any(kept and item in kept and pair[1] == target
                            for pair, kept in results[program].items())]
-            row.append(", ".join(able))
+            row.append(" ".join(program[0].upper() for program in able))
         lines.append(f"| {target} | " + " | ".join(row) + " |")
     return lines
 
 
-def page(results, names, programs):
+def summary(results, names, programs):
+    """How many sources came through whole, in part, not at all."""
+    def counts(marks):
+        marks = [mark for mark in marks if mark]
+        whole, failed = marks.count("="), marks.count("X")
+        return f"{whole} / {len(marks) - whole - failed} / {failed}" if marks else "not written"
+
     lines = ["| to | " + " | ".join(programs) + " |", "|---|" + "---|" * len(programs)]
     for target in names:
-        row = []
-        for program in programs:
-            marks = [judged(results, (source, target), program) for source in names]
-            marks = [mark for mark in marks if mark]
-            row.append(f"{marks.count('=')} / {len(marks) - marks.count('=') - marks.count('X')} "
-                       f"/ {marks.count('X')}" if marks else "not written")
+        row = [counts([judged(results, (source, target), program) for source in names])
+               for program in programs]
         lines.append(f"| {target} | " + " | ".join(row) + " |")
-    totals = []
-    for program in programs:
-        marks = [judged(results, pair, program) for pair in results[program]]
-        totals.append(f"{marks.count('=')} / {len(marks) - marks.count('=') - marks.count('X')} / "
-                      f"{marks.count('X')}")
+    totals = [counts([judged(results, pair, program) for pair in results[program]])
+              for program in programs]
     lines.append("| **all** | " + " | ".join(f"**{total}**" for total in totals) + " |")
-    lines += [""] + carried(results, names, programs)
-    for program in programs:
-        lines += ["", f"### {program}", "", "| from \\ to | " + " | ".join(names) + " |",
-                  "|---|" + "---|" * len(names)]
-        for source in names:
-            marks = [judged(results, (source, target), program) for target in names]
-            lines.append(f"| {source} | " + " | ".join(marks) + " |")
-    return "\n".join(lines) + "\n"
+    return lines
+
+
+def matrix(results, names, program):
+    lines = ["", f"**{program}**", "", "| from \\ to | " + " | ".join(names) + " |",
+             "|---|" + "---|" * len(names)]
+    for source in names:
+        marks = [judged(results, (source, target), program) for target in names]
+        lines.append(f"| {source} | " + " | ".join(marks) + " |")
+    return lines
+
+
+def put_into(page, name, text, only_check):
+    """Puts the text between the page's two lines of that name; whether it was there before."""
+    begin, end = f"<!-- {name} -->\n", f"<!-- end of {name} -->\n"
+    whole = pathlib.Path(page).read_text()
+    before, rest = whole.split(begin)
+    old, after = rest.split(end)
+    if not only_check:
+        pathlib.Path(page).write_text(before + begin + text + end + after)
+    return old == text
+
+
+def versions():
+    gmsh = subprocess.run([GMSH, "--version"], capture_output=True, text=True)
+    return f"meshio {meshio.__version__}, gmsh {(gmsh.stdout + gmsh.stderr).strip()}"
+
+
+def all_sources(sunder, folder, plain):
+    """The box as a file of each format that sunder knows."""
+    (folder / "box.msh").write_text(box(plain))
+    table = subprocess.run([sunder, "convert", "--formats"], capture_output=True, text=True,
+                           check=True).stdout
+    sources = {}
+    for target in FORMATS:
+        if f".{target[1]}" not in table:
+            continue
+        name = target[0].replace(" ", "_")
+        (folder / name).mkdir()
+        sources[target[0]] = folder / name / f"box.{target[1]}"
+        subprocess.run([sunder, "convert", folder / "box.msh", sources[target[0]], *target[2]],
+                       check=True, stdout=subprocess.DEVNULL)
+    return sources
 
 
 def main():
     arguments = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     arguments.add_argument("sunder")
-    arguments.add_argument("-o", "--output")
+    arguments.add_argument("--plain", action="store_true")
+    arguments.add_argument("--carry", action="store_true")
+    arguments.add_argument("--page")
+    arguments.add_argument("--check", action="store_true")
     given = arguments.parse_args()
-    if not meshio and not GMSH:
-        print("neither meshio nor gmsh is installed")
+    if not meshio or not GMSH:
+        print("meshio or gmsh is not installed")
         return 77
-    programs = {"sunder": (by_sunder, lambda t: True)}
-    if meshio:
-        programs["meshio"] = (by_meshio, lambda t: t[3] is not None)
-    if GMSH:
-        programs["gmsh"] = (by_gmsh, lambda t: t[4] is not None)
-    table = subprocess.run([given.sunder, "convert", "--formats"], capture_output=True, text=True,
-                           check=True).stdout
+    if given.check and versions() not in pathlib.Path(given.page).read_text():
+        print(f"the page was made by other versions than {versions()}")
+        return 77
+    programs = {"sunder": (by_sunder, lambda t: True), "meshio": (by_meshio, lambda t: t[3]),
+                "gmsh": (by_gmsh, lambda t: t[4])}
     with tempfile.TemporaryDirectory() as place:
         folder = pathlib.Path(place)
-        (folder / "box.msh").write_text(box())
-        sources = {}
-        for target in FORMATS:
-            if f".{target[1]}" not in table:
-                continue
-            name = target[0].replace(" ", "_")
-            (folder / name).mkdir()
-            sources[target[0]] = folder / name / f"box.{target[1]}"
-            subprocess.run([given.sunder, "convert", folder / "box.msh", sources[target[0]],
-                            *target[2]], check=True, stdout=subprocess.DEVNULL)
-        results = convert_all(given.sunder, sources, folder, programs)
-    text = page(results, list(sources), list(programs))
+        targets = all_sources(given.sunder, folder, given.plain)
+        sources = {name: path for name, path in targets.items()
+                   if not given.carry or name in CARRY_SOURCES}
+        results = convert_all(given.sunder, sources, targets, folder, programs)
+    names = list(targets)
+    lines = [f"Beside sunder: {versions()}.", ""]
+    if given.carry:
+        lines += carried(results, names, programs)
+    else:
+        lines += summary(results, names, programs)
+        for program in programs:
+            lines += matrix(results, names, program)
+    text = "\n".join(lines) + "\n"
     print(text, end="")
-    if given.output:
-        pathlib.Path(given.output).write_text(text)
-    worse = [pair for pair in results["sunder"] if judged(results, pair, "sunder") != "="]
-    for source, target in worse:
-        print(f"sunder, {source} to {target}: {judged(results, (source, target), 'sunder')}",
-              file=sys.stderr)
-    return 1 if worse else 0
+    worse = [(pair, judged(results, pair, "sunder")) for pair in results["sunder"]
+             if judged(results, pair, "sunder") != "="]
+    for (source, target), mark in worse:
+        print(f"sunder, {source} to {target}: {mark}", file=sys.stderr)
+    name = "carry" if given.carry else "plain matrix" if given.plain else "matrix"
+    differs = given.page and not put_into(given.page, name, text, given.check) and given.check
+    if differs:
+        print(f"{given.page} says something else", file=sys.stderr)
+    return 1 if worse or differs else 0
 
 
 if __name__ == "__main__":
