@@ -158,11 +158,13 @@ void print_formats() {
     }
     if (t.packs) written += ", zlib";
     fmt::print("| {} | {} | {} | {} |", t.name, fmt::join(t.extensions, ", "), written, cells);
-    for (const bool held :
-         {t.holds_regions, t.holds_region_names, t.holds_entities, t.holds_point_regions,
-          t.holds_point_ids, t.holds_cell_ids, t.holds_point_data}) {
+    fmt::print(" {} | {} |", yes_or_no(t.holds_regions),
+               t.regions_are_words ? "words" : yes_or_no(t.holds_region_names));
+    for (const bool held : {t.holds_entities, t.holds_point_regions, t.holds_point_ids}) {
       fmt::print(" {} |", yes_or_no(held));
     }
+    fmt::print(" {} | {} |", t.cell_ids_from == 1 ? "of elements" : yes_or_no(t.holds_cell_ids),
+               yes_or_no(t.holds_point_data));
     fmt::print(" {} | {} |\n",
                t.cell_data_from == 3 ? "of tetrahedra" : yes_or_no(t.holds_cell_data),
                yes_or_no(t.holds_number_types));

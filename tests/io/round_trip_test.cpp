@@ -79,9 +79,14 @@ FileMesh held(FileMesh mesh, const Variant& variant) {
     if (!t.holds_cells[static_cast<std::size_t>(d)]) cells = {};
     if (!t.holds_regions) cells.region.clear();
     if (!t.holds_entities) cells.entity.clear();
-    if (!t.holds_cell_ids) cells.source_id.clear();
+    if (!t.holds_cell_ids || d < t.cell_ids_from) cells.source_id.clear();
     if (!t.holds_cell_data || d < t.cell_data_from || is_msh_1) cells.data.clear();
   });
+  // MSH numbers all cells or none; vertices that come from Abaqus' sets have no numbers.
+  if (t.format == MeshFormat::msh &&
+      mesh.vertices.source_id.size() < mesh.vertices.corners.size()) {
+    for_each_cell_list(mesh, [](auto& cells, int) { cells.source_id.clear(); });
+  }
   if (!t.holds_point_ids) mesh.source_point_id.clear();
   if (!t.holds_point_data || is_msh_1) mesh.point_data.clear();
   if (!t.holds_point_regions) mesh.point_region.clear();

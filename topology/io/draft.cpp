@@ -50,7 +50,8 @@ void drop_usual_numbers(FileMesh& mesh) {
   std::int64_t first = 1;
   bool usual = true;
   for_each_cell_list(mesh, [&](const auto& cells, int) {
-    usual = usual && counts_up_from(first, cells.source_id);
+    const bool all = cells.source_id.size() == cells.corners.size();
+    usual = usual && all && counts_up_from(first, cells.source_id);
     first += static_cast<std::int64_t>(cells.corners.size());
   });
   if (!usual) return;

@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "topology/io/abaqus.hpp"
 #include "topology/io/medit.hpp"
 #include "topology/io/msh.hpp"
 #include "topology/io/off.hpp"
@@ -27,6 +28,7 @@ constexpr std::string_view medit_names[] = {".mesh", ".meshb"};
 constexpr std::string_view vtu_names[] = {".vtu"};
 constexpr std::string_view vtk_names[] = {".vtk"};
 constexpr std::string_view tetgen_names[] = {".node", ".ele", ".face", ".edge"};
+constexpr std::string_view abaqus_names[] = {".inp"};
 constexpr std::string_view vtk_versions[] = {"4.2", "5.1"};
 constexpr std::string_view off_names[] = {".off"};
 constexpr std::string_view stl_names[] = {".stl"};
@@ -87,6 +89,15 @@ constexpr FormatTraits traits[] = {
      .holds_point_data = true,
      .holds_cell_data = true,
      .cell_data_from = 3},
+    {.format = MeshFormat::abaqus,
+     .name = "Abaqus",
+     .extensions = abaqus_names,
+     .encodings = text_only,
+     .holds_cells = {true, true, true, true},
+     .regions_are_words = true,
+     .holds_point_ids = true,
+     .holds_cell_ids = true,
+     .cell_ids_from = 1},
     {.format = MeshFormat::off,
      .name = "OFF",
      .extensions = off_names,
@@ -138,6 +149,10 @@ constexpr io::FormatCode codes[] = {
                          io::write_vtk(mesh, how.version == "5.1" ? 51 : 42, how.is_binary()));
      }},
     {&io::is_tetgen, &io::read_tetgen, &io::write_tetgen},
+    {&io::is_abaqus, &io::read_abaqus,
+     [](const Path& path, const FileMesh& mesh, const FileEncoding&) {
+       return write_file(path, io::write_abaqus(mesh));
+     }},
     {&io::is_off, [](const FileSource& source) { return io::read_off(source.text); },
      [](const Path& path, const FileMesh& mesh, const FileEncoding&) {
        return write_file(path, io::write_off(mesh));
@@ -193,28 +208,30 @@ bool is_binary_name(const Path& name) {
          std::ranges::find(traits, extension, &FormatTraits::binary_extension) != std::end(traits);
 }
 
-bool io::read_other_file(Draft& draft, const FileSource& source, const std::string& name,
-                         const std::function<void(std::string_view)>& work) {
+std::optional<std::string> io::other_text(const FileSource& source, const std::string& name) {
   Result<std::string> bytes = source.other_file(name);
   if (!bytes) {
     Finding& reason = bytes.findings.at(0);
-    if (reason.code == "missing_file") return false;
+    if (reason.code == "missing_file") return std::nullopt;
     reason.file = name;
     throw ReadFailure{std::move(reason)};
   }
-  std::string_view text = *bytes;
-  if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+  if (bytes->starts_with(byte_order_mark)) bytes->erase(0, byte_order_mark.size());
+  return std::move(*bytes);
+}
+
+void io::in_file(Draft& draft, const std::string& name, std::string_view text,
+                 const std::function<void()>& work) {
   const std::string_view text_before = std::exchange(draft.text, text);
   const std::string file_before = std::exchange(draft.file, name);
   try {
-    work(text);
+    work();
   } catch (ReadFailure& failure) {
     if (failure.finding.file.empty()) failure.finding.file = name;
     throw;
   }
   draft.text = text_before;
   draft.file = file_before;
-  return true;
 }
 
 Result<FileMesh> io::read_format(MeshFormat format, const FileSource& source,

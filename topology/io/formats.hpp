@@ -25,11 +25,13 @@ struct FileSource {
   std::function<Result<std::string>(const std::string& name)> other_file;
 };
 
-/// Reads another file of the mesh by `work(text)`: findings and failures name it meanwhile. False
-/// where there is no such file. Throws ReadFailure: what `work` throws, and the errors of
-/// `other_file` but missing_file.
-bool read_other_file(Draft& draft, const FileSource& source, const std::string& name,
-                     const std::function<void(std::string_view)>& work);
+/// The text of another file of the mesh, without a byte-order mark; none where there is no such
+/// file. Throws ReadFailure: the errors of `other_file` but missing_file.
+std::optional<std::string> other_text(const FileSource& source, const std::string& name);
+
+/// Calls `work`, which reads the other file `name`: findings and failures name it meanwhile.
+void in_file(Draft& draft, const std::string& name, std::string_view text,
+             const std::function<void()>& work);
 
 /// How a file is to be written, every choice made.
 struct FileEncoding {

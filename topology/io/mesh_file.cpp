@@ -42,14 +42,16 @@ Finding unknown_content(std::string_view bytes, const std::filesystem::path& nam
   }
   for (const Stranger& s : strangers) {
     if (bytes.substr(0, s.magic.size()) != s.magic) continue;
-    return {.code = "unknown_format",
-            .text = fmt::format("this is {}: MSH, MEDIT, VTU, VTK and TetGen are read", s.name),
-            .remedy = std::string(s.remedy)};
+    return {
+        .code = "unknown_format",
+        .text = fmt::format("this is {}: MSH, MEDIT, VTU, VTK, Abaqus and TetGen are read", s.name),
+        .remedy = std::string(s.remedy)};
   }
   return {.code = "unknown_format",
-          .text = fmt::format("the file begins with {}: MSH begins with $MeshFormat, MEDIT with "
-                              "MeshVersionFormatted, VTU with <VTKFile, VTK with # vtk DataFile",
-                              io::in_quotes(bytes.substr(0, 24))),
+          .text = fmt::format(
+              "the file begins with {}: MSH begins with $MeshFormat, MEDIT with "
+              "MeshVersionFormatted, VTU with <VTKFile, VTK with # vtk DataFile, Abaqus with *",
+              io::in_quotes(bytes.substr(0, 24))),
           .remedy = "give a tetrahedral mesh in one of these formats"};
 }
 

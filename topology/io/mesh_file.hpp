@@ -16,7 +16,7 @@
 
 namespace sunder {
 
-enum class MeshFormat { msh, medit, vtu, vtk, tetgen, off, stl };
+enum class MeshFormat { msh, medit, vtu, vtk, tetgen, abaqus, off, stl };
 
 /// How numbers stand in a file: as digits, as raw bytes, or as bytes written in base64.
 enum class Encoding { text, binary, base64 };
@@ -48,6 +48,8 @@ struct FormatTraits {
   bool holds_point_regions = false;
   bool holds_point_ids = false;
   bool holds_cell_ids = false;
+  /// The lowest dimension of cells whose numbers it holds.
+  int cell_ids_from = 0;
   bool holds_point_data = false;
   bool holds_cell_data = false;
   /// The lowest dimension of cells whose data it holds.

@@ -389,8 +389,9 @@ bool read_part(TetgenReader& r, const FileSource& source, const std::string& nam
     work(Table{.text = source.text});
     return true;
   }
-  return read_other_file(r.draft, source, name,
-                         [&](std::string_view text) { work(Table{.text = text}); });
+  const std::optional<std::string> text = other_text(source, name);
+  if (text) in_file(r.draft, name, *text, [&] { work(Table{.text = *text}); });
+  return text.has_value();
 }
 
 }  // namespace

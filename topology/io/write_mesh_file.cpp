@@ -6,6 +6,7 @@
 #include <map>
 
 #include "topology/boundary_surface.hpp"
+#include "topology/io/abaqus.hpp"
 #include "topology/io/formats.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/io/msh.hpp"
@@ -64,20 +65,28 @@ void lose_labels(Losses& losses, const FileMesh& mesh) {
 }
 
 void lose_ids(Losses& losses, const FileMesh& mesh, std::string_view version) {
-  std::size_t cells = 0;
-  for_each_cell_list(mesh, [&](const auto& list, int) { cells += list.source_id.size(); });
+  std::size_t cells = 0, below = 0;
+  for_each_cell_list(mesh, [&](const auto& list, int d) {
+    (d < losses.to.cell_ids_from ? below : cells) += list.source_id.size();
+  });
   const std::size_t points = mesh.source_point_id.size();
   const bool is_msh = losses.to.format == MeshFormat::msh;
-  const io::HeldNumbers own =
-      is_msh ? io::msh_holds(mesh, version == "4.1" ? 41 : 22) : io::HeldNumbers{true, true};
+  const bool is_abaqus = losses.to.format == MeshFormat::abaqus;
+  const io::HeldNumbers own = is_msh      ? io::msh_holds(mesh, version == "4.1" ? 41 : 22)
+                              : is_abaqus ? io::abaqus_holds(mesh)
+                                          : io::HeldNumbers{true, true};
   const bool keeps_points = losses.to.holds_point_ids && own.points;
   const bool keeps_cells = losses.to.holds_cell_ids && own.cells;
-  const std::size_t lost = (keeps_points ? 0 : points) + (keeps_cells ? 0 : cells);
+  const std::size_t lost = (keeps_points ? 0 : points) + (keeps_cells ? 0 : cells) +
+                           (losses.to.holds_cell_ids ? below : 0);
   if (lost == 0) return;
   lose(losses, "source_ids_lost", lost,
        is_msh
            ? "points and elements are numbered anew: MSH needs positive numbers, each once (below "
              "2^31 before version 4.1)"
+       : is_abaqus && keeps_points && keeps_cells ? "Abaqus does not hold numbers of vertices"
+       : is_abaqus
+           ? "points or elements are numbered anew: Abaqus needs positive numbers, each once"
            : fmt::format("{} does not hold numbers of {}", losses.to.name,
                          keeps_points  ? "cells"
                          : keeps_cells ? "points"

@@ -105,3 +105,19 @@ for stem, options in (("tetgen", "-pzAfeQ"), ("tetgen_2nd", "-pzAfeo2Q")):
 meshio.tetgen.write("meshio.node", meshio.Mesh(
     mesh.points, [("tetra", mesh.cells_dict["tetra"])], point_data={"height": mesh.points[:, 2] / 3},
     cell_data={"tetgen:ref": [mesh.get_cell_data("gmsh:physical", "tetra")]}))
+
+# Abaqus' input by gmsh, by meshio, and by CalculiX' cgx, whose files are included by a small one.
+pathlib.Path("two_boxes.geo").write_text(GEO)
+gmsh("gmsh.inp", "-format", "inp")
+gmsh("gmsh_2nd.inp", "-format", "inp", "-order", "2", "-save_all")
+pathlib.Path("two_boxes.geo").unlink()
+meshio.abaqus.write("meshio.inp", mesh)
+pathlib.Path("cgx.fbl").write_text(
+    "read gmsh.inp inp\nsend all abq\nsend core abq nam\nsend shell abq nam\nquit\n")
+subprocess.run(["cgx", "-bg", "cgx.fbl"], check=True, stdout=subprocess.DEVNULL)
+pathlib.Path("cgx.fbl").unlink()
+for name in ("all.msh", "core.nam", "shell.nam"):
+    pathlib.Path(name).rename(f"calculix_{name}")
+pathlib.Path("calculix.inp").write_text(
+    "".join(f"*INCLUDE, INPUT=calculix_{name}\n" for name in ("all.msh", "core.nam", "shell.nam")) +
+    "*SOLID SECTION, ELSET=Ecore, MATERIAL=steel\n*SOLID SECTION, ELSET=Eshell, MATERIAL=foam\n")
