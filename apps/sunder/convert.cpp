@@ -11,8 +11,10 @@
 #include <memory>
 #include <optional>
 
+#include "apps/sunder/convert_crack.hpp"
 #include "apps/sunder/words.hpp"
 #include "topology/io/mesh_file.hpp"
+#include "topology/io/output_file.hpp"
 #include "topology/repair.hpp"
 
 namespace sunder {
@@ -27,6 +29,8 @@ keep their order; numbers, regions, entities and data go along where the format 
 regions that it does not hold go to OUT.regions, which is read with OUT. Everything else that would
 be lost is listed first, as warnings.
 Repairs are made in the order in which they are listed here, and each tells what it changed.
+A crack is opened after them, without width: points are copied exactly where the cut faces part the
+tetrahedra around them, a front stays joined (docs/cracks.md).
 
 Exit codes: 0 written, 1 something would be lost and --strict was given (nothing is written),
 2 usage, 3 the input cannot be read or repaired, 4 the output cannot be written.
@@ -35,6 +39,7 @@ Examples:
   sunder convert body.msh body.vtu
   sunder convert body.msh clean.msh --merge-points 1e-6 --drop-duplicates --fix-orientation
   sunder convert body.vtu body.msh --format-version 2.2 --binary --strict
+  sunder convert body.msh cracked.vtu --crack-regions matrix,inclusion --crack-pairs pairs.csv
 )";
 
 struct Arguments {
@@ -48,6 +53,7 @@ struct Arguments {
   bool tetrahedra_only = false;
   bool json = false;
   Repairs repairs;
+  CrackOptions crack;
 };
 
 struct Conversion {
@@ -80,6 +86,9 @@ Conversion convert(const Arguments& arguments) {
   // A repair was asked for: what it drops is no loss.
   result.has_losses = std::ranges::any_of(result.findings, is_loss);
   std::ranges::move(repair(result.mesh, arguments.repairs), std::back_inserter(result.findings));
+  NamedCrack crack;
+  if (!has_error(result.findings)) crack = open_named_crack(result.mesh, arguments.crack);
+  std::ranges::move(crack.findings, std::back_inserter(result.findings));
   if (has_error(result.findings)) {
     result.is_repaired = false;
     return result;
@@ -97,6 +106,10 @@ Conversion convert(const Arguments& arguments) {
     }
   }
   std::vector<Finding> written = write_file_mesh(arguments.out, result.mesh, options);
+  if (!has_error(written) && !arguments.crack.pairs.empty()) {
+    auto failure = write_file(arguments.crack.pairs, crack.pairs);
+    if (failure) written.push_back(std::move(*failure));
+  }
   result.is_written = !has_error(written);
   result.has_losses = result.has_losses || std::ranges::any_of(written, is_loss);
   std::ranges::move(written, std::back_inserter(result.findings));
@@ -238,6 +251,7 @@ void add_convert_command(CLI::App& program, ExitCode& exit_code) {
   command->add_flag("--fix-orientation", repairs.fix_orientation,
                     "Repair: swap two points of inverted tetrahedra");
   command->add_flag("--drop-unused", repairs.drop_unused, "Repair: drop points that no cell uses");
+  add_crack_options(*command, arguments->crack);
   command->add_flag("--json", arguments->json, "Print JSON instead of a table");
   command->add_flag_callback(
       "--formats",

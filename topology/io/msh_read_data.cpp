@@ -2,6 +2,7 @@
 // $NodeData and $ElementData of MSH: columns of numbers, each row under the number of its cell.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "topology/io/msh_reader.hpp"
@@ -112,7 +113,8 @@ void read_msh_data(MshReader& r, bool of_nodes) {
     }
   }
   for (Target& target : targets) {
-    if (target.values.empty()) continue;
+    // Not-a-number means that nothing is given.
+    if (std::ranges::all_of(target.values, [](double x) { return x != x; })) continue;
     target.columns->push_back(
         {head.name, head.components, NumberType::float64, std::move(target.values)});
   }

@@ -99,7 +99,8 @@ bool is_linear(std::int64_t type) { return type == 1 || type == 3 || type == 5 |
 void check_vtk_cells(const VtkCells& cells, std::string_view text, std::size_t at) {
   std::int64_t before = 0;
   for (std::size_t c = 0; c < cells.types.size(); ++c) {
-    const std::int64_t size = cells.ends[c] - before;
+    // Numbers of a file: their difference may need more than 64 bits.
+    const std::int64_t size = cells.ends[c] < before ? -1 : cells.ends[c] - before;
     const auto* const type = std::ranges::find(cell_types, cells.types[c], &CellType::number);
     const auto fewest =
         static_cast<std::int64_t>(type == std::end(cell_types) ? 0 : fewest_points(*type));
