@@ -195,7 +195,9 @@ TEST_CASE("a plane cuts what the 3-map's plane cuts", "[topology][crack]") {
       const auto points = points_of(before, face);
       ours.insert({points.begin(), points.end()});
     }
-    for (const HalfFaceId face : *plane_faces(map, plane)) {
+    const auto of_map = plane_faces(map, plane);
+    REQUIRE(of_map);
+    for (const HalfFaceId face : *of_map) {
       std::set<std::uint32_t> points;
       for (int k = 0; k < 4; ++k) {
         const VertexId v = map.corners(tetrahedron_of(face))[static_cast<std::size_t>(k)];
