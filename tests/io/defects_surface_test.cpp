@@ -99,7 +99,7 @@ TEST_CASE("defects of OFF", "[io][defects][off]") {
        8, "4"},
       {"a huge face", changed(good_off, "3 1 2 3", "99999999 1 2 3"), "count_too_big", 8,
        "99999999"},
-      {"a face more", good_off + "3 0 1 3\n", "wrong_count", 9, "2 faces"},
+      {"a face more", good_off + "3 0 1 3\n", "wrong_count", 9, "last face"},
       {"a face less", changed(good_off, "3 1 2 3\n", ""), "truncated_file", 8, "corners"},
       {"binary, cut", std::string("OFF BINARY\n\0\0\0", 14), "truncated_file", 0, "points"},
   });

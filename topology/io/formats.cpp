@@ -13,6 +13,7 @@
 #include "topology/io/msh.hpp"
 #include "topology/io/off.hpp"
 #include "topology/io/output_file.hpp"
+#include "topology/io/ply.hpp"
 #include "topology/io/scan.hpp"
 #include "topology/io/stl.hpp"
 #include "topology/io/tetgen.hpp"
@@ -31,6 +32,7 @@ constexpr std::string_view tetgen_names[] = {".node", ".ele", ".face", ".edge"};
 constexpr std::string_view abaqus_names[] = {".inp"};
 constexpr std::string_view vtk_versions[] = {"4.2", "5.1"};
 constexpr std::string_view off_names[] = {".off"};
+constexpr std::string_view ply_names[] = {".ply"};
 constexpr std::string_view stl_names[] = {".stl"};
 constexpr Encoding text_only[] = {Encoding::text};
 constexpr Encoding text_first[] = {Encoding::text, Encoding::binary};
@@ -98,6 +100,18 @@ constexpr FormatTraits traits[] = {
      .holds_point_ids = true,
      .holds_cell_ids = true,
      .cell_ids_from = 1},
+    {.format = MeshFormat::ply,
+     .name = "PLY",
+     .extensions = ply_names,
+     .encodings = binary_first,
+     .holds_cells = {false, true, true, false},
+     .holds_entities = true,
+     .holds_point_regions = true,
+     .holds_point_ids = true,
+     .holds_cell_ids = true,
+     .holds_point_data = true,
+     .holds_cell_data = true,
+     .holds_number_types = true},
     {.format = MeshFormat::off,
      .name = "OFF",
      .extensions = off_names,
@@ -152,6 +166,10 @@ constexpr io::FormatCode codes[] = {
     {&io::is_abaqus, &io::read_abaqus,
      [](const Path& path, const FileMesh& mesh, const FileEncoding&) {
        return write_file(path, io::write_abaqus(mesh));
+     }},
+    {&io::is_ply, [](const FileSource& source) { return io::read_ply(source.text); },
+     [](const Path& path, const FileMesh& mesh, const FileEncoding& how) {
+       return write_file(path, io::write_ply(mesh, how.is_binary()));
      }},
     {&io::is_off, [](const FileSource& source) { return io::read_off(source.text); },
      [](const Path& path, const FileMesh& mesh, const FileEncoding&) {

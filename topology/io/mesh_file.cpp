@@ -30,7 +30,6 @@ constexpr Stranger strangers[] = {
     {"\x89HDF"sv, "an HDF5 file", "convert it: meshio convert FILE NEW.vtu"},
     {"CDF\x01"sv, "a NetCDF (Exodus) file", "convert it: meshio convert FILE NEW.vtu"},
     {"PK\x03\x04"sv, "a zip archive", "unpack it first"},
-    {"ply"sv, "a PLY file", "fill the surface with tetrahedra first"},
 };
 
 Finding unknown_content(std::string_view bytes, const std::filesystem::path& name) {

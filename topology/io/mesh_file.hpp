@@ -16,7 +16,7 @@
 
 namespace sunder {
 
-enum class MeshFormat { msh, medit, vtu, vtk, tetgen, abaqus, off, stl };
+enum class MeshFormat { msh, medit, vtu, vtk, tetgen, abaqus, ply, off, stl };
 
 /// How numbers stand in a file: as digits, as raw bytes, or as bytes written in base64.
 enum class Encoding { text, binary, base64 };
@@ -80,7 +80,8 @@ struct ReadOptions {
 
 /// All that a mesh file holds; its content decides the format. Packed files (gzip) are unpacked.
 /// Formats: Gmsh MSH 1, 2.x, 4.0, 4.1 (text and binary), MEDIT (text and binary), VTU (text,
-/// base64, raw; plain or zlib; both byte orders), legacy VTK 1.0 to 5.1 (text and binary), OFF and
+/// base64, raw; plain or zlib; both byte orders), legacy VTK 1.0 to 5.1 (text and binary), PLY (text
+/// and binary of either order), OFF and
 /// STL (text and binary; triangles, no tetrahedra). Names of
 /// regions that the format cannot hold are taken from `NAME.regions` beside it, if that is there
 /// (see write_file_mesh). Leaves in the value: every tetrahedron with four different rows below the

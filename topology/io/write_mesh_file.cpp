@@ -10,6 +10,7 @@
 #include "topology/io/formats.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/io/msh.hpp"
+#include "topology/io/ply.hpp"
 #include "topology/io/region_names.hpp"
 #include "topology/io/scan.hpp"
 #include "topology/io/stl.hpp"
@@ -64,6 +65,15 @@ void lose_labels(Losses& losses, const FileMesh& mesh) {
   }
 }
 
+/// Which of a mesh's own numbers fit into 32 bits: PLY has no wider integers.
+io::HeldNumbers ply_holds(const FileMesh& mesh) {
+  io::HeldNumbers held{io::ply_type(mesh.source_point_id).has_value(), true};
+  for_each_cell_list(mesh, [&](const auto& cells, int) {
+    held.cells = held.cells && io::ply_type(cells.source_id).has_value();
+  });
+  return held;
+}
+
 void lose_ids(Losses& losses, const FileMesh& mesh, std::string_view version) {
   std::size_t cells = 0, below = 0;
   for_each_cell_list(mesh, [&](const auto& list, int d) {
@@ -74,7 +84,8 @@ void lose_ids(Losses& losses, const FileMesh& mesh, std::string_view version) {
   const bool is_abaqus = losses.to.format == MeshFormat::abaqus;
   const io::HeldNumbers own = is_msh      ? io::msh_holds(mesh, version == "4.1" ? 41 : 22)
                               : is_abaqus ? io::abaqus_holds(mesh)
-                                          : io::HeldNumbers{true, true};
+                              : losses.to.format == MeshFormat::ply ? ply_holds(mesh)
+                                                                    : io::HeldNumbers{true, true};
   const bool keeps_points = losses.to.holds_point_ids && own.points;
   const bool keeps_cells = losses.to.holds_cell_ids && own.cells;
   const std::size_t lost = (keeps_points ? 0 : points) + (keeps_cells ? 0 : cells) +
@@ -97,9 +108,11 @@ void lose_data(Losses& losses, const FileMesh& mesh, std::string_view version) {
   const bool none = losses.to.format == MeshFormat::msh && version == "1";
   std::size_t typed = 0, lost = 0;
   std::string names;
+  const bool is_ply = losses.to.format == MeshFormat::ply;
   const auto judge = [&](const DataColumn& column, bool is_held) {
-    if (is_held && !none) {
-      typed += column.type != NumberType::float64;
+    const auto type = is_ply ? io::ply_type(column) : column.type;
+    if (is_held && !none && type) {
+      typed += column.type != (losses.to.holds_number_types ? *type : NumberType::float64);
       return;
     }
     ++lost;
@@ -122,9 +135,10 @@ void lose_data(Losses& losses, const FileMesh& mesh, std::string_view version) {
     lose(losses, "data_lost", lost,
          fmt::format("{} does not hold the data {}", losses.to.name, names));
   }
-  if (typed > 0 && !losses.to.holds_number_types) {
+  if (typed > 0) {
     lose(losses, "number_types_lost", typed,
-         fmt::format("{} columns become double-precision numbers", typed));
+         fmt::format("{} columns become {}", typed,
+                     is_ply ? "integers of 32 bits" : "double-precision numbers"));
   }
 }
 
