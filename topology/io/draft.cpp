@@ -209,6 +209,23 @@ void add_curved_cells(Draft& draft, std::string_view plural_name, std::size_t co
   count_cells(draft, draft.curved_cells, plural_name, count, at);
 }
 
+void check_end(Draft& draft, NumberSource& in, std::string_view row) {
+  const std::size_t left = in.s.text.size() - in.s.at;
+  if (in.is_binary && left > 0) {
+    draft.findings.push_back(
+        {.code = "trailing_bytes",
+         .severity = Severity::warning,
+         .count = left,
+         .text = fmt::format("{} bytes stand behind the last {}: they are not read", left, row),
+         .remedy = "correct the counts, if they are rows too"});
+  }
+  if (in.is_binary || peek_word(in.s).empty()) return;
+  fail(in.s.text, in.s.at,
+       {.code = "wrong_count",
+        .text = fmt::format("{} stands behind the last {}", in_quotes(peek_word(in.s)), row),
+        .remedy = "correct the counts, or take away what stands behind"});
+}
+
 Result<FileMesh> finish(Draft&& draft, bool tetrahedra_only) {
   judge_other_cells(draft, tetrahedra_only);
   drop_usual_numbers(draft.mesh);

@@ -11,6 +11,7 @@
 
 #include "topology/file_mesh.hpp"
 #include "topology/finding.hpp"
+#include "topology/io/number_source.hpp"
 
 namespace sunder::io {
 
@@ -77,6 +78,10 @@ void add_counted(Draft& draft, std::string_view code, Words words) {
   draft.findings.push_back(words());
   draft.findings.back().code = code;
 }
+
+/// Looks at what stands behind the last `row` ("face"): in text anything but blanks ends the
+/// reading (wrong_count), raw bytes are a warning (trailing_bytes).
+void check_end(Draft& draft, NumberSource& in, std::string_view row);
 
 /// Ends the reading: numbers that only repeat the row are dropped; volume cells that are left out
 /// become an error (with `tetrahedra_only` a warning), cells below dimension 3 and those read by

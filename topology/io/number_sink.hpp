@@ -4,10 +4,13 @@
 
 #include <fmt/compile.h>
 
+#include <bit>
 #include <iterator>
 #include <string>
 #include <string_view>
 #include <type_traits>
+
+#include "topology/io/number_source.hpp"
 
 namespace sunder::io {
 
@@ -32,6 +35,12 @@ template <class Stored, class Number>
 void put_raw(NumberSink& out, Number number) {
   const auto stored = static_cast<Stored>(number);
   out.bytes.append(reinterpret_cast<const char*>(&stored), sizeof stored);
+}
+
+/// Appends a raw number in little-endian order, whatever this machine's is.
+template <class Stored>
+void put_little(NumberSink& out, Stored number) {
+  put_raw<Stored>(out, std::endian::native == std::endian::big ? byte_swapped(number) : number);
 }
 
 /// Appends a number and, in text, `after` it.

@@ -154,17 +154,6 @@ void note_skipped(OffReader& r) {
   }
 }
 
-void check_end(OffReader& r, std::size_t faces) {
-  if (r.in.is_binary) return;
-  skip_comments(r.in.s);
-  if (peek_word(r.in.s).empty()) return;
-  fail(r.in.s.text, r.in.s.at,
-       {.code = "wrong_count",
-        .text = fmt::format("{} stands behind the last of {} faces", in_quotes(peek_word(r.in.s)),
-                            faces),
-        .remedy = "correct the count of faces, or take away what stands behind them"});
-}
-
 }  // namespace
 
 bool is_off(std::string_view text) {
@@ -187,7 +176,8 @@ Draft read_off(std::string_view text) {
   r.in.is_binary ? skip_numbers(r.in, 0, 4, "a number of edges") : void(rest_of_line(r.in.s));
   read_points(r, points);
   for (std::size_t i = 0; i < faces; ++i) read_face(r);
-  check_end(r, faces);
+  if (!r.in.is_binary) skip_comments(r.in.s);
+  check_end(r.draft, r.in, "face");
   note_skipped(r);
   return std::move(r.draft);
 }

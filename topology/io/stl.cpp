@@ -152,15 +152,7 @@ void read_binary(Draft& draft, std::string_view text) {
     }
     skip_numbers(in, 0, 2, "attribute bytes");
   }
-  if (in.s.at < text.size()) {
-    draft.findings.push_back(
-        {.code = "trailing_bytes",
-         .severity = Severity::warning,
-         .count = text.size() - in.s.at,
-         .text = fmt::format("{} bytes stand behind the last of {} facets: they are not read",
-                             text.size() - in.s.at, n),
-         .remedy = "correct the count of facets, if they are facets"});
-  }
+  check_end(draft, in, "facet");
   take_facets(draft, std::move(facets));
 }
 
@@ -223,12 +215,6 @@ void put_text_facet(NumberSink& out, const std::array<float, 3>& normal,
     out.bytes += '\n';
   }
   put_text(out, " endloop\nendfacet\n");
-}
-
-/// Raw numbers of this machine, turned where it is big-endian.
-template <class Stored>
-void put_little(NumberSink& out, Stored number) {
-  put_raw<Stored>(out, std::endian::native == std::endian::big ? byte_swapped(number) : number);
 }
 
 }  // namespace

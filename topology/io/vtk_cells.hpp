@@ -36,12 +36,6 @@ struct VtkPiece {
   std::array<std::size_t, 4> first_cell{};
 };
 
-/// Names of integer cell arrays that mean a region, an entity, or a cell's own number: ours, and
-/// those that Gmsh, meshio, CGAL and FEniCS use.
-bool is_region_name(std::string_view name);
-bool is_entity_name(std::string_view name);
-bool is_cell_id_name(std::string_view name);
-
 /// Fails with bad_offsets where ends fall or a cell has fewer points than its type; `at`: the place
 /// of the offsets in the text.
 void check_vtk_cells(const VtkCells& cells, std::string_view text, std::size_t at);

@@ -91,6 +91,10 @@ void drop_incomplete(Draft& draft, std::vector<DataColumn>& columns, std::size_t
 
 }  // namespace
 
+bool is_region_name(std::string_view name) { return is_one_of(region_names, name); }
+bool is_entity_name(std::string_view name) { return is_one_of(entity_names, name); }
+bool is_cell_id_name(std::string_view name) { return is_one_of(id_names, name); }
+
 bool is_new_name(Draft& draft, VtkNames& names, const VtkArrayHead& head) {
   constexpr std::size_t most = 1024;
   auto& known = head.of_cells ? names.cells : names.points;
@@ -116,15 +120,14 @@ bool is_vtk_label(const VtkArrayHead& head) {
   if (!head.of_cells) {
     return head.name == "source_point_id" || is_one_of(point_region_names, head.name);
   }
-  return is_one_of(region_names, head.name) || is_one_of(entity_names, head.name) ||
-         is_one_of(id_names, head.name);
+  return is_region_name(head.name) || is_entity_name(head.name) || is_cell_id_name(head.name);
 }
 
 void add_vtk_label(Draft& draft, const VtkPiece& piece, const VtkArrayHead& head,
                    const std::vector<std::int64_t>& values) {
   if (!head.of_cells) return add_point_label(draft, head, values);
-  const bool is_region = is_one_of(region_names, head.name);
-  const bool is_entity = is_one_of(entity_names, head.name);
+  const bool is_region = is_region_name(head.name);
+  const bool is_entity = is_entity_name(head.name);
   if (is_region || is_entity) check_label(draft, values, head.at);
   for_each_cell_list(draft.mesh, [&](auto& cells, int dimension) {
     const auto d = static_cast<std::size_t>(dimension);

@@ -29,6 +29,12 @@ inline bool is_real(NumberType type) {
   return type == NumberType::float64 || type == NumberType::float32;
 }
 
+/// Names of integer cell arrays that mean a region, an entity, or a cell's own number: ours, and
+/// those that Gmsh, meshio, CGAL and FEniCS use.
+bool is_region_name(std::string_view name);
+bool is_entity_name(std::string_view name);
+bool is_cell_id_name(std::string_view name);
+
 /// The names that a piece has given so far.
 struct VtkNames {
   std::set<std::string, std::less<>> points;
