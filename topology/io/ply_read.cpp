@@ -1,46 +1,16 @@
 // SPDX-License-Identifier: MIT
-// PLY read: the header as a plan of what stands in a row, then the rows.
+// PLY read: what each property of a row is for, then the rows.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
-#include <limits>
 
 #include "topology/io/number_source.hpp"
 #include "topology/io/ply.hpp"
-#include "topology/io/vtk_cells.hpp"
+#include "topology/io/ply_header.hpp"
+#include "topology/io/vtk_columns.hpp"
 
 namespace sunder::io {
 namespace {
-
-/// Far above any use, and low enough for the memory that a column takes.
-constexpr std::size_t most_properties = 1000;
-
-enum class Role { skipped, coordinate, corners, edge_end, data };
-
-struct Property {
-  std::string_view name;
-  NumberType type = NumberType::float64;
-  bool is_list = false;
-  NumberType count_type = NumberType::uint8;
-  Role role = Role::skipped;
-  /// The coordinate, the end of the edge, or the column.
-  std::size_t place = 0;
-};
-
-struct Element {
-  std::string_view name;
-  std::size_t count = 0;
-  std::size_t at = 0;
-  std::vector<Property> properties;
-};
-
-/// A comment that joins properties to one column.
-struct JoinedColumn {
-  std::string_view element, property;
-  std::size_t components = 0;
-  std::string_view name;
-};
 
 struct Column {
   DataColumn data;
@@ -51,150 +21,17 @@ struct Column {
 struct PlyReader {
   NumberSource in;
   Draft draft;
-  std::vector<Element> elements;
-  std::vector<JoinedColumn> joined;
+  PlyHeader header;
 };
 
 std::size_t size_of(NumberType type) {
   return with_stored(type, [](auto zero) { return sizeof zero; });
 }
 
-NumberType type_called(const Scanner& s, std::string_view word) {
-  constexpr std::string_view sized[] = {"float64", "float32", "int8",  "uint8",
-                                        "int16",   "uint16",  "int32", "uint32"};
-  for (std::size_t i = 0; i < std::size(ply_types); ++i) {
-    if (word == ply_types[i] || (i < std::size(sized) && word == sized[i])) {
-      return static_cast<NumberType>(i);
-    }
-  }
-  fail(
-      s.text, s.at,
-      {.code = "bad_attribute",
-       .text = fmt::format("{} is not one of PLY's types char, uchar, ... double", in_quotes(word)),
-       .remedy = "correct the header, or write the file again"});
-}
-
-bool is_real(NumberType type) { return type <= NumberType::float32; }
-
-void read_format_line(PlyReader& r) {
-  Scanner& s = r.in.s;
-  const std::size_t at = s.at;
-  const std::string_view encoding = next_word(s), version = next_word(s);
-  const bool is_big = encoding == "binary_big_endian";
-  r.in.is_binary = is_big || encoding == "binary_little_endian";
-  r.in.swap = r.in.is_binary && is_big != (std::endian::native == std::endian::big);
-  if ((r.in.is_binary || encoding == "ascii") && version == "1.0") return;
-  fail(s.text, at,
-       {.code = "unknown_version",
-        .text = fmt::format("PLY of the format {} {} is not read", in_quotes(encoding),
-                            in_quotes(version)),
-        .remedy = "write it as ascii, binary_little_endian or binary_big_endian 1.0"});
-}
-
-void read_property_line(PlyReader& r) {
-  Scanner& s = r.in.s;
-  if (r.elements.empty()) {
-    fail(s.text, s.at,
-         {.code = "wrong_section_order",
-          .text = "a property stands before every element",
-          .remedy = "correct the header, or write the file again"});
-  }
-  const std::size_t at = s.at;
-  std::size_t sum = 0;
-  for (const Element& e : r.elements) sum += e.properties.size();
-  if (sum == most_properties) {
-    fail(s.text, s.at,
-         {.code = "count_too_big",
-          .text = fmt::format("the header has more than {} properties", most_properties),
-          .remedy = "take away properties that are not used"});
-  }
-  Property p;
-  std::string_view word = next_word(s);
-  p.is_list = word == "list";
-  if (p.is_list) {
-    p.count_type = type_called(s, next_word(s));
-    word = next_word(s);
-  }
-  p.type = type_called(s, word);
-  p.name = rest_of_line(s);
-  r.elements.back().properties.push_back(p);
-  if (!p.is_list || !is_real(p.count_type)) return;
-  fail(s.text, at,
-       {.code = "bad_attribute",
-        .text = fmt::format("the list {} is counted by real numbers", in_quotes(p.name)),
-        .remedy = "correct the header, or write the file again"});
-}
-
-void read_element_line(PlyReader& r, std::size_t at) {
-  Scanner& s = r.in.s;
-  Element& e = r.elements.emplace_back();
-  e.at = at;
-  e.name = next_word(s);
-  e.count = read_count(s, fmt::format("rows of {}", in_quotes(e.name)), 1);
-  const auto same = [&](const Element& other) { return other.name == e.name; };
-  if (std::ranges::count_if(r.elements, same) == 1 && r.elements.size() <= most_properties) return;
-  fail(s.text, at,
-       {.code = "wrong_section_order",
-        .text = fmt::format("a second element {}", in_quotes(e.name)),
-        .remedy = "join the two elements"});
-}
-
-/// column ELEMENT PROPERTY COMPONENTS "NAME"; any other comment is nothing.
-void read_comment(PlyReader& r, std::string_view line) {
-  Scanner s{line};
-  if (next_word(s) != "column") return;
-  JoinedColumn column{.element = next_word(s), .property = next_word(s)};
-  const std::string_view number = next_word(s), name = rest_of_line(s);
-  const auto [end, reason] =
-      std::from_chars(number.data(), number.data() + number.size(), column.components);
-  const bool is_whole = reason == std::errc{} && end == number.data() + number.size();
-  if (!is_whole || name.size() < 2 || name.front() != '"' || name.back() != '"') return;
-  column.name = name.substr(1, name.size() - 2);
-  if (r.joined.size() < most_properties) r.joined.push_back(column);
-}
-
-void read_header(PlyReader& r) {
-  Scanner& s = r.in.s;
-  next_word(s);
-  bool has_format = false;
-  while (true) {
-    const std::string_view word = next_word(s);
-    const std::size_t at = s.at - word.size();
-    if (word == "end_header") break;
-    if (word == "format") {
-      read_format_line(r);
-      has_format = true;
-    } else if (word == "element") {
-      read_element_line(r, at);
-    } else if (word == "property") {
-      read_property_line(r);
-    } else if (word == "comment") {
-      read_comment(r, rest_of_line(s));
-    } else if (word == "obj_info") {
-      rest_of_line(s);
-    } else if (word.empty()) {
-      fail_expected(s, "a line end_header");
-    } else {
-      fail(s.text, at,
-           {.code = "unknown_section",
-            .text = fmt::format("{} stands where element, property, comment or end_header was "
-                                "expected",
-                                in_quotes(word)),
-            .remedy = "correct the header, or write the file again"});
-    }
-  }
-  rest_of_line(s);
-  if (has_format) return;
-  fail(s.text, 0,
-       {.code = "unknown_version",
-        .text = "the header has no line format",
-        .remedy = "add one, such as: format ascii 1.0"});
-}
-
 /// How many properties from `first` on a comment joins to one column, and its name.
 const JoinedColumn* joined_from(const PlyReader& r, const Element& e, std::size_t first) {
   const Property& p = e.properties[first];
-  for (const JoinedColumn& j : r.joined) {
+  for (const JoinedColumn& j : r.header.joined) {
     if (j.element != e.name || j.property != p.name || j.components == 0) continue;
     if (j.components > e.properties.size() - first) continue;
     const auto begin = e.properties.begin() + static_cast<std::ptrdiff_t>(first);
@@ -496,7 +333,7 @@ void read_element(PlyReader& r, Element& e) {
   if (e.name == "vertex") return read_vertices(r, e);
   const bool is_cell = e.name == "face" || e.name == "edge";
   if (!is_cell) return skip_element(r, e);
-  if (e.count > 0 && &e == &r.elements.front()) {
+  if (e.count > 0 && &e == &r.header.elements.front()) {
     fail(r.in.s.text, e.at,
          {.code = "wrong_section_order",
           .text = fmt::format("the element {} stands before the vertices", e.name),
@@ -513,9 +350,11 @@ bool is_ply(std::string_view text) {
 
 Draft read_ply(std::string_view text) {
   PlyReader r{.in = {.s = {.text = text}}, .draft = {.text = text}};
-  read_header(r);
+  r.header = read_ply_header(r.in.s);
+  r.in.is_binary = r.header.is_binary;
+  r.in.swap = r.header.swap;
   if (r.in.is_binary) r.draft.text = {};  // there are no lines to count
-  for (Element& e : r.elements) read_element(r, e);
+  for (Element& e : r.header.elements) read_element(r, e);
   check_end(r.draft, r.in, "row");
   return std::move(r.draft);
 }

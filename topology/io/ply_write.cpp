@@ -8,7 +8,7 @@
 
 #include "topology/io/number_sink.hpp"
 #include "topology/io/ply.hpp"
-#include "topology/io/vtk_cells.hpp"
+#include "topology/io/vtk_columns.hpp"
 
 namespace sunder::io {
 namespace {
