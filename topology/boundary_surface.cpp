@@ -113,6 +113,20 @@ void take_columns(CellList<N>& to, const CellList<N>& from, const std::vector<Ro
   to.data = taken(from.data, rows);
 }
 
+/// Numbers, each once, for triangles that the mesh did not have: after all of its own.
+void number_others(CellList<3>& triangles, const FileMesh& mesh, const std::vector<Row>& rows) {
+  if (triangles.source_id.empty()) return;
+  std::int64_t last = 0;
+  for_each_cell_list(mesh, [&](const auto& cells, int) {
+    for (const std::int64_t id : cells.source_id) last = std::max(last, id);
+  });
+  const auto room = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max() - last);
+  if (room < rows.size()) return triangles.source_id.clear();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (rows[i] == no_row) triangles.source_id[i] = ++last;
+  }
+}
+
 /// The points that the triangles of `surface` use, in the mesh's order; returns the new row of each
 /// point of the mesh.
 std::vector<Row> take_points(BoundarySurface& surface, const FileMesh& mesh) {
@@ -172,6 +186,7 @@ BoundarySurface boundary_surface(const FileMesh& mesh) {
     rows.push_back(own[face]);
   }
   take_columns(triangles, mesh.triangles, rows);
+  number_others(triangles, mesh, rows);
   const auto matched =
       static_cast<std::size_t>(std::ranges::count_if(rows, [](Row row) { return row != no_row; }));
   surface.lost_cells[2] = mesh.triangles.corners.size() - matched;

@@ -21,9 +21,9 @@ struct BoundarySurface {
 /// The boundary of the tetrahedra: one triangle a face that belongs to exactly one of them, outward
 /// (that of an inverted tetrahedron too), in the order of their rows and of the corner left out. A
 /// triangle of the mesh on the same three points gives it its region, entity, number and data, of
-/// several the first; where some have none, they get region, entity and number 0, data not-a-number
-/// (integers: 0). Other triangles are lost, and vertices and edges with a point that the boundary
-/// does not use. Names of regions stay, but for those of tetrahedra.
+/// several the first; where some have none, they get region and entity 0, data not-a-number
+/// (integers: 0), and numbers after all others. Other triangles are lost, and vertices and edges
+/// with a point that the boundary does not use. Names of regions stay, but for those of tetrahedra.
 /// Needs: corners below the number of points, columns empty or complete. O(n log n).
 BoundarySurface boundary_surface(const FileMesh& mesh);
 

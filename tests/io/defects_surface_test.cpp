@@ -31,6 +31,22 @@ endfacet
 endsolid part
 )";
 
+const std::string good_ply = R"(ply
+format ascii 1.0
+element vertex 3
+property float x
+property float y
+property float z
+property uchar red
+element face 1
+property list uchar int vertex_indices
+end_header
+0 0 0 1
+1 0 0 2
+0 1 0 3
+3 0 1 2
+)";
+
 /// `text` with the first `from` made `to`.
 std::string changed(std::string text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
@@ -75,7 +91,7 @@ std::string binary_stl() {
 }  // namespace
 
 TEST_CASE("the good surfaces that the defects start from are read", "[io][defects]") {
-  for (const std::string& good : {good_off, good_stl, binary_stl()}) {
+  for (const std::string& good : {good_off, good_stl, good_ply, binary_stl()}) {
     const Result<FileMesh> mesh = read_file_mesh(good, "good");
     INFO(summary(mesh.findings));
     CHECK(mesh);
@@ -123,4 +139,42 @@ TEST_CASE("defects of STL", "[io][defects][stl]") {
       {"binary, infinite", infinite, "nan_coordinate", 0, "inf"},
   });
   CHECK(read_file_mesh(many, "many.stl").findings.at(0).code == "count_too_big");
+}
+
+TEST_CASE("defects of PLY", "[io][defects][ply]") {
+  const std::string binary =
+      changed(good_ply.substr(0, good_ply.find("0 0 0 1")), "ascii", "binary_little_endian");
+  const std::string lists =
+      changed(changed(binary, "uchar int", "uint int"), "vertex 3", "vertex 0");
+  check_defects({
+      {"another version", changed(good_ply, "1.0", "2.0"), "unknown_version", 2, "2.0"},
+      {"no format", changed(good_ply, "format ascii 1.0\n", ""), "unknown_version", 1, "format"},
+      {"an unknown type", changed(good_ply, "float z", "real z"), "bad_attribute", 6, "real"},
+      {"an unknown line", changed(good_ply, "element face", "elements face"), "unknown_section", 8,
+       "elements"},
+      {"no z", changed(good_ply, "float z", "float w"), "missing_array", 3, "'z'"},
+      {"no corners", changed(good_ply, "vertex_indices", "corners"), "missing_array", 8,
+       "vertex_indices"},
+      {"faces first",
+       changed(changed(good_ply, "element vertex 3", "element other 3"), "element face",
+               "element vertex 0\nproperty int x\nproperty int y\n"
+               "property int z\nelement vertex"),
+       "wrong_section_order", 12, "vertex"},
+      {"a property of nothing", changed(good_ply, "element vertex 3\n", ""), "wrong_section_order",
+       3, "before"},
+      {"too many", changed(good_ply, "vertex 3", "vertex 9999999999"), "count_too_big", 3,
+       "9999999999"},
+      {"no end of the header", changed(good_ply, "end_header", "comment"), "unknown_section", 11,
+       "'0'"},
+      {"beyond its type", changed(good_ply, "0 1 0 3", "0 1 0 256"), "number_out_of_range", 13,
+       "256"},
+      {"a huge list", changed(good_ply, "3 0 1 2", "255 0 1 2"), "count_too_big", 14, "255"},
+      {"a point that is not there", changed(good_ply, "3 0 1 2", "3 0 1 3"), "index_out_of_range",
+       14, "3"},
+      {"a row more", good_ply + "3 0 1 2\n", "wrong_count", 15, "last row"},
+      {"a row less", changed(good_ply, "3 0 1 2\n", ""), "truncated_file", 14, "length of a list"},
+      {"binary, a list of a thousand million",
+       lists + std::string("\0\xca\x9a\x3b\0\0\0\0\0\0\0\0", 12), "count_too_big", 0, "1000000000"},
+      {"binary, cut", binary + std::string(38, '\0'), "count_too_big", 0, "3 rows"},
+  });
 }

@@ -73,6 +73,10 @@ TEST_CASE("surfaces of other programs are read", "[io][surface]") {
                                                        {"admesh.stl", 23, 44, 0},
                                                        {"admesh_binary.stl", 23, 44, 0},
                                                        {"admesh.off", 8, 12, 6},
+                                                       {"meshio.ply", 23, 44, 0},
+                                                       {"meshio_binary.ply", 23, 44, 0},
+                                                       {"assimp.ply", 36, 12, 6},
+                                                       {"assimp_binary.ply", 36, 12, 6},
                                                        {"openscad.stl", 8, 12, 6}}) {
     INFO(s.name);
     const Result<FileMesh> mesh = read_file_mesh(sample(s.name));
@@ -154,10 +158,11 @@ TEST_CASE("triangles of the file give the boundary their labels, others are lost
   CHECK(surface.lost_points == 0);
   CHECK(surface.mesh.source_point_id.empty());
   CHECK(surface.mesh.edges == mesh.edges);
+  std::int64_t next = 91;
   for (std::size_t i = 0; i < 6; ++i) {
     const bool is_first = key_of(surface.mesh.triangles.corners[i]) == Key{0, 1, 3};
     CHECK(surface.mesh.triangles.region[i] == (is_first ? 7 : 0));
-    CHECK(surface.mesh.triangles.source_id[i] == (is_first ? 70 : 0));
+    CHECK(surface.mesh.triangles.source_id[i] == (is_first ? 70 : next++));
     const double load = std::get<0>(surface.mesh.triangles.data[0].values)[i];
     CHECK((is_first ? load == 1.5 : load != load));
   }
@@ -273,4 +278,130 @@ TEST_CASE("binary OFF is read", "[io][off]") {
   CHECK(mesh->triangles.corners == std::vector<Key>{{0, 1, 2}});
   CHECK(mesh->edges.corners.size() == 1);
   CHECK(summary(mesh.findings) == "note skipped_data 0");
+}
+
+namespace {
+
+const std::string by_hand = R"(ply
+format ascii 1.0
+comment made by hand
+obj_info and more
+comment column vertex vx 3 "flow speed"
+comment column vertex vx 4 "too many"
+comment column face nothing 1 "not there"
+element vertex 4
+property float x
+property float y
+property float z
+property uchar red
+property float vx
+property float vy
+property float vz
+property list uchar int neighbours
+property int source_point_id
+element camera 2
+property list uchar float angles
+property int mode
+element face 3
+property int8 kind
+property list uint8 uint32 vertex_index
+property short gmsh:physical
+element edge 1
+property int vertex1
+property int vertex2
+property float64 length
+element empty 1
+end_header
+0 0 0 255 1 2 3 2 7 8 40
+1 0 0 0 4 5 6 0 30
+0 1 0 1 7 8 9 0 20
+0 0 1 2 10 11 12 1 5 10
+2 0.5 0.25 1
+0 -7
+-1 3 0 1 2 5
+1 4 0 1 2 3 6
+2 3 1 2 3 7
+3 0 0.1
+)";
+
+template <class Value>
+void put_big(std::string& bytes, Value value) {
+  char raw[sizeof value];
+  std::memcpy(raw, &value, sizeof raw);
+  std::reverse(std::begin(raw), std::end(raw));
+  bytes.append(raw, sizeof raw);
+}
+
+}  // namespace
+
+TEST_CASE("PLY with data, lists, other elements and polygons is read", "[io][ply]") {
+  const Result<FileMesh> mesh = read_file_mesh(by_hand, "by hand");
+  INFO(summary(mesh.findings));
+  REQUIRE(mesh);
+  CHECK(mesh->source_point_id == std::vector<std::int64_t>{40, 30, 20, 10});
+  CHECK(mesh->point_data ==
+        std::vector<DataColumn>{
+            {"red", 1, NumberType::uint8, std::vector<std::int64_t>{255, 0, 1, 2}},
+            {"flow speed", 3, NumberType::float32,
+             std::vector<double>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}}});
+  CHECK(mesh->triangles.corners == std::vector<Key>{{0, 1, 2}, {1, 2, 3}});
+  CHECK(mesh->triangles.region == std::vector<std::int32_t>{5, 7});
+  CHECK(mesh->triangles.data ==
+        std::vector<DataColumn>{{"kind", 1, NumberType::int8, std::vector<std::int64_t>{-1, 2}}});
+  CHECK(mesh->edges.corners == std::vector<std::array<std::uint32_t, 2>>{{3, 0}});
+  CHECK(std::get<0>(mesh->edges.data.at(0).values) == std::vector<double>{0.1});
+  CHECK(summary(mesh.findings) ==
+        "note skipped_data 8, note skipped_data 18, note skipped_cells 38");
+}
+
+TEST_CASE("big-endian PLY is read", "[io][ply]") {
+  std::string bytes =
+      "ply\r\nformat binary_big_endian 1.0\r\nelement vertex 3\r\nproperty float x\r\n"
+      "property double y\r\nproperty short z\r\nelement face 1\r\n"
+      "property list ushort ushort vertex_indices\r\nend_header\r\n";
+  for (int i = 0; i < 3; ++i) {
+    put_big(bytes, i == 1 ? 0.5F : 0.F);
+    put_big(bytes, i == 2 ? 0.1 : 0.0);
+    put_big(bytes, std::int16_t(-i));
+  }
+  for (const int i : {3, 0, 1, 2}) put_big(bytes, std::uint16_t(i));
+  const Result<FileMesh> mesh = read_file_mesh(bytes, "big");
+  INFO(summary(mesh.findings));
+  REQUIRE(mesh);
+  CHECK(mesh->points == std::vector<Point>{{0, 0, 0}, {0.5, 0, -1}, {0, 0.1, -2}});
+  CHECK(mesh->triangles.corners == std::vector<Key>{{0, 1, 2}});
+}
+
+TEST_CASE("PLY keeps types and any names; 64-bit integers where 32 bits hold them", "[io][ply]") {
+  const TemporaryFolder folder;
+  FileMesh mesh;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  mesh.triangles.corners = {{0, 1, 2}};
+  using Whole = std::vector<std::int64_t>;
+  using Real = std::vector<double>;
+  mesh.point_data = {{"x", 1, NumberType::float32, Real{1.5, 2, 3}},
+                     {"vertex_indices", 2, NumberType::uint8, Whole{1, 2, 3, 4, 5, 255}},
+                     {"", 1, NumberType::int16, Whole{-1, 2, -32768}},
+                     {"same", 1, NumberType::float64, Real{0.1, 0.2, 0.3}},
+                     {"sa me", 1, NumberType::float64, Real{1, 2, 3}},
+                     {"sa\"me", 1, NumberType::uint16, Whole{1, 2, 65535}}};
+  mesh.triangles.data = {{"region", 1, NumberType::int32, Whole{-5}},
+                         {"entity", 1, NumberType::uint32, Whole{4294967295}}};
+  for (const Encoding encoding : {Encoding::text, Encoding::binary}) {
+    const auto findings = write_file_mesh(folder.path() / "a.ply", mesh, {.encoding = encoding});
+    CHECK(findings.empty());
+    const Result<FileMesh> back = read_file_mesh(folder.path() / "a.ply");
+    INFO(summary(back.findings) << bytes_of(folder.path() / "a.ply"));
+    REQUIRE(back);
+    CHECK(back->point_data == mesh.point_data);
+    CHECK(back->triangles == mesh.triangles);
+  }
+  mesh.point_data = {{"small", 1, NumberType::int64, Whole{-1, 2, 3}},
+                     {"big", 1, NumberType::uint64, Whole{-1, 2, 3'000'000'000}}};
+  mesh.source_point_id = {1, 2, 5'000'000'000};
+  auto lost = lost_on_writing(mesh, {.format = MeshFormat::ply});
+  CHECK(has(lost, "data_lost", 1));
+  CHECK(has(lost, "number_types_lost", 1));
+  CHECK(has(lost, "source_ids_lost", 3));
+  CHECK(lost.size() == 3);
 }

@@ -64,7 +64,7 @@ surface.write("meshio.obj")
 surface.write("meshio.stl", binary=False)
 surface.write("meshio.ply", binary=False)
 surface.write("meshio_binary.ply", binary=True)
-run = lambda *words: subprocess.run(words, check=True, stdout=subprocess.DEVNULL,
+run = lambda *words: subprocess.run(words, check=True, timeout=60, stdout=subprocess.DEVNULL,
                                     stderr=subprocess.DEVNULL)
 run("admesh", "-c", "gmsh.stl", "-a", "admesh.stl")
 run("admesh", "-c", "gmsh.stl", "-b", "admesh_binary.stl")
