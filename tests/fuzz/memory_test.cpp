@@ -276,6 +276,76 @@ std::vector<Hostile> hostile_vtu() {
   };
 }
 
+std::vector<Hostile> hostile_tetgen() {
+  const auto rows = [](std::string_view tail) {
+    return [tail](std::size_t i) { return fmt::format("{} {}\n", i + 1, tail); };
+  };
+  const std::string nodes = fmt::format("{} 3 0 0\n{}", many, repeated(many, rows("0 0 0")));
+  const std::string four = "4 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n";
+  const auto with = [](std::string_view first, std::string_view ending, std::string_view second) {
+    return fmt::format("{}@@@ .{}\n{}", first, ending, second);
+  };
+  return {
+      {"node", "nodes", with(nodes, "ele", "1 4 0\n1 1 2 3 4\n")},
+      {"node", "tetrahedra",
+       with(four, "ele", fmt::format("{} 4 0\n{}", many, repeated(many, rows("1 2 3 4"))))},
+      {"node", "attributes of nodes",
+       with(fmt::format("{} 3 9 1\n{}", many / 4,
+                        repeated(many / 4, rows("0 0 0 1 1 1 1 1 1 1 1 1 1"))),
+            "ele", "1 4 0\n1 1 2 3 4\n")},
+      {"node", "faces",
+       with(with(four, "ele", "1 4 0\n1 1 2 3 4\n"), "face",
+            fmt::format("{} 1\n{}", many, repeated(many, rows("1 2 3 5"))))},
+  };
+}
+
+std::vector<Hostile> hostile_abaqus() {
+  const auto rows = [](std::string_view tail) {
+    return [tail](std::size_t i) { return fmt::format("{}{}\n", i + 1, tail); };
+  };
+  const std::string four = "*NODE\n1,0,0,0\n2,1,0,0\n3,0,1,0\n4,0,0,1\n";
+  const std::string one = "*ELEMENT,TYPE=C3D4\n1,1,2,3,4\n";
+  const auto sets = [](std::string_view text) {
+    return [text](std::size_t i) { return fmt::format("*ELSET,ELSET={}\n{}", i, text); };
+  };
+  return {
+      {"inp", "nodes", "*NODE\n" + repeated(many, rows(",0,0,0")) + one},
+      {"inp", "nodes without coordinates", "*NODE\n" + repeated(many, rows(",")) + one},
+      {"inp", "tetrahedra", four + "*ELEMENT,TYPE=C3D4\n" + repeated(many, rows(",1,2,3,4"))},
+      {"inp", "triangles", four + "*ELEMENT,TYPE=S3\n" + repeated(many, rows(",1,2,3"))},
+      {"inp", "sets of one element", four + one + repeated(many / 4, sets("1\n"))},
+      {"inp", "empty sets", four + one + repeated(many / 4, sets(""))},
+      {"inp", "one set again and again", four + one + repeated(many, "*ELSET,ELSET=a\n1\n")},
+      {"inp", "blocks of no elements", four + repeated(many / 4, "*ELEMENT,TYPE=C3D4\n") + one},
+      {"inp", "blocks of one node",
+       repeated(many / 4, [](std::size_t i) { return fmt::format("*NODE\n{},0,0,0\n", i + 1); }) +
+           one},
+      {"inp", "keywords that nobody knows", four + one + repeated(many, "*A\n")},
+  };
+}
+
+std::vector<Hostile> hostile_surfaces() {
+  const std::string triangle = "facet\nvertex 0 0 0\nvertex 0 0 1\nvertex 0 1 0\nendfacet\n";
+  const std::string off_head = fmt::format("OFF\n3 {} 0\n0 0 0\n0 0 1\n0 1 0\n", many);
+  const std::string stl_raw = std::string(80, 'x') + raw(static_cast<std::uint32_t>(many / 4));
+  return {
+      {"off", "points", fmt::format("OFF\n{} 0 0\n{}", many, repeated(many, "0 0 0\n"))},
+      {"off", "triangles", off_head + repeated(many, "3 0 1 2\n")},
+      {"off", "polygons", off_head + repeated(many, "0\n")},
+      {"stl", "triangles as text", "solid\n" + repeated(many / 8, triangle) + "endsolid\n"},
+      {"stl", "raw triangles", stl_raw + std::string(many / 4 * 50, '\0')},
+      {"stl", "raw triangles of different points",
+       stl_raw + repeated(many / 4,
+                          [](std::size_t i) {
+                            std::string bytes(12, '\0');
+                            for (std::size_t k = 0; k < 9; ++k)
+                              bytes += raw(static_cast<float>(9 * i + k));
+                            return bytes + std::string(2, '\0');
+                          })},
+      {"stl", "solids of nothing", repeated(many / 4, "solid a\nendsolid a\n")},
+  };
+}
+
 void check_all(const std::vector<Hostile>& files) {
   for (const Hostile& file : files) {
     INFO(file.reader << ": " << file.what << ", " << file.bytes.size() << " bytes");
@@ -301,4 +371,16 @@ TEST_CASE("VTK takes at most ten times the file", "[fuzz][memory][vtk]") {
 
 TEST_CASE("VTU takes at most ten times the file", "[fuzz][memory][vtu]") {
   check_all(hostile_vtu());
+}
+
+TEST_CASE("TetGen takes at most ten times the file", "[fuzz][memory][tetgen]") {
+  check_all(hostile_tetgen());
+}
+
+TEST_CASE("Abaqus takes at most ten times the file", "[fuzz][memory][abaqus]") {
+  check_all(hostile_abaqus());
+}
+
+TEST_CASE("Surfaces take at most ten times the file", "[fuzz][memory][surfaces]") {
+  check_all(hostile_surfaces());
 }
