@@ -95,10 +95,12 @@ std::string pairs_text(const Crack& crack) {
 
 void add_crack_options(CLI::App& command, CrackOptions& options) {
   const auto is_plane = [](const std::string& list) {
-    return numbers_of(list, 4) ? "" : "'" + list + "' is not NX,NY,NZ,D: four numbers";
+    return numbers_of(list, 4) ? std::string()
+                               : fmt::format("'{}' is not NX,NY,NZ,D: four numbers", list);
   };
   const auto is_pair = [](const std::string& list) {
-    return std::ranges::count(list, ',') == 1 ? "" : "'" + list + "' is not A,B: two regions";
+    return std::ranges::count(list, ',') == 1 ? std::string()
+                                              : fmt::format("'{}' is not A,B: two regions", list);
   };
   std::vector<CLI::Option*> cracks;
   cracks.push_back(command
