@@ -92,13 +92,13 @@ inline constexpr double contact_tolerance = 1e-6;
 ///
 /// | code | severity | ids |
 /// |---|---|---|
-/// | hanging_vertex: inside a boundary face or edge of a tetrahedron without it | warning | points
-/// | | close_points: boundary points that miss each other by a rounding | warning | points | |
-/// stray_triangle: a face of no tetrahedron | warning | triangles | | contact_unfinished: not all
-/// vertices could be held against all faces | warning | points | | nonmanifold_vertex: in one
-/// piece, but the surface touches itself there | note | points | | coincident_faces: boundary faces
-/// in one place with different points | note | 3 points each | | interface_triangle: a face of two
-/// tetrahedra | note | triangles |
+/// | hanging_vertex: inside a boundary face or edge that does not have it | warning | points |
+/// | close_points: boundary points that miss each other by a rounding | warning | points |
+/// | stray_triangle: a face of no tetrahedron | warning | triangles |
+/// | contact_unfinished: not held against all faces | warning | points |
+/// | nonmanifold_vertex: in one piece, but the surface touches itself there | note | points |
+/// | coincident_faces: boundary faces in one place with different points | note | 3 points each |
+/// | interface_triangle: a face of two tetrahedra | note | triangles |
 ///
 /// A vertex hangs when it is nearer to an edge than `contact_tolerance` times that edge, or to a
 /// face than that times its longest edge, and is not near a corner; points are close nearer than
