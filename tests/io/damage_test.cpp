@@ -10,12 +10,11 @@ using namespace sunder::test;
 
 namespace {
 
-const char* const samples[] = {"gmsh_22.msh",        "gmsh_41.msh",        "gmsh_41_all.msh",
-                               "gmsh_41_binary.msh", "gmsh_22_binary.msh", "gmsh_40.msh",
-                               "gmsh.vtk",           "gmsh.mesh",          "meshio_ascii.vtu",
-                               "meshio_plain.vtu",   "meshio_zlib.vtu",    "gmsh.stl",
-                               "gmsh_binary.stl",    "meshio.off",         "openscad.off",
-                               "meshio.ply",         "meshio_binary.ply",  "assimp_binary.ply"};
+const char* const samples[] = {
+    "gmsh_22.msh",     "gmsh_41.msh", "gmsh_41_all.msh", "gmsh_41_binary.msh", "gmsh_22_binary.msh",
+    "gmsh_40.msh",     "gmsh.vtk",    "gmsh.mesh",       "meshio_ascii.vtu",   "meshio_plain.vtu",
+    "meshio_zlib.vtu", "gmsh.stl",    "gmsh_binary.stl", "meshio.off",         "openscad.off",
+    "meshio.obj",      "assimp.obj",  "meshio.ply",      "meshio_binary.ply",  "assimp_binary.ply"};
 
 /// The same of surfaces, which are no bodies: the mesh with all that its file holds.
 void check_surface(const std::string& bytes) {

@@ -47,6 +47,13 @@ end_header
 3 0 1 2
 )";
 
+const std::string good_obj = R"(o part
+v 0 0 0
+v 1 0 0
+v 0 1 0
+f 1 2 3
+)";
+
 /// `text` with the first `from` made `to`.
 std::string changed(std::string text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
@@ -91,7 +98,7 @@ std::string binary_stl() {
 }  // namespace
 
 TEST_CASE("the good surfaces that the defects start from are read", "[io][defects]") {
-  for (const std::string& good : {good_off, good_stl, good_ply, binary_stl()}) {
+  for (const std::string& good : {good_off, good_stl, good_ply, good_obj, binary_stl()}) {
     const Result<FileMesh> mesh = read_file_mesh(good, "good");
     INFO(summary(mesh.findings));
     CHECK(mesh);
@@ -176,5 +183,23 @@ TEST_CASE("defects of PLY", "[io][defects][ply]") {
       {"binary, a list of a thousand million",
        lists + std::string("\0\xca\x9a\x3b\0\0\0\0\0\0\0\0", 12), "count_too_big", 0, "1000000000"},
       {"binary, cut", binary + std::string(38, '\0'), "count_too_big", 0, "3 rows"},
+  });
+}
+
+TEST_CASE("defects of OBJ", "[io][defects][obj]") {
+  std::string groups = "v 0 0 0\n";
+  for (int i = 0; i < 3000; ++i) groups += "g n" + std::to_string(i) + "\np 1\n";
+  check_defects({
+      {"two coordinates", changed(good_obj, "v 1 0 0", "v 1 0"), "bad_number", 3, "fewer"},
+      {"a letter for a digit", changed(good_obj, "v 1 0 0", "v 1 O 0"), "bad_number", 3, "'O'"},
+      {"infinite", changed(good_obj, "v 1 0 0", "v 1 inf 0"), "nan_coordinate", 3, "inf"},
+      {"a point that is not there", changed(good_obj, "f 1 2 3", "f 1 2 4"), "index_out_of_range",
+       5, "4"},
+      {"point 0", changed(good_obj, "f 1 2 3", "f 0 1 2"), "index_out_of_range", 5, "point 0"},
+      {"too far back", changed(good_obj, "f 1 2 3", "f -4 -2 -1"), "index_out_of_range", 5, "-4"},
+      {"no number", changed(good_obj, "f 1 2 3", "f 1 /2 3"), "bad_number", 5, "'/2'"},
+      {"a huge number", changed(good_obj, "f 1 2 3", "f 1 2 99999999999999999999"),
+       "number_out_of_range", 5, "99999999999999999999"},
+      {"more groups than bodies can have", groups, "count_too_big", 2547, "groups"},
   });
 }

@@ -77,7 +77,8 @@ FileMesh held(FileMesh mesh, const Variant& variant) {
   const bool is_msh_1 = t.format == MeshFormat::msh && version == "1";
   for_each_cell_list(mesh, [&](auto& cells, int d) {
     if (!t.holds_cells[static_cast<std::size_t>(d)]) cells = {};
-    if (!t.holds_regions) cells.region.clear();
+    const bool is_binary_stl = t.format == MeshFormat::stl && variant.encoding == Encoding::binary;
+    if (!t.holds_regions || is_binary_stl) cells.region.clear();
     if (!t.holds_entities) cells.entity.clear();
     if (!t.holds_cell_ids || d < t.cell_ids_from) cells.source_id.clear();
     if (!t.holds_cell_data || d < t.cell_data_from || is_msh_1) cells.data.clear();

@@ -11,6 +11,7 @@
 #include "topology/io/abaqus.hpp"
 #include "topology/io/medit.hpp"
 #include "topology/io/msh.hpp"
+#include "topology/io/obj.hpp"
 #include "topology/io/off.hpp"
 #include "topology/io/output_file.hpp"
 #include "topology/io/ply.hpp"
@@ -33,6 +34,7 @@ constexpr std::string_view abaqus_names[] = {".inp"};
 constexpr std::string_view vtk_versions[] = {"4.2", "5.1"};
 constexpr std::string_view off_names[] = {".off"};
 constexpr std::string_view ply_names[] = {".ply"};
+constexpr std::string_view obj_names[] = {".obj"};
 constexpr std::string_view stl_names[] = {".stl"};
 constexpr Encoding text_only[] = {Encoding::text};
 constexpr Encoding text_first[] = {Encoding::text, Encoding::binary};
@@ -118,12 +120,18 @@ constexpr FormatTraits traits[] = {
      .encodings = text_only,
      .holds_cells = {false, false, true, false},
      .holds_regions = false},
+    {.format = MeshFormat::obj,
+     .name = "OBJ",
+     .extensions = obj_names,
+     .encodings = text_only,
+     .holds_cells = {true, true, true, false},
+     .regions_are_words = true},
     {.format = MeshFormat::stl,
      .name = "STL",
      .extensions = stl_names,
      .encodings = binary_first,
      .holds_cells = {false, false, true, false},
-     .holds_regions = false},
+     .regions_are_words = true},
 };
 
 using io::FileEncoding;
@@ -174,6 +182,10 @@ constexpr io::FormatCode codes[] = {
     {&io::is_off, [](const FileSource& source) { return io::read_off(source.text); },
      [](const Path& path, const FileMesh& mesh, const FileEncoding&) {
        return write_file(path, io::write_off(mesh));
+     }},
+    {&io::is_obj, [](const FileSource& source) { return io::read_obj(source.text); },
+     [](const Path& path, const FileMesh& mesh, const FileEncoding&) {
+       return write_file(path, io::write_obj(mesh));
      }},
     {&io::is_stl, [](const FileSource& source) { return io::read_stl(source.text); }, &write_stl},
 };

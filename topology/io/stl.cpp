@@ -10,6 +10,7 @@
 #include <cstring>
 #include <limits>
 
+#include "topology/io/named_regions.hpp"
 #include "topology/io/number_sink.hpp"
 #include "topology/io/number_source.hpp"
 
@@ -68,6 +69,9 @@ std::vector<std::uint32_t> first_of_place(const std::vector<Point>& corners) {
 struct Facets {
   std::vector<Point> corners;
   std::vector<std::size_t> at;
+  /// Of each facet, in text: the place of its solid's name among the words, -1 for none.
+  std::vector<std::int32_t> solid;
+  WordList words;
 };
 
 /// Points and triangles of the facets.
@@ -89,6 +93,8 @@ void take_facets(Draft& draft, Facets&& facets) {
     for (std::size_t k = 0; k < 3; ++k) cell.numbers[k] = cell.rows[k] = point_of[i + k];
     add_cell(draft, 2, cell);
   }
+  draft.mesh.triangles.region = std::move(facets.solid);
+  number_regions(draft.mesh.triangles.region, facets.words, draft.mesh.region_name[2]);
 }
 
 void expect(Scanner& s, std::string_view word) {
@@ -125,11 +131,14 @@ void read_text_facet(Scanner& s, Facets& facets) {
 void read_text(Draft& draft) {
   Scanner s{draft.text};
   Facets facets;
-  // A facet's words alone take 60 bytes, its points and places here 92.
   while (!peek_word(s).empty()) {
     expect(s, "solid");
-    rest_of_line(s);
+    const std::string_view name = rest_of_line(s);
+    const std::size_t first = facets.at.size();
     while (!is_word(peek_word(s), "endsolid")) read_text_facet(s, facets);
+    if (facets.at.size() > first) {
+      facets.solid.resize(facets.at.size(), name.empty() ? -1 : place_of_word(facets.words, name));
+    }
     next_word(s);
     rest_of_line(s);
   }
@@ -229,9 +238,19 @@ std::string write_stl(const FileMesh& mesh, bool is_binary) {
     put_little(out, static_cast<std::uint32_t>(triangles.size()));
   } else {
     out.bytes.reserve(32 + 256 * triangles.size());
-    put_text(out, "solid\n");
+    if (triangles.empty()) put_text(out, "solid\nendsolid\n");
   }
-  for (const auto& t : triangles) {
+  const RegionNames words = region_words(mesh.region_name);
+  const std::vector<std::int32_t>& label = label_of(mesh.triangles);
+  std::string name;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const auto& t = triangles[i];
+    const bool is_first = i == 0 || (!label.empty() && label[i] != label[i - 1]);
+    if (!is_binary && is_first) {
+      if (i > 0) put_text(out, "endsolid" + name + "\n");
+      if (!label.empty()) name = " " + word_of_region(words, 2, label[i]);
+      put_text(out, "solid" + name + "\n");
+    }
     const std::array<Point, 3> corners = {mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]};
     const auto normal = unit_normal(corners[0], corners[1], corners[2]);
     if (!is_binary) {
@@ -244,7 +263,7 @@ std::string write_stl(const FileMesh& mesh, bool is_binary) {
     }
     put_little(out, std::uint16_t{0});
   }
-  if (!is_binary) put_text(out, "endsolid\n");
+  if (!is_binary && !triangles.empty()) put_text(out, "endsolid" + name + "\n");
   return std::move(out.bytes);
 }
 

@@ -16,11 +16,12 @@ bool is_stl(std::string_view text);
 
 /// Reads STL, text or binary. Points with the same coordinates (-0 is 0) are one, in the order in
 /// which they come first. Normals are not looked at, nor are the attribute bytes of binary files.
-/// Throws ReadFailure.
+/// A solid's name (of text) is the region of its facets. Throws ReadFailure.
 Draft read_stl(std::string_view text);
 
 /// The bytes of an STL file with the triangles; normals are computed, that of a degenerate triangle
-/// is 0 0 0. Binary files have floats. Needs: stl_refused says nothing.
+/// is 0 0 0. Text has a solid for each run of triangles of one region. Binary files have floats and no
+/// regions. Needs: stl_refused says nothing.
 std::string write_stl(const FileMesh& mesh, bool is_binary);
 
 /// What happens to the points of `mesh` in an STL file.

@@ -23,7 +23,8 @@ constexpr std::string_view cell_names[] = {"vertices", "edges", "triangles", "te
 
 /// Collects what is lost, each kind once.
 struct Losses {
-  const FormatTraits& to;
+  /// As far as the encoding holds it.
+  FormatTraits to;
   std::vector<Finding> findings;
 };
 
@@ -264,6 +265,11 @@ std::vector<Finding> losses_of(const FileMesh& mesh, const std::optional<Boundar
   const FormatTraits& t = traits_of(options.format.value());
   Losses losses{t, {}};
   const std::string version = version_of(t, options);
+  const bool is_binary = options.encoding.value_or(t.encodings[0]) == Encoding::binary;
+  if (t.format == MeshFormat::stl && is_binary) {
+    losses.to.name = "binary STL";
+    losses.to.holds_regions = false;
+  }
   if (surface) {
     lose_inside(losses, mesh, *surface);
   } else {
@@ -276,8 +282,7 @@ std::vector<Finding> losses_of(const FileMesh& mesh, const std::optional<Boundar
   lose_data(losses, written, version);
   if (t.format == MeshFormat::msh) lose_in_msh(losses, mesh, version);
   if (t.format == MeshFormat::stl) {
-    const Encoding encoding = options.encoding.value_or(t.encodings[0]);
-    lose_in_stl(losses, written, encoding == Encoding::binary);
+    lose_in_stl(losses, written, is_binary);
   }
   return std::move(losses.findings);
 }
