@@ -14,6 +14,7 @@
 #include "topology/io/obj.hpp"
 #include "topology/io/off.hpp"
 #include "topology/io/output_file.hpp"
+#include "topology/io/ovm.hpp"
 #include "topology/io/ply.hpp"
 #include "topology/io/scan.hpp"
 #include "topology/io/stl.hpp"
@@ -31,6 +32,7 @@ constexpr std::string_view vtu_names[] = {".vtu"};
 constexpr std::string_view vtk_names[] = {".vtk"};
 constexpr std::string_view tetgen_names[] = {".node", ".ele", ".face", ".edge"};
 constexpr std::string_view abaqus_names[] = {".inp"};
+constexpr std::string_view ovm_names[] = {".ovm"};
 constexpr std::string_view vtk_versions[] = {"4.2", "5.1"};
 constexpr std::string_view off_names[] = {".off"};
 constexpr std::string_view ply_names[] = {".ply"};
@@ -102,6 +104,17 @@ constexpr FormatTraits traits[] = {
      .holds_point_ids = true,
      .holds_cell_ids = true,
      .cell_ids_from = 1},
+    {.format = MeshFormat::ovm,
+     .name = "OpenVolumeMesh",
+     .extensions = ovm_names,
+     .encodings = text_only,
+     .holds_cells = {false, true, true, true},
+     .holds_entities = true,
+     .holds_point_regions = true,
+     .holds_point_ids = true,
+     .holds_cell_ids = true,
+     .holds_point_data = true,
+     .holds_cell_data = true},
     {.format = MeshFormat::ply,
      .name = "PLY",
      .extensions = ply_names,
@@ -174,6 +187,10 @@ constexpr io::FormatCode codes[] = {
     {&io::is_abaqus, &io::read_abaqus,
      [](const Path& path, const FileMesh& mesh, const FileEncoding&) {
        return write_file(path, io::write_abaqus(mesh));
+     }},
+    {&io::is_ovm, [](const FileSource& source) { return io::read_ovm(source.text); },
+     [](const Path& path, const FileMesh& mesh, const FileEncoding&) {
+       return write_file(path, io::write_ovm(mesh));
      }},
     {&io::is_ply, [](const FileSource& source) { return io::read_ply(source.text); },
      [](const Path& path, const FileMesh& mesh, const FileEncoding& how) {

@@ -29,6 +29,7 @@ using namespace std::string_view_literals;
 constexpr Stranger strangers[] = {
     {"\x89HDF"sv, "an HDF5 file", "convert it: meshio convert FILE NEW.vtu"},
     {"CDF\x01"sv, "a NetCDF (Exodus) file", "convert it: meshio convert FILE NEW.vtu"},
+    {"OVMB"sv, "a binary OpenVolumeMesh file", "write it as text, with the ending .ovm"},
     {"PK\x03\x04"sv, "a zip archive", "unpack it first"},
 };
 
@@ -41,16 +42,15 @@ Finding unknown_content(std::string_view bytes, const std::filesystem::path& nam
   }
   for (const Stranger& s : strangers) {
     if (bytes.substr(0, s.magic.size()) != s.magic) continue;
-    return {
-        .code = "unknown_format",
-        .text = fmt::format("this is {}: MSH, MEDIT, VTU, VTK, Abaqus and TetGen are read", s.name),
-        .remedy = std::string(s.remedy)};
+    return {.code = "unknown_format",
+            .text = fmt::format("this is {}, which is not read", s.name),
+            .remedy = std::string(s.remedy)};
   }
   return {.code = "unknown_format",
-          .text = fmt::format(
-              "the file begins with {}: MSH begins with $MeshFormat, MEDIT with "
-              "MeshVersionFormatted, VTU with <VTKFile, VTK with # vtk DataFile, Abaqus with *",
-              io::in_quotes(bytes.substr(0, 24))),
+          .text = fmt::format("the file begins with {}: MSH begins with $MeshFormat, MEDIT with "
+                              "MeshVersionFormatted, VTU with <VTKFile, VTK with # vtk DataFile, "
+                              "Abaqus with *, OpenVolumeMesh with OVM",
+                              io::in_quotes(bytes.substr(0, 24))),
           .remedy = "give a tetrahedral mesh in one of these formats"};
 }
 

@@ -16,7 +16,7 @@
 
 namespace sunder {
 
-enum class MeshFormat { msh, medit, vtu, vtk, tetgen, abaqus, ply, off, obj, stl };
+enum class MeshFormat { msh, medit, vtu, vtk, tetgen, abaqus, ovm, ply, off, obj, stl };
 
 /// How numbers stand in a file: as digits, as raw bytes, or as bytes written in base64.
 enum class Encoding { text, binary, base64 };

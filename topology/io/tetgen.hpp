@@ -36,6 +36,9 @@ std::optional<Finding> write_tetgen(const std::filesystem::path& path, const Fil
 /// `escape_first` writes the first byte so in any case.
 std::string escaped_name(std::string_view name, bool escape_first);
 
+/// The name that `escaped_name` made the text of.
+std::string unescaped_name(std::string_view text);
+
 /// Names of an .ele file's first attribute by which it is the region of the tetrahedra.
 bool is_tetgen_region(std::string_view name);
 

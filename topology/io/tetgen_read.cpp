@@ -37,22 +37,6 @@ struct Table {
   std::vector<ColumnName> names;
 };
 
-std::string unescaped_name(std::string_view raw) {
-  std::string name;
-  for (std::size_t i = 0; i < raw.size(); ++i) {
-    unsigned char byte = 0;
-    const char* const digits = raw.data() + i + 1;
-    if (raw[i] == '%' && i + 2 < raw.size() &&
-        std::from_chars(digits, digits + 2, byte, 16).ptr == digits + 2) {
-      name += static_cast<char>(byte);
-      i += 2;
-    } else {
-      name += raw[i];
-    }
-  }
-  return name;
-}
-
 std::string_view trimmed(std::string_view text) {
   Scanner s{text};
   return rest_of_line(s);
@@ -395,6 +379,22 @@ bool read_part(TetgenReader& r, const FileSource& source, const std::string& nam
 }
 
 }  // namespace
+
+std::string unescaped_name(std::string_view raw) {
+  std::string name;
+  for (std::size_t i = 0; i < raw.size(); ++i) {
+    unsigned char byte = 0;
+    const char* const digits = raw.data() + i + 1;
+    if (raw[i] == '%' && i + 2 < raw.size() &&
+        std::from_chars(digits, digits + 2, byte, 16).ptr == digits + 2) {
+      name += static_cast<char>(byte);
+      i += 2;
+    } else {
+      name += raw[i];
+    }
+  }
+  return name;
+}
 
 bool is_tetgen(std::string_view) { return false; }
 

@@ -126,7 +126,8 @@ std::string escaped_name(std::string_view name, bool escape_first) {
   std::string out;
   for (const char c : name) {
     const auto byte = static_cast<unsigned char>(c);
-    const bool is_odd = byte <= 0x20 || byte == 0x7f || c == '%' || c == ',' || c == '*';
+    const bool is_odd =
+        byte <= 0x20 || byte == 0x7f || c == '%' || c == ',' || c == '*' || c == '"';
     if (is_odd || (escape_first && out.empty())) {
       out += fmt::format("%{:02X}", byte);
     } else {
