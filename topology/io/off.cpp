@@ -145,7 +145,7 @@ void note_skipped(OffReader& r) {
                                 .remedy = "nothing to do: shape is read, not looks",
                                 .line = r.draft.text.empty() ? 0 : line_of(r.draft.text, at)});
   };
-  if (r.header.has_more()) {
+  if (r.header.has_more() && !r.draft.mesh.points.empty()) {
     note("normals, colours or texture coordinates of points are left out",
          r.draft.mesh.points.size(), 0);
   }
