@@ -226,9 +226,22 @@ void check_end(Draft& draft, NumberSource& in, std::string_view row) {
         .remedy = "correct the counts, or take away what stands behind"});
 }
 
+namespace {
+
+/// Columns without a row say nothing, and not every format can say it.
+void drop_columns_of_nothing(FileMesh& mesh) {
+  if (mesh.points.empty()) mesh.point_data.clear();
+  for_each_cell_list(mesh, [](auto& cells, int) {
+    if (cells.corners.empty()) cells.data.clear();
+  });
+}
+
+}  // namespace
+
 Result<FileMesh> finish(Draft&& draft, bool tetrahedra_only) {
   judge_other_cells(draft, tetrahedra_only);
   drop_usual_numbers(draft.mesh);
+  drop_columns_of_nothing(draft.mesh);
   Result<FileMesh> result;
   result.findings = std::move(draft.findings);
   std::stable_sort(result.findings.begin(), result.findings.end(),
