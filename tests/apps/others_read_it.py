@@ -70,7 +70,8 @@ with tempfile.TemporaryDirectory() as folder:
     original = pathlib.Path(sys.argv[3]) / "gmsh_41.msh"
     targets = [("mesh.vtu", []), ("text.vtu", ["--text"]), ("base64.vtu", ["--base64"]),
                ("raw_zlib.vtu", ["--zlib"]), ("base64_zlib.vtu", ["--base64", "--zlib"]),
-               ("medit.mesh", []), ("medit.meshb", [])]
+               ("medit.mesh", []), ("medit.meshb", []), ("tetgen.node", []),
+               ("abaqus.inp", [])]
     for version in ("4.2", "5.1"):
         targets += [(f"text{version}.vtk", ["--text", "--format-version", version]),
                     (f"binary{version}.vtk", ["--format-version", version])]
@@ -89,7 +90,8 @@ with tempfile.TemporaryDirectory() as folder:
             assert len(mesh.points) == 23, (name, len(mesh.points))
             tetrahedra = sum(len(b.data) for b in mesh.cells if b.type == "tetra")
             assert tetrahedra == 48, (name, tetrahedra)
-        if gmsh and not name.endswith((".vtu", ".vtk", ".meshb", "binary4.0.msh")):  # text of 4.0 only
+        if gmsh and not name.endswith((".vtu", ".vtk", ".meshb", ".node", ".inp",
+                                          "binary4.0.msh")):  # text of 4.0 only
             again = pathlib.Path(folder) / "again.msh"
             result = subprocess.run([gmsh, out, "-save", "-format", "msh41", "-o", again],
                                     check=True, text=True, capture_output=True)
@@ -101,3 +103,37 @@ with tempfile.TemporaryDirectory() as folder:
         if vtk and out.suffix in (".vtu", ".vtk"):
             assert read_by_vtk(out) == (23, 52, {3, 7, 9}), (name, read_by_vtk(out))
         print(f"others read {name}")
+
+    tetgen, ccx = shutil.which("tetgen"), shutil.which("ccx")
+    if tetgen:
+        # Its copy of the mesh, with the same regions, is named *.1.
+        subprocess.run([tetgen, "-rQ", pathlib.Path(folder) / "tetgen.node"], check=True, timeout=50,
+                       stdout=subprocess.DEVNULL)
+        rows = (pathlib.Path(folder) / "tetgen.1.ele").read_text().splitlines()
+        assert rows[0].split() == ["48", "4", "1"], rows[0]
+        assert {row.split()[5] for row in rows[1:49]} == {"3", "7"}
+        print("tetgen reads tetgen.node")
+    if ccx:
+        # A job that includes the mesh and names its sets.
+        (pathlib.Path(folder) / "job.inp").write_text("""*INCLUDE, INPUT=abaqus.inp
+*MATERIAL, NAME=steel
+*ELASTIC
+2e11, 0.3
+*SOLID SECTION, ELSET=core, MATERIAL=steel
+*SOLID SECTION, ELSET=shell, MATERIAL=steel
+*SHELL SECTION, ELSET=all_around, MATERIAL=steel
+0.01
+*BOUNDARY
+1, 1, 3
+2, 1, 3
+3, 1, 3
+*STEP
+*STATIC
+*CLOAD
+5, 1, 1.0
+*END STEP
+""")
+        result = subprocess.run([ccx, "job"], cwd=folder, timeout=50, text=True, capture_output=True)
+        assert "*ERROR" not in result.stdout, result.stdout
+        assert "Job finished" in result.stdout, result.stdout
+        print("ccx computes with abaqus.inp")
