@@ -341,6 +341,12 @@ Draft read_obj(std::string_view text) {
   ObjReader r{.s = {text}, .draft = {.text = text}};
   survey(r);
   read_points(r);
+  if (r.draft.mesh.points.empty()) {
+    fail(text, text.size(),
+         {.code = "missing_section",
+          .text = "the file ends without a point (v x y z)",
+          .remedy = "the file was cut short, or holds no mesh: write it again"});
+  }
   read_cells(r);
   FileMesh& mesh = r.draft.mesh;
   for_each_cell_list(mesh, [&](auto& cells, int d) {
