@@ -72,7 +72,8 @@ std::optional<MeshFormat> format_called(const std::string& word) {
 
 /// What was left out on reading is as lost as what cannot be written.
 bool is_loss(const Finding& finding) {
-  return finding.severity == Severity::warning || finding.code == "skipped_cells";
+  return finding.severity == Severity::warning || finding.code == "skipped_cells" ||
+         finding.code == "skipped_data";
 }
 
 Conversion convert(const Arguments& arguments) {

@@ -49,7 +49,8 @@ Finding unknown_content(std::string_view bytes, const std::filesystem::path& nam
   return {.code = "unknown_format",
           .text = fmt::format("the file begins with {}: MSH begins with $MeshFormat, MEDIT with "
                               "MeshVersionFormatted, VTU with <VTKFile, VTK with # vtk DataFile, "
-                              "Abaqus with *, OpenVolumeMesh with OVM",
+                              "Abaqus with *, OpenVolumeMesh with OVM, PLY with ply, OFF with OFF, "
+                              "STL with solid, OBJ with v",
                               io::in_quotes(bytes.substr(0, 24))),
           .remedy = "give a tetrahedral mesh in one of these formats"};
 }

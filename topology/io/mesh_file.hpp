@@ -80,9 +80,10 @@ struct ReadOptions {
 
 /// All that a mesh file holds; its content decides the format. Packed files (gzip) are unpacked.
 /// Formats: Gmsh MSH 1, 2.x, 4.0, 4.1 (text and binary), MEDIT (text and binary), VTU (text,
-/// base64, raw; plain or zlib; both byte orders), legacy VTK 1.0 to 5.1 (text and binary), PLY (text
-/// and binary of either order), OFF and
-/// STL (text and binary; triangles, no tetrahedra). Names of
+/// base64, raw; plain or zlib; both byte orders), legacy VTK 1.0 to 5.1 (text and binary), TetGen,
+/// Abaqus; of surfaces, which have triangles and no tetrahedra, PLY (text, binary of both orders),
+/// OFF (text and binary), OBJ, STL (text and binary): what else stands in these is left out with a
+/// note (skipped_data). Files of numbers alone are known by their names. Names of
 /// regions that the format cannot hold are taken from `NAME.regions` beside it, if that is there
 /// (see write_file_mesh). Leaves in the value: every tetrahedron with four different rows below the
 /// number of points, finite coordinates, columns as long as what they belong to. Orientation,
