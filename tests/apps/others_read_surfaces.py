@@ -37,7 +37,8 @@ with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder) / name
         output_of(sunder, "convert", body, out, *options)
         readers = []
-        if meshio:
+        # meshio stumbles over properties of faces in binary PLY.
+        if meshio and name != "binary.ply":
             mesh = meshio.read(out)
             found = sum(len(b.data) for b in mesh.cells if b.type == "triangle")
             assert (found, len(mesh.points)) == (triangles, points), (name, found, len(mesh.points))
