@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <unordered_map>
 #include <variant>
 
 #include "topology/io/number_sink.hpp"
@@ -16,45 +15,83 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-struct TriangleHash {
-  std::size_t operator()(const Triangle& t) const {
-    std::uint64_t hash = 0;
-    for (const std::uint32_t x : t) hash = (hash ^ x) * 0x9e3779b97f4a7c15u;
-    return static_cast<std::size_t>(hash ^ (hash >> 29));
-  }
+/// Rows by their points in ascending order. Of rows on the same points the first is found.
+template <std::size_t Points>
+struct RowTable {
+  using Key = std::array<std::uint32_t, Points>;
+  static constexpr std::uint32_t none = 0xffffffffU;
+
+  std::vector<Key> keys;
+  /// Rows, each at the place that its key's hash says or behind it; a power of two, half empty.
+  std::vector<std::uint32_t> slots = std::vector<std::uint32_t>(16, none);
 };
+
+template <std::size_t Points>
+std::uint32_t& slot_of(RowTable<Points>& table, const std::array<std::uint32_t, Points>& key) {
+  std::uint64_t hash = 0;
+  for (const std::uint32_t point : key) hash = (hash ^ point) * 0x9e3779b97f4a7c15u;
+  // First near the other rows of the lowest point, which are asked for at about the same time;
+  // where that is taken, anywhere.
+  const std::size_t near = std::size_t{key[0]} * 16 + (hash >> 60);
+  std::size_t at = hash >> 32;
+  for (bool is_first = true;; is_first = false) {
+    std::uint32_t& row = table.slots[(is_first ? near : at++) & (table.slots.size() - 1)];
+    if (row == table.none || table.keys[row] == key) return row;
+  }
+}
+
+/// The row on these points, in any order; a new one behind all others if there is none yet.
+template <std::size_t Points>
+std::uint32_t row_of(RowTable<Points>& table, std::array<std::uint32_t, Points> points) {
+  std::ranges::sort(points);
+  if (2 * table.keys.size() >= table.slots.size()) {
+    table.slots.assign(4 * table.slots.size(), table.none);
+    for (std::size_t i = 0; i < table.keys.size(); ++i) {
+      std::uint32_t& row = slot_of(table, table.keys[i]);
+      row = std::min(row, static_cast<std::uint32_t>(i));
+    }
+  }
+  std::uint32_t& row = slot_of(table, points);
+  if (row == table.none) {
+    row = static_cast<std::uint32_t>(table.keys.size());
+    table.keys.push_back(points);
+  }
+  return row;
+}
+
+/// A row of its own, even where there is one on these points.
+template <std::size_t Points>
+void add_row(RowTable<Points>& table, const std::array<std::uint32_t, Points>& points) {
+  const std::size_t rows = table.keys.size();
+  if (row_of(table, points) == rows) return;
+  table.keys.push_back(points);
+  std::ranges::sort(table.keys.back());
+}
 
 /// Edges and faces of the file: the mesh's own first.
 struct Skeleton {
   std::vector<std::array<std::uint32_t, 2>> edges;
   std::vector<Triangle> faces;
-  std::unordered_map<std::uint64_t, std::uint32_t> edge_of;
-  std::unordered_map<Triangle, std::uint32_t, TriangleHash> face_of;
+  RowTable<2> edge_rows;
+  RowTable<3> face_rows;
   std::vector<std::array<std::uint32_t, 4>> half_faces;
   /// By how many places the first three corners of each tetrahedron are turned.
   std::vector<std::int32_t> turn;
 };
 
-std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) {
-  return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
-}
-
 std::uint32_t half_edge(Skeleton& s, std::uint32_t from, std::uint32_t to) {
-  const auto [found, is_new] =
-      s.edge_of.emplace(edge_key(from, to), static_cast<std::uint32_t>(s.edges.size()));
-  if (is_new) s.edges.push_back({from, to});
-  return 2 * found->second + (s.edges[found->second][0] == from ? 0 : 1);
+  const std::uint32_t row = row_of(s.edge_rows, {from, to});
+  if (row == s.edges.size()) s.edges.push_back({from, to});
+  return 2 * row + (s.edges[row][0] == from ? 0 : 1);
 }
 
 /// The half-face with these corners in this cyclic order.
 std::uint32_t half_face(Skeleton& s, const Triangle& corners) {
-  Triangle key = corners;
-  std::ranges::sort(key);
-  const auto [found, is_new] = s.face_of.emplace(key, static_cast<std::uint32_t>(s.faces.size()));
-  if (is_new) s.faces.push_back(corners);
-  const Triangle& face = s.faces[found->second];
+  const std::uint32_t row = row_of(s.face_rows, corners);
+  if (row == s.faces.size()) s.faces.push_back(corners);
+  const Triangle& face = s.faces[row];
   const auto at = std::ranges::find(face, corners[0]) - face.begin();
-  return 2 * found->second + (face[static_cast<std::size_t>(at + 1) % 3] == corners[1] ? 0 : 1);
+  return 2 * row + (face[static_cast<std::size_t>(at + 1) % 3] == corners[1] ? 0 : 1);
 }
 
 /// How far the corners are turned against those that a reader finds for the half-face.
@@ -67,16 +104,10 @@ std::int32_t turn_of(const Skeleton& s, std::uint32_t half_face, const Triangle&
 Skeleton skeleton_of(const FileMesh& mesh) {
   Skeleton s;
   s.edges = mesh.edges.corners;
-  for (std::size_t i = 0; i < s.edges.size(); ++i) {
-    s.edge_of.emplace(edge_key(s.edges[i][0], s.edges[i][1]), static_cast<std::uint32_t>(i));
-  }
+  for (const auto& edge : s.edges) add_row(s.edge_rows, edge);
   s.faces = mesh.triangles.corners;
-  s.face_of.reserve(s.faces.size() + 2 * mesh.tetrahedra.corners.size());
-  for (std::size_t i = 0; i < s.faces.size(); ++i) {
-    Triangle key = s.faces[i];
-    std::ranges::sort(key);
-    s.face_of.emplace(key, static_cast<std::uint32_t>(i));
-  }
+  for (const Triangle& face : s.faces) add_row(s.face_rows, face);
+  s.half_faces.reserve(mesh.tetrahedra.corners.size());
   for (const auto& [a, b, c, d] : mesh.tetrahedra.corners) {
     s.half_faces.push_back({half_face(s, {a, b, c}), half_face(s, {a, c, d}),
                             half_face(s, {a, d, b}), half_face(s, {b, d, c})});
@@ -107,7 +138,6 @@ void put_skeleton(NumberSink& out, const FileMesh& mesh, Skeleton& s) {
   for (const Point& p : mesh.points) put_row(out, p);
   std::vector<Triangle> half_edges;
   half_edges.reserve(s.faces.size());
-  s.edge_of.reserve(s.edges.size() + s.faces.size());
   for (const auto& [a, b, c] : s.faces) {
     half_edges.push_back({half_edge(s, a, b), half_edge(s, b, c), half_edge(s, c, a)});
   }
