@@ -123,7 +123,14 @@ std::vector<Finding> measure(Row& row, const FileMesh& mesh, const Settings& set
     write_us.push_back(written - begin);
     read_us.push_back(read - written);
   }
-  row.bytes = std::filesystem::file_size(path);
+  // A mesh may be several files: TetGen's have one stem.
+  row.bytes = 0;
+  for (const std::string_view extension : row.format->extensions) {
+    std::filesystem::path file = path;
+    std::error_code is_absent;
+    const auto bytes = std::filesystem::file_size(file.replace_extension(extension), is_absent);
+    if (!is_absent) row.bytes += bytes;
+  }
   row.write_ms = median(write_us) / 1000;
   row.read_ms = median(read_us) / 1000;
   return {};

@@ -201,3 +201,17 @@ TEST_CASE("from any format to any other, what both hold comes back in every bit"
     }
   }
 }
+
+TEST_CASE("names of an earlier mesh do not come back with a new one", "[io][round_trip]") {
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "mesh.vtu";
+  FileMesh mesh = file_mesh_of(two_tetrahedra());
+  mesh.region_name[3] = {{2, "core"}};
+  CHECK_FALSE(has_error(write_file_mesh(path, mesh)));
+  CHECK(read_file_mesh(path)->region_name == mesh.region_name);
+  mesh.region_name = {};
+  const std::vector<Finding> findings = write_file_mesh(path, mesh);
+  REQUIRE(findings.size() == 1);
+  CHECK(findings[0].code == "names_cleared");
+  CHECK(read_file_mesh(path)->region_name == mesh.region_name);
+}

@@ -287,6 +287,35 @@ std::vector<Finding> losses_of(const FileMesh& mesh, const std::optional<Boundar
   return std::move(losses.findings);
 }
 
+/// Writes names that the format does not hold beside the file, and empties the list of an earlier
+/// mesh there, which would be read with the new one. A note tells so; an error where it fails.
+std::optional<Finding> write_names_beside(const std::filesystem::path& path, const FileMesh& mesh,
+                                          const FormatTraits& t, std::string_view version) {
+  const std::filesystem::path beside = io::names_beside(path, t.format);
+  std::error_code unknown;
+  const std::size_t names = name_count(mesh);
+  const bool is_stale = names == 0 && std::filesystem::is_regular_file(beside, unknown);
+  if (!is_stale && (names == 0 || holds_names(t, version))) return std::nullopt;
+  if (auto error = io::write_region_names(beside, mesh)) return error;
+  if (is_stale) {
+    return Finding{.code = "names_cleared",
+                   .severity = Severity::note,
+                   .text = fmt::format("the mesh has no names of regions: those of an earlier one "
+                                       "are taken out of {}",
+                                       beside.string()),
+                   .remedy = "nothing to do: they would have been read with it"};
+  }
+  return Finding{
+      .code = "names_beside",
+      .severity = Severity::note,
+      .count = names,
+      .text = fmt::format("{} {} in {}", t.name,
+                          t.regions_are_words ? "has words for regions: their numbers and names are"
+                                              : "holds no names of regions: they are",
+                          beside.string()),
+      .remedy = "keep that file beside the mesh: it is read with it"};
+}
+
 }  // namespace
 
 std::vector<Finding> lost_on_writing(const FileMesh& mesh, const WriteOptions& options) {
@@ -327,22 +356,9 @@ std::vector<Finding> write_file_mesh(const std::filesystem::path& path, const Fi
     findings = losses_of(mesh, surface, chosen);
     auto failure = io::code_of(t.format).write(path, written, how);
     if (failure) findings.insert(findings.begin(), std::move(*failure));
-    if (!failure && name_count(written) > 0 && !holds_names(t, version)) {
-      const std::filesystem::path beside = io::names_beside(path, t.format);
-      if (auto error = io::write_region_names(beside, written)) {
-        findings.insert(findings.begin(), std::move(*error));
-      } else {
-        findings.push_back(
-            {.code = "names_beside",
-             .severity = Severity::note,
-             .count = name_count(written),
-             .text = fmt::format("{} {} in {}", t.name,
-                                 t.regions_are_words
-                                     ? "has words for regions: their numbers and names are"
-                                     : "holds no names of regions: they are",
-                                 beside.string()),
-             .remedy = "keep that file beside the mesh: it is read with it"});
-      }
+    if (!failure) {
+      auto names = write_names_beside(path, written, t, version);
+      if (names) findings.insert(has_error({*names}) ? findings.begin() : findings.end(), *names);
     }
   }
   for (Finding& finding : findings) finding.file = path.string();
