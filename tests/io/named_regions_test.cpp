@@ -36,6 +36,7 @@ TEST_CASE("names become words of letters, digits, _ and -", "[io][named_regions]
 TEST_CASE("words are distinct whatever the names, and never too long", "[io][named_regions]") {
   RegionNames names;
   names[3] = {{1, "a b"}, {2, "A_B"}, {3, "a_b_2"}, {4, "a-b"}};
+  names[1] = {{1, "region"}, {2, "Region"}, {3, "region"}};
   names[2] = {{1, "a_b"}, {2, std::string(200, 'x')}, {3, std::string(300, 'x')}};
   for (int i = 0; i < 3000; ++i) names[0].emplace(i, i % 2 == 0 ? "same" : "same_2");
   std::set<std::string> seen;
@@ -45,7 +46,8 @@ TEST_CASE("words are distinct whatever the names, and never too long", "[io][nam
       CHECK(seen.insert(lower_case(word)).second);
     }
   }
-  CHECK(seen.size() == 3007);
+  CHECK(seen.size() == 3010);
+  for (const char* number : {"region_2", "region_3"}) CHECK_FALSE(seen.contains(number));
   CHECK(region_words(names)[3].at(2) == "A_B_2");
 }
 

@@ -35,7 +35,9 @@ std::string plain_word(std::string_view name) {
   for (const char c : name.substr(0, longest_word)) {
     word += is_letter(c) || (c >= '0' && c <= '9') || c == '-' ? c : '_';
   }
-  if (word.empty() || !is_letter(word.front()) || number_in_word(word)) word = "name_" + word;
+  // "region" a second time would be region_2, which is the region 2 without a name.
+  const bool means_number = number_in_word(word) || lower_case(word) == "region";
+  if (word.empty() || !is_letter(word.front()) || means_number) word = "name_" + word;
   return word.substr(0, longest_word);
 }
 
