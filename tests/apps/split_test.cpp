@@ -311,7 +311,7 @@ TEST_CASE("the same command gives the same bytes", "[apps][split]") {
 TEST_CASE("an output that cannot be written ends with 4, with the answer still printed",
           "[apps][split]") {
   const Workplace here;
-  for (const std::string& place : {here.path("no/such/folder.msh"), here.path("o.stl")}) {
+  for (const std::string& place : {here.path("no/such/folder.msh"), here.path("o.step")}) {
     const Outcome outcome = here.run(
         {"split", sample_mesh("two_tets.msh"), "--plane", "0,0,1,0", "-o", place, "--json"});
     CHECK(outcome.exit_code == 4);

@@ -54,6 +54,8 @@ FORMATS = [
     ("PLY", "ply", [], ("ply", {}), None),
     ("PLY text", "ply", ["--text"], ("ply", {"binary": False}), None),
 ]
+# What another program keeps and sunder does not, and says so: gmsh's sets Volume1, Surface1, ...
+TOLD = {("Abaqus", "e")}
 CARRY_SOURCES = ["MSH 4.1", "MEDIT", "VTU text", "VTK 4.2 text"]
 # What may survive, and the letter that tells that it did not.
 ITEMS = {"coordinates": "x", "tetrahedra": "T", "triangles": "F", "order": "o", "volumes": "v",
@@ -348,7 +350,8 @@ def main():
     text = "\n".join(lines) + "\n"
     print(text, end="")
     worse = [(pair, judged(results, pair, "sunder")) for pair in results["sunder"]
-             if judged(results, pair, "sunder") != "="]
+             if judged(results, pair, "sunder") != "="
+             and (pair[1], judged(results, pair, "sunder")) not in TOLD]
     for (source, target), mark in worse:
         print(f"sunder, {source} to {target}: {mark}", file=sys.stderr)
     name = "carry" if given.carry else "plain matrix" if given.plain else "matrix"
