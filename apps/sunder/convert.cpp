@@ -140,7 +140,7 @@ void print(const Arguments& arguments, const Conversion& result) {
     fmt::print("nothing is written\n");
     return;
   }
-  fmt::print("{}: {} points, {} tetrahedra, {} triangles, {} edges, {} vertices{}\n",
+  fmt::print("{}: written from {} points, {} tetrahedra, {} triangles, {} edges, {} vertices{}\n",
              arguments.out.string(), result.mesh.points.size(),
              result.mesh.tetrahedra.corners.size(), result.mesh.triangles.corners.size(),
              result.mesh.edges.corners.size(), result.mesh.vertices.corners.size(),
