@@ -125,7 +125,16 @@ void check_count(const Scanner& s, std::size_t at, std::int64_t count, std::stri
 std::size_t read_count(Scanner& s, std::string_view what, std::size_t least_bytes) {
   skip_blanks(s);
   const std::size_t at = s.at;
-  const auto count = read_number<std::int64_t>(s, fmt::format("a number of {}", what));
+  const auto count = [&] {
+    // The words cost more than the number, and files have counts in every line.
+    const Scanner before = s;
+    try {
+      return read_number<std::int64_t>(s, what);
+    } catch (const ReadFailure&) {
+      s = before;
+      return read_number<std::int64_t>(s, fmt::format("a number of {}", what));
+    }
+  }();
   check_count(s, at, count, what, least_bytes);
   return static_cast<std::size_t>(count);
 }
