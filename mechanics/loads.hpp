@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "mechanics/mechanics_state.hpp"
+#include "mechanics/state/mechanics_state.hpp"
 
 namespace sunder {
 

@@ -7,23 +7,23 @@
 #include <cstdio>
 #include <string>
 
-#include "mechanics/component_system.hpp"
-#include "mechanics/corotational_force.hpp"
-#include "mechanics/integrators/baseline_system.hpp"
-#include "mechanics/integrators/broyden.hpp"
-#include "mechanics/integrators/corotational_euler.hpp"
+#include "mechanics/solver/component_system.hpp"
+#include "mechanics/element/corotational_force.hpp"
+#include "mechanics/baselines/baseline_system.hpp"
+#include "mechanics/baselines/broyden.hpp"
+#include "mechanics/baselines/corotational_euler.hpp"
 #include "mechanics/integrators/floating_frame.hpp"
-#include "mechanics/integrators/implicit_euler.hpp"
+#include "mechanics/baselines/implicit_euler.hpp"
 #include "mechanics/integrators/isolated.hpp"
-#include "mechanics/integrators/modal.hpp"
-#include "mechanics/integrators/newton_cg.hpp"
+#include "mechanics/baselines/modal.hpp"
+#include "mechanics/baselines/newton_cg.hpp"
 #include "mechanics/integrators/quasi_static.hpp"
 #include "mechanics/integrators/rigid_motion.hpp"
-#include "mechanics/integrators/verlet.hpp"
-#include "mechanics/living.hpp"
-#include "mechanics/parallel.hpp"
-#include "mechanics/strain_displacement.hpp"
-#include "topology/assert.hpp"
+#include "mechanics/baselines/verlet.hpp"
+#include "mechanics/state/living.hpp"
+#include "mechanics/solver/parallel.hpp"
+#include "mechanics/element/strain_displacement.hpp"
+#include "topology/kernel/assert.hpp"
 
 namespace sunder {
 namespace {

@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "mechanics/energy.hpp"
+#include "mechanics/element/energy.hpp"
 #include "mechanics/integrators/settings.hpp"
-#include "mechanics/mechanics_state.hpp"
+#include "mechanics/state/mechanics_state.hpp"
 #include "mechanics/step_status.hpp"
 
 namespace sunder {
@@ -111,7 +111,7 @@ struct StepMembers {
 };
 
 /// What acts on the state in one step; nothing in it is changed. The spans and references must
-/// outlive the call. Parts and members are for whoever divides steps (fracture/impact_step.cpp).
+/// outlive the call. Parts and members are for whoever divides steps (fracture/simulation/impact_step.cpp).
 struct StepInput {
   std::span<const Corners> corners;  ///< |T|
   const Loads& loads;

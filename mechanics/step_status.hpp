@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
-#include "topology/finding.hpp"
-#include "topology/ids.hpp"
+#include "topology/kernel/finding.hpp"
+#include "topology/kernel/ids.hpp"
 
 namespace sunder {
 

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "topology/assert.hpp"
+#include "topology/kernel/assert.hpp"
 
 namespace sunder::render {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "apps/render/color.hpp"
-#include "topology/finding.hpp"
+#include "topology/kernel/finding.hpp"
 
 namespace sunder::render {
 

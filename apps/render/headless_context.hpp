@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "topology/finding.hpp"
+#include "topology/kernel/finding.hpp"
 
 namespace sunder::render {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <system_error>
 
-#include "topology/assert.hpp"
+#include "topology/kernel/assert.hpp"
 
 namespace sunder::render {
 namespace {

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "topology/finding.hpp"
+#include "topology/kernel/finding.hpp"
 
 namespace sunder::render {
 

@@ -8,7 +8,7 @@
 #include "apps/render/camera.hpp"
 #include "apps/render/frame_scene.hpp"
 #include "apps/render/image.hpp"
-#include "topology/finding.hpp"
+#include "topology/kernel/finding.hpp"
 
 namespace sunder::render {
 

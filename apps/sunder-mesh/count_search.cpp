@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "topology/assert.hpp"
+#include "topology/kernel/assert.hpp"
 
 namespace sunder {
 namespace {

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <functional>
 
-#include "topology/finding.hpp"
-#include "topology/tet_mesh.hpp"
+#include "topology/kernel/finding.hpp"
+#include "topology/mesh/tet_mesh.hpp"
 
 namespace sunder {
 

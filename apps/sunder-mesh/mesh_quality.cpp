@@ -10,7 +10,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "topology/assert.hpp"
+#include "topology/kernel/assert.hpp"
 
 namespace sunder {
 namespace {

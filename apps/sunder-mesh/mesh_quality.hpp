@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "topology/tet_mesh.hpp"
+#include "topology/mesh/tet_mesh.hpp"
 
 namespace sunder {
 

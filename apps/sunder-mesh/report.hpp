@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "apps/sunder-mesh/mesh_quality.hpp"
-#include "topology/finding.hpp"
-#include "topology/tet_mesh.hpp"
+#include "topology/kernel/finding.hpp"
+#include "topology/mesh/tet_mesh.hpp"
 
 namespace sunder {
 

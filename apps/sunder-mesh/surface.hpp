@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "topology/finding.hpp"
-#include "topology/tet_mesh.hpp"
+#include "topology/kernel/finding.hpp"
+#include "topology/mesh/tet_mesh.hpp"
 
 namespace sunder {
 

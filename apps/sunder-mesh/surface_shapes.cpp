@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "apps/sunder-mesh/surface.hpp"
-#include "topology/assert.hpp"
+#include "topology/kernel/assert.hpp"
 
 namespace sunder {
 namespace {

@@ -6,17 +6,17 @@
 #include <cstdio>
 #include <exception>
 
-#include "apps/sunder/bench_command.hpp"
-#include "apps/sunder/chart.hpp"
-#include "apps/sunder/check.hpp"
-#include "apps/sunder/convert.hpp"
+#include "apps/bench/bench_command.hpp"
+#include "apps/sunder/chart/chart.hpp"
+#include "apps/sunder/mesh/check.hpp"
+#include "apps/sunder/mesh/convert.hpp"
 #include "apps/sunder/exit_code.hpp"
-#include "apps/sunder/fragments.hpp"
-#include "apps/sunder/modes.hpp"
-#include "apps/sunder/run.hpp"
-#include "apps/sunder/split.hpp"
-#include "apps/sunder/static.hpp"
-#include "apps/sunder/suite.hpp"
+#include "apps/sunder/fragments/fragments.hpp"
+#include "apps/sunder/static/modes.hpp"
+#include "apps/sunder/run/run.hpp"
+#include "apps/sunder/mesh/split.hpp"
+#include "apps/sunder/static/static.hpp"
+#include "apps/sunder/suite/suite.hpp"
 
 namespace {
 

@@ -2,7 +2,7 @@
 // The numbers of the time schemes: generalised-alpha, the system matrix, the answer to an impulse.
 #pragma once
 
-#include "mechanics/component_system.hpp"
+#include "mechanics/solver/component_system.hpp"
 #include "mechanics/integrators/settings.hpp"
 
 namespace sunder {

@@ -2,7 +2,7 @@
 // What every integrator is given for one component, and how it reads and writes its rows.
 #pragma once
 
-#include "mechanics/component_system.hpp"
+#include "mechanics/solver/component_system.hpp"
 #include "mechanics/step.hpp"
 
 namespace sunder {

@@ -3,9 +3,9 @@
 #include "mechanics/integrators/floating_frame.hpp"
 
 #include "mechanics/integrators/coefficients.hpp"
-#include "mechanics/integrators/modal.hpp"
+#include "mechanics/baselines/modal.hpp"
 #include "mechanics/integrators/rigid_motion.hpp"
-#include "mechanics/rotation.hpp"
+#include "mechanics/frame/rotation.hpp"
 
 namespace sunder {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <array>
 
-#include "mechanics/integrators/model_force.hpp"
-#include "mechanics/rigid_reference.hpp"
-#include "mechanics/strain_displacement.hpp"
+#include "mechanics/baselines/model_force.hpp"
+#include "mechanics/frame/rigid_reference.hpp"
+#include "mechanics/element/strain_displacement.hpp"
 
 namespace sunder {
 namespace {

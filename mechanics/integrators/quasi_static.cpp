@@ -2,7 +2,7 @@
 // Static solves step by step.
 #include "mechanics/integrators/quasi_static.hpp"
 
-#include "topology/assert.hpp"
+#include "topology/kernel/assert.hpp"
 
 namespace sunder {
 namespace {

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "mechanics/integrators/coefficients.hpp"
-#include "mechanics/rotation.hpp"
+#include "mechanics/frame/rotation.hpp"
 
 namespace sunder {
 namespace {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "topology/finding.hpp"
+#include "topology/kernel/finding.hpp"
 
 namespace sunder {
 

@@ -2,7 +2,7 @@
 // Three-point bending against 2 sigma_t b h^2 / (3 L), and what each node stress sees of it.
 #include <catch2/catch.hpp>
 
-#include "tests/accuracy/bending.hpp"
+#include "tests/experiments/cases/bending.hpp"
 
 using namespace sunder;
 using namespace sunder::accuracy;

@@ -10,8 +10,8 @@
 #include <iomanip>
 #include <sstream>
 
-#include "mechanics/static_solve.hpp"
-#include "tests/accuracy/accuracy_bodies.hpp"
+#include "mechanics/solver/static_solve.hpp"
+#include "tests/support/accuracy_bodies.hpp"
 
 using namespace sunder;
 using namespace sunder::accuracy;

@@ -5,9 +5,9 @@
 #include <array>
 #include <cmath>
 
-#include "fracture/simulation.hpp"
-#include "tests/accuracy/impact_bar.hpp"
-#include "topology/suite/shapes.hpp"
+#include "fracture/simulation/simulation.hpp"
+#include "tests/experiments/cases/impact_bar.hpp"
+#include "topology/suite/fixtures/shapes.hpp"
 
 using namespace sunder;
 using namespace sunder::accuracy;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Edge crack and penny crack against fracture mechanics.
-#include "tests/accuracy/crack_cases.hpp"
+#include "tests/experiments/cases/crack_cases.hpp"
 
 #include <catch2/catch.hpp>
 

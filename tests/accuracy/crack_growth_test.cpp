@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // One clean crack through a notched bar.
-#include "tests/accuracy/crack_growth.hpp"
+#include "tests/experiments/cases/crack_growth.hpp"
 
 #include <catch2/catch.hpp>
 
-#include "tests/accuracy/disc_crack.hpp"
+#include "tests/experiments/cases/disc_crack.hpp"
 
 using namespace sunder;
 using namespace sunder::accuracy;

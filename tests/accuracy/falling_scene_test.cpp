@@ -2,7 +2,7 @@
 // What breaks when a body falls does not depend on the step.
 #include <catch2/catch.hpp>
 
-#include "tests/accuracy/falling_scene.hpp"
+#include "tests/experiments/cases/falling_scene.hpp"
 
 using namespace sunder;
 using namespace sunder::accuracy;

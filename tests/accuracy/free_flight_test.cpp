@@ -2,7 +2,7 @@
 // Ten seconds of free flight.
 #include <catch2/catch.hpp>
 
-#include "tests/accuracy/free_flight.hpp"
+#include "tests/experiments/cases/free_flight.hpp"
 
 using namespace sunder::accuracy;
 

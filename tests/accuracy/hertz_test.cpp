@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/accuracy/hertz.hpp"
+#include "tests/experiments/cases/hertz.hpp"
 
 using namespace sunder::accuracy;
 

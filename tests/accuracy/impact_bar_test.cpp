@@ -2,7 +2,7 @@
 // The flat bar on a wall against its exact answer, at a smaller size than `impact_bar` prints.
 #include <catch2/catch.hpp>
 
-#include "tests/accuracy/impact_bar.hpp"
+#include "tests/experiments/cases/impact_bar.hpp"
 
 using namespace sunder;
 using namespace sunder::accuracy;

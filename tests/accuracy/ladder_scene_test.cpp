@@ -3,8 +3,8 @@
 // outcome is decided by more than rounding.
 #include <catch2/catch.hpp>
 
-#include "apps/sunder/scene_json.hpp"
-#include "tests/accuracy/ladder_scene.hpp"
+#include "apps/scene/scene_json.hpp"
+#include "tests/experiments/cases/ladder_scene.hpp"
 
 using namespace sunder;
 using namespace sunder::accuracy;

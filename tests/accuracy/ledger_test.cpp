@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fracture/simulation.hpp"
-#include "mechanics/energy.hpp"
-#include "topology/suite/shapes.hpp"
+#include "fracture/simulation/simulation.hpp"
+#include "mechanics/element/energy.hpp"
+#include "topology/suite/fixtures/shapes.hpp"
 
 using namespace sunder;
 

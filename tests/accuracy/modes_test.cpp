@@ -2,10 +2,10 @@
 // Cases 4 and 5: natural frequencies against closed forms, and laws of the solver of modes.
 #include <catch2/catch.hpp>
 
-#include "mechanics/component_system.hpp"
+#include "mechanics/solver/component_system.hpp"
 #include "mechanics/integrators/component_step.hpp"
-#include "mechanics/modes.hpp"
-#include "tests/accuracy/accuracy_bodies.hpp"
+#include "mechanics/solver/modes.hpp"
+#include "tests/support/accuracy_bodies.hpp"
 
 using namespace sunder;
 using namespace sunder::accuracy;

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/accuracy/ring_burst.hpp"
+#include "tests/experiments/cases/ring_burst.hpp"
 
 using namespace sunder::accuracy;
 

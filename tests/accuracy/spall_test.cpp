@@ -2,7 +2,7 @@
 // Case 13, spall: the first layer that a pulse breaks off a flat bar, against plane waves.
 #include <catch2/catch.hpp>
 
-#include "tests/accuracy/spall.hpp"
+#include "tests/experiments/cases/spall.hpp"
 
 using namespace sunder::accuracy;
 

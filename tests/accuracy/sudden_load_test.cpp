@@ -2,7 +2,7 @@
 // Long steps come to the static answer at once.
 #include <catch2/catch.hpp>
 
-#include "tests/accuracy/sudden_load.hpp"
+#include "tests/experiments/cases/sudden_load.hpp"
 
 using namespace sunder::accuracy;
 

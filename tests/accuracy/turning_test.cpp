@@ -2,7 +2,7 @@
 // Cases 6 and 14 and the attitude of a free body: what turning does to stress and to the frame.
 #include <catch2/catch.hpp>
 
-#include "tests/accuracy/accuracy_bodies.hpp"
+#include "tests/support/accuracy_bodies.hpp"
 
 using namespace sunder;
 using namespace sunder::accuracy;

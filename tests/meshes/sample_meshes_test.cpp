@@ -11,8 +11,8 @@
 #include <numbers>
 #include <string>
 
-#include "topology/build_map.hpp"
-#include "topology/invariants.hpp"
+#include "topology/kernel/build_map.hpp"
+#include "topology/kernel/invariants.hpp"
 #include "topology/io/mesh_file.hpp"
 
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "topology/suite/fixture.hpp"
-#include "topology/suite/judge.hpp"
+#include "topology/suite/fixtures/fixture.hpp"
+#include "topology/suite/judge/judge.hpp"
 
 int main(int argc, char** argv) {
   using namespace sunder::suite;

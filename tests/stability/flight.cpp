@@ -7,8 +7,8 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "mechanics/energy.hpp"
-#include "mechanics/strain_displacement.hpp"
+#include "mechanics/element/energy.hpp"
+#include "mechanics/element/strain_displacement.hpp"
 
 namespace sunder::stability {
 namespace {

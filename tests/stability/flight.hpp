@@ -2,8 +2,8 @@
 // A free block in flight, judged by its vertices: the one measure behind matrix and sweep.
 #pragma once
 
-#include "mechanics/mechanics_state.hpp"
-#include "tests/mechanics/bodies.hpp"
+#include "mechanics/state/mechanics_state.hpp"
+#include "tests/support/bodies.hpp"
 #include "tests/stability/cell.hpp"
 
 namespace sunder::stability {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mechanics/energy.hpp"
-#include "mechanics/rotation.hpp"
+#include "mechanics/element/energy.hpp"
+#include "mechanics/frame/rotation.hpp"
 #include "tests/stability/flight.hpp"
 #include "tests/stability/matrix.hpp"
 

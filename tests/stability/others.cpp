@@ -6,13 +6,13 @@
 
 #include <Eigen/SVD>
 
-#include "fracture/simulation.hpp"
-#include "mechanics/energy.hpp"
-#include "mechanics/rotation.hpp"
-#include "tests/mechanics/contact_scene.hpp"
+#include "fracture/simulation/simulation.hpp"
+#include "mechanics/element/energy.hpp"
+#include "mechanics/frame/rotation.hpp"
+#include "tests/mechanics/contact/contact_scene.hpp"
 #include "tests/stability/flight.hpp"
 #include "tests/stability/matrix.hpp"
-#include "topology/suite/shapes.hpp"
+#include "topology/suite/fixtures/shapes.hpp"
 
 namespace sunder::stability {
 namespace {

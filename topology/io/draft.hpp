@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "topology/file_mesh.hpp"
-#include "topology/finding.hpp"
+#include "topology/mesh/file_mesh.hpp"
+#include "topology/kernel/finding.hpp"
 #include "topology/io/number_source.hpp"
 
 namespace sunder::io {

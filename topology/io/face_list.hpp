@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "topology/finding.hpp"
+#include "topology/kernel/finding.hpp"
 
 namespace sunder {
 

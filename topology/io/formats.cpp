@@ -8,19 +8,19 @@
 #include <span>
 #include <utility>
 
-#include "topology/io/abaqus.hpp"
-#include "topology/io/medit.hpp"
-#include "topology/io/msh.hpp"
-#include "topology/io/obj.hpp"
-#include "topology/io/off.hpp"
+#include "topology/io/abaqus/abaqus.hpp"
+#include "topology/io/medit/medit.hpp"
+#include "topology/io/msh/msh.hpp"
+#include "topology/io/surface/obj.hpp"
+#include "topology/io/surface/off.hpp"
 #include "topology/io/output_file.hpp"
-#include "topology/io/ovm.hpp"
-#include "topology/io/ply.hpp"
+#include "topology/io/ovm/ovm.hpp"
+#include "topology/io/surface/ply.hpp"
 #include "topology/io/scan.hpp"
-#include "topology/io/stl.hpp"
-#include "topology/io/tetgen.hpp"
-#include "topology/io/vtk.hpp"
-#include "topology/io/vtu_read.hpp"
+#include "topology/io/surface/stl.hpp"
+#include "topology/io/tetgen/tetgen.hpp"
+#include "topology/io/vtk/vtk.hpp"
+#include "topology/io/vtu/vtu_read.hpp"
 
 namespace sunder {
 namespace {

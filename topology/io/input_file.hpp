@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "topology/finding.hpp"
+#include "topology/kernel/finding.hpp"
 
 namespace sunder::io {
 

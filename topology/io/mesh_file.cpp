@@ -14,7 +14,7 @@
 #include "topology/io/named_regions.hpp"
 #include "topology/io/region_names.hpp"
 #include "topology/io/scan.hpp"
-#include "topology/io/tetgen.hpp"
+#include "topology/io/tetgen/tetgen.hpp"
 
 namespace sunder {
 namespace {

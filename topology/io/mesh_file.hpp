@@ -10,9 +10,9 @@
 #include <string_view>
 #include <vector>
 
-#include "topology/file_mesh.hpp"
-#include "topology/finding.hpp"
-#include "topology/tet_mesh.hpp"
+#include "topology/mesh/file_mesh.hpp"
+#include "topology/kernel/finding.hpp"
+#include "topology/mesh/tet_mesh.hpp"
 
 namespace sunder {
 

@@ -11,7 +11,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "topology/file_mesh.hpp"
+#include "topology/mesh/file_mesh.hpp"
 
 namespace sunder::io {
 

@@ -8,7 +8,7 @@
 
 #include "topology/io/output_file.hpp"
 #include "topology/io/scan.hpp"
-#include "topology/io/tetgen.hpp"
+#include "topology/io/tetgen/tetgen.hpp"
 
 namespace sunder::io {
 namespace {

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "topology/file_mesh.hpp"
-#include "topology/finding.hpp"
+#include "topology/mesh/file_mesh.hpp"
+#include "topology/kernel/finding.hpp"
 #include "topology/io/mesh_file.hpp"
 
 namespace sunder::io {

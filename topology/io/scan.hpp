@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "topology/finding.hpp"
+#include "topology/kernel/finding.hpp"
 
 namespace sunder::io {
 

@@ -5,16 +5,16 @@
 #include <algorithm>
 #include <map>
 
-#include "topology/boundary_surface.hpp"
-#include "topology/io/abaqus.hpp"
+#include "topology/mesh/boundary_surface.hpp"
+#include "topology/io/abaqus/abaqus.hpp"
 #include "topology/io/formats.hpp"
 #include "topology/io/mesh_file.hpp"
-#include "topology/io/msh.hpp"
-#include "topology/io/ply.hpp"
+#include "topology/io/msh/msh.hpp"
+#include "topology/io/surface/ply.hpp"
 #include "topology/io/region_names.hpp"
 #include "topology/io/scan.hpp"
-#include "topology/io/stl.hpp"
-#include "topology/io/vtk_cells.hpp"
+#include "topology/io/surface/stl.hpp"
+#include "topology/io/vtk/vtk_cells.hpp"
 
 namespace sunder {
 namespace {

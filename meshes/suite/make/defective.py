@@ -57,8 +57,8 @@ def taken():
 
 
 FAMILIES = [
-    Family("42-refused-bodies", "one defect in a sound body is found", "topology/check.hpp",
+    Family("42-refused-bodies", "one defect in a sound body is found", "topology/mesh/check.hpp",
            refused),
     Family("43-doubtful-bodies", "what is no matter of topology does not change the answers",
-           "topology/check.hpp", taken),
+           "topology/mesh/check.hpp", taken),
 ]

@@ -12,7 +12,7 @@ BLIND = ("CGAL's map has no such check: the first two tetrahedra of each face ar
 POINTS = "CGAL's map knows no points: four corners are four, whatever they are called"
 NOTHING = "CGAL's map has no such check: it is empty"
 
-# Managed sew<3> and unsew<3> of CGAL, as topology/suite/cgal_kernel.cpp loads it.
+# Managed sew<3> and unsew<3> of CGAL, as topology/suite/kernels/cgal_kernel.cpp loads it.
 CGAL = {
     "17-twisted-ring/refused": (TWIST, (20, 61, 66, 24, 1, 36, 1)),
     "18-copies/duplicate": (COPY, (4, 6, 4, 2, 1, 0, 0)),

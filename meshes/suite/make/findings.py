@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Which findings a body must show, worked out from their definitions in topology/check.hpp with
+"""Which findings a body must show, worked out from their definitions in topology/mesh/check.hpp with
 exact numbers; whether one of them is an error that refuses the body."""
 
 from collections import Counter

@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: MIT
+// `sunder bench`: its command line, and where the figures go.
+#include "apps/bench/bench_command.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "apps/bench/bench_formats.hpp"
+#include "apps/bench/bench_kernel.hpp"
+#include "apps/bench/bench_methods.hpp"
+#include "apps/bench/paper/bench_paper_report.hpp"
+#include "apps/bench/bench_report.hpp"
+#include "apps/bench/bench_step.hpp"
+#include "apps/bench/bench_threshold.hpp"
+#include "apps/scene/words.hpp"
+#include "topology/io/output_file.hpp"
+
+namespace sunder {
+namespace {
+
+constexpr const char* kernel_footer = R"(
+Bodies: cubes of 384, 6 000, 48 000 and 384 000 tetrahedra; rings, one cell thick, of 48, 4 560 and
+28 320. The whole takes two minutes of an idle machine and 2 GB; --quick leaves out bodies above 6 000.
+
+Memory counts the capacities of everything a map holds, in bytes a tetrahedron: CGAL's darts and
+attributes; vertex rows and neighbours of each tetrahedron (dense adjacency); a dart of each
+tetrahedron and a corner of each vertex (handles); point and tetrahedron of each vertex and the
+file's points (vertex columns). Beside it, what glibc's heap has in use.
+
+Times are microseconds, medians over the runs: this thread's own time for long stretches, wall time
+for single fans. CGAL's managed unsew<3> splits the same faces in the same run. Searches for
+components and the oracle are measured on random fans; a seed gives the same fans everywhere.
+
+Exit codes: 0 done, 2 usage, 4 an output was not written (or gnuplot is missing).
+
+Examples:
+  sunder bench kernel --quick
+  sunder bench kernel --csv kernel.csv --plot kernel.png
+)";
+
+struct BenchArguments {
+  KernelBenchSettings settings;
+  std::filesystem::path csv, plot;
+  bool json = false;
+};
+
+ExitCode run_kernel_bench(const BenchArguments& arguments) {
+  const KernelBench bench = bench_kernel(
+      arguments.settings, [](const BenchBody& body) { fmt::print(stderr, "{} ...\n", body.name); });
+  if (arguments.json) {
+    fmt::print("{}\n", bench_json(bench).dump(2));
+  } else {
+    fmt::print("{}", bench_table(bench));
+  }
+  std::vector<Finding> findings;
+  if (!arguments.csv.empty()) {
+    if (auto failure = write_file(arguments.csv, bench_csv(bench))) findings.push_back(*failure);
+  }
+  if (!arguments.plot.empty()) {
+    if (auto failure = plot_bench(bench, arguments.plot)) findings.push_back(*failure);
+  }
+  fmt::print(stderr, "{}", finding_lines(findings));
+  return findings.empty() ? ExitCode::fine : ExitCode::not_written;
+}
+
+void add_kernel_command(CLI::App& bench, ExitCode& exit_code) {
+  const auto arguments = std::make_shared<BenchArguments>();
+  CLI::App* command = bench.add_subcommand(
+      "kernel", "Memory, times and search costs of the 3-map, beside CGAL's managed unsew<3>");
+  command->add_flag("--quick", arguments->settings.quick, "Only bodies of up to 6 000 tetrahedra");
+  command->add_option("--runs", arguments->settings.runs, "Runs to take medians over (default 5)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000).description(""));
+  command->add_option("--seed", arguments->settings.seed, "Seed of the random faces and fans")
+      ->type_name("S");
+  command->add_option("--csv", arguments->csv, "Write the figures as CSV")->type_name("FILE");
+  command->add_option("--plot", arguments->plot, "Draw times over tetrahedra (PNG, by gnuplot)")
+      ->type_name("FILE.png");
+  command->add_flag("--json", arguments->json, "Print JSON instead of the table");
+  command->footer(kernel_footer);
+  command->callback([=, &exit_code] { exit_code = run_kernel_bench(*arguments); });
+}
+
+constexpr const char* step_footer = R"(
+Bodies: boxes of 414 and 6 120 tetrahedra (with --large one of 49 152), or those of the files given;
+concrete in free fall, turning, too strong to break. A step is what `sunder run` takes: contact
+search, floating_frame, element and node stress, threshold tests, energy ledger, display.
+
+Times are milliseconds on the wall, medians; parts of a step are called by themselves. Over modulus
+and step the simulations take turns (bodies of up to 10 000 tetrahedra). A crack splits the vertices
+nearest to a corner; the old factor serves on under a border, or order, K and factor are made anew
+(docs/factor.md). Give the
+process its priority on a busy machine: echo -15 > /proc/self/autogroup. Ours and Eigen's factor
+have the same order of elimination. The build type is Release: -O3, no -march; AVX2 where there is.
+
+Exit codes: 0 done, 2 usage, 3 a body has errors, 4 an output was not written.
+
+Examples:
+  sunder bench step
+  sunder bench step meshes/monolith.msh meshes/bunny.msh --csv step.csv
+)";
+
+struct StepArguments {
+  StepBenchSettings settings;
+  std::filesystem::path csv;
+  bool json = false;
+};
+
+ExitCode run_step_bench(const StepArguments& arguments) {
+  const Result<StepBench> bench = bench_step(
+      arguments.settings, [](const std::string& body) { fmt::print(stderr, "{} ...\n", body); });
+  if (!bench) {
+    fmt::print(stderr, "{}", finding_lines(bench.findings));
+    return ExitCode::bad_input;
+  }
+  fmt::print("{}", arguments.json ? step_json(*bench) : step_table(*bench));
+  if (arguments.csv.empty()) return ExitCode::fine;
+  if (auto failure = write_file(arguments.csv, step_csv(*bench))) {
+    fmt::print(stderr, "{}", finding_lines({*failure}));
+    return ExitCode::not_written;
+  }
+  return ExitCode::fine;
+}
+
+void add_step_command(CLI::App& bench, ExitCode& exit_code) {
+  const auto arguments = std::make_shared<StepArguments>();
+  CLI::App* command = bench.add_subcommand(
+      "step", "What a step without contact and cracks costs, in parts, and its factor");
+  command->add_option("MESH", arguments->settings.meshes, "Bodies in place of our own")
+      ->type_name("");
+  command->add_flag("--large", arguments->settings.large, "A body of 49 152 tetrahedra too");
+  command->add_option("--runs", arguments->settings.runs, "Steps to take medians over (default 50)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100000).description(""));
+  command->add_option("--csv", arguments->csv, "Write the figures as CSV")->type_name("FILE");
+  command->add_flag("--json", arguments->json, "Print JSON instead of the table");
+  command->footer(step_footer);
+  command->callback([=, &exit_code] { exit_code = run_step_bench(*arguments); });
+}
+
+constexpr const char* methods_footer = R"(
+Bodies: boxes of 414 and 6 120 tetrahedra in flight, turning and a little deformed; 30 GPa at 1 ms,
+1e7 Pa at 10 ms. One step is taken from the same state again and again: prediction and element
+stress, no contact, no cracks. Every method that factors uses the same block factor; reassembled
+makes it anew every step. Iterations end at 1e-6 or are given up at 1 000, and the factor steps.
+
+Times are milliseconds on the wall, medians. Give the process its priority on a busy machine:
+echo -15 > /proc/self/autogroup.
+
+Exit codes: 0 done, 2 usage, 3 a body has errors, 4 an output was not written.
+
+Examples:
+  sunder bench methods
+  sunder bench methods --runs 50 --csv methods.csv
+)";
+
+struct MethodArguments {
+  MethodBenchSettings settings;
+  std::filesystem::path csv;
+  bool json = false;
+};
+
+ExitCode run_method_bench(const MethodArguments& arguments) {
+  const Result<MethodBench> bench = bench_methods(
+      arguments.settings, [](const std::string& body) { fmt::print(stderr, "{} ...\n", body); });
+  if (!bench) {
+    fmt::print(stderr, "{}", finding_lines(bench.findings));
+    return ExitCode::bad_input;
+  }
+  fmt::print("{}", arguments.json ? methods_json(*bench) : methods_table(*bench));
+  if (arguments.csv.empty()) return ExitCode::fine;
+  if (auto failure = write_file(arguments.csv, methods_csv(*bench))) {
+    fmt::print(stderr, "{}", finding_lines({*failure}));
+    return ExitCode::not_written;
+  }
+  return ExitCode::fine;
+}
+
+void add_methods_command(CLI::App& bench, ExitCode& exit_code) {
+  const auto arguments = std::make_shared<MethodArguments>();
+  CLI::App* command =
+      bench.add_subcommand("methods", "What a step costs by every integrator and model");
+  command->add_option("--runs", arguments->settings.runs, "Steps to take medians over (default 20)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100000).description(""));
+  command->add_option("--csv", arguments->csv, "Write the figures as CSV")->type_name("FILE");
+  command->add_flag("--json", arguments->json, "Print JSON instead of the table");
+  command->footer(methods_footer);
+  command->callback([=, &exit_code] { exit_code = run_method_bench(*arguments); });
+}
+
+constexpr const char* paper_footer = R"(
+Scenes: monolith, block and bunny of meshes/scenes (their README says what we chose where the paper
+says nothing), in each mode without fractures, corotational without fractures, and with fractures.
+Modes: the paper's process (node stress by mass, Gershgorin's test, oracle, tetrahedra by QR) with
+linearised implicit Euler and with Broyden's method from M and from the factor; floating_frame with
+one solve a step; our defaults. Parts of the scenes are run: the column of steps says how much. The
+fans of a run are cut again with every way of finding components; threshold tests, forces and
+stresses of both models are measured on moments of the run in the paper's mode.
+
+Times of steps are this thread's own, of fans medians of nine on the wall. docs/paper.md reads them.
+
+Exit codes: 0 done, 2 usage, 3 a scene has errors, 4 an output was not written.
+
+Examples:
+  sunder bench paper --quick
+  sunder bench paper --csv paper.csv --markdown paper.md
+)";
+
+struct PaperArguments {
+  PaperBenchSettings settings;
+  std::filesystem::path csv, markdown;
+};
+
+/// The folder given, or that of the three scenes.
+std::filesystem::path scenes_in(const std::filesystem::path& given) {
+  const std::filesystem::path here = "meshes/scenes";
+  if (!given.empty()) return given;
+  return std::filesystem::is_directory(here) ? here : SUNDER_SOURCE_DIR / here;
+}
+
+ExitCode run_paper_bench(PaperArguments arguments) {
+  arguments.settings.scenes = scenes_in(arguments.settings.scenes);
+  const Result<PaperBench> bench = bench_paper(
+      arguments.settings, [](const std::string& run) { fmt::print(stderr, "{} ...\n", run); });
+  if (!bench) {
+    fmt::print(stderr, "{}", finding_lines(bench.findings));
+    return ExitCode::bad_input;
+  }
+  fmt::print("{}", paper_text(*bench));
+  std::vector<Finding> findings;
+  const auto write = [&](const std::filesystem::path& path, const std::string& text) {
+    if (path.empty()) return;
+    if (auto failure = write_file(path, text)) findings.push_back(*failure);
+  };
+  write(arguments.csv, paper_csv(*bench));
+  write(arguments.markdown, paper_markdown(*bench));
+  fmt::print(stderr, "{}", finding_lines(findings));
+  return findings.empty() ? ExitCode::fine : ExitCode::not_written;
+}
+
+void add_paper_command(CLI::App& bench, ExitCode& exit_code) {
+  const auto arguments = std::make_shared<PaperArguments>();
+  CLI::App* command =
+      bench.add_subcommand("paper", "Tables 1 to 4 of the paper and its claims, ours beside");
+  command->add_flag("--quick", arguments->settings.quick, "Only the beginnings of the scenes");
+  command
+      ->add_option("--runs", arguments->settings.runs,
+                   "Repeats of everything to take medians over (default 1)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100).description(""));
+  command->add_option("--scenes", arguments->settings.scenes, "Folder of the three scenes")
+      ->type_name("FOLDER");
+  command->add_option("--csv", arguments->csv, "Write all figures as CSV")->type_name("FILE");
+  command->add_option("--markdown", arguments->markdown, "Write the tables as Markdown")
+      ->type_name("FILE");
+  command->footer(paper_footer);
+  command->callback([=, &exit_code] { exit_code = run_paper_bench(*arguments); });
+}
+
+constexpr const char* threshold_footer = R"(
+Node stresses come from moments of the beginnings of monolith, block and bunny (meshes/scenes), as
+far as they stay below their thresholds, and from a random generator. Ways of the test: eigenvalues;
+gershgorin (bound, then eigenvalues: the paper's); exact (leading minors); chain (bound, then
+minors: the default). All answer the same. Times are this thread's own.
+
+Exit codes: 0 done, 2 usage, 3 a scene has errors, 4 an output was not written.
+
+Examples:
+  sunder bench threshold
+  sunder bench threshold --runs 100 --csv threshold.csv
+)";
+
+struct ThresholdArguments {
+  ThresholdBenchSettings settings;
+  std::filesystem::path csv;
+  bool json = false;
+};
+
+ExitCode run_threshold_bench(ThresholdArguments arguments) {
+  arguments.settings.scenes = scenes_in(arguments.settings.scenes);
+  const Result<ThresholdBench> bench =
+      bench_threshold(arguments.settings,
+                      [](const std::string& source) { fmt::print(stderr, "{} ...\n", source); });
+  if (!bench) {
+    fmt::print(stderr, "{}", finding_lines(bench.findings));
+    return ExitCode::bad_input;
+  }
+  fmt::print("{}", arguments.json ? threshold_json(*bench) : threshold_table(*bench));
+  if (arguments.csv.empty()) return ExitCode::fine;
+  if (auto failure = write_file(arguments.csv, threshold_csv(*bench))) {
+    fmt::print(stderr, "{}", finding_lines({*failure}));
+    return ExitCode::not_written;
+  }
+  return ExitCode::fine;
+}
+
+void add_threshold_command(CLI::App& bench, ExitCode& exit_code) {
+  const auto arguments = std::make_shared<ThresholdArguments>();
+  CLI::App* command =
+      bench.add_subcommand("threshold", "What the test of an unbroken vertex costs in each way");
+  command
+      ->add_option("--runs", arguments->settings.runs, "Passes to take medians over (default 25)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 100000).description(""));
+  command->add_option("--seed", arguments->settings.seed, "Seed of the random tensors")
+      ->type_name("S");
+  command->add_option("--scenes", arguments->settings.scenes, "Folder of the three scenes")
+      ->type_name("FOLDER");
+  command->add_option("--csv", arguments->csv, "Write the figures as CSV")->type_name("FILE");
+  command->add_flag("--json", arguments->json, "Print JSON instead of the table");
+  command->footer(threshold_footer);
+  command->callback([=, &exit_code] { exit_code = run_threshold_bench(*arguments); });
+}
+
+}  // namespace
+
+void add_bench_command(CLI::App& program, ExitCode& exit_code) {
+  CLI::App* bench = program.add_subcommand("bench", "Measure the program on this machine");
+  bench->require_subcommand(1);
+  bench->footer("sunder bench WHAT --help tells what is measured, and how.");
+  add_kernel_command(*bench, exit_code);
+  add_step_command(*bench, exit_code);
+  add_methods_command(*bench, exit_code);
+  add_paper_command(*bench, exit_code);
+  add_threshold_command(*bench, exit_code);
+  add_formats_command(*bench, exit_code);
+}
+
+}  // namespace sunder

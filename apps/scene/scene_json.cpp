@@ -1,0 +1,438 @@
+// SPDX-License-Identifier: MIT
+// The reader of scene files: visits the lists of scene_fields.hpp, collecting every finding.
+#include "apps/scene/scene_json.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <fstream>
+#include <iterator>
+#include <type_traits>
+
+#include "apps/scene/scene_fields.hpp"
+#include "apps/scene/scene_notes.hpp"
+#include "apps/scene/scene_paint.hpp"
+#include "apps/scene/scene_text.hpp"
+#include "topology/mesh/check.hpp"
+#include "topology/io/face_list.hpp"
+#include "topology/io/mesh_file.hpp"
+
+namespace sunder {
+namespace {
+
+using fields::Key;
+using fields::Range;
+using nlohmann::json;
+
+/// What every value of a scene is read with.
+struct Context {
+  const SceneText& text;
+  std::filesystem::path folder;
+  std::vector<Finding>& findings;
+
+  /// Line of a value, or of the nearest one around it that the file has.
+  std::size_t line_of(std::string pointer) const {
+    for (;;) {
+      const auto found = text.line.find(pointer);
+      if (found != text.line.end()) return found->second;
+      if (pointer.empty()) return 0;
+      pointer.erase(pointer.rfind('/'));
+    }
+  }
+
+  void add(const std::string& code, const std::string& pointer, const std::string& what,
+           const std::string& remedy) const {
+    const std::string place = pointer.empty() ? "the scene" : dotted(pointer);
+    findings.push_back({.code = code,
+                        .ids = {},
+                        .text = fmt::format("{} {}", place, what),
+                        .remedy = remedy,
+                        .file = text.file,
+                        .line = line_of(pointer)});
+  }
+
+  void wrong_type(const json& value, const std::string& pointer, const char* wanted) const {
+    add("wrong_type", pointer, fmt::format("is {}; {} is wanted", shown(value), wanted),
+        fmt::format("give {}", wanted));
+  }
+};
+
+std::string allowed(const Range& range) {
+  std::string text;
+  if (range.low > -fields::infinity) {
+    text = fmt::format("{} {}", range.without_low ? "above" : "at least", range.low);
+  }
+  if (range.high < fields::infinity) {
+    text += fmt::format("{}at most {}", text.empty() ? "" : " and ", range.high);
+  }
+  return text;
+}
+
+bool is_allowed(double value, const Range& range) {
+  return value <= range.high && (range.without_low ? value > range.low : value >= range.low);
+}
+
+/// Reads one number; false after a finding.
+bool read_number(const Context& c, const Key& key, const json& value, const std::string& at,
+                 double& number) {
+  if (!value.is_number()) {
+    c.wrong_type(value, at, "a number");
+    return false;
+  }
+  number = value.get<double>();
+  if (is_allowed(number, key.range)) return true;
+  const std::string unit = key.unit.empty() ? "" : fmt::format(" {}", key.unit);
+  c.add("out_of_range", at,
+        fmt::format("is {}{}; allowed is {}", shown(value), unit, allowed(key.range)),
+        fmt::format("give a value {}{}{}{}", allowed(key.range), unit,
+                    key.remedy.empty() ? "" : ": ", key.remedy));
+  return false;
+}
+
+void read(const Context& c, const Key& key, const json& value, const std::string& at,
+          double& member) {
+  double number = 0;
+  if (read_number(c, key, value, at, number)) member = number;
+}
+
+template <std::integral Integer>
+void read(const Context& c, const Key& key, const json& value, const std::string& at,
+          Integer& member) {
+  double number = 0;
+  if (!value.is_number() || std::floor(value.get<double>()) != value.get<double>()) {
+    c.wrong_type(value, at, "a whole number");
+  } else if (read_number(c, key, value, at, number)) {
+    member = static_cast<Integer>(number);
+  }
+}
+
+void read(const Context& c, const Key&, const json& value, const std::string& at, bool& member) {
+  if (value.is_boolean()) {
+    member = value.get<bool>();
+  } else {
+    c.wrong_type(value, at, "true or false");
+  }
+}
+
+void read(const Context& c, const Key&, const json& value, const std::string& at,
+          std::string& member) {
+  if (value.is_string()) {
+    member = value.get<std::string>();
+  } else {
+    c.wrong_type(value, at, "a text");
+  }
+}
+
+void read(const Context& c, const Key& key, const json& value, const std::string& at,
+          Eigen::Vector3d& member) {
+  if (!value.is_array() || value.size() != 3) {
+    c.wrong_type(value, at, "an array of three numbers");
+    return;
+  }
+  Eigen::Vector3d v = member;
+  bool fine = true;
+  for (int i = 0; i < 3; ++i) {
+    fine &=
+        read_number(c, key, value[static_cast<std::size_t>(i)], at + "/" + std::to_string(i), v[i]);
+  }
+  if (fine) member = v;
+}
+
+/// Reads a vector whose length is of no importance, and gives it length 1.
+void read_direction(const Context& c, const Key& key, const json& value, const std::string& at,
+                    Eigen::Vector3d& member) {
+  const std::size_t before = c.findings.size();
+  Eigen::Vector3d v = member;
+  read(c, key, value, at, v);
+  if (c.findings.size() != before) return;
+  if (const double length = v.stableNorm(); length > 0) {
+    member = v / length;
+  } else {
+    c.add("zero_direction", at, "is [0, 0, 0], which points nowhere",
+          "give three numbers that are not all 0");
+  }
+}
+
+void read(const Context& c, const Key&, const json& value, const std::string& at, TetMesh& member) {
+  if (!value.is_string()) return c.wrong_type(value, at, "the name of a mesh file");
+  Result<TetMesh> mesh = read_mesh(c.folder / value.get<std::string>());
+  std::vector<Finding> found = std::move(mesh.findings);
+  if (mesh) {
+    for (Finding& f : check_mesh(*mesh)) found.push_back(std::move(f));
+    member = std::move(*mesh);
+  }
+  for (Finding& f : found) {
+    if (f.severity != Severity::error) continue;
+    f.text = fmt::format("{} ({}): {}", dotted(at), value.get<std::string>(), f.text);
+    // A finding without a line of the mesh's own stands at the scene's line that names the mesh.
+    if (f.line == 0) {
+      f.file = c.text.file;
+      f.line = c.line_of(at);
+    }
+    c.findings.push_back(std::move(f));
+  }
+}
+
+void read(const Context& c, const Key&, const json& value, const std::string& at,
+          FaceList& member) {
+  if (!value.is_string()) return c.wrong_type(value, at, "the name of a file of faces");
+  auto faces = read_face_list(c.folder / value.get<std::string>());
+  for (Finding& f : faces.findings) {
+    f.text = fmt::format("{} ({}): {}", dotted(at), value.get<std::string>(), f.text);
+    c.findings.push_back(std::move(f));
+  }
+  if (faces) member = {value.get<std::string>(), std::move(*faces)};
+}
+
+void read(const Context& c, const Key&, const json& value, const std::string& at,
+          RegionName& member) {
+  if (value.is_string()) {
+    member.text = value.get<std::string>();
+  } else if (value.is_number_integer()) {
+    member.text = value.dump();
+  } else {
+    c.wrong_type(value, at, "the name or the number of a region");
+  }
+}
+
+/// What one of the functions above reads; everything else is an enum, a list or an object.
+template <class T>
+concept Plain = requires(const Context& c, const Key& k, const json& j, T& t) {
+  read(c, k, j, std::string(), t);
+};
+
+/// A visitor of scene_fields.hpp that fills its members from one JSON object.
+class ObjectReader {
+ public:
+  ObjectReader(const Context& context, const json& object, std::string pointer)
+      : context_(context), object_(object), pointer_(std::move(pointer)) {}
+
+  template <class T>
+  void field(const Key& key, T& member) {
+    if (const json* value = find(key)) visit(key, *value, at(key), member);
+  }
+
+  void direction(const Key& key, Eigen::Vector3d& member) {
+    if (const json* value = find(key)) read_direction(context_, key, *value, at(key), member);
+  }
+
+  template <class T, class Variant>
+  void alternative(const Key& key, T alternative, Variant& member) {
+    alternatives_.emplace_back(key.name);
+    if (const json* value = find(key)) {
+      visit(key, *value, at(key), alternative);
+      member = alternative;
+      ++alternatives_found_;
+    }
+  }
+
+  /// Reports keys that no field asked for, and alternatives that are not there once.
+  void finish() const {
+    for (const auto& [name, value] : object_.items()) {
+      if (std::ranges::find(known_, name) != known_.end()) continue;
+      const std::string nearest = nearest_word(name, known_);
+      context_.add("unknown_key", at_name(name), "is not a key of a scene",
+                   nearest.empty() ? fmt::format("known here: {}", fmt::join(known_, ", "))
+                                   : fmt::format("did you mean {}? Known here: {}", nearest,
+                                                 fmt::join(known_, ", ")));
+    }
+    if (!alternatives_.empty() && alternatives_found_ != 1) {
+      context_.add(
+          "missing_key", pointer_,
+          fmt::format("has {} of the keys {}", alternatives_found_, fmt::join(alternatives_, ", ")),
+          "give exactly one of them");
+    }
+  }
+
+ private:
+  std::string at_name(std::string_view name) const {
+    return pointer_ + "/" + pointer_token(std::string(name));
+  }
+  std::string at(const Key& key) const { return at_name(key.name); }
+
+  const json* find(const Key& key) {
+    known_.emplace_back(key.name);
+    const auto value = object_.find(std::string(key.name));
+    if (value != object_.end()) return &*value;
+    if (key.required) {
+      context_.add("missing_key", pointer_, fmt::format("has no key {}", key.name),
+                   fmt::format("add \"{}\": {}", key.name, key.text));
+    }
+    return nullptr;
+  }
+
+  template <Plain T>
+  void visit(const Key& key, const json& value, const std::string& pointer, T& member) {
+    read(context_, key, value, pointer, member);
+  }
+
+  template <class E>
+  requires std::is_enum_v<E>
+  void visit(const Key&, const json& value, const std::string& pointer, E& member) {
+    std::vector<std::string> words;
+    for (const auto& [e, word] : fields::names_of(member)) {
+      words.emplace_back(word);
+      if (value == word) {
+        member = e;
+        return;
+      }
+    }
+    const std::string nearest =
+        value.is_string() ? nearest_word(value.get<std::string>(), words) : std::string();
+    context_.add("unknown_name", pointer,
+                 fmt::format("is {}; allowed are {}", shown(value), fmt::join(words, ", ")),
+                 nearest.empty() ? "give one of them" : fmt::format("did you mean {}?", nearest));
+  }
+
+  void visit(const Key& key, const json& value, const std::string& pointer,
+             Eigen::Quaterniond& member) {
+    struct AxisAngle {
+      Eigen::Vector3d axis = {0, 0, 1};
+      double angle = 0;
+    } turn;
+    if (!value.is_object()) return context_.wrong_type(value, pointer, "{\"axis\", \"angle\"}");
+    ObjectReader reader(context_, value, pointer);
+    reader.direction(Key{"axis", "", "", {}, true}, turn.axis);
+    reader.field(Key{"angle", "degrees", "", key.range, true}, turn.angle);
+    reader.finish();
+    member = Eigen::AngleAxisd(turn.angle * EIGEN_PI / 180, turn.axis);
+  }
+
+  template <class T>
+  void visit(const Key& key, const json& value, const std::string& pointer,
+             std::optional<T>& member) {
+    member.emplace();
+    visit(key, value, pointer, *member);
+  }
+
+  template <class T>
+  void visit(const Key& key, const json& value, const std::string& pointer,
+             std::vector<T>& member) {
+    if (!value.is_array()) return context_.wrong_type(value, pointer, "an array [...]");
+    member.resize(value.size());
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      visit(key, value[i], pointer + "/" + std::to_string(i), member[i]);
+    }
+  }
+
+  template <class T>
+  requires(std::is_class_v<T> && !Plain<T>) void visit(const Key&, const json& value,
+                                                       const std::string& pointer, T& member) {
+    if (!value.is_object()) return context_.wrong_type(value, pointer, "an object {...}");
+    ObjectReader reader(context_, value, pointer);
+    fields::describe(reader, member);
+    reader.finish();
+  }
+
+  const Context& context_;
+  const json& object_;
+  std::string pointer_;
+  std::vector<std::string> known_, alternatives_;
+  int alternatives_found_ = 0;
+};
+
+/// A box of a body that must contain vertices; `code` says so where it has none.
+void check_box(const Context& c, const BodySettings& body, const Eigen::AlignedBox3d& box,
+               const std::string& place, const char* code) {
+  if (box.isEmpty()) {
+    c.add("bad_box", place, "has a minimum above its maximum", "exchange them where they are");
+    return;
+  }
+  const bool holds = std::ranges::any_of(body.mesh.points, [&](const Point& p) {
+    return box.contains(Eigen::Vector3d(p[0], p[1], p[2]));
+  });
+  if (!holds && !body.mesh.points.empty()) {
+    c.add(code, place, "contains no vertex of the mesh",
+          "give the box in the mesh's own coordinates, m, before it is turned and moved");
+  }
+}
+
+void check_boxes(const Context& c, const BodySettings& body, const std::string& at) {
+  for (std::size_t i = 0; i < body.held.size(); ++i) {
+    check_box(c, body, {body.held[i].minimum, body.held[i].maximum},
+              fmt::format("{}/held/{}", at, i), "empty_hold");
+  }
+  for (std::size_t i = 0; i < body.loads.size(); ++i) {
+    const LoadBox& load = body.loads[i];
+    const std::string place = fmt::format("{}/loads/{}", at, i);
+    check_box(c, body, {load.minimum, load.maximum}, place, "empty_load");
+    if (load.pressure == 0 && load.force.isZero(0)) {
+      c.add("no_load", place, "has neither a pressure nor a force",
+            "give \"pressure\" in Pa or \"force\" in N");
+    }
+  }
+}
+
+/// What no single key can say.
+void check_whole(const Context& c, const SceneFile& file) {
+  const Scene& scene = file.scene;
+  if (c.text.root.contains("bodies") && scene.bodies.empty()) {
+    c.add("out_of_range", "/bodies", "is empty", "give at least one body");
+  }
+  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
+    check_boxes(c, scene.bodies[i], fmt::format("/bodies/{}", i));
+  }
+  for (std::size_t i = 0; i < scene.obstacles.size(); ++i) {
+    for (Finding f : check(scene.obstacles[i], i)) {
+      f.file = c.text.file;
+      f.line = c.line_of(fmt::format("/obstacles/{}", i));
+      c.findings.push_back(std::move(f));
+    }
+  }
+  constexpr double most_steps = 1e9;
+  if (scene.duration / scene.time_step > most_steps) {
+    c.add(
+        "too_many_steps", "/time_step",
+        fmt::format("is {} s: {:.3g} steps for a duration of {} s; allowed are {:.0e}",
+                    scene.time_step, scene.duration / scene.time_step, scene.duration, most_steps),
+        "take a longer step or a shorter duration");
+  }
+}
+
+}  // namespace
+
+Result<SceneFile> read_scene(const std::filesystem::path& path,
+                             std::span<const std::string> settings) {
+  std::ifstream in(path, std::ios::binary);
+  std::error_code not_a_folder;
+  if (!in || std::filesystem::is_directory(path, not_a_folder)) {
+    return Finding{.code = "cannot_open",
+                   .ids = {},
+                   .text = fmt::format("cannot open the scene file {}", path.string()),
+                   .remedy =
+                       "give the path of a scene's JSON file, such as "
+                       "meshes/scenes/bunny.json",
+                   .file = path.string()};
+  }
+  const std::string bytes(std::istreambuf_iterator<char>(in), {});
+  Result<SceneText> text = parse_scene_text(bytes, path.string());
+  Result<SceneFile> result;
+  result.findings = std::move(text.findings);
+  if (!text) return result;
+  for (const std::string& setting : settings) {
+    for (Finding& f : apply_setting(*text, setting)) result.findings.push_back(std::move(f));
+  }
+  const Context context{*text, path.parent_path(), result.findings};
+  if (!text->root.is_object()) {
+    context.wrong_type(text->root, "", "an object {...}");
+    return result;
+  }
+  SceneFile file;
+  ObjectReader reader(context, text->root, "");
+  fields::describe(reader, file);
+  reader.finish();
+  check_whole(context, file);
+  for (Finding& f : paint_strengths(file.scene, *text, context.folder)) {
+    result.findings.push_back(std::move(f));
+  }
+  file.scene.integrator.time_step = file.scene.time_step;
+  if (file.scene.name.empty()) file.scene.name = path.stem().string();
+  if (has_error(result.findings)) return result;
+  for (Finding& f : scene_notes(*text, file)) result.findings.push_back(std::move(f));
+  result.value = std::move(file);
+  return result;
+}
+
+}  // namespace sunder

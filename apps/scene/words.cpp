@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// The wording of findings and counts.
+#include "apps/scene/words.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <charconv>
+
+namespace sunder {
+
+std::string finding_lines(const std::vector<Finding>& findings) {
+  std::string out;
+  for (const Finding& f : findings) {
+    if (!f.file.empty()) out += f.file;
+    if (f.line != 0) out += fmt::format(":{}", f.line);
+    if (!f.file.empty() || f.line != 0) out += ": ";
+    out += fmt::format("{}: {} [{}", to_string(f.severity), f.text, f.code);
+    if (f.count != 1) out += fmt::format(", {} times", f.count);
+    if (!f.ids.empty()) {
+      out += fmt::format(": {}{}", fmt::join(f.ids, " "), f.count > f.ids.size() ? " ..." : "");
+    }
+    out += "]\n";
+    if (!f.remedy.empty()) out += fmt::format("  {}\n", f.remedy);
+  }
+  return out;
+}
+
+nlohmann::ordered_json findings_json(const std::vector<Finding>& findings) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const Finding& f : findings) {
+    list.push_back({{"code", f.code},
+                    {"severity", to_string(f.severity)},
+                    {"count", f.count},
+                    {"ids", f.ids},
+                    {"text", f.text},
+                    {"remedy", f.remedy},
+                    {"file", f.file},
+                    {"line", f.line}});
+  }
+  return list;
+}
+
+nlohmann::ordered_json cell_counts_json(std::size_t file_vertices, const Counts& counts) {
+  return {{"file_vertices", file_vertices},
+          {"vertices", counts.vertices},
+          {"edges", counts.edges},
+          {"faces", counts.faces},
+          {"tetrahedra", counts.tetrahedra},
+          {"components", counts.components},
+          {"boundary_faces", counts.boundary_faces},
+          {"boundary_sheets", counts.boundary_sheets}};
+}
+
+nlohmann::ordered_json invariants_json(const Counts& counts) {
+  nlohmann::ordered_json json{{"euler_characteristic", counts.euler_characteristic},
+                              {"betti", nullptr},
+                              {"volume", counts.volume}};
+  if (counts.betti) json["betti"] = *counts.betti;
+  return json;
+}
+
+std::string betti_text(const Counts& counts) {
+  return counts.betti ? fmt::format("{}", fmt::join(*counts.betti, " ")) : "-";
+}
+
+std::optional<std::vector<double>> numbers_of(std::string_view list, std::size_t length) {
+  std::vector<double> numbers;
+  while (true) {
+    const std::string_view part = list.substr(0, list.find(','));
+    double value = 0;
+    const auto [end, reason] = std::from_chars(part.data(), part.data() + part.size(), value);
+    if (part.empty() || reason != std::errc{} || end != part.data() + part.size()) return {};
+    numbers.push_back(value);
+    if (part.size() == list.size()) break;
+    list.remove_prefix(part.size() + 1);
+  }
+  if (numbers.size() != length) return {};
+  return numbers;
+}
+
+}  // namespace sunder

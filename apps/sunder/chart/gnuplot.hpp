@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Pictures by gnuplot, run as a process of its own.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
+#include "topology/kernel/finding.hpp"
+
+namespace sunder {
+
+/// Draws what `script` says (it sets a terminal that writes PNG to stdout) as the file `png`, whole
+/// or not at all. Errors: gnuplot_missing, gnuplot_failed, cannot_write.
+std::optional<Finding> draw_png(std::string_view script, const std::filesystem::path& png);
+
+}  // namespace sunder

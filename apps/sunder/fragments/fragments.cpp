@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// The command line of `sunder fragments`.
+#include "apps/sunder/fragments/fragments.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "apps/sunder/fragments/fragments_report.hpp"
+#include "apps/sunder/chart/gnuplot.hpp"
+#include "apps/scene/words.hpp"
+
+namespace sunder {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* footer = R"(
+DIR is the folder of a run (or its fragments.csv). Laws are fitted to the sizes of the pieces by
+maximum likelihood, and to those of the mesh's elements as a control: docs/fragments.md. The
+elements are those of --mesh, else of the run's first frame.
+ln L / n is the log likelihood per value, K-S the largest difference of the cumulative
+distributions.
+
+Exit codes: 0 done, 2 usage, 3 bad table or mesh, 4 the picture was not written.
+
+Examples:
+  sunder fragments out/bunny --png bunny_fragments.png
+  sunder fragments out/bunny --by mass --json
+)";
+
+struct FragmentsArguments {
+  fs::path folder, png;
+  std::vector<fs::path> meshes;
+  SizeMeasure measure = SizeMeasure::volume;
+  bool json = false;
+};
+
+void print(const std::vector<Finding>& findings) {
+  fmt::print(stderr, "{}", finding_lines(findings));
+}
+
+ExitCode measure_folder(FragmentsArguments arguments) {
+  std::error_code error;
+  fs::path csv = arguments.folder;
+  if (fs::is_directory(csv, error)) csv /= "fragments.csv";
+  const Result<PieceColumns> pieces = read_fragments(csv);
+  print(pieces.findings);
+  if (!pieces) return ExitCode::bad_input;
+  const fs::path frame = csv.parent_path() / "frames" / "frame_000000.vtu";
+  if (arguments.meshes.empty() && fs::exists(frame, error)) arguments.meshes = {frame};
+  const Result<std::vector<double>> elements = element_volumes(arguments.meshes);
+  print(elements.findings);
+  if (!elements) return ExitCode::bad_input;
+  const FragmentSizes sizes = measure_fragments(*pieces, *elements, arguments.measure);
+  if (arguments.json) {
+    fmt::print("{}\n", fragments_json(sizes).dump(2));
+  } else {
+    fmt::print("{}", fragments_text(sizes));
+  }
+  if (arguments.png.empty()) return ExitCode::fine;
+  const fs::path folder = fs::absolute(csv).parent_path();
+  if (const auto missing =
+          draw_png(fragments_script(sizes, fmt::format("Pieces of {}", folder.filename().string())),
+                   arguments.png)) {
+    print({*missing});
+    return ExitCode::not_written;
+  }
+  return ExitCode::fine;
+}
+
+}  // namespace
+
+void add_fragments_command(CLI::App& program, ExitCode& exit_code) {
+  CLI::App* command =
+      program.add_subcommand("fragments", "Size distribution of a run's pieces, with fitted laws");
+  const auto arguments = std::make_shared<FragmentsArguments>();
+  command->add_option("DIR", arguments->folder, "Folder of a run")->required();
+  std::map<std::string, SizeMeasure> measures;
+  for (std::size_t k = 0; k < size_measure_names.size(); ++k) {
+    measures[std::string(size_measure_names[k])] = static_cast<SizeMeasure>(k);
+  }
+  command
+      ->add_option("--by", arguments->measure,
+                   "What counts as size: volume (m^3, default), size (its cube root, m), mass (kg)")
+      ->transform(CLI::CheckedTransformer(measures))
+      ->type_name("volume|size|mass");
+  command
+      ->add_option("--mesh", arguments->meshes,
+                   "Mesh of the bodies, for the control; may be given often")
+      ->type_name("FILE")
+      ->take_all();
+  command->add_option("--png", arguments->png, "Draw the distribution (needs gnuplot)")
+      ->type_name("FILE.png");
+  command->add_flag("--json", arguments->json, "Print JSON instead of a table");
+  command->footer(footer);
+  command->callback([=, &exit_code] { exit_code = measure_folder(*arguments); });
+}
+
+}  // namespace sunder

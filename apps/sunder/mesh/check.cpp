@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// `sunder check`: reads a mesh, counts its cells, measures its tetrahedra, lists every finding.
+#include "apps/sunder/mesh/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+
+#include "apps/sunder/mesh/check_report.hpp"
+#include "topology/mesh/finding_cells.hpp"
+#include "topology/io/mesh_file.hpp"
+
+namespace sunder {
+namespace {
+
+constexpr const char* footer = R"(
+MESH is any mesh file that sunder convert reads (sunder convert --formats lists them), packed by
+gzip or not; its content decides, not its name.
+Coordinates are taken as metres, volumes are m^3. Vertices, edges and faces are counted as orbits
+of the 3-map: cells that only touch are not joined. Numbers in brackets are rows counted from 0.
+Betti numbers follow from boundary sheets where the body lies in space; where it is flat, folded or
+has no boundary they are those of its homology over the integers, which is told with its torsion.
+Dihedral angles lie between two faces of a tetrahedron (70.5 degrees in a regular one). Radius
+ratios are 3 r / R of the spheres inside and around it: 1 for a regular one, 0 for a flat one.
+docs/checks.md tells every finding, its tolerance and what to do about it.
+
+Exit codes: 0 no error found (warnings and notes may be), 1 a mesh with errors, 2 usage, 3 no mesh
+can be read from the file, 4 FILE of --write-findings cannot be written.
+
+Examples:
+  sunder check meshes/ring.msh
+  sunder check body.vtu --json | jq .counts
+  sunder check body.inp --write-findings look.vtu
+)";
+
+struct Arguments {
+  std::filesystem::path mesh;
+  std::filesystem::path findings;
+  bool json = false;
+};
+
+/// The homology of a body from its tetrahedra; nothing where its numbers outgrow 64 bits.
+std::optional<suite::IntegerHomology> homology_of(const FileMesh& mesh) {
+  try {
+    const auto twin = suite::glue_twin(mesh.tetrahedra.corners, mesh.points.size());
+    return suite::integer_homology(suite::orbit_complex(twin));
+  } catch (const std::overflow_error&) {
+    return std::nullopt;
+  }
+}
+
+/// The Betti numbers of a body that may not lie in space.
+void find_homology(CheckReport& report, const FileMesh& mesh) {
+  report.homology = homology_of(mesh);
+  if (!report.homology) return;
+  const auto number = [&report](int d) {
+    return static_cast<std::ptrdiff_t>(report.homology->betti[d]);
+  };
+  report.counts->betti = {number(0), number(1), number(2)};
+}
+
+/// Gives the exit code of a failure.
+ExitCode write_findings(CheckReport& report, const FileMesh& mesh, const MeshCheck& check) {
+  const FileMesh cells = cells_of_findings(mesh, check);
+  if (cell_count(cells) == 0) return ExitCode::fine;
+  const std::vector<Finding> written = write_file_mesh(report.findings_file, cells);
+  report.findings.insert(report.findings.end(), written.begin(), written.end());
+  if (has_error(written)) return ExitCode::not_written;
+  report.cells_written = cell_count(cells);
+  return ExitCode::fine;
+}
+
+ExitCode run_check(const Arguments& arguments) {
+  CheckReport report;
+  report.findings_file = arguments.findings;
+  ExitCode exit_code = ExitCode::bad_input;
+  Result<FileMesh> mesh = read_file_mesh(arguments.mesh);
+  report.findings = std::move(mesh.findings);
+  if (mesh) {
+    const MeshCheck check = check_file_mesh(*mesh, !arguments.findings.empty());
+    for (const Finding& f : check.findings) {
+      report.findings.push_back(f);
+      report.findings.back().file = arguments.mesh.string();
+    }
+    report.is_read = !mesh->tetrahedra.corners.empty();
+    report.points = mesh->points.size();
+    report.tetrahedra = mesh->tetrahedra.corners.size();
+    report.counts = check.counts;
+    report.quality = check.quality;
+    if (report.counts && !report.counts->betti) find_homology(report, *mesh);
+    const bool is_bad = has_error(report.findings);
+    exit_code = !report.is_read ? ExitCode::bad_input
+                : is_bad        ? ExitCode::problems
+                                : ExitCode::fine;
+    if (!arguments.findings.empty()) {
+      const ExitCode failure = write_findings(report, *mesh, check);
+      if (failure != ExitCode::fine) exit_code = failure;
+    }
+  }
+  std::ranges::stable_sort(report.findings, std::ranges::greater{}, &Finding::severity);
+  arguments.json ? print_json(report) : print_table(report);
+  return exit_code;
+}
+
+}  // namespace
+
+void add_check_command(CLI::App& program, ExitCode& exit_code) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = program.add_subcommand(
+      "check", "Count the cells of a mesh, measure them, list what is wrong");
+  command->add_option("MESH", arguments->mesh, "Mesh file")->type_name("FILE")->required();
+  command
+      ->add_option("--write-findings", arguments->findings,
+                   "Write every cell and point that a finding names as a mesh to look at; its "
+                   "ending says the format, .vtu shows all. Cells have their finding as region "
+                   "and column, and their row in MESH")
+      ->type_name("FILE")
+      ->check([](const std::string& name) {
+        return format_of_name(name) ? std::string() : name + " has the ending of no mesh format";
+      });
+  command->add_flag("--json", arguments->json, "Print JSON instead of a table");
+  command->footer(footer);
+  command->callback([=, &exit_code] {
+    std::error_code cannot_compare;
+    if (std::filesystem::equivalent(arguments->mesh, arguments->findings, cannot_compare)) {
+      throw CLI::ValidationError("--write-findings", "FILE is MESH itself");
+    }
+    exit_code = run_check(*arguments);
+  });
+}
+
+}  // namespace sunder

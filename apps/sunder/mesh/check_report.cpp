@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// Prints what a check found: a table, or JSON.
+#include "apps/sunder/mesh/check_report.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+#include "apps/scene/words.hpp"
+
+namespace sunder {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json extreme_json(const Quality::Extreme& e) {
+  return {{"value", e.value}, {"tetrahedron", e.tetrahedron}};
+}
+
+/// Arctangents differ in the last digit from machine to machine; a billionth of a degree does not.
+Quality::Extreme rounded(Quality::Extreme angle) {
+  angle.value = std::round(angle.value * 1e9) / 1e9;
+  return angle;
+}
+
+double volume_ratio(const Quality& q) { return q.largest_volume.value / q.smallest_volume.value; }
+
+Json quality_json(const Quality& q) {
+  Json json{
+      {"dihedral_angle",
+       {{"smallest", extreme_json(rounded(q.smallest_dihedral))},
+        {"largest", extreme_json(rounded(q.largest_dihedral))}}},
+      {"radius_ratio",
+       {{"smallest", extreme_json(q.smallest_radius_ratio)}, {"mean", q.mean_radius_ratio}}},
+      {"volume",
+       {{"smallest", extreme_json(q.smallest_volume)},
+        {"largest", extreme_json(q.largest_volume)},
+        {"ratio", nullptr}}},
+      {"edge",
+       {{"shortest", extreme_json(q.shortest_edge)}, {"longest", extreme_json(q.longest_edge)}}}};
+  if (std::isfinite(volume_ratio(q))) json["volume"]["ratio"] = volume_ratio(q);
+  return json;
+}
+
+/// "Z^2 + Z/3" of one dimension; "0" for nothing.
+std::string group_text(const suite::IntegerHomology& homology, std::size_t dimension) {
+  std::string text;
+  const auto add = [&text](const std::string& part) {
+    if (!text.empty()) text += " + ";
+    text += part;
+  };
+  const std::size_t rank = homology.betti[dimension];
+  if (rank > 0) add(rank == 1 ? "Z" : fmt::format("Z^{}", rank));
+  for (const std::uint64_t n : homology.torsion[dimension]) add(fmt::format("Z/{}", n));
+  return text.empty() ? "0" : text;
+}
+
+void print_homology(const suite::IntegerHomology& homology) {
+  fmt::print("homology            ");
+  for (std::size_t d = 0; d < 4; ++d) fmt::print(" H{} = {}", d, group_text(homology, d));
+  fmt::print("\n");
+}
+
+void print_counts(const Counts& c) {
+  fmt::print("vertices            {:>10}\nedges               {:>10}\nfaces               {:>10}\n",
+             c.vertices, c.edges, c.faces);
+  fmt::print("components          {:>10}\nboundary faces      {:>10}\nboundary sheets     {:>10}\n",
+             c.components, c.boundary_faces, c.boundary_sheets);
+  fmt::print(
+      "Euler characteristic{:>10}\nBetti numbers       {:>10}\nvolume, m^3         {:>10.6g}\n",
+      c.euler_characteristic, betti_text(c), c.volume);
+}
+
+void print_range(const char* name, const Quality::Extreme& from, const Quality::Extreme& to) {
+  fmt::print("{:<20}{:>10.4g} to {:.4g}  [{} {}]\n", name, from.value, to.value, from.tetrahedron,
+             to.tetrahedron);
+}
+
+void print_quality(const Quality& q) {
+  print_range("dihedral angles, deg", q.smallest_dihedral, q.largest_dihedral);
+  fmt::print("radius ratios       {:>10.4g} at least, {:.4g} on average  [{}]\n",
+             q.smallest_radius_ratio.value, q.mean_radius_ratio,
+             q.smallest_radius_ratio.tetrahedron);
+  print_range("volumes, m^3", q.smallest_volume, q.largest_volume);
+  if (std::isfinite(volume_ratio(q)))
+    fmt::print("volume ratio        {:>10.4g}\n", volume_ratio(q));
+  print_range("edges, m", q.shortest_edge, q.longest_edge);
+}
+
+}  // namespace
+
+void print_json(const CheckReport& report) {
+  Json json;
+  Counts unknown;
+  unknown.tetrahedra = report.tetrahedra;
+  json["counts"] = cell_counts_json(report.points, report.counts ? *report.counts : unknown);
+  json.update(invariants_json(report.counts ? *report.counts : unknown));
+  if (!report.counts) {
+    // Nothing is claimed that was not counted.
+    for (auto& [key, value] : json["counts"].items()) {
+      const bool known = report.is_read && (key == "file_vertices" || key == "tetrahedra");
+      if (!known) value = nullptr;
+    }
+    for (const char* key : {"euler_characteristic", "betti", "volume"}) json[key] = nullptr;
+  }
+  if (report.homology) {
+    json["homology"] = {{"betti", report.homology->betti}, {"torsion", report.homology->torsion}};
+  }
+  json["quality"] = report.quality ? quality_json(*report.quality) : Json(nullptr);
+  if (!report.findings_file.empty()) {
+    json["findings_file"] = {{"cells", report.cells_written}, {"path", nullptr}};
+    if (report.cells_written > 0) json["findings_file"]["path"] = report.findings_file.string();
+  }
+  json["findings"] = findings_json(report.findings);
+  json["valid"] = !has_error(report.findings);
+  fmt::print("{}\n", json.dump(2));
+}
+
+void print_table(const CheckReport& report) {
+  if (report.is_read) {
+    fmt::print("points in the file  {:>10}\ntetrahedra          {:>10}\n", report.points,
+               report.tetrahedra);
+  }
+  if (report.counts) print_counts(*report.counts);
+  if (report.homology) print_homology(*report.homology);
+  if (report.quality) print_quality(*report.quality);
+  fmt::print("{}", finding_lines(report.findings));
+  if (report.cells_written > 0) {
+    fmt::print("{}: {} cells that findings name\n", report.findings_file.string(),
+               report.cells_written);
+  } else if (!report.findings_file.empty()) {
+    fmt::print("no finding names a cell: nothing is written\n");
+  }
+  fmt::print("{}\n", has_error(report.findings) ? "not valid" : "valid");
+}
+
+}  // namespace sunder

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// What `sunder check` found out about a mesh, and how it is printed.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "topology/mesh/check.hpp"
+#include "topology/suite/homology/homology.hpp"
+
+namespace sunder {
+
+/// What is known of a mesh in the end.
+struct CheckReport {
+  /// Of the file, of its mesh, and of writing the cells that they name.
+  std::vector<Finding> findings;
+  /// Whether the file holds a mesh of tetrahedra.
+  bool is_read = false;
+  std::size_t points = 0, tetrahedra = 0;
+  std::optional<Counts> counts;
+  std::optional<Quality> quality;
+  /// Where the body may not lie in space, so that its sheets do not tell its Betti numbers.
+  std::optional<suite::IntegerHomology> homology;
+  /// Where the cells that findings name were to go; empty when nobody asked.
+  std::filesystem::path findings_file;
+  /// How many cells were written there.
+  std::size_t cells_written = 0;
+};
+
+void print_json(const CheckReport& report);
+void print_table(const CheckReport& report);
+
+}  // namespace sunder

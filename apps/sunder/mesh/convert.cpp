@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: MIT
+// `sunder convert`: reads all that a mesh file holds, tells what the new format cannot hold,
+// writes.
+#include "apps/sunder/mesh/convert.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "apps/sunder/mesh/convert_crack.hpp"
+#include "apps/scene/words.hpp"
+#include "topology/io/mesh_file.hpp"
+#include "topology/io/output_file.hpp"
+#include "topology/mesh/repair.hpp"
+
+namespace sunder {
+namespace {
+
+constexpr const char* footer = R"(
+IN is known by its content, not by its name (TetGen's files by their names, any of which may be
+given: STEM.node, .ele, .face and .edge are read and written together); it may be packed by gzip.
+OUT's ending names the format, or --to does. `sunder convert --formats` lists the formats, their
+endings, versions and encodings (the usual ones first), and what each can hold. Points and cells
+keep their order; numbers, regions, entities and data go along where the format holds them. Names of
+regions that it does not hold go to OUT.regions, which is read with OUT. Everything else that would
+be lost is listed first, as warnings.
+Repairs are made in the order in which they are listed here, and each tells what it changed.
+A crack is opened after them, without width: points are copied exactly where the cut faces part the
+tetrahedra around them, a front stays joined (docs/cracks.md).
+
+Exit codes: 0 written, 1 something would be lost and --strict was given (nothing is written),
+2 usage, 3 the input cannot be read or repaired, 4 the output cannot be written.
+
+Examples:
+  sunder convert body.msh body.vtu
+  sunder convert body.msh clean.msh --merge-points 1e-6 --drop-duplicates --fix-orientation
+  sunder convert body.vtu body.msh --format-version 2.2 --binary --strict
+  sunder convert body.msh cracked.vtu --crack-regions matrix,inclusion --crack-pairs pairs.csv
+)";
+
+struct Arguments {
+  std::filesystem::path in;
+  std::filesystem::path out;
+  std::string to;
+  std::string version;
+  std::optional<Encoding> encoding;
+  bool zlib = false;
+  bool strict = false;
+  bool tetrahedra_only = false;
+  bool json = false;
+  Repairs repairs;
+  CrackOptions crack;
+};
+
+struct Conversion {
+  std::vector<Finding> findings;
+  FileMesh mesh;
+  bool is_read = false;
+  bool is_repaired = true;
+  bool is_written = false;
+  /// Whether something is lost between the two files.
+  bool has_losses = false;
+};
+
+std::optional<MeshFormat> format_called(const std::string& word) {
+  return format_of_name("mesh." + word);
+}
+
+/// What was left out on reading is as lost as what cannot be written.
+bool is_loss(const Finding& finding) {
+  return finding.severity == Severity::warning || finding.code == "skipped_cells" ||
+         finding.code == "skipped_data";
+}
+
+Conversion convert(const Arguments& arguments) {
+  Conversion result;
+  Result<FileMesh> mesh =
+      read_file_mesh(arguments.in, {.tetrahedra_only = arguments.tetrahedra_only});
+  result.findings = std::move(mesh.findings);
+  if (!mesh) return result;
+  result.is_read = true;
+  result.mesh = std::move(*mesh);
+  // A repair was asked for: what it drops is no loss.
+  result.has_losses = std::ranges::any_of(result.findings, is_loss);
+  std::ranges::move(repair(result.mesh, arguments.repairs), std::back_inserter(result.findings));
+  NamedCrack crack;
+  if (!has_error(result.findings)) crack = open_named_crack(result.mesh, arguments.crack);
+  std::ranges::move(crack.findings, std::back_inserter(result.findings));
+  if (has_error(result.findings)) {
+    result.is_repaired = false;
+    return result;
+  }
+  WriteOptions options{
+      .version = arguments.version, .encoding = arguments.encoding, .pack = arguments.zlib};
+  options.format =
+      arguments.to.empty() ? format_of_name(arguments.out) : format_called(arguments.to);
+  if (arguments.strict && options.format) {
+    std::vector<Finding> lost = lost_on_writing(result.mesh, options);
+    result.has_losses = result.has_losses || !lost.empty();
+    if (result.has_losses) {
+      std::ranges::move(lost, std::back_inserter(result.findings));
+      return result;
+    }
+  }
+  std::vector<Finding> written = write_file_mesh(arguments.out, result.mesh, options);
+  if (!has_error(written) && !arguments.crack.pairs.empty()) {
+    auto failure = write_file(arguments.crack.pairs, crack.pairs);
+    if (failure) written.push_back(std::move(*failure));
+  }
+  result.is_written = !has_error(written);
+  result.has_losses = result.has_losses || std::ranges::any_of(written, is_loss);
+  std::ranges::move(written, std::back_inserter(result.findings));
+  return result;
+}
+
+nlohmann::ordered_json counts_json(const FileMesh& mesh) {
+  return {{"points", mesh.points.size()},
+          {"vertices", mesh.vertices.corners.size()},
+          {"edges", mesh.edges.corners.size()},
+          {"triangles", mesh.triangles.corners.size()},
+          {"tetrahedra", mesh.tetrahedra.corners.size()}};
+}
+
+void print(const Arguments& arguments, const Conversion& result) {
+  if (arguments.json) {
+    nlohmann::ordered_json json;
+    json["counts"] = result.is_read ? counts_json(result.mesh) : nlohmann::ordered_json{};
+    json["written"] = result.is_written;
+    json["lossless"] = result.is_written && !result.has_losses;
+    json["findings"] = findings_json(result.findings);
+    fmt::print("{}\n", json.dump(2));
+    return;
+  }
+  fmt::print("{}", finding_lines(result.findings));
+  if (!result.is_written) {
+    fmt::print("nothing is written\n");
+    return;
+  }
+  fmt::print("{}: written from {} points, {} tetrahedra, {} triangles, {} edges, {} vertices{}\n",
+             arguments.out.string(), result.mesh.points.size(),
+             result.mesh.tetrahedra.corners.size(), result.mesh.triangles.corners.size(),
+             result.mesh.edges.corners.size(), result.mesh.vertices.corners.size(),
+             result.has_losses ? "" : "; nothing is lost");
+}
+
+std::string_view yes_or_no(bool held) { return held ? "yes" : "no"; }
+
+/// What each format holds, as the Markdown table of docs/formats.md.
+void print_formats() {
+  fmt::print(
+      "| format | ending | written as | cells | regions | their names | entities | regions of "
+      "points "
+      "| numbers of points | of cells | data of points | of cells | types of numbers |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+  constexpr std::string_view encoding_words[] = {"text", "binary", "base64"};
+  constexpr std::string_view cell_words[] = {"vertices", "edges", "triangles", "tetrahedra"};
+  for (const FormatTraits& t : format_traits()) {
+    std::string cells, written = fmt::format("{}", fmt::join(t.versions, ", "));
+    for (std::size_t d = 0; d < 4; ++d) {
+      if (t.holds_cells[d]) cells += fmt::format("{}{}", cells.empty() ? "" : ", ", cell_words[d]);
+    }
+    for (const Encoding e : t.encodings) {
+      written += fmt::format("{}{}",
+                             written.empty()       ? ""
+                             : e == t.encodings[0] ? "; "
+                                                   : ", ",
+                             encoding_words[static_cast<std::size_t>(e)]);
+    }
+    if (t.packs) written += ", zlib";
+    fmt::print("| {} | {} | {} | {} |", t.name, fmt::join(t.extensions, ", "), written, cells);
+    fmt::print(" {} | {} |", yes_or_no(t.holds_regions),
+               t.regions_are_words ? "words" : yes_or_no(t.holds_region_names));
+    for (const bool held : {t.holds_entities, t.holds_point_regions, t.holds_point_ids}) {
+      fmt::print(" {} |", yes_or_no(held));
+    }
+    fmt::print(" {} | {} |", t.cell_ids_from == 1 ? "of elements" : yes_or_no(t.holds_cell_ids),
+               yes_or_no(t.holds_point_data));
+    fmt::print(" {} | {} |\n",
+               t.cell_data_from == 3 ? "of tetrahedra" : yes_or_no(t.holds_cell_data),
+               yes_or_no(t.holds_number_types));
+  }
+}
+
+ExitCode run_convert(const Arguments& arguments) {
+  const Conversion result = convert(arguments);
+  print(arguments, result);
+  if (!result.is_read || !result.is_repaired) return ExitCode::bad_input;
+  if (result.is_written) return ExitCode::fine;
+  const auto is_usage = [](const Finding& f) {
+    return f.code == "unknown_format" || f.code == "unknown_version";
+  };
+  if (std::ranges::any_of(result.findings, is_usage)) return ExitCode::usage;
+  return has_error(result.findings) ? ExitCode::not_written : ExitCode::problems;
+}
+
+std::string known_format(const std::string& word) {
+  if (format_called(word)) return {};
+  std::string words;
+  for (const FormatTraits& t : format_traits()) {
+    words += fmt::format("{}{}", words.empty() ? "" : ", ", t.extensions[0].substr(1));
+  }
+  return fmt::format("{} is no format: give one of {}", word, words);
+}
+
+}  // namespace
+
+void add_convert_command(CLI::App& program, ExitCode& exit_code) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App* command =
+      program.add_subcommand("convert", "Convert a mesh file, telling what would be lost");
+  command->add_option("IN", arguments->in, "Mesh file to read")->type_name("FILE")->required();
+  command->add_option("OUT", arguments->out, "Mesh file to write")->type_name("FILE")->required();
+  command->add_option("--to", arguments->to, "Format to write; default: by OUT's ending")
+      ->type_name("FORMAT")
+      ->check(known_format);
+  command
+      ->add_option("--format-version", arguments->version,
+                   "Version of the format; default: the first that --formats lists")
+      ->type_name("VERSION");
+  const auto ask_for = [=](Encoding encoding) { return [=] { arguments->encoding = encoding; }; };
+  CLI::Option* text = command->add_flag_callback("--text", ask_for(Encoding::text), "Write text");
+  CLI::Option* binary =
+      command->add_flag_callback("--binary", ask_for(Encoding::binary), "Write binary data");
+  command
+      ->add_flag_callback("--base64", ask_for(Encoding::base64),
+                          "Write binary data as base64 (VTU)")
+      ->excludes(text)
+      ->excludes(binary);
+  binary->excludes(text);
+  command->add_flag("--zlib", arguments->zlib, "Pack binary data or base64 by zlib (VTU)");
+  command->add_flag("--strict", arguments->strict, "Write nothing if anything would be lost");
+  command->add_flag("--tetrahedra-only", arguments->tetrahedra_only,
+                    "Leave volume cells out that are no tetrahedra");
+  command
+      ->add_option(
+          "--merge-points", arguments->repairs.merge_points,
+          "Repair: merge points within this distance; 0: those that coincide. Unit: that of "
+          "the file")
+      ->type_name("DISTANCE")
+      ->check(CLI::NonNegativeNumber);
+  Repairs& repairs = arguments->repairs;
+  command->add_flag("--drop-duplicates", repairs.drop_duplicates,
+                    "Repair: of tetrahedra with the same points keep the first");
+  command->add_flag("--split-nonmanifold", repairs.split_nonmanifold,
+                    "Repair: copies of points where stars of tetrahedra only touch");
+  command->add_flag("--largest-component", repairs.largest_component,
+                    "Repair: keep the largest component");
+  command->add_flag("--fix-orientation", repairs.fix_orientation,
+                    "Repair: swap two points of inverted tetrahedra");
+  command->add_flag("--drop-unused", repairs.drop_unused, "Repair: drop points that no cell uses");
+  add_crack_options(*command, arguments->crack);
+  command->add_flag("--json", arguments->json, "Print JSON instead of a table");
+  command->add_flag_callback(
+      "--formats",
+      [] {
+        print_formats();
+        throw CLI::Success();
+      },
+      "Print what each format can hold, as a table, and end");
+  command->footer(footer);
+  command->callback([=, &exit_code] { exit_code = run_convert(*arguments); });
+}
+
+}  // namespace sunder

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// From the command line to cut faces, and what came of them as words and as a list.
+#include "apps/sunder/mesh/convert_crack.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "apps/scene/words.hpp"
+#include "topology/mesh/crack.hpp"
+#include "topology/io/face_list.hpp"
+
+namespace sunder {
+namespace {
+
+/// Faces of one kind of naming, beside those found before.
+struct Named {
+  CutFaces faces;
+  std::vector<Finding> findings;
+};
+
+void add(Named& named, Result<CutFaces>&& found) {
+  std::ranges::move(found.findings, std::back_inserter(named.findings));
+  if (found) named.faces.insert(named.faces.end(), found->begin(), found->end());
+}
+
+Named named_faces(const FileMesh& mesh, const FaceLinks& links, const CrackOptions& options) {
+  Named named;
+  if (!options.faces.empty()) {
+    auto listed = read_face_list(options.faces);
+    std::ranges::move(listed.findings, std::back_inserter(named.findings));
+    if (listed) add(named, listed_faces(mesh, links, *listed));
+  }
+  if (!options.plane.empty()) {
+    const std::vector<double> x = *numbers_of(options.plane, 4);
+    add(named, section_faces(mesh, links, {.normal = {x[0], x[1], x[2]}, .offset = x[3]}));
+  }
+  if (!options.regions.empty()) {
+    const std::string_view words = options.regions;
+    const std::size_t comma = words.find(',');
+    add(named, interface_faces(mesh, links, {words.substr(0, comma), words.substr(comma + 1)}));
+  }
+  std::ranges::sort(named.faces);
+  named.faces.erase(std::unique(named.faces.begin(), named.faces.end()), named.faces.end());
+  return named;
+}
+
+Finding note(std::string_view code, std::size_t count, std::string text) {
+  return {.code = std::string(code),
+          .severity = Severity::note,
+          .count = count,
+          .text = std::move(text),
+          .remedy = "nothing to do: this was asked for"};
+}
+
+std::vector<Finding> notes_of(const Crack& crack) {
+  std::size_t points = 0;
+  for (std::size_t i = 0; i < crack.copies.size(); ++i) {
+    points += i == 0 || crack.copies[i][0] != crack.copies[i - 1][0];
+  }
+  std::vector<Finding> notes{note("cracked", crack.faces.size(),
+                                  fmt::format("{} faces are cut: {} points have {} copies",
+                                              crack.faces.size(), points, crack.copies.size()))};
+  if (crack.closed_faces > 0) {
+    notes.push_back(note("closed_faces", crack.closed_faces,
+                         fmt::format("{} of the faces do not open: all their points lie on the "
+                                     "crack's front and stay joined",
+                                     crack.closed_faces)));
+  }
+  if (crack.triangles_on_it > 0) {
+    notes.push_back(note("triangles_on_crack", crack.triangles_on_it,
+                         fmt::format("{} triangles lie on the crack: each goes with the "
+                                     "tetrahedron of the lower row",
+                                     crack.triangles_on_it)));
+  }
+  return notes;
+}
+
+/// One line a pair of points, and one a cut face.
+std::string pairs_text(const Crack& crack) {
+  std::string text =
+      "# rows, counted from 0\n"
+      "# point,POINT,COPY\n"
+      "# face,TETRAHEDRON,TETRAHEDRON,three points of the first,the same of the second\n";
+  for (const auto& [point, copy] : crack.copies) text += fmt::format("point,{},{}\n", point, copy);
+  for (const CrackFace& face : crack.faces) {
+    text += fmt::format("face,{},{},{},{}\n", face.tetrahedra[0], face.tetrahedra[1],
+                        fmt::join(face.points[0], ","), fmt::join(face.points[1], ","));
+  }
+  return text;
+}
+
+}  // namespace
+
+void add_crack_options(CLI::App& command, CrackOptions& options) {
+  const auto is_plane = [](const std::string& list) {
+    return numbers_of(list, 4) ? std::string()
+                               : fmt::format("'{}' is not NX,NY,NZ,D: four numbers", list);
+  };
+  const auto is_pair = [](const std::string& list) {
+    return std::ranges::count(list, ',') == 1 ? std::string()
+                                              : fmt::format("'{}' is not A,B: two regions", list);
+  };
+  std::vector<CLI::Option*> cracks;
+  cracks.push_back(command
+                       .add_option("--crack-faces", options.faces,
+                                   "Crack: cut the faces listed here, three rows of points "
+                                   "(from 0) a line")
+                       ->type_name("FILE"));
+  cracks.push_back(command
+                       .add_option("--crack-plane", options.plane,
+                                   "Crack: cut where the plane NX x + NY y + NZ z = D parts "
+                                   "centres of tetrahedra")
+                       ->type_name("NX,NY,NZ,D")
+                       ->check(CLI::Validator(is_plane, "", "plane")));
+  cracks.push_back(command
+                       .add_option("--crack-regions", options.regions,
+                                   "Crack: cut between two regions, by number or name")
+                       ->type_name("A,B")
+                       ->check(CLI::Validator(is_pair, "", "regions")));
+  const auto has_crack = [cracks](const std::string&) {
+    const bool any = std::ranges::any_of(cracks, [](const auto* o) { return o->count() > 0; });
+    return any ? std::string() : "there is no crack: give --crack-faces, -plane or -regions first";
+  };
+  command
+      .add_option("--crack-pairs", options.pairs,
+                  "Write here which points and faces lie on each other across the crack")
+      ->type_name("FILE")
+      ->check(CLI::Validator(has_crack, "", "crack"));
+}
+
+NamedCrack open_named_crack(FileMesh& mesh, const CrackOptions& options) {
+  if (options.faces.empty() && options.plane.empty() && options.regions.empty()) return {};
+  const Result<FaceLinks> links = face_links(mesh);
+  if (!links) return {links.findings, {}};
+  Named named = named_faces(mesh, *links, options);
+  if (has_error(named.findings)) return {std::move(named.findings), {}};
+  const Crack crack = open_crack(mesh, *links, named.faces);
+  return {notes_of(crack), pairs_text(crack)};
+}
+
+}  // namespace sunder

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// Lines of the event log and the checks at their ends.
+#include "apps/sunder/run/event_log.hpp"
+
+#include <array>
+#include <utility>
+
+#include "apps/scene/scene_hash.hpp"
+
+namespace sunder {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json numbers(const Vec3& v) { return {v[0], v[1], v[2]}; }
+
+ordered_json face_of(const FaceSplit& split, const VolumeMap& map) {
+  ordered_json points = ordered_json::array(), copies = ordered_json::array(),
+               edges = ordered_json::array();
+  for (const int corner :
+       dart_order::face_corners[static_cast<std::size_t>(place_of(split.face))]) {
+    const VertexId v = map.corners(tetrahedron_of(split.face))[static_cast<std::size_t>(corner)];
+    points.push_back(map.point_of_vertex(v));
+  }
+  for (int i = 0; i < split.vertex_count; ++i) {
+    const VertexCopy& copy = split.split_vertices[static_cast<std::size_t>(i)];
+    copies.push_back({copy.old_row.value, copy.new_row.value});
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (split.split_edges >> i & 1) edges.push_back({points[i], points[(i + 1) % 3]});
+  }
+  return {{"points", points},
+          {"split_vertices", copies},
+          {"split_edges", edges},
+          {"oracle", oracle_says_new(split)}};
+}
+
+using Count = std::size_t RunStatistics::*;
+constexpr std::array<std::pair<const char*, Count>, 9> counts_of_search = {
+    {{"tested", &RunStatistics::tested},
+     {"suspects", &RunStatistics::suspects},
+     {"reached", &RunStatistics::reached},
+     {"empty_fans", &RunStatistics::empty_fans},
+     {"still_empty", &RunStatistics::still_empty},
+     {"unfitted", &RunStatistics::unfitted},
+     {"refused_fans", &RunStatistics::refused_fans},
+     {"relieved", &RunStatistics::relieved},
+     {"waiting", &RunStatistics::waiting}}};
+
+}  // namespace
+
+std::string_view to_string(RunEnd end) {
+  constexpr std::array<std::string_view, 3> ends = {"finished", "interrupted", "failed"};
+  return ends[static_cast<std::size_t>(end)];
+}
+
+ordered_json event_of(const FanEvent& event, const EventTime& when, const VolumeMap& map) {
+  ordered_json faces = ordered_json::array(), created = ordered_json::array();
+  for (const FaceSplit& split : event.faces) faces.push_back(face_of(split, map));
+  for (std::size_t i = 0; i < event.components.created; ++i) {
+    created.push_back(event.components.first_new.value + i);
+  }
+  return {{"fan", when.fan},
+          {"step", when.step},
+          {"part", when.part},
+          {"round", event.round},
+          {"time", when.time},
+          {"vertex", event.vertex.value},
+          {"point", event.point},
+          {"rest_position", numbers(event.rest_position)},
+          {"normal", numbers(event.normal)},
+          {"stress", event.stress},
+          {"strength", event.strength},
+          {"faces", faces},
+          {"oracle", event.components.predicted},
+          {"new_components", created}};
+}
+
+ordered_json search_counts(const RunStatistics& statistics) {
+  ordered_json counts = ordered_json::object();
+  for (const auto& [name, count] : counts_of_search) counts[name] = statistics.*count;
+  return counts;
+}
+
+bool take_search_counts(RunStatistics& statistics, const ordered_json& counts) {
+  if (!counts.is_object()) return false;
+  for (const auto& [name, count] : counts_of_search) {
+    const auto value = counts.find(name);
+    if (value == counts.end() || !value->is_number_unsigned()) return false;
+    statistics.*count = value->get<std::size_t>();
+  }
+  return true;
+}
+
+ordered_json event_log_head(const SceneFile& file, const std::string& hash) {
+  return {{"log", "sunder events"},
+          {"format", event_log_format},
+          {"sunder", SUNDER_VERSION},
+          {"scene", file.scene.name},
+          {"scene_hash", hash}};
+}
+
+std::string line_check(std::string_view line, std::string_view before) {
+  Fnv1a hash;
+  hash.add(before);
+  hash.add(line);
+  return hex_digits(hash.value);
+}
+
+EventLog::EventLog(const SceneFile& file) {
+  const std::string hash = scene_hash(file);
+  add(event_log_head(file, hash));
+  check_ = hash;
+}
+
+void EventLog::add(const ordered_json& line) {
+  std::string text = line.dump();
+  check_ = line_check(text, check_);
+  text.insert(text.size() - 1, ",\"check\":\"" + check_ + "\"");
+  text_ += text + "\n";
+}
+
+}  // namespace sunder

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// The event log of a run, line by line: complete enough to repeat the run.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+#include "apps/sunder/run/recorder_report.hpp"
+#include "apps/scene/scene_json.hpp"
+#include "fracture/simulation/simulation.hpp"
+
+namespace sunder {
+
+/// What a reader must know to read the log; raised whenever a line's meaning changes.
+inline constexpr int event_log_format = 2;
+
+/// The words of `RunEnd`, as report and log have them.
+std::string_view to_string(RunEnd end);
+
+/// When a fan happened.
+struct EventTime {
+  /// Which fan of the run it is, from 0, its step, and which of the step's searches made it.
+  std::uint64_t fan = 0, step = 0;
+  std::uint32_t part = 0;
+  /// s, at the end of the sub-step.
+  double time = 0;
+};
+
+/// One fan: fan, step, part, round, time, vertex, point, rest_position, normal, stress, strength,
+/// faces ({points, split_vertices [[old, new]...], split_edges, oracle}), oracle (faces that
+/// predict a separation) and new_components. Rows as they are after the fan. `map`: at any later
+/// time; names the faces' points.
+nlohmann::ordered_json event_of(const FanEvent& event, const EventTime& when, const VolumeMap& map);
+
+/// What the run's search for fractures counted beside fans (a replay does not search), and the
+/// other way; `take` gives false where `counts` has not all of them as numbers.
+nlohmann::ordered_json search_counts(const RunStatistics& statistics);
+bool take_search_counts(RunStatistics& statistics, const nlohmann::ordered_json& counts);
+
+/// The log as text, one JSON object a line. Its first line names format, program and scene; each
+/// other is a fan, the last says how the run ended. Guarded: every line ends with a `check` over
+/// itself and the lines before it (the first over itself only: another program version may replay
+/// the log), seeded with the scene's hash.
+class EventLog {
+ public:
+  explicit EventLog(const SceneFile& file);
+  void add(const nlohmann::ordered_json& line);
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+  std::string check_;
+};
+
+/// The log's first line for a scene, without its check.
+nlohmann::ordered_json event_log_head(const SceneFile& file, const std::string& hash);
+
+/// The check of a line (its text without check) after a line with the check `before`.
+std::string line_check(std::string_view line, std::string_view before);
+
+}  // namespace sunder

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MIT
+// The files of a run and when they are written.
+#include "apps/sunder/run/recorder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "apps/render/renderer.hpp"
+#include "apps/sunder/run/pictures.hpp"
+#include "fracture/algorithms/find_fractures.hpp"
+#include "topology/io/output_file.hpp"
+#include "topology/io/vtu/vtu.hpp"
+
+namespace sunder {
+
+namespace fs = std::filesystem;
+
+struct Recorder::Parts {
+  fs::path folder;
+  OutputSettings output;
+  Origins origin;
+  std::vector<std::uint64_t> frame_steps, picture_steps;
+  RunStatistics statistics;
+  std::vector<PvdFrame> frames;
+  std::uint32_t pictures = 0;
+  std::optional<std::uint64_t> last_frame, last_picture;
+  EventLog events;
+  nlohmann::ordered_json counts;
+  std::vector<std::uint64_t> birth;  // step, by component; those of the start have 0
+  std::optional<render::Renderer> renderer;
+  RunView view;
+  nlohmann::ordered_json report;
+
+  explicit Parts(const RecordedRun& run)
+      : folder(run.folder), output(run.file.output), events(run.file), counts(run.counts) {}
+  std::vector<Finding> write_frame_of(const Simulation& now);
+  std::vector<Finding> draw_picture(const Simulation& now);
+  std::vector<Finding> write_due(const Simulation& now);
+};
+
+namespace {
+
+void append(std::vector<Finding>& all, std::vector<Finding> more) {
+  for (Finding& f : more) all.push_back(std::move(f));
+}
+
+Finding cannot_write(const fs::path& path, const std::error_code& reason) {
+  Finding finding;
+  finding.code = "cannot_write";
+  finding.text = fmt::format("cannot write {}: {}", path.string(), reason.message());
+  finding.remedy = "give another folder with -o, or make this one writable";
+  finding.file = path.string();
+  return finding;
+}
+
+bool is_ours(const std::string& name) {
+  const auto numbered = [&](std::string_view before, std::string_view after) {
+    return name.size() > before.size() + after.size() && name.starts_with(before) &&
+           name.ends_with(after) &&
+           std::all_of(name.begin() + static_cast<std::ptrdiff_t>(before.size()),
+                       name.end() - static_cast<std::ptrdiff_t>(after.size()),
+                       [](char c) { return c >= '0' && c <= '9'; });
+  };
+  return numbered("frame_", ".vtu") || numbered("picture_", ".png") || name == "frames.pvd" ||
+         name == "events.jsonl" || name == "cracks.csv" || name == "fragments.csv" ||
+         name == "report.json";
+}
+
+/// Makes the folders and removes what an earlier run left: frames of two runs must not mix.
+std::error_code prepare_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder / "frames", error);
+  for (const fs::path& place : {folder, folder / "frames"}) {
+    if (error) return error;
+    std::vector<fs::path> old;
+    for (const fs::directory_entry& entry : fs::directory_iterator(place, error)) {
+      if (is_ours(entry.path().filename().string())) old.push_back(entry.path());
+    }
+    for (const fs::path& path : old) {
+      if (!error) fs::remove(path, error);
+    }
+  }
+  return error;
+}
+
+std::vector<std::uint64_t> due_frames(const SceneFile& file) {
+  return file.output.frame_interval > 0 ? interval_steps(file.scene, file.output.frame_interval)
+                                        : even_steps(step_count(file.scene), file.output.frames);
+}
+
+std::vector<std::uint64_t> due_pictures(const SceneFile& file) {
+  const std::uint64_t steps = step_count(file.scene);
+  std::vector<std::uint64_t> due = even_steps(steps, file.output.pictures.count);
+  for (const double time : file.output.pictures.times) {
+    const double step = std::round(time / file.scene.time_step);
+    if (step <= static_cast<double>(steps)) due.push_back(static_cast<std::uint64_t>(step));
+  }
+  std::ranges::sort(due);
+  due.erase(std::unique(due.begin(), due.end()), due.end());
+  return due;
+}
+
+}  // namespace
+
+std::uint64_t step_count(const Scene& scene) {
+  // 1 s of 1 ms steps is 1000 steps, although 1 / 1e-3 may come out a little above.
+  return static_cast<std::uint64_t>(std::ceil(scene.duration / scene.time_step - 1e-6));
+}
+
+std::vector<std::uint64_t> even_steps(std::uint64_t steps, std::uint64_t count) {
+  std::vector<std::uint64_t> due;
+  if (count == 1) due = {steps};
+  for (std::uint64_t k = 0; count > 1 && k < count; ++k) {
+    const double part = static_cast<double>(k) / static_cast<double>(count - 1);
+    due.push_back(static_cast<std::uint64_t>(std::llround(part * static_cast<double>(steps))));
+  }
+  due.erase(std::unique(due.begin(), due.end()), due.end());
+  return due;
+}
+
+std::vector<std::uint64_t> interval_steps(const Scene& scene, double interval) {
+  const std::uint64_t steps = step_count(scene);
+  const double stride = std::max(interval / scene.time_step, 1.0);
+  std::vector<std::uint64_t> due;
+  for (std::uint64_t k = 0;; ++k) {
+    const double step = std::round(static_cast<double>(k) * stride);
+    if (step > static_cast<double>(steps)) return due;
+    due.push_back(static_cast<std::uint64_t>(step));
+  }
+}
+
+Recorder::Recorder(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+Recorder::Recorder(Recorder&&) noexcept = default;
+Recorder& Recorder::operator=(Recorder&&) noexcept = default;
+Recorder::~Recorder() = default;
+
+Result<Recorder> Recorder::open(const RecordedRun& run, const Simulation& start,
+                                std::vector<Finding> warnings) {
+  auto parts = std::make_unique<Parts>(run);
+  parts->origin = origins(run.file.scene.bodies);
+  parts->frame_steps = due_frames(run.file);
+  parts->picture_steps = due_pictures(run.file);
+  parts->statistics = begin_statistics(start, std::move(warnings));
+  Result<Recorder> result;
+  if (!parts->picture_steps.empty()) {
+    Result<render::Renderer> renderer = render::Renderer::offscreen();
+    append(result.findings, std::move(renderer.findings));
+    if (!renderer) return result;
+    parts->renderer = std::move(*renderer);
+    parts->view = run_view({start.state, start.state.obstacles}, parts->output.pictures,
+                           start.scene.gravity.acceleration);
+  }
+  if (const std::error_code error = prepare_folder(run.folder)) {
+    result.findings.push_back(cannot_write(run.folder, error));
+    return result;
+  }
+  append(result.findings, parts->write_due(start));
+  if (!has_error(result.findings)) result.value = Recorder(std::move(parts));
+  return result;
+}
+
+std::vector<Finding> Recorder::Parts::write_frame_of(const Simulation& now) {
+  const std::string name = fmt::format("frames/frame_{:06}.vtu", frames.size());
+  const std::vector<Mat3> stress =
+      node_stress_of(now.state.cells, now.state.mechanics, now.scene.fracture.node_stress);
+  std::vector<Finding> findings =
+      write_frame(folder / name, now.state.cells, now.state.mechanics, origin, stress);
+  if (has_error(findings)) return findings;
+  frames.push_back({now.state.mechanics.time, name});
+  last_frame = now.state.step;
+  append(findings, write_pvd(folder / "frames.pvd", frames));
+  return findings;
+}
+
+std::vector<Finding> Recorder::Parts::draw_picture(const Simulation& now) {
+  const PictureSettings& settings = output.pictures;
+  const render::FrameScene scene =
+      picture_scene({now.state, now.state.obstacles}, settings.show, view.extent);
+  Result<render::Image> image = renderer->render(
+      scene, view.camera, static_cast<int>(settings.width), static_cast<int>(settings.height));
+  std::vector<Finding> findings = std::move(image.findings);
+  if (!image) return findings;
+  const std::string name = fmt::format("picture_{:03}.png", pictures++);
+  append(findings, render::write_png(folder / name, *image));
+  last_picture = now.state.step;
+  return findings;
+}
+
+std::vector<Finding> Recorder::Parts::write_due(const Simulation& now) {
+  std::vector<Finding> findings;
+  if (std::ranges::binary_search(frame_steps, now.state.step)) findings = write_frame_of(now);
+  if (std::ranges::binary_search(picture_steps, now.state.step)) {
+    append(findings, draw_picture(now));
+  }
+  return findings;
+}
+
+std::vector<Finding> Recorder::record(const Simulation& now, const StepReport& report,
+                                      double step_ms) {
+  add_step(parts_->statistics, now, report, step_ms);
+  for (std::size_t k = 0; k < report.fracture.fans.size(); ++k) {
+    const ComponentUpdate& made = report.fracture.fans[k].components;
+    if (made.created > 0) parts_->birth.resize(made.first_new.index(), 0);
+    parts_->birth.resize(parts_->birth.size() + made.created, report.step);
+    const std::uint64_t fan = parts_->statistics.fans - report.fracture.fans.size() + k;
+    parts_->events.add(event_of(report.fracture.fans[k],
+                                {fan, report.step, report.fan_part[k], report.fan_time[k]},
+                                now.state.cells.map));
+  }
+  return parts_->write_due(now);
+}
+
+std::vector<Finding> Recorder::finish(const Simulation& now, RunEnd end) {
+  Parts& p = *parts_;
+  std::vector<Finding> findings;
+  if (end != RunEnd::finished) {
+    if (!p.frame_steps.empty() && p.last_frame != now.state.step) findings = p.write_frame_of(now);
+    if (p.renderer && p.last_picture != now.state.step) append(findings, p.draw_picture(now));
+  }
+  if (!p.counts.is_null()) take_search_counts(p.statistics, p.counts);
+  p.events.add({{"end", to_string(end)},
+                {"steps", now.state.step},
+                {"fans", p.statistics.fans},
+                {"search", search_counts(p.statistics)}});
+  const std::vector<Fragment> pieces =
+      fragments(now.state.cells, now.state.mechanics, p.origin, p.birth);
+  p.report = run_report(p.statistics, now, pieces, end);
+  const auto write = [&](const char* name, const std::string& text) {
+    if (auto finding = write_file(p.folder / name, text)) findings.push_back(std::move(*finding));
+  };
+  write("events.jsonl", p.events.text());
+  write("cracks.csv", cracks_csv(p.statistics.cracks));
+  write("fragments.csv", fragments_csv(pieces));
+  write("report.json", p.report.dump(2) + "\n");
+  return findings;
+}
+
+const RunStatistics& Recorder::statistics() const { return parts_->statistics; }
+const EventLog& Recorder::events() const { return parts_->events; }
+const nlohmann::ordered_json& Recorder::report() const { return parts_->report; }
+
+}  // namespace sunder

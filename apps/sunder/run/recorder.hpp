@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// Writes a run into a folder: frames, events, fragments, pictures and the report.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "apps/sunder/run/event_log.hpp"
+#include "apps/sunder/run/recorder_report.hpp"
+#include "apps/scene/scene_json.hpp"
+#include "fracture/simulation/simulation.hpp"
+
+namespace sunder {
+
+/// Number of steps of a scene: its duration over its time step, rounded up (to rounding errors).
+std::uint64_t step_count(const Scene& scene);
+
+/// The steps after which something is written, ascending, from 0 (the start) to `steps`: `count` of
+/// them spread evenly with both ends (1: the end only), or every `interval` s where that is above
+/// 0.
+std::vector<std::uint64_t> even_steps(std::uint64_t steps, std::uint64_t count);
+std::vector<std::uint64_t> interval_steps(const Scene& scene, double interval);
+
+/// Where a run stands for its recorder.
+struct RecordedRun {
+  std::filesystem::path folder;
+  const SceneFile& file;
+  /// Of a replay: what the searches of the run it repeats counted (`search_counts`).
+  nlohmann::ordered_json counts = nullptr;
+};
+
+/// Keeps the files of a run. Guarded: `frames.pvd` lists exactly the frames that are there, and a
+/// picture's number is its place in time. All files are written beside and renamed.
+///
+///     folder/frames.pvd  frames/frame_000000.vtu ...   picture_000.png ...
+///            events.jsonl  cracks.csv  fragments.csv  report.json
+///
+/// The same scene gives the same bytes but in report.json, which holds the only wall times.
+class Recorder {
+ public:
+  /// Makes the folder, takes away what an earlier run left there under these names, and records the
+  /// start. `warnings` (from reading and building) go into the report.
+  /// Errors: cannot_write; those of the renderer where pictures are asked for.
+  static Result<Recorder> open(const RecordedRun& run, const Simulation& start,
+                               std::vector<Finding> warnings);
+  Recorder(Recorder&&) noexcept;
+  Recorder& operator=(Recorder&&) noexcept;
+  ~Recorder();
+
+  /// Adds one step, and writes the frame or picture that is due. Errors: cannot_write and those of
+  /// the renderer.
+  std::vector<Finding> record(const Simulation& now, const StepReport& report, double step_ms);
+
+  /// Writes what is only known at the end; a run that ended early gets its last state as a frame.
+  /// Errors: cannot_write.
+  std::vector<Finding> finish(const Simulation& now, RunEnd end);
+
+  const RunStatistics& statistics() const;
+  /// events.jsonl as far as it goes; whole after `finish`.
+  const EventLog& events() const;
+  /// report.json; needs `finish`.
+  const nlohmann::ordered_json& report() const;
+
+ private:
+  struct Parts;
+  explicit Recorder(std::unique_ptr<Parts> parts);
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace sunder

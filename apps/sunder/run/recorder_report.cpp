@@ -1,0 +1,402 @@
+// SPDX-License-Identifier: MIT
+// Adding up a run and writing its report.
+#include "apps/sunder/run/recorder_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "apps/sunder/run/event_log.hpp"
+#include "apps/scene/words.hpp"
+#include "mechanics/element/energy.hpp"
+
+namespace sunder {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json numbers(const Vec3& v) { return {v[0], v[1], v[2]}; }
+
+Energies energies(const Simulation& s) {
+  const MechanicsState& m = s.state.mechanics;
+  return {kinetic_energy(m.vertices), strain_energy(m),
+          gravity_energy(m.vertices, s.scene.gravity.acceleration)};
+}
+
+double total_mass(const MechanicsState& mechanics) {
+  const std::vector<double>& mass = mechanics.vertices.mass;
+  return std::accumulate(mass.begin(), mass.end(), 0.0);
+}
+
+/// Of bodies and free balls.
+Vec3 moving_momentum(const Simulation& s) {
+  Vec3 sum = momentum(s.state.mechanics.vertices);
+  for (const Obstacle& obstacle : s.state.obstacles) {
+    if (obstacle.mass) sum += *obstacle.mass * obstacle.velocity;
+  }
+  return sum;
+}
+
+void add_momentum(MomentumLedger& ledger, const Simulation& now, const StepReport& report) {
+  double mass = total_mass(now.state.mechanics);
+  const std::vector<Vec3>& impulse = report.contact.obstacle_impulse;
+  for (std::size_t i = 0; i < now.state.obstacles.size(); ++i) {
+    const Obstacle& obstacle = now.state.obstacles[i];
+    if (obstacle.mass) {
+      mass += *obstacle.mass;
+    } else if (i < impulse.size()) {
+      ledger.obstacles += impulse[i];
+    }
+  }
+  ledger.loads += report.load_impulse;
+  ledger.gravity += mass * now.scene.time_step * gravity_at(now.scene.gravity, report.time);
+}
+
+void add_contact(ContactStatistics& contact, const StepReport& report) {
+  const ContactReport& now = report.contact;
+  contact.steps += now.contacts > 0;
+  contact.most = std::max(contact.most, now.contacts);
+  contact.left_out += now.left_out;
+  contact.deepest = std::max(contact.deepest, now.deepest);
+  if (now.converged) return;
+  ++contact.not_converged;
+  if (now.residual > contact.worst_residual) {
+    contact.worst_residual = now.residual;
+    contact.worst_step = report.step;
+  }
+}
+
+void add_impact(ImpactStatistics& impact, const ImpactReport& now) {
+  impact.steps += now.sub_steps > 0;
+  impact.opened += now.opened;
+  impact.sub_steps += now.sub_steps;
+  impact.stopped_steps += now.stopped;
+  impact.most_components = std::max(impact.most_components, now.components);
+  impact.time += now.time;
+  impact.coarseness = std::max(impact.coarseness, now.coarseness);
+}
+
+void add_ladder(LadderStatistics& ladder, const LadderReport& now) {
+  for (std::size_t rung = 0; rung < ladder.components.size(); ++rung) {
+    ladder.components[rung] += now.components[rung];
+    ladder.tetrahedra[rung] += now.tetrahedra[rung];
+  }
+}
+
+void add_solve_report(SolveStatistics& solve, const SolveReport& now) {
+  solve.iterations += now.iterations;
+  solve.most_iterations = std::max<std::uint64_t>(solve.most_iterations, now.iterations);
+  solve.force_evaluations += now.force_evaluations;
+  solve.not_converged += now.not_converged > 0;
+  solve.sub_steps += now.sub_steps;
+}
+
+/// Mean, median, 99th percentile (nearest rank) and largest.
+ordered_json distribution(std::vector<float> values) {
+  if (values.empty()) return {{"mean", 0}, {"median", 0}, {"p99", 0}, {"max", 0}};
+  std::ranges::sort(values);
+  const auto rank = [&](double part) {
+    const double row = std::ceil(part * static_cast<double>(values.size())) - 1;
+    return static_cast<double>(values[static_cast<std::size_t>(std::max(row, 0.0))]);
+  };
+  const double sum = std::accumulate(values.begin(), values.end(), 0.0);
+  return {{"mean", sum / static_cast<double>(values.size())},
+          {"median", rank(0.5)},
+          {"p99", rank(0.99)},
+          {"max", values.back()}};
+}
+
+/// A part of a whole; nothing (null) where there is no whole.
+ordered_json ratio(std::size_t part, std::size_t whole) {
+  if (whole == 0) return nullptr;
+  return static_cast<double>(part) / static_cast<double>(whole);
+}
+
+ordered_json contact_report(const ContactStatistics& c) {
+  return {{"steps", c.steps},
+          {"most_contacts", c.most},
+          {"not_converged", c.not_converged},
+          {"worst_residual", c.worst_residual},
+          {"worst_step", c.worst_step},
+          {"left_out", c.left_out},
+          {"deepest_overlap", c.deepest}};
+}
+
+ordered_json integrator_report(const SolveStatistics& s, std::uint64_t steps) {
+  return {{"iterations", {{"mean", ratio(s.iterations, steps)}, {"max", s.most_iterations}}},
+          {"force_evaluations", s.force_evaluations},
+          {"not_converged", s.not_converged},
+          {"sub_steps", s.sub_steps}};
+}
+
+ordered_json impact_report(const ImpactStatistics& i) {
+  return {{"windows", i.opened},
+          {"steps", i.steps},
+          {"sub_steps", i.sub_steps},
+          {"time", i.time},
+          {"most_components", i.most_components},
+          {"coarseness", i.coarseness},
+          {"stopped_steps", i.stopped_steps}};
+}
+
+/// Steps of components, and of tetrahedra, on each rung.
+ordered_json ladder_report(const LadderStatistics& l) {
+  const auto rungs = [](const std::array<std::size_t, rung_count>& steps) {
+    return ordered_json{
+        {"full", steps[0]}, {"quasi_static", steps[1]}, {"rigid", steps[2]}, {"asleep", steps[3]}};
+  };
+  return {{"component_steps", rungs(l.components)}, {"tetrahedron_steps", rungs(l.tetrahedra)}};
+}
+
+/// What is missing between end and start is what supports took; without any it is rounding.
+ordered_json momentum_ledger(const MomentumLedger& ledger, const Simulation& now) {
+  const Vec3 end = moving_momentum(now);
+  return {
+      {"start", numbers(ledger.start)},
+      {"end", numbers(end)},
+      {"gravity", numbers(ledger.gravity)},
+      {"loads", numbers(ledger.loads)},
+      {"obstacles", numbers(ledger.obstacles)},
+      {"supports", numbers(end - ledger.start - ledger.gravity - ledger.loads - ledger.obstacles)}};
+}
+
+/// What the fans whose energy was settled gave up together.
+ordered_json crack_ledger(std::span<const CrackEnergy> cracks) {
+  double area = 0, energy = 0;
+  for (const CrackEnergy& crack : cracks) {
+    area += crack.area;
+    energy += crack.energy;
+  }
+  return {{"measured", cracks.size()},
+          {"area", area},
+          {"energy", energy},
+          {"energy_per_area", area > 0 ? energy / area : 0}};
+}
+
+ordered_json energy_ledger(const RunStatistics& statistics, const Simulation& now) {
+  const Energies end = energies(now);
+  const Energies& start = statistics.energy_at_start;
+  const auto pair = [](double a, double b) { return ordered_json{{"start", a}, {"end", b}}; };
+  ordered_json report = {{"kinetic", pair(start.kinetic, end.kinetic)},
+                         {"strain", pair(start.strain, end.strain)},
+                         {"gravity", pair(start.gravity, end.gravity)},
+                         {"damping_work", statistics.damping_work},
+                         {"released_by_rigid_pieces", statistics.energy_released}};
+  if (!now.scene.energy_ledger) return report;
+  report["gravity_work"] = statistics.gravity_work;
+  report["load_work"] = statistics.load_work;
+  report["contact_work"] = statistics.contact_work;
+  report["support_work"] = statistics.support_work;
+  report["friction_heat"] = statistics.friction;
+  report["numerical_loss"] = statistics.numerical_loss;
+  report["residual"] = statistics.residual;
+  report["residual_over_energy_moved"] =
+      statistics.moved > 0 ? statistics.residual_size / statistics.moved : 0;
+  return report;
+}
+
+/// Past this turn a part's false strain theta^2 / 2 reaches a tenth of the breaking strain xi / E.
+double largest_valid_turn(const Material& material) {
+  return std::sqrt(0.2 * material.tensile_strength / material.young_modulus);
+}
+
+void check_turns(RunStatistics& statistics, const Simulation& now, const StepReport& report) {
+  const std::vector<double>& turn = now.scratch.mechanics.largest_turn;
+  const MechanicsState& mechanics = now.state.mechanics;
+  for (std::size_t c = 0; c < std::min(turn.size(), mechanics.components.size()); ++c) {
+    const Component& component = mechanics.components[c];
+    if (component.tetrahedra.empty() || component.isolated) continue;
+    const MaterialId material = mechanics.elements.material[component.tetrahedra[0].index()];
+    const double valid = largest_valid_turn(mechanics.materials[material.index()]);
+    if (!(turn[c] > valid)) continue;
+    statistics.turned_too_far = true;
+    statistics.warnings.push_back(
+        {.code = "turned_too_far",
+         .severity = Severity::warning,
+         .ids = {static_cast<std::int64_t>(c)},
+         .text = fmt::format("from step {} (t = {:.6g} s) on parts of component {} have turned by "
+                             "{:.3g} rad against its reference; the linear model is good to {:.3g}",
+                             report.step, report.time, c, turn[c], valid),
+         .remedy = "read the stresses there as too high by about E theta^2 / 2, or take a stiffer "
+                   "material or less slender bodies"});
+    return;
+  }
+}
+
+}  // namespace
+
+RunStatistics begin_statistics(const Simulation& start, std::vector<Finding> warnings) {
+  RunStatistics statistics;
+  statistics.warnings = std::move(warnings);
+  statistics.energy_at_start = energies(start);
+  statistics.momentum.start = moving_momentum(start);
+  statistics.mass_at_start = total_mass(start.state.mechanics);
+  return statistics;
+}
+
+void add_step(RunStatistics& statistics, const Simulation& now, const StepReport& report,
+              double step_ms) {
+  statistics.step_ms.push_back(static_cast<float>(step_ms));
+  for (std::size_t i = 0; i < stage_names.size(); ++i) {
+    statistics.stage_ms[i].push_back(static_cast<float>(report.stage_ms[i]));
+  }
+  const FractureReport& fracture = report.fracture;
+  statistics.fans += fracture.fans.size();
+  statistics.tested += fracture.tested;
+  statistics.suspects += fracture.suspects;
+  statistics.reached += fracture.reached;
+  statistics.empty_fans += fracture.empty_fans;
+  statistics.still_empty = fracture.still_empty;
+  statistics.unfitted = std::max(statistics.unfitted, fracture.unfitted);
+  statistics.refused_fans += fracture.refused_fans;
+  statistics.relieved += fracture.relieved;
+  statistics.waiting = fracture.waiting;
+  for (const FanEvent& fan : fracture.fans) {
+    statistics.faces_split += fan.faces.size();
+    statistics.searched += fan.components.visited;
+    statistics.fan_us[fan.components.created > 0 ? 1 : 0].push_back(
+        static_cast<float>(fan.choose_us + fan.split_us));
+    statistics.predicted += fan.components.predicted > 0;
+    statistics.separated += fan.components.created > 0;
+    statistics.predicted_rightly += fan.components.predicted > 0 && fan.components.created > 0;
+  }
+  add_contact(statistics.contact, report);
+  add_impact(statistics.impact, report.impact);
+  add_ladder(statistics.ladder, report.ladder);
+  add_solve_report(statistics.solve, report.status.solve);
+  add_momentum(statistics.momentum, now, report);
+  statistics.cracks.insert(statistics.cracks.end(), report.cracks.begin(), report.cracks.end());
+  statistics.damping_work += report.status.damping_work;
+  statistics.energy_released += report.energy_released;
+  statistics.gravity_work += report.energy.gravity;
+  statistics.load_work += report.energy.loads;
+  statistics.numerical_loss += report.energy.numerical;
+  statistics.contact_work += report.energy.contact;
+  statistics.support_work += report.energy.supports;
+  statistics.friction += report.energy.friction;
+  statistics.residual += report.energy.residual;
+  statistics.residual_size += std::abs(report.energy.residual);
+  statistics.moved += report.energy.moved;
+  if (!statistics.turned_too_far) check_turns(statistics, now, report);
+}
+
+std::optional<Finding> step_failure(const StepReport& report, const Simulation& now) {
+  if (report.status.outcome != StepOutcome::fine) {
+    Finding finding = to_finding(report.status);
+    finding.text = fmt::format("step {}: {}", report.step, finding.text);
+    return finding;
+  }
+  if (!report.fracture.not_a_number) return std::nullopt;
+  const VertexId vertex = *report.fracture.not_a_number;
+  const Vec3& x = now.state.mechanics.vertices.position[vertex.index()];
+  return Finding{.code = "stress_not_a_number",
+                 .ids = {static_cast<std::int64_t>(vertex.index())},
+                 .text = fmt::format("step {} (t = {:.6g} s): the stress of vertex {} at ({:.6g}, "
+                                     "{:.6g}, {:.6g}) m is not a number",
+                                     report.step, report.time, vertex.value, x[0], x[1], x[2]),
+                 .remedy = "take a shorter time_step or the integrator floating_frame"};
+}
+
+ordered_json run_report(const RunStatistics& s, const Simulation& now,
+                        std::span<const Fragment> pieces, RunEnd end) {
+  ordered_json stages = ordered_json::object();
+  for (std::size_t i = 0; i < stage_names.size(); ++i) {
+    stages[std::string(stage_names[i])] = distribution(s.stage_ms[i]);
+  }
+  double mass = 0, largest = 0;
+  for (const Fragment& piece : pieces) {
+    mass += piece.mass;
+    largest = std::max(largest, piece.mass);
+  }
+  return {{"scene", now.scene.name},
+          {"end", to_string(end)},
+          {"steps", now.state.step},
+          {"time", now.state.mechanics.time},
+          {"time_step", now.scene.time_step},
+          {"tetrahedra", now.state.cells.map.tetrahedra()},
+          {"vertices", now.state.cells.map.vertices()},
+          {"step_ms", distribution(s.step_ms)},
+          {"stage_ms", stages},
+          {"fans", s.fans},
+          {"faces_split", s.faces_split},
+          {"fan_us",
+           {{"no_new_component", distribution(s.fan_us[0])},
+            {"new_component", distribution(s.fan_us[1])}}},
+          {"searched_tetrahedra", s.searched},
+          {"empty_fans", s.empty_fans},
+          {"still_empty", s.still_empty},
+          {"unfitted", s.unfitted},
+          {"refused_fans", s.refused_fans},
+          {"relieved", s.relieved},
+          {"waiting", s.waiting},
+          {"components", pieces.size()},
+          {"fragments",
+           {{"count", pieces.size()},
+            {"single_tetrahedra", std::ranges::count(pieces, 1, &Fragment::tetrahedra)},
+            {"largest_mass", largest},
+            {"mass", mass},
+            {"mass_error", (mass - s.mass_at_start) / s.mass_at_start}}},
+          {"gershgorin",
+           {{"tested", s.tested},
+            {"suspects", s.suspects},
+            {"reached", s.reached},
+            {"efficiency", ratio(s.reached, s.suspects)}}},
+          {"oracle",
+           {{"fans", s.fans},
+            {"predicted", s.predicted},
+            {"separated", s.separated},
+            {"efficiency", ratio(s.predicted_rightly, s.predicted)},
+            {"missed", s.separated - s.predicted_rightly}}},
+          {"contact", contact_report(s.contact)},
+          {"impact", impact_report(s.impact)},
+          {"ladder", ladder_report(s.ladder)},
+          {"integrator", integrator_report(s.solve, now.state.step)},
+          {"momentum", momentum_ledger(s.momentum, now)},
+          {"energy", energy_ledger(s, now)},
+          {"cracks", crack_ledger(s.cracks)},
+          {"warnings", findings_json(s.warnings)}};
+}
+
+std::string summary_table(const ordered_json& r) {
+  const auto number = [&](const char* pointer) {
+    return r.at(ordered_json::json_pointer(pointer)).get<double>();
+  };
+  std::string text;
+  const auto row = [&](std::string_view name, const std::string& value) {
+    text += fmt::format("{:<14} {}\n", name, value);
+  };
+  row("scene", r["scene"].get<std::string>());
+  row("end", fmt::format("{} at t = {:.6g} s", r["end"].get<std::string>(), number("/time")));
+  row("steps",
+      fmt::format("{} of {:.6g} s", r["steps"].get<std::uint64_t>(), number("/time_step")));
+  row("step time", fmt::format("mean {:.3g} ms, max {:.3g} ms", number("/step_ms/mean"),
+                               number("/step_ms/max")));
+  if (const auto sub_steps = r["impact"]["sub_steps"].get<std::uint64_t>(); sub_steps > 0) {
+    row("impacts", fmt::format("{} windows, {} sub-steps over {:.4g} s",
+                               r["impact"]["windows"].get<std::uint64_t>(), sub_steps,
+                               number("/impact/time")));
+  }
+  if (const auto stopped = r["impact"]["stopped_steps"].get<std::uint64_t>(); stopped > 0) {
+    row("", fmt::format("impact.max_sub_steps was reached in {} steps", stopped));
+  }
+  if (const auto given_up = r["integrator"]["not_converged"].get<std::uint64_t>(); given_up > 0) {
+    row("integrator",
+        fmt::format("iterations given up in {} steps, which the factor took", given_up));
+  }
+  row("fans", fmt::format("{} ({} faces)", r["fans"].get<std::uint64_t>(),
+                          r["faces_split"].get<std::uint64_t>()));
+  row("pieces", fmt::format("{} ({} single tetrahedra)", r["components"].get<std::uint64_t>(),
+                            r["fragments"]["single_tetrahedra"].get<std::uint64_t>()));
+  row("largest piece", fmt::format("{:.4g} kg of {:.4g} kg", number("/fragments/largest_mass"),
+                                   number("/fragments/mass")));
+  if (const auto missed = r["contact"]["not_converged"].get<std::uint64_t>(); missed > 0) {
+    row("contact", fmt::format("not converged in {} steps, worst {:.2g} m", missed,
+                               number("/contact/worst_residual")));
+  }
+  row("mass error", fmt::format("{:.1e}", number("/fragments/mass_error")));
+  return text;
+}
+
+}  // namespace sunder

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+// Reading an event log: every line held to its check, then to its place, then to its keys.
+#include "apps/sunder/run/replay.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "apps/scene/scene_text.hpp"
+
+namespace sunder {
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+/// Length of `,"check":"0123456789abcdef"}`.
+constexpr std::size_t check_length = 28;
+
+constexpr const char* mend = "replay the log as the run wrote it; edited logs are refused";
+
+/// A log while it is read.
+struct LogReader {
+  const ReplayedScene& scene;
+  Replay replay = {};
+  std::string check = {};  ///< of the line before
+  std::size_t line = 0;    ///< from 1
+  bool ended = false;      ///< the last line has been read
+  std::vector<Finding> findings = {};
+
+  bool refuse(const char* code, std::string text, const char* remedy = mend) {
+    findings.push_back({.code = code,
+                        .text = std::move(text),
+                        .remedy = remedy,
+                        .file = replay.file,
+                        .line = line});
+    return false;
+  }
+};
+
+bool is_count(const ordered_json& object, const char* key) {
+  const auto value = object.find(key);
+  return value != object.end() && value->is_number_unsigned();
+}
+
+/// Whether the line's check is that of its text after the line before it.
+bool holds_check(LogReader& reader, std::string_view text) {
+  constexpr std::string_view before = ",\"check\":\"";
+  const std::size_t body = text.size() < check_length ? 0 : text.size() - check_length;
+  if (body == 0 || text.substr(body, before.size()) != before) {
+    return reader.refuse("bad_event_log", "has no check at its end");
+  }
+  const std::string check = line_check(std::string(text.substr(0, body)) + "}", reader.check);
+  if (text.substr(body + before.size(), check.size()) != check) {
+    return reader.refuse("bad_event_log",
+                         "was changed after it was written, or a line before it: its check is not "
+                         "that of the text");
+  }
+  reader.check = check;
+  return true;
+}
+
+bool read_head(LogReader& reader, const ordered_json& head, std::string_view text) {
+  if (head.value("log", ordered_json()) != "sunder events" || !is_count(head, "format")) {
+    return reader.refuse("other_log_format", "is not the head of an event log",
+                         "give the events.jsonl of a run; logs of formats before 2 have no head "
+                         "and cannot be replayed");
+  }
+  if (head["format"] != event_log_format) {
+    return reader.refuse("other_log_format",
+                         fmt::format("says format {}; this program reads {}", head["format"].dump(),
+                                     event_log_format),
+                         "replay it with the program that wrote it (`sunder` in its first line)");
+  }
+  if (!holds_check(reader, text)) return false;
+  if (const ordered_json theirs = head.value("scene_hash", ordered_json());
+      theirs != reader.scene.hash) {
+    return reader.refuse(
+        "other_scene",
+        fmt::format("is of a scene with the hash {}; this one has \"{}\"", theirs.dump(),
+                    reader.scene.hash),
+        "give the scene and the --set changes that the run had; a changed mesh is another scene");
+  }
+  if (const ordered_json theirs = head.value("sunder", ordered_json()); theirs != SUNDER_VERSION) {
+    reader.refuse(
+        "other_program",
+        fmt::format("is by sunder {}; this is " SUNDER_VERSION ", whose run may depart from it",
+                    theirs.dump()),
+        "if it departs, replay it with the version that wrote it");
+    reader.findings.back().severity = Severity::warning;
+  }
+  reader.check = reader.scene.hash;
+  return true;
+}
+
+/// What is wrong with the keys of a fan; empty where nothing is.
+std::string misfit(const ordered_json& fan) {
+  for (const char* key : {"fan", "step", "part", "round", "vertex"}) {
+    if (!is_count(fan, key)) return fmt::format("has no whole number \"{}\"", key);
+  }
+  for (const char* key : {"part", "round", "vertex"}) {
+    if (fan[key] > ordered_json(0xfffffffeu)) return fmt::format("has too large a \"{}\"", key);
+  }
+  const auto normal = fan.find("normal");
+  if (normal == fan.end() || !normal->is_array() || normal->size() != 3) return "has no normal";
+  for (const ordered_json& x : *normal) {
+    if (!x.is_number()) return "has a normal that is not three numbers";
+  }
+  const auto stress = fan.find("stress");
+  if (stress == fan.end() || !stress->is_number()) return "has no stress";
+  return {};
+}
+
+bool read_fan(LogReader& reader, const ordered_json& fan, std::string_view text) {
+  FanScript& script = reader.replay.script;
+  if (const std::string wrong = misfit(fan); !wrong.empty()) {
+    return reader.refuse("bad_event_log", wrong);
+  }
+  if (fan["fan"] != script.fans.size()) {
+    return reader.refuse("bad_event_log",
+                         fmt::format("is fan {} where fan {} is due: a line is missing or there "
+                                     "twice",
+                                     fan["fan"].dump(), script.fans.size()));
+  }
+  if (!holds_check(reader, text)) return false;
+  ScriptedFan wanted{{fan["step"].get<std::uint64_t>(), fan["part"].get<std::uint32_t>()},
+                     fan["round"].get<std::uint32_t>(),
+                     VertexId{fan["vertex"].get<std::uint32_t>()}};
+  for (int i = 0; i < 3; ++i) {
+    wanted.normal[i] = fan["normal"][static_cast<std::size_t>(i)].get<double>();
+  }
+  wanted.stress = fan["stress"].get<double>();
+  const auto strength = fan.find("strength");
+  if (strength != fan.end() && strength->is_number()) wanted.strength = strength->get<double>();
+  if (!script.fans.empty() && wanted.place < script.fans.back().place) {
+    return reader.refuse("bad_event_log", "comes before the fan in the line above it");
+  }
+  script.fans.push_back(wanted);
+  return true;
+}
+
+bool read_end(LogReader& reader, const ordered_json& end, std::string_view text) {
+  Replay& replay = reader.replay;
+  if (!is_count(end, "fans") || !is_count(end, "steps") || !end["end"].is_string()) {
+    return reader.refuse("bad_event_log", "is neither a fan nor the end of a log");
+  }
+  if (end["fans"] != replay.script.fans.size()) {
+    return reader.refuse("bad_event_log",
+                         fmt::format("says {} fans, and there are {}: lines are missing",
+                                     end["fans"].dump(), replay.script.fans.size()));
+  }
+  if (!holds_check(reader, text)) return false;
+  const auto word = end["end"].get<std::string>();
+  bool known = false;
+  for (const RunEnd e : {RunEnd::finished, RunEnd::interrupted, RunEnd::failed}) {
+    if (word != to_string(e)) continue;
+    replay.end = e;
+    known = true;
+  }
+  RunStatistics unused;
+  replay.counts = end.value("search", ordered_json());
+  if (!known || !take_search_counts(unused, replay.counts)) {
+    return reader.refuse("bad_event_log", "is not the end of a log");
+  }
+  replay.steps = end["steps"].get<std::uint64_t>();
+  const std::uint64_t all = reader.scene.steps;
+  if (replay.steps > all || (replay.end == RunEnd::finished && replay.steps < all)) {
+    return reader.refuse("bad_event_log", fmt::format("says {} after {} steps; the scene has {}",
+                                                      word, replay.steps, all));
+  }
+  reader.ended = true;
+  return true;
+}
+
+bool read_line(LogReader& reader, std::string_view text) {
+  if (reader.ended) return reader.refuse("bad_event_log", "stands after the end of the log");
+  const ordered_json line = ordered_json::parse(text, nullptr, false);
+  if (!line.is_object()) {
+    return reader.refuse("bad_event_log",
+                         "is not a JSON object; the file was cut off or is no event log");
+  }
+  if (reader.line == 1) return read_head(reader, line, text);
+  return line.contains("end") ? read_end(reader, line, text) : read_fan(reader, line, text);
+}
+
+/// The line of `text` that begins at `begin`, without its end.
+std::string_view line_at(std::string_view text, std::size_t begin) {
+  return text.substr(begin, text.find('\n', begin) - begin);
+}
+
+/// Which key of two lines differs, and how.
+std::string first_difference(std::string_view theirs, std::string_view ours) {
+  const ordered_json a = ordered_json::parse(theirs, nullptr, false);
+  const ordered_json b = ordered_json::parse(ours, nullptr, false);
+  for (const auto& [key, value] : a.items()) {
+    const ordered_json here = b.value(key, ordered_json());
+    if (value.dump() == here.dump()) continue;
+    return fmt::format("{} is {} in the log and {} in the replay", key, shown(json(value)),
+                       shown(json(here)));
+  }
+  return "is not what the replay writes, byte by byte";
+}
+
+Finding departed(const Replay& replay, std::size_t line, std::string text) {
+  return {.code = "replay_departed",
+          .text = std::move(text),
+          .remedy =
+              "the log was written by another program, on another scene, or edited; the "
+              "files of this run tell until when it was the same",
+          .file = replay.file,
+          .line = line};
+}
+
+}  // namespace
+
+Result<Replay> read_replay(const std::filesystem::path& path, const ReplayedScene& scene) {
+  std::ifstream in(path, std::ios::binary);
+  std::error_code not_a_folder;
+  if (!in || std::filesystem::is_directory(path, not_a_folder)) {
+    return Finding{.code = "cannot_open",
+                   .text = fmt::format("cannot open the event log {}", path.string()),
+                   .remedy = "give the events.jsonl of an earlier run",
+                   .file = path.string()};
+  }
+  const std::string bytes(std::istreambuf_iterator<char>(in), {});
+  LogReader reader{scene};
+  reader.replay.file = path.string();
+  bool fine = true;
+  for (std::size_t begin = 0; fine && begin < bytes.size();) {
+    const std::string_view text = line_at(bytes, begin);
+    ++reader.line;
+    fine = read_line(reader, text);
+    begin += text.size() + 1;
+    if (reader.line == 1 && begin < bytes.size()) reader.replay.lines = bytes.substr(begin);
+  }
+  if (fine && (!reader.ended || !bytes.ends_with('\n'))) {
+    reader.refuse("bad_event_log", "is the last one, and not the end of a log: it was cut off");
+  }
+  Result<Replay> result;
+  if (!has_error(reader.findings)) result.value = std::move(reader.replay);
+  result.findings = std::move(reader.findings);
+  return result;
+}
+
+std::optional<Finding> compare_logs(Replay& replay, std::string_view text, bool finished) {
+  text.remove_prefix(std::min(text.size(), text.find('\n') + 1));
+  const std::string_view theirs = replay.lines;
+  const std::string_view fresh = text.substr(replay.compared);
+  const std::string_view wanted = theirs.substr(replay.compared);
+  if (finished ? wanted == fresh : wanted.starts_with(fresh)) {
+    replay.compared = text.size();
+    return std::nullopt;
+  }
+  std::size_t line = 2, begin = 0;
+  while (begin < text.size() && begin < theirs.size() &&
+         line_at(text, begin) == line_at(theirs, begin)) {
+    begin += line_at(text, begin).size() + 1;
+    ++line;
+  }
+  if (begin >= text.size()) return departed(replay, line, "the replay ends before this line");
+  if (begin >= theirs.size()) return departed(replay, line, "the replay goes on after the log");
+  return departed(replay, line, first_difference(line_at(theirs, begin), line_at(text, begin)));
+}
+
+Finding departure(const Replay& replay, const ScriptDeparture& departure) {
+  // The first line is the head.
+  return departed(replay, departure.fan + 2, departure.reason);
+}
+
+Finding missed_failure(const Replay& replay) {
+  return departed(
+      replay, replay.script.fans.size() + 2,
+      fmt::format("the run of the log failed in step {}, the replay did not", replay.steps));
+}
+
+}  // namespace sunder

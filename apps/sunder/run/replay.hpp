@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// The event log of an earlier run, read back to repeat it.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "apps/sunder/run/event_log.hpp"
+#include "fracture/simulation/fan_script.hpp"
+#include "topology/kernel/finding.hpp"
+
+namespace sunder {
+
+/// What an event log says, ready to be made again.
+struct Replay {
+  std::string file;
+  FanScript script;
+  /// The log's lines after its first, as they stand.
+  std::string lines;
+  std::size_t compared = 0;  ///< bytes of them that the replay has written too
+  /// How the run ended and after how many steps.
+  RunEnd end = RunEnd::finished;
+  std::uint64_t steps = 0;
+  /// What its searches counted: those a replay does not make.
+  nlohmann::ordered_json counts;
+};
+
+/// The scene that a log has to be of.
+struct ReplayedScene {
+  std::string hash;         ///< `scene_hash`
+  std::uint64_t steps = 0;  ///< `step_count`
+};
+
+/// Reads an event log for a scene, holding every line to its check and its place. Warning:
+/// other_program (a run of another version may depart). Errors, with file, line and remedy:
+/// cannot_open, other_log_format, other_scene, bad_event_log (not JSON, changed, missing or
+/// repeated lines, a fan out of order, cut off).
+Result<Replay> read_replay(const std::filesystem::path& path, const ReplayedScene& scene);
+
+/// Compares what the replay has logged so far (`EventLog::text`) with the log: the finding
+/// `replay_departed` names the first line that differs, what in it, and both values. `finished`:
+/// whether the replay's log is whole. Needs: `text` only ever grows. Cost: what is new.
+std::optional<Finding> compare_logs(Replay& replay, std::string_view text, bool finished);
+
+/// The fan of the script that could not be made, as a finding `replay_departed`.
+Finding departure(const Replay& replay, const ScriptDeparture& departure);
+
+/// The same for a run that failed where its replay did not.
+Finding missed_failure(const Replay& replay);
+
+}  // namespace sunder

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// Read the scene, step it, write it down.
+#include "apps/sunder/run/run.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+
+#include "apps/sunder/run/progress.hpp"
+#include "apps/sunder/run/recorder.hpp"
+#include "apps/sunder/run/replay.hpp"
+#include "apps/scene/scene_hash.hpp"
+#include "apps/scene/words.hpp"
+
+namespace sunder {
+namespace {
+
+// A signal handler can reach nothing but a global.
+volatile std::sig_atomic_t interrupted = 0;
+
+/// Ctrl-C ends the run after its step; a second one ends the program at once.
+void watch_for_interrupt() {
+  interrupted = 0;
+  struct sigaction action = {};
+  action.sa_handler = [](int) { interrupted = 1; };
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  sigaction(SIGINT, &action, nullptr);
+}
+
+void print(const std::vector<Finding>& findings) {
+  fmt::print(stderr, "{}", finding_lines(findings));
+}
+
+/// A run on its way; `replay` where it repeats another.
+struct RunWork {
+  Simulation& simulation;
+  Recorder& recorder;
+  std::optional<Replay>& replay;
+
+  std::uint64_t steps() const { return replay ? replay->steps : step_count(simulation.scene); }
+};
+
+/// Where a replay is no longer the run of its log. `ended`: nothing while it goes on.
+std::optional<Finding> departure_of(const RunWork& work, std::optional<ExitCode> ended) {
+  if (!work.replay) return std::nullopt;
+  const std::optional<FanScript>& script = work.simulation.script;
+  if (script && script->departure) return departure(*work.replay, *script->departure);
+  if (ended == ExitCode::fine && work.replay->end == RunEnd::failed) {
+    return missed_failure(*work.replay);
+  }
+  return compare_logs(*work.replay, work.recorder.events().text(), ended.has_value());
+}
+
+/// Steps until the end, a failure, an interruption, a departure from the log, or an output that
+/// cannot be written.
+ExitCode step_to_end(const RunWork& work, bool quiet) {
+  Simulation& simulation = work.simulation;
+  const std::uint64_t steps = work.steps();
+  std::size_t fans = 0;
+  Progress progress(quiet);
+  while (simulation.state.step < steps) {
+    const auto start = std::chrono::steady_clock::now();
+    const StepReport report = advance(simulation);
+    const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - start;
+    const std::vector<Finding> unwritten = work.recorder.record(simulation, report, ms.count());
+    print(unwritten);
+    if (has_error(unwritten)) return ExitCode::not_written;
+    if (const std::optional<Finding> departed = departure_of(work, {})) {
+      print({*departed});
+      return ExitCode::departed;
+    }
+    if (const std::optional<Finding> failure = step_failure(report, simulation)) {
+      print({*failure});
+      return ExitCode::failed;
+    }
+    if (interrupted) return ExitCode::interrupted;
+    fans += report.fracture.fans.size();
+    progress.show({report.step, steps, report.time, report.components, fans});
+  }
+  return ExitCode::fine;
+}
+
+/// How a run ended, for its files: a replay ends as the run of its log.
+RunEnd end_of(ExitCode ended, const std::optional<Replay>& replay) {
+  if (ended == ExitCode::fine) return replay ? replay->end : RunEnd::finished;
+  return ended == ExitCode::interrupted ? RunEnd::interrupted : RunEnd::failed;
+}
+
+/// The log to repeat, if one is wanted, and whether all is well.
+bool read_log(std::optional<Replay>& replay, const RunArguments& arguments, const SceneFile& file,
+              const std::filesystem::path& folder) {
+  if (arguments.replay.empty()) return true;
+  std::error_code missing;
+  if (std::filesystem::equivalent(arguments.replay, folder / "events.jsonl", missing)) {
+    print({{.code = "log_in_output_folder",
+            .text = fmt::format("{} would be replaced by the replay's own log",
+                                arguments.replay.string()),
+            .remedy = "give another folder with -o"}});
+    return false;
+  }
+  Result<Replay> log = read_replay(arguments.replay, {scene_hash(file), step_count(file.scene)});
+  print(log.findings);
+  replay = std::move(log.value);
+  return replay.has_value();
+}
+
+}  // namespace
+
+ExitCode run_scene(const RunArguments& arguments) {
+  Result<SceneFile> file = read_scene(arguments.scene, arguments.settings);
+  print(file.findings);
+  if (!file) return ExitCode::bad_input;
+  const std::filesystem::path folder =
+      arguments.folder.empty() ? "out" / arguments.scene.stem() : arguments.folder;
+  std::optional<Replay> replay;
+  if (!read_log(replay, arguments, *file, folder)) return ExitCode::bad_input;
+  Result<Simulation> simulation = build_simulation(file->scene);
+  print(simulation.findings);
+  if (!simulation) return ExitCode::bad_input;
+  simulation->scratch.mechanics.threads = arguments.threads;
+  // With the criterion `energy` strengths come from the search: it is made, and held to the log.
+  if (replay && file->scene.fracture.criterion != FractureCriterion::energy) {
+    simulation->script = replay->script;
+  }
+
+  watch_for_interrupt();
+  Result<Recorder> recorder =
+      Recorder::open({folder, *file, replay ? replay->counts : nlohmann::ordered_json()},
+                     *simulation, std::move(simulation.findings));
+  print(recorder.findings);
+  if (!recorder) return ExitCode::not_written;
+
+  const RunWork work{*simulation, *recorder, replay};
+  ExitCode ended = step_to_end(work, arguments.quiet);
+  const std::vector<Finding> unwritten = recorder->finish(*simulation, end_of(ended, replay));
+  print(unwritten);
+  if (ended == ExitCode::fine || ended == ExitCode::failed) {
+    if (const std::optional<Finding> departed = departure_of(work, ended)) {
+      print({*departed});
+      ended = ExitCode::departed;
+    }
+  }
+  const nlohmann::ordered_json& report = recorder->report();
+  fmt::print("{}", arguments.json ? report.dump(2) + "\n" : summary_table(report));
+  if (!arguments.json) fmt::print("{:<14} {}\n", "written to", folder.string());
+  return ended == ExitCode::fine && has_error(unwritten) ? ExitCode::not_written : ended;
+}
+
+}  // namespace sunder

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+// The command line of `sunder run`.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "apps/sunder/run/run.hpp"
+#include "apps/scene/scene_json.hpp"
+
+namespace sunder {
+namespace {
+
+constexpr const char* footer = R"(
+The scene is a JSON file in SI units: docs/scene.md explains it, --schema prints every key.
+Files in DIR (an earlier run's files of these names are taken away):
+  frames.pvd, frames/*.vtu  the deformed bodies, for ParaView
+  picture_*.png             with --png or the scene's output.pictures
+  report.json               counts, times, ledgers, warnings
+  fragments.csv             one line a piece
+  events.jsonl              one line a crack; --replay repeats the run from it
+  cracks.csv                area and energy of each crack
+
+Exit codes: 0 done, 2 usage, 3 bad scene or mesh, 4 not written, 5 the simulation failed
+(the files tell until when), 6 a replay departed from its log (likewise), 130 interrupted by Ctrl-C (likewise).
+
+Examples:
+  sunder run meshes/scenes/bunny.json -o out/bunny --png 6
+  sunder run meshes/scenes/block.json --set gravity.ramp_time=2 \
+    --set bodies.0.material.tensile_strength=3e6 --frame-interval 0.01
+  sunder run meshes/scenes/bunny.json -o out/again --replay out/bunny/events.jsonl
+)";
+
+/// `--frames 10` is `--set output.frames=10`: one way in, one place that checks.
+CLI::Option* add_shortcut(CLI::App& command, const std::string& option, const std::string& key,
+                          std::vector<std::string>& settings) {
+  return command.add_option_function<std::string>(
+      option,
+      [key, &settings](const std::string& value) { settings.push_back(key + "=" + value); });
+}
+
+void add_options(CLI::App& command, RunArguments& arguments, std::vector<std::string>& shortcuts) {
+  command.add_option("SCENE", arguments.scene, "Scene file (JSON)");
+  command
+      .add_option("-o,--output", arguments.folder,
+                  "Folder for the files; default: out/ and the scene's name")
+      ->type_name("DIR");
+  command
+      .add_option("--set", arguments.settings,
+                  "Change a value of the scene: gravity.ramp_time=2; may be given often")
+      ->type_name("KEY=VALUE")
+      ->take_all();
+  add_shortcut(command, "--png", "output.pictures.count", shortcuts)
+      ->type_name("N")
+      ->description("Pictures spread over the run, its start and end among them");
+  add_shortcut(command, "--show", "output.pictures.show", shortcuts)
+      ->type_name("reference|deformed|both")
+      ->description("Shape in pictures; default: the scene's, else reference");
+  CLI::Option* frames = add_shortcut(command, "--frames", "output.frames", shortcuts)
+                            ->type_name("N")
+                            ->description("VTU frames spread over the run; 0: none");
+  add_shortcut(command, "--frame-interval", "output.frame_interval", shortcuts)
+      ->type_name("SECONDS")
+      ->description("Simulated time between VTU frames, instead of --frames")
+      ->excludes(frames);
+  command
+      .add_option("--replay", arguments.replay,
+                  "Make the cracks of this event log instead of testing for any; same scene, same "
+                  "--set")
+      ->type_name("EVENTS");
+  command
+      .add_option("--threads", arguments.threads,
+                  "Threads for factors and contact of large pieces; results do not depend on it")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 64));
+  command.add_flag("--quiet", arguments.quiet, "No progress on stderr");
+  command.add_flag("--json", arguments.json, "Print report.json instead of a table");
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& program, ExitCode& exit_code) {
+  CLI::App* command = program.add_subcommand("run", "Break the bodies of a scene");
+  const auto arguments = std::make_shared<RunArguments>();
+  const auto shortcuts = std::make_shared<std::vector<std::string>>();
+  const auto schema = std::make_shared<bool>(false);
+  add_options(*command, *arguments, *shortcuts);
+  command->add_flag("--schema", *schema, "Print the JSON schema of scenes and do nothing else");
+  command->footer(footer);
+  command->callback([=, &exit_code] {
+    if (*schema) {
+      fmt::print("{}\n", scene_schema().dump(2));
+      return;
+    }
+    if (arguments->scene.empty()) throw CLI::RequiredError("SCENE");
+    // An explicit --frames stands above a frame_interval of the scene.
+    for (const std::string& setting : *shortcuts) {
+      if (setting.starts_with("output.frames=")) {
+        arguments->settings.push_back("output.frame_interval=0");
+      }
+      arguments->settings.push_back(setting);
+    }
+    exit_code = run_scene(*arguments);
+  });
+}
+
+}  // namespace sunder

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+// The command line of `sunder modes`, its table, JSON and VTU.
+#include "apps/sunder/static/modes.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "apps/scene/scene_json.hpp"
+#include "apps/sunder/static/static_answer.hpp"
+#include "apps/scene/words.hpp"
+#include "mechanics/solver/modes.hpp"
+#include "topology/io/vtu/vtu.hpp"
+
+namespace sunder {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr const char* footer = R"(
+SCENE is a scene file as `sunder run` takes it, SI units: docs/static.md. Of every piece of every
+body the N lowest natural frequencies (Hz) are found, its held vertices at rest, without gravity,
+loads and obstacles. A free piece has six rigid motions more, listed first with frequency 0.
+FILE.vtu holds the undeformed bodies with a displacement column mode_1, mode_2, ... each, rigid
+motions among them; the largest displacement of a piece in a mode is 1 m.
+
+Exit codes: 0 done, 2 usage, 3 bad scene or mesh, 4 not written, 5 the modes were not found.
+
+Examples:
+  sunder modes beam.json --count 6
+  sunder modes beam.json --count 3 --json -o beam_modes.vtu
+)";
+
+struct ModesArguments {
+  std::filesystem::path scene, output;
+  std::vector<std::string> settings;
+  std::size_t count = 6;
+  bool json = false;
+};
+
+/// The modes of one piece.
+struct PieceModes {
+  ComponentId component;
+  std::size_t body = 0;
+  Modes modes;
+};
+
+ordered_json answer_json(const Simulation& sim, const std::vector<PieceModes>& pieces) {
+  ordered_json list = ordered_json::array();
+  for (const PieceModes& piece : pieces) {
+    const Component& component = sim.state.mechanics.components[piece.component.index()];
+    list.push_back({{"body", piece.body},
+                    {"name", sim.scene.bodies[piece.body].name},
+                    {"component", piece.component.value},
+                    {"tetrahedra", component.tetrahedra.size()},
+                    {"mass", component.mass},
+                    {"rigid_modes", piece.modes.rigid},
+                    {"frequencies", piece.modes.frequency}});
+  }
+  return {{"scene", sim.scene.name}, {"pieces", list}};
+}
+
+void print_table(const Simulation& sim, const std::vector<PieceModes>& pieces) {
+  for (const PieceModes& piece : pieces) {
+    fmt::print("body {} {}, piece {}: {} rigid\n", piece.body, sim.scene.bodies[piece.body].name,
+               piece.component.value, piece.modes.rigid);
+    for (std::size_t k = 0; k < piece.modes.frequency.size(); ++k) {
+      fmt::print("  mode {:<4} {:.6g} Hz{}\n", k + 1, piece.modes.frequency[k],
+                 k < piece.modes.rigid ? " (rigid)" : "");
+    }
+  }
+}
+
+/// Column k of every piece, one row a vertex, world, largest displacement of a piece 1.
+std::vector<Vec3> shape_column(const Simulation& sim, const std::vector<PieceModes>& pieces,
+                               std::size_t k) {
+  const MechanicsState& m = sim.state.mechanics;
+  std::vector<Vec3> column(m.vertices.size(), Vec3::Zero());
+  for (const PieceModes& piece : pieces) {
+    if (k >= piece.modes.frequency.size()) continue;
+    const Component& component = m.components[piece.component.index()];
+    const auto shape =
+        piece.modes.shape.col(static_cast<Eigen::Index>(k)).reshaped(3, Eigen::AutoSize);
+    const double largest = shape.colwise().norm().maxCoeff();
+    for (std::size_t i = 0; i < component.vertices.size(); ++i) {
+      const Vec3 phi = shape.col(static_cast<Eigen::Index>(i)) / largest;
+      column[component.vertices[i].index()] = component.orientation * phi;
+    }
+  }
+  return column;
+}
+
+std::vector<Finding> write_shapes(const std::filesystem::path& path, const Simulation& sim,
+                                  const std::vector<PieceModes>& pieces) {
+  TetMesh mesh;
+  for (const Vec3& x : sim.state.mechanics.vertices.position)
+    mesh.points.push_back({x[0], x[1], x[2]});
+  for (const Corners& c : sim.state.cells.map.corners()) {
+    mesh.tetrahedra.push_back({c[0].value, c[1].value, c[2].value, c[3].value});
+  }
+  std::size_t most = 0;
+  for (const PieceModes& piece : pieces) most = std::max(most, piece.modes.frequency.size());
+  std::vector<std::string> names;
+  std::vector<std::vector<Vec3>> columns;
+  for (std::size_t k = 0; k < most; ++k) {
+    names.push_back(fmt::format("mode_{}", k + 1));
+    columns.push_back(shape_column(sim, pieces, k));
+  }
+  std::vector<NamedColumn> data;
+  for (std::size_t k = 0; k < most; ++k) data.push_back(vector_column(names[k], columns[k]));
+  return write_vtu(path, mesh, data);
+}
+
+void print(const std::vector<Finding>& findings) {
+  fmt::print(stderr, "{}", finding_lines(findings));
+}
+
+Result<std::vector<PieceModes>> all_modes(Simulation& sim, std::size_t count) {
+  MechanicsState& m = sim.state.mechanics;
+  const std::vector<std::size_t> body = body_of_vertices(sim);
+  std::vector<PieceModes> pieces;
+  for (const Component& component : m.components) {
+    if (component.tetrahedra.empty()) continue;
+    Result<Modes> modes =
+        natural_modes(sim.scratch.mechanics, m, sim.state.cells.map.corners(), component.id, count);
+    if (!modes) return std::move(modes.findings.front());
+    pieces.push_back({component.id, body[component.vertices.front().index()], std::move(*modes)});
+  }
+  return pieces;
+}
+
+ExitCode run_modes(const ModesArguments& arguments) {
+  Result<SceneFile> file = read_scene(arguments.scene, arguments.settings);
+  print(file.findings);
+  if (!file) return ExitCode::bad_input;
+  Result<Simulation> sim = build_simulation(file->scene);
+  print(sim.findings);
+  if (!sim) return ExitCode::bad_input;
+  const Result<std::vector<PieceModes>> pieces = all_modes(*sim, arguments.count);
+  print(pieces.findings);
+  if (!pieces) return ExitCode::failed;
+  if (!arguments.output.empty()) {
+    const std::vector<Finding> unwritten = write_shapes(arguments.output, *sim, *pieces);
+    print(unwritten);
+    if (has_error(unwritten)) return ExitCode::not_written;
+  }
+  if (arguments.json) {
+    fmt::print("{}\n", answer_json(*sim, *pieces).dump(2));
+  } else {
+    print_table(*sim, *pieces);
+  }
+  return ExitCode::fine;
+}
+
+}  // namespace
+
+void add_modes_command(CLI::App& program, ExitCode& exit_code) {
+  CLI::App* command =
+      program.add_subcommand("modes", "Natural frequencies and shapes of a scene's bodies");
+  const auto arguments = std::make_shared<ModesArguments>();
+  command->add_option("SCENE", arguments->scene, "Scene file (JSON)")->required();
+  command
+      ->add_option("--count", arguments->count,
+                   "Modes of each piece beside its rigid motions; default 6")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000));
+  command->add_option("-o,--output", arguments->output, "Write the shapes as VTU")
+      ->type_name("FILE.vtu");
+  command
+      ->add_option(
+          "--set", arguments->settings,
+          "Change a value of the scene: bodies.0.material.density=2000; may be given often")
+      ->type_name("KEY=VALUE")
+      ->take_all();
+  command->add_flag("--json", arguments->json, "Print JSON instead of a table");
+  command->footer(footer);
+  command->callback([=, &exit_code] { exit_code = run_modes(*arguments); });
+}
+
+}  // namespace sunder

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+// The command line of `sunder static`, its table, JSON and VTU.
+#include "apps/sunder/static/static.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/output/recorder_tables.hpp"
+#include "apps/scene/scene_json.hpp"
+#include "apps/sunder/static/static_answer.hpp"
+#include "apps/sunder/static/static_fan.hpp"
+#include "apps/scene/words.hpp"
+
+namespace sunder {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr const char* footer = R"(
+SCENE is a scene file as `sunder run` takes it, SI units: docs/static.md. Gravity and the bodies'
+"loads" (Pa, N) act fully; "held" vertices stay, or stand where their velocity (m/s) takes them by
+the scene's "duration" (s). Every body needs three held vertices off one line. Obstacles have no
+part in it: what lies on one is not supported by it here.
+
+Answers, per body and over all: largest displacement (m), strain energy (J), largest principal
+stress of a vertex (Pa) and its share of the tensile strength, each with the point of the mesh
+(counted from 0) and its place (m); force (N) and moment about the mass centre (N m) of each support.
+--fan V,NX,NY,NZ adds what the fan at point V (of all bodies' meshes, one after the other) with this
+normal in the mesh's axes would release: faces, area (m^2), energy (J) and energy per area (J/m^2),
+beside the material's where it has a toughness (docs/energy.md). Nothing is split.
+--fans SHARE lists that for the fan of every vertex with at least this share of its strength (1: what
+would break now), most energy per area first, and beside it what the crack's front would release at
+vertices that are on one.
+FILE.vtu holds the deformed bodies with displacement, node stress and largest principal stress.
+
+Exit codes: 0 done, 2 usage, 3 bad scene or mesh or no equilibrium, 4 not written, 5 the answer is
+no finite number.
+
+Examples:
+  sunder static beam.json
+  sunder static beam.json --set gravity.acceleration=[0,0,0] --json -o beam.vtu
+)";
+
+struct StaticArguments {
+  std::filesystem::path scene, output;
+  std::vector<std::string> settings;
+  std::string fan;
+  std::optional<double> fans;
+  bool json = false;
+};
+
+ordered_json numbers(const Vec3& v) { return {v[0], v[1], v[2]}; }
+
+ordered_json extreme_json(const Extreme& e) {
+  return {{"value", e.value}, {"vertex", e.point}, {"position", numbers(e.position)}};
+}
+
+ordered_json body_json(const StaticBody& body) {
+  ordered_json supports = ordered_json::array();
+  for (const SupportAnswer& s : body.supports) {
+    supports.push_back(
+        {{"vertices", s.vertices}, {"force", numbers(s.force)}, {"moment", numbers(s.moment)}});
+  }
+  return {{"name", body.name},
+          {"vertices", body.vertices},
+          {"tetrahedra", body.tetrahedra},
+          {"mass", body.mass},
+          {"max_displacement", extreme_json(body.displacement)},
+          {"strain_energy", body.strain_energy},
+          {"max_principal_stress", extreme_json(body.principal_stress)},
+          {"max_strength_share", extreme_json(body.strength_share)},
+          {"load", numbers(body.load)},
+          {"supports", supports},
+          {"residual", body.residual}};
+}
+
+/// The largest of all bodies, with the body's row.
+ordered_json largest(const StaticAnswer& answer, Extreme StaticBody::*which) {
+  std::size_t row = 0;
+  for (std::size_t b = 1; b < answer.bodies.size(); ++b) {
+    if ((answer.bodies[b].*which).value > (answer.bodies[row].*which).value) row = b;
+  }
+  ordered_json json = extreme_json(answer.bodies[row].*which);
+  json["body"] = row;
+  return json;
+}
+
+ordered_json answer_json(const std::string& scene, const StaticAnswer& answer,
+                         const std::vector<Finding>& findings) {
+  ordered_json bodies = ordered_json::array();
+  double energy = 0;
+  for (const StaticBody& body : answer.bodies) {
+    bodies.push_back(body_json(body));
+    energy += body.strain_energy;
+  }
+  return {{"scene", scene},
+          {"max_displacement", largest(answer, &StaticBody::displacement)},
+          {"strain_energy", energy},
+          {"max_principal_stress", largest(answer, &StaticBody::principal_stress)},
+          {"max_strength_share", largest(answer, &StaticBody::strength_share)},
+          {"bodies", bodies},
+          {"findings", findings_json(findings)}};
+}
+
+std::string place(const Extreme& e) {
+  return fmt::format("at vertex {} ({:.6g}, {:.6g}, {:.6g}) m", e.point, e.position[0],
+                     e.position[1], e.position[2]);
+}
+
+void print_table(const StaticAnswer& answer) {
+  const auto row = [](const char* name, const std::string& value) {
+    fmt::print("{:<18} {}\n", name, value);
+  };
+  for (std::size_t b = 0; b < answer.bodies.size(); ++b) {
+    const StaticBody& body = answer.bodies[b];
+    row("body",
+        fmt::format("{} {} ({} tetrahedra, {:.6g} kg)", b, body.name, body.tetrahedra, body.mass));
+    row("displacement",
+        fmt::format("{:.6g} m {}", body.displacement.value, place(body.displacement)));
+    row("strain energy", fmt::format("{:.6g} J", body.strain_energy));
+    row("principal stress",
+        fmt::format("{:.6g} Pa {}", body.principal_stress.value, place(body.principal_stress)));
+    row("share of strength",
+        fmt::format("{:.4g} {}", body.strength_share.value, place(body.strength_share)));
+    for (const SupportAnswer& s : body.supports) {
+      row("support", fmt::format("{} vertices push with ({:.6g}, {:.6g}, {:.6g}) N", s.vertices,
+                                 s.force[0], s.force[1], s.force[2]));
+    }
+  }
+}
+
+void print(const std::vector<Finding>& findings) {
+  fmt::print(stderr, "{}", finding_lines(findings));
+}
+
+ExitCode run_static(const StaticArguments& arguments) {
+  Result<SceneFile> file = read_scene(arguments.scene, arguments.settings);
+  print(file.findings);
+  if (!file) return ExitCode::bad_input;
+  Result<Simulation> sim = build_simulation(file->scene);
+  print(sim.findings);
+  if (!sim) return ExitCode::bad_input;
+  const Result<StaticAnswer> answer = solve_scene(*sim);
+  print(answer.findings);
+  if (!answer) {
+    return answer.findings.back().code == "not_a_number" ? ExitCode::failed : ExitCode::bad_input;
+  }
+  if (!arguments.output.empty()) {
+    const std::vector<Finding> unwritten =
+        write_frame(arguments.output, sim->state.cells, sim->state.mechanics,
+                    origins(sim->scene.bodies), answer->node_stress);
+    print(unwritten);
+    if (has_error(unwritten)) return ExitCode::not_written;
+  }
+  std::optional<FanAnswer> fan;
+  if (!arguments.fan.empty()) {
+    const Result<FanAnswer> released = fan_answer(*sim, arguments.fan);
+    print(released.findings);
+    if (!released) return ExitCode::usage;
+    fan = *released;
+  }
+  std::vector<FanCandidate> candidates;
+  if (arguments.fans) {
+    Result<std::vector<FanCandidate>> found =
+        fan_candidates(*sim, answer->node_stress, *arguments.fans);
+    print(found.findings);
+    if (!found) return ExitCode::failed;
+    candidates = std::move(*found);
+  }
+  if (arguments.json) {
+    ordered_json json = answer_json(sim->scene.name, *answer, answer.findings);
+    if (fan) json["fan"] = to_json(*fan);
+    if (arguments.fans) json["fans"] = to_json(candidates);
+    fmt::print("{}\n", json.dump(2));
+  } else {
+    print_table(*answer);
+    if (fan) fmt::print("{}", to_table(*fan));
+    if (arguments.fans) fmt::print("{}", to_table(candidates));
+  }
+  return ExitCode::fine;
+}
+
+}  // namespace
+
+void add_static_command(CLI::App& program, ExitCode& exit_code) {
+  CLI::App* command =
+      program.add_subcommand("static", "Equilibrium of a scene's bodies under its loads");
+  const auto arguments = std::make_shared<StaticArguments>();
+  command->add_option("SCENE", arguments->scene, "Scene file (JSON)")->required();
+  command->add_option("-o,--output", arguments->output, "Write the equilibrium as VTU")
+      ->type_name("FILE.vtu");
+  command
+      ->add_option("--set", arguments->settings,
+                   "Change a value of the scene: gravity.ramp_time=2; may be given often")
+      ->type_name("KEY=VALUE")
+      ->take_all();
+  command->add_option("--fan", arguments->fan, "Energy that a fan would release")
+      ->type_name("V,NX,NY,NZ")
+      ->check(CLI::Validator(check_fan_text, "", "fan"));
+  command
+      ->add_option("--fans", arguments->fans,
+                   "Energies of the fans of all vertices at this share of their strength or more")
+      ->type_name("SHARE")
+      ->check(CLI::NonNegativeNumber);
+  command->add_flag("--json", arguments->json, "Print JSON instead of a table");
+  command->footer(footer);
+  command->callback([=, &exit_code] { exit_code = run_static(*arguments); });
+}
+
+}  // namespace sunder

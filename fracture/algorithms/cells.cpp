@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// Making the cells, and the threshold of a vertex from the materials and cracks around it.
+#include "fracture/algorithms/cells.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "topology/kernel/fan.hpp"
+
+namespace sunder {
+namespace {
+
+bool is_crack_tip(const Cells& cells, VertexId vertex, std::span<const TetId> star) {
+  for (const TetId t : star) {
+    for (int place = 0; place < 4; ++place) {
+      if (cells.map.corners(t)[place] == vertex) continue;  // the face opposite to the vertex
+      if (is_crack_face(cells, half_face(t, place))) return true;
+    }
+  }
+  return false;
+}
+
+/// Mean length of the edges of the star's tetrahedra, shared ones once for each, m.
+double mean_edge_length(const VertexColumns& vertices, std::span<const Corners> corners,
+                        std::span<const TetId> star) {
+  double sum = 0;
+  for (const TetId t : star) {
+    const Corners& c = corners[t.index()];
+    for (int i = 0; i < 4; ++i) {
+      for (int j = i + 1; j < 4; ++j) {
+        sum += (vertices.rest_position[c[i].index()] - vertices.rest_position[c[j].index()]).norm();
+      }
+    }
+  }
+  return sum / (6.0 * static_cast<double>(star.size()));
+}
+
+}  // namespace
+
+std::vector<char> boundary_of(const VolumeMap& map) {
+  std::vector<char> boundary;
+  for (const auto& neighbours : map.neighbours()) {
+    for (const HalfFaceId n : neighbours) boundary.push_back(n.is_none());
+  }
+  return boundary;
+}
+
+Cells make_cells(VolumeMap map, const MechanicsState& mechanics, std::vector<char> skin) {
+  Cells cells{.map = std::move(map), .skin = std::move(skin)};
+  cells.labels = label_components(cells.map);
+  if (cells.skin.empty()) cells.skin = boundary_of(cells.map);
+  // Before anything is cracked the smallest strength around a vertex needs no star.
+  cells.strength.assign(cells.map.vertices(), std::numeric_limits<double>::infinity());
+  for (std::size_t t = 0; t < cells.map.tetrahedra(); ++t) {
+    const double xi = mechanics.materials[mechanics.elements.material[t].index()].tensile_strength;
+    for (const VertexId v : cells.map.corners(TetId{t})) {
+      cells.strength[v.index()] = std::min(cells.strength[v.index()], xi);
+    }
+  }
+  cells.painted.assign(cells.map.vertices(), 0);
+  cells.flaw.assign(cells.map.vertices(), 1);
+  cells.unbreakable.assign(cells.map.vertices(), 0);
+  cells.waits.assign(cells.map.vertices(), 0);
+  return cells;
+}
+
+void append_copy(Cells& cells, VertexId from) {
+  const auto append = [from](auto& column) { column.push_back(column[from.index()]); };
+  append(cells.strength);
+  append(cells.painted);
+  append(cells.flaw);
+  append(cells.unbreakable);
+  append(cells.waits);
+}
+
+double vertex_strength(const Cells& cells, const MechanicsState& mechanics, VertexId vertex,
+                       std::span<const TetId> star) {
+  if (cells.unbreakable[vertex.index()]) return std::numeric_limits<double>::infinity();
+  double strength = std::numeric_limits<double>::infinity();
+  double toughness = strength;
+  for (const TetId t : star) {
+    const Material& m = mechanics.materials[mechanics.elements.material[t.index()].index()];
+    strength = std::min(strength, m.tensile_strength);
+    if (m.toughness) toughness = std::min(toughness, *m.toughness);
+  }
+  if (cells.painted[vertex.index()] > 0) strength = cells.painted[vertex.index()];
+  strength *= cells.flaw[vertex.index()];
+  if (std::isinf(toughness) || !is_crack_tip(cells, vertex, star)) return strength;
+  const double h = mean_edge_length(mechanics.vertices, cells.map.corners(), star);
+  return crack_tip_factor * toughness / std::sqrt(h);
+}
+
+Vec3 rest_area_vector(const Cells& cells, HalfFaceId face) {
+  const Corners& corners = cells.map.corners(tetrahedron_of(face));
+  const auto& order = dart_order::face_corners[place_of(face)];
+  const auto x = [&](int k) { return Vec3(cells.map.point(corners[order[k]]).data()); };
+  const Vec3 a = x(0);
+  return 0.5 * (x(1) - a).cross(x(2) - a);
+}
+
+}  // namespace sunder

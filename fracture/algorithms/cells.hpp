@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// The cells of all bodies and what breaking knows about them: map, components, skin, strength.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mechanics/state/mechanics_state.hpp"
+#include "topology/kernel/components.hpp"
+#include "topology/kernel/volume_map.hpp"
+
+namespace sunder {
+
+/// A vertex over its threshold with every tetrahedron on one side of every plane its stress allows.
+struct EmptyFan {
+  VertexId vertex;
+  /// Its stress when that was found, divided by its norm.
+  Mat3 stress_direction;
+};
+
+/// The topological half of a simulation's state.
+struct Cells {
+  VolumeMap map;
+  Components labels;
+  /// 4 |T|, by half-face: 1 where the face was on the surface before anything broke. A boundary
+  /// half-face that is not skin is a crack face.
+  std::vector<char> skin;
+  /// |V|, Pa: the tensile threshold xi of each vertex (see `vertex_strength`).
+  std::vector<double> strength;
+  /// |V|, Pa: painted on the mesh; 0 where the materials around decide.
+  std::vector<double> painted;
+  /// |V|: what the material's or painted strength is multiplied with (Weibull); copies keep it.
+  std::vector<double> flaw;
+  /// |V|: 1 where the vertex never splits: no face that touches it is ever unsewn in a fan.
+  std::vector<char> unbreakable;
+  /// |V|: 1 while a vertex waits for a fan that the budget of a step did not allow.
+  std::vector<char> waits;
+  /// Those that wait until their stress changes, each vertex once.
+  std::vector<EmptyFan> empty_fans;
+};
+
+/// Which half-faces lie on the boundary, 4 |T|.
+std::vector<char> boundary_of(const VolumeMap& map);
+
+/// The cells of a body that has not broken yet, all of the strength of their materials.
+/// `mechanics`: made from the same rows. `skin`: `boundary_of` the map before it was cut; empty:
+/// nothing was cut.
+Cells make_cells(VolumeMap map, const MechanicsState& mechanics, std::vector<char> skin = {});
+
+/// Appends the columns of a copy of vertex `from`: it inherits everything.
+void append_copy(Cells& cells, VertexId from);
+
+/// C of the threshold at a crack tip, C K_Ic / sqrt(h): with it an edge crack breaks within 3 per
+/// cent of the closed form at any size of elements (docs/energy.md).
+inline constexpr double crack_tip_factor = 0.54;
+
+/// Threshold xi of one vertex, Pa: the smallest tensile strength around it or that painted on it,
+/// times its flaw; infinite where it is unbreakable. Where its material has a
+/// toughness K_Ic and the vertex is a crack tip (a cracked face lies in its star), 0.54 K_Ic /
+/// sqrt(h) alone, h the mean edge length of its star, because the stress there grows like
+/// 1 / sqrt(h) and a bare strength would depend on the mesh (decisions.md, Mesh dependence).
+/// `star`: every tetrahedron around `vertex`. Infinite for a material that never breaks.
+double vertex_strength(const Cells& cells, const MechanicsState& mechanics, VertexId vertex,
+                       std::span<const TetId> star);
+
+/// Area vector of a face at rest, m^2, by the order of its corners in `dart_order`.
+Vec3 rest_area_vector(const Cells& cells, HalfFaceId face);
+
+/// Whether a half-face lies on the boundary because of a crack.
+inline bool is_crack_face(const Cells& cells, HalfFaceId face) {
+  return cells.map.neighbour(face).is_none() && !cells.skin[face.index()];
+}
+
+}  // namespace sunder

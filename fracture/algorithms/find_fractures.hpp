@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// Algorithm 3: which vertices break in this step, in which order, and what became of the others.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "fracture/energy/relax_patch.hpp"
+#include "fracture/algorithms/split_fan.hpp"
+#include "fracture/algorithms/stress_fit.hpp"
+#include "mechanics/step.hpp"
+
+namespace sunder {
+
+/// What one `find_fractures` found and did.
+struct FractureReport {
+  /// Fans that split at least one face, in the order in which they were split.
+  std::vector<FanEvent> fans;
+  /// Vertices tested, those that Gershgorin's bound let through, and those of them that really
+  /// reach their threshold: the last two give the bound's efficiency (table 3).
+  std::size_t tested = 0, suspects = 0, reached = 0;
+  /// Vertices newly found over their threshold with every tetrahedron on one side of every allowed
+  /// plane; those whose fan the limits on pieces refused; and those that still wait for their
+  /// stress to change since they were counted as either, and were not tested again.
+  std::size_t empty_fans = 0, refused_fans = 0, still_empty = 0;
+  /// Vertices that waited for a fan and fell below their threshold before their turn came, or whose
+  /// faces a neighbour's fan had split by then.
+  std::size_t relieved = 0;
+  /// Vertices over their threshold that the budget left for a later step.
+  std::size_t waiting = 0;
+  /// Vertices for which the node stress `fit` fell back to `volume`.
+  std::size_t unfitted = 0;
+  /// A vertex whose stress is not a number: nothing was split, the simulation has failed.
+  std::optional<VertexId> not_a_number;
+};
+
+/// Working memory of `find_fractures`.
+struct FractureScratch {
+  /// |V|, Pa, as it stands after the fans of the last call; for display too.
+  std::vector<Mat3> node_stress;
+  std::vector<double> weight;  ///< |V|, of `average_node_stress`
+  std::vector<char> rows;      ///< |V|: looked at
+  std::vector<char> broken;    ///< |V|: broken in this call
+  std::vector<double>
+      queued;     ///< |V|: overstress with which it stands in the queue; 0: it does not
+  StressFit fit;  ///< of the node stress `fit`
+  FanScratch fan;
+  RelaxedState relaxed;  ///< with `FractureSettings::relax`
+};
+
+/// Node stress of every vertex in one of its modes, Pa, rest frame: for reports. The fit's weights
+/// are made anew.
+std::vector<Mat3> node_stress_of(const Cells& cells, const MechanicsState& mechanics,
+                                 NodeStress mode);
+
+/// Algorithm 3, on the element stresses in `mechanics` (Pa, rest frame of each component):
+/// node stress (eq. 6), the test against the threshold (eq. 7), and for the vertices that reach
+/// theirs a fan each (algorithm 4), most overstressed first.
+///
+/// Candidates whose overstresses differ by no more than 1e-6 from one to the next are tied: planes
+/// and faces of all of them are decided on the state as it is before any of them is split. So what
+/// breaks first does not depend on the numbers of vertices, and mirror images break alike: their
+/// stresses differ by the rounding of sums in another order and of the solver, 1e-9 and less. Held
+/// by tests for mirrors across the coordinate planes of the mesh through the body's mass centre.
+/// What cannot be alike: a vertex on the mirror's plane whose best fan is not its own image has one
+/// of two images, by `choose_fan`'s last rule; and the limits on pieces, which know an order.
+///
+/// After the fans of a tie the stress of every vertex they split is measured again, of old rows as
+/// of new, and those over their threshold take part with it. A vertex and its copies break once a
+/// step at most: the element stresses are those from before, and breaking on them again would grind
+/// the star to single tetrahedra. With `fit`, neighbours of what split are measured again when
+/// their turn comes.
+///
+/// With `relax` the stresses around the fans of a tie are solved for again and decide from there
+/// on: whoever they bring over the threshold joins the queue, whoever they relieve leaves it.
+///
+/// A vertex whose fan is empty or was refused waits until its stress changes, untested: until its
+/// tensor over its norm differs by more than 0.01 (Frobenius; half a degree; a stress that only
+/// grows keeps its planes), it has been below its threshold, or it has been split.
+/// Leaves `mechanics.elements.component`, masses and frames to the caller (`rebuild`).
+/// Only vertices of `members` are looked at: the others' time has not come.
+FractureReport find_fractures(Cells& cells, MechanicsState& mechanics,
+                              const FractureSettings& settings, FractureScratch& scratch,
+                              const StepMembers& members = {});
+
+}  // namespace sunder

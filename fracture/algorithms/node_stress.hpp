@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Stress tensors of vertices: weighted means over the tetrahedra around them. No decision here.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mechanics/state/columns.hpp"
+
+namespace sunder {
+
+/// What a node stress is averaged from, a row a tetrahedron.
+struct ElementStress {
+  std::span<const Corners> corners;
+  /// Pa, symmetric, in the rest frame of the tetrahedron's component.
+  std::span<const Mat3> stress;
+  /// Rest volume, m^3 (our default), or mass, kg (eq. 6 as printed); positive.
+  std::span<const double> weight;
+};
+
+/// Node stress of every vertex: sum w_e sigma_e / sum w_e over the tetrahedra around it (eq. 6,
+/// after Koschier et al. 2014). The weights are summed for each vertex over its own star: the
+/// paper's `4 m` holds only where every mass was just refreshed (decisions.md, Node stress).
+/// Writes |V| symmetric tensors, Pa, into `node_stress` (resized to `vertices`); zero for a row
+/// that no tetrahedron uses. O(|T|), one pass, in the order of the rows.
+void average_node_stress(std::vector<Mat3>& node_stress, const ElementStress& elements,
+                         std::size_t vertices);
+
+/// The same with room for the sums of weights, which is kept from call to call.
+void average_node_stress(std::vector<Mat3>& node_stress, const ElementStress& elements,
+                         std::size_t vertices, std::vector<double>& weight);
+
+/// The same for one vertex, from its star in the order of rows. `star`: not empty.
+Mat3 node_stress_of_star(const ElementStress& elements, std::span<const TetId> star);
+
+}  // namespace sunder

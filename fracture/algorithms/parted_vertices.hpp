@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Which vertices a set of faces would part, without splitting one.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "topology/kernel/volume_map.hpp"
+
+namespace sunder {
+
+/// A vertex that would come apart if some faces were split.
+struct PartedVertex {
+  VertexId vertex;
+  /// The tetrahedra of each part of its star, rising; the parts by their lowest tetrahedron. Two or
+  /// more.
+  std::vector<std::vector<TetId>> sides;
+};
+
+/// The vertices that splitting `faces` would part, in rising order of row: those whose star falls
+/// apart when its tetrahedra no longer meet across these faces. Nothing is split. O(stars).
+std::vector<PartedVertex> parted_vertices(const VolumeMap& map, std::span<const HalfFaceId> faces);
+
+}  // namespace sunder

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Whether a fan would make a piece too small or one too many: looked at before it is split.
+#pragma once
+
+#include <span>
+
+#include "fracture/algorithms/cells.hpp"
+#include "fracture/simulation/scene.hpp"
+
+namespace sunder {
+
+/// Whether unsewing `faces` (the fan of `vertex`) would part a piece lighter than
+/// `settings.smallest_piece` from the rest, or leave more pieces than `settings.max_pieces` in the
+/// scene. Nothing is changed. Exact: a face can only part something if its sides are in different
+/// orbits at all three of its vertices once the whole fan is unsewn (the oracle, looking ahead);
+/// from such faces alone parts grow in lockstep, as `Detection::exact` does it.
+/// Cost: nothing where both limits are 0; else the stars of the faces' vertices, and the smaller
+/// sides of what would come off (with a smallest piece, more of the rest where that is all light).
+bool exceeds_limits(const Cells& cells, const MechanicsState& mechanics,
+                    std::span<const HalfFaceId> faces, const FractureSettings& settings,
+                    ComponentScratch& scratch);
+
+}  // namespace sunder

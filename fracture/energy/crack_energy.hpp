@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// The energy that a fan gives up, per area: forces across the crack times how far it opens.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "fracture/algorithms/split_fan.hpp"
+#include "mechanics/step.hpp"
+
+namespace sunder {
+
+/// One row of a vertex that a fan parted.
+struct CrackSide {
+  VertexId vertex;
+  Vec3 force = Vec3::Zero();    ///< N, world: of its star on it, when it broke; sums to zero
+  Vec3 opening = Vec3::Zero();  ///< m, world: how far its deformation has moved it since
+};
+
+/// A fan whose opening is still followed.
+struct OpenCrack {
+  std::uint64_t fan = 0;  ///< running number, from 0: `fan` in events.jsonl
+  double time = 0;        ///< s, of the fan
+  double area = 0;        ///< m^2, of its faces at rest
+  std::vector<CrackSide> sides;
+  double followed = 0;  ///< s
+};
+
+/// What a fan gave up.
+struct CrackEnergy {
+  std::uint64_t fan = 0;
+  double time = 0;    ///< s
+  double area = 0;    ///< m^2
+  double energy = 0;  ///< J; over `area`: energy per crack area
+};
+
+/// Half of the forces times the ways: what it takes to close the crack again [virtual crack
+/// closure, Rybicki and Kanninen 1977]. In linear statics that is what the body with its loads
+/// gives up, exactly; in dynamics what left the two sides until then, as motion or loss.
+CrackEnergy energy_of(const OpenCrack& crack);
+
+/// Fans right after they were split, before `rebuild`; stresses are those they broke at. A vertex
+/// that several fans parted counts with the first. O(|T|).
+struct NewCracks {
+  std::span<const FanEvent> fans;
+  std::uint64_t first_fan = 0;
+  double time = 0;
+};
+void open_cracks(std::vector<OpenCrack>& cracks, const NewCracks& fresh,
+                 const MechanicsState& state, const Cells& cells);
+
+/// A part of a step that was just adopted.
+struct CrackStep {
+  std::span<const Vec3> displacement_before;
+  StepMembers members;
+  double length = 0;  ///< s
+};
+
+/// Adds the openings of a part. A crack is settled when a wave has crossed the largest of its
+/// pieces once (L/c): by then what its force held is gone, and has not come back from the far end.
+/// Steps that are longer come to rest within one. Appends what is settled to `settled` and forgets
+/// it. Pieces that became rigid tetrahedra do not open: what they give up is counted elsewhere.
+void follow_cracks(std::vector<CrackEnergy>& settled, std::vector<OpenCrack>& cracks,
+                   const MechanicsState& state, const CrackStep& step);
+
+}  // namespace sunder

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+// From a scene's settings to its state at the start: one map, one set of columns for all bodies.
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "fracture/strength/draw_strength.hpp"
+#include "fracture/strength/make_cuts.hpp"
+#include "fracture/simulation/scene_loads.hpp"
+#include "fracture/simulation/simulation.hpp"
+#include "fracture/simulation/step_work.hpp"
+#include "topology/kernel/build_map.hpp"
+#include "topology/mesh/check.hpp"
+
+namespace sunder {
+namespace {
+
+void append(std::vector<Finding>& all, std::vector<Finding> more) {
+  for (Finding& f : more) all.push_back(std::move(f));
+}
+
+/// Everything that settings and meshes get wrong, before anything is built.
+std::vector<Finding> check_scene(const Scene& scene) {
+  std::vector<Finding> findings;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const std::string place = fmt::format("bodies[{}]", b);
+    append(findings, check(scene.bodies[b].material, place + ".material"));
+    std::vector<Finding> in_mesh = check_mesh(scene.bodies[b].mesh);
+    for (Finding& f : in_mesh) f.text = place + ".mesh: " + f.text;
+    append(findings, std::move(in_mesh));
+  }
+  for (std::size_t o = 0; o < scene.obstacles.size(); ++o) {
+    append(findings, check(scene.obstacles[o], o));
+  }
+  append(findings, check_strengths(scene.bodies));
+  IntegratorSettings integrator = scene.integrator;
+  integrator.time_step = scene.time_step;
+  append(findings, check(integrator, "integrator"));
+  append(findings, check(scene.contact, "contact"));
+  append(findings, check(scene.impact, "impact"));
+  append(findings, check(scene.ladder));
+  if (scene.bodies.empty()) {
+    findings.push_back({.code = "no_body",
+                        .text = "the scene has no body",
+                        .remedy = "give at least one entry in \"bodies\""});
+  }
+  return findings;
+}
+
+/// The bodies' meshes one after the other, and which rows are whose.
+TetMesh join_meshes(const std::vector<BodySettings>& bodies, std::vector<BodyRows>& rows) {
+  TetMesh all;
+  for (const BodySettings& body : bodies) {
+    const auto first_point = static_cast<std::uint32_t>(all.points.size());
+    const std::size_t first_tetrahedron = all.tetrahedra.size();
+    all.points.insert(all.points.end(), body.mesh.points.begin(), body.mesh.points.end());
+    for (auto corners : body.mesh.tetrahedra) {
+      for (std::uint32_t& c : corners) c += first_point;
+      all.tetrahedra.push_back(corners);
+    }
+    rows.push_back({first_tetrahedron, all.tetrahedra.size(), first_point, all.points.size()});
+  }
+  return all;
+}
+
+Result<MechanicsState> make_columns(const Scene& scene, const std::vector<BodyRows>& bodies,
+                                    const VolumeMap& map, const Components& labels) {
+  std::vector<Vec3> rest;
+  rest.reserve(map.vertices());
+  for (std::size_t v = 0; v < map.vertices(); ++v) {
+    const Point& p = map.point(VertexId{v});
+    rest.emplace_back(p[0], p[1], p[2]);
+  }
+  std::vector<MaterialId> material(map.tetrahedra());
+  std::vector<Material> materials;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const BodyMaterials own = materials_of(scene.bodies[b]);
+    for (std::size_t t = bodies[b].first_tetrahedron; t < bodies[b].end_tetrahedron; ++t) {
+      material[t] =
+          MaterialId{materials.size() + own.of_tetrahedron[t - bodies[b].first_tetrahedron]};
+    }
+    materials.insert(materials.end(), own.materials.begin(), own.materials.end());
+  }
+  return make_state({.rest_positions = rest,
+                     .corners = map.corners(),
+                     .material = material,
+                     .component = labels.of_tetrahedron,
+                     .materials = materials});
+}
+
+bool contains(const HeldBox& box, const Vec3& p) {
+  return (p.array() >= box.minimum.array()).all() && (p.array() <= box.maximum.array()).all();
+}
+
+/// Marks the held vertices of one body. A box that holds nothing is an error: it never is meant.
+std::vector<Finding> hold_vertices(Simulation& sim, std::size_t body) {
+  std::vector<Finding> findings;
+  MechanicsState& m = sim.state.mechanics;
+  const auto& held = sim.scene.bodies[body].held;
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    const MotionId motion{m.motions.size()};
+    std::size_t count = 0;
+    for (std::size_t v = 0; v < m.vertices.size(); ++v) {
+      const std::uint32_t point = sim.state.cells.map.point_of_vertex(VertexId{v});
+      if (point < sim.bodies[body].first_point || point >= sim.bodies[body].end_point) continue;
+      if (!contains(held[i], m.vertices.rest_position[v])) continue;
+      m.vertices.support[v] = motion;
+      ++count;
+    }
+    m.motions.push_back({held[i].velocity});
+    if (count > 0) continue;
+    findings.push_back(
+        {.code = "nothing_held",
+         .text = fmt::format("bodies[{}].held[{}]: no vertex of the mesh lies in it", body, i),
+         .remedy = "give the box in the mesh's own coordinates, m"});
+  }
+  return findings;
+}
+
+/// Places every component of a body, all of them as one rigid body.
+void place_body(Simulation& sim, std::size_t body) {
+  const BodySettings& settings = sim.scene.bodies[body];
+  MechanicsState& m = sim.state.mechanics;
+  const BodyRows& rows = sim.bodies[body];
+  double mass = 0;
+  Vec3 rest_centre = Vec3::Zero();
+  std::vector<ComponentId> components;
+  for (const Component& c : m.components) {
+    if (c.tetrahedra.empty()) continue;
+    const std::size_t t = c.tetrahedra.front().index();
+    if (t < rows.first_tetrahedron || t >= rows.end_tetrahedron) continue;
+    components.push_back(c.id);
+    mass += c.mass;
+    rest_centre += c.mass * c.rest_centre;
+  }
+  rest_centre /= mass;
+  for (const ComponentId id : components) {
+    const Vec3 arm = settings.rotation * (m.components[id.index()].rest_centre - rest_centre);
+    place(m, id,
+          {.orientation = settings.rotation,
+           .translation = settings.translation,
+           .velocity = settings.velocity + settings.spin.cross(arm),
+           .spin = settings.spin});
+  }
+}
+
+/// Length over thickness of a body, from the second moments of its lumped masses: those of a box.
+double slenderness(const Component& component) {
+  const Mat3& J = component.rest_inertia;
+  const Mat3 second = 0.5 * J.trace() * Mat3::Identity() - J;
+  const Vec3 moments = Eigen::SelfAdjointEigenSolver<Mat3>(second).eigenvalues();
+  return std::sqrt(moments[2] / moments[0]);
+}
+
+/// One frame sees a false strain of eps (L/t)^2 / 2 where a slender body bends by the strain eps:
+/// a twentieth of the strain it breaks at is still nothing (mechanics_notes, section 0.6).
+void warn_of_slender_bodies(std::vector<Finding>& findings, const MechanicsState& mechanics) {
+  for (const Component& c : mechanics.components) {
+    if (c.tetrahedra.size() < 2) continue;
+    const Material& material =
+        mechanics.materials[mechanics.elements.material[c.tetrahedra.front().index()].index()];
+    if (!(material.tensile_strength < std::numeric_limits<double>::infinity())) continue;
+    const double ratio = slenderness(c);
+    const double strain = material.tensile_strength / material.young_modulus;
+    if (!(strain * ratio * ratio > 0.1)) continue;
+    findings.push_back(
+        {.code = "slender_body",
+         .severity = Severity::warning,
+         .ids = {static_cast<std::int64_t>(c.id.index())},
+         .text =
+             fmt::format("component {} is {:.3g} times as long as thick and breaks at a strain "
+                         "of {:.3g}: bent so far, one rigid reference sees up to {:.0f} per cent "
+                         "of false strain in it",
+                         c.id.index(), ratio, strain, 50 * strain * ratio * ratio),
+         .remedy = "read its bending stresses as too high, or take a stiffer material or a "
+                   "shorter body"});
+  }
+}
+
+void start_display(SimulationState& state) {
+  for (const Component& c : state.mechanics.components) {
+    state.display.push_back({c.centre, c.orientation});
+  }
+  state.display_target = state.display;
+}
+
+}  // namespace
+
+Result<Simulation> build_simulation(Scene scene) {
+  Result<Simulation> result;
+  result.findings = check_scene(scene);
+  if (has_error(result.findings)) return result;
+
+  scene.integrator.time_step = scene.time_step;
+  std::vector<BodyRows> bodies;
+  Result<VolumeMap> map = build_map(join_meshes(scene.bodies, bodies));
+  if (!map) {
+    append(result.findings, std::move(map.findings));
+    return result;
+  }
+  std::vector<char> skin = boundary_of(*map);
+  append(result.findings, make_cuts(*map, scene.bodies, bodies));
+  if (has_error(result.findings)) return result;
+  const Components labels = label_components(*map);
+  Result<MechanicsState> mechanics = make_columns(scene, bodies, *map, labels);
+  append(result.findings, std::move(mechanics.findings));
+  if (!mechanics) return result;
+
+  Cells cells = make_cells(std::move(*map), *mechanics, std::move(skin));
+  draw_strengths(cells, *mechanics, scene.bodies, bodies);
+  Simulation sim{.scene = std::move(scene),
+                 .bodies = std::move(bodies),
+                 .loads = {},
+                 .state = {.cells = std::move(cells), .mechanics = std::move(*mechanics)}};
+  sim.state.obstacles = sim.scene.obstacles;
+  for (std::size_t b = 0; b < sim.bodies.size(); ++b)
+    append(result.findings, hold_vertices(sim, b));
+  append(result.findings, make_scene_loads(sim));
+  if (has_error(result.findings)) return result;
+  const std::vector<ComponentId> living = living_components(sim.state.mechanics);
+  rebuild(sim.state.mechanics, sim.state.cells.map.corners(), living, sim.scratch.mechanics);
+  for (std::size_t b = 0; b < sim.bodies.size(); ++b) place_body(sim, b);
+  warn_of_slender_bodies(result.findings, sim.state.mechanics);
+  start_display(sim.state);
+  append(result.findings, check_integrator_bounds(sim));
+  if (has_error(result.findings)) return result;
+  result.value = std::move(sim);
+  return result;
+}
+
+}  // namespace sunder

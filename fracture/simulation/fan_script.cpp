@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// Making the fans of a script, each checked first against the body as it is.
+#include "fracture/simulation/fan_script.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace sunder {
+namespace {
+
+void depart(FanScript& script, std::size_t fan, std::string reason) {
+  script.departure = {fan, std::move(reason)};
+}
+
+/// Why a fan cannot be planned; empty where it can.
+std::string misfit(const Cells& cells, const ScriptedFan& fan) {
+  if (fan.vertex.index() >= cells.map.vertices()) {
+    return fmt::format("vertex {} is not there yet: the highest is {}", fan.vertex.value,
+                       cells.map.vertices() - 1);
+  }
+  if (!(std::abs(fan.normal.norm() - 1) < 1e-9)) {
+    return fmt::format("the normal of the fan at vertex {} is not of length 1", fan.vertex.value);
+  }
+  return {};
+}
+
+/// Plans the fans from the script's next up to `end` on the state as it is.
+std::vector<PlannedFan> plan_round(const Cells& cells, const FractureSettings& settings,
+                                   FanScript& script, std::size_t end) {
+  std::vector<PlannedFan> plans;
+  for (std::size_t row = script.next; row < end; ++row) {
+    const ScriptedFan& fan = script.fans[row];
+    std::string reason = misfit(cells, fan);
+    if (!reason.empty()) {
+      depart(script, row, std::move(reason));
+      break;
+    }
+    plans.push_back(plan_known_fan(cells, fan.vertex, fan.normal, fan.stress));
+    if (settings.criterion == FractureCriterion::energy) plans.back().strength = fan.strength;
+  }
+  return plans;
+}
+
+std::size_t end_of_round(const FanScript& script) {
+  const ScriptedFan& first = script.fans[script.next];
+  std::size_t end = script.next;
+  while (end < script.fans.size() && script.fans[end].place == first.place &&
+         script.fans[end].round == first.round) {
+    ++end;
+  }
+  return end;
+}
+
+}  // namespace
+
+std::vector<FanEvent> make_fans(BrokenBody body, const FractureSettings& settings,
+                                FanScript& script, SearchPlace place, FanScratch& scratch) {
+  FractureSettings unlimited = settings;
+  unlimited.smallest_piece = 0;
+  unlimited.max_pieces = 0;
+  std::vector<FanEvent> made;
+  while (script.next < script.fans.size() && script.fans[script.next].place <= place) {
+    const SearchPlace wanted = script.fans[script.next].place;
+    if (wanted < place) {
+      depart(
+          script, script.next,
+          fmt::format("step {} has no search for fractures number {}", wanted.step, wanted.part));
+      return made;
+    }
+    const std::uint32_t round = script.fans[script.next].round;
+    for (PlannedFan& plan : plan_round(body.cells, settings, script, end_of_round(script))) {
+      FanEvent event = split_fan(body.cells, body.mechanics, std::move(plan), unlimited, scratch);
+      if (event.faces.empty()) {
+        depart(script, script.next,
+               fmt::format("no face is left to split at vertex {} along this normal",
+                           event.vertex.value));
+        return made;
+      }
+      event.round = round;
+      made.push_back(std::move(event));
+      ++script.next;
+    }
+    if (script.departure) return made;
+  }
+  return made;
+}
+
+}  // namespace sunder

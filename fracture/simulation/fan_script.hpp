@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// Fans of an earlier run, made again where and when they came: what a replay is.
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fracture/algorithms/split_fan.hpp"
+
+namespace sunder {
+
+/// One search for fractures of a run: its step, from 1, and which of the step's searches, from 0.
+struct SearchPlace {
+  std::uint64_t step = 0;
+  std::uint32_t part = 0;
+  friend auto operator<=>(const SearchPlace&, const SearchPlace&) = default;
+};
+
+/// A fan to be made: where in the run, and along which plane.
+struct ScriptedFan {
+  SearchPlace place;
+  /// Fans of one round of a search were decided on the same state (`FanEvent::round`).
+  std::uint32_t round = 0;
+  VertexId vertex;
+  Vec3 normal = Vec3::Zero();  ///< rest frame, of length 1
+  double stress = 0;           ///< Pa, only noted in the event
+  double strength = 0;         ///< Pa, only noted, with the criterion `energy`: stresses made it
+};
+
+/// A fan of the script that cannot be made.
+struct ScriptDeparture {
+  std::size_t fan = 0;  ///< its row
+  std::string reason;
+};
+
+/// The fans of a whole run in the order in which they were made.
+struct FanScript {
+  std::vector<ScriptedFan> fans;
+  std::size_t next = 0;  ///< the first that was not made yet
+  std::optional<ScriptDeparture> departure;
+};
+
+/// What fans change.
+struct BrokenBody {
+  Cells& cells;
+  MechanicsState& mechanics;
+};
+
+/// Makes the fans that the script has for the search at `place`, without any threshold test, and
+/// moves the script on; gives their events. Round by round: the faces of all fans of a round follow
+/// from their vertices and normals on the state before any of them is split, as in
+/// `find_fractures`. Limits on pieces are not asked again. Stops at the first fan that does not fit
+/// (its search has passed, its vertex is not there, its plane parts nothing) and says so in
+/// `script.departure`. Whether what they split is what they split then is the caller's to compare.
+/// Needs: calls in the order of the run, one for every search. Cost: that of the fans.
+std::vector<FanEvent> make_fans(BrokenBody body, const FractureSettings& settings,
+                                FanScript& script, SearchPlace place, FanScratch& scratch);
+
+}  // namespace sunder

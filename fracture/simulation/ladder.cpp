@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: MIT
+// The rungs of components and the bounds that decide them.
+#include "fracture/simulation/ladder.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "fracture/simulation/step_work.hpp"
+#include "mechanics/element/energy.hpp"
+#include "mechanics/contact/impact.hpp"
+
+namespace sunder {
+namespace {
+
+/// The bound may reach this part of the strength: a component that takes its deformation up again
+/// swings once about where it would have been.
+constexpr double safe_part = 0.5;
+
+const Material& material_of(const MechanicsState& state, const Component& component) {
+  const TetId t = component.tetrahedra.front();
+  return state.materials[state.elements.material[t.index()].index()];
+}
+
+/// Pa. What cannot break is seen to move all the same: it counts as breaking at a strain of 1e-4.
+double lowest_strength(const SimulationState& s, const Component& component) {
+  double lowest = 1e-4 * material_of(s.mechanics, component).young_modulus;
+  for (VertexId v : component.vertices) lowest = std::min(lowest, s.cells.strength[v.index()]);
+  return lowest;
+}
+
+/// Marks components on a corner of which a surface load acts.
+void find_loaded(Simulation& sim) {
+  std::vector<char>& loaded = sim.scratch.ladder.loaded;
+  loaded.assign(sim.state.mechanics.components.size(), 0);
+  for (const CornerLoad& load : sim.loads) {
+    const TetId t = tetrahedron_of(load.corner);
+    loaded[sim.state.mechanics.elements.component[t.index()].index()] = 1;
+  }
+}
+
+/// J that a component gives up when it stops deforming: its vertices move with the frame alone.
+double stop_deforming(MechanicsState& state, const Component& component) {
+  VertexColumns& vertices = state.vertices;
+  Mat3 inertia = Mat3::Zero();
+  double before = 0, after = 0;
+  for (VertexId v : component.vertices) {
+    const Vec3 arm = vertices.position[v.index()] - component.centre;
+    const double m = vertices.mass[v.index()];
+    inertia -= m * arm * arm.transpose();
+    inertia.diagonal().array() += m * arm.squaredNorm();
+    before += 0.5 * m * vertices.velocity[v.index()].squaredNorm();
+  }
+  const Vec3 spin = inertia.ldlt().solve(component.angular_momentum);
+  for (VertexId v : component.vertices) {
+    const Vec3 arm = vertices.position[v.index()] - component.centre;
+    vertices.velocity[v.index()] = component.momentum / component.mass + spin.cross(arm);
+    vertices.displacement_rate[v.index()].setZero();
+    vertices.displacement_acceleration[v.index()].setZero();
+    after += 0.5 * vertices.mass[v.index()] * vertices.velocity[v.index()].squaredNorm();
+  }
+  return before - after;
+}
+
+/// Largest speed of a vertex in its component's frame over the critical speed xi / (rho c), whose
+/// wave would break it. An acceleration counts as the speed that it stands for in the slowest mode.
+double swing(const MechanicsState& state, const Component& component, double strength) {
+  const Material& material = material_of(state, component);
+  const double period = extent_travel(state, component) / 3;
+  double fastest = 0;
+  for (VertexId v : component.vertices) {
+    fastest =
+        std::max(fastest, state.vertices.displacement_rate[v.index()].norm() +
+                              period * state.vertices.displacement_acceleration[v.index()].norm());
+  }
+  return fastest * material.density * compression_wave_speed(material) / strength;
+}
+
+/// Whether no contact and no blow had to do with the component in this step.
+bool is_left_alone(const StepWork& work, const Component& component) {
+  return !work.sim.scratch.ladder.touched[component.id.index()] &&
+         work.sim.state.impact.quiet[component.id.index()] == ImpactWindow::closed;
+}
+
+/// Whether the component may go rigid or stay so. What it would give up must be nothing: outcomes
+/// of many blows are chaotic, and a millionth of the critical speed was seen in them late.
+bool flies_safely(const StepWork& work, const Component& component) {
+  constexpr double nothing = 1e-7;
+  const SimulationState& s = work.sim.state;
+  if (component.supported || component.isolated || !is_left_alone(work, component)) return false;
+  const double strength = lowest_strength(s, component);
+  return swing(s.mechanics, component, strength) < nothing &&
+         flight_stress_bound(s.mechanics, component) < safe_part * strength;
+}
+
+/// Whether the component may go from equilibrium to equilibrium.
+bool is_loaded_slowly(const StepWork& work, const Component& component) {
+  constexpr double slow = 1e-3;
+  const SimulationState& s = work.sim.state;
+  return component.supported && is_left_alone(work, component) &&
+         swing(s.mechanics, component, lowest_strength(s, component)) < slow;
+}
+
+double fastest_vertex(const MechanicsState& state, const Component& component) {
+  double squared = 0;
+  for (VertexId v : component.vertices) {
+    squared = std::max(squared, state.vertices.velocity[v.index()].squaredNorm());
+  }
+  return std::sqrt(squared);
+}
+
+/// Whether what acts from outside is constant from now on.
+bool loads_are_steady(const Simulation& sim) {
+  const double now = sim.state.mechanics.time;
+  return now >= sim.scene.gravity.ramp_time &&
+         std::ranges::all_of(sim.loads, [&](const CornerLoad& l) { return now >= l.ramp_time; });
+}
+
+bool is_carried(const MechanicsState& state, const Component& component) {
+  return component.supported && std::ranges::any_of(component.vertices, [&](VertexId v) {
+           const MotionId motion = state.vertices.support[v.index()];
+           return !motion.is_none() && !state.motions[motion.index()].velocity.isZero(0);
+         });
+}
+
+/// Takes rest from everything that touches what is awake.
+void keep_awake_with_neighbours(LadderScratch& ladder, const SimulationState& s) {
+  using Sides = std::array<std::size_t, 2>;
+  constexpr std::size_t outside = std::numeric_limits<std::size_t>::max();
+  std::vector<char>& rested = ladder.rested;
+  std::vector<Sides>& touching = ladder.touching;
+  touching.clear();
+  for (const ContactMemory::Remembered& last : s.contact.last_contacts) {
+    const ContactPoint& c = last.contact;
+    Sides sides{outside, outside};
+    bool moved = c.ball != ContactPoint::none;
+    if (!moved) sides[0] = s.mechanics.vertices.component[c.vertex.index()].index();
+    if (c.obstacle == ContactPoint::none) {
+      sides[1] = s.mechanics.elements.component[c.tetrahedron.index()].index();
+    } else {
+      const Obstacle& obstacle = s.obstacles[c.obstacle];
+      moved = moved || obstacle.mass || !obstacle.velocity.isZero(0);
+    }
+    for (const std::size_t side : sides) {
+      if (moved && side != outside) rested[side] = 0;
+    }
+    if (sides[0] != outside && sides[1] != outside) touching.push_back(sides);
+  }
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (const auto& [a, b] : touching) {
+      if (rested[a] == rested[b]) continue;
+      rested[a] = rested[b] = 0;
+      changed = true;
+    }
+  }
+}
+
+/// Marks components that may sleep from now on.
+void find_rested(StepWork& work) {
+  SimulationState& s = work.sim.state;
+  const LadderSettings& settings = work.sim.scene.ladder;
+  // What lies still may creep by the depth that contact leaves alone, in the time it takes.
+  const double still_speed = work.sim.scene.contact.allowed_penetration / settings.sleep_after;
+  const bool steady = loads_are_steady(work.sim);
+  std::vector<char>& rested = work.sim.scratch.ladder.rested;
+  s.ladder.still.resize(rested.size(), 0);
+  for (const Component& c : s.mechanics.components) {
+    if (c.tetrahedra.empty()) continue;
+    double& still = s.ladder.still[c.id.index()];
+    const bool moves = !steady || is_carried(s.mechanics, c) ||
+                       s.impact.quiet[c.id.index()] != ImpactWindow::closed ||
+                       fastest_vertex(s.mechanics, c) > still_speed;
+    still = moves ? 0 : still + work.sim.scene.time_step;
+    rested[c.id.index()] = c.rung == Rung::asleep || still >= settings.sleep_after;
+  }
+  keep_awake_with_neighbours(work.sim.scratch.ladder, s);
+}
+
+/// Gives the kinetic energy that is lost, J.
+double fall_asleep(MechanicsState& state, Component& component) {
+  double energy = 0;
+  component.rung = Rung::asleep;
+  component.momentum.setZero();
+  component.angular_momentum.setZero();
+  for (VertexId v : component.vertices) {
+    energy +=
+        0.5 * state.vertices.mass[v.index()] * state.vertices.velocity[v.index()].squaredNorm();
+    state.vertices.velocity[v.index()].setZero();
+    state.vertices.displacement_rate[v.index()].setZero();
+    state.vertices.displacement_acceleration[v.index()].setZero();
+  }
+  return energy;
+}
+
+}  // namespace
+
+std::vector<Finding> check(const LadderSettings& settings) {
+  // Written so that a NaN fails.
+  if (settings.sleep_after > 0) return {};
+  return {{.code = "bad_ladder_setting",
+           .text = "ladder.sleep_after is " + std::to_string(settings.sleep_after) +
+                   " s; allowed is a number above 0",
+           .remedy = "leave it out for the default, or set ladder.sleep to false"}};
+}
+
+double flight_stress_bound(const MechanicsState& state, const Component& component) {
+  const Material& material = material_of(state, component);
+  double energy = 0;
+  for (TetId t : component.tetrahedra) energy += element_strain_energy(state, t);
+  double lightest = std::numeric_limits<double>::infinity();
+  double squared_speed = 0;
+  const Vec3 drift = component.momentum / component.mass;
+  for (VertexId v : component.vertices) {
+    const double m = state.vertices.mass[v.index()];
+    lightest = std::min(lightest, m);
+    energy += 0.5 * m * state.vertices.displacement_rate[v.index()].squaredNorm();
+    squared_speed =
+        std::max(squared_speed, (state.vertices.velocity[v.index()] - drift).squaredNorm());
+  }
+  const double smallest_star = 4 * lightest / material.density;
+  return std::sqrt(2 * material.young_modulus * energy / smallest_star) +
+         2 * material.density * squared_speed;
+}
+
+void note_touches(StepWork& work) {
+  const MechanicsState& m = work.sim.state.mechanics;
+  std::vector<char>& touched = work.sim.scratch.ladder.touched;
+  touched.resize(m.components.size(), 0);
+  for (const ContactPoint& c : work.sim.scratch.contact.contacts) {
+    if (c.ball == ContactPoint::none) {
+      touched[m.vertices.component[c.vertex.index()].index()] = 1;
+    }
+    if (c.obstacle == ContactPoint::none) {
+      touched[m.elements.component[c.tetrahedron.index()].index()] = 1;
+    }
+  }
+}
+
+void choose_rungs(StepWork& work) {
+  SimulationState& s = work.sim.state;
+  const LadderSettings& settings = work.sim.scene.ladder;
+  const bool climbs = work.sim.scene.integrator.integrator == Integrator::floating_frame;
+  LadderScratch& ladder = work.sim.scratch.ladder;
+  ladder.touched.resize(s.mechanics.components.size(), 0);
+  ladder.rested.assign(s.mechanics.components.size(), 0);
+  if (climbs && settings.sleep) find_rested(work);
+  find_loaded(work.sim);
+  for (Component& c : s.mechanics.components) {
+    if (c.tetrahedra.empty()) continue;
+    const std::size_t row = c.id.index();
+    double& given_up = work.report.energy_released;
+    if (ladder.rested[row]) {
+      if (c.rung != Rung::asleep) given_up += fall_asleep(s.mechanics, c);
+    } else if (climbs && settings.rigid && !ladder.loaded[row] && flies_safely(work, c)) {
+      if (c.rung != Rung::rigid) given_up += stop_deforming(s.mechanics, c);
+      c.rung = Rung::rigid;
+    } else if (climbs && settings.quasi_static && is_loaded_slowly(work, c)) {
+      c.rung = Rung::quasi_static;
+    } else {
+      c.rung = Rung::full;
+    }
+    LadderReport& report = work.report.ladder;
+    ++report.components[static_cast<std::size_t>(c.rung)];
+    report.tetrahedra[static_cast<std::size_t>(c.rung)] += c.tetrahedra.size();
+  }
+}
+
+}  // namespace sunder

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Which rung each component takes its next step on: no more than the scene needs (docs/ladder.md).
+#pragma once
+
+#include <vector>
+
+#include "fracture/simulation/simulation.hpp"
+
+namespace sunder {
+
+struct StepWork;
+
+/// Bound on the largest principal node stress (Pa) that a free component can come to while nothing
+/// touches it, from what is in it now:
+///   sqrt(2 E (U + T_d) / V) + 2 rho s^2
+/// U its strain energy, T_d the kinetic energy of its deformation, V the volume of its smallest
+/// star, s the largest speed of a vertex against the mass centre. First term: a volume V under the
+/// mean stress of largest eigenvalue sigma holds at least V sigma^2 / (2 E), and it cannot hold
+/// more than there is. Second: centrifugal forces stress a rod with rho s^2 / 2 at most and a disc
+/// with 0.41 rho s^2; the factor leaves four times that for notches
+/// (`tests/fracture/simulation/ladder_test.cpp` holds it against the equilibria of spinning bodies). O(rows of
+/// the component).
+double flight_stress_bound(const MechanicsState& state, const Component& component);
+
+/// Marks the components that the contacts of the last part pushed at.
+void note_touches(StepWork& work);
+
+/// Chooses the rungs of the next step, after everything else in this one:
+/// - `rigid`: free, not touched in this step, in no impact window, without surface loads, and
+///   `flight_stress_bound` below half of the lowest strength of its vertices, no vertex swinging at
+///   more than 1e-7 of the critical speed. Its rates of
+///   deformation are given up and counted. It stays while the bound holds and nothing overlaps it.
+/// - `quasi_static`: supported, not touched in this step, in no impact window, and no free vertex
+///   moving in its frame at more than a thousandth of the critical speed xi / (rho c): inertia
+///   could not add more than that part of the strength. It stays while that holds.
+/// - `asleep`: no vertex of it and of all that it touches has been faster than the step allows to
+/// be
+///   called rest for `sleep_after`, with gravity and loads fully raised. Touched by what is awake,
+///   or overlapped on the way of anything, it wakes (mechanics/contact/contact.cpp).
+/// - `full`: all others, and everything under other integrators than floating_frame.
+void choose_rungs(StepWork& work);
+
+}  // namespace sunder

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// Explicit sub-steps with contact in each; and what bodies ask of integrators that are bounded.
+#include <algorithm>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "fracture/simulation/step_work.hpp"
+#include "mechanics/baselines/modal.hpp"
+#include "mechanics/baselines/verlet.hpp"
+
+namespace sunder {
+namespace {
+
+/// The least bound of all components that are not rigid, s.
+double least_bound(MechanicsScratch& scratch, const MechanicsState& state) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Component& component : state.components) {
+    if (component.tetrahedra.empty() || component.isolated) continue;
+    least = std::min(least, component_step_bound(scratch, state, component));
+  }
+  return least;
+}
+
+void check_explicit(std::vector<Finding>& findings, Simulation& sim) {
+  const IntegratorSettings& settings = sim.scene.integrator;
+  const double h = sim.scene.time_step;
+  const double bound = least_bound(sim.scratch.mechanics, sim.state.mechanics);
+  if (settings.integrator == Integrator::verlet && h > bound) {
+    findings.push_back(
+        {.code = "explicit_step_too_long",
+         .severity = Severity::warning,
+         .text = fmt::format("time_step is {:.6g} s; verlet is surely stable up to {:.6g} s only",
+                             h, bound),
+         .remedy = "take that step, or the method sub_stepped, which divides steps, or "
+                   "floating_frame"});
+  }
+  const std::uint32_t count = sub_step_count(h, bound);
+  if (settings.integrator == Integrator::sub_stepped && count > settings.max_sub_steps) {
+    findings.push_back(
+        {.code = "too_many_sub_steps",
+         .text =
+             fmt::format("time_step is {:.6g} s; sub_stepped needs {} sub-steps of {:.6g} s for "
+                         "it, and integrator.max_sub_steps is {}",
+                         h, count, h / count, settings.max_sub_steps),
+         .remedy = "raise integrator.max_sub_steps, take a shorter time_step, or the method "
+                   "floating_frame"});
+  }
+}
+
+void check_modal(std::vector<Finding>& findings, const MechanicsState& state) {
+  for (const Component& component : state.components) {
+    if (component.vertices.size() <= modal_vertex_limit) continue;
+    findings.push_back(
+        {.code = "body_too_large_for_modal",
+         .ids = {static_cast<std::int64_t>(component.id.value)},
+         .text = fmt::format("component {} has {} vertices; the method modal takes up to {}",
+                             component.id.value, component.vertices.size(), modal_vertex_limit),
+         .remedy = "take the method floating_frame, or a coarser mesh"});
+    return;
+  }
+}
+
+}  // namespace
+
+std::vector<Finding> check_integrator_bounds(Simulation& sim) {
+  std::vector<Finding> findings;
+  if (is_explicit(sim.scene.integrator.integrator)) check_explicit(findings, sim);
+  if (sim.scene.integrator.integrator == Integrator::modal) {
+    check_modal(findings, sim.state.mechanics);
+  }
+  return findings;
+}
+
+void advance_sub_stepped(StepWork& work) {
+  Simulation& sim = work.sim;
+  const double h = sim.scene.time_step;
+  const double start = sim.state.mechanics.time;
+  const double bound = least_bound(sim.scratch.mechanics, sim.state.mechanics);
+  const std::uint32_t count = sub_step_count(h, bound);
+  for (std::uint32_t k = 0; k < count && !work.failed(); ++k) {
+    take_part(work, {{}, h / count});
+    break_members(work);
+  }
+  if (!work.failed()) sim.state.mechanics.time = start + h;
+  work.report.status.solve.sub_steps = count;
+}
+
+}  // namespace sunder

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// From a body's cuts to half-faces of the map, and their unsewing.
+#include "fracture/strength/make_cuts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "topology/kernel/fan.hpp"
+#include "topology/kernel/split_face.hpp"
+
+namespace sunder {
+namespace {
+
+bool contains(const CutSettings& cut, const Vec3& p) {
+  if (cut.box && !Eigen::AlignedBox3d(cut.box->minimum, cut.box->maximum).contains(p)) return false;
+  return !cut.ball || (p - cut.ball->center).norm() <= cut.ball->radius;
+}
+
+/// Whether the three vertices of a face lie where the cut is allowed.
+bool contains(const CutSettings& cut, const VolumeMap& map, HalfFaceId face) {
+  const auto& corners = map.corners(tetrahedron_of(face));
+  for (const int place : dart_order::face_corners[place_of(face)]) {
+    const Point& p = map.point(corners[place]);
+    if (!contains(cut, Vec3(p[0], p[1], p[2]))) return false;
+  }
+  return true;
+}
+
+/// One cut of one body at work.
+struct Cut {
+  const CutSettings& settings;
+  const BodyRows& rows;
+  std::string place;
+  std::vector<Finding>& findings;
+
+  void add(const char* code, const std::string& text, const char* remedy) const {
+    findings.push_back(
+        {.code = code, .text = fmt::format("{}: {}", place, text), .remedy = remedy});
+  }
+};
+
+std::vector<HalfFaceId> faces_of(const Cut& cut, const VolumeMap& map, const CutPlane& plane) {
+  const Vec3& n = plane.normal;
+  Result<std::vector<HalfFaceId>> faces =
+      plane_faces(map, CuttingPlane{{n[0], n[1], n[2]}, n.dot(plane.point)});
+  if (!faces) {
+    cut.add("not_a_direction", faces.findings.front().text, "give a normal that is not zero");
+    return {};
+  }
+  std::erase_if(*faces, [&](HalfFaceId f) {
+    const std::size_t t = tetrahedron_of(f).index();
+    return t < cut.rows.first_tetrahedron || t >= cut.rows.end_tetrahedron;
+  });
+  return std::move(*faces);
+}
+
+std::vector<HalfFaceId> faces_of(const Cut& cut, const VolumeMap& map, const FaceList& list) {
+  std::vector<std::array<std::uint32_t, 3>> points = list.points;
+  const auto count = static_cast<std::uint32_t>(cut.rows.end_point - cut.rows.first_point);
+  std::vector<HalfFaceId> faces;
+  bool in_range = true;
+  for (auto& face : points) {
+    for (std::uint32_t& p : face) {
+      in_range &= p < count;
+      p += static_cast<std::uint32_t>(cut.rows.first_point);
+    }
+  }
+  if (in_range) faces = find_faces(map, points);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (in_range && !faces[i].is_none() && !map.neighbour(faces[i]).is_none()) continue;
+    const auto& p = list.points[i];
+    if (!in_range && std::ranges::all_of(p, [&](auto row) { return row < count; })) continue;
+    cut.add("not_interior",
+            fmt::format("{} {} {} is no interior face of the mesh", p[0], p[1], p[2]),
+            "name faces between two tetrahedra by rows of the mesh's points, counted from 0");
+    return {};
+  }
+  return faces;
+}
+
+void check_place(const Cut& cut) {
+  const CutSettings& c = cut.settings;
+  if (c.box && !(c.box->minimum.array() <= c.box->maximum.array()).all()) {
+    cut.add("bad_box", "its box has a minimum above its maximum", "exchange them where they are");
+  }
+  if (c.ball && !(c.ball->radius > 0)) {
+    cut.add("bad_ball", fmt::format("its ball has the radius {} m", c.ball->radius),
+            "give a radius above 0");
+  }
+}
+
+std::vector<HalfFaceId> faces_of(const Cut& cut, const VolumeMap& map) {
+  check_place(cut);
+  const std::size_t before = cut.findings.size();
+  std::vector<HalfFaceId> faces =
+      std::visit([&](const auto& what) { return faces_of(cut, map, what); }, cut.settings.faces);
+  std::erase_if(faces, [&](HalfFaceId f) { return !contains(cut.settings, map, f); });
+  if (faces.empty() && cut.findings.size() == before) {
+    cut.add("nothing_cut", "no face inside the body lies in it",
+            "give plane, box and ball in the mesh's own coordinates, m; a face is cut when its "
+            "three vertices lie in box and ball");
+  }
+  return faces;
+}
+
+}  // namespace
+
+std::vector<Finding> make_cuts(VolumeMap& map, std::span<const BodySettings> bodies,
+                               std::span<const BodyRows> rows) {
+  std::vector<Finding> findings;
+  std::vector<HalfFaceId> faces;  // all chosen on the intact map
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    for (std::size_t i = 0; i < bodies[b].cuts.size(); ++i) {
+      const Cut cut{bodies[b].cuts[i], rows[b], fmt::format("bodies[{}].cuts[{}]", b, i), findings};
+      const std::vector<HalfFaceId> more = faces_of(cut, map);
+      faces.insert(faces.end(), more.begin(), more.end());
+    }
+  }
+  if (has_error(findings)) return findings;
+  for (const HalfFaceId face : faces) split_face(map, face);  // the second time refuses
+  return findings;
+}
+
+}  // namespace sunder

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// Explicit steps and the step size they stand.
+#include "mechanics/baselines/verlet.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Eigenvalues>
+
+#include "mechanics/baselines/model_force.hpp"
+#include "mechanics/integrators/rigid_motion.hpp"
+#include "mechanics/element/strain_displacement.hpp"
+
+namespace sunder {
+namespace {
+
+/// Half a step h of acceleration for free vertices, from the forces at `position`.
+void kick(const ComponentStep& step, std::span<const Vec3> position, const RigidFrame& support,
+          double h) {
+  MechanicsScratch::Predicted& predicted = step.scratch.predicted;
+  // The acceleration column is free until the end of the step and holds the forces meanwhile.
+  std::vector<Vec3>& force = predicted.displacement_acceleration;
+  model_forces(force, step, position, support);
+  const Loads& loads = step.input.loads;
+  const VertexColumns& vertices = step.state.vertices;
+  for (VertexId v : step.component.vertices) {
+    if (!vertices.support[v.index()].is_none()) continue;
+    Vec3 acceleration = loads.gravity + force[v.index()] / vertices.mass[v.index()];
+    if (!loads.force.empty()) acceleration += loads.force[v.index()] / vertices.mass[v.index()];
+    predicted.velocity[v.index()] += 0.5 * h * acceleration;
+  }
+}
+
+/// What one element stands, s.
+double element_bound(const MechanicsState& state, std::size_t t) {
+  const ElementColumns& elements = state.elements;
+  const Lame constants = lame(state.materials[elements.material[t].index()]);
+  const ElementStiffness K =
+      element_stiffness(elements.shape_gradient[t], elements.rest_volume[t], constants);
+  const Eigen::SelfAdjointEigenSolver<ElementStiffness> solver(K, Eigen::EigenvaluesOnly);
+  const double highest = solver.eigenvalues()[11] / (elements.mass[t] / 4);
+  return highest > 0 ? 2 / std::sqrt(highest) : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+void step_verlet(const ComponentStep& step, std::uint32_t count) {
+  MechanicsScratch::Predicted& predicted = step.scratch.predicted;
+  const Component& body = step.component;
+  const VertexColumns& vertices = step.state.vertices;
+  const double h = step.input.settings.time_step / count;
+
+  for (VertexId v : body.vertices) {
+    predicted.velocity[v.index()] = vertices.velocity[v.index()];
+    predicted.position[v.index()] = vertices.position[v.index()];
+  }
+  RigidFrame support{body.centre, body.orientation};
+  kick(step, predicted.position, support, h);
+  for (std::uint32_t k = 1; k <= count; ++k) {
+    for (VertexId v : body.vertices) {
+      predicted.position[v.index()] += h * predicted.velocity[v.index()];
+    }
+    support.centre = body.centre + k * h * body.frame_velocity;
+    // Two halves in one between sub-steps.
+    kick(step, predicted.position, support, k < count ? 2 * h : h);
+  }
+  fit_prediction(step);
+}
+
+std::uint32_t sub_step_count(double length, double bound) {
+  constexpr double share = 0.9;
+  const double count = std::ceil(length / (share * bound));
+  constexpr double most = std::numeric_limits<std::uint32_t>::max();
+  return static_cast<std::uint32_t>(std::clamp(count, 1.0, most));
+}
+
+double component_step_bound(MechanicsScratch& scratch, const MechanicsState& state,
+                            const Component& component) {
+  std::vector<double>& bounds = scratch.element_step_bound;
+  for (std::size_t t = bounds.size(); t < state.elements.size(); ++t) {
+    bounds.push_back(element_bound(state, t));
+  }
+  double least = std::numeric_limits<double>::infinity();
+  for (TetId t : component.tetrahedra) least = std::min(least, bounds[t.index()]);
+  return least;
+}
+
+void step_sub_stepped(const ComponentStep& step) {
+  const IntegratorSettings& settings = step.input.settings;
+  const double bound = component_step_bound(step.scratch, step.state, step.component);
+  const std::uint32_t count = sub_step_count(settings.time_step, bound);
+  if (count > settings.max_sub_steps) {
+    keep_still(step);
+  } else {
+    step_verlet(step, count);
+  }
+  SolveReport& report = step.scratch.predicted.frame[step.component.id.index()].solve;
+  report.sub_steps = count;
+  report.force_evaluations = count + 1;
+}
+
+double explicit_step_bound(const MechanicsState& state) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t t = 0; t < state.elements.size(); ++t) {
+    least = std::min(least, element_bound(state, t));
+  }
+  return least;
+}
+
+}  // namespace sunder

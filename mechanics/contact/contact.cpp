@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: MIT
+// The step with contact: predict, find, solve, predict again, adopt.
+#include "mechanics/contact/contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mechanics/contact/contact_bounce.hpp"
+#include "mechanics/contact/contact_step.hpp"
+#include "mechanics/state/living.hpp"
+
+namespace sunder {
+
+ContactScratch::ContactScratch() : room(std::make_unique<Room>()) {}
+ContactScratch::~ContactScratch() = default;
+ContactScratch::ContactScratch(ContactScratch&&) noexcept = default;
+ContactScratch& ContactScratch::operator=(ContactScratch&&) noexcept = default;
+
+StepPaths paths_of(const ContactStep& step) {
+  return {step.pass.state,        step.pass.input.corners, step.pass.mechanics.predicted.position,
+          step.pass.obstacles,    step.room.ball_end,      step.h(),
+          step.pass.input.members};
+}
+
+double target_gap(const ContactStep& step, const ContactPoint& contact) {
+  const double allowed = -step.settings.allowed_penetration;
+  if (contact.gap_start >= allowed) return std::min(0.0, contact.gap_start);
+  return std::min(allowed, contact.gap_start + step.settings.push_out_speed * step.h());
+}
+
+namespace {
+
+void predict_balls(ContactStep& step) {
+  const std::vector<Obstacle>& obstacles = step.pass.obstacles;
+  step.room.ball_end.resize(obstacles.size(), Vec3::Zero());
+  if (step.is_wave()) return predict_wave_balls(step);
+  const double h = step.h();
+  for (std::size_t k = 0; k < obstacles.size(); ++k) {
+    if (!obstacles[k].mass) continue;
+    Vec3 motion = h * obstacles[k].velocity;
+    if (!step.room.blows.ball_touched[k]) motion += 0.5 * h * h * step.pass.input.loads.gravity;
+    step.room.ball_end[k] = std::get<Sphere>(obstacles[k].shape).center + motion;
+  }
+}
+
+/// Gaps and slips of the rows at the predicted end of the step. Gives the largest error among the
+/// contacts: an overlap, or an impulse where there is a gap.
+double measure_rows(ContactStep& step) {
+  if (step.is_wave()) return measure_wave_rows(step);
+  const StepPaths paths = paths_of(step);
+  double worst = 0;
+  for (std::size_t k = 0; k < step.contacts.size(); ++k) {
+    const ContactPoint& contact = step.contacts[k];
+    ContactRow& row = step.room.bodies.rows[k];
+    const ContactPath path = path_of(contact, paths);
+    row.gap = predicted_lack(step, contact, path);
+    row.compliance = step.settings.compliance / step.h();
+    row.friction = contact.friction;
+    row.impulse = contact.impulse;
+    row.slip = path.end - path.start + relative_shift(step, contact);
+    for (std::uint32_t e = 0; e < row.end_count; ++e) {
+      const std::uint32_t ball = step.room.bodies.ball[row.ends[e].body];
+      if (ball == ContactBodies::none) continue;
+      row.slip +=
+          step.h() * row.ends[e].weight * step.pass.obstacles[ball].spin.cross(row.ends[e].arm);
+    }
+    const double pressed = row.normal.dot(row.impulse);
+    const double lack = row.gap + row.compliance * pressed;
+    worst = std::max(worst, pressed > 0 ? std::abs(lack) : -lack);
+  }
+  return worst;
+}
+
+/// Solves, hands the changes on, and predicts what was touched.
+void solve_pass(ContactStep& step) {
+  ContactBodies& bodies = step.room.bodies;
+  // With a unit step, displacements are velocities.
+  const double over = step.is_wave() ? step.h() : 1;
+  const SolveOutcome outcome = solve_contacts(
+      bodies.rows, bodies.bodies,
+      {step.is_wave() ? 1 : step.h(), step.report.tolerated / over, step.settings.max_iterations});
+  step.report.iterations += outcome.iterations;
+  step.report.converged = step.report.converged && outcome.converged;
+  step.room.change.resize(step.contacts.size());
+  for (std::size_t k = 0; k < step.contacts.size(); ++k) {
+    step.room.change[k] = bodies.rows[k].impulse - step.contacts[k].impulse;
+    step.contacts[k].impulse = bodies.rows[k].impulse;
+  }
+  if (step.is_wave()) {
+    apply_wave_changes(step);
+  } else {
+    apply_changes(step.room.blows, bodies, step.room.change, step.pass);
+    predict_touched(step.room.blows, step.pass);
+  }
+  predict_balls(step);
+  ++step.report.passes;
+}
+
+bool by_key(const ContactMemory::Remembered& a, const ContactMemory::Remembered& b) {
+  return key_of(a.contact) < key_of(b.contact);
+}
+
+/// Lets the first pass begin with the forces that the same contacts needed in the last step.
+void guess_from_last_step(ContactStep& step) {
+  const auto& last = step.memory.last_contacts;
+  for (std::size_t k = 0; k < step.contacts.size(); ++k) {
+    const ContactMemory::Remembered contact{step.contacts[k], step.h()};
+    const auto found = std::lower_bound(last.begin(), last.end(), contact, by_key);
+    if (found == last.end() || key_of(found->contact) != key_of(contact.contact)) continue;
+    // Turned with the normal, so that it stays inside the bounds and the circle.
+    const Eigen::Quaterniond turn =
+        Eigen::Quaterniond::FromTwoVectors(found->contact.normal, contact.contact.normal);
+    step.room.bodies.rows[k].guess = step.h() / found->step * (turn * found->contact.impulse);
+  }
+}
+
+/// Whether all sides of a contact belong to what the step moves.
+bool among_members(const ContactStep& step, const ContactPoint& contact) {
+  const StepMembers& members = step.pass.input.members;
+  const MechanicsState& state = step.pass.state;
+  if (contact.ball != ContactPoint::none) return members.has_ball(contact.ball);
+  return contact.vertex.index() < state.vertices.size() &&
+         members.has(state.vertices.component[contact.vertex.index()]);
+}
+
+/// Contacts of this step in place of those of the members' last one.
+void remember_contacts(ContactStep& step) {
+  auto& last = step.memory.last_contacts;
+  std::erase_if(last, [&](const auto& old) { return among_members(step, old.contact); });
+  for (const ContactPoint& contact : step.contacts) last.push_back({contact, step.h()});
+  std::sort(last.begin(), last.end(), by_key);
+}
+
+/// Passes until the predicted gaps are as solved for. What remains is the residual. False when
+/// nothing was done for the sake of a blow.
+bool resolve(ContactStep& step) {
+  double deepest = 0;
+  for (int k = 0; k <= step.settings.max_passes; ++k) {
+    const std::size_t before = step.contacts.size();
+    if (!meet(step, deepest) && k == 0) return false;
+    deepest = add_new_contacts(step, deepest);
+    if (deepest == 0) return true;
+    step.report.tolerated = step.settings.tolerance * deepest;
+    if (k == 0 || step.contacts.size() != before) {
+      gather_bodies(step.room.bodies, step.contacts, step.pass);
+    } else {
+      for (ContactRow& row : step.room.bodies.rows) row.guess.setZero();
+    }
+    step.report.residual = measure_rows(step);
+    // A thousandth of the overlap, and far below the depth that is never pushed out.
+    const double good_enough =
+        std::max({1e-3 * deepest, 1e-2 * step.settings.allowed_penetration, step.report.tolerated});
+    const bool settled =
+        k > 0 && step.contacts.size() == before && step.report.residual <= good_enough;
+    if (settled || k == step.settings.max_passes) break;
+    // In a wave sweeps begin at nothing and only take energy; the impulse of the last blow would
+    // strike again where they are cut short (interlocked pieces gained 60 kJ by it).
+    if (k == 0 && !step.is_wave()) guess_from_last_step(step);
+    solve_pass(step);
+  }
+  return true;
+}
+
+void move_obstacles(ContactStep& step) {
+  const Vec3 fall = step.h() * step.pass.input.loads.gravity;
+  for (std::size_t k = 0; k < step.pass.obstacles.size(); ++k) {
+    Obstacle& obstacle = step.pass.obstacles[k];
+    if (!obstacle.mass) {
+      translate(obstacle.shape, step.h() * obstacle.velocity);
+    } else if (step.pass.input.members.has_ball(k) && !step.is_wave()) {
+      std::get<Sphere>(obstacle.shape).center = step.room.ball_end[k];
+      if (!step.room.blows.ball_touched[k]) obstacle.velocity += fall;
+    }
+  }
+  if (step.is_wave()) move_wave_balls(step);
+}
+
+void count_contacts(ContactStep& step) {
+  ContactReport& report = step.report;
+  report.candidates = static_cast<std::uint32_t>(step.contacts.size());
+  if (step.contacts.empty()) return;
+  report.obstacle_impulse.assign(step.pass.obstacles.size(), Vec3::Zero());
+  const StepPaths paths = paths_of(step);
+  for (const ContactPoint& contact : step.contacts) {
+    report.deepest = std::max(report.deepest, -gap_end(contact, path_of(contact, paths)));
+  }
+}
+
+void sum_impulses(ContactStep& step) {
+  for (const ContactPoint& contact : step.contacts) {
+    ++step.report.contacts;
+    if (contact.obstacle != ContactPoint::none) {
+      step.report.obstacle_impulse[contact.obstacle] += contact.impulse;
+    }
+    if (contact.ball != ContactPoint::none) {
+      step.report.obstacle_impulse[contact.ball] -= contact.impulse;
+    }
+  }
+}
+
+/// Makes room for a step.
+void begin_step(ContactStep& step) {
+  ContactScratch::Room& room = step.room;
+  const MechanicsState& state = step.pass.state;
+  const std::size_t balls = step.pass.obstacles.size();
+  room.blows.component_touched.assign(state.components.size(), 0);
+  room.blows.ball_touched.assign(balls, 0);
+  room.blows.vertex_impulse.assign(state.vertices.size(), Vec3::Zero());
+  room.blows.ball_impulse.assign(balls, Vec3::Zero());
+  room.blows.ball_twist.assign(balls, Vec3::Zero());
+  room.count.assign(state.components.size(), 0);
+  const StepInput& input = step.pass.input;
+  prepare(step.pass.mechanics, state, input);
+  for_each_living(state, input.members, [&](const Component& component) {
+    predict(step.pass.mechanics, state, input, {&component.id, 1});
+  });
+  if (input.members.component.empty()) return;
+  // What keeps still is where it is; the room for it is there also where no member lives.
+  predict(step.pass.mechanics, state, input, {});
+  for (std::size_t v = 0; v < state.vertices.size(); ++v) {
+    if (input.members.has(state.vertices.component[v])) continue;
+    step.pass.mechanics.predicted.position[v] = state.vertices.position[v];
+  }
+}
+
+/// After the bodies were adopted: balls, bounces, memory.
+void end_step(ContactStep& step, bool fine) {
+  move_obstacles(step);
+  std::erase_if(step.contacts, [](const ContactPoint& c) { return c.impulse.isZero(0); });
+  const bool bounces =
+      step.deformation() == Deformation::whole || step.deformation() == Deformation::catch_up;
+  if (fine && bounces) {
+    take_back_bounce(step.contacts, step.room.bodies, step.pass, step.settings);
+  }
+  sum_impulses(step);
+  remember_contacts(step);
+}
+
+}  // namespace
+
+ContactStepResult advance_with_contact(const ContactWorld& world, const StepInput& input,
+                                       const ContactSettings& settings,
+                                       const ContactStepScratch& scratch) {
+  scratch.contact.contacts.clear();
+  ContactStep step{{input, world.state, world.obstacles, scratch.mechanics},
+                   world.memory,
+                   settings,
+                   scratch.contact.contacts,
+                   *scratch.contact.room,
+                   {},
+                   {}};
+  begin_step(step);
+  predict_balls(step);
+  update_allowances(world.memory, step.room.detect, paths_of(step), step.settings);
+  ContactStepResult result;
+  result.adopted = resolve(step);
+  if (result.adopted) {
+    count_contacts(step);
+    if (step.is_wave() && input.part.impact) feel_blows(step);
+    result.status = adopt(world.state, scratch.mechanics, input);
+    end_step(step, result.status.outcome == StepOutcome::fine);
+  }
+  result.blows = std::move(step.blows);
+  result.report = std::move(step.report);
+  return result;
+}
+
+}  // namespace sunder

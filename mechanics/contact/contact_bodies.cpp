@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: MIT
+// Answers of bodies to contact impulses, and the rows of contacts on them.
+#include "mechanics/contact/contact_bodies.hpp"
+
+#include <algorithm>
+
+#include "mechanics/solver/component_system.hpp"
+#include "mechanics/integrators/coefficients.hpp"
+#include "mechanics/integrators/component_step.hpp"
+#include "mechanics/baselines/modal.hpp"
+#include "mechanics/frame/rotation.hpp"
+
+namespace sunder {
+namespace {
+
+const Sphere& sphere_of(const Obstacle& ball) { return std::get<Sphere>(ball.shape); }
+
+Mat3 world_inertia(const MechanicsState& state, const Component& component) {
+  Mat3 inertia = Mat3::Zero();
+  for (VertexId v : component.vertices) {
+    const Vec3 arm = state.vertices.position[v.index()] - component.centre;
+    const double m = state.vertices.mass[v.index()];
+    inertia -= m * arm * arm.transpose();
+    inertia.diagonal().array() += m * arm.squaredNorm();
+  }
+  return inertia;
+}
+
+/// What A^-1 of a part of a step is multiplied by in the answer to a unit impulse that is spread
+/// over the part as a force: displacement beta h^2 over the part's length, or velocity in a wave.
+double answer_scale(const ContactPass& pass, const Component& component) {
+  const StepInput& input = pass.input;
+  if (input.part.deformation == Deformation::wave) return 1;
+  const double h = input.deformation_step();
+  const double rho = settings_of(input, pass.state, component).rho_infinity;
+  return generalised_alpha(rho).beta * h * (h / input.settings.time_step);
+}
+
+/// The factor that answers blows in this part of a step.
+FactorUse use_of(const ContactPass& pass) {
+  return pass.input.part.deformation == Deformation::wave ? FactorUse::wave : FactorUse::step;
+}
+
+/// Vertices of slots that are free, by their numbers in the system, and their slots.
+struct FreeSlots {
+  std::vector<std::uint32_t> local;
+  std::vector<Eigen::Index> slot;
+};
+
+FreeSlots free_slots(const ContactPass& pass, std::span<const VertexId> slots) {
+  FreeSlots free;
+  for (std::size_t k = 0; k < slots.size(); ++k) {
+    if (!pass.state.vertices.support[slots[k].index()].is_none()) continue;
+    free.local.push_back(pass.mechanics.local_row[slots[k].index()]);
+    free.slot.push_back(static_cast<Eigen::Index>(k));
+  }
+  return free;
+}
+
+/// Whether the body answers by deforming, in floating_frame or modal.
+bool answers_elastically(const ContactPass& pass, const Component& component) {
+  return takes_split_blow(pass, component) && !component.isolated &&
+         pass.input.part.deformation != Deformation::frozen;
+}
+
+/// Elastic answer of floating_frame at the end of a part of a step: `answer_scale` A^-1 on loads
+/// freed of their rigid part. Rigid fields r have A r = mu M r, so what a load's rigid part would
+/// give is subtracted in closed form.
+void answer_elastically(AnsweringBody& body, const ContactPass& pass, const Component& component,
+                        std::span<const VertexId> slots) {
+  ComponentSystem& system = *pass.mechanics.systems[component.id.index()];
+  const auto [local, slot] = free_slots(pass, slots);
+  body.turn = component.orientation.toRotationMatrix();
+  const auto size = static_cast<Eigen::Index>(3 * slots.size());
+  body.elastic.setZero(size, size);
+  const auto fill = [&](auto block) {
+    for (std::size_t b = 0; b < slot.size(); ++b) {
+      for (std::size_t a = 0; a < slot.size(); ++a) {
+        body.elastic.block<3, 3>(3 * slot[a], 3 * slot[b]) = block(a, b);
+      }
+    }
+  };
+  if (pass.input.settings.integrator == Integrator::modal) {
+    const Eigen::MatrixXd answer =
+        modal_answer({pass.mechanics, pass.state, pass.input, component, &system}, local);
+    return fill([&](std::size_t a, std::size_t b) -> Mat3 {
+      return answer.block<3, 3>(static_cast<Eigen::Index>(3 * a), static_cast<Eigen::Index>(3 * b));
+    });
+  }
+  const FactorUse use = use_of(pass);
+  const std::vector<std::uint32_t> places = touch_compliance(system, local, use);
+  const SystemFactor& factor = factor_of(system, use);
+  const double scale = answer_scale(pass, component);
+  if (!component.supported) {
+    body.rigid_mass = scale / (factor.matrix.mass * component.mass);
+    body.rigid_inertia = scale / factor.matrix.mass * system.shape.inertia.inverse();
+  }
+  fill([&](std::size_t a, std::size_t b) -> Mat3 {
+    return scale * factor.compliance.block<3, 3>(3 * places[a], 3 * places[b]);
+  });
+}
+
+/// Columns of A^-1 that the answers will be made of, those of all bodies together.
+void solve_for_columns(const ContactBodies& bodies, const ContactPass& pass) {
+  if (pass.input.settings.integrator == Integrator::modal) return;
+  std::vector<ColumnBlock> missing;
+  for (std::size_t b = 0; b < bodies.component.size(); ++b) {
+    if (bodies.component[b].is_none()) continue;
+    const Component& component = pass.state.components[bodies.component[b].index()];
+    if (!answers_elastically(pass, component)) continue;
+    note_touched(*pass.mechanics.systems[component.id.index()],
+                 free_slots(pass, bodies.slots[b]).local, use_of(pass), missing);
+  }
+  // What one thread could take from the other must be worth starting it.
+  std::size_t rows = 0;
+  for (const ColumnBlock& block : missing) rows += block.system->free_count;
+  constexpr std::size_t least_rows = 4000;
+  fill_columns(missing, rows >= least_rows ? pass.mechanics.threads : 1,
+               pass.mechanics.column_rooms);
+}
+
+AnsweringBody answering_component(const ContactPass& pass, const Component& component,
+                                  std::span<const VertexId> slots) {
+  AnsweringBody body;
+  if (!takes_split_blow(pass, component)) {
+    body.elastic =
+        end_of_step_response(pass.mechanics, pass.state, pass.input, {component.id, slots});
+    return body;
+  }
+  if (!component.supported) {
+    body.inverse_mass = 1 / component.mass;
+    body.inverse_inertia = world_inertia(pass.state, component).inverse();
+  }
+  if (answers_elastically(pass, component)) answer_elastically(body, pass, component, slots);
+  return body;
+}
+
+AnsweringBody lumped_component(const ContactPass& pass, const Component& component,
+                               std::span<const VertexId> slots) {
+  AnsweringBody body;
+  if (component.isolated) {
+    body.inverse_mass = 1 / component.mass;
+    body.inverse_inertia = world_inertia(pass.state, component).inverse();
+    return body;
+  }
+  const auto size = static_cast<Eigen::Index>(3 * slots.size());
+  body.elastic = Eigen::MatrixXd::Zero(size, size);
+  for (std::size_t k = 0; k < slots.size(); ++k) {
+    const std::size_t v = slots[k].index();
+    if (!pass.state.vertices.support[v].is_none()) continue;
+    body.elastic.diagonal()
+        .segment<3>(static_cast<Eigen::Index>(3 * k))
+        .setConstant(1 / pass.state.vertices.mass[v]);
+  }
+  return body;
+}
+
+AnsweringBody answering_ball(const Obstacle& ball) {
+  AnsweringBody body;
+  body.inverse_mass = 1 / *ball.mass;
+  body.inverse_inertia = Mat3::Identity() / moment_of_inertia(ball);
+  return body;
+}
+
+/// Gives the component or ball a place among the bodies.
+std::uint32_t enlist(ContactBodies& bodies, ComponentId component, std::uint32_t ball) {
+  std::uint32_t& place =
+      component.is_none() ? bodies.body_of_ball[ball] : bodies.body_of_component[component.index()];
+  if (place == ContactBodies::none) {
+    place = static_cast<std::uint32_t>(bodies.component.size());
+    bodies.component.push_back(component);
+    bodies.ball.push_back(ball);
+    bodies.slots.emplace_back();
+  }
+  return place;
+}
+
+/// Calls `visit(vertex)` for every vertex that a contact acts on.
+template <class Visit>
+void for_each_vertex(const ContactPoint& contact, std::span<const Corners> corners, Visit visit) {
+  if (contact.ball == ContactPoint::none) visit(contact.vertex);
+  if (contact.obstacle == ContactPoint::none) {
+    for (VertexId v : corners[contact.tetrahedron.index()]) visit(v);
+  }
+}
+
+/// Which bodies there are, and the slots of each.
+void enlist_all(ContactBodies& bodies, std::span<const ContactPoint> contacts,
+                const ContactPass& pass) {
+  bodies.body_of_component.assign(pass.state.components.size(), ContactBodies::none);
+  bodies.body_of_ball.assign(pass.obstacles.size(), ContactBodies::none);
+  bodies.slot_of_vertex.resize(pass.state.vertices.size());
+  bodies.component.clear();
+  bodies.ball.clear();
+  bodies.slots.clear();
+  for (const ContactPoint& contact : contacts) {
+    for_each_vertex(contact, pass.input.corners, [&](VertexId v) {
+      const std::uint32_t place =
+          enlist(bodies, pass.state.vertices.component[v.index()], ContactBodies::none);
+      bodies.slots[place].push_back(v);
+    });
+    for (const std::uint32_t row : {contact.ball, contact.obstacle}) {
+      if (row != ContactPoint::none && pass.obstacles[row].mass) {
+        enlist(bodies, ComponentId::none(), row);
+      }
+    }
+  }
+  for (std::vector<VertexId>& slots : bodies.slots) {
+    std::sort(slots.begin(), slots.end());
+    slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
+    for (std::size_t k = 0; k < slots.size(); ++k) {
+      bodies.slot_of_vertex[slots[k].index()] = static_cast<std::uint32_t>(k);
+    }
+  }
+}
+
+void add_end(ContactRow& row, const ContactEnd& end) { row.ends[row.end_count++] = end; }
+
+ContactEnd vertex_end(const ContactBodies& bodies, const ContactPass& pass, VertexId v,
+                      double weight) {
+  const ComponentId id = pass.state.vertices.component[v.index()];
+  ContactEnd end;
+  end.vertex = v;
+  end.body = bodies.body_of_component[id.index()];
+  end.weight = weight;
+  end.arm = pass.state.vertices.position[v.index()] - pass.state.components[id.index()].centre;
+  if (bodies.bodies[end.body].elastic.size() > 0) {
+    const Component& component = pass.state.components[id.index()];
+    end.slot = bodies.slot_of_vertex[v.index()];
+    end.rest_arm = pass.state.vertices.rest_position[v.index()] - component.rest_centre;
+  }
+  return end;
+}
+
+/// Equal parts on four vertices; on a rigid body that is one impulse at their mean.
+void add_tetrahedron_ends(ContactRow& row, TetId t, const ContactBodies& bodies,
+                          const ContactPass& pass) {
+  const Corners& corners = pass.input.corners[t.index()];
+  const ComponentId id = pass.state.elements.component[t.index()];
+  const Component& component = pass.state.components[id.index()];
+  if (component.isolated) {
+    const Vec3 arm = center_of(corners, pass.state.vertices.position) - component.centre;
+    add_end(
+        row,
+        {bodies.body_of_component[id.index()], ContactEnd::rigid_slot, -1, arm, Vec3::Zero(), {}});
+    return;
+  }
+  for (VertexId v : corners) add_end(row, vertex_end(bodies, pass, v, -0.25));
+}
+
+/// The points that a row acts on. Its gap, slip and bounds are the caller's.
+ContactRow row_of(const ContactPoint& contact, const ContactBodies& bodies,
+                  const ContactPass& pass) {
+  ContactRow row;
+  row.normal = contact.normal;
+  row.impulse = contact.impulse;
+  Vec3 place;
+  if (contact.ball == ContactPoint::none) {
+    place = pass.state.vertices.position[contact.vertex.index()];
+    add_end(row, vertex_end(bodies, pass, contact.vertex, 1));
+  } else {
+    const Sphere& ball = sphere_of(pass.obstacles[contact.ball]);
+    const Vec3 arm = -ball.radius * contact.normal;
+    place = ball.center + arm;
+    add_end(row,
+            {bodies.body_of_ball[contact.ball], ContactEnd::rigid_slot, 1, arm, Vec3::Zero(), {}});
+  }
+  if (contact.obstacle == ContactPoint::none) {
+    add_tetrahedron_ends(row, contact.tetrahedron, bodies, pass);
+  } else if (pass.obstacles[contact.obstacle].mass) {
+    // From the ball's centre to where side A is, not to its surface: both sides then feel the same
+    // line of action, and angular momentum is conserved exactly.
+    const Vec3 arm = place - sphere_of(pass.obstacles[contact.obstacle]).center;
+    add_end(
+        row,
+        {bodies.body_of_ball[contact.obstacle], ContactEnd::rigid_slot, -1, arm, Vec3::Zero(), {}});
+  }
+  return row;
+}
+
+/// The enlisted bodies and their rows.
+template <class MakeComponent>
+void gather(ContactBodies& bodies, std::span<const ContactPoint> contacts, const ContactPass& pass,
+            MakeComponent make_component) {
+  bodies.bodies.clear();
+  for (std::size_t b = 0; b < bodies.component.size(); ++b) {
+    bodies.bodies.push_back(bodies.component[b].is_none()
+                                ? answering_ball(pass.obstacles[bodies.ball[b]])
+                                : make_component(pass,
+                                                 pass.state.components[bodies.component[b].index()],
+                                                 bodies.slots[b]));
+  }
+  bodies.rows.clear();
+  for (const ContactPoint& contact : contacts) {
+    bodies.rows.push_back(row_of(contact, bodies, pass));
+  }
+}
+
+}  // namespace
+
+bool takes_split_blow(const ContactPass& pass, const Component& component) {
+  return component.isolated || is_floating(pass.input.settings.integrator);
+}
+
+void gather_bodies(ContactBodies& bodies, std::span<const ContactPoint> contacts,
+                   const ContactPass& pass) {
+  enlist_all(bodies, contacts, pass);
+  solve_for_columns(bodies, pass);
+  gather(bodies, contacts, pass, answering_component);
+}
+
+void gather_lumped_bodies(ContactBodies& bodies, std::span<const ContactPoint> contacts,
+                          const ContactPass& pass) {
+  enlist_all(bodies, contacts, pass);
+  gather(bodies, contacts, pass, lumped_component);
+}
+
+}  // namespace sunder

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: MIT
+// Contacts of vertices, balls and tetrahedron spheres along their paths through a step.
+#include "mechanics/contact/contact_detect.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "topology/kernel/assert.hpp"
+
+namespace sunder {
+namespace {
+
+Vec3 ball_center(const Obstacle& ball) { return std::get<Sphere>(ball.shape).center; }
+double ball_radius(const Obstacle& ball) { return std::get<Sphere>(ball.shape).radius; }
+
+/// The obstacle's shape about its own reference: balls about their centre, the rest as it stands.
+Shape shape_about_reference(const Obstacle& obstacle) {
+  if (!obstacle.mass) return obstacle.shape;
+  return Sphere{Vec3::Zero(), ball_radius(obstacle)};
+}
+
+/// Adds the contact if its path ends nearer to the plane than it is long.
+void add_if_near(DetectScratch& scratch, ContactPoint contact, const Shape& shape,
+                 const Path& path) {
+  const double length = (path.end - path.start).norm();
+  const FirstTouch touch = first_touch(shape, path);
+  if (!(touch.gap_end < length)) return;
+  contact.normal = touch.normal;
+  contact.gap_start = touch.gap_start;
+  contact.offset = touch.gap_end - touch.normal.dot(path.end);
+  scratch.found.push_back(contact);
+  scratch.found_gap.push_back(touch.gap_end);
+}
+
+void find_vertex_obstacle(DetectScratch& scratch, const StepPaths& paths, std::uint32_t row,
+                          double friction) {
+  const Obstacle& obstacle = paths.obstacles[row];
+  const Shape shape = shape_about_reference(obstacle);
+  ContactPoint contact;
+  contact.obstacle = row;
+  contact.friction = 0.5 * (friction + obstacle.friction);
+  if (obstacle.mass && !paths.members.has_ball(row)) return;
+  for (std::size_t v = 0; v < paths.predicted.size(); ++v) {
+    if (!paths.members.has(paths.state.vertices.component[v])) continue;
+    contact.vertex = VertexId{v};
+    const ContactPath path = path_of(contact, paths);
+    add_if_near(scratch, contact, shape, {path.start, path.end, 0});
+  }
+}
+
+void find_balls(DetectScratch& scratch, const StepPaths& paths) {
+  for (std::uint32_t a = 0; a < paths.obstacles.size(); ++a) {
+    const Obstacle& ball = paths.obstacles[a];
+    if (!ball.mass || !paths.members.has_ball(a)) continue;
+    for (std::uint32_t b = 0; b < paths.obstacles.size(); ++b) {
+      const Obstacle& other = paths.obstacles[b];
+      if (a == b || (other.mass && (b < a || !paths.members.has_ball(b)))) continue;
+      ContactPoint contact;
+      contact.ball = a;
+      contact.obstacle = b;
+      contact.friction = 0.5 * (ball.friction + other.friction);
+      const ContactPath path = path_of(contact, paths);
+      add_if_near(scratch, contact, shape_about_reference(other),
+                  {path.start, path.end, ball_radius(ball)});
+    }
+  }
+}
+
+/// Balls at rest about the mean of the corners: it is where the reaction acts.
+void measure_balls(DetectScratch& scratch, const StepPaths& paths, double share) {
+  const std::size_t count = paths.corners.size();
+  const std::vector<Vec3>& rest = paths.state.vertices.rest_position;
+  scratch.center_start.resize(count);
+  for (std::size_t t = 0; t < count; ++t) {
+    scratch.center_start[t] = center_of(paths.corners[t], paths.state.vertices.position);
+  }
+  if (scratch.radius.size() == count && scratch.ball_share == share) return;
+  scratch.ball_share = share;
+  scratch.radius.resize(count);
+  for (std::size_t t = 0; t < count; ++t) {
+    const Vec3 center = center_of(paths.corners[t], rest);
+    double squared = 0;
+    for (VertexId v : paths.corners[t]) {
+      squared = std::max(squared, (rest[v.index()] - center).squaredNorm());
+    }
+    scratch.radius[t] = share * std::sqrt(squared);
+  }
+}
+
+/// Every pair whose paths come within a radius of each other lies, half-way, within the radius and
+/// half their relative motion. The motion counted is cut at two radii: see the limits in
+/// contact.hpp.
+void pair_up(DetectScratch& scratch, const StepPaths& paths) {
+  const std::vector<Vec3>& start = paths.state.vertices.position;
+  const std::size_t points = start.size();
+  Vec3 mean = Vec3::Zero();
+  for (std::size_t v = 0; v < points; ++v) mean += paths.predicted[v] - start[v];
+  mean /= static_cast<double>(std::max<std::size_t>(points, 1));
+  double largest = 0;
+  scratch.point_middle.resize(points);
+  for (std::size_t v = 0; v < points; ++v) {
+    largest = std::max(largest, (paths.predicted[v] - start[v] - mean).norm());
+    scratch.point_middle[v] = 0.5 * (start[v] + paths.predicted[v]);
+  }
+  const std::size_t count = paths.corners.size();
+  scratch.reach.resize(count);
+  scratch.center_middle.resize(count);
+  for (std::size_t t = 0; t < count; ++t) {
+    const Vec3 end = center_of(paths.corners[t], paths.predicted);
+    const double motion = (end - scratch.center_start[t] - mean).norm() + largest;
+    scratch.center_middle[t] = 0.5 * (scratch.center_start[t] + end);
+    scratch.reach[t] = scratch.radius[t] + 0.5 * std::min(motion, 2 * scratch.radius[t]);
+  }
+  find_sphere_pairs(scratch.pairs, scratch.grid, scratch.cache,
+                    {scratch.point_middle, paths.state.vertices.component, scratch.center_middle,
+                     scratch.reach, paths.state.elements.component});
+}
+
+bool several_components(const StepPaths& paths) {
+  const std::vector<ComponentId>& all = paths.state.elements.component;
+  return std::any_of(all.begin(), all.end(), [&](ComponentId c) { return c != all.front(); });
+}
+
+double allowance_of(std::span<const ContactMemory::Allowance> allowances, const SpherePair& pair) {
+  const auto found = std::lower_bound(
+      allowances.begin(), allowances.end(), pair,
+      [](const ContactMemory::Allowance& a, const SpherePair& p) { return a.pair < p; });
+  return found != allowances.end() && found->pair == pair ? found->overlap : -1;
+}
+
+/// New vertex rows come from splits: they were of the component that their tetrahedra were of.
+void extend_remembered(ContactMemory& memory, const StepPaths& paths) {
+  const std::size_t known = memory.vertex_component.size();
+  memory.vertex_component.resize(paths.state.vertices.size());
+  for (std::size_t t = 0; t < paths.corners.size(); ++t) {
+    for (VertexId v : paths.corners[t]) {
+      if (v.index() >= known) {
+        memory.vertex_component[v.index()] = memory.tetrahedron_component[t];
+      }
+    }
+  }
+}
+
+/// Of the contacts from row `first` on, keeps the deepest for each vertex and component, sorted so.
+void keep_deepest(DetectScratch& scratch, const StepPaths& paths, std::size_t first) {
+  const auto component_of = [&](const ContactPoint& c) {
+    return paths.state.elements.component[c.tetrahedron.index()];
+  };
+  std::vector<std::uint32_t>& order = scratch.order;
+  order.clear();
+  for (std::size_t k = first; k < scratch.found.size(); ++k) {
+    order.push_back(static_cast<std::uint32_t>(k));
+  }
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    const ContactPoint &p = scratch.found[a], &q = scratch.found[b];
+    return std::tuple(p.vertex, component_of(p), scratch.found_gap[a], p.tetrahedron) <
+           std::tuple(q.vertex, component_of(q), scratch.found_gap[b], q.tetrahedron);
+  });
+  order.erase(std::unique(order.begin(), order.end(),
+                          [&](std::uint32_t a, std::uint32_t b) {
+                            const ContactPoint &p = scratch.found[a], &q = scratch.found[b];
+                            return p.vertex == q.vertex && component_of(p) == component_of(q);
+                          }),
+              order.end());
+  scratch.deepest.clear();
+  scratch.deepest_gap.clear();
+  for (const std::uint32_t k : order) {
+    scratch.deepest.push_back(scratch.found[k]);
+    scratch.deepest_gap.push_back(scratch.found_gap[k]);
+  }
+  std::copy(scratch.deepest.begin(), scratch.deepest.end(),
+            scratch.found.begin() + static_cast<std::ptrdiff_t>(first));
+  std::copy(scratch.deepest_gap.begin(), scratch.deepest_gap.end(),
+            scratch.found_gap.begin() + static_cast<std::ptrdiff_t>(first));
+  scratch.found.resize(first + order.size());
+  scratch.found_gap.resize(first + order.size());
+}
+
+void find_between_pieces(DetectScratch& scratch, const ContactMemory& memory,
+                         const StepPaths& paths, const ContactSettings& settings) {
+  pair_up(scratch, paths);
+  const std::size_t first = scratch.found.size();
+  for (const SpherePair& pair : scratch.pairs) {
+    if (!paths.members.has(paths.state.vertices.component[pair.vertex.index()]) ||
+        !paths.members.has(paths.state.elements.component[pair.tetrahedron.index()])) {
+      continue;
+    }
+    ContactPoint contact;
+    contact.vertex = pair.vertex;
+    contact.tetrahedron = pair.tetrahedron;
+    contact.friction = settings.friction;
+    const double allowed = std::max(0.0, allowance_of(memory.allowances, pair));
+    const Sphere ball{Vec3::Zero(), scratch.radius[pair.tetrahedron.index()] - allowed};
+    const ContactPath path = path_of(contact, paths);
+    add_if_near(scratch, contact, ball, {path.start, path.end, 0});
+  }
+  keep_deepest(scratch, paths, first);
+}
+
+/// Velocity of side A against side B at the start, m/s.
+Vec3 relative_velocity(const ContactPoint& contact, const StepPaths& paths) {
+  const std::vector<Vec3>& velocity = paths.state.vertices.velocity;
+  Vec3 sum = contact.ball == ContactPoint::none ? velocity[contact.vertex.index()]
+                                                : paths.obstacles[contact.ball].velocity;
+  if (contact.obstacle != ContactPoint::none)
+    return sum - paths.obstacles[contact.obstacle].velocity;
+  return sum - center_of(paths.corners[contact.tetrahedron.index()], velocity);
+}
+
+}  // namespace
+
+Vec3 center_of(const Corners& corners, std::span<const Vec3> position) {
+  return 0.25 * (position[corners[0].index()] + position[corners[1].index()] +
+                 position[corners[2].index()] + position[corners[3].index()]);
+}
+
+ContactPath path_of(const ContactPoint& contact, const StepPaths& paths) {
+  ContactPath path;
+  if (contact.ball != ContactPoint::none) {
+    path = {ball_center(paths.obstacles[contact.ball]), paths.ball_end[contact.ball]};
+  } else {
+    const std::size_t v = contact.vertex.index();
+    path = {paths.state.vertices.position[v], paths.predicted[v]};
+  }
+  if (contact.obstacle != ContactPoint::none) {
+    const Obstacle& obstacle = paths.obstacles[contact.obstacle];
+    if (obstacle.mass) {
+      path.start -= ball_center(obstacle);
+      path.end -= paths.ball_end[contact.obstacle];
+    } else {
+      path.end -= paths.time_step * obstacle.velocity;
+    }
+  } else {
+    const Corners& corners = paths.corners[contact.tetrahedron.index()];
+    path.start -= center_of(corners, paths.state.vertices.position);
+    path.end -= center_of(corners, paths.predicted);
+  }
+  return path;
+}
+
+Meeting meeting_of(const ContactPoint& contact, const StepPaths& paths) {
+  const ContactPath path = path_of(contact, paths);
+  const double h = paths.time_step;
+  const double start = contact.normal.dot(path.start) + contact.offset;
+  const double end = gap_end(contact, path);
+  const double speed = contact.normal.dot(relative_velocity(contact, paths));
+  if (start <= 0) return {0, -speed};
+  const double acceleration = 2 * (end - start - speed * h) / (h * h);
+  const double squared = speed * speed - 2 * acceleration * start;
+  if (!(squared >= 0)) return {};
+  const double root = std::sqrt(squared);
+  const double time = 2 * start / (root - speed);
+  if (!(time >= 0 && time <= h)) return {};
+  return {time, root};
+}
+
+void update_allowances(ContactMemory& memory, DetectScratch& scratch, const StepPaths& paths,
+                       const ContactSettings& settings) {
+  const MechanicsState& state = paths.state;
+  const bool first_call = memory.tetrahedron_component.empty();
+  const bool pieces = several_components(paths);
+  scratch.allowances.clear();
+  if (pieces) {
+    measure_balls(scratch, paths, settings.ball_share);
+    if (!first_call) extend_remembered(memory, paths);
+    find_sphere_pairs(scratch.pairs, scratch.grid, scratch.cache,
+                      {state.vertices.position, state.vertices.component, scratch.center_start,
+                       scratch.radius, state.elements.component});
+    for (const SpherePair& pair : scratch.pairs) {
+      const std::size_t t = pair.tetrahedron.index(), v = pair.vertex.index();
+      const double overlap =
+          scratch.radius[t] - (state.vertices.position[v] - scratch.center_start[t]).norm();
+      const bool were_one =
+          first_call || memory.vertex_component[v] == memory.tetrahedron_component[t];
+      const double before = allowance_of(memory.allowances, pair);
+      if (before < 0 && !were_one) continue;
+      scratch.allowances.push_back({pair, before < 0 ? overlap : std::min(before, overlap)});
+    }
+  }
+  std::swap(memory.allowances, scratch.allowances);
+  memory.vertex_component = state.vertices.component;
+  memory.tetrahedron_component = state.elements.component;
+}
+
+void find_contacts(DetectScratch& scratch, const ContactMemory& memory, const StepPaths& paths,
+                   const ContactSettings& settings) {
+  SUNDER_ASSERT(paths.predicted.size() == paths.state.vertices.size(), "predict before contact");
+  scratch.found.clear();
+  scratch.found_gap.clear();
+  for (std::uint32_t row = 0; row < paths.obstacles.size(); ++row) {
+    find_vertex_obstacle(scratch, paths, row, settings.friction);
+  }
+  find_balls(scratch, paths);
+  if (settings.between_pieces && several_components(paths)) {
+    find_between_pieces(scratch, memory, paths, settings);
+  }
+}
+
+}  // namespace sunder

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// Which contacts a step meets, from the paths of points through it; nothing is solved here.
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "mechanics/contact/contact.hpp"
+#include "mechanics/contact/contact_pairs.hpp"
+
+namespace sunder {
+
+/// Buffers of detection, kept from step to step.
+struct DetectScratch {
+  GridScratch grid;
+  PairCache cache;
+  std::vector<SpherePair> pairs;
+  /// |T|: centres of the tetrahedra at the start and half-way, and their balls at rest, m.
+  std::vector<Vec3> center_start, center_middle;
+  std::vector<double> radius, reach;
+  double ball_share = 0;           ///< what `radius` was measured with
+  std::vector<Vec3> point_middle;  ///< |V|
+  std::vector<ContactMemory::Allowance> allowances;
+  std::vector<ContactPoint> found, deepest;
+  std::vector<double> found_gap, deepest_gap;  ///< m, end of the step, in the tangent plane
+  std::vector<std::uint32_t> order, taken;
+};
+
+/// What detection looks at.
+struct StepPaths {
+  const MechanicsState& state;
+  std::span<const Corners> corners;
+  std::span<const Vec3> predicted;  ///< |V|: end of the step, m
+  std::span<const Obstacle> obstacles;
+  std::span<const Vec3> ball_end;  ///< row = obstacle: centre of a free sphere at the end
+  double time_step;
+  StepMembers members = {};  ///< only they meet
+};
+
+/// Mean of a tetrahedron's four positions.
+Vec3 center_of(const Corners& corners, std::span<const Vec3> position);
+
+/// Where side A of a contact is, and the reference of side B, at the start and end of the step.
+struct ContactPath {
+  Vec3 start{0, 0, 0};  ///< A - reference of B, m
+  Vec3 end{0, 0, 0};
+};
+ContactPath path_of(const ContactPoint& contact, const StepPaths& paths);
+
+/// Gap at the end of the step in the contact's tangent plane, m.
+inline double gap_end(const ContactPoint& contact, const ContactPath& path) {
+  return contact.normal.dot(path.end) + contact.offset;
+}
+
+/// When, after how many seconds, and how fast (m/s) the sides of a contact meet, from their gaps
+/// and velocities: the parabola with the gap and speed of the start and the gap of the end. What
+/// touches at the start meets at once. Infinite time: not in this step.
+struct Meeting {
+  double time = std::numeric_limits<double>::infinity();
+  double speed = 0;
+};
+Meeting meeting_of(const ContactPoint& contact, const StepPaths& paths);
+
+/// Notices which (tetrahedron, vertex) pairs overlap, now that the step begins, and shrinks what
+/// they are allowed; pairs whose components were one at the last call are allowed what they have.
+/// The first call allows everything that is there: bodies that a user puts beside one another.
+void update_allowances(ContactMemory& memory, DetectScratch& scratch, const StepPaths& paths,
+                       const ContactSettings& settings);
+
+/// All contacts whose path ends nearer to the tangent plane than it is long, into `scratch.found`,
+/// in the order: vertices by obstacle, balls, pieces by vertex; of the tetrahedra of one component
+/// only the deepest for each vertex. `settings` gives the friction.
+void find_contacts(DetectScratch& scratch, const ContactMemory& memory, const StepPaths& paths,
+                   const ContactSettings& settings);
+
+}  // namespace sunder

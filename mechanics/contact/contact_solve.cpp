@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+// The sweeps of projected Gauss-Seidel over contact rows, sped up by conjugation.
+#include "mechanics/contact/contact_solve.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mechanics/frame/rotation.hpp"
+
+namespace sunder {
+namespace {
+
+/// How far end `a` of a body moves for a unit impulse at end `b` of the same body.
+Mat3 answer_between(const AnsweringBody& body, const ContactEnd& a, const ContactEnd& b,
+                    double step) {
+  Mat3 answer = Mat3::Zero();
+  answer.diagonal().setConstant(step * body.inverse_mass);
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 spin = body.inverse_inertia * b.arm.cross(Vec3::Unit(k));
+    answer.col(k) += step * spin.cross(a.arm);
+  }
+  if (a.slot != ContactEnd::rigid_slot && b.slot != ContactEnd::rigid_slot) {
+    Mat3 elastic = body.elastic.block<3, 3>(3 * a.slot, 3 * b.slot) +
+                   cross_matrix(a.rest_arm) * body.rigid_inertia * cross_matrix(b.rest_arm);
+    elastic.diagonal().array() -= body.rigid_mass;
+    answer += body.turn * elastic * body.turn.transpose();
+  }
+  return answer;
+}
+
+Mat3 own_answer(const ContactRow& row, std::span<const AnsweringBody> bodies, double step) {
+  Mat3 answer = Mat3::Zero();
+  for (std::uint32_t i = 0; i < row.end_count; ++i) {
+    for (std::uint32_t j = 0; j < row.end_count; ++j) {
+      const ContactEnd& a = row.ends[i];
+      const ContactEnd& b = row.ends[j];
+      if (a.body != b.body) continue;
+      answer += a.weight * b.weight * answer_between(bodies[a.body], a, b, step);
+    }
+  }
+  return answer;
+}
+
+Vec3 relative_displacement(const ContactRow& row, std::span<const AnsweringBody> bodies,
+                           double step) {
+  Vec3 sum = Vec3::Zero();
+  for (std::uint32_t i = 0; i < row.end_count; ++i) {
+    const ContactEnd& end = row.ends[i];
+    const AnsweringBody& body = bodies[end.body];
+    Vec3 moved = step * (body.velocity + body.spin.cross(end.arm));
+    if (end.slot != ContactEnd::rigid_slot) {
+      const Vec3 turned = body.rigid_inertia * body.moment;
+      moved += body.turn * (body.displacement.segment<3>(3 * end.slot) +
+                            end.rest_arm.cross(turned) - body.rigid_mass * body.impulse);
+    }
+    sum += end.weight * moved;
+  }
+  return sum;
+}
+
+void add_impulse(const ContactRow& row, std::span<AnsweringBody> bodies, const Vec3& impulse) {
+  for (std::uint32_t i = 0; i < row.end_count; ++i) {
+    const ContactEnd& end = row.ends[i];
+    AnsweringBody& body = bodies[end.body];
+    const Vec3 share = end.weight * impulse;
+    body.velocity += body.inverse_mass * share;
+    body.spin += body.inverse_inertia * end.arm.cross(share);
+    if (end.slot != ContactEnd::rigid_slot) {
+      const Vec3 own = body.turn.transpose() * share;
+      body.displacement.noalias() += body.elastic.middleCols<3>(3 * end.slot) * own;
+      body.impulse += own;
+      body.moment += end.rest_arm.cross(own);
+    }
+  }
+}
+
+/// Largest eigenvalue of the answer in the contact plane: the safe divisor for both directions.
+double tangential_answer(const ContactRow& row) {
+  const Vec3 u = row.normal.unitOrthogonal();
+  const Vec3 w = row.normal.cross(u);
+  const double uu = u.dot(row.answer * u);
+  const double ww = w.dot(row.answer * w);
+  const double uw = 0.5 * (u.dot(row.answer * w) + w.dot(row.answer * u));
+  return 0.5 * (uu + ww) + std::hypot(0.5 * (uu - ww), uw);
+}
+
+Vec3 projected_on_disk(const Vec3& v, double radius) {
+  const double length = v.norm();
+  return length <= radius ? v : Vec3{v * (radius / length)};
+}
+
+/// One visit of a row: its new impulse, and by how far (m) it was from where it should be.
+double relax(ContactRow& row, std::span<AnsweringBody> bodies, double step) {
+  const double normal_answer = row.normal_answer;
+  if (!(normal_answer > 0)) return 0;
+  const Vec3& n = row.normal;
+  const Vec3 before = row.impulse;
+  const double before_n = n.dot(before);
+  const Vec3 moved = relative_displacement(row, bodies, step);
+  const double gap = row.gap + n.dot(moved) + row.compliance * before_n;
+  const double wanted_n = std::clamp(before_n - gap / normal_answer, row.least, row.most);
+  double error = std::abs(wanted_n - before_n) * normal_answer;
+  // Friction sees the slip that the new normal impulse leaves.
+  const Vec3 normal_change = (wanted_n - before_n) * n;
+  Vec3 wanted_t = Vec3::Zero();
+  if (row.friction > 0 && wanted_n > 0) {
+    const double divisor = row.tangential_answer;
+    const Vec3 total = row.slip + moved + row.answer * normal_change;
+    const Vec3 slip = total - n * n.dot(total);
+    const Vec3 before_t = before - before_n * n;
+    if (divisor > 0) {
+      wanted_t = projected_on_disk(before_t - slip / divisor, row.friction * wanted_n);
+      error = std::max(error, (wanted_t - before_t).norm() * divisor);
+    }
+  }
+  row.impulse = wanted_n * n + wanted_t;
+  const Vec3 change = row.impulse - before;
+  if (!change.isZero(0)) add_impulse(row, bodies, change);
+  return error;
+}
+
+/// Impulses of a sweep and where the last one led: what conjugation needs.
+struct Search {
+  std::vector<Vec3> before, direction;
+  double last = 0;  ///< squared length of the last sweep's change
+};
+
+/// Goes on in the direction that sweeps have gone, as far as conjugate gradients would [Silcowitz,
+/// Niebe, Erleben 2010: nonsmooth nonlinear conjugate gradients]; starts afresh when a sweep
+/// changed more than the one before. May leave the bounds: the next sweep returns.
+void conjugate(Search& search, std::span<ContactRow> rows, std::span<AnsweringBody> bodies) {
+  double now = 0;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    now += (rows[k].impulse - search.before[k]).squaredNorm();
+  }
+  const bool afresh = !(search.last > 0) || now > search.last;
+  const double beta = afresh ? 0 : now / search.last;
+  search.last = now;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const Vec3 change = rows[k].impulse - search.before[k];
+    const Vec3 onward = beta * search.direction[k];
+    search.direction[k] = onward + change;
+    if (onward.isZero(0)) continue;
+    rows[k].impulse += onward;
+    add_impulse(rows[k], bodies, onward);
+  }
+}
+
+}  // namespace
+
+SolveOutcome solve_contacts(std::span<ContactRow> rows, std::span<AnsweringBody> bodies,
+                            const SolveLimits& limits) {
+  for (AnsweringBody& body : bodies) {
+    body.velocity.setZero();
+    body.spin.setZero();
+    body.impulse.setZero();
+    body.moment.setZero();
+    body.displacement.setZero(body.elastic.rows());
+  }
+  for (ContactRow& row : rows) {
+    row.answer = own_answer(row, bodies, limits.step);
+    row.normal_answer = row.normal.dot(row.answer * row.normal) + row.compliance;
+    row.tangential_answer = tangential_answer(row);
+    add_impulse(row, bodies, row.guess);
+    row.impulse += row.guess;
+  }
+  SolveOutcome outcome;
+  if (rows.empty()) return outcome;
+  Search search{std::vector<Vec3>(rows.size()), std::vector<Vec3>(rows.size(), Vec3::Zero()), 0};
+  outcome.converged = false;
+  while (outcome.iterations < limits.max_iterations) {
+    ++outcome.iterations;
+    outcome.residual = 0;
+    for (std::size_t k = 0; k < rows.size(); ++k) search.before[k] = rows[k].impulse;
+    for (ContactRow& row : rows) {
+      outcome.residual = std::max(outcome.residual, relax(row, bodies, limits.step));
+    }
+    outcome.converged = outcome.residual <= limits.tolerance;
+    if (outcome.converged) break;
+    // The last sweep stands as it is: its impulses keep their bounds.
+    if (outcome.iterations < limits.max_iterations) conjugate(search, rows, bodies);
+  }
+  return outcome;
+}
+
+}  // namespace sunder

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// One step with contact at work: what its passes share. For the sources of contact only.
+#pragma once
+
+#include <tuple>
+#include <vector>
+
+#include "mechanics/contact/contact_bodies.hpp"
+#include "mechanics/contact/contact_detect.hpp"
+
+namespace sunder {
+
+/// What tells contacts apart.
+using ContactKey = std::tuple<std::uint32_t, VertexId, std::uint32_t, TetId>;
+inline ContactKey key_of(const ContactPoint& c) {
+  return {c.ball, c.vertex, c.obstacle, c.tetrahedron};
+}
+
+struct ContactScratch::Room {
+  DetectScratch detect;
+  ContactBodies bodies;
+  StepBlows blows;
+  std::vector<Vec3> ball_end;
+  std::vector<Vec3> change;
+  std::vector<ContactKey> known;
+  std::vector<std::uint32_t> count;  ///< row = ComponentId: contacts taken so far
+};
+
+/// One step at work.
+struct ContactStep {
+  ContactPass pass;
+  ContactMemory& memory;
+  const ContactSettings& settings;
+  std::vector<ContactPoint>& contacts;
+  ContactScratch::Room& room;
+  ContactReport report;
+  Blows blows;
+
+  double h() const { return pass.input.settings.time_step; }
+  Deformation deformation() const { return pass.input.part.deformation; }
+  bool is_wave() const { return deformation() == Deformation::wave; }
+};
+
+/// Paths through the step as it is predicted now.
+StepPaths paths_of(const ContactStep& step);
+
+/// Where the gap may be at the end of the step: a contact that is too deep comes out slowly.
+double target_gap(const ContactStep& step, const ContactPoint& contact);
+
+/// How much farther apart two sides end than predicted, m, once weight is taken as a blow at the
+/// start for what has not been touched yet.
+Vec3 relative_shift(const ContactStep& step, const ContactPoint& contact);
+
+/// What the end of the step lacks, m: gap less target, as predicted.
+double predicted_lack(const ContactStep& step, const ContactPoint& contact,
+                      const ContactPath& path);
+
+/// Contacts along the paths, with everything roused that they act on. False when there are blows
+/// on them that the step must not run into.
+bool meet(ContactStep& step, double deepest);
+
+/// Of the contacts found, adds what has come near since the last pass: overlaps, deepest first, and
+/// what is nearer than the deepest overlap is deep. Gives that depth, m; 0 when nothing overlaps.
+double add_new_contacts(ContactStep& step, double deepest);
+
+/// What the end of a wave's sub-step lacks, m: velocity times h, and the gap of its start less its
+/// target.
+double wave_lack(const ContactStep& step, const ContactPoint& contact);
+
+/// Gaps and slips of the rows of a wave, as velocities. Gives the largest error, m.
+double measure_wave_rows(ContactStep& step);
+
+/// Hands changes of impulses on to what they act on, and predicts that again.
+void apply_wave_changes(ContactStep& step);
+
+/// Centres of free balls at the end of a wave's sub-step.
+void predict_wave_balls(ContactStep& step);
+
+/// Balls go where the wave's sub-step leads them.
+void move_wave_balls(ContactStep& step);
+
+/// Which components are in the midst of a blow, into `step.blows`. Needs: the state of the start.
+void feel_blows(ContactStep& step);
+
+}  // namespace sunder

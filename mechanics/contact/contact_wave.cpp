@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+// Contact in the sub-steps of an impact: velocities are solved for, impulses are forces.
+#include <algorithm>
+#include <cmath>
+
+#include "mechanics/contact/contact_step.hpp"
+#include "mechanics/integrators/coefficients.hpp"
+
+namespace sunder {
+namespace {
+
+/// Velocity of a free ball's centre at the end of the sub-step.
+Vec3 ball_velocity(const ContactStep& step, std::size_t row) {
+  const Obstacle& ball = step.pass.obstacles[row];
+  return ball.velocity + step.h() * step.pass.input.loads.gravity +
+         step.room.blows.ball_impulse[row] / *ball.mass;
+}
+
+/// Velocity of side A against side B at the end of the sub-step, spins of balls left out.
+Vec3 velocity_end(const ContactStep& step, const ContactPoint& contact) {
+  const std::vector<Vec3>& velocity = step.pass.mechanics.predicted.velocity;
+  Vec3 sum = contact.ball == ContactPoint::none ? velocity[contact.vertex.index()]
+                                                : ball_velocity(step, contact.ball);
+  if (contact.obstacle == ContactPoint::none) {
+    return sum - center_of(step.pass.input.corners[contact.tetrahedron.index()], velocity);
+  }
+  const Obstacle& obstacle = step.pass.obstacles[contact.obstacle];
+  return sum - (obstacle.mass ? ball_velocity(step, contact.obstacle) : obstacle.velocity);
+}
+
+/// Velocity that spinning balls add to a row at its contact point, m/s.
+Vec3 spin_slip(const ContactStep& step, const ContactRow& row) {
+  Vec3 slip = Vec3::Zero();
+  for (std::uint32_t e = 0; e < row.end_count; ++e) {
+    const std::uint32_t ball = step.room.bodies.ball[row.ends[e].body];
+    if (ball == ContactBodies::none) continue;
+    const Obstacle& sphere = step.pass.obstacles[ball];
+    const Vec3 spin = sphere.spin + step.room.blows.ball_twist[ball] / moment_of_inertia(sphere);
+    slip += row.ends[e].weight * spin.cross(row.ends[e].arm);
+  }
+  return slip;
+}
+
+/// Adds an impulse at one end to what it acts on.
+void strike_end(ContactStep& step, const ContactEnd& end, const Vec3& impulse) {
+  StepBlows& blows = step.room.blows;
+  const ContactBodies& bodies = step.room.bodies;
+  if (bodies.component[end.body].is_none()) {
+    blows.ball_impulse[bodies.ball[end.body]] += impulse;
+    blows.ball_twist[bodies.ball[end.body]] += end.arm.cross(impulse);
+    return;
+  }
+  const Component& component = step.pass.state.components[bodies.component[end.body].index()];
+  blows.component_touched[component.id.index()] = 1;
+  if (!end.vertex.is_none()) {
+    blows.vertex_impulse[end.vertex.index()] += impulse;
+    return;
+  }
+  for (VertexId v : component.vertices) blows.vertex_impulse[v.index()] += 0.25 * impulse;
+}
+
+/// The strongest contact that a component has: what it moves against.
+struct Touch {
+  double impulse = 0;  ///< N s
+  Vec3 normal = Vec3::Zero();
+  Vec3 against = Vec3::Zero();  ///< m/s, velocity of the other side at the start
+};
+
+Vec3 velocity_of_side_b(const ContactStep& step, const ContactPoint& contact) {
+  if (contact.obstacle != ContactPoint::none) return step.pass.obstacles[contact.obstacle].velocity;
+  return center_of(step.pass.input.corners[contact.tetrahedron.index()],
+                   step.pass.state.vertices.velocity);
+}
+
+Vec3 velocity_of_side_a(const ContactStep& step, const ContactPoint& contact) {
+  if (contact.ball != ContactPoint::none) return step.pass.obstacles[contact.ball].velocity;
+  return step.pass.state.vertices.velocity[contact.vertex.index()];
+}
+
+/// Row = ComponentId.
+std::vector<Touch> strongest_touches(const ContactStep& step) {
+  const MechanicsState& state = step.pass.state;
+  std::vector<Touch> touches(state.components.size());
+  const auto see = [&](ComponentId id, const ContactPoint& contact, const Vec3& against) {
+    Touch& touch = touches[id.index()];
+    const double impulse = contact.impulse.norm();
+    if (impulse > touch.impulse) touch = {impulse, contact.normal, against};
+  };
+  for (const ContactPoint& contact : step.contacts) {
+    if (contact.ball == ContactPoint::none) {
+      see(state.vertices.component[contact.vertex.index()], contact,
+          velocity_of_side_b(step, contact));
+    }
+    if (contact.obstacle == ContactPoint::none) {
+      see(state.elements.component[contact.tetrahedron.index()], contact,
+          velocity_of_side_a(step, contact));
+    }
+  }
+  return touches;
+}
+
+}  // namespace
+
+double wave_lack(const ContactStep& step, const ContactPoint& contact) {
+  return contact.gap_start - target_gap(step, contact) +
+         step.h() * contact.normal.dot(velocity_end(step, contact));
+}
+
+double measure_wave_rows(ContactStep& step) {
+  const double h = step.h();
+  double worst = 0;
+  for (std::size_t k = 0; k < step.contacts.size(); ++k) {
+    const ContactPoint& contact = step.contacts[k];
+    ContactRow& row = step.room.bodies.rows[k];
+    row.gap = wave_lack(step, contact) / h;
+    row.compliance = step.settings.compliance / (h * h);
+    row.friction = contact.friction;
+    row.impulse = contact.impulse;
+    row.slip = velocity_end(step, contact) + spin_slip(step, row);
+    const double pressed = row.normal.dot(row.impulse);
+    const double lack = h * (row.gap + row.compliance * pressed);
+    worst = std::max(worst, pressed > 0 ? std::abs(lack) : -lack);
+  }
+  return worst;
+}
+
+void apply_wave_changes(ContactStep& step) {
+  StepBlows& blows = step.room.blows;
+  const ContactPass& pass = step.pass;
+  for (std::size_t k = 0; k < step.contacts.size(); ++k) {
+    if (step.room.change[k].isZero(0)) continue;
+    const ContactRow& row = step.room.bodies.rows[k];
+    for (std::uint32_t e = 0; e < row.end_count; ++e) {
+      strike_end(step, row.ends[e], row.ends[e].weight * step.room.change[k]);
+    }
+  }
+  const StepInput& input = pass.input;
+  blows.with_gravity = input.loads;
+  blows.with_gravity.force.resize(pass.state.vertices.size(), Vec3::Zero());
+  std::vector<ComponentId> touched;
+  for (const Component& component : pass.state.components) {
+    if (!blows.component_touched[component.id.index()]) continue;
+    touched.push_back(component.id);
+    for (VertexId v : component.vertices) {
+      blows.with_gravity.force[v.index()] += blows.vertex_impulse[v.index()] / step.h();
+    }
+  }
+  predict(pass.mechanics, pass.state,
+          {input.corners, blows.with_gravity, input.settings, input.part, input.members}, touched);
+}
+
+void predict_wave_balls(ContactStep& step) {
+  const double h = step.h();
+  for (std::size_t k = 0; k < step.pass.obstacles.size(); ++k) {
+    const Obstacle& ball = step.pass.obstacles[k];
+    if (!ball.mass) continue;
+    const Vec3 pushed = WaveScheme::theta * step.room.blows.ball_impulse[k] / *ball.mass;
+    step.room.ball_end[k] = std::get<Sphere>(ball.shape).center +
+                            h * (ball.velocity + 0.5 * h * step.pass.input.loads.gravity + pushed);
+  }
+}
+
+void move_wave_balls(ContactStep& step) {
+  for (std::size_t k = 0; k < step.pass.obstacles.size(); ++k) {
+    Obstacle& ball = step.pass.obstacles[k];
+    if (!ball.mass || !step.pass.input.members.has_ball(k)) continue;
+    ball.velocity = ball_velocity(step, k);
+    ball.spin += step.room.blows.ball_twist[k] / moment_of_inertia(ball);
+    std::get<Sphere>(ball.shape).center = step.room.ball_end[k];
+  }
+}
+
+void feel_blows(ContactStep& step) {
+  const MechanicsState& state = step.pass.state;
+  const ImpactSettings& impact = *step.pass.input.part.impact;
+  const std::vector<Touch> touches = strongest_touches(step);
+  for (const Component& component : state.components) {
+    const Touch& touch = touches[component.id.index()];
+    if (touch.impulse == 0) continue;
+    double fastest = 0;
+    for (VertexId v : component.vertices) {
+      const Vec3 relative = state.vertices.velocity[v.index()] - touch.against;
+      fastest = std::max(fastest, std::abs(touch.normal.dot(relative)));
+    }
+    if (!is_blow(state, component, fastest, impact)) continue;
+    step.blows.struck.push_back(component.id);
+    step.blows.sub_step = std::min(step.blows.sub_step, wave_sub_step(state, component, impact));
+  }
+}
+
+}  // namespace sunder

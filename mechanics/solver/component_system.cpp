@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+// Assembly and elimination order of one component.
+#include "mechanics/solver/component_system.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "mechanics/solver/assemble_system.hpp"
+#include "mechanics/contact/impact.hpp"
+#include "mechanics/element/strain_displacement.hpp"
+
+namespace sunder {
+namespace {
+
+/// Row of a vertex that is held, while free ones are numbered.
+constexpr std::uint32_t held = std::numeric_limits<std::uint32_t>::max();
+
+/// The tetrahedra at every vertex of a component, in its own numbers.
+struct VertexStars {
+  std::vector<std::uint32_t> start;  ///< n + 1
+  std::vector<TetId> tetrahedron;
+
+  std::span<const TetId> of(std::size_t row) const {
+    return {tetrahedron.data() + start[row], tetrahedron.data() + start[row + 1]};
+  }
+};
+
+/// Rows are those of `Component::vertices`.
+VertexStars vertex_stars(std::span<const std::uint32_t> row, std::span<const Corners> corners,
+                         const Component& component) {
+  VertexStars stars;
+  stars.start.assign(component.vertices.size() + 1, 0);
+  for (TetId t : component.tetrahedra) {
+    for (VertexId v : corners[t.index()]) ++stars.start[row[v.index()] + 1];
+  }
+  std::partial_sum(stars.start.begin(), stars.start.end(), stars.start.begin());
+  stars.tetrahedron.resize(4 * component.tetrahedra.size());
+  std::vector<std::uint32_t> next(stars.start.begin(), stars.start.end() - 1);
+  for (TetId t : component.tetrahedra) {
+    for (VertexId v : corners[t.index()]) stars.tetrahedron[next[row[v.index()]]++] = t;
+  }
+  return stars;
+}
+
+/// The graph of the free vertices, numbered by `free_row` (or `held`).
+VertexGraph free_graph(const VertexStars& stars, std::span<const std::uint32_t> free_row,
+                       std::span<const Corners> corners, const Component& component) {
+  VertexGraph graph;
+  graph.start.push_back(0);
+  std::vector<std::uint32_t> mark(component.vertices.size(), held);
+  for (std::size_t i = 0; i < component.vertices.size(); ++i) {
+    const std::uint32_t own = free_row[component.vertices[i].index()];
+    if (own == held) continue;
+    mark[own] = own;
+    for (TetId t : stars.of(i)) {
+      for (VertexId v : corners[t.index()]) {
+        const std::uint32_t other = free_row[v.index()];
+        if (other == held || mark[other] == own) continue;
+        mark[other] = own;
+        graph.neighbour.push_back(other);
+      }
+    }
+    graph.start.push_back(static_cast<std::uint32_t>(graph.neighbour.size()));
+  }
+  return graph;
+}
+
+/// Free vertices in the order of elimination, held ones after them; `local_row` says which.
+void choose_order(ComponentSystem& system, std::span<std::uint32_t> local_row,
+                  const SystemInput& input) {
+  const Component& component = input.component;
+  for (std::size_t i = 0; i < component.vertices.size(); ++i) {
+    local_row[component.vertices[i].index()] = static_cast<std::uint32_t>(i);
+  }
+  const VertexStars stars = vertex_stars(local_row, input.corners, component);
+  std::vector<VertexId> natural, held_vertices;
+  for (const VertexId v : component.vertices) {
+    const bool is_free = input.state.vertices.support[v.index()].is_none();
+    (is_free ? natural : held_vertices).push_back(v);
+    local_row[v.index()] = is_free ? static_cast<std::uint32_t>(natural.size() - 1) : held;
+  }
+  system.free_count = natural.size();
+  system.analysis = analyse(free_graph(stars, local_row, input.corners, component));
+  system.order.clear();
+  for (std::uint32_t i : system.analysis.order) system.order.push_back(natural[i]);
+  system.order.insert(system.order.end(), held_vertices.begin(), held_vertices.end());
+}
+
+/// The rows of every column, its own first and then ascending.
+void set_pattern(BlockMatrix& K, const VertexStars& stars, std::span<const std::uint32_t> local_row,
+                 std::span<const Corners> corners) {
+  const std::size_t n = stars.start.size() - 1;
+  std::vector<std::uint32_t> mark(n, held);
+  K.start.assign(1, 0);
+  K.row.clear();
+  for (std::uint32_t j = 0; j < n; ++j) {
+    const auto begin = static_cast<std::ptrdiff_t>(K.row.size());
+    for (TetId t : stars.of(j)) {
+      for (VertexId v : corners[t.index()]) {
+        const std::uint32_t row = local_row[v.index()];
+        if (row < j || mark[row] == j) continue;
+        mark[row] = j;
+        K.row.push_back(row);
+      }
+    }
+    std::sort(K.row.begin() + begin, K.row.end());
+    K.start.push_back(static_cast<std::uint32_t>(K.row.size()));
+  }
+  K.value.assign(9 * K.row.size(), 0.0);
+}
+
+/// Adds up K, column by column.
+void assemble_stiffness(BlockMatrix& K, const VertexStars& stars,
+                        std::span<const std::uint32_t> local_row, const MechanicsState& state,
+                        std::span<const Corners> corners) {
+  const ElementColumns& elements = state.elements;
+  std::vector<Lame> constants;
+  for (const Material& material : state.materials) constants.push_back(lame(material));
+  std::vector<std::uint32_t> place(K.size());
+  for (std::uint32_t j = 0; j < K.size(); ++j) {
+    for (std::uint32_t e = K.start[j]; e < K.start[j + 1]; ++e) place[K.row[e]] = e;
+    for (TetId t : stars.of(j)) {
+      const ShapeGradient& G = elements.shape_gradient[t.index()];
+      const double volume = elements.rest_volume[t.index()];
+      const Lame& material = constants[elements.material[t.index()].index()];
+      const Lame scaled{volume * material.lambda, volume * material.mu};
+      const Corners& c = corners[t.index()];
+      int own = 0;
+      while (local_row[c[static_cast<std::size_t>(own)].index()] != j) ++own;
+      for (int a = 0; a < 4; ++a) {
+        const std::uint32_t row = local_row[c[static_cast<std::size_t>(a)].index()];
+        if (row < j) continue;
+        add_stiffness_block(K.value.data() + 9 * std::size_t{place[row]}, G.col(a), G.col(own),
+                            scaled);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void assemble_system(ComponentSystem& system, std::span<std::uint32_t> local_row,
+                     const SystemInput& input) {
+  for (std::size_t i = 0; i < system.order.size(); ++i) {
+    local_row[system.order[i].index()] = static_cast<std::uint32_t>(i);
+  }
+  const Component& component = input.component;
+  const VertexStars stars = vertex_stars(local_row, input.corners, component);
+  system.shape = rest_shape(input.state.vertices, system.order, component.rest_centre);
+  set_pattern(system.stiffness, stars, local_row, input.corners);
+  assemble_stiffness(system.stiffness, stars, local_row, input.state, input.corners);
+  system.cell_travel = cell_travel(input.state, component);
+  system.tetrahedra = component.tetrahedra;
+  system.corners.clear();
+  for (TetId t : component.tetrahedra) system.corners.push_back(input.corners[t.index()]);
+}
+
+void build_system(ComponentSystem& system, std::span<std::uint32_t> local_row,
+                  const MechanicsState& state, std::span<const Corners> corners,
+                  const Component& component) {
+  system = ComponentSystem{};
+  choose_order(system, local_row, {state, corners, component});
+  assemble_system(system, local_row, {state, corners, component});
+  const auto free_end = system.order.begin() + static_cast<std::ptrdiff_t>(system.free_count);
+  system.row_vertex.assign(system.order.begin(), free_end);
+}
+
+}  // namespace sunder

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// The constant matrices of one component in its body frame: K, two factors of A, columns of A^-1.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include <Eigen/Dense>
+
+#include "mechanics/solver/block_factor.hpp"
+#include "mechanics/state/component.hpp"
+#include "mechanics/solver/factor_border.hpp"
+#include "mechanics/frame/mean_axis.hpp"
+#include "mechanics/state/mechanics_state.hpp"
+
+namespace sunder {
+
+/// A = mass M + stiffness K: what every second-order implicit scheme solves with, constant in the
+/// component's frame for one step size.
+struct SystemMatrix {
+  double mass = 1;       ///< no unit
+  double stiffness = 0;  ///< s^2
+  friend bool operator==(const SystemMatrix&, const SystemMatrix&) = default;
+};
+
+/// The factor of one A with what has been asked of its inverse.
+struct SystemFactor {
+  BlockFactor factor;
+  BorderFactor border;
+  bool factored = false;
+  SystemMatrix matrix;  ///< what `factor` holds, when factored
+
+  /// Compliance cache: the local vertices touched so far and A^-1 between them, 3 k x 3 k.
+  std::vector<std::uint32_t> touched;
+  Eigen::MatrixXd compliance;  ///< 1/kg; body frame; capacity grows by doubling
+  std::vector<char> needed;    ///< supernodes that entries between touched vertices depend on
+  /// Room of `solve_system` for extended rows.
+  mutable std::vector<double> extended;
+};
+
+/// Which of a component's factors: that of its steps, or that of the sub-steps of an impact.
+enum class FactorUse { step, wave };
+
+/// Everything constant between two changes of a component. Derived from the state; never saved.
+struct ComponentSystem {
+  /// Its own numbering, n: free vertices in the order in which they are eliminated, then the held
+  /// ones. So the free dofs are the leading block of every matrix and the factor needs no
+  /// permutation.
+  std::vector<VertexId> order;
+  std::size_t free_count = 0;
+  RestShape shape;         ///< in that order
+  BlockMatrix stiffness;   ///< K, all n vertices, N/m
+  BlockAnalysis analysis;  ///< of the free vertices, or of those that the factors were made for
+  /// Extended row of every free vertex; empty: its own number.
+  std::vector<std::uint32_t> factor_row;
+  FactorBorder border;
+  std::uint32_t border_age = 0;  ///< parts of steps that the border has served
+  double cell_travel = 0;        ///< s, see `cell_travel` in impact.hpp
+
+  /// The second factor is made when a component is struck first.
+  SystemFactor step, wave;
+
+  /// What it was made of, so that a later split can tell which vertices are copies of which.
+  std::vector<TetId> tetrahedra;
+  std::vector<Corners> corners;
+  std::vector<VertexId> row_vertex;  ///< of every extended row
+
+  std::size_t size() const { return order.size(); }
+};
+
+/// How far a border goes: this many copies, but one to this many vertices of the factor at most,
+/// for this many parts of steps. Fixed numbers, so that results do not depend on timing; where a
+/// new factor costs as much is measured by `sunder bench step`.
+struct BorderLimits {
+  static constexpr std::size_t copies = 32, vertices_to_copy = 20;
+  static constexpr std::uint32_t age = 100;
+};
+
+inline SystemFactor& factor_of(ComponentSystem& system, FactorUse use) {
+  return use == FactorUse::step ? system.step : system.wave;
+}
+
+/// What systems are made of.
+struct SystemInput {
+  const MechanicsState& state;
+  std::span<const Corners> corners;  ///< |T|
+  const Component& component;
+};
+
+/// Makes K and the numbering of `component`; writes its rows of `local_row`. No factor yet.
+/// O(blocks of L), 3 ms at 6 000 tetrahedra.
+void build_system(ComponentSystem& system, std::span<std::uint32_t> local_row,
+                  const MechanicsState& state, std::span<const Corners> corners,
+                  const Component& component);
+
+/// What `build_system` makes, with the factors of `old` serving on under a border: `old` is the
+/// system of the same component before vertices of it split or pieces came off it. False, and
+/// `system` is unfinished, where that cannot be or would not pay: too many copies (`BorderLimits`),
+/// more than half gone, no factor, or other vertices held. Takes what it needs out of `old`.
+bool extend_system(ComponentSystem& system, ComponentSystem& old,
+                   std::span<std::uint32_t> local_row, const SystemInput& input);
+
+/// Factors A over the free dofs unless that very matrix is factored already. Drops the compliance
+/// cache when the matrix changes. 10 ms at 6 000 tetrahedra.
+void factor_system(ComponentSystem& system, const SystemMatrix& matrix,
+                   FactorUse use = FactorUse::step);
+
+/// x <- A^-1 x over the free vertices (3 free_count rows, any number of columns), in place. Becomes
+/// NaN where A was not positive definite, which only an overflow can bring about.
+void solve_system(const ComponentSystem& system, Eigen::Ref<Eigen::MatrixXd> x,
+                  FactorUse use = FactorUse::step);
+
+/// y = K x, all n vertices.
+void multiply_stiffness(Eigen::Ref<Eigen::VectorXd> y, const ComponentSystem& system,
+                        const Eigen::Ref<const Eigen::VectorXd>& x);
+
+/// Up to four vertices whose columns of A^-1 are solved for together: twelve right-hand sides fill
+/// the registers.
+struct ColumnBlock {
+  static constexpr std::uint32_t size = 4;
+  ComponentSystem* system = nullptr;
+  FactorUse use = FactorUse::step;
+  std::uint32_t count = 0;
+  std::array<std::uint32_t, size> place{};  ///< in `SystemFactor::touched`
+
+  std::span<const std::uint32_t> places() const { return {place.data(), count}; }
+};
+
+/// Room of one thread at work on columns.
+struct ColumnRoom {
+  AlignedDoubles X;
+  std::vector<char> loaded;
+};
+
+/// Gives `local_vertices` (free ones, in the system's numbering) places in the compliance cache.
+/// The columns of new ones are appended to `missing`; the cache is right after `fill_columns`.
+std::vector<std::uint32_t> note_touched(ComponentSystem& system,
+                                        std::span<const std::uint32_t> local_vertices,
+                                        FactorUse use, std::vector<ColumnBlock>& missing);
+
+/// Solves for columns, block by block: same bytes for any number of threads. `rooms` is kept from
+/// call to call.
+void fill_columns(std::span<const ColumnBlock> blocks, unsigned threads,
+                  std::vector<ColumnRoom>& rooms);
+
+/// Both at once, on one thread: three back-solves for each new vertex.
+std::vector<std::uint32_t> touch_compliance(ComponentSystem& system,
+                                            std::span<const std::uint32_t> local_vertices,
+                                            FactorUse use = FactorUse::step);
+
+}  // namespace sunder

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// A system after splits with the factors of the one before.
+#include <algorithm>
+
+#include "mechanics/solver/assemble_system.hpp"
+#include "mechanics/element/strain_displacement.hpp"
+
+namespace sunder {
+namespace {
+
+constexpr std::uint32_t none = Supernode::none;
+
+/// Row = VertexId: its extended row, or none.
+using ExtendedRows = std::vector<std::uint32_t>;
+
+/// Gives every vertex that stands where a vertex of the old system stood a row of its own, and
+/// notes whose copy it is.
+void find_copies(ComponentSystem& old, ExtendedRows& rows, const SystemInput& input) {
+  for (std::size_t r = 0; r < old.row_vertex.size(); ++r) {
+    rows[old.row_vertex[r].index()] = static_cast<std::uint32_t>(r);
+  }
+  for (std::size_t i = 0; i < old.tetrahedra.size(); ++i) {
+    const Corners& now = input.corners[old.tetrahedra[i].index()];
+    for (std::size_t a = 0; a < 4; ++a) {
+      const VertexId copy = now[a];
+      // Held vertices have no row, and copies of them neither.
+      const std::uint32_t origin = rows[old.corners[i][a].index()];
+      if (copy == old.corners[i][a] || rows[copy.index()] != none || origin == none) continue;
+      rows[copy.index()] = static_cast<std::uint32_t>(old.row_vertex.size());
+      old.row_vertex.push_back(copy);
+      old.border.columns.push_back({.origin = origin,
+                                    .vertex_mass = input.state.vertices.mass[copy.index()],
+                                    .row = {},
+                                    .stiffness = {}});
+    }
+  }
+}
+
+/// Adds a block of K in a column: at its row and at all that the row is a copy of.
+void add_block(FactorBorder& border, FactorBorder::Column& column, std::uint32_t row,
+               const Mat3& block) {
+  for (;;) {
+    const auto found = std::find(column.row.begin(), column.row.end(), row);
+    const auto place = static_cast<std::size_t>(found - column.row.begin());
+    if (found == column.row.end()) {
+      column.row.push_back(row);
+      column.stiffness.push_back(block);
+    } else {
+      column.stiffness[place] += block;
+    }
+    if (row < border.base) return;
+    row = border.columns[row - border.base].origin;
+  }
+}
+
+/// K in the columns of the copies from place `first` on.
+void fill_columns(ComponentSystem& old, const ExtendedRows& rows, std::size_t first,
+                  const SystemInput& input) {
+  const ElementColumns& elements = input.state.elements;
+  for (const TetId t : old.tetrahedra) {
+    const Corners& corners = input.corners[t.index()];
+    for (std::size_t a = 0; a < 4; ++a) {
+      const std::uint32_t own = rows[corners[a].index()];
+      if (own == none || own < old.border.base + first) continue;
+      const ShapeGradient& G = elements.shape_gradient[t.index()];
+      const Lame constants = lame(input.state.materials[elements.material[t.index()].index()]);
+      for (std::size_t b = 0; b < 4; ++b) {
+        const std::uint32_t row = rows[corners[b].index()];
+        if (row == none) continue;
+        add_block(old.border, old.border.columns[own - old.border.base], row,
+                  stiffness_block(G.col(static_cast<Eigen::Index>(b)),
+                                  G.col(static_cast<Eigen::Index>(a)),
+                                  elements.rest_volume[t.index()], constants));
+      }
+    }
+  }
+}
+
+/// Free vertices by extended row, then the held ones; false where a vertex became free or held.
+bool set_order(ComponentSystem& system, const ExtendedRows& rows, const SystemInput& input) {
+  std::vector<VertexId> held;
+  for (VertexId v : input.component.vertices) {
+    const bool is_free = input.state.vertices.support[v.index()].is_none();
+    if (is_free != (rows[v.index()] != none)) return false;
+    (is_free ? system.order : held).push_back(v);
+  }
+  std::sort(system.order.begin(), system.order.end(),
+            [&](VertexId a, VertexId b) { return rows[a.index()] < rows[b.index()]; });
+  system.free_count = system.order.size();
+  for (VertexId v : system.order) system.factor_row.push_back(rows[v.index()]);
+  system.order.insert(system.order.end(), held.begin(), held.end());
+  return true;
+}
+
+bool serves(const SystemFactor& factor) {
+  return !factor.factored || factor.factor.positive_definite;
+}
+
+}  // namespace
+
+bool extend_system(ComponentSystem& system, ComponentSystem& old,
+                   std::span<std::uint32_t> local_row, const SystemInput& input) {
+  system = ComponentSystem{};
+  if (!old.step.factored && !old.wave.factored) return false;
+  if (!serves(old.step) || !serves(old.wave)) return false;
+  old.border.base = old.analysis.order.size();
+  if (2 * input.component.vertices.size() < old.border.base) return false;
+  ExtendedRows rows(input.state.vertices.size(), none);
+  const std::size_t first = old.border.columns.size();
+  find_copies(old, rows, input);
+  const std::size_t copies = old.border.columns.size();
+  if (copies > BorderLimits::copies) return false;
+  if (copies * BorderLimits::vertices_to_copy > old.border.base) return false;
+  fill_columns(old, rows, first, input);
+  if (!set_order(system, rows, input)) return false;
+  assemble_system(system, local_row, input);
+  system.analysis = std::move(old.analysis);
+  system.border = std::move(old.border);
+  system.border_age = old.border_age;
+  system.row_vertex = std::move(old.row_vertex);
+  system.step = std::move(old.step);
+  system.wave = std::move(old.wave);
+  system.step.touched.clear();
+  system.wave.touched.clear();
+  return true;
+}
+
+}  // namespace sunder

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// The columns of mechanics: one row a vertex or tetrahedron, plain arrays; no dart and no
+// algorithm.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Dense>
+
+#include "topology/kernel/ids.hpp"
+
+namespace sunder {
+
+using Vec3 = Eigen::Vector3d;
+using Mat3 = Eigen::Matrix3d;
+/// Vertex rows of one tetrahedron, positively oriented at rest.
+using Corners = std::array<VertexId, 4>;
+/// Gradients of the four linear shape functions, one a column, 1/m.
+using ShapeGradient = Eigen::Matrix<double, 3, 4>;
+
+/// Row of a material in `MechanicsState::materials`.
+using MaterialId = Id<struct MaterialTag>;
+/// Row of a prescribed motion in `MechanicsState::motions`.
+using MotionId = Id<struct MotionTag>;
+
+/// What holds a vertex: it is fixed (zero velocity) or moves along a straight line.
+struct PrescribedMotion {
+  Vec3 velocity = Vec3::Zero();  ///< m/s, constant
+};
+
+/// |V| rows. They grow by appended copies at a split (`append_copy`); rows never move.
+struct VertexColumns {
+  std::vector<Vec3> rest_position;  ///< m; one rest configuration for ever
+  std::vector<Vec3> position;       ///< m, world
+  std::vector<Vec3> velocity;       ///< m/s, world
+  std::vector<double> mass;         ///< kg; a quarter of every tetrahedron of its star
+  std::vector<ComponentId> component;
+  /// Body frame of the component: position = centre + R (rest_position - rest_centre +
+  /// displacement)
+  std::vector<Vec3> displacement;               ///< m
+  std::vector<Vec3> displacement_rate;          ///< m/s
+  std::vector<Vec3> displacement_acceleration;  ///< m/s^2
+  /// The motion that holds the vertex; none() where it is free.
+  std::vector<MotionId> support;
+
+  std::size_t size() const { return rest_position.size(); }
+};
+
+/// |T| rows, fixed for ever but for `component` and `stress`.
+struct ElementColumns {
+  std::vector<ShapeGradient> shape_gradient;  ///< 1/m, rest configuration
+  std::vector<double> rest_volume;            ///< m^3, positive
+  std::vector<double> mass;                   ///< kg
+  std::vector<MaterialId> material;
+  /// Written by whoever splits (fracture); `rebuild` carries it over to the vertices.
+  std::vector<ComponentId> component;
+  std::vector<Mat3> stress;  ///< Pa, symmetric, body frame, tension positive
+
+  std::size_t size() const { return rest_volume.size(); }
+};
+
+/// Appends a copy of row `from` with everything it has (rest position, position, velocity, flags)
+/// and gives its row. The masses of both are stale until `rebuild`.
+VertexId append_copy(VertexColumns& vertices, VertexId from);
+
+}  // namespace sunder

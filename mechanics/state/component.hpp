@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// A connected component as mechanics sees it: its rows, its mass and the state of its frame.
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "mechanics/state/columns.hpp"
+
+namespace sunder {
+
+/// How much of a component's motion a step computes: no more than it needs (docs/ladder.md).
+enum class Rung : unsigned char {
+  full,          ///< frame and deformation
+  quasi_static,  ///< the equilibrium under the present load, of what is supported
+  rigid,         ///< the frame; what it is deformed by stays
+  asleep,        ///< nothing: it lies still
+};
+inline constexpr std::size_t rung_count = 4;
+
+/// Whether displacements change on a rung.
+constexpr bool deforms(Rung rung) { return rung == Rung::full || rung == Rung::quasi_static; }
+
+/// A component and its rigid reference (section 3.2): the reference of vertex i is
+/// centre + R (rest_position_i - rest_centre), R = orientation.
+/// All sums over vertices are weighted with the lumped masses.
+struct Component {
+  ComponentId id;
+  std::vector<VertexId> vertices;  ///< ascending
+  std::vector<TetId> tetrahedra;   ///< ascending
+  double mass = 0;                 ///< kg
+  Vec3 rest_centre =
+      Vec3::Zero();  ///< m, mass centre of its REST positions: its own, not the body's
+  Mat3 rest_inertia = Mat3::Zero();  ///< kg m^2, of the lumped vertices about `rest_centre`
+  double rest_radius = 0;            ///< m, farthest rest position from `rest_centre`
+
+  Vec3 centre = Vec3::Zero();  ///< c, m; the mass centre unless supported
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< R, body to world
+  Vec3 momentum = Vec3::Zero();                                     ///< P, kg m/s, world
+  Vec3 angular_momentum = Vec3::Zero();                             ///< L about c, kg m^2/s, world
+
+  bool supported = false;              ///< holds a vertex with a prescribed motion
+  Vec3 frame_velocity = Vec3::Zero();  ///< m/s; the frame of a supported component moves with it
+  bool isolated = false;  ///< one free tetrahedron: a true rigid body, no finite elements
+  Rung rung = Rung::full;
+};
+
+}  // namespace sunder

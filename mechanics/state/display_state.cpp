@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// The smoothing of section 3.3 and the display state of a new piece.
+#include "mechanics/state/display_state.hpp"
+
+#include <cmath>
+
+#include "topology/kernel/assert.hpp"
+
+namespace sunder {
+namespace {
+
+/// The rotation `q` with its angle (the short way, at most pi) multiplied by `factor`.
+Eigen::Quaterniond scaled_rotation(Eigen::Quaterniond q, double factor) {
+  if (q.w() < 0) q.coeffs() = -q.coeffs();
+  const double sine = q.vec().norm();
+  if (sine == 0) return Eigen::Quaterniond::Identity();
+  const double half_angle = factor * std::atan2(sine, q.w());
+  Eigen::Quaterniond scaled;
+  scaled.w() = std::cos(half_angle);
+  scaled.vec() = std::sin(half_angle) / sine * q.vec();
+  return scaled;
+}
+
+}  // namespace
+
+DisplayState approach(const DisplayState& current, const DisplayState& target, double dt,
+                      double time_constant) {
+  SUNDER_ASSERT(dt >= 0 && time_constant >= 0, "times cannot run backwards");
+  if (time_constant == 0) return target;
+  const double alpha = -std::expm1(-dt / time_constant);
+  const Eigen::Quaterniond to_target = target.rotation * current.rotation.conjugate();
+  return {current.translation + alpha * (target.translation - current.translation),
+          (scaled_rotation(to_target, alpha) * current.rotation).normalized()};
+}
+
+DisplayState carry(const DisplayState& current, const DisplayState& target_before,
+                   const DisplayState& target_now) {
+  const Eigen::Quaterniond turn = target_now.rotation * target_before.rotation.conjugate();
+  return {target_now.translation + turn * (current.translation - target_before.translation),
+          (turn * current.rotation).normalized()};
+}
+
+DisplayState split_off(const DisplayState& old, const Vec3& old_rest_center,
+                       const Vec3& new_rest_center) {
+  return {old.translation + old.rotation * (new_rest_center - old_rest_center), old.rotation};
+}
+
+}  // namespace sunder

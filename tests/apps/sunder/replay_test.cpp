@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: MIT
+// Replays: the same bytes from a run's own log, and every log that is not one refused or left.
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "apps/sunder/run/recorder.hpp"
+#include "apps/sunder/run/replay.hpp"
+#include "apps/scene/scene_hash.hpp"
+
+namespace fs = std::filesystem;
+using namespace sunder;
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+namespace {
+
+std::string slurp(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// A folder of this test's own, taken away at the end, and the scene it works on.
+struct Place {
+  fs::path path;
+  fs::path scene;
+  explicit Place(const std::string& name)
+      : path(fs::temp_directory_path() /
+             ("sunder_replay_test_" + name + std::to_string(getpid()))) {
+    fs::remove_all(path);
+    fs::create_directories(path);
+  }
+  ~Place() { fs::remove_all(path); }
+};
+
+struct Outcome {
+  int exit_code = -1;
+  std::string text;
+};
+
+/// `sunder run` on the scene into the folder `out`; stdout and stderr together.
+Outcome run(const Place& place, const std::string& out, const std::string& words = "") {
+  const fs::path log = place.path / (out + ".log");
+  const std::string command = std::string(SUNDER_PROGRAM) + " run " + place.scene.string() +
+                              " --quiet --frames 3 -o " + (place.path / out).string() + " " +
+                              words + " >" + log.string() + " 2>&1";
+  const int status = std::system(command.c_str());
+  return {WEXITSTATUS(status), slurp(log)};
+}
+
+/// The monolith struck by one ball: breaks in impact windows in its first step.
+json struck_scene() {
+  return {{"name", "struck"},
+          {"bodies",
+           {{{"mesh", SUNDER_MESHES "/monolith.msh"},
+             {"material", {{"young_modulus", 30e9}, {"tensile_strength", 2e6}}}}}},
+          {"obstacles",
+           {{{"plane", {{"normal", {0, 0, 1}}}}},
+            {{"sphere", {{"center", {0, -0.32, 1.3}}, {"radius", 0.2}}},
+             {"velocity", {0, 20, 0}},
+             {"mass", 120}}}},
+          {"time_step", 2.5e-4},
+          {"duration", 0.005}};
+}
+
+Place place_of(const std::string& name, const json& scene) {
+  Place place(name);
+  place.scene = place.path / "scene.json";
+  std::ofstream(place.scene) << scene.dump(1);
+  return place;
+}
+
+/// report.json without the wall times: all of a run that may differ.
+json without_times(const fs::path& report) {
+  json r = json::parse(slurp(report));
+  for (const char* times : {"step_ms", "stage_ms", "fan_us"}) r.erase(times);
+  return r;
+}
+
+/// Every file of two runs but report.json byte by byte, that one but for its times.
+void hold_same(const fs::path& a, const fs::path& b) {
+  std::size_t files = 0, others = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(a)) {
+    if (!entry.is_regular_file()) continue;
+    ++files;
+    const fs::path other = b / fs::relative(entry.path(), a);
+    INFO(other.string());
+    if (entry.path().filename() == "report.json") {
+      CHECK(without_times(entry.path()) == without_times(other));
+    } else {
+      CHECK(slurp(entry.path()) == slurp(other));
+    }
+  }
+  for (const auto& entry : fs::recursive_directory_iterator(b)) others += entry.is_regular_file();
+  CHECK(files == others);
+}
+
+std::vector<std::string> lines_of(const fs::path& log) {
+  std::ifstream in(log, std::ios::binary);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+void write_lines(const fs::path& log, const std::vector<std::string>& lines) {
+  std::ofstream out(log, std::ios::binary);
+  for (const std::string& line : lines) out << line << "\n";
+}
+
+/// The log with one fan changed, and every check made anew: what only a run can tell.
+void forge(const fs::path& from, const fs::path& to,
+           const std::function<void(std::vector<ordered_json>&)>& change) {
+  std::vector<ordered_json> lines;
+  for (const std::string& line : lines_of(from)) {
+    lines.push_back(ordered_json::parse(line));
+    lines.back().erase("check");
+  }
+  change(lines);
+  std::vector<std::string> text;
+  std::string check;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    std::string line = lines[k].dump();
+    check = line_check(line, check);
+    line.insert(line.size() - 1, ",\"check\":\"" + check + "\"");
+    text.push_back(line);
+    if (k == 0) check = lines[0]["scene_hash"].get<std::string>();
+  }
+  write_lines(to, text);
+}
+
+/// Child processes that keep every core busy, until the end of the scope.
+struct BusyMachine {
+  std::vector<pid_t> children;
+  BusyMachine() {
+    for (int k = 0; k < 4; ++k) {
+      const pid_t child = fork();
+      if (child == 0) {
+        alarm(60);  // gone even if the test is killed
+        for (std::atomic<unsigned> work = 0;;) ++work;
+      }
+      if (child > 0) children.push_back(child);
+    }
+  }
+  ~BusyMachine() {
+    for (const pid_t child : children) {
+      kill(child, SIGKILL);
+      waitpid(child, nullptr, 0);
+    }
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a replay, and a run on a busy machine, leave the bytes of the run", "[run][replay]") {
+  const Place place = place_of("bytes", struck_scene());
+  const Outcome first = run(place, "a");
+  INFO(first.text);
+  REQUIRE(first.exit_code == 0);
+  REQUIRE(json::parse(slurp(place.path / "a/report.json"))["fans"] > 50);
+  const Outcome again = run(place, "b", "--replay " + (place.path / "a/events.jsonl").string());
+  INFO(again.text);
+  CHECK(again.exit_code == 0);
+  hold_same(place.path / "a", place.path / "b");
+  const BusyMachine busy;
+  const Outcome loaded = run(place, "c", "--threads 2");
+  CHECK(loaded.exit_code == 0);
+  hold_same(place.path / "a", place.path / "c");
+}
+
+TEST_CASE("replays repeat limits, budgets, sub-steps and drawn strengths", "[run][replay]") {
+  std::map<std::string, json> scenes;
+  for (const char* name : {"limits", "budget", "fit", "relax", "energy", "sub_stepped"}) {
+    scenes[name] = struck_scene();
+    scenes[name]["duration"] = 0.002;
+  }
+  scenes["limits"]["fracture"] = {{"smallest_piece", 2}, {"max_pieces", 12}};
+  scenes["budget"]["fracture"] = {{"mode", "budget"}, {"max_fans", 5}};
+  scenes["fit"]["fracture"] = {{"node_stress", "fit"}};
+  scenes["fit"]["bodies"][0]["strength"] = {{"weibull", {{"modulus", 8}}}};
+  for (const char* name : {"relax", "energy"}) {
+    scenes[name]["fracture"] = {{"relax", 2}};
+    scenes[name]["bodies"][0]["material"]["toughness"] = 1e6;
+  }
+  scenes["energy"]["fracture"]["criterion"] = "energy";
+  scenes["sub_stepped"]["duration"] = 0.001;
+  scenes["sub_stepped"]["integrator"] = {{"method", "sub_stepped"}};
+  scenes["sub_stepped"]["bodies"][0]["material"]["tensile_strength"] = 1e6;
+  for (const auto& [name, scene] : scenes) {
+    const Place place = place_of(name, scene);
+    const Outcome first = run(place, "a");
+    INFO(name << ": " << first.text);
+    REQUIRE(first.exit_code == 0);
+    CHECK(json::parse(slurp(place.path / "a/report.json"))["fans"] > 0);
+    const Outcome again = run(place, "b", "--replay " + (place.path / "a/events.jsonl").string());
+    INFO(again.text);
+    CHECK(again.exit_code == 0);
+    hold_same(place.path / "a", place.path / "b");
+  }
+}
+
+TEST_CASE("the replay of a run that failed fails alike", "[run][replay]") {
+  json scene = struck_scene();
+  scene["integrator"] = {{"method", "verlet"}};
+  const Place place = place_of("failed", scene);
+  const Outcome first = run(place, "a");
+  INFO(first.text);
+  REQUIRE(first.exit_code == 5);
+  const Outcome again = run(place, "b", "--replay " + (place.path / "a/events.jsonl").string());
+  INFO(again.text);
+  CHECK(again.exit_code == 5);
+  hold_same(place.path / "a", place.path / "b");
+}
+
+TEST_CASE("tampered and foreign logs are refused with line and reason", "[run][replay]") {
+  json scene = struck_scene();
+  scene["duration"] = 0.001;
+  const Place place = place_of("tampered", scene);
+  REQUIRE(run(place, "a").exit_code == 0);
+  const std::vector<std::string> good = lines_of(place.path / "a/events.jsonl");
+  REQUIRE(good.size() > 10);
+  const SceneFile file = *read_scene(place.scene);
+  const ReplayedScene told{scene_hash(file), step_count(file.scene)};
+  using Lines = std::vector<std::string>;
+  const auto replaced = [](std::string& line, const std::string& key) {
+    // The first digit of the value of `key`, another one.
+    const std::size_t digit = line.find_first_of("0123456789", line.find("\"" + key + "\":"));
+    line[digit] = line[digit] == '7' ? '6' : '7';
+  };
+  struct Case {
+    const char* name;
+    std::function<void(Lines&)> change;
+    std::size_t line;
+    const char* code;
+    const char* words;
+  };
+  const Case cases[] = {
+      {"dropped", [](Lines& l) { l.erase(l.begin() + 4); }, 5, "bad_event_log", "fan 3 is due"},
+      {"doubled", [](Lines& l) { l.insert(l.begin() + 4, l[4]); }, 6, "bad_event_log",
+       "fan 4 is due"},
+      {"vertex", [&](Lines& l) { replaced(l[4], "vertex"); }, 5, "bad_event_log", "changed"},
+      {"normal", [&](Lines& l) { replaced(l[4], "normal"); }, 5, "bad_event_log", "changed"},
+      {"stress", [&](Lines& l) { replaced(l[4], "stress"); }, 5, "bad_event_log", "changed"},
+      {"cut off", [](Lines& l) { l.pop_back(); }, good.size() - 1, "bad_event_log", "cut off"},
+      {"cut in a line", [](Lines& l) { l.resize(8), l.back().resize(40); }, 8, "bad_event_log",
+       "not a JSON object"},
+      {"only a head", [](Lines& l) { l.resize(1); }, 1, "bad_event_log", "cut off"},
+      {"empty", [](Lines& l) { l.clear(); }, 0, "bad_event_log", "cut off"},
+      {"not JSON", [](Lines& l) { l[3] = "component,body"; }, 4, "bad_event_log",
+       "not a JSON object"},
+      {"no check", [](Lines& l) { l[3] = "{\"fan\":2}"; }, 4, "bad_event_log", "\"step\""},
+      {"goes on", [](Lines& l) { l.push_back(l[1]); }, good.size() + 1, "bad_event_log",
+       "after the end"},
+      {"older log", [](Lines& l) { l.erase(l.begin()); }, 1, "other_log_format", "head"},
+      {"later format", [&](Lines& l) { replaced(l[0], "format"); }, 1, "other_log_format",
+       "format 7"},
+      {"scene's hash changed", [&](Lines& l) { replaced(l[0], "scene_hash"); }, 1, "bad_event_log",
+       "changed"},
+  };
+  for (const Case& c : cases) {
+    Lines lines = good;
+    c.change(lines);
+    const fs::path log = place.path / "tampered.jsonl";
+    write_lines(log, lines);
+    const Result<Replay> replay = read_replay(log, told);
+    INFO(c.name);
+    CHECK(!replay);
+    REQUIRE(replay.findings.size() == 1);
+    const Finding& f = replay.findings[0];
+    INFO(f.line << ": " << f.text);
+    CHECK(f.code == c.code);
+    CHECK(f.line == c.line);
+    CHECK(f.text.find(c.words) != std::string::npos);
+  }
+  CHECK(read_replay(place.path / "a/events.jsonl", told));
+  for (const int steps : {1, 5}) {
+    forge(place.path / "a/events.jsonl", place.path / "steps.jsonl",
+          [&](auto& lines) { lines.back()["steps"] = steps; });
+    CHECK(read_replay(place.path / "steps.jsonl", told).findings.at(0).line == good.size());
+  }
+  CHECK(read_replay(place.path / "none", told).findings.at(0).code == "cannot_open");
+
+  const std::string log = "--replay " + (place.path / "a/events.jsonl").string();
+  const Outcome other = run(place, "b", log + " --set bodies.0.material.density=2401");
+  CHECK(other.exit_code == 3);
+  CHECK(other.text.find("other_scene") != std::string::npos);
+  CHECK(run(place, "b", log + " --png 0 --set name=renamed").exit_code == 0);
+  CHECK(run(place, "a", log).exit_code == 3);
+}
+
+TEST_CASE("a log of another version of the program is replayed with a warning", "[run][replay]") {
+  json scene = struck_scene();
+  scene["duration"] = 0.001;
+  const Place place = place_of("version", scene);
+  REQUIRE(run(place, "a").exit_code == 0);
+  const fs::path log = place.path / "older.jsonl";
+  forge(place.path / "a/events.jsonl", log, [](auto& lines) { lines[0]["sunder"] = "0.0.1"; });
+  const Outcome o = run(place, "b", "--replay " + log.string());
+  INFO(o.text);
+  CHECK(o.exit_code == 0);
+  CHECK(o.text.find("other_program") != std::string::npos);
+}
+
+TEST_CASE("logs forged with right checks depart where they stop being this run", "[run][replay]") {
+  json scene = struck_scene();
+  scene["duration"] = 0.001;
+  const Place place = place_of("forged", scene);
+  REQUIRE(run(place, "a").exit_code == 0);
+  const fs::path good = place.path / "a/events.jsonl";
+  using Lines = std::vector<ordered_json>;
+  const auto renumber = [](Lines& l) {
+    for (std::size_t k = 1; k + 1 < l.size(); ++k) l[k]["fan"] = k - 1;
+    l.back()["fans"] = l.size() - 2;
+  };
+  struct Case {
+    const char* name;
+    std::function<void(Lines&)> change;
+  };
+  const Case cases[] = {
+      {"fan dropped", [&](Lines& l) { l.erase(l.begin() + 3), renumber(l); }},
+      {"fan doubled",
+       [&](Lines& l) {
+         l.push_back(l.back());
+         for (std::size_t k = l.size() - 2; k > 3; --k) l[k] = l[k - 1];
+         renumber(l);
+       }},
+      {"vertex changed", [](Lines& l) { l[3]["vertex"] = l[3]["vertex"].get<int>() + 1; }},
+      {"vertex not there", [](Lines& l) { l[3]["vertex"] = 1000000; }},
+      {"normal changed",
+       [](Lines& l) {
+         l[3]["normal"] = {l[3]["normal"][1], l[3]["normal"][2], l[3]["normal"][0]};
+       }},
+      {"normal not of unit length",
+       [](Lines& l) {
+         l[3]["normal"] = {0, 0, 0};
+       }},
+      {"later step", [](Lines& l) { l[l.size() - 2]["step"] = 1000; }},
+      {"later part",
+       [](Lines& l) { l[l.size() - 2]["part"] = l[l.size() - 2]["part"].get<int>() + 1000; }},
+      {"said to have failed", [](Lines& l) { l.back()["end"] = "failed"; }},
+  };
+  for (const Case& c : cases) {
+    const fs::path log = place.path / "forged.jsonl";
+    forge(good, log, c.change);
+    const Outcome o = run(place, "b", "--replay " + log.string());
+    INFO(c.name << ": " << o.text);
+    CHECK(o.exit_code == 6);
+    CHECK(o.text.find("replay_departed") != std::string::npos);
+    CHECK(o.text.find("forged.jsonl:") != std::string::npos);
+  }
+}
+
+TEST_CASE("a scene's hash knows every value and the mesh, and not the names", "[run][replay]") {
+  const Place place = place_of("hash", struck_scene());
+  const SceneFile file = *read_scene(place.scene);
+  const std::string hash = scene_hash(file);
+  CHECK(hash.size() == 16);
+  const auto changed = [&](const std::function<void(SceneFile&)>& change) {
+    SceneFile other = file;
+    change(other);
+    return scene_hash(other) != hash;
+  };
+  CHECK(!changed([](SceneFile& f) { f.scene.name = "other", f.description = "other"; }));
+  CHECK(!changed([](SceneFile& f) { f.output.frames = 7; }));
+  CHECK(changed([](SceneFile& f) { f.scene.duration = 1; }));
+  CHECK(changed([](SceneFile& f) { f.scene.bodies[0].mesh.points[3][1] += 1e-12; }));
+  CHECK(changed([](SceneFile& f) { f.scene.bodies[0].mesh.tetrahedra.pop_back(); }));
+  CHECK(changed([](SceneFile& f) { f.scene.obstacles[1].mass = 121; }));
+  CHECK(changed([](SceneFile& f) { f.scene.obstacles[1].mass = std::nullopt; }));
+  CHECK(changed([](SceneFile& f) { f.scene.fracture.max_fans = 65; }));
+  CHECK(changed([](SceneFile& f) { f.scene.bodies[0].cuts.push_back({CutPlane{}, {}, {}}); }));
+  CHECK(changed([](SceneFile& f) { f.scene.bodies[0].strength.painted = {1e6}; }));
+  CHECK(changed([](SceneFile& f) { f.scene.bodies[0].strength.weibull = WeibullSettings{}; }));
+}

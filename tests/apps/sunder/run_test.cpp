@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: MIT
+// The scene reader, the committed schema, and `sunder run` from outside: files, bytes, exit codes.
+#include <sys/wait.h>
+
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "apps/scene/scene_json.hpp"
+#include "fracture/simulation/simulation.hpp"
+#include "topology/kernel/invariants.hpp"
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+std::string slurp(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// A folder of this test's own, empty, taken away at the end.
+struct Folder {
+  fs::path path;
+  explicit Folder(const std::string& name)
+      : path(fs::temp_directory_path() / ("sunder_run_test_" + name + std::to_string(getpid()))) {
+    fs::remove_all(path);
+    fs::create_directories(path);
+  }
+  ~Folder() { fs::remove_all(path); }
+};
+
+struct Outcome {
+  int exit_code = -1;
+  std::string text;
+};
+
+/// Runs `sunder run` with these words; stdout and stderr together.
+Outcome run(const Folder& folder, const std::string& words) {
+  const fs::path log = folder.path / "log";
+  const std::string command =
+      std::string(SUNDER_PROGRAM) + " run " + words + " >" + log.string() + " 2>&1";
+  const int status = std::system(command.c_str());
+  return {WEXITSTATUS(status), slurp(log)};
+}
+
+fs::path write_scene(const Folder& folder, const json& scene) {
+  std::ofstream(folder.path / "scene.json") << scene.dump(1);
+  return folder.path / "scene.json";
+}
+
+/// The monolith struck at once by one ball: breaks within 0.02 s.
+json struck_scene() {
+  return {{"name", "struck"},
+          {"bodies",
+           {{{"mesh", SUNDER_MESHES "/monolith.msh"},
+             {"material", {{"young_modulus", 30e9}, {"tensile_strength", 2e6}}}}}},
+          {"obstacles",
+           {{{"plane", {{"normal", {0, 0, 1}}}}},
+            {{"sphere", {{"center", {0, -0.4, 1.3}}, {"radius", 0.2}}},
+             {"velocity", {0, 20, 0}},
+             {"mass", 120}}}},
+          {"time_step", 2.5e-4},
+          {"duration", 0.02}};
+}
+
+/// Runs a shipped scene for `duration` (s) and holds what is left against the laws.
+void hold_scene(const std::string& name, double duration) {
+  auto file = sunder::read_scene(std::string(SUNDER_SCENES "/") + name + ".json");
+  REQUIRE(file);
+  auto sim = sunder::build_simulation(file->scene);
+  REQUIRE(sim);
+  const auto mass_of = [](const sunder::Simulation& s) {
+    double sum = 0;
+    for (const double m : s.state.mechanics.vertices.mass) sum += m;
+    return sum;
+  };
+  const double mass = mass_of(*sim);
+  std::size_t fans = 0, foreseen = 0, separated = 0;
+  while (sim->state.mechanics.time < duration) {
+    const sunder::StepReport step = sunder::advance(*sim);
+    REQUIRE(step.status.outcome == sunder::StepOutcome::fine);
+    for (const sunder::FanEvent& fan : step.fracture.fans) {
+      ++fans;
+      foreseen += fan.components.predicted > 0;
+      separated += fan.components.created > 0;
+      // The oracle never says no to a true separation.
+      REQUIRE((fan.components.created == 0 || fan.components.predicted > 0));
+    }
+  }
+  const sunder::VolumeMap& map = sim->state.cells.map;
+  const sunder::Counts counts = sunder::count_cells(map);
+  WARN(name << ": " << fans << " fans, " << counts.components << " pieces, oracle right in "
+            << separated << " of " << foreseen << ", Betti numbers " << (*counts.betti)[0] << " "
+            << (*counts.betti)[1] << " " << (*counts.betti)[2]);
+  CHECK(fans > 0);
+  CHECK(sunder::check(map).empty());
+  CHECK(counts.components == sunder::living_components(sim->state.mechanics).size());
+  CHECK((*counts.betti)[1] >= 0);
+  CHECK(mass_of(*sim) == Approx(mass).epsilon(1e-12));
+}
+
+}  // namespace
+
+TEST_CASE("the struck monolith's map passes every law", "[run]") { hold_scene("monolith", 0.1); }
+
+// Two minutes: not part of ctest. sunder_run_tests "[scenes]"
+TEST_CASE("the maps of all three scenes pass every law at their end", "[.][scenes]") {
+  hold_scene("monolith", 0.8);
+  hold_scene("block", 2.5);
+  hold_scene("bunny", 0.12);
+}
+
+TEST_CASE("the committed schema is the program's own", "[run]") {
+  CHECK(json::parse(slurp(SUNDER_SCENES "/scene.schema.json")) ==
+        json::parse(sunder::scene_schema().dump()));
+}
+
+TEST_CASE("every scene that is shipped can be read", "[run]") {
+  for (const char* name : {"monolith", "block", "bunny"}) {
+    const auto scene = sunder::read_scene(std::string(SUNDER_SCENES "/") + name + ".json");
+    INFO(name);
+    REQUIRE(scene);
+    CHECK(scene->scene.name == name);
+    CHECK(scene->scene.bodies.size() == 1);
+  }
+}
+
+TEST_CASE("a scene with only what is required has the defaults of the C++ structs", "[run]") {
+  const Folder folder("defaults");
+  json scene = struck_scene();
+  scene["bodies"][0].erase("material");
+  const auto file = sunder::read_scene(write_scene(folder, scene));
+  REQUIRE(file);
+  CHECK(file->scene.bodies[0].material.density == sunder::Material{}.density);
+  CHECK(file->scene.contact.ball_share == sunder::ContactSettings{}.ball_share);
+  CHECK(file->scene.fracture.max_fans == sunder::FractureSettings{}.max_fans);
+}
+
+TEST_CASE("two runs of a scene that breaks leave the same bytes", "[run]") {
+  const Folder folder("bytes");
+  const fs::path scene = write_scene(folder, struck_scene());
+  for (const char* out : {"a", "b"}) {
+    const Outcome o =
+        run(folder, scene.string() + " --quiet --frames 3 -o " + (folder.path / out).string());
+    INFO(o.text);
+    REQUIRE(o.exit_code == 0);
+  }
+  const std::string events = slurp(folder.path / "a/events.jsonl");
+  CHECK(!events.empty());
+  CHECK(events == slurp(folder.path / "b/events.jsonl"));
+  CHECK(slurp(folder.path / "a/fragments.csv") == slurp(folder.path / "b/fragments.csv"));
+  std::size_t frames = 0;
+  for (const auto& entry : fs::directory_iterator(folder.path / "a/frames")) {
+    ++frames;
+    CHECK(slurp(entry.path()) == slurp(folder.path / "b/frames" / entry.path().filename()));
+  }
+  CHECK(frames == 3);
+  const json report = json::parse(slurp(folder.path / "a/report.json"));
+  for (const char* key : {"steps", "step_ms", "stage_ms", "fans", "faces_split", "components",
+                          "fragments", "gershgorin", "oracle", "momentum", "energy", "warnings"}) {
+    INFO(key);
+    CHECK(report.contains(key));
+  }
+  CHECK(report["fans"].get<int>() > 0);
+  CHECK(std::abs(report["fragments"]["mass_error"].get<double>()) < 1e-12);
+}
+
+TEST_CASE("bad scenes are told with place, value and remedy, exit code 3", "[run]") {
+  const Folder folder("bad");
+  struct Case {
+    const char* pointer;
+    json value;
+    const char* words;
+  };
+  const Case cases[] = {
+      {"/bodies/0/material/young_modulos", 1, "did you mean young_modulus"},
+      {"/bodies/0/material/poisson_ratio", 0.5, "poisson_ratio is 0.5"},
+      {"/bodies/0/material/density", -2, "density is -2"},
+      {"/time_step", 0, "time_step is 0"},
+      {"/time_step", "fast", "time_step"},
+      {"/bodies/0/mesh", "not_there.msh", "not_there.msh"},
+      {"/bodies/0/held/0/maximum", json::array({-9, -9, -9}), "held"},
+  };
+  for (const Case& c : cases) {
+    json scene = struck_scene();
+    if (std::string(c.pointer).find("held") != std::string::npos) {
+      scene["bodies"][0]["held"] = {{{"minimum", {-10, -10, -10}}, {"maximum", {0, 0, 0}}}};
+    }
+    scene[json::json_pointer(c.pointer)] = c.value;
+    const fs::path out = folder.path / "out";
+    const Outcome o =
+        run(folder, write_scene(folder, scene).string() + " --quiet -o " + out.string());
+    INFO(c.pointer << ": " << o.text);
+    CHECK(o.exit_code == 3);
+    CHECK(o.text.find(c.words) != std::string::npos);
+    CHECK(!fs::exists(out / "report.json"));
+  }
+}
+
+TEST_CASE("a cut mesh is named with its line, exit code 3", "[run]") {
+  const Folder folder("cut");
+  std::ofstream(folder.path / "cut.msh") << slurp(SUNDER_MESHES "/bunny.msh").substr(0, 100000);
+  json scene = struck_scene();
+  scene["bodies"][0]["mesh"] = "cut.msh";
+  const Outcome o = run(folder, write_scene(folder, scene).string() + " --quiet -o " +
+                                    (folder.path / "out").string());
+  INFO(o.text);
+  CHECK(o.exit_code == 3);
+  CHECK(o.text.find("cut.msh:") != std::string::npos);
+}
+
+TEST_CASE("an explicit step that diverges says where and what to do, exit code 5", "[run]") {
+  const Folder folder("diverges");
+  const fs::path out = folder.path / "out";
+  const Outcome o = run(folder, write_scene(folder, struck_scene()).string() +
+                                    " --quiet --set integrator.method=verlet"
+                                    " --set fracture.mode=off -o " +
+                                    out.string());
+  INFO(o.text);
+  CHECK(o.exit_code == 5);
+  CHECK(o.text.find("vertex") != std::string::npos);
+  CHECK(o.text.find("explicit_step_bound") != std::string::npos);
+  CHECK(fs::exists(out / "report.json"));
+}
+
+TEST_CASE("an output that cannot be written is exit code 4, a wrong option 2", "[run]") {
+  const Folder folder("codes");
+  const std::string scene = write_scene(folder, struck_scene()).string();
+  CHECK(run(folder, scene + " --quiet -o /proc/nowhere/out").exit_code == 4);
+  CHECK(run(folder, scene + " --no-such-option").exit_code == 2);
+  CHECK(run(folder, "").exit_code == 2);
+}

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// Results do not depend on the number of threads.
+#include <atomic>
+#include <catch2/catch.hpp>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "apps/scene/scene_json.hpp"
+#include "fracture/simulation/simulation.hpp"
+#include "mechanics/solver/parallel.hpp"
+
+using namespace sunder;
+
+namespace {
+
+/// The bunny on the floor, shattered for some sub-steps: a thousand pieces, hundreds of contacts on
+/// the largest.
+Simulation shattered(unsigned threads) {
+  const std::vector<std::string> settings = {"time_step=5e-5"};
+  Result<SceneFile> file = read_scene(SUNDER_SCENES "/bunny.json", settings);
+  REQUIRE(file);
+  Result<Simulation> sim = build_simulation(std::move(file->scene));
+  REQUIRE(sim);
+  sim->scratch.mechanics.threads = threads;
+  while (sim->state.step < 414) {
+    REQUIRE(advance(*sim).status.outcome == StepOutcome::fine);
+  }
+  return std::move(*sim);
+}
+
+template <class T>
+bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+}
+
+}  // namespace
+
+TEST_CASE("A shattering body takes the same bytes on one, two and three threads",
+          "[run][threads]") {
+  const Simulation alone = shattered(1);
+  REQUIRE(alone.state.fans > 500);
+  for (const unsigned threads : {2u, 3u}) {
+    const Simulation together = shattered(threads);
+    CHECK(together.state.fans == alone.state.fans);
+    const VertexColumns &a = alone.state.mechanics.vertices, &b = together.state.mechanics.vertices;
+    CHECK(same_bytes(a.position, b.position));
+    CHECK(same_bytes(a.velocity, b.velocity));
+    CHECK(same_bytes(a.displacement, b.displacement));
+    CHECK(same_bytes(alone.state.mechanics.elements.stress,
+                     together.state.mechanics.elements.stress));
+  }
+}
+
+TEST_CASE("Work in parallel is done once each, and what it throws arrives", "[run][threads]") {
+  for (const unsigned threads : {0u, 1u, 2u, 7u}) {
+    std::vector<std::atomic<int>> done(100);
+    parallel_for(threads, done.size(), [&](std::size_t k, unsigned worker) {
+      if (worker >= std::max(threads, 1u)) throw std::logic_error("no such worker");
+      ++done[k];
+    });
+    for (const auto& count : done) CHECK(count == 1);
+    CHECK_THROWS_AS(parallel_for(threads, 100,
+                                 [](std::size_t k, unsigned) {
+                                   if (k == 50) throw std::runtime_error("broken");
+                                 }),
+                    std::runtime_error);
+  }
+}

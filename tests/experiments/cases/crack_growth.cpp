@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// The bar as a scene, its run, and what is counted.
+#include "tests/experiments/cases/crack_growth.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <stdexcept>
+
+#include "fracture/simulation/simulation.hpp"
+#include "topology/suite/fixtures/shapes.hpp"
+
+namespace sunder::accuracy {
+namespace {
+
+/// Moves vertices that are neither on the surface nor on the cut.
+void shake(TetMesh& mesh, const NotchedBar& bar) {
+  const double b = bar.height, cell = b / bar.cells, eps = 1e-3 * cell;
+  std::mt19937 random(1);
+  const auto shift = [&] { return bar.shake * cell * (double(random()) / 2147483648.0 - 1); };
+  for (Point& p : mesh.points) {
+    if (p[0] < eps || p[0] > 2 * b - eps) continue;
+    if (p[1] < 0.25 * b + eps && std::abs(p[0] - b) < eps) continue;
+    const Point by = {shift(), shift(), shift()};
+    const auto inside = [&](int axis, double end) {
+      return p[std::size_t(axis)] > eps && p[std::size_t(axis)] < end - eps;
+    };
+    p = {p[0] + by[0], p[1] + inside(1, b) * by[1], p[2] + inside(2, bar.thickness * cell) * by[2]};
+  }
+}
+
+Scene scene_of(const NotchedBar& bar) {
+  const double b = bar.height, cell = b / bar.cells;
+  BodySettings body;
+  body.mesh = suite::kuhn_box({2 * bar.cells, bar.cells, bar.thickness}, cell);
+  body.material = bar.material;
+  const double speed = bar.stress_rate / bar.material.young_modulus * 2 * b;
+  const double eps = 1e-3 * cell;
+  body.held = {{.minimum = {-1, -1, -1}, .maximum = {eps, 9, 9}},
+               {.minimum = {2 * b - eps, -1, -1}, .maximum = {9, 9, 9}, .velocity = {speed, 0, 0}}};
+  shake(body.mesh, bar);
+  if (bar.cut)
+    body.cuts = {{.faces = CutPlane{.point = {b, 0, 0}, .normal = {1, 0, 0}},
+                  .box = RestBox{{-1, -1, -1}, {9, 0.25 * b + eps, 9}},
+                  .ball = {}}};
+  Scene scene;
+  scene.bodies = {body};
+  scene.gravity.acceleration.setZero();
+  scene.time_step = bar.time_step;
+  scene.fracture = bar.fracture;
+  return scene;
+}
+
+void add_cracks(GrowthAnswer& answer, const Simulation& sim, const NotchedBar& bar) {
+  const Cells& cells = sim.state.cells;
+  const double cell = bar.height / bar.cells;
+  double area = 0;
+  for (std::size_t f = 0; f < 4 * cells.map.tetrahedra(); ++f) {
+    const HalfFaceId face{f};
+    if (!is_crack_face(cells, face)) continue;
+    area += 0.5 * rest_area_vector(cells, face).norm();
+    for (std::size_t k = 1; k < 4; ++k) {
+      const VertexId v = cells.map.corners(TetId{f / 4})[(f % 4 + k) % 4];
+      answer.farthest =
+          std::max(answer.farthest, std::abs(cells.map.point(v)[0] - bar.height) / bar.height);
+    }
+  }
+  const double section = bar.height * cell * bar.thickness, cut = bar.cut ? 0.25 : 0;
+  answer.area = (area / section - cut) / (1 - cut);
+  double whole = 0, largest = 0;
+  for (const Component& c : sim.state.mechanics.components) {
+    whole += c.mass;
+    if (!c.tetrahedra.empty()) largest = std::max(largest, c.mass);
+  }
+  answer.smallest = 1 - largest / whole;
+}
+
+}  // namespace
+
+GrowthAnswer pulled_apart(const NotchedBar& bar, int after) {
+  auto built = build_simulation(scene_of(bar));
+  if (!built) throw std::runtime_error(built.findings.front().text);
+  Simulation sim = std::move(*built);
+  GrowthAnswer answer;
+  double first = 0, energy = 0, area = 0;
+  for (int left = after; left > 0;) {
+    const StepReport report = advance(sim);
+    if (report.status.outcome != StepOutcome::fine) throw std::runtime_error("the run failed");
+    answer.pieces = report.components;
+    for (const CrackEnergy& crack : report.cracks) {
+      energy += crack.energy;
+      area += crack.area;
+    }
+    if (!report.fracture.fans.empty()) {
+      if (answer.fans == 0) {
+        first = report.time;
+        answer.load = report.time * bar.stress_rate;
+      }
+      ++answer.steps;
+      answer.fans += report.fracture.fans.size();
+      answer.worst_ms = std::max(answer.worst_ms, report.stage_ms[std::size_t(Stage::fracture)]);
+    }
+    if (answer.separated == 0 && answer.pieces > 1) answer.separated = report.time - first + 1e-300;
+    left -= answer.pieces > 1;
+    if (first > 0 && report.time > 10 * first) break;
+    if (report.time * bar.stress_rate > 10 * bar.material.tensile_strength) break;
+  }
+  answer.energy = area > 0 ? energy / area : 0;
+  add_cracks(answer, sim, bar);
+  return answer;
+}
+
+}  // namespace sunder::accuracy

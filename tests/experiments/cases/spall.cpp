@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// Sets the pulse into a bar at rest, runs it and looks at the layers.
+#include "tests/experiments/cases/spall.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "fracture/simulation/simulation.hpp"
+#include "mechanics/element/energy.hpp"
+#include "topology/suite/fixtures/shapes.hpp"
+
+namespace sunder::accuracy {
+namespace {
+
+/// A sawtooth of compression: its front stands at `front`, m.
+struct Pulse {
+  double front, ramp, length, peak;  ///< m, m, m, Pa
+
+  double stress(double x) const {
+    const double behind = front - x;
+    if (behind <= 0 || behind >= length) return 0;
+    return peak * std::min(behind / ramp, (length - behind) / (length - ramp));
+  }
+  /// Of the stress from x on, Pa m.
+  double integral(double x) const {
+    double sum = 0;
+    constexpr int parts = 400;
+    const double from = std::max(x, front - length), d = (front - from) / parts;
+    if (d <= 0) return 0;
+    for (int i = 0; i < parts; ++i) sum += d * stress(from + (i + 0.5) * d);
+    return sum;
+  }
+};
+
+Scene scene_of(const Spall& spall, double cell) {
+  Scene scene;
+  BodySettings bar;
+  bar.name = "bar";
+  bar.mesh = suite::kuhn_box({spall.cells, spall.across, spall.across}, cell);
+  bar.material.poisson_ratio = 0;
+  const double travel = cell / bar_wave_speed(bar.material);
+  scene.bodies = {bar};
+  scene.gravity.acceleration.setZero();
+  scene.time_step = spall.step * travel;
+  scene.integrator.damping.stiffness_factor = spall.viscosity * travel;
+  scene.ladder.rigid = false;
+  return scene;
+}
+
+/// Velocity s / (rho c) and displacement -s / E of a wave that runs along x.
+void set_pulse(Simulation& sim, const Pulse& pulse) {
+  const Material& material = sim.scene.bodies[0].material;
+  VertexColumns& v = sim.state.mechanics.vertices;
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    const double x = v.rest_position[i].x();
+    v.position[i].x() += pulse.integral(x) / material.young_modulus;
+    v.velocity[i].x() = pulse.stress(x) / (material.density * bar_wave_speed(material));
+  }
+  reframe(sim.state.mechanics, ComponentId{0});
+}
+
+/// A piece by its rest place along the bar.
+struct Piece {
+  double low, high, speed;
+};
+
+std::vector<Piece> pieces_of(const Simulation& sim) {
+  std::vector<Piece> pieces;
+  const MechanicsState& m = sim.state.mechanics;
+  for (const Component& c : m.components) {
+    if (c.tetrahedra.empty()) continue;
+    Piece piece{1e30, -1e30, c.momentum.x() / c.mass};
+    for (VertexId v : c.vertices) {
+      piece.low = std::min(piece.low, m.vertices.rest_position[v.index()].x());
+      piece.high = std::max(piece.high, m.vertices.rest_position[v.index()].x());
+    }
+    pieces.push_back(piece);
+  }
+  std::sort(pieces.begin(), pieces.end(),
+            [](const Piece& a, const Piece& b) { return a.high > b.high; });
+  return pieces;
+}
+
+}  // namespace
+
+SpallOutcome run_spall(const Spall& spall) {
+  const double cell = 1.0 / spall.cells;
+  Result<Simulation> sim = build_simulation(scene_of(spall, cell));
+  if (!sim) throw std::runtime_error(sim.findings.front().text);
+  const Material& material = sim->scene.bodies[0].material;
+  const double c = bar_wave_speed(material), xi = material.tensile_strength;
+  const double peak = spall.peak * xi;
+  const auto& rest = sim->state.mechanics.vertices.rest_position;
+  const double end = std::max_element(rest.begin(), rest.end(), [](const Vec3& a, const Vec3& b) {
+                       return a.x() < b.x();
+                     })->x();
+  const Pulse pulse{end - 3 * cell, spall.front * cell, spall.length, peak};
+  set_pulse(*sim, pulse);
+  const double momentum_before = momentum(sim->state.mechanics.vertices).x();
+
+  SpallOutcome seen;
+  seen.exact_thickness = (spall.length - spall.front * cell) / (2 * spall.peak);
+  seen.exact_layers = static_cast<std::size_t>(spall.peak);
+  // What is reflected is the peak, a ramp behind the front.
+  const double reflected = (end - pulse.front + pulse.ramp) / c;
+  const double until = 1.3 * spall.length / c;
+  double first = -1;
+  while (sim->state.mechanics.time < until) {
+    const StepReport report = advance(*sim);
+    if (report.status.outcome != StepOutcome::fine) {
+      throw std::runtime_error(to_finding(report.status).text);
+    }
+    if (first < 0 && !report.fracture.fans.empty()) first = report.fan_time.front();
+  }
+  const std::vector<Piece> pieces = pieces_of(*sim);
+  for (std::size_t k = 0; k + 1 < pieces.size(); ++k) {
+    seen.thickness.push_back(pieces[k].high - pieces[k].low);
+  }
+  if (!seen.thickness.empty()) {
+    seen.time = (first - reflected) / (seen.exact_thickness / c);
+    seen.speed = pieces.front().speed / ((2 * peak - xi) / (material.density * c));
+  }
+  seen.momentum = momentum(sim->state.mechanics.vertices).x() / momentum_before;
+  return seen;
+}
+
+}  // namespace sunder::accuracy

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// Prints what becomes of notched bars: one crack or many, by how stresses within a step are found.
+#include <cstdio>
+
+#include "tests/experiments/cases/crack_growth.hpp"
+
+using namespace sunder;
+using namespace sunder::accuracy;
+
+namespace {
+
+struct Named {
+  const char* name;
+  Material material;
+};
+
+void print(const char* name, NotchedBar bar, FractureCriterion criterion, std::uint32_t relax) {
+  bar.fracture.criterion = criterion;
+  bar.fracture.relax = relax;
+  const GrowthAnswer a = pulled_apart(bar);
+  std::printf("%-9s %4s %8.3f %-7s %5u %6zu %6zu %6zu %7.3f %7.2f %8.3g %7.3f %7.2f\n", name,
+              bar.cut ? "yes" : "no", bar.stress_rate * bar.time_step / 1e6,
+              criterion == FractureCriterion::stress ? "stress" : "energy", relax, a.pieces, a.fans,
+              a.steps, a.load / 1e6, a.area, a.energy, a.farthest, a.worst_ms);
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int main() {
+  const Named materials[] = {{"glass",
+                              {.young_modulus = 70e9,
+                               .poisson_ratio = 0.22,
+                               .density = 2500,
+                               .tensile_strength = 45e6,
+                               .toughness = 0.75e6}},
+                             {"concrete",
+                              {.young_modulus = 30e9,
+                               .poisson_ratio = 0.2,
+                               .density = 2400,
+                               .tensile_strength = 3e6,
+                               .toughness = 1e6}}};
+  std::printf("%-9s %4s %8s %-7s %5s %6s %6s %6s %7s %7s %8s %7s %7s\n", "material", "cut",
+              "MPa/step", "breaks", "relax", "pieces", "fans", "steps", "MPa", "area", "J/m^2",
+              "far/b", "ms");
+  for (const Named& m : materials) {
+    NotchedBar bar{.height = 0.4, .cells = 16, .material = m.material, .shake = 0.15};
+    for (const double rate : {3e6, 1e8, 3e8}) {
+      bar.stress_rate = rate;
+      for (const std::uint32_t relax : {0, 2, 4}) {
+        print(m.name, bar, FractureCriterion::stress, relax);
+      }
+      for (const std::uint32_t relax : {0, 2}) {
+        print(m.name, bar, FractureCriterion::energy, relax);
+      }
+    }
+  }
+  NotchedBar whole{.height = 0.4, .material = materials[1].material, .shake = 0.15, .cut = false};
+  whole.stress_rate = 3e8;
+  for (const std::uint32_t relax : {0, 2, 4}) {
+    print("concrete", whole, FractureCriterion::stress, relax);
+  }
+}

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// `falling_scene [SCENE.json] [STEP] [DURATION]`: a CSV of the outcome at steps of h, h/4, h/16,
+// with and without impact windows, and at other fractions.
+#include <cstdio>
+#include <cstdlib>
+
+#include "apps/scene/scene_json.hpp"
+#include "tests/experiments/cases/falling_scene.hpp"
+
+using namespace sunder;
+using namespace sunder::accuracy;
+
+namespace {
+
+void print_row(const Scene& scene) {
+  const FallOutcome o = run_fall(scene);
+  std::printf("%s,%g,%g,%.6g,%zu,%zu,%.4f,%.2g,%zu\n", scene.impact.window ? "yes" : "no",
+              scene.impact.fraction, scene.time_step, o.first_fan, o.fans, o.pieces,
+              o.largest_share, o.deepest, o.sub_steps);
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Scene scene = falling_cube();
+  if (argc > 1) {
+    Result<SceneFile> file = read_scene(argv[1]);
+    for (const Finding& f : file.findings) std::fprintf(stderr, "%s\n", f.text.c_str());
+    if (!file) return 3;
+    scene = std::move(file->scene);
+  }
+  if (argc > 2) scene.time_step = std::atof(argv[2]);
+  if (argc > 3) scene.duration = std::atof(argv[3]);
+  std::puts("window,fraction,step,first fan,fans,pieces,largest share,deepest,sub-steps");
+  const double h = scene.time_step;
+  for (const bool window : {true, false}) {
+    scene.impact.window = window;
+    for (const double part : {1.0, 4.0, 16.0}) {
+      scene.time_step = h / part;
+      print_row(scene);
+    }
+  }
+  scene.impact.window = true;
+  scene.time_step = h;
+  for (const double fraction : {0.25, 0.125, 0.03125, 0.015625}) {
+    scene.impact.fraction = fraction;
+    print_row(scene);
+  }
+}

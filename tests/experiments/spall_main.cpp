@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// `spall`: layers that a pulse breaks off a flat bar, over its peak, cells, steps and viscosity.
+#include <cstdio>
+#include <initializer_list>
+
+#include "tests/experiments/cases/spall.hpp"
+
+using namespace sunder::accuracy;
+
+namespace {
+
+void row(const Spall& spall) {
+  const SpallOutcome o = run_spall(spall);
+  std::printf("%d x %d,%g,%g,%g,%g,%zu,%zu,%.4f,", spall.cells, spall.across, spall.peak,
+              spall.front, spall.step, spall.viscosity, o.exact_layers, o.thickness.size(),
+              o.exact_thickness);
+  for (const double t : o.thickness) std::printf(" %.4f", t);
+  std::printf(",%.3f,%.3f,%.12f\n", o.speed, o.time, o.momentum);
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int main() {
+  std::puts(
+      "cells,s0 / xi,front / cells,step / (cell / c),viscosity,layers exact,layers,thickness exact "
+      "/ m,thickness / m,speed,time,momentum");
+  for (const double peak : {0.9, 1.5, 2.5, 3.5}) row({.peak = peak});
+  for (const double peak : {1.5, 2.5}) row({.cells = 300, .peak = peak});
+  for (const int across : {2, 3}) row({.across = across});
+  for (const double front : {1.0, 4.0, 16.0}) row({.front = front});
+  for (const double step : {0.0625, 1.0}) row({.step = step});
+  for (const double viscosity : {0.0, 0.3}) row({.viscosity = viscosity});
+}

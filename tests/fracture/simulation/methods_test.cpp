@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// Every integrator and model in a scene that falls and breaks; what bounded ones refuse.
+#include <catch2/catch.hpp>
+
+#include <numeric>
+
+#include "fracture/simulation/simulation.hpp"
+#include "topology/suite/fixtures/shapes.hpp"
+
+using namespace sunder;
+using namespace sunder::suite;
+
+namespace {
+
+/// A bar that falls on a sphere and breaks over it.
+Scene breaking_scene(const IntegratorSettings& integrator) {
+  Scene scene;
+  scene.bodies.push_back({.name = "bar",
+                          .mesh = jittered(kuhn_box({6, 2, 2}, 0.1), 0.01, 4),
+                          .material = {.young_modulus = 1e8, .tensile_strength = 2e5},
+                          .translation = {-0.3, -0.1, 0.21},
+                          .velocity = {0, 0, -4}});
+  scene.obstacles = {Obstacle{Sphere{{0, 0, 0.1}, 0.1}}, Obstacle{Plane{}}};
+  scene.time_step = 1e-3;
+  scene.integrator = integrator;
+  return scene;
+}
+
+std::vector<IntegratorSettings> all_methods() {
+  using enum Integrator;
+  const auto corotational = ElasticModel::corotational;
+  return {{.integrator = implicit_euler},
+          {.integrator = broyden, .max_iterations = 100},
+          {.integrator = broyden, .broyden_start = BroydenStart::factor},
+          {.integrator = newton_cg},
+          {.integrator = sub_stepped},
+          {.integrator = modal},
+          {.integrator = implicit_euler, .model = corotational},
+          {.integrator = implicit_euler,
+           .model = corotational,
+           .corotational_solve = CorotationalSolve::prefactored},
+          {.integrator = newton_cg, .model = corotational},
+          {.integrator = sub_stepped, .model = corotational},
+          {.isolated = IsolatedTetrahedra::projection},
+          {.isolated = IsolatedTetrahedra::qr}};
+}
+
+}  // namespace
+
+TEST_CASE("every integrator and model takes a scene that falls and breaks",
+          "[fracture][baselines]") {
+  std::size_t k = 0;
+  for (const IntegratorSettings& method : all_methods()) {
+    INFO("method " << k++);
+    Result<Simulation> sim = build_simulation(breaking_scene(method));
+    for (const Finding& f : sim.findings) UNSCOPED_INFO(f.code << ": " << f.text);
+    REQUIRE(sim);
+    const auto mass = [&] {
+      const auto& m = sim->state.mechanics.vertices.mass;
+      return std::accumulate(m.begin(), m.end(), 0.0);
+    };
+    const double before = mass();
+    std::size_t fans = 0;
+    for (int i = 0; i < 40; ++i) {
+      const StepReport report = advance(*sim);
+      REQUIRE(report.status.outcome == StepOutcome::fine);
+      fans += report.fracture.fans.size();
+    }
+    CHECK(fans > 0);
+    CHECK(mass() == Approx(before).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("counts and sizes beyond an integrator's bounds are refused, explicit steps warned of",
+          "[fracture][baselines]") {
+  const auto refusal = [](IntegratorSettings settings, double young_modulus = 3e10) {
+    Scene scene = breaking_scene(settings);
+    scene.bodies[0].material.young_modulus = young_modulus;
+    if (settings.integrator == Integrator::modal) {
+      scene.bodies[0].mesh = kuhn_box({9, 8, 8}, 0.1);
+    }
+    const Result<Simulation> sim = build_simulation(std::move(scene));
+    REQUIRE_FALSE(sim);
+    CHECK_FALSE(sim.findings.back().remedy.empty());
+    return sim.findings.back().code;
+  };
+  CHECK(refusal({.integrator = Integrator::sub_stepped, .max_sub_steps = 10}) ==
+        "too_many_sub_steps");
+  CHECK(refusal({.integrator = Integrator::modal}) == "body_too_large_for_modal");
+  CHECK(refusal({.model = ElasticModel::corotational}) == "model_not_supported");
+  CHECK(refusal({.integrator = Integrator::modal, .damping = {.mass_factor = 1}}) ==
+        "damping_not_supported");
+  Result<Simulation> sim = build_simulation(breaking_scene({.integrator = Integrator::verlet}));
+  REQUIRE(sim);
+  REQUIRE(sim.findings.size() == 1);
+  CHECK(sim.findings[0].code == "explicit_step_too_long");
+  CHECK(sim.findings[0].severity == Severity::warning);
+}

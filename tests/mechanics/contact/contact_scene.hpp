@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// A body among obstacles with everything a step with contact needs, for tests.
+#pragma once
+
+#include <vector>
+
+#include "tests/support/bodies.hpp"
+#include "mechanics/contact/contact.hpp"
+#include "mechanics/element/energy.hpp"
+
+namespace sunder::test {
+
+/// State, obstacles and scratch that live together.
+struct ContactScene {
+  Body body;
+  MechanicsState state;
+  std::vector<Obstacle> obstacles = {};
+  IntegratorSettings integrator = {};
+  ContactSettings contact = {};
+  Loads loads = {};
+  ContactMemory memory = {};
+  MechanicsScratch mechanics = {};
+  ContactScratch scratch = {};
+
+  ContactStepResult step() {
+    return advance_with_contact({state, obstacles, memory}, {body.corners, loads, integrator},
+                                contact, {mechanics, scratch});
+  }
+
+  /// Kinetic, strain and gravitational energy of bodies and balls, J.
+  double energy() const {
+    double sum = kinetic_energy(state.vertices) + strain_energy(state) +
+                 gravity_energy(state.vertices, loads.gravity);
+    for (const Obstacle& ball : obstacles) {
+      if (!ball.mass) continue;
+      sum += 0.5 * *ball.mass * ball.velocity.squaredNorm() +
+             0.5 * moment_of_inertia(ball) * ball.spin.squaredNorm() -
+             *ball.mass * loads.gravity.dot(std::get<Sphere>(ball.shape).center);
+    }
+    return sum;
+  }
+
+  Vec3 total_momentum() const {
+    Vec3 sum = momentum(state.vertices);
+    for (const Obstacle& ball : obstacles) {
+      if (ball.mass) sum += *ball.mass * ball.velocity;
+    }
+    return sum;
+  }
+
+  Vec3 total_angular_momentum() const {
+    Vec3 sum = angular_momentum(state.vertices);
+    for (const Obstacle& ball : obstacles) {
+      if (!ball.mass) continue;
+      sum += *ball.mass * std::get<Sphere>(ball.shape).center.cross(ball.velocity) +
+             moment_of_inertia(ball) * ball.spin;
+    }
+    return sum;
+  }
+};
+
+/// Bodies side by side as one mesh, each a component of its own.
+struct SeveralBodies {
+  Body body;
+  std::vector<ComponentId> component;  ///< |T|
+};
+
+inline SeveralBodies together(const std::vector<Body>& parts) {
+  SeveralBodies all;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const std::size_t first = all.body.rest.size();
+    all.body.rest.insert(all.body.rest.end(), parts[k].rest.begin(), parts[k].rest.end());
+    for (Corners t : parts[k].corners) {
+      for (VertexId& v : t) v = VertexId{v.index() + first};
+      all.body.corners.push_back(t);
+      all.component.emplace_back(k);
+    }
+  }
+  return all;
+}
+
+inline MechanicsState state_of(const SeveralBodies& all, const Material& material) {
+  BodyDescription description{all.body.rest, all.body.corners, {}, all.component, {&material, 1}};
+  return *make_state(description);
+}
+
+inline Material material_of(double young_modulus, double density = 2400,
+                            double poisson_ratio = 0.2) {
+  Material m;
+  m.young_modulus = young_modulus;
+  m.poisson_ratio = poisson_ratio;
+  m.density = density;
+  return m;
+}
+
+}  // namespace sunder::test

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// Elements of Abaqus' input, and its numbers.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "topology/io/abaqus/abaqus_reader.hpp"
+#include "topology/io/scan.hpp"
+
+namespace sunder::io {
+namespace {
+
+constexpr std::string_view node_number = "a node number";
+
+/// The next field of an element, in the next line where this one ends with a comma.
+std::string_view element_field(DataLines& lines, const AbaqusType& type, std::size_t found) {
+  while (true) {
+    if (has_field(lines)) {
+      const std::string_view field = next_field(lines);
+      if (!field.empty() || has_field(lines)) return field;
+    }
+    // A line that ends with a comma has its last field behind it.
+    const bool goes_on = lines.at == lines.line.size() && lines.at > 0;
+    const std::size_t at = lines.line.size();
+    if (goes_on && next_data_line(lines)) continue;
+    fail(lines.text, at,
+         {.code = "wrong_count",
+          .text = fmt::format("the element ends after {} of its {} nodes", found, type.nodes),
+          .remedy = "complete the line, or end it with a comma where it goes on in the next"});
+  }
+}
+
+/// The rest of the line must be empty.
+void expect_line_end(DataLines& lines, const AbaqusType& type) {
+  while (has_field(lines)) {
+    const std::string_view field = next_field(lines);
+    if (field.empty()) continue;
+    fail(lines.text, static_cast<std::size_t>(field.data() - lines.text.data()),
+         {.code = "wrong_count",
+          .text = fmt::format("{} follows the {} nodes of an element of type {}", in_quotes(field),
+                              type.nodes, type.name),
+          .remedy = "correct the line, or the element's type"});
+  }
+}
+
+void read_block(AbaqusReader& r, const ElementLines& block) {
+  const AbaqusType& type = *block.type;
+  DataLines lines{.text = r.files[block.file].text, .next = block.at};
+  const std::size_t corners = static_cast<std::size_t>(type.dimension) + 1;
+  FileMesh& mesh = r.draft.mesh;
+  for_each_cell_list(mesh, [&](auto& cells, int d) {
+    if (d != type.dimension) return;
+    const std::size_t most = most_lines(lines.text, block.at, 2 * (type.nodes + 1));
+    reserve_more(cells.corners, most);
+    reserve_more(cells.source_id, most);
+  });
+  std::size_t first = 0, end = 0;
+  while (next_data_line(lines)) {
+    FileCell cell{.at = lines.at};
+    const std::int64_t number = integer_of(lines, next_field(lines), "an element number");
+    for (std::size_t k = 0; k < type.nodes; ++k) {
+      const std::int64_t node = integer_of(lines, element_field(lines, type, k), node_number);
+      if (k >= corners) continue;
+      cell.numbers[k] = node;
+      cell.rows[k] = row_of(r.node_rows, node);
+    }
+    expect_line_end(lines, type);
+    add_cell(r.draft, type.dimension, cell);
+    for_each_cell_list(mesh, [&](auto& cells, int d) {
+      if (d != type.dimension) return;
+      cells.source_id.push_back(number);
+      end = cells.corners.size();
+      if (first == 0) first = end;
+    });
+  }
+  if (type.nodes > corners) add_curved_cells(r.draft, type.plural, end + 1 - first, block.at);
+  if (block.set < 0 || first == 0) return;
+  add_lines(r.element_sets, {.set = block.set,
+                             .before = -1,
+                             .file = static_cast<std::uint32_t>(type.dimension),
+                             .is_block = true,
+                             .at = first - 1,
+                             .end = end});
+}
+
+/// Counts what is no simplex; a line that ends with a comma goes on in the next.
+void count_block(AbaqusReader& r, const ElementLines& block) {
+  DataLines lines{.text = r.files[block.file].text, .next = block.at};
+  std::size_t count = 0;
+  while (skip_record(lines)) ++count;
+  add_other_cells(r.draft, block.type->plural, block.type->dimension, count, block.at);
+}
+
+void index_elements(AbaqusReader& r) {
+  std::vector<std::int64_t> numbers;
+  for_each_cell_list(r.draft.mesh, [&](const auto& cells, int) {
+    numbers.insert(numbers.end(), cells.source_id.begin(), cells.source_id.end());
+  });
+  std::array<std::int64_t, 2> twice;
+  if (index_numbers(r.element_rows, numbers, twice)) return;
+  // Where the second of the two stands: rows of each dimension are in the order of the blocks.
+  auto row = static_cast<std::size_t>(twice[1]);
+  int dimension = 0;
+  for_each_cell_list(r.draft.mesh, [&](const auto& cells, int d) {
+    if (d != dimension || row < cells.source_id.size()) return;
+    row -= cells.source_id.size();
+    ++dimension;
+  });
+  for (const ElementLines& block : r.elements) {
+    if (block.type->dimension != dimension || !is_simplex(*block.type)) continue;
+    const AbaqusText& file = r.files[block.file];
+    DataLines lines{.text = file.text, .next = block.at};
+    for (DataLines before = lines; skip_record(lines); before = lines) {
+      if (row-- > 0) continue;
+      next_data_line(before);
+      in_file(r.draft, file.name, file.text, [&] {
+        fail(file.text, before.at,
+             {.code = "duplicate_id",
+              .text = fmt::format("two elements have the number {}",
+                                  numbers[static_cast<std::size_t>(twice[0])]),
+              .remedy = "give every element its own number"});
+      });
+    }
+  }
+}
+
+}  // namespace
+
+void read_abaqus_elements(AbaqusReader& r) {
+  for (const ElementLines& block : r.elements) {
+    const AbaqusText& file = r.files[block.file];
+    in_file(r.draft, file.name, file.text,
+            [&] { is_simplex(*block.type) ? read_block(r, block) : count_block(r, block); });
+  }
+  index_elements(r);
+}
+
+}  // namespace sunder::io

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// Internal to the Abaqus reader: its lines, and what is kept between the passes over them. Nodes
+// and the places of everything else are read first; then the elements, when all nodes are known;
+// then the sets, when all elements are.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "topology/io/abaqus/abaqus_lines.hpp"
+#include "topology/io/formats.hpp"
+#include "topology/io/named_regions.hpp"
+#include "topology/io/number_index.hpp"
+
+namespace sunder::io {
+
+/// A kind of element by the beginning of its name; letters may follow.
+struct AbaqusType {
+  std::string_view name;
+  std::size_t nodes;
+  int dimension;
+  /// Of several, as messages call them.
+  std::string_view plural;
+};
+
+/// The kind of a TYPE=; a null pointer for those that are not known.
+const AbaqusType* abaqus_type(std::string_view word);
+
+inline bool is_simplex(const AbaqusType& type) {
+  const auto corners = static_cast<std::size_t>(type.dimension) + 1;
+  if (type.dimension == 1) return true;
+  return type.nodes == corners || (type.dimension == 2 && type.nodes == 6) ||
+         (type.dimension == 3 && type.nodes == 10);
+}
+
+/// The mesh's file or one that is included.
+struct AbaqusText {
+  /// Empty for the mesh's file.
+  std::string name;
+  std::string_view text;
+};
+
+/// Data lines behind a *ELEMENT.
+struct ElementLines {
+  const AbaqusType* type;
+  std::uint32_t file;
+  /// Place of its ELSET= among the element sets; -1 without.
+  std::int32_t set;
+  std::size_t at;
+};
+
+/// Nodes behind a *NODE, or a part of them.
+struct NodeLines {
+  std::uint32_t file;
+  std::size_t at;
+  /// The first row.
+  std::size_t first;
+};
+
+/// What a set has: data lines behind *ELSET or *NSET, or the nodes or elements of a block.
+struct SetLines {
+  std::int32_t set;
+  /// Of the same set, the one before; -1 for the first.
+  std::int32_t before;
+  std::uint32_t file = 0;
+  bool generate = false;
+  bool is_block = false;
+  /// Lines: where they begin. Blocks: the first row, and behind the last.
+  std::size_t at = 0;
+  std::size_t end = 0;
+};
+
+/// The sets of nodes, or those of elements.
+struct AbaqusSets {
+  WordList names;
+  std::deque<SetLines> lines;
+  /// By set: its last lines (-1 without), whether Abaqus made it for itself, whether a section of
+  /// material names it.
+  std::vector<std::int32_t> last;
+  std::vector<bool> is_internal, has_section;
+};
+
+struct AbaqusReader {
+  const FileSource& source;
+  Draft draft;
+  std::deque<AbaqusText> files;
+  /// Texts of the files that are included.
+  std::deque<std::string> included;
+  /// Bytes of all of them.
+  std::size_t bytes = 0;
+  std::deque<NodeLines> nodes;
+  std::deque<ElementLines> elements;
+  AbaqusSets node_sets, element_sets;
+  /// Rows of all elements, edges first and tetrahedra last.
+  NumberIndex node_rows, element_rows;
+  /// Keywords that are passed over.
+  std::set<std::string> others;
+  std::size_t parts = 0, instances = 0;
+};
+
+/// The set of that name, which is added if it is not there.
+std::int32_t set_called(AbaqusSets& sets, std::string_view name);
+
+/// Adds what a set has.
+void add_lines(AbaqusSets& sets, SetLines lines);
+
+/// Elements, once all nodes are there.
+void read_abaqus_elements(AbaqusReader& r);
+
+/// Regions and vertices from the sets, once all elements are there.
+void read_abaqus_sets(AbaqusReader& r);
+
+}  // namespace sunder::io

@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: MIT
+// Reading MEDIT: keywords in any order, each with a count and that many rows. In binary
+// files keywords are numbers, and each tells where the next stands.
+#include "topology/io/medit/medit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "topology/io/number_source.hpp"
+
+namespace sunder::io {
+namespace {
+
+/// Sections whose rows are passed over: numbers in a row, and what cells they are.
+struct Section {
+  std::string_view keyword;
+  /// Of binary files; 0 where they have none.
+  int code;
+  std::size_t numbers;
+  /// -1 where the rows are no cells.
+  int dimension;
+  std::string_view name;
+};
+constexpr Section sections[] = {
+    {"Quadrilaterals", 7, 5, 2, "quadrilaterals"},
+    {"Hexahedra", 10, 9, 3, "hexahedra"},
+    {"Hexaedra", 0, 9, 3, "hexahedra"},
+    {"Prisms", 9, 7, 3, "prisms"},
+    {"Pentahedra", 0, 7, 3, "prisms"},
+    {"Pyramids", 49, 6, 3, "pyramids"},
+    {"Corners", 13, 1, -1, ""},
+    {"RequiredVertices", 15, 1, -1, ""},
+    {"Ridges", 14, 1, -1, ""},
+    {"RequiredEdges", 16, 1, -1, ""},
+    {"RequiredTriangles", 17, 1, -1, ""},
+    {"RequiredTetrahedra", 0, 1, -1, ""},
+    {"Normals", 60, 3, -1, ""},
+    {"NormalAtVertices", 20, 2, -1, ""},
+    {"NormalAtTriangleVertices", 21, 3, -1, ""},
+    {"NormalAtQuadrilateralVertices", 22, 3, -1, ""},
+    {"Tangents", 59, 3, -1, ""},
+    {"TangentAtVertices", 61, 2, -1, ""},
+    {"TangentAtEdges", 19, 3, -1, ""},
+};
+
+/// Sections of simplices: their corners come first, a reference last.
+struct Simplices {
+  std::string_view keyword;
+  int code;
+  int dimension;
+  std::size_t nodes;
+  std::string_view name;
+};
+constexpr Simplices simplices[] = {
+    {"Edges", 5, 1, 2, "edges"},
+    {"Triangles", 6, 2, 3, "triangles"},
+    {"Tetrahedra", 8, 3, 4, "tetrahedra"},
+    {"EdgesP2", 25, 1, 3, "second-order edges"},
+    {"TrianglesP2", 24, 2, 6, "second-order triangles"},
+    {"TetrahedraP2", 30, 3, 10, "second-order tetrahedra"},
+};
+
+constexpr int dimension_code = 3, vertices_code = 4, end_code = 54;
+
+struct MeditReader {
+  NumberSource in;
+  Draft draft;
+  /// Of binary files: 1 has floats, 3 wide places, 4 wide integers too.
+  int version = 2;
+  bool has_vertices = false;
+  /// Whether a section of simplices was read, by its place in the table.
+  std::array<bool, std::size(simplices)> has_cells{};
+  /// Sections of cells before the vertices, which are needed to judge them: read behind those.
+  struct Early {
+    std::size_t kind;
+    /// Of the keyword, and behind it.
+    std::size_t section_at;
+    std::size_t at;
+  };
+  std::vector<Early> early;
+};
+
+/// The next word, passing comments (# to the end of the line).
+std::string_view next_keyword(Scanner& s) {
+  while (peek_word(s).substr(0, 1) == "#") rest_of_line(s);
+  return next_word(s);
+}
+
+void refuse_second(MeditReader& r, bool seen, std::string_view keyword) {
+  if (!seen) return;
+  fail(r.in.s.text, r.in.s.at,
+       {.code = "wrong_section_order",
+        .text = fmt::format("a second section {}", keyword),
+        .remedy = "join the two sections"});
+}
+
+/// Integers of rows: 4 bytes, from version 4 on 8.
+std::int64_t read_integer(MeditReader& r, std::string_view what) {
+  return r.version == 4 ? read_next<std::int64_t>(r.in, what)
+                        : read_next<std::int64_t, std::int32_t>(r.in, what);
+}
+
+double read_real(MeditReader& r, std::string_view what) {
+  return r.version == 1 ? read_next<double, float>(r.in, what) : read_next<double>(r.in, what);
+}
+
+std::int32_t read_reference(MeditReader& r, std::string_view what) {
+  if (!r.in.is_binary) return read_number<std::int32_t>(r.in.s, what);
+  const std::size_t at = r.in.s.at;
+  const std::int64_t value = read_integer(r, what);
+  if (value == static_cast<std::int32_t>(value)) return static_cast<std::int32_t>(value);
+  fail(r.in.s.text, at,
+       {.code = "number_out_of_range",
+        .text = fmt::format("{} is too big or too small to be {}", value, what),
+        .remedy = "number the references with 32 bits"});
+}
+
+/// Rows of `numbers` numbers each, which are to be bounded by what is left of the file.
+std::size_t read_rows(MeditReader& r, std::string_view what, std::size_t numbers) {
+  const std::size_t bytes = numbers * (r.version == 4 ? 8 : 4);
+  return r.version == 4 ? read_bounded<std::int64_t>(r.in, what, 2 * numbers, bytes)
+                        : read_bounded<std::int32_t>(r.in, what, 2 * numbers, bytes);
+}
+
+void read_dimension(MeditReader& r) {
+  const auto dimension = read_next<std::int64_t, std::int32_t>(r.in, "the dimension");
+  if (dimension == 3) return;
+  fail(r.in.s.text, r.in.s.at,
+       {.code = "unsupported_cells",
+        .text = fmt::format("the mesh has dimension {}: 3 was expected", dimension),
+        .remedy = "give a volume mesh of tetrahedra"});
+}
+
+/// The rows of a section whose keyword was passed.
+void read_cell_rows(MeditReader& r, std::size_t kind, std::size_t section_at) {
+  const Simplices& section = simplices[kind];
+  const std::size_t n = read_rows(r, section.name, section.nodes + 1);
+  const std::size_t corners = static_cast<std::size_t>(section.dimension) + 1;
+  if (section.nodes > corners) add_curved_cells(r.draft, section.name, n, section_at);
+  std::vector<std::int32_t>* references = nullptr;
+  for_each_cell_list(r.draft.mesh, [&](auto& cells, int dimension) {
+    if (dimension != section.dimension) return;
+    cells.corners.reserve(cells.corners.size() + n);
+    cells.region.reserve(cells.region.size() + n);
+    references = &cells.region;
+  });
+  for (std::size_t i = 0; i < n; ++i) {
+    FileCell cell{.at = place_of_next(r.in)};
+    for (std::size_t k = 0; k < corners; ++k) {
+      const std::int64_t number = read_integer(r, "a vertex number");
+      cell.numbers[k] = number;
+      cell.rows[k] = number > 0 ? number - 1 : -1;
+    }
+    const std::size_t others = section.nodes - corners;
+    skip_numbers(r.in, others, (r.version == 4 ? 8 : 4) * others, "a vertex number");
+    add_cell(r.draft, section.dimension, cell);
+    references->push_back(read_reference(r, "a cell's reference"));
+  }
+}
+
+void read_cells(MeditReader& r, std::size_t kind, std::size_t section_at) {
+  const Simplices& section = simplices[kind];
+  refuse_second(r, r.has_cells[kind], section.keyword);
+  r.has_cells[kind] = true;
+  if (r.has_vertices) return read_cell_rows(r, kind, section_at);
+  r.early.push_back({kind, section_at, r.in.s.at});
+  const std::size_t numbers = section.nodes + 1;
+  const std::size_t n = read_rows(r, section.name, numbers);
+  if (r.in.is_binary) {
+    skip_numbers(r.in, 0, (r.version == 4 ? 8 : 4) * n * numbers, "a vertex number");
+  } else {
+    for (std::size_t i = 0; i < n * numbers; ++i) read_integer(r, "a vertex number");
+  }
+}
+
+void read_early_cells(MeditReader& r) {
+  const std::size_t at = r.in.s.at;
+  for (const MeditReader::Early& early : r.early) {
+    r.in.s.at = early.at;
+    read_cell_rows(r, early.kind, early.section_at);
+  }
+  r.early.clear();
+  r.in.s.at = at;
+}
+
+void read_vertices(MeditReader& r) {
+  refuse_second(r, r.has_vertices, "Vertices");
+  r.has_vertices = true;
+  const std::size_t n = read_rows(r, "vertices", 4);
+  r.draft.mesh.points.reserve(n);
+  r.draft.mesh.point_region.reserve(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t at = place_of_next(r.in);
+    Point p;
+    for (double& x : p) x = read_real(r, "a coordinate");
+    add_point(r.draft, p, at);
+    r.draft.mesh.point_region.push_back(read_reference(r, "a vertex's reference"));
+  }
+  read_early_cells(r);
+}
+
+/// Rows that are not used; an unknown keyword is passed up to the next word that is no number.
+void skip_section(MeditReader& r, std::string_view keyword, std::size_t at) {
+  const bool letters = std::all_of(keyword.begin(), keyword.end(),
+                                   [](unsigned char c) { return std::isalnum(c) || c == '_'; }) &&
+                       std::isalpha(static_cast<unsigned char>(keyword.front()));
+  if (!letters) {
+    fail(r.in.s.text, at,
+         {.code = "wrong_count",
+          .text = fmt::format("{} stands where a section's name (Tetrahedra, ...) was expected",
+                              in_quotes(keyword)),
+          .remedy = "the section before has more rows than it announces: correct its count"});
+  }
+  const auto* const section = std::find_if(std::begin(sections), std::end(sections),
+                                           [&](const Section& x) { return x.keyword == keyword; });
+  if (section != std::end(sections)) {
+    const std::size_t rows =
+        read_count(r.in.s, section->name.empty() ? "rows" : section->name, 2 * section->numbers);
+    skip_words(r.in.s, rows * section->numbers, "a number");
+    if (section->dimension >= 0) {
+      add_other_cells(r.draft, section->name, section->dimension, rows, at);
+    }
+    return;
+  }
+  add_counted(r.draft, "unknown_section", [&] {
+    return Finding{.severity = Severity::note,
+                   .text = fmt::format("section {} is passed over", in_quotes(keyword)),
+                   .remedy = "nothing to do, if it holds no cells",
+                   .line = line_of(r.in.s.text, at)};
+  });
+  for (std::string_view word = peek_word(r.in.s); !word.empty(); word = peek_word(r.in.s)) {
+    if (std::isalpha(static_cast<unsigned char>(word.front())) || word.front() == '#') return;
+    next_word(r.in.s);
+  }
+}
+
+void read_section(MeditReader& r, std::string_view keyword, std::size_t at) {
+  if (keyword == "MeshVersionFormatted") {
+    read_number<std::int64_t>(r.in.s, "a format version");
+  } else if (keyword == "Dimension") {
+    read_dimension(r);
+  } else if (keyword == "Vertices") {
+    read_vertices(r);
+  } else {
+    for (std::size_t kind = 0; kind < std::size(simplices); ++kind) {
+      if (simplices[kind].keyword == keyword) return read_cells(r, kind, at);
+    }
+    skip_section(r, keyword, at);
+  }
+}
+
+/// References that are all 0 say nothing.
+void drop_zeros(std::vector<std::int32_t>& references) {
+  if (std::ranges::all_of(references, [](std::int32_t x) { return x == 0; })) references.clear();
+}
+
+void drop_empty_references(MeditReader& r) {
+  drop_zeros(r.draft.mesh.point_region);
+  for_each_cell_list(r.draft.mesh, [](auto& cells, int) { drop_zeros(cells.region); });
+}
+
+/// One keyword of a binary file, up to where the next stands; cells that are no simplices are
+/// counted, what else is not used is passed over.
+void read_binary_section(MeditReader& r, int code, std::size_t at) {
+  if (code == dimension_code) return read_dimension(r);
+  if (code == vertices_code) return read_vertices(r);
+  for (std::size_t kind = 0; kind < std::size(simplices); ++kind) {
+    if (simplices[kind].code == code) return read_cells(r, kind, at);
+  }
+  const auto* const section = std::ranges::find(sections, code, &Section::code);
+  if (code <= 0 || section == std::end(sections) || section->dimension < 0) return;
+  add_other_cells(r.draft, section->name, section->dimension,
+                  read_rows(r, section->name, section->numbers), at);
+}
+
+[[noreturn]] void fail_place(const MeditReader& r, std::size_t at, int code, std::int64_t next) {
+  fail(r.in.s.text, at,
+       {.code = static_cast<std::size_t>(next) > r.in.s.text.size() && next > 0 ? "truncated_file"
+                                                                                : "wrong_count",
+        .text = fmt::format("keyword {} at byte {} says that the next stands at byte {} of {}; its "
+                            "own rows end at byte {}",
+                            code, at, next, r.in.s.text.size(), r.in.s.at),
+        .remedy = "the file is damaged or cut short: copy or write it again"});
+}
+
+void read_binary(MeditReader& r) {
+  r.in.is_binary = true;
+  const auto one = read_raw<std::int32_t>(r.in, "the number 1 that tells the byte order");
+  r.in.swap = one != 1;
+  r.version = read_raw<std::int32_t>(r.in, "a format version");
+  if (r.version < 1 || r.version > 4) {
+    fail(r.in.s.text, 4,
+         {.code = "unknown_version",
+          .text = fmt::format("binary MEDIT of version {} is not read: 1 to 4 are", r.version),
+          .remedy = "write it again as version 2 or 3"});
+  }
+  while (r.in.s.at < r.in.s.text.size()) {
+    const std::size_t at = r.in.s.at;
+    const int code = read_raw<std::int32_t>(r.in, "a keyword");
+    const std::int64_t next = r.version >= 3
+                                  ? read_raw<std::int64_t>(r.in, "the next keyword's place")
+                                  : read_raw<std::int32_t>(r.in, "the next keyword's place");
+    if (code == end_code) return;
+    read_binary_section(r, code, at);
+    if (next == 0) return;
+    // Forward only: else a file could be read for ever.
+    if (next < static_cast<std::int64_t>(r.in.s.at) ||
+        next > static_cast<std::int64_t>(r.in.s.text.size())) {
+      fail_place(r, at, code, next);
+    }
+    r.in.s.at = static_cast<std::size_t>(next);
+  }
+}
+
+void read_text(MeditReader& r) {
+  while (true) {
+    const std::string_view keyword = next_keyword(r.in.s);
+    if (keyword.empty() || keyword == "End") break;
+    read_section(r, keyword, r.in.s.at - keyword.size());
+  }
+}
+
+/// Whether the bytes are the number 1 in either order.
+bool is_binary_medit(std::string_view bytes) {
+  using namespace std::string_view_literals;
+  return bytes.starts_with("\1\0\0\0"sv) || bytes.starts_with("\0\0\0\1"sv);
+}
+
+}  // namespace
+
+bool is_medit(std::string_view text) {
+  return is_binary_medit(text) || first_word(text) == "MeshVersionFormatted";
+}
+
+Draft read_medit(std::string_view text) {
+  MeditReader r{.in = {.s = {.text = text}}, .draft = {.text = text}};
+  if (is_binary_medit(text)) {
+    r.draft.text = {};  // there are no lines to count
+    read_binary(r);
+  } else {
+    read_text(r);
+  }
+  if (!r.has_vertices) {
+    fail(text, text.size(),
+         {.code = "missing_section",
+          .text = "the file ends without a section Vertices",
+          .remedy = "the file was cut short, or holds no mesh: write it again"});
+  }
+  drop_empty_references(r);
+  return std::move(r.draft);
+}
+
+}  // namespace sunder::io

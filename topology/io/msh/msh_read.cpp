@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: MIT
+// Reading Gmsh's MSH 1, 2.x, 4.0 and 4.1, in text and binary: the sections, one after the other.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "topology/io/msh/msh.hpp"
+#include "topology/io/msh/msh_reader.hpp"
+
+namespace sunder::io {
+namespace {
+
+int version_of(std::string_view word) {
+  if (word == "4.1") return 41;
+  if (word == "4" || word == "4.0") return 40;
+  if (word == "2" || word.substr(0, 2) == "2.") return 20;
+  return 0;
+}
+
+void read_format(MshReader& r) {
+  Scanner& s = r.in.s;
+  skip_blanks(s);
+  const std::size_t at = s.at;
+  const std::string_view version = next_word(s);
+  if (version.empty()) fail_expected(s, "a format version");
+  r.version = version_of(version);
+  if (r.version == 0) {
+    fail(s.text, at,
+         {.code = "unknown_version",
+          .text = fmt::format("MSH version {} is not read: 1, 2.x, 4.0 and 4.1 are",
+                              in_quotes(version)),
+          .remedy = "convert it: gmsh FILE -save -format msh41 -o NEW.msh"});
+  }
+  const std::size_t kind_at = s.at;
+  const auto binary = read_number<std::int64_t>(s, "0 (ASCII) or 1 (binary)");
+  const auto size = read_number<std::int64_t>(s, "the size of a floating-point number");
+  if (binary < 0 || binary > 1 || size != 8) {
+    fail(s.text, kind_at,
+         {.code = "unknown_version",
+          .text = fmt::format("MSH of kind {} with numbers of {} bytes is not read: kinds 0 and 1 "
+                              "with 8 bytes are",
+                              binary, size),
+          .remedy = "write the file again with a 64-bit Gmsh"});
+  }
+  if (binary == 1) {
+    rest_of_line(s);
+    r.in.is_binary = true;
+    const auto one = read_raw<std::int32_t>(r.in, "the number 1 that tells the byte order");
+    r.in.swap = byte_swapped(one) == 1;
+    if (one != 1 && !r.in.swap) {
+      fail(s.text, at,
+           {.code = "bad_number",
+            .text = fmt::format("{} stands where the number 1 tells the byte order", one),
+            .remedy = "the file is damaged: copy or write it again (as binary, not as text)"});
+    }
+    r.draft.text = {};  // there are no lines to count
+  }
+  expect_word(s, "$EndMeshFormat");
+}
+
+void read_physical_names(MshReader& r) {
+  Scanner& s = r.in.s;
+  const std::size_t names = read_count(s, "physical names", 6);
+  for (std::size_t i = 0; i < names; ++i) {
+    const auto dimension = read_number<std::int64_t>(s, "the dimension of a physical group");
+    const auto tag = read_number<std::int32_t>(s, "the number of a physical group");
+    const std::size_t at = s.at;
+    const std::string_view name = rest_of_line(s);
+    if (name.size() < 2 || name.front() != '"' || name.back() != '"' || dimension < 0 ||
+        dimension > 3) {
+      fail(s.text, at,
+           {.code = "bad_name",
+            .text = fmt::format("{} of dimension {} stands where a name in double quotes, of "
+                                "dimension 0 to 3, was expected",
+                                in_quotes(name), dimension),
+            .remedy = "write the name as \"name\""});
+    }
+    r.draft.mesh.region_name[static_cast<std::size_t>(dimension)][tag] =
+        std::string(name.substr(1, name.size() - 2));
+  }
+}
+
+/// 4.0 and 4.1: of the entities only the physical groups are kept.
+void read_entities(MshReader& r) {
+  std::array<std::size_t, 4> entities;
+  for (std::size_t& n : entities) n = read_bounded<std::uint64_t>(r.in, "entities", 8, 12);
+  for (std::size_t dimension = 0; dimension < 4; ++dimension) {
+    // Version 4.0 gives points a box too.
+    const std::size_t extent = dimension == 0 && r.version == 41 ? 3 : 6;
+    for (std::size_t i = 0; i < entities[dimension]; ++i) {
+      const std::int64_t tag = read_int(r, "an entity's number");
+      skip_numbers(r.in, extent, 8 * extent, "an entity's extent");
+      const std::size_t groups = read_bounded<std::uint64_t>(r.in, "physical groups", 2, 4);
+      r.entities_of_several_groups += groups > 1;
+      for (std::size_t g = 0; g < groups; ++g) {
+        const std::int32_t group = read_tag(r, "a physical group");
+        if (g == 0) r.physical_of_entity[dimension][tag] = group;
+      }
+      if (dimension == 0) continue;
+      const std::size_t bounding = read_bounded<std::uint64_t>(r.in, "bounding entities", 2, 4);
+      skip_numbers(r.in, bounding, 4 * bounding, "a bounding entity");
+    }
+  }
+}
+
+[[noreturn]] void fail_order(MshReader& r, std::size_t at, std::string text, std::string remedy) {
+  fail(r.in.s.text, at,
+       {.code = "wrong_section_order", .text = std::move(text), .remedy = std::move(remedy)});
+}
+
+/// Nothing but the line's end stands between a section's name and raw data.
+void pass_line_end(MshReader& r) {
+  if (r.in.is_binary) rest_of_line(r.in.s);
+}
+
+void read_nodes(MshReader& r, std::size_t at) {
+  if (r.has_nodes) fail_order(r, at, "a second $Nodes section", "join the two sections");
+  r.has_nodes = true;
+  read_msh_nodes(r);
+  std::array<std::int64_t, 2> twice;
+  const std::vector<std::int64_t>& numbers = r.draft.mesh.source_point_id;
+  if (index_numbers(r.nodes, numbers, twice)) return;
+  fail(r.in.s.text, at,
+       {.code = "duplicate_id",
+        .ids = {twice[0], twice[1]},
+        .text = fmt::format("the points in rows {} and {} of this section have the same number {}",
+                            twice[0], twice[1], numbers[static_cast<std::size_t>(twice[0])]),
+        .remedy = "give every point its own number"});
+}
+
+void read_elements(MshReader& r, std::size_t at) {
+  if (!r.has_nodes) {
+    fail_order(r, at, "$Elements stands before $Nodes", "move the section behind $EndNodes");
+  }
+  if (r.has_elements) fail_order(r, at, "a second $Elements section", "join the two sections");
+  r.has_elements = true;
+  read_msh_elements(r);
+}
+
+/// Periodic links, partitions, and whatever else comes.
+void skip_section(MshReader& r, std::string_view name, std::size_t at) {
+  Scanner& s = r.in.s;
+  const std::string end = fmt::format("$End{}", name.substr(1));
+  const std::size_t found = s.text.find(end, s.at);
+  if (found == std::string_view::npos) {
+    fail(s.text, at,
+         {.code = "truncated_file",
+          .text = fmt::format("section {} has no {}", in_quotes(name), in_quotes(end)),
+          .remedy = "the file was cut short, or the section's name is wrong"});
+  }
+  s.at = found + end.size();
+}
+
+void refuse_before_format(MshReader& r, std::string_view name, std::size_t at) {
+  if (name == "$PostFormat") {
+    fail(r.in.s.text, at,
+         {.code = "unknown_version",
+          .text = "a file that starts with $PostFormat holds a view, not a mesh",
+          .remedy = "give the mesh itself (gmsh FILE -save -format msh41 -o NEW.msh)"});
+  }
+  fail_order(r, at, fmt::format("{} stands before $MeshFormat", in_quotes(name)),
+             "put $MeshFormat first");
+}
+
+void read_section(MshReader& r, std::string_view name, std::size_t at) {
+  if (name.front() != '$' || name.size() < 2) {
+    fail(r.in.s.text, at,
+         {.code = "unknown_section",
+          .text = fmt::format("{} stands where a section's name ($Nodes, ...) was expected",
+                              in_quotes(name)),
+          .remedy = "delete what stands outside the sections, or write the file again"});
+  }
+  if (name == "$MeshFormat" && r.version == 0) return read_format(r);
+  if (name == "$Comments") return skip_section(r, name, at);
+  // Version 1 has no $MeshFormat.
+  if (r.version == 0 && name == "$NOD") r.version = 10;
+  if (r.version == 0) refuse_before_format(r, name, at);
+  if (name == "$NOD" || name == "$Nodes") {
+    pass_line_end(r);
+    read_nodes(r, at);
+    return expect_word(r.in.s, name == "$NOD" ? "$ENDNOD" : "$EndNodes");
+  }
+  if (name == "$ELM" || name == "$Elements") {
+    pass_line_end(r);
+    read_elements(r, at);
+    return expect_word(r.in.s, name == "$ELM" ? "$ENDELM" : "$EndElements");
+  }
+  if (name == "$PhysicalNames") {
+    read_physical_names(r);
+    return expect_word(r.in.s, "$EndPhysicalNames");
+  }
+  if (name == "$Entities" && r.version >= 40) {
+    if (r.has_elements) {
+      fail_order(r, at, "$Entities stands behind $Elements", "move it before $Nodes");
+    }
+    pass_line_end(r);
+    read_entities(r);
+    return expect_word(r.in.s, "$EndEntities");
+  }
+  if (name == "$NodeData" || name == "$ElementData") {
+    if (!r.has_elements) {
+      fail_order(r, at, fmt::format("{} stands before $Elements", name),
+                 "move the section to the file's end");
+    }
+    read_msh_data(r, name == "$NodeData");
+    return expect_word(r.in.s, fmt::format("$End{}", name.substr(1)));
+  }
+  skip_section(r, name, at);
+}
+
+/// A column that says nothing is dropped: groups that are all 0, entities that repeat the groups.
+template <std::size_t Corners>
+void drop_empty_labels(CellList<Corners>& cells) {
+  const auto none = [](const std::vector<std::int32_t>& labels) {
+    return std::all_of(labels.begin(), labels.end(), [](std::int32_t x) { return x == 0; });
+  };
+  if (none(cells.region)) cells.region.clear();
+  const bool usual = cells.region.empty() && std::all_of(cells.entity.begin(), cells.entity.end(),
+                                                         [](std::int32_t x) { return x == 1; });
+  if (none(cells.entity) || cells.entity == cells.region || usual) cells.entity.clear();
+}
+
+}  // namespace
+
+bool is_msh(std::string_view text) { return first_word(text).starts_with('$'); }
+
+Draft read_msh(std::string_view text) {
+  MshReader r{.in = {.s = {.text = text}}, .draft = {.text = text}};
+  while (!peek_word(r.in.s).empty()) {
+    const std::size_t at = r.in.s.at;
+    read_section(r, next_word(r.in.s), at);
+  }
+  for (const auto& [seen, name] :
+       {std::pair{r.version != 0, "$MeshFormat"}, std::pair{r.has_nodes, "$Nodes"},
+        std::pair{r.has_elements, "$Elements"}}) {
+    if (seen) continue;
+    fail(text, text.size(),
+         {.code = "missing_section",
+          .text = fmt::format("the file ends without a section {}", name),
+          .remedy = "the file was cut short, or holds no mesh: write it again"});
+  }
+  for_each_cell_list(r.draft.mesh, [](auto& cells, int) { drop_empty_labels(cells); });
+  if (r.entities_of_several_groups > 0) {
+    r.draft.findings.push_back(
+        {.code = "further_groups",
+         .severity = Severity::warning,
+         .count = r.entities_of_several_groups,
+         .text = fmt::format("{} entities belong to several physical groups: the first of each is "
+                             "kept",
+                             r.entities_of_several_groups),
+         .remedy = "give every entity one group, if the others matter"});
+  }
+  return std::move(r.draft);
+}
+
+}  // namespace sunder::io

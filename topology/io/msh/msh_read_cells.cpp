@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+// Nodes and elements of MSH, as each version lays them out.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "topology/io/msh/msh_elements.hpp"
+#include "topology/io/msh/msh_reader.hpp"
+
+namespace sunder::io {
+namespace {
+
+constexpr std::string_view node_number = "a node number";
+
+Point read_point(MshReader& r) {
+  constexpr std::string_view what = "a coordinate";
+  const double x = read_next<double>(r.in, what);
+  const double y = read_next<double>(r.in, what);
+  const double z = read_next<double>(r.in, what);
+  return {x, y, z};
+}
+
+/// Sums over blocks are checked against the total that the section announced.
+void check_total(MshReader& r, std::string_view what, std::size_t announced, std::size_t found) {
+  if (announced == found) return;
+  fail(r.in.s.text, r.in.s.at,
+       {.code = "wrong_count",
+        .text = fmt::format("the section announces {} {}, but its blocks hold {}", announced, what,
+                            found),
+        .remedy = "correct the counts, or write the file again"});
+}
+
+/// Versions 1 and 2: the count is text in binary files too.
+void read_nodes_2(MshReader& r) {
+  const std::size_t nodes = read_count(r.in.s, "nodes", 8);
+  if (r.in.is_binary) rest_of_line(r.in.s);
+  r.draft.mesh.points.reserve(nodes);
+  r.draft.mesh.source_point_id.reserve(nodes);
+  for (std::size_t i = 0; i < nodes; ++i) {
+    const std::size_t at = place_of_next(r.in);
+    r.draft.mesh.source_point_id.push_back(read_int(r, node_number));
+    add_point(r.draft, read_point(r), at);
+  }
+}
+
+/// What stands before the nodes or elements of an entity: 4.0 gives its number first.
+struct EntityHead {
+  std::int64_t dimension = 0;
+  std::int32_t tag = 0;
+};
+EntityHead read_entity_head(MshReader& r) {
+  EntityHead head;
+  const auto dimension = [&] {
+    head.dimension = read_int(r, "the dimension of an entity (0 to 3)");
+  };
+  if (r.version == 41) dimension();
+  head.tag = read_tag(r, "an entity's number");
+  if (r.version == 40) dimension();
+  return head;
+}
+
+void read_nodes_4(MshReader& r) {
+  const std::size_t blocks = read_bounded<std::uint64_t>(r.in, "blocks of nodes", 8, 20);
+  const std::size_t nodes = read_bounded<std::uint64_t>(r.in, "nodes", 8, 28);
+  if (r.version == 41) skip_numbers(r.in, 2, 16, "the lowest and highest node number");
+  FileMesh& mesh = r.draft.mesh;
+  mesh.points.reserve(nodes);
+  mesh.source_point_id.reserve(nodes);
+  const auto number = [&] { mesh.source_point_id.push_back(read_number_of_cell(r, node_number)); };
+  for (std::size_t b = 0; b < blocks; ++b) {
+    const EntityHead head = read_entity_head(r);
+    const std::int64_t parametric = read_int(r, "0 or 1 (parametric)");
+    const std::size_t in_block = read_bounded<std::uint64_t>(r.in, "nodes", 8, 28);
+    const auto parameters = static_cast<std::size_t>(
+        parametric == 0 ? 0 : std::clamp<std::int64_t>(head.dimension, 0, 3));
+    for (std::size_t i = 0; r.version == 41 && i < in_block; ++i) number();
+    for (std::size_t i = 0; i < in_block; ++i) {
+      const std::size_t at = place_of_next(r.in);
+      if (r.version == 40) number();
+      add_point(r.draft, read_point(r), at);
+      skip_numbers(r.in, parameters, 8 * parameters, "a parametric coordinate");
+    }
+  }
+  check_total(r, "nodes", nodes, mesh.points.size());
+}
+
+const ElementType& read_element_type(MshReader& r) {
+  const std::size_t at = place_of_next(r.in);
+  const std::int64_t number = read_int(r, "an element type");
+  for (const ElementType& type : element_types) {
+    if (type.number == number) return type;
+  }
+  fail(r.in.s.text, at,
+       {.code = "unknown_cell_type",
+        .text = fmt::format("element type {} is not known", number),
+        .remedy = "save the mesh with first-order elements only"});
+}
+
+/// The nodes of an element, behind its number and tags, into the list of its kind.
+void read_element(MshReader& r, const ElementType& type, std::int64_t number, MshTags tags,
+                  std::size_t at) {
+  FileCell cell{.at = at};
+  const auto corners = static_cast<std::size_t>(type.dimension) + 1;
+  for (std::size_t k = 0; k < corners; ++k) {
+    cell.numbers[k] = read_number_of_cell(r, node_number);
+    cell.rows[k] = row_of(r.nodes, cell.numbers[k]);
+  }
+  const std::size_t others = type.nodes - corners;
+  skip_numbers(r.in, others, (r.version == 41 ? 8 : 4) * others, node_number);
+  add_cell(r.draft, type.dimension, cell);
+  for_each_cell_list(r.draft.mesh, [&](auto& cells, int dimension) {
+    if (dimension != type.dimension) return;
+    cells.source_id.push_back(number);
+    cells.region.push_back(tags.physical);
+    cells.entity.push_back(tags.entity);
+  });
+}
+
+/// Counts elements that are no simplices; true where they are to be passed over.
+bool count_kind(MshReader& r, const ElementType& type, std::size_t count, std::size_t at) {
+  if (is_curved(type)) add_curved_cells(r.draft, type.name, count, at);
+  if (is_simplex(type)) return false;
+  add_other_cells(r.draft, type.name, type.dimension, count, at);
+  return true;
+}
+
+/// Tags of version 2: physical group, entity, and what partitions need.
+MshTags read_tags_2(MshReader& r, std::size_t tags) {
+  MshTags read;
+  if (tags > 0) read.physical = read_tag(r, "a physical group");
+  if (tags > 1) read.entity = read_tag(r, "an entity's number");
+  if (tags > 2) skip_numbers(r.in, tags - 2, 4 * (tags - 2), "a tag");
+  return read;
+}
+
+void read_elements_1(MshReader& r) {
+  const std::size_t elements = read_count(r.in.s, "elements", 8);
+  for (std::size_t i = 0; i < elements; ++i) {
+    const std::size_t at = place_of_next(r.in);
+    const std::int64_t number = read_int(r, "an element number");
+    const ElementType& type = read_element_type(r);
+    MshTags tags;
+    tags.physical = read_tag(r, "a physical group");
+    tags.entity = read_tag(r, "an entity's number");
+    const std::int64_t nodes = read_int(r, "a number of nodes");
+    if (nodes != static_cast<std::int64_t>(type.nodes)) {
+      fail(r.in.s.text, at,
+           {.code = "wrong_count",
+            .text = fmt::format("{} nodes are announced for an element of type {}, which has {}",
+                                nodes, type.number, type.nodes),
+            .remedy = "correct the count, or write the file again"});
+    }
+    if (count_kind(r, type, 1, at)) {
+      skip_words(r.in.s, type.nodes, node_number);
+    } else {
+      read_element(r, type, number, tags, at);
+    }
+  }
+}
+
+/// In text every element has its own head, in binary data a head may stand for many.
+void read_elements_2(MshReader& r) {
+  const std::size_t elements = read_count(r.in.s, "elements", 8);
+  if (r.in.is_binary) rest_of_line(r.in.s);
+  for (std::size_t found = 0; found < elements;) {
+    const std::size_t at = place_of_next(r.in);
+    std::int64_t number = r.in.is_binary ? 0 : read_int(r, "an element number");
+    const ElementType& type = read_element_type(r);
+    const std::size_t in_block =
+        r.in.is_binary ? read_bounded<std::int32_t>(r.in, "elements", 8, 4 * (1 + type.nodes)) : 1;
+    const std::size_t tags = read_bounded<std::int32_t>(r.in, "tags", 2, 4);
+    if (in_block == 0 || in_block > elements - found) {
+      check_total(r, "elements", elements, found + in_block + (in_block == 0));
+    }
+    found += in_block;
+    if (count_kind(r, type, in_block, at)) {
+      const std::size_t words = tags + type.nodes;
+      skip_numbers(r.in, words, 4 * (words + 1) * in_block, node_number);
+      continue;
+    }
+    for (std::size_t i = 0; i < in_block; ++i) {
+      if (r.in.is_binary) number = read_int(r, "an element number");
+      const MshTags read = read_tags_2(r, tags);
+      read_element(r, type, number, read, at);
+    }
+  }
+}
+
+void read_elements_4(MshReader& r) {
+  const std::size_t blocks = read_bounded<std::uint64_t>(r.in, "blocks of elements", 8, 20);
+  const std::size_t elements = read_bounded<std::uint64_t>(r.in, "elements", 4, 8);
+  if (r.version == 41) skip_numbers(r.in, 2, 16, "the lowest and highest element number");
+  const std::size_t word = r.version == 41 ? 8 : 4;
+  std::size_t found = 0;
+  for (std::size_t b = 0; b < blocks; ++b) {
+    const std::size_t at = place_of_next(r.in);
+    const EntityHead head = read_entity_head(r);
+    const ElementType& type = read_element_type(r);
+    const std::size_t words = 1 + type.nodes;
+    const std::size_t in_block =
+        read_bounded<std::uint64_t>(r.in, "elements", 2 * words, word * words);
+    found += in_block;
+    if (count_kind(r, type, in_block, at)) {
+      skip_numbers(r.in, in_block * words, in_block * word * words, node_number);
+      continue;
+    }
+    MshTags tags{.entity = head.tag};
+    const auto dimension = static_cast<std::size_t>(type.dimension);
+    const auto& groups = r.physical_of_entity[dimension];
+    if (const auto group = groups.find(head.tag); group != groups.end()) {
+      tags.physical = group->second;
+    }
+    for (std::size_t i = 0; i < in_block; ++i) {
+      const std::size_t element_at = place_of_next(r.in);
+      const std::int64_t number = read_number_of_cell(r, "an element number");
+      read_element(r, type, number, tags, element_at);
+    }
+  }
+  check_total(r, "elements", elements, found);
+}
+
+}  // namespace
+
+void read_msh_nodes(MshReader& r) { r.version < 40 ? read_nodes_2(r) : read_nodes_4(r); }
+
+void read_msh_elements(MshReader& r) {
+  if (r.version == 10) return read_elements_1(r);
+  r.version < 40 ? read_elements_2(r) : read_elements_4(r);
+}
+
+}  // namespace sunder::io

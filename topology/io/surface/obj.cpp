@@ -1,0 +1,396 @@
+// SPDX-License-Identifier: MIT
+// OBJ read and written: a line a point or a cell, joined to the next where it ends with a
+// backslash.
+#include "topology/io/surface/obj.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "topology/io/named_regions.hpp"
+#include "topology/io/number_sink.hpp"
+#include "topology/io/scan.hpp"
+
+namespace sunder::io {
+namespace {
+
+/// What a line is for, by its first word.
+enum class Kind {
+  point,
+  face,
+  line,
+  vertex,
+  group,
+  object,
+  material,
+  look,
+  freedom,
+  curve,
+  surface
+};
+
+struct Keyword {
+  std::string_view word;
+  Kind kind;
+};
+/// `look`: passed over, as it says nothing of the shape. `freedom`: belongs to free-form curves and
+/// surfaces.
+constexpr Keyword keywords[] = {
+    {"v", Kind::point},         {"f", Kind::face},        {"l", Kind::line},
+    {"p", Kind::vertex},        {"g", Kind::group},       {"o", Kind::object},
+    {"usemtl", Kind::material}, {"mtllib", Kind::look},   {"s", Kind::look},
+    {"vn", Kind::look},         {"vt", Kind::look},       {"usemap", Kind::look},
+    {"maplib", Kind::look},     {"lod", Kind::look},      {"bevel", Kind::look},
+    {"c_interp", Kind::look},   {"d_interp", Kind::look}, {"shadow_obj", Kind::look},
+    {"trace_obj", Kind::look},  {"mg", Kind::look},       {"vp", Kind::freedom},
+    {"cstype", Kind::freedom},  {"deg", Kind::freedom},   {"bmat", Kind::freedom},
+    {"step", Kind::freedom},    {"parm", Kind::freedom},  {"trim", Kind::freedom},
+    {"hole", Kind::freedom},    {"scrv", Kind::freedom},  {"sp", Kind::freedom},
+    {"end", Kind::freedom},     {"con", Kind::freedom},   {"ctech", Kind::freedom},
+    {"stech", Kind::freedom},   {"curv", Kind::curve},    {"curv2", Kind::curve},
+    {"surf", Kind::surface},
+};
+
+const Keyword* keyword_of(std::string_view word) {
+  const auto* const found = std::ranges::find(keywords, word, &Keyword::word);
+  return found == std::end(keywords) ? nullptr : found;
+}
+
+/// The length of a line's end that a backslash hides at the scanner's place; 0 where there is none.
+std::size_t hidden_end(const Scanner& s) {
+  const std::string_view rest = s.text.substr(s.at, 3);
+  return rest.starts_with("\\\n") ? 2 : rest == "\\\r\n" ? 3 : 0;
+}
+
+/// Passes blanks of the line, and line ends that a backslash hides.
+void skip_in_line(Scanner& s) {
+  while (s.at < s.text.size() && s.text[s.at] != '\n') {
+    const std::size_t hidden = hidden_end(s);
+    if (hidden == 0 && !is_blank(s.text[s.at])) return;
+    s.at += std::max<std::size_t>(hidden, 1);
+  }
+}
+
+/// The next word of the line; empty at its end and where a comment begins.
+std::string_view next_in_line(Scanner& s) {
+  skip_in_line(s);
+  std::size_t end = s.at;
+  Scanner here = s;
+  while (here.at < s.text.size() && !is_blank(s.text[here.at]) && hidden_end(here) == 0) ++here.at;
+  end = here.at;
+  const std::string_view word = s.text.substr(s.at, end - s.at);
+  if (word.starts_with('#')) return {};
+  s.at = end;
+  return word;
+}
+
+/// Passes the line's end.
+void end_line(Scanner& s) {
+  while (s.at < s.text.size()) {
+    const std::size_t end = std::min(s.text.find('\n', s.at), s.text.size());
+    std::string_view line = s.text.substr(s.at, end - s.at);
+    s.at = std::min(end + 1, s.text.size());
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    if (!line.ends_with('\\')) return;
+  }
+}
+
+struct ObjReader {
+  Scanner s;
+  Draft draft;
+  /// What gives the regions.
+  Kind label = Kind::material;
+  /// Points read up to the line, for negative numbers.
+  std::int64_t points = 0;
+  std::string_view name;
+  /// By dimension.
+  std::array<WordList, 3> words;
+  /// The name's place among the words; -1 for no name, `unknown_place` until a cell asks.
+  std::array<std::int32_t, 3> place{-1, -1, -1};
+  std::size_t points_with_more = 0;
+};
+constexpr std::int32_t unknown_place = -2;
+
+/// Counts lines that are left out; `at`: the place of the first.
+void note(ObjReader& r, std::string text, std::size_t count, std::size_t at) {
+  r.draft.findings.push_back({.code = "skipped_data",
+                              .severity = Severity::note,
+                              .count = count,
+                              .text = std::move(text),
+                              .remedy = "nothing to do: shape is read, not looks",
+                              .line = line_of(r.s.text, at)});
+}
+
+void read_point(ObjReader& r, std::size_t at) {
+  Point p;
+  for (double& x : p) {
+    skip_in_line(r.s);
+    const bool is_there = r.s.at < r.s.text.size() && r.s.text[r.s.at] != '\n';
+    if (!is_there) {
+      fail(r.s.text, at,
+           {.code = "bad_number",
+            .text = "a line v has fewer than three coordinates",
+            .remedy = "correct this line, or write the file again"});
+    }
+    const std::string_view word = next_in_line(r.s);
+    Scanner number{r.s.text.substr(0, r.s.at), r.s.at - word.size()};
+    x = read_number<double>(number, "a coordinate");
+  }
+  add_point(r.draft, p, at);
+  if (!next_in_line(r.s).empty()) ++r.points_with_more;
+}
+
+/// The number of a point: what stands before the first slash.
+std::int64_t number_of(const ObjReader& r, std::string_view word) {
+  const std::string_view digits = word.substr(0, word.find('/'));
+  std::int64_t number = 0;
+  const auto [end, reason] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  if (reason == std::errc{} && end == digits.data() + digits.size()) return number;
+  fail(r.s.text, r.s.at - word.size(),
+       {.code = reason == std::errc::result_out_of_range ? "number_out_of_range" : "bad_number",
+        .text = fmt::format("{} stands where a point's number was expected", in_quotes(word)),
+        .remedy = "correct this line, or write the file again"});
+}
+
+void set_corner(const ObjReader& r, FileCell& cell, std::size_t k, std::int64_t number) {
+  cell.numbers[k] = number;
+  const bool counts_back = number < 0 && number >= -r.points;
+  cell.rows[k] = number > 0 ? number - 1 : counts_back ? r.points + number : -1;
+}
+
+/// Appends a cell with the region that the lines before it name.
+void add_labelled(ObjReader& r, int dimension, const FileCell& cell) {
+  add_cell(r.draft, dimension, cell);
+  WordList& words = r.words[static_cast<std::size_t>(dimension)];
+  std::int32_t& place = r.place[static_cast<std::size_t>(dimension)];
+  if (place == unknown_place) place = r.name.empty() ? -1 : place_of_word(words, r.name);
+  // A word takes some 200 bytes of memory, and may take ten of the file.
+  if (words.words.size() > 1000 + r.s.text.size() / 128) {
+    fail(r.s.text, cell.at,
+         {.code = "count_too_big",
+          .text = fmt::format("{} groups are named in a file of {} bytes", words.words.size(),
+                              r.s.text.size()),
+          .remedy = "join groups, or take their names away"});
+  }
+  for_each_cell_list(r.draft.mesh, [&](auto& cells, int d) {
+    if (d == dimension) cells.region.push_back(place);
+  });
+}
+
+void read_face(ObjReader& r, std::size_t at) {
+  FileCell cell{.at = at};
+  std::size_t corners = 0;
+  for (std::string_view word = next_in_line(r.s); !word.empty(); word = next_in_line(r.s)) {
+    const std::int64_t number = number_of(r, word);
+    if (corners < 3) set_corner(r, cell, corners, number);
+    ++corners;
+  }
+  if (corners == 3) return add_labelled(r, 2, cell);
+  add_other_cells(r.draft,
+                  corners == 4  ? "quadrilaterals"
+                  : corners > 4 ? "polygons"
+                                : "faces of fewer than three corners",
+                  2, 1, at);
+}
+
+void read_line(ObjReader& r, std::size_t at) {
+  FileCell cell{.at = at};
+  std::size_t corners = 0;
+  for (std::string_view word = next_in_line(r.s); !word.empty(); word = next_in_line(r.s)) {
+    cell.rows[0] = cell.rows[1];
+    cell.numbers[0] = cell.numbers[1];
+    set_corner(r, cell, 1, number_of(r, word));
+    if (corners++ > 0) add_labelled(r, 1, cell);
+  }
+  if (corners < 2) add_other_cells(r.draft, "lines of fewer than two points", 1, 1, at);
+}
+
+void read_vertices(ObjReader& r, std::size_t at) {
+  for (std::string_view word = next_in_line(r.s); !word.empty(); word = next_in_line(r.s)) {
+    FileCell cell{.at = at};
+    set_corner(r, cell, 0, number_of(r, word));
+    add_labelled(r, 0, cell);
+  }
+}
+
+/// Calls `work(keyword, place)` for every line, behind its first word; a null pointer for an
+/// unknown one.
+template <class Work>
+void for_each_line(Scanner& s, Work work) {
+  s.at = 0;
+  while (s.at < s.text.size()) {
+    const std::string_view word = next_in_line(s);
+    if (!word.empty()) work(keyword_of(word), s.at - word.size());
+    end_line(s);
+  }
+}
+
+/// How many words are left on the line.
+std::size_t words_left(Scanner& s) {
+  std::size_t words = 0;
+  while (!next_in_line(s).empty()) ++words;
+  return words;
+}
+
+/// Room for all that will come, which growing lists would take twice.
+struct Room {
+  std::size_t points = 0, vertices = 0, edges = 0, triangles = 0;
+
+  void count(Scanner& s, Kind kind) {
+    if (kind == Kind::point) ++points;
+    if (kind == Kind::vertex) vertices += words_left(s);
+    if (kind == Kind::line) edges += std::max<std::size_t>(words_left(s), 1) - 1;
+    if (kind == Kind::face) triangles += words_left(s) == 3;
+  }
+};
+
+void make_room(FileMesh& mesh, const Room& room) {
+  const auto reserve = [](auto& cells, std::size_t n) {
+    cells.corners.reserve(n);
+    cells.region.reserve(n);
+  };
+  mesh.points.reserve(room.points);
+  reserve(mesh.vertices, room.vertices);
+  reserve(mesh.edges, room.edges);
+  reserve(mesh.triangles, room.triangles);
+}
+
+/// What the file has: room is made for it, and what is left out is told.
+void survey(ObjReader& r) {
+  struct Passed {
+    std::size_t count = 0, first = 0;
+  };
+  std::map<std::string_view, Passed> looks;
+  Passed freedom, unknown;
+  const auto pass = [](Passed& passed, std::size_t at) {
+    if (passed.count++ == 0) passed.first = at;
+  };
+  bool has_groups = false, has_objects = false;
+  Room room;
+  for_each_line(r.s, [&](const Keyword* keyword, std::size_t at) {
+    if (keyword == nullptr) return pass(unknown, at);
+    room.count(r.s, keyword->kind);
+    has_groups = has_groups || keyword->kind == Kind::group;
+    has_objects = has_objects || keyword->kind == Kind::object;
+    const bool is_told = keyword->word == "vn" || keyword->word == "vt";
+    if (is_told) pass(looks[keyword->word], at);
+    if (keyword->kind == Kind::freedom) pass(freedom, at);
+    if (keyword->kind == Kind::curve) add_other_cells(r.draft, "free-form curves", 1, 1, at);
+    if (keyword->kind == Kind::surface) add_other_cells(r.draft, "free-form surfaces", 2, 1, at);
+  });
+  make_room(r.draft.mesh, room);
+  r.label = has_groups ? Kind::group : has_objects ? Kind::object : Kind::material;
+  for (const auto& [word, passed] : looks) {
+    note(r,
+         fmt::format("{} {} are left out", passed.count,
+                     word == "vn" ? "normals" : "texture coordinates"),
+         passed.count, passed.first);
+  }
+  if (freedom.count > 0) {
+    note(r, fmt::format("{} lines of free-form shapes are left out", freedom.count), freedom.count,
+         freedom.first);
+  }
+  if (unknown.count == 0) return;
+  Scanner first{r.s.text, unknown.first};
+  note(r,
+       fmt::format("{} lines of an unknown kind are left out, the first is {}", unknown.count,
+                   in_quotes(next_in_line(first))),
+       unknown.count, unknown.first);
+}
+
+/// Points are read before the cells, which may stand before them.
+void read_points(ObjReader& r) {
+  for_each_line(r.s, [&](const Keyword* keyword, std::size_t at) {
+    if (keyword != nullptr && keyword->kind == Kind::point) read_point(r, at);
+  });
+  if (r.points_with_more == 0) return;
+  note(r, fmt::format("weights or colours of {} points are left out", r.points_with_more),
+       r.points_with_more, 0);
+}
+
+void read_cells(ObjReader& r) {
+  for_each_line(r.s, [&](const Keyword* keyword, std::size_t at) {
+    if (keyword == nullptr) return;
+    if (keyword->kind == Kind::point) ++r.points;
+    if (keyword->kind == Kind::face) read_face(r, at);
+    if (keyword->kind == Kind::line) read_line(r, at);
+    if (keyword->kind == Kind::vertex) read_vertices(r, at);
+    if (keyword->kind == r.label) {
+      skip_in_line(r.s);
+      Scanner rest = r.s;
+      r.name = rest_of_line(rest);
+      r.place.fill(unknown_place);
+    }
+  });
+}
+
+}  // namespace
+
+bool is_obj(std::string_view text) {
+  Scanner s{text};
+  std::string_view word;
+  while (s.at < text.size() && word.empty()) {
+    word = next_in_line(s);
+    end_line(s);
+  }
+  return keyword_of(word) != nullptr;
+}
+
+Draft read_obj(std::string_view text) {
+  ObjReader r{.s = {text}, .draft = {.text = text}};
+  survey(r);
+  read_points(r);
+  if (r.draft.mesh.points.empty()) {
+    fail(text, text.size(),
+         {.code = "missing_section",
+          .text = "the file ends without a point (v x y z)",
+          .remedy = "the file was cut short, or holds no mesh: write it again"});
+  }
+  read_cells(r);
+  FileMesh& mesh = r.draft.mesh;
+  for_each_cell_list(mesh, [&](auto& cells, int d) {
+    const auto place = static_cast<std::size_t>(d);
+    if (d < 3) number_regions(cells.region, r.words[place], mesh.region_name[place]);
+  });
+  return std::move(r.draft);
+}
+
+std::string write_obj(const FileMesh& mesh) {
+  constexpr std::string_view letters[] = {"p", "l", "f"};
+  const RegionNames words = region_words(mesh.region_name);
+  NumberSink out;
+  out.bytes.reserve(64 + 60 * mesh.points.size() + 24 * cell_count(mesh));
+  put_text(out, "# OBJ written by sunder\n");
+  for (const Point& p : mesh.points) {
+    put_text(out, "v");
+    for (const double x : p) {
+      out.bytes += ' ';
+      put_text(out, x);
+    }
+    out.bytes += '\n';
+  }
+  const auto put_cells = [&](const auto& cells, int dimension) {
+    const std::vector<std::int32_t>& label = label_of(cells);
+    for (std::size_t i = 0; i < cells.corners.size(); ++i) {
+      if (!label.empty() && (i == 0 || label[i] != label[i - 1])) {
+        put_text(out, fmt::format("g {}\n", word_of_region(words, dimension, label[i])));
+      }
+      put_text(out, letters[dimension]);
+      for (const std::uint32_t corner : cells.corners[i]) {
+        out.bytes += ' ';
+        put_text(out, corner + 1L);
+      }
+      out.bytes += '\n';
+    }
+  };
+  // Cells without a region first: a group does not end but with the next.
+  for (const bool has_regions : {false, true}) {
+    for_each_cell_list(mesh, [&](const auto& cells, int dimension) {
+      if (dimension < 3 && label_of(cells).empty() != has_regions) put_cells(cells, dimension);
+    });
+  }
+  return std::move(out.bytes);
+}
+
+}  // namespace sunder::io

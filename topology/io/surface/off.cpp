@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+// OFF read and written: three counts, points, faces. Binary files have big-endian words of 4 bytes.
+#include "topology/io/surface/off.hpp"
+
+#include <fmt/format.h>
+
+#include <bit>
+
+#include "topology/io/number_sink.hpp"
+#include "topology/io/number_source.hpp"
+
+namespace sunder::io {
+namespace {
+
+/// What the header's word says: [ST][C][N][4][n]OFF.
+struct Header {
+  bool is_off = false;
+  bool has_texture = false, has_colors = false, has_normals = false;
+  /// 4OFF and nOFF: points that are not in space.
+  bool has_other_dimension = false;
+
+  bool has_more() const { return has_texture || has_colors || has_normals; }
+};
+
+Header header_of(std::string_view word) {
+  Header h;
+  const auto takes = [&word](std::string_view prefix) {
+    if (!word.starts_with(prefix)) return false;
+    word.remove_prefix(prefix.size());
+    return true;
+  };
+  h.has_texture = takes("ST");
+  h.has_colors = takes("C");
+  h.has_normals = takes("N");
+  h.has_other_dimension = takes("4");
+  h.has_other_dimension = takes("n") || h.has_other_dimension;
+  h.is_off = word == "OFF";
+  return h;
+}
+
+void skip_comments(Scanner& s) {
+  while (peek_word(s).starts_with('#')) rest_of_line(s);
+}
+
+struct OffReader {
+  NumberSource in;
+  Draft draft;
+  Header header;
+  /// Faces that carry colours, and the place of the first.
+  std::size_t colored = 0;
+  std::size_t colored_at = 0;
+};
+
+void read_header(OffReader& r) {
+  Scanner& s = r.in.s;
+  skip_comments(s);
+  const std::size_t at = s.at;
+  r.header = header_of(peek_word(s));
+  if (!r.header.is_off) return;  // the word may be missing
+  const std::string_view word = next_word(s);
+  if (r.header.has_other_dimension) {
+    fail(s.text, at,
+         {.code = "unsupported_cells",
+          .text = fmt::format("{}: its points have other than three coordinates", in_quotes(word)),
+          .remedy = "give a surface in space, as OFF"});
+  }
+  Scanner behind = s;
+  if (next_word(behind) != "BINARY") return;
+  r.in.is_binary = true;
+  r.in.swap = std::endian::native == std::endian::little;
+  rest_of_line(s);
+}
+
+/// What stands behind the numbers of a row on its line; comments are nothing.
+std::string_view rest_of_row(Scanner& s) {
+  const std::string_view rest = rest_of_line(s);
+  return rest.starts_with('#') ? std::string_view{} : rest;
+}
+
+void skip_behind_point(OffReader& r, std::size_t at) {
+  if (r.in.is_binary) {
+    const std::size_t numbers = (r.header.has_normals ? 3 : 0) + (r.header.has_colors ? 4 : 0) +
+                                (r.header.has_texture ? 2 : 0);
+    return skip_numbers(r.in, numbers, 4 * numbers, "a normal or a colour");
+  }
+  const std::string_view rest = rest_of_row(r.in.s);
+  if (rest.empty() || r.header.has_more()) return;
+  fail(r.in.s.text, at,
+       {.code = "bad_number",
+        .text = fmt::format("{} stands behind a point's three coordinates", in_quotes(rest)),
+        .remedy = "give each point a line of its own; where there are colours or normals, the file "
+                  "must begin with COFF or NOFF"});
+}
+
+void read_points(OffReader& r, std::size_t n) {
+  r.draft.mesh.points.reserve(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (!r.in.is_binary) skip_comments(r.in.s);
+    const std::size_t at = place_of_next(r.in);
+    Point p;
+    for (double& x : p) x = read_next<double, float>(r.in, "a coordinate");
+    add_point(r.draft, p, at);
+    skip_behind_point(r, at);
+  }
+}
+
+void skip_colors(OffReader& r, std::size_t at) {
+  bool any = false;
+  if (r.in.is_binary) {
+    const std::size_t colors = read_bounded<std::int32_t>(r.in, "colour components", 1, 4);
+    skip_numbers(r.in, 0, 4 * colors, "a colour");
+    any = colors > 0;
+  } else {
+    any = !rest_of_row(r.in.s).empty();
+  }
+  if (any && r.colored++ == 0) r.colored_at = at;
+}
+
+void read_face(OffReader& r) {
+  if (!r.in.is_binary) skip_comments(r.in.s);
+  FileCell cell{.at = place_of_next(r.in)};
+  const std::size_t corners = read_bounded<std::int32_t>(r.in, "corners of a face", 2, 4);
+  if (corners >= 1 && corners <= 3) {
+    for (std::size_t k = 0; k < corners; ++k) {
+      cell.numbers[k] = cell.rows[k] = read_next<std::int64_t, std::int32_t>(r.in, "a point's row");
+    }
+    add_cell(r.draft, static_cast<int>(corners) - 1, cell);
+  } else {
+    skip_numbers(r.in, corners, 4 * corners, "a point's row");
+    add_other_cells(r.draft,
+                    corners == 4   ? "quadrilaterals"
+                    : corners == 0 ? "faces without corners"
+                                   : "polygons",
+                    2, 1, cell.at);
+  }
+  skip_colors(r, cell.at);
+}
+
+void note_skipped(OffReader& r) {
+  const auto note = [&r](std::string text, std::size_t count, std::size_t at) {
+    r.draft.findings.push_back({.code = "skipped_data",
+                                .severity = Severity::note,
+                                .count = count,
+                                .text = std::move(text),
+                                .remedy = "nothing to do: shape is read, not looks",
+                                .line = r.draft.text.empty() ? 0 : line_of(r.draft.text, at)});
+  };
+  if (r.header.has_more() && !r.draft.mesh.points.empty()) {
+    note("normals, colours or texture coordinates of points are left out",
+         r.draft.mesh.points.size(), 0);
+  }
+  if (r.colored > 0) {
+    note(fmt::format("colours of {} faces are left out", r.colored), r.colored, r.colored_at);
+  }
+}
+
+}  // namespace
+
+bool is_off(std::string_view text) {
+  Scanner s{text};
+  skip_comments(s);
+  return header_of(peek_word(s)).is_off;
+}
+
+Draft read_off(std::string_view text) {
+  OffReader r{.in = {.s = {.text = text}}, .draft = {.text = text}};
+  read_header(r);
+  if (r.in.is_binary) {
+    r.draft.text = {};  // there are no lines to count
+  } else {
+    skip_comments(r.in.s);
+  }
+  const std::size_t points = read_bounded<std::int32_t>(r.in, "points", 6, 12);
+  const std::size_t faces = read_bounded<std::int32_t>(r.in, "faces", 2, 8);
+  // The number of edges is checked by nobody, and sometimes missing.
+  r.in.is_binary ? skip_numbers(r.in, 0, 4, "a number of edges") : void(rest_of_line(r.in.s));
+  read_points(r, points);
+  for (std::size_t i = 0; i < faces; ++i) read_face(r);
+  if (!r.in.is_binary) skip_comments(r.in.s);
+  check_end(r.draft, r.in, "face");
+  note_skipped(r);
+  return std::move(r.draft);
+}
+
+std::string write_off(const FileMesh& mesh) {
+  NumberSink out;
+  out.bytes.reserve(64 + 60 * mesh.points.size() + 24 * mesh.triangles.corners.size());
+  put_text(out, "OFF\n");
+  put<std::size_t>(out, mesh.points.size());
+  put<std::size_t>(out, mesh.triangles.corners.size());
+  put_text(out, "0\n");
+  for (const Point& p : mesh.points) {
+    for (std::size_t k = 0; k < 3; ++k) put<double>(out, p[k], k == 2 ? '\n' : ' ');
+  }
+  for (const auto& corners : mesh.triangles.corners) {
+    put_text(out, "3 ");
+    for (std::size_t k = 0; k < 3; ++k) put<std::uint32_t>(out, corners[k], k == 2 ? '\n' : ' ');
+  }
+  return std::move(out.bytes);
+}
+
+}  // namespace sunder::io

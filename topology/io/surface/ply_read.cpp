@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: MIT
+// PLY read: what each property of a row is for, then the rows.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "topology/io/number_source.hpp"
+#include "topology/io/surface/ply.hpp"
+#include "topology/io/surface/ply_header.hpp"
+#include "topology/io/vtk/vtk_columns.hpp"
+
+namespace sunder::io {
+namespace {
+
+struct Column {
+  DataColumn data;
+  /// Named by a comment: data whatever the name is.
+  bool is_joined = false;
+};
+
+struct PlyReader {
+  NumberSource in;
+  Draft draft;
+  PlyHeader header;
+};
+
+std::size_t size_of(NumberType type) {
+  return with_stored(type, [](auto zero) { return sizeof zero; });
+}
+
+/// How many properties from `first` on a comment joins to one column, and its name.
+const JoinedColumn* joined_from(const PlyReader& r, const Element& e, std::size_t first) {
+  const Property& p = e.properties[first];
+  for (const JoinedColumn& j : r.header.joined) {
+    if (j.element != e.name || j.property != p.name || j.components == 0) continue;
+    if (j.components > e.properties.size() - first) continue;
+    const auto begin = e.properties.begin() + static_cast<std::ptrdiff_t>(first);
+    const bool fits = std::all_of(
+        begin, begin + static_cast<std::ptrdiff_t>(j.components),
+        [&](const Property& other) { return other.role == Role::data && other.type == p.type; });
+    if (fits) return &j;
+  }
+  return nullptr;
+}
+
+/// A column for each property that is data; reserved where the file has the bytes.
+std::vector<Column> plan_columns(const PlyReader& r, Element& e) {
+  std::vector<Column> columns;
+  for (std::size_t i = 0; i < e.properties.size(); ++i) {
+    const Property& p = e.properties[i];
+    if (p.role != Role::data) continue;
+    const JoinedColumn* const joined = joined_from(r, e, i);
+    const std::size_t components = joined == nullptr ? 1 : joined->components;
+    Column& column = columns.emplace_back();
+    column.is_joined = joined != nullptr;
+    column.data = {std::string(joined == nullptr ? p.name : joined->name), components, p.type, {}};
+    if (!is_real(p.type)) column.data.values = std::vector<std::int64_t>{};
+    std::visit([&](auto& values) { values.reserve(e.count * components); }, column.data.values);
+    for (std::size_t k = 0; k < components; ++k) e.properties[i + k].place = columns.size() - 1;
+    i += components - 1;
+  }
+  return columns;
+}
+
+/// A number of `type`; fails with number_out_of_range where the text's is not of that type.
+template <class Stored>
+Stored read_scalar(PlyReader& r, std::string_view what) {
+  if (r.in.is_binary) return read_raw<Stored>(r.in, what);
+  if constexpr (std::is_same_v<Stored, float>) {
+    return static_cast<float>(read_number<double>(r.in.s, what));
+  } else {
+    return read_number<Stored>(r.in.s, what);
+  }
+}
+
+double read_coordinate(PlyReader& r, NumberType type) {
+  // A text's digits are more than a float keeps.
+  if (!r.in.is_binary) return read_number<double>(r.in.s, "a coordinate");
+  return with_stored(type, [&](auto zero) {
+    return static_cast<double>(read_raw<decltype(zero)>(r.in, "a coordinate"));
+  });
+}
+
+std::int64_t read_integer(PlyReader& r, NumberType type, std::string_view what) {
+  return with_stored(type, [&](auto zero) {
+    return static_cast<std::int64_t>(read_scalar<decltype(zero)>(r, what));
+  });
+}
+
+void read_value(PlyReader& r, const Property& p, DataColumn& column) {
+  with_stored(p.type, [&](auto zero) {
+    const auto value = read_scalar<decltype(zero)>(r, "a number");
+    if constexpr (std::is_floating_point_v<decltype(zero)>) {
+      std::get<std::vector<double>>(column.values).push_back(static_cast<double>(value));
+    } else {
+      std::get<std::vector<std::int64_t>>(column.values)
+          .push_back(static_cast<std::int64_t>(value));
+    }
+  });
+}
+
+/// The length of a list that stands next.
+std::size_t read_length(PlyReader& r, const Property& p) {
+  const std::size_t at = place_of_next(r.in);
+  const std::int64_t length = read_integer(r, p.count_type, "the length of a list");
+  check_count(r.in.s, at, length, "items of a list", r.in.is_binary ? size_of(p.type) : 2);
+  return static_cast<std::size_t>(length);
+}
+
+void skip_property(PlyReader& r, const Property& p) {
+  const std::size_t length = p.is_list ? read_length(r, p) : 1;
+  skip_numbers(r.in, length, length * size_of(p.type), "a number");
+}
+
+/// What a row gives beside data.
+struct Row {
+  Point point{};
+  FileCell cell{};
+  std::size_t corners = 0;
+};
+
+void read_corners(PlyReader& r, const Property& p, Row& row) {
+  row.corners = read_length(r, p);
+  const std::size_t taken = row.corners == 3 ? 3 : 0;
+  for (std::size_t k = 0; k < taken; ++k) {
+    row.cell.numbers[k] = row.cell.rows[k] = read_integer(r, p.type, "a point's row");
+  }
+  skip_numbers(r.in, row.corners - taken, (row.corners - taken) * size_of(p.type), "a point's row");
+}
+
+void read_row(PlyReader& r, const Element& e, Row& row, std::vector<Column>& columns) {
+  row.cell.at = place_of_next(r.in);
+  for (const Property& p : e.properties) {
+    switch (p.role) {
+      case Role::skipped:
+        skip_property(r, p);
+        break;
+      case Role::coordinate:
+        row.point[p.place] = read_coordinate(r, p.type);
+        break;
+      case Role::corners:
+        read_corners(r, p, row);
+        break;
+      case Role::edge_end:
+        row.cell.numbers[p.place] = row.cell.rows[p.place] =
+            read_integer(r, p.type, "a point's row");
+        break;
+      case Role::data:
+        read_value(r, p, columns[p.place].data);
+    }
+  }
+}
+
+/// The fewest bytes that a row takes.
+std::size_t least_bytes(const PlyReader& r, const Element& e) {
+  std::size_t bytes = 0;
+  for (const Property& p : e.properties) {
+    bytes += r.in.is_binary ? size_of(p.is_list ? p.count_type : p.type) : 2;
+  }
+  // The last number of a file may end without a blank.
+  return r.in.is_binary || bytes == 0 ? bytes : bytes - 1;
+}
+
+/// Gives the properties of these names their role; `needed` fails where one is not there.
+void assign(const PlyReader& r, Element& e, Role role,
+            std::initializer_list<std::string_view> names) {
+  std::size_t place = 0;
+  for (const std::string_view name : names) {
+    const auto p = std::ranges::find_if(e.properties, [&](const Property& property) {
+      return property.name == name && !property.is_list && property.role != role;
+    });
+    const bool is_there =
+        p != e.properties.end() && (role == Role::coordinate || !is_real(p->type));
+    if (!is_there) {
+      fail(r.in.s.text, e.at,
+           {.code = "missing_array",
+            .text = fmt::format("the element {} has no property {}{}", in_quotes(e.name),
+                                role == Role::coordinate ? "" : "of integers ", in_quotes(name)),
+            .remedy = "correct the header, or write the file again"});
+    }
+    p->role = role;
+    p->place = place++;
+  }
+}
+
+/// The list of a face's corners.
+void assign_corners(const PlyReader& r, Element& e) {
+  for (Property& p : e.properties) {
+    if (!p.is_list || (p.name != "vertex_indices" && p.name != "vertex_index")) continue;
+    if (is_real(p.type)) continue;
+    p.role = Role::corners;
+    return;
+  }
+  fail(r.in.s.text, e.at,
+       {.code = "missing_array",
+        .text = "the element face has no list of integers vertex_indices",
+        .remedy = "correct the header, or write the file again"});
+}
+
+void note_skipped(PlyReader& r, std::string text, std::size_t count, std::size_t at) {
+  if (count == 0) return;
+  r.draft.findings.push_back({.code = "skipped_data",
+                              .severity = Severity::note,
+                              .count = count,
+                              .text = std::move(text),
+                              .remedy = "nothing to do, unless they matter",
+                              .line = r.draft.text.empty() ? 0 : line_of(r.draft.text, at)});
+}
+
+/// What is not told to be something else is data, lists are left out.
+void assign_data(PlyReader& r, Element& e) {
+  for (Property& p : e.properties) {
+    if (p.role != Role::skipped) continue;
+    if (!p.is_list) p.role = Role::data;
+    if (p.is_list && e.count > 0) {
+      note_skipped(r, fmt::format("the lists {} of {} are left out", in_quotes(p.name), e.name),
+                   e.count, e.at);
+    }
+  }
+}
+
+/// The numbers of a column as labels of 32 bits, if they are.
+bool take_labels(const DataColumn& column, std::vector<std::int32_t>& labels) {
+  const auto* const values = std::get_if<std::vector<std::int64_t>>(&column.values);
+  if (values == nullptr || !labels.empty() || values->empty()) return false;
+  if (!std::ranges::all_of(*values,
+                           [](std::int64_t x) { return x == static_cast<std::int32_t>(x); })) {
+    return false;
+  }
+  labels.assign(values->begin(), values->end());
+  return true;
+}
+
+bool take_numbers(DataColumn& column, std::vector<std::int64_t>& numbers) {
+  auto* const values = std::get_if<std::vector<std::int64_t>>(&column.values);
+  if (values == nullptr || !numbers.empty()) return false;
+  numbers = std::move(*values);
+  return true;
+}
+
+template <std::size_t Corners>
+void take_columns(CellList<Corners>& cells, std::vector<Column>& columns) {
+  for (Column& c : columns) {
+    const std::string_view name = c.data.name;
+    if (!c.is_joined) {
+      if (is_region_name(name) && take_labels(c.data, cells.region)) continue;
+      if (is_entity_name(name) && take_labels(c.data, cells.entity)) continue;
+      if (is_cell_id_name(name) && take_numbers(c.data, cells.source_id)) continue;
+    }
+    cells.data.push_back(std::move(c.data));
+  }
+}
+
+void drop_last(std::vector<Column>& columns) {
+  for (Column& c : columns) {
+    std::visit([&](auto& values) { values.resize(values.size() - c.data.components); },
+               c.data.values);
+  }
+}
+
+void read_vertices(PlyReader& r, Element& e) {
+  assign(r, e, Role::coordinate, {"x", "y", "z"});
+  assign_data(r, e);
+  std::vector<Column> columns = plan_columns(r, e);
+  FileMesh& mesh = r.draft.mesh;
+  mesh.points.reserve(e.count);
+  Row row;
+  for (std::size_t i = 0; i < e.count; ++i) {
+    read_row(r, e, row, columns);
+    add_point(r.draft, row.point, row.cell.at);
+  }
+  for (Column& c : columns) {
+    if (!c.is_joined && c.data.name == "source_point_id" &&
+        take_numbers(c.data, mesh.source_point_id)) {
+      continue;
+    }
+    if (!c.is_joined && c.data.name == "point_region" && take_labels(c.data, mesh.point_region)) {
+      continue;
+    }
+    mesh.point_data.push_back(std::move(c.data));
+  }
+}
+
+void read_faces(PlyReader& r, Element& e) {
+  assign_corners(r, e);
+  assign_data(r, e);
+  std::vector<Column> columns = plan_columns(r, e);
+  CellList<3>& triangles = r.draft.mesh.triangles;
+  for (std::size_t i = 0; i < e.count; ++i) {
+    Row row;
+    read_row(r, e, row, columns);
+    if (row.corners == 3) {
+      add_cell(r.draft, 2, row.cell);
+      continue;
+    }
+    drop_last(columns);
+    add_other_cells(r.draft,
+                    row.corners == 4  ? "quadrilaterals"
+                    : row.corners > 4 ? "polygons"
+                                      : "faces of fewer than three corners",
+                    2, 1, row.cell.at);
+  }
+  take_columns(triangles, columns);
+}
+
+void read_edges(PlyReader& r, Element& e) {
+  assign(r, e, Role::edge_end, {"vertex1", "vertex2"});
+  assign_data(r, e);
+  std::vector<Column> columns = plan_columns(r, e);
+  for (std::size_t i = 0; i < e.count; ++i) {
+    Row row;
+    read_row(r, e, row, columns);
+    add_cell(r.draft, 1, row.cell);
+  }
+  take_columns(r.draft.mesh.edges, columns);
+}
+
+void skip_element(PlyReader& r, const Element& e) {
+  if (e.properties.empty()) return;  // its rows take no bytes: there may be any number
+  std::vector<Column> none;
+  Row row;
+  for (std::size_t i = 0; i < e.count; ++i) read_row(r, e, row, none);
+  note_skipped(r, fmt::format("{} rows of the element {} are left out", e.count, in_quotes(e.name)),
+               e.count, e.at);
+}
+
+void read_element(PlyReader& r, Element& e) {
+  const std::size_t least = least_bytes(r, e);
+  if (least > 0) {
+    check_count(r.in.s, e.at, static_cast<std::int64_t>(e.count),
+                fmt::format("rows of {}", in_quotes(e.name)), least);
+  }
+  if (e.name == "vertex") return read_vertices(r, e);
+  const bool is_cell = e.name == "face" || e.name == "edge";
+  if (!is_cell) return skip_element(r, e);
+  if (e.count > 0 && &e == &r.header.elements.front()) {
+    fail(r.in.s.text, e.at,
+         {.code = "wrong_section_order",
+          .text = fmt::format("the element {} stands before the vertices", e.name),
+          .remedy = "put the element vertex first"});
+  }
+  e.name == "face" ? read_faces(r, e) : read_edges(r, e);
+}
+
+}  // namespace
+
+bool is_ply(std::string_view text) {
+  return text.starts_with("ply\n") || text.starts_with("ply\r\n");
+}
+
+Draft read_ply(std::string_view text) {
+  PlyReader r{.in = {.s = {.text = text}}, .draft = {.text = text}};
+  r.header = read_ply_header(r.in.s);
+  r.in.is_binary = r.header.is_binary;
+  r.in.swap = r.header.swap;
+  if (r.in.is_binary) r.draft.text = {};  // there are no lines to count
+  for (Element& e : r.header.elements) read_element(r, e);
+  check_end(r.draft, r.in, "row");
+  return std::move(r.draft);
+}
+
+}  // namespace sunder::io

@@ -1,0 +1,440 @@
+// SPDX-License-Identifier: MIT
+// TetGen's files read: each a line with counts, then a line a row; comments from # to the line's
+// end.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "topology/io/named_regions.hpp"
+#include "topology/io/scan.hpp"
+#include "topology/io/tetgen/tetgen.hpp"
+
+namespace sunder::io {
+namespace {
+
+/// More attributes than anybody has: each becomes a column.
+constexpr std::int64_t most_attributes = 1000;
+
+/// The name of a column as a comment gives it.
+struct ColumnName {
+  /// As it stands there.
+  std::string_view raw;
+  std::string name;
+  std::size_t components = 1;
+};
+
+/// One of the files while it is read.
+struct Table {
+  std::string_view text;
+  /// The line: the text up to its end or its comment.
+  Scanner line;
+  /// Where the next line begins.
+  std::size_t next = 0;
+  /// From the comment before the first line, where there is one.
+  std::vector<ColumnName> names;
+};
+
+std::string_view trimmed(std::string_view text) {
+  Scanner s{text};
+  return rest_of_line(s);
+}
+
+/// `height, velocity*3`.
+ColumnName column_name(std::string_view word) {
+  ColumnName column{.raw = trimmed(word)};
+  std::string_view name = column.raw;
+  if (const std::size_t star = name.find('*'); star != std::string_view::npos) {
+    std::size_t components = 0;
+    const auto [stop, reason] =
+        std::from_chars(name.data() + star + 1, name.data() + name.size(), components);
+    if (reason == std::errc{} && stop == name.data() + name.size()) {
+      column.components = std::clamp<std::size_t>(components, 1, most_attributes + 1);
+      name = name.substr(0, star);
+    }
+  }
+  column.name = unescaped_name(name);
+  return column;
+}
+
+/// Takes names from a comment such as meshio and Sunder write.
+void read_names(Table& table, std::string_view comment) {
+  constexpr std::string_view beginnings[] = {"attribute and marker names:", "attribute names:"};
+  comment = trimmed(comment);
+  for (const std::string_view beginning : beginnings) {
+    if (!comment.starts_with(beginning)) continue;
+    comment.remove_prefix(beginning.size());
+    table.names.clear();
+    while (table.names.size() <= most_attributes) {
+      const std::size_t comma = std::min(comment.find(','), comment.size());
+      table.names.push_back(column_name(comment.substr(0, comma)));
+      if (comma == comment.size()) return;
+      comment.remove_prefix(comma + 1);
+    }
+    return;
+  }
+}
+
+/// Goes to the next line that holds something; false at the end.
+bool next_line(Table& table) {
+  while (table.next < table.text.size()) {
+    const std::size_t begin = table.next;
+    const std::size_t end = std::min(table.text.find('\n', begin), table.text.size());
+    const std::string_view line = table.text.substr(begin, end - begin);
+    const std::size_t comment = std::min(line.find('#'), line.size());
+    table.next = end + 1;
+    table.line = {table.text.substr(0, begin + comment), begin};
+    skip_blanks(table.line);
+    if (table.line.at < table.line.text.size()) return true;
+    if (comment < line.size()) read_names(table, line.substr(comment + 1));
+  }
+  return false;
+}
+
+bool at_line_end(Table& table) {
+  skip_blanks(table.line);
+  return table.line.at == table.line.text.size();
+}
+
+/// The next number of the line.
+template <class Number>
+Number read_in_line(Table& table, std::string_view what) {
+  if (!at_line_end(table)) return read_number<Number>(table.line, what);
+  fail(table.text, table.line.at,
+       {.code = "wrong_count",
+        .text = fmt::format("the line ends where {} was expected", what),
+        .remedy = "complete the line, or correct the counts in the file's first line"});
+}
+
+/// The next count of the first line; `usual` where the line ends before.
+std::int64_t read_head(Table& table, std::string_view what, std::int64_t usual,
+                       std::int64_t highest) {
+  if (at_line_end(table)) return usual;
+  const std::size_t at = table.line.at;
+  const auto count = read_number<std::int64_t>(table.line, what);
+  if (count >= 0 && count <= highest) return count;
+  fail(table.text, at,
+       {.code = count < 0 ? "bad_number" : "count_too_big",
+        .text = fmt::format("{} stands where {} was expected: 0 to {}", count, what, highest),
+        .remedy = "correct the file's first line, or write the file again"});
+}
+
+/// The number of rows, the first number of the file, which ends it where there is none.
+std::size_t read_rows(Table& table, std::string_view what) {
+  if (!next_line(table)) {
+    fail(table.text, table.text.size(),
+         {.code = "truncated_file",
+          .text = fmt::format("the file has no line with the number of {}", what),
+          .remedy = "write the file again"});
+  }
+  return static_cast<std::size_t>(
+      read_head(table, fmt::format("the number of {}", what), 0, std::int64_t{1} << 40));
+}
+
+/// Fails where the bytes that follow cannot hold `rows` lines of `words` numbers each.
+void bound_rows(const Table& table, std::size_t rows, std::string_view what, std::size_t words) {
+  const Scanner rest{table.text, std::min(table.next, table.text.size())};
+  // The last line may end without a line end.
+  if (rows == 0 || 2 * words * rows <= rest.text.size() - rest.at + 1) return;
+  check_count(rest, 0, static_cast<std::int64_t>(rows), what, 2 * words);
+}
+
+/// Goes to row `row` of `rows`.
+void expect_row(Table& table, std::size_t row, std::size_t rows, std::string_view what) {
+  if (next_line(table)) return;
+  fail(table.text, table.text.size(),
+       {.code = "truncated_file",
+        .text = fmt::format("the file ends after {} of {} {}", row, rows, what),
+        .remedy = "the file was cut short, or its first line has a wrong count: correct it"});
+}
+
+void expect_end(Table& table, std::size_t rows, std::string_view what) {
+  if (!next_line(table)) return;
+  fail(table.text, table.line.at,
+       {.code = "wrong_count",
+        .text =
+            fmt::format("a line follows where the {} {} that the file announces end", rows, what),
+        .remedy = "correct the count in the file's first line"});
+}
+
+/// Columns for `numbers` numbers a row: as the comment names them where its names fit, else
+/// `attribute` or `attribute_1`, `attribute_2`, ...
+std::vector<DataColumn> new_columns(std::span<const ColumnName> names, std::size_t numbers,
+                                    std::size_t rows) {
+  std::vector<DataColumn> columns;
+  std::size_t named = 0;
+  for (const ColumnName& n : names) named += n.components;
+  const auto add = [&](std::string name, std::size_t components) {
+    std::vector<double> values;
+    values.reserve(rows * components);
+    columns.push_back({std::move(name), components, NumberType::float64, std::move(values)});
+  };
+  if (named == numbers) {
+    for (const ColumnName& n : names) add(n.name, n.components);
+    return columns;
+  }
+  for (std::size_t i = 1; i <= numbers; ++i) {
+    add(numbers == 1 ? "attribute" : fmt::format("attribute_{}", i), 1);
+  }
+  return columns;
+}
+
+void read_columns(Table& table, std::vector<DataColumn>& columns) {
+  for (DataColumn& column : columns) {
+    auto& values = std::get<std::vector<double>>(column.values);
+    for (std::size_t k = 0; k < column.components; ++k) {
+      values.push_back(read_in_line<double>(table, "an attribute"));
+    }
+  }
+}
+
+/// Whether all of them are integers that a region can be.
+bool are_labels(const std::vector<double>& values) {
+  return std::ranges::all_of(values, [](double x) {
+    return x >= -2147483648.0 && x <= 2147483647.0 && x == std::floor(x);
+  });
+}
+
+/// Regions; those that are all 0 say nothing.
+std::vector<std::int32_t> labels_of(const std::vector<double>& values) {
+  if (std::ranges::all_of(values, [](double x) { return x == 0; })) return {};
+  std::vector<std::int32_t> labels;
+  labels.reserve(values.size());
+  for (const double x : values) labels.push_back(static_cast<std::int32_t>(x));
+  return labels;
+}
+
+struct TetgenReader {
+  Draft draft;
+  /// The number of the first point.
+  std::int64_t first = 1;
+  /// Whether the cells have points on their edges.
+  bool is_curved = false;
+};
+
+void expect_number(const Table& table, std::int64_t number, std::int64_t expected) {
+  if (number == expected) return;
+  fail(table.text, table.line.at,
+       {.code = "wrong_number",
+        .text = fmt::format("point {} stands where point {} was expected: TetGen counts points by "
+                            "their place",
+                            number, expected),
+        .remedy = "number the points one after the other, from 0 or 1"});
+}
+
+void refuse_plane(const Table& table, std::string_view text) {
+  fail(table.text, table.line.at,
+       {.code = "unsupported_cells",
+        .text = std::string(text),
+        .remedy = "give a mesh of tetrahedra: this looks like a file of Triangle"});
+}
+
+void read_points(TetgenReader& r, Table table) {
+  const std::size_t rows = read_rows(table, "points");
+  const std::int64_t dimension = read_head(table, "the dimension", 3, 1000);
+  if (dimension != 3) {
+    refuse_plane(table, fmt::format("the points have {} coordinates: 3 were expected", dimension));
+  }
+  const auto attributes =
+      static_cast<std::size_t>(read_head(table, "the number of attributes", 0, most_attributes));
+  const auto markers =
+      static_cast<std::size_t>(read_head(table, "the number of boundary markers (0 or 1)", 0, 1));
+  bound_rows(table, rows, "points", 4 + attributes + markers);
+  // The marker's name is the last, where it is there at all.
+  std::span<const ColumnName> names = table.names;
+  std::size_t named = 0;
+  for (const ColumnName& n : names) named += n.components;
+  const bool names_marker = markers == 1 && named == attributes + 1;
+  if (names_marker) names = names.first(names.size() - 1);
+  std::vector<DataColumn> columns = new_columns(names, attributes, rows);
+  std::vector<double> marker;
+  marker.reserve(markers * rows);
+  FileMesh& mesh = r.draft.mesh;
+  mesh.points.reserve(rows);
+  for (std::size_t i = 0; i < rows; ++i) {
+    expect_row(table, i, rows, "points");
+    const std::size_t at = table.line.at;
+    const auto number = read_in_line<std::int64_t>(table, "a point's number");
+    if (i == 0) r.first = number;
+    expect_number(table, number, r.first + static_cast<std::int64_t>(i));
+    Point p;
+    for (double& x : p) x = read_in_line<double>(table, "a coordinate");
+    add_point(r.draft, p, at);
+    read_columns(table, columns);
+    if (markers == 1) marker.push_back(read_in_line<double>(table, "a boundary marker"));
+  }
+  expect_end(table, rows, "points");
+  mesh.point_data = std::move(columns);
+  if (are_labels(marker)) {
+    mesh.point_region = labels_of(marker);
+  } else {
+    mesh.point_data.push_back({names_marker ? table.names.back().name : "marker", 1,
+                               NumberType::float64, std::move(marker)});
+  }
+  if (r.first == 0 || r.first == 1) return;
+  for (std::size_t i = 0; i < rows; ++i) {
+    mesh.source_point_id.push_back(r.first + static_cast<std::int64_t>(i));
+  }
+}
+
+/// The number of a cell and its corners; `others` more points are passed over.
+std::int64_t read_cell(TetgenReader& r, Table& table, int dimension, std::size_t others) {
+  FileCell cell{.at = table.line.at};
+  const auto number = read_in_line<std::int64_t>(table, "a cell's number");
+  for (std::size_t k = 0; k < static_cast<std::size_t>(dimension) + 1; ++k) {
+    cell.numbers[k] = read_in_line<std::int64_t>(table, "a point's number");
+    const bool is_below = cell.numbers[k] < r.first;
+    cell.rows[k] = is_below ? -1 : cell.numbers[k] - r.first;
+  }
+  for (; others > 0; --others) read_in_line<std::int64_t>(table, "a point's number");
+  add_cell(r.draft, dimension, cell);
+  return number;
+}
+
+/// Numbers that count on from 0 or 1 say nothing.
+void drop_counting(std::vector<std::int64_t>& numbers) {
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const bool starts = numbers.front() == 0 || numbers.front() == 1;
+    if (!starts || numbers[i] != numbers.front() + static_cast<std::int64_t>(i)) return;
+  }
+  numbers.clear();
+}
+
+void read_tetrahedra(TetgenReader& r, Table table) {
+  const std::size_t rows = read_rows(table, "tetrahedra");
+  const std::int64_t nodes = read_head(table, "the number of points a tetrahedron", 4, 1000);
+  if (nodes != 4 && nodes != 10) {
+    refuse_plane(table, fmt::format("the cells have {} points: 4 or 10 were expected", nodes));
+  }
+  auto attributes =
+      static_cast<std::size_t>(read_head(table, "the number of attributes", 0, most_attributes));
+  bound_rows(table, rows, "tetrahedra", 1 + static_cast<std::size_t>(nodes) + attributes);
+  r.is_curved = nodes == 10;
+  if (r.is_curved) add_curved_cells(r.draft, "second-order tetrahedra", rows, table.line.at);
+  // Without a name the first attribute is the region, where it can be.
+  std::size_t named = 0;
+  for (const ColumnName& n : table.names) named += n.components;
+  const bool fits = named == attributes;
+  const bool has_region = attributes > 0 && (!fits || is_tetgen_region(table.names.front().raw));
+  std::span<const ColumnName> names = table.names;
+  if (fits && has_region) names = names.subspan(1);
+  std::vector<DataColumn> columns = new_columns(names, attributes - has_region, rows);
+  std::vector<double> region;
+  auto& cells = r.draft.mesh.tetrahedra;
+  cells.corners.reserve(rows);
+  cells.source_id.reserve(rows);
+  for (std::size_t i = 0; i < rows; ++i) {
+    expect_row(table, i, rows, "tetrahedra");
+    cells.source_id.push_back(read_cell(r, table, 3, r.is_curved ? 6 : 0));
+    if (has_region) region.push_back(read_in_line<double>(table, "an attribute"));
+    read_columns(table, columns);
+  }
+  expect_end(table, rows, "tetrahedra");
+  drop_counting(cells.source_id);
+  if (are_labels(region)) {
+    cells.region = labels_of(region);
+  } else {
+    columns.insert(columns.begin(), {fits ? table.names.front().name : "attribute", 1,
+                                     NumberType::float64, std::move(region)});
+  }
+  cells.data = std::move(columns);
+}
+
+/// Triangles or edges, which have a marker each at most; what stands behind it is not ours.
+template <std::size_t Corners>
+void read_marked_cells(TetgenReader& r, Table table, CellList<Corners>& cells) {
+  constexpr std::string_view what = Corners == 3 ? "triangles" : "edges";
+  const std::size_t rows = read_rows(table, what);
+  const bool has_marker = read_head(table, "the number of boundary markers (0 or 1)", 0, 1) == 1;
+  const std::size_t others = !r.is_curved ? 0 : Corners == 3 ? 3 : 1;
+  bound_rows(table, rows, what, 1 + Corners + others + has_marker);
+  if (others > 0) {
+    add_curved_cells(r.draft, fmt::format("second-order {}", what), rows, table.line.at);
+  }
+  for (std::size_t i = 0; i < rows; ++i) {
+    expect_row(table, i, rows, what);
+    cells.source_id.push_back(read_cell(r, table, static_cast<int>(Corners) - 1, others));
+    if (has_marker) cells.region.push_back(read_in_line<std::int32_t>(table, "a marker"));
+  }
+  expect_end(table, rows, what);
+  drop_counting(cells.source_id);
+  if (std::ranges::all_of(cells.region, [](std::int32_t x) { return x == 0; })) {
+    cells.region.clear();
+  }
+}
+
+/// Reads the file of an ending, where it is there; false where it is not.
+template <class Work>
+bool read_part(TetgenReader& r, const FileSource& source, const std::string& name, Work work) {
+  const std::string own = lower_case(source.name), asked = lower_case(name);
+  if (asked == own || asked + ".gz" == own) {
+    work(Table{.text = source.text});
+    return true;
+  }
+  const std::optional<std::string> text = other_text(source, name);
+  if (text) in_file(r.draft, name, *text, [&] { work(Table{.text = *text}); });
+  return text.has_value();
+}
+
+}  // namespace
+
+std::string unescaped_name(std::string_view raw) {
+  std::string name;
+  for (std::size_t i = 0; i < raw.size(); ++i) {
+    unsigned char byte = 0;
+    const char* const digits = raw.data() + i + 1;
+    if (raw[i] == '%' && i + 2 < raw.size() &&
+        std::from_chars(digits, digits + 2, byte, 16).ptr == digits + 2) {
+      name += static_cast<char>(byte);
+      i += 2;
+    } else {
+      name += raw[i];
+    }
+  }
+  return name;
+}
+
+bool is_tetgen(std::string_view) { return false; }
+
+bool is_numbers(std::string_view text) {
+  const std::string_view word = first_word(text);
+  return !word.empty() &&
+         std::string_view("0123456789+-.#").find(word[0]) != std::string_view::npos;
+}
+
+std::filesystem::path tetgen_stem(const std::filesystem::path& path) {
+  const auto ends_as_ours = [](const std::filesystem::path& p) {
+    return std::ranges::count(traits_of(MeshFormat::tetgen).extensions,
+                              lower_case(p.extension().native())) > 0;
+  };
+  std::filesystem::path stem = path;
+  if (lower_case(stem.extension().native()) == ".gz") stem.replace_extension();
+  return ends_as_ours(stem) ? stem.replace_extension() : path;
+}
+
+bool is_tetgen_region(std::string_view name) {
+  constexpr std::string_view names[] = {"region", "tetgen:ref", "gmsh:physical", "medit:ref"};
+  return std::ranges::find(names, name) != std::end(names);
+}
+
+Draft read_tetgen(const FileSource& source) {
+  TetgenReader r{.draft = {.text = source.text}};
+  const std::string stem = tetgen_stem(source.name).string();
+  const auto points = [&](Table t) { read_points(r, std::move(t)); };
+  if (!read_part(r, source, stem + ".node", points)) {
+    throw ReadFailure{{.code = "missing_file",
+                       .text = fmt::format("{} is not there: it holds the points of {}",
+                                           in_quotes(stem + ".node"), in_quotes(source.name)),
+                       .remedy = "put it beside this file"}};
+  }
+  read_part(r, source, stem + ".ele", [&](Table t) { read_tetrahedra(r, std::move(t)); });
+  read_part(r, source, stem + ".face",
+            [&](Table t) { read_marked_cells(r, std::move(t), r.draft.mesh.triangles); });
+  read_part(r, source, stem + ".edge",
+            [&](Table t) { read_marked_cells(r, std::move(t), r.draft.mesh.edges); });
+  return std::move(r.draft);
+}
+
+}  // namespace sunder::io

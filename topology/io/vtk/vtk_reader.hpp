@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// Internal to the legacy VTK reader: what its sections share.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "topology/io/number_source.hpp"
+#include "topology/io/vtk/vtk_columns.hpp"
+
+namespace sunder::io {
+
+struct VtkType {
+  std::string_view name;
+  NumberType type;
+  std::size_t bytes;
+};
+
+struct VtkReader {
+  NumberSource in;
+  Draft draft;
+  VtkCells cells;
+  VtkPiece piece;
+  VtkNames names;
+  bool has_points = false;
+  bool has_cells = false;
+  bool has_types = false;
+  std::size_t cells_at = 0;
+  /// What data belong to that come next: 0 nothing, 1 points, 2 cells.
+  int data_of = 0;
+  std::size_t rows = 0;
+};
+
+/// In lower case: keywords may be written either way.
+std::string lower(std::string_view word);
+
+/// The next word as a type of numbers; `read_integer_type` fails at types of reals.
+const VtkType& read_type(VtkReader& r);
+const VtkType& read_integer_type(VtkReader& r);
+
+/// The type of lists of cells and of exact coordinates.
+const VtkType& int_type();
+const VtkType& double_type();
+
+/// Raw numbers begin behind the line's end. Fails where the rest cannot hold `n` of them.
+void begin_numbers(VtkReader& r, std::size_t n, const VtkType& type, std::string_view what);
+
+/// Hands `n` numbers to `take`, one after the other.
+template <class Value, class Take>
+void read_numbers(VtkReader& r, std::size_t n, const VtkType& type, Take&& take) {
+  with_stored(type.type, [&]<class Stored>(Stored) {
+    for (std::size_t i = 0; i < n; ++i) {
+      take(r.in.is_binary ? static_cast<Value>(read_raw<Stored>(r.in, "a number"))
+                          : read_text_as<Stored, Value>(r.in.s, "a number"));
+    }
+  });
+}
+
+std::vector<std::int64_t> read_integers(VtkReader& r, std::size_t n, const VtkType& type);
+
+/// A product of two counts that have to fit into the file: fails with count_too_big.
+std::size_t product(VtkReader& r, std::size_t a, std::size_t b, std::string_view what);
+
+/// Columns, each from behind its keyword to its last number.
+void read_field(VtkReader& r);
+void read_scalars(VtkReader& r);
+void take_column(VtkReader& r, std::string_view name, std::size_t components, std::size_t rows,
+                 const VtkType& type);
+void skip_metadata(VtkReader& r);
+
+}  // namespace sunder::io

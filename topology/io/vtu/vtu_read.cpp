@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+// From the arrays of a VTU file to points, cells and columns.
+#include "topology/io/vtu/vtu_read.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "topology/io/scan.hpp"
+#include "topology/io/vtk/vtk_columns.hpp"
+#include "topology/io/vtu/vtu_xml.hpp"
+
+namespace sunder::io {
+namespace {
+
+const VtuArray* find_array(const std::list<VtuArray>& arrays, std::string_view name) {
+  const auto found =
+      std::find_if(arrays.begin(), arrays.end(), [&](const auto& a) { return a.name == name; });
+  return found == arrays.end() ? nullptr : &*found;
+}
+
+[[noreturn]] void fail_piece(const VtuDocument& document, const VtuPiece& piece, Finding finding) {
+  fail(document.layout.text, piece.at, std::move(finding));
+}
+
+const VtuArray& needed_array(const VtuDocument& document, const VtuPiece& piece,
+                             std::string_view name) {
+  if (const VtuArray* array = find_array(piece.cell_arrays, name)) return *array;
+  fail_piece(document, piece,
+             {.code = "missing_array",
+              .text = fmt::format("this piece has no array {} under Cells", name),
+              .remedy = "the file is incomplete: write it again"});
+}
+
+void read_points(VtuDocument& document, const VtuPiece& piece, Draft& draft) {
+  if (piece.points == 0) return;
+  if (piece.point_arrays.empty()) {
+    fail_piece(document, piece,
+               {.code = "missing_array",
+                .text = "this piece has no array under Points",
+                .remedy = "the file is incomplete: write it again"});
+  }
+  VtuArray array = piece.point_arrays.front();
+  // Digits of coordinates are kept, whatever the type.
+  if (array.is_ascii && array.type == "Float32") array.type = "Float64";
+  if (array.components != 3) {
+    fail(document.layout.text, array.at,
+         {.code = "bad_attribute",
+          .text = fmt::format("points have {} components: 3 were expected", array.components),
+          .remedy = "write x, y and z for every point"});
+  }
+  Point point;
+  std::size_t k = 0;
+  read_doubles(document.layout, array, 3 * piece.points, [&](std::span<const double> block) {
+    if (k == 0) make_room(draft.mesh.points, piece.points);  // their bytes are there
+    for (const double x : block) {
+      point[k++ % 3] = x;
+      if (k % 3 == 0) add_point(draft, point, array.at);
+    }
+  });
+}
+
+VtkCells read_cells(VtuDocument& document, const VtuPiece& piece) {
+  VtkCells cells;
+  if (piece.cells == 0) return cells;
+  const VtuArray& offsets = needed_array(document, piece, "offsets");
+  const VtuArray& connectivity = needed_array(document, piece, "connectivity");
+  cells.types = read_integers(document.layout, needed_array(document, piece, "types"), piece.cells);
+  cells.ends = read_integers(document.layout, offsets, piece.cells);
+  check_vtk_cells(cells, document.layout.text, offsets.at);
+  const auto listed = static_cast<std::size_t>(cells.ends.back());
+  if (listed > document.layout.text.size() * most_unfolding) {
+    fail(document.layout.text, offsets.at,
+         {.code = "count_too_big",
+          .text = fmt::format("the last offset is {}, more than the file can hold", listed),
+          .remedy = "the file is damaged: write it again"});
+  }
+  cells.points = read_integers(document.layout, connectivity, listed);
+  return cells;
+}
+
+/// All points and cells of a piece; where they went in the mesh.
+VtkPiece read_grid(VtuDocument& document, const VtuPiece& piece, Draft& draft) {
+  VtkPiece place{.first_point = draft.mesh.points.size(), .points = piece.points};
+  read_points(document, piece, draft);
+  const VtkCells cells = read_cells(document, piece);
+  const std::size_t at = cells.types.empty() ? 0 : needed_array(document, piece, "connectivity").at;
+  add_vtk_cells(draft, place, cells, at);
+  return place;
+}
+
+/// How many numbers an array has; fails where the file cannot hold them.
+std::size_t numbers_of(const VtuDocument& document, const VtuArray& array, std::size_t rows) {
+  const std::size_t most = document.layout.text.size() * most_unfolding;
+  if (rows <= most / array.components) return rows * array.components;
+  fail(document.layout.text, array.at,
+       {.code = "count_too_big",
+        .text = fmt::format("array {} has {} components for {} rows, more than the file can hold",
+                            in_quotes(array.name), array.components, rows),
+        .remedy = "correct NumberOfComponents, or write the file again"});
+}
+
+void skip_column(const VtuDocument& document, const VtuArray& array, Draft& draft) {
+  add_counted(draft, "skipped_data", [&] {
+    return Finding{.severity = Severity::warning,
+                   .text = fmt::format("the data {} of type {} are left out", in_quotes(array.name),
+                                       in_quotes(array.type)),
+                   .remedy = "give them as numbers, if they matter",
+                   .line = line_of(document.layout.text, array.at)};
+  });
+}
+
+/// Where an array goes, and the names that its piece has given before.
+struct ColumnPlace {
+  Draft& draft;
+  const VtkPiece& piece;
+  VtkNames& names;
+  bool of_cells = false;
+};
+
+void read_column(VtuDocument& document, const VtuArray& array, const ColumnPlace& to) {
+  const std::size_t rows = to.of_cells ? to.piece.list_of_cell.size() : to.piece.points;
+  if (rows == 0 || array.components == 0) return;
+  const auto* const word = std::ranges::find(vtu_types, array.type);
+  if (word == std::end(vtu_types)) return skip_column(document, array, to.draft);
+  const auto type = static_cast<NumberType>(word - vtu_types);
+  const VtkArrayHead head{array.name, array.components, type, to.of_cells, array.at};
+  if (!is_new_name(to.draft, to.names, head)) return;
+  VtuLayout& layout = document.layout;
+  const std::size_t n = numbers_of(document, array, rows);
+  if (is_vtk_label(head)) {
+    return add_vtk_label(to.draft, to.piece, head, read_integers(layout, array, n));
+  }
+  // Of the whole file no more numbers than it has bytes; unfolded ones are here when room is made.
+  const std::size_t most = std::max(n, layout.is_compressed ? 0 : layout.text.size());
+  const auto into_mesh = [&]<class Value>(Value) -> TakeValues<Value> {
+    return [&, sink = std::optional<VtkSink<Value>>()](std::span<const Value> block) mutable {
+      if (!sink) sink = begin_vtk_data<Value>(to.draft, to.piece, head, most);
+      (*sink)(block);
+    };
+  };
+  is_real(type) ? read_doubles(layout, array, n, into_mesh(double{}))
+                : read_integers(layout, array, n, into_mesh(std::int64_t{}));
+}
+
+}  // namespace
+
+bool is_vtu(std::string_view text) {
+  const std::string_view word = first_word(text);
+  return word.starts_with("<?xml") || word.starts_with("<VTKFile");
+}
+
+Draft read_vtu(std::string_view text) {
+  VtuDocument document = parse_vtu(text);
+  Draft draft{.text = text};
+  std::size_t points = 0;
+  for (const VtuPiece& piece : document.pieces) points += piece.points;
+  const bool is_one = document.pieces.size() == 1 || document.layout.is_compressed;
+  if (!is_one) draft.mesh.points.reserve(std::min(points, text.size() / 3));
+  // All rows first: then columns are as long as they will be from the start.
+  std::vector<VtkPiece> places;
+  for (const VtuPiece& piece : document.pieces) {
+    places.push_back(read_grid(document, piece, draft));
+  }
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    VtkNames names;
+    for (const VtuArray& array : document.pieces[i].cell_data) {
+      read_column(document, array, {draft, places[i], names, true});
+    }
+    for (const VtuArray& array : document.pieces[i].point_data) {
+      read_column(document, array, {draft, places[i], names, false});
+    }
+  }
+  finish_vtk_columns(draft);
+  return draft;
+}
+
+}  // namespace sunder::io

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+// The darts behind a VolumeMap: CGAL's 3-map, and a kernel that walks nothing else.
+// Internal: costs 12 s a source to include; users take topology/kernel/volume_map.hpp.
+#pragma once
+
+#include <CGAL/Cell_attribute.h>
+#include <CGAL/Cell_attribute_with_point.h>
+#include <CGAL/Linear_cell_complex_for_combinatorial_map.h>
+#include <CGAL/Linear_cell_complex_traits.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "topology/kernel/ids.hpp"
+#include "topology/kernel/kernel.hpp"
+#include "topology/kernel/volume_map.hpp"
+
+namespace sunder {
+
+/// What a vertex attribute carries beside its rest position; fills the room that alignment leaves.
+struct VertexInfo {
+  VertexId row;
+  /// Row of the file's point.
+  std::uint32_t point = 0;
+  friend bool operator==(const VertexInfo&, const VertexInfo&) = default;
+};
+
+/// Which cells carry attributes: vertices (rest position, rows) and tetrahedra (row). Edges and
+/// faces carry none: 1- and 2-attributes cost 40 per cent of time and memory and nothing here needs
+/// them.
+struct DartItems {
+  template <class Refs>
+  struct Dart_wrapper {
+    using Vertex_attribute = CGAL::Cell_attribute_with_point<Refs, VertexInfo>;
+    using Volume_attribute = CGAL::Cell_attribute<Refs, TetId>;
+    using Attributes = std::tuple<Vertex_attribute, void, void, Volume_attribute>;
+  };
+};
+
+using DartTraits = CGAL::Linear_cell_complex_traits<3, CGAL::Simple_cartesian<double>>;
+using DartComplex = CGAL::Linear_cell_complex_for_combinatorial_map<3, 3, DartTraits, DartItems>;
+
+// CGAL 5.6 renamed handles to descriptors.
+#if CGAL_VERSION_NR >= 1050600000
+using DartDescriptor = DartComplex::Dart_descriptor;
+using VertexAttributeDescriptor = DartComplex::Attribute_descriptor<0>::type;
+#else
+using DartDescriptor = DartComplex::Dart_handle;
+using VertexAttributeDescriptor = DartComplex::Attribute_handle<0>::type;
+#endif
+
+/// CGAL's map kept unmanaged for good, with a handle for every row; a model of `Kernel` whose every
+/// answer is walked on darts (slow: the tests' witness, not for use in loops).
+class DartMap {
+ public:
+  using Dart = DartDescriptor;
+
+  /// Needs: rows that agree with each other; corners of one vertex row form one orbit.
+  explicit DartMap(const MapRows& rows);
+  DartMap(const DartMap&) = delete;  // handles point into the complex: build again from rows
+  DartMap& operator=(const DartMap&) = delete;
+
+  std::size_t tetrahedra() const { return first_dart_.size(); }
+  std::size_t vertices() const { return corner_.size(); }
+  std::array<VertexId, 4> corners(TetId t) const;
+  HalfFaceId neighbour(HalfFaceId f) const;
+  TetId incident_tetrahedron(VertexId v) const;
+  Point point(VertexId v) const;
+  std::uint32_t point_of_vertex(VertexId v) const;
+
+  Dart dart(HalfFaceId f, CornerId from) const;
+  DartId id(Dart d) const;
+  VertexId vertex(Dart d) const { return complex_.info<0>(d).row; }
+  TetId tetrahedron(Dart d) const { return complex_.info<3>(d); }
+  // CGAL gives back const handles from a const complex; the same darts, hence the casts.
+  Dart beta0(Dart d) const { return beta<0>(d); }
+  Dart beta1(Dart d) const { return beta<1>(d); }
+  Dart beta2(Dart d) const { return beta<2>(d); }
+  Dart beta3(Dart d) const { return beta<3>(d); }
+  bool is_free(Dart d) const { return complex_.is_free<3>(d); }
+
+  void unsew(HalfFaceId face);
+  void sew(Dart a, Dart b);
+  VertexId split_vertex(const VertexSplit& split);
+  void merge_vertices(VertexId kept, VertexId retired, std::span<const CornerId> corners);
+
+  const DartComplex& complex() const { return complex_; }
+  /// For measurements and tests that let CGAL manage attributes; rows are not kept right then.
+  DartComplex& complex() { return complex_; }
+  /// Dart k (0 to 11, canonical order) of a tetrahedron.
+  Dart dart_at(TetId t, int k) const;
+  /// Asks for the darts of a tetrahedron ahead of their use: to walk to one of them is up to four
+  /// reads, each of which waits for the one before. No effect but time.
+  void prefetch(TetId t) const;
+  /// Bytes of darts, attributes and handles.
+  MapBytes bytes() const;
+
+ private:
+  template <unsigned int i>
+  Dart beta(Dart d) const {
+    return const_cast<DartComplex&>(complex_).template beta<i>(d);
+  }
+  void add_tetrahedron(TetId t, const std::array<VertexAttributeDescriptor, 4>& corners);
+  void rename(CornerId c, VertexAttributeDescriptor to);
+  /// Needs: v is not retired.
+  VertexAttributeDescriptor attribute_of(VertexId v) const;
+
+  DartComplex complex_;
+  std::vector<Dart> first_dart_;  // dart 0 of each tetrahedron
+  // A corner of each vertex row, none() when it is retired: half of a handle to its attribute.
+  std::vector<CornerId> corner_;
+};
+
+static_assert(Kernel<DartMap>);
+
+}  // namespace sunder

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// Sets of faces to split: the fan at a vertex, the section of a plane, and the order within them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "topology/kernel/finding.hpp"
+#include "topology/kernel/ids.hpp"
+#include "topology/kernel/kernel.hpp"
+
+namespace sunder {
+
+/// Every tetrahedron around a vertex, in rising order. O(star).
+template <Kernel K>
+std::vector<TetId> star(const K& map, VertexId vertex);
+
+/// The fan of a vertex (section 4.1, algorithm 4): the interior faces at `vertex` whose two
+/// tetrahedra differ in sign, seen from the positive side, in rising order of half-face.
+///
+///        + | -          around an inner vertex the fan closes, at the surface it is open;
+///      ____|____        it may have several branches: more than two copies of the vertex can
+///        + v  +         result.
+///
+/// `star`: as `star()` gives it; `positive`: one flag each. Empty when all are on one side.
+template <Kernel K>
+std::vector<HalfFaceId> fan_faces(const K& map, VertexId vertex, std::span<const TetId> star,
+                                  std::span<const char> positive);
+
+/// A plane {x : normal . x = offset}, m; the normal need not have unit length.
+struct CuttingPlane {
+  Point normal;
+  double offset = 0;
+};
+
+/// `normal` divided by its component of largest magnitude (the lowest axis on ties), which thereby
+/// is 1: n and -n, and all lengths, are one direction. Nothing when it is zero or not finite.
+std::optional<Point> canonical_direction(const Point& normal);
+
+/// The fan at a vertex for a normal in the rest frame: a tetrahedron is positive when
+/// n . (c - v) >= 0 for its rest centre c and the rest position v, n in canonical direction, with a
+/// relative tolerance: what is on the plane to rounding is positive.
+/// Errors: `not_a_direction` (zero or not finite normal), `no_such_vertex` (row out of range or
+/// retired). An empty fan is no error.
+template <Kernel K>
+Result<std::vector<HalfFaceId>> fan_faces(const K& map, VertexId vertex, const Point& normal);
+
+/// The section of a plane through the whole body: the interior faces whose tetrahedra have their
+/// rest centres on different sides; same rule for the sign, same order as the fan's.
+/// Errors: `not_a_direction`, also for an offset that is not finite. O(|T|).
+template <Kernel K>
+Result<std::vector<HalfFaceId>> plane_faces(const K& map, const CuttingPlane& plane);
+
+/// In which order the faces of a fan are split.
+enum class FaceOrder {
+  /// As they stand.
+  given,
+  /// Faces with an edge on the surface first (section 4.2, figure 5); cracked faces count as
+  /// surface. Decided on the map as it is now; otherwise as they stand.
+  paper
+};
+
+/// `faces` in the order asked for. O(faces x edge stars).
+template <Kernel K>
+void order_faces(const K& map, FaceOrder order, std::vector<HalfFaceId>& faces);
+
+/// The half-face on each triple of file points (any order of the three), seen from the lower
+/// tetrahedron; none() where no tetrahedron has such a face. Boundary faces are found as well:
+/// their `neighbour` is none(). A face of the file has at most two sides, so on an intact map the
+/// answer is unique. O(|T| + n log n) for n triples.
+template <Kernel K>
+std::vector<HalfFaceId> find_faces(const K& map,
+                                   std::span<const std::array<std::uint32_t, 3>> points);
+
+}  // namespace sunder

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+// Bodies of invariants.hpp, for the sources that instantiate them for a kernel.
+#pragma once
+
+#include <vector>
+
+#include "topology/kernel/invariants.hpp"
+
+namespace sunder::detail {
+
+/// Counts the orbits of darts under `spread`, which calls its second argument on every dart next
+/// to a dart. `start`: the darts to begin from, as (half-face, corner) of every dart or of a few.
+template <Kernel K, class Spread>
+std::size_t count_dart_orbits(const K& map, const Spread& spread) {
+  std::vector<char> met(12 * map.tetrahedra(), 0);
+  std::vector<typename K::Dart> stack;
+  std::size_t orbits = 0;
+  const auto meet = [&](typename K::Dart d) {
+    char& mark = met[map.id(d).index()];
+    if (mark) return;
+    mark = 1;
+    stack.push_back(d);
+  };
+  for (std::size_t k = 0; k < met.size(); ++k) {
+    if (met[k]) continue;
+    ++orbits;
+    const TetId t{k / 12};
+    const int place = static_cast<int>(k % 12);
+    meet(map.dart(half_face(t, place / 3), corner(t, dart_order::origin(place))));
+    while (!stack.empty()) {
+      const typename K::Dart d = stack.back();
+      stack.pop_back();
+      spread(d, meet);
+    }
+  }
+  return orbits;
+}
+
+/// A dart of half-face `f`, starting at its first corner.
+template <Kernel K>
+typename K::Dart first_dart(const K& map, HalfFaceId f) {
+  const TetId t = tetrahedron_of(f);
+  return map.dart(f, corner(t, dart_order::face_corners[place_of(f)][0]));
+}
+
+/// The boundary half-face next to that of the free dart `d`, across its edge.
+template <Kernel K>
+HalfFaceId next_on_boundary(const K& map, typename K::Dart d) {
+  d = map.beta2(d);
+  while (!map.is_free(d)) d = map.beta2(map.beta3(d));
+  return HalfFaceId{map.id(d).index() / 3};
+}
+
+struct ComponentCount {
+  std::size_t components = 0, closed = 0;
+};
+
+template <Kernel K>
+ComponentCount count_components(const K& map) {
+  ComponentCount count;
+  std::vector<char> met(map.tetrahedra(), 0);
+  std::vector<TetId> stack;
+  for (std::size_t first = 0; first < met.size(); ++first) {
+    if (met[first]) continue;
+    met[first] = 1;
+    stack.push_back(TetId{first});
+    bool has_boundary = false;
+    while (!stack.empty()) {
+      const TetId t = stack.back();
+      stack.pop_back();
+      for (int p = 0; p < 4; ++p) {
+        const HalfFaceId across = map.neighbour(half_face(t, p));
+        if (across.is_none()) {
+          has_boundary = true;
+        } else if (char& mark = met[tetrahedron_of(across).index()]; !mark) {
+          mark = 1;
+          stack.push_back(tetrahedron_of(across));
+        }
+      }
+    }
+    ++count.components;
+    count.closed += has_boundary ? 0 : 1;
+  }
+  return count;
+}
+
+/// Euler characteristic and Betti numbers from the counts; `closed`: components without boundary.
+inline void derive_invariants(Counts& counts, std::size_t closed) {
+  const auto number = [](std::size_t n) { return static_cast<std::ptrdiff_t>(n); };
+  counts.euler_characteristic = number(counts.vertices) - number(counts.edges) +
+                                number(counts.faces) - number(counts.tetrahedra);
+  if (closed > 0) return;
+  const std::ptrdiff_t b0 = number(counts.components);
+  const std::ptrdiff_t b2 = number(counts.boundary_sheets) - b0;
+  counts.betti = {b0, b0 + b2 - counts.euler_characteristic, b2};
+}
+
+inline double tetrahedron_volume(const Point& a, const Point& b, const Point& c, const Point& d) {
+  const Point u = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+  const Point v = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+  const Point w = {d[0] - a[0], d[1] - a[1], d[2] - a[2]};
+  return (u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0]) +
+          u[2] * (v[0] * w[1] - v[1] * w[0])) /
+         6;
+}
+
+}  // namespace sunder::detail
+
+namespace sunder {
+
+template <Kernel K>
+std::size_t count_boundary_sheets(const K& map) {
+  std::vector<char> met(4 * map.tetrahedra(), 0);
+  std::vector<HalfFaceId> stack;
+  std::size_t sheets = 0;
+  for (std::size_t i = 0; i < met.size(); ++i) {
+    if (met[i] || !map.neighbour(HalfFaceId{i}).is_none()) continue;
+    ++sheets;
+    met[i] = 1;
+    stack.push_back(HalfFaceId{i});
+    while (!stack.empty()) {
+      auto d = detail::first_dart(map, stack.back());
+      stack.pop_back();
+      for (int j = 0; j < 3; ++j, d = map.beta1(d)) {
+        const HalfFaceId f = detail::next_on_boundary(map, d);
+        if (met[f.index()]) continue;
+        met[f.index()] = 1;
+        stack.push_back(f);
+      }
+    }
+  }
+  return sheets;
+}
+
+template <Kernel K>
+Counts count_cells(const K& map) {
+  using Dart = typename K::Dart;
+  Counts counts;
+  counts.tetrahedra = map.tetrahedra();
+  counts.vertices = detail::count_dart_orbits(map, [&map](Dart d, const auto& meet) {
+    // beta2 beta0 turns through the three faces at the corner, beta3 beta0 crosses each of them.
+    const Dart before = map.beta0(d);
+    meet(map.beta2(before));
+    if (!map.is_free(before)) meet(map.beta3(before));
+  });
+  counts.edges = detail::count_dart_orbits(map, [&map](Dart d, const auto& meet) {
+    meet(map.beta2(d));
+    if (!map.is_free(d)) meet(map.beta3(d));
+  });
+  counts.faces = detail::count_dart_orbits(map, [&map](Dart d, const auto& meet) {
+    meet(map.beta1(d));
+    if (!map.is_free(d)) meet(map.beta3(d));
+  });
+  for (std::size_t t = 0; t < map.tetrahedra(); ++t) {
+    const auto v = map.corners(TetId{t});
+    counts.volume += detail::tetrahedron_volume(map.point(v[0]), map.point(v[1]), map.point(v[2]),
+                                                map.point(v[3]));
+    for (int p = 0; p < 4; ++p) {
+      counts.boundary_faces += map.neighbour(half_face(TetId{t}, p)).is_none() ? 1 : 0;
+    }
+  }
+  counts.boundary_sheets = count_boundary_sheets(map);
+  const auto [components, closed] = detail::count_components(map);
+  counts.components = components;
+  detail::derive_invariants(counts, closed);
+  return counts;
+}
+
+}  // namespace sunder

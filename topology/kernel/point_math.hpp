@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Differences and products of points, for sources that need no more than that.
+#pragma once
+
+#include <cmath>
+
+#include "topology/mesh/tet_mesh.hpp"
+
+namespace sunder::detail {
+
+inline Point difference(const Point& a, const Point& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+inline double dot(const Point& a, const Point& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+inline Point cross(const Point& a, const Point& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+inline double length(const Point& a) { return std::sqrt(dot(a, a)); }
+
+}  // namespace sunder::detail

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// The 3-map of a body: CGAL's darts and, kept equal to them, dense rows. CGAL stays behind a
+// pointer.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "topology/kernel/finding.hpp"
+#include "topology/kernel/ids.hpp"
+#include "topology/kernel/kernel.hpp"
+#include "topology/mesh/tet_mesh.hpp"
+
+namespace sunder {
+
+class DartMap;
+
+/// Dense rows from which a map is made, and which it keeps.
+struct MapRows {
+  /// Vertex rows of each tetrahedron, positively oriented wherever its volume is meaningful.
+  std::vector<std::array<VertexId, 4>> corners;
+  /// The half-face on the other side of each face (place p: opposite to corner p), or none().
+  std::vector<std::array<HalfFaceId, 4>> neighbours;
+  /// Row of the file's point of each vertex; several rows may share one (pinches, splits).
+  std::vector<std::uint32_t> point_of_vertex;
+  /// The file's points: rest positions, m. A vertex has that of its point.
+  std::vector<Point> points;
+  /// Tetrahedra whose last two corners were exchanged on reading, in rising order.
+  std::vector<TetId> reoriented;
+};
+
+/// What the parts of a map weigh, bytes, counted from their capacities: all that it holds.
+struct MapBytes {
+  /// CGAL's darts.
+  std::size_t darts = 0;
+  /// CGAL's 0- and 3-attributes.
+  std::size_t attributes = 0;
+  /// Vertex rows and neighbours of each tetrahedron, and the list of reoriented ones.
+  std::size_t adjacency = 0;
+  /// From rows to darts: a dart of each tetrahedron, a corner of each vertex.
+  std::size_t handles = 0;
+  /// Point and incident tetrahedron of each vertex; the file's points.
+  std::size_t vertex_columns = 0;
+};
+
+constexpr std::size_t total(const MapBytes& b) {
+  return b.darts + b.attributes + b.adjacency + b.handles + b.vertex_columns;
+}
+
+/// A 3-map of tetrahedra; a model of `Kernel` that answers queries from its dense side.
+///
+/// Guarded: the dense rows equal the darts after every call; rows of vertices are exactly the
+/// vertex orbits between calls of split_face and glue_face (the primitives `unsew`, `sew`,
+/// `split_vertex`, `merge_vertices` are theirs; use those functions instead).
+/// Not thread-safe for writers; const calls may run side by side.
+class VolumeMap {
+ public:
+  using Dart = DartId;
+
+  /// Needs: rows that agree with each other, as `build_map` makes them. O(|T|), about 1 us each.
+  explicit VolumeMap(MapRows rows);
+  VolumeMap(const VolumeMap& other);
+  VolumeMap& operator=(const VolumeMap& other);
+  VolumeMap(VolumeMap&&) noexcept;
+  VolumeMap& operator=(VolumeMap&&) noexcept;
+  ~VolumeMap();
+
+  std::size_t tetrahedra() const { return rows_.corners.size(); }
+  /// Vertex rows, retired ones among them.
+  std::size_t vertices() const { return rows_.point_of_vertex.size(); }
+  const std::array<VertexId, 4>& corners(TetId t) const { return rows_.corners[t.index()]; }
+  HalfFaceId neighbour(HalfFaceId f) const {
+    return rows_.neighbours[f.index() / 4][f.index() % 4];
+  }
+  TetId incident_tetrahedron(VertexId v) const { return incident_[v.index()]; }
+  const Point& point(VertexId v) const { return rows_.points[point_of_vertex(v)]; }
+  std::uint32_t point_of_vertex(VertexId v) const { return rows_.point_of_vertex[v.index()]; }
+
+  /// The columns whole, for loops that stream them; valid until the next change of the map.
+  std::span<const std::array<VertexId, 4>> corners() const { return rows_.corners; }
+  std::span<const std::array<HalfFaceId, 4>> neighbours() const { return rows_.neighbours; }
+  std::span<const std::uint32_t> point_of_vertex() const { return rows_.point_of_vertex; }
+  /// By the file's points, not by vertices.
+  std::span<const Point> points() const { return rows_.points; }
+  std::span<const TetId> reoriented() const { return rows_.reoriented; }
+
+  DartId dart(HalfFaceId f, CornerId from) const;
+  DartId id(DartId d) const { return d; }
+  VertexId vertex(DartId d) const;
+  TetId tetrahedron(DartId d) const { return TetId{d.index() / 12}; }
+  DartId beta0(DartId d) const;
+  DartId beta1(DartId d) const;
+  DartId beta2(DartId d) const;
+  DartId beta3(DartId d) const;
+  bool is_free(DartId d) const;
+
+  void unsew(HalfFaceId face);
+  void sew(DartId a, DartId b);
+  VertexId split_vertex(const VertexSplit& split);
+  void merge_vertices(VertexId kept, VertexId retired, std::span<const CornerId> corners);
+
+  /// The darts behind the rows, for the few sources that include topology/kernel/dart_map.hpp.
+  const DartMap& darts() const { return *darts_; }
+  MapBytes bytes() const;
+
+ private:
+  MapRows rows_;
+  std::vector<TetId> incident_;  // of each vertex row; none() when it is retired
+  std::unique_ptr<DartMap> darts_;
+};
+
+static_assert(Kernel<VolumeMap>);
+
+/// Everything that is wrong with a map; empty for every map that the library's calls leave behind.
+/// beta rules and one attribute a vertex orbit (CGAL's own check), dense rows equal to the darts,
+/// rows equal to vertex orbits, different points at the corners of each tetrahedron, retired rows.
+/// O(|T|), about 5 us a tetrahedron.
+std::vector<Finding> check(const VolumeMap& map);
+
+}  // namespace sunder

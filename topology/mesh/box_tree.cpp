@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// Builds a tree of boxes.
+#include "topology/mesh/box_tree.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace sunder {
+namespace {
+
+constexpr std::uint32_t leaf_size = 4;
+
+/// Halved before they are added: no sum of two finite numbers overflows so.
+double centre(const Box& box, int axis) { return box.low[axis] / 2 + box.high[axis] / 2; }
+
+Box around(const BoxTree& tree, std::uint32_t begin, std::uint32_t end) {
+  Box all = tree.boxes[tree.order[begin]];
+  for (std::uint32_t i = begin + 1; i < end; ++i) {
+    const Box& box = tree.boxes[tree.order[i]];
+    for (int k = 0; k < 3; ++k) {
+      all.low[k] = std::min(all.low[k], box.low[k]);
+      all.high[k] = std::max(all.high[k], box.high[k]);
+    }
+  }
+  return all;
+}
+
+int widest_axis(const BoxTree& tree, std::uint32_t begin, std::uint32_t end) {
+  Point low = {}, high = {};
+  for (std::uint32_t i = begin; i < end; ++i) {
+    for (int k = 0; k < 3; ++k) {
+      const double c = centre(tree.boxes[tree.order[i]], k);
+      if (i == begin || c < low[k]) low[k] = c;
+      if (i == begin || c > high[k]) high[k] = c;
+    }
+  }
+  int widest = 0;
+  for (int k = 1; k < 3; ++k) {
+    if (high[k] - low[k] > high[widest] - low[widest]) widest = k;
+  }
+  return widest;
+}
+
+void build(BoxTree& tree, std::uint32_t begin, std::uint32_t end) {
+  const auto n = static_cast<std::uint32_t>(tree.nodes.size());
+  tree.nodes.push_back({around(tree, begin, end), begin, end, 0});
+  if (end - begin <= leaf_size) return;
+  const int axis = widest_axis(tree, begin, end);
+  const std::uint32_t middle = begin + (end - begin) / 2;
+  const auto at = [&tree](std::uint32_t i) {
+    return tree.order.begin() + static_cast<std::ptrdiff_t>(i);
+  };
+  // Ties by row: the same halves on every machine.
+  std::nth_element(at(begin), at(middle), at(end), [&](std::uint32_t a, std::uint32_t b) {
+    const double x = centre(tree.boxes[a], axis), y = centre(tree.boxes[b], axis);
+    return x != y ? x < y : a < b;
+  });
+  build(tree, begin, middle);
+  tree.nodes[n].right = static_cast<std::uint32_t>(tree.nodes.size());
+  build(tree, middle, end);
+}
+
+}  // namespace
+
+BoxTree box_tree(std::vector<Box> boxes) {
+  BoxTree tree;
+  tree.boxes = std::move(boxes);
+  tree.order.resize(tree.boxes.size());
+  std::iota(tree.order.begin(), tree.order.end(), 0U);
+  if (!tree.order.empty()) build(tree, 0, static_cast<std::uint32_t>(tree.order.size()));
+  return tree;
+}
+
+}  // namespace sunder

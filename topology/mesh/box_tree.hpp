@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// A tree of axis-parallel boxes that finds those which hold a point.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "topology/mesh/tet_mesh.hpp"
+
+namespace sunder {
+
+/// From the lowest to the highest corner, both inclusive.
+struct Box {
+  Point low, high;
+};
+
+constexpr bool contains(const Box& box, const Point& p) {
+  return box.low[0] <= p[0] && p[0] <= box.high[0] && box.low[1] <= p[1] && p[1] <= box.high[1] &&
+         box.low[2] <= p[2] && p[2] <= box.high[2];
+}
+
+/// Boxes halved at their median centre along the axis in which the centres spread most.
+struct BoxTree {
+  struct Node {
+    Box box;
+    /// Boxes `order[begin]` to `order[end - 1]`.
+    std::uint32_t begin = 0, end = 0;
+    /// The second child; the first one follows its parent. 0: a leaf.
+    std::uint32_t right = 0;
+  };
+  std::vector<Node> nodes;
+  std::vector<std::uint32_t> order;
+  std::vector<Box> boxes;
+};
+
+/// Needs: finite boxes, fewer than 2^31. O(n log n).
+BoxTree box_tree(std::vector<Box> boxes);
+
+/// Calls `work(row)` for every box that holds `p`. Gives the number of nodes and boxes looked at:
+/// some log n where boxes hardly overlap, 2 n at the worst.
+template <class Work>
+std::size_t for_each_box_at(const BoxTree& tree, const Point& p, Work&& work) {
+  std::size_t looked_at = 0;
+  std::uint32_t stack[64];  // halving leaves fewer levels than a row has bits
+  int depth = 0;
+  if (!tree.nodes.empty()) stack[depth++] = 0;
+  while (depth > 0) {
+    const std::uint32_t n = stack[--depth];
+    const BoxTree::Node& node = tree.nodes[n];
+    ++looked_at;
+    if (!contains(node.box, p)) continue;
+    if (node.right != 0) {
+      stack[depth++] = node.right;
+      stack[depth++] = n + 1;
+      continue;
+    }
+    for (std::uint32_t i = node.begin; i < node.end; ++i) {
+      ++looked_at;
+      if (contains(tree.boxes[tree.order[i]], p)) work(tree.order[i]);
+    }
+  }
+  return looked_at;
+}
+
+}  // namespace sunder

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: MIT
+// Boundary faces and boundary vertices that lie on each other without being joined: hanging
+// vertices, points that miss each other by a rounding, faces in one place.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "topology/mesh/box_tree.hpp"
+#include "topology/kernel/kernel.hpp"
+#include "topology/kernel/point_math.hpp"
+#include "topology/kernel/sort_unique.hpp"
+#include "topology/mesh/survey.hpp"
+
+namespace sunder {
+namespace {
+
+using detail::cross, detail::difference, detail::dot, detail::length;
+
+constexpr FindingWords hanging_vertex = {
+    "hanging_vertex", Severity::warning,
+    "% points lie inside a boundary face or edge of a tetrahedron that does not have them: the "
+    "mesh is not conforming there",
+    "refine the coarser side, or mesh the parts together; parts that only touch may stay so"};
+constexpr FindingWords close_points = {
+    "close_points", Severity::warning,
+    "% boundary points miss an earlier one by less than a millionth of an edge",
+    "merge them (sunder convert --merge-points) if the parts are meant to hang together"};
+constexpr FindingWords coincident_faces = {
+    "coincident_faces", Severity::note,
+    "% boundary faces lie where an earlier one lies, with points of their own (ids: the three "
+    "points of each)",
+    "nothing to do if a crack is meant there; otherwise merge the points (sunder convert "
+    "--merge-points)"};
+constexpr FindingWords contact_unfinished = {
+    "contact_unfinished", Severity::warning,
+    "% boundary points were not held against all faces near them: too many faces overlap",
+    "mend the other findings first; what is told of hanging vertices may not be all"};
+
+/// Looks at boxes for each boundary point and face. Ordinary meshes need about 20, also when they
+/// are cut along every face; without a bound n faces through each other would take n^2.
+constexpr std::size_t looks_each = 50;
+
+/// The boundary of a mesh by places in space: points with the same coordinates are one place.
+struct Contact {
+  Survey& survey;
+  std::vector<std::uint32_t> faces;  // half-faces
+  /// Boundary points by their place: first[k] to first[k + 1].
+  std::vector<std::uint32_t> points;
+  std::vector<std::size_t> first;
+  std::vector<std::uint32_t> place_of_point;
+  /// Coordinates of each place, scaled by a power of two so that the largest is near 1.
+  std::vector<Point> at;
+  /// Smallest distance that is told from none.
+  double rounding = 0;
+  /// Union-find over places: the lowest place near each.
+  std::vector<std::uint32_t> near;
+};
+
+std::array<std::uint32_t, 3> points_of(const Contact& c, std::uint32_t face) {
+  const auto& t = c.survey.mesh.tetrahedra[face / 4];
+  const auto& places = dart_order::face_corners[face % 4];
+  return {t[places[0]], t[places[1]], t[places[2]]};
+}
+
+std::array<Point, 3> corners_of(const Contact& c, std::uint32_t face) {
+  std::array<Point, 3> corners;
+  const auto points = points_of(c, face);
+  for (int k = 0; k < 3; ++k) corners[k] = c.at[c.place_of_point[points[k]]];
+  return corners;
+}
+
+void find_boundary(Contact& c) {
+  const Survey& s = c.survey;
+  const auto is_finite = [&s](std::uint32_t p) {
+    const Point& x = s.mesh.points[p];
+    return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
+  };
+  std::vector<char> met(s.mesh.points.size(), 0);
+  for (std::uint32_t f = 0; f < 4 * s.mesh.tetrahedra.size(); ++f) {
+    const auto& t = s.mesh.tetrahedra[f / 4];
+    if (!s.usable[f / 4] || !s.neighbours[f / 4][f % 4].is_none()) continue;
+    if (!std::all_of(t.begin(), t.end(), is_finite)) continue;
+    c.faces.push_back(f);
+    // All four: whether a face's tetrahedron has a place is asked of each.
+    for (const std::uint32_t p : t) {
+      if (!met[p]) c.points.push_back(p);
+      met[p] = 1;
+    }
+  }
+}
+
+void find_places(Contact& c) {
+  const auto& x = c.survey.mesh.points;
+  std::sort(c.points.begin(), c.points.end(),
+            [&x](std::uint32_t a, std::uint32_t b) { return x[a] != x[b] ? x[a] < x[b] : a < b; });
+  double largest = 0;
+  for (const std::uint32_t p : c.points) {
+    for (const double value : x[p]) largest = std::max(largest, std::abs(value));
+  }
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  c.rounding = 8 * std::numeric_limits<double>::epsilon() * std::ldexp(largest, -exponent);
+  c.place_of_point.assign(x.size(), 0);
+  for (std::size_t i = 0; i < c.points.size(); ++i) {
+    const Point& here = x[c.points[i]];
+    if (i == 0 || here != x[c.points[i - 1]]) {
+      c.first.push_back(i);
+      Point& scaled = c.at.emplace_back(here);
+      for (double& value : scaled) value = std::ldexp(value, -exponent);
+    }
+    c.place_of_point[c.points[i]] = static_cast<std::uint32_t>(c.at.size() - 1);
+  }
+  c.first.push_back(c.points.size());
+  c.near.resize(c.at.size());
+  std::iota(c.near.begin(), c.near.end(), 0U);
+}
+
+/// Edge k of a face runs from its corner k to the next one.
+std::array<double, 3> edge_lengths(const std::array<Point, 3>& corners) {
+  return {length(difference(corners[1], corners[0])), length(difference(corners[2], corners[1])),
+          length(difference(corners[0], corners[2]))};
+}
+
+double tolerance_for(const Contact& c, double edge) {
+  return std::max(contact_tolerance * edge, c.rounding);
+}
+
+Box box_of(const Contact& c, std::uint32_t face) {
+  const auto corners = corners_of(c, face);
+  const auto edges = edge_lengths(corners);
+  const double margin = tolerance_for(c, std::max({edges[0], edges[1], edges[2]}));
+  Box box{corners[0], corners[0]};
+  for (int k = 0; k < 3; ++k) {
+    for (const Point& x : corners) {
+      box.low[k] = std::min(box.low[k], x[k]);
+      box.high[k] = std::max(box.high[k], x[k]);
+    }
+    box.low[k] -= margin;
+    box.high[k] += margin;
+  }
+  return box;
+}
+
+/// Whether `x` lies on the face away from its corners: on the inside of an edge or of the face.
+bool lies_inside(const Contact& c, const std::array<Point, 3>& corners,
+                 const std::array<double, 3>& edges, const Point& x) {
+  const Point normal =
+      cross(difference(corners[1], corners[0]), difference(corners[2], corners[0]));
+  bool is_left_of_all = true;
+  for (int k = 0; k < 3; ++k) {
+    const Point along = difference(corners[(k + 1) % 3], corners[k]);
+    const Point to_x = difference(x, corners[k]);
+    const double place = dot(to_x, along), squared = dot(along, along);
+    const Point across = cross(along, to_x);
+    if (place > 0 && place < squared && length(across) <= tolerance_for(c, edges[k]) * edges[k]) {
+      return true;
+    }
+    is_left_of_all = is_left_of_all && dot(across, normal) > 0;
+  }
+  const double margin = tolerance_for(c, std::max({edges[0], edges[1], edges[2]}));
+  return is_left_of_all &&
+         std::abs(dot(normal, difference(x, corners[0]))) <= margin * length(normal);
+}
+
+std::uint32_t root(std::vector<std::uint32_t>& near, std::uint32_t place) {
+  while (near[place] != place) place = near[place] = near[near[place]];
+  return place;
+}
+
+/// Holds a place against a face: joins it to a corner that it is near to, or tells that it hangs.
+bool hangs_on(Contact& c, std::uint32_t place, std::uint32_t face) {
+  const auto& t = c.survey.mesh.tetrahedra[face / 4];
+  for (const std::uint32_t p : t) {
+    if (c.place_of_point[p] == place) return false;
+  }
+  const auto corners = corners_of(c, face);
+  const auto edges = edge_lengths(corners);
+  const double margin = tolerance_for(c, std::min({edges[0], edges[1], edges[2]}));
+  const auto points = points_of(c, face);
+  bool is_near = false;
+  for (int k = 0; k < 3; ++k) {
+    if (length(difference(c.at[place], corners[k])) > margin) continue;
+    is_near = true;
+    const std::uint32_t a = root(c.near, place), b = root(c.near, c.place_of_point[points[k]]);
+    c.near[std::max(a, b)] = std::min(a, b);
+  }
+  return !is_near && lies_inside(c, corners, edges, c.at[place]);
+}
+
+/// Keeps faces as further places of a finding, where there are any.
+void show_faces(Contact& c, const char* code, std::vector<std::uint32_t> faces) {
+  if (faces.empty()) return;
+  sort_unique(faces);
+  FindingPlaces places{code, PlaceKind::faces, {}};
+  for (const std::uint32_t face : faces) {
+    const auto points = points_of(c, face);
+    places.rows.insert(places.rows.end(), points.begin(), points.end());
+  }
+  c.survey.places.push_back(std::move(places));
+}
+
+void find_hanging(Contact& c) {
+  std::vector<Box> boxes;
+  boxes.reserve(c.faces.size());
+  for (const std::uint32_t face : c.faces) boxes.push_back(box_of(c, face));
+  const BoxTree tree = box_tree(std::move(boxes));
+  std::vector<std::uint32_t> hanging, unfinished, hung_in;
+  std::size_t looks_left = looks_each * (c.at.size() + c.faces.size());
+  for (std::uint32_t place = 0; place < c.at.size(); ++place) {
+    bool hangs = false;
+    const bool is_left_out = looks_left == 0;
+    if (!is_left_out) {
+      const std::size_t looks = for_each_box_at(tree, c.at[place], [&](std::uint32_t row) {
+        if (!hangs_on(c, place, c.faces[row])) return;
+        hangs = true;
+        if (c.survey.keeps_places) hung_in.push_back(c.faces[row]);
+      });
+      looks_left -= std::min(looks, looks_left);
+    }
+    auto& list = is_left_out ? unfinished : hanging;
+    if (!hangs && !is_left_out) continue;
+    for (std::size_t i = c.first[place]; i < c.first[place + 1]; ++i) list.push_back(c.points[i]);
+  }
+  std::sort(hanging.begin(), hanging.end());
+  std::sort(unfinished.begin(), unfinished.end());
+  Places hung(PlaceKind::points, c.survey.keeps_places), left = hung;
+  for (const std::uint32_t p : hanging) hung.add(p);
+  for (const std::uint32_t p : unfinished) left.add(p);
+  report(c.survey, hanging_vertex, hung);
+  show_faces(c, hanging_vertex.code, std::move(hung_in));
+  report(c.survey, contact_unfinished, left);
+}
+
+void report_close(Contact& c) {
+  std::vector<std::uint32_t> close;
+  for (std::uint32_t place = 0; place < c.at.size(); ++place) {
+    if (root(c.near, place) == place) continue;
+    for (std::size_t i = c.first[place]; i < c.first[place + 1]; ++i) close.push_back(c.points[i]);
+  }
+  std::sort(close.begin(), close.end());
+  Places places(PlaceKind::points, c.survey.keeps_places);
+  for (const std::uint32_t p : close) places.add(p);
+  report(c.survey, close_points, places);
+}
+
+void report_coincident(Contact& c) {
+  struct Face {
+    std::array<std::uint32_t, 3> places, points;
+    auto operator<=>(const Face&) const = default;
+  };
+  std::vector<Face> faces;
+  for (const std::uint32_t f : c.faces) {
+    Face face{{}, points_of(c, f)};
+    std::sort(face.points.begin(), face.points.end());
+    for (int k = 0; k < 3; ++k) face.places[k] = root(c.near, c.place_of_point[face.points[k]]);
+    std::sort(face.places.begin(), face.places.end());
+    const bool has_area = face.places[0] != face.places[1] && face.places[1] != face.places[2];
+    if (has_area) faces.push_back(face);
+  }
+  std::sort(faces.begin(), faces.end());
+  std::vector<std::array<std::uint32_t, 3>> later;
+  for (std::size_t i = 1; i < faces.size(); ++i) {
+    // Those with the same points are an overfull face, which is another finding.
+    const bool is_later =
+        faces[i].places == faces[i - 1].places && faces[i].points != faces[i - 1].points;
+    if (is_later) later.push_back(faces[i].points);
+  }
+  std::sort(later.begin(), later.end());
+  Places places(PlaceKind::faces, c.survey.keeps_places);
+  for (const auto& points : later) places.add(points);
+  report(c.survey, coincident_faces, places);
+}
+
+}  // namespace
+
+void survey_contact(Survey& s) {
+  Contact contact{s};
+  find_boundary(contact);
+  find_places(contact);
+  find_hanging(contact);
+  report_close(contact);
+  report_coincident(contact);
+}
+
+}  // namespace sunder

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: MIT
+// Which faces a crack cuts, as a user names them: by their points, by a plane, by two regions.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "topology/mesh/crack.hpp"
+#include "topology/kernel/kernel.hpp"
+
+namespace sunder {
+namespace {
+
+/// A face by its points in rising order, and where it is: 4 t + p.
+struct FaceEntry {
+  std::array<std::uint32_t, 3> points;
+  std::uint32_t face;
+  friend auto operator<=>(const FaceEntry&, const FaceEntry&) = default;
+};
+
+std::array<std::uint32_t, 3> points_of(const FileMesh& mesh, std::uint32_t face) {
+  std::array<std::uint32_t, 3> points;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto place = static_cast<std::size_t>(dart_order::face_corners[face % 4][k]);
+    points[k] = mesh.tetrahedra.corners[face / 4][place];
+  }
+  std::ranges::sort(points);
+  return points;
+}
+
+/// The interior faces that `is_cut(t, other)` chooses, once each.
+template <class IsCut>
+CutFaces chosen(const FaceLinks& links, IsCut is_cut) {
+  CutFaces faces;
+  for (std::uint32_t t = 0; t < links.across.size(); ++t) {
+    for (std::uint32_t p = 0; p < 4; ++p) {
+      const std::uint32_t across = links.across[t][p];
+      if (across == FaceLinks::none || across / 4 < t || !is_cut(t, across / 4)) continue;
+      faces.push_back(4 * t + p);
+    }
+  }
+  return faces;
+}
+
+Result<CutFaces> some(CutFaces faces, std::string text) {
+  if (!faces.empty()) return faces;
+  return Finding{.code = "no_face",
+                 .text = std::move(text),
+                 .remedy = "name faces inside the body: `sunder check` tells its regions and size"};
+}
+
+/// The side of the plane through `at` that the centre of a tetrahedron is on: the rule of
+/// plane_faces, in its arithmetic.
+bool is_positive(const FileMesh& mesh, std::size_t t, const Point& n, const Point& at) {
+  const auto dot = [](const Point& a, const Point& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  };
+  Point away = {0, 0, 0};
+  double size = std::max({std::abs(at[0]), std::abs(at[1]), std::abs(at[2])});
+  for (const std::uint32_t corner : mesh.tetrahedra.corners[t]) {
+    const Point& x = mesh.points[corner];
+    for (std::size_t i = 0; i < 3; ++i) {
+      size = std::max(size, std::abs(x[i]));
+      away[i] += (x[i] - at[i]) / 4;
+    }
+  }
+  constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
+  const double tolerance =
+      std::sqrt(dot(n, n)) * (1e-10 * std::sqrt(dot(away, away)) + rounding * size);
+  return dot(n, away) >= -tolerance;
+}
+
+/// The number of a region that tetrahedra are in: its name's, or the word itself.
+std::optional<std::int32_t> region_called(const FileMesh& mesh, std::string_view word) {
+  std::int32_t number = 0;
+  const auto [end, reason] = std::from_chars(word.data(), word.data() + word.size(), number);
+  bool is_known = reason == std::errc{} && end == word.data() + word.size();
+  for (const auto& [region, name] : mesh.region_name[3]) {
+    if (name != word) continue;
+    number = region;
+    is_known = true;
+  }
+  const auto& labels = label_of(mesh.tetrahedra);
+  if (!is_known || std::ranges::find(labels, number) == labels.end()) return std::nullopt;
+  return number;
+}
+
+Finding unknown_region(const FileMesh& mesh, std::string_view word) {
+  std::vector<std::int32_t> known = label_of(mesh.tetrahedra);
+  std::ranges::sort(known);
+  known.erase(std::unique(known.begin(), known.end()), known.end());
+  std::string list;
+  constexpr std::size_t most = 12;
+  for (std::size_t i = 0; i < std::min(known.size(), most); ++i) {
+    const auto name = mesh.region_name[3].find(known[i]);
+    list += fmt::format("{}{}{}", i == 0 ? "" : ", ", known[i],
+                        name == mesh.region_name[3].end() ? "" : " (" + name->second + ")");
+  }
+  return {.code = "unknown_region",
+          .text = fmt::format("no tetrahedron is in a region '{}'", word),
+          .remedy = known.empty() ? "the tetrahedra have no regions: name the faces otherwise"
+                                  : fmt::format("give two of {}{}", list,
+                                                known.size() > most ? ", ..." : "")};
+}
+
+}  // namespace
+
+Result<FaceLinks> face_links(const FileMesh& mesh) {
+  const std::size_t n = mesh.tetrahedra.corners.size();
+  if (n >= FaceLinks::none / 4) {
+    return Finding{.code = "too_many_tetrahedra",
+                   .text = fmt::format("{} tetrahedra: their faces are numbered in 32 bits", n),
+                   .remedy = "give fewer than 2^30"};
+  }
+  std::vector<FaceEntry> entries;
+  entries.reserve(4 * n);
+  for (std::uint32_t face = 0; face < 4 * n; ++face)
+    entries.push_back({points_of(mesh, face), face});
+  std::ranges::sort(entries);
+  FaceLinks links;
+  links.across.assign(n, {FaceLinks::none, FaceLinks::none, FaceLinks::none, FaceLinks::none});
+  for (std::size_t i = 0; i + 1 < entries.size(); ++i) {
+    if (entries[i].points != entries[i + 1].points) continue;
+    if (i + 2 < entries.size() && entries[i].points == entries[i + 2].points) {
+      return Finding{
+          .code = "overfull_face",
+          .ids = {entries[i].face / 4, entries[i + 1].face / 4, entries[i + 2].face / 4},
+          .text = fmt::format("more than two tetrahedra share the face on points {}, "
+                              "{}, {}: a crack has two sides",
+                              entries[i].points[0], entries[i].points[1], entries[i].points[2]),
+          .remedy = "drop the tetrahedra too many (--drop-duplicates drops copies)"};
+    }
+    links.across[entries[i].face / 4][entries[i].face % 4] = entries[i + 1].face;
+    links.across[entries[i + 1].face / 4][entries[i + 1].face % 4] = entries[i].face;
+  }
+  return links;
+}
+
+Result<CutFaces> listed_faces(const FileMesh& mesh, const FaceLinks& links,
+                              std::span<const std::array<std::uint32_t, 3>> points) {
+  std::vector<FaceEntry> wanted;
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    auto rising = points[i];
+    std::ranges::sort(rising);
+    wanted.push_back({rising, i});
+  }
+  std::ranges::sort(wanted);
+  std::vector<char> found(points.size(), 0);
+  CutFaces faces = chosen(links, [](std::uint32_t, std::uint32_t) { return true; });
+  std::erase_if(faces, [&](std::uint32_t face) {
+    const auto rising = points_of(mesh, face);
+    const auto first = std::ranges::lower_bound(wanted, rising, {}, &FaceEntry::points);
+    for (auto it = first; it != wanted.end() && it->points == rising; ++it) found[it->face] = 1;
+    return first == wanted.end() || first->points != rising;
+  });
+  Finding missing{
+      .code = "not_interior", .count = 0, .remedy = "list faces that two tetrahedra share"};
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (found[i] != 0) continue;
+    if (missing.count++ == 0) {
+      missing.text = fmt::format("on points {}, {}, {} there is no face of two tetrahedra",
+                                 points[i][0], points[i][1], points[i][2]);
+    }
+    if (missing.ids.size() < Finding::max_ids) missing.ids.push_back(static_cast<std::int64_t>(i));
+  }
+  if (missing.count > 0) return missing;
+  return some(std::move(faces), "the list has no face");
+}
+
+Result<CutFaces> section_faces(const FileMesh& mesh, const FaceLinks& links,
+                               const CuttingPlane& plane) {
+  const std::optional<Point> n = canonical_direction(plane.normal);
+  if (!n || !std::isfinite(plane.offset)) {
+    return Finding{.code = "not_a_direction",
+                   .text = "the normal is zero or not finite (or the plane's offset is not finite)",
+                   .remedy = "give a normal of three finite numbers, not all zero"};
+  }
+  double scale = plane.normal[0];
+  for (const double x : plane.normal) scale = std::abs(x) > std::abs(scale) ? x : scale;
+  const double square = (*n)[0] * (*n)[0] + (*n)[1] * (*n)[1] + (*n)[2] * (*n)[2];
+  const double s = plane.offset / scale / square;
+  const Point at = {s * (*n)[0], s * (*n)[1], s * (*n)[2]};
+  std::vector<char> positive(links.across.size());
+  for (std::size_t t = 0; t < positive.size(); ++t) positive[t] = is_positive(mesh, t, *n, at);
+  return some(chosen(links, [&](auto t, auto other) { return positive[t] != positive[other]; }),
+              "all tetrahedra have their centres on one side of the plane");
+}
+
+Result<CutFaces> interface_faces(const FileMesh& mesh, const FaceLinks& links,
+                                 std::array<std::string_view, 2> regions) {
+  std::array<std::int32_t, 2> numbers;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::optional<std::int32_t> number = region_called(mesh, regions[i]);
+    if (!number) return unknown_region(mesh, regions[i]);
+    numbers[i] = *number;
+  }
+  const auto& label = label_of(mesh.tetrahedra);
+  const auto [a, b] = numbers;
+  return some(chosen(links,
+                     [&, a = a, b = b](auto t, auto other) {
+                       return (label[t] == a && label[other] == b) ||
+                              (label[t] == b && label[other] == a);
+                     }),
+              fmt::format("no tetrahedron of region {} shares a face with one of region {}",
+                          regions[0], regions[1]));
+}
+
+}  // namespace sunder

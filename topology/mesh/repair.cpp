@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: MIT
+// Rows dropped, merged, copied: in every column of points and cells alike.
+#include "topology/mesh/repair.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <unordered_map>
+
+#include "topology/kernel/build_map.hpp"
+
+namespace sunder {
+namespace {
+
+/// Rows of a column with `components` numbers each, in the order of `rows`; empty ones stay empty.
+template <class Value>
+void take_rows(std::vector<Value>& column, const std::vector<std::uint32_t>& rows,
+               std::size_t components = 1) {
+  if (column.empty()) return;
+  std::vector<Value> taken;
+  taken.reserve(rows.size() * components);
+  for (const std::uint32_t row : rows) {
+    const auto first = column.begin() + static_cast<std::ptrdiff_t>(row * components);
+    taken.insert(taken.end(), first, first + static_cast<std::ptrdiff_t>(components));
+  }
+  column = std::move(taken);
+}
+
+void take_rows(std::vector<DataColumn>& columns, const std::vector<std::uint32_t>& rows) {
+  for (DataColumn& column : columns) {
+    std::visit([&](auto& values) { take_rows(values, rows, column.components); }, column.values);
+  }
+}
+
+/// Numbers of what stays are its own: rows that moved keep telling where they come from.
+void number(std::vector<std::int64_t>& ids, std::size_t rows, std::size_t first) {
+  if (!ids.empty()) return;
+  ids.resize(rows);
+  std::iota(ids.begin(), ids.end(), static_cast<std::int64_t>(first));
+}
+
+template <std::size_t Corners>
+void take_cells(CellList<Corners>& cells, const std::vector<std::uint32_t>& rows) {
+  take_rows(cells.corners, rows);
+  take_rows(cells.region, rows);
+  take_rows(cells.entity, rows);
+  take_rows(cells.source_id, rows);
+  take_rows(cells.data, rows);
+}
+
+/// Drops cells for which `stays` is false, in all lists; returns how many tetrahedra went.
+template <class Stays>
+std::size_t keep_cells(FileMesh& mesh, Stays stays) {
+  std::size_t dropped = 0, first = 1;
+  bool any = false;
+  for_each_cell_list(mesh, [&](const auto& cells, int) {
+    for (std::size_t i = 0; i < cells.corners.size(); ++i) any = any || !stays(cells.corners[i], i);
+  });
+  if (!any) return 0;
+  for_each_cell_list(mesh, [&](auto& cells, int dimension) {
+    std::vector<std::uint32_t> rows;
+    for (std::size_t i = 0; i < cells.corners.size(); ++i) {
+      if (stays(cells.corners[i], i)) rows.push_back(static_cast<std::uint32_t>(i));
+    }
+    number(cells.source_id, cells.corners.size(), first);
+    first += cells.corners.size();
+    if (dimension == 3) dropped = cells.corners.size() - rows.size();
+    take_cells(cells, rows);
+  });
+  return dropped;
+}
+
+/// Points become `rows` of the old ones, and corners what `new_row` says.
+void take_points(FileMesh& mesh, const std::vector<std::uint32_t>& rows,
+                 const std::vector<std::uint32_t>& new_row) {
+  number(mesh.source_point_id, mesh.points.size(), 1);
+  take_rows(mesh.points, rows);
+  take_rows(mesh.source_point_id, rows);
+  take_rows(mesh.point_region, rows);
+  take_rows(mesh.point_data, rows);
+  for_each_cell_list(mesh, [&](auto& cells, int) {
+    for (auto& corners : cells.corners) {
+      for (std::uint32_t& corner : corners) corner = new_row[corner];
+    }
+  });
+}
+
+Finding done(std::string_view code, std::size_t count, std::string text) {
+  return {.code = std::string(code),
+          .severity = Severity::note,
+          .count = count,
+          .text = std::move(text),
+          .remedy = "nothing to do: it was asked for"};
+}
+
+double distance2(const Point& a, const Point& b) {
+  double sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
+  return sum;
+}
+
+/// Cubes of the merging distance, and the kept points in each.
+struct PointGrid {
+  double size;
+  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> kept;
+
+  std::array<std::int64_t, 3> cube(const Point& p) const {
+    std::array<std::int64_t, 3> c{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      // Far from the origin cubes are one: only the time suffers.
+      c[k] = static_cast<std::int64_t>(std::clamp(std::floor(p[k] / size), -9e18, 9e18));
+    }
+    return c;
+  }
+  static std::uint64_t key(const std::array<std::int64_t, 3>& c) {
+    std::uint64_t hash = 0;
+    for (const std::int64_t x : c)
+      hash = (hash ^ static_cast<std::uint64_t>(x)) * 0x9e3779b97f4a7c15;
+    return hash;
+  }
+};
+
+/// The lowest kept point within `distance` of `p`; none where there is none.
+std::optional<std::uint32_t> kept_near(const PointGrid& grid, const FileMesh& mesh, const Point& p,
+                                       double distance) {
+  std::optional<std::uint32_t> found;
+  const auto c = grid.cube(p);
+  for (int i = 0; i < 27; ++i) {
+    const auto at =
+        grid.kept.find(PointGrid::key({c[0] + i % 3 - 1, c[1] + i / 3 % 3 - 1, c[2] + i / 9 - 1}));
+    if (at == grid.kept.end()) continue;
+    for (const std::uint32_t row : at->second) {
+      if (distance2(mesh.points[row], p) > distance * distance) continue;
+      if (!found || row < *found) found = row;
+    }
+  }
+  return found;
+}
+
+double volume6(const FileMesh& mesh, const std::array<std::uint32_t, 4>& t) {
+  std::array<std::array<double, 3>, 3> e{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t i = 0; i < 3; ++i) e[i][k] = mesh.points[t[i + 1]][k] - mesh.points[t[0]][k];
+  }
+  return e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) -
+         e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
+         e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);
+}
+
+std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t row) {
+  while (parent[row] != row) row = parent[row] = parent[parent[row]];
+  return row;
+}
+
+/// The part of each tetrahedron, by faces, named by its lowest row.
+std::vector<std::uint32_t> parts_by_faces(const FileMesh& mesh) {
+  struct Face {
+    std::array<std::uint32_t, 3> points;
+    std::uint32_t tetrahedron;
+  };
+  std::vector<Face> faces;
+  faces.reserve(4 * mesh.tetrahedra.corners.size());
+  std::vector<std::uint32_t> parent(mesh.tetrahedra.corners.size());
+  std::iota(parent.begin(), parent.end(), 0U);
+  for (std::uint32_t t = 0; t < parent.size(); ++t) {
+    auto p = mesh.tetrahedra.corners[t];
+    std::sort(p.begin(), p.end());
+    for (std::size_t left_out = 0; left_out < 4; ++left_out) {
+      Face& face = faces.emplace_back(Face{{}, t});
+      for (std::size_t k = 0; k < 3; ++k) face.points[k] = p[k < left_out ? k : k + 1];
+    }
+  }
+  std::sort(faces.begin(), faces.end(),
+            [](const Face& a, const Face& b) { return a.points < b.points; });
+  for (std::size_t i = 1; i < faces.size(); ++i) {
+    if (faces[i].points != faces[i - 1].points) continue;
+    const auto a = root_of(parent, faces[i - 1].tetrahedron);
+    const auto b = root_of(parent, faces[i].tetrahedron);
+    parent[std::max(a, b)] = std::min(a, b);
+  }
+  for (std::uint32_t t = 0; t < parent.size(); ++t) parent[t] = root_of(parent, t);
+  return parent;
+}
+
+}  // namespace
+
+Finding merge_points(FileMesh& mesh, double distance) {
+  PointGrid grid{distance > 0 ? distance : 1e-300, {}};
+  std::vector<std::uint32_t> rows, new_row(mesh.points.size());
+  for (std::uint32_t p = 0; p < mesh.points.size(); ++p) {
+    if (const auto near = kept_near(grid, mesh, mesh.points[p], distance)) {
+      new_row[p] = new_row[*near];
+      continue;
+    }
+    new_row[p] = static_cast<std::uint32_t>(rows.size());
+    rows.push_back(p);
+    grid.kept[PointGrid::key(grid.cube(mesh.points[p]))].push_back(p);
+  }
+  const std::size_t merged = mesh.points.size() - rows.size();
+  std::size_t flat = 0;
+  if (merged > 0) {
+    take_points(mesh, rows, new_row);
+    flat = keep_cells(mesh, [](const auto& corners, std::size_t) {
+      auto sorted = corners;
+      std::sort(sorted.begin(), sorted.end());
+      return std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
+    });
+  }
+  return done("merged_points", merged,
+              fmt::format("{} points were merged into others within {} m; {} tetrahedra lost a "
+                          "corner and were dropped",
+                          merged, distance, flat));
+}
+
+Finding drop_duplicate_tetrahedra(FileMesh& mesh) {
+  std::vector<std::pair<std::array<std::uint32_t, 4>, std::uint32_t>> sorted;
+  for (std::uint32_t t = 0; t < mesh.tetrahedra.corners.size(); ++t) {
+    sorted.emplace_back(mesh.tetrahedra.corners[t], t);
+    std::sort(sorted.back().first.begin(), sorted.back().first.end());
+  }
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<char> again(sorted.size(), 0);
+  for (std::size_t i = 1; i < sorted.size(); ++i) {
+    again[sorted[i].second] = sorted[i].first == sorted[i - 1].first;
+  }
+  const std::size_t dropped = keep_cells(mesh, [&](const auto& corners, std::size_t row) {
+    return corners.size() != 4 || !again[row];
+  });
+  return done("dropped_duplicates", dropped,
+              fmt::format("{} tetrahedra with the points of an earlier one were dropped", dropped));
+}
+
+Finding split_nonmanifold(FileMesh& mesh) {
+  TetMesh tetrahedra;
+  tetrahedra.points = mesh.points;
+  tetrahedra.tetrahedra = mesh.tetrahedra.corners;
+  Result<VolumeMap> map = build_map(tetrahedra, Severity::warning);
+  if (!map) {
+    Finding refused = map.findings.front();
+    refused.text =
+        fmt::format("--split-nonmanifold needs a mesh that can be glued: {}", refused.text);
+    return refused;
+  }
+  std::vector<std::uint32_t> rows(mesh.points.size()), point_of_row(map->vertices());
+  std::iota(rows.begin(), rows.end(), 0U);
+  const std::vector<std::uint32_t> same_row = rows;
+  std::vector<char> taken(mesh.points.size(), 0);
+  for (std::size_t row = 0; row < map->vertices(); ++row) {
+    const std::uint32_t point = map->point_of_vertex(VertexId{row});
+    point_of_row[row] = point;
+    if (taken[point]) {
+      point_of_row[row] = static_cast<std::uint32_t>(rows.size());
+      rows.push_back(point);
+    }
+    taken[point] = 1;
+  }
+  const std::size_t copies = rows.size() - mesh.points.size();
+  if (copies > 0) {
+    take_points(mesh, rows, same_row);
+    const auto corners = map->corners();
+    for (std::size_t t = 0; t < corners.size(); ++t) {
+      // The map may have swapped two corners of an inverted tetrahedron: the file's order stays.
+      for (std::uint32_t& corner : mesh.tetrahedra.corners[t]) {
+        for (const VertexId v : corners[t]) {
+          if (map->point_of_vertex(v) == corner) corner = point_of_row[v.index()];
+        }
+      }
+    }
+  }
+  return done("split_nonmanifold", copies,
+              fmt::format("{} copies of points were made where stars only touched", copies));
+}
+
+Finding keep_largest_component(FileMesh& mesh) {
+  const std::vector<std::uint32_t> part = parts_by_faces(mesh);
+  std::vector<std::size_t> size(part.size(), 0);
+  for (const std::uint32_t p : part) ++size[p];
+  const auto largest = static_cast<std::uint32_t>(std::ranges::max_element(size) - size.begin());
+  std::vector<char> used(mesh.points.size(), 0);
+  for (std::size_t t = 0; t < part.size(); ++t) {
+    if (part[t] != largest) continue;
+    for (const std::uint32_t corner : mesh.tetrahedra.corners[t]) used[corner] = 1;
+  }
+  const std::size_t parts = part.size() - std::ranges::count(size, std::size_t{0});
+  const std::size_t dropped = keep_cells(mesh, [&](const auto& corners, std::size_t row) {
+    if (corners.size() == 4) return part[row] == largest;
+    return std::ranges::all_of(corners, [&](std::uint32_t corner) { return used[corner] != 0; });
+  });
+  return done("kept_largest_component", dropped,
+              fmt::format("of {} components the largest stays: {} tetrahedra were dropped", parts,
+                          dropped));
+}
+
+Finding fix_orientation(FileMesh& mesh) {
+  std::size_t swapped = 0;
+  for (auto& t : mesh.tetrahedra.corners) {
+    if (!(volume6(mesh, t) < 0)) continue;
+    std::swap(t[2], t[3]);
+    ++swapped;
+  }
+  return done("fixed_orientation", swapped,
+              fmt::format("{} inverted tetrahedra had two points swapped", swapped));
+}
+
+Finding drop_unused_points(FileMesh& mesh) {
+  std::vector<char> used(mesh.points.size(), 0);
+  for_each_cell_list(mesh, [&](const auto& cells, int) {
+    for (const auto& corners : cells.corners) {
+      for (const std::uint32_t corner : corners) used[corner] = 1;
+    }
+  });
+  std::vector<std::uint32_t> rows, new_row(mesh.points.size());
+  for (std::uint32_t p = 0; p < used.size(); ++p) {
+    new_row[p] = static_cast<std::uint32_t>(rows.size());
+    if (used[p]) rows.push_back(p);
+  }
+  const std::size_t dropped = mesh.points.size() - rows.size();
+  if (dropped > 0) take_points(mesh, rows, new_row);
+  return done("dropped_unused", dropped,
+              fmt::format("{} points that no cell uses were dropped", dropped));
+}
+
+std::vector<Finding> repair(FileMesh& mesh, const Repairs& repairs) {
+  std::vector<Finding> findings;
+  if (repairs.merge_points) findings.push_back(merge_points(mesh, *repairs.merge_points));
+  if (repairs.drop_duplicates) findings.push_back(drop_duplicate_tetrahedra(mesh));
+  if (repairs.split_nonmanifold) findings.push_back(split_nonmanifold(mesh));
+  if (repairs.largest_component) findings.push_back(keep_largest_component(mesh));
+  if (repairs.fix_orientation) findings.push_back(fix_orientation(mesh));
+  if (repairs.drop_unused) findings.push_back(drop_unused_points(mesh));
+  return findings;
+}
+
+}  // namespace sunder

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// A topology kernel as the suite sees it: a name and the questions it can answer. The kernels that
+// come with Sunder, and one that runs in another process.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "topology/kernel/finding.hpp"
+#include "topology/suite/kernels/operation.hpp"
+#include "topology/mesh/tet_mesh.hpp"
+
+namespace sunder::suite {
+
+/// One kernel with (after `load`) one body. Functions that may be empty say so; the suite then
+/// leaves that check out and counts it as not asked.
+struct JudgedKernel {
+  std::string name;
+  /// Takes a body, forgetting any before. Findings as `check_mesh` names them where the kernel has
+  /// such checks; an error among them: the body is refused. Flat and folded tetrahedra are no
+  /// reason to refuse: this is about topology.
+  std::function<std::vector<Finding>(const TetMesh&)> load;
+  /// Whether `load` gives every finding of `check_mesh` (warnings and notes too), so that its codes
+  /// can be held against the fixture's; otherwise only whether it refuses counts.
+  bool names_findings = false;
+  /// Needs: a side of a face of the body.
+  std::function<SplitAnswer(FaceSide)> split;
+  /// False: refused, nothing changed. Needs: the two sides have the same three points. May be
+  /// empty.
+  std::function<bool(FaceSide, FaceSide)> glue;
+  std::function<CellCounts()> counts;
+  /// For each corner 4 t + i (i: place in the file's tetrahedron) a number of its vertex orbit:
+  /// equal exactly for corners of one orbit. Which numbers they are does not matter.
+  std::function<std::vector<std::uint32_t>()> vertex_of_corner;
+  /// Likewise the component of each tetrahedron.
+  std::function<std::vector<std::uint32_t>()> component_of_tetrahedron;
+  /// Everything the kernel finds wrong with itself (involutions, rows against darts, split laws
+  /// since the last call); empty when all is well. May be empty.
+  std::function<std::vector<std::string>()> own_faults;
+  /// The faces of the fan of a vertex for a normal (section 4.1, algorithm 4), each once from
+  /// whichever side, in any order. May be empty.
+  std::function<std::vector<FaceSide>(CornerAt, Point)> fan;
+  /// Homology over Z of the body as it is now; nothing when it is too large for the kernel. May be
+  /// empty.
+  std::function<std::optional<IntegerHomology>()> homology;
+  /// Whether the body as it is now is orientable. May be empty.
+  std::function<std::optional<bool>()> orientable;
+};
+
+/// `VolumeMap`: map and dense rows, the library's own kernel ("sunder").
+JudgedKernel volume_map_kernel();
+/// CGAL's map left to itself ("cgal"): cells sewn and unsewn by its managed `sew<3>` and
+/// `unsew<3>`, splits counted by its attribute functors on 0- and 1-attributes.
+JudgedKernel cgal_kernel();
+/// Union-find over corners, edges and tetrahedra ("twin"): no dart, no walk.
+JudgedKernel twin_kernel();
+
+/// A kernel in another process that speaks the protocol of docs/suite.md on its stdin and stdout.
+/// `command` goes to /bin/sh. An answer that is not one, or none within `seconds`, ends the process
+/// and throws `KernelLost`.
+JudgedKernel process_kernel(const std::string& command, double seconds = 60);
+
+/// Another process died, hung or spoke nonsense; `what()` says which question it was.
+struct KernelLost : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace sunder::suite

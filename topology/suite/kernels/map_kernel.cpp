@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: MIT
+// `VolumeMap` under judgement: its answers in the file's numbers, and what it says against itself.
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "topology/kernel/build_map.hpp"
+#include "topology/kernel/components.hpp"
+#include "topology/kernel/fan.hpp"
+#include "topology/kernel/invariants.hpp"
+#include "topology/kernel/split_face.hpp"
+#include "topology/suite/kernels/judged_kernel.hpp"
+
+namespace sunder::suite {
+namespace {
+
+constexpr std::array<Detection, 4> all_detections = {Detection::walk, Detection::dirty_counter,
+                                                     Detection::oracle, Detection::exact};
+constexpr std::array<const char*, 4> detection_names = {"walks", "the dirty counter",
+                                                        "the bare oracle", "lockstep"};
+
+struct Body {
+  std::optional<VolumeMap> map;
+  std::vector<std::array<std::uint32_t, 4>> file;
+  /// Updated after every split, which tells whether it separated.
+  Components labels;
+  /// Updated by each way of detection with all splits since the last look at the faults.
+  std::array<Components, all_detections.size()> batched;
+  std::vector<FaceSplit> batch;
+  /// Gluing makes labels void; they are walked anew when somebody asks.
+  bool labels_are_void = true;
+  ComponentScratch scratch;
+  /// No tetrahedron is flat or folded against its neighbours: Betti numbers follow from the
+  /// boundary.
+  bool in_space = false;
+  /// Cells as they are now, where they were counted after the last change.
+  std::optional<Counts> counts;
+  std::size_t splits = 0;
+  std::vector<std::string> faults;
+};
+
+HalfFaceId half_face_at(const Body& body, FaceSide side) {
+  const auto& rows = body.map->corners(TetId{side.tetrahedron});
+  int place = 0;
+  while (body.map->point_of_vertex(rows[place]) != side.opposite) ++place;
+  return half_face(TetId{side.tetrahedron}, place);
+}
+
+FaceSide side_of(const Body& body, HalfFaceId f) {
+  const VertexId v = body.map->corners(tetrahedron_of(f))[place_of(f)];
+  return {tetrahedron_of(f).value, body.map->point_of_vertex(v)};
+}
+
+void label_anew(Body& body) {
+  if (!body.labels_are_void) return;
+  body.labels = label_components(*body.map);
+  body.batched.fill(body.labels);
+  body.batch.clear();
+  body.labels_are_void = false;
+}
+
+std::vector<Finding> load(Body& body, const TetMesh& mesh) {
+  Result<VolumeMap> built = build_map(mesh, Severity::warning);
+  body = {};
+  body.file = mesh.tetrahedra;
+  body.map = std::move(built.value);
+  body.in_space = std::none_of(built.findings.begin(), built.findings.end(), [](const Finding& f) {
+    return f.code == "folded_tetrahedron" || f.code == "flat_tetrahedron";
+  });
+  return built.findings;
+}
+
+void note(Body& body, const std::vector<Finding>& findings) {
+  for (const Finding& f : findings) {
+    body.faults.push_back("after split " + std::to_string(body.splits) + ": " + f.code + ": " +
+                          f.text);
+  }
+}
+
+SplitAnswer in_file_points(const Body& body, const FaceSplit& split) {
+  SplitAnswer answer;
+  answer.did = split.did;
+  const auto point = [&body](VertexId v) { return body.map->point_of_vertex(v); };
+  for (int i = 0; i < split.vertex_count; ++i) {
+    answer.vertices.push_back(point(split.split_vertices[i].old_row));
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    if ((split.split_edges >> i & 1) == 0) continue;
+    const std::uint32_t a = point(split.vertices[i]), b = point(split.vertices[(i + 1) % 3]);
+    answer.edges.push_back({std::min(a, b), std::max(a, b)});
+  }
+  std::sort(answer.vertices.begin(), answer.vertices.end());
+  std::sort(answer.edges.begin(), answer.edges.end());
+  return answer;
+}
+
+/// The cells, for the laws; without Betti numbers where the body cannot lie in space, for there
+/// b2 = sheets - components does not hold: a product of circle and sphere has b2 = 1 and no sheet.
+Counts counted_for_laws(const Body& body) {
+  Counts counts = count_cells(*body.map);
+  if (!body.in_space) counts.betti.reset();
+  return counts;
+}
+
+/// Splits a face and holds what happened to all cells against the laws: always on small bodies,
+/// else often enough to cost about 20 us a split.
+FaceSplit split_by_law(Body& body, HalfFaceId face) {
+  const std::size_t tetrahedra = body.map->tetrahedra();
+  const bool counted = tetrahedra <= 100 || body.splits % (tetrahedra / 20) == 0;
+  ++body.splits;
+  if (counted && !body.counts) body.counts = counted_for_laws(body);
+  const std::optional<Counts> before = std::exchange(body.counts, std::nullopt);
+  const FaceSplit split = split_face(*body.map, face);
+  if (!counted) return split;
+  body.counts = counted_for_laws(body);
+  note(body, check_split_laws(*before, *body.counts, split));
+  return split;
+}
+
+VertexId row_at(const Body& body, TetId t, std::uint32_t point) {
+  for (const VertexId v : body.map->corners(t)) {
+    if (body.map->point_of_vertex(v) == point) return v;
+  }
+  return VertexId::none();
+}
+
+/// The contract of rows: the passed side keeps its own, the other has the copies; and the oracle
+/// says yes exactly when all three differ now.
+void judge_rows(Body& body, const FaceSplit& did) {
+  int different = 0;
+  for (const VertexId v : did.vertices) {
+    const std::uint32_t point = body.map->point_of_vertex(v);
+    const VertexId kept = row_at(body, tetrahedron_of(did.face), point);
+    const VertexId other = row_at(body, tetrahedron_of(did.opposite), point);
+    different += kept != other ? 1 : 0;
+    if (kept != v) body.faults.push_back("the side that was passed did not keep its row");
+  }
+  if (oracle_says_new(did) != (different == 3)) {
+    body.faults.push_back("the oracle does not say whether all three vertices split");
+  }
+}
+
+SplitAnswer split(Body& body, FaceSide side) {
+  const HalfFaceId face = half_face_at(body, side);
+  if (body.map->neighbour(face).is_none()) return in_file_points(body, split_face(*body.map, face));
+  label_anew(body);
+  const FaceSplit did = split_by_law(body, face);
+  judge_rows(body, did);
+  const ComponentUpdate update =
+      update_components(*body.map, std::span(&did, 1), Detection::exact, body.labels, body.scratch);
+  if (update.created > 1) body.faults.push_back("one split made several components");
+  if (update.predicted != (oracle_says_new(did) ? 1U : 0U)) {
+    body.faults.push_back("the update does not predict what the oracle says");
+  }
+  body.batch.push_back(did);
+  SplitAnswer answer = in_file_points(body, did);
+  answer.separated = update.created > 0;
+  return answer;
+}
+
+bool glue(Body& body, FaceSide a, FaceSide b) {
+  const HalfFaceId f = half_face_at(body, a), g = half_face_at(body, b);
+  const auto before = body.map->corners(tetrahedron_of(f));
+  std::array<VertexId, 4> lower = before;
+  for (VertexId& row : lower) {
+    const VertexId other = row_at(body, tetrahedron_of(g), body.map->point_of_vertex(row));
+    if (!other.is_none()) row = std::min(row, other);
+  }
+  lower[place_of(f)] = before[place_of(f)];
+  if (glue_face(*body.map, f, g).refusal != GlueRefusal::none) return false;
+  if (body.map->corners(tetrahedron_of(f)) != lower) {
+    body.faults.push_back("gluing did not keep the lower rows");
+  }
+  body.labels_are_void = true;
+  body.counts.reset();
+  return true;
+}
+
+CellCounts counts(const Body& body) {
+  const Counts c = count_cells(*body.map);
+  return {c.vertices,   c.edges,          c.faces,          c.tetrahedra,
+          c.components, c.boundary_faces, c.boundary_sheets};
+}
+
+std::vector<std::uint32_t> vertex_of_corner(const Body& body) {
+  std::vector<std::uint32_t> rows;
+  for (std::size_t t = 0; t < body.file.size(); ++t) {
+    const auto& corners = body.map->corners(TetId{t});
+    for (const std::uint32_t point : body.file[t]) {
+      rows.push_back(std::find_if(corners.begin(), corners.end(), [&](VertexId v) {
+                       return body.map->point_of_vertex(v) == point;
+                     })->value);
+    }
+  }
+  return rows;
+}
+
+/// Whether two labellings part the same rows; none() beside none() only.
+template <class Row>
+bool same_partition(const std::vector<Row>& a, const std::vector<Row>& b) {
+  if (a.size() != b.size()) return false;
+  std::unordered_map<std::uint32_t, std::uint32_t> there, back;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (a[i].is_none() != b[i].is_none()) return false;
+    if (there.emplace(a[i].value, b[i].value).first->second != b[i].value) return false;
+    if (back.emplace(b[i].value, a[i].value).first->second != a[i].value) return false;
+  }
+  return true;
+}
+
+void judge_labels(Body& body) {
+  const auto expect = [&body](bool holds, const std::string& what) {
+    if (!holds) body.faults.push_back("after split " + std::to_string(body.splits) + ": " + what);
+  };
+  label_anew(body);
+  for (std::size_t i = 0; i < all_detections.size(); ++i) {
+    update_components(*body.map, body.batch, all_detections[i], body.batched[i], body.scratch);
+  }
+  body.batch.clear();
+  for (std::size_t i = 1; i < all_detections.size(); ++i) {
+    const Components &a = body.batched[0], &b = body.batched[i];
+    expect(a.of_tetrahedron == b.of_tetrahedron && a.of_vertex == b.of_vertex && a.size == b.size &&
+               a.parent == b.parent,
+           std::string("labels by ") + detection_names[i] + " are not those by walks");
+  }
+  const Components walked = label_components(*body.map);
+  for (const Components* labels : {&body.labels, &body.batched[0]}) {
+    expect(same_partition(labels->of_tetrahedron, walked.of_tetrahedron),
+           "components of tetrahedra are not those of a full walk");
+    expect(same_partition(labels->of_vertex, walked.of_vertex),
+           "components of vertices are not those of a full walk");
+    std::vector<std::size_t> size(labels->size.size(), 0);
+    for (const ComponentId c : labels->of_tetrahedron) ++size[c.index()];
+    expect(size == labels->size, "sizes of components are not those of their labels");
+  }
+}
+
+std::vector<std::string> own_faults(Body& body) {
+  judge_labels(body);
+  note(body, check(*body.map));
+  return std::exchange(body.faults, {});
+}
+
+std::vector<FaceSide> fan(Body& body, CornerAt at, const Point& normal) {
+  const auto& rows = body.map->corners(TetId{at.tetrahedron});
+  const auto row = std::find_if(rows.begin(), rows.end(), [&](VertexId v) {
+    return body.map->point_of_vertex(v) == at.point;
+  });
+  const Result<std::vector<HalfFaceId>> faces = fan_faces(*body.map, *row, normal);
+  note(body, faces.findings);
+  std::vector<FaceSide> sides;
+  if (!faces) return sides;
+  for (const HalfFaceId f : *faces) sides.push_back(side_of(body, f));
+  return sides;
+}
+
+}  // namespace
+
+JudgedKernel volume_map_kernel() {
+  const auto body = std::make_shared<Body>();
+  JudgedKernel kernel;
+  kernel.name = "sunder";
+  kernel.names_findings = true;
+  kernel.load = [body](const TetMesh& mesh) { return load(*body, mesh); };
+  kernel.split = [body](FaceSide side) { return split(*body, side); };
+  kernel.glue = [body](FaceSide a, FaceSide b) { return glue(*body, a, b); };
+  kernel.counts = [body] { return counts(*body); };
+  kernel.vertex_of_corner = [body] { return vertex_of_corner(*body); };
+  kernel.component_of_tetrahedron = [body] {
+    label_anew(*body);
+    std::vector<std::uint32_t> labels;
+    for (const ComponentId c : body->labels.of_tetrahedron) labels.push_back(c.value);
+    return labels;
+  };
+  kernel.own_faults = [body] { return own_faults(*body); };
+  kernel.fan = [body](CornerAt at, Point normal) { return fan(*body, at, normal); };
+  return kernel;
+}
+
+}  // namespace sunder::suite

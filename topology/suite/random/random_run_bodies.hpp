@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Families of bodies for random runs: each draws bodies of one topology or sort, of many sizes.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "topology/suite/fixtures/shapes.hpp"
+#include "topology/mesh/tet_mesh.hpp"
+
+namespace sunder::suite {
+
+struct BodyFamily {
+  std::string name;
+  /// Its part of all fans of a run, in proportion to those of the other families.
+  std::size_t share = 1;
+  std::function<TetMesh(std::mt19937_64&)> draw;
+};
+
+/// Fans, stars, boxes, polycubes, rings, shells, channels, pinched bars, closed spheres, scattered
+/// tetrahedra, several bodies at once; 1 to 6 000 tetrahedra, most of them below 400. All can be
+/// built; many are pinched, some are closed or disconnected. `largest` leaves families out whose
+/// bodies may have more tetrahedra than that.
+std::vector<BodyFamily> body_families(std::size_t largest);
+
+/// The same body in another guise, at random: points moved, all names and corners permuted, some
+/// tetrahedra turned inside out in the file, or everything pressed flat. None of this changes what
+/// hangs together with what.
+TetMesh disguised(TetMesh mesh, std::mt19937_64& random);
+
+}  // namespace sunder::suite
