@@ -11,7 +11,7 @@
 
 #include "apps/bench/bench_clock.hpp"
 #include "apps/bench/bench_figures.hpp"
-#include "fracture/simulation/simulation.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/baselines/modal.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
@@ -68,7 +68,7 @@ Result<Simulation> flying_body(const Case& c) {
                           .spin = {1, 2, 3}});
   Result<Simulation> sim = build_simulation(std::move(scene));
   if (!sim) return sim;
-  MechanicsState& m = sim->state.mechanics;
+  MechanicsState& m = sim->state->mechanics;
   const Component& component = m.components.front();
   for (VertexId v : component.vertices) {
     const Vec3 r = (m.vertices.position[v.index()] - component.centre) / component.rest_radius;
@@ -82,12 +82,12 @@ Result<Simulation> flying_body(const Case& c) {
 /// Median wall time of one step from the same state, and how its iterations went.
 MethodFigure measure(Simulation& sim, const Method& method, const Case& c, int runs) {
   constexpr double long_enough = 2e6;  // us
-  MechanicsState& m = sim.state.mechanics;
+  MechanicsState& m = sim.state->mechanics;
   MechanicsScratch scratch;
   const Loads loads{.gravity = sim.scene.gravity.acceleration};
   IntegratorSettings settings = method.settings;
   settings.time_step = c.time_step;
-  const std::span<const Corners> corners = sim.state.cells.map.corners();
+  const std::span<const Corners> corners = sim.state->cells.map.corners();
   const StepInput input{corners, loads, settings};
   const ComponentId only = m.components.front().id;
   const auto step = [&] {
@@ -131,7 +131,7 @@ Result<MethodBench> bench_methods(const MethodBenchSettings& settings,
     }
     double base = 0;
     for (const Method& method : methods()) {
-      const bool small = sim->state.mechanics.vertices.size() <= modal_vertex_limit;
+      const bool small = sim->state->mechanics.vertices.size() <= modal_vertex_limit;
       if (method.settings.integrator == Integrator::modal && !small) continue;
       MethodFigure figure = measure(*sim, method, c, settings.runs);
       if (base == 0) base = figure.ms;

@@ -12,7 +12,7 @@
 #include "apps/bench/bench_cholmod.hpp"
 #include "apps/bench/bench_clock.hpp"
 #include "apps/bench/bench_figures.hpp"
-#include "fracture/simulation/simulation.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/solver/component_system.hpp"
 #include "mechanics/integrators/component_step.hpp"
 #include "topology/io/mesh_file.hpp"
@@ -100,11 +100,11 @@ void measure_others(const ComponentSystem& system, const Sink& sink) {
 
 /// What the constant matrices of the body cost to make.
 void measure_factor(Simulation& sim, const Sink& sink) {
-  const MechanicsState& m = sim.state.mechanics;
+  const MechanicsState& m = sim.state->mechanics;
   const Component& component = m.components.front();
-  const std::span<const Corners> corners = sim.state.cells.map.corners();
+  const std::span<const Corners> corners = sim.state->cells.map.corners();
   const int runs = sink.runs / 5;
-  ComponentSystem& system = *sim.scratch.mechanics.systems.front();
+  ComponentSystem& system = *sim.scratch->mechanics.systems.front();
   ComponentSystem other;
   std::vector<std::uint32_t> local_row(m.vertices.size());
   sink.measure("build", runs, [&] { build_system(other, local_row, m, corners, component); });
@@ -123,9 +123,9 @@ void measure_factor(Simulation& sim, const Sink& sink) {
 
 /// The parts of a step, each called by itself, and the step as `advance` takes it.
 void measure_step(Simulation& sim, const Sink& sink) {
-  MechanicsState& m = sim.state.mechanics;
-  MechanicsScratch& scratch = sim.scratch.mechanics;
-  const std::span<const Corners> corners = sim.state.cells.map.corners();
+  MechanicsState& m = sim.state->mechanics;
+  MechanicsScratch& scratch = sim.scratch->mechanics;
+  const std::span<const Corners> corners = sim.state->cells.map.corners();
   for (int i = 0; i < 3; ++i) advance(sim);
   ComponentSystem& system = *scratch.systems.front();
   const auto dofs = static_cast<Eigen::Index>(3 * system.size());
@@ -141,7 +141,7 @@ void measure_step(Simulation& sim, const Sink& sink) {
   const double stress =
       sink.measure("element_stress", sink.runs, [&] { measure_elements(m, scratch, corners); });
   const double criterion = sink.measure("node_stress", sink.runs, [&] {
-    find_fractures(sim.state.cells, m, sim.scene.fracture, sim.scratch.fracture);
+    find_fractures(sim.state->cells, m, sim.scene.fracture, sim.scratch->fracture);
   });
   const double whole = sink.measure("step", sink.runs, [&] { advance(sim); });
   sink.add("rest", whole - predicted - stress - criterion);
@@ -186,8 +186,8 @@ void crack(MechanicsState& m, std::vector<Corners>& corners, std::span<const Ver
 
 /// What a crack costs: old factor under a border, or all anew.
 void measure_crack(const Simulation& sim, std::size_t count, const Sink& sink) {
-  MechanicsState m = sim.state.mechanics;
-  const auto before = sim.state.cells.map.corners();
+  MechanicsState m = sim.state->mechanics;
+  const auto before = sim.state->cells.map.corners();
   std::vector<Corners> corners(before.begin(), before.end());
   crack(m, corners, vertices_of_crack(m, count));
   MechanicsScratch scratch;
@@ -195,7 +195,7 @@ void measure_crack(const Simulation& sim, std::size_t count, const Sink& sink) {
   rebuild(m, corners, {&only, 1}, scratch);
   std::vector<std::uint32_t> local_row(m.vertices.size());
   const SystemInput input{m, corners, m.components.front()};
-  const ComponentSystem& old = *sim.scratch.mechanics.systems.front();
+  const ComponentSystem& old = *sim.scratch->mechanics.systems.front();
   const SystemMatrix matrix = old.step.matrix;
   ComponentSystem copy, system, fresh;
   std::vector<double> times;
@@ -333,7 +333,7 @@ Result<StepBench> bench_step(const StepBenchSettings& settings,
     if (sim) {
       measure_step(*sim, sink);
       measure_factor(*sim, sink);
-      measure_others(*sim->scratch.mechanics.systems.front(), sink);
+      measure_others(*sim->scratch->mechanics.systems.front(), sink);
       for (const std::size_t n : crack_sizes) measure_crack(*sim, n, sink);
       if (sink.tetrahedra <= most_for_range) {
         sim.findings = measure_range(body.mesh, sink);

@@ -14,6 +14,7 @@
 #include "apps/bench/bench_figures.hpp"
 #include "apps/bench/paper/bench_paper_run.hpp"
 #include "apps/bench/paper/bench_paper_tables.hpp"
+#include "fracture/algorithms/threshold_test.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
 namespace sunder {

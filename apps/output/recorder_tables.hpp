@@ -9,7 +9,8 @@
 #include <vector>
 
 #include "fracture/algorithms/cells.hpp"
-#include "fracture/energy/crack_energy.hpp"
+#include "fracture/energy/settled_crack.hpp"
+#include "fracture/simulation/scene.hpp"
 #include "mechanics/state/mechanics_state.hpp"
 #include "topology/kernel/finding.hpp"
 

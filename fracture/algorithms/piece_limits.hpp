@@ -5,7 +5,7 @@
 #include <span>
 
 #include "fracture/algorithms/cells.hpp"
-#include "fracture/simulation/scene.hpp"
+#include "fracture/algorithms/fracture_settings.hpp"
 
 namespace sunder {
 

@@ -6,22 +6,12 @@
 #include <Eigen/Core>
 #include <cstddef>
 
+#include "fracture/algorithms/fracture_settings.hpp"
+
 namespace sunder {
 
 /// What a test of one stress tensor against a threshold says.
 enum class ThresholdAnswer { below, reached, not_a_number };
-
-/// How vertices are tested against their thresholds; the answers are the same.
-enum class ThresholdTest {
-  /// Eigenvalues of every tensor.
-  eigenvalues,
-  /// Gershgorin's bound, eigenvalues of what it lets through (the paper's).
-  gershgorin,
-  /// Leading minors of every tensor.
-  exact,
-  /// Gershgorin's bound, leading minors of what it lets through.
-  chain,
-};
 
 /// Upper bound of the eigenvalues of a symmetric tensor, max_i M_ii + sum_{j != i} |M_ji|
 /// (Gershgorin; eq. 7). `sigma`: Pa. Returns Pa; not a number when an entry is not.

@@ -6,7 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "fracture/algorithms/split_fan.hpp"
+#include "fracture/algorithms/fan_event.hpp"
+#include "fracture/algorithms/cells.hpp"
+#include "fracture/energy/settled_crack.hpp"
 #include "mechanics/step.hpp"
 
 namespace sunder {
@@ -25,14 +27,6 @@ struct OpenCrack {
   double area = 0;        ///< m^2, of its faces at rest
   std::vector<CrackSide> sides;
   double followed = 0;  ///< s
-};
-
-/// What a fan gave up.
-struct CrackEnergy {
-  std::uint64_t fan = 0;
-  double time = 0;    ///< s
-  double area = 0;    ///< m^2
-  double energy = 0;  ///< J; over `area`: energy per crack area
 };
 
 /// Half of the forces times the ways: what it takes to close the crack again [virtual crack

@@ -7,7 +7,7 @@
 #include "fracture/strength/draw_strength.hpp"
 #include "fracture/strength/make_cuts.hpp"
 #include "fracture/simulation/scene_loads.hpp"
-#include "fracture/simulation/simulation.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 #include "fracture/simulation/step_work.hpp"
 #include "topology/kernel/build_map.hpp"
 #include "topology/mesh/check.hpp"
@@ -95,13 +95,13 @@ bool contains(const HeldBox& box, const Vec3& p) {
 /// Marks the held vertices of one body. A box that holds nothing is an error: it never is meant.
 std::vector<Finding> hold_vertices(Simulation& sim, std::size_t body) {
   std::vector<Finding> findings;
-  MechanicsState& m = sim.state.mechanics;
+  MechanicsState& m = sim.state->mechanics;
   const auto& held = sim.scene.bodies[body].held;
   for (std::size_t i = 0; i < held.size(); ++i) {
     const MotionId motion{m.motions.size()};
     std::size_t count = 0;
     for (std::size_t v = 0; v < m.vertices.size(); ++v) {
-      const std::uint32_t point = sim.state.cells.map.point_of_vertex(VertexId{v});
+      const std::uint32_t point = sim.state->cells.map.point_of_vertex(VertexId{v});
       if (point < sim.bodies[body].first_point || point >= sim.bodies[body].end_point) continue;
       if (!contains(held[i], m.vertices.rest_position[v])) continue;
       m.vertices.support[v] = motion;
@@ -120,7 +120,7 @@ std::vector<Finding> hold_vertices(Simulation& sim, std::size_t body) {
 /// Places every component of a body, all of them as one rigid body.
 void place_body(Simulation& sim, std::size_t body) {
   const BodySettings& settings = sim.scene.bodies[body];
-  MechanicsState& m = sim.state.mechanics;
+  MechanicsState& m = sim.state->mechanics;
   const BodyRows& rows = sim.bodies[body];
   double mass = 0;
   Vec3 rest_centre = Vec3::Zero();
@@ -186,6 +186,11 @@ void start_display(SimulationState& state) {
 
 }  // namespace
 
+Simulation::Simulation() = default;
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+
 Result<Simulation> build_simulation(Scene scene) {
   Result<Simulation> result;
   result.findings = check_scene(scene);
@@ -208,20 +213,22 @@ Result<Simulation> build_simulation(Scene scene) {
 
   Cells cells = make_cells(std::move(*map), *mechanics, std::move(skin));
   draw_strengths(cells, *mechanics, scene.bodies, bodies);
-  Simulation sim{.scene = std::move(scene),
-                 .bodies = std::move(bodies),
-                 .loads = {},
-                 .state = {.cells = std::move(cells), .mechanics = std::move(*mechanics)}};
-  sim.state.obstacles = sim.scene.obstacles;
+  Simulation sim;
+  sim.scene = std::move(scene);
+  sim.bodies = std::move(bodies);
+  sim.state = Owned(std::make_unique<SimulationState>(
+      SimulationState{.cells = std::move(cells), .mechanics = std::move(*mechanics)}));
+  sim.scratch = Owned(std::make_unique<SimulationScratch>());
+  sim.state->obstacles = sim.scene.obstacles;
   for (std::size_t b = 0; b < sim.bodies.size(); ++b)
     append(result.findings, hold_vertices(sim, b));
   append(result.findings, make_scene_loads(sim));
   if (has_error(result.findings)) return result;
-  const std::vector<ComponentId> living = living_components(sim.state.mechanics);
-  rebuild(sim.state.mechanics, sim.state.cells.map.corners(), living, sim.scratch.mechanics);
+  const std::vector<ComponentId> living = living_components(sim.state->mechanics);
+  rebuild(sim.state->mechanics, sim.state->cells.map.corners(), living, sim.scratch->mechanics);
   for (std::size_t b = 0; b < sim.bodies.size(); ++b) place_body(sim, b);
-  warn_of_slender_bodies(result.findings, sim.state.mechanics);
-  start_display(sim.state);
+  warn_of_slender_bodies(result.findings, sim.state->mechanics);
+  start_display(*sim.state);
   append(result.findings, check_integrator_bounds(sim));
   if (has_error(result.findings)) return result;
   result.value = std::move(sim);

@@ -14,7 +14,7 @@ namespace {
 
 void add_load_impulse(StepWork& work, double length) {
   if (work.loads.force.empty()) return;
-  const VertexColumns& vertices = work.sim.state.mechanics.vertices;
+  const VertexColumns& vertices = work.sim.state->mechanics.vertices;
   for (std::size_t v = 0; v < work.loads.force.size(); ++v) {
     if (!work.members().has(vertices.component[v])) continue;
     work.report.load_impulse += length * work.loads.force[v];
@@ -22,8 +22,8 @@ void add_load_impulse(StepWork& work, double length) {
 }
 
 void add_work(StepWork& work) {
-  const VertexColumns& vertices = work.sim.state.mechanics.vertices;
-  const std::vector<Vec3>& before = work.sim.scratch.before.position;
+  const VertexColumns& vertices = work.sim.state->mechanics.vertices;
+  const std::vector<Vec3>& before = work.sim.scratch->before.position;
   const bool is_loaded = !work.loads.force.empty();
   for (std::size_t v = 0; v < before.size(); ++v) {
     if (!work.members().has(vertices.component[v])) continue;
@@ -56,16 +56,16 @@ IntegratorSettings deformation_settings(const StepInput& input, const MechanicsS
 }
 
 double deformation_loss(StepWork& work, const StepInput& input, const Component& component) {
-  const auto& system = work.sim.scratch.mechanics.systems[component.id.index()];
+  const auto& system = work.sim.scratch->mechanics.systems[component.id.index()];
   const bool deforms_now = deforms(component.rung) && !component.isolated &&
                            input.part.deformation != Deformation::frozen;
   if (!deforms_now || !system) return 0;
-  const MechanicsState& m = work.sim.state.mechanics;
-  const PartStart& before = work.sim.scratch.before;
+  const MechanicsState& m = work.sim.state->mechanics;
+  const PartStart& before = work.sim.scratch->before;
   const VertexColumns& v = m.vertices;
   const DeformationStep step{{before.displacement, before.rate, before.acceleration},
                              {v.displacement, v.displacement_rate, v.displacement_acceleration},
-                             work.sim.scratch.mechanics.strain[component.id.index()].difference};
+                             work.sim.scratch->mechanics.strain[component.id.index()].difference};
   // Equilibrium at the end under the loads of the whole way: they give what strain does not take.
   if (component.rung == Rung::quasi_static) return 0.5 * step.stiffness_difference;
   if (input.part.deformation == Deformation::wave) return wave_loss(*system, step);
@@ -76,7 +76,7 @@ double deformation_loss(StepWork& work, const StepInput& input, const Component&
 /// is a blow at the start, weight and loads with it, and the way of the step is that of the
 /// velocity after it: the stop takes what is between.
 double frame_loss(const StepWork& work, const StepInput& input, const Component& component) {
-  const PartStart& before = work.sim.scratch.before;
+  const PartStart& before = work.sim.scratch->before;
   const Vec3 change = component.momentum - before.momentum[component.id.index()];
   if (input.part.deformation == Deformation::wave) {
     const Vec3 weight = input.settings.time_step * component.mass * work.loads.gravity;
@@ -89,16 +89,16 @@ double frame_loss(const StepWork& work, const StepInput& input, const Component&
 }
 
 void add_losses(StepWork& work, const StepInput& input) {
-  const auto& contacts = work.sim.scratch.contact.contacts;
-  const VertexColumns& vertices = work.sim.state.mechanics.vertices;
-  const ElementColumns& elements = work.sim.state.mechanics.elements;
-  std::vector<char>& touched = work.sim.scratch.before.touched;
-  touched.assign(work.sim.state.mechanics.components.size(), 0);
+  const auto& contacts = work.sim.scratch->contact.contacts;
+  const VertexColumns& vertices = work.sim.state->mechanics.vertices;
+  const ElementColumns& elements = work.sim.state->mechanics.elements;
+  std::vector<char>& touched = work.sim.scratch->before.touched;
+  touched.assign(work.sim.state->mechanics.components.size(), 0);
   for (const ContactPoint& c : contacts) {
     if (!c.vertex.is_none()) touched[vertices.component[c.vertex.index()].index()] = 1;
     if (!c.tetrahedron.is_none()) touched[elements.component[c.tetrahedron.index()].index()] = 1;
   }
-  for_each_living(work.sim.state.mechanics, work.members(), [&](const Component& component) {
+  for_each_living(work.sim.state->mechanics, work.members(), [&](const Component& component) {
     work.report.energy.numerical += deformation_loss(work, input, component);
     if (component.supported || !touched[component.id.index()]) return;
     work.report.energy.numerical += frame_loss(work, input, component);
@@ -110,28 +110,28 @@ void add_losses(StepWork& work, const StepInput& input) {
 Vec3 way_of_other(const StepWork& work, const ContactPoint& contact, const Corners& corners,
                   double length) {
   if (contact.tetrahedron.is_none()) {
-    return length * work.sim.state.obstacles[contact.obstacle].velocity;
+    return length * work.sim.state->obstacles[contact.obstacle].velocity;
   }
-  const VertexColumns& vertices = work.sim.state.mechanics.vertices;
+  const VertexColumns& vertices = work.sim.state->mechanics.vertices;
   Vec3 way = Vec3::Zero();
   for (VertexId v : corners) {
-    way += 0.25 * (vertices.position[v.index()] - work.sim.scratch.before.position[v.index()]);
+    way += 0.25 * (vertices.position[v.index()] - work.sim.scratch->before.position[v.index()]);
   }
   return way;
 }
 
 void add_contact_work(StepWork& work, const StepInput& input) {
-  const VertexColumns& vertices = work.sim.state.mechanics.vertices;
+  const VertexColumns& vertices = work.sim.state->mechanics.vertices;
   const double h = input.settings.time_step;
   EnergyLedger& ledger = work.report.energy;
-  for (const ContactPoint& c : work.sim.scratch.contact.contacts) {
+  for (const ContactPoint& c : work.sim.scratch->contact.contacts) {
     const bool is_vertex = c.ball == ContactPoint::none;
     const Corners corners =
         c.tetrahedron.is_none() ? Corners{} : input.corners[c.tetrahedron.index()];
     const Vec3 other = way_of_other(work, c, corners, h);
     const Vec3 way = is_vertex ? Vec3(vertices.position[c.vertex.index()] -
-                                      work.sim.scratch.before.position[c.vertex.index()])
-                               : Vec3(h * work.sim.state.obstacles[c.ball].velocity);
+                                      work.sim.scratch->before.position[c.vertex.index()])
+                               : Vec3(h * work.sim.state->obstacles[c.ball].velocity);
     const Vec3 force = c.impulse / h;
     if (is_vertex) ledger.contact += force.dot(way);
     if (!c.tetrahedron.is_none()) ledger.contact -= force.dot(other);
@@ -143,8 +143,8 @@ void add_contact_work(StepWork& work, const StepInput& input) {
 /// Supports that move: what they give the frame as a whole, and what they give vertices that move
 /// against the frame, by the forces K d - f where the scheme balances them.
 void add_support_work(StepWork& work, const StepInput& input, const Component& component) {
-  const MechanicsState& m = work.sim.state.mechanics;
-  const auto& system = work.sim.scratch.mechanics.systems[component.id.index()];
+  const MechanicsState& m = work.sim.state->mechanics;
+  const auto& system = work.sim.scratch->mechanics.systems[component.id.index()];
   if (!component.supported || !system) return;
   const std::size_t n = system->size();
   double fastest = component.frame_velocity.norm();
@@ -157,7 +157,7 @@ void add_support_work(StepWork& work, const StepInput& input, const Component& c
   const RayleighDamping damping = input.part.deformation == Deformation::wave
                                       ? wave_damping(input.settings, system->cell_travel)
                                       : settings.damping;
-  PartStart& before = work.sim.scratch.before;
+  PartStart& before = work.sim.scratch->before;
   before.work.resize(6 * n);
   Eigen::Map<Eigen::Matrix3Xd> at(before.work.data(), 3, static_cast<Eigen::Index>(n));
   Eigen::Map<Eigen::VectorXd> force(before.work.data() + 3 * n, static_cast<Eigen::Index>(3 * n));
@@ -186,7 +186,7 @@ void add_support_work(StepWork& work, const StepInput& input, const Component& c
                       R.transpose() * f;
     given += pull.dot(m.vertices.displacement[v] - before.displacement[v]);
   }
-  for (const ContactPoint& c : work.sim.scratch.contact.contacts) {
+  for (const ContactPoint& c : work.sim.scratch->contact.contacts) {
     if (c.vertex.is_none() || m.vertices.component[c.vertex.index()] != component.id) continue;
     outside += c.impulse;
   }
@@ -197,11 +197,11 @@ void add_support_work(StepWork& work, const StepInput& input, const Component& c
 }  // namespace
 
 void begin_part(StepWork& work) {
-  const MechanicsState& m = work.sim.state.mechanics;
-  PartStart& before = work.sim.scratch.before;
+  const MechanicsState& m = work.sim.state->mechanics;
+  PartStart& before = work.sim.scratch->before;
   const bool is_kept = work.sim.scene.energy_ledger;
-  work.sim.scratch.mechanics.measures_strain = is_kept;
-  if (is_kept || !work.sim.state.cracks.empty()) before.displacement = m.vertices.displacement;
+  work.sim.scratch->mechanics.measures_strain = is_kept;
+  if (is_kept || !work.sim.state->cracks.empty()) before.displacement = m.vertices.displacement;
   if (!is_kept) return;
   before.position = m.vertices.position;
   before.rate = m.vertices.displacement_rate;
@@ -215,16 +215,16 @@ void begin_part(StepWork& work) {
 }
 
 void end_part(StepWork& work, const StepInput& input) {
-  const MechanicsState& m = work.sim.state.mechanics;
+  const MechanicsState& m = work.sim.state->mechanics;
   const double length = input.settings.time_step;
   add_load_impulse(work, length);
-  follow_cracks(work.report.cracks, work.sim.state.cracks, m,
-                {work.sim.scratch.before.displacement, work.members(), length});
+  follow_cracks(work.report.cracks, work.sim.state->cracks, m,
+                {work.sim.scratch->before.displacement, work.members(), length});
   if (!work.sim.scene.energy_ledger) return;
   add_work(work);
   add_contact_work(work, input);
   const bool has_closed_forms = input.settings.integrator == Integrator::floating_frame;
-  const MechanicsScratch& scratch = work.sim.scratch.mechanics;
+  const MechanicsScratch& scratch = work.sim.scratch->mechanics;
   for_each_living(m, work.members(), [&](const Component& component) {
     const StrainChange& change = scratch.strain[component.id.index()];
     work.report.energy.strain += change.after - change.before;
@@ -239,7 +239,7 @@ void close_ledger(StepWork& work, double kinetic) {
     ledger = {};
     return;
   }
-  ledger.kinetic = kinetic_energy(work.sim.state.mechanics.vertices) - kinetic;
+  ledger.kinetic = kinetic_energy(work.sim.state->mechanics.vertices) - kinetic;
   const double in[] = {ledger.gravity, ledger.loads, ledger.contact, ledger.supports};
   const double out[] = {ledger.kinetic, ledger.strain, ledger.numerical,
                         work.report.status.damping_work, work.report.energy_released};

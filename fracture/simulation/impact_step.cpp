@@ -27,7 +27,7 @@ std::vector<ComponentId> open_windows(const ImpactWindow& window) {
 /// Opens windows for what is struck. The first one decides the sub-step: the step over a power of
 /// two, so that runs whose steps differ by such a power take the same sub-steps.
 void open(StepWork& work, const Blows& blows) {
-  ImpactWindow& window = work.sim.state.impact;
+  ImpactWindow& window = work.sim.state->impact;
   if (open_windows(window).empty()) {
     const double halvings = std::ceil(std::log2(work.sim.scene.time_step / blows.sub_step));
     window.sub_step = work.sim.scene.time_step * std::exp2(-std::max(0.0, halvings));
@@ -56,7 +56,7 @@ double fastest_speed(const SimulationState& s) {
 /// whose balls are nearer than four times the farthest way of anything. Twice that is what two
 /// bodies do at the present speeds, and an impact can double a speed.
 void gather_members(StepWork& work, std::span<const ComponentId> seeds) {
-  const SimulationState& s = work.sim.state;
+  const SimulationState& s = *work.sim.state;
   const double h = work.sim.scene.time_step;
   const double way = h * (fastest_speed(s) + h * work.loads.gravity.norm());
   work.components.assign(s.mechanics.components.size(), 0);
@@ -95,7 +95,7 @@ void gather_members(StepWork& work, std::span<const ComponentId> seeds) {
 bool take_the_others(StepWork& work) {
   for (char& member : work.components) member = !member;
   for (char& member : work.balls) member = !member;
-  const SimulationState& s = work.sim.state;
+  const SimulationState& s = *work.sim.state;
   bool any = !living_components(s.mechanics, work.members()).empty();
   for (std::size_t k = 0; k < s.obstacles.size(); ++k) {
     any = any || (s.obstacles[k].mass && work.balls[k]);
@@ -105,7 +105,7 @@ bool take_the_others(StepWork& work) {
 
 /// One sub-step of the members, with its fractures.
 void take_sub_step(StepWork& work) {
-  SimulationState& s = work.sim.state;
+  SimulationState& s = *work.sim.state;
   const double length = s.impact.sub_step;
   const PartResult result =
       take_part(work, {{Deformation::wave, 0, &work.sim.scene.impact}, length});
@@ -131,7 +131,7 @@ void take_sub_step(StepWork& work) {
 /// Goes on to the sub-step in which the first blow falls, deformations frozen. `left` in sub-steps;
 /// gives how many it took.
 std::uint64_t approach(StepWork& work, std::uint64_t left, double time) {
-  const double sub_step = work.sim.state.impact.sub_step;
+  const double sub_step = work.sim.state->impact.sub_step;
   const double most = static_cast<double>(left - 1);
   const auto count = static_cast<std::uint64_t>(std::clamp(std::floor(time / sub_step), 0.0, most));
   if (count == 0) return 0;
@@ -146,7 +146,7 @@ std::uint64_t take_coarsely(StepWork& work, std::uint64_t left) {
   Simulation& sim = work.sim;
   const ImpactSettings* impact = work.report.impact.stopped ? nullptr : &sim.scene.impact;
   const PartResult rest = take_part(work, {{Deformation::catch_up, sim.scene.time_step, impact},
-                                           static_cast<double>(left) * sim.state.impact.sub_step});
+                                           static_cast<double>(left) * sim.state->impact.sub_step});
   if (rest.adopted) {
     break_members(work);
     return left;
@@ -163,14 +163,14 @@ void advance_members(StepWork& work, double blow) {
   ImpactReport& report = work.report.impact;
   report.components = std::max(
       report.components,
-      static_cast<std::uint32_t>(living_components(sim.state.mechanics, work.members()).size()));
-  const double count = std::round(sim.scene.time_step / sim.state.impact.sub_step);
+      static_cast<std::uint32_t>(living_components(sim.state->mechanics, work.members()).size()));
+  const double count = std::round(sim.scene.time_step / sim.state->impact.sub_step);
   const bool throughout = count <= waves_stay / sim.scene.impact.fraction;
   auto left = static_cast<std::uint64_t>(count);
   if (!throughout) left -= approach(work, left, blow);
   while (left > 0 && !work.failed()) {
     report.stopped = report.sub_steps >= sim.scene.impact.max_sub_steps;
-    const bool fine = throughout || !open_windows(sim.state.impact).empty();
+    const bool fine = throughout || !open_windows(sim.state->impact).empty();
     if (fine && !report.stopped) {
       take_sub_step(work);
       --left;
@@ -179,7 +179,7 @@ void advance_members(StepWork& work, double blow) {
     }
   }
   if (report.stopped) {
-    std::fill(sim.state.impact.quiet.begin(), sim.state.impact.quiet.end(), ImpactWindow::closed);
+    std::fill(sim.state->impact.quiet.begin(), sim.state->impact.quiet.end(), ImpactWindow::closed);
   }
 }
 
@@ -187,7 +187,7 @@ void advance_members(StepWork& work, double blow) {
 
 void advance_with_windows(StepWork& work) {
   Simulation& sim = work.sim;
-  SimulationState& s = sim.state;
+  SimulationState& s = *sim.state;
   const double h = sim.scene.time_step;
   const double start = s.mechanics.time;
   const PartPlan whole{{Deformation::whole, 0, &sim.scene.impact}, h};

@@ -33,11 +33,11 @@ double lowest_strength(const SimulationState& s, const Component& component) {
 
 /// Marks components on a corner of which a surface load acts.
 void find_loaded(Simulation& sim) {
-  std::vector<char>& loaded = sim.scratch.ladder.loaded;
-  loaded.assign(sim.state.mechanics.components.size(), 0);
-  for (const CornerLoad& load : sim.loads) {
+  std::vector<char>& loaded = sim.scratch->ladder.loaded;
+  loaded.assign(sim.state->mechanics.components.size(), 0);
+  for (const CornerLoad& load : sim.state->loads) {
     const TetId t = tetrahedron_of(load.corner);
-    loaded[sim.state.mechanics.elements.component[t.index()].index()] = 1;
+    loaded[sim.state->mechanics.elements.component[t.index()].index()] = 1;
   }
 }
 
@@ -80,15 +80,15 @@ double swing(const MechanicsState& state, const Component& component, double str
 
 /// Whether no contact and no blow had to do with the component in this step.
 bool is_left_alone(const StepWork& work, const Component& component) {
-  return !work.sim.scratch.ladder.touched[component.id.index()] &&
-         work.sim.state.impact.quiet[component.id.index()] == ImpactWindow::closed;
+  return !work.sim.scratch->ladder.touched[component.id.index()] &&
+         work.sim.state->impact.quiet[component.id.index()] == ImpactWindow::closed;
 }
 
 /// Whether the component may go rigid or stay so. What it would give up must be nothing: outcomes
 /// of many blows are chaotic, and a millionth of the critical speed was seen in them late.
 bool flies_safely(const StepWork& work, const Component& component) {
   constexpr double nothing = 1e-7;
-  const SimulationState& s = work.sim.state;
+  const SimulationState& s = *work.sim.state;
   if (component.supported || component.isolated || !is_left_alone(work, component)) return false;
   const double strength = lowest_strength(s, component);
   return swing(s.mechanics, component, strength) < nothing &&
@@ -98,7 +98,7 @@ bool flies_safely(const StepWork& work, const Component& component) {
 /// Whether the component may go from equilibrium to equilibrium.
 bool is_loaded_slowly(const StepWork& work, const Component& component) {
   constexpr double slow = 1e-3;
-  const SimulationState& s = work.sim.state;
+  const SimulationState& s = *work.sim.state;
   return component.supported && is_left_alone(work, component) &&
          swing(s.mechanics, component, lowest_strength(s, component)) < slow;
 }
@@ -113,9 +113,9 @@ double fastest_vertex(const MechanicsState& state, const Component& component) {
 
 /// Whether what acts from outside is constant from now on.
 bool loads_are_steady(const Simulation& sim) {
-  const double now = sim.state.mechanics.time;
+  const double now = sim.state->mechanics.time;
   return now >= sim.scene.gravity.ramp_time &&
-         std::ranges::all_of(sim.loads, [&](const CornerLoad& l) { return now >= l.ramp_time; });
+         std::ranges::all_of(sim.state->loads, [&](const CornerLoad& l) { return now >= l.ramp_time; });
 }
 
 bool is_carried(const MechanicsState& state, const Component& component) {
@@ -160,12 +160,12 @@ void keep_awake_with_neighbours(LadderScratch& ladder, const SimulationState& s)
 
 /// Marks components that may sleep from now on.
 void find_rested(StepWork& work) {
-  SimulationState& s = work.sim.state;
+  SimulationState& s = *work.sim.state;
   const LadderSettings& settings = work.sim.scene.ladder;
   // What lies still may creep by the depth that contact leaves alone, in the time it takes.
   const double still_speed = work.sim.scene.contact.allowed_penetration / settings.sleep_after;
   const bool steady = loads_are_steady(work.sim);
-  std::vector<char>& rested = work.sim.scratch.ladder.rested;
+  std::vector<char>& rested = work.sim.scratch->ladder.rested;
   s.ladder.still.resize(rested.size(), 0);
   for (const Component& c : s.mechanics.components) {
     if (c.tetrahedra.empty()) continue;
@@ -176,7 +176,7 @@ void find_rested(StepWork& work) {
     still = moves ? 0 : still + work.sim.scene.time_step;
     rested[c.id.index()] = c.rung == Rung::asleep || still >= settings.sleep_after;
   }
-  keep_awake_with_neighbours(work.sim.scratch.ladder, s);
+  keep_awake_with_neighbours(work.sim.scratch->ladder, s);
 }
 
 /// Gives the kinetic energy that is lost, J.
@@ -226,10 +226,10 @@ double flight_stress_bound(const MechanicsState& state, const Component& compone
 }
 
 void note_touches(StepWork& work) {
-  const MechanicsState& m = work.sim.state.mechanics;
-  std::vector<char>& touched = work.sim.scratch.ladder.touched;
+  const MechanicsState& m = work.sim.state->mechanics;
+  std::vector<char>& touched = work.sim.scratch->ladder.touched;
   touched.resize(m.components.size(), 0);
-  for (const ContactPoint& c : work.sim.scratch.contact.contacts) {
+  for (const ContactPoint& c : work.sim.scratch->contact.contacts) {
     if (c.ball == ContactPoint::none) {
       touched[m.vertices.component[c.vertex.index()].index()] = 1;
     }
@@ -240,10 +240,10 @@ void note_touches(StepWork& work) {
 }
 
 void choose_rungs(StepWork& work) {
-  SimulationState& s = work.sim.state;
+  SimulationState& s = *work.sim.state;
   const LadderSettings& settings = work.sim.scene.ladder;
   const bool climbs = work.sim.scene.integrator.integrator == Integrator::floating_frame;
-  LadderScratch& ladder = work.sim.scratch.ladder;
+  LadderScratch& ladder = work.sim.scratch->ladder;
   ladder.touched.resize(s.mechanics.components.size(), 0);
   ladder.rested.assign(s.mechanics.components.size(), 0);
   if (climbs && settings.sleep) find_rested(work);

@@ -13,12 +13,12 @@ bool contains(const LoadBox& box, const Vec3& p) {
 
 /// Pressure on every boundary face whose three vertices lie in the box; how many there are.
 std::size_t add_pressure(Simulation& sim, const BodyRows& rows, const LoadBox& box) {
-  const MechanicsState& m = sim.state.mechanics;
+  const MechanicsState& m = sim.state->mechanics;
   std::size_t count = 0;
   for (std::size_t t = rows.first_tetrahedron; t < rows.end_tetrahedron; ++t) {
-    const Corners& corners = sim.state.cells.map.corners(TetId{t});
+    const Corners& corners = sim.state->cells.map.corners(TetId{t});
     for (int place = 0; place < 4; ++place) {
-      if (!sim.state.cells.map.neighbour(half_face(TetId{t}, place)).is_none()) continue;
+      if (!sim.state->cells.map.neighbour(half_face(TetId{t}, place)).is_none()) continue;
       bool inside = true;
       for (int k = 1; k < 4; ++k) {
         const VertexId v = corners[static_cast<std::size_t>((place + k) % 4)];
@@ -28,7 +28,7 @@ std::size_t add_pressure(Simulation& sim, const BodyRows& rows, const LoadBox& b
       ++count;
       for (CornerLoad load : face_pressure(m.elements, TetId{t}, place, box.pressure)) {
         load.ramp_time = box.ramp_time;
-        sim.loads.push_back(load);
+        sim.state->loads.push_back(load);
       }
     }
   }
@@ -37,11 +37,11 @@ std::size_t add_pressure(Simulation& sim, const BodyRows& rows, const LoadBox& b
 
 /// The force in equal parts on every vertex in the box; how many there are.
 std::size_t add_force(Simulation& sim, const BodyRows& rows, const LoadBox& box) {
-  const MechanicsState& m = sim.state.mechanics;
+  const MechanicsState& m = sim.state->mechanics;
   std::vector<std::vector<CornerId>> star(m.vertices.size());
   for (std::size_t t = rows.first_tetrahedron; t < rows.end_tetrahedron; ++t) {
     for (int place = 0; place < 4; ++place) {
-      const VertexId v = sim.state.cells.map.corners(TetId{t})[static_cast<std::size_t>(place)];
+      const VertexId v = sim.state->cells.map.corners(TetId{t})[static_cast<std::size_t>(place)];
       if (contains(box, m.vertices.rest_position[v.index()])) {
         star[v.index()].push_back(corner(TetId{t}, place));
       }
@@ -49,12 +49,12 @@ std::size_t add_force(Simulation& sim, const BodyRows& rows, const LoadBox& box)
   }
   std::size_t count = 0;
   for (const auto& corners : star) count += !corners.empty();
-  const std::size_t first = sim.loads.size();
+  const std::size_t first = sim.state->loads.size();
   for (const auto& corners : star) {
     if (corners.empty()) continue;
-    add_vertex_force(sim.loads, m, corners, box.force / static_cast<double>(count));
+    add_vertex_force(sim.state->loads, m, corners, box.force / static_cast<double>(count));
   }
-  for (std::size_t i = first; i < sim.loads.size(); ++i) sim.loads[i].ramp_time = box.ramp_time;
+  for (std::size_t i = first; i < sim.state->loads.size(); ++i) sim.state->loads[i].ramp_time = box.ramp_time;
   return count;
 }
 

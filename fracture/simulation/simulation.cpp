@@ -40,9 +40,9 @@ std::vector<ComponentId> touched_components(const Components& labels,
 
 /// Pieces inherit what their ancestor was to the step.
 void inherit(StepWork& work, std::size_t before) {
-  const Components& labels = work.sim.state.cells.labels;
-  std::vector<double>& quiet = work.sim.state.impact.quiet;
-  std::vector<char>& touched = work.sim.scratch.ladder.touched;
+  const Components& labels = work.sim.state->cells.labels;
+  std::vector<double>& quiet = work.sim.state->impact.quiet;
+  std::vector<char>& touched = work.sim.scratch->ladder.touched;
   const std::size_t count = labels.size.size();
   if (!work.components.empty()) work.components.resize(count);
   quiet.resize(count);
@@ -58,7 +58,7 @@ void inherit(StepWork& work, std::size_t before) {
 /// Brings mechanics and display up to date with what broke.
 void rebuild_components(StepWork& work, const FractureReport& fracture) {
   Simulation& sim = work.sim;
-  SimulationState& s = sim.state;
+  SimulationState& s = *sim.state;
   const std::size_t before = s.display.size();
   const auto touched = touched_components(s.cells.labels, fracture, before);
   open_cracks(s.cracks, {fracture.fans, s.fans, s.mechanics.time}, s.mechanics, s.cells);
@@ -69,7 +69,7 @@ void rebuild_components(StepWork& work, const FractureReport& fracture) {
   }
   s.mechanics.elements.component = s.cells.labels.of_tetrahedron;
   const RebuildReport rebuilt =
-      rebuild(s.mechanics, s.cells.map.corners(), touched, sim.scratch.mechanics);
+      rebuild(s.mechanics, s.cells.map.corners(), touched, sim.scratch->mechanics);
   work.report.energy_released += rebuilt.energy_released;
   work.report.energy.strain -= rebuilt.strain_released;
 
@@ -109,15 +109,15 @@ void add_contact(ContactReport& sum, const ContactReport& part) {
 FractureReport make_scripted_fans(StepWork& work) {
   Simulation& sim = work.sim;
   FractureReport made;
-  if (!std::ranges::all_of(sim.state.mechanics.elements.stress,
+  if (!std::ranges::all_of(sim.state->mechanics.elements.stress,
                            [](const Mat3& stress) { return stress.allFinite(); })) {
     // The search fails on it and makes none; a script has nothing for it.
-    return find_fractures(sim.state.cells, sim.state.mechanics, sim.scene.fracture,
-                          sim.scratch.fracture, work.members());
+    return find_fractures(sim.state->cells, sim.state->mechanics, sim.scene.fracture,
+                          sim.scratch->fracture, work.members());
   }
-  made.fans = make_fans({sim.state.cells, sim.state.mechanics}, sim.scene.fracture, *sim.script,
-                        {sim.state.step + 1, work.report.parts}, sim.scratch.fracture.fan);
-  work.report.departed = sim.script->departure.has_value();
+  made.fans = make_fans({sim.state->cells, sim.state->mechanics}, sim.scene.fracture, *sim.state->script,
+                        {sim.state->step + 1, work.report.parts}, sim.scratch->fracture.fan);
+  work.report.departed = sim.state->script->departure.has_value();
   return made;
 }
 
@@ -143,17 +143,17 @@ void add_fracture(StepReport& sum, FractureReport&& part) {
 
 /// Surface loads at `time` on the vertices as they are: rows may have come since the last part.
 void update_forces(StepWork& work, double time) {
-  if (work.sim.loads.empty()) return;
-  const std::size_t count = work.sim.state.mechanics.vertices.size();
+  if (work.sim.state->loads.empty()) return;
+  const std::size_t count = work.sim.state->mechanics.vertices.size();
   work.loads.force.assign(count, Vec3::Zero());
   work.loads.turning.assign(count, Vec3::Zero());
-  add_corner_loads(work.loads, work.sim.loads, work.sim.state.mechanics,
-                   work.sim.state.cells.map.corners(), time);
+  add_corner_loads(work.loads, work.sim.state->loads, work.sim.state->mechanics,
+                   work.sim.state->cells.map.corners(), time);
 }
 
 /// Section 3.3: what is drawn follows the frames smoothly.
 void update_display(Simulation& sim) {
-  SimulationState& s = sim.state;
+  SimulationState& s = *sim.state;
   for (const Component& c : s.mechanics.components) {
     const DisplayState target{c.centre, c.orientation};
     DisplayState& shown = s.display[c.id.index()];
@@ -173,7 +173,7 @@ Vec3 gravity_at(const GravitySettings& gravity, double time) {
 PartResult take_part(StepWork& work, const PartPlan& plan) {
   const StageTimer timer(work.report, Stage::mechanics);
   Simulation& sim = work.sim;
-  SimulationState& s = sim.state;
+  SimulationState& s = *sim.state;
   IntegratorSettings settings = sim.scene.integrator;
   settings.time_step = plan.length;
   update_forces(work, s.mechanics.time + plan.length);
@@ -181,7 +181,7 @@ PartResult take_part(StepWork& work, const PartPlan& plan) {
   const StepInput input{s.cells.map.corners(), work.loads, settings, plan.part, work.members()};
   ContactStepResult result =
       advance_with_contact({s.mechanics, s.obstacles, s.contact}, input, sim.scene.contact,
-                           {sim.scratch.mechanics, sim.scratch.contact});
+                           {sim.scratch->mechanics, sim.scratch->contact});
   if (!result.adopted) return {false, std::move(result.blows)};
   const double damping_work = work.report.status.damping_work + result.status.damping_work;
   add_solve(result.status.solve, work.report.status.solve);
@@ -204,9 +204,9 @@ void break_members(StepWork& work) {
     FractureSettings settings = sim.scene.fracture;
     settings.max_fans -=
         std::min(settings.max_fans, static_cast<std::uint32_t>(work.report.fracture.fans.size()));
-    found = sim.script ? make_scripted_fans(work)
-                       : find_fractures(sim.state.cells, sim.state.mechanics, settings,
-                                        sim.scratch.fracture, work.members());
+    found = sim.state->script ? make_scripted_fans(work)
+                       : find_fractures(sim.state->cells, sim.state->mechanics, settings,
+                                        sim.scratch->fracture, work.members());
   }
   if (!found.not_a_number && !found.fans.empty()) {
     const StageTimer timer(work.report, Stage::rebuild);
@@ -217,11 +217,11 @@ void break_members(StepWork& work) {
 }
 
 StepReport advance(Simulation& sim, const StepObserver& observe) {
-  SimulationState& s = sim.state;
+  SimulationState& s = *sim.state;
   StepWork work{sim, observe, {}, {}, {}, {}};
-  std::swap(work.loads, sim.scratch.loads);
+  std::swap(work.loads, sim.scratch->loads);
   const double kinetic = sim.scene.energy_ledger ? kinetic_energy(s.mechanics.vertices) : 0;
-  sim.scratch.ladder.touched.assign(s.mechanics.components.size(), 0);
+  sim.scratch->ladder.touched.assign(s.mechanics.components.size(), 0);
   work.loads.gravity = gravity_at(sim.scene.gravity, s.mechanics.time + sim.scene.time_step);
   s.impact.quiet.resize(s.mechanics.components.size(), ImpactWindow::closed);
   if (sim.scene.impact.window && sim.scene.integrator.integrator == Integrator::floating_frame) {
@@ -244,7 +244,7 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
   }
   work.loads.force.clear();
   work.loads.turning.clear();
-  std::swap(work.loads, sim.scratch.loads);
+  std::swap(work.loads, sim.scratch->loads);
   return std::move(report);
 }
 

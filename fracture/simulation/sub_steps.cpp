@@ -25,7 +25,7 @@ double least_bound(MechanicsScratch& scratch, const MechanicsState& state) {
 void check_explicit(std::vector<Finding>& findings, Simulation& sim) {
   const IntegratorSettings& settings = sim.scene.integrator;
   const double h = sim.scene.time_step;
-  const double bound = least_bound(sim.scratch.mechanics, sim.state.mechanics);
+  const double bound = least_bound(sim.scratch->mechanics, sim.state->mechanics);
   if (settings.integrator == Integrator::verlet && h > bound) {
     findings.push_back(
         {.code = "explicit_step_too_long",
@@ -67,7 +67,7 @@ std::vector<Finding> check_integrator_bounds(Simulation& sim) {
   std::vector<Finding> findings;
   if (is_explicit(sim.scene.integrator.integrator)) check_explicit(findings, sim);
   if (sim.scene.integrator.integrator == Integrator::modal) {
-    check_modal(findings, sim.state.mechanics);
+    check_modal(findings, sim.state->mechanics);
   }
   return findings;
 }
@@ -75,14 +75,14 @@ std::vector<Finding> check_integrator_bounds(Simulation& sim) {
 void advance_sub_stepped(StepWork& work) {
   Simulation& sim = work.sim;
   const double h = sim.scene.time_step;
-  const double start = sim.state.mechanics.time;
-  const double bound = least_bound(sim.scratch.mechanics, sim.state.mechanics);
+  const double start = sim.state->mechanics.time;
+  const double bound = least_bound(sim.scratch->mechanics, sim.state->mechanics);
   const std::uint32_t count = sub_step_count(h, bound);
   for (std::uint32_t k = 0; k < count && !work.failed(); ++k) {
     take_part(work, {{}, h / count});
     break_members(work);
   }
-  if (!work.failed()) sim.state.mechanics.time = start + h;
+  if (!work.failed()) sim.state->mechanics.time = start + h;
   work.report.status.solve.sub_steps = count;
 }
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "fracture/simulation/simulation.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 
 namespace sunder {
 

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "mechanics/state/columns.hpp"
+#include "mechanics/state/vec3.hpp"
 #include "topology/kernel/finding.hpp"
 
 #include <Eigen/Geometry>

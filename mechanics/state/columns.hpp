@@ -9,12 +9,11 @@
 
 #include <Eigen/Dense>
 
+#include "mechanics/state/vec3.hpp"
 #include "topology/kernel/ids.hpp"
 
 namespace sunder {
 
-using Vec3 = Eigen::Vector3d;
-using Mat3 = Eigen::Matrix3d;
 /// Vertex rows of one tetrahedron, positively oriented at rest.
 using Corners = std::array<VertexId, 4>;
 /// Gradients of the four linear shape functions, one a column, 1/m.

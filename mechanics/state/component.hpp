@@ -7,20 +7,9 @@
 #include <Eigen/Geometry>
 
 #include "mechanics/state/columns.hpp"
+#include "mechanics/state/rung.hpp"
 
 namespace sunder {
-
-/// How much of a component's motion a step computes: no more than it needs (docs/ladder.md).
-enum class Rung : unsigned char {
-  full,          ///< frame and deformation
-  quasi_static,  ///< the equilibrium under the present load, of what is supported
-  rigid,         ///< the frame; what it is deformed by stays
-  asleep,        ///< nothing: it lies still
-};
-inline constexpr std::size_t rung_count = 4;
-
-/// Whether displacements change on a rung.
-constexpr bool deforms(Rung rung) { return rung == Rung::full || rung == Rung::quasi_static; }
 
 /// A component and its rigid reference (section 3.2): the reference of vertex i is
 /// centre + R (rest_position_i - rest_centre), R = orientation.

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "fracture/simulation/simulation.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 #include "tests/experiments/cases/impact_bar.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
@@ -38,7 +38,7 @@ Swap swap_speeds(const std::array<int, 3>& cells, double time_step, double fract
   scene.impact.max_sub_steps = 100000;
   Result<Simulation> sim = build_simulation(std::move(scene));
   REQUIRE(sim);
-  const auto& components = sim->state.mechanics.components;
+  const auto& components = sim->state->mechanics.components;
   const auto velocity = [&](int k) { return components[k].momentum.x() / components[k].mass; };
   // Bodies meet as balls of their tetrahedra: up to a cell late.
   const double wait = (0.005 + length / cells[0]) / speed + 4 * length / 3535;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fracture/simulation/simulation.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/element/energy.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fracture/simulation/simulation.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/element/energy.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
@@ -33,7 +33,7 @@ Simulation built(const Scene& scene) {
 }
 
 double energy(const Simulation& sim) {
-  return kinetic_energy(sim.state.mechanics.vertices) + strain_energy(sim.state.mechanics);
+  return kinetic_energy(sim.state->mechanics.vertices) + strain_energy(sim.state->mechanics);
 }
 
 }  // namespace
@@ -48,7 +48,7 @@ TEST_CASE("in a fall gravity's work is the kinetic energy", "[accuracy][ledger]"
   double work = 0;
   for (int i = 0; i < 50; ++i) {
     const EnergyLedger ledger = advance(sim).energy;
-    const double whole = kinetic_energy(sim.state.mechanics.vertices);
+    const double whole = kinetic_energy(sim.state->mechanics.vertices);
     // m g . dx on the parabola, and the change of m v^2 / 2, to rounding of the sums.
     CHECK(std::abs(ledger.kinetic - ledger.gravity) < 1e-11 * whole);
     CHECK(std::abs(ledger.residual) < 1e-11 * whole);
@@ -103,12 +103,12 @@ TEST_CASE("the ledger of a ringing body closes, at any step and memory of the in
   scene.time_step = GENERATE(2e-5, 2e-4, 2e-3);
   scene.integrator.rho_infinity = GENERATE(0.0, 0.5);
   Simulation sim = built(scene);
-  VertexColumns& vertices = sim.state.mechanics.vertices;
+  VertexColumns& vertices = sim.state->mechanics.vertices;
   const double speed = 0.1;
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     vertices.velocity[v].x() = vertices.rest_position[v].x() < 0.4 ? speed : -speed;
   }
-  reframe(sim.state.mechanics, ComponentId{0});
+  reframe(sim.state->mechanics, ComponentId{0});
   const double start = energy(sim);
   double loss = 0, worst = 0;
   for (int i = 0; i < 100; ++i) {
@@ -128,11 +128,11 @@ TEST_CASE("Rayleigh damping has its own place in the ledger", "[accuracy][ledger
   scene.time_step = 2e-5;
   scene.integrator.damping.stiffness_factor = 1e-5;
   Simulation sim = built(scene);
-  VertexColumns& vertices = sim.state.mechanics.vertices;
+  VertexColumns& vertices = sim.state->mechanics.vertices;
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     vertices.velocity[v].x() = vertices.rest_position[v].x() < 0.4 ? 0.1 : -0.1;
   }
-  reframe(sim.state.mechanics, ComponentId{0});
+  reframe(sim.state->mechanics, ComponentId{0});
   const double start = energy(sim);
   double damped = 0, rest = 0;
   for (int i = 0; i < 200; ++i) {
@@ -161,7 +161,7 @@ TEST_CASE("without the ledger a run is the same to the bit", "[accuracy][ledger]
       seen += ledger.moved + std::abs(ledger.kinetic);
     }
     CHECK((seen > 0) == kept);
-    ends[kept] = sim.state.mechanics.vertices.position;
+    ends[kept] = sim.state->mechanics.vertices.position;
   }
   CHECK(ends[0] == ends[1]);
 }

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "fracture/simulation/simulation.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
 using namespace sunder;
@@ -60,7 +60,7 @@ double breaking_stress(const Bars& bars, std::uint32_t seed) {
   for (int step = 0; step < 4 * steps_to_mean; ++step) {
     double stress = 0, volume = 0;
     const StepReport report = advance(*sim, [&](const Simulation& now, const PartReport&) {
-      const ElementColumns& e = now.state.mechanics.elements;
+      const ElementColumns& e = now.state->mechanics.elements;
       for (std::size_t t = 0; t < e.size(); ++t) {
         stress += e.rest_volume[t] * e.stress[t](0, 0);
         volume += e.rest_volume[t];

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "apps/scene/scene_json.hpp"
-#include "fracture/simulation/simulation.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 
 using namespace sunder;
 
@@ -52,9 +52,9 @@ int main(int argc, char** argv) {
   Result<Simulation> sim = build_simulation(std::move(file->scene));
   for (const Finding& f : sim.findings) std::fprintf(stderr, "%s\n", f.text.c_str());
   if (!sim) return 3;
-  if (argc == 5) sim->scratch.mechanics.threads = static_cast<unsigned>(std::atoi(argv[4]));
+  if (argc == 5) sim->scratch->mechanics.threads = static_cast<unsigned>(std::atoi(argv[4]));
   std::vector<Row> rows;
-  while (sim->state.mechanics.time < duration * (1 - 1e-9)) {
+  while (sim->state->mechanics.time < duration * (1 - 1e-9)) {
     const StepReport report = advance(*sim);
     if (report.status.outcome != StepOutcome::fine) return 5;
     rows.push_back(row_of(report));

@@ -6,7 +6,7 @@
 
 #include <Eigen/SVD>
 
-#include "fracture/simulation/simulation.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/element/energy.hpp"
 #include "mechanics/frame/rotation.hpp"
 #include "tests/mechanics/contact/contact_scene.hpp"
@@ -130,7 +130,7 @@ Cell split_in_flight() {
   for (int i = 0; i < 60; ++i) {
     Vec3 P, L;
     double kinetic = 0;
-    const VertexColumns& v = sim.state.mechanics.vertices;
+    const VertexColumns& v = sim.state->mechanics.vertices;
     const StepReport report = advance(sim, [&](const Simulation&, const PartReport&) {
       P = momentum(v);
       L = angular_momentum(v);
@@ -153,7 +153,7 @@ Cell split_in_flight() {
 Cell budget_of_cracks() {
   Simulation sim = spinning_until_it_breaks(1e3, 16);
   const auto energy = [&] {
-    return kinetic_energy(sim.state.mechanics.vertices) + strain_energy(sim.state.mechanics);
+    return kinetic_energy(sim.state->mechanics.vertices) + strain_energy(sim.state->mechanics);
   };
   const double start = energy();
   std::size_t most = 0;

@@ -3,6 +3,7 @@
 #include "apps/bench/paper/bench_paper_fans.hpp"
 
 #include "apps/bench/bench_clock.hpp"
+#include "fracture/algorithms/threshold_test.hpp"
 
 namespace sunder {
 namespace {
@@ -25,9 +26,9 @@ std::vector<FanTime> cut_all(Simulation& sim, std::span<const RecordedFan> fans,
     PrincipalTension tension{1, fan.normal};
     // Faces that other fans have split since it was decided on are missing in a fan: those that
     // were recorded are cut, the choice is only timed.
-    PlannedFan plan = plan_fan(sim.state.cells, fan.vertex, tension);
+    PlannedFan plan = plan_fan(sim.state->cells, fan.vertex, tension);
     plan.plane = {fan.normal, fan.faces};
-    const FanEvent event = split_fan(sim.state.cells, sim.state.mechanics, std::move(plan),
+    const FanEvent event = split_fan(sim.state->cells, sim.state->mechanics, std::move(plan),
                                      sim.scene.fracture, scratch);
     times.push_back({event.choose_us, event.split_us, event.visited, event.components.created > 0,
                      event.components.predicted > 0});

@@ -9,6 +9,7 @@
 
 #include "apps/bench/bench_clock.hpp"
 #include "apps/sunder/run/recorder.hpp"
+#include "fracture/algorithms/threshold_test.hpp"
 #include "mechanics/element/corotational_force.hpp"
 #include "mechanics/element/elastic_force.hpp"
 #include "mechanics/state/living.hpp"
@@ -25,22 +26,22 @@ std::vector<double> principal_stresses(std::span<const Mat3> node_stress) {
 
 /// Vertices that `find_fractures` would look at now.
 StressSample sample_stress(const Simulation& now) {
-  const MechanicsState& mechanics = now.state.mechanics;
+  const MechanicsState& mechanics = now.state->mechanics;
   const std::vector<Mat3> stress =
-      node_stress_of(now.state.cells, mechanics, now.scene.fracture.node_stress);
+      node_stress_of(now.state->cells, mechanics, now.scene.fracture.node_stress);
   StressSample sample;
   for (std::size_t v = 0; v < stress.size(); ++v) {
     const ComponentId id = mechanics.vertices.component[v];
     if (!deforms(mechanics.components[id.index()].rung)) continue;
     sample.stress.push_back(stress[v]);
-    sample.strength.push_back(now.state.cells.strength[v]);
+    sample.strength.push_back(now.state->cells.strength[v]);
   }
   return sample;
 }
 
 void time_forces(ModelSample& sample, const Simulation& now) {
-  const MechanicsState& state = now.state.mechanics;
-  const ElasticInput input{state, now.state.cells.map.corners(), state.vertices.position,
+  const MechanicsState& state = now.state->mechanics;
+  const ElasticInput input{state, now.state->cells.map.corners(), state.vertices.position,
                            ElasticForce::paper};
   const Component& largest = *std::ranges::max_element(
       state.components, {}, [](const Component& c) { return c.tetrahedra.size(); });
@@ -59,8 +60,8 @@ void time_forces(ModelSample& sample, const Simulation& now) {
 }
 
 ModelSample sample_models(const Simulation& now) {
-  const Cells& cells = now.state.cells;
-  MechanicsState state = now.state.mechanics;
+  const Cells& cells = now.state->cells;
+  MechanicsState state = now.state->mechanics;
   const auto principal = [&](ElasticModel model) {
     MechanicsScratch scratch;
     measure_elements(state, scratch, cells.map.corners(), {}, model);
@@ -104,13 +105,13 @@ void add_step(PaperRun& run, const Simulation& now, const StepReport& report) {
   run.counts.still_empty += report.fracture.still_empty;
   for (const FanEvent& fan : report.fracture.fans) add_fan(run, fan);
   run.given_up += report.status.solve.not_converged > 0;
-  for (const Mat3& sigma : now.scratch.fracture.node_stress) {
+  for (const Mat3& sigma : now.scratch->fracture.node_stress) {
     run.peak_stress = std::max(run.peak_stress, largest_principal_stress(sigma));
   }
 }
 
 void count_pieces(PaperRun& run, const Simulation& now) {
-  for_each_living(now.state.mechanics, {}, [&](const Component& c) {
+  for_each_living(now.state->mechanics, {}, [&](const Component& c) {
     ++run.pieces;
     run.single_tetrahedra += c.tetrahedra.size() == 1;
   });
@@ -135,12 +136,12 @@ Result<PaperRun> run_paper_scene(const PaperRunSettings& settings) {
   result.findings = std::move(sim.findings);
   if (!sim) return result;
   PaperRun run;
-  run.tetrahedra = sim->state.cells.map.tetrahedra();
-  run.vertices = sim->state.cells.map.vertices();
+  run.tetrahedra = sim->state->cells.map.tetrahedra();
+  run.vertices = sim->state->cells.map.vertices();
   const std::uint64_t steps = std::min(settings.steps, step_count(sim->scene));
-  while (sim->state.step < steps && run.failure.empty()) {
+  while (sim->state->step < steps && run.failure.empty()) {
     const bool sampled =
-        settings.sample_every > 0 && (sim->state.step + 1) % settings.sample_every == 0;
+        settings.sample_every > 0 && (sim->state->step + 1) % settings.sample_every == 0;
     double watching_us = 0;
     StepObserver observe;
     if (sampled) {

@@ -156,7 +156,7 @@ void prepare(ChartWork& work) {
   work.findings.insert(work.findings.end(), sim.findings.begin(), sim.findings.end());
   if (!sim || has_error(work.findings)) return;
   work.chart.scene = sim->scene.name;
-  choose_meshes(work, sim->state.cells.map.corners().size());
+  choose_meshes(work, sim->state->cells.map.corners().size());
   choose_steps(work, sim->scene);
   choose_probe(work, sim->scene);
   for (std::size_t mesh = 0; mesh < work.meshes(); ++mesh) {
@@ -165,14 +165,14 @@ void prepare(ChartWork& work) {
       work.findings.insert(work.findings.end(), sim.findings.begin(), sim.findings.end());
       return;
     }
-    work.chart.tetrahedra.push_back(sim->state.cells.map.corners().size());
-    work.grid.bounds.push_back(explicit_step_bound(sim->state.mechanics));
+    work.chart.tetrahedra.push_back(sim->state->cells.map.corners().size());
+    work.grid.bounds.push_back(explicit_step_bound(sim->state->mechanics));
   }
   // Windows go no finer than half a cell's travel: below that only a shorter step does.
   work.reference_step = *std::ranges::min_element(work.grid.steps);
-  for (const Component& c : sim->state.mechanics.components) {
+  for (const Component& c : sim->state->mechanics.components) {
     if (work.grid.fractions.empty() || c.tetrahedra.empty()) continue;
-    const double cell = cell_travel(sim->state.mechanics, c);
+    const double cell = cell_travel(sim->state->mechanics, c);
     work.reference_step = std::min(work.reference_step, cell / 2);
   }
   work.chart.probe = work.runner.probe;

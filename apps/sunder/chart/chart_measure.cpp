@@ -47,8 +47,8 @@ Eigen::Vector4d weights(const MechanicsState& state, const Corners& corners, Tet
 
 /// Largest size of an eigenvalue over all node stresses, Pa.
 double largest_stress(const Simulation& now) {
-  const MechanicsState& m = now.state.mechanics;
-  const std::vector<Mat3> node = node_stress_of(now.state.cells, m, now.scene.fracture.node_stress);
+  const MechanicsState& m = now.state->mechanics;
+  const std::vector<Mat3> node = node_stress_of(now.state->cells, m, now.scene.fracture.node_stress);
   double largest = 0;
   for (const Mat3& sigma : node) {
     // The largest size of an eigenvalue is no larger than the norm: most need no eigenvalues.
@@ -60,7 +60,7 @@ double largest_stress(const Simulation& now) {
 }
 
 double potential(const Simulation& now) {
-  const MechanicsState& m = now.state.mechanics;
+  const MechanicsState& m = now.state->mechanics;
   return gravity_energy(m.vertices, gravity_at(now.scene.gravity, m.time));
 }
 
@@ -88,11 +88,11 @@ const QuantityTraits& traits_of(Quantity quantity) {
 }
 
 Measure::Measure(const Probe& probe, const Simulation& start) : probe_(probe) {
-  const MechanicsState& m = start.state.mechanics;
+  const MechanicsState& m = start.state->mechanics;
   double best = -std::numeric_limits<double>::infinity();
   const BodyRows& body = start.bodies.front();
   for (std::size_t t = body.first_tetrahedron; t < body.end_tetrahedron; ++t) {
-    const Eigen::Vector4d w = weights(m, start.state.cells.map.corners()[t], TetId{t}, probe.point);
+    const Eigen::Vector4d w = weights(m, start.state->cells.map.corners()[t], TetId{t}, probe.point);
     if (w.minCoeff() > best) {
       best = w.minCoeff();
       holder_ = TetId{t};
@@ -117,17 +117,17 @@ void Measure::see_step(const Simulation&, const StepReport& report) {
 }
 
 Vec3 Measure::position(const Simulation& now) const {
-  const Corners& corners = now.state.cells.map.corners()[holder_.index()];
+  const Corners& corners = now.state->cells.map.corners()[holder_.index()];
   Vec3 x = Vec3::Zero();
   for (std::size_t a = 0; a < 4; ++a) {
     x += weight_[static_cast<Eigen::Index>(a)] *
-         now.state.mechanics.vertices.position[corners[a].index()];
+         now.state->mechanics.vertices.position[corners[a].index()];
   }
   return x;
 }
 
 Vec3 Measure::state_value(const Simulation& now) const {
-  const MechanicsState& m = now.state.mechanics;
+  const MechanicsState& m = now.state->mechanics;
   switch (probe_.quantity) {
     case Quantity::position:
       return position(now);

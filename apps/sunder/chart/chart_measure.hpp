@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-#include "fracture/simulation/simulation.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 
 namespace sunder {
 

@@ -57,7 +57,7 @@ double step_through(Simulation& sim, Measure* measure, double limit, ChartOutcom
   }
   const double start = wall_us(), start_of_work = process_us();
   const std::uint64_t steps = step_count(sim.scene);
-  while (sim.state.step < steps) {
+  while (sim.state->step < steps) {
     const StepReport report = advance(sim, observe);
     ms += computing(report);
     if (measure != nullptr) {
@@ -73,7 +73,7 @@ double step_through(Simulation& sim, Measure* measure, double limit, ChartOutcom
       break;
     }
     const double wall = 1e-6 * (wall_us() - start);
-    if (wall > limit && sim.state.step < steps) {
+    if (wall > limit && sim.state->step < steps) {
       outcome.end = ChartEnd::over_limit;
       outcome.reason = fmt::format("stopped after {:.3g} s at {:.3g} of {:.3g} s", wall,
                                    report.time, sim.scene.duration);
@@ -134,7 +134,7 @@ ChartOutcome run_chart(const ChartRunner& runner, std::span<const std::string> c
     outcome.reason = first_error(sim.findings);
     return outcome;
   }
-  outcome.tetrahedra = sim->state.cells.map.corners().size();
+  outcome.tetrahedra = sim->state->cells.map.corners().size();
   Measure measure(runner.probe, *sim);
   outcome.at_start = measure.at_start();
   if (measure.watches_parts()) measure.see_part(*sim);

@@ -9,7 +9,7 @@
 
 #include "apps/sunder/run/recorder_report.hpp"
 #include "apps/scene/scene_json.hpp"
-#include "fracture/simulation/simulation.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 
 namespace sunder {
 

@@ -7,7 +7,7 @@
 #include "apps/render/camera.hpp"
 #include "apps/render/frame_scene.hpp"
 #include "apps/scene/output_settings.hpp"
-#include "fracture/simulation/simulation.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 
 namespace sunder {
 

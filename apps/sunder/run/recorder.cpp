@@ -150,7 +150,7 @@ Result<Recorder> Recorder::open(const RecordedRun& run, const Simulation& start,
     append(result.findings, std::move(renderer.findings));
     if (!renderer) return result;
     parts->renderer = std::move(*renderer);
-    parts->view = run_view({start.state, start.state.obstacles}, parts->output.pictures,
+    parts->view = run_view({*start.state, start.state->obstacles}, parts->output.pictures,
                            start.scene.gravity.acceleration);
   }
   if (const std::error_code error = prepare_folder(run.folder)) {
@@ -165,12 +165,12 @@ Result<Recorder> Recorder::open(const RecordedRun& run, const Simulation& start,
 std::vector<Finding> Recorder::Parts::write_frame_of(const Simulation& now) {
   const std::string name = fmt::format("frames/frame_{:06}.vtu", frames.size());
   const std::vector<Mat3> stress =
-      node_stress_of(now.state.cells, now.state.mechanics, now.scene.fracture.node_stress);
+      node_stress_of(now.state->cells, now.state->mechanics, now.scene.fracture.node_stress);
   std::vector<Finding> findings =
-      write_frame(folder / name, now.state.cells, now.state.mechanics, origin, stress);
+      write_frame(folder / name, now.state->cells, now.state->mechanics, origin, stress);
   if (has_error(findings)) return findings;
-  frames.push_back({now.state.mechanics.time, name});
-  last_frame = now.state.step;
+  frames.push_back({now.state->mechanics.time, name});
+  last_frame = now.state->step;
   append(findings, write_pvd(folder / "frames.pvd", frames));
   return findings;
 }
@@ -178,21 +178,21 @@ std::vector<Finding> Recorder::Parts::write_frame_of(const Simulation& now) {
 std::vector<Finding> Recorder::Parts::draw_picture(const Simulation& now) {
   const PictureSettings& settings = output.pictures;
   const render::FrameScene scene =
-      picture_scene({now.state, now.state.obstacles}, settings.show, view.extent);
+      picture_scene({*now.state, now.state->obstacles}, settings.show, view.extent);
   Result<render::Image> image = renderer->render(
       scene, view.camera, static_cast<int>(settings.width), static_cast<int>(settings.height));
   std::vector<Finding> findings = std::move(image.findings);
   if (!image) return findings;
   const std::string name = fmt::format("picture_{:03}.png", pictures++);
   append(findings, render::write_png(folder / name, *image));
-  last_picture = now.state.step;
+  last_picture = now.state->step;
   return findings;
 }
 
 std::vector<Finding> Recorder::Parts::write_due(const Simulation& now) {
   std::vector<Finding> findings;
-  if (std::ranges::binary_search(frame_steps, now.state.step)) findings = write_frame_of(now);
-  if (std::ranges::binary_search(picture_steps, now.state.step)) {
+  if (std::ranges::binary_search(frame_steps, now.state->step)) findings = write_frame_of(now);
+  if (std::ranges::binary_search(picture_steps, now.state->step)) {
     append(findings, draw_picture(now));
   }
   return findings;
@@ -208,7 +208,7 @@ std::vector<Finding> Recorder::record(const Simulation& now, const StepReport& r
     const std::uint64_t fan = parts_->statistics.fans - report.fracture.fans.size() + k;
     parts_->events.add(event_of(report.fracture.fans[k],
                                 {fan, report.step, report.fan_part[k], report.fan_time[k]},
-                                now.state.cells.map));
+                                now.state->cells.map));
   }
   return parts_->write_due(now);
 }
@@ -217,16 +217,16 @@ std::vector<Finding> Recorder::finish(const Simulation& now, RunEnd end) {
   Parts& p = *parts_;
   std::vector<Finding> findings;
   if (end != RunEnd::finished) {
-    if (!p.frame_steps.empty() && p.last_frame != now.state.step) findings = p.write_frame_of(now);
-    if (p.renderer && p.last_picture != now.state.step) append(findings, p.draw_picture(now));
+    if (!p.frame_steps.empty() && p.last_frame != now.state->step) findings = p.write_frame_of(now);
+    if (p.renderer && p.last_picture != now.state->step) append(findings, p.draw_picture(now));
   }
   if (!p.counts.is_null()) take_search_counts(p.statistics, p.counts);
   p.events.add({{"end", to_string(end)},
-                {"steps", now.state.step},
+                {"steps", now.state->step},
                 {"fans", p.statistics.fans},
                 {"search", search_counts(p.statistics)}});
   const std::vector<Fragment> pieces =
-      fragments(now.state.cells, now.state.mechanics, p.origin, p.birth);
+      fragments(now.state->cells, now.state->mechanics, p.origin, p.birth);
   p.report = run_report(p.statistics, now, pieces, end);
   const auto write = [&](const char* name, const std::string& text) {
     if (auto finding = write_file(p.folder / name, text)) findings.push_back(std::move(*finding));

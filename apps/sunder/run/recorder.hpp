@@ -11,7 +11,7 @@
 #include "apps/sunder/run/event_log.hpp"
 #include "apps/sunder/run/recorder_report.hpp"
 #include "apps/scene/scene_json.hpp"
-#include "fracture/simulation/simulation.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 
 namespace sunder {
 

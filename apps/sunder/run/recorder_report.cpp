@@ -20,7 +20,7 @@ using nlohmann::ordered_json;
 ordered_json numbers(const Vec3& v) { return {v[0], v[1], v[2]}; }
 
 Energies energies(const Simulation& s) {
-  const MechanicsState& m = s.state.mechanics;
+  const MechanicsState& m = s.state->mechanics;
   return {kinetic_energy(m.vertices), strain_energy(m),
           gravity_energy(m.vertices, s.scene.gravity.acceleration)};
 }
@@ -32,18 +32,18 @@ double total_mass(const MechanicsState& mechanics) {
 
 /// Of bodies and free balls.
 Vec3 moving_momentum(const Simulation& s) {
-  Vec3 sum = momentum(s.state.mechanics.vertices);
-  for (const Obstacle& obstacle : s.state.obstacles) {
+  Vec3 sum = momentum(s.state->mechanics.vertices);
+  for (const Obstacle& obstacle : s.state->obstacles) {
     if (obstacle.mass) sum += *obstacle.mass * obstacle.velocity;
   }
   return sum;
 }
 
 void add_momentum(MomentumLedger& ledger, const Simulation& now, const StepReport& report) {
-  double mass = total_mass(now.state.mechanics);
+  double mass = total_mass(now.state->mechanics);
   const std::vector<Vec3>& impulse = report.contact.obstacle_impulse;
-  for (std::size_t i = 0; i < now.state.obstacles.size(); ++i) {
-    const Obstacle& obstacle = now.state.obstacles[i];
+  for (std::size_t i = 0; i < now.state->obstacles.size(); ++i) {
+    const Obstacle& obstacle = now.state->obstacles[i];
     if (obstacle.mass) {
       mass += *obstacle.mass;
     } else if (i < impulse.size()) {
@@ -203,8 +203,8 @@ double largest_valid_turn(const Material& material) {
 }
 
 void check_turns(RunStatistics& statistics, const Simulation& now, const StepReport& report) {
-  const std::vector<double>& turn = now.scratch.mechanics.largest_turn;
-  const MechanicsState& mechanics = now.state.mechanics;
+  const std::vector<double>& turn = now.scratch->mechanics.largest_turn;
+  const MechanicsState& mechanics = now.state->mechanics;
   for (std::size_t c = 0; c < std::min(turn.size(), mechanics.components.size()); ++c) {
     const Component& component = mechanics.components[c];
     if (component.tetrahedra.empty() || component.isolated) continue;
@@ -232,7 +232,7 @@ RunStatistics begin_statistics(const Simulation& start, std::vector<Finding> war
   statistics.warnings = std::move(warnings);
   statistics.energy_at_start = energies(start);
   statistics.momentum.start = moving_momentum(start);
-  statistics.mass_at_start = total_mass(start.state.mechanics);
+  statistics.mass_at_start = total_mass(start.state->mechanics);
   return statistics;
 }
 
@@ -290,7 +290,7 @@ std::optional<Finding> step_failure(const StepReport& report, const Simulation& 
   }
   if (!report.fracture.not_a_number) return std::nullopt;
   const VertexId vertex = *report.fracture.not_a_number;
-  const Vec3& x = now.state.mechanics.vertices.position[vertex.index()];
+  const Vec3& x = now.state->mechanics.vertices.position[vertex.index()];
   return Finding{.code = "stress_not_a_number",
                  .ids = {static_cast<std::int64_t>(vertex.index())},
                  .text = fmt::format("step {} (t = {:.6g} s): the stress of vertex {} at ({:.6g}, "
@@ -312,11 +312,11 @@ ordered_json run_report(const RunStatistics& s, const Simulation& now,
   }
   return {{"scene", now.scene.name},
           {"end", to_string(end)},
-          {"steps", now.state.step},
-          {"time", now.state.mechanics.time},
+          {"steps", now.state->step},
+          {"time", now.state->mechanics.time},
           {"time_step", now.scene.time_step},
-          {"tetrahedra", now.state.cells.map.tetrahedra()},
-          {"vertices", now.state.cells.map.vertices()},
+          {"tetrahedra", now.state->cells.map.tetrahedra()},
+          {"vertices", now.state->cells.map.vertices()},
           {"step_ms", distribution(s.step_ms)},
           {"stage_ms", stages},
           {"fans", s.fans},
@@ -352,7 +352,7 @@ ordered_json run_report(const RunStatistics& s, const Simulation& now,
           {"contact", contact_report(s.contact)},
           {"impact", impact_report(s.impact)},
           {"ladder", ladder_report(s.ladder)},
-          {"integrator", integrator_report(s.solve, now.state.step)},
+          {"integrator", integrator_report(s.solve, now.state->step)},
           {"momentum", momentum_ledger(s.momentum, now)},
           {"energy", energy_ledger(s, now)},
           {"cracks", crack_ledger(s.cracks)},

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "apps/output/recorder_tables.hpp"
-#include "fracture/simulation/simulation.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 
 namespace sunder {
 

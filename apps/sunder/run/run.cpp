@@ -45,7 +45,7 @@ struct RunWork {
 /// Where a replay is no longer the run of its log. `ended`: nothing while it goes on.
 std::optional<Finding> departure_of(const RunWork& work, std::optional<ExitCode> ended) {
   if (!work.replay) return std::nullopt;
-  const std::optional<FanScript>& script = work.simulation.script;
+  const std::optional<FanScript>& script = work.simulation.state->script;
   if (script && script->departure) return departure(*work.replay, *script->departure);
   if (ended == ExitCode::fine && work.replay->end == RunEnd::failed) {
     return missed_failure(*work.replay);
@@ -60,7 +60,7 @@ ExitCode step_to_end(const RunWork& work, bool quiet) {
   const std::uint64_t steps = work.steps();
   std::size_t fans = 0;
   Progress progress(quiet);
-  while (simulation.state.step < steps) {
+  while (simulation.state->step < steps) {
     const auto start = std::chrono::steady_clock::now();
     const StepReport report = advance(simulation);
     const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - start;
@@ -119,10 +119,10 @@ ExitCode run_scene(const RunArguments& arguments) {
   Result<Simulation> simulation = build_simulation(file->scene);
   print(simulation.findings);
   if (!simulation) return ExitCode::bad_input;
-  simulation->scratch.mechanics.threads = arguments.threads;
+  simulation->scratch->mechanics.threads = arguments.threads;
   // With the criterion `energy` strengths come from the search: it is made, and held to the log.
   if (replay && file->scene.fracture.criterion != FractureCriterion::energy) {
-    simulation->script = replay->script;
+    simulation->state->script = replay->script;
   }
 
   watch_for_interrupt();

@@ -53,7 +53,7 @@ struct PieceModes {
 ordered_json answer_json(const Simulation& sim, const std::vector<PieceModes>& pieces) {
   ordered_json list = ordered_json::array();
   for (const PieceModes& piece : pieces) {
-    const Component& component = sim.state.mechanics.components[piece.component.index()];
+    const Component& component = sim.state->mechanics.components[piece.component.index()];
     list.push_back({{"body", piece.body},
                     {"name", sim.scene.bodies[piece.body].name},
                     {"component", piece.component.value},
@@ -79,7 +79,7 @@ void print_table(const Simulation& sim, const std::vector<PieceModes>& pieces) {
 /// Column k of every piece, one row a vertex, world, largest displacement of a piece 1.
 std::vector<Vec3> shape_column(const Simulation& sim, const std::vector<PieceModes>& pieces,
                                std::size_t k) {
-  const MechanicsState& m = sim.state.mechanics;
+  const MechanicsState& m = sim.state->mechanics;
   std::vector<Vec3> column(m.vertices.size(), Vec3::Zero());
   for (const PieceModes& piece : pieces) {
     if (k >= piece.modes.frequency.size()) continue;
@@ -98,9 +98,9 @@ std::vector<Vec3> shape_column(const Simulation& sim, const std::vector<PieceMod
 std::vector<Finding> write_shapes(const std::filesystem::path& path, const Simulation& sim,
                                   const std::vector<PieceModes>& pieces) {
   TetMesh mesh;
-  for (const Vec3& x : sim.state.mechanics.vertices.position)
+  for (const Vec3& x : sim.state->mechanics.vertices.position)
     mesh.points.push_back({x[0], x[1], x[2]});
-  for (const Corners& c : sim.state.cells.map.corners()) {
+  for (const Corners& c : sim.state->cells.map.corners()) {
     mesh.tetrahedra.push_back({c[0].value, c[1].value, c[2].value, c[3].value});
   }
   std::size_t most = 0;
@@ -121,13 +121,13 @@ void print(const std::vector<Finding>& findings) {
 }
 
 Result<std::vector<PieceModes>> all_modes(Simulation& sim, std::size_t count) {
-  MechanicsState& m = sim.state.mechanics;
+  MechanicsState& m = sim.state->mechanics;
   const std::vector<std::size_t> body = body_of_vertices(sim);
   std::vector<PieceModes> pieces;
   for (const Component& component : m.components) {
     if (component.tetrahedra.empty()) continue;
     Result<Modes> modes =
-        natural_modes(sim.scratch.mechanics, m, sim.state.cells.map.corners(), component.id, count);
+        natural_modes(sim.scratch->mechanics, m, sim.state->cells.map.corners(), component.id, count);
     if (!modes) return std::move(modes.findings.front());
     pieces.push_back({component.id, body[component.vertices.front().index()], std::move(*modes)});
   }

@@ -154,7 +154,7 @@ ExitCode run_static(const StaticArguments& arguments) {
   }
   if (!arguments.output.empty()) {
     const std::vector<Finding> unwritten =
-        write_frame(arguments.output, sim->state.cells, sim->state.mechanics,
+        write_frame(arguments.output, sim->state->cells, sim->state->mechanics,
                     origins(sim->scene.bodies), answer->node_stress);
     print(unwritten);
     if (has_error(unwritten)) return ExitCode::not_written;

@@ -17,7 +17,7 @@ namespace {
 
 /// Held vertices to where their velocity takes them by the end of the run.
 void displace_held(Simulation& sim) {
-  MechanicsState& m = sim.state.mechanics;
+  MechanicsState& m = sim.state->mechanics;
   for (std::size_t v = 0; v < m.vertices.size(); ++v) {
     if (m.vertices.support[v].is_none()) continue;
     const Vec3 way = sim.scene.duration * m.motions[m.vertices.support[v].index()].velocity;
@@ -44,7 +44,7 @@ std::size_t body_of(const Simulation& sim, const Component& component) {
 void explain(const Simulation& sim, Finding& finding) {
   if (finding.code != "not_supported") return;
   const auto id = static_cast<std::size_t>(finding.ids.front());
-  const std::string body = body_name(sim, body_of(sim, sim.state.mechanics.components[id]));
+  const std::string body = body_name(sim, body_of(sim, sim.state->mechanics.components[id]));
   finding.text = fmt::format(
       "{}: its piece {} has no three held vertices off one line, so it has no equilibrium{}", body,
       id, sim.scene.obstacles.empty() ? "" : "; obstacles that carry a body are not supports here");
@@ -69,7 +69,7 @@ std::vector<Finding> notes(const Simulation& sim) {
 
 void check_turn(const Simulation& sim, const Component& component, std::vector<Finding>& findings) {
   const Material& material = sim.scene.bodies[body_of(sim, component)].material;
-  const double turn = sim.scratch.mechanics.largest_turn[component.id.index()];
+  const double turn = sim.scratch->mechanics.largest_turn[component.id.index()];
   const double valid = std::sqrt(0.2 * material.tensile_strength / material.young_modulus);
   if (!(turn > valid)) return;
   findings.push_back(
@@ -97,8 +97,8 @@ class Survey {
     answer.tetrahedra = rows.end_tetrahedron - rows.first_tetrahedron;
     answer.supports.resize(sim_.scene.bodies[body].held.size());
     for (std::size_t t = rows.first_tetrahedron; t < rows.end_tetrahedron; ++t) {
-      answer.strain_energy += element_strain_energy(sim_.state.mechanics, TetId{t});
-      answer.mass += sim_.state.mechanics.elements.mass[t];
+      answer.strain_energy += element_strain_energy(sim_.state->mechanics, TetId{t});
+      answer.mass += sim_.state->mechanics.elements.mass[t];
     }
     const Vec3 centre = mass_centre(body);
     for (std::size_t v = 0; v < body_of_.size(); ++v) {
@@ -112,8 +112,8 @@ class Survey {
 
  private:
   Vec3 undeformed(std::size_t v) const {
-    const VertexColumns& vertices = sim_.state.mechanics.vertices;
-    const Component& c = sim_.state.mechanics.components[vertices.component[v].index()];
+    const VertexColumns& vertices = sim_.state->mechanics.vertices;
+    const Component& c = sim_.state->mechanics.components[vertices.component[v].index()];
     return c.centre + c.orientation * (vertices.rest_position[v] - c.rest_centre);
   }
 
@@ -122,8 +122,8 @@ class Survey {
     double mass = 0;
     for (std::size_t v = 0; v < body_of_.size(); ++v) {
       if (body_of_[v] != body) continue;
-      mass += sim_.state.mechanics.vertices.mass[v];
-      sum += sim_.state.mechanics.vertices.mass[v] * undeformed(v);
+      mass += sim_.state->mechanics.vertices.mass[v];
+      sum += sim_.state->mechanics.vertices.mass[v] * undeformed(v);
     }
     return sum / mass;
   }
@@ -131,16 +131,16 @@ class Survey {
   void see(Extreme& largest, double value, std::size_t v, const StaticBody& answer) const {
     // Of equal values the first stands; the first of all stands whatever it is.
     if (answer.vertices > 1 && !(value > largest.value)) return;
-    const std::uint32_t point = sim_.state.cells.map.point_of_vertex(VertexId{v});
+    const std::uint32_t point = sim_.state->cells.map.point_of_vertex(VertexId{v});
     largest = {value, point - sim_.bodies[body_of_[v]].first_point, undeformed(v)};
   }
 
   void add_vertex(StaticBody& answer, std::size_t v, const Vec3& centre) const {
-    const MechanicsState& m = sim_.state.mechanics;
+    const MechanicsState& m = sim_.state->mechanics;
     see(answer.displacement, m.vertices.displacement[v].norm(), v, answer);
     const double stress = principal_tension(stress_[v]).value;
     see(answer.principal_stress, stress, v, answer);
-    see(answer.strength_share, stress / sim_.state.cells.strength[v], v, answer);
+    see(answer.strength_share, stress / sim_.state->cells.strength[v], v, answer);
     answer.load += m.vertices.mass[v] * loads_.gravity;
     if (!loads_.force.empty()) answer.load += loads_.force[v];
     if (m.vertices.support[v].is_none()) {
@@ -163,8 +163,8 @@ class Survey {
 
 Loads full_loads(const Simulation& sim) {
   Loads loads{.gravity = sim.scene.gravity.acceleration};
-  if (!sim.loads.empty()) {
-    add_corner_loads(loads.force, sim.loads, sim.state.mechanics, sim.state.cells.map.corners(),
+  if (!sim.state->loads.empty()) {
+    add_corner_loads(loads.force, sim.state->loads, sim.state->mechanics, sim.state->cells.map.corners(),
                      std::numeric_limits<double>::infinity());
   }
   return loads;
@@ -187,8 +187,8 @@ Finding not_a_number(const Simulation& sim) {
 }  // namespace
 
 std::vector<std::size_t> body_of_vertices(const Simulation& sim) {
-  std::vector<std::size_t> body(sim.state.mechanics.vertices.size());
-  for (const Component& component : sim.state.mechanics.components) {
+  std::vector<std::size_t> body(sim.state->mechanics.vertices.size());
+  for (const Component& component : sim.state->mechanics.components) {
     if (component.tetrahedra.empty()) continue;
     const std::size_t b = body_of(sim, component);
     for (VertexId v : component.vertices) body[v.index()] = b;
@@ -197,7 +197,7 @@ std::vector<std::size_t> body_of_vertices(const Simulation& sim) {
 }
 
 std::vector<Mat3> scene_node_stress(const Simulation& sim) {
-  return node_stress_of(sim.state.cells, sim.state.mechanics, sim.scene.fracture.node_stress);
+  return node_stress_of(sim.state->cells, sim.state->mechanics, sim.scene.fracture.node_stress);
 }
 
 Result<StaticAnswer> solve_scene(Simulation& sim) {
@@ -205,9 +205,9 @@ Result<StaticAnswer> solve_scene(Simulation& sim) {
   result.findings = notes(sim);
   displace_held(sim);
   const Loads loads = full_loads(sim);
-  MechanicsState& m = sim.state.mechanics;
-  const auto corners = sim.state.cells.map.corners();
-  std::vector<Finding> refused = solve_static(m, sim.scratch.mechanics, corners, loads);
+  MechanicsState& m = sim.state->mechanics;
+  const auto corners = sim.state->cells.map.corners();
+  std::vector<Finding> refused = solve_static(m, sim.scratch->mechanics, corners, loads);
   for (Finding& f : refused) {
     explain(sim, f);
     result.findings.push_back(std::move(f));
@@ -217,7 +217,7 @@ Result<StaticAnswer> solve_scene(Simulation& sim) {
   const bool finite =
       std::ranges::all_of(answer.node_stress, [](const Mat3& s) { return s.allFinite(); });
   if (finite) {
-    const std::vector<Vec3> missing = support_forces(sim.scratch.mechanics, m, corners, loads);
+    const std::vector<Vec3> missing = support_forces(sim.scratch->mechanics, m, corners, loads);
     Survey survey(sim, loads, missing, answer.node_stress);
     for (std::size_t b = 0; b < sim.bodies.size(); ++b) answer.bodies.push_back(survey.of(b));
   }

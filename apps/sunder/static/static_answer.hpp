@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "fracture/simulation/simulation.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/element/energy.hpp"
 
 namespace sunder {

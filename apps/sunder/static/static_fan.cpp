@@ -24,17 +24,17 @@ struct LoadedBody {
 };
 
 std::vector<Vec3> fully_raised(const Simulation& sim) {
-  return corner_forces(sim.loads, sim.state.mechanics, std::numeric_limits<double>::infinity());
+  return corner_forces(sim.state->loads, sim.state->mechanics, std::numeric_limits<double>::infinity());
 }
 
 /// What is wrong; nothing when the answer has its release.
 std::vector<Finding> add_release(FanAnswer& answer, const LoadedBody& body, VertexId vertex,
                                  std::span<const HalfFaceId> faces) {
-  const Cells& cells = body.sim.state.cells;
-  const MechanicsState& m = body.sim.state.mechanics;
+  const Cells& cells = body.sim.state->cells;
+  const MechanicsState& m = body.sim.state->mechanics;
   answer.faces = faces.size();
   const auto release =
-      energy_release(body.sim.scratch.mechanics,
+      energy_release(body.sim.scratch->mechanics,
                      {cells, m, body.sim.scene.gravity.acceleration, body.force}, faces);
   if (!release) return release.findings;
   answer.release = *release;
@@ -55,7 +55,7 @@ std::string check_fan_text(const std::string& list) {
 Result<FanAnswer> fan_answer(Simulation& sim, const std::string& list) {
   const std::vector<double> x = *numbers_of(list, 4);
   FanAnswer answer{.point = static_cast<std::uint32_t>(x[0]), .normal = {x[1], x[2], x[3]}};
-  const Cells& cells = sim.state.cells;
+  const Cells& cells = sim.state->cells;
   std::size_t row = 0;
   while (row < cells.map.vertices() && cells.map.point_of_vertex(VertexId{row}) != answer.point) {
     ++row;
@@ -76,8 +76,8 @@ Result<FanAnswer> fan_answer(Simulation& sim, const std::string& list) {
 
 Result<std::vector<FanCandidate>> fan_candidates(Simulation& sim, std::span<const Mat3> node_stress,
                                                  double share) {
-  const Cells& cells = sim.state.cells;
-  const MechanicsState& m = sim.state.mechanics;
+  const Cells& cells = sim.state->cells;
+  const MechanicsState& m = sim.state->mechanics;
   const auto force = fully_raised(sim);
   Result<std::vector<FanCandidate>> result;
   std::vector<FanCandidate> candidates;

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "fracture/energy/energy_release.hpp"
-#include "fracture/simulation/simulation.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 
 namespace sunder {
 

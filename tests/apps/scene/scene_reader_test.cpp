@@ -9,7 +9,7 @@
 #include <string>
 
 #include "apps/scene/scene_json.hpp"
-#include "fracture/simulation/simulation.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 #include "topology/io/vtu/vtu.hpp"
 
 using namespace sunder;

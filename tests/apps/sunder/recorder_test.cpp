@@ -54,7 +54,7 @@ TEST_CASE("fragments share mass and surface, and were parted by the faces that s
   file->scene.bodies[0].material.tensile_strength = 1e6;
   Simulation sim = std::move(*build_simulation(file->scene));
   const Origins from = origins(sim.scene.bodies);
-  const Fragment whole = fragments(sim.state.cells, sim.state.mechanics, from).at(0);
+  const Fragment whole = fragments(sim.state->cells, sim.state->mechanics, from).at(0);
   CHECK(whole.crack_area == 0);
   CHECK(whole.parent.is_none());
   double split = 0;
@@ -62,12 +62,12 @@ TEST_CASE("fragments share mass and surface, and were parted by the faces that s
     for (const FanEvent& fan : advance(sim).fracture.fans) {
       for (const FaceSplit& face : fan.faces) {
         std::array<Vec3, 3> p;
-        for (int k = 0; k < 3; ++k) p[k] = Vec3(sim.state.cells.map.point(face.vertices[k]).data());
+        for (int k = 0; k < 3; ++k) p[k] = Vec3(sim.state->cells.map.point(face.vertices[k]).data());
         split += 0.5 * (p[1] - p[0]).cross(p[2] - p[0]).norm();
       }
     }
   }
-  const auto pieces = fragments(sim.state.cells, sim.state.mechanics, from);
+  const auto pieces = fragments(sim.state->cells, sim.state->mechanics, from);
   REQUIRE(pieces.size() > 1);
   double mass = 0, surface = 0, cracks = 0;
   for (const Fragment& f : pieces) {
@@ -84,14 +84,14 @@ TEST_CASE("fragments share mass and surface, and were parted by the faces that s
 TEST_CASE("fragments of an intact body have the solid's mass, volume and inertia",
           "[run][recorder]") {
   const Simulation simulation = shipped("monolith");
-  const std::vector<Fragment> pieces = fragments(simulation.state.cells, simulation.state.mechanics,
+  const std::vector<Fragment> pieces = fragments(simulation.state->cells, simulation.state->mechanics,
                                                  origins(simulation.scene.bodies));
   REQUIRE(pieces.size() == 1);
   const Fragment& slab = pieces[0];
   // A box of 1 x 0.3 x 2 m with 2400 kg/m^3. The sums are over 413 tetrahedra: 1e-12 is ample.
   CHECK(slab.volume == Approx(0.6).epsilon(1e-12));
   CHECK(slab.mass == Approx(1440).epsilon(1e-12));
-  CHECK(slab.tetrahedra == simulation.state.cells.map.tetrahedra());
+  CHECK(slab.tetrahedra == simulation.state->cells.map.tetrahedra());
   // The mass centre is that of lumped vertices; for a linear field it is the solid's.
   CHECK((slab.center - Vec3(0, 0, 1)).norm() < 1e-12);
   CHECK(slab.inertia(0, 0) == Approx(1440 * (0.09 + 4) / 12).epsilon(1e-12));
@@ -108,13 +108,13 @@ TEST_CASE("momentum that no support took is accounted for to rounding", "[run][r
   Simulation simulation = shipped("monolith");
   RunStatistics statistics = begin_statistics(simulation, {});
   double largest = 0;
-  while (simulation.state.mechanics.time < 0.06) {
+  while (simulation.state->mechanics.time < 0.06) {
     add_step(statistics, simulation, advance(simulation), 1);
     largest = std::max(largest, statistics.momentum.start.norm());
   }
   CHECK(statistics.fans > 0);
   const auto report = run_report(statistics, simulation,
-                                 fragments(simulation.state.cells, simulation.state.mechanics,
+                                 fragments(simulation.state->cells, simulation.state->mechanics,
                                            origins(simulation.scene.bodies)),
                                  RunEnd::finished);
   for (const auto& axis : report["momentum"]["supports"]) {

@@ -11,7 +11,7 @@
 #include <string>
 
 #include "apps/scene/scene_json.hpp"
-#include "fracture/simulation/simulation.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 #include "topology/kernel/invariants.hpp"
 
 namespace fs = std::filesystem;
@@ -77,12 +77,12 @@ void hold_scene(const std::string& name, double duration) {
   REQUIRE(sim);
   const auto mass_of = [](const sunder::Simulation& s) {
     double sum = 0;
-    for (const double m : s.state.mechanics.vertices.mass) sum += m;
+    for (const double m : s.state->mechanics.vertices.mass) sum += m;
     return sum;
   };
   const double mass = mass_of(*sim);
   std::size_t fans = 0, foreseen = 0, separated = 0;
-  while (sim->state.mechanics.time < duration) {
+  while (sim->state->mechanics.time < duration) {
     const sunder::StepReport step = sunder::advance(*sim);
     REQUIRE(step.status.outcome == sunder::StepOutcome::fine);
     for (const sunder::FanEvent& fan : step.fracture.fans) {
@@ -93,14 +93,14 @@ void hold_scene(const std::string& name, double duration) {
       REQUIRE((fan.components.created == 0 || fan.components.predicted > 0));
     }
   }
-  const sunder::VolumeMap& map = sim->state.cells.map;
+  const sunder::VolumeMap& map = sim->state->cells.map;
   const sunder::Counts counts = sunder::count_cells(map);
   WARN(name << ": " << fans << " fans, " << counts.components << " pieces, oracle right in "
             << separated << " of " << foreseen << ", Betti numbers " << (*counts.betti)[0] << " "
             << (*counts.betti)[1] << " " << (*counts.betti)[2]);
   CHECK(fans > 0);
   CHECK(sunder::check(map).empty());
-  CHECK(counts.components == sunder::living_components(sim->state.mechanics).size());
+  CHECK(counts.components == sunder::living_components(sim->state->mechanics).size());
   CHECK((*counts.betti)[1] >= 0);
   CHECK(mass_of(*sim) == Approx(mass).epsilon(1e-12));
 }

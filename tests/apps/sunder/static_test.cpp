@@ -190,7 +190,7 @@ TEST_CASE("a run under slowly raised loads settles at the static answer, its mom
   // The ramp's steps take the load of their ends: sum of i / 50 for 50 steps, then 50 whole ones.
   CHECK(impulse.x() == Approx(1000 * 1e-3 * (25.5 + 50)).epsilon(1e-12));
   double largest = 0;
-  for (const Vec3& d : sim->state.mechanics.vertices.displacement) {
+  for (const Vec3& d : sim->state->mechanics.vertices.displacement) {
     largest = std::max(largest, d.norm());
   }
   CHECK(largest == Approx(solved(scene).bodies[0].displacement.value).epsilon(1e-6));
@@ -212,7 +212,7 @@ TEST_CASE("loads stay with the sides of a split", "[run][static][loads][split]")
     REQUIRE(report.status.outcome == StepOutcome::fine);
     pieces = report.components;
     std::vector<Vec3> force;
-    add_corner_loads(force, sim->loads, sim->state.mechanics, sim->state.cells.map.corners(), 1);
+    add_corner_loads(force, sim->state->loads, sim->state->mechanics, sim->state->cells.map.corners(), 1);
     double pull = 0;
     for (const Vec3& f : force) pull += f.norm();
     // Two ends of 0.01 m^2, each pulled by 1 MPa, on however many vertices.
@@ -244,7 +244,7 @@ TEST_CASE("fans near their threshold are listed by the energy they would release
     if (i > 0) CHECK(c.fan.release.per_area() <= (*all)[i - 1].fan.release.per_area());
     if (!c.front) continue;
     ++on_front;
-    CHECK(sim.state.mechanics.vertices.rest_position[c.fan.point].x() == Approx(0.2));
+    CHECK(sim.state->mechanics.vertices.rest_position[c.fan.point].x() == Approx(0.2));
     const auto list =
         fmt::format("{},{},{},{}", c.fan.point, c.fan.normal[0], c.fan.normal[1], c.fan.normal[2]);
     const auto one = fan_answer(sim, list);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "apps/scene/scene_json.hpp"
-#include "fracture/simulation/simulation.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/solver/parallel.hpp"
 
 using namespace sunder;
@@ -23,8 +23,8 @@ Simulation shattered(unsigned threads) {
   REQUIRE(file);
   Result<Simulation> sim = build_simulation(std::move(file->scene));
   REQUIRE(sim);
-  sim->scratch.mechanics.threads = threads;
-  while (sim->state.step < 414) {
+  sim->scratch->mechanics.threads = threads;
+  while (sim->state->step < 414) {
     REQUIRE(advance(*sim).status.outcome == StepOutcome::fine);
   }
   return std::move(*sim);
@@ -40,16 +40,16 @@ bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
 TEST_CASE("A shattering body takes the same bytes on one, two and three threads",
           "[run][threads]") {
   const Simulation alone = shattered(1);
-  REQUIRE(alone.state.fans > 500);
+  REQUIRE(alone.state->fans > 500);
   for (const unsigned threads : {2u, 3u}) {
     const Simulation together = shattered(threads);
-    CHECK(together.state.fans == alone.state.fans);
-    const VertexColumns &a = alone.state.mechanics.vertices, &b = together.state.mechanics.vertices;
+    CHECK(together.state->fans == alone.state->fans);
+    const VertexColumns &a = alone.state->mechanics.vertices, &b = together.state->mechanics.vertices;
     CHECK(same_bytes(a.position, b.position));
     CHECK(same_bytes(a.velocity, b.velocity));
     CHECK(same_bytes(a.displacement, b.displacement));
-    CHECK(same_bytes(alone.state.mechanics.elements.stress,
-                     together.state.mechanics.elements.stress));
+    CHECK(same_bytes(alone.state->mechanics.elements.stress,
+                     together.state->mechanics.elements.stress));
   }
 }
 

@@ -12,7 +12,7 @@
 #include <stdexcept>
 
 #include "fracture/algorithms/choose_fan.hpp"
-#include "fracture/simulation/simulation.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 #include "fracture/algorithms/stress_fit.hpp"
 #include "mechanics/solver/static_solve.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
@@ -52,8 +52,8 @@ double angle_with_axis(const Vec3& normal) {
 /// The most tense vertex that has a fan breaks first.
 void find_first_break(BendingAnswer& answer, const Simulation& sim,
                       const std::vector<Mat3>& stress) {
-  const Cells& cells = sim.state.cells;
-  const MechanicsState& m = sim.state.mechanics;
+  const Cells& cells = sim.state->cells;
+  const MechanicsState& m = sim.state->mechanics;
   std::vector<double> tension(stress.size());
   for (std::size_t v = 0; v < stress.size(); ++v) tension[v] = principal_tension(stress[v]).value;
   std::vector<std::size_t> order(stress.size());
@@ -75,7 +75,7 @@ double surface_stress(const Simulation& sim, const std::vector<Mat3>& stress) {
   double sum = 0;
   int count = 0;
   for (std::size_t v = 0; v < stress.size(); ++v) {
-    const Vec3& x = sim.state.mechanics.vertices.rest_position[v];
+    const Vec3& x = sim.state->mechanics.vertices.rest_position[v];
     if (std::abs(std::abs(x.x()) - span / 4) > 1e-6 || std::abs(x.z()) > 1e-6) continue;
     sum += stress[v](0, 0);
     ++count;
@@ -85,8 +85,8 @@ double surface_stress(const Simulation& sim, const std::vector<Mat3>& stress) {
 
 /// Node stress of all vertices, with its time.
 std::vector<Mat3> measure(BendingAnswer& answer, const Simulation& sim, NodeStress mode) {
-  const MechanicsState& m = sim.state.mechanics;
-  const VolumeMap& map = sim.state.cells.map;
+  const MechanicsState& m = sim.state->mechanics;
+  const VolumeMap& map = sim.state->cells.map;
   const ElementStress elements{map.corners(), m.elements.stress,
                                mode == NodeStress::mass ? m.elements.mass : m.elements.rest_volume};
   std::vector<Mat3> stress;
@@ -142,11 +142,11 @@ double beam_breaking_load() {
 
 BendingTable bend_static(int layers) {
   Simulation sim = built(bent_beam({.layers = layers, .force = beam_breaking_load()}));
-  MechanicsState& m = sim.state.mechanics;
-  const auto corners = sim.state.cells.map.corners();
+  MechanicsState& m = sim.state->mechanics;
+  const auto corners = sim.state->cells.map.corners();
   Loads loads;
-  add_corner_loads(loads.force, sim.loads, m, corners, 0);
-  const auto findings = solve_static(m, sim.scratch.mechanics, corners, loads);
+  add_corner_loads(loads.force, sim.state->loads, m, corners, 0);
+  const auto findings = solve_static(m, sim.scratch->mechanics, corners, loads);
   if (!findings.empty()) throw std::runtime_error(findings.front().text);
   BendingTable table{m.vertices.size(), m.elements.size(), {}};
   for (std::size_t mode = 0; mode < table.modes.size(); ++mode) {
@@ -166,7 +166,7 @@ BendingRun bend_slowly(int layers, NodeStress mode) {
   scene.fracture.node_stress = mode;
   Simulation sim = built(std::move(scene));
   BendingRun run;
-  while (sim.state.mechanics.time < ramp * (1 - 1e-9)) {
+  while (sim.state->mechanics.time < ramp * (1 - 1e-9)) {
     const StepReport report = advance(sim);
     if (report.status.outcome != StepOutcome::fine) throw std::runtime_error("the run failed");
     ++run.steps;

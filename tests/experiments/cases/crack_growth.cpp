@@ -7,7 +7,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "fracture/simulation/simulation.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
 namespace sunder::accuracy {
@@ -52,7 +52,7 @@ Scene scene_of(const NotchedBar& bar) {
 }
 
 void add_cracks(GrowthAnswer& answer, const Simulation& sim, const NotchedBar& bar) {
-  const Cells& cells = sim.state.cells;
+  const Cells& cells = sim.state->cells;
   const double cell = bar.height / bar.cells;
   double area = 0;
   for (std::size_t f = 0; f < 4 * cells.map.tetrahedra(); ++f) {
@@ -68,7 +68,7 @@ void add_cracks(GrowthAnswer& answer, const Simulation& sim, const NotchedBar& b
   const double section = bar.height * cell * bar.thickness, cut = bar.cut ? 0.25 : 0;
   answer.area = (area / section - cut) / (1 - cut);
   double whole = 0, largest = 0;
-  for (const Component& c : sim.state.mechanics.components) {
+  for (const Component& c : sim.state->mechanics.components) {
     whole += c.mass;
     if (!c.tetrahedra.empty()) largest = std::max(largest, c.mass);
   }

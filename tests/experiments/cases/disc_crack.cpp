@@ -8,7 +8,9 @@
 #include <stdexcept>
 
 #include "fracture/algorithms/node_stress.hpp"
-#include "fracture/simulation/simulation.hpp"
+#include "fracture/algorithms/threshold_test.hpp"
+#include "fracture/algorithms/threshold_test.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/solver/static_solve.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
@@ -64,13 +66,13 @@ Simulation built(const Scene& scene) {
 
 double centre_tension(const Scene& scene) {
   Simulation sim = built(scene);
-  MechanicsState& m = sim.state.mechanics;
-  const auto corners = sim.state.cells.map.corners();
+  MechanicsState& m = sim.state->mechanics;
+  const auto corners = sim.state->cells.map.corners();
   Loads loads;
-  add_corner_loads(loads.force, sim.loads, m, corners, scene.bodies[0].loads[0].ramp_time);
-  const auto findings = solve_static(m, sim.scratch.mechanics, corners, loads);
+  add_corner_loads(loads.force, sim.state->loads, m, corners, scene.bodies[0].loads[0].ramp_time);
+  const auto findings = solve_static(m, sim.scratch->mechanics, corners, loads);
   if (!findings.empty()) throw std::runtime_error(findings.front().text);
-  const auto stress = node_stress_of(sim.state.cells, m, NodeStress::volume);
+  const auto stress = node_stress_of(sim.state->cells, m, NodeStress::volume);
   double tension = 0, nearest = 9;
   for (std::size_t v = 0; v < m.vertices.size(); ++v) {
     const Vec3& x = m.vertices.rest_position[v];
@@ -115,14 +117,14 @@ void add_fans(DiscAnswer& answer, DiameterCrack& crack, const Cells& cells,
 DiscAnswer brazilian_disc(int cells) {
   const Scene scene = scene_of(cells);
   Simulation sim = built(scene);
-  DiscAnswer answer{.cells = cells, .vertices = sim.state.mechanics.vertices.size()};
+  DiscAnswer answer{.cells = cells, .vertices = sim.state->mechanics.vertices.size()};
   answer.tension = centre_tension(scene);
   DiameterCrack crack;
   const double longest = 2 * hondros_pressure() / rate;
-  while (crack.length() < 0.75 && sim.state.mechanics.time < longest) {
+  while (crack.length() < 0.75 && sim.state->mechanics.time < longest) {
     const StepReport report = advance(sim);
     if (report.status.outcome != StepOutcome::fine) throw std::runtime_error("the run failed");
-    add_fans(answer, crack, sim.state.cells, report);
+    add_fans(answer, crack, sim.state->cells, report);
   }
   answer.length = crack.length();
   answer.area = crack.area / (2 * crack.length() * thickness(cells));

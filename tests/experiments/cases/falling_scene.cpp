@@ -6,7 +6,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "fracture/simulation/simulation.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
 namespace sunder::accuracy {
@@ -34,7 +34,7 @@ FallOutcome run_fall(const Scene& scene) {
   Result<Simulation> sim = build_simulation(scene);
   if (!sim) throw std::runtime_error(sim.findings.front().text);
   FallOutcome outcome;
-  while (sim->state.mechanics.time < scene.duration * (1 - 1e-9)) {
+  while (sim->state->mechanics.time < scene.duration * (1 - 1e-9)) {
     const StepReport report = advance(*sim);
     if (report.status.outcome != StepOutcome::fine) throw std::runtime_error("the run failed");
     if (outcome.fans == 0 && !report.fan_time.empty()) outcome.first_fan = report.fan_time.front();
@@ -44,7 +44,7 @@ FallOutcome run_fall(const Scene& scene) {
     outcome.pieces = report.components;
   }
   double largest = 0, all = 0;
-  for (const Component& c : sim->state.mechanics.components) {
+  for (const Component& c : sim->state->mechanics.components) {
     largest = std::max(largest, c.mass);
     all += c.mass;
   }

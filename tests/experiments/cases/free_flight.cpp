@@ -10,7 +10,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "fracture/algorithms/node_stress.hpp"
-#include "fracture/simulation/simulation.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/element/energy.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
@@ -39,7 +39,7 @@ Scene flight_scene(const FreeFlight& flight) {
 /// Spins the rod about its axis of largest inertia and lets it come to rest in its own frame: steps
 /// far longer than its periods do that, with what momentum it has.
 void spin_up(Simulation& sim, double spin) {
-  MechanicsState& m = sim.state.mechanics;
+  MechanicsState& m = sim.state->mechanics;
   const Component& rod = m.components[0];
   const Eigen::SelfAdjointEigenSolver<Mat3> axes(rod.rest_inertia);
   place(m, ComponentId{0},
@@ -50,7 +50,7 @@ void spin_up(Simulation& sim, double spin) {
   const Loads nothing;
   MechanicsScratch scratch;
   for (int i = 0; i < 40; ++i) {
-    advance(m, scratch, {sim.state.cells.map.corners(), nothing, settings});
+    advance(m, scratch, {sim.state->cells.map.corners(), nothing, settings});
   }
 }
 
@@ -65,10 +65,10 @@ Vec3 spin_momentum(const MechanicsState& m) {
 }
 
 double largest_node_stress(const Simulation& sim) {
-  const MechanicsState& m = sim.state.mechanics;
+  const MechanicsState& m = sim.state->mechanics;
   std::vector<Mat3> stress;
   average_node_stress(stress,
-                      {sim.state.cells.map.corners(), m.elements.stress, m.elements.rest_volume},
+                      {sim.state->cells.map.corners(), m.elements.stress, m.elements.rest_volume},
                       m.vertices.size());
   double largest = -std::numeric_limits<double>::infinity();
   for (const Mat3& sigma : stress) {
@@ -85,7 +85,7 @@ FlightDrift run_free_flight(const FreeFlight& flight) {
   if (!built) throw std::runtime_error(built.findings.front().text);
   Simulation& sim = *built;
   spin_up(sim, flight.spin);
-  const MechanicsState& m = sim.state.mechanics;
+  const MechanicsState& m = sim.state->mechanics;
   const Vec3 P = momentum(m.vertices), L = spin_momentum(m);
   const auto energy = [&] { return kinetic_energy(m.vertices) + strain_energy(m); };
   const double start = energy();

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "fracture/simulation/simulation.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
 namespace sunder::accuracy {
@@ -90,8 +90,8 @@ void watch(Peak& peak, const Simulation& sim, const PartReport& part, double cel
   const double force = part.contact.impulse_of(0).z() / part.length;
   if (force <= peak.force) return;
   peak = {force, 0, 0};
-  for (const ContactPoint& contact : sim.scratch.contact.contacts) {
-    const Vec3& at = sim.state.mechanics.vertices.position[contact.vertex.index()];
+  for (const ContactPoint& contact : sim.scratch->contact.contacts) {
+    const Vec3& at = sim.state->mechanics.vertices.position[contact.vertex.index()];
     const double push = contact.impulse.z() / part.length, r = std::hypot(at.x(), at.y());
     peak.moment += push * r * r;
     if (r < cell / 2) peak.pressure = push / (cell * cell);
@@ -103,14 +103,14 @@ void watch(Peak& peak, const Simulation& sim, const PartReport& part, double cel
 HertzOutcome run_hertz(const HertzImpact& impact) {
   Result<Simulation> sim = build_simulation(scene_of(impact));
   if (!sim) throw std::runtime_error(sim.findings.front().text);
-  const Component& block = sim->state.mechanics.components[0];
+  const Component& block = sim->state->mechanics.components[0];
   const Hertz hertz = hertz_of(impact, block.mass);
   Peak peak;
   double first = -1, last = -1;
   const StepObserver observe = [&](const Simulation& now, const PartReport& part) {
     watch(peak, now, part, impact.smallest);
     if (part.contact.impulse_of(0).z() < 1e-3 * hertz.force * part.length) return;
-    last = now.state.mechanics.time;
+    last = now.state->mechanics.time;
     if (first < 0) first = last - part.length;
   };
   const double h = sim->scene.time_step;
@@ -121,7 +121,7 @@ HertzOutcome run_hertz(const HertzImpact& impact) {
     }
   }
   HertzOutcome seen;
-  seen.vertices = sim->state.mechanics.vertices.size();
+  seen.vertices = sim->state->mechanics.vertices.size();
   seen.radius_cells = hertz.radius / impact.smallest;
   seen.contact_time = (last - first) / hertz.time;
   seen.force = peak.force / hertz.force;

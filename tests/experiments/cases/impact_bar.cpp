@@ -8,7 +8,7 @@
 
 #include "fracture/algorithms/fracture_plane.hpp"
 #include "fracture/algorithms/node_stress.hpp"
-#include "fracture/simulation/simulation.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/element/energy.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
@@ -60,7 +60,7 @@ struct Watch {
 };
 
 void watch_stress(Watch& watch, const Simulation& sim) {
-  const MechanicsState& m = sim.state.mechanics;
+  const MechanicsState& m = sim.state->mechanics;
   const auto see = [&](const Mat3& sigma, double& compression, double& tension) {
     compression = std::max(compression, -sigma(0, 0) / watch.scales.stress);
     tension = std::max(tension, principal_tension(sigma).value / watch.scales.strength);
@@ -70,7 +70,7 @@ void watch_stress(Watch& watch, const Simulation& sim) {
   }
   std::vector<Mat3> node;
   average_node_stress(node,
-                      {sim.state.cells.map.corners(), m.elements.stress, m.elements.rest_volume},
+                      {sim.state->cells.map.corners(), m.elements.stress, m.elements.rest_volume},
                       m.vertices.size());
   for (const Mat3& sigma : node) {
     see(sigma, watch.seen.node_compression, watch.seen.node_tension);
@@ -79,14 +79,14 @@ void watch_stress(Watch& watch, const Simulation& sim) {
 
 void watch_part(Watch& watch, const Simulation& sim, const PartReport& part) {
   watch_stress(watch, sim);
-  const double end = sim.state.mechanics.time;
+  const double end = sim.state->mechanics.time;
   const double length = part.length;
   if (part.contact.impulse_of(0).norm() > 0.01 * watch.scales.stress * watch.scales.area * length) {
     if (watch.first_push < 0) watch.first_push = end - length;
     watch.last_push = end;
   }
   const double energy =
-      kinetic_energy(sim.state.mechanics.vertices) + strain_energy(sim.state.mechanics);
+      kinetic_energy(sim.state->mechanics.vertices) + strain_energy(sim.state->mechanics);
   watch.seen.energy_end = energy / watch.energy_at_start;
   watch.seen.energy_peak = std::max(watch.seen.energy_peak, watch.seen.energy_end);
 }
@@ -98,14 +98,14 @@ BarOutcome run_bar(const BarImpact& impact) {
   Result<Simulation> sim = build_simulation(scene_of(impact, scales));
   if (!sim) throw std::runtime_error(sim.findings.front().text);
   Watch watch{.scales = scales, .seen = {}};
-  watch.energy_at_start = kinetic_energy(sim->state.mechanics.vertices);
+  watch.energy_at_start = kinetic_energy(sim->state->mechanics.vertices);
   const double h = sim->scene.time_step;
   const double wait = 3 * scales.travel() + 4 * h;
   const double give_up = 20 * scales.travel() + 40 * h;
   const StepObserver observe = [&](const Simulation& now, const PartReport& part) {
     watch_part(watch, now, part);
   };
-  const VertexColumns& vertices = sim->state.mechanics.vertices;
+  const VertexColumns& vertices = sim->state->mechanics.vertices;
   const double mass = scales.area * Material{}.density;
   for (double time = 0; time < give_up; time += h) {
     const StepReport report = advance(*sim, observe);

@@ -12,7 +12,7 @@ LadderOutcome run_on_ladder(const Scene& scene) {
   Result<Simulation> sim = build_simulation(scene);
   if (!sim) throw std::runtime_error(sim.findings.front().text);
   LadderOutcome outcome;
-  while (sim->state.mechanics.time < scene.duration * (1 - 1e-9)) {
+  while (sim->state->mechanics.time < scene.duration * (1 - 1e-9)) {
     const std::clock_t start = std::clock();
     const StepReport report = advance(*sim);
     outcome.ms += 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;

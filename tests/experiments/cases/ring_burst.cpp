@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "fracture/simulation/simulation.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/element/energy.hpp"
 #include "tests/support/shapes.hpp"
 
@@ -99,7 +99,7 @@ Scene scene_of(const Ring& ring, const RingBurst& burst) {
 }
 
 double energy_of(const Simulation& sim) {
-  return kinetic_energy(sim.state.mechanics.vertices) + strain_energy(sim.state.mechanics);
+  return kinetic_energy(sim.state->mechanics.vertices) + strain_energy(sim.state->mechanics);
 }
 
 }  // namespace
@@ -111,17 +111,17 @@ RingOutcome run_ring(const RingBurst& burst) {
   const double last = time_of(xi * (1 + burst.spread), burst);
   Result<Simulation> sim = build_simulation(scene_of(ring, burst));
   if (!sim) throw std::runtime_error(sim.findings.front().text);
-  VertexColumns& vertices = sim->state.mechanics.vertices;
+  VertexColumns& vertices = sim->state->mechanics.vertices;
   for (std::size_t v = 0; v < vertices.size(); ++v) {
     const Vec3 x = vertices.position[v];
     vertices.velocity[v] = burst.rate * Vec3(x.x(), x.y(), 0);
   }
-  reframe(sim->state.mechanics, ComponentId{0});
+  reframe(sim->state->mechanics, ComponentId{0});
 
   RingOutcome seen;
   const double before = energy_of(*sim);
   std::vector<char> broke(ring.strength.size(), 0);
-  while (sim->state.mechanics.time < last + sim->scene.time_step) {
+  while (sim->state->mechanics.time < last + sim->scene.time_step) {
     const StepReport report = advance(*sim);
     if (report.status.outcome != StepOutcome::fine) {
       throw std::runtime_error(to_finding(report.status).text);
@@ -137,7 +137,7 @@ RingOutcome run_ring(const RingBurst& burst) {
     seen.same_sections += expected[k] && broke[k];
     seen.expected += expected[k] != 0;
   }
-  for (const Component& piece : sim->state.mechanics.components) {
+  for (const Component& piece : sim->state->mechanics.components) {
     seen.fragments += !piece.tetrahedra.empty();
   }
   const double span = last - time_of(xi, burst);

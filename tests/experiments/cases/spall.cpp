@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "fracture/simulation/simulation.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/element/energy.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
@@ -51,13 +51,13 @@ Scene scene_of(const Spall& spall, double cell) {
 /// Velocity s / (rho c) and displacement -s / E of a wave that runs along x.
 void set_pulse(Simulation& sim, const Pulse& pulse) {
   const Material& material = sim.scene.bodies[0].material;
-  VertexColumns& v = sim.state.mechanics.vertices;
+  VertexColumns& v = sim.state->mechanics.vertices;
   for (std::size_t i = 0; i < v.size(); ++i) {
     const double x = v.rest_position[i].x();
     v.position[i].x() += pulse.integral(x) / material.young_modulus;
     v.velocity[i].x() = pulse.stress(x) / (material.density * bar_wave_speed(material));
   }
-  reframe(sim.state.mechanics, ComponentId{0});
+  reframe(sim.state->mechanics, ComponentId{0});
 }
 
 /// A piece by its rest place along the bar.
@@ -67,7 +67,7 @@ struct Piece {
 
 std::vector<Piece> pieces_of(const Simulation& sim) {
   std::vector<Piece> pieces;
-  const MechanicsState& m = sim.state.mechanics;
+  const MechanicsState& m = sim.state->mechanics;
   for (const Component& c : m.components) {
     if (c.tetrahedra.empty()) continue;
     Piece piece{1e30, -1e30, c.momentum.x() / c.mass};
@@ -91,13 +91,13 @@ SpallOutcome run_spall(const Spall& spall) {
   const Material& material = sim->scene.bodies[0].material;
   const double c = bar_wave_speed(material), xi = material.tensile_strength;
   const double peak = spall.peak * xi;
-  const auto& rest = sim->state.mechanics.vertices.rest_position;
+  const auto& rest = sim->state->mechanics.vertices.rest_position;
   const double end = std::max_element(rest.begin(), rest.end(), [](const Vec3& a, const Vec3& b) {
                        return a.x() < b.x();
                      })->x();
   const Pulse pulse{end - 3 * cell, spall.front * cell, spall.length, peak};
   set_pulse(*sim, pulse);
-  const double momentum_before = momentum(sim->state.mechanics.vertices).x();
+  const double momentum_before = momentum(sim->state->mechanics.vertices).x();
 
   SpallOutcome seen;
   seen.exact_thickness = (spall.length - spall.front * cell) / (2 * spall.peak);
@@ -106,7 +106,7 @@ SpallOutcome run_spall(const Spall& spall) {
   const double reflected = (end - pulse.front + pulse.ramp) / c;
   const double until = 1.3 * spall.length / c;
   double first = -1;
-  while (sim->state.mechanics.time < until) {
+  while (sim->state->mechanics.time < until) {
     const StepReport report = advance(*sim);
     if (report.status.outcome != StepOutcome::fine) {
       throw std::runtime_error(to_finding(report.status).text);
@@ -121,7 +121,7 @@ SpallOutcome run_spall(const Spall& spall) {
     seen.time = (first - reflected) / (seen.exact_thickness / c);
     seen.speed = pieces.front().speed / ((2 * peak - xi) / (material.density * c));
   }
-  seen.momentum = momentum(sim->state.mechanics.vertices).x() / momentum_before;
+  seen.momentum = momentum(sim->state->mechanics.vertices).x() / momentum_before;
   return seen;
 }
 

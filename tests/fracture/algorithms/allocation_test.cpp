@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <new>
 
-#include "fracture/simulation/simulation.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
 namespace {

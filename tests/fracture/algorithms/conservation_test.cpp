@@ -6,7 +6,7 @@
 #include <random>
 
 #include "fracture/simulation/fan_script.hpp"
-#include "fracture/simulation/simulation.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/element/energy.hpp"
 #include "tests/support/tension.hpp"
 #include "topology/mesh/check.hpp"
@@ -140,10 +140,10 @@ RebuildReport tear(TornBody& body, std::size_t fans, std::mt19937_64& random, st
 
 /// J, of each tetrahedron: a quarter of its mass moves with each corner.
 std::vector<double> kinetic_of_elements(const Simulation& sim) {
-  const MechanicsState& m = sim.state.mechanics;
+  const MechanicsState& m = sim.state->mechanics;
   std::vector<double> kinetic(m.elements.size(), 0);
   for (std::size_t t = 0; t < kinetic.size(); ++t) {
-    for (const VertexId v : sim.state.cells.map.corners(TetId{t})) {
+    for (const VertexId v : sim.state->cells.map.corners(TetId{t})) {
       kinetic[t] += m.elements.mass[t] / 8 * m.vertices.velocity[v.index()].squaredNorm();
     }
   }
@@ -156,8 +156,8 @@ void hold_kinetic(const std::vector<double>& before, const Simulation& now, doub
   const std::vector<double> after = kinetic_of_elements(now);
   double kept = 0, kept_before = 0, rigid = 0, rigid_before = 0;
   for (std::size_t t = 0; t < after.size(); ++t) {
-    const ComponentId id = now.state.mechanics.elements.component[t];
-    const bool isolated = now.state.mechanics.components[id.index()].isolated;
+    const ComponentId id = now.state->mechanics.elements.component[t];
+    const bool isolated = now.state->mechanics.components[id.index()].isolated;
     (isolated ? rigid : kept) += after[t];
     (isolated ? rigid_before : kept_before) += before[t];
   }
@@ -236,14 +236,14 @@ TEST_CASE("steps that break keep across their fans what the state had before the
       Kept before;
       std::vector<double> kinetic;
       const StepReport report = advance(sim, [&](const Simulation& now, const PartReport&) {
-        before = of_rows(now.state.mechanics);
+        before = of_rows(now.state->mechanics);
         kinetic = kinetic_of_elements(now);
       });
       REQUIRE(report.status.outcome == StepOutcome::fine);
       if (report.fracture.fans.empty()) continue;
       fans += report.fracture.fans.size();
-      hold_same(before, of_rows(sim.state.mechanics));
-      hold_same(before, of_pieces(sim.state.mechanics));
+      hold_same(before, of_rows(sim.state->mechanics));
+      hold_same(before, of_pieces(sim.state->mechanics));
       hold_kinetic(kinetic, sim, report.energy_released);
       rigid_steps += report.energy_released > 0;
     }
@@ -273,7 +273,7 @@ Simulation pulled() {
 
 PulledRun pulled_run(std::optional<FanScript> script) {
   Simulation sim = pulled();
-  sim.script = std::move(script);
+  sim.state->script = std::move(script);
   PulledRun run;
   for (int i = 0; i < 20; ++i) {
     const StepReport report = advance(sim);
@@ -284,8 +284,8 @@ PulledRun pulled_run(std::optional<FanScript> script) {
     }
     if (report.departed) break;
   }
-  if (sim.script) run.script.departure = sim.script->departure;
-  run.position = sim.state.mechanics.vertices.position;
+  if (sim.state->script) run.script.departure = sim.state->script->departure;
+  run.position = sim.state->mechanics.vertices.position;
   return run;
 }
 

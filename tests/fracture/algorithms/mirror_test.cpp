@@ -4,7 +4,7 @@
 #include <optional>
 #include <set>
 
-#include "fracture/simulation/simulation.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 #include "tests/fracture/algorithms/mirror_bodies.hpp"
 #include "tests/support/tension.hpp"
 
@@ -213,10 +213,10 @@ TEST_CASE("a body that falls flat breaks symmetrically about the planes of its s
   Result<Simulation> sim = build_simulation(std::move(scene));
   REQUIRE(sim);
   std::set<FaceKey> faces;
-  while (faces.empty() && sim->state.mechanics.time < 0.01) {
+  while (faces.empty() && sim->state->mechanics.time < 0.01) {
     const StepReport report = advance(*sim);
     REQUIRE(report.status.outcome == StepOutcome::fine);
-    faces = split_faces(sim->state.cells.map, report.fracture.fans);
+    faces = split_faces(sim->state->cells.map, report.fracture.fans);
   }
   REQUIRE_FALSE(faces.empty());
   CHECK((faces == mirrored(faces, body)));

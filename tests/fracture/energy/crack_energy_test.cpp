@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fracture/simulation/simulation.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/element/energy.hpp"
 #include "mechanics/solver/static_solve.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
@@ -32,17 +32,17 @@ Simulation stretched_bar(double time_step) {
   scene.ladder = {.rigid = false, .quasi_static = false, .sleep = false};
   scene.time_step = time_step;
   Simulation sim = std::move(*build_simulation(std::move(scene)));
-  MechanicsState& m = sim.state.mechanics;
+  MechanicsState& m = sim.state->mechanics;
   for (std::size_t v = 0; v < m.vertices.size(); ++v) {
     if (m.vertices.rest_position[v].x() > 0.8 - 1e-9) m.vertices.displacement[v].x() = pull;
   }
-  REQUIRE(solve_static(m, sim.scratch.mechanics, sim.state.cells.map.corners(), {}).empty());
+  REQUIRE(solve_static(m, sim.scratch->mechanics, sim.state->cells.map.corners(), {}).empty());
   return sim;
 }
 
 /// Cuts through the middle, a fan a vertex, as a step does it; gives the fans.
 std::size_t cut_in_the_middle(Simulation& sim) {
-  MechanicsState& m = sim.state.mechanics;
+  MechanicsState& m = sim.state->mechanics;
   PrincipalTension tension;
   tension.value = 1e6;
   tension.directions = Vec3::UnitX();
@@ -52,16 +52,16 @@ std::size_t cut_in_the_middle(Simulation& sim) {
   for (std::size_t v = 0; v < rows; ++v) {
     if (std::abs(m.vertices.rest_position[v].x() - 0.4) > 1e-9) continue;
     FanEvent fan =
-        split_fan(sim.state.cells, m, plan_fan(sim.state.cells, VertexId{v}, tension), {}, scratch);
+        split_fan(sim.state->cells, m, plan_fan(sim.state->cells, VertexId{v}, tension), {}, scratch);
     if (!fan.faces.empty()) fans.push_back(std::move(fan));
   }
-  open_cracks(sim.state.cracks, {fans, 0, m.time}, m, sim.state.cells);
-  m.elements.component = sim.state.cells.labels.of_tetrahedron;
+  open_cracks(sim.state->cracks, {fans, 0, m.time}, m, sim.state->cells);
+  m.elements.component = sim.state->cells.labels.of_tetrahedron;
   std::vector<ComponentId> all;
-  for (std::size_t c = 0; c < sim.state.cells.labels.size.size(); ++c) all.emplace_back(c);
-  rebuild(m, sim.state.cells.map.corners(), all, sim.scratch.mechanics);
-  sim.state.display.resize(all.size());
-  sim.state.display_target.resize(all.size());
+  for (std::size_t c = 0; c < sim.state->cells.labels.size.size(); ++c) all.emplace_back(c);
+  rebuild(m, sim.state->cells.map.corners(), all, sim.scratch->mechanics);
+  sim.state->display.resize(all.size());
+  sim.state->display_target.resize(all.size());
   REQUIRE(living_components(m).size() == 2);
   return fans.size();
 }
@@ -73,7 +73,7 @@ TEST_CASE("a bar pulled apart gives up sigma^2 L / (2 E) per area of its crack",
   const double stress = young * pull / 0.8, closed_form = stress * stress * 0.8 / (2 * young);
   SECTION("at once, in steps far longer than its waves") {
     Simulation sim = stretched_bar(0.1);
-    const double strain = strain_energy(sim.state.mechanics);
+    const double strain = strain_energy(sim.state->mechanics);
     const std::size_t fans = cut_in_the_middle(sim);
     const StepReport report = advance(sim);
     REQUIRE(report.cracks.size() == fans);
@@ -86,7 +86,7 @@ TEST_CASE("a bar pulled apart gives up sigma^2 L / (2 E) per area of its crack",
     CHECK(energy / area == Approx(closed_form).epsilon(1e-3));
     // And what the ledger knows of it by other means: the strain that the scheme took.
     CHECK(report.energy.numerical == Approx(energy).epsilon(1e-3));
-    CHECK(strain - strain_energy(sim.state.mechanics) == Approx(energy).epsilon(1e-3));
+    CHECK(strain - strain_energy(sim.state->mechanics) == Approx(energy).epsilon(1e-3));
   }
   SECTION("by waves, when they have crossed the pieces once") {
     Simulation sim = stretched_bar(2e-6);
@@ -127,8 +127,8 @@ TEST_CASE("fans of a run are measured once each, with the area of their faces",
     cracks.insert(cracks.end(), report.cracks.begin(), report.cracks.end());
   }
   REQUIRE(fans > 30);
-  CHECK(cracks.size() + sim.state.cracks.size() == fans);
-  CHECK(sim.state.fans == fans);
+  CHECK(cracks.size() + sim.state->cracks.size() == fans);
+  CHECK(sim.state->fans == fans);
   std::vector<std::uint64_t> numbers;
   double sum = 0;
   for (const CrackEnergy& crack : cracks) {

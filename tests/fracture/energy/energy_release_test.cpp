@@ -8,7 +8,7 @@
 #include <optional>
 #include <random>
 
-#include "fracture/simulation/simulation.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/element/energy.hpp"
 #include "mechanics/solver/static_solve.hpp"
 #include "topology/kernel/fan.hpp"
@@ -39,7 +39,7 @@ Simulation loaded_block(std::mt19937& random) {
 
 Loads full_loads(const Simulation& sim, const MechanicsState& m, std::span<const Corners> corners) {
   Loads loads{.gravity = sim.scene.gravity.acceleration};
-  add_corner_loads(loads.force, sim.loads, m, corners, std::numeric_limits<double>::infinity());
+  add_corner_loads(loads.force, sim.state->loads, m, corners, std::numeric_limits<double>::infinity());
   return loads;
 }
 
@@ -53,8 +53,8 @@ double potential(const MechanicsState& m, const Loads& loads) {
 
 /// Splits a copy of the body and puts it into equilibrium anew; nothing where it has none.
 std::optional<double> slow_release(const Simulation& sim, std::span<const HalfFaceId> faces) {
-  Cells cells = sim.state.cells;
-  MechanicsState m = sim.state.mechanics;
+  Cells cells = sim.state->cells;
+  MechanicsState m = sim.state->mechanics;
   const double before = potential(m, full_loads(sim, m, cells.map.corners()));
   std::vector<FaceSplit> splits;
   for (const HalfFaceId face : faces) {
@@ -86,17 +86,17 @@ TEST_CASE("energy released by fans of random bodies is that of a copy split and 
   int compared = 0;
   for (int round = 0; round < 3; ++round) {
     Simulation sim = loaded_block(random);
-    MechanicsState& m = sim.state.mechanics;
-    const auto corners = sim.state.cells.map.corners();
-    REQUIRE(solve_static(m, sim.scratch.mechanics, corners, full_loads(sim, m, corners)).empty());
+    MechanicsState& m = sim.state->mechanics;
+    const auto corners = sim.state->cells.map.corners();
+    REQUIRE(solve_static(m, sim.scratch->mechanics, corners, full_loads(sim, m, corners)).empty());
     const std::vector<Vec3> force =
-        corner_forces(sim.loads, m, std::numeric_limits<double>::infinity());
-    const ReleaseInput input{sim.state.cells, m, sim.scene.gravity.acceleration, force};
+        corner_forces(sim.state->loads, m, std::numeric_limits<double>::infinity());
+    const ReleaseInput input{sim.state->cells, m, sim.scene.gravity.acceleration, force};
     for (int k = 0; k < 40; ++k) {
       const VertexId v{random() % m.vertices.size()};
       const auto faces =
-          fan_faces(sim.state.cells.map, v, {normal(random), normal(random), normal(random)});
-      const auto release = energy_release(sim.scratch.mechanics, input, *faces);
+          fan_faces(sim.state->cells.map, v, {normal(random), normal(random), normal(random)});
+      const auto release = energy_release(sim.scratch->mechanics, input, *faces);
       REQUIRE(release);
       if (faces->empty()) continue;
       const std::optional<double> slow = slow_release(sim, *faces);
@@ -120,21 +120,21 @@ TEST_CASE("a section through a bar pulled between two grips releases sigma^2 L /
               {.minimum = {length - 1e-6, -1, -1}, .maximum = {9, 9, 9}}};
   scene.bodies = {bar};
   Simulation sim = std::move(*build_simulation(std::move(scene)));
-  MechanicsState& m = sim.state.mechanics;
+  MechanicsState& m = sim.state->mechanics;
   for (std::size_t v = 0; v < m.vertices.size(); ++v) {
     if (m.vertices.rest_position[v].x() > length - 1e-9) m.vertices.displacement[v].x() = pull;
   }
-  REQUIRE(solve_static(m, sim.scratch.mechanics, sim.state.cells.map.corners(), {}).empty());
+  REQUIRE(solve_static(m, sim.scratch->mechanics, sim.state->cells.map.corners(), {}).empty());
   const auto faces =
-      plane_faces(sim.state.cells.map, CuttingPlane{.normal = {1, 0, 0}, .offset = 0.4});
+      plane_faces(sim.state->cells.map, CuttingPlane{.normal = {1, 0, 0}, .offset = 0.4});
   const std::vector<Mat3> stress = m.elements.stress;
-  const auto release = energy_release(sim.scratch.mechanics, {sim.state.cells, m}, *faces);
+  const auto release = energy_release(sim.scratch->mechanics, {sim.state->cells, m}, *faces);
   REQUIRE(release);
   const double sigma = young * pull / length;
   CHECK(release->area == Approx(0.04).epsilon(1e-12));
   CHECK(release->per_area() == Approx(sigma * sigma * length / (2 * young)).epsilon(1e-9));
   CHECK(m.elements.stress == stress);
-  CHECK(sim.state.cells.map.vertices() == m.vertices.size());
+  CHECK(sim.state->cells.map.vertices() == m.vertices.size());
 }
 
 TEST_CASE("a piece that comes free releases what strained it, or without end what a load drives",
@@ -145,18 +145,18 @@ TEST_CASE("a piece that comes free releases what strained it, or without end wha
   bar.held = {{.minimum = {-1, -1, -1}, .maximum = {1e-6, 9, 9}}};
   scene.bodies = {bar};
   Simulation sim = std::move(*build_simulation(std::move(scene)));
-  MechanicsState& m = sim.state.mechanics;
+  MechanicsState& m = sim.state->mechanics;
   const auto section =
-      plane_faces(sim.state.cells.map, CuttingPlane{.normal = {1, 0, 0}, .offset = 0.3});
-  const auto at_rest = energy_release(sim.scratch.mechanics, {sim.state.cells, m}, *section);
+      plane_faces(sim.state->cells.map, CuttingPlane{.normal = {1, 0, 0}, .offset = 0.3});
+  const auto at_rest = energy_release(sim.scratch->mechanics, {sim.state->cells, m}, *section);
   REQUIRE(at_rest);
   CHECK(at_rest->comes_free);
   CHECK(at_rest->energy == 0);
   const Vec3 gravity{0, 0, -9.81};
-  const auto corners = sim.state.cells.map.corners();
-  REQUIRE(solve_static(m, sim.scratch.mechanics, corners, {.gravity = gravity}).empty());
+  const auto corners = sim.state->cells.map.corners();
+  REQUIRE(solve_static(m, sim.scratch->mechanics, corners, {.gravity = gravity}).empty());
   const auto loaded =
-      energy_release(sim.scratch.mechanics, {sim.state.cells, m, gravity}, *section);
+      energy_release(sim.scratch->mechanics, {sim.state->cells, m, gravity}, *section);
   REQUIRE(loaded);
   CHECK(std::isinf(loaded->energy));
 }
@@ -168,9 +168,9 @@ TEST_CASE("a free body has no energy release in statics", "[fracture][energy_rel
   scene.bodies = {body};
   Simulation sim = std::move(*build_simulation(std::move(scene)));
   const auto faces =
-      plane_faces(sim.state.cells.map, CuttingPlane{.normal = {1, 0, 0}, .offset = 0.1});
+      plane_faces(sim.state->cells.map, CuttingPlane{.normal = {1, 0, 0}, .offset = 0.1});
   const auto release =
-      energy_release(sim.scratch.mechanics, {sim.state.cells, sim.state.mechanics}, *faces);
+      energy_release(sim.scratch->mechanics, {sim.state->cells, sim.state->mechanics}, *faces);
   REQUIRE(!release);
   CHECK(release.findings.front().code == "not_supported");
 }

@@ -7,7 +7,7 @@
 #include <random>
 #include <set>
 
-#include "fracture/simulation/simulation.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/solver/static_solve.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
@@ -26,7 +26,7 @@ Simulation hanging_bar(std::mt19937& random) {
   bar.held = {{.minimum = {-1, -1, 0.8 - 1e-6}, .maximum = {9, 9, 9}}};
   scene.bodies = {bar};
   Simulation sim = std::move(*build_simulation(std::move(scene)));
-  REQUIRE(solve_static(sim.state.mechanics, sim.scratch.mechanics, sim.state.cells.map.corners(),
+  REQUIRE(solve_static(sim.state->mechanics, sim.scratch->mechanics, sim.state->cells.map.corners(),
                        {.gravity = sim.scene.gravity.acceleration})
               .empty());
   return sim;
@@ -41,8 +41,8 @@ struct Relaxed {
 /// One fan, at the most stressed vertex, and the stresses that follow.
 Relaxed after_one_fan(std::mt19937& random, std::uint32_t rings) {
   Simulation sim = hanging_bar(random);
-  MechanicsState& m = sim.state.mechanics;
-  Cells& cells = sim.state.cells;
+  MechanicsState& m = sim.state->mechanics;
+  Cells& cells = sim.state->cells;
   std::fill(cells.strength.begin(), cells.strength.end(), 1e3);
   for (std::size_t v = 0; v < m.vertices.size(); ++v) {
     // The end that is held keeps its forces.
@@ -50,7 +50,7 @@ Relaxed after_one_fan(std::mt19937& random, std::uint32_t rings) {
   }
   std::vector<Mat3> before = m.elements.stress;
   FractureSettings settings{.mode = FractureMode::budget, .max_fans = 1, .relax = rings};
-  auto report = find_fractures(cells, m, settings, sim.scratch.fracture);
+  auto report = find_fractures(cells, m, settings, sim.scratch->fracture);
   REQUIRE(report.fans.size() == 1);
   return {std::move(sim), std::move(before), std::move(report)};
 }
@@ -63,13 +63,13 @@ TEST_CASE("relaxed over the whole body, stresses are those of the split body in 
   INFO("seed " << seed);
   std::mt19937 random(seed);
   Relaxed body = after_one_fan(random, 100);
-  MechanicsState& m = body.sim.state.mechanics;
-  const auto corners = body.sim.state.cells.map.corners();
-  rebuild(m, corners, living_components(m), body.sim.scratch.mechanics);
-  REQUIRE(solve_static(m, body.sim.scratch.mechanics, corners,
+  MechanicsState& m = body.sim.state->mechanics;
+  const auto corners = body.sim.state->cells.map.corners();
+  rebuild(m, corners, living_components(m), body.sim.scratch->mechanics);
+  REQUIRE(solve_static(m, body.sim.scratch->mechanics, corners,
                        {.gravity = body.sim.scene.gravity.acceleration})
               .empty());
-  const RelaxedState& relaxed = body.sim.scratch.fracture.relaxed;
+  const RelaxedState& relaxed = body.sim.scratch->fracture.relaxed;
   double largest = 0, wrong = 0, moved = 0;
   for (std::size_t t = 0; t < corners.size(); ++t) {
     largest = std::max(largest, m.elements.stress[t].norm());
@@ -85,9 +85,9 @@ TEST_CASE("relaxing changes stresses in its patch alone, and nothing of the stat
           "[fracture][relax]") {
   std::mt19937 random(4);
   const Relaxed body = after_one_fan(random, 2);
-  const MechanicsState& m = body.sim.state.mechanics;
-  const RelaxedState& relaxed = body.sim.scratch.fracture.relaxed;
-  const auto corners = body.sim.state.cells.map.corners();
+  const MechanicsState& m = body.sim.state->mechanics;
+  const RelaxedState& relaxed = body.sim.scratch->fracture.relaxed;
+  const auto corners = body.sim.state->cells.map.corners();
   std::set<VertexId> inside;
   for (const FaceSplit& face : body.report.fans.front().faces) {
     for (int i = 0; i < face.vertex_count; ++i) {

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "fracture/algorithms/node_stress.hpp"
-#include "fracture/simulation/simulation.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/solver/static_solve.hpp"
 #include "topology/io/mesh_file.hpp"
 
@@ -32,8 +32,8 @@ Scene lying_block() {
 /// Largest principal node stress among the vertices that can break, Pa: where the whole star lies
 /// on one side of the plane no fan exists, however high the stress.
 double largest_breaking_stress(const Simulation& sim) {
-  const MechanicsState& m = sim.state.mechanics;
-  const Cells& cells = sim.state.cells;
+  const MechanicsState& m = sim.state->mechanics;
+  const Cells& cells = sim.state->cells;
   std::vector<Mat3> stress;
   average_node_stress(stress, {cells.map.corners(), m.elements.stress, m.elements.rest_volume},
                       m.vertices.size());
@@ -50,7 +50,7 @@ double largest_breaking_stress(const Simulation& sim) {
 double breaking_share(Scene scene) {
   Result<Simulation> sim = build_simulation(scene);
   REQUIRE(sim);
-  while (sim->state.mechanics.time < scene.gravity.ramp_time) {
+  while (sim->state->mechanics.time < scene.gravity.ramp_time) {
     const StepReport report = advance(*sim);
     REQUIRE(report.status.outcome == StepOutcome::fine);
     if (!report.fracture.fans.empty()) return report.time / scene.gravity.ramp_time;
@@ -69,10 +69,10 @@ TEST_CASE("a block held at its ends breaks at its mesh's static limit, gravity r
   // The limit by an independent static solve under the full weight, the stress being linear in it.
   Result<Simulation> still = build_simulation(scene);
   REQUIRE(still);
-  MechanicsState& m = still->state.mechanics;
+  MechanicsState& m = still->state->mechanics;
   const Loads loads{.gravity = scene.gravity.acceleration, .force = {}};
   const auto findings =
-      solve_static(m, still->scratch.mechanics, still->state.cells.map.corners(), loads);
+      solve_static(m, still->scratch->mechanics, still->state->cells.map.corners(), loads);
   REQUIRE(findings.empty());
   const double share = scene.bodies[0].material.tensile_strength / largest_breaking_stress(*still);
   INFO("static limit at " << share << " of gravity");
@@ -101,7 +101,7 @@ TEST_CASE("a block lying on two supports stands below its static limit and break
     calm.gravity.acceleration = share * Vec3(0, 0, -9.81);
     Result<Simulation> sim = build_simulation(calm);
     REQUIRE(sim);
-    while (sim->state.mechanics.time < 1) advance(*sim);
+    while (sim->state->mechanics.time < 1) advance(*sim);
     share *= scene.bodies[0].material.tensile_strength / largest_breaking_stress(*sim);
   }
   INFO("static limit at " << share << " of gravity");

@@ -2,7 +2,7 @@
 // Bodies break alike whether old factors serve on after a crack or new ones are made at once.
 #include <catch2/catch.hpp>
 
-#include "fracture/simulation/simulation.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/solver/component_system.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
@@ -34,7 +34,7 @@ Run run(bool with_borders) {
     REQUIRE(report.status.outcome == StepOutcome::fine);
     for (const FanEvent& fan : report.fracture.fans) result.fans.emplace_back(k, fan.vertex);
     if (last == 2000 && result.fans.size() >= 8) last = k + 20;
-    MechanicsScratch& scratch = sim->scratch.mechanics;
+    MechanicsScratch& scratch = sim->scratch->mechanics;
     if (!with_borders) {
       for (auto& retired : scratch.retired) retired.reset();
     }
@@ -42,7 +42,7 @@ Run run(bool with_borders) {
       result.bordered += system && !system->border.columns.empty();
     }
   }
-  result.position = sim->state.mechanics.vertices.position;
+  result.position = sim->state->mechanics.vertices.position;
   return result;
 }
 

@@ -35,10 +35,10 @@ void full_always(Scene& scene) {
 
 double largest_node_stress(const Simulation& sim) {
   std::vector<Mat3> stress;
-  const ElementColumns& elements = sim.state.mechanics.elements;
+  const ElementColumns& elements = sim.state->mechanics.elements;
   average_node_stress(stress,
-                      {sim.state.cells.map.corners(), elements.stress, elements.rest_volume},
-                      sim.state.cells.map.vertices());
+                      {sim.state->cells.map.corners(), elements.stress, elements.rest_volume},
+                      sim.state->cells.map.vertices());
   double largest = 0;
   for (const Mat3& sigma : stress) {
     largest = std::max(largest, Eigen::SelfAdjointEigenSolver<Mat3>(sigma).eigenvalues()[2]);
@@ -58,7 +58,7 @@ std::vector<TetMesh> shapes() {
 }
 
 Rung rung(const Simulation& sim, std::size_t component = 0) {
-  return sim.state.mechanics.components[component].rung;
+  return sim.state->mechanics.components[component].rung;
 }
 
 }  // namespace
@@ -73,12 +73,12 @@ TEST_CASE("a body that swings in flight never exceeds the bound of its energy", 
     scene.integrator.rho_infinity = 0.5;
     scene.time_step = 2e-6;
     Simulation sim = built(scene);
-    VertexColumns& vertices = sim.state.mechanics.vertices;
+    VertexColumns& vertices = sim.state->mechanics.vertices;
     for (Vec3& v : vertices.velocity)
       v = 0.1 * Vec3(normal(random), normal(random), normal(random));
-    reframe(sim.state.mechanics, ComponentId{0});
+    reframe(sim.state->mechanics, ComponentId{0});
     const double bound =
-        flight_stress_bound(sim.state.mechanics, sim.state.mechanics.components[0]);
+        flight_stress_bound(sim.state->mechanics, sim.state->mechanics.components[0]);
     double largest = 0;
     for (int i = 0; i < 100; ++i) {
       REQUIRE(advance(sim).status.outcome == StepOutcome::fine);
@@ -100,7 +100,7 @@ TEST_CASE("a spinning body is stressed by less than the bound of its spin", "[la
       scene.time_step = 1e-3;
       Simulation sim = built(scene);
       double fastest = 0;
-      for (const Vec3& v : sim.state.mechanics.vertices.velocity)
+      for (const Vec3& v : sim.state->mechanics.vertices.velocity)
         fastest = std::max(fastest, v.norm());
       for (int i = 0; i < 20; ++i) REQUIRE(advance(sim).status.outcome == StepOutcome::fine);
       const double bound = 2 * Material{}.density * fastest * fastest;
@@ -127,7 +127,7 @@ TEST_CASE("what flies rigidly flies as it would have with its deformation", "[la
     CHECK(rung(full) == Rung::full);
   }
   CHECK(steps > 150);
-  const VertexColumns &a = rigid.state.mechanics.vertices, &b = full.state.mechanics.vertices;
+  const VertexColumns &a = rigid.state->mechanics.vertices, &b = full.state->mechanics.vertices;
   double apart = 0;
   for (std::size_t v = 0; v < a.size(); ++v) {
     apart = std::max(apart, (a.position[v] - b.position[v]).norm());
@@ -169,7 +169,7 @@ TEST_CASE("a body that lies still sleeps, and a ball that falls on it wakes it",
     fans += report.fracture.fans.size();
     fans_full += advance(full).fracture.fans.size();
     slept += rung(sim) == Rung::asleep;
-    if (sim.state.mechanics.time < 0.44) before_ball = rung(sim);
+    if (sim.state->mechanics.time < 0.44) before_ball = rung(sim);
   }
   CHECK(before_ball == Rung::asleep);
   CHECK(slept > 100);
@@ -191,7 +191,7 @@ TEST_CASE("a held bar under a load that is raised slowly goes from equilibrium t
     advance(sim);
     advance(full);
     steps += rung(sim) == Rung::quasi_static;
-    const auto &a = sim.state.mechanics.vertices, &b = full.state.mechanics.vertices;
+    const auto &a = sim.state->mechanics.vertices, &b = full.state->mechanics.vertices;
     for (std::size_t v = 0; v < a.size(); ++v) {
       apart = std::max(apart, (a.displacement[v] - b.displacement[v]).norm());
       largest = std::max(largest, b.displacement[v].norm());

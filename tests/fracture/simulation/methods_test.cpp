@@ -4,7 +4,7 @@
 
 #include <numeric>
 
-#include "fracture/simulation/simulation.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
 using namespace sunder;
@@ -56,7 +56,7 @@ TEST_CASE("every integrator and model takes a scene that falls and breaks",
     for (const Finding& f : sim.findings) UNSCOPED_INFO(f.code << ": " << f.text);
     REQUIRE(sim);
     const auto mass = [&] {
-      const auto& m = sim->state.mechanics.vertices.mass;
+      const auto& m = sim->state->mechanics.vertices.mass;
       return std::accumulate(m.begin(), m.end(), 0.0);
     };
     const double before = mass();

@@ -113,7 +113,7 @@ TEST_CASE("a pulled bar breaks where the strength drawn is reached, and copies k
     Scene scene = pulled_bar(bar());
     scene.bodies[0].strength.weibull = WeibullSettings{.modulus = 3, .seed = seed};
     Simulation sim = built(std::move(scene));
-    const std::vector<double> drawn = sim.state.cells.strength;
+    const std::vector<double> drawn = sim.state->cells.strength;
     bool broken = false;
     for (int i = 0; i < 200 && !broken; ++i) {
       const StepReport report = advance(sim);
@@ -126,7 +126,7 @@ TEST_CASE("a pulled bar breaks where the strength drawn is reached, and copies k
       }
     }
     REQUIRE(broken);
-    const sunder::Cells& cells = sim.state.cells;
+    const sunder::Cells& cells = sim.state->cells;
     for (std::size_t v = 0; v < cells.map.vertices(); ++v) {
       CHECK(cells.strength[v] == drawn[cells.map.point_of_vertex(VertexId{v})]);
     }
@@ -144,19 +144,19 @@ TEST_CASE("a region has its own strength, a painted field that of each point",
   scene.bodies[0].strength.regions = {{.region = {"weak"}, .tensile_strength = 1e6},
                                       {.region = {"2"}, .tensile_strength = 2e6}};
   const Simulation sim = built(scene);
-  for (std::size_t v = 0; v < sim.state.cells.map.vertices(); ++v) {
+  for (std::size_t v = 0; v < sim.state->cells.map.vertices(); ++v) {
     double least = 9e9;
-    for (const TetId t : star(sim.state.cells.map, VertexId{v})) {
+    for (const TetId t : star(sim.state->cells.map, VertexId{v})) {
       least = std::min(least, mesh.region[t.index()] * 1e6);
     }
-    CHECK(sim.state.cells.strength[v] == least);
+    CHECK(sim.state->cells.strength[v] == least);
   }
   scene.bodies[0].strength.painted.assign(mesh.points.size(), 5e6);
   scene.bodies[0].strength.painted[3] = 4e6;
   const Simulation painted = built(scene);
-  for (std::size_t v = 0; v < painted.state.cells.map.vertices(); ++v) {
-    const bool other = painted.state.cells.map.point_of_vertex(VertexId{v}) == 3;
-    CHECK(painted.state.cells.strength[v] == (other ? 4e6 : 5e6));
+  for (std::size_t v = 0; v < painted.state->cells.map.vertices(); ++v) {
+    const bool other = painted.state->cells.map.point_of_vertex(VertexId{v}) == 3;
+    CHECK(painted.state->cells.strength[v] == (other ? 4e6 : 5e6));
   }
 }
 
@@ -165,8 +165,8 @@ TEST_CASE("an unbreakable vertex never splits, whatever breaks beside it", "[fra
   scene.bodies[0].material.tensile_strength = 1e6;
   scene.bodies[0].unbreakable = {{RestBox{{-1, -1, -1}, {0.32, 1, 1}}}};
   Simulation sim = built(scene);
-  const std::size_t points = sim.state.cells.map.vertices();
-  const std::vector<char> marked = sim.state.cells.unbreakable;
+  const std::size_t points = sim.state->cells.map.vertices();
+  const std::vector<char> marked = sim.state->cells.unbreakable;
   std::size_t fans = 0;
   for (int i = 0; i < 100; ++i) {
     const StepReport report = advance(sim);
@@ -175,13 +175,13 @@ TEST_CASE("an unbreakable vertex never splits, whatever breaks beside it", "[fra
     for (const FanEvent& fan : report.fracture.fans) {
       CHECK_FALSE(marked[fan.point]);
       for (const FaceSplit& face : fan.faces) {
-        for (const VertexId v : face.vertices) CHECK_FALSE(sim.state.cells.unbreakable[v.index()]);
+        for (const VertexId v : face.vertices) CHECK_FALSE(sim.state->cells.unbreakable[v.index()]);
       }
     }
   }
   CHECK(fans > 0);
-  for (std::size_t v = points; v < sim.state.cells.map.vertices(); ++v) {
-    CHECK_FALSE(marked[sim.state.cells.map.point_of_vertex(VertexId{v})]);
+  for (std::size_t v = points; v < sim.state->cells.map.vertices(); ++v) {
+    CHECK_FALSE(marked[sim.state->cells.map.point_of_vertex(VertexId{v})]);
   }
 }
 
@@ -242,10 +242,10 @@ TEST_CASE("a cut through the body leaves two pieces at rest, with crack faces",
   scene.bodies[0].held.clear();
   scene.bodies[0].cuts = {{.faces = CutPlane{{0.31, 0, 0}, {2, 0, 0}}}};
   Simulation sim = built(scene);
-  CHECK(sim.state.cells.labels.size.size() == 2);
+  CHECK(sim.state->cells.labels.size.size() == 2);
   std::size_t crack_faces = 0;
-  for (std::size_t f = 0; f < 4 * sim.state.cells.map.tetrahedra(); ++f) {
-    crack_faces += is_crack_face(sim.state.cells, HalfFaceId{f});
+  for (std::size_t f = 0; f < 4 * sim.state->cells.map.tetrahedra(); ++f) {
+    crack_faces += is_crack_face(sim.state->cells, HalfFaceId{f});
   }
   CHECK(crack_faces ==
         2 * plane_faces(*build_map(scene.bodies[0].mesh), CuttingPlane{{1, 0, 0}, 0.31})->size());
@@ -254,7 +254,7 @@ TEST_CASE("a cut through the body leaves two pieces at rest, with crack faces",
     REQUIRE(report.status.outcome == StepOutcome::fine);
     CHECK(report.fracture.fans.empty());
   }
-  CHECK(kinetic_energy(sim.state.mechanics.vertices) < 1e-20);
+  CHECK(kinetic_energy(sim.state->mechanics.vertices) < 1e-20);
 }
 
 TEST_CASE("a box keeps a cut to an edge crack, and toughness rules at its tip",
@@ -265,7 +265,7 @@ TEST_CASE("a box keeps a cut to an edge crack, and toughness rules at its tip",
   scene.bodies[0].cuts = {
       {.faces = CutPlane{{0.3, 0, 0}, {1, 0, 0}}, .box = RestBox{{-1, -1, -1}, {1, 0.2001, 1}}}};
   const Simulation sim = built(scene);
-  const sunder::Cells& cells = sim.state.cells;
+  const sunder::Cells& cells = sim.state->cells;
   CHECK(cells.labels.size.size() == 1);
   double area = 0;
   for (std::size_t f = 0; f < 4 * cells.map.tetrahedra(); ++f) {

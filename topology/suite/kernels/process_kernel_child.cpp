@@ -61,7 +61,7 @@ void close_all(std::initializer_list<int> files) {
 }
 
 /// The start of a line, as a message quotes it.
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   const std::string_view line = text.substr(0, text.find('\n'));
   constexpr std::size_t enough = 80;
   return line.size() <= enough ? fmt::format("\"{}\"", line)
@@ -155,12 +155,12 @@ std::string Child::how_it_ended() {
 std::string Child::ask(std::string_view text, const Limits& limits) {
   const std::string_view question = text;
   const auto lost = [&](const std::string& what) {
-    return KernelLost(fmt::format("kernel \"{}\", asked {}: {}", command_, quoted(question), what));
+    return KernelLost(fmt::format("kernel \"{}\", asked {}: {}", command_, in_quotes(question), what));
   };
   std::string_view nothing;
   exchange(nothing, 0);
   if (!received_.empty()) {
-    throw lost(fmt::format("it had said {} without being asked", quoted(received_)));
+    throw lost(fmt::format("it had said {} without being asked", in_quotes(received_)));
   }
   const auto deadline = Clock::now() + std::chrono::duration<double>(limits.seconds);
   for (;;) {
@@ -174,7 +174,7 @@ std::string Child::ask(std::string_view text, const Limits& limits) {
     if (ended_) throw lost("it " + how_it_ended());
     if (received_.size() > limits.longest_answer) {
       throw lost(fmt::format("its answer is longer than {} bytes and begins {}",
-                             limits.longest_answer, quoted(received_)));
+                             limits.longest_answer, in_quotes(received_)));
     }
     const std::chrono::duration<double, std::milli> left = deadline - Clock::now();
     if (left.count() <= 0) throw lost(fmt::format("no answer within {} s", limits.seconds));

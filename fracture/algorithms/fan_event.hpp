@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// What one fan did.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "mechanics/state/vec3.hpp"
+#include "topology/kernel/components.hpp"
+#include "topology/kernel/split_face.hpp"
+
+namespace sunder {
+
+/// What one fan did. Rows as they are after it; nothing is renumbered later.
+struct FanEvent {
+  /// The vertex that broke, its point in the body's mesh, and where it is at rest, m.
+  VertexId vertex;
+  std::uint32_t point = 0;
+  Vec3 rest_position = Vec3::Zero();
+  /// Normal of the fracture plane, rest frame, unit length.
+  Vec3 normal = Vec3::Zero();
+  /// Largest principal stress and the threshold it reached, Pa.
+  double stress = 0;
+  double strength = 0;
+  /// Which round of its search it came from, from 0: fans of one round were decided on the same
+  /// state.
+  std::uint32_t round = 0;
+  /// One entry a face, in the order in which they were split; empty when every tetrahedron lay on
+  /// one side of the plane: then nothing changed.
+  std::vector<FaceSplit> faces;
+  /// Whether the limits on pieces kept it from being split; it has no faces then.
+  bool refused = false;
+  /// What the oracle predicted and what there was to find.
+  ComponentUpdate components;
+  /// Tetrahedra met by splits, search and strengths: a measure of the cost that no clock changes.
+  std::size_t visited = 0;
+  /// Wall time of choosing the plane, and of all the rest: faces, rows, components, strengths; us.
+  /// For reports only.
+  double choose_us = 0, split_us = 0;
+};
+
+}  // namespace sunder

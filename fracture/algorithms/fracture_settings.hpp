@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// What a user chooses about fracture.
+#pragma once
+
+#include <cstdint>
+
+#include "topology/kernel/components.hpp"
+#include "topology/kernel/fan.hpp"
+
+namespace sunder {
+
+/// How many cracks a step may make.
+enum class FractureMode {
+  /// None: the threshold is never tested.
+  off,
+  /// Every vertex over its threshold breaks (the paper's shattering).
+  all,
+  /// At most `max_fans` a step, the most overstressed first; the others wait.
+  budget,
+};
+
+/// How the stress of a vertex follows from those of the tetrahedra near it.
+enum class NodeStress {
+  /// Mean over the tetrahedra around it, weighted by rest volume.
+  volume,
+  /// The same by mass (eq. 6 as printed).
+  mass,
+  /// Linear least-squares fit over two rings of tetrahedra, evaluated at the vertex
+  /// (fracture/algorithms/stress_fit.hpp); `volume` where that is not to be trusted.
+  fit,
+};
+
+/// What breaks a vertex at the tip of a crack where the material has a toughness K_Ic.
+enum class FractureCriterion {
+  /// Its largest principal stress: 0.54 K_Ic / sqrt(h) (`vertex_strength`).
+  stress,
+  /// The energy that the crack's front would release there per area: K_Ic^2 (1 - nu^2) / E
+  /// (fracture/energy/tip_energy.hpp).
+  energy,
+};
+
+/// How vertices are tested against their thresholds; the answers are the same.
+enum class ThresholdTest {
+  /// Eigenvalues of every tensor.
+  eigenvalues,
+  /// Gershgorin's bound, eigenvalues of what it lets through (the paper's).
+  gershgorin,
+  /// Leading minors of every tensor.
+  exact,
+  /// Gershgorin's bound, leading minors of what it lets through.
+  chain,
+};
+
+struct FractureSettings {
+  FractureMode mode = FractureMode::all;
+  /// Fans a step may make in the mode `budget`.
+  std::uint32_t max_fans = 64;
+  NodeStress node_stress = NodeStress::volume;
+  ThresholdTest test = ThresholdTest::chain;
+  /// What breaks a crack tip of a material with a toughness.
+  FractureCriterion criterion = FractureCriterion::stress;
+  /// Rings of tetrahedra around each fan whose stresses are solved for again within the step, so
+  /// that a crack's tip bears what the crack no longer bears; 0: none (the paper's).
+  std::uint32_t relax = 0;
+  /// kg; a fan that would part a lighter piece is refused. 0: none is too small.
+  double smallest_piece = 0;
+  /// Of the whole scene; a fan that would make more is refused. 0: no limit.
+  std::uint32_t max_pieces = 0;
+  /// How new connected components are found (section 4.2).
+  Detection detection = Detection::exact;
+  /// In which order the faces of a fan are unsewn (figure 5).
+  FaceOrder face_order = FaceOrder::paper;
+};
+
+}  // namespace sunder

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// What one step did: events, counts, where its energy went.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "fracture/algorithms/fracture_report.hpp"
+#include "fracture/energy/settled_crack.hpp"
+#include "mechanics/contact/contact_report.hpp"
+#include "mechanics/state/rung.hpp"
+#include "mechanics/step_status.hpp"
+
+namespace sunder {
+
+/// Stages of a step whose times are reported.
+/// `mechanics` is contact, integration and element stress.
+enum class Stage { mechanics, fracture, rebuild, display };
+inline constexpr std::array<std::string_view, 4> stage_names = {"mechanics", "fracture", "rebuild",
+                                                                "display"};
+
+/// What impact windows did in a step.
+struct ImpactReport {
+  /// Components for which a window opened.
+  std::uint32_t opened = 0;
+  /// Sub-steps, and the time they took together, s.
+  std::uint32_t sub_steps = 0;
+  double time = 0;
+  /// Most components that were stepped finely at once: the struck ones and what they could reach.
+  std::uint32_t components = 0;
+  /// Largest sub-step over the longest that resolves a blow it met; above 1 where pieces were
+  /// struck that are smaller than the one the window was opened for.
+  double coarseness = 0;
+  /// `ImpactSettings::max_sub_steps` was reached: the rest of the step was taken at once.
+  bool stopped = false;
+};
+
+/// Components and their tetrahedra by the rung of the step to come, rows as `Rung`.
+struct LadderReport {
+  std::array<std::size_t, rung_count> components{}, tetrahedra{};
+};
+
+/// Where the energy of the bodies went in a step, J: work in = what came of it + residual,
+///   gravity + loads + contact + supports
+///     = kinetic + strain + damping work + numerical + energy released + residual.
+/// Everything is recomputed from rows and impulses, part by part; nothing is taken as the rest.
+struct EnergyLedger {
+  double kinetic = 0, strain = 0;  ///< change over the step
+  double gravity = 0;              ///< sum m g . dx
+  double loads = 0;                ///< of surface loads, sum f . dx
+  /// Of contact on bodies: each impulse times the mean velocity of its point over the part. A wall
+  /// that stands still takes by friction, and by stopping the lumped layer that touches it.
+  double contact = 0;
+  double friction = 0;  ///< of that, what sliding turned into heat; free spheres' turning left out
+  double supports = 0;  ///< of supports that move
+  /// What the scheme took: of deformations by its closed form (`numerical_loss`, `wave_loss`), and
+  /// of the frame of what is touched, which a blow stops without a bounce. Only of floating_frame;
+  /// what other integrators take is in the residual.
+  double numerical = 0;
+  double residual = 0;
+  double moved = 0;  ///< sum of the sizes of all terms: what the residual is to be compared with
+};
+
+/// What one step did.
+struct StepReport {
+  std::uint64_t step = 0;
+  /// s, at the end of the step.
+  double time = 0;
+  StepStatus status;
+  ContactReport contact;
+  FractureReport fracture;
+  /// s, of each fan: the end of the sub-step in which it came.
+  std::vector<double> fan_time;
+  /// Of each fan: which search for fractures of the step it came from, from 0; and how many
+  /// searches there were.
+  std::vector<std::uint32_t> fan_part;
+  std::uint32_t parts = 0;
+  /// Whether the script has a fan that cannot be made (`FanScript::departure`).
+  bool departed = false;
+  ImpactReport impact;
+  LadderReport ladder;
+  /// N s, given by surface loads, what acts at supports too.
+  Vec3 load_impulse = Vec3::Zero();
+  EnergyLedger energy;
+  /// Fans whose energy was settled in this step; not of this step, and not in the ledger: what
+  /// they give up goes into motion and from there into losses.
+  std::vector<CrackEnergy> cracks;
+  /// J, given up by pieces that became rigid tetrahedra and by components that took a lower rung.
+  double energy_released = 0;
+  std::size_t components = 0;
+  /// Wall time of each stage, ms. For reports only.
+  std::array<double, stage_names.size()> stage_ms{};
+};
+
+}  // namespace sunder

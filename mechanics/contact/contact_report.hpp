@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// How contact went in a step.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "mechanics/state/vec3.hpp"
+
+namespace sunder {
+
+/// How contact went; never silent.
+struct ContactReport {
+  std::uint32_t candidates = 0;  ///< contacts solved for
+  std::uint32_t contacts = 0;    ///< those with an impulse
+  int passes = 0;                ///< predictions with impulses
+  int iterations = 0;            ///< sweeps, all passes
+  double residual = 0;           ///< m, largest error of an end-of-step gap that is left
+  double tolerated = 0;          ///< m, what `ContactSettings::tolerance` came to
+  bool converged = true;         ///< residual <= tolerated in the sweeps of every pass
+  double deepest = 0;            ///< m, deepest overlap at the end of the step, >= 0
+  std::uint32_t left_out = 0;    ///< contacts over `max_contacts_per_component`
+  /// Row = obstacle: impulse (N s) that it gave the bodies and balls it touched; empty where there
+  /// was no contact.
+  std::vector<Vec3> obstacle_impulse;
+
+  Vec3 impulse_of(std::size_t obstacle) const {
+    return obstacle_impulse.empty() ? Vec3::Zero() : obstacle_impulse[obstacle];
+  }
+};
+
+}  // namespace sunder

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// Three numbers and three by three of them, in double precision.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace sunder {
+
+using Vec3 = Eigen::Vector3d;
+using Mat3 = Eigen::Matrix3d;
+
+}  // namespace sunder
