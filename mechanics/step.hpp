@@ -11,6 +11,7 @@
 #include "mechanics/element/energy.hpp"
 #include "mechanics/integrators/settings.hpp"
 #include "mechanics/state/mechanics_state.hpp"
+#include "mechanics/state/step_members.hpp"
 #include "mechanics/step_status.hpp"
 
 namespace sunder {
@@ -100,14 +101,6 @@ struct StepPart {
   double whole_step = 0;  ///< s, for `catch_up`
   /// Given, contact looks out for blows (`advance_with_contact`).
   const ImpactSettings* impact = nullptr;
-};
-
-/// What a step moves, by rows of components and obstacles: 0 keeps still and meets nothing.
-/// Empty: everything moves.
-struct StepMembers {
-  std::span<const char> component, ball;
-  bool has(ComponentId id) const { return component.empty() || component[id.index()] != 0; }
-  bool has_ball(std::size_t row) const { return ball.empty() || ball[row] != 0; }
 };
 
 /// What acts on the state in one step; nothing in it is changed. The spans and references must

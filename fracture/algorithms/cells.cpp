@@ -72,6 +72,7 @@ void append_copy(Cells& cells, VertexId from) {
   append(cells.flaw);
   append(cells.unbreakable);
   append(cells.waits);
+  append(cells.labels.of_vertex);
 }
 
 double vertex_strength(const Cells& cells, const MechanicsState& mechanics, VertexId vertex,
@@ -97,6 +98,13 @@ Vec3 rest_area_vector(const Cells& cells, HalfFaceId face) {
   const auto x = [&](int k) { return Vec3(cells.map.point(corners[order[k]]).data()); };
   const Vec3 a = x(0);
   return 0.5 * (x(1) - a).cross(x(2) - a);
+}
+
+bool touches_unbreakable(const Cells& cells, HalfFaceId face) {
+  const Corners& corners = cells.map.corners(tetrahedron_of(face));
+  return std::ranges::any_of(dart_order::face_corners[place_of(face)], [&](int place) {
+    return cells.unbreakable[corners[place].index()] != 0;
+  });
 }
 
 }  // namespace sunder

@@ -39,6 +39,13 @@ struct Cells {
   std::vector<EmptyFan> empty_fans;
 };
 
+/// The bodies of a simulation as breaking changes them: their cells, and the columns of mechanics
+/// that belong to the same rows.
+struct BreakableBody {
+  Cells& cells;
+  MechanicsState& mechanics;
+};
+
 /// Which half-faces lie on the boundary, 4 |T|.
 std::vector<char> boundary_of(const VolumeMap& map);
 
@@ -47,7 +54,8 @@ std::vector<char> boundary_of(const VolumeMap& map);
 /// nothing was cut.
 Cells make_cells(VolumeMap map, const MechanicsState& mechanics, std::vector<char> skin = {});
 
-/// Appends the columns of a copy of vertex `from`: it inherits everything.
+/// Appends the columns of a copy of vertex `from`, its component label among them: it inherits
+/// everything.
 void append_copy(Cells& cells, VertexId from);
 
 /// C of the threshold at a crack tip, C K_Ic / sqrt(h): with it an edge crack breaks within 3 per
@@ -65,6 +73,9 @@ double vertex_strength(const Cells& cells, const MechanicsState& mechanics, Vert
 
 /// Area vector of a face at rest, m^2, by the order of its corners in `dart_order`.
 Vec3 rest_area_vector(const Cells& cells, HalfFaceId face);
+
+/// Whether a face has a vertex that never splits.
+bool touches_unbreakable(const Cells& cells, HalfFaceId face);
 
 /// Whether a half-face lies on the boundary because of a crack.
 inline bool is_crack_face(const Cells& cells, HalfFaceId face) {

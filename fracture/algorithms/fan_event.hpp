@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "mechanics/state/vec3.hpp"
@@ -27,17 +28,16 @@ struct FanEvent {
   /// state.
   std::uint32_t round = 0;
   /// One entry a face, in the order in which they were split; empty when every tetrahedron lay on
-  /// one side of the plane: then nothing changed.
+  /// one side of the plane, or other fans have split them all: then nothing changed.
   std::vector<FaceSplit> faces;
-  /// Whether the limits on pieces kept it from being split; it has no faces then.
-  bool refused = false;
   /// What the oracle predicted and what there was to find.
   ComponentUpdate components;
   /// Tetrahedra met by splits, search and strengths: a measure of the cost that no clock changes.
   std::size_t visited = 0;
-  /// Wall time of choosing the plane, and of all the rest: faces, rows, components, strengths; us.
-  /// For reports only.
-  double choose_us = 0, split_us = 0;
 };
+
+/// Told on which vertex's fan work goes on from now (choosing it, later splitting it), `none()`
+/// when on no fan. For whoever measures time: no algorithm here reads a clock.
+using FanWatch = std::function<void(VertexId)>;
 
 }  // namespace sunder

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "fracture/algorithms/cells.hpp"
-#include "fracture/algorithms/find_fractures.hpp"
+#include "fracture/algorithms/break_vertices.hpp"
 #include "fracture/energy/crack_energy.hpp"
 #include "fracture/simulation/fan_script.hpp"
 #include "fracture/simulation/simulation.hpp"

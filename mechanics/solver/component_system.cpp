@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "mechanics/solver/assemble_system.hpp"
-#include "mechanics/contact/impact.hpp"
+#include "mechanics/state/wave_travel.hpp"
 #include "mechanics/element/strain_displacement.hpp"
 
 namespace sunder {

@@ -2,7 +2,8 @@
 // A loop over the components that live.
 #pragma once
 
-#include "mechanics/step.hpp"
+#include "mechanics/state/mechanics_state.hpp"
+#include "mechanics/state/step_members.hpp"
 
 namespace sunder {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fracture/algorithms/cells.hpp"
-#include "fracture/algorithms/find_fractures.hpp"
+#include "fracture/algorithms/break_vertices.hpp"
 #include "fracture/algorithms/node_stress.hpp"
 #include "mechanics/element/strain_displacement.hpp"
 #include "topology/kernel/build_map.hpp"

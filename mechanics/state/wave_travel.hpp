@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// How long waves take through a component.
+#pragma once
+
+#include "mechanics/state/mechanics_state.hpp"
+
+namespace sunder {
+
+/// s, the time of a compression wave's way through a cell of mean size: the mean of (6 V)^(1/3) /
+/// c. Needs: a component with tetrahedra.
+double cell_travel(const MechanicsState& state, const Component& component);
+
+/// L/c of a component, s. Needs: a component with tetrahedra.
+double extent_travel(const MechanicsState& state, const Component& component);
+
+}  // namespace sunder
