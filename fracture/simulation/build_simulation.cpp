@@ -9,7 +9,9 @@
 #include "fracture/simulation/scene_loads.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "fracture/simulation/step_work.hpp"
-#include "topology/kernel/build_map.hpp"
+#include "mechanics/rebuild.hpp"
+#include "mechanics/state/living.hpp"
+#include "topology/mesh/build_map.hpp"
 #include "topology/mesh/check.hpp"
 
 namespace sunder {
