@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "fracture/algorithms/break_vertices.hpp"
+#include "fracture/simulation/break_vertices.hpp"
 
 namespace sunder {
 

@@ -12,8 +12,8 @@
 #include "fracture/simulation/ladder_settings.hpp"
 #include "mechanics/contact/contact_settings.hpp"
 #include "mechanics/contact/impact_settings.hpp"
-#include "mechanics/integrators/settings.hpp"
 #include "mechanics/contact/obstacle.hpp"
+#include "mechanics/state/settings.hpp"
 
 namespace sunder {
 

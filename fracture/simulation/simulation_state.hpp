@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "fracture/algorithms/cells.hpp"
-#include "fracture/algorithms/break_vertices.hpp"
+#include "fracture/simulation/break_vertices.hpp"
 #include "fracture/energy/crack_energy.hpp"
 #include "fracture/simulation/fan_script.hpp"
 #include "fracture/simulation/simulation.hpp"
 #include "mechanics/contact/contact.hpp"
-#include "mechanics/loads.hpp"
+#include "mechanics/state/loads.hpp"
 #include "mechanics/state/display_state.hpp"
 #include "mechanics/step.hpp"
 

@@ -13,8 +13,8 @@
 #include <variant>
 #include <vector>
 
-#include "mechanics/element/material.hpp"
-#include "topology/mesh/tet_mesh.hpp"
+#include "mechanics/state/material.hpp"
+#include "topology/kernel/tet_mesh.hpp"
 
 namespace sunder {
 

@@ -8,10 +8,6 @@
 namespace sunder {
 namespace {
 
-const Material& material_of(const MechanicsState& state, TetId t) {
-  return state.materials[state.elements.material[t.index()].index()];
-}
-
 Finding refused(std::string_view place, const char* key, double value, const char* allowed) {
   Finding finding;
   finding.code = "bad_impact_setting";

@@ -5,10 +5,11 @@
 #include <vector>
 
 #include "fracture/algorithms/cells.hpp"
-#include "fracture/algorithms/break_vertices.hpp"
+#include "fracture/simulation/break_vertices.hpp"
 #include "fracture/algorithms/node_stress.hpp"
 #include "mechanics/element/strain_displacement.hpp"
-#include "topology/kernel/build_map.hpp"
+#include "mechanics/rebuild.hpp"
+#include "topology/mesh/build_map.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
 namespace sunder::test {

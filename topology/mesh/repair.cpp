@@ -9,8 +9,8 @@
 #include <numeric>
 #include <unordered_map>
 
-#include "topology/kernel/build_map.hpp"
 #include "topology/kernel/union_find.hpp"
+#include "topology/mesh/build_map.hpp"
 #include "topology/mesh/face_table.hpp"
 
 namespace sunder {
