@@ -7,6 +7,7 @@
 
 #include "mechanics/state/mechanics_state.hpp"
 #include "topology/kernel/components.hpp"
+#include "topology/kernel/fan.hpp"
 #include "topology/kernel/volume_map.hpp"
 
 namespace sunder {
@@ -74,8 +75,10 @@ double vertex_strength(const Cells& cells, const MechanicsState& mechanics, Vert
 /// Area vector of a face at rest, m^2, by the order of its corners in `dart_order`.
 Vec3 rest_area_vector(const Cells& cells, HalfFaceId face);
 
-/// Whether a face has a vertex that never splits.
-bool touches_unbreakable(const Cells& cells, HalfFaceId face);
+/// The fan of a star's signs (`plane_signs`): `fan_faces`, but for those that touch an unbreakable
+/// vertex. A vertex splits by faces at it alone, so an unbreakable one never does.
+std::vector<HalfFaceId> breakable_fan(const Cells& cells, const VertexStar& v,
+                                      std::span<const char> positive);
 
 /// Whether a half-face lies on the boundary because of a crack.
 inline bool is_crack_face(const Cells& cells, HalfFaceId face) {

@@ -134,13 +134,6 @@ std::vector<Vec3> interior_face_normals(const Place& place) {
 
 }  // namespace
 
-std::vector<HalfFaceId> breakable_fan(const Cells& cells, const VertexStar& v,
-                                      std::span<const char> positive) {
-  std::vector<HalfFaceId> faces = fan_faces(cells.map, v, positive);
-  std::erase_if(faces, [&](HalfFaceId f) { return touches_unbreakable(cells, f); });
-  return faces;
-}
-
 FanPlane choose_fan(const Cells& cells, const VertexStar& v, const PrincipalTension& tension,
                     const Vec3& centre) {
   const Place place = look_around(cells, v, centre);

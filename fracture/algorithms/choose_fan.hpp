@@ -2,7 +2,6 @@
 // Where a vertex over its threshold is cut: the plane of its fan and the faces.
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "fracture/algorithms/cells.hpp"
@@ -10,11 +9,6 @@
 #include "topology/kernel/fan.hpp"
 
 namespace sunder {
-
-/// The fan of a star's signs (`plane_signs`): `fan_faces`, but for those that touch an unbreakable
-/// vertex. A vertex splits by faces at it alone, so an unbreakable one never does.
-std::vector<HalfFaceId> breakable_fan(const Cells& cells, const VertexStar& v,
-                                      std::span<const char> positive);
 
 /// A plane through a vertex and its fan.
 struct FanPlane {

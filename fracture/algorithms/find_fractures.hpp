@@ -40,15 +40,15 @@ struct FractureSearch {
   std::function<std::optional<double>(VertexId)> threshold;
   /// Algorithm 4 for a vertex that reaches its threshold, with its largest eigenvalue and the
   /// eigenvectors: at once, as in the paper (`split_fan`), or when its turn comes
-  /// (break_vertices.hpp).
+  /// (`break_vertices`).
   std::function<void(VertexId, const PrincipalTension&)> split;
 };
 
 /// Algorithm 3, findFractures(): the stress of each vertex from those of the tetrahedra around it
 /// (eq. 6), and a split of every vertex whose largest principal stress reaches its threshold.
-/// `elements`: eq. 5, which `measure_elements` (mechanics/step.hpp) has evaluated with the
-/// displacements, Pa. `field`: the result of eq. 6. Counts into `report`; stops at a stress that is
-/// not a number, `report.not_a_number`, before anything more is split.
+/// `elements`: eq. 5, which `measure_elements` (mechanics/measure_elements.hpp) has evaluated with
+/// the displacements, Pa. `field`: the result of eq. 6. Counts into `report`; stops at a stress
+/// that is not a number, `report.not_a_number`, before anything more is split.
 void find_fractures(FractureReport& report, NodeStressField& field, const Cells& cells,
                     const ElementStress& elements, const FractureSettings& settings,
                     const FractureSearch& search);

@@ -46,8 +46,7 @@ bool may_part(const VolumeMap& map, std::span<const PartedVertex> parted, HalfFa
 double mass_of(std::uint32_t part, const ComponentScratch& scratch,
                const MechanicsState& mechanics) {
   double mass = 0;
-  for_each_tetrahedron(scratch, part,
-                       [&](TetId t) { mass += mechanics.elements.mass[t.index()]; });
+  for_each_tetrahedron(scratch, part, [&](TetId t) { mass += mechanics.elements.mass[t.index()]; });
   return mass;
 }
 

@@ -2,7 +2,6 @@
 // Algorithm 4, and the rows that come of a split.
 #include "fracture/algorithms/split_fan.hpp"
 
-#include "fracture/algorithms/choose_fan.hpp"
 #include "topology/kernel/assert.hpp"
 #include "topology/kernel/sort_unique.hpp"
 

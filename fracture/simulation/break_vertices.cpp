@@ -100,9 +100,8 @@ void prepare(Work& work, const StepMembers& members) {
 void set_tip_strength(Work& work, VertexId v) {
   const RelaxedState& relaxed = work.scratch.relaxed;
   const bool opened = work.elements.stress.data() == relaxed.stress.data();
-  const Deformed deformed{
-      opened ? relaxed.displacement : work.body.mechanics.vertices.displacement,
-      work.elements.stress};
+  const Deformed deformed{opened ? relaxed.displacement : work.body.mechanics.vertices.displacement,
+                          work.elements.stress};
   work.body.cells.strength[v.index()] =
       tip_strength(work.body.cells, work.body.mechanics, deformed, {v, work.stress(v)});
 }

@@ -117,10 +117,9 @@ FractureReport make_scripted_fans(StepWork& work, FanClock& clock) {
     // The search fails on it and makes none; a script has nothing for it.
     return break_vertices(body, sim.scene.fracture, sim.scratch->fracture, work.members());
   }
-  made.fans =
-      make_fans(body, sim.scene.fracture, *sim.state->script,
-                {sim.state->step + 1, work.report.parts}, sim.scratch->fracture.components,
-                clock.watch());
+  made.fans = make_fans(body, sim.scene.fracture, *sim.state->script,
+                        {sim.state->step + 1, work.report.parts}, sim.scratch->fracture.components,
+                        clock.watch());
   work.report.departed = sim.state->script->departure.has_value();
   return made;
 }
@@ -159,8 +158,8 @@ void update_forces(StepWork& work, double time) {
 void update_display(Simulation& sim) {
   SimulationState& s = *sim.state;
   for (const Component& c : s.mechanics.components) {
-    const DisplayState target{c.centre, c.orientation};
-    DisplayState& shown = s.display[c.id.index()];
+    const Pose target{c.centre, c.orientation};
+    Pose& shown = s.display[c.id.index()];
     shown = approach(carry(shown, s.display_target[c.id.index()], target), target,
                      sim.scene.time_step, sim.scene.display_time_constant);
     s.display_target[c.id.index()] = target;

@@ -45,7 +45,7 @@ struct SimulationState {
   LadderState ladder;
   /// Row = ComponentId: where each component is drawn (section 3.3), and the target it was given in
   /// the last step.
-  std::vector<DisplayState> display, display_target;
+  std::vector<Pose> display, display_target;
   std::vector<OpenCrack> cracks;  ///< whose energy is still being measured
   std::uint64_t fans = 0;         ///< so far
   std::uint64_t step = 0;

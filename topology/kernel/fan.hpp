@@ -15,9 +15,9 @@
 
 namespace sunder {
 
-/// A vertex and the tetrahedra around it, each by its corner at the vertex, in rising order. Corners
-/// keep their names whatever is split: a star that was taken earlier is still the same tetrahedra,
-/// though the vertex may have come apart since.
+/// A vertex and the tetrahedra around it, each by its corner at the vertex, in rising order.
+/// Corners keep their names whatever is split: a star that was taken earlier is still the same
+/// tetrahedra, though the vertex may have come apart since.
 struct VertexStar {
   VertexId vertex;
   std::vector<CornerId> corners;

@@ -49,8 +49,8 @@ class PartSearch {
   void add_source(TetId t) {
     if (met(t)) return;
     const auto part = static_cast<std::uint32_t>(s_.parts.size());
-    s_.parts.push_back(
-        {part, detail::no_tetrahedron, detail::no_tetrahedron, detail::no_tetrahedron, detail::no_tetrahedron, 0, t});
+    s_.parts.push_back({part, detail::no_tetrahedron, detail::no_tetrahedron,
+                        detail::no_tetrahedron, detail::no_tetrahedron, 0, t});
     s_.live.push_back(part);
     ++growing_;
     add(part, t);

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <limits>
 
-#include "topology/mesh/box_tree.hpp"
 #include "topology/kernel/kernel.hpp"
 #include "topology/kernel/point_math.hpp"
 #include "topology/kernel/sort_unique.hpp"
 #include "topology/kernel/union_find.hpp"
+#include "topology/mesh/box_tree.hpp"
 #include "topology/mesh/survey.hpp"
 
 namespace sunder {
@@ -125,11 +125,11 @@ double tolerance_for(const Contact& c, double edge) {
   return std::max(contact_tolerance * edge, c.rounding);
 }
 
-Box box_of(const Contact& c, std::uint32_t face) {
+BoundingBox box_of(const Contact& c, std::uint32_t face) {
   const auto corners = corners_of(c, face);
   const auto edges = edge_lengths(corners);
   const double margin = tolerance_for(c, std::max({edges[0], edges[1], edges[2]}));
-  Box box{corners[0], corners[0]};
+  BoundingBox box{corners[0], corners[0]};
   for (int k = 0; k < 3; ++k) {
     for (const Point& x : corners) {
       box.low[k] = std::min(box.low[k], x[k]);
@@ -194,7 +194,7 @@ void show_faces(Contact& c, const char* code, std::vector<std::uint32_t> faces) 
 }
 
 void find_hanging(Contact& c) {
-  std::vector<Box> boxes;
+  std::vector<BoundingBox> boxes;
   boxes.reserve(c.faces.size());
   for (const std::uint32_t face : c.faces) boxes.push_back(box_of(c, face));
   const BoxTree tree = box_tree(std::move(boxes));

@@ -4,7 +4,7 @@
 
 #include <variant>
 
-#include "apps/render/boundary_surface.hpp"
+#include "apps/render/drawn_surface.hpp"
 
 namespace sunder {
 namespace {
@@ -19,9 +19,9 @@ std::vector<Vec3> reference_positions(const PictureSource& source) {
   std::vector<Vec3> positions(v.size());
   for (std::size_t i = 0; i < v.size(); ++i) {
     const std::size_t piece = v.component[i].index();
-    const DisplayState& drawn = source.state.display[piece];
-    positions[i] = drawn.rotation * (v.rest_position[i] - mechanics.components[piece].rest_centre) +
-                   drawn.translation;
+    const Pose& drawn = source.state.display[piece];
+    const Vec3& rest_centre = mechanics.components[piece].rest_centre;
+    positions[i] = drawn.orientation * (v.rest_position[i] - rest_centre) + drawn.centre;
   }
   return positions;
 }
@@ -46,11 +46,11 @@ BoundaryColumns boundary_columns(const Cells& cells) {
 render::Surface surface(const PictureSource& source, const BoundaryColumns& boundary,
                         std::span<const Vec3> positions) {
   render::Surface surface =
-      render::boundary_surface({.positions = positions,
-                                .corners = source.state.cells.map.corners(),
-                                .half_faces = boundary.half_faces,
-                                .face_class = boundary.face_class,
-                                .component = source.state.cells.labels.of_tetrahedron});
+      render::drawn_surface({.positions = positions,
+                             .corners = source.state.cells.map.corners(),
+                             .half_faces = boundary.half_faces,
+                             .face_class = boundary.face_class,
+                             .component = source.state.cells.labels.of_tetrahedron});
   surface.colors.piece_tint = piece_tint;
   return surface;
 }

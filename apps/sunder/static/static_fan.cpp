@@ -24,7 +24,8 @@ struct LoadedBody {
 };
 
 std::vector<Vec3> fully_raised(const Simulation& sim) {
-  return corner_forces(sim.state->loads, sim.state->mechanics, std::numeric_limits<double>::infinity());
+  return corner_forces(sim.state->loads, sim.state->mechanics,
+                       std::numeric_limits<double>::infinity());
 }
 
 /// What is wrong; nothing when the answer has its release.

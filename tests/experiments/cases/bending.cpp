@@ -12,8 +12,8 @@
 #include <stdexcept>
 
 #include "fracture/algorithms/choose_fan.hpp"
-#include "fracture/simulation/simulation_state.hpp"
 #include "fracture/algorithms/stress_fit.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/statics/static_solve.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 

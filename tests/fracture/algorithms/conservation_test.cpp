@@ -11,8 +11,8 @@
 #include "mechanics/element/energy.hpp"
 #include "tests/support/tension.hpp"
 #include "topology/mesh/check.hpp"
-#include "topology/suite/random/random_run_bodies.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
+#include "topology/suite/random/random_run_bodies.hpp"
 
 using namespace sunder;
 using namespace sunder::suite;

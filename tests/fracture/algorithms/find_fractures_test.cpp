@@ -22,16 +22,15 @@ struct Printed {
   void run(Tension& body, const FractureSettings& settings) {
     ComponentScratch scratch;
     const std::vector<double> xi = body.cells.strength;
-    find_fractures(
-        report, field, body.cells,
-        element_stress(body.cells, body.state, settings.node_stress), settings,
-        {.threshold = [&](VertexId v) { return std::optional(xi[v.index()]); },
-         .split =
-             [&](VertexId v, const PrincipalTension& tension) {
-               report.fans.push_back(split_fan({body.cells, body.state},
-                                               vertex_star(body.cells.map, v),
-                                               tension.directions.col(0), settings, scratch));
-             }});
+    find_fractures(report, field, body.cells,
+                   element_stress(body.cells, body.state, settings.node_stress), settings,
+                   {.threshold = [&](VertexId v) { return std::optional(xi[v.index()]); },
+                    .split =
+                        [&](VertexId v, const PrincipalTension& tension) {
+                          report.fans.push_back(
+                              split_fan({body.cells, body.state}, vertex_star(body.cells.map, v),
+                                        tension.directions.col(0), settings, scratch));
+                        }});
   }
 };
 
@@ -91,7 +90,8 @@ TEST_CASE("algorithm 3 stops at a stress that is not a number", "[fracture][algo
   Printed printed;
   printed.run(body, as_printed());
   REQUIRE(printed.report.not_a_number);
-  CHECK(*printed.report.not_a_number == *std::ranges::min_element(body.cells.map.corners(TetId{0})));
+  CHECK(*printed.report.not_a_number ==
+        *std::ranges::min_element(body.cells.map.corners(TetId{0})));
 }
 
 TEST_CASE("algorithm 4: the last face of a fan parts its vertex and nothing else",

@@ -90,8 +90,7 @@ TEST_CASE("everybody who cuts along a plane cuts the same faces", "[fracture][pl
     const std::uint32_t point = map.point_of_vertex(v);
     const VertexStar star = vertex_star(map, v);
     // A plane that passes one centre of the star at some share of the tolerance.
-    const std::size_t t =
-        tetrahedron_of(star.corners[below(random, star.corners.size())]).index();
+    const std::size_t t = tetrahedron_of(star.corners[below(random, star.corners.size())]).index();
     const Vec3 x(map.point(v).data()), away = centre_of(mesh, t) - x;
     const double off = std::array{-3.0, -0.9, -0.1, 0.1, 0.9, 3.0}[below(random, 6)];
     const Vec3 in_plane = away.cross(random_vector(random)).normalized();
@@ -102,17 +101,16 @@ TEST_CASE("everybody who cuts along a plane cuts the same faces", "[fracture][pl
 
     // What the rule says of that tetrahedron.
     const double height = normal == direction ? off : -off;
-    const auto own = std::ranges::find(star.corners, TetId{t}, [](CornerId c) {
-      return tetrahedron_of(c);
-    });
+    const auto own =
+        std::ranges::find(star.corners, TetId{t}, [](CornerId c) { return tetrahedron_of(c); });
     const std::vector<char> signs = plane_signs(map, star, direction);
     CHECK((signs[static_cast<std::size_t>(own - star.corners.begin())] != 0) == (height >= -1));
 
     const Faces expected = faces_of(map, fan_faces(map, star, signs));
-    CHECK(faces_of(map, *fan_faces(map, v, normal)) == expected);      // split --fan, static
+    CHECK(faces_of(map, *fan_faces(map, v, normal)) == expected);  // split --fan, static
     const CuttingPlane plane{normal, n.dot(x)};
     CHECK(at(faces_of(map, *plane_faces(map, plane)), point) == expected);  // split --plane, cuts
-    Faces section;  // convert --crack-plane
+    Faces section;                                                          // convert --crack-plane
     if (const Result<CutFaces> cut = section_faces(file, links, plane)) {
       for (const std::uint32_t f : *cut) section.insert(points_of(map, HalfFaceId{f}));
     }

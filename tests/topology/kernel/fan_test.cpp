@@ -110,7 +110,8 @@ TEST_CASE("a fan that parts nothing visits as much in a large body as in a small
   CHECK(split_on(pair, {0, 1, 2}).visited == 0);
 }
 
-TEST_CASE("a centre on the plane counts as positive, to a millionth of its tetrahedron", "[topology][fan]") {
+TEST_CASE("a centre on the plane counts as positive, to a millionth of its tetrahedron",
+          "[topology][fan]") {
   // The plane z = 1/4 through a vertex at that height holds the first tetrahedron's centre.
   TetMesh mesh = two_tetrahedra();
   const VolumeMap map = built(mesh);
