@@ -80,9 +80,6 @@ struct MechanicsScratch {
   /// Row = ComponentId: what the last measure of its stresses changed, J, where asked for.
   std::vector<StrainChange> strain;
   bool measures_strain = true;
-  /// Threads that factors and columns of the inverse are made on. Results are the same bytes for
-  /// any number.
-  unsigned threads = 1;
   std::vector<ColumnRoom> column_rooms;  ///< one a thread
 };
 
@@ -118,6 +115,9 @@ struct StepInput {
   const IntegratorSettings& settings;
   StepPart part = {};
   StepMembers members = {};
+  /// Threads that factors and columns of the inverse are made on. Results are the same bytes for
+  /// any number.
+  unsigned threads = 1;
 
   /// s, over which the deformation goes by generalised-alpha.
   double deformation_step() const {
@@ -132,7 +132,7 @@ void predict(MechanicsScratch& scratch, const MechanicsState& state, const StepI
              std::span<const ComponentId> components);
 
 /// Builds and factors what the components will need in this part of a step, on
-/// `scratch.threads` threads: `predict` would do it one by one.
+/// `input.threads` threads: `predict` would do it one by one.
 void prepare(MechanicsScratch& scratch, const MechanicsState& state, const StepInput& input);
 
 /// Makes the predicted state of every member the present one, advances the time, and computes

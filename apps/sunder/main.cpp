@@ -5,8 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <sunder/version.hpp>
 
-#include "apps/bench/bench_command.hpp"
 #include "apps/sunder/chart/chart.hpp"
 #include "apps/sunder/mesh/check.hpp"
 #include "apps/sunder/mesh/convert.hpp"
@@ -17,6 +17,9 @@
 #include "apps/sunder/mesh/split.hpp"
 #include "apps/sunder/static/static.hpp"
 #include "apps/sunder/suite/suite.hpp"
+#ifdef SUNDER_BENCH
+#include "apps/bench/bench_command.hpp"
+#endif
 
 namespace {
 
@@ -34,7 +37,9 @@ int run_program(int argc, char** argv) {
   sunder::add_convert_command(program, exit_code);
   sunder::add_split_command(program, exit_code);
   sunder::add_suite_command(program, exit_code);
+#ifdef SUNDER_BENCH
   sunder::add_bench_command(program, exit_code);
+#endif
   sunder::add_chart_command(program, exit_code);
   try {
     program.parse(argc, argv);

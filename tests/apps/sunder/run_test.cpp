@@ -11,6 +11,7 @@
 #include <string>
 
 #include "apps/scene/scene_json.hpp"
+#include "apps/scene/scene_schema.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "topology/kernel/invariants.hpp"
 
