@@ -7,7 +7,7 @@ door(finding "What is wrong with an input, and results that carry it."
 
 door(mesh "Tetrahedral meshes: cells, files in and out, checks."
   topology/kernel/ids.hpp
-  topology/mesh/tet_mesh.hpp
+  topology/kernel/tet_mesh.hpp
   topology/mesh/file_mesh.hpp
   topology/io/mesh_file.hpp
   topology/kernel/counts.hpp
@@ -16,7 +16,7 @@ door(mesh "Tetrahedral meshes: cells, files in and out, checks."
 door(map "The 3-map of a body: faces split and glued, fans, components, invariants."
   topology/kernel/kernel.hpp
   topology/kernel/volume_map.hpp
-  topology/kernel/build_map.hpp
+  topology/mesh/build_map.hpp
   topology/kernel/split_face.hpp
   topology/kernel/fan.hpp
   topology/kernel/components.hpp
@@ -25,13 +25,13 @@ door(map "The 3-map of a body: faces split and glued, fans, components, invarian
 
 door(mechanics "Materials, obstacles, and what a user chooses about integration, contact and impacts."
   mechanics/state/vec3.hpp
-  mechanics/element/material.hpp
+  mechanics/state/material.hpp
   mechanics/contact/obstacle.hpp
   mechanics/contact/contact_settings.hpp
   mechanics/contact/impact_settings.hpp
   mechanics/contact/contact_report.hpp
-  mechanics/integrators/settings.hpp
-  mechanics/step_status.hpp
+  mechanics/state/settings.hpp
+  mechanics/state/step_status.hpp
   mechanics/state/rung.hpp)
 
 door(simulation "Scenes, how to build and step them, and what a step reports."

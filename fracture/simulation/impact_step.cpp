@@ -5,6 +5,7 @@
 
 #include "fracture/simulation/step_work.hpp"
 #include "mechanics/contact/obstacle_geometry.hpp"
+#include "mechanics/state/living.hpp"
 
 namespace sunder {
 namespace {

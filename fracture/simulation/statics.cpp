@@ -12,8 +12,8 @@
 #include "fracture/algorithms/fracture_plane.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/element/energy.hpp"
-#include "mechanics/solver/modes.hpp"
-#include "mechanics/solver/static_solve.hpp"
+#include "mechanics/statics/modes.hpp"
+#include "mechanics/statics/static_solve.hpp"
 
 namespace sunder {
 namespace {

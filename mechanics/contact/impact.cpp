@@ -9,10 +9,6 @@
 namespace sunder {
 namespace {
 
-const Material& material_of(const MechanicsState& state, TetId t) {
-  return state.materials[state.elements.material[t.index()].index()];
-}
-
 Finding refused(std::string_view place, const char* key, double value, const char* allowed) {
   Finding finding;
   finding.code = "bad_impact_setting";
@@ -39,20 +35,6 @@ std::vector<Finding> check(const ImpactSettings& settings, std::string_view plac
     findings.push_back(refused(place, "max_sub_steps", 0, "a whole number from 1 on"));
   }
   return findings;
-}
-
-double cell_travel(const MechanicsState& state, const Component& component) {
-  double sum = 0;
-  for (TetId t : component.tetrahedra) {
-    sum += std::cbrt(6 * state.elements.rest_volume[t.index()]) /
-           compression_wave_speed(material_of(state, t));
-  }
-  return sum / static_cast<double>(component.tetrahedra.size());
-}
-
-double extent_travel(const MechanicsState& state, const Component& component) {
-  return 2 * component.rest_radius /
-         compression_wave_speed(material_of(state, component.tetrahedra.front()));
 }
 
 double wave_sub_step(const MechanicsState& state, const Component& component,

@@ -23,7 +23,7 @@ struct Counts {
   /// body in space is) only b0 is sure: of an orientable manifold whose components all have a
   /// boundary, b2 and b1 are higher by the rank of H1(body) / H1(boundary) over the field at hand.
   /// S2 x S1 less a ball has (1, 1, 1), not (1, 0, 0); a lens space L(p, q) less a ball has
-  /// (1, 1, 1) over GF(p) alone. Computed for any body by topology/suite/homology/homology.hpp.
+  /// (1, 1, 1) over GF(p) alone. `sunder suite` computes them for any body.
   /// Absent when a component has no boundary at all.
   std::optional<std::array<std::ptrdiff_t, 3>> betti;
   /// Sum of the rest volumes, m^3; a tetrahedron with a negative one counts negative.

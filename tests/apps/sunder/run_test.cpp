@@ -13,6 +13,7 @@
 #include "apps/scene/scene_json.hpp"
 #include "apps/scene/scene_schema.hpp"
 #include "fracture/simulation/simulation_state.hpp"
+#include "mechanics/state/living.hpp"
 #include "topology/kernel/invariants.hpp"
 
 namespace fs = std::filesystem;

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "mechanics/element/energy.hpp"
-#include "mechanics/solver/static_solve.hpp"
+#include "mechanics/statics/static_solve.hpp"
 #include "tests/support/bodies.hpp"
 
 using namespace sunder;
