@@ -13,6 +13,7 @@
 
 #include "apps/bench/clock.hpp"
 #include "apps/scene/words.hpp"
+#include "topology/io/format_traits.hpp"
 #include "topology/io/mesh_file.hpp"
 
 namespace sunder {

@@ -6,6 +6,7 @@
 
 #include <cstdio>
 #include <exception>
+#include <sunder/version.hpp>
 
 namespace sunder {
 namespace {

@@ -88,4 +88,7 @@ struct Scene {
   double display_time_constant = 0.1;
 };
 
+/// Number of steps of a scene: its duration over its time step, rounded up (to rounding errors).
+std::uint64_t step_count(const Scene& scene);
+
 }  // namespace sunder

@@ -152,6 +152,15 @@ void update_forces(StepWork& work, double time) {
                    work.sim.state->cells.map.corners(), time);
 }
 
+/// Notes which components came off in the step that ends, and when.
+void note_new_components(StepWork& work, std::size_t before) {
+  SimulationState& s = *work.sim.state;
+  const std::size_t count = s.cells.labels.size.size();
+  s.birth_step.resize(before, 0);
+  s.birth_step.resize(count, s.step);
+  for (std::size_t id = before; id < count; ++id) work.report.new_components.emplace_back(id);
+}
+
 /// Section 3.3: what is drawn follows the frames smoothly.
 void update_display(Simulation& sim) {
   SimulationState& s = *sim.state;
@@ -179,7 +188,8 @@ PartResult take_part(StepWork& work, const PartPlan& plan) {
   settings.time_step = plan.length;
   update_forces(work, s.mechanics.time + plan.length);
   begin_part(work);
-  const StepInput input{s.cells.map.corners(), work.loads, settings, plan.part, work.members()};
+  const StepInput input{s.cells.map.corners(), work.loads,     settings,
+                        plan.part,             work.members(), sim.threads};
   ContactStepResult result =
       advance_with_contact({s.mechanics, s.obstacles, s.contact}, input, sim.scene.contact,
                            {sim.scratch->mechanics, sim.scratch->contact});
@@ -221,6 +231,7 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
   SimulationState& s = *sim.state;
   StepWork work{sim, observe, {}, {}, {}, {}};
   std::swap(work.loads, sim.scratch->loads);
+  const std::size_t components_before = s.cells.labels.size.size();
   const double kinetic = sim.scene.energy_ledger ? kinetic_energy(s.mechanics.vertices) : 0;
   sim.scratch->ladder.touched.assign(s.mechanics.components.size(), 0);
   work.loads.gravity = gravity_at(sim.scene.gravity, s.mechanics.time + sim.scene.time_step);
@@ -235,6 +246,7 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
   }
   StepReport& report = work.report;
   report.step = ++s.step;
+  note_new_components(work, components_before);
   report.time = s.mechanics.time;
   for_each_living(s.mechanics, {}, [&](const Component&) { ++report.components; });
   if (!work.failed()) choose_rungs(work);

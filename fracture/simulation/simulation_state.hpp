@@ -49,6 +49,7 @@ struct SimulationState {
   std::vector<OpenCrack> cracks;  ///< whose energy is still being measured
   std::uint64_t fans = 0;         ///< so far
   std::uint64_t step = 0;
+  std::vector<std::uint64_t> birth_step;  ///< row = ComponentId: in which it came off; 0: the start
   /// Surface loads of all bodies (`BodySettings::loads`); corners keep them through every split.
   std::vector<CornerLoad> loads;
   /// Fans to make in place of finding any: those of an earlier run (replay).

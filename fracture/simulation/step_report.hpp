@@ -90,6 +90,8 @@ struct StepReport {
   /// J, given up by pieces that became rigid tetrahedra and by components that took a lower rung.
   double energy_released = 0;
   std::size_t components = 0;
+  /// Those that came off in this step, ascending.
+  std::vector<ComponentId> new_components;
   /// Wall time of each stage, ms. For reports only.
   std::array<double, stage_names.size()> stage_ms{};
 };

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "apps/scene/scene_json.hpp"
+#include "apps/scene/scene_schema.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/state/living.hpp"
 #include "tests/support/program.hpp"

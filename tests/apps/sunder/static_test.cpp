@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "apps/sunder/static/static_answer.hpp"
+#include "fracture/simulation/statics.hpp"
 #include "apps/sunder/static/static_fan.hpp"
 #include "tests/support/program.hpp"
 #include "topology/io/mesh_file.hpp"
@@ -35,10 +35,10 @@ LoadBox end_of(double length) {
   return {.minimum = {length - 1e-6, -1, -1}, .maximum = {length + 1, 9, 9}};
 }
 
-StaticAnswer solved(const Scene& scene) {
+Equilibrium solved(const Scene& scene) {
   Result<Simulation> sim = build_simulation(scene);
   REQUIRE(sim);
-  Result<StaticAnswer> answer = solve_scene(*sim);
+  Result<Equilibrium> answer = solve_scene(*sim);
   REQUIRE(answer);
   return std::move(*answer);
 }
@@ -46,7 +46,7 @@ StaticAnswer solved(const Scene& scene) {
 std::string code_of(const Scene& scene) {
   Result<Simulation> sim = build_simulation(scene);
   if (!sim) return sim.findings.front().code;
-  const Result<StaticAnswer> answer = solve_scene(*sim);
+  const Result<Equilibrium> answer = solve_scene(*sim);
   return answer ? "" : answer.findings.back().code;
 }
 
@@ -79,7 +79,7 @@ TEST_CASE("a pressure on a bar's end gives p everywhere and p L / E at the end",
   // A turned and moved body has the same answer, its forces turned.
   scene.bodies[0].rotation = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized());
   scene.bodies[0].translation = {3, -2, 1};
-  const StaticBody bar = solved(scene).bodies[0];
+  const BodyEquilibrium bar = solved(scene).bodies[0];
   // Uniaxial stress with nu = 0 is in the space of linear tetrahedra: exact to rounding of the
   // solve, condition (L/h)^2 times 2e-16 with a margin of 1e3.
   CHECK(bar.displacement.value == Approx(2e5 * 0.8 / 1e9).epsilon(1e-10));
@@ -101,7 +101,7 @@ TEST_CASE("supports carry weight and moment of what they hold", "[run][static][l
   LoadBox tip = end_of(0.6);
   tip.force = {3, -7, 11};
   scene.bodies[0].loads = {tip};
-  const StaticBody bar = solved(scene).bodies[0];
+  const BodyEquilibrium bar = solved(scene).bodies[0];
   const double weight = 1000 * 0.6 * 0.04 * 10;
   const Vec3 load = Vec3(0, 0, -weight) + tip.force;
   CHECK((bar.load - load).norm() < 1e-11 * weight);
@@ -119,7 +119,7 @@ TEST_CASE("held vertices stand where their velocity brings them by the end",
   scene.duration = 2;
   scene.bodies[0].held.push_back(
       {.minimum = {0.8 - 1e-6, -1, -1}, .maximum = {9, 9, 9}, .velocity = {4e-5, 0, 0}});
-  const StaticBody bar = solved(scene).bodies[0];
+  const BodyEquilibrium bar = solved(scene).bodies[0];
   CHECK(bar.principal_stress.value == Approx(1e9 * 8e-5 / 0.8).epsilon(1e-10));
   CHECK(bar.supports[1].force.x() == Approx(1e5 * 0.01).epsilon(1e-10));
   CHECK(bar.supports[0].force.x() == Approx(-1e5 * 0.01).epsilon(1e-10));
@@ -208,7 +208,7 @@ TEST_CASE("fans near their threshold are listed by the energy they would release
   pull.pressure = -5e4;
   scene.bodies[0].loads = {pull};
   Simulation sim = std::move(*build_simulation(scene));
-  const StaticAnswer answer = std::move(*solve_scene(sim));
+  const Equilibrium answer = std::move(*solve_scene(sim));
   const auto all = fan_candidates(sim, answer.node_stress, 0);
   REQUIRE(all);
   REQUIRE(all->size() > 10);

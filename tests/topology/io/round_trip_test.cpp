@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "tests/support/io_support.hpp"
+#include "topology/io/format_traits.hpp"
 #include "topology/mesh/boundary_surface.hpp"
 
 using namespace sunder;

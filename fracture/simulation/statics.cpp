@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Solves for the equilibrium and measures it, body by body.
-#include "apps/sunder/static/static_answer.hpp"
+// Solves for equilibrium and modes, and measures them body by body.
+#include "fracture/simulation/statics.hpp"
 
 #include <fmt/format.h>
 
@@ -10,6 +10,9 @@
 
 #include "fracture/algorithms/find_fractures.hpp"
 #include "fracture/algorithms/fracture_plane.hpp"
+#include "fracture/simulation/simulation_state.hpp"
+#include "mechanics/element/energy.hpp"
+#include "mechanics/statics/modes.hpp"
 #include "mechanics/statics/static_solve.hpp"
 
 namespace sunder {
@@ -32,11 +35,18 @@ std::string body_name(const Simulation& sim, std::size_t body) {
                       : fmt::format("bodies[{}] ({})", body, name);
 }
 
-/// The body a component of the unbroken scene is of.
 std::size_t body_of(const Simulation& sim, const Component& component) {
-  const std::size_t t = component.tetrahedra.front().index();
-  std::size_t body = 0;
-  while (t >= sim.bodies[body].end_tetrahedron) ++body;
+  return body_of(sim, component.tetrahedra.front());
+}
+
+/// Which body of the scene each vertex belongs to, |V|.
+std::vector<std::size_t> body_of_vertices(const Simulation& sim) {
+  std::vector<std::size_t> body(sim.state->mechanics.vertices.size());
+  for (const Component& component : sim.state->mechanics.components) {
+    if (component.tetrahedra.empty()) continue;
+    const std::size_t b = body_of(sim, component);
+    for (VertexId v : component.vertices) body[v.index()] = b;
+  }
   return body;
 }
 
@@ -90,9 +100,9 @@ class Survey {
          std::span<const Mat3> node_stress)
       : sim_(sim), loads_(loads), missing_(missing), stress_(node_stress) {}
 
-  StaticBody of(std::size_t body) {
+  BodyEquilibrium of(std::size_t body) {
     const BodyRows& rows = sim_.bodies[body];
-    StaticBody answer;
+    BodyEquilibrium answer;
     answer.name = sim_.scene.bodies[body].name;
     answer.tetrahedra = rows.end_tetrahedron - rows.first_tetrahedron;
     answer.supports.resize(sim_.scene.bodies[body].held.size());
@@ -128,14 +138,14 @@ class Survey {
     return sum / mass;
   }
 
-  void see(Extreme& largest, double value, std::size_t v, const StaticBody& answer) const {
+  void see(Extreme& largest, double value, std::size_t v, const BodyEquilibrium& answer) const {
     // Of equal values the first stands; the first of all stands whatever it is.
     if (answer.vertices > 1 && !(value > largest.value)) return;
     const std::uint32_t point = sim_.state->cells.map.point_of_vertex(VertexId{v});
     largest = {value, point - sim_.bodies[body_of_[v]].first_point, undeformed(v)};
   }
 
-  void add_vertex(StaticBody& answer, std::size_t v, const Vec3& centre) const {
+  void add_vertex(BodyEquilibrium& answer, std::size_t v, const Vec3& centre) const {
     const MechanicsState& m = sim_.state->mechanics;
     see(answer.displacement, m.vertices.displacement[v].norm(), v, answer);
     const double stress = principal_tension(stress_[v]).value;
@@ -147,7 +157,7 @@ class Survey {
       answer.residual = std::max(answer.residual, missing_[v].norm());
       return;
     }
-    SupportAnswer& support = answer.supports[m.vertices.support[v].index() - first_motion_];
+    SupportReaction& support = answer.supports[m.vertices.support[v].index() - first_motion_];
     ++support.vertices;
     support.force += missing_[v];
     support.moment += (undeformed(v) - centre).cross(missing_[v]);
@@ -170,11 +180,11 @@ Loads full_loads(const Simulation& sim) {
   return loads;
 }
 
-bool is_finite(const StaticBody& body) {
+bool is_finite(const BodyEquilibrium& body) {
   bool finite = std::isfinite(body.displacement.value) && std::isfinite(body.strain_energy) &&
                 std::isfinite(body.principal_stress.value) && std::isfinite(body.residual) &&
                 body.load.allFinite();
-  for (const SupportAnswer& s : body.supports) finite = finite && s.force.allFinite();
+  for (const SupportReaction& s : body.supports) finite = finite && s.force.allFinite();
   return finite;
 }
 
@@ -186,22 +196,8 @@ Finding not_a_number(const Simulation& sim) {
 
 }  // namespace
 
-std::vector<std::size_t> body_of_vertices(const Simulation& sim) {
-  std::vector<std::size_t> body(sim.state->mechanics.vertices.size());
-  for (const Component& component : sim.state->mechanics.components) {
-    if (component.tetrahedra.empty()) continue;
-    const std::size_t b = body_of(sim, component);
-    for (VertexId v : component.vertices) body[v.index()] = b;
-  }
-  return body;
-}
-
-std::vector<Mat3> scene_node_stress(const Simulation& sim) {
-  return node_stress_of(sim.state->cells, sim.state->mechanics, sim.scene.fracture.node_stress);
-}
-
-Result<StaticAnswer> solve_scene(Simulation& sim) {
-  Result<StaticAnswer> result;
+Result<Equilibrium> solve_scene(Simulation& sim) {
+  Result<Equilibrium> result;
   result.findings = notes(sim);
   displace_held(sim);
   const Loads loads = full_loads(sim);
@@ -213,7 +209,8 @@ Result<StaticAnswer> solve_scene(Simulation& sim) {
     result.findings.push_back(std::move(f));
   }
   if (!refused.empty()) return result;
-  StaticAnswer answer{{}, scene_node_stress(sim)};
+  Equilibrium answer{
+      {}, node_stress_of(sim.state->cells, m, sim.scene.fracture.node_stress)};
   const bool finite =
       std::ranges::all_of(answer.node_stress, [](const Mat3& s) { return s.allFinite(); });
   if (finite) {
@@ -230,6 +227,28 @@ Result<StaticAnswer> solve_scene(Simulation& sim) {
   }
   result.value = std::move(answer);
   return result;
+}
+
+Result<std::vector<PieceModes>> scene_modes(Simulation& sim, std::size_t count) {
+  const MechanicsState& m = sim.state->mechanics;
+  std::vector<PieceModes> pieces;
+  for (const Component& component : m.components) {
+    if (component.tetrahedra.empty()) continue;
+    Result<Modes> modes = natural_modes(sim.scratch->mechanics, m, sim.state->cells.map.corners(),
+                                        component.id, count);
+    if (!modes) return std::move(modes.findings.front());
+    PieceModes& piece = pieces.emplace_back();
+    piece.component = component.id;
+    piece.body = body_of(sim, component);
+    piece.rigid = modes->rigid;
+    piece.frequency = std::move(modes->frequency);
+    piece.vertex = component.vertices;
+    for (const auto& mode : modes->shape.colwise()) {
+      std::vector<Vec3>& shape = piece.shape.emplace_back();
+      for (Eigen::Index i = 0; i < mode.size(); i += 3) shape.push_back(mode.segment<3>(i));
+    }
+  }
+  return pieces;
 }
 
 }  // namespace sunder
