@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Replays: the same bytes from a run's own log, and every log that is not one refused or left.
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <filesystem>
