@@ -197,15 +197,6 @@ double fall_asleep(MechanicsState& state, Component& component) {
 
 }  // namespace
 
-std::vector<Finding> check(const LadderSettings& settings) {
-  // Written so that a NaN fails.
-  if (settings.sleep_after > 0) return {};
-  return {{.code = "bad_ladder_setting",
-           .text = "ladder.sleep_after is " + std::to_string(settings.sleep_after) +
-                   " s; allowed is a number above 0",
-           .remedy = "leave it out for the default, or set ladder.sleep to false"}};
-}
-
 double flight_stress_bound(const MechanicsState& state, const Component& component) {
   const Material& material = material_of(state, component);
   double energy = 0;

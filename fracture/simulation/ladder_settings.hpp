@@ -2,10 +2,6 @@
 // What a user chooses about the ladder.
 #pragma once
 
-#include <vector>
-
-#include "topology/kernel/finding.hpp"
-
 namespace sunder {
 
 /// How little of a component's motion may be computed (docs/ladder.md).
@@ -19,8 +15,5 @@ struct LadderSettings {
   /// How long they must have lain still, s.
   double sleep_after = 0.1;
 };
-
-/// What is wrong with the settings, each an error with value and remedy.
-std::vector<Finding> check(const LadderSettings& settings);
 
 }  // namespace sunder

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <string>
 
+#include "mechanics/settings/check_settings.hpp"
 #include "mechanics/state/mechanics_state.hpp"
 #include "mechanics/step.hpp"
 #include "mechanics/element/strain_displacement.hpp"
@@ -135,7 +136,7 @@ VertexColumns columns_at_rest(const BodyDescription& body) {
 Result<MechanicsState> make_state(const BodyDescription& body) {
   Result<MechanicsState> result;
   for (std::size_t m = 0; m < body.materials.size(); ++m) {
-    for (Finding& f : check(body.materials[m], "materials[" + std::to_string(m) + "]")) {
+    for (Finding& f : check_settings(body.materials[m], "materials." + std::to_string(m))) {
       result.findings.push_back(std::move(f));
     }
   }

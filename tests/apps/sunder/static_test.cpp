@@ -292,5 +292,5 @@ TEST_CASE("sunder static answers in JSON, writes VTU and ends as it says", "[run
       {{"minimum", {8, 8, 8}}, {"maximum", {9, 9, 9}}, {"pressure", 1}}};
   const Outcome outside = here.run(empty_box, "");
   CHECK(outside.exit_code == 3);
-  CHECK(outside.err.find("empty_load") != std::string::npos);
+  CHECK(outside.err.find("nothing_loaded") != std::string::npos);
 }

@@ -5,6 +5,7 @@
 
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/element/energy.hpp"
+#include "mechanics/settings/check_settings.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
@@ -327,11 +328,11 @@ TEST_CASE("a step of any length that breaks in a window gives the same bytes twi
 
 TEST_CASE("settings of impacts out of range are told", "[fracture][impact]") {
   const ImpactSettings wrong{.fraction = 0, .negligible = 2, .max_sub_steps = 0};
-  const std::vector<Finding> findings = check(wrong, "impact");
+  const std::vector<Finding> findings = check_settings(wrong, "impact");
   REQUIRE(findings.size() == 3);
   CHECK(findings[0].text ==
-        "impact.fraction is 0.000000; allowed is a number above 0 and at most 1.");
-  CHECK(check(ImpactSettings{}, "impact").empty());
+        "impact.fraction is 0; allowed is above 0 and at most 1");
+  CHECK(check_settings(ImpactSettings{}, "impact").empty());
   const ImpactSettings nan{.fraction = std::nan("")};
-  CHECK(check(nan, "impact").size() == 1);
+  CHECK(check_settings(nan, "impact").size() == 1);
 }

@@ -224,5 +224,5 @@ TEST_CASE("a sleep of no length is refused", "[ladder]") {
   const Result<Simulation> sim = build_simulation(scene);
   CHECK(!sim);
   REQUIRE(!sim.findings.empty());
-  CHECK(sim.findings.front().code == "bad_ladder_setting");
+  CHECK(sim.findings.front().text == "ladder.sleep_after is 0 s; allowed is above 0");
 }

@@ -12,6 +12,7 @@
 #include "mechanics/element/elastic_force.hpp"
 #include "mechanics/frame/rotation.hpp"
 #include "mechanics/element/strain_displacement.hpp"
+#include "mechanics/settings/check_settings.hpp"
 #include "tests/support/bodies.hpp"
 
 using namespace sunder;
@@ -199,27 +200,29 @@ TEST_CASE("a rigid motion gives no force, whatever the rotation", "[mechanics][e
 }
 
 TEST_CASE("bad materials are found with place, value and remedy", "[mechanics][material]") {
-  CHECK(check(Material{}, "m").empty());
-  const auto only = [](const Material& material) {
-    const std::vector<Finding> findings = check(material, "bodies[0].material");
+  CHECK(check_settings(Material{}, "m").empty());
+  const auto place = [](const Material& material) {
+    const std::vector<SettingFinding> findings = setting_findings(material, "bodies.0.material");
     REQUIRE(findings.size() == 1);
-    CHECK(findings[0].severity == Severity::error);
-    CHECK(findings[0].text.find("bodies[0].material.") == 0);
-    CHECK_FALSE(findings[0].remedy.empty());
-    return findings[0];
+    const Finding& f = findings[0].finding;
+    CHECK(f.severity == Severity::error);
+    CHECK(f.code == "out_of_range");
+    CHECK(f.text.find(findings[0].place + " is ") == 0);
+    CHECK_FALSE(f.remedy.empty());
+    return findings[0].place.substr(std::string("bodies.0.material.").size());
   };
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  CHECK(only({.poisson_ratio = 0.5}).code == "bad_poisson_ratio");
-  CHECK(only({.poisson_ratio = 0.5}).text.find("is 0.5") != std::string::npos);
-  CHECK(only({.poisson_ratio = -1}).code == "bad_poisson_ratio");
-  CHECK(only({.poisson_ratio = nan}).code == "bad_poisson_ratio");
-  CHECK(only({.density = -2400}).code == "bad_density");
-  CHECK(only({.density = nan}).code == "bad_density");
-  CHECK(only({.young_modulus = 0}).code == "bad_young_modulus");
-  CHECK(only({.tensile_strength = 0}).code == "bad_tensile_strength");
-  CHECK(only({.toughness = -1}).code == "bad_toughness");
-  CHECK(check({.young_modulus = -1, .density = 0}, "m").size() == 2);
-  CHECK(check({.poisson_ratio = 0.49}, "m").empty());
+  const double infinite = std::numeric_limits<double>::infinity();
+  for (const double nu : {0.5, -1.0, nan}) CHECK(place({.poisson_ratio = nu}) == "poisson_ratio");
+  for (const double rho : {-2400.0, nan, infinite}) CHECK(place({.density = rho}) == "density");
+  CHECK(place({.young_modulus = 0}) == "young_modulus");
+  CHECK(place({.tensile_strength = 0}) == "tensile_strength");
+  CHECK(place({.tensile_strength = -infinite}) == "tensile_strength");
+  CHECK(place({.toughness = -1}) == "toughness");
+  CHECK(check_settings(Material{.poisson_ratio = 0.5}, "m")[0].text ==
+        "m.poisson_ratio is 0.5; allowed is above -1 and at most 0.49");
+  CHECK(check_settings(Material{.young_modulus = -1, .density = 0}, "m").size() == 2);
+  CHECK(check_settings(Material{.poisson_ratio = 0.49, .tensile_strength = infinite}, "m").empty());
 }
 
 TEST_CASE("flat, inverted and misnumbered bodies are refused", "[mechanics][material]") {
