@@ -71,7 +71,7 @@ struct MechanicsScratch {
   std::array<std::vector<double>, 8> work;
   std::vector<Lame> lame;                   ///< row = MaterialId
   std::vector<StressEnergy> stress_energy;  ///< row = MaterialId
-  /// Row = TetId: the step that its element stands explicitly, s; elements keep it for ever. Empty
+  /// Row = TetId: largest stable explicit step of the element, s, which never changes. Empty
   /// until needed.
   std::vector<double> element_step_bound;
   /// Row = ComponentId: largest turn theta of an element against its component, rad, at the new

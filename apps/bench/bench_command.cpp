@@ -299,8 +299,8 @@ ExitCode run_threshold_bench(ThresholdArguments arguments) {
 
 void add_threshold_command(CLI::App& bench, ExitCode& exit_code) {
   const auto arguments = std::make_shared<ThresholdArguments>();
-  CLI::App* command =
-      bench.add_subcommand("threshold", "Cost of testing a vertex against its strength, in each way");
+  CLI::App* command = bench.add_subcommand(
+      "threshold", "Cost of testing a vertex against its strength, in each way");
   command
       ->add_option("--runs", arguments->settings.runs, "Passes to take medians over (default 25)")
       ->type_name("N")

@@ -45,7 +45,7 @@ void describe(V& v, OutputSettings& o) {
   v.field(Key{"frames", "", "VTU frames spread evenly over the run with start and end; 0: none",
               between(0, 1000000)},
           o.frames);
-  v.field(Key{"frame_interval", "s", "Time between frames; above 0 it rules instead of frames",
+  v.field(Key{"frame_interval", "s", "Time between frames; above 0 it is used instead of frames",
               at_least(0)},
           o.frame_interval);
   v.field(Key{"pictures", "", "Pictures drawn without a display"}, o.pictures);

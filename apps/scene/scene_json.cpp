@@ -16,9 +16,9 @@
 #include "apps/scene/scene_paint.hpp"
 #include "apps/scene/scene_text.hpp"
 #include "fracture/simulation/check_scene.hpp"
-#include "topology/mesh/check.hpp"
 #include "topology/io/face_list.hpp"
 #include "topology/io/mesh_file.hpp"
+#include "topology/mesh/check.hpp"
 
 namespace sunder {
 namespace {
@@ -368,7 +368,6 @@ Result<SceneFile> read_scene(const std::filesystem::path& path,
     result.findings.push_back(std::move(f));
   }
   add_findings(context, check_scene(file.scene));
-  file.scene.integrator.time_step = file.scene.time_step;
   if (file.scene.name.empty()) file.scene.name = path.stem().string();
   if (has_error(result.findings)) return result;
   for (Finding& f : scene_notes(*text, file)) result.findings.push_back(std::move(f));

@@ -22,7 +22,8 @@ struct SceneFile {
   OutputSettings output;
 };
 
-/// The scene in the JSON file `path` with its meshes, after `settings` (each `dotted.path=value`, as
+/// The scene in the JSON file `path` with its meshes, after `settings` (each `dotted.path=value`,
+/// as
 /// `--set` takes them). Mesh files are relative to the scene's folder. Rotations are
 /// `{"axis": [x, y, z], "angle": degrees}`. What is not said is the C++ structs' default.
 /// Errors, all of them at once, with file, line, place, value, what is allowed and a remedy:

@@ -4,12 +4,12 @@
 
 #include <fmt/format.h>
 
-#include "fracture/strength/draw_strength.hpp"
-#include "fracture/strength/make_cuts.hpp"
 #include "fracture/simulation/check_scene.hpp"
 #include "fracture/simulation/scene_loads.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "fracture/simulation/step_work.hpp"
+#include "fracture/strength/draw_strength.hpp"
+#include "fracture/strength/make_cuts.hpp"
 #include "topology/kernel/build_map.hpp"
 #include "topology/mesh/check.hpp"
 
@@ -170,7 +170,6 @@ Result<Simulation> build_simulation(Scene scene) {
   result.findings = check_input(scene);
   if (has_error(result.findings)) return result;
 
-  scene.integrator.time_step = scene.time_step;
   std::vector<BodyRows> bodies;
   Result<VolumeMap> map = build_map(join_meshes(scene.bodies, bodies));
   if (!map) {

@@ -82,11 +82,11 @@ void check_together(fields::SettingsCheck& check, const Scene& scene) {
     check.add("no_body", "bodies", "is empty", "give at least one body");
   }
   constexpr double most_steps = 1e9;
-  const double steps = scene.duration / scene.time_step;
+  const double steps = scene.duration / scene.integrator.time_step;
   if (steps > most_steps) {
     check.add("too_many_steps", "time_step",
               fmt::format("is {} s: {:.3g} steps for a duration of {} s; allowed are {:.0e}",
-                          scene.time_step, steps, scene.duration, most_steps),
+                          scene.integrator.time_step, steps, scene.duration, most_steps),
               "take a longer step or a shorter duration");
   }
 }

@@ -173,7 +173,7 @@ void find_rested(StepWork& work) {
     const bool moves = !steady || is_carried(s.mechanics, c) ||
                        s.impact.quiet[c.id.index()] != ImpactWindow::closed ||
                        fastest_vertex(s.mechanics, c) > still_speed;
-    still = moves ? 0 : still + work.sim.scene.time_step;
+    still = moves ? 0 : still + work.sim.scene.integrator.time_step;
     rested[c.id.index()] = c.rung == Rung::asleep || still >= settings.sleep_after;
   }
   keep_awake_with_neighbours(work.sim.scratch->ladder, s);

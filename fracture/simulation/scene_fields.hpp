@@ -58,10 +58,11 @@ void describe(V& v, LoadBox& l) {
           l.minimum);
   v.field(Key{"maximum", "m", "Upper corner; the box's surface belongs to it", {}, true},
           l.maximum);
-  v.field(Key{"pressure", "Pa",
-              "On the boundary faces that lie whole in the box; positive pushes into the body; follows "
-              "its rigid motion"},
-          l.pressure);
+  v.field(
+      Key{"pressure", "Pa",
+          "On the boundary faces that lie whole in the box; positive pushes into the body; follows "
+          "its rigid motion"},
+      l.pressure);
   v.field(Key{"force", "N",
               "Total force in world axes, shared equally by the vertices in the box; keeps its "
               "direction"},
@@ -115,8 +116,9 @@ void describe(V& v, RegionStrength& r) {
 
 template <class V>
 void describe(V& v, WeibullSettings& w) {
-  v.field(Key{"modulus", "", "Weibull's m: the larger, the smaller the scatter of strengths", above(0)},
-          w.modulus);
+  v.field(
+      Key{"modulus", "", "Weibull's m: the larger, the smaller the scatter of strengths", above(0)},
+      w.modulus);
   v.field(Key{"reference_volume", "m^3",
               "Volume whose strength has the scale that material, region or field give", above(0)},
           w.reference_volume);
@@ -146,13 +148,14 @@ void describe(V& v, UnbreakablePart& u) {
 template <class V>
 void describe(V& v, BodySettings& b) {
   v.field(Key{"name", "", "What reports call the body"}, b.name);
-  v.field(Key{"mesh",
-              "",
-              "Mesh file with tetrahedra, in any format that `sunder convert` reads, relative to the "
-              "scene file",
-              {},
-              true},
-          b.mesh);
+  v.field(
+      Key{"mesh",
+          "",
+          "Mesh file with tetrahedra, in any format that `sunder convert` reads, relative to the "
+          "scene file",
+          {},
+          true},
+      b.mesh);
   v.field(Key{"material", "", "What the body is made of"}, b.material);
   v.field(Key{"translation", "m", "Where the mesh's origin is put, after the rotation"},
           b.translation);
@@ -202,10 +205,9 @@ void describe(V& v, FractureSettings& f) {
           "gershgorin: bound, then eigenvalues (the paper's); exact: leading minors; chain: "
           "bound, then minors"},
       f.test);
-  v.field(
-      Key{"smallest_piece", "kg",
-          "A crack that would separate a lighter piece is refused; 0: no limit", at_least(0)},
-      f.smallest_piece);
+  v.field(Key{"smallest_piece", "kg",
+              "A crack that would separate a lighter piece is refused; 0: no limit", at_least(0)},
+          f.smallest_piece);
   v.field(Key{"max_pieces", "",
               "Largest number of pieces; a crack that would make more is refused; 0: no limit",
               between(0, 4294967295.0)},
@@ -225,15 +227,15 @@ void describe(V& v, FractureSettings& f) {
 
 template <class V>
 void describe(V& v, LadderSettings& l) {
-  v.field(Key{"rigid", "",
-              "Whether components in free flight that cannot break move as rigid bodies"},
-          l.rigid);
+  v.field(
+      Key{"rigid", "", "Whether components in free flight that cannot break move as rigid bodies"},
+      l.rigid);
   v.field(Key{"quasi_static", "",
               "Whether supported components under slow loads go from equilibrium to equilibrium"},
           l.quasi_static);
-  v.field(Key{"sleep", "",
-              "Whether components at rest are not stepped until something touches them"},
-          l.sleep);
+  v.field(
+      Key{"sleep", "", "Whether components at rest are not stepped until something touches them"},
+      l.sleep);
   v.field(Key{"sleep_after", "s", "How long they must have been at rest", above(0)}, l.sleep_after);
 }
 
@@ -244,35 +246,37 @@ void describe(V& v, Scene& s) {
   v.field(Key{"gravity", "", "Gravity"}, s.gravity);
   v.field(Key{"time_step", "s", "Length of a step", above(0), false,
               "a strong blow lives for a few body lengths over the speed of sound"},
-          s.time_step);
+          s.integrator.time_step);
   v.field(Key{"duration", "s", "Length of the run", above(0)}, s.duration);
-  v.field(Key{"model", "",
-              "rigid_reference: linear elasticity in one frame a piece, the paper's and the default; "
-              "corotational: in one frame a tetrahedron, which the paper compares with; not for "
-              "floating_frame and modal"},
-          s.integrator.model);
-  v.field(Key{"isolated", "",
-              "Free single tetrahedra: rigid bodies, which keep their spin; or the paper's two ways, "
-              "which lose it: projection on the rigid shape, or elastic in the frame of their edges "
-              "(qr)"},
-          s.integrator.isolated);
+  v.field(
+      Key{"model", "",
+          "rigid_reference: linear elasticity in one frame a piece, the paper's and the default; "
+          "corotational: in one frame a tetrahedron, which the paper compares with; not for "
+          "floating_frame and modal"},
+      s.integrator.model);
+  v.field(
+      Key{"isolated", "",
+          "Free single tetrahedra: rigid bodies, which keep their spin; or the paper's two ways, "
+          "which lose it: projection on the rigid shape, or elastic in the frame of their edges "
+          "(qr)"},
+      s.integrator.isolated);
   v.field(Key{"integrator", "", "How time is integrated"}, s.integrator);
   v.field(Key{"contact", "", "How contact is solved"}, s.contact);
   v.field(Key{"impact", "", "How impacts are resolved in time (docs/impact.md)"}, s.impact);
-  v.field(
-      Key{"energy_ledger", "",
-          "Whether work, losses and the residual of every step are added up; without it a step "
-          "without contact and cracks takes a tenth less time"},
-      s.energy_ledger);
+  v.field(Key{"energy_ledger", "",
+              "Whether work, losses and the residual of every step are added up; without it a step "
+              "without contact and cracks takes a tenth less time"},
+          s.energy_ledger);
   v.field(Key{"fracture", "", "What breaks and how it is found"}, s.fracture);
-  v.field(Key{"ladder", "", "Which components may be rigid, quasi-static or asleep (docs/ladder.md)"},
-          s.ladder);
   v.field(
-      Key{"display_time_constant", "s",
-          "Time constant with which the drawn reference of a new piece approaches its own (section 3.3); "
-          "0: at once",
-          at_least(0)},
-      s.display_time_constant);
+      Key{"ladder", "", "Which components may be rigid, quasi-static or asleep (docs/ladder.md)"},
+      s.ladder);
+  v.field(Key{"display_time_constant", "s",
+              "Time constant with which the drawn reference of a new piece approaches its own "
+              "(section 3.3); "
+              "0: at once",
+              at_least(0)},
+          s.display_time_constant);
 }
 
 }  // namespace sunder::fields

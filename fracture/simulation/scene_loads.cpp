@@ -70,7 +70,8 @@ std::vector<Finding> make_scene_loads(Simulation& sim) {
       if (boxes[i].pressure != 0 && add_pressure(sim, sim.bodies[b], boxes[i]) == 0) {
         findings.push_back(
             {.code = "nothing_loaded",
-             .text = fmt::format("bodies.{}.loads.{}: no boundary face lies in its box whole", b, i),
+             .text =
+                 fmt::format("bodies.{}.loads.{}: no boundary face lies in its box whole", b, i),
              .remedy = "give the box in the mesh's own coordinates, m, large enough for all three "
                        "vertices of a face"});
       }

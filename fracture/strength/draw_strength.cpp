@@ -49,7 +49,8 @@ std::int32_t region_of(const TetMesh& mesh, std::size_t t) {
   return mesh.region.empty() ? 0 : mesh.region[t];
 }
 
-void add_unknown_region(fields::SettingsCheck& to, const std::string& where, const RegionName& name) {
+void add_unknown_region(fields::SettingsCheck& to, const std::string& where,
+                        const RegionName& name) {
   to.add("unknown_region", where,
          fmt::format("is '{}': no tetrahedron of the mesh has it", name.text),
          "give the name or the number of a region; `sunder check` lists them");

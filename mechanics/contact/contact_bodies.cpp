@@ -63,11 +63,11 @@ bool responds_elastically(const ContactPass& pass, const Component& component) {
          pass.input.part.deformation != Deformation::frozen;
 }
 
-/// Elastic response of floating_frame at the end of a part of a step: `response_scale` A^-1 on loads
-/// freed of their rigid part. Rigid fields r have A r = mu M r, so what a load's rigid part would
-/// give is subtracted in closed form.
+/// Elastic response of floating_frame at the end of a part of a step: `response_scale` A^-1 on
+/// loads freed of their rigid part. Rigid fields r have A r = mu M r, so what a load's rigid part
+/// would give is subtracted in closed form.
 void respond_elastically(RespondingBody& body, const ContactPass& pass, const Component& component,
-                        std::span<const VertexId> slots) {
+                         std::span<const VertexId> slots) {
   ComponentSystem& system = *pass.mechanics.systems[component.id.index()];
   const auto [local, slot] = free_slots(pass, slots);
   body.turn = component.orientation.toRotationMatrix();
@@ -84,7 +84,8 @@ void respond_elastically(RespondingBody& body, const ContactPass& pass, const Co
     const Eigen::MatrixXd response =
         modal_response({pass.mechanics, pass.state, pass.input, component, &system}, local);
     return fill([&](std::size_t a, std::size_t b) -> Mat3 {
-      return response.block<3, 3>(static_cast<Eigen::Index>(3 * a), static_cast<Eigen::Index>(3 * b));
+      return response.block<3, 3>(static_cast<Eigen::Index>(3 * a),
+                                  static_cast<Eigen::Index>(3 * b));
     });
   }
   const FactorUse use = use_of(pass);
@@ -120,7 +121,7 @@ void solve_for_columns(const ContactBodies& bodies, const ContactPass& pass) {
 }
 
 RespondingBody responding_component(const ContactPass& pass, const Component& component,
-                                  std::span<const VertexId> slots) {
+                                    std::span<const VertexId> slots) {
   RespondingBody body;
   if (!takes_split_blow(pass, component)) {
     body.elastic =
@@ -136,7 +137,7 @@ RespondingBody responding_component(const ContactPass& pass, const Component& co
 }
 
 RespondingBody lumped_component(const ContactPass& pass, const Component& component,
-                               std::span<const VertexId> slots) {
+                                std::span<const VertexId> slots) {
   RespondingBody body;
   if (component.isolated) {
     body.inverse_mass = 1 / component.mass;

@@ -44,8 +44,8 @@ struct ContactPass {
 /// isolated tetrahedra. Other integrators take it as a jump of velocities at the start.
 bool takes_split_blow(const ContactPass& pass, const Component& component);
 
-/// Makes the bodies that `contacts` act on, with their response over the coming step, and the ends of
-/// their rows. Costs three back-solves for each contact vertex the first time it is met.
+/// Makes the bodies that `contacts` act on, with their response over the coming step, and the ends
+/// of their rows. Costs three back-solves for each contact vertex the first time it is met.
 void gather_bodies(ContactBodies& bodies, std::span<const ContactPoint> contacts,
                    const ContactPass& pass);
 

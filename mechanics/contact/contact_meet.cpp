@@ -194,7 +194,7 @@ Vec3 relative_shift(const ContactStep& step, const ContactPoint& contact) {
 }
 
 double predicted_gap_error(const ContactStep& step, const ContactPoint& contact,
-                      const ContactPath& path) {
+                           const ContactPath& path) {
   if (step.is_wave()) return wave_gap_error(step, contact);
   return gap_end(contact, path) + contact.normal.dot(relative_shift(step, contact)) -
          target_gap(step, contact);

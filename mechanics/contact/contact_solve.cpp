@@ -12,7 +12,7 @@ namespace {
 
 /// How far end `a` of a body moves for a unit impulse at end `b` of the same body.
 Mat3 response_between(const RespondingBody& body, const ContactEnd& a, const ContactEnd& b,
-                    double step) {
+                      double step) {
   Mat3 response = Mat3::Zero();
   response.diagonal().setConstant(step * body.inverse_mass);
   for (int k = 0; k < 3; ++k) {

@@ -15,8 +15,8 @@ namespace sunder {
 /// A body as the solver sees it: displacement of its points at the end of the step for impulses,
 /// rigid part h (J/m + I^-1 T x arm) plus an elastic part between its slots,
 ///   turn (E + rest_arm x J0^-1 (rest_arm x .) - 1/m) turn^T,
-/// the last two over all slots at once: what E has of rigid response and should not have. Kept apart
-/// so that neither a turn of the body nor other slots cost a pass over E.
+/// the last two over all slots at once: what E has of rigid response and should not have. Kept
+/// apart so that neither a turn of the body nor other slots cost a pass over E.
 struct RespondingBody {
   double inverse_mass = 0;              ///< 1/kg; 0: does not move
   Mat3 inverse_inertia = Mat3::Zero();  ///< 1/(kg m^2), world

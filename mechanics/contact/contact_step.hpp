@@ -53,7 +53,7 @@ Vec3 relative_shift(const ContactStep& step, const ContactPoint& contact);
 
 /// Predicted gap at the end of the step less its target, m; negative: a constraint violation.
 double predicted_gap_error(const ContactStep& step, const ContactPoint& contact,
-                      const ContactPath& path);
+                           const ContactPath& path);
 
 /// Contacts along the paths, and wakes what they act on. False when there are blows
 /// on them that the step must not run into.

@@ -7,8 +7,8 @@
 namespace sunder {
 
 /// What a user chooses about impacts. The stress of a blow lasts for a few L/c, the time in which a
-/// wave crosses a component; a step of 10 L/c finds a fifteenth of it, so that the step would decide
-/// what breaks. Components that are struck are therefore sub-stepped while the waves run.
+/// wave crosses a component; a step of 10 L/c finds a fifteenth of it, so that the step would
+/// decide what breaks. Components that are struck are therefore sub-stepped while the waves run.
 struct ImpactSettings {
   /// Whether components that are struck are sub-stepped; false: one step for everything.
   bool window = true;

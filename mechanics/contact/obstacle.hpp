@@ -38,7 +38,8 @@ struct Box {
 using Shape = std::variant<Plane, Sphere, Box>;
 
 /// A shape with its motion. Without a mass it is driven: it keeps its velocity whatever it hits.
-/// With a mass it must be a sphere: a projectile that falls, is pushed back and hits other obstacles.
+/// With a mass it must be a sphere: a projectile that falls, is pushed back and hits other
+/// obstacles.
 struct Obstacle {
   Shape shape = Plane{};
   /// m/s; zero for a static obstacle.

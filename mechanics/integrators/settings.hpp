@@ -77,9 +77,9 @@ struct IntegratorSettings {
   /// Spectral radius of generalised-alpha, in [0, 0.5]: the part of an oscillation too fast for the
   /// step that is left after one step. With 0 a suddenly applied load gives the static solution at
   /// once, where 0.8 rings at 1.7 times of it for tens of steps and would break bodies that hold.
-  /// Above 0.5 the extrapolated Coriolis force drives oscillations: measured, spinning bodies diverge
-  /// from 0.8 on. Used where the step resolves the slowest axial mode of a component; for longer
-  /// steps it falls to 0 (`followed_rho`).
+  /// Above 0.5 the extrapolated Coriolis force drives oscillations: measured, spinning bodies
+  /// diverge from 0.8 on. Used where the step resolves the slowest axial mode of a component; for
+  /// longer steps it falls to 0 (`followed_rho`).
   double rho_infinity = 0;
   RayleighDamping damping = {};
   EulerFrame euler_frame = EulerFrame::current;

@@ -37,15 +37,16 @@ Finding out_of_range(const Key& key, std::string_view place, std::string_view se
   const std::string unit = key.unit.empty() ? "" : " " + std::string(key.unit);
   Finding finding;
   finding.code = "out_of_range";
-  finding.text = std::string(place) + " is " + std::string(seen) + unit + "; allowed is " +
-                 allowed(key.range);
+  finding.text =
+      std::string(place) + " is " + std::string(seen) + unit + "; allowed is " + allowed(key.range);
   finding.remedy = "give a value " + allowed(key.range) + unit;
   if (!key.remedy.empty()) finding.remedy += ": " + std::string(key.remedy);
   return finding;
 }
 
 std::string SettingsCheck::at(std::string_view key) const {
-  return place_.empty() || key.empty() ? place_ + std::string(key) : place_ + "." + std::string(key);
+  return place_.empty() || key.empty() ? place_ + std::string(key)
+                                       : place_ + "." + std::string(key);
 }
 
 void SettingsCheck::add(const char* code, std::string_view key, const std::string& what,
@@ -88,10 +89,11 @@ void check_together(fields::SettingsCheck& check, const IntegratorSettings& sett
   const bool takes_damping = settings.integrator == Integrator::floating_frame ||
                              (settings.integrator == Integrator::implicit_euler && !corotational);
   if (damped && !takes_damping) {
-    check.add("damping_not_supported", "damping",
-              "is set, but only the method floating_frame has any, and implicit_euler with the model "
-              "rigid_reference",
-              "leave the damping out, or take floating_frame");
+    check.add(
+        "damping_not_supported", "damping",
+        "is set, but only the method floating_frame has any, and implicit_euler with the model "
+        "rigid_reference",
+        "leave the damping out, or take floating_frame");
   }
   if (corotational && is_floating(settings.integrator)) {
     check.add("model_not_supported", "method",

@@ -31,8 +31,9 @@ bool is_allowed(double value, const Range& range);
 /// The error out_of_range of the key at `place`; `seen`: its value as the user knows it.
 Finding out_of_range(const Key& key, std::string_view place, std::string_view seen);
 
-/// A visitor of descriptions that checks what it visits. Each struct may have beside its description
-/// a function `check_together(SettingsCheck&, const T&)` for what concerns several of its keys.
+/// A visitor of descriptions that checks what it visits. Each struct may have beside its
+/// description a function `check_together(SettingsCheck&, const T&)` for what concerns several of
+/// its keys.
 class SettingsCheck {
  public:
   SettingsCheck(std::string place, std::vector<SettingFinding>& findings)
@@ -64,7 +65,9 @@ class SettingsCheck {
 
  private:
   template <class T>
-  static constexpr bool is_described = requires(SettingsCheck& c, T& t) { describe(c, t); };
+  static constexpr bool is_described = requires(SettingsCheck& c, T& t) {
+    describe(c, t);
+  };
 
   std::string at(std::string_view key) const;
   void number(const Key& key, const std::string& place, double number);

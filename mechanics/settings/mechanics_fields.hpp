@@ -69,7 +69,8 @@ void describe(V& v, Material& m) {
   v.field(Key{"tensile_strength", "Pa",
               "Largest principal stress xi that a vertex holds (to hold anything, set "
               "fracture.mode to off)",
-              Range{.low = 0, .without_low = true, .with_infinity = true}, false, "concrete is about 3e6 Pa"},
+              Range{.low = 0, .without_low = true, .with_infinity = true}, false,
+              "concrete is about 3e6 Pa"},
           m.tensile_strength);
   v.field(
       Key{"toughness", "Pa sqrt(m)",
@@ -105,9 +106,10 @@ void describe(V& v, Obstacle& o) {
   v.field(Key{"velocity", "m/s", "Velocity, kept whatever it hits unless there is a mass"},
           o.velocity);
   v.field(Key{"spin", "rad/s", "Angular velocity of a free ball"}, o.spin);
-  v.field(Key{"friction", "", "Coulomb's coefficient; two surfaces in contact have the mean of theirs",
-              at_least(0)},
-          o.friction);
+  v.field(
+      Key{"friction", "", "Coulomb's coefficient; two surfaces in contact have the mean of theirs",
+          at_least(0)},
+      o.friction);
   v.field(
       Key{"mass", "kg", "Makes a ball a free projectile that falls and is pushed back", above(0)},
       o.mass);
@@ -125,18 +127,20 @@ void describe(V& v, RayleighDamping& d) {
 
 template <class V>
 void describe(V& v, IntegratorSettings& i) {
-  v.field(Key{"method", "",
-              "floating_frame: rigid motion and deformation in the body frame, the default; "
-              "implicit_euler: the paper's baseline, loses spin; verlet: explicit, needs steps of "
-              "microseconds; broyden, newton_cg: implicit Euler by iterations; sub_stepped: as many "
-              "steps of verlet as needed; modal: every mode exact, for small bodies"},
-          i.integrator);
-  v.field(Key{"rho_infinity", "",
-              "Spectral radius of generalised-alpha: the part of an oscillation too fast for the step "
-              "that is left after one step; falls to 0 for components whose slowest wave the step "
-              "does not resolve",
-              between(0, 0.5)},
-          i.rho_infinity);
+  v.field(
+      Key{"method", "",
+          "floating_frame: rigid motion and deformation in the body frame, the default; "
+          "implicit_euler: the paper's baseline, loses spin; verlet: explicit, needs steps of "
+          "microseconds; broyden, newton_cg: implicit Euler by iterations; sub_stepped: as many "
+          "steps of verlet as needed; modal: every mode exact, for small bodies"},
+      i.integrator);
+  v.field(
+      Key{"rho_infinity", "",
+          "Spectral radius of generalised-alpha: the part of an oscillation too fast for the step "
+          "that is left after one step; falls to 0 for components whose slowest wave the step "
+          "does not resolve",
+          between(0, 0.5)},
+      i.rho_infinity);
   v.field(Key{"damping", "", "Rayleigh damping"}, i.damping);
   v.field(Key{"euler_frame", "", "Which frame implicit_euler linearises in"}, i.euler_frame);
   v.field(Key{"elastic_force", "",
@@ -154,17 +158,18 @@ void describe(V& v, IntegratorSettings& i) {
               "Where iterations end: residual of the step's equation over the first residual",
               Range{.low = 0, .high = 0.1, .without_low = true}},
           i.tolerance);
-  v.field(Key{"max_iterations", "",
-              "Iterations of broyden, newton_cg (of conjugate gradients) and prefactored; the step is "
-              "then solved with the factor, and the report says so",
-              between(1, 1e9)},
-          i.max_iterations);
+  v.field(
+      Key{"max_iterations", "",
+          "Iterations of broyden, newton_cg (of conjugate gradients) and prefactored; the step is "
+          "then solved with the factor, and the report says so",
+          between(1, 1e9)},
+      i.max_iterations);
   v.field(
       Key{"max_sub_steps", "", "Sub-steps that sub_stepped may take in a step", between(1, 4e9)},
       i.max_sub_steps);
-  v.field(Key{"broyden_memory", "", "Updates that broyden keeps before it restarts",
-              between(1, 1e5)},
-          i.broyden_memory);
+  v.field(
+      Key{"broyden_memory", "", "Updates that broyden keeps before it restarts", between(1, 1e5)},
+      i.broyden_memory);
 }
 
 template <class V>
@@ -173,13 +178,14 @@ void describe(V& v, ContactSettings& c) {
           c.friction);
   v.field(Key{"compliance", "m/N", "Compliance of one contact point; 0: hard", at_least(0)},
           c.compliance);
-  v.field(
-      Key{"push_out_speed", "m/s",
-          "Largest speed at which contacts that start with an overlap are pushed apart", at_least(0)},
-      c.push_out_speed);
+  v.field(Key{"push_out_speed", "m/s",
+              "Largest speed at which contacts that start with an overlap are pushed apart",
+              at_least(0)},
+          c.push_out_speed);
   v.field(Key{"allowed_penetration", "m", "Penetration that is not corrected", at_least(0)},
           c.allowed_penetration);
-  v.field(Key{"between_pieces", "", "Whether pieces collide with each other; with obstacles they always do"},
+  v.field(Key{"between_pieces", "",
+              "Whether pieces collide with each other; with obstacles they always do"},
           c.between_pieces);
   v.field(Key{"ball_share",
               "",
@@ -205,10 +211,11 @@ void describe(V& v, ContactSettings& c) {
 
 template <class V>
 void describe(V& v, ImpactSettings& i) {
-  v.field(Key{"window", "",
-              "Whether components that are struck are sub-stepped while the waves run; without it the "
-              "step decides what breaks on impact"},
-          i.window);
+  v.field(
+      Key{"window", "",
+          "Whether components that are struck are sub-stepped while the waves run; without it the "
+          "step decides what breaks on impact"},
+      i.window);
   v.field(Key{"fraction", "",
               "Largest sub-step over L/c, the time in which a wave crosses the component",
               Range{.low = 0, .high = 1, .without_low = true}},
@@ -217,11 +224,12 @@ void describe(V& v, ImpactSettings& i) {
               "Part of the tensile strength below which the stress rho c v of an impact is ignored",
               Range{.low = 0, .high = 1, .without_low = true}},
           i.negligible);
-  v.field(Key{"max_sub_steps", "",
-              "Sub-steps allowed in one step; the remainder is then taken at once, and the report says "
-              "so",
-              between(1, 1e6)},
-          i.max_sub_steps);
+  v.field(
+      Key{"max_sub_steps", "",
+          "Sub-steps allowed in one step; the remainder is then taken at once, and the report says "
+          "so",
+          between(1, 1e6)},
+      i.max_sub_steps);
 }
 
 }  // namespace sunder::fields

@@ -5,10 +5,10 @@
 #include <cstdio>
 #include <string>
 
+#include "mechanics/element/strain_displacement.hpp"
 #include "mechanics/settings/check_settings.hpp"
 #include "mechanics/state/mechanics_state.hpp"
 #include "mechanics/step.hpp"
-#include "mechanics/element/strain_displacement.hpp"
 
 namespace sunder {
 namespace {

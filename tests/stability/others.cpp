@@ -73,7 +73,8 @@ Cell reflected() {
 }
 
 Cell refused_material(double poisson_ratio) {
-  const bool refused = has_error(check_settings(Material{.poisson_ratio = poisson_ratio}, "material"));
+  const bool refused =
+      has_error(check_settings(Material{.poisson_ratio = poisson_ratio}, "material"));
   return {refused ? Outcome::refuses : Outcome::holds, poisson_ratio};
 }
 

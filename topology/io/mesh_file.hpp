@@ -21,7 +21,7 @@ enum class MeshFormat { msh, medit, vtu, vtk, tetgen, abaqus, ovm, ply, off, obj
 /// How numbers stand in a file: as digits, as raw bytes, or as bytes written in base64.
 enum class Encoding { text, binary, base64 };
 
-/// What a format can hold of a FileMesh beside points, and what we do with it.
+/// What a format can hold of a FileMesh beside points, and how it is written.
 struct FormatTraits {
   MeshFormat format;
   /// As messages name it.

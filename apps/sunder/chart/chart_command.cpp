@@ -201,8 +201,8 @@ void add_options(CLI::App& command, ChartArguments& a) {
 }  // namespace
 
 void add_chart_command(CLI::App& program, ExitCode& exit_code) {
-  CLI::App* command =
-      program.add_subcommand("chart", "Chart the error of a scene's runs over their computing time");
+  CLI::App* command = program.add_subcommand(
+      "chart", "Chart the error of a scene's runs over their computing time");
   const auto arguments = std::make_shared<ChartArguments>();
   add_options(*command, *arguments);
   command->footer(footer());

@@ -109,8 +109,8 @@ ExitCode run_check(const Arguments& arguments) {
 
 void add_check_command(CLI::App& program, ExitCode& exit_code) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = program.add_subcommand(
-      "check", "Count and measure the cells of a mesh, list what is wrong");
+  CLI::App* command =
+      program.add_subcommand("check", "Count and measure the cells of a mesh, list what is wrong");
   command->add_option("MESH", arguments->mesh, "Mesh file")->type_name("FILE")->required();
   command
       ->add_option("--write-findings", arguments->findings,

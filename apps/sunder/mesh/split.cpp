@@ -283,7 +283,8 @@ void add_options(CLI::App& command, SplitArguments& arguments) {
                                                                    {"paper", Detection::oracle},
                                                                    {"walk", Detection::walk}})
               .description(""));
-  command.add_option("-o,--output", arguments.output, "Write the cut mesh; its format by OUT's ending")
+  command
+      .add_option("-o,--output", arguments.output, "Write the cut mesh; its format by OUT's ending")
       ->type_name("OUT");
   command.add_flag("--json", arguments.json, "Print JSON instead of tables");
 }

@@ -20,9 +20,9 @@ Files in DIR (those of an earlier run are removed):
   events.jsonl              one line a crack; --replay repeats the run from it
   cracks.csv                area and energy of each crack
 
-Exit codes: 0 done, 2 usage, 3 bad scene or mesh, 4 not written, 5 the simulation failed,
-6 a replay departed from its log, 130 interrupted by Ctrl-C (after 5, 6 and 130 the files hold the run
-up to that moment).
+Exit codes: 0 done, 2 usage, 3 bad scene or mesh, 4 not written, 5 the simulation failed, 6 a replay
+departed from its log, 130 interrupted by Ctrl-C. After 5, 6 and 130 the files hold the run up to
+that moment.
 
 Examples:
   sunder run meshes/scenes/bunny.json -o out/bunny --png 6

@@ -110,7 +110,7 @@ TEST_CASE("the reader takes the schema's own defaults for every key", "[run][sch
   REQUIRE(file);
   CHECK(keys > 40);
   const Scene plain;
-  CHECK(file->scene.time_step == plain.time_step);
+  CHECK(file->scene.integrator.time_step == plain.integrator.time_step);
   CHECK(file->scene.gravity.acceleration == plain.gravity.acceleration);
   CHECK(file->scene.contact.tolerance == plain.contact.tolerance);
   CHECK(file->output.frames == OutputSettings{}.frames);

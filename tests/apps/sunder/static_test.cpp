@@ -181,7 +181,7 @@ TEST_CASE("a run under slowly raised loads settles at the static answer, its mom
   pull.force = {1000, 0, 0};
   pull.ramp_time = 0.05;
   scene.bodies[0].loads = {pull};
-  scene.time_step = 1e-3;
+  scene.integrator.time_step = 1e-3;
   scene.integrator.damping.stiffness_factor = 1e-3;
   Result<Simulation> sim = build_simulation(scene);
   REQUIRE(sim);

@@ -58,8 +58,9 @@ TEST_CASE("numbers out of range are refused wherever they stand in a scene",
         All{"out_of_range bodies.0.velocity.0"});
   CHECK(wrong([](Scene& s) { s.bodies[0].rotation.coeffs() *= 2; }) ==
         All{"not_a_rotation bodies.0.rotation"});
-  CHECK(wrong([](Scene& s) { s.obstacles = {{Sphere{{0, 0, 0}, 0}}}; }) ==
-        All{"out_of_range obstacles.0.sphere.radius"});
+  CHECK(wrong([](Scene& s) {
+          s.obstacles = {{Sphere{{0, 0, 0}, 0}}};
+        }) == All{"out_of_range obstacles.0.sphere.radius"});
 }
 
 TEST_CASE("what keys say together is refused at its place", "[fracture][settings]") {
@@ -70,8 +71,9 @@ TEST_CASE("what keys say together is refused at its place", "[fracture][settings
           s.bodies[0].held = {{.minimum = {5, 5, 5}, .maximum = {6, 6, 6}},
                               {.minimum = {1, 1, 1}, .maximum = {0, 0, 0}}};
         }) == All{"bad_box bodies.0.held.1", "nothing_held bodies.0.held.0"});
-  CHECK(wrong([](Scene& s) { s.bodies[0].loads = {{.maximum = {1, 1, 1}}}; }) ==
-        All{"no_load bodies.0.loads.0"});
+  CHECK(wrong([](Scene& s) {
+          s.bodies[0].loads = {{.maximum = {1, 1, 1}}};
+        }) == All{"no_load bodies.0.loads.0"});
   CHECK(wrong([](Scene& s) {
           s.bodies[0].loads = {{.minimum = {5, 5, 5}, .maximum = {6, 6, 6}, .pressure = 1}};
         }) == All{"nothing_loaded bodies.0.loads.0"});

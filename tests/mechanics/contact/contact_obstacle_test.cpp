@@ -287,6 +287,7 @@ TEST_CASE("what is wrong with contact settings is found, all of it", "[mechanics
   wrong.max_iterations = 0;
   const std::vector<Finding> findings = check_settings(wrong, "contact");
   REQUIRE(findings.size() == 3);
-  CHECK(findings[0].text.find("contact.friction is -1; allowed is at least 0") != std::string::npos);
+  CHECK(findings[0].text.find("contact.friction is -1; allowed is at least 0") !=
+        std::string::npos);
   for (const Finding& f : findings) CHECK_FALSE(f.remedy.empty());
 }

@@ -115,11 +115,9 @@ TEST_CASE("what is wrong with an obstacle is said with its place and a remedy",
       {Obstacle{Plane{Vec3::UnitZ(), nan}}, "out_of_range", "plane.offset"},
       {Obstacle{Sphere{Vec3::Zero(), -1}}, "out_of_range", "sphere.radius"},
       {Obstacle{Sphere{{0, nan, 0}, 1}}, "out_of_range", "sphere.center.1"},
-      {Obstacle{Box{Vec3::Zero(), Eigen::Quaterniond(0, 0, 0, 0), {1, 1, 1}}},
-       "not_a_rotation",
+      {Obstacle{Box{Vec3::Zero(), Eigen::Quaterniond(0, 0, 0, 0), {1, 1, 1}}}, "not_a_rotation",
        "box.rotation"},
-      {Obstacle{Box{Vec3::Zero(), Eigen::Quaterniond::Identity(), {1, 0, 1}}},
-       "out_of_range",
+      {Obstacle{Box{Vec3::Zero(), Eigen::Quaterniond::Identity(), {1, 0, 1}}}, "out_of_range",
        "box.half_extent.1"},
   };
   Obstacle wrong{Plane{}};

@@ -8,11 +8,11 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "mechanics/solver/component_system.hpp"
 #include "mechanics/element/elastic_force.hpp"
-#include "mechanics/frame/rotation.hpp"
 #include "mechanics/element/strain_displacement.hpp"
+#include "mechanics/frame/rotation.hpp"
 #include "mechanics/settings/check_settings.hpp"
+#include "mechanics/solver/component_system.hpp"
 #include "tests/support/bodies.hpp"
 
 using namespace sunder;
