@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/bench/bench_clock.hpp"
+#include "apps/sunder/clock.hpp"
 #include "apps/scene/words.hpp"
 #include "topology/io/mesh_file.hpp"
 

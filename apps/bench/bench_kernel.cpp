@@ -7,9 +7,9 @@
 
 #include <algorithm>
 
-#include "apps/bench/bench_clock.hpp"
+#include "apps/sunder/clock.hpp"
 #include "apps/bench/bench_fans.hpp"
-#include "topology/kernel/build_map.hpp"
+#include "topology/mesh/build_map.hpp"
 #include "topology/kernel/components.hpp"
 #include "topology/kernel/map_mesh.hpp"
 #include "topology/kernel/split_face.hpp"

@@ -9,10 +9,11 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "apps/bench/bench_clock.hpp"
+#include "apps/sunder/clock.hpp"
 #include "apps/bench/bench_figures.hpp"
 #include "fracture/simulation/simulation_state.hpp"
-#include "mechanics/baselines/modal.hpp"
+#include "mechanics/integrators/modal.hpp"
+#include "mechanics/rebuild.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
 namespace sunder {

@@ -10,9 +10,10 @@
 #include <cmath>
 
 #include "apps/bench/bench_cholmod.hpp"
-#include "apps/bench/bench_clock.hpp"
+#include "apps/sunder/clock.hpp"
 #include "apps/bench/bench_figures.hpp"
 #include "fracture/simulation/simulation_state.hpp"
+#include "mechanics/rebuild.hpp"
 #include "mechanics/solver/component_system.hpp"
 #include "mechanics/integrators/component_step.hpp"
 #include "topology/io/mesh_file.hpp"

@@ -8,7 +8,7 @@
 
 #include "fracture/algorithms/cells.hpp"
 #include "fracture/algorithms/parted_vertices.hpp"
-#include "mechanics/loads.hpp"
+#include "mechanics/state/loads.hpp"
 #include "mechanics/step.hpp"
 #include "topology/kernel/finding.hpp"
 

@@ -10,7 +10,9 @@
 #include "fracture/simulation/step_work.hpp"
 #include "fracture/strength/draw_strength.hpp"
 #include "fracture/strength/make_cuts.hpp"
-#include "topology/kernel/build_map.hpp"
+#include "mechanics/rebuild.hpp"
+#include "mechanics/state/living.hpp"
+#include "topology/mesh/build_map.hpp"
 #include "topology/mesh/check.hpp"
 
 namespace sunder {

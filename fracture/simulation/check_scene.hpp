@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fracture/simulation/scene_fields.hpp"
-#include "mechanics/settings/check_settings.hpp"
+#include "mechanics/state/check_settings.hpp"
 
 namespace sunder {
 

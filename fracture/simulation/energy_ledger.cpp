@@ -7,7 +7,7 @@
 #include "mechanics/integrators/coefficients.hpp"
 #include "mechanics/integrators/component_step.hpp"
 #include "mechanics/state/living.hpp"
-#include "mechanics/element/numerical_loss.hpp"
+#include "mechanics/integrators/numerical_loss.hpp"
 
 namespace sunder {
 namespace {

@@ -12,10 +12,10 @@
 #include "fracture/simulation/ladder_settings.hpp"
 #include "mechanics/contact/contact_settings.hpp"
 #include "mechanics/contact/impact_settings.hpp"
-#include "mechanics/integrators/settings.hpp"
-#include "mechanics/element/material.hpp"
+#include "mechanics/state/settings.hpp"
+#include "mechanics/state/material.hpp"
 #include "mechanics/contact/obstacle.hpp"
-#include "topology/mesh/tet_mesh.hpp"
+#include "topology/kernel/tet_mesh.hpp"
 
 namespace sunder {
 

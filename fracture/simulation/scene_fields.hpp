@@ -4,7 +4,7 @@
 #pragma once
 
 #include "fracture/simulation/scene.hpp"
-#include "mechanics/settings/mechanics_fields.hpp"
+#include "mechanics/contact/contact_fields.hpp"
 
 namespace sunder::fields {
 

@@ -6,6 +6,7 @@
 #include "fracture/simulation/ladder.hpp"
 #include "fracture/simulation/step_work.hpp"
 #include "mechanics/element/energy.hpp"
+#include "mechanics/rebuild.hpp"
 #include "mechanics/state/living.hpp"
 #include "topology/kernel/sort_unique.hpp"
 

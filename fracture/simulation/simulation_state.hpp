@@ -14,7 +14,7 @@
 #include "fracture/simulation/fan_script.hpp"
 #include "fracture/simulation/simulation.hpp"
 #include "mechanics/contact/contact.hpp"
-#include "mechanics/loads.hpp"
+#include "mechanics/state/loads.hpp"
 #include "mechanics/state/display_state.hpp"
 #include "mechanics/step.hpp"
 

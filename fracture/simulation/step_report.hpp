@@ -11,7 +11,7 @@
 #include "fracture/energy/settled_crack.hpp"
 #include "mechanics/contact/contact_report.hpp"
 #include "mechanics/state/rung.hpp"
-#include "mechanics/step_status.hpp"
+#include "mechanics/state/step_status.hpp"
 
 namespace sunder {
 

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "fracture/simulation/step_work.hpp"
-#include "mechanics/baselines/modal.hpp"
+#include "mechanics/integrators/modal.hpp"
 #include "mechanics/baselines/verlet.hpp"
 
 namespace sunder {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fracture/simulation/simulation_state.hpp"
-#include "mechanics/settings/check_settings.hpp"
+#include "mechanics/state/check_settings.hpp"
 
 namespace sunder {
 

@@ -6,9 +6,9 @@
 #include <limits>
 
 #include "mechanics/element/corotational_force.hpp"
-#include "mechanics/baselines/baseline_system.hpp"
+#include "mechanics/integrators/baseline_system.hpp"
 #include "mechanics/baselines/euler_problem.hpp"
-#include "mechanics/baselines/model_force.hpp"
+#include "mechanics/integrators/model_force.hpp"
 #include "mechanics/frame/rigid_reference.hpp"
 
 namespace sunder {

@@ -2,7 +2,7 @@
 // Linearised implicit Euler on the constant factor.
 #include "mechanics/baselines/implicit_euler.hpp"
 
-#include "mechanics/baselines/model_force.hpp"
+#include "mechanics/integrators/model_force.hpp"
 #include "mechanics/frame/rigid_reference.hpp"
 
 namespace sunder {

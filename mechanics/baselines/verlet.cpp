@@ -8,7 +8,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "mechanics/baselines/model_force.hpp"
+#include "mechanics/integrators/model_force.hpp"
 #include "mechanics/integrators/rigid_motion.hpp"
 #include "mechanics/element/strain_displacement.hpp"
 

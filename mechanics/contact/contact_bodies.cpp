@@ -7,7 +7,7 @@
 #include "mechanics/solver/component_system.hpp"
 #include "mechanics/integrators/coefficients.hpp"
 #include "mechanics/integrators/component_step.hpp"
-#include "mechanics/baselines/modal.hpp"
+#include "mechanics/integrators/modal.hpp"
 #include "mechanics/frame/rotation.hpp"
 
 namespace sunder {

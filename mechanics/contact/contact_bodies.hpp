@@ -6,7 +6,7 @@
 
 #include "mechanics/contact/contact_detect.hpp"
 #include "mechanics/contact/contact_solve.hpp"
-#include "mechanics/solver/impulse_response.hpp"
+#include "mechanics/integrators/impulse_response.hpp"
 
 namespace sunder {
 

@@ -6,27 +6,6 @@
 #include <cmath>
 
 namespace sunder {
-namespace {
-
-const Material& material_of(const MechanicsState& state, TetId t) {
-  return state.materials[state.elements.material[t.index()].index()];
-}
-
-}  // namespace
-
-double cell_travel(const MechanicsState& state, const Component& component) {
-  double sum = 0;
-  for (TetId t : component.tetrahedra) {
-    sum += std::cbrt(6 * state.elements.rest_volume[t.index()]) /
-           compression_wave_speed(material_of(state, t));
-  }
-  return sum / static_cast<double>(component.tetrahedra.size());
-}
-
-double extent_travel(const MechanicsState& state, const Component& component) {
-  return 2 * component.rest_radius /
-         compression_wave_speed(material_of(state, component.tetrahedra.front()));
-}
 
 double wave_sub_step(const MechanicsState& state, const Component& component,
                      const ImpactSettings& settings) {

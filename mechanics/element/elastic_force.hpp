@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "mechanics/integrators/settings.hpp"
+#include "mechanics/state/settings.hpp"
 #include "mechanics/state/mechanics_state.hpp"
 #include "mechanics/frame/rigid_reference.hpp"
 

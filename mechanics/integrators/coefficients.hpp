@@ -4,7 +4,7 @@
 #pragma once
 
 #include "mechanics/solver/component_system.hpp"
-#include "mechanics/integrators/settings.hpp"
+#include "mechanics/state/settings.hpp"
 
 namespace sunder {
 

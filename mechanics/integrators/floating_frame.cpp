@@ -3,7 +3,7 @@
 #include "mechanics/integrators/floating_frame.hpp"
 
 #include "mechanics/integrators/coefficients.hpp"
-#include "mechanics/baselines/modal.hpp"
+#include "mechanics/integrators/modal.hpp"
 #include "mechanics/integrators/rigid_motion.hpp"
 #include "mechanics/frame/rotation.hpp"
 

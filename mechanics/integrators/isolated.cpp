@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "mechanics/baselines/model_force.hpp"
+#include "mechanics/integrators/model_force.hpp"
 #include "mechanics/frame/rigid_reference.hpp"
 #include "mechanics/element/strain_displacement.hpp"
 

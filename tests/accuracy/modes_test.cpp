@@ -4,7 +4,7 @@
 
 #include "mechanics/solver/component_system.hpp"
 #include "mechanics/integrators/component_step.hpp"
-#include "mechanics/solver/modes.hpp"
+#include "mechanics/statics/modes.hpp"
 #include "tests/support/accuracy_bodies.hpp"
 
 using namespace sunder;

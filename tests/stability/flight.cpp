@@ -9,7 +9,7 @@
 
 #include "mechanics/element/energy.hpp"
 #include "mechanics/element/strain_displacement.hpp"
-#include "mechanics/settings/check_settings.hpp"
+#include "mechanics/state/check_settings.hpp"
 
 namespace sunder::stability {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "topology/kernel/build_map.hpp"
+#include "topology/mesh/build_map.hpp"
 #include "topology/mesh/check.hpp"
 #include "topology/kernel/components.hpp"
 #include "topology/kernel/fan.hpp"

@@ -8,7 +8,8 @@
 #include "fracture/algorithms/find_fractures.hpp"
 #include "fracture/algorithms/node_stress.hpp"
 #include "mechanics/element/strain_displacement.hpp"
-#include "topology/kernel/build_map.hpp"
+#include "mechanics/rebuild.hpp"
+#include "topology/mesh/build_map.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
 namespace sunder::test {

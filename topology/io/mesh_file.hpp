@@ -12,7 +12,7 @@
 
 #include "topology/mesh/file_mesh.hpp"
 #include "topology/kernel/finding.hpp"
-#include "topology/mesh/tet_mesh.hpp"
+#include "topology/kernel/tet_mesh.hpp"
 
 namespace sunder {
 

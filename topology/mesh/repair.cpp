@@ -9,7 +9,7 @@
 #include <numeric>
 #include <unordered_map>
 
-#include "topology/kernel/build_map.hpp"
+#include "topology/mesh/build_map.hpp"
 
 namespace sunder {
 namespace {

@@ -2,7 +2,7 @@
 // Fans cut again and threshold tests, each timed by itself.
 #include "apps/bench/paper/bench_paper_fans.hpp"
 
-#include "apps/bench/bench_clock.hpp"
+#include "apps/sunder/clock.hpp"
 #include "fracture/algorithms/threshold_test.hpp"
 
 namespace sunder {

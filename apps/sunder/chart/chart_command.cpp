@@ -8,7 +8,7 @@
 #include "apps/sunder/chart/chart.hpp"
 #include "apps/sunder/chart/chart_mesh.hpp"
 #include "apps/sunder/chart/chart_report.hpp"
-#include "apps/sunder/chart/gnuplot.hpp"
+#include "apps/sunder/gnuplot.hpp"
 #include "apps/scene/scene_json.hpp"
 #include "apps/scene/words.hpp"
 #include "topology/io/mesh_file.hpp"

@@ -2,7 +2,7 @@
 // Meshes of one body in several finenesses, for charts.
 #pragma once
 
-#include "topology/mesh/tet_mesh.hpp"
+#include "topology/kernel/tet_mesh.hpp"
 
 namespace sunder {
 

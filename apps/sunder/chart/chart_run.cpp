@@ -9,7 +9,7 @@
 #include <array>
 #include <numeric>
 
-#include "apps/bench/bench_clock.hpp"
+#include "apps/sunder/clock.hpp"
 #include "apps/sunder/chart/chart_mesh.hpp"
 #include "apps/sunder/run/recorder.hpp"
 #include "apps/scene/scene_json.hpp"

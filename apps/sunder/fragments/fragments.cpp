@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "apps/sunder/fragments/fragments_report.hpp"
-#include "apps/sunder/chart/gnuplot.hpp"
+#include "apps/sunder/gnuplot.hpp"
 #include "apps/scene/words.hpp"
 
 namespace sunder {

@@ -13,7 +13,7 @@
 #include "apps/sunder/mesh/split_output.hpp"
 #include "apps/sunder/static/static_fan.hpp"
 #include "apps/scene/words.hpp"
-#include "topology/kernel/build_map.hpp"
+#include "topology/mesh/build_map.hpp"
 #include "topology/kernel/invariants.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/kernel/split_face.hpp"

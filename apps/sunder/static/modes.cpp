@@ -14,7 +14,7 @@
 #include "apps/scene/scene_json.hpp"
 #include "apps/sunder/static/static_answer.hpp"
 #include "apps/scene/words.hpp"
-#include "mechanics/solver/modes.hpp"
+#include "mechanics/statics/modes.hpp"
 #include "topology/io/vtu/vtu.hpp"
 
 namespace sunder {

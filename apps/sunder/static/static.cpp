@@ -17,6 +17,7 @@
 #include "apps/sunder/static/static_answer.hpp"
 #include "apps/sunder/static/static_fan.hpp"
 #include "apps/scene/words.hpp"
+#include "mechanics/rebuild.hpp"
 
 namespace sunder {
 namespace {

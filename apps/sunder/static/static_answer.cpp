@@ -10,7 +10,7 @@
 
 #include "fracture/algorithms/find_fractures.hpp"
 #include "fracture/algorithms/fracture_plane.hpp"
-#include "mechanics/solver/static_solve.hpp"
+#include "mechanics/statics/static_solve.hpp"
 
 namespace sunder {
 namespace {

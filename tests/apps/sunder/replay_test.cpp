@@ -18,6 +18,7 @@
 #include "apps/sunder/run/recorder.hpp"
 #include "apps/sunder/run/replay.hpp"
 #include "apps/scene/scene_hash.hpp"
+#include "mechanics/rebuild.hpp"
 
 namespace fs = std::filesystem;
 using namespace sunder;

@@ -12,6 +12,7 @@
 
 #include "apps/scene/scene_json.hpp"
 #include "fracture/simulation/simulation_state.hpp"
+#include "mechanics/state/living.hpp"
 #include "topology/kernel/invariants.hpp"
 
 namespace fs = std::filesystem;

@@ -14,7 +14,7 @@
 #include "fracture/algorithms/choose_fan.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "fracture/algorithms/stress_fit.hpp"
-#include "mechanics/solver/static_solve.hpp"
+#include "mechanics/statics/static_solve.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
 namespace sunder::accuracy {

@@ -11,7 +11,7 @@
 #include "fracture/algorithms/threshold_test.hpp"
 #include "fracture/algorithms/threshold_test.hpp"
 #include "fracture/simulation/simulation_state.hpp"
-#include "mechanics/solver/static_solve.hpp"
+#include "mechanics/statics/static_solve.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
 namespace sunder::accuracy {

@@ -8,6 +8,7 @@
 
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/element/energy.hpp"
+#include "mechanics/rebuild.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
 namespace sunder::accuracy {

@@ -9,7 +9,9 @@
 
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/element/energy.hpp"
-#include "mechanics/solver/static_solve.hpp"
+#include "mechanics/rebuild.hpp"
+#include "mechanics/state/living.hpp"
+#include "mechanics/statics/static_solve.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
 using namespace sunder;

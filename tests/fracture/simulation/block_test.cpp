@@ -4,7 +4,7 @@
 
 #include "fracture/algorithms/node_stress.hpp"
 #include "fracture/simulation/simulation_state.hpp"
-#include "mechanics/solver/static_solve.hpp"
+#include "mechanics/statics/static_solve.hpp"
 #include "topology/io/mesh_file.hpp"
 
 using namespace sunder;

@@ -5,7 +5,7 @@
 
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/element/energy.hpp"
-#include "mechanics/settings/check_settings.hpp"
+#include "mechanics/contact/contact_fields.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 

@@ -7,6 +7,7 @@
 
 #include "fracture/algorithms/node_stress.hpp"
 #include "mechanics/element/energy.hpp"
+#include "mechanics/rebuild.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
 using namespace sunder;

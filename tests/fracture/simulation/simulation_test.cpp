@@ -6,6 +6,8 @@
 #include <numeric>
 
 #include "mechanics/element/energy.hpp"
+#include "mechanics/rebuild.hpp"
+#include "mechanics/state/living.hpp"
 #include "topology/kernel/invariants.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 

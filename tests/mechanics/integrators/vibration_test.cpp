@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "mechanics/element/energy.hpp"
-#include "mechanics/settings/check_settings.hpp"
-#include "mechanics/solver/static_solve.hpp"
+#include "mechanics/state/check_settings.hpp"
+#include "mechanics/statics/static_solve.hpp"
 #include "tests/support/bodies.hpp"
 
 using namespace sunder;

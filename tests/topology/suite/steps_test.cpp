@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "topology/kernel/build_map.hpp"
+#include "topology/mesh/build_map.hpp"
 #include "topology/kernel/fan.hpp"
 #include "topology/suite/judge/judge_truth.hpp"
 #include "topology/suite/fixtures/shapes.hpp"

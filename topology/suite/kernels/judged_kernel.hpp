@@ -12,7 +12,7 @@
 
 #include "topology/kernel/finding.hpp"
 #include "topology/suite/kernels/operation.hpp"
-#include "topology/mesh/tet_mesh.hpp"
+#include "topology/kernel/tet_mesh.hpp"
 
 namespace sunder::suite {
 

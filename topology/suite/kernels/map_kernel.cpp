@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "topology/kernel/build_map.hpp"
+#include "topology/mesh/build_map.hpp"
 #include "topology/kernel/components.hpp"
 #include "topology/kernel/fan.hpp"
 #include "topology/kernel/invariants.hpp"

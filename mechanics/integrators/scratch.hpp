@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// Scratch of mechanics: the state that a step predicts, and caches that come back by themselves.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "mechanics/element/energy.hpp"
+#include "mechanics/state/mechanics_state.hpp"
+#include "mechanics/state/step_status.hpp"
+
+namespace sunder {
+
+struct BaselineSystem;
+struct ColumnRoom;
+struct ComponentSystem;
+
+/// What `predict` computes for one component beside its rows.
+struct PredictedFrame {
+  Vec3 centre = Vec3::Zero();
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+  Vec3 momentum = Vec3::Zero();
+  Vec3 angular_momentum = Vec3::Zero();
+  double damping_work = 0;  ///< J taken by Rayleigh damping in this step
+  double turned = 0;        ///< rad: h^2 / I times the largest moment of forces that do not turn
+  SolveReport solve = {};
+};
+
+/// Scratch of one step and caches derived from the state (factors, compliance). All of it can be
+/// thrown away between two steps and comes back by itself. Bounded by the present mesh.
+struct MechanicsScratch {
+  MechanicsScratch();
+  ~MechanicsScratch();
+  MechanicsScratch(MechanicsScratch&&) noexcept;
+  MechanicsScratch& operator=(MechanicsScratch&&) noexcept;
+
+  /// Row = ComponentId; null until needed.
+  /// `retired`: the one before its last split, whose factors may serve on (`extend_system`).
+  std::vector<std::unique_ptr<ComponentSystem>> systems, retired;
+  /// What the baselines keep for a component; row = ComponentId, null until needed.
+  std::vector<std::unique_ptr<BaselineSystem>> baselines;
+  /// Row = VertexId: its place in `Component::vertices`; valid for components with a system.
+  std::vector<std::uint32_t> local_row;
+
+  /// Predicted state, rows as in the state. `position` is what contact looks at.
+  struct Predicted {
+    std::vector<Vec3> position, velocity;
+    std::vector<Vec3> displacement, displacement_rate, displacement_acceleration;
+    std::vector<PredictedFrame> frame;  ///< row = ComponentId
+  } predicted;
+
+  /// Local vectors of the component at hand, 3 n each, grown to the largest and kept.
+  std::array<std::vector<double>, 8> work;
+  std::vector<Lame> lame;                   ///< row = MaterialId
+  std::vector<StressEnergy> stress_energy;  ///< row = MaterialId
+  /// Row = TetId: the step that its element stands explicitly, s; elements keep it for ever. Empty
+  /// until needed.
+  std::vector<double> element_step_bound;
+  /// Row = ComponentId: largest turn theta of an element against its component, rad, at the new
+  /// state (size of the skew part of the displacement gradient); for the validity warning.
+  std::vector<double> largest_turn;
+  /// Row = ComponentId: what the last measure of its stresses changed, J, where asked for.
+  std::vector<StrainChange> strain;
+  bool measures_strain = true;
+  /// Threads that factors and columns of the inverse are made on. Results are the same bytes for
+  /// any number.
+  unsigned threads = 1;
+  std::vector<ColumnRoom> column_rooms;  ///< one a thread
+};
+
+}  // namespace sunder
