@@ -57,7 +57,7 @@ std::vector<Mat3> node_stress_of(const Cells& cells, const MechanicsState& mecha
 /// tensor over its norm differs by more than 0.01 (Frobenius; half a degree; a stress that only
 /// grows keeps its planes), it has been below its threshold, or it has been split.
 /// Leaves `mechanics.elements.component`, masses and frames to the caller (`rebuild`).
-/// Only vertices of `members` are looked at: the others' time has not come.
+/// Only vertices of `members` are tested; the others are in another part of the step.
 FractureReport find_fractures(Cells& cells, MechanicsState& mechanics,
                               const FractureSettings& settings, FractureScratch& scratch,
                               const StepMembers& members = {});

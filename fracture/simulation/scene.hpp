@@ -28,15 +28,16 @@ struct HeldBox {
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
 };
 
-/// What pushes or pulls a body from outside: on its surface inside a box, or on the vertices there.
+/// A load on a body: a pressure on its surface inside a box, a force on the vertices there, or
+/// both.
 struct LoadBox {
   /// Corners of the box in the mesh's own coordinates, m; its surface belongs to it.
   Eigen::Vector3d minimum = Eigen::Vector3d::Zero();
   Eigen::Vector3d maximum = Eigen::Vector3d::Zero();
-  /// On every boundary face whose three vertices lie in the box, Pa; positive pushes into the body.
+  /// Pa, on every boundary face whose three vertices lie in the box; positive pushes into the body.
   /// Follows the body's rigid motion.
   double pressure = 0;
-  /// In all, in equal parts on every vertex in the box, N, world; keeps its direction.
+  /// N, world, the total, in equal parts on every vertex in the box; keeps its direction.
   Eigen::Vector3d force = Eigen::Vector3d::Zero();
   /// Time over which both are raised linearly, s; 0 applies them at once.
   double ramp_time = 0;
@@ -74,8 +75,7 @@ struct Scene {
   std::vector<BodySettings> bodies;
   std::vector<Obstacle> obstacles;
   GravitySettings gravity;
-  /// Length of a step and of the run, s.
-  double time_step = 1e-3;
+  /// Length of the run, s; that of a step is `integrator.time_step`.
   double duration = 1;
   IntegratorSettings integrator;
   ContactSettings contact;

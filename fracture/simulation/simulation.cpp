@@ -168,7 +168,7 @@ void update_display(Simulation& sim) {
     const DisplayState target{c.centre, c.orientation};
     DisplayState& shown = s.display[c.id.index()];
     shown = approach(carry(shown, s.display_target[c.id.index()], target), target,
-                     sim.scene.time_step, sim.scene.display_time_constant);
+                     sim.scene.integrator.time_step, sim.scene.display_time_constant);
     s.display_target[c.id.index()] = target;
   }
 }
@@ -234,14 +234,15 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
   const std::size_t components_before = s.cells.labels.size.size();
   const double kinetic = sim.scene.energy_ledger ? kinetic_energy(s.mechanics.vertices) : 0;
   sim.scratch->ladder.touched.assign(s.mechanics.components.size(), 0);
-  work.loads.gravity = gravity_at(sim.scene.gravity, s.mechanics.time + sim.scene.time_step);
+  work.loads.gravity =
+      gravity_at(sim.scene.gravity, s.mechanics.time + sim.scene.integrator.time_step);
   s.impact.quiet.resize(s.mechanics.components.size(), ImpactWindow::closed);
   if (sim.scene.impact.window && sim.scene.integrator.integrator == Integrator::floating_frame) {
     advance_with_windows(work);
   } else if (sim.scene.integrator.integrator == Integrator::sub_stepped) {
     advance_sub_stepped(work);
   } else {
-    take_part(work, {{}, sim.scene.time_step});
+    take_part(work, {{}, sim.scene.integrator.time_step});
     break_members(work);
   }
   StepReport& report = work.report;

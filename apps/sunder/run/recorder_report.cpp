@@ -51,7 +51,8 @@ void add_momentum(MomentumLedger& ledger, const Simulation& now, const StepRepor
     }
   }
   ledger.loads += report.load_impulse;
-  ledger.gravity += mass * now.scene.time_step * gravity_at(now.scene.gravity, report.time);
+  ledger.gravity +=
+      mass * now.scene.integrator.time_step * gravity_at(now.scene.gravity, report.time);
 }
 
 void add_contact(ContactStatistics& contact, const StepReport& report) {
@@ -314,7 +315,7 @@ ordered_json run_report(const RunStatistics& s, const Simulation& now,
           {"end", to_string(end)},
           {"steps", now.state->step},
           {"time", now.state->mechanics.time},
-          {"time_step", now.scene.time_step},
+          {"time_step", now.scene.integrator.time_step},
           {"tetrahedra", now.state->cells.map.tetrahedra()},
           {"vertices", now.state->cells.map.vertices()},
           {"step_ms", distribution(s.step_ms)},

@@ -225,7 +225,7 @@ TEST_CASE("steps that break keep across their fans what the state had before the
     scene.bodies[0].velocity = 4 * random_vector(random);
     // A rim speed at which rho w^2 L^2 / 8 is far over the strength.
     scene.bodies[0].spin = random_vector(random) + Vec3(0, 500, 300);
-    scene.time_step = 1e-4;
+    scene.integrator.time_step = 1e-4;
     // One part a step, and nobody leaves the full rung: the observer sees the state that breaks.
     scene.impact.window = false;
     scene.ladder = {.rigid = false, .quasi_static = false, .sleep = false};

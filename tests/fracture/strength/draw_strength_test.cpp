@@ -295,7 +295,7 @@ TEST_CASE("bad cuts and strengths are errors that say where", "[fracture][cuts][
         }) == Codes{"nothing_cut"});
   CHECK(with([](BodySettings& b) {
           b.cuts = {{.faces = CutPlane{{0, 0, 0}, {0, 0, 0}}}};
-        }) == Codes{"not_a_direction"});
+        }) == Codes{"zero_direction"});
   CHECK(with([](BodySettings& b) {
           b.cuts = {{.faces = FaceList{"", {{0, 1, 999}}}}};
         }) == Codes{"not_interior"});
@@ -305,7 +305,7 @@ TEST_CASE("bad cuts and strengths are errors that say where", "[fracture][cuts][
           b.strength.regions = {{.region = {"0"}}, {.region = {"0"}}};
         }) == Codes{"repeated_region"});
   CHECK(with([](BodySettings& b) { b.strength.weibull = WeibullSettings{.modulus = 0}; }) ==
-        Codes{"strength_out_of_range"});
+        Codes{"out_of_range"});
   CHECK(with([](BodySettings& b) { b.strength.painted = {1e6}; }) == Codes{"painted_strength"});
   CHECK(with([](BodySettings& b) {
           b.unbreakable = {{RestBox{{5, 5, 5}, {6, 6, 6}}}};
