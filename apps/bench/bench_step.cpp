@@ -10,7 +10,7 @@
 #include <cmath>
 
 #include "apps/bench/bench_cholmod.hpp"
-#include "apps/sunder/clock.hpp"
+#include "apps/bench/clock.hpp"
 #include "apps/bench/bench_figures.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/rebuild.hpp"

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "apps/sunder/clock.hpp"
+#include "apps/bench/clock.hpp"
 #include "apps/sunder/run/recorder.hpp"
 #include "fracture/algorithms/threshold_test.hpp"
 #include "mechanics/element/corotational_force.hpp"

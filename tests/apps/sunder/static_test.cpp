@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Equilibrium of scenes: closed forms, balance at supports, loads in runs, and the command's ends.
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "fracture/simulation/statics.hpp"
 #include "apps/sunder/static/static_fan.hpp"
+#include "tests/support/program.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
@@ -54,38 +50,15 @@ std::string code_of(const Scene& scene) {
   return answer ? "" : answer.findings.back().code;
 }
 
-struct Outcome {
-  int exit_code = -1;
-  std::string out, err;
-};
-
 /// Runs `sunder static` in a folder of its own.
-class Place {
- public:
-  Place()
-      : folder_(std::filesystem::temp_directory_path() /
-                ("sunder_static_test_" + std::to_string(getpid()))) {
-    std::filesystem::create_directories(folder_);
-  }
-  ~Place() { std::filesystem::remove_all(folder_); }
-  Place(const Place&) = delete;
-  Place& operator=(const Place&) = delete;
+struct Place {
+  test::Folder folder;
 
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  Outcome run(const json& scene, const std::string& words) const {
+  std::string path(const std::string& name) const { return (folder.path() / name).string(); }
+  test::Outcome run(const json& scene, const std::string& words) const {
     std::ofstream(path("scene.json")) << scene.dump(1);
-    const std::string command = std::string(SUNDER_PROGRAM) + " static " + path("scene.json") +
-                                " " + words + " >" + path("out") + " 2>" + path("err");
-    const int status = std::system(command.c_str());
-    return {WEXITSTATUS(status), slurp("out"), slurp("err")};
+    return test::run_program("static " + path("scene.json") + " " + words);
   }
-
- private:
-  std::string slurp(const std::string& name) const {
-    std::ifstream in(path(name), std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-  std::filesystem::path folder_;
 };
 
 json cube_scene() {
@@ -212,7 +185,8 @@ TEST_CASE("loads stay with the sides of a split", "[run][static][loads][split]")
     REQUIRE(report.status.outcome == StepOutcome::fine);
     pieces = report.components;
     std::vector<Vec3> force;
-    add_corner_loads(force, sim->state->loads, sim->state->mechanics, sim->state->cells.map.corners(), 1);
+    add_corner_loads(force, sim->state->loads, sim->state->mechanics,
+                     sim->state->cells.map.corners(), 1);
     double pull = 0;
     for (const Vec3& f : force) pull += f.norm();
     // Two ends of 0.01 m^2, each pulled by 1 MPa, on however many vertices.
@@ -259,7 +233,7 @@ TEST_CASE("fans near their threshold are listed by the energy they would release
 
 TEST_CASE("sunder static answers in JSON, writes VTU and ends as it says", "[run][static]") {
   const Place here;
-  const Outcome fine = here.run(cube_scene(), "--json -o " + here.path("cube.vtu"));
+  const test::Outcome fine = here.run(cube_scene(), "--json -o " + here.path("cube.vtu"));
   CHECK(fine.exit_code == 0);
   const json answer = json::parse(fine.out);
   const double weight = 2400 * 8 * 9.81;
@@ -272,7 +246,7 @@ TEST_CASE("sunder static answers in JSON, writes VTU and ends as it says", "[run
 
   json free = cube_scene();
   free["bodies"][0].erase("held");
-  const Outcome refused = here.run(free, "--json");
+  const test::Outcome refused = here.run(free, "--json");
   CHECK(refused.exit_code == 3);
   CHECK(refused.out.empty());
   CHECK(refused.err.find("[not_supported: 0]") != std::string::npos);
@@ -281,7 +255,8 @@ TEST_CASE("sunder static answers in JSON, writes VTU and ends as it says", "[run
   // Finite stresses whose energy is not: nothing is answered.
   for (const char* far :
        {"bodies.0.material.young_modulus=1e-300", "gravity.acceleration=[0,0,1e306]"}) {
-    const Outcome overflow = here.run(cube_scene(), std::string("--json --set '") + far + "'");
+    const test::Outcome overflow =
+        here.run(cube_scene(), std::string("--json --set '") + far + "'");
     INFO(far << ": " << overflow.err);
     CHECK(overflow.exit_code == 5);
     CHECK(overflow.out.empty());
@@ -290,7 +265,7 @@ TEST_CASE("sunder static answers in JSON, writes VTU and ends as it says", "[run
   json empty_box = cube_scene();
   empty_box["bodies"][0]["loads"] = {
       {{"minimum", {8, 8, 8}}, {"maximum", {9, 9, 9}}, {"pressure", 1}}};
-  const Outcome outside = here.run(empty_box, "");
+  const test::Outcome outside = here.run(empty_box, "");
   CHECK(outside.exit_code == 3);
   CHECK(outside.err.find("nothing_loaded") != std::string::npos);
 }

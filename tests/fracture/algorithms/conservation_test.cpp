@@ -112,12 +112,7 @@ TornBody moving_body(const TetMesh& mesh, std::mt19937_64& random) {
     state.vertices.velocity[v] += 0.1 * random_vector(random);
   }
   for (const Component& c : state.components) reframe(state, c.id);
-  const Lame constants = lame(material);
-  for (std::size_t t = 0; t < state.elements.size(); ++t) {
-    const CornerVectors d = at_corners(state.vertices.displacement, map.corners(TetId{t}));
-    state.elements.stress[t] =
-        stress_of(displacement_gradient(state.elements.shape_gradient[t], d), constants);
-  }
+  set_stress(state, map, material);
   sunder::Cells cells = make_cells(std::move(map), state);
   return {std::move(cells), std::move(state)};
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What charts are made of: the front, finer meshes, the grid, the measures.
-#include "apps/sunder/chart/chart.hpp"
+#include "apps/bench/chart/chart.hpp"
 
 #include <unistd.h>
 #include <catch2/catch.hpp>
@@ -10,9 +10,9 @@
 #include <random>
 #include <set>
 
-#include "apps/sunder/chart/chart_mesh.hpp"
-#include "apps/sunder/chart/chart_pareto.hpp"
-#include "apps/sunder/chart/chart_report.hpp"
+#include "apps/bench/chart/chart_mesh.hpp"
+#include "apps/bench/chart/chart_pareto.hpp"
+#include "apps/bench/chart/chart_report.hpp"
 #include "topology/mesh/check.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Makes a chart: the grid from the scene, the reference, the runs, the front.
-#include "apps/sunder/chart/chart.hpp"
+#include "apps/bench/chart/chart.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "apps/sunder/chart/chart_mesh.hpp"
-#include "apps/sunder/chart/chart_pareto.hpp"
+#include "apps/bench/chart/chart_mesh.hpp"
+#include "apps/bench/chart/chart_pareto.hpp"
 #include "apps/scene/scene_text.hpp"
 #include "apps/scene/words.hpp"
 #include "mechanics/contact/impact.hpp"

@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <memory>
 
-#include "apps/sunder/chart/chart.hpp"
-#include "apps/sunder/chart/chart_mesh.hpp"
-#include "apps/sunder/chart/chart_report.hpp"
+#include "apps/bench/chart/chart.hpp"
+#include "apps/bench/chart/chart_mesh.hpp"
+#include "apps/bench/chart/chart_report.hpp"
 #include "apps/sunder/gnuplot.hpp"
 #include "apps/scene/scene_json.hpp"
 #include "apps/scene/words.hpp"

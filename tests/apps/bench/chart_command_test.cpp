@@ -4,8 +4,6 @@
 
 #include <catch2/catch.hpp>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include "tests/support/outside.hpp"
 #include "tests/support/program.hpp"
@@ -14,11 +12,6 @@ using namespace sunder::test;
 using nlohmann::json;
 
 namespace {
-
-std::string slurp(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 /// A cube that turns freely.
 std::string scene(const Workplace& here) {
@@ -44,7 +37,7 @@ TEST_CASE("a quick chart leaves a table of all runs and lines to paste",
   CHECK((told.exit_code == 0 || told.err.find("gnuplot_missing") != std::string::npos));
   CHECK(told.out.find("Cheapest inside an error of 0.5") != std::string::npos);
   CHECK(told.out.find("\"time_step\"") != std::string::npos);
-  const std::string csv = slurp(out + "/position.csv");
+  const std::string csv = bytes_of(out + "/position.csv");
   CHECK(csv.starts_with("# position of turning cube"));
   CHECK(csv.find("floating_frame") != std::string::npos);
 }
@@ -57,7 +50,7 @@ TEST_CASE("a chart is drawn", "[apps][chart]") {
                                  "--limit", "5", "--out", out});
   INFO(told.err);
   CHECK(told.exit_code == 0);
-  CHECK(slurp(out + "/position.png").starts_with("\x89PNG"));
+  CHECK(bytes_of(out + "/position.png").starts_with("\x89PNG"));
 }
 
 TEST_CASE("what a chart cannot do ends with its reason", "[apps][chart]") {

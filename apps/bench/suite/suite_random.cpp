@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `sunder suite --random`: its options, meshes, progress, and what is printed.
-#include "apps/sunder/suite/suite_random.hpp"
+#include "apps/bench/suite/suite_random.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>

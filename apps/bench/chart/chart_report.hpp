@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "apps/sunder/chart/chart.hpp"
+#include "apps/bench/chart/chart.hpp"
 
 namespace sunder {
 

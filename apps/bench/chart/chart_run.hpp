@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/sunder/chart/chart_measure.hpp"
+#include "apps/bench/chart/chart_measure.hpp"
 
 namespace sunder {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Pareto front in two dimensions: by cost, then a running least of error.
-#include "apps/sunder/chart/chart_pareto.hpp"
+#include "apps/bench/chart/chart_pareto.hpp"
 
 #include <algorithm>
 #include <limits>

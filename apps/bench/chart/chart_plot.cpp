@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include "apps/sunder/chart/chart_pareto.hpp"
-#include "apps/sunder/chart/chart_report.hpp"
+#include "apps/bench/chart/chart_pareto.hpp"
+#include "apps/bench/chart/chart_report.hpp"
 
 namespace sunder {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Measures a run: of the state's rows alone, but for what only a report tells.
-#include "apps/sunder/chart/chart_measure.hpp"
+#include "apps/bench/chart/chart_measure.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

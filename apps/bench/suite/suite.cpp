@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `sunder suite`: the command line, the kernels, the run over fixtures, and the export.
-#include "apps/sunder/suite/suite.hpp"
+#include "apps/bench/suite/suite.hpp"
 
 #include <fmt/format.h>
 #include <fnmatch.h>
@@ -11,8 +11,8 @@
 #include <functional>
 #include <memory>
 
-#include "apps/sunder/suite/suite_random.hpp"
-#include "apps/sunder/suite/suite_report.hpp"
+#include "apps/bench/suite/suite_random.hpp"
+#include "apps/bench/suite/suite_report.hpp"
 #include "apps/scene/words.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/io/output_file.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Runs a scene for a chart.
-#include "apps/sunder/chart/chart_run.hpp"
+#include "apps/bench/chart/chart_run.hpp"
 
 #include <fmt/format.h>
 #include <time.h>
@@ -9,8 +9,8 @@
 #include <array>
 #include <numeric>
 
-#include "apps/sunder/clock.hpp"
-#include "apps/sunder/chart/chart_mesh.hpp"
+#include "apps/bench/clock.hpp"
+#include "apps/bench/chart/chart_mesh.hpp"
 #include "apps/sunder/run/recorder.hpp"
 #include "apps/scene/scene_json.hpp"
 

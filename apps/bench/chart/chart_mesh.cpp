@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Uniform refinement of tetrahedra by the middles of their edges.
-#include "apps/sunder/chart/chart_mesh.hpp"
+#include "apps/bench/chart/chart_mesh.hpp"
 
 #include <algorithm>
 #include <utility>

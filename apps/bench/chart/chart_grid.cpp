@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The methods, and the product of everything.
-#include "apps/sunder/chart/chart_grid.hpp"
+#include "apps/bench/chart/chart_grid.hpp"
 
 #include <fmt/format.h>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // A chart as text.
-#include "apps/sunder/chart/chart_report.hpp"
+#include "apps/bench/chart/chart_report.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <iterator>
 
-#include "apps/sunder/chart/chart_mesh.hpp"
+#include "apps/bench/chart/chart_mesh.hpp"
 #include "apps/scene/scene_text.hpp"
 
 namespace sunder {

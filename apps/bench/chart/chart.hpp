@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "apps/sunder/chart/chart_grid.hpp"
-#include "apps/sunder/chart/chart_run.hpp"
+#include "apps/bench/chart/chart_grid.hpp"
+#include "apps/bench/chart/chart_run.hpp"
 #include "apps/sunder/exit_code.hpp"
 
 namespace sunder {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Tables and JSON of `sunder suite`.
-#include "apps/sunder/suite/suite_report.hpp"
+#include "apps/bench/suite/suite_report.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
