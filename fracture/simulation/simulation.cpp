@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fracture/simulation/energy_ledger.hpp"
+#include "fracture/simulation/fan_clock.hpp"
 #include "fracture/simulation/ladder.hpp"
 #include "fracture/simulation/step_work.hpp"
 #include "mechanics/element/energy.hpp"
@@ -107,17 +108,18 @@ void add_contact(ContactReport& sum, const ContactReport& part) {
 }
 
 /// The fans that the script has for the search at hand.
-FractureReport make_scripted_fans(StepWork& work) {
+FractureReport make_scripted_fans(StepWork& work, FanClock& clock) {
   Simulation& sim = work.sim;
+  const BreakableBody body{sim.state->cells, sim.state->mechanics};
   FractureReport made;
   if (!std::ranges::all_of(sim.state->mechanics.elements.stress,
                            [](const Mat3& stress) { return stress.allFinite(); })) {
     // The search fails on it and makes none; a script has nothing for it.
-    return find_fractures(sim.state->cells, sim.state->mechanics, sim.scene.fracture,
-                          sim.scratch->fracture, work.members());
+    return break_vertices(body, sim.scene.fracture, sim.scratch->fracture, work.members());
   }
-  made.fans = make_fans({sim.state->cells, sim.state->mechanics}, sim.scene.fracture, *sim.state->script,
-                        {sim.state->step + 1, work.report.parts}, sim.scratch->fracture.fan);
+  made.fans = make_fans(body, sim.scene.fracture, *sim.state->script,
+                        {sim.state->step + 1, work.report.parts}, sim.scratch->fracture.components,
+                        clock.watch());
   work.report.departed = sim.state->script->departure.has_value();
   return made;
 }
@@ -165,8 +167,8 @@ void note_new_components(StepWork& work, std::size_t before) {
 void update_display(Simulation& sim) {
   SimulationState& s = *sim.state;
   for (const Component& c : s.mechanics.components) {
-    const DisplayState target{c.centre, c.orientation};
-    DisplayState& shown = s.display[c.id.index()];
+    const Pose target{c.centre, c.orientation};
+    Pose& shown = s.display[c.id.index()];
     shown = approach(carry(shown, s.display_target[c.id.index()], target), target,
                      sim.scene.integrator.time_step, sim.scene.display_time_constant);
     s.display_target[c.id.index()] = target;
@@ -210,15 +212,18 @@ void break_members(StepWork& work) {
   if (work.failed()) return;
   Simulation& sim = work.sim;
   FractureReport found;
+  FanClock clock;
   {
     const StageTimer timer(work.report, Stage::fracture);
     FractureSettings settings = sim.scene.fracture;
     settings.max_fans -=
         std::min(settings.max_fans, static_cast<std::uint32_t>(work.report.fracture.fans.size()));
-    found = sim.state->script ? make_scripted_fans(work)
-                       : find_fractures(sim.state->cells, sim.state->mechanics, settings,
-                                        sim.scratch->fracture, work.members());
+    found = sim.state->script
+                ? make_scripted_fans(work, clock)
+                : break_vertices({sim.state->cells, sim.state->mechanics}, settings,
+                                 sim.scratch->fracture, work.members(), clock.watch());
   }
+  for (const FanEvent& fan : found.fans) work.report.fan_us.push_back(clock.us(fan.vertex));
   if (!found.not_a_number && !found.fans.empty()) {
     const StageTimer timer(work.report, Stage::rebuild);
     rebuild_components(work, found);

@@ -19,12 +19,6 @@ struct PartReport;
 struct SimulationScratch;
 struct SimulationState;
 
-/// Rows of one body of the scene: its tetrahedra and the points of its mesh are consecutive.
-struct BodyRows {
-  std::size_t first_tetrahedron = 0, end_tetrahedron = 0;
-  std::size_t first_point = 0, end_point = 0;
-};
-
 /// A scene with its state. The scene's settings do not change while it runs.
 struct Simulation {
   Simulation();

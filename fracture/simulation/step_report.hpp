@@ -77,6 +77,9 @@ struct StepReport {
   /// searches there were.
   std::vector<std::uint32_t> fan_part;
   std::uint32_t parts = 0;
+  /// Wall time of each fan, us: choosing its plane, splitting faces, rows, components, thresholds.
+  /// For reports only.
+  std::vector<double> fan_us;
   /// Whether the script has a fan that cannot be made (`FanScript::departure`).
   bool departed = false;
   ImpactReport impact;

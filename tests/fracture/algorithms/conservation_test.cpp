@@ -5,13 +5,14 @@
 #include <catch2/catch.hpp>
 #include <random>
 
+#include "fracture/algorithms/split_fan.hpp"
 #include "fracture/simulation/fan_script.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/element/energy.hpp"
 #include "tests/support/tension.hpp"
 #include "topology/mesh/check.hpp"
-#include "topology/suite/random/random_run_bodies.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
+#include "topology/suite/random/random_run_bodies.hpp"
 
 using namespace sunder;
 using namespace sunder::suite;
@@ -119,12 +120,12 @@ TornBody moving_body(const TetMesh& mesh, std::mt19937_64& random) {
 
 /// Splits up to `fans` fans at random and rebuilds every piece. Gives what that released.
 RebuildReport tear(TornBody& body, std::size_t fans, std::mt19937_64& random, std::size_t& made) {
-  FanScratch scratch;
+  ComponentScratch scratch;
   for (std::size_t k = 0; k < fans; ++k) {
     const VertexId v{below(random, body.cells.map.vertices())};
     const Vec3 normal = random_vector(random).normalized();
-    PlannedFan plan = plan_known_fan(body.cells, v, normal, 0);
-    made += !split_fan(body.cells, body.state, std::move(plan), {}, scratch).faces.empty();
+    const VertexStar star = vertex_star(body.cells.map, v);
+    made += !split_fan({body.cells, body.state}, star, normal, {}, scratch).faces.empty();
   }
   MechanicsScratch mechanics;
   body.state.elements.component = body.cells.labels.of_tetrahedron;
