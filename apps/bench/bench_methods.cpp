@@ -63,7 +63,7 @@ std::vector<Case> cases() {
 /// A body in flight that turns, deformed smoothly.
 Result<Simulation> flying_body(const Case& c) {
   Scene scene;
-  scene.time_step = c.time_step;
+  scene.integrator.time_step = c.time_step;
   scene.bodies.push_back({.mesh = c.mesh,
                           .material = {.young_modulus = c.young_modulus, .tensile_strength = 1e15},
                           .spin = {1, 2, 3}});

@@ -26,9 +26,8 @@ struct SceneFile {
 /// `{"axis": [x, y, z], "angle": degrees}`. What is not said is the C++ structs' default.
 /// Errors, all of them at once, with file, line, place, value, what is allowed and a remedy:
 /// cannot_open, syntax_error, repeated_key, nested_too_deeply, bad_setting, unknown_key (naming the
-/// nearest known one), missing_key, wrong_type, out_of_range, unknown_name, zero_direction,
-/// bad_box, empty_hold, empty_load, no_load, too_many_steps, the findings of `read_mesh` and
-/// `check_mesh`, and those of `check(Obstacle)`.
+/// nearest known one), missing_key, wrong_type, unknown_name, zero_direction, the findings of
+/// `read_mesh` and `check_mesh`, and those of `check_scene`.
 Result<SceneFile> read_scene(const std::filesystem::path& path,
                              std::span<const std::string> settings = {});
 

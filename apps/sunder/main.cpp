@@ -28,6 +28,11 @@ constexpr BenchCommand bench_commands[] = {
     {"bench", "Measure the program on this machine"},
     {"chart", "Set the error of a scene's runs against their time"}};
 
+/// Where sunder-bench stands when it was built: beside this program.
+std::filesystem::path bench_program() {
+  return std::filesystem::read_symlink("/proc/self/exe").parent_path() / "sunder-bench";
+}
+
 void add_commands(CLI::App& program, sunder::ExitCode& exit_code) {
   sunder::add_run_command(program, exit_code);
   sunder::add_static_command(program, exit_code);
@@ -36,15 +41,15 @@ void add_commands(CLI::App& program, sunder::ExitCode& exit_code) {
   sunder::add_check_command(program, exit_code);
   sunder::add_convert_command(program, exit_code);
   sunder::add_split_command(program, exit_code);
+  if (!std::filesystem::exists(bench_program())) return;
   for (const auto& [name, purpose] : bench_commands) {
     program.add_subcommand(std::string(name), std::string(purpose));
   }
 }
 
-/// Becomes sunder-bench, which stands beside this program; comes back only where it does not.
+/// Becomes sunder-bench; comes back only where it is not there.
 int become_bench(char** argv) {
-  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe");
-  const std::string bench = self.parent_path() / "sunder-bench";
+  const std::string bench = bench_program();
   execv(bench.c_str(), argv);
   fmt::print(stderr,
              "sunder: {} is a command of {}, which cannot be started.\n"

@@ -31,8 +31,9 @@ std::vector<ComponentId> open_windows(const ImpactWindow& window) {
 void open(StepWork& work, const Blows& blows) {
   ImpactWindow& window = work.sim.state->impact;
   if (open_windows(window).empty()) {
-    const double halvings = std::ceil(std::log2(work.sim.scene.time_step / blows.sub_step));
-    window.sub_step = work.sim.scene.time_step * std::exp2(-std::max(0.0, halvings));
+    const double halvings =
+        std::ceil(std::log2(work.sim.scene.integrator.time_step / blows.sub_step));
+    window.sub_step = work.sim.scene.integrator.time_step * std::exp2(-std::max(0.0, halvings));
   }
   for (ComponentId id : blows.struck) {
     work.report.impact.opened += !is_open(window, id.index());
@@ -59,7 +60,7 @@ double fastest_speed(const SimulationState& s) {
 /// bodies do at the present speeds, and an impact can double a speed.
 void gather_members(StepWork& work, std::span<const ComponentId> seeds) {
   const SimulationState& s = *work.sim.state;
-  const double h = work.sim.scene.time_step;
+  const double h = work.sim.scene.integrator.time_step;
   const double way = h * (fastest_speed(s) + h * work.loads.gravity.norm());
   work.components.assign(s.mechanics.components.size(), 0);
   work.balls.assign(s.obstacles.size(), 0);
@@ -147,8 +148,9 @@ std::uint64_t approach(StepWork& work, std::uint64_t left, double time) {
 std::uint64_t take_coarsely(StepWork& work, std::uint64_t left) {
   Simulation& sim = work.sim;
   const ImpactSettings* impact = work.report.impact.stopped ? nullptr : &sim.scene.impact;
-  const PartResult rest = take_part(work, {{Deformation::catch_up, sim.scene.time_step, impact},
-                                           static_cast<double>(left) * sim.state->impact.sub_step});
+  const PartResult rest =
+      take_part(work, {{Deformation::catch_up, sim.scene.integrator.time_step, impact},
+                       static_cast<double>(left) * sim.state->impact.sub_step});
   if (rest.adopted) {
     break_members(work);
     return left;
@@ -166,7 +168,7 @@ void advance_members(StepWork& work, double blow) {
   report.components = std::max(
       report.components,
       static_cast<std::uint32_t>(living_components(sim.state->mechanics, work.members()).size()));
-  const double count = std::round(sim.scene.time_step / sim.state->impact.sub_step);
+  const double count = std::round(sim.scene.integrator.time_step / sim.state->impact.sub_step);
   const bool throughout = count <= waves_stay / sim.scene.impact.fraction;
   auto left = static_cast<std::uint64_t>(count);
   if (!throughout) left -= approach(work, left, blow);
@@ -190,7 +192,7 @@ void advance_members(StepWork& work, double blow) {
 void advance_with_windows(StepWork& work) {
   Simulation& sim = work.sim;
   SimulationState& s = *sim.state;
-  const double h = sim.scene.time_step;
+  const double h = sim.scene.integrator.time_step;
   const double start = s.mechanics.time;
   const PartPlan whole{{Deformation::whole, 0, &sim.scene.impact}, h};
   double blow = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fracture/simulation/energy_ledger.hpp"
+#include "fracture/simulation/fan_clock.hpp"
 #include "fracture/simulation/ladder.hpp"
 #include "fracture/simulation/step_work.hpp"
 #include "mechanics/element/energy.hpp"
@@ -107,17 +108,18 @@ void add_contact(ContactReport& sum, const ContactReport& part) {
 }
 
 /// The fans that the script has for the search at hand.
-FractureReport make_scripted_fans(StepWork& work) {
+FractureReport make_scripted_fans(StepWork& work, FanClock& clock) {
   Simulation& sim = work.sim;
+  const BreakableBody body{sim.state->cells, sim.state->mechanics};
   FractureReport made;
   if (!std::ranges::all_of(sim.state->mechanics.elements.stress,
                            [](const Mat3& stress) { return stress.allFinite(); })) {
     // The search fails on it and makes none; a script has nothing for it.
-    return find_fractures(sim.state->cells, sim.state->mechanics, sim.scene.fracture,
-                          sim.scratch->fracture, work.members());
+    return break_vertices(body, sim.scene.fracture, sim.scratch->fracture, work.members());
   }
-  made.fans = make_fans({sim.state->cells, sim.state->mechanics}, sim.scene.fracture, *sim.state->script,
-                        {sim.state->step + 1, work.report.parts}, sim.scratch->fracture.fan);
+  made.fans = make_fans(body, sim.scene.fracture, *sim.state->script,
+                        {sim.state->step + 1, work.report.parts}, sim.scratch->fracture.components,
+                        clock.watch());
   work.report.departed = sim.state->script->departure.has_value();
   return made;
 }
@@ -165,10 +167,10 @@ void note_new_components(StepWork& work, std::size_t before) {
 void update_display(Simulation& sim) {
   SimulationState& s = *sim.state;
   for (const Component& c : s.mechanics.components) {
-    const DisplayState target{c.centre, c.orientation};
-    DisplayState& shown = s.display[c.id.index()];
+    const Pose target{c.centre, c.orientation};
+    Pose& shown = s.display[c.id.index()];
     shown = approach(carry(shown, s.display_target[c.id.index()], target), target,
-                     sim.scene.time_step, sim.scene.display_time_constant);
+                     sim.scene.integrator.time_step, sim.scene.display_time_constant);
     s.display_target[c.id.index()] = target;
   }
 }
@@ -210,15 +212,18 @@ void break_members(StepWork& work) {
   if (work.failed()) return;
   Simulation& sim = work.sim;
   FractureReport found;
+  FanClock clock;
   {
     const StageTimer timer(work.report, Stage::fracture);
     FractureSettings settings = sim.scene.fracture;
     settings.max_fans -=
         std::min(settings.max_fans, static_cast<std::uint32_t>(work.report.fracture.fans.size()));
-    found = sim.state->script ? make_scripted_fans(work)
-                       : find_fractures(sim.state->cells, sim.state->mechanics, settings,
-                                        sim.scratch->fracture, work.members());
+    found = sim.state->script
+                ? make_scripted_fans(work, clock)
+                : break_vertices({sim.state->cells, sim.state->mechanics}, settings,
+                                 sim.scratch->fracture, work.members(), clock.watch());
   }
+  for (const FanEvent& fan : found.fans) work.report.fan_us.push_back(clock.us(fan.vertex));
   if (!found.not_a_number && !found.fans.empty()) {
     const StageTimer timer(work.report, Stage::rebuild);
     rebuild_components(work, found);
@@ -234,14 +239,15 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
   const std::size_t components_before = s.cells.labels.size.size();
   const double kinetic = sim.scene.energy_ledger ? kinetic_energy(s.mechanics.vertices) : 0;
   sim.scratch->ladder.touched.assign(s.mechanics.components.size(), 0);
-  work.loads.gravity = gravity_at(sim.scene.gravity, s.mechanics.time + sim.scene.time_step);
+  work.loads.gravity =
+      gravity_at(sim.scene.gravity, s.mechanics.time + sim.scene.integrator.time_step);
   s.impact.quiet.resize(s.mechanics.components.size(), ImpactWindow::closed);
   if (sim.scene.impact.window && sim.scene.integrator.integrator == Integrator::floating_frame) {
     advance_with_windows(work);
   } else if (sim.scene.integrator.integrator == Integrator::sub_stepped) {
     advance_sub_stepped(work);
   } else {
-    take_part(work, {{}, sim.scene.time_step});
+    take_part(work, {{}, sim.scene.integrator.time_step});
     break_members(work);
   }
   StepReport& report = work.report;

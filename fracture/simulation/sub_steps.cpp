@@ -24,7 +24,7 @@ double least_bound(MechanicsScratch& scratch, const MechanicsState& state) {
 
 void check_explicit(std::vector<Finding>& findings, Simulation& sim) {
   const IntegratorSettings& settings = sim.scene.integrator;
-  const double h = sim.scene.time_step;
+  const double h = sim.scene.integrator.time_step;
   const double bound = least_bound(sim.scratch->mechanics, sim.state->mechanics);
   if (settings.integrator == Integrator::verlet && h > bound) {
     findings.push_back(
@@ -74,7 +74,7 @@ std::vector<Finding> check_integrator_bounds(Simulation& sim) {
 
 void advance_sub_stepped(StepWork& work) {
   Simulation& sim = work.sim;
-  const double h = sim.scene.time_step;
+  const double h = sim.scene.integrator.time_step;
   const double start = sim.state->mechanics.time;
   const double bound = least_bound(sim.scratch->mechanics, sim.state->mechanics);
   const std::uint32_t count = sub_step_count(h, bound);

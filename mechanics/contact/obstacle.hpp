@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What a body can run into that does not break: planes, spheres and boxes; no contact solved here.
+// Obstacles, which do not break: planes, spheres and boxes. No contact is solved here.
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <variant>
-#include <vector>
 
 #include "mechanics/state/vec3.hpp"
-#include "topology/kernel/finding.hpp"
 
 #include <Eigen/Geometry>
 
@@ -41,23 +38,18 @@ struct Box {
 using Shape = std::variant<Plane, Sphere, Box>;
 
 /// A shape with its motion. Without a mass it is driven: it keeps its velocity whatever it hits.
-/// With one it must be a sphere: a projectile that falls, is pushed back and hits other obstacles.
+/// With a mass it must be a sphere: a projectile that falls, is pushed back and hits other
+/// obstacles.
 struct Obstacle {
   Shape shape = Plane{};
   /// m/s; zero for a static obstacle.
   Vec3 velocity{0, 0, 0};
   /// Angular velocity, rad/s; used by free spheres only.
   Vec3 spin{0, 0, 0};
-  /// Coulomb's coefficient, >= 0. Two surfaces in contact rub with the mean of theirs.
+  /// Coulomb's coefficient, >= 0. Two surfaces in contact have the mean of theirs.
   double friction = 0.5;
   /// kg, > 0, of a free sphere; none for a driven obstacle.
   std::optional<double> mass = {};
 };
-
-/// What is wrong with an obstacle: a normal of length zero, a radius, extent or mass that is not
-/// positive, negative friction, a mass on anything but a sphere, a spin without mass, not a number.
-/// `row` names the obstacle. Normals and orientations of other lengths than 1 are errors too: scene
-/// readers normalise them.
-std::vector<Finding> check(const Obstacle& obstacle, std::size_t row);
 
 }  // namespace sunder

@@ -58,7 +58,7 @@ FirstTouch first_touch(const Shape& shape, const Path& path) {
   const double gap_start = here.gap;
   SurfaceDistance nearest = here;
   Vec3 nearest_point = path.start;
-  // A millionth of the path is far below what one step can mean for the answer.
+  // A millionth of the path is far below what one step can mean for the result.
   const double arrived = 1e-6 * length;
   constexpr int max_evaluations = 48;
   double travelled = 0;

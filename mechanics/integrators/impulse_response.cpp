@@ -134,8 +134,9 @@ FreeVertices free_vertices(const MechanicsScratch& scratch, const MechanicsState
 }
 
 /// Adds R (c1 A^-1 + c2 M^-1, freed of the rigid answer unless supported) R^T.
-void add_elastic_response(Eigen::MatrixXd& Y, ComponentSystem& system, const ImpulseAnswer& answer,
-                          const Component& component, const FreeVertices& free) {
+void add_elastic_response(Eigen::MatrixXd& Y, ComponentSystem& system,
+                          const ImpulseCoefficients& answer, const Component& component,
+                          const FreeVertices& free) {
   const std::vector<std::uint32_t> places = touch_compliance(system, free.local);
   // A r = mu M r for rigid fields r, so the rigid part of A^-1 is that of M^-1 over mu.
   const double rigid_part =
@@ -193,7 +194,7 @@ Eigen::MatrixXd end_of_step_response(MechanicsScratch& scratch, const MechanicsS
   }
   if (!component.supported) Y = rigid_response(state, component, struck.vertices, h);
   ComponentSystem& system = prepared_system(scratch, state, input, component);
-  const ImpulseAnswer answer = impulse_answer(settings_of(input, state, component));
+  const ImpulseCoefficients answer = impulse_coefficients(settings_of(input, state, component));
   add_elastic_response(Y, system, answer, component,
                        free_vertices(scratch, state, struck.vertices));
   return Y;

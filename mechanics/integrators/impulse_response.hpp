@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Impulses at vertices and how far the step answers them: the one way contact couples to mechanics.
+// Impulses at vertices and how the step responds to them: the one way contact couples to mechanics.
 #pragma once
 
 #include <span>

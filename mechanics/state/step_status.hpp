@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a step went: sound or not, and how its equations were solved.
+// The outcome of a step, and how its equations were solved.
 #pragma once
 
 #include <cstdint>
@@ -9,12 +9,12 @@
 
 namespace sunder {
 
-/// How the iterations of a step went; nothing of integrators that have none.
+/// The iterations of a step; all zero for integrators without iterations.
 struct SolveReport {
-  std::uint32_t sub_steps = 0;          ///< of sub_stepped, the most of any component
-  std::uint32_t iterations = 0;         ///< the most of any component
-  std::uint32_t force_evaluations = 0;  ///< of all components
-  std::uint32_t not_converged = 0;      ///< components whose step the factor took instead
+  std::uint32_t sub_steps = 0;          ///< of sub_stepped; maximum over components
+  std::uint32_t iterations = 0;         ///< maximum over components
+  std::uint32_t force_evaluations = 0;  ///< sum over components
+  std::uint32_t not_converged = 0;      ///< components that were solved with the factor instead
 };
 
 enum class StepOutcome {
@@ -22,10 +22,10 @@ enum class StepOutcome {
   not_a_number,        ///< a position or velocity is not finite
   diverged,            ///< a vertex is farther from its reference than ten radii of its component
   overturned,          ///< loads turn a component by more than half a turn within the step
-  too_many_sub_steps,  ///< sub_stepped would need more than allowed; nothing was stepped
+  too_many_sub_steps,  ///< sub_stepped would need more than allowed; no step was taken
 };
 
-/// How a step went; never silent.
+/// The outcome of a step; where it is not fine, what shows it.
 struct StepStatus {
   StepOutcome outcome = StepOutcome::fine;
   VertexId vertex;          ///< the first vertex that shows it

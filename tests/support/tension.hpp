@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "fracture/algorithms/cells.hpp"
-#include "fracture/algorithms/find_fractures.hpp"
 #include "fracture/algorithms/node_stress.hpp"
+#include "fracture/simulation/break_vertices.hpp"
 #include "mechanics/element/strain_displacement.hpp"
 #include "mechanics/rebuild.hpp"
 #include "topology/mesh/build_map.hpp"

@@ -32,7 +32,7 @@ struct MapRows {
   std::vector<TetId> reoriented;
 };
 
-/// What the parts of a map weigh, bytes, counted from their capacities: all that it holds.
+/// Memory of the parts of a map, bytes, counted from their capacities.
 struct MapBytes {
   /// CGAL's darts.
   std::size_t darts = 0;
@@ -50,7 +50,7 @@ constexpr std::size_t total(const MapBytes& b) {
   return b.darts + b.attributes + b.adjacency + b.handles + b.vertex_columns;
 }
 
-/// A 3-map of tetrahedra; a model of `Kernel` that answers queries from its dense side.
+/// A 3-map of tetrahedra; a model of `Kernel` that answers queries from its dense rows.
 ///
 /// Guarded: the dense rows equal the darts after every call; rows of vertices are exactly the
 /// vertex orbits between calls of split_face and glue_face (the primitives `unsew`, `sew`,

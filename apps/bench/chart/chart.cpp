@@ -114,13 +114,13 @@ void choose_meshes(ChartWork& work, std::size_t tetrahedra) {
 void choose_steps(ChartWork& work, const Scene& scene) {
   const ChartArguments& a = work.arguments;
   work.grid.duration = work.chart.duration = scene.duration;
-  work.scene_step = whole_step(scene.duration, scene.time_step);
+  work.scene_step = whole_step(scene.duration, scene.integrator.time_step);
   work.grid.steps = a.steps;
   const std::vector<double> factors =
       a.quick ? std::vector{4., 1., 1. / 4, 1. / 16}
               : std::vector{8., 4., 2., 1., 1. / 2, 1. / 4, 1. / 8, 1. / 16};
   for (const double f : factors) {
-    if (a.steps.empty()) work.grid.steps.push_back(f * scene.time_step);
+    if (a.steps.empty()) work.grid.steps.push_back(f * scene.integrator.time_step);
   }
   work.grid.wall_shares = a.quick ? std::vector{2., 0.9, 0.3} : std::vector{2., 0.9, 0.45, 0.2};
   if (scene.obstacles.empty() && scene.bodies.size() < 2) return;

@@ -19,11 +19,11 @@ namespace {
 
 std::string footer() {
   std::string text = R"(
-Runs SCENE with every method, step, impact window and mesh, and sets the error of one quantity
-against the time to compute it: DIR/QUANTITY.csv (every run; those that diverged, broke nothing or
+Runs SCENE with every method, step, impact window and mesh, and compares the error of one quantity
+with the time to compute it: DIR/QUANTITY.csv (every run; those that diverged, broke nothing or
 took too long with their reason) and DIR/QUANTITY.png (by gnuplot). Ends with the cheapest setting
-inside --within, as keys of a scene: one whose shorter steps are inside too, as an error that a
-shorter step would lose again is luck.
+inside --within, as keys of a scene: one whose shorter steps are inside too, since an error that
+grows again with a shorter step was small by chance.
 
 Quantities:
 )";
@@ -34,14 +34,14 @@ Quantities:
   text += "\nMethods:\n";
   for (const ChartMethod& m : chart_methods()) text += fmt::format("  {}\n", m.name);
   return text + R"(
-Errors are against --exact, or against the default method at half the shortest step (with impacts a
-quarter of a wave's way through a cell at most) on the finest mesh; what that run itself still
+Errors are against --exact, or against the default method at half the shortest step (with impacts at
+most a quarter of the time in which a wave crosses a cell) on the finest mesh; what that run still
 changes with step, window and mesh is its own error, and no point counts as better. Times are ms of
-mechanics, fracture and rebuilding (first factors too) over simulated ms, medians of up to a
-hundred runs, less what other programs took of the processor: ratios count, not the machine.
-given_up counts steps whose iterations did not converge and that the factor took.
-Steps are made whole parts of the duration. Those of methods that only hold below a step bound are
-shares of it on each mesh.
+mechanics, fracture and rebuilding (first factors too) per simulated ms, medians of up to a hundred
+runs, without the time that other programs took of the processor: compare ratios, not machines.
+given_up counts steps whose iterations did not converge and that were solved with the factor.
+Steps are whole fractions of the duration. Those of methods that are stable only below a bound are
+fractions of that bound on each mesh.
 
 Exit codes: 0 done, 1 no run is inside --within, 2 usage, 3 bad scene, mesh or reference,
 4 not written.
@@ -201,8 +201,8 @@ void add_options(CLI::App& command, ChartArguments& a) {
 }  // namespace
 
 void add_chart_command(CLI::App& program, ExitCode& exit_code) {
-  CLI::App* command =
-      program.add_subcommand("chart", "Set the error of a scene's runs against their time");
+  CLI::App* command = program.add_subcommand(
+      "chart", "Chart the error of a scene's runs over their computing time");
   const auto arguments = std::make_shared<ChartArguments>();
   add_options(*command, *arguments);
   command->footer(footer());

@@ -24,10 +24,10 @@ namespace {
 
 constexpr const char* footer = R"(
 Every fixture is a body, operations on it (face splits, glues, fans, planes, shatters) and what must
-come out. Each kernel runs it; each answer is held against union-find and against the fixture.
+come out. Each kernel runs it; each answer is compared with union-find and with the fixture.
 Kernels that come with Sunder: sunder (its own), cgal (CGAL's map with its managed unsew), twin
 (union-find). --kernel takes one of these names, or a shell command of a program that speaks the
-protocol of docs/suite.md on stdin and stdout; given once or more, only those are judged.
+protocol of docs/suite.md on stdin and stdout; where given, only those are judged.
 FILTER is a part of a fixture's name, or a pattern with * ? [ ] for the whole of it.
 Without --fixtures the folder is meshes/suite in the current directory, else that of the source tree
 the program was built from.
@@ -37,11 +37,11 @@ of single comparisons, and the time inside all kernels, microseconds. Of a misma
 number and the smallest sequence of steps found that shows one.
 
 With --random no fixture is run: bodies of a dozen families (and those of --mesh) are torn apart at
-random, fan by fan, with faces, planes and glues between, and every answer is held against
-union-find and the laws. The table tells, for each family, the fans with at least one face, the
-faces split, the vertices that came apart, the oracle's alarms, how many of them parted a component
-(true %), separations it missed, and mismatches. The run ends at its first mismatch; what is left of
-it after shrinking is printed as a fixture file.
+random, fan by fan, with faces, planes and glues in between, and every answer is compared with
+union-find and the laws. The table lists, for each family, the fans with at least one face, the
+faces split, the vertices that came apart, the oracle's alarms, how many of them separated a
+component (true %), separations it missed, and mismatches. The run ends at its first mismatch; what
+is left of it after shrinking is printed as a fixture file.
 
 Exit codes: 0 no mismatch, 1 mismatches, 2 usage (also a FILTER that no fixture has, or a command
 that is no kernel), 3 fixtures or meshes unreadable or invalid, 4 an exported file not written.

@@ -5,8 +5,8 @@
 #include <span>
 #include <variant>
 
-#include "apps/render/boundary_surface.hpp"
 #include "apps/render/camera.hpp"
+#include "apps/render/drawn_surface.hpp"
 #include "apps/render/renderer.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 
@@ -30,9 +30,9 @@ std::vector<Vec3> reference_positions(const SimulationState& state) {
   std::vector<Vec3> positions(v.size());
   for (std::size_t i = 0; i < v.size(); ++i) {
     const std::size_t piece = v.component[i].index();
-    const DisplayState& drawn = state.display[piece];
-    positions[i] = drawn.rotation * (v.rest_position[i] - mechanics.components[piece].rest_centre) +
-                   drawn.translation;
+    const Pose& drawn = state.display[piece];
+    const Vec3& rest_centre = mechanics.components[piece].rest_centre;
+    positions[i] = drawn.orientation * (v.rest_position[i] - rest_centre) + drawn.centre;
   }
   return positions;
 }
@@ -57,11 +57,11 @@ BoundaryColumns boundary_columns(const Cells& cells) {
 render::Surface surface(const SimulationState& state, const BoundaryColumns& boundary,
                         std::span<const Vec3> positions) {
   render::Surface surface =
-      render::boundary_surface({.positions = positions,
-                                .corners = state.cells.map.corners(),
-                                .half_faces = boundary.half_faces,
-                                .face_class = boundary.face_class,
-                                .component = state.cells.labels.of_tetrahedron});
+      render::drawn_surface({.positions = positions,
+                             .corners = state.cells.map.corners(),
+                             .half_faces = boundary.half_faces,
+                             .face_class = boundary.face_class,
+                             .component = state.cells.labels.of_tetrahedron});
   surface.colors.piece_tint = piece_tint;
   return surface;
 }

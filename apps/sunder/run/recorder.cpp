@@ -92,7 +92,7 @@ std::vector<std::uint64_t> due_pictures(const SceneFile& file) {
   const std::uint64_t steps = step_count(file.scene);
   std::vector<std::uint64_t> due = even_steps(steps, file.output.pictures.count);
   for (const double time : file.output.pictures.times) {
-    const double step = std::round(time / file.scene.time_step);
+    const double step = std::round(time / file.scene.integrator.time_step);
     if (step <= static_cast<double>(steps)) due.push_back(static_cast<std::uint64_t>(step));
   }
   std::ranges::sort(due);
@@ -115,7 +115,7 @@ std::vector<std::uint64_t> even_steps(std::uint64_t steps, std::uint64_t count) 
 
 std::vector<std::uint64_t> interval_steps(const Scene& scene, double interval) {
   const std::uint64_t steps = step_count(scene);
-  const double stride = std::max(interval / scene.time_step, 1.0);
+  const double stride = std::max(interval / scene.integrator.time_step, 1.0);
   std::vector<std::uint64_t> due;
   for (std::uint64_t k = 0;; ++k) {
     const double step = std::round(static_cast<double>(k) * stride);

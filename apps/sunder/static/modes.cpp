@@ -24,11 +24,11 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr const char* footer = R"(
-SCENE is a scene file as `sunder run` takes it, SI units: docs/static.md. Of every piece of every
-body the N lowest natural frequencies (Hz) are found, its held vertices at rest, without gravity,
-loads and obstacles. A free piece has six rigid motions more, listed first with frequency 0.
-FILE.vtu holds the undeformed bodies with a displacement column mode_1, mode_2, ... each, rigid
-motions among them; the largest displacement of a piece in a mode is 1 m.
+SCENE is a scene file as `sunder run` takes it, SI units: docs/static.md. For every piece of every
+body: the N lowest natural frequencies (Hz), with held vertices at rest, without gravity, loads and
+obstacles. A free piece has six rigid motions besides, listed first with frequency 0.
+FILE.vtu holds the undeformed bodies with displacement columns mode_1, mode_2, ..., the rigid
+motions included; the largest displacement of a piece in a mode is 1 m.
 
 Exit codes: 0 done, 2 usage, 3 bad scene or mesh, 4 not written, 5 the modes were not found.
 

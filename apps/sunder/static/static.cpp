@@ -26,23 +26,23 @@ using nlohmann::ordered_json;
 
 constexpr const char* footer = R"(
 SCENE is a scene file as `sunder run` takes it, SI units: docs/static.md. Gravity and the bodies'
-"loads" (Pa, N) act fully; "held" vertices stay, or stand where their velocity (m/s) takes them by
-the scene's "duration" (s). Every body needs three held vertices off one line. Obstacles have no
-part in it: what lies on one is not supported by it here.
+"loads" (Pa, N) act fully; "held" vertices stay, or are where their velocity (m/s) takes them by the
+scene's "duration" (s). Every body needs three held vertices that are not on one line. Obstacles are
+ignored: a body that rests on one is not supported by it here.
 
-Answers, per body and over all: largest displacement (m), strain energy (J), largest principal
+Results, per body and over all: largest displacement (m), strain energy (J), largest principal
 stress of a vertex (Pa) and its share of the tensile strength, each with the point of the mesh
 (counted from 0) and its place (m); force (N) and moment about the mass centre (N m) of each support.
 --fan V,NX,NY,NZ adds what the fan at point V (of all bodies' meshes, one after the other) with this
 normal in the mesh's axes would release: faces, area (m^2), energy (J) and energy per area (J/m^2),
-beside the material's where it has a toughness (docs/energy.md). Nothing is split.
+with the material's where it has a toughness (docs/energy.md). Nothing is split.
 --fans SHARE lists that for the fan of every vertex with at least this share of its strength (1: what
-would break now), most energy per area first, and beside it what the crack's front would release at
-vertices that are on one.
+would break now), most energy per area first, with what the crack's front would release at vertices
+that are on one.
 FILE.vtu holds the deformed bodies with displacement, node stress and largest principal stress.
 
-Exit codes: 0 done, 2 usage, 3 bad scene or mesh or no equilibrium, 4 not written, 5 the answer is
-no finite number.
+Exit codes: 0 done, 2 usage, 3 bad scene or mesh or no equilibrium, 4 not written, 5 the result is
+not finite.
 
 Examples:
   sunder static beam.json

@@ -37,7 +37,7 @@ TEST_CASE("frames are spread evenly with both ends, or by their interval", "[run
   CHECK(even_steps(100, 3) == Steps{0, 50, 100});
   CHECK(even_steps(2, 10) == Steps{0, 1, 2});
   Scene scene;
-  scene.time_step = 1e-3;
+  scene.integrator.time_step = 1e-3;
   scene.duration = 0.01;
   CHECK(step_count(scene) == 10);
   CHECK(interval_steps(scene, 4e-3) == Steps{0, 4, 8});

@@ -154,7 +154,7 @@ TEST_CASE("a run under slowly raised loads settles at the static answer, its mom
   pull.force = {1000, 0, 0};
   pull.ramp_time = 0.05;
   scene.bodies[0].loads = {pull};
-  scene.time_step = 1e-3;
+  scene.integrator.time_step = 1e-3;
   scene.integrator.damping.stiffness_factor = 1e-3;
   Result<Simulation> sim = build_simulation(scene);
   REQUIRE(sim);
@@ -267,5 +267,5 @@ TEST_CASE("sunder static answers in JSON, writes VTU and ends as it says", "[run
       {{"minimum", {8, 8, 8}}, {"maximum", {9, 9, 9}}, {"pressure", 1}}};
   const test::Outcome outside = here.run(empty_box, "");
   CHECK(outside.exit_code == 3);
-  CHECK(outside.err.find("empty_load") != std::string::npos);
+  CHECK(outside.err.find("nothing_loaded") != std::string::npos);
 }

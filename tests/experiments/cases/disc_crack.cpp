@@ -53,7 +53,7 @@ Scene scene_of(int cells) {
   Scene scene;
   scene.bodies = {disc};
   scene.gravity.acceleration.setZero();
-  scene.time_step = 1e-3;
+  scene.integrator.time_step = 1e-3;
   scene.fracture.relax = 2;
   return scene;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Boundary faces face outwards; skin is smooth within its crease angle and piece, cracks are sharp.
-#include "apps/render/boundary_surface.hpp"
+#include "apps/render/drawn_surface.hpp"
 
 #include <catch2/catch.hpp>
 #include <vector>
@@ -40,10 +40,10 @@ Body octahedron() {
 }
 
 Surface surface_of(const Body& body, double crease_angle) {
-  return boundary_surface({.positions = body.positions,
-                           .corners = body.corners,
-                           .half_faces = body.half_faces,
-                           .crease_angle = crease_angle});
+  return drawn_surface({.positions = body.positions,
+                        .corners = body.corners,
+                        .half_faces = body.half_faces,
+                        .crease_angle = crease_angle});
 }
 
 Eigen::Vector3f face_normal(const Surface& s, std::size_t t) {
@@ -56,7 +56,7 @@ constexpr float rounding = 1e-6f;  // a few units in the last place of a unit ve
 }  // namespace
 
 TEST_CASE("every face of a tetrahedron is seen counterclockwise from outside",
-          "[render][boundary_surface]") {
+          "[render][drawn_surface]") {
   const std::vector<Eigen::Vector3d> positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   const auto corners = rows(0, 1, 2, 3);
   for (int place = 0; place < 4; ++place) {
@@ -70,7 +70,7 @@ TEST_CASE("every face of a tetrahedron is seen counterclockwise from outside",
 }
 
 TEST_CASE("the surface of a body encloses its volume and holds only the points it uses",
-          "[render][boundary_surface]") {
+          "[render][drawn_surface]") {
   const Surface s = surface_of(octahedron(), 0);
   REQUIRE(s.triangles.size() == 8);
   CHECK(s.positions.size() == 6);  // neither the center nor the unused row
@@ -81,8 +81,7 @@ TEST_CASE("the surface of a body encloses its volume and holds only the points i
   CHECK(volume == Approx(4.0 / 3));
 }
 
-TEST_CASE("below the crease angle the skin is smooth, above it sharp",
-          "[render][boundary_surface]") {
+TEST_CASE("below the crease angle the skin is smooth, above it sharp", "[render][drawn_surface]") {
   const Body body = octahedron();  // neighbouring faces turn by 1.23 rad, opposite ones by 1.91
   const Surface sharp = surface_of(body, 1.2), smooth = surface_of(body, 2.0);
   for (std::size_t t = 0; t < 8; ++t) {
@@ -96,15 +95,15 @@ TEST_CASE("below the crease angle the skin is smooth, above it sharp",
 }
 
 TEST_CASE("crack faces keep their own normal and do not bend the skin's",
-          "[render][boundary_surface]") {
+          "[render][drawn_surface]") {
   const Body body = octahedron();
   std::vector<FaceClass> face_class(8, FaceClass::skin);
   face_class[0] = FaceClass::crack;
-  const Surface s = boundary_surface({.positions = body.positions,
-                                      .corners = body.corners,
-                                      .half_faces = body.half_faces,
-                                      .face_class = face_class,
-                                      .crease_angle = 2.0});
+  const Surface s = drawn_surface({.positions = body.positions,
+                                   .corners = body.corners,
+                                   .half_faces = body.half_faces,
+                                   .face_class = face_class,
+                                   .crease_angle = 2.0});
   CHECK(s.face_class == face_class);
   for (std::size_t i = 0; i < 3; ++i) {
     CHECK(s.corner_normals[0][i].isApprox(face_normal(s, 0), rounding));
@@ -114,27 +113,27 @@ TEST_CASE("crack faces keep their own normal and do not bend the skin's",
   CHECK(s.corner_normals[1][0].cwiseAbs().maxCoeff() < 0.99f);
 }
 
-TEST_CASE("the skin is not smoothed across pieces", "[render][boundary_surface]") {
+TEST_CASE("the skin is not smoothed across pieces", "[render][drawn_surface]") {
   const Body body = octahedron();
   std::vector<ComponentId> component;
   for (std::size_t t = 0; t < 8; ++t) component.push_back(ComponentId{t});
-  const Surface s = boundary_surface({.positions = body.positions,
-                                      .corners = body.corners,
-                                      .half_faces = body.half_faces,
-                                      .component = component,
-                                      .crease_angle = 2.0});
+  const Surface s = drawn_surface({.positions = body.positions,
+                                   .corners = body.corners,
+                                   .half_faces = body.half_faces,
+                                   .component = component,
+                                   .crease_angle = 2.0});
   for (std::size_t t = 0; t < 8; ++t) {
     CHECK(s.piece[t] == t);
     CHECK(s.corner_normals[t][0].isApprox(face_normal(s, t), rounding));
   }
 }
 
-TEST_CASE("a face without area and an empty body are no trouble", "[render][boundary_surface]") {
+TEST_CASE("a face without area and an empty body are no trouble", "[render][drawn_surface]") {
   const std::vector<Eigen::Vector3d> positions(4, Eigen::Vector3d::Zero());
   const std::vector<std::array<VertexId, 4>> corners = {rows(0, 1, 2, 3)};
   const std::vector<HalfFaceId> faces = {half_face(TetId{0}, 0)};
   const Surface s =
-      boundary_surface({.positions = positions, .corners = corners, .half_faces = faces});
+      drawn_surface({.positions = positions, .corners = corners, .half_faces = faces});
   CHECK(s.corner_normals[0][0] == Eigen::Vector3f::Zero());
-  CHECK(boundary_surface({}).triangles.empty());
+  CHECK(drawn_surface({}).triangles.empty());
 }

@@ -34,7 +34,7 @@ struct BoundaryFaces {
 /// `Surface::positions` are the rows in use, in ascending order, no others.
 /// Needs: ids in range (asserted), lengths as said. Faces without area get the zero normal.
 /// O(|half_faces| + |V|), and the square of the faces around one vertex.
-Surface boundary_surface(const BoundaryFaces& faces);
+Surface drawn_surface(const BoundaryFaces& faces);
 
 /// The rows of a half-face's three corners, counterclockwise from outside its tetrahedron.
 std::array<VertexId, 3> outward_corners(const std::array<VertexId, 4>& corners, HalfFaceId face);

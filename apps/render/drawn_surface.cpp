@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Boundary half-faces to triangles with corner normals.
-#include "apps/render/boundary_surface.hpp"
+#include "apps/render/drawn_surface.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -125,7 +125,7 @@ std::array<VertexId, 3> outward_corners(const std::array<VertexId, 4>& corners, 
   return {corners[p[0]], corners[p[1]], corners[p[2]]};
 }
 
-Surface boundary_surface(const BoundaryFaces& faces) {
+Surface drawn_surface(const BoundaryFaces& faces) {
   SUNDER_ASSERT(faces.face_class.empty() || faces.face_class.size() == faces.half_faces.size(),
                 "one class for each half-face, or none");
   SUNDER_ASSERT(faces.component.empty() || faces.component.size() == faces.corners.size(),
