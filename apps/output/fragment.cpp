@@ -126,13 +126,13 @@ FragmentSurface fragment_surface(const Simulation& simulation, ComponentId id) {
                                                surface.vertex.begin());
     }
   }
-  const DisplayState& drawn = s.display[id.index()];
+  const Pose& drawn = s.display[id.index()];
   for (const VertexId v : surface.vertex) {
     const Vec3& rest = s.mechanics.vertices.rest_position[v.index()];
     surface.rest_position.push_back(rest);
     surface.position.push_back(s.mechanics.vertices.position[v.index()]);
-    surface.drawn_position.push_back(drawn.rotation * (rest - component.rest_centre) +
-                                     drawn.translation);
+    surface.drawn_position.push_back(drawn.orientation * (rest - component.rest_centre) +
+                                     drawn.centre);
   }
   return surface;
 }
