@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
-#include "mechanics/solver/component_system.hpp"
 #include "mechanics/element/elastic_force.hpp"
 #include "mechanics/frame/fit_motion.hpp"
 #include "mechanics/integrators/baseline_system.hpp"
 #include "mechanics/integrators/scratch.hpp"
+#include "mechanics/solver/component_system.hpp"
 #include "topology/kernel/assert.hpp"
 
 namespace sunder {
@@ -18,7 +18,7 @@ namespace {
 struct Parent {
   bool supported = false;
   Vec3 rest_centre = Vec3::Zero();
-  RigidFrame frame;
+  Pose frame;
 };
 
 /// The parents of `touched`, before anything is overwritten. `rows` of `vertices.component` are
@@ -175,7 +175,7 @@ void fit_component(MechanicsState& state, Component& component) {
   VertexColumns& vertices = state.vertices;
   const MotionInput motion{vertices, vertices.position, vertices.velocity};
   const DeformationOutput out{vertices.displacement, vertices.displacement_rate};
-  const RigidFrame present{component.centre, component.orientation};
+  const Pose present{component.centre, component.orientation};
   adopt_motion(component, component.supported ? express_motion(out, motion, component, present)
                                               : fit_motion(out, motion, component));
 }
@@ -185,7 +185,7 @@ void fit_component(MechanicsState& state, Component& component) {
 /// shape matching.
 void seat_frame(const MechanicsState& state, Component& component, const Parent& parent) {
   if (!parent.supported) {
-    const RigidFrame frame = rigid_reference(component, state.vertices, state.vertices.position);
+    const Pose frame = rigid_reference(component, state.vertices, state.vertices.position);
     component.centre = frame.centre;
     component.orientation = frame.orientation;
     return;

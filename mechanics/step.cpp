@@ -192,7 +192,7 @@ void prepare(MechanicsScratch& scratch, const MechanicsState& state, const StepI
                            [](const Component* c) { return c->vertices.size(); });
   // What one thread could take from the other must be worth starting it.
   constexpr std::size_t least_vertices = 100;
-  const unsigned threads = vertices - most >= least_vertices ? scratch.threads : 1;
+  const unsigned threads = vertices - most >= least_vertices ? input.threads : 1;
   parallel_for(threads, missing.size(), [&](std::size_t k, unsigned) {
     prepared_system(scratch, state, input, *missing[k]);
   });

@@ -17,7 +17,7 @@ void predict(MechanicsScratch& scratch, const MechanicsState& state, const StepI
              std::span<const ComponentId> components);
 
 /// Builds and factors what the components will need in this part of a step, on
-/// `scratch.threads` threads: `predict` would do it one by one.
+/// `input.threads` threads: `predict` would do it one by one.
 void prepare(MechanicsScratch& scratch, const MechanicsState& state, const StepInput& input);
 
 /// Makes the predicted state of every member the present one, advances the time, and computes

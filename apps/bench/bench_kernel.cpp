@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "apps/sunder/clock.hpp"
+#include "apps/bench/clock.hpp"
 #include "apps/bench/bench_fans.hpp"
 #include "topology/mesh/build_map.hpp"
 #include "topology/kernel/components.hpp"

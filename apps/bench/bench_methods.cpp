@@ -9,7 +9,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "apps/sunder/clock.hpp"
+#include "apps/bench/clock.hpp"
 #include "apps/bench/bench_figures.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/integrators/modal.hpp"

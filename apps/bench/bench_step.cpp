@@ -10,7 +10,7 @@
 #include <cmath>
 
 #include "apps/bench/bench_cholmod.hpp"
-#include "apps/sunder/clock.hpp"
+#include "apps/bench/clock.hpp"
 #include "apps/bench/bench_figures.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/rebuild.hpp"
@@ -142,7 +142,7 @@ void measure_step(Simulation& sim, const Sink& sink) {
   const double stress =
       sink.measure("element_stress", sink.runs, [&] { measure_elements(m, scratch, corners); });
   const double criterion = sink.measure("node_stress", sink.runs, [&] {
-    find_fractures(sim.state->cells, m, sim.scene.fracture, sim.scratch->fracture);
+    break_vertices({sim.state->cells, m}, sim.scene.fracture, sim.scratch->fracture);
   });
   const double whole = sink.measure("step", sink.runs, [&] { advance(sim); });
   sink.add("rest", whole - predicted - stress - criterion);

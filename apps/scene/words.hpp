@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "topology/kernel/finding.hpp"
-#include "topology/kernel/invariants.hpp"
+#include "topology/kernel/counts.hpp"
 
 namespace sunder {
 

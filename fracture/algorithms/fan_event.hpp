@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "mechanics/state/vec3.hpp"
@@ -25,18 +26,17 @@ struct FanEvent {
   double strength = 0;
   /// Round of its search, counted from 0: fans of one round were decided on the same state.
   std::uint32_t round = 0;
-  /// One entry a face, in the order of splitting; empty when every tetrahedron lay on one side of
-  /// the plane, and nothing changed.
+  /// One entry a face, in the order in which they were split; empty when every tetrahedron lay on
+  /// one side of the plane, or other fans have split them all: then nothing changed.
   std::vector<FaceSplit> faces;
-  /// Whether the limits on pieces prevented the split; it has no faces then.
-  bool refused = false;
-  /// What the oracle predicted, and the components that came off.
+  /// What the oracle predicted and what there was to find.
   ComponentUpdate components;
   /// Tetrahedra visited by splits, search and strengths: a measure of the cost without a clock.
   std::size_t visited = 0;
-  /// us, wall time of choosing the plane, and of the rest: faces, rows, components, strengths.
-  /// For reports only.
-  double choose_us = 0, split_us = 0;
 };
+
+/// Told on which vertex's fan work goes on from now (choosing it, later splitting it), `none()`
+/// when on no fan. For whoever measures time: no algorithm here reads a clock.
+using FanWatch = std::function<void(VertexId)>;
 
 }  // namespace sunder

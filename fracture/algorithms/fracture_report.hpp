@@ -10,7 +10,7 @@
 
 namespace sunder {
 
-/// What one `find_fractures` found and did.
+/// What one search for fractures found and did.
 struct FractureReport {
   /// Fans that split at least one face, in the order in which they were split.
   std::vector<FanEvent> fans;

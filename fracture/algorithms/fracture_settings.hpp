@@ -26,7 +26,7 @@ enum class NodeStress {
   /// The same by mass (eq. 6 as printed).
   mass,
   /// Linear least-squares fit over two rings of tetrahedra, evaluated at the vertex
-  /// (fracture/algorithms/stress_fit.hpp); `volume` where there is too little to fit.
+  /// (docs/bending.md); `volume` where that is not to be trusted.
   fit,
 };
 
@@ -35,7 +35,7 @@ enum class FractureCriterion {
   /// Its largest principal stress: 0.54 K_Ic / sqrt(h) (`vertex_strength`).
   stress,
   /// The energy that the crack's front would release there per area: K_Ic^2 (1 - nu^2) / E
-  /// (fracture/energy/tip_energy.hpp).
+  /// (docs/energy.md).
   energy,
 };
 

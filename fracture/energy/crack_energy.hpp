@@ -9,7 +9,7 @@
 #include "fracture/algorithms/fan_event.hpp"
 #include "fracture/algorithms/cells.hpp"
 #include "fracture/energy/settled_crack.hpp"
-#include "mechanics/step.hpp"
+#include "mechanics/state/step_input.hpp"
 
 namespace sunder {
 

@@ -9,10 +9,11 @@
 #include "fracture/algorithms/cells.hpp"
 #include "fracture/algorithms/parted_vertices.hpp"
 #include "mechanics/state/loads.hpp"
-#include "mechanics/step.hpp"
 #include "topology/kernel/finding.hpp"
 
 namespace sunder {
+
+struct MechanicsScratch;
 
 /// A supported body in equilibrium, with what pulls at it.
 struct ReleaseInput {

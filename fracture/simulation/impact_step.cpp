@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fracture/simulation/step_work.hpp"
+#include "mechanics/contact/obstacle_geometry.hpp"
 #include "mechanics/state/living.hpp"
 
 namespace sunder {

@@ -12,54 +12,10 @@
 #include "fracture/simulation/ladder_settings.hpp"
 #include "mechanics/contact/contact_settings.hpp"
 #include "mechanics/contact/impact_settings.hpp"
-#include "mechanics/state/settings.hpp"
-#include "mechanics/state/material.hpp"
 #include "mechanics/contact/obstacle.hpp"
-#include "topology/kernel/tet_mesh.hpp"
+#include "mechanics/state/settings.hpp"
 
 namespace sunder {
-
-/// Vertices held by the outside world: those whose rest position lies in a box of the body.
-struct HeldBox {
-  /// Corners of the box in the mesh's own coordinates, m; its surface belongs to it.
-  Eigen::Vector3d minimum = Eigen::Vector3d::Zero();
-  Eigen::Vector3d maximum = Eigen::Vector3d::Zero();
-  /// Velocity the vertices are moved with, m/s; zero holds them fixed.
-  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
-};
-
-/// A load on a body: a pressure on its surface inside a box, a force on the vertices there, or
-/// both.
-struct LoadBox {
-  /// Corners of the box in the mesh's own coordinates, m; its surface belongs to it.
-  Eigen::Vector3d minimum = Eigen::Vector3d::Zero();
-  Eigen::Vector3d maximum = Eigen::Vector3d::Zero();
-  /// Pa, on every boundary face whose three vertices lie in the box; positive pushes into the body.
-  /// Follows the body's rigid motion.
-  double pressure = 0;
-  /// N, world, the total, in equal parts on every vertex in the box; keeps its direction.
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();
-  /// Time over which both are raised linearly, s; 0 applies them at once.
-  double ramp_time = 0;
-};
-
-/// One breakable body.
-struct BodySettings {
-  std::string name;
-  TetMesh mesh;
-  Material material;
-  /// Where the mesh's coordinates are placed: x = rotation * X + translation (m).
-  Eigen::Vector3d translation = Eigen::Vector3d::Zero();
-  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
-  /// Velocity of the mass centre, m/s, and spin about it, rad/s, both in the world.
-  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
-  Eigen::Vector3d spin = Eigen::Vector3d::Zero();
-  std::vector<HeldBox> held;
-  std::vector<LoadBox> loads;
-  std::vector<CutSettings> cuts;
-  StrengthSettings strength;
-  std::vector<UnbreakablePart> unbreakable;
-};
 
 /// Gravity, raised linearly from zero over `ramp_time`.
 struct GravitySettings {
@@ -87,5 +43,8 @@ struct Scene {
   /// How fast what is drawn follows the simulation after a split, s (section 3.3); 0: at once.
   double display_time_constant = 0.1;
 };
+
+/// Number of steps of a scene: its duration over its time step, rounded up (to rounding errors).
+std::uint64_t step_count(const Scene& scene);
 
 }  // namespace sunder

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "fracture/simulation/energy_ledger.hpp"
+#include "fracture/simulation/fan_clock.hpp"
 #include "fracture/simulation/ladder.hpp"
 #include "fracture/simulation/step_work.hpp"
 #include "mechanics/element/energy.hpp"
@@ -107,17 +108,18 @@ void add_contact(ContactReport& sum, const ContactReport& part) {
 }
 
 /// The fans that the script has for the search at hand.
-FractureReport make_scripted_fans(StepWork& work) {
+FractureReport make_scripted_fans(StepWork& work, FanClock& clock) {
   Simulation& sim = work.sim;
+  const BreakableBody body{sim.state->cells, sim.state->mechanics};
   FractureReport made;
   if (!std::ranges::all_of(sim.state->mechanics.elements.stress,
                            [](const Mat3& stress) { return stress.allFinite(); })) {
     // The search fails on it and makes none; a script has nothing for it.
-    return find_fractures(sim.state->cells, sim.state->mechanics, sim.scene.fracture,
-                          sim.scratch->fracture, work.members());
+    return break_vertices(body, sim.scene.fracture, sim.scratch->fracture, work.members());
   }
-  made.fans = make_fans({sim.state->cells, sim.state->mechanics}, sim.scene.fracture, *sim.state->script,
-                        {sim.state->step + 1, work.report.parts}, sim.scratch->fracture.fan);
+  made.fans = make_fans(body, sim.scene.fracture, *sim.state->script,
+                        {sim.state->step + 1, work.report.parts}, sim.scratch->fracture.components,
+                        clock.watch());
   work.report.departed = sim.state->script->departure.has_value();
   return made;
 }
@@ -152,12 +154,21 @@ void update_forces(StepWork& work, double time) {
                    work.sim.state->cells.map.corners(), time);
 }
 
+/// Notes which components came off in the step that ends, and when.
+void note_new_components(StepWork& work, std::size_t before) {
+  SimulationState& s = *work.sim.state;
+  const std::size_t count = s.cells.labels.size.size();
+  s.birth_step.resize(before, 0);
+  s.birth_step.resize(count, s.step);
+  for (std::size_t id = before; id < count; ++id) work.report.new_components.emplace_back(id);
+}
+
 /// Section 3.3: what is drawn follows the frames smoothly.
 void update_display(Simulation& sim) {
   SimulationState& s = *sim.state;
   for (const Component& c : s.mechanics.components) {
-    const DisplayState target{c.centre, c.orientation};
-    DisplayState& shown = s.display[c.id.index()];
+    const Pose target{c.centre, c.orientation};
+    Pose& shown = s.display[c.id.index()];
     shown = approach(carry(shown, s.display_target[c.id.index()], target), target,
                      sim.scene.integrator.time_step, sim.scene.display_time_constant);
     s.display_target[c.id.index()] = target;
@@ -179,7 +190,8 @@ PartResult take_part(StepWork& work, const PartPlan& plan) {
   settings.time_step = plan.length;
   update_forces(work, s.mechanics.time + plan.length);
   begin_part(work);
-  const StepInput input{s.cells.map.corners(), work.loads, settings, plan.part, work.members()};
+  const StepInput input{s.cells.map.corners(), work.loads,     settings,
+                        plan.part,             work.members(), sim.threads};
   ContactStepResult result =
       advance_with_contact({s.mechanics, s.obstacles, s.contact}, input, sim.scene.contact,
                            {sim.scratch->mechanics, sim.scratch->contact});
@@ -200,15 +212,18 @@ void break_members(StepWork& work) {
   if (work.failed()) return;
   Simulation& sim = work.sim;
   FractureReport found;
+  FanClock clock;
   {
     const StageTimer timer(work.report, Stage::fracture);
     FractureSettings settings = sim.scene.fracture;
     settings.max_fans -=
         std::min(settings.max_fans, static_cast<std::uint32_t>(work.report.fracture.fans.size()));
-    found = sim.state->script ? make_scripted_fans(work)
-                       : find_fractures(sim.state->cells, sim.state->mechanics, settings,
-                                        sim.scratch->fracture, work.members());
+    found = sim.state->script
+                ? make_scripted_fans(work, clock)
+                : break_vertices({sim.state->cells, sim.state->mechanics}, settings,
+                                 sim.scratch->fracture, work.members(), clock.watch());
   }
+  for (const FanEvent& fan : found.fans) work.report.fan_us.push_back(clock.us(fan.vertex));
   if (!found.not_a_number && !found.fans.empty()) {
     const StageTimer timer(work.report, Stage::rebuild);
     rebuild_components(work, found);
@@ -221,6 +236,7 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
   SimulationState& s = *sim.state;
   StepWork work{sim, observe, {}, {}, {}, {}};
   std::swap(work.loads, sim.scratch->loads);
+  const std::size_t components_before = s.cells.labels.size.size();
   const double kinetic = sim.scene.energy_ledger ? kinetic_energy(s.mechanics.vertices) : 0;
   sim.scratch->ladder.touched.assign(s.mechanics.components.size(), 0);
   work.loads.gravity =
@@ -236,6 +252,7 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
   }
   StepReport& report = work.report;
   report.step = ++s.step;
+  note_new_components(work, components_before);
   report.time = s.mechanics.time;
   for_each_living(s.mechanics, {}, [&](const Component&) { ++report.components; });
   if (!work.failed()) choose_rungs(work);

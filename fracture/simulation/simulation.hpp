@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -18,12 +19,6 @@ struct PartReport;
 struct SimulationScratch;
 struct SimulationState;
 
-/// Rows of one body of the scene: its tetrahedra and the points of its mesh are consecutive.
-struct BodyRows {
-  std::size_t first_tetrahedron = 0, end_tetrahedron = 0;
-  std::size_t first_point = 0, end_point = 0;
-};
-
 /// A scene with its state. The scene's settings do not change while it runs.
 struct Simulation {
   Simulation();
@@ -33,9 +28,12 @@ struct Simulation {
 
   Scene scene;
   std::vector<BodyRows> bodies;
-  /// fracture/simulation/simulation_state.hpp.
+  /// Threads for factors and contact of large pieces, at least 1; outcomes are the same bytes for
+  /// any number. May change between steps.
+  unsigned threads = 1;
+  /// What evolves. Internal: its type is no part of the public headers.
   Owned<SimulationState> state;
-  /// Working memory and caches.
+  /// Working memory and caches. Internal.
   Owned<SimulationScratch> scratch;
 };
 
@@ -57,6 +55,15 @@ Result<Simulation> build_simulation(Scene scene);
 /// the script, the simulation must not be advanced further; the state is as computed, to be looked
 /// at.
 StepReport advance(Simulation& simulation, const StepObserver& observe = {});
+
+/// Steps taken since the start.
+std::uint64_t steps_taken(const Simulation& simulation);
+
+/// Simulated time since the start, s.
+double simulated_time(const Simulation& simulation);
+
+/// Row of the body that a tetrahedron belongs to, whatever has come off.
+std::size_t body_of(const Simulation& simulation, TetId tetrahedron);
 
 /// Gravity at a time, m/s^2: raised linearly over the ramp.
 Vec3 gravity_at(const GravitySettings& gravity, double time);

@@ -77,6 +77,9 @@ struct StepReport {
   /// searches there were.
   std::vector<std::uint32_t> fan_part;
   std::uint32_t parts = 0;
+  /// Wall time of each fan, us: choosing its plane, splitting faces, rows, components, thresholds.
+  /// For reports only.
+  std::vector<double> fan_us;
   /// Whether the script has a fan that cannot be made (`FanScript::departure`).
   bool departed = false;
   ImpactReport impact;
@@ -90,6 +93,8 @@ struct StepReport {
   /// J, given up by pieces that became rigid tetrahedra and by components that took a lower rung.
   double energy_released = 0;
   std::size_t components = 0;
+  /// Those that came off in this step, ascending.
+  std::vector<ComponentId> new_components;
   /// Wall time of each stage, ms. For reports only.
   std::array<double, stage_names.size()> stage_ms{};
 };

@@ -7,8 +7,10 @@
 #include <span>
 #include <vector>
 
-#include "fracture/simulation/simulation_state.hpp"
+#include "fracture/algorithms/cells.hpp"
+#include "fracture/strength/body_settings.hpp"
 #include "mechanics/state/check_settings.hpp"
+#include "topology/kernel/finding.hpp"
 
 namespace sunder {
 

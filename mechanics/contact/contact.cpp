@@ -7,6 +7,7 @@
 
 #include "mechanics/contact/contact_bounce.hpp"
 #include "mechanics/contact/contact_step.hpp"
+#include "mechanics/contact/obstacle_geometry.hpp"
 #include "mechanics/state/living.hpp"
 
 namespace sunder {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "mechanics/contact/obstacle_geometry.hpp"
 #include "mechanics/solver/component_system.hpp"
 #include "mechanics/integrators/coefficients.hpp"
 #include "mechanics/integrators/component_step.hpp"
@@ -116,7 +117,7 @@ void solve_for_columns(const ContactBodies& bodies, const ContactPass& pass) {
   std::size_t rows = 0;
   for (const ColumnBlock& block : missing) rows += block.system->free_count;
   constexpr std::size_t least_rows = 4000;
-  fill_columns(missing, rows >= least_rows ? pass.mechanics.threads : 1,
+  fill_columns(missing, rows >= least_rows ? pass.input.threads : 1,
                pass.mechanics.column_rooms);
 }
 

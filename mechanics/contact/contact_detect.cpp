@@ -6,6 +6,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "mechanics/contact/obstacle_geometry.hpp"
 #include "topology/kernel/assert.hpp"
 
 namespace sunder {

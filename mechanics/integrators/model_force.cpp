@@ -9,7 +9,7 @@
 namespace sunder {
 
 void model_forces(std::span<Vec3> force, const ComponentStep& step, std::span<const Vec3> positions,
-                  const RigidFrame& support) {
+                  const Pose& support) {
   const IntegratorSettings& settings = step.input.settings;
   const ElasticInput elastic{step.state, step.input.corners, positions, settings.elastic_force};
   if (settings.model == ElasticModel::corotational) {
@@ -24,7 +24,7 @@ void model_forces(std::span<Vec3> force, const ComponentStep& step, std::span<co
   }
 }
 
-RigidFrame support_at_end(const ComponentStep& step) {
+Pose support_at_end(const ComponentStep& step) {
   const Component& body = step.component;
   return {body.centre + step.input.settings.time_step * body.frame_velocity, body.orientation};
 }

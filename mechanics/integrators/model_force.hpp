@@ -4,8 +4,8 @@
 
 #include <span>
 
-#include "mechanics/integrators/component_step.hpp"
 #include "mechanics/frame/rigid_reference.hpp"
+#include "mechanics/integrators/component_step.hpp"
 
 namespace sunder {
 
@@ -14,10 +14,10 @@ namespace sunder {
 /// component in `support`, which is its frame then. corotational: `corotational_forces`.
 /// Overwrites the component's rows of `predicted.displacement`. O(tetrahedra).
 void model_forces(std::span<Vec3> force, const ComponentStep& step, std::span<const Vec3> positions,
-                  const RigidFrame& support);
+                  const Pose& support);
 
 /// The frame of a supported component at the end of the step: it moves with its support.
-RigidFrame support_at_end(const ComponentStep& step);
+Pose support_at_end(const ComponentStep& step);
 
 /// Writes displacements, their rates and the frame of what `predicted.position` and
 /// `predicted.velocity` hold for the component: the end of every integrator of (x, v).

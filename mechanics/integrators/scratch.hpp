@@ -63,9 +63,6 @@ struct MechanicsScratch {
   /// Row = ComponentId: what the last measure of its stresses changed, J, where asked for.
   std::vector<StrainChange> strain;
   bool measures_strain = true;
-  /// Threads that factors and columns of the inverse are made on. Results are the same bytes for
-  /// any number.
-  unsigned threads = 1;
   std::vector<ColumnRoom> column_rooms;  ///< one a thread
 };
 

@@ -58,6 +58,9 @@ struct StepInput {
   const IntegratorSettings& settings;
   StepPart part = {};
   StepMembers members = {};
+  /// Threads that factors and columns of the inverse are made on. Results are the same bytes for
+  /// any number.
+  unsigned threads = 1;
 
   /// s, over which the deformation goes by generalised-alpha.
   double deformation_step() const {

@@ -62,7 +62,7 @@ ROOMS = (
     ("apps/render", "pictures of triangles; knows no map and no mechanics", ("plain",)),
     ("apps/sunder", "the program, a folder a command",
      ("topology/*", "mechanics/*", "fracture/*", "apps/scene", "apps/output", "apps/render")),
-    ("apps/bench", "measurements",
+    ("apps/bench", "sunder-bench: measurements, charts, kernels judged",
      ("topology/*", "mechanics/*", "fracture/*", "apps/scene", "apps/output", "apps/render",
       "apps/sunder")),
     ("apps/sunder-mesh", "surfaces to tetrahedra, under the GPL",

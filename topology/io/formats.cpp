@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "topology/io/abaqus/abaqus.hpp"
+#include "topology/io/format_traits.hpp"
 #include "topology/io/medit/medit.hpp"
 #include "topology/io/msh/msh.hpp"
 #include "topology/io/surface/obj.hpp"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "topology/io/format_traits.hpp"
 #include "topology/mesh/boundary_surface.hpp"
 #include "topology/io/abaqus/abaqus.hpp"
 #include "topology/io/formats.hpp"

@@ -39,6 +39,11 @@ enum class Detection {
   exact
 };
 
+/// Whether a way of detection looks for new components only when the oracle predicts some.
+constexpr bool asks_oracle(Detection detection) {
+  return detection == Detection::oracle || detection == Detection::exact;
+}
+
 /// What one `update_components` found.
 struct ComponentUpdate {
   /// Faces whose three vertices split: what the oracle predicts from.
@@ -50,8 +55,8 @@ struct ComponentUpdate {
   std::size_t visited = 0;
 };
 
-/// Working memory of `update_components`: 12 bytes a tetrahedron. Kept between calls so that
-/// nothing is allocated after the first; its contents have no meaning between calls.
+/// Working memory of `update_components` and of the search below it (part_search.hpp): 12 bytes a
+/// tetrahedron. Kept between calls so that nothing is allocated after the first.
 struct ComponentScratch {
   std::vector<std::uint32_t> stamp, owner, next;
   std::uint32_t now = 0;

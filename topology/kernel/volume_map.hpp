@@ -102,7 +102,8 @@ class VolumeMap {
   VertexId split_vertex(const VertexSplit& split);
   void merge_vertices(VertexId kept, VertexId retired, std::span<const CornerId> corners);
 
-  /// The darts behind the rows, for the few sources that include topology/kernel/dart_map.hpp.
+  /// CGAL's darts behind the rows, for the few sources that include dart_map.hpp (of hosts:
+  /// <sunder/cgal_map.hpp>).
   const DartMap& darts() const { return *darts_; }
   MapBytes bytes() const;
 

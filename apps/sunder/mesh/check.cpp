@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "apps/sunder/mesh/check_report.hpp"
+#include "topology/io/format_traits.hpp"
 #include "topology/mesh/finding_cells.hpp"
 #include "topology/io/mesh_file.hpp"
 

@@ -13,6 +13,7 @@
 
 #include "apps/sunder/mesh/convert_crack.hpp"
 #include "apps/scene/words.hpp"
+#include "topology/io/format_traits.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/io/output_file.hpp"
 #include "topology/mesh/repair.hpp"

@@ -254,11 +254,12 @@ void add_step(RunStatistics& statistics, const Simulation& now, const StepReport
   statistics.refused_fans += fracture.refused_fans;
   statistics.relieved += fracture.relieved;
   statistics.waiting = fracture.waiting;
-  for (const FanEvent& fan : fracture.fans) {
+  for (std::size_t row = 0; row < fracture.fans.size(); ++row) {
+    const FanEvent& fan = fracture.fans[row];
     statistics.faces_split += fan.faces.size();
     statistics.searched += fan.components.visited;
     statistics.fan_us[fan.components.created > 0 ? 1 : 0].push_back(
-        static_cast<float>(fan.choose_us + fan.split_us));
+        static_cast<float>(report.fan_us[row]));
     statistics.predicted += fan.components.predicted > 0;
     statistics.separated += fan.components.created > 0;
     statistics.predicted_rightly += fan.components.predicted > 0 && fan.components.created > 0;

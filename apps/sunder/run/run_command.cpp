@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "apps/sunder/run/run.hpp"
-#include "apps/scene/scene_json.hpp"
+#include "apps/scene/scene_schema.hpp"
 
 namespace sunder {
 namespace {

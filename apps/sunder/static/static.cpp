@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "apps/output/recorder_tables.hpp"
+#include "apps/output/frame.hpp"
 #include "apps/scene/scene_json.hpp"
-#include "apps/sunder/static/static_answer.hpp"
+#include "fracture/simulation/statics.hpp"
 #include "apps/sunder/static/static_fan.hpp"
 #include "apps/scene/words.hpp"
 #include "mechanics/rebuild.hpp"
@@ -63,9 +63,9 @@ ordered_json extreme_json(const Extreme& e) {
   return {{"value", e.value}, {"vertex", e.point}, {"position", numbers(e.position)}};
 }
 
-ordered_json body_json(const StaticBody& body) {
+ordered_json body_json(const BodyEquilibrium& body) {
   ordered_json supports = ordered_json::array();
-  for (const SupportAnswer& s : body.supports) {
+  for (const SupportReaction& s : body.supports) {
     supports.push_back(
         {{"vertices", s.vertices}, {"force", numbers(s.force)}, {"moment", numbers(s.moment)}});
   }
@@ -83,7 +83,7 @@ ordered_json body_json(const StaticBody& body) {
 }
 
 /// The largest of all bodies, with the body's row.
-ordered_json largest(const StaticAnswer& answer, Extreme StaticBody::*which) {
+ordered_json largest(const Equilibrium& answer, Extreme BodyEquilibrium::*which) {
   std::size_t row = 0;
   for (std::size_t b = 1; b < answer.bodies.size(); ++b) {
     if ((answer.bodies[b].*which).value > (answer.bodies[row].*which).value) row = b;
@@ -93,19 +93,19 @@ ordered_json largest(const StaticAnswer& answer, Extreme StaticBody::*which) {
   return json;
 }
 
-ordered_json answer_json(const std::string& scene, const StaticAnswer& answer,
+ordered_json answer_json(const std::string& scene, const Equilibrium& answer,
                          const std::vector<Finding>& findings) {
   ordered_json bodies = ordered_json::array();
   double energy = 0;
-  for (const StaticBody& body : answer.bodies) {
+  for (const BodyEquilibrium& body : answer.bodies) {
     bodies.push_back(body_json(body));
     energy += body.strain_energy;
   }
   return {{"scene", scene},
-          {"max_displacement", largest(answer, &StaticBody::displacement)},
+          {"max_displacement", largest(answer, &BodyEquilibrium::displacement)},
           {"strain_energy", energy},
-          {"max_principal_stress", largest(answer, &StaticBody::principal_stress)},
-          {"max_strength_share", largest(answer, &StaticBody::strength_share)},
+          {"max_principal_stress", largest(answer, &BodyEquilibrium::principal_stress)},
+          {"max_strength_share", largest(answer, &BodyEquilibrium::strength_share)},
           {"bodies", bodies},
           {"findings", findings_json(findings)}};
 }
@@ -115,12 +115,12 @@ std::string place(const Extreme& e) {
                      e.position[1], e.position[2]);
 }
 
-void print_table(const StaticAnswer& answer) {
+void print_table(const Equilibrium& answer) {
   const auto row = [](const char* name, const std::string& value) {
     fmt::print("{:<18} {}\n", name, value);
   };
   for (std::size_t b = 0; b < answer.bodies.size(); ++b) {
-    const StaticBody& body = answer.bodies[b];
+    const BodyEquilibrium& body = answer.bodies[b];
     row("body",
         fmt::format("{} {} ({} tetrahedra, {:.6g} kg)", b, body.name, body.tetrahedra, body.mass));
     row("displacement",
@@ -130,7 +130,7 @@ void print_table(const StaticAnswer& answer) {
         fmt::format("{:.6g} Pa {}", body.principal_stress.value, place(body.principal_stress)));
     row("share of strength",
         fmt::format("{:.4g} {}", body.strength_share.value, place(body.strength_share)));
-    for (const SupportAnswer& s : body.supports) {
+    for (const SupportReaction& s : body.supports) {
       row("support", fmt::format("{} vertices push with ({:.6g}, {:.6g}, {:.6g}) N", s.vertices,
                                  s.force[0], s.force[1], s.force[2]));
     }
@@ -148,15 +148,14 @@ ExitCode run_static(const StaticArguments& arguments) {
   Result<Simulation> sim = build_simulation(file->scene);
   print(sim.findings);
   if (!sim) return ExitCode::bad_input;
-  const Result<StaticAnswer> answer = solve_scene(*sim);
+  const Result<Equilibrium> answer = solve_scene(*sim);
   print(answer.findings);
   if (!answer) {
     return answer.findings.back().code == "not_a_number" ? ExitCode::failed : ExitCode::bad_input;
   }
   if (!arguments.output.empty()) {
     const std::vector<Finding> unwritten =
-        write_frame(arguments.output, sim->state->cells, sim->state->mechanics,
-                    origins(sim->scene.bodies), answer->node_stress);
+        write_frame(arguments.output, *sim);
     print(unwritten);
     if (has_error(unwritten)) return ExitCode::not_written;
   }

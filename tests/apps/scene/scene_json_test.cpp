@@ -9,6 +9,7 @@
 #include <string>
 
 #include "apps/scene/scene_json.hpp"
+#include "apps/scene/scene_schema.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "topology/io/vtu/vtu.hpp"
 

@@ -5,13 +5,14 @@
 #include <catch2/catch.hpp>
 #include <random>
 
+#include "fracture/algorithms/split_fan.hpp"
 #include "fracture/simulation/fan_script.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/element/energy.hpp"
 #include "tests/support/tension.hpp"
 #include "topology/mesh/check.hpp"
-#include "topology/suite/random/random_run_bodies.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
+#include "topology/suite/random/random_run_bodies.hpp"
 
 using namespace sunder;
 using namespace sunder::suite;
@@ -112,24 +113,19 @@ TornBody moving_body(const TetMesh& mesh, std::mt19937_64& random) {
     state.vertices.velocity[v] += 0.1 * random_vector(random);
   }
   for (const Component& c : state.components) reframe(state, c.id);
-  const Lame constants = lame(material);
-  for (std::size_t t = 0; t < state.elements.size(); ++t) {
-    const CornerVectors d = at_corners(state.vertices.displacement, map.corners(TetId{t}));
-    state.elements.stress[t] =
-        stress_of(displacement_gradient(state.elements.shape_gradient[t], d), constants);
-  }
+  set_stress(state, map, material);
   sunder::Cells cells = make_cells(std::move(map), state);
   return {std::move(cells), std::move(state)};
 }
 
 /// Splits up to `fans` fans at random and rebuilds every piece. Gives what that released.
 RebuildReport tear(TornBody& body, std::size_t fans, std::mt19937_64& random, std::size_t& made) {
-  FanScratch scratch;
+  ComponentScratch scratch;
   for (std::size_t k = 0; k < fans; ++k) {
     const VertexId v{below(random, body.cells.map.vertices())};
     const Vec3 normal = random_vector(random).normalized();
-    PlannedFan plan = plan_known_fan(body.cells, v, normal, 0);
-    made += !split_fan(body.cells, body.state, std::move(plan), {}, scratch).faces.empty();
+    const VertexStar star = vertex_star(body.cells.map, v);
+    made += !split_fan({body.cells, body.state}, star, normal, {}, scratch).faces.empty();
   }
   MechanicsScratch mechanics;
   body.state.elements.component = body.cells.labels.of_tetrahedron;

@@ -52,7 +52,7 @@ Relaxed after_one_fan(std::mt19937& random, std::uint32_t rings) {
   }
   std::vector<Mat3> before = m.elements.stress;
   FractureSettings settings{.mode = FractureMode::budget, .max_fans = 1, .relax = rings};
-  auto report = find_fractures(cells, m, settings, sim.scratch->fracture);
+  auto report = break_vertices({cells, m}, settings, sim.scratch->fracture);
   REQUIRE(report.fans.size() == 1);
   return {std::move(sim), std::move(before), std::move(report)};
 }

@@ -83,7 +83,7 @@ TEST_CASE("a body cut by command at rest keeps zero kinetic energy", "[fracture]
     }
   }
   update_components(s.cells.map, splits, Detection::exact, s.cells.labels,
-                    sim.scratch->fracture.fan.components);
+                    sim.scratch->fracture.components);
   s.mechanics.elements.component = s.cells.labels.of_tetrahedron;
   std::vector<ComponentId> all;
   for (std::size_t id = 0; id < s.cells.labels.size.size(); ++id) all.emplace_back(id);

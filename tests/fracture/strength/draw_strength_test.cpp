@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fracture/strength/draw_strength.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/element/energy.hpp"
 #include "tests/support/tension.hpp"
 #include "topology/mesh/build_map.hpp"
@@ -201,7 +202,7 @@ Shattered shatter(double smallest, std::uint32_t most) {
   settings.smallest_piece = smallest;
   settings.max_pieces = most;
   FractureScratch scratch;
-  const FractureReport report = find_fractures(body.cells, body.state, settings, scratch);
+  const FractureReport report = break_vertices({body.cells, body.state}, settings, scratch);
   Shattered result{.mass = std::vector<double>(body.cells.labels.size.size(), 0),
                    .piece = body.cells.labels.of_tetrahedron,
                    .refused = report.refused_fans};

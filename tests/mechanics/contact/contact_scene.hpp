@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "mechanics/contact/obstacle_geometry.hpp"
 #include "tests/support/bodies.hpp"
 #include "mechanics/contact/contact.hpp"
 #include "mechanics/element/energy.hpp"

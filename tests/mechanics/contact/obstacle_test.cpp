@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Distances to planes, spheres and boxes, swept touches, and what users get wrong.
 #include "mechanics/contact/obstacle.hpp"
+#include "mechanics/contact/obstacle_geometry.hpp"
 #include "mechanics/contact/contact_fields.hpp"
 
 #include <catch2/catch.hpp>
