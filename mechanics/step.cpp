@@ -49,9 +49,8 @@ void step_euler(ComponentStep& step) {
       settings.integrator == Integrator::broyden && settings.broyden_start == BroydenStart::mass;
   const bool needs_factor =
       !reassembled && !by_mass && settings.integrator != Integrator::newton_cg;
-  step.system = needs_factor
-                    ? &prepared_system(step.scratch, step.state, step.input, step.component)
-                    : &built_system(step.scratch, step.state, step.input.corners, step.component);
+  step.system = needs_factor ? &prepared_system(step.state, step.input, step.component)
+                             : &built_system(step.state, step.input.corners, step.component);
   if (settings.integrator == Integrator::broyden) return step_broyden(step);
   if (settings.integrator == Integrator::newton_cg) return step_newton_cg(step);
   if (reassembled) return step_reassembled_euler(step);
@@ -59,8 +58,8 @@ void step_euler(ComponentStep& step) {
   step_implicit_euler(step);
 }
 
-void predict_component(MechanicsScratch& scratch, const MechanicsState& state,
-                       const StepInput& input, const Component& component) {
+void predict_component(MechanicsScratch& scratch, MechanicsState& state, const StepInput& input,
+                       const Component& component) {
   ComponentStep step{scratch, state, input, component, nullptr};
   if (component.rung == Rung::asleep) {
     keep_still(step);
@@ -82,11 +81,11 @@ void predict_component(MechanicsScratch& scratch, const MechanicsState& state,
       "predict: only floating_frame takes parts of steps");
   switch (integrator) {
     case Integrator::floating_frame:
-      step.system = &prepared_system(scratch, state, input, component);
+      step.system = &prepared_system(state, input, component);
       if (component.rung == Rung::quasi_static) return step_quasi_static(step);
       return step_floating_frame(step);
     case Integrator::modal:
-      step.system = &built_system(scratch, state, input.corners, component);
+      step.system = &built_system(state, input.corners, component);
       return step_floating_frame(step);
     case Integrator::verlet:
       return step_verlet(step);
@@ -190,15 +189,15 @@ MechanicsScratch::~MechanicsScratch() = default;
 MechanicsScratch::MechanicsScratch(MechanicsScratch&&) noexcept = default;
 MechanicsScratch& MechanicsScratch::operator=(MechanicsScratch&&) noexcept = default;
 
-void prepare(MechanicsScratch& scratch, const MechanicsState& state, const StepInput& input) {
+void prepare(MechanicsState& state, const StepInput& input) {
   if (input.settings.integrator != Integrator::floating_frame) return;
   if (input.part.deformation == Deformation::frozen) return;
-  fit_systems(scratch, state);
+  fit_systems(state);
   std::vector<const Component*> missing;
   std::size_t vertices = 0, most = 0;
   for_each_living(state, input.members, [&](const Component& component) {
     if (component.isolated || !deforms(component.rung)) return;
-    const ComponentSystem* system = scratch.systems[component.id.index()].get();
+    const ComponentSystem* system = state.systems.present[component.id.index()].get();
     const bool wave = input.part.deformation == Deformation::wave;
     if (system && (wave ? system->wave : system->step).factored) return;
     missing.push_back(&component);
@@ -210,13 +209,12 @@ void prepare(MechanicsScratch& scratch, const MechanicsState& state, const StepI
                            [](const Component* c) { return c->vertices.size(); });
   // What one thread could take from the other must be worth starting it.
   constexpr std::size_t least_vertices = 100;
-  const unsigned threads = vertices - most >= least_vertices ? scratch.threads : 1;
-  parallel_for(threads, missing.size(), [&](std::size_t k, unsigned) {
-    prepared_system(scratch, state, input, *missing[k]);
-  });
+  const unsigned threads = vertices - most >= least_vertices ? input.threads : 1;
+  parallel_for(threads, missing.size(),
+               [&](std::size_t k, unsigned) { prepared_system(state, input, *missing[k]); });
 }
 
-void predict(MechanicsScratch& scratch, const MechanicsState& state, const StepInput& input,
+void predict(MechanicsScratch& scratch, MechanicsState& state, const StepInput& input,
              std::span<const ComponentId> components) {
   SUNDER_ASSERT(input.corners.size() == state.elements.size(), "predict: corners of another mesh");
   SUNDER_ASSERT(input.loads.force.empty() || input.loads.force.size() == state.vertices.size(),
@@ -229,24 +227,22 @@ void predict(MechanicsScratch& scratch, const MechanicsState& state, const StepI
   }
 }
 
-void measure_elements(MechanicsState& state, MechanicsScratch& scratch,
-                      std::span<const Corners> corners, const StepMembers& members,
-                      ElasticModel model) {
+std::vector<StrainChange> measure_elements(MechanicsState& state, MechanicsScratch& scratch,
+                                           std::span<const Corners> corners,
+                                           const ElementMeasure& measure) {
   scratch.lame.clear();
   scratch.stress_energy.clear();
   for (const Material& material : state.materials) {
     scratch.lame.push_back(lame(material));
     scratch.stress_energy.emplace_back(material);
   }
-  scratch.largest_turn.resize(state.components.size(), 0);
-  scratch.strain.resize(state.components.size());
+  std::vector<StrainChange> strain(measure.strain ? state.components.size() : 0);
   // On lower rungs displacements stay what they were.
   const auto changes = [&](ComponentId id) {
-    return members.has(id) && deforms(state.components[id.index()].rung);
+    return measure.members.has(id) && deforms(state.components[id.index()].rung);
   };
-  for (std::size_t c = 0; c < state.components.size(); ++c) {
-    scratch.strain[c] = {};
-    if (changes(ComponentId{c})) scratch.largest_turn[c] = 0;
+  for (Component& component : state.components) {
+    if (changes(component.id)) component.largest_turn = 0;
   }
   ElementColumns& elements = state.elements;
   // Sums of consecutive elements of one component stay in registers.
@@ -256,11 +252,13 @@ void measure_elements(MechanicsState& state, MechanicsScratch& scratch,
   bool is_changing = false;
   const auto put_down = [&] {
     if (!is_changing) return;
-    StrainChange& sum = scratch.strain[id.index()];
+    double& largest_turn = state.components[id.index()].largest_turn;
+    largest_turn = std::max(largest_turn, largest);
+    if (!measure.strain) return;
+    StrainChange& sum = strain[id.index()];
     sum.before += change.before;
     sum.after += change.after;
     sum.difference += change.difference;
-    scratch.largest_turn[id.index()] = std::max(scratch.largest_turn[id.index()], largest);
   };
   for (std::size_t t = 0; t < elements.size(); ++t) {
     if (elements.component[t] != id) {
@@ -273,11 +271,11 @@ void measure_elements(MechanicsState& state, MechanicsScratch& scratch,
     if (!is_changing) continue;
     const CornerVectors d = at_corners(state.vertices.displacement, corners[t]);
     Mat3 H = displacement_gradient(elements.shape_gradient[t], d);
-    if (model == ElasticModel::corotational) H = own_strain(H);
+    if (measure.model == ElasticModel::corotational) H = own_strain(H);
     const MaterialId material = elements.material[t];
     const Mat3 stress = stress_of(H, scratch.lame[material.index()]);
     largest = std::max(largest, turn_of(H));
-    if (!scratch.measures_strain) {
+    if (!measure.strain) {
       elements.stress[t] = stress;
       continue;
     }
@@ -291,6 +289,7 @@ void measure_elements(MechanicsState& state, MechanicsScratch& scratch,
     elements.stress[t] = stress;
   }
   put_down();
+  return strain;
 }
 
 StepStatus adopt(MechanicsState& state, MechanicsScratch& scratch, const StepInput& input) {
@@ -302,13 +301,15 @@ StepStatus adopt(MechanicsState& state, MechanicsScratch& scratch, const StepInp
     if (!component.tetrahedra.empty() && input.members.has(component.id)) {
       const PredictedFrame& frame = scratch.predicted.frame[component.id.index()];
       damping_work += frame.damping_work;
-      add_solve(solve, frame.solve);
+      add_part(solve, frame.solve);
     }
   }
   take_prediction(state, scratch, input.members);
   state.time += input.settings.time_step;
-  measure_elements(state, scratch, input.corners, input.members, input.settings.model);
+  std::vector<StrainChange> strain = measure_elements(
+      state, scratch, input.corners, {input.members, input.settings.model, input.measures_strain});
   StepStatus status = judge(state, input.members);
+  status.strain = std::move(strain);
   status.damping_work = damping_work;
   if (status.outcome != StepOutcome::not_a_number) {
     judge_turns(status, state, scratch, input.members);
@@ -321,7 +322,7 @@ StepStatus adopt(MechanicsState& state, MechanicsScratch& scratch, const StepInp
 }
 
 StepStatus advance(MechanicsState& state, MechanicsScratch& scratch, const StepInput& input) {
-  prepare(scratch, state, input);
+  prepare(state, input);
   for (const Component& component : state.components) {
     predict(scratch, state, input, {&component.id, 1});
   }
@@ -337,11 +338,10 @@ std::vector<ComponentId> living_components(const MechanicsState& state,
   return living;
 }
 
-void add_solve(SolveReport& sum, const SolveReport& part) {
-  sum.sub_steps = std::max(sum.sub_steps, part.sub_steps);
-  sum.iterations = std::max(sum.iterations, part.iterations);
-  sum.force_evaluations += part.force_evaluations;
-  sum.not_converged += part.not_converged;
+void add_status(StepStatus& sum, StepStatus part) {
+  part.damping_work = sum.damping_work + part.damping_work;
+  add_part(part.solve, sum.solve);
+  sum = std::move(part);
 }
 
 Finding to_finding(const StepStatus& status) {
@@ -368,7 +368,7 @@ Finding to_finding(const StepStatus& status) {
     std::snprintf(text, sizeof text,
                   "The step that ends at %.9g s would need %u explicit sub-steps, more than "
                   "max_sub_steps.",
-                  status.time, status.solve.sub_steps);
+                  status.time, static_cast<unsigned>(status.solve.sub_steps));
     finding.remedy =
         "Raise integrator.max_sub_steps, take a shorter time step, or use floating_frame.";
   } else if (status.outcome == StepOutcome::diverged) {

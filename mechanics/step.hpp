@@ -16,8 +16,7 @@
 namespace sunder {
 
 struct BaselineSystem;
-struct ColumnRoom;
-struct ComponentSystem;
+struct ColumnScratch;
 struct ImpactSettings;
 
 /// What acts during one step from outside, constant over the step.
@@ -44,21 +43,16 @@ struct PredictedFrame {
   SolveReport solve = {};
 };
 
-/// Scratch of one step and caches derived from the state (factors, compliance). All of it can be
-/// thrown away between two steps and comes back by itself. Bounded by the present mesh.
+/// Scratch of one step, and what follows from the state to the bit. All of it can be thrown away
+/// between two steps; the next gives the same bytes. Bounded by the present mesh.
 struct MechanicsScratch {
   MechanicsScratch();
   ~MechanicsScratch();
   MechanicsScratch(MechanicsScratch&&) noexcept;
   MechanicsScratch& operator=(MechanicsScratch&&) noexcept;
 
-  /// Row = ComponentId; null until needed.
-  /// `retired`: the one before its last split, whose factors may serve on (`extend_system`).
-  std::vector<std::unique_ptr<ComponentSystem>> systems, retired;
   /// What the baselines keep for a component; row = ComponentId, null until needed.
   std::vector<std::unique_ptr<BaselineSystem>> baselines;
-  /// Row = VertexId: its place in `Component::vertices`; valid for components with a system.
-  std::vector<std::uint32_t> local_row;
 
   /// Predicted state, rows as in the state. `position` is what contact looks at.
   struct Predicted {
@@ -68,22 +62,13 @@ struct MechanicsScratch {
   } predicted;
 
   /// Local vectors of the component at hand, 3 n each, grown to the largest and kept.
-  std::array<std::vector<double>, 8> work;
+  std::array<std::vector<double>, 8> local;
   std::vector<Lame> lame;                   ///< row = MaterialId
   std::vector<StressEnergy> stress_energy;  ///< row = MaterialId
   /// Row = TetId: the step that its element stands explicitly, s; elements keep it for ever. Empty
   /// until needed.
   std::vector<double> element_step_bound;
-  /// Row = ComponentId: largest turn theta of an element against its component, rad, at the new
-  /// state (size of the skew part of the displacement gradient); for the validity warning.
-  std::vector<double> largest_turn;
-  /// Row = ComponentId: what the last measure of its stresses changed, J, where asked for.
-  std::vector<StrainChange> strain;
-  bool measures_strain = true;
-  /// Threads that factors and columns of the inverse are made on. Results are the same bytes for
-  /// any number.
-  unsigned threads = 1;
-  std::vector<ColumnRoom> column_rooms;  ///< one a thread
+  std::vector<ColumnScratch> columns;  ///< one a thread
 };
 
 /// How deformations go through a step of floating_frame, or through a part of one.
@@ -111,13 +96,19 @@ struct StepMembers {
 };
 
 /// What acts on the state in one step; nothing in it is changed. The spans and references must
-/// outlive the call. Parts and members are for whoever divides steps (fracture/simulation/impact_step.cpp).
+/// outlive the call. Parts and members are for whoever divides steps
+/// (fracture/simulation/plan.hpp).
 struct StepInput {
   std::span<const Corners> corners;  ///< |T|
   const Loads& loads;
   const IntegratorSettings& settings;
   StepPart part = {};
   StepMembers members = {};
+  /// Whether `StepStatus::strain` is wanted.
+  bool measures_strain = false;
+  /// Threads that factors and columns of the inverse are made on. Results are the same bytes for
+  /// any number.
+  unsigned threads = 1;
 
   /// s, over which the deformation goes by generalised-alpha.
   double deformation_step() const {
@@ -125,15 +116,16 @@ struct StepInput {
   }
 };
 
-/// Computes the state of `components` at the end of the step into `scratch.predicted` and changes
-/// nothing else: it may be run again, say after `apply_impulses`. Builds and factors what is
-/// missing for these components (110 ms at 6 000 tetrahedra, once), then one solve each.
-void predict(MechanicsScratch& scratch, const MechanicsState& state, const StepInput& input,
+/// Computes the state of `components` at the end of the step into `scratch.predicted`: it may be
+/// run again, say after `apply_impulses`. Builds and factors what is missing for these components
+/// in `state.systems` (110 ms at 6 000 tetrahedra, once), then one solve each; changes nothing
+/// else.
+void predict(MechanicsScratch& scratch, MechanicsState& state, const StepInput& input,
              std::span<const ComponentId> components);
 
 /// Builds and factors what the components will need in this part of a step, on
-/// `scratch.threads` threads: `predict` would do it one by one.
-void prepare(MechanicsScratch& scratch, const MechanicsState& state, const StepInput& input);
+/// `StepInput::threads` threads: `predict` would do it one by one.
+void prepare(MechanicsState& state, const StepInput& input);
 
 /// Makes the predicted state of every member the present one, advances the time, and computes
 /// element stress and turn in one pass. Needs: `predict` for every living member since the last
@@ -143,14 +135,22 @@ StepStatus adopt(MechanicsState& state, MechanicsScratch& scratch, const StepInp
 /// The whole step without contact: predict all, adopt.
 StepStatus advance(MechanicsState& state, MechanicsScratch& scratch, const StepInput& input);
 
+/// Which elements are measured, and how.
+struct ElementMeasure {
+  StepMembers members = {};
+  ElasticModel model = ElasticModel::rigid_reference;
+  bool strain = false;  ///< whether the change of strain energy is wanted
+};
+
 /// Element stress (eq. 5) and the largest turn of an element in each component, in one pass, from
-/// the displacements as they are. `adopt` does it; for whoever sets displacements otherwise.
+/// the displacements as they are. Gives what that changed in strain energy, row = ComponentId,
+/// where it is wanted; nothing else. `adopt` does it; for whoever sets displacements otherwise.
 /// With corotational elements the stress is that of their own strain, in the body frame as if they
 /// had not turned in it (the rest configuration, where cracks are decided), and turns count as
 /// none.
-void measure_elements(MechanicsState& state, MechanicsScratch& scratch,
-                      std::span<const Corners> corners, const StepMembers& members = {},
-                      ElasticModel model = ElasticModel::rigid_reference);
+std::vector<StrainChange> measure_elements(MechanicsState& state, MechanicsScratch& scratch,
+                                           std::span<const Corners> corners,
+                                           const ElementMeasure& measure = {});
 
 /// The ids of the components that live (have tetrahedra) and are members, ascending.
 std::vector<ComponentId> living_components(const MechanicsState& state,

@@ -3,19 +3,35 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
+#include "topology/kernel/counters.hpp"
 #include "topology/kernel/finding.hpp"
 #include "topology/kernel/ids.hpp"
 
 namespace sunder {
 
+/// What a measure of element stresses changed in a component's strain energy, J.
+struct StrainChange {
+  double before = 0, after = 0;
+  double difference = 0;  ///< Dd . K Dd: twice the energy of the difference of the stresses
+};
+
 /// How the iterations of a step went; nothing of integrators that have none.
 struct SolveReport {
-  std::uint32_t sub_steps = 0;          ///< of sub_stepped, the most of any component
-  std::uint32_t iterations = 0;         ///< the most of any component
-  std::uint32_t force_evaluations = 0;  ///< of all components
-  std::uint32_t not_converged = 0;      ///< components whose step the factor took instead
+  std::uint64_t sub_steps = 0;          ///< of sub_stepped, the most of any component
+  std::uint64_t iterations = 0;         ///< the most of any component
+  std::uint64_t force_evaluations = 0;  ///< of all components
+  std::uint64_t not_converged = 0;      ///< components whose step the factor took instead
 };
+
+/// Over a run: sums of the steps' worst, and the steps in which iterations were given up.
+constexpr auto counters_of(const SolveReport*) {
+  return std::tuple{Counter{"iterations", &SolveReport::iterations, Adds::most, Adds::sum},
+                    Counter{"force_evaluations", &SolveReport::force_evaluations},
+                    Counter{"not_converged", &SolveReport::not_converged, Adds::sum, Adds::once},
+                    Counter{"sub_steps", &SolveReport::sub_steps, Adds::most, Adds::sum}};
+}
 
 enum class StepOutcome {
   fine,
@@ -35,10 +51,13 @@ struct StepStatus {
   double time = 0;          ///< s, end of the step
   double damping_work = 0;  ///< J taken by Rayleigh damping in this step
   SolveReport solve;
+  /// Row = ComponentId: what the step changed in its strain energy; empty unless asked for
+  /// (`StepInput::measures_strain`).
+  std::vector<StrainChange> strain;
 };
 
-/// Adds the iterations of another component, or of another part of a step.
-void add_solve(SolveReport& sum, const SolveReport& part);
+/// Adds another part of the same step: outcome, vertex, time and strain are the part's.
+void add_status(StepStatus& sum, StepStatus part);
 
 /// The finding that says a step failed: where, value, remedy. Needs an outcome other than fine.
 Finding to_finding(const StepStatus& status);

@@ -92,7 +92,7 @@ MethodFigure measure(Simulation& sim, const Method& method, const Case& c, int r
   const ComponentId only = m.components.front().id;
   const auto step = [&] {
     predict(scratch, m, input, {&only, 1});
-    measure_elements(m, scratch, corners, {}, settings.model);
+    measure_elements(m, scratch, corners, {.model = settings.model});
   };
   step();
   std::vector<double> times;

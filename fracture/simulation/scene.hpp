@@ -88,4 +88,7 @@ struct Scene {
   double display_time_constant = 0.1;
 };
 
+/// Gravity at a time, m/s^2: raised linearly over the ramp.
+Vec3 gravity_at(const GravitySettings& gravity, double time);
+
 }  // namespace sunder

@@ -68,6 +68,11 @@ Finding nothing_loaded(const std::string& place, const char* what) {
 
 }  // namespace
 
+Vec3 gravity_at(const GravitySettings& gravity, double time) {
+  if (gravity.ramp_time <= 0) return gravity.acceleration;
+  return gravity.acceleration * std::min(1.0, time / gravity.ramp_time);
+}
+
 std::vector<Finding> make_scene_loads(Simulation& sim) {
   std::vector<Finding> findings;
   for (std::size_t b = 0; b < sim.bodies.size(); ++b) {

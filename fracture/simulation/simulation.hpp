@@ -33,9 +33,11 @@ struct Simulation {
 
   Scene scene;
   std::vector<BodyRows> bodies;
-  /// fracture/simulation/simulation_state.hpp.
+  /// That a step may use. Results are the same bytes for any number.
+  unsigned threads = 1;
+  /// All that evolves: fracture/simulation/state.hpp.
   Owned<SimulationState> state;
-  /// Working memory and caches.
+  /// Working memory: may be replaced by a new one between any two steps.
   Owned<SimulationScratch> scratch;
 };
 
@@ -57,8 +59,5 @@ Result<Simulation> build_simulation(Scene scene);
 /// the script, the simulation must not be advanced further; the state is as computed, for whoever
 /// wants to look.
 StepReport advance(Simulation& simulation, const StepObserver& observe = {});
-
-/// Gravity at a time, m/s^2: raised linearly over the ramp.
-Vec3 gravity_at(const GravitySettings& gravity, double time);
 
 }  // namespace sunder

@@ -33,6 +33,9 @@ struct Component {
   Vec3 frame_velocity = Vec3::Zero();  ///< m/s; the frame of a supported component moves with it
   bool isolated = false;  ///< one free tetrahedron: a true rigid body, no finite elements
   Rung rung = Rung::full;
+  /// rad: largest turn of a tetrahedron against the frame when its stress was last computed (size
+  /// of the skew part of the displacement gradient).
+  double largest_turn = 0;
 };
 
 }  // namespace sunder

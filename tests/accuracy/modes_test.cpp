@@ -14,7 +14,7 @@ namespace {
 
 Modes modes_of(const MechanicsState& state, const Body& body, std::size_t count) {
   MechanicsScratch scratch;
-  Result<Modes> modes = natural_modes(scratch, state, body.corners, ComponentId{0}, count);
+  Result<Modes> modes = natural_modes(state, body.corners, ComponentId{0}, count);
   REQUIRE(modes);
   return std::move(*modes);
 }

@@ -52,7 +52,7 @@ int main(int argc, char** argv) {
   Result<Simulation> sim = build_simulation(std::move(file->scene));
   for (const Finding& f : sim.findings) std::fprintf(stderr, "%s\n", f.text.c_str());
   if (!sim) return 3;
-  if (argc == 5) sim->scratch->mechanics.threads = static_cast<unsigned>(std::atoi(argv[4]));
+  if (argc == 5) sim->threads = static_cast<unsigned>(std::atoi(argv[4]));
   std::vector<Row> rows;
   while (sim->state->mechanics.time < duration * (1 - 1e-9)) {
     const StepReport report = advance(*sim);

@@ -126,8 +126,7 @@ Result<std::vector<PieceModes>> all_modes(Simulation& sim, std::size_t count) {
   std::vector<PieceModes> pieces;
   for (const Component& component : m.components) {
     if (component.tetrahedra.empty()) continue;
-    Result<Modes> modes =
-        natural_modes(sim.scratch->mechanics, m, sim.state->cells.map.corners(), component.id, count);
+    Result<Modes> modes = natural_modes(m, sim.state->cells.map.corners(), component.id, count);
     if (!modes) return std::move(modes.findings.front());
     pieces.push_back({component.id, body[component.vertices.front().index()], std::move(*modes)});
   }
