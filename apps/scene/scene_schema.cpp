@@ -46,7 +46,10 @@ class SchemaWriter {
  public:
   template <class T>
   void field(const Key& key, const T& member) {
-    put(key, schema_of(key, member));
+    ordered_json schema = schema_of(key, member);
+    // Left out, an object has the defaults of all its keys; what has no default is then just absent.
+    if (is_object<T> && !schema.contains("default")) schema["default"] = ordered_json::object();
+    put(key, std::move(schema));
   }
 
   void direction(const Key& key, const Eigen::Vector3d& member) { field(key, member); }
@@ -77,6 +80,9 @@ class SchemaWriter {
     }
     properties_[std::string(key.name)] = std::move(described);
   }
+
+  template <class T>
+  static constexpr bool is_object = requires(T& t, SchemaWriter& w) { fields::describe(w, t); };
 
   static ordered_json with_default(ordered_json schema, ordered_json value) {
     schema["default"] = std::move(value);

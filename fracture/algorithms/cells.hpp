@@ -58,7 +58,7 @@ inline constexpr double crack_tip_factor = 0.54;
 /// times its flaw; infinite where it is unbreakable. Where its material has a
 /// toughness K_Ic and the vertex is a crack tip (a cracked face lies in its star), 0.54 K_Ic /
 /// sqrt(h) alone, h the mean edge length of its star, because the stress there grows like
-/// 1 / sqrt(h) and a bare strength would depend on the mesh (decisions.md, Mesh dependence).
+/// 1 / sqrt(h) and a bare strength would depend on the mesh (docs/decisions.md).
 /// `star`: every tetrahedron around `vertex`. Infinite for a material that never breaks.
 double vertex_strength(const Cells& cells, const MechanicsState& mechanics, VertexId vertex,
                        std::span<const TetId> star);

@@ -33,7 +33,7 @@ Eigen::Vector3d octant_of(const Eigen::Vector3d& point, const Eigen::Vector3d& c
 
 /// The canonical one of the two directions `n` and `-n`: folded into the octant `octant`, the
 /// component of largest magnitude is positive, the lowest axis on ties to `equal_directions`
-/// (decisions.md, Splitting).
+/// (docs/decisions.md, Splitting).
 Eigen::Vector3d canonical_direction(const Eigen::Vector3d& n,
                                     const Eigen::Vector3d& octant = Eigen::Vector3d::Ones());
 

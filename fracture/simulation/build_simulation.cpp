@@ -153,7 +153,7 @@ double slenderness(const Component& component) {
 }
 
 /// One frame sees a false strain of eps (L/t)^2 / 2 where a slender body bends by the strain eps:
-/// a twentieth of the strain it breaks at is still nothing (mechanics_notes, section 0.6).
+/// a twentieth of the strain it breaks at is still nothing (docs/decisions.md, Validity).
 void warn_of_slender_bodies(std::vector<Finding>& findings, const MechanicsState& mechanics) {
   for (const Component& c : mechanics.components) {
     if (c.tetrahedra.size() < 2) continue;

@@ -49,7 +49,7 @@ using StepObserver = std::function<void(const Simulation&, const PartReport&)>;
 Result<Simulation> build_simulation(Scene scene);
 
 /// One step of length `scene.time_step`: contact and external forces -> integrate -> element stress
-/// at the new state -> fracture -> components (decisions.md, Order of a step).
+/// at the new state -> fracture -> components (docs/decisions.md, Order of a step).
 /// A step that would run into a blow is divided for the components struck and what they can reach:
 /// frozen deformations up to the blow, sub-steps while it lasts, each with its own fractures, and
 /// the rest at once; all others take the whole step, and everybody meets at its end

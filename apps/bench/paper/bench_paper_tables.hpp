@@ -12,7 +12,7 @@ namespace sunder {
 
 /// A scene of tables 1 to 4.
 struct PaperScene {
-  std::string_view name;   ///< of meshes/scenes/NAME.json
+  std::string_view name;   ///< of meshes/scenes/paper/NAME.json
   std::string_view title;  ///< as the paper writes it
   /// Steps that are run, all and with --quick; the scene's own end may come before.
   std::uint64_t steps = 0, quick_steps = 0;

@@ -63,7 +63,7 @@ struct RunStatistics {
   /// kg.
   double mass_at_start = 0;
   std::vector<Finding> warnings;
-  /// Whether the small-displacement model was left once (decisions.md, Validity).
+  /// Whether the small-displacement model was left once (docs/decisions.md, Validity).
   bool turned_too_far = false;
 };
 
@@ -78,7 +78,7 @@ void add_step(RunStatistics& statistics, const Simulation& now, const StepReport
 /// when the step is fine.
 std::optional<Finding> step_failure(const StepReport& report, const Simulation& now);
 
-/// report.json of a run, design.md's keys. `pieces`: as `fragments` gives them at the end.
+/// report.json of a run, keys as docs/scene.md has them. `pieces`: as `fragments` gives them at the end.
 nlohmann::ordered_json run_report(const RunStatistics& statistics, const Simulation& now,
                                   std::span<const Fragment> pieces, RunEnd end);
 

@@ -19,7 +19,7 @@ INTEGERS_UP_TO = 1700
 
 class Case:
     """`body`: (points, tetrahedra). `written`: how the JSON gives it, where that is shorter.
-    `page`: numbers typed in from topology_cases.md, held against what is computed."""
+    `page`: numbers known beforehand, held against what is computed."""
 
     def __init__(self, name, body, operations=(), **more):
         self.name, self.body, self.operations = name, body, list(operations)
@@ -155,7 +155,7 @@ def state(glued):
 
 
 def check_laws(before, after, answer):
-    """Section 1 of topology_cases.md, for an operation that is a single split."""
+    """The laws of a split (docs/suite.md), for an operation that is a single one."""
     s_v, s_e = len(answer["vertices"]), len(answer["edges"])
     change = {key: after["counts"][key] - before["counts"][key] for key in before["counts"]}
     assert (change["vertices"], change["edges"], change["faces"]) == (s_v, s_e, 1), change

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The 24 fixtures of topology_cases.md, section 2. `page` holds the numbers of its table."""
+"""The first 24 fixtures. `page`: their numbers as known beforehand."""
 
 from itertools import permutations
 

@@ -62,7 +62,7 @@ TEST_CASE("the paper's tables are all there, ours beside, the same in text, CSV 
           "[apps][bench][paper]") {
   const Workplace here;
   const Outcome outcome =
-      here.run({"bench", "paper", "--quick", "--scenes", SUNDER_MESHES "/scenes", "--csv",
+      here.run({"bench", "paper", "--quick", "--csv",
                 here.path("p.csv"), "--markdown", here.path("p.md")});
   INFO(outcome.err);
   REQUIRE(outcome.exit_code == 0);

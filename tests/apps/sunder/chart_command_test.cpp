@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "tests/support/outside.hpp"
 #include "tests/support/program.hpp"
 
 using namespace sunder::test;
@@ -30,7 +31,7 @@ std::string scene(const Workplace& here) {
 
 }  // namespace
 
-TEST_CASE("a quick chart leaves a table of all runs, a picture, and lines to paste",
+TEST_CASE("a quick chart leaves a table of all runs and lines to paste",
           "[apps][chart]") {
   const Workplace here;
   const std::string out = here.path("out");
@@ -39,15 +40,24 @@ TEST_CASE("a quick chart leaves a table of all runs, a picture, and lines to pas
                                           out,       "--within",  "0.5"};
   const Outcome told = here.run(words);
   INFO(told.err);
-  REQUIRE(told.exit_code == 0);
+  // Without gnuplot the table and the lines are there all the same; the picture has a test below.
+  CHECK((told.exit_code == 0 || told.err.find("gnuplot_missing") != std::string::npos));
   CHECK(told.out.find("Cheapest inside an error of 0.5") != std::string::npos);
   CHECK(told.out.find("\"time_step\"") != std::string::npos);
   const std::string csv = slurp(out + "/position.csv");
   CHECK(csv.starts_with("# position of turning cube"));
   CHECK(csv.find("floating_frame") != std::string::npos);
-  if (std::system("command -v gnuplot >/dev/null") == 0) {
-    CHECK(slurp(out + "/position.png").starts_with("\x89PNG"));
-  }
+}
+
+TEST_CASE("a chart is drawn", "[apps][chart]") {
+  if (!has_program("gnuplot")) return;
+  const Workplace here;
+  const std::string out = here.path("out");
+  const Outcome told = here.run({"chart", scene(here), "--quick", "--levels", "0", "--steps", "5e-3",
+                                 "--limit", "5", "--out", out});
+  INFO(told.err);
+  CHECK(told.exit_code == 0);
+  CHECK(slurp(out + "/position.png").starts_with("\x89PNG"));
 }
 
 TEST_CASE("what a chart cannot do ends with its reason", "[apps][chart]") {

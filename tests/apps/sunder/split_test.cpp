@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `sunder split`: the paper's figures and the fixtures of topology_cases through the command.
+// `sunder split`: the paper's figures and some of the suite's fixtures through the command.
 #include <fmt/format.h>
 #include <catch2/catch.hpp>
 #include <filesystem>
