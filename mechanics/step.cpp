@@ -227,21 +227,20 @@ void predict(MechanicsScratch& scratch, MechanicsState& state, const StepInput& 
   }
 }
 
-std::vector<StrainChange> measure_elements(MechanicsState& state, MechanicsScratch& scratch,
-                                           std::span<const Corners> corners,
-                                           const ElementMeasure& measure) {
+void measure_elements(MechanicsState& state, MechanicsScratch& scratch,
+                      std::span<const Corners> corners, const ElementMeasure& measure) {
   scratch.lame.clear();
   scratch.stress_energy.clear();
   for (const Material& material : state.materials) {
     scratch.lame.push_back(lame(material));
     scratch.stress_energy.emplace_back(material);
   }
-  std::vector<StrainChange> strain(measure.strain ? state.components.size() : 0);
   // On lower rungs displacements stay what they were.
   const auto changes = [&](ComponentId id) {
     return measure.members.has(id) && deforms(state.components[id.index()].rung);
   };
   for (Component& component : state.components) {
+    component.strain_change = {};
     if (changes(component.id)) component.largest_turn = 0;
   }
   ElementColumns& elements = state.elements;
@@ -252,10 +251,9 @@ std::vector<StrainChange> measure_elements(MechanicsState& state, MechanicsScrat
   bool is_changing = false;
   const auto put_down = [&] {
     if (!is_changing) return;
-    double& largest_turn = state.components[id.index()].largest_turn;
-    largest_turn = std::max(largest_turn, largest);
-    if (!measure.strain) return;
-    StrainChange& sum = strain[id.index()];
+    Component& component = state.components[id.index()];
+    component.largest_turn = std::max(component.largest_turn, largest);
+    StrainChange& sum = component.strain_change;
     sum.before += change.before;
     sum.after += change.after;
     sum.difference += change.difference;
@@ -289,7 +287,6 @@ std::vector<StrainChange> measure_elements(MechanicsState& state, MechanicsScrat
     elements.stress[t] = stress;
   }
   put_down();
-  return strain;
 }
 
 StepStatus adopt(MechanicsState& state, MechanicsScratch& scratch, const StepInput& input) {
@@ -306,10 +303,9 @@ StepStatus adopt(MechanicsState& state, MechanicsScratch& scratch, const StepInp
   }
   take_prediction(state, scratch, input.members);
   state.time += input.settings.time_step;
-  std::vector<StrainChange> strain = measure_elements(
-      state, scratch, input.corners, {input.members, input.settings.model, input.measures_strain});
+  measure_elements(state, scratch, input.corners,
+                   {input.members, input.settings.model, input.measures_strain});
   StepStatus status = judge(state, input.members);
-  status.strain = std::move(strain);
   status.damping_work = damping_work;
   if (status.outcome != StepOutcome::not_a_number) {
     judge_turns(status, state, scratch, input.members);

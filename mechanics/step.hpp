@@ -104,7 +104,7 @@ struct StepInput {
   const IntegratorSettings& settings;
   StepPart part = {};
   StepMembers members = {};
-  /// Whether `StepStatus::strain` is wanted.
+  /// Whether `Component::strain_change` is wanted.
   bool measures_strain = false;
   /// Threads that factors and columns of the inverse are made on. Results are the same bytes for
   /// any number.
@@ -143,14 +143,11 @@ struct ElementMeasure {
 };
 
 /// Element stress (eq. 5) and the largest turn of an element in each component, in one pass, from
-/// the displacements as they are. Gives what that changed in strain energy, row = ComponentId,
-/// where it is wanted; nothing else. `adopt` does it; for whoever sets displacements otherwise.
-/// With corotational elements the stress is that of their own strain, in the body frame as if they
-/// had not turned in it (the rest configuration, where cracks are decided), and turns count as
-/// none.
-std::vector<StrainChange> measure_elements(MechanicsState& state, MechanicsScratch& scratch,
-                                           std::span<const Corners> corners,
-                                           const ElementMeasure& measure = {});
+/// the displacements as they are. `adopt` does it; for whoever sets displacements otherwise. With
+/// corotational elements the stress is that of their own strain, in the body frame as if they had
+/// not turned in it (the rest configuration, where cracks are decided), and turns count as none.
+void measure_elements(MechanicsState& state, MechanicsScratch& scratch,
+                      std::span<const Corners> corners, const ElementMeasure& measure = {});
 
 /// The ids of the components that live (have tetrahedra) and are members, ascending.
 std::vector<ComponentId> living_components(const MechanicsState& state,

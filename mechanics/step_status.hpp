@@ -3,19 +3,12 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "topology/kernel/counters.hpp"
 #include "topology/kernel/finding.hpp"
 #include "topology/kernel/ids.hpp"
 
 namespace sunder {
-
-/// What a measure of element stresses changed in a component's strain energy, J.
-struct StrainChange {
-  double before = 0, after = 0;
-  double difference = 0;  ///< Dd . K Dd: twice the energy of the difference of the stresses
-};
 
 /// How the iterations of a step went; nothing of integrators that have none.
 struct SolveReport {
@@ -51,12 +44,9 @@ struct StepStatus {
   double time = 0;          ///< s, end of the step
   double damping_work = 0;  ///< J taken by Rayleigh damping in this step
   SolveReport solve;
-  /// Row = ComponentId: what the step changed in its strain energy; empty unless asked for
-  /// (`StepInput::measures_strain`).
-  std::vector<StrainChange> strain;
 };
 
-/// Adds another part of the same step: outcome, vertex, time and strain are the part's.
+/// Adds another part of the same step: outcome, vertex and time are the part's.
 void add_status(StepStatus& sum, StepStatus part);
 
 /// The finding that says a step failed: where, value, remedy. Needs an outcome other than fine.

@@ -65,7 +65,8 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
   SimulationScratch& scratch = *sim.scratch;
   StepReport report;
   const double kinetic = scene.energy_ledger ? kinetic_energy(s.mechanics.vertices) : 0;
-  std::vector<char> touched(s.mechanics.components.size(), 0);
+  std::vector<char>& touched = scratch.touched;
+  touched.assign(s.mechanics.components.size(), 0);
 
   StepPlan plan = plan_step(scene, s, scratch.mechanics);
   while (const std::optional<PlannedPart> part = next_part(plan, scene, s)) {

@@ -67,7 +67,7 @@ double deformation_loss(const AdoptedPart& part, const Component& component) {
   const VertexColumns& v = m.vertices;
   const DeformationStep step{{before.displacement, before.rate, before.acceleration},
                              {v.displacement, v.displacement_rate, v.displacement_acceleration},
-                             part.result.status.strain[component.id.index()].difference};
+                             component.strain_change.difference};
   // Equilibrium at the end under the loads of the whole way: they give what strain does not take.
   if (component.rung == Rung::quasi_static) return 0.5 * step.stiffness_difference;
   if (input.part.deformation == Deformation::wave) return wave_loss(*system, step);
@@ -224,7 +224,7 @@ void add_part_energy(StepReport& report, const AdoptedPart& part, bool keeps_led
   add_contact_work(ledger, part);
   const bool has_closed_forms = part.input.settings.integrator == Integrator::floating_frame;
   for_each_living(m, members, [&](const Component& component) {
-    const StrainChange& change = part.result.status.strain[component.id.index()];
+    const StrainChange& change = component.strain_change;
     ledger.strain += change.after - change.before;
     if (has_closed_forms) add_support_work(ledger, part, component);
   });

@@ -121,6 +121,11 @@ void put_back_obstacles(const StepPlan& plan, std::vector<Obstacle>& obstacles) 
   }
 }
 
+void begin_others(StepPlan& plan, const SimulationState& s) {
+  plan.phase = StepPlan::Phase::others;
+  plan.obstacles = s.obstacles;
+}
+
 /// The others have taken the step; now the members take it. Steps that are no longer than a window
 /// lasts at least are sub-stepped whole: to freeze what moves for a part of them would cost more
 /// accuracy than it saves.
@@ -214,8 +219,7 @@ StepPlan plan_step(const Scene& scene, SimulationState& s, MechanicsScratch& scr
     plan.phase = StepPlan::Phase::equal;
     plan.parts = sub_step_count(scene.time_step, least_step_bound(scratch, s.mechanics));
   } else if (has_windows(scene)) {
-    plan.obstacles = s.obstacles;
-    if (!open_windows(s.impact).empty()) plan.phase = StepPlan::Phase::others;
+    if (!open_windows(s.impact).empty()) begin_others(plan, s);
   }
   return plan;
 }
@@ -266,7 +270,7 @@ void note_part(StepPlan& plan, const PlannedPart& part, const ContactStepResult&
   open(plan, s.impact, result.blows, scene.time_step);
   plan.blow =
       plan.phase == Phase::whole ? result.blows.time : std::min(plan.blow, result.blows.time);
-  plan.phase = Phase::others;
+  if (plan.phase == Phase::whole) begin_others(plan, s);
 }
 
 }  // namespace sunder

@@ -75,6 +75,7 @@ struct SimulationScratch {
   MechanicsScratch mechanics;
   ContactScratch contact;
   FractureScratch fracture;
+  std::vector<char> touched;  ///< row = ComponentId: a contact pushed at it in this step
   LadderScratch ladder;
   PartStart before;
   Loads loads;

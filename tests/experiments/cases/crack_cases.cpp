@@ -135,7 +135,7 @@ CrackAnswer measured(const Case& c, int cells, double release, double K) {
   const VolumeMap& map = body.cells.map;
   CrackAnswer answer{.cells = cells, .vertices = m.vertices.size()};
   const std::vector<Vec3> force = corner_forces(body.loads, m, 0);
-  const ReleaseInput input{body.cells, m, Vec3::Zero(), force};
+  const ReleaseInput input{body.cells, body.state, Vec3::Zero(), force};
   const auto front = faces_between(map, c, crack, crack + c.h);
   const double G = energy_release(input, front)->per_area();
   answer.front_release = G / release;
