@@ -200,9 +200,9 @@ TEST_CASE("what sleeps, flies and creeps goes on to the same bytes", "[fracture]
                           .loads = {{.minimum = {0.29, 0, 0},
                                      .maximum = {1, 1, 1},
                                      .force = {0, 0, -100},
-                                     .ramp_time = 1}}});
+                                     .ramp_time = 0.05}}});
   scene.obstacles.push_back({Plane{}});
-  const Seen seen = run_paused(scene, 120, 11);
+  const Seen seen = run_paused(scene, 160, 11);
   for (std::size_t k = 0; k < rung_count; ++k) {
     INFO("rung " << k);
     CHECK(seen.rungs[k] > 0);
