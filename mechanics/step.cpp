@@ -7,22 +7,22 @@
 #include <cstdio>
 #include <string>
 
-#include "mechanics/solver/component_system.hpp"
-#include "mechanics/element/corotational_force.hpp"
-#include "mechanics/baselines/baseline_system.hpp"
 #include "mechanics/baselines/broyden.hpp"
 #include "mechanics/baselines/corotational_euler.hpp"
-#include "mechanics/integrators/floating_frame.hpp"
 #include "mechanics/baselines/implicit_euler.hpp"
-#include "mechanics/integrators/isolated.hpp"
-#include "mechanics/baselines/modal.hpp"
 #include "mechanics/baselines/newton_cg.hpp"
+#include "mechanics/baselines/verlet.hpp"
+#include "mechanics/element/corotational_force.hpp"
+#include "mechanics/element/strain_displacement.hpp"
+#include "mechanics/integrators/baseline_system.hpp"
+#include "mechanics/integrators/floating_frame.hpp"
+#include "mechanics/integrators/isolated.hpp"
+#include "mechanics/integrators/modal.hpp"
 #include "mechanics/integrators/quasi_static.hpp"
 #include "mechanics/integrators/rigid_motion.hpp"
-#include "mechanics/baselines/verlet.hpp"
-#include "mechanics/state/living.hpp"
+#include "mechanics/solver/component_system.hpp"
 #include "mechanics/solver/parallel.hpp"
-#include "mechanics/element/strain_displacement.hpp"
+#include "mechanics/state/living.hpp"
 #include "topology/kernel/assert.hpp"
 
 namespace sunder {
@@ -124,14 +124,6 @@ void take_prediction(MechanicsState& state, MechanicsScratch& scratch, const Ste
   }
 }
 
-/// What of a displacement gradient is left of an element that takes its own turn out of it.
-Mat3 own_strain(const Mat3& H) {
-  const Mat3 F = Mat3::Identity() + H;
-  Mat3 strain = element_rotation(F, Mat3::Identity()).transpose() * F;
-  strain.diagonal().array() -= 1;
-  return strain;
-}
-
 /// The first vertex that is not a number, or else the first that has left its body.
 StepStatus judge(const MechanicsState& state, const StepMembers& members) {
   // Ten radii: no linear displacement means anything there, and no bounded motion gets there.
@@ -154,16 +146,6 @@ StepStatus judge(const MechanicsState& state, const StepMembers& members) {
     if (!finite) break;
   }
   return status;
-}
-
-/// sigma : eps / 2 of a displacement gradient, J/m^3, from its own numbers: those of a stress that
-/// was just written would have to come back from memory.
-double strain_density(const Mat3& H, const Lame& lame) {
-  const double trace = H(0, 0) + H(1, 1) + H(2, 2);
-  const double xy = H(0, 1) + H(1, 0), yz = H(1, 2) + H(2, 1), zx = H(2, 0) + H(0, 2);
-  const double normal = H(0, 0) * H(0, 0) + H(1, 1) * H(1, 1) + H(2, 2) * H(2, 2);
-  return 0.5 * lame.lambda * trace * trace +
-         lame.mu * (normal + 0.5 * (xy * xy + yz * yz + zx * zx));
 }
 
 /// A component whose loads keep their direction while it turns away under them by more than half a
@@ -227,68 +209,6 @@ void predict(MechanicsScratch& scratch, MechanicsState& state, const StepInput& 
   }
 }
 
-void measure_elements(MechanicsState& state, MechanicsScratch& scratch,
-                      std::span<const Corners> corners, const ElementMeasure& measure) {
-  scratch.lame.clear();
-  scratch.stress_energy.clear();
-  for (const Material& material : state.materials) {
-    scratch.lame.push_back(lame(material));
-    scratch.stress_energy.emplace_back(material);
-  }
-  // On lower rungs displacements stay what they were.
-  const auto changes = [&](ComponentId id) {
-    return measure.members.has(id) && deforms(state.components[id.index()].rung);
-  };
-  for (Component& component : state.components) {
-    component.strain_change = {};
-    if (changes(component.id)) component.largest_turn = 0;
-  }
-  ElementColumns& elements = state.elements;
-  // Sums of consecutive elements of one component stay in registers.
-  ComponentId id = ComponentId::none();
-  StrainChange change;
-  double largest = 0;
-  bool is_changing = false;
-  const auto put_down = [&] {
-    if (!is_changing) return;
-    Component& component = state.components[id.index()];
-    component.largest_turn = std::max(component.largest_turn, largest);
-    StrainChange& sum = component.strain_change;
-    sum.before += change.before;
-    sum.after += change.after;
-    sum.difference += change.difference;
-  };
-  for (std::size_t t = 0; t < elements.size(); ++t) {
-    if (elements.component[t] != id) {
-      put_down();
-      id = elements.component[t];
-      is_changing = changes(id);
-      change = {};
-      largest = 0;
-    }
-    if (!is_changing) continue;
-    const CornerVectors d = at_corners(state.vertices.displacement, corners[t]);
-    Mat3 H = displacement_gradient(elements.shape_gradient[t], d);
-    if (measure.model == ElasticModel::corotational) H = own_strain(H);
-    const MaterialId material = elements.material[t];
-    const Mat3 stress = stress_of(H, scratch.lame[material.index()]);
-    largest = std::max(largest, turn_of(H));
-    if (!measure.strain) {
-      elements.stress[t] = stress;
-      continue;
-    }
-    const double volume = elements.rest_volume[t];
-    const double before =
-        volume * scratch.stress_energy[material.index()].density(elements.stress[t]);
-    const double after = volume * strain_density(H, scratch.lame[material.index()]);
-    change.before += before;
-    change.after += after;
-    change.difference += 2 * (before + after - volume * elements.stress[t].cwiseProduct(H).sum());
-    elements.stress[t] = stress;
-  }
-  put_down();
-}
-
 StepStatus adopt(MechanicsState& state, MechanicsScratch& scratch, const StepInput& input) {
   SUNDER_ASSERT(scratch.predicted.position.size() == state.vertices.size(),
                 "adopt: nothing predicted for these vertices");
@@ -323,65 +243,6 @@ StepStatus advance(MechanicsState& state, MechanicsScratch& scratch, const StepI
     predict(scratch, state, input, {&component.id, 1});
   }
   return adopt(state, scratch, input);
-}
-
-std::vector<ComponentId> living_components(const MechanicsState& state,
-                                           const StepMembers& members) {
-  std::vector<ComponentId> living;
-  for (const Component& component : state.components) {
-    if (!component.tetrahedra.empty() && members.has(component.id)) living.push_back(component.id);
-  }
-  return living;
-}
-
-void add_status(StepStatus& sum, StepStatus part) {
-  part.damping_work = sum.damping_work + part.damping_work;
-  add_part(part.solve, sum.solve);
-  sum = std::move(part);
-}
-
-Finding to_finding(const StepStatus& status) {
-  SUNDER_ASSERT(status.outcome != StepOutcome::fine, "to_finding: the step was fine");
-  Finding finding;
-  finding.ids = {static_cast<std::int64_t>(status.vertex.value)};
-  finding.remedy =
-      "Take the integrator floating_frame, or for verlet a time step below explicit_step_bound; "
-      "look for loads that are too large for the material.";
-  char text[200];
-  if (status.outcome == StepOutcome::overturned) {
-    finding.code = "overturned";
-    finding.ids = {static_cast<std::int64_t>(status.component.value)};
-    std::snprintf(text, sizeof text,
-                  "At %.9g s the loads on component %u, which keep their direction, turn it by "
-                  "%.3g rad within one step.",
-                  status.time, status.component.value, status.turned);
-    finding.remedy =
-        "Take a shorter time step, hold the body, or give the load as a pressure, which turns with "
-        "it.";
-  } else if (status.outcome == StepOutcome::too_many_sub_steps) {
-    finding.code = "too_many_sub_steps";
-    finding.ids.clear();
-    std::snprintf(text, sizeof text,
-                  "The step that ends at %.9g s would need %u explicit sub-steps, more than "
-                  "max_sub_steps.",
-                  status.time, static_cast<unsigned>(status.solve.sub_steps));
-    finding.remedy =
-        "Raise integrator.max_sub_steps, take a shorter time step, or use floating_frame.";
-  } else if (status.outcome == StepOutcome::diverged) {
-    finding.code = "diverged";
-    std::snprintf(text, sizeof text,
-                  "At %.9g s vertex %u of component %u is displaced by %.6g m, more than ten radii "
-                  "of its component.",
-                  status.time, status.vertex.value, status.component.value, status.displacement);
-  } else {
-    finding.code = "not_a_number";
-    std::snprintf(text, sizeof text,
-                  "At %.9g s the position or velocity of vertex %u of component %u is not a finite "
-                  "number.",
-                  status.time, status.vertex.value, status.component.value);
-  }
-  finding.text = text;
-  return finding;
 }
 
 }  // namespace sunder

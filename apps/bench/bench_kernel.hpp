@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "apps/bench/bench_figures.hpp"
-#include "topology/mesh/tet_mesh.hpp"
+#include "topology/kernel/tet_mesh.hpp"
 
 namespace sunder {
 

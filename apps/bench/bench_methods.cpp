@@ -9,10 +9,11 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "apps/bench/bench_clock.hpp"
 #include "apps/bench/bench_figures.hpp"
+#include "apps/bench/clock.hpp"
 #include "fracture/simulation/simulation_state.hpp"
-#include "mechanics/baselines/modal.hpp"
+#include "mechanics/integrators/modal.hpp"
+#include "mechanics/rebuild.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
 namespace sunder {
@@ -62,7 +63,7 @@ std::vector<Case> cases() {
 /// A body in flight that turns, deformed smoothly.
 Result<Simulation> flying_body(const Case& c) {
   Scene scene;
-  scene.time_step = c.time_step;
+  scene.integrator.time_step = c.time_step;
   scene.bodies.push_back({.mesh = c.mesh,
                           .material = {.young_modulus = c.young_modulus, .tensile_strength = 1e15},
                           .spin = {1, 2, 3}});

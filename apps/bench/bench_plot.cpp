@@ -6,7 +6,7 @@
 #include <iterator>
 
 #include "apps/bench/bench_report.hpp"
-#include "apps/sunder/chart/gnuplot.hpp"
+#include "apps/sunder/gnuplot.hpp"
 
 namespace sunder {
 namespace {

@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "topology/kernel/finding.hpp"
-#include "topology/mesh/tet_mesh.hpp"
+#include "topology/kernel/tet_mesh.hpp"
 
 namespace sunder {
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "topology/mesh/tet_mesh.hpp"
+#include "topology/kernel/tet_mesh.hpp"
 
 namespace sunder {
 

@@ -7,7 +7,7 @@
 
 #include "apps/sunder-mesh/mesh_quality.hpp"
 #include "topology/kernel/finding.hpp"
-#include "topology/mesh/tet_mesh.hpp"
+#include "topology/kernel/tet_mesh.hpp"
 
 namespace sunder {
 

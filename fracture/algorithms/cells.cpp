@@ -6,8 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "topology/kernel/fan.hpp"
-
 namespace sunder {
 namespace {
 
@@ -34,6 +32,14 @@ double mean_edge_length(const VertexColumns& vertices, std::span<const Corners> 
     }
   }
   return sum / (6.0 * static_cast<double>(star.size()));
+}
+
+/// Whether a face has a vertex that never splits.
+bool touches_unbreakable(const Cells& cells, HalfFaceId face) {
+  const Corners& corners = cells.map.corners(tetrahedron_of(face));
+  return std::ranges::any_of(dart_order::face_corners[place_of(face)], [&](int place) {
+    return cells.unbreakable[corners[place].index()] != 0;
+  });
 }
 
 }  // namespace
@@ -72,6 +78,7 @@ void append_copy(Cells& cells, VertexId from) {
   append(cells.flaw);
   append(cells.unbreakable);
   append(cells.waits);
+  append(cells.labels.of_vertex);
 }
 
 double vertex_strength(const Cells& cells, const MechanicsState& mechanics, VertexId vertex,
@@ -97,6 +104,13 @@ Vec3 rest_area_vector(const Cells& cells, HalfFaceId face) {
   const auto x = [&](int k) { return Vec3(cells.map.point(corners[order[k]]).data()); };
   const Vec3 a = x(0);
   return 0.5 * (x(1) - a).cross(x(2) - a);
+}
+
+std::vector<HalfFaceId> breakable_fan(const Cells& cells, const VertexStar& v,
+                                      std::span<const char> positive) {
+  std::vector<HalfFaceId> faces = fan_faces(cells.map, v, positive);
+  std::erase_if(faces, [&](HalfFaceId f) { return touches_unbreakable(cells, f); });
+  return faces;
 }
 
 }  // namespace sunder

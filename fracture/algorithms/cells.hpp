@@ -7,6 +7,7 @@
 
 #include "mechanics/state/mechanics_state.hpp"
 #include "topology/kernel/components.hpp"
+#include "topology/kernel/fan.hpp"
 #include "topology/kernel/volume_map.hpp"
 
 namespace sunder {
@@ -39,6 +40,13 @@ struct Cells {
   std::vector<EmptyFan> empty_fans;
 };
 
+/// The bodies of a simulation as breaking changes them: their cells, and the columns of mechanics
+/// that belong to the same rows.
+struct BreakableBody {
+  Cells& cells;
+  MechanicsState& mechanics;
+};
+
 /// Which half-faces lie on the boundary, 4 |T|.
 std::vector<char> boundary_of(const VolumeMap& map);
 
@@ -47,7 +55,8 @@ std::vector<char> boundary_of(const VolumeMap& map);
 /// nothing was cut.
 Cells make_cells(VolumeMap map, const MechanicsState& mechanics, std::vector<char> skin = {});
 
-/// Appends the columns of a copy of vertex `from`: it inherits everything.
+/// Appends the columns of a copy of vertex `from`, its component label among them: it inherits
+/// everything.
 void append_copy(Cells& cells, VertexId from);
 
 /// C of the threshold at a crack tip, C K_Ic / sqrt(h): with it an edge crack breaks within 3 per
@@ -65,6 +74,11 @@ double vertex_strength(const Cells& cells, const MechanicsState& mechanics, Vert
 
 /// Area vector of a face at rest, m^2, by the order of its corners in `dart_order`.
 Vec3 rest_area_vector(const Cells& cells, HalfFaceId face);
+
+/// The fan of a star's signs (`plane_signs`): `fan_faces`, but for those that touch an unbreakable
+/// vertex. A vertex splits by faces at it alone, so an unbreakable one never does.
+std::vector<HalfFaceId> breakable_fan(const Cells& cells, const VertexStar& v,
+                                      std::span<const char> positive);
 
 /// Whether a half-face lies on the boundary because of a crack.
 inline bool is_crack_face(const Cells& cells, HalfFaceId face) {

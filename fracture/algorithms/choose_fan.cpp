@@ -3,10 +3,7 @@
 #include "fracture/algorithms/choose_fan.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-
-#include "topology/kernel/fan.hpp"
 
 namespace sunder {
 namespace {
@@ -14,26 +11,21 @@ namespace {
 /// A vertex with its surroundings, as its candidates see them.
 struct Place {
   const Cells& cells;
-  VertexId vertex;
-  std::vector<TetId> star;
-  std::vector<Vec3> away;  // from the vertex to each rest centre of the star, m
+  const VertexStar& star;
+  std::vector<CentreOffset> centres;  // of the star's tetrahedra, from the vertex
   Vec3 octant;
 };
 
-Vec3 point_of(const VolumeMap& map, VertexId v) {
-  const Point& p = map.point(v);
-  return {p[0], p[1], p[2]};
-}
-
-Place look_around(const Cells& cells, VertexId vertex, const Vec3& centre) {
-  const Vec3 at = point_of(cells.map, vertex);
-  Place place{cells, vertex, star(cells.map, vertex), {}, {}};
-  Vec3 middle = at;
-  for (const TetId t : place.star) {
-    Vec3 away = Vec3::Zero();
-    for (const VertexId v : cells.map.corners(t)) away += (point_of(cells.map, v) - at) / 4;
-    place.away.push_back(away);
-    middle += away / static_cast<double>(place.star.size());
+Place look_around(const Cells& cells, const VertexStar& v, const Vec3& centre) {
+  const VolumeMap& map = cells.map;
+  const Point& at = map.point(v.vertex);
+  Place place{cells, v, {}, {}};
+  Vec3 middle = {at[0], at[1], at[2]};
+  for (const CornerId c : v.corners) {
+    const Corners& rows = map.corners(tetrahedron_of(c));
+    place.centres.push_back(centre_offset(
+        {map.point(rows[0]), map.point(rows[1]), map.point(rows[2]), map.point(rows[3])}, at));
+    middle += Vec3(place.centres.back().away.data()) / static_cast<double>(v.corners.size());
   }
   // Not by the vertex itself: copies on a mirror's plane have their images there too.
   place.octant = octant_of(middle, centre);
@@ -59,23 +51,14 @@ bool borders_crack(const Cells& cells, HalfFaceId face) {
   return false;
 }
 
-bool touches_unbreakable(const Cells& cells, HalfFaceId face) {
-  const auto& corners = cells.map.corners(tetrahedron_of(face));
-  return std::ranges::any_of(dart_order::face_corners[place_of(face)], [&](int place) {
-    return cells.unbreakable[corners[place].index()] != 0;
-  });
-}
-
-/// The fan of a plane, but for faces that nothing may split.
+/// The fan of a plane, by the signs of algorithm 4.
 FanPlane fan_of(const Place& place, const Vec3& normal) {
-  std::vector<char> positive(place.star.size());
-  for (std::size_t i = 0; i < place.star.size(); ++i) {
-    const Vec3& away = place.away[i];
-    positive[i] = normal.dot(away) >= -equal_directions * normal.norm() * away.norm();
+  std::vector<char> positive;
+  for (const CentreOffset& centre : place.centres) {
+    const PlaneSide side = plane_side({normal.x(), normal.y(), normal.z()}, centre);
+    positive.push_back(side != PlaneSide::negative);
   }
-  FanPlane fan{normal, fan_faces(place.cells.map, place.vertex, place.star, positive)};
-  std::erase_if(fan.faces, [&](HalfFaceId f) { return touches_unbreakable(place.cells, f); });
-  return fan;
+  return {normal, breakable_fan(place.cells, place.star, positive)};
 }
 
 /// A fan and how good it is.
@@ -123,8 +106,8 @@ Candidate& best_of(std::vector<Candidate>& candidates, const Vec3& octant) {
 
 /// Adds the fan of a normal and, where anything lies on the plane, that of its opposite.
 void add_fans(std::vector<Candidate>& candidates, const Place& place, const Vec3& normal) {
-  const bool touched = std::ranges::any_of(place.away, [&](const Vec3& away) {
-    return std::abs(normal.dot(away)) <= equal_directions * away.norm();
+  const bool touched = std::ranges::any_of(place.centres, [&](const CentreOffset& centre) {
+    return plane_side({normal.x(), normal.y(), normal.z()}, centre) == PlaneSide::on;
   });
   for (const double sign : {1.0, -1.0}) {
     FanPlane fan = fan_of(place, sign * normal);
@@ -135,13 +118,12 @@ void add_fans(std::vector<Candidate>& candidates, const Place& place, const Vec3
 
 /// Normals of the interior faces at a vertex, in rising order of half-face.
 std::vector<Vec3> interior_face_normals(const Place& place) {
-  const VolumeMap& map = place.cells.map;
   std::vector<Vec3> normals;
-  for (const TetId t : place.star) {
+  for (const CornerId c : place.star.corners) {
     for (int p = 0; p < 4; ++p) {
-      const HalfFaceId f = half_face(t, p);
-      if (map.corners(t)[p] == place.vertex) continue;
-      const HalfFaceId other = map.neighbour(f);
+      const HalfFaceId f = half_face(tetrahedron_of(c), p);
+      if (p == place_of(c)) continue;
+      const HalfFaceId other = place.cells.map.neighbour(f);
       if (!other.is_none() && f < other) {
         normals.push_back(rest_area_vector(place.cells, f).normalized());
       }
@@ -150,17 +132,11 @@ std::vector<Vec3> interior_face_normals(const Place& place) {
   return normals;
 }
 
-double wall_us() {
-  return std::chrono::duration<double, std::micro>(
-             std::chrono::steady_clock::now().time_since_epoch())
-      .count();
-}
-
 }  // namespace
 
-FanPlane choose_fan(const Cells& cells, VertexId vertex, const PrincipalTension& tension,
+FanPlane choose_fan(const Cells& cells, const VertexStar& v, const PrincipalTension& tension,
                     const Vec3& centre) {
-  const Place place = look_around(cells, vertex, centre);
+  const Place place = look_around(cells, v, centre);
   std::vector<Vec3> face_normals;
   if (tension.directions.cols() > 1) face_normals = interior_face_normals(place);
   std::vector<Candidate> candidates;
@@ -169,24 +145,6 @@ FanPlane choose_fan(const Cells& cells, VertexId vertex, const PrincipalTension&
   }
   if (candidates.empty()) return {};
   return std::move(best_of(candidates, place.octant).fan);
-}
-
-PlannedFan plan_fan(const Cells& cells, VertexId vertex, const PrincipalTension& tension,
-                    const Vec3& centre) {
-  // Signs of the tetrahedra around v relatively to the plane, and the faces between them.
-  const double start = wall_us();
-  PlannedFan fan{vertex, choose_fan(cells, vertex, tension, centre), tension.value,
-                 cells.strength[vertex.index()]};
-  fan.choose_us = wall_us() - start;
-  return fan;
-}
-
-PlannedFan plan_known_fan(const Cells& cells, VertexId vertex, const Vec3& normal, double stress) {
-  const double start = wall_us();
-  PlannedFan fan{vertex, fan_of(look_around(cells, vertex, Vec3::Zero()), normal), stress,
-                 cells.strength[vertex.index()]};
-  fan.choose_us = wall_us() - start;
-  return fan;
 }
 
 }  // namespace sunder

@@ -7,6 +7,14 @@
 #include <cmath>
 
 namespace sunder {
+namespace {
+
+Eigen::Vector3d canonical(const Eigen::Vector3d& n, const Eigen::Vector3d& octant) {
+  const Point c = canonical_direction({n(0), n(1), n(2)}, {octant(0), octant(1), octant(2)});
+  return {c[0], c[1], c[2]};
+}
+
+}  // namespace
 
 PrincipalTension principal_tension(const Eigen::Matrix3d& sigma) {
   // compute(), not computeDirect(): the closed form's vectors are only 8e-8 accurate on near-equal
@@ -28,28 +36,18 @@ Eigen::Vector3d octant_of(const Eigen::Vector3d& point, const Eigen::Vector3d& c
   return signs;
 }
 
-Eigen::Vector3d canonical_direction(const Eigen::Vector3d& n, const Eigen::Vector3d& octant) {
-  int largest = 0;
-  for (int i = 1; i < 3; ++i) {
-    if (std::abs(n(i)) > std::abs(n(largest)) + equal_directions) largest = i;
-  }
-  if (n(largest) * octant(largest) < 0) return -n;
-  return n;
-}
-
 std::vector<Eigen::Vector3d> candidate_normals(const PrincipalTension& tension,
                                                const std::vector<Eigen::Vector3d>& face_normals,
                                                const Eigen::Vector3d& octant) {
   if (tension.directions.cols() == 1) {
-    return {canonical_direction(tension.directions.col(0), octant)};
+    return {canonical(tension.directions.col(0), octant)};
   }
   std::vector<Eigen::Vector3d> candidates;
   const auto add_projection = [&](const Eigen::Vector3d& direction) {
     const Eigen::Vector3d inside =
         tension.directions * (tension.directions.transpose() * direction);
     // A direction at right angles to the eigenspace says nothing about it.
-    if (inside.norm() > 1e-3)
-      candidates.push_back(canonical_direction(inside.normalized(), octant));
+    if (inside.norm() > 1e-3) candidates.push_back(canonical(inside.normalized(), octant));
   };
   for (const Eigen::Vector3d& normal : face_normals) add_projection(normal);
   for (int axis = 0; axis < 3; ++axis) add_projection(Eigen::Vector3d::Unit(axis));

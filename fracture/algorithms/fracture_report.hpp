@@ -13,15 +13,15 @@ namespace sunder {
 
 /// What searches for fractures counted.
 struct SearchCounts {
-  /// Vertices tested, those that Gershgorin's bound let through, and those of them that really
-  /// reach their threshold: the last two give the bound's efficiency (table 3).
+  /// Vertices tested; those that Gershgorin's bound let through; those of them that reach their
+  /// threshold. The last two give the bound's efficiency (table 3).
   std::size_t tested = 0, suspects = 0, reached = 0;
-  /// Vertices newly found over their threshold with every tetrahedron on one side of every allowed
-  /// plane; those whose fan the limits on pieces refused; and those that still wait for their
-  /// stress to change since they were counted as either, and were not tested again.
+  /// Vertices newly found over their threshold that cannot split: with all tetrahedra on one side
+  /// of every allowed plane, or refused by the limits on pieces; and those counted as either
+  /// before, which are not tested again until their stress changes.
   std::size_t empty_fans = 0, refused_fans = 0, still_empty = 0;
-  /// Vertices that waited for a fan and fell below their threshold before their turn came, or whose
-  /// faces a neighbour's fan had split by then.
+  /// Vertices over their threshold that fell below it, or lost their faces to a neighbour's fan,
+  /// before they were split.
   std::size_t relieved = 0;
   /// Vertices over their threshold that the budget left for a later step.
   std::size_t waiting = 0;

@@ -6,6 +6,7 @@
 
 #include "topology/kernel/fan.hpp"
 #include "topology/kernel/sort_unique.hpp"
+#include "topology/kernel/star_parts.hpp"
 
 namespace sunder {
 namespace {
@@ -14,29 +15,20 @@ namespace {
 std::vector<std::vector<TetId>> parts_of_star(const VolumeMap& map, VertexId vertex,
                                               std::span<const HalfFaceId> cut) {
   const std::vector<TetId> tets = star(map, vertex);
-  const auto place = [&](TetId t) {
-    return static_cast<std::size_t>(std::lower_bound(tets.begin(), tets.end(), t) - tets.begin());
-  };
-  std::vector<char> seen(tets.size(), 0);
-  std::vector<std::vector<TetId>> parts;
-  for (std::size_t first = 0; first < tets.size(); ++first) {
-    if (seen[first]) continue;
-    seen[first] = 1;
-    std::vector<TetId> part = {tets[first]};
-    for (std::size_t next = 0; next < part.size(); ++next) {
-      const TetId t = part[next];
-      for (int p = 0; p < 4; ++p) {
+  const std::vector<std::uint32_t> first =
+      star_parts(tets, [&](TetId t, int p) -> std::optional<TetId> {
         const HalfFaceId face = half_face(t, p), other = map.neighbour(face);
-        if (map.corners(t)[static_cast<std::size_t>(p)] == vertex || other.is_none()) continue;
-        if (std::binary_search(cut.begin(), cut.end(), face)) continue;
-        const std::size_t row = place(tetrahedron_of(other));
-        if (seen[row]) continue;
-        seen[row] = 1;
-        part.push_back(tetrahedron_of(other));
-      }
+        if (other.is_none() || std::ranges::binary_search(cut, face)) return std::nullopt;
+        return tetrahedron_of(other);
+      });
+  std::vector<std::vector<TetId>> parts;
+  std::vector<std::size_t> part(tets.size());
+  for (std::uint32_t i = 0; i < tets.size(); ++i) {
+    if (first[i] == i) {
+      part[i] = parts.size();
+      parts.emplace_back();
     }
-    std::sort(part.begin(), part.end());
-    parts.push_back(std::move(part));
+    parts[part[first[i]]].push_back(tets[i]);
   }
   return parts;
 }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fracture/algorithms/parted_vertices.hpp"
-#include "topology/kernel/components_impl.hpp"
+#include "topology/kernel/part_search.hpp"
 
 namespace sunder {
 namespace {
@@ -43,14 +43,10 @@ bool may_part(const VolumeMap& map, std::span<const PartedVertex> parted, HalfFa
   });
 }
 
-double mass_of(const ComponentScratch::Part& part, const ComponentScratch& scratch,
+double mass_of(std::uint32_t part, const ComponentScratch& scratch,
                const MechanicsState& mechanics) {
   double mass = 0;
-  for (const std::uint32_t head : {part.todo_head, part.done_head}) {
-    for (std::uint32_t t = head; t != detail::no_tetrahedron; t = scratch.next[t]) {
-      mass += mechanics.elements.mass[t];
-    }
-  }
+  for_each_tetrahedron(scratch, part, [&](TetId t) { mass += mechanics.elements.mass[t.index()]; });
   return mass;
 }
 
@@ -59,10 +55,10 @@ double mass_of(const ComponentScratch::Part& part, const ComponentScratch& scrat
 bool exceeds_limits(const Cells& cells, const MechanicsState& mechanics,
                     std::span<const HalfFaceId> faces, const FractureSettings& settings,
                     ComponentScratch& scratch) {
-  if (faces.empty() || (settings.smallest_piece <= 0 && settings.max_pieces == 0)) return false;
+  if (faces.empty() || !limits_pieces(settings)) return false;
   const MapWithoutFan view(cells.map, faces);
   const std::vector<PartedVertex> parted = parted_vertices(cells.map, faces);
-  detail::Lockstep<MapWithoutFan> search(view, scratch);
+  PartSearch<MapWithoutFan> search(view, scratch);
   for (const HalfFaceId face : faces) {
     if (!may_part(cells.map, parted, face)) continue;
     search.add_source(tetrahedron_of(face));
@@ -76,7 +72,7 @@ bool exceeds_limits(const Cells& cells, const MechanicsState& mechanics,
     return true;
   }
   const auto is_light = [&](std::uint32_t part) {
-    return mass_of(scratch.parts[part], scratch, mechanics) < settings.smallest_piece;
+    return mass_of(part, scratch, mechanics) < settings.smallest_piece;
   };
   if (std::ranges::any_of(scratch.closed, is_light)) return true;
   if (scratch.live.empty() || !is_light(scratch.live.front())) return false;

@@ -9,6 +9,11 @@
 
 namespace sunder {
 
+/// Whether there is any limit to ask.
+inline bool limits_pieces(const FractureSettings& settings) {
+  return settings.smallest_piece > 0 || settings.max_pieces > 0;
+}
+
 /// Whether unsewing `faces` (the fan of `vertex`) would part a piece lighter than
 /// `settings.smallest_piece` from the rest, or leave more pieces than `settings.max_pieces` in the
 /// scene. Nothing is changed. Exact: a face can only part something if its sides are in different

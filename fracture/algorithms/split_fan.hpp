@@ -3,28 +3,30 @@
 #pragma once
 
 #include "fracture/algorithms/cells.hpp"
-#include "fracture/algorithms/choose_fan.hpp"
 #include "fracture/algorithms/fan_event.hpp"
 #include "fracture/algorithms/fracture_settings.hpp"
 
 namespace sunder {
 
-/// Working memory of `split_fan`, kept between calls.
-struct FanScratch {
-  ComponentScratch components;
-};
-
-/// Splits the faces of a fan (algorithm 4), but for those that another fan has split since it was
-/// decided on: each is unsewn in turn and the oracle asked after each, then the components. Appends
-/// the columns of every vertex that split, in `mechanics.vertices` and `cells.strength`; masses and
-/// frames are left to `rebuild`, `elements.component` to its caller.
+/// Algorithm 4, split(v, u): signs of the tetrahedra around `v` relatively to the plane through it
+/// with the normal `u`; each face between a positive and a negative one is unsewn in turn, the
+/// vertices that come apart get copies, and the oracle is asked after each face; at the end, and
+/// only if it predicted new connected components, these are identified.
 ///
-///        +   |   -            before: one vertex v        after: v on the side of the half-face
-///      ______v______    ->    ______v | v'______          that was passed, a copy on the other
+///        +   |   -            before: one vertex v        after: v on the positive side,
+///      ______v______    ->    ______v | v'______          a copy on the other
 ///            |                      + | -
 ///
-/// Needs: a living vertex. Cost: the star, the faces' stars, the smaller sides of what comes off.
-FanEvent split_fan(Cells& cells, MechanicsState& mechanics, PlannedFan fan,
-                   const FractureSettings& settings, FanScratch& scratch);
+/// `v`: `vertex_star(map, vertex)`. A star that was taken before other fans were split is as good:
+/// the fan is the one that it had then, but for faces that those have unsewn. `u`: rest frame, of
+/// any length but 0; what lies on the plane is on the side it points to.
+///
+/// Appends the columns of every vertex that split, in `body.mechanics.vertices` and `body.cells`,
+/// and brings component labels and the thresholds of the fan's vertices (crack tips) up to date;
+/// masses and frames are left to `rebuild`, `elements.component` to the caller. Of the event,
+/// stress, strength and round are the caller's to fill in.
+/// Cost: the star, the faces' stars, the smaller sides of what comes off.
+FanEvent split_fan(BreakableBody body, const VertexStar& v, const Vec3& u,
+                   const FractureSettings& settings, ComponentScratch& scratch);
 
 }  // namespace sunder

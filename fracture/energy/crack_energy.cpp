@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "mechanics/contact/impact.hpp"
+#include "mechanics/state/wave_travel.hpp"
 
 namespace sunder {
 namespace {

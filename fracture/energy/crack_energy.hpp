@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
-#include "fracture/algorithms/fan_event.hpp"
 #include "fracture/algorithms/cells.hpp"
+#include "fracture/algorithms/fan_event.hpp"
 #include "fracture/energy/settled_crack.hpp"
-#include "mechanics/step.hpp"
+#include "mechanics/state/step_input.hpp"
 
 namespace sunder {
 

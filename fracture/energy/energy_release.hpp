@@ -8,11 +8,12 @@
 
 #include "fracture/algorithms/cells.hpp"
 #include "fracture/algorithms/parted_vertices.hpp"
-#include "mechanics/loads.hpp"
-#include "mechanics/step.hpp"
+#include "mechanics/state/loads.hpp"
 #include "topology/kernel/finding.hpp"
 
 namespace sunder {
+
+struct MechanicsScratch;
 
 /// A supported body in equilibrium, with what pulls at it.
 struct ReleaseInput {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "mechanics/element/strain_displacement.hpp"
+#include "mechanics/solver/component_system.hpp"
 #include "topology/kernel/assert.hpp"
 #include "topology/kernel/fan.hpp"
 #include "topology/kernel/sort_unique.hpp"

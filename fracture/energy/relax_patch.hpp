@@ -6,12 +6,12 @@
 #include <map>
 #include <vector>
 
-#include "fracture/algorithms/split_fan.hpp"
-#include "mechanics/solver/component_system.hpp"
+#include "fracture/algorithms/cells.hpp"
+#include "fracture/algorithms/fan_event.hpp"
 
 namespace sunder {
 
-/// Deformation as the fans of one `find_fractures` have changed it. For decisions only: the state
+/// Deformation as the fans of one `break_vertices` have changed it. For decisions only: the state
 /// keeps its displacements, and the dynamics opens the cracks.
 struct RelaxedState {
   std::vector<Vec3> displacement;  ///< |V|, m, body frame

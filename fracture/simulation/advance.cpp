@@ -6,10 +6,11 @@
 #include "fracture/simulation/break.hpp"
 #include "fracture/simulation/display.hpp"
 #include "fracture/simulation/energy_ledger.hpp"
+#include "fracture/simulation/fan_clock.hpp"
 #include "fracture/simulation/ladder.hpp"
 #include "fracture/simulation/part.hpp"
 #include "fracture/simulation/plan.hpp"
-#include "fracture/simulation/rebuild.hpp"
+#include "fracture/simulation/rebuild_pieces.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/element/energy.hpp"
 #include "mechanics/state/living.hpp"
@@ -44,6 +45,15 @@ FractureSettings with_fans_left(FractureSettings settings, std::size_t made) {
   return settings;
 }
 
+/// Notes which components came off in the step that ends, and when; gives them.
+std::vector<ComponentId> note_births(SimulationState& s, std::size_t before) {
+  std::vector<ComponentId> born;
+  s.birth_step.resize(before, 0);
+  s.birth_step.resize(s.cells.labels.size.size(), s.step);
+  for (std::size_t id = before; id < s.birth_step.size(); ++id) born.emplace_back(id);
+  return born;
+}
+
 /// Adds the fractures of another part of the step, at `sum.time`.
 void add_fracture(StepReport& sum, FractureReport&& part) {
   FractureReport& all = sum.fracture;
@@ -64,6 +74,7 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
   SimulationState& s = *sim.state;
   SimulationScratch& scratch = *sim.scratch;
   StepReport report;
+  const std::size_t components_before = s.cells.labels.size.size();
   const double kinetic = scene.energy_ledger ? kinetic_energy(s.mechanics.vertices) : 0;
   std::vector<char>& touched = scratch.touched;
   touched.assign(s.mechanics.components.size(), 0);
@@ -88,12 +99,15 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
     if (!taken.adopted || !part->breaks) continue;
 
     FractureReport found;
+    FanClock clock;
     {
       const StageTimer timer(report, Stage::fracture);
       found = break_members(s, with_fans_left(scene.fracture, report.fracture.fans.size()),
-                            {s.step + 1, report.parts}, plan.members(), scratch.fracture);
+                            {s.step + 1, report.parts}, plan.members(), scratch.fracture,
+                            clock.watch());
       report.departed = s.script && s.script->departure;
     }
+    for (const FanEvent& fan : found.fans) report.fan_us.push_back(clock.us(fan.vertex));
     if (!found.not_a_number && !found.fans.empty()) {
       const StageTimer timer(report, Stage::rebuild);
       const RebuildReport rebuilt = rebuild_pieces(s, found.fans, scratch.mechanics);
@@ -109,6 +123,7 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
   if (plan.phase == StepPlan::Phase::equal) report.status.solve.sub_steps = plan.parts;
 
   report.step = ++s.step;
+  report.new_components = note_births(s, components_before);
   report.time = s.mechanics.time;
   for_each_living(s.mechanics, {}, [&](const Component&) { ++report.components; });
   if (!has_failed(report)) {

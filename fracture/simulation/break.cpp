@@ -8,14 +8,15 @@ namespace sunder {
 
 FractureReport break_members(SimulationState& s, const FractureSettings& settings,
                              SearchPlace place, const StepMembers& members,
-                             FractureScratch& scratch) {
+                             FractureScratch& scratch, const FanWatch& watch) {
   // A search fails on stresses that are not numbers; a script has nothing for them.
   const bool is_scripted =
       s.script && std::ranges::all_of(s.mechanics.elements.stress,
                                       [](const Mat3& stress) { return stress.allFinite(); });
-  if (!is_scripted) return find_fractures(s.cells, s.mechanics, settings, scratch, members);
+  const BreakableBody body{s.cells, s.mechanics};
+  if (!is_scripted) return break_vertices(body, settings, scratch, members, watch);
   FractureReport made;
-  made.fans = make_fans({s.cells, s.mechanics}, settings, *s.script, place, scratch.fan);
+  made.fans = make_fans(body, settings, *s.script, place, scratch.components, watch);
   return made;
 }
 

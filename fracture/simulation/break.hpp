@@ -12,6 +12,6 @@ namespace sunder {
 /// `state.script->departure` says so.
 FractureReport break_members(SimulationState& state, const FractureSettings& settings,
                              SearchPlace place, const StepMembers& members,
-                             FractureScratch& scratch);
+                             FractureScratch& scratch, const FanWatch& watch = {});
 
 }  // namespace sunder

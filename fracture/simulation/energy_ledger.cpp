@@ -7,6 +7,7 @@
 #include "mechanics/element/numerical_loss.hpp"
 #include "mechanics/integrators/coefficients.hpp"
 #include "mechanics/integrators/component_step.hpp"
+#include "mechanics/integrators/numerical_loss.hpp"
 #include "mechanics/state/living.hpp"
 
 namespace sunder {

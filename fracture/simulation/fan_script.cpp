@@ -36,8 +36,9 @@ std::vector<PlannedFan> plan_round(const Cells& cells, const FractureSettings& s
       depart(script, row, std::move(reason));
       break;
     }
-    plans.push_back(plan_known_fan(cells, fan.vertex, fan.normal, fan.stress));
-    if (settings.criterion == FractureCriterion::energy) plans.back().strength = fan.strength;
+    const bool by_energy = settings.criterion == FractureCriterion::energy;
+    plans.push_back({vertex_star(cells.map, fan.vertex), fan.normal, fan.stress,
+                     by_energy ? fan.strength : cells.strength[fan.vertex.index()]});
   }
   return plans;
 }
@@ -54,11 +55,12 @@ std::size_t end_of_round(const FanScript& script) {
 
 }  // namespace
 
-std::vector<FanEvent> make_fans(BrokenBody body, const FractureSettings& settings,
-                                FanScript& script, SearchPlace place, FanScratch& scratch) {
-  FractureSettings unlimited = settings;
-  unlimited.smallest_piece = 0;
-  unlimited.max_pieces = 0;
+std::vector<FanEvent> make_fans(BreakableBody body, const FractureSettings& settings,
+                                FanScript& script, SearchPlace place, ComponentScratch& scratch,
+                                const FanWatch& watch) {
+  const auto tell = [&](VertexId v) {
+    if (watch) watch(v);
+  };
   std::vector<FanEvent> made;
   while (script.next < script.fans.size() && script.fans[script.next].place <= place) {
     const SearchPlace wanted = script.fans[script.next].place;
@@ -69,8 +71,10 @@ std::vector<FanEvent> make_fans(BrokenBody body, const FractureSettings& setting
       return made;
     }
     const std::uint32_t round = script.fans[script.next].round;
-    for (PlannedFan& plan : plan_round(body.cells, settings, script, end_of_round(script))) {
-      FanEvent event = split_fan(body.cells, body.mechanics, std::move(plan), unlimited, scratch);
+    for (const PlannedFan& plan : plan_round(body.cells, settings, script, end_of_round(script))) {
+      tell(plan.v.vertex);
+      FanEvent event = split_planned(body, plan, settings, scratch);
+      tell(VertexId::none());
       if (event.faces.empty()) {
         depart(script, script.next,
                fmt::format("no face is left to split at vertex {} along this normal",

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "fracture/algorithms/split_fan.hpp"
+#include "fracture/simulation/break_vertices.hpp"
 
 namespace sunder {
 
@@ -44,20 +44,15 @@ struct FanScript {
   std::optional<ScriptDeparture> departure;
 };
 
-/// What fans change.
-struct BrokenBody {
-  Cells& cells;
-  MechanicsState& mechanics;
-};
-
 /// Makes the fans that the script has for the search at `place`, without any threshold test, and
 /// moves the script on; gives their events. Round by round: the faces of all fans of a round follow
 /// from their vertices and normals on the state before any of them is split, as in
-/// `find_fractures`. Limits on pieces are not asked again. Stops at the first fan that does not fit
+/// `break_vertices`. Limits on pieces are not asked again. Stops at the first fan that does not fit
 /// (its search has passed, its vertex is not there, its plane parts nothing) and says so in
 /// `script.departure`. Whether what they split is what they split then is the caller's to compare.
 /// Needs: calls in the order of the run, one for every search. Cost: that of the fans.
-std::vector<FanEvent> make_fans(BrokenBody body, const FractureSettings& settings,
-                                FanScript& script, SearchPlace place, FanScratch& scratch);
+std::vector<FanEvent> make_fans(BreakableBody body, const FractureSettings& settings,
+                                FanScript& script, SearchPlace place, ComponentScratch& scratch,
+                                const FanWatch& watch = {});
 
 }  // namespace sunder

@@ -7,15 +7,15 @@
 
 #include <fmt/format.h>
 
-#include "mechanics/baselines/modal.hpp"
 #include "mechanics/baselines/verlet.hpp"
+#include "mechanics/integrators/modal.hpp"
 
 namespace sunder {
 namespace {
 
 void check_explicit(std::vector<Finding>& findings, const Scene& scene, double bound) {
   const IntegratorSettings& settings = scene.integrator;
-  const double h = scene.time_step;
+  const double h = scene.integrator.time_step;
   if (settings.integrator == Integrator::verlet && h > bound) {
     findings.push_back(
         {.code = "explicit_step_too_long",

@@ -168,7 +168,7 @@ void find_rested(LadderScratch& ladder, SimulationState& s, const Scene& scene) 
     const bool moves = !steady || is_carried(s.mechanics, c) ||
                        s.impact.quiet[c.id.index()] != ImpactWindow::closed ||
                        fastest_vertex(s.mechanics, c) > still_speed;
-    still = moves ? 0 : still + scene.time_step;
+    still = moves ? 0 : still + scene.integrator.time_step;
     rested[c.id.index()] = c.rung == Rung::asleep || still >= settings.sleep_after;
   }
   keep_awake_with_neighbours(ladder, s);
@@ -191,15 +191,6 @@ double fall_asleep(MechanicsState& state, Component& component) {
 }
 
 }  // namespace
-
-std::vector<Finding> check(const LadderSettings& settings) {
-  // Written so that a NaN fails.
-  if (settings.sleep_after > 0) return {};
-  return {{.code = "bad_ladder_setting",
-           .text = "ladder.sleep_after is " + std::to_string(settings.sleep_after) +
-                   " s; allowed is a number above 0",
-           .remedy = "leave it out for the default, or set ladder.sleep to false"}};
-}
 
 double flight_stress_bound(const MechanicsState& state, const Component& component) {
   const Material& material = material_of(state, component);

@@ -7,6 +7,8 @@
 
 #include "fracture/simulation/integrator_bounds.hpp"
 #include "mechanics/baselines/verlet.hpp"
+#include "mechanics/contact/obstacle_geometry.hpp"
+#include "mechanics/state/living.hpp"
 
 namespace sunder {
 namespace {
@@ -136,7 +138,7 @@ void begin_members(StepPlan& plan, const Scene& scene, SimulationState& s) {
   plan.impact.components =
       std::max(plan.impact.components,
                static_cast<std::uint32_t>(living_components(s.mechanics, plan.members()).size()));
-  const double count = std::round(scene.time_step / s.impact.sub_step);
+  const double count = std::round(scene.integrator.time_step / s.impact.sub_step);
   plan.throughout = count <= waves_stay / scene.impact.fraction;
   plan.left = static_cast<std::uint64_t>(count);
   if (!plan.throughout) plan.still = sub_steps_before(plan.blow, plan.left, s.impact.sub_step);
@@ -154,7 +156,7 @@ PlannedPart next_of_members(StepPlan& plan, const Scene& scene, const Simulation
   if (fine && !plan.impact.stopped) return {{Deformation::wave, 0, &scene.impact}, sub_step};
   // What is left at once, or the way to the next blow.
   const ImpactSettings* impact = plan.impact.stopped ? nullptr : &scene.impact;
-  return {{Deformation::catch_up, scene.time_step, impact},
+  return {{Deformation::catch_up, scene.integrator.time_step, impact},
           static_cast<double>(plan.left) * sub_step};
 }
 
@@ -193,7 +195,7 @@ void note_members(StepPlan& plan, const PlannedPart& part, const ContactStepResu
       if (result.adopted) {
         plan.left = 0;
       } else {
-        open(plan, s.impact, result.blows, scene.time_step);
+        open(plan, s.impact, result.blows, scene.integrator.time_step);
         plan.still = sub_steps_before(result.blows.time, plan.left, s.impact.sub_step);
       }
   }
@@ -204,7 +206,7 @@ void finish_members(StepPlan& plan, const Scene& scene, SimulationState& s) {
   if (plan.impact.stopped) std::ranges::fill(s.impact.quiet, ImpactWindow::closed);
   put_back_obstacles(plan, s.obstacles);
   for (Obstacle& obstacle : s.obstacles) {
-    if (!obstacle.mass) translate(obstacle.shape, scene.time_step * obstacle.velocity);
+    if (!obstacle.mass) translate(obstacle.shape, scene.integrator.time_step * obstacle.velocity);
   }
 }
 
@@ -213,11 +215,11 @@ void finish_members(StepPlan& plan, const Scene& scene, SimulationState& s) {
 StepPlan plan_step(const Scene& scene, SimulationState& s, MechanicsScratch& scratch) {
   StepPlan plan;
   plan.start = s.mechanics.time;
-  plan.gravity = gravity_at(scene.gravity, s.mechanics.time + scene.time_step);
+  plan.gravity = gravity_at(scene.gravity, s.mechanics.time + scene.integrator.time_step);
   s.impact.quiet.resize(s.mechanics.components.size(), ImpactWindow::closed);
   if (scene.integrator.integrator == Integrator::sub_stepped) {
     plan.phase = StepPlan::Phase::equal;
-    plan.parts = sub_step_count(scene.time_step, least_step_bound(scratch, s.mechanics));
+    plan.parts = sub_step_count(scene.integrator.time_step, least_step_bound(scratch, s.mechanics));
   } else if (has_windows(scene)) {
     if (!open_windows(s.impact).empty()) begin_others(plan, s);
   }
@@ -226,7 +228,7 @@ StepPlan plan_step(const Scene& scene, SimulationState& s, MechanicsScratch& scr
 
 std::optional<PlannedPart> next_part(StepPlan& plan, const Scene& scene, SimulationState& s) {
   using Phase = StepPlan::Phase;
-  const double h = scene.time_step;
+  const double h = scene.integrator.time_step;
   const StepPart whole{Deformation::whole, 0, has_windows(scene) ? &scene.impact : nullptr};
   if (plan.phase == Phase::others_done) {
     begin_members(plan, scene, s);
@@ -267,7 +269,7 @@ void note_part(StepPlan& plan, const PlannedPart& part, const ContactStepResult&
     return;
   }
   // The others go first, as long as no blow makes members of them.
-  open(plan, s.impact, result.blows, scene.time_step);
+  open(plan, s.impact, result.blows, scene.integrator.time_step);
   plan.blow =
       plan.phase == Phase::whole ? result.blows.time : std::min(plan.blow, result.blows.time);
   if (plan.phase == Phase::whole) begin_others(plan, s);

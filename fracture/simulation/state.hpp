@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "fracture/algorithms/cells.hpp"
-#include "fracture/algorithms/find_fractures.hpp"
 #include "fracture/energy/crack_energy.hpp"
+#include "fracture/simulation/break_vertices.hpp"
 #include "fracture/simulation/fan_script.hpp"
 #include "mechanics/contact/contact.hpp"
-#include "mechanics/loads.hpp"
 #include "mechanics/state/display_state.hpp"
+#include "mechanics/state/loads.hpp"
 #include "mechanics/step.hpp"
 
 namespace sunder {
@@ -44,10 +44,11 @@ struct SimulationState {
   LadderState ladder;
   /// Row = ComponentId: where each component is drawn (section 3.3), and the target it was given in
   /// the last step.
-  std::vector<DisplayState> display, display_target;
+  std::vector<Pose> display, display_target;
   std::vector<OpenCrack> cracks;  ///< whose energy is still being measured
   std::uint64_t fans = 0;         ///< so far
   std::uint64_t step = 0;
+  std::vector<std::uint64_t> birth_step;  ///< row = ComponentId: in which it came off; 0: the start
   /// Surface loads of all bodies (`BodySettings::loads`); corners keep them through every split.
   std::vector<CornerLoad> loads;
   /// Fans to make in place of finding any: those of an earlier run (replay).

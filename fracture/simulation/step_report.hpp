@@ -11,7 +11,7 @@
 #include "fracture/energy/settled_crack.hpp"
 #include "mechanics/contact/contact_report.hpp"
 #include "mechanics/state/rung.hpp"
-#include "mechanics/step_status.hpp"
+#include "mechanics/state/step_status.hpp"
 
 namespace sunder {
 
@@ -28,7 +28,7 @@ struct ImpactReport {
   /// Sub-steps, and the time they took together, s.
   std::uint32_t sub_steps = 0;
   double time = 0;
-  /// Most components that were stepped finely at once: the struck ones and what they could reach.
+  /// Most components that were sub-stepped at once: those struck and those that they could reach.
   std::uint32_t components = 0;
   /// Largest sub-step over the longest that resolves a blow it met; above 1 where pieces were
   /// struck that are smaller than the one the window was opened for.
@@ -58,7 +58,7 @@ constexpr auto counters_of(const LadderReport*) {
 /// Where the energy of the bodies went in a step, J: work in = what came of it + residual,
 ///   gravity + loads + contact + supports
 ///     = kinetic + strain + damping work + numerical + energy released + residual.
-/// Everything is recomputed from rows and impulses, part by part; nothing is taken as the rest.
+/// Every term is computed by itself, part by part of the step; none is the difference of others.
 struct EnergyLedger {
   double kinetic = 0, strain = 0;  ///< change over the step
   double gravity = 0;              ///< sum m g . dx
@@ -73,7 +73,7 @@ struct EnergyLedger {
   /// what other integrators take is in the residual.
   double numerical = 0;
   double residual = 0;
-  double moved = 0;  ///< sum of the sizes of all terms: what the residual is to be compared with
+  double moved = 0;  ///< sum of the magnitudes of all terms, to compare the residual with
 };
 
 /// Kinetic and strain energy are those of the ends of a run and do not add up in it.
@@ -101,6 +101,9 @@ struct StepReport {
   /// searches there were.
   std::vector<std::uint32_t> fan_part;
   std::uint32_t parts = 0;
+  /// Wall time of each fan, us: choosing its plane, splitting faces, rows, components, thresholds.
+  /// For reports only.
+  std::vector<double> fan_us;
   /// Whether the script has a fan that cannot be made (`FanScript::departure`).
   bool departed = false;
   ImpactReport impact;
@@ -114,6 +117,8 @@ struct StepReport {
   /// J, given up by pieces that became rigid tetrahedra and by components that took a lower rung.
   double energy_released = 0;
   std::size_t components = 0;
+  /// Those that came off in this step, ascending.
+  std::vector<ComponentId> new_components;
   /// Wall time of each stage, ms. For reports only.
   std::array<double, stage_names.size()> stage_ms{};
 };

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: MIT
-// What a user says about a body's cracks and strengths at the start. Plain settings, no state.
+// What a user says about a body: mesh, material, placement, supports, loads, cracks, strengths.
+// Plain settings, no state.
 #pragma once
 
 #include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
+
+#include "mechanics/state/material.hpp"
+#include "topology/kernel/tet_mesh.hpp"
 
 namespace sunder {
 
@@ -78,6 +84,53 @@ struct StrengthSettings {
 /// A part of a body whose vertices never split.
 struct UnbreakablePart {
   std::variant<RegionName, RestBox> where;
+};
+
+/// Vertices held by the outside world: those whose rest position lies in a box of the body.
+struct HeldBox {
+  /// Corners of the box in the mesh's own coordinates, m; its surface belongs to it.
+  Eigen::Vector3d minimum = Eigen::Vector3d::Zero();
+  Eigen::Vector3d maximum = Eigen::Vector3d::Zero();
+  /// Velocity the vertices are moved with, m/s; zero holds them fixed.
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
+};
+
+/// What pushes or pulls a body from outside: on its surface inside a box, or on the vertices there.
+struct LoadBox {
+  /// Corners of the box in the mesh's own coordinates, m; its surface belongs to it.
+  Eigen::Vector3d minimum = Eigen::Vector3d::Zero();
+  Eigen::Vector3d maximum = Eigen::Vector3d::Zero();
+  /// On every boundary face whose three vertices lie in the box, Pa; positive pushes into the body.
+  /// Follows the body's rigid motion.
+  double pressure = 0;
+  /// In all, in equal parts on every vertex in the box, N, world; keeps its direction.
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();
+  /// Time over which both are raised linearly, s; 0 applies them at once.
+  double ramp_time = 0;
+};
+
+/// One breakable body.
+struct BodySettings {
+  std::string name;
+  TetMesh mesh;
+  Material material;
+  /// Where the mesh's coordinates are placed: x = rotation * X + translation (m).
+  Eigen::Vector3d translation = Eigen::Vector3d::Zero();
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
+  /// Velocity of the mass centre, m/s, and spin about it, rad/s, both in the world.
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
+  Eigen::Vector3d spin = Eigen::Vector3d::Zero();
+  std::vector<HeldBox> held;
+  std::vector<LoadBox> loads;
+  std::vector<CutSettings> cuts;
+  StrengthSettings strength;
+  std::vector<UnbreakablePart> unbreakable;
+};
+
+/// Rows of one body of the scene: its tetrahedra and the points of its mesh are consecutive.
+struct BodyRows {
+  std::size_t first_tetrahedron = 0, end_tetrahedron = 0;
+  std::size_t first_point = 0, end_point = 0;
 };
 
 }  // namespace sunder

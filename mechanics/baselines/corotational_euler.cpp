@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <limits>
 
-#include "mechanics/element/corotational_force.hpp"
-#include "mechanics/baselines/baseline_system.hpp"
 #include "mechanics/baselines/euler_problem.hpp"
-#include "mechanics/baselines/model_force.hpp"
+#include "mechanics/element/corotational_force.hpp"
 #include "mechanics/frame/rigid_reference.hpp"
+#include "mechanics/integrators/baseline_system.hpp"
+#include "mechanics/integrators/model_force.hpp"
 
 namespace sunder {
 namespace {

@@ -4,12 +4,12 @@
 
 #include <limits>
 
-#include "mechanics/baselines/baseline_system.hpp"
 #include "mechanics/baselines/corotational_euler.hpp"
 #include "mechanics/baselines/implicit_euler.hpp"
-#include "mechanics/baselines/modal.hpp"
-#include "mechanics/baselines/model_force.hpp"
 #include "mechanics/element/strain_displacement.hpp"
+#include "mechanics/integrators/baseline_system.hpp"
+#include "mechanics/integrators/modal.hpp"
+#include "mechanics/integrators/model_force.hpp"
 
 namespace sunder {
 namespace {

@@ -2,8 +2,8 @@
 // Linearised implicit Euler on the constant factor.
 #include "mechanics/baselines/implicit_euler.hpp"
 
-#include "mechanics/baselines/model_force.hpp"
 #include "mechanics/frame/rigid_reference.hpp"
+#include "mechanics/integrators/model_force.hpp"
 
 namespace sunder {
 namespace {
@@ -11,7 +11,7 @@ namespace {
 using Field = Eigen::Map<Eigen::Matrix3Xd>;
 
 /// The frame the step is linearised in.
-RigidFrame linearisation_frame(const ComponentStep& step) {
+Pose linearisation_frame(const ComponentStep& step) {
   const Component& body = step.component;
   const VertexColumns& vertices = step.state.vertices;
   if (body.supported || step.input.settings.euler_frame == EulerFrame::current) {
@@ -27,7 +27,7 @@ RigidFrame linearisation_frame(const ComponentStep& step) {
 }
 
 /// Right side: impulse of outer, elastic and damping forces in the body frame, N s.
-Field impulse_of_forces(const ComponentStep& step, const RigidFrame& frame, const Field& rate) {
+Field impulse_of_forces(const ComponentStep& step, const Pose& frame, const Field& rate) {
   const IntegratorSettings& settings = step.input.settings;
   const auto [a, b] = settings.damping;
   const double h = settings.time_step;
@@ -64,7 +64,7 @@ Field impulse_of_forces(const ComponentStep& step, const RigidFrame& frame, cons
 void step_implicit_euler(const ComponentStep& step) {
   const ComponentSystem& system = *step.system;
   const IntegratorSettings& settings = step.input.settings;
-  const RigidFrame frame = linearisation_frame(step);
+  const Pose frame = linearisation_frame(step);
   const Mat3 R = frame.orientation.toRotationMatrix();
 
   Field rate = scratch_field(step.scratch, ScratchField::rate, system.size());

@@ -8,15 +8,15 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "mechanics/baselines/model_force.hpp"
-#include "mechanics/integrators/rigid_motion.hpp"
 #include "mechanics/element/strain_displacement.hpp"
+#include "mechanics/integrators/model_force.hpp"
+#include "mechanics/integrators/rigid_motion.hpp"
 
 namespace sunder {
 namespace {
 
 /// Half a step h of acceleration for free vertices, from the forces at `position`.
-void kick(const ComponentStep& step, std::span<const Vec3> position, const RigidFrame& support,
+void kick(const ComponentStep& step, std::span<const Vec3> position, const Pose& support,
           double h) {
   MechanicsScratch::Predicted& predicted = step.scratch.predicted;
   // The acceleration column is free until the end of the step and holds the forces meanwhile.
@@ -55,7 +55,7 @@ void step_verlet(const ComponentStep& step, std::uint32_t count) {
     predicted.velocity[v.index()] = vertices.velocity[v.index()];
     predicted.position[v.index()] = vertices.position[v.index()];
   }
-  RigidFrame support{body.centre, body.orientation};
+  Pose support{body.centre, body.orientation};
   kick(step, predicted.position, support, h);
   for (std::uint32_t k = 1; k <= count; ++k) {
     for (VertexId v : body.vertices) {

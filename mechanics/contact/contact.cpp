@@ -7,6 +7,7 @@
 
 #include "mechanics/contact/contact_bounce.hpp"
 #include "mechanics/contact/contact_step.hpp"
+#include "mechanics/contact/obstacle_geometry.hpp"
 #include "mechanics/state/living.hpp"
 
 namespace sunder {
@@ -53,7 +54,7 @@ double measure_rows(ContactStep& step) {
     const ContactPoint& contact = step.contacts[k];
     ContactRow& row = step.scratch.bodies.rows[k];
     const ContactPath path = path_of(contact, paths);
-    row.gap = predicted_lack(step, contact, path);
+    row.gap = predicted_gap_error(step, contact, path);
     row.compliance = step.settings.compliance / step.h();
     row.friction = contact.friction;
     row.impulse = contact.impulse;
@@ -65,8 +66,8 @@ double measure_rows(ContactStep& step) {
           step.h() * row.ends[e].weight * step.pass.obstacles[ball].spin.cross(row.ends[e].arm);
     }
     const double pressed = row.normal.dot(row.impulse);
-    const double lack = row.gap + row.compliance * pressed;
-    worst = std::max(worst, pressed > 0 ? std::abs(lack) : -lack);
+    const double gap_error = row.gap + row.compliance * pressed;
+    worst = std::max(worst, pressed > 0 ? std::abs(gap_error) : -gap_error);
   }
   return worst;
 }

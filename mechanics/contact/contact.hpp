@@ -89,8 +89,8 @@ struct ContactStepResult {
 /// One whole step: predicts it without contact, finds what would overlap on the way (swept: fast
 /// points do not pass thin obstacles), solves for the impulses that leave
 ///   gap_end + C j_n / h >= 0,  j_n >= 0,  one of them zero,  |j_t| <= mu j_n against the slip,
-/// by projected Gauss-Seidel with the bodies' own rigid and elastic answer, predicts what was
-/// touched again, repeats that while the answer's curvature matters, and adopts. No restitution.
+/// by projected Gauss-Seidel with the bodies' own rigid and elastic response, predicts what was
+/// touched again, repeats that while the response's curvature matters, and adopts. No restitution.
 /// The impulse acts on the frame (P, L) at the start of the step and on the deformation as the
 /// force j / h during it; weight likewise turns from a parabola into a blow at the start for what
 /// is touched. So a body at rest has v = 0 and its static stress. The same blow on the deformation

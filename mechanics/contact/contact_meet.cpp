@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What meets in a step: contacts along the predicted paths, blows among them, whom they rouse.
+// What meets in a step: contacts along the predicted paths, blows among them, whom they wake.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -132,36 +132,36 @@ bool lie_still(const ContactStep& step, const ContactPoint& contact,
 }
 
 /// Depth of the deepest overlap that the contacts found will have, or `deepest`, m.
-double deepest_lack(const ContactStep& step, double deepest) {
+double deepest_violation(const ContactStep& step, double deepest) {
   const StepPaths paths = paths_of(step);
   for (const ContactPoint& contact : step.scratch.detect.found) {
     const ContactPath path = path_of(contact, paths);
-    const double lack = predicted_lack(step, contact, path);
-    if (lack < -rounding_of(path, contact)) deepest = std::max(deepest, -lack);
+    const double gap_error = predicted_gap_error(step, contact, path);
+    if (gap_error < -rounding_of(path, contact)) deepest = std::max(deepest, -gap_error);
   }
   return deepest;
 }
 
 /// Takes components that a contact found may act on, one that `add_new_contacts` would take, to the
 /// rung `full`; which, ascending.
-std::vector<ComponentId> rouse(ContactStep& step, double deepest) {
-  std::vector<ComponentId> roused;
-  deepest = deepest_lack(step, deepest);
-  if (deepest == 0) return roused;
+std::vector<ComponentId> wake(ContactStep& step, double deepest) {
+  std::vector<ComponentId> woken;
+  deepest = deepest_violation(step, deepest);
+  if (deepest == 0) return woken;
   const StepPaths paths = paths_of(step);
   for (const ContactPoint& contact : step.scratch.detect.found) {
     const std::array<Component*, 2> sides = sides_of(step, contact);
     if (!on_lower_rung(sides[0]) && !on_lower_rung(sides[1])) continue;
     if (lie_still(step, contact, sides)) continue;
-    if (!(predicted_lack(step, contact, path_of(contact, paths)) <= deepest)) continue;
+    if (!(predicted_gap_error(step, contact, path_of(contact, paths)) <= deepest)) continue;
     for (Component* side : sides) {
       if (!on_lower_rung(side)) continue;
       side->rung = Rung::full;
-      roused.push_back(side->id);
+      woken.push_back(side->id);
     }
   }
-  std::sort(roused.begin(), roused.end());
-  return roused;
+  std::sort(woken.begin(), woken.end());
+  return woken;
 }
 
 /// Forgets contacts with what stays on a lower rung: nothing overlaps it.
@@ -193,9 +193,9 @@ Vec3 relative_shift(const ContactStep& step, const ContactPoint& contact) {
   return shift;
 }
 
-double predicted_lack(const ContactStep& step, const ContactPoint& contact,
-                      const ContactPath& path) {
-  if (step.is_wave()) return wave_lack(step, contact);
+double predicted_gap_error(const ContactStep& step, const ContactPoint& contact,
+                           const ContactPath& path) {
+  if (step.is_wave()) return wave_gap_error(step, contact);
   return gap_end(contact, path) + contact.normal.dot(relative_shift(step, contact)) -
          target_gap(step, contact);
 }
@@ -208,9 +208,9 @@ bool meet(ContactStep& step, double deepest) {
     return clear;
   }
   for (;;) {
-    const std::vector<ComponentId> roused = rouse(step, deepest);
-    if (roused.empty()) break;
-    predict(step.pass.mechanics, step.pass.state, step.pass.input, roused);
+    const std::vector<ComponentId> woken = wake(step, deepest);
+    if (woken.empty()) break;
+    predict(step.pass.mechanics, step.pass.state, step.pass.input, woken);
     clear = detect_contacts(step) && clear;
   }
   leave_alone(step);
@@ -229,9 +229,9 @@ double add_new_contacts(ContactStep& step, double deepest) {
     const ContactPoint& contact = found.found[k];
     if (std::binary_search(known.begin(), known.end(), key_of(contact))) continue;
     const ContactPath path = path_of(contact, paths);
-    double& lack = found.found_gap[k];
-    lack = predicted_lack(step, contact, path);
-    if (lack < -rounding_of(path, contact)) deepest = std::max(deepest, -lack);
+    double& gap_error = found.found_gap[k];
+    gap_error = predicted_gap_error(step, contact, path);
+    if (gap_error < -rounding_of(path, contact)) deepest = std::max(deepest, -gap_error);
     found.order.push_back(k);
   }
   if (deepest == 0) return 0;

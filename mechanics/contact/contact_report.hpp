@@ -11,19 +11,19 @@
 
 namespace sunder {
 
-/// How contact went; never silent.
+/// How the contact problem of a step was solved.
 struct ContactReport {
   std::uint32_t candidates = 0;  ///< contacts solved for
   std::uint32_t contacts = 0;    ///< those with an impulse
-  int passes = 0;                ///< predictions with impulses
+  int passes = 0;                ///< times the step was predicted with impulses
   int iterations = 0;            ///< sweeps, all passes
-  double residual = 0;           ///< m, largest error of an end-of-step gap that is left
-  double tolerated = 0;          ///< m, what `ContactSettings::tolerance` came to
+  double residual = 0;           ///< m, largest constraint violation left in a gap
+  double tolerated = 0;          ///< m, `ContactSettings::tolerance` as a length
   bool converged = true;         ///< residual <= tolerated in the sweeps of every pass
   double deepest = 0;            ///< m, deepest overlap at the end of the step, >= 0
   std::uint64_t left_out = 0;    ///< contacts over `max_contacts_per_component`
-  /// Row = obstacle: impulse (N s) that it gave the bodies and balls it touched; empty where there
-  /// was no contact.
+  /// N s, one an obstacle: the impulse it gave to the bodies and balls it touched. Empty in a step
+  /// without contact.
   std::vector<Vec3> obstacle_impulse;
 
   Vec3 impulse_of(std::size_t obstacle) const {

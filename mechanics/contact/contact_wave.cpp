@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mechanics/contact/contact_step.hpp"
+#include "mechanics/contact/obstacle_geometry.hpp"
 #include "mechanics/integrators/coefficients.hpp"
 
 namespace sunder {
@@ -22,7 +23,7 @@ Vec3 velocity_end(const ContactStep& step, const ContactPoint& contact) {
   Vec3 sum = contact.ball == ContactPoint::none ? velocity[contact.vertex.index()]
                                                 : ball_velocity(step, contact.ball);
   if (contact.obstacle == ContactPoint::none) {
-    return sum - center_of(step.pass.input.corners[contact.tetrahedron.index()], velocity);
+    return sum - centre_of(step.pass.input.corners[contact.tetrahedron.index()], velocity);
   }
   const Obstacle& obstacle = step.pass.obstacles[contact.obstacle];
   return sum - (obstacle.mass ? ball_velocity(step, contact.obstacle) : obstacle.velocity);
@@ -68,7 +69,7 @@ struct Touch {
 
 Vec3 velocity_of_side_b(const ContactStep& step, const ContactPoint& contact) {
   if (contact.obstacle != ContactPoint::none) return step.pass.obstacles[contact.obstacle].velocity;
-  return center_of(step.pass.input.corners[contact.tetrahedron.index()],
+  return centre_of(step.pass.input.corners[contact.tetrahedron.index()],
                    step.pass.state.vertices.velocity);
 }
 
@@ -101,7 +102,7 @@ std::vector<Touch> strongest_touches(const ContactStep& step) {
 
 }  // namespace
 
-double wave_lack(const ContactStep& step, const ContactPoint& contact) {
+double wave_gap_error(const ContactStep& step, const ContactPoint& contact) {
   return contact.gap_start - target_gap(step, contact) +
          step.h() * contact.normal.dot(velocity_end(step, contact));
 }
@@ -112,14 +113,14 @@ double measure_wave_rows(ContactStep& step) {
   for (std::size_t k = 0; k < step.contacts.size(); ++k) {
     const ContactPoint& contact = step.contacts[k];
     ContactRow& row = step.scratch.bodies.rows[k];
-    row.gap = wave_lack(step, contact) / h;
+    row.gap = wave_gap_error(step, contact) / h;
     row.compliance = step.settings.compliance / (h * h);
     row.friction = contact.friction;
     row.impulse = contact.impulse;
     row.slip = velocity_end(step, contact) + spin_slip(step, row);
     const double pressed = row.normal.dot(row.impulse);
-    const double lack = h * (row.gap + row.compliance * pressed);
-    worst = std::max(worst, pressed > 0 ? std::abs(lack) : -lack);
+    const double gap_error = h * (row.gap + row.compliance * pressed);
+    worst = std::max(worst, pressed > 0 ? std::abs(gap_error) : -gap_error);
   }
   return worst;
 }

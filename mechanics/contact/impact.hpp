@@ -7,6 +7,7 @@
 
 #include "mechanics/contact/impact_settings.hpp"
 #include "mechanics/state/mechanics_state.hpp"
+#include "mechanics/state/wave_travel.hpp"
 
 namespace sunder {
 
@@ -17,13 +18,6 @@ struct Blows {
   double sub_step = std::numeric_limits<double>::infinity();
   std::vector<ComponentId> struck;  ///< ascending, none twice
 };
-
-/// s, the time of a compression wave's way through a cell of mean size: the mean of (6 V)^(1/3) /
-/// c.
-double cell_travel(const MechanicsState& state, const Component& component);
-
-/// L/c of a component, s.
-double extent_travel(const MechanicsState& state, const Component& component);
 
 /// Longest sub-step that resolves a blow on the component, s.
 double wave_sub_step(const MechanicsState& state, const Component& component,

@@ -2,14 +2,14 @@
 // Algorithm 1 of the paper, and the term that makes its force a gradient.
 #include "mechanics/element/elastic_force.hpp"
 
-#include "mechanics/frame/rotation.hpp"
 #include "mechanics/element/strain_displacement.hpp"
+#include "mechanics/frame/rotation.hpp"
 
 namespace sunder {
 namespace {
 
 void set_displacement(const ElasticOutput& output, const ElasticInput& input,
-                      const Component& component, const RigidFrame& frame) {
+                      const Component& component, const Pose& frame) {
   const Mat3 R = frame.orientation.toRotationMatrix();
   for (VertexId v : component.vertices) {
     const Vec3 p = input.positions[v.index()] - frame.centre;
@@ -36,8 +36,7 @@ void sum_element_forces(const ElasticOutput& output, const ElasticInput& input,
 }
 
 /// -R K d: the force on the vertices.
-void turn_to_world(const ElasticOutput& output, const Component& component,
-                   const RigidFrame& frame) {
+void turn_to_world(const ElasticOutput& output, const Component& component, const Pose& frame) {
   const Mat3 R = frame.orientation.toRotationMatrix();
   for (VertexId v : component.vertices) {
     const Vec3 inner = output.force[v.index()];
@@ -71,9 +70,9 @@ void remove_torque(const ElasticOutput& output, const ElasticInput& input,
 
 }  // namespace
 
-RigidFrame deformation_forces(const ElasticOutput& output, const ElasticInput& input,
-                              const Component& component) {
-  const RigidFrame frame = rigid_reference(component, input.state.vertices, input.positions);
+Pose deformation_forces(const ElasticOutput& output, const ElasticInput& input,
+                        const Component& component) {
+  const Pose frame = rigid_reference(component, input.state.vertices, input.positions);
   set_displacement(output, input, component, frame);
   sum_element_forces(output, input, component);
   if (input.form == ElasticForce::conservative) remove_torque(output, input, component);
@@ -81,7 +80,7 @@ RigidFrame deformation_forces(const ElasticOutput& output, const ElasticInput& i
   return frame;
 }
 
-void deformation_forces_in(const RigidFrame& frame, const ElasticOutput& output,
+void deformation_forces_in(const Pose& frame, const ElasticOutput& output,
                            const ElasticInput& input, const Component& component) {
   set_displacement(output, input, component, frame);
   sum_element_forces(output, input, component);

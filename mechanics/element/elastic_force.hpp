@@ -4,9 +4,9 @@
 
 #include <span>
 
-#include "mechanics/integrators/settings.hpp"
-#include "mechanics/state/mechanics_state.hpp"
 #include "mechanics/frame/rigid_reference.hpp"
+#include "mechanics/state/mechanics_state.hpp"
+#include "mechanics/state/settings.hpp"
 
 namespace sunder {
 
@@ -30,12 +30,12 @@ struct ElasticOutput {
 ///   g = K d, S = R^T A, tau = sum d x g, y = (tr(S) I - S)^-1 tau, f = -R (g - m y x r0).
 /// Where that matrix is singular (collinear positions) the paper's form is left as it is.
 /// O(tetrahedra of the component), 40 ns each.
-RigidFrame deformation_forces(const ElasticOutput& output, const ElasticInput& input,
-                              const Component& component);
+Pose deformation_forces(const ElasticOutput& output, const ElasticInput& input,
+                        const Component& component);
 
 /// The paper's form in a frame that is given and does not follow the positions: that of a supported
 /// component. It is a gradient as it stands.
-void deformation_forces_in(const RigidFrame& frame, const ElasticOutput& output,
+void deformation_forces_in(const Pose& frame, const ElasticOutput& output,
                            const ElasticInput& input, const Component& component);
 
 /// d^T K d / 2 of a component, J, from displacements in its body frame (|V| rows).

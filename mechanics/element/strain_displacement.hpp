@@ -9,7 +9,7 @@
 #include <Eigen/Dense>
 
 #include "mechanics/state/columns.hpp"
-#include "mechanics/element/material.hpp"
+#include "mechanics/state/material.hpp"
 
 namespace sunder {
 

@@ -17,7 +17,7 @@ void sum_momenta(FittedMotion& motion, const MotionInput& input, const Component
 }
 
 void set_displacement(const DeformationOutput& output, const MotionInput& input,
-                      const Component& component, const RigidFrame& frame) {
+                      const Component& component, const Pose& frame) {
   const Mat3 R = frame.orientation.toRotationMatrix();
   for (VertexId v : component.vertices) {
     output.displacement[v.index()] =
@@ -51,7 +51,7 @@ FittedMotion fit_motion(const DeformationOutput& output, const MotionInput& inpu
 }
 
 FittedMotion express_motion(const DeformationOutput& output, const MotionInput& input,
-                            const Component& component, const RigidFrame& frame) {
+                            const Component& component, const Pose& frame) {
   FittedMotion motion{frame};
   set_displacement(output, input, component, frame);
   sum_momenta(motion, input, component);

@@ -4,9 +4,9 @@
 
 #include <span>
 
+#include "mechanics/frame/rigid_reference.hpp"
 #include "mechanics/state/columns.hpp"
 #include "mechanics/state/component.hpp"
-#include "mechanics/frame/rigid_reference.hpp"
 
 namespace sunder {
 
@@ -25,7 +25,7 @@ struct DeformationOutput {
 
 /// Frame and momenta of a component.
 struct FittedMotion {
-  RigidFrame frame;
+  Pose frame;
   Vec3 momentum = Vec3::Zero();
   Vec3 angular_momentum = Vec3::Zero();  ///< about frame.centre
 };
@@ -39,6 +39,6 @@ FittedMotion fit_motion(const DeformationOutput& output, const MotionInput& inpu
 /// The same in a frame that is given (that of a supported component, moving at `frame_velocity`):
 /// d' = R^T (v - frame_velocity), no projection.
 FittedMotion express_motion(const DeformationOutput& output, const MotionInput& input,
-                            const Component& component, const RigidFrame& frame);
+                            const Component& component, const Pose& frame);
 
 }  // namespace sunder

@@ -6,9 +6,9 @@
 
 namespace sunder {
 
-RigidFrame rigid_reference(const Component& component, const VertexColumns& vertices,
-                           std::span<const Vec3> positions) {
-  RigidFrame frame{Vec3::Zero(), component.orientation};
+Pose rigid_reference(const Component& component, const VertexColumns& vertices,
+                     std::span<const Vec3> positions) {
+  Pose frame{Vec3::Zero(), component.orientation};
   double mass = 0;
   for (VertexId v : component.vertices) {
     frame.centre += vertices.mass[v.index()] * positions[v.index()];

@@ -6,14 +6,9 @@
 
 #include "mechanics/state/columns.hpp"
 #include "mechanics/state/component.hpp"
+#include "mechanics/state/pose.hpp"
 
 namespace sunder {
-
-/// Where the rigid reference is: x_ref = centre + orientation (rest_position - rest_centre).
-struct RigidFrame {
-  Vec3 centre = Vec3::Zero();
-  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
-};
 
 /// Algorithm 2 for one component: G = sum m x / sum m (eq. 3), the matrix
 /// A = sum m (x - G) (x0 - c0)^T (eq. 4 with the masses it drops, and the component's own rest
@@ -22,7 +17,7 @@ struct RigidFrame {
 /// `positions`: |V|, m. Warm-started from `component.orientation`, exact all the same.
 /// O(vertices of the component), 5 ns each. Collinear or coincident positions keep what they can
 /// of the last orientation.
-RigidFrame rigid_reference(const Component& component, const VertexColumns& vertices,
-                           std::span<const Vec3> positions);
+Pose rigid_reference(const Component& component, const VertexColumns& vertices,
+                     std::span<const Vec3> positions);
 
 }  // namespace sunder

@@ -2,9 +2,9 @@
 // What integrators share: a component's factored system, and loads in its frame.
 #include "mechanics/integrators/component_step.hpp"
 
-#include "mechanics/contact/impact.hpp"
 #include "mechanics/integrators/coefficients.hpp"
 #include "mechanics/integrators/quasi_static.hpp"
+#include "mechanics/state/wave_travel.hpp"
 
 namespace sunder {
 

@@ -2,8 +2,9 @@
 // What every integrator is given for one component, and how it reads and writes its rows.
 #pragma once
 
+#include "mechanics/integrators/scratch.hpp"
 #include "mechanics/solver/component_system.hpp"
-#include "mechanics/step.hpp"
+#include "mechanics/state/step_input.hpp"
 
 namespace sunder {
 

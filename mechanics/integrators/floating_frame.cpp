@@ -2,10 +2,10 @@
 // Floating frame of reference with a constant factor.
 #include "mechanics/integrators/floating_frame.hpp"
 
-#include "mechanics/integrators/coefficients.hpp"
-#include "mechanics/baselines/modal.hpp"
-#include "mechanics/integrators/rigid_motion.hpp"
 #include "mechanics/frame/rotation.hpp"
+#include "mechanics/integrators/coefficients.hpp"
+#include "mechanics/integrators/modal.hpp"
+#include "mechanics/integrators/rigid_motion.hpp"
 
 namespace sunder {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <array>
 
-#include "mechanics/baselines/model_force.hpp"
-#include "mechanics/frame/rigid_reference.hpp"
 #include "mechanics/element/strain_displacement.hpp"
+#include "mechanics/frame/rigid_reference.hpp"
+#include "mechanics/integrators/model_force.hpp"
 
 namespace sunder {
 namespace {
@@ -86,7 +86,7 @@ void step_projected(const ComponentStep& step) {
     alone[v] =
         c.position.col(a) + h * (c.velocity.col(a) + h / vertices.mass[v] * force_on(step, v));
   }
-  const RigidFrame frame = rigid_reference(body, vertices, alone);
+  const Pose frame = rigid_reference(body, vertices, alone);
   for (int a = 0; a < 4; ++a) {
     const std::size_t v = c.row[static_cast<std::size_t>(a)];
     const Vec3 old = c.position.col(a);

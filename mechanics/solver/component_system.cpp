@@ -6,9 +6,9 @@
 #include <limits>
 #include <numeric>
 
-#include "mechanics/solver/assemble_system.hpp"
-#include "mechanics/contact/impact.hpp"
 #include "mechanics/element/strain_displacement.hpp"
+#include "mechanics/solver/assemble_system.hpp"
+#include "mechanics/state/wave_travel.hpp"
 
 namespace sunder {
 namespace {

@@ -23,26 +23,23 @@ Eigen::Quaterniond scaled_rotation(Eigen::Quaterniond q, double factor) {
 
 }  // namespace
 
-DisplayState approach(const DisplayState& current, const DisplayState& target, double dt,
-                      double time_constant) {
+Pose approach(const Pose& current, const Pose& target, double dt, double time_constant) {
   SUNDER_ASSERT(dt >= 0 && time_constant >= 0, "times cannot run backwards");
   if (time_constant == 0) return target;
   const double alpha = -std::expm1(-dt / time_constant);
-  const Eigen::Quaterniond to_target = target.rotation * current.rotation.conjugate();
-  return {current.translation + alpha * (target.translation - current.translation),
-          (scaled_rotation(to_target, alpha) * current.rotation).normalized()};
+  const Eigen::Quaterniond to_target = target.orientation * current.orientation.conjugate();
+  return {current.centre + alpha * (target.centre - current.centre),
+          (scaled_rotation(to_target, alpha) * current.orientation).normalized()};
 }
 
-DisplayState carry(const DisplayState& current, const DisplayState& target_before,
-                   const DisplayState& target_now) {
-  const Eigen::Quaterniond turn = target_now.rotation * target_before.rotation.conjugate();
-  return {target_now.translation + turn * (current.translation - target_before.translation),
-          (turn * current.rotation).normalized()};
+Pose carry(const Pose& current, const Pose& target_before, const Pose& target_now) {
+  const Eigen::Quaterniond turn = target_now.orientation * target_before.orientation.conjugate();
+  return {target_now.centre + turn * (current.centre - target_before.centre),
+          (turn * current.orientation).normalized()};
 }
 
-DisplayState split_off(const DisplayState& old, const Vec3& old_rest_center,
-                       const Vec3& new_rest_center) {
-  return {old.translation + old.rotation * (new_rest_center - old_rest_center), old.rotation};
+Pose split_off(const Pose& old, const Vec3& old_rest_center, const Vec3& new_rest_center) {
+  return {old.centre + old.orientation * (new_rest_center - old_rest_center), old.orientation};
 }
 
 }  // namespace sunder

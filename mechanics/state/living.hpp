@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A loop over the components that live.
+// The components that live: those that have tetrahedra.
 #pragma once
 
-#include "mechanics/step.hpp"
+#include <vector>
+
+#include "mechanics/state/step_input.hpp"
 
 namespace sunder {
 
@@ -13,5 +15,9 @@ void for_each_living(const MechanicsState& state, const StepMembers& members, Vi
     if (!c.tetrahedra.empty() && members.has(c.id)) visit(c);
   }
 }
+
+/// The ids of the components that live (have tetrahedra) and are members, ascending.
+std::vector<ComponentId> living_components(const MechanicsState& state,
+                                           const StepMembers& members = {});
 
 }  // namespace sunder

@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: MIT
-// What evolves: columns, components and their frames; made from rest positions, rebuilt after
-// splits.
+// What evolves: columns, components and their frames.
 #pragma once
 
-#include <span>
 #include <vector>
 
-#include "mechanics/element/material.hpp"
-#include "mechanics/solver/component_systems.hpp"
 #include "mechanics/state/columns.hpp"
 #include "mechanics/state/component.hpp"
-#include "topology/kernel/finding.hpp"
+#include "mechanics/state/component_systems.hpp"
+#include "mechanics/state/material.hpp"
 
 namespace sunder {
-
-struct MechanicsScratch;
 
 /// Everything that has to be saved to go on later. After every public operation the two
 /// descriptions agree: position and velocity on one side, the frames of the components with
@@ -29,57 +24,5 @@ struct MechanicsState {
   double time = 0;  ///< s
   ComponentSystems systems;
 };
-
-/// What `make_state` needs. Spans must live during the call only.
-struct BodyDescription {
-  std::span<const Vec3> rest_positions;  ///< |V|, m
-  std::span<const Corners> corners;      ///< |T|
-  /// |T|; empty: all of material 0
-  std::span<const MaterialId> material = {};
-  /// |T|; empty: all of component 0
-  std::span<const ComponentId> component = {};
-  std::span<const Material> materials;
-};
-
-/// Columns at rest: position = rest position, velocity 0, nothing held; stress 0; and the
-/// components. Afterwards set `vertices.support` with `motions` and call `rebuild` for what is
-/// held, and `place` for what is elsewhere. Errors: bad materials (see `check`), flat or inverted
-/// tetrahedra, rows out of range, spans of different lengths; all of them are found, not the first
-/// only. O(|V| + |T|).
-Result<MechanicsState> make_state(const BodyDescription& body);
-
-/// A rigid placement with a rigid velocity.
-struct Placement {
-  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
-  Vec3 translation = Vec3::Zero();  ///< m: x = orientation * rest_position + translation
-  Vec3 velocity = Vec3::Zero();     ///< m/s, of the component's mass centre
-  Vec3 spin = Vec3::Zero();         ///< rad/s, world, about the mass centre
-};
-
-/// Puts a component, undeformed, where `placement` says; held vertices keep their motion.
-void place(MechanicsState& state, ComponentId component, const Placement& placement);
-
-/// What a rebuild had to give up.
-struct RebuildReport {
-  /// J: strain and deformational kinetic energy of pieces that became isolated rigid tetrahedra.
-  double energy_released = 0;
-  double strain_released = 0;  ///< J, the strain in it
-};
-
-/// Brings components up to date after splits or after supports changed. For every component in
-/// `touched` (pieces with fresh ids AND the part that kept its id): members from
-/// `elements.component`, masses of every vertex from its own star, rest centre, frame, P and L.
-/// A free piece gets the frame of shape matching (algorithm 2); x and v of every vertex stay as
-/// they are to rounding, so P, L and the kinetic energy are continuous. A supported piece keeps the
-/// rotation of its parent. A piece that becomes a free single tetrahedron turns rigid.
-/// `corners`: |T|, after the splits. Retires the systems of `touched`; new ones come at the next
-/// step. Needs: vertex rows appended by `append_copy`. O(|T|) + the size of `touched`.
-RebuildReport rebuild(MechanicsState& state, std::span<const Corners> corners,
-                      std::span<const ComponentId> touched, MechanicsScratch& scratch);
-
-/// Takes the frame (c, R), P, L, displacement and its rate of one component from its positions and
-/// velocities (algorithm 2): for vertices that were moved from outside. Positions and velocities
-/// stay, to rounding. Supported components keep their frame.
-void reframe(MechanicsState& state, ComponentId component);
 
 }  // namespace sunder

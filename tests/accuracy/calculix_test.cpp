@@ -10,7 +10,7 @@
 #include <iomanip>
 #include <sstream>
 
-#include "mechanics/solver/static_solve.hpp"
+#include "mechanics/statics/static_solve.hpp"
 #include "tests/support/accuracy_bodies.hpp"
 #include "tests/support/outside.hpp"
 

@@ -2,7 +2,7 @@
 // Cases 3, 4, 8, 9, 10 and 13 of the reference list: static answers against closed forms.
 #include <catch2/catch.hpp>
 
-#include "mechanics/solver/static_solve.hpp"
+#include "mechanics/statics/static_solve.hpp"
 #include "tests/support/accuracy_bodies.hpp"
 
 using namespace sunder;

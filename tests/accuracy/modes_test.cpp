@@ -2,9 +2,9 @@
 // Cases 4 and 5: natural frequencies against closed forms, and laws of the solver of modes.
 #include <catch2/catch.hpp>
 
-#include "mechanics/solver/component_system.hpp"
 #include "mechanics/integrators/component_step.hpp"
-#include "mechanics/solver/modes.hpp"
+#include "mechanics/solver/component_system.hpp"
+#include "mechanics/statics/modes.hpp"
 #include "tests/support/accuracy_bodies.hpp"
 
 using namespace sunder;

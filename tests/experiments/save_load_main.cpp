@@ -9,7 +9,7 @@
 #include <filesystem>
 
 #include "apps/scene/scene_json.hpp"
-#include "fracture/simulation/saved_state.hpp"
+#include "fracture/saving/saved_state.hpp"
 #include "tests/support/same_state.hpp"
 
 using namespace sunder;
@@ -67,7 +67,7 @@ int main(int argc, char** argv) {
   if (!file) return 3;
   const long moments = argc > 2 ? std::atol(argv[2]) : 10;
   const double duration = argc > 3 ? std::atof(argv[3]) : file->scene.duration;
-  const auto steps = std::lround(duration / file->scene.time_step);
+  const auto steps = std::lround(duration / file->scene.integrator.time_step);
   Result<Simulation> whole = build_simulation(file->scene), paused = build_simulation(file->scene);
   if (!whole || !paused || moments < 1) return 3;
   const auto path = std::filesystem::temp_directory_path() /

@@ -46,7 +46,7 @@ int main(int argc, char** argv) {
   Result<SceneFile> file = read_scene(argv[1]);
   for (const Finding& f : file.findings) std::fprintf(stderr, "%s\n", f.text.c_str());
   if (!file) return 3;
-  file->scene.time_step = std::atof(argv[2]);
+  file->scene.integrator.time_step = std::atof(argv[2]);
   file->scene.duration = std::atof(argv[3]);
   const double duration = file->scene.duration;
   Result<Simulation> sim = build_simulation(std::move(file->scene));

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Holds the house's dependencies to design.md: who may include what, and where CGAL may be seen.
+"""Holds the house to its table of rooms (rooms.py, docs/house.md): who may include what, no circles
+in the simulation, and where CGAL and the GPL may be seen.
 
     python3 layering_test.py PROJECT COMPILE_COMMANDS
 
@@ -16,44 +17,15 @@ import sys
 import tempfile
 import unittest
 
-INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
+import rooms
+from rooms import includes, sources
+
 GPL = re.compile(r"SPDX-License-Identifier:.*\bGPL-")  # \b: the L of LGPL is no word's end
-ROOMS = ("topology", "mechanics", "fracture", "apps")
 TOOL = "apps/sunder-mesh/"
 # The GPL parts' own test, itself under the GPL.
 TOOL_TEST = "tests/meshes/sunder_mesh_parts_test.cpp"
-# What the siblings share: plain meshes, ids, findings, assertions.
-SHARED = {"topology/mesh/tet_mesh.hpp", "topology/kernel/ids.hpp", "topology/kernel/finding.hpp",
-          "topology/kernel/assert.hpp"}
-MAY_INCLUDE = {"topology": {"topology"}, "mechanics": {"mechanics"},
-               "fracture": {"topology", "mechanics", "fracture"},
-               "apps": {"topology", "mechanics", "fracture", "apps"}}
-
-
-def sources(project):
-    """Every C++ file of the project, by its path from the root."""
-    found = {}
-    for room in (*ROOMS, "tests"):
-        for path in sorted((project / room).rglob("*.[ch]pp")):
-            found[path.relative_to(project).as_posix()] = path.read_text(encoding="utf-8")
-    return found
-
-
-def includes(files):
-    """For each file: the project's files it includes, and the others as they are written."""
-    graph = {}
-    for name, text in files.items():
-        own, outside = set(), set()
-        for mark, target in INCLUDE.findall(text):
-            beside = (pathlib.PurePosixPath(name).parent / target).as_posix()
-            if mark == '"' and target in files:
-                own.add(target)
-            elif mark == '"' and beside in files:
-                own.add(beside)
-            else:
-                outside.add(target)
-        graph[name] = (own, outside)
-    return graph
+# Where files must not lead back to themselves, a header and its source taken as one.
+NO_CIRCLES = "fracture/simulation/"
 
 
 def reach(graph, start):
@@ -90,18 +62,50 @@ def is_of_tool(name):
 
 
 def wrong_directions(graph):
-    """Includes against the one way apps -> fracture -> {mechanics, topology}."""
+    """Includes that the table of rooms does not allow, and files that stand in no room."""
     wrong = []
     for name, (own, _) in graph.items():
-        room = name.split("/")[0]
-        for target in own:
-            is_allowed = (room == "tests" or target.split("/")[0] in MAY_INCLUDE[room]
-                          or (room == "mechanics" and target in SHARED))
-            if not is_allowed:
+        if name.startswith("tests/"):
+            continue
+        if rooms.room_of(name) is None:
+            wrong.append(f"{name} stands in no room of tests/house/rooms.py")
+            continue
+        allowed = rooms.allowed(rooms.room_of(name))
+        for target in sorted(own):
+            is_plain = "plain" in allowed and target in rooms.PLAIN
+            if rooms.room_of(target) not in allowed and not is_plain:
                 wrong.append(f"{name} includes {target}")
-            if target.startswith(TOOL) and not is_of_tool(name):
-                wrong.append(f"{name} includes {target}, which is under the GPL")
     return wrong
+
+
+def uses_of_the_tool(graph):
+    """Files outside sunder-mesh that include it."""
+    return [f"{name} includes {target}, which is under the GPL" for name, (own, _) in graph.items()
+            for target in own if target.startswith(TOOL) and not is_of_tool(name)]
+
+
+def circles(graph, folder):
+    """Units of `folder` (a header with its source) that lead back to themselves by includes within
+    it: each as the sorted names of those that are on one circle."""
+    units = {}
+    for name, (own, _) in graph.items():
+        if name.startswith(folder):
+            unit = name.rsplit(".", 1)[0]
+            targets = {t.rsplit(".", 1)[0] for t in own if t.startswith(folder)} - {unit}
+            units.setdefault(unit, set()).update(targets)
+
+    def beyond(unit):
+        seen, stack = set(), [unit]
+        while stack:
+            for target in units.get(stack.pop(), ()):
+                if target not in seen:
+                    seen.add(target)
+                    stack.append(target)
+        return seen
+
+    reached = {unit: beyond(unit) for unit in units}
+    return sorted({tuple(sorted(v for v in reached[u] if u in reached[v]))
+                   for u in units if u in reached[u]})
 
 
 def public_headers_with_cgal(graph):
@@ -158,8 +162,28 @@ class TheProject(unittest.TestCase):
     def setUpClass(cls):
         cls.graph = includes(sources(cls.project))
 
-    def test_includes_point_one_way(self):
+    def test_includes_go_up_the_table_of_rooms_only(self):
         self.assertEqual(wrong_directions(self.graph), [])
+
+    def test_the_table_itself_has_no_circle(self):
+        for row, (name, _, sees) in enumerate(rooms.ROOMS):
+            for other in rooms.allowed(name) - {name, "plain"}:
+                self.assertLess(rooms.NAMES.index(other), row, f"{name} may include {other}")
+
+    def test_every_room_exists(self):
+        for name in rooms.NAMES:
+            self.assertTrue(any(f.startswith(name + "/") for f in self.graph), name)
+
+    def test_the_page_shows_the_table(self):
+        page = (self.project / "docs" / "house.md").read_text(encoding="utf-8")
+        self.assertEqual(rooms.with_table(page), page,
+                         "python3 tests/house/rooms.py . --write brings docs/house.md up to date")
+
+    def test_nobody_includes_the_tool_under_the_gpl(self):
+        self.assertEqual(uses_of_the_tool(self.graph), [])
+
+    def test_the_simulation_has_no_circles(self):
+        self.assertEqual(circles(self.graph, NO_CIRCLES), [])
 
     def test_no_public_header_leads_to_cgal(self):
         self.assertEqual(public_headers_with_cgal(self.graph), [])
@@ -208,18 +232,43 @@ class ThisTest(unittest.TestCase):
                          ["<CGAL/Cell_attribute.h> <- topology/c.hpp <- topology/b.hpp"
                           " <- mechanics/a.hpp"])
 
-    def test_a_backward_include_is_found(self):
-        graph = self.graph(topology__a='#include "mechanics/b.hpp"', mechanics__b="",
-                           mechanics__c='#include "topology/kernel/kernel.hpp"', topology__kernel="",
-                           mechanics__d='#include "topology/kernel/ids.hpp"', topology__ids="")
+    def test_an_include_up_the_house_is_found(self):
+        graph = includes({
+            "topology/kernel/kernel.hpp": '#include "topology/mesh/check.hpp"',
+            "topology/mesh/check.hpp": '#include "topology/kernel/ids.hpp"',
+            "topology/kernel/ids.hpp": "",
+            "mechanics/step.hpp": '#include "mechanics/solver/factor.hpp"',
+            "mechanics/solver/factor.hpp": '#include "topology/kernel/ids.hpp"',
+            "mechanics/state/columns.hpp": '#include "topology/kernel/kernel.hpp"',
+            "mechanics/solver/factor.cpp": '#include "mechanics/step.hpp"',
+            "fracture/energy/relax.hpp": '#include "mechanics/step.hpp"',
+            "fracture/algorithms/fan.hpp": '#include "fracture/energy/relax.hpp"'})
         self.assertEqual(sorted(wrong_directions(graph)),
-                         ["mechanics/c.hpp includes topology/kernel/kernel.hpp",
-                          "topology/a.hpp includes mechanics/b.hpp"])
+                         ["fracture/algorithms/fan.hpp includes fracture/energy/relax.hpp",
+                          "mechanics/solver/factor.cpp includes mechanics/step.hpp",
+                          "mechanics/state/columns.hpp includes topology/kernel/kernel.hpp",
+                          "topology/kernel/kernel.hpp includes topology/mesh/check.hpp"])
+
+    def test_a_file_without_a_room_is_found(self):
+        graph = includes({"fracture/news/odd.hpp": "", "fracture/algorithms/fan.hpp": ""})
+        self.assertEqual(len(wrong_directions(graph)), 1)
+
+    def test_a_circle_through_a_source_is_found(self):
+        graph = includes({"a/step.hpp": "", "a/step.cpp": '#include "a/ledger.hpp"',
+                          "a/ledger.hpp": '#include "a/step.hpp"', "a/ledger.cpp": "",
+                          "a/plan.hpp": "", "a/plan.cpp": '#include "a/plan.hpp"\n'
+                                                          '#include "a/step.hpp"'})
+        self.assertEqual(circles(graph, "a/"), [("a/ledger", "a/step")])
 
     def test_the_tool_is_nobodys_library(self):
         graph = includes({"apps/sunder/run/run.cpp": '#include "apps/sunder-mesh/surface.hpp"',
                           "apps/sunder-mesh/surface.hpp": ""})
-        self.assertEqual(len(wrong_directions(graph)), 1)
+        self.assertEqual(len(uses_of_the_tool(graph)), 1)
+
+    def test_a_page_out_of_date_is_found(self):
+        page = f"words\n{rooms.BEGIN}| old |\n{rooms.END}more\n"
+        self.assertNotEqual(rooms.with_table(page), page)
+        self.assertEqual(rooms.with_table(rooms.with_table(page)), rooms.with_table(page))
 
     def test_the_licences_are_told_apart(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "mechanics/integrators/settings.hpp"
+#include "mechanics/state/settings.hpp"
 
 namespace sunder::stability {
 

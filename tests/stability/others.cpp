@@ -9,6 +9,7 @@
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/element/energy.hpp"
 #include "mechanics/frame/rotation.hpp"
+#include "mechanics/state/check_settings.hpp"
 #include "tests/mechanics/contact/contact_scene.hpp"
 #include "tests/stability/flight.hpp"
 #include "tests/stability/matrix.hpp"
@@ -72,7 +73,8 @@ Cell reflected() {
 }
 
 Cell refused_material(double poisson_ratio) {
-  const bool refused = has_error(check(Material{.poisson_ratio = poisson_ratio}, "material"));
+  const bool refused =
+      has_error(check_settings(Material{.poisson_ratio = poisson_ratio}, "material"));
   return {refused ? Outcome::refuses : Outcome::holds, poisson_ratio};
 }
 

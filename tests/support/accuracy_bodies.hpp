@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fracture/algorithms/node_stress.hpp"
-#include "mechanics/loads.hpp"
+#include "mechanics/state/loads.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sunder::accuracy {

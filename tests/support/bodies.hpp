@@ -9,6 +9,7 @@
 #include <random>
 #include <vector>
 
+#include "mechanics/rebuild.hpp"
 #include "mechanics/state/mechanics_state.hpp"
 #include "mechanics/step.hpp"
 

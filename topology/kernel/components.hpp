@@ -24,9 +24,9 @@ struct Components {
   std::vector<ComponentId> parent;
 };
 
-/// How separations are found. All four give the same labels; they differ in what they visit.
+/// How separations are found. All four give the same labels; they differ in their cost.
 enum class Detection {
-  /// Walk the whole component after every change (the paper's base line).
+  /// Walk the whole component after every change (the paper's baseline).
   walk,
   /// Count the vertices of the component that came apart since its labels were last right; walk it
   /// whole when there are three or more, for the face that parts a component parts three at once.
@@ -39,6 +39,11 @@ enum class Detection {
   exact
 };
 
+/// Whether a way of detection looks for new components only when the oracle predicts some.
+constexpr bool asks_oracle(Detection detection) {
+  return detection == Detection::oracle || detection == Detection::exact;
+}
+
 /// What one `update_components` found.
 struct ComponentUpdate {
   /// Faces whose three vertices split: what the oracle predicts from.
@@ -50,8 +55,8 @@ struct ComponentUpdate {
   std::size_t visited = 0;
 };
 
-/// Working memory of `update_components`: 12 bytes a tetrahedron. Kept between calls so that
-/// nothing is allocated after the first; its contents mean nothing to anybody else.
+/// Working memory of `update_components` and of the search below it (part_search.hpp): 12 bytes a
+/// tetrahedron. Kept between calls so that nothing is allocated after the first.
 struct ComponentScratch {
   std::vector<std::uint32_t> stamp, owner, next;
   std::uint32_t now = 0;

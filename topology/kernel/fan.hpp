@@ -11,12 +11,28 @@
 #include "topology/kernel/finding.hpp"
 #include "topology/kernel/ids.hpp"
 #include "topology/kernel/kernel.hpp"
+#include "topology/kernel/plane_side.hpp"
 
 namespace sunder {
 
-/// Every tetrahedron around a vertex, in rising order. O(star).
+/// A vertex and the tetrahedra around it, each by its corner at the vertex, in rising order.
+/// Corners keep their names whatever is split: a star that was taken earlier is still the same
+/// tetrahedra, though the vertex may have come apart since.
+struct VertexStar {
+  VertexId vertex;
+  std::vector<CornerId> corners;
+};
+template <Kernel K>
+VertexStar vertex_star(const K& map, VertexId vertex);
+
+/// The tetrahedra of `vertex_star`, in rising order. O(star).
 template <Kernel K>
 std::vector<TetId> star(const K& map, VertexId vertex);
+
+/// Sign of each tetrahedron of a star relatively to the plane through its vertex (algorithm 4,
+/// plane_side.hpp): 1 positive, 0 negative. `normal`: rest frame, of any length but 0.
+template <Kernel K>
+std::vector<char> plane_signs(const K& map, const VertexStar& around, const Point& normal);
 
 /// The fan of a vertex (section 4.1, algorithm 4): the interior faces at `vertex` whose two
 /// tetrahedra differ in sign, seen from the positive side, in rising order of half-face.
@@ -25,31 +41,20 @@ std::vector<TetId> star(const K& map, VertexId vertex);
 ///      ____|____        it may have several branches: more than two copies of the vertex can
 ///        + v  +         result.
 ///
-/// `star`: as `star()` gives it; `positive`: one flag each. Empty when all are on one side.
+/// `positive`: one flag for each tetrahedron of the star. Empty when all are on one side.
 template <Kernel K>
-std::vector<HalfFaceId> fan_faces(const K& map, VertexId vertex, std::span<const TetId> star,
+std::vector<HalfFaceId> fan_faces(const K& map, const VertexStar& around,
                                   std::span<const char> positive);
 
-/// A plane {x : normal . x = offset}, m; the normal need not have unit length.
-struct CuttingPlane {
-  Point normal;
-  double offset = 0;
-};
-
-/// `normal` divided by its component of largest magnitude (the lowest axis on ties), which thereby
-/// is 1: n and -n, and all lengths, are one direction. Nothing when it is zero or not finite.
-std::optional<Point> canonical_direction(const Point& normal);
-
-/// The fan at a vertex for a normal in the rest frame: a tetrahedron is positive when
-/// n . (c - v) >= 0 for its rest centre c and the rest position v, n in canonical direction, with a
-/// relative tolerance: what is on the plane to rounding is positive.
+/// The fan at a vertex for a normal in the rest frame, taken in its canonical direction: n and -n
+/// are one plane.
 /// Errors: `not_a_direction` (zero or not finite normal), `no_such_vertex` (row out of range or
 /// retired). An empty fan is no error.
 template <Kernel K>
 Result<std::vector<HalfFaceId>> fan_faces(const K& map, VertexId vertex, const Point& normal);
 
 /// The section of a plane through the whole body: the interior faces whose tetrahedra have their
-/// rest centres on different sides; same rule for the sign, same order as the fan's.
+/// rest centres on different sides; same sign rule (plane_side.hpp), same order as the fan's.
 /// Errors: `not_a_direction`, also for an offset that is not finite. O(|T|).
 template <Kernel K>
 Result<std::vector<HalfFaceId>> plane_faces(const K& map, const CuttingPlane& plane);

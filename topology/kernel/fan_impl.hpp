@@ -3,36 +3,18 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <string>
 
 #include "topology/kernel/fan.hpp"
-#include "topology/kernel/point_math.hpp"
 #include "topology/kernel/split_face_impl.hpp"
 
 namespace sunder::detail {
 
-inline double largest_magnitude(const Point& a) {
-  return std::max({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])});
-}
-
-/// Whether the rest centre of `t` is on the positive side of the plane through `at`, or on it.
-/// On the plane: within 1e-10 of the distance between centre and `at` (eigenvectors are not better
-/// than that), plus the rounding of the centre itself (4 additions at the size of coordinates).
 template <Kernel K>
-bool is_positive(const K& map, TetId t, const Point& n, const Point& at) {
-  Point away = {0, 0, 0};
-  double size = largest_magnitude(at);
-  for (const VertexId v : map.corners(t)) {
-    const Point x = map.point(v);
-    size = std::max(size, largest_magnitude(x));
-    for (int i = 0; i < 3; ++i) away[i] += (x[i] - at[i]) / 4;
-  }
-  constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
-  const double length = std::sqrt(dot(n, n));
-  const double tolerance = length * (1e-10 * std::sqrt(dot(away, away)) + rounding * size);
-  return dot(n, away) >= -tolerance;
+std::array<Point, 4> rest_positions(const K& map, TetId t) {
+  const auto corners = map.corners(t);
+  return {map.point(corners[0]), map.point(corners[1]), map.point(corners[2]),
+          map.point(corners[3])};
 }
 
 inline Finding not_a_direction() {
@@ -66,34 +48,47 @@ inline PointTriple sorted(PointTriple triple) {
 namespace sunder {
 
 template <Kernel K>
-std::vector<TetId> star(const K& map, VertexId vertex) {
+VertexStar vertex_star(const K& map, VertexId vertex) {
   const TetId t = map.incident_tetrahedron(vertex);
-  std::vector<TetId> tetrahedra;
-  if (t.is_none()) return tetrahedra;
+  if (t.is_none()) return {vertex, {}};
   const CornerId start = corner(t, place_of_vertex(map.corners(t), vertex));
-  for (const CornerId c : detail::orbit_corners(map, vertex, start)) {
-    tetrahedra.push_back(tetrahedron_of(c));
-  }
-  std::sort(tetrahedra.begin(), tetrahedra.end());
+  VertexStar around{vertex, detail::orbit_corners(map, vertex, start)};
+  std::sort(around.corners.begin(), around.corners.end());
+  return around;
+}
+
+template <Kernel K>
+std::vector<TetId> star(const K& map, VertexId vertex) {
+  std::vector<TetId> tetrahedra;
+  for (const CornerId c : vertex_star(map, vertex).corners) tetrahedra.push_back(tetrahedron_of(c));
   return tetrahedra;
 }
 
 template <Kernel K>
-std::vector<HalfFaceId> fan_faces(const K& map, VertexId vertex, std::span<const TetId> star,
+std::vector<char> plane_signs(const K& map, const VertexStar& around, const Point& normal) {
+  const PlaneThrough plane{map.point(around.vertex), normal};
+  std::vector<char> positive;
+  for (const CornerId c : around.corners) {
+    positive.push_back(is_positive(plane, detail::rest_positions(map, tetrahedron_of(c))) ? 1 : 0);
+  }
+  return positive;
+}
+
+template <Kernel K>
+std::vector<HalfFaceId> fan_faces(const K& map, const VertexStar& around,
                                   std::span<const char> positive) {
+  const std::vector<CornerId>& star = around.corners;
   SUNDER_ASSERT(star.size() == positive.size(), "one sign for each tetrahedron of the star");
   std::vector<HalfFaceId> fan;
   for (std::size_t i = 0; i < star.size(); ++i) {
     if (!positive[i]) continue;
-    const int at = place_of_vertex(map.corners(star[i]), vertex);
     for (int p = 0; p < 4; ++p) {
-      const HalfFaceId across = map.neighbour(half_face(star[i], p));
-      if (p == at || across.is_none()) continue;
-      const auto other = std::lower_bound(star.begin(), star.end(), tetrahedron_of(across));
-      SUNDER_ASSERT(other != star.end() && *other == tetrahedron_of(across), "a whole star");
-      if (!positive[static_cast<std::size_t>(other - star.begin())]) {
-        fan.push_back(half_face(star[i], p));
-      }
+      const HalfFaceId face = half_face(tetrahedron_of(star[i]), p), across = map.neighbour(face);
+      if (p == place_of(star[i]) || across.is_none()) continue;
+      const auto other = std::ranges::lower_bound(star, corner(tetrahedron_of(across), 0));
+      SUNDER_ASSERT(other != star.end() && tetrahedron_of(*other) == tetrahedron_of(across),
+                    "a whole star");
+      if (!positive[static_cast<std::size_t>(other - star.begin())]) fan.push_back(face);
     }
   }
   return fan;
@@ -101,33 +96,22 @@ std::vector<HalfFaceId> fan_faces(const K& map, VertexId vertex, std::span<const
 
 template <Kernel K>
 Result<std::vector<HalfFaceId>> fan_faces(const K& map, VertexId vertex, const Point& normal) {
-  const std::optional<Point> n = canonical_direction(normal);
+  const std::optional<Point> n = read_direction(normal);
   if (!n) return detail::not_a_direction();
   if (vertex.index() >= map.vertices() || map.incident_tetrahedron(vertex).is_none()) {
     return detail::no_such_vertex(vertex, map.vertices());
   }
-  const std::vector<TetId> around = star(map, vertex);
-  std::vector<char> positive(around.size());
-  for (std::size_t i = 0; i < around.size(); ++i) {
-    positive[i] = detail::is_positive(map, around[i], *n, map.point(vertex)) ? 1 : 0;
-  }
-  return fan_faces(map, vertex, around, positive);
+  const VertexStar around = vertex_star(map, vertex);
+  return fan_faces(map, around, plane_signs(map, around, *n));
 }
 
 template <Kernel K>
 Result<std::vector<HalfFaceId>> plane_faces(const K& map, const CuttingPlane& plane) {
-  const std::optional<Point> n = canonical_direction(plane.normal);
-  if (!n || !std::isfinite(plane.offset)) return detail::not_a_direction();
-  // The foot of the origin on the plane: any point of it would do, this one is nearest.
-  // Its square is taken of the scaled normal, which cannot overflow.
-  const double scale =
-      *std::max_element(plane.normal.begin(), plane.normal.end(),
-                        [](double a, double b) { return std::abs(a) < std::abs(b); });
-  const double s = plane.offset / scale / detail::dot(*n, *n);
-  const Point at = {s * (*n)[0], s * (*n)[1], s * (*n)[2]};
+  const std::optional<PlaneThrough> through = read_plane(plane);
+  if (!through) return detail::not_a_direction();
   std::vector<char> positive(map.tetrahedra());
   for (std::size_t t = 0; t < positive.size(); ++t) {
-    positive[t] = detail::is_positive(map, TetId{t}, *n, at) ? 1 : 0;
+    positive[t] = is_positive(*through, detail::rest_positions(map, TetId{t})) ? 1 : 0;
   }
   std::vector<HalfFaceId> faces;
   for (std::size_t t = 0; t < positive.size(); ++t) {

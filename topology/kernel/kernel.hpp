@@ -10,7 +10,7 @@
 #include <span>
 
 #include "topology/kernel/ids.hpp"
-#include "topology/mesh/tet_mesh.hpp"
+#include "topology/kernel/tet_mesh.hpp"
 
 namespace sunder {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "topology/kernel/ids.hpp"
-#include "topology/mesh/tet_mesh.hpp"
+#include "topology/kernel/tet_mesh.hpp"
 #include "topology/kernel/volume_map.hpp"
 
 namespace sunder {

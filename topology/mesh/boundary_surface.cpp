@@ -6,6 +6,8 @@
 #include <limits>
 #include <numeric>
 
+#include "topology/mesh/face_table.hpp"
+
 namespace sunder {
 namespace {
 
@@ -20,7 +22,7 @@ constexpr std::array<std::array<std::size_t, 3>, 4> faces_of_tetrahedron = {
 struct Face {
   Corners sorted;
   /// 4 * tetrahedron + corner left out.
-  std::uint64_t place;
+  std::uint32_t place;
 };
 
 Corners sorted(Corners corners) {
@@ -39,39 +41,13 @@ bool is_inverted(const FileMesh& mesh, const std::array<std::uint32_t, 4>& t) {
          0;
 }
 
-/// All faces of the tetrahedra, sorted by their points: put in bins by the lowest, bins sorted.
-std::vector<Face> sorted_faces(const FileMesh& mesh) {
-  const auto& tetrahedra = mesh.tetrahedra.corners;
-  const auto for_each_face = [&](auto work) {
-    for (std::size_t t = 0; t < tetrahedra.size(); ++t) {
-      for (std::size_t f = 0; f < 4; ++f) {
-        const auto& [a, b, c] = faces_of_tetrahedron[f];
-        work(Face{sorted({tetrahedra[t][a], tetrahedra[t][b], tetrahedra[t][c]}), 4 * t + f});
-      }
-    }
-  };
-  std::vector<std::size_t> begin(mesh.points.size() + 1, 0);
-  for_each_face([&](const Face& face) { ++begin[face.sorted[0] + 1]; });
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  std::vector<Face> faces(4 * tetrahedra.size());
-  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
-  for_each_face([&](const Face& face) { faces[next[face.sorted[0]]++] = face; });
-  for (std::size_t point = 0; point + 1 < begin.size(); ++point) {
-    const auto at = [&](std::size_t i) { return faces.begin() + static_cast<std::ptrdiff_t>(i); };
-    std::ranges::sort(at(begin[point]), at(begin[point + 1]), {}, &Face::sorted);
-  }
-  return faces;
-}
-
 /// Faces of exactly one tetrahedron, sorted by their points.
 std::vector<Face> boundary_faces(const FileMesh& mesh) {
-  std::vector<Face> faces = sorted_faces(mesh);
-  std::size_t kept = 0;
-  for (std::size_t i = 0, next = 0; i < faces.size(); i = next) {
-    while (next < faces.size() && faces[next].sorted == faces[i].sorted) ++next;
-    if (next == i + 1) faces[kept++] = faces[i];
-  }
-  faces.resize(kept);
+  std::vector<Face> faces;
+  const FaceTable table = face_table(mesh.tetrahedra.corners, mesh.points.size());
+  for_each_face(table, [&](const Corners& points, std::span<const TableFace> sides) {
+    if (sides.size() == 1) faces.push_back({points, sides[0].half_face});
+  });
   return faces;
 }
 

@@ -11,12 +11,12 @@ namespace {
 constexpr std::uint32_t leaf_size = 4;
 
 /// Halved before they are added: no sum of two finite numbers overflows so.
-double centre(const Box& box, int axis) { return box.low[axis] / 2 + box.high[axis] / 2; }
+double centre(const BoundingBox& box, int axis) { return box.low[axis] / 2 + box.high[axis] / 2; }
 
-Box around(const BoxTree& tree, std::uint32_t begin, std::uint32_t end) {
-  Box all = tree.boxes[tree.order[begin]];
+BoundingBox around(const BoxTree& tree, std::uint32_t begin, std::uint32_t end) {
+  BoundingBox all = tree.boxes[tree.order[begin]];
   for (std::uint32_t i = begin + 1; i < end; ++i) {
-    const Box& box = tree.boxes[tree.order[i]];
+    const BoundingBox& box = tree.boxes[tree.order[i]];
     for (int k = 0; k < 3; ++k) {
       all.low[k] = std::min(all.low[k], box.low[k]);
       all.high[k] = std::max(all.high[k], box.high[k]);
@@ -62,7 +62,7 @@ void build(BoxTree& tree, std::uint32_t begin, std::uint32_t end) {
 
 }  // namespace
 
-BoxTree box_tree(std::vector<Box> boxes) {
+BoxTree box_tree(std::vector<BoundingBox> boxes) {
   BoxTree tree;
   tree.boxes = std::move(boxes);
   tree.order.resize(tree.boxes.size());

@@ -6,16 +6,16 @@
 #include <cstdint>
 #include <vector>
 
-#include "topology/mesh/tet_mesh.hpp"
+#include "topology/kernel/tet_mesh.hpp"
 
 namespace sunder {
 
 /// From the lowest to the highest corner, both inclusive.
-struct Box {
+struct BoundingBox {
   Point low, high;
 };
 
-constexpr bool contains(const Box& box, const Point& p) {
+constexpr bool contains(const BoundingBox& box, const Point& p) {
   return box.low[0] <= p[0] && p[0] <= box.high[0] && box.low[1] <= p[1] && p[1] <= box.high[1] &&
          box.low[2] <= p[2] && p[2] <= box.high[2];
 }
@@ -23,7 +23,7 @@ constexpr bool contains(const Box& box, const Point& p) {
 /// Boxes halved at their median centre along the axis in which the centres spread most.
 struct BoxTree {
   struct Node {
-    Box box;
+    BoundingBox box;
     /// Boxes `order[begin]` to `order[end - 1]`.
     std::uint32_t begin = 0, end = 0;
     /// The second child; the first one follows its parent. 0: a leaf.
@@ -31,11 +31,11 @@ struct BoxTree {
   };
   std::vector<Node> nodes;
   std::vector<std::uint32_t> order;
-  std::vector<Box> boxes;
+  std::vector<BoundingBox> boxes;
 };
 
 /// Needs: finite boxes, fewer than 2^31. O(n log n).
-BoxTree box_tree(std::vector<Box> boxes);
+BoxTree box_tree(std::vector<BoundingBox> boxes);
 
 /// Calls `work(row)` for every box that holds `p`. Gives the number of nodes and boxes looked at:
 /// some log n where boxes hardly overlap, 2 n at the worst.

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
-#include "topology/mesh/box_tree.hpp"
 #include "topology/kernel/kernel.hpp"
 #include "topology/kernel/point_math.hpp"
 #include "topology/kernel/sort_unique.hpp"
+#include "topology/kernel/union_find.hpp"
+#include "topology/mesh/box_tree.hpp"
 #include "topology/mesh/survey.hpp"
 
 namespace sunder {
@@ -53,8 +53,8 @@ struct Contact {
   std::vector<Point> at;
   /// Smallest distance that is told from none.
   double rounding = 0;
-  /// Union-find over places: the lowest place near each.
-  std::vector<std::uint32_t> near;
+  /// Places that are near to each other.
+  UnionFind near;
 };
 
 std::array<std::uint32_t, 3> points_of(const Contact& c, std::uint32_t face) {
@@ -112,8 +112,7 @@ void find_places(Contact& c) {
     c.place_of_point[c.points[i]] = static_cast<std::uint32_t>(c.at.size() - 1);
   }
   c.first.push_back(c.points.size());
-  c.near.resize(c.at.size());
-  std::iota(c.near.begin(), c.near.end(), 0U);
+  c.near = UnionFind(c.at.size());
 }
 
 /// Edge k of a face runs from its corner k to the next one.
@@ -126,11 +125,11 @@ double tolerance_for(const Contact& c, double edge) {
   return std::max(contact_tolerance * edge, c.rounding);
 }
 
-Box box_of(const Contact& c, std::uint32_t face) {
+BoundingBox box_of(const Contact& c, std::uint32_t face) {
   const auto corners = corners_of(c, face);
   const auto edges = edge_lengths(corners);
   const double margin = tolerance_for(c, std::max({edges[0], edges[1], edges[2]}));
-  Box box{corners[0], corners[0]};
+  BoundingBox box{corners[0], corners[0]};
   for (int k = 0; k < 3; ++k) {
     for (const Point& x : corners) {
       box.low[k] = std::min(box.low[k], x[k]);
@@ -163,11 +162,6 @@ bool lies_inside(const Contact& c, const std::array<Point, 3>& corners,
          std::abs(dot(normal, difference(x, corners[0]))) <= margin * length(normal);
 }
 
-std::uint32_t root(std::vector<std::uint32_t>& near, std::uint32_t place) {
-  while (near[place] != place) place = near[place] = near[near[place]];
-  return place;
-}
-
 /// Holds a place against a face: joins it to a corner that it is near to, or tells that it hangs.
 bool hangs_on(Contact& c, std::uint32_t place, std::uint32_t face) {
   const auto& t = c.survey.mesh.tetrahedra[face / 4];
@@ -182,8 +176,7 @@ bool hangs_on(Contact& c, std::uint32_t place, std::uint32_t face) {
   for (int k = 0; k < 3; ++k) {
     if (length(difference(c.at[place], corners[k])) > margin) continue;
     is_near = true;
-    const std::uint32_t a = root(c.near, place), b = root(c.near, c.place_of_point[points[k]]);
-    c.near[std::max(a, b)] = std::min(a, b);
+    c.near.join(place, c.place_of_point[points[k]]);
   }
   return !is_near && lies_inside(c, corners, edges, c.at[place]);
 }
@@ -201,7 +194,7 @@ void show_faces(Contact& c, const char* code, std::vector<std::uint32_t> faces) 
 }
 
 void find_hanging(Contact& c) {
-  std::vector<Box> boxes;
+  std::vector<BoundingBox> boxes;
   boxes.reserve(c.faces.size());
   for (const std::uint32_t face : c.faces) boxes.push_back(box_of(c, face));
   const BoxTree tree = box_tree(std::move(boxes));
@@ -235,7 +228,7 @@ void find_hanging(Contact& c) {
 void report_close(Contact& c) {
   std::vector<std::uint32_t> close;
   for (std::uint32_t place = 0; place < c.at.size(); ++place) {
-    if (root(c.near, place) == place) continue;
+    if (c.near.root(place) == place) continue;
     for (std::size_t i = c.first[place]; i < c.first[place + 1]; ++i) close.push_back(c.points[i]);
   }
   std::sort(close.begin(), close.end());
@@ -253,7 +246,7 @@ void report_coincident(Contact& c) {
   for (const std::uint32_t f : c.faces) {
     Face face{{}, points_of(c, f)};
     std::sort(face.points.begin(), face.points.end());
-    for (int k = 0; k < 3; ++k) face.places[k] = root(c.near, c.place_of_point[face.points[k]]);
+    for (int k = 0; k < 3; ++k) face.places[k] = c.near.root(c.place_of_point[face.points[k]]);
     std::sort(face.places.begin(), face.places.end());
     const bool has_area = face.places[0] != face.places[1] && face.places[1] != face.places[2];
     if (has_area) faces.push_back(face);

@@ -9,6 +9,7 @@
 
 #include "topology/kernel/assert.hpp"
 #include "topology/kernel/kernel.hpp"
+#include "topology/kernel/star_parts.hpp"
 
 namespace sunder {
 namespace {
@@ -49,30 +50,16 @@ Stars stars_of(const FileMesh& mesh, const CutFaces& faces) {
   return stars;
 }
 
-/// The parts of a star: for each of its tetrahedra the place of the first of its part.
+/// The parts of a star across faces that are not cut: for each of its tetrahedra the place of the
+/// first of its part.
 std::vector<std::uint32_t> parts_of(std::span<const std::uint32_t> star, const FaceLinks& links,
                                     const std::vector<std::uint8_t>* cut) {
-  std::vector<std::uint32_t> part(star.size());
-  std::iota(part.begin(), part.end(), 0U);
-  const auto root = [&part](std::uint32_t i) {
-    while (part[i] != i) i = part[i] = part[part[i]];
-    return i;
-  };
-  for (std::uint32_t i = 0; i < star.size(); ++i) {
-    for (int p = 0; p < 4; ++p) {
-      const std::uint32_t across = links.across[star[i]][static_cast<std::size_t>(p)];
-      if (across == FaceLinks::none || across / 4 < star[i]) continue;
-      if (cut != nullptr && ((*cut)[star[i]] >> p & 1) != 0) continue;
-      // The face opposite to the point leads out of the star.
-      const auto other = std::ranges::lower_bound(star, across / 4);
-      if (other == star.end() || *other != across / 4) continue;
-      const std::uint32_t a = root(i);
-      const std::uint32_t b = root(static_cast<std::uint32_t>(other - star.begin()));
-      part[std::max(a, b)] = std::min(a, b);
-    }
-  }
-  for (std::uint32_t i = 0; i < part.size(); ++i) part[i] = root(i);
-  return part;
+  return star_parts(star, [&](std::uint32_t t, int p) -> std::optional<std::uint32_t> {
+    const std::uint32_t across = links.across[t][static_cast<std::size_t>(p)];
+    if (across == FaceLinks::none) return std::nullopt;
+    if (cut != nullptr && ((*cut)[t] >> p & 1) != 0) return std::nullopt;
+    return across / 4;
+  });
 }
 
 /// Gives the corners of a star their copies; `copies` grows.

@@ -4,21 +4,20 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
-#include <limits>
 #include <optional>
 
-#include "topology/mesh/crack.hpp"
 #include "topology/kernel/kernel.hpp"
+#include "topology/mesh/crack.hpp"
+#include "topology/mesh/face_table.hpp"
 
 namespace sunder {
 namespace {
 
-/// A face by its points in rising order, and where it is: 4 t + p.
-struct FaceEntry {
+/// A listed face by its points in rising order, and its place in the list.
+struct ListedFace {
   std::array<std::uint32_t, 3> points;
-  std::uint32_t face;
-  friend auto operator<=>(const FaceEntry&, const FaceEntry&) = default;
+  std::uint32_t place;
+  friend auto operator<=>(const ListedFace&, const ListedFace&) = default;
 };
 
 std::array<std::uint32_t, 3> points_of(const FileMesh& mesh, std::uint32_t face) {
@@ -50,27 +49,6 @@ Result<CutFaces> some(CutFaces faces, std::string text) {
   return Finding{.code = "no_face",
                  .text = std::move(text),
                  .remedy = "name faces inside the body: `sunder check` tells its regions and size"};
-}
-
-/// The side of the plane through `at` that the centre of a tetrahedron is on: the rule of
-/// plane_faces, in its arithmetic.
-bool is_positive(const FileMesh& mesh, std::size_t t, const Point& n, const Point& at) {
-  const auto dot = [](const Point& a, const Point& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-  };
-  Point away = {0, 0, 0};
-  double size = std::max({std::abs(at[0]), std::abs(at[1]), std::abs(at[2])});
-  for (const std::uint32_t corner : mesh.tetrahedra.corners[t]) {
-    const Point& x = mesh.points[corner];
-    for (std::size_t i = 0; i < 3; ++i) {
-      size = std::max(size, std::abs(x[i]));
-      away[i] += (x[i] - at[i]) / 4;
-    }
-  }
-  constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
-  const double tolerance =
-      std::sqrt(dot(n, n)) * (1e-10 * std::sqrt(dot(away, away)) + rounding * size);
-  return dot(n, away) >= -tolerance;
 }
 
 /// The number of a region that tetrahedra are in: its name's, or the word itself.
@@ -115,33 +93,32 @@ Result<FaceLinks> face_links(const FileMesh& mesh) {
                    .text = fmt::format("{} tetrahedra: their faces are numbered in 32 bits", n),
                    .remedy = "give fewer than 2^30"};
   }
-  std::vector<FaceEntry> entries;
-  entries.reserve(4 * n);
-  for (std::uint32_t face = 0; face < 4 * n; ++face)
-    entries.push_back({points_of(mesh, face), face});
-  std::ranges::sort(entries);
   FaceLinks links;
   links.across.assign(n, {FaceLinks::none, FaceLinks::none, FaceLinks::none, FaceLinks::none});
-  for (std::size_t i = 0; i + 1 < entries.size(); ++i) {
-    if (entries[i].points != entries[i + 1].points) continue;
-    if (i + 2 < entries.size() && entries[i].points == entries[i + 2].points) {
-      return Finding{
+  std::optional<Finding> overfull;
+  const FaceTable table = face_table(mesh.tetrahedra.corners, mesh.points.size());
+  for_each_face(table, [&](const auto& points, std::span<const TableFace> sides) {
+    if (sides.size() == 2) {
+      const std::uint32_t a = sides[0].half_face, b = sides[1].half_face;
+      links.across[a / 4][a % 4] = b;
+      links.across[b / 4][b % 4] = a;
+    } else if (sides.size() > 2 && !overfull) {
+      overfull = Finding{
           .code = "overfull_face",
-          .ids = {entries[i].face / 4, entries[i + 1].face / 4, entries[i + 2].face / 4},
-          .text = fmt::format("more than two tetrahedra share the face on points {}, "
-                              "{}, {}: a crack has two sides",
-                              entries[i].points[0], entries[i].points[1], entries[i].points[2]),
+          .ids = {sides[0].half_face / 4, sides[1].half_face / 4, sides[2].half_face / 4},
+          .text = fmt::format("more than two tetrahedra share the face on points {}, {}, {}: a "
+                              "crack has two sides",
+                              points[0], points[1], points[2]),
           .remedy = "drop the tetrahedra too many (--drop-duplicates drops copies)"};
     }
-    links.across[entries[i].face / 4][entries[i].face % 4] = entries[i + 1].face;
-    links.across[entries[i + 1].face / 4][entries[i + 1].face % 4] = entries[i].face;
-  }
+  });
+  if (overfull) return *overfull;
   return links;
 }
 
 Result<CutFaces> listed_faces(const FileMesh& mesh, const FaceLinks& links,
                               std::span<const std::array<std::uint32_t, 3>> points) {
-  std::vector<FaceEntry> wanted;
+  std::vector<ListedFace> wanted;
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     auto rising = points[i];
     std::ranges::sort(rising);
@@ -152,8 +129,8 @@ Result<CutFaces> listed_faces(const FileMesh& mesh, const FaceLinks& links,
   CutFaces faces = chosen(links, [](std::uint32_t, std::uint32_t) { return true; });
   std::erase_if(faces, [&](std::uint32_t face) {
     const auto rising = points_of(mesh, face);
-    const auto first = std::ranges::lower_bound(wanted, rising, {}, &FaceEntry::points);
-    for (auto it = first; it != wanted.end() && it->points == rising; ++it) found[it->face] = 1;
+    const auto first = std::ranges::lower_bound(wanted, rising, {}, &ListedFace::points);
+    for (auto it = first; it != wanted.end() && it->points == rising; ++it) found[it->place] = 1;
     return first == wanted.end() || first->points != rising;
   });
   Finding missing{
@@ -172,19 +149,18 @@ Result<CutFaces> listed_faces(const FileMesh& mesh, const FaceLinks& links,
 
 Result<CutFaces> section_faces(const FileMesh& mesh, const FaceLinks& links,
                                const CuttingPlane& plane) {
-  const std::optional<Point> n = canonical_direction(plane.normal);
-  if (!n || !std::isfinite(plane.offset)) {
+  const std::optional<PlaneThrough> through = read_plane(plane);
+  if (!through) {
     return Finding{.code = "not_a_direction",
                    .text = "the normal is zero or not finite (or the plane's offset is not finite)",
                    .remedy = "give a normal of three finite numbers, not all zero"};
   }
-  double scale = plane.normal[0];
-  for (const double x : plane.normal) scale = std::abs(x) > std::abs(scale) ? x : scale;
-  const double square = (*n)[0] * (*n)[0] + (*n)[1] * (*n)[1] + (*n)[2] * (*n)[2];
-  const double s = plane.offset / scale / square;
-  const Point at = {s * (*n)[0], s * (*n)[1], s * (*n)[2]};
   std::vector<char> positive(links.across.size());
-  for (std::size_t t = 0; t < positive.size(); ++t) positive[t] = is_positive(mesh, t, *n, at);
+  for (std::size_t t = 0; t < positive.size(); ++t) {
+    const auto& c = mesh.tetrahedra.corners[t];
+    const auto& x = mesh.points;
+    positive[t] = is_positive(*through, {x[c[0]], x[c[1]], x[c[2]], x[c[3]]}) ? 1 : 0;
+  }
   return some(chosen(links, [&](auto t, auto other) { return positive[t] != positive[other]; }),
               "all tetrahedra have their centres on one side of the plane");
 }

@@ -9,7 +9,9 @@
 #include <numeric>
 #include <unordered_map>
 
-#include "topology/kernel/build_map.hpp"
+#include "topology/kernel/union_find.hpp"
+#include "topology/mesh/build_map.hpp"
+#include "topology/mesh/face_table.hpp"
 
 namespace sunder {
 namespace {
@@ -149,39 +151,14 @@ double volume6(const FileMesh& mesh, const std::array<std::uint32_t, 4>& t) {
          e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);
 }
 
-std::uint32_t root_of(std::vector<std::uint32_t>& parent, std::uint32_t row) {
-  while (parent[row] != row) row = parent[row] = parent[parent[row]];
-  return row;
-}
-
 /// The part of each tetrahedron, by faces, named by its lowest row.
 std::vector<std::uint32_t> parts_by_faces(const FileMesh& mesh) {
-  struct Face {
-    std::array<std::uint32_t, 3> points;
-    std::uint32_t tetrahedron;
-  };
-  std::vector<Face> faces;
-  faces.reserve(4 * mesh.tetrahedra.corners.size());
-  std::vector<std::uint32_t> parent(mesh.tetrahedra.corners.size());
-  std::iota(parent.begin(), parent.end(), 0U);
-  for (std::uint32_t t = 0; t < parent.size(); ++t) {
-    auto p = mesh.tetrahedra.corners[t];
-    std::sort(p.begin(), p.end());
-    for (std::size_t left_out = 0; left_out < 4; ++left_out) {
-      Face& face = faces.emplace_back(Face{{}, t});
-      for (std::size_t k = 0; k < 3; ++k) face.points[k] = p[k < left_out ? k : k + 1];
-    }
-  }
-  std::sort(faces.begin(), faces.end(),
-            [](const Face& a, const Face& b) { return a.points < b.points; });
-  for (std::size_t i = 1; i < faces.size(); ++i) {
-    if (faces[i].points != faces[i - 1].points) continue;
-    const auto a = root_of(parent, faces[i - 1].tetrahedron);
-    const auto b = root_of(parent, faces[i].tetrahedron);
-    parent[std::max(a, b)] = std::min(a, b);
-  }
-  for (std::uint32_t t = 0; t < parent.size(); ++t) parent[t] = root_of(parent, t);
-  return parent;
+  UnionFind parts(mesh.tetrahedra.corners.size());
+  const FaceTable table = face_table(mesh.tetrahedra.corners, mesh.points.size());
+  for_each_face(table, [&](const auto&, std::span<const TableFace> sides) {
+    for (const TableFace& side : sides) parts.join(sides[0].half_face / 4, side.half_face / 4);
+  });
+  return std::move(parts).roots();
 }
 
 }  // namespace

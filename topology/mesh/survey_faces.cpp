@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "topology/kernel/kernel.hpp"
+#include "topology/mesh/face_table.hpp"
 #include "topology/mesh/survey.hpp"
 
 namespace sunder {
@@ -34,58 +35,22 @@ constexpr FindingWords folded_tetrahedron = {
     "% tetrahedra are turned inside out against the neighbours they share faces with",
     "move their points back: the body overlaps itself there"};
 
-/// A face as one tetrahedron has it; the lowest of its points is known from the bucket it is in.
-struct FaceEntry {
-  std::uint64_t others;  // middle point << 32 | highest point
-  std::uint32_t half_face;
-  friend auto operator<=>(const FaceEntry&, const FaceEntry&) = default;
-};
-
-struct SortedFace {
-  std::uint32_t lowest;
-  std::uint64_t others;
-  bool odd;
-};
-
-SortedFace sort_face(const std::array<std::uint32_t, 4>& t, int p) {
+/// Whether sorting a face's points takes an odd number of exchanges, from the order in which its
+/// darts run.
+bool is_odd_face(const std::array<std::uint32_t, 4>& t, int p) {
   const auto& c = dart_order::face_corners[p];
-  std::uint32_t a = t[c[0]], b = t[c[1]], d = t[c[2]];
-  bool odd = false;
-  if (b < a) std::swap(a, b), odd = !odd;
-  if (d < b) std::swap(b, d), odd = !odd;
-  if (b < a) std::swap(a, b), odd = !odd;
-  return {a, std::uint64_t{b} << 32 | d, odd};
+  const std::uint32_t a = t[c[0]], b = t[c[1]], d = t[c[2]];
+  return ((b < a) + (d < b) + (d < a)) % 2 != 0;
 }
 
-/// Faces in buckets of their lowest point: first[p] to first[p + 1].
-struct FaceBuckets {
-  std::vector<std::size_t> first;
-  std::vector<FaceEntry> entries;
-};
-
-FaceBuckets bucket_faces(Survey& s) {
-  const std::size_t tetrahedra = s.mesh.tetrahedra.size();
-  FaceBuckets buckets;
-  buckets.first.assign(s.mesh.points.size() + 2, 0);
-  s.odd.assign(tetrahedra, 0);
-  for (std::size_t t = 0; t < tetrahedra; ++t) {
+void note_parities(Survey& s) {
+  s.odd.assign(s.mesh.tetrahedra.size(), 0);
+  for (std::size_t t = 0; t < s.odd.size(); ++t) {
     for (int p = 0; s.usable[t] && p < 4; ++p) {
-      const SortedFace face = sort_face(s.mesh.tetrahedra[t], p);
-      s.odd[t] |= static_cast<std::uint8_t>((face.odd ? 1U : 0U) << p);
-      ++buckets.first[face.lowest + 2];
+      const unsigned odd = is_odd_face(s.mesh.tetrahedra[t], p) ? 1 : 0;
+      s.odd[t] |= static_cast<std::uint8_t>(odd << p);
     }
   }
-  for (std::size_t p = 2; p < buckets.first.size(); ++p) buckets.first[p] += buckets.first[p - 1];
-  buckets.entries.resize(buckets.first.back());
-  for (std::size_t t = 0; t < tetrahedra; ++t) {
-    for (int p = 0; s.usable[t] && p < 4; ++p) {
-      // Sorted anew: keeping 96 bytes a tetrahedron between the passes gains no time.
-      const SortedFace face = sort_face(s.mesh.tetrahedra[t], p);
-      buckets.entries[buckets.first[face.lowest + 1]++] = {face.others,
-                                                           half_face(TetId{t}, p).value};
-    }
-  }
-  return buckets;
 }
 
 struct FaceDefects {
@@ -117,7 +82,7 @@ void drop_copies(Survey& s, std::vector<std::uint32_t>& run) {
   run.resize(kept);
 }
 
-void join_run(Survey& s, std::uint32_t lowest, std::uint64_t others,
+void join_run(Survey& s, const std::array<std::uint32_t, 3>& points,
               std::vector<std::uint32_t>& run, FaceDefects& defects) {
   drop_copies(s, run);
   if (run.size() == 2) {
@@ -125,8 +90,6 @@ void join_run(Survey& s, std::uint32_t lowest, std::uint64_t others,
     s.neighbours[run[1] / 4][run[1] % 4] = HalfFaceId{run[0]};
   }
   if (run.size() <= 2) return;
-  const std::array points = {lowest, static_cast<std::uint32_t>(others >> 32),
-                             static_cast<std::uint32_t>(others)};
   defects.overfull.add(points);
   if (!defects.overfull_ids.empty()) return;
   defects.overfull_ids.assign(points.begin(), points.end());
@@ -203,20 +166,16 @@ void orient_by_volume(Survey& s, const std::vector<std::uint32_t>& members) {
 
 void survey_faces(Survey& s) {
   s.neighbours.assign(s.mesh.tetrahedra.size(), {});
-  FaceBuckets buckets = bucket_faces(s);
+  note_parities(s);
   FaceDefects defects{Places(PlaceKind::faces, s.keeps_places), {}};
   std::vector<std::uint32_t> run;
-  for (std::size_t p = 0; p < s.mesh.points.size(); ++p) {
-    const auto begin = buckets.entries.begin() + static_cast<std::ptrdiff_t>(buckets.first[p]);
-    const auto end = buckets.entries.begin() + static_cast<std::ptrdiff_t>(buckets.first[p + 1]);
-    std::sort(begin, end);
-    for (auto i = begin; i != end;) {
-      run.clear();
-      const std::uint64_t others = i->others;
-      for (; i != end && i->others == others; ++i) run.push_back(i->half_face);
-      if (run.size() > 1) join_run(s, static_cast<std::uint32_t>(p), others, run, defects);
-    }
-  }
+  const FaceTable table = face_table(s.mesh.tetrahedra, s.mesh.points.size(), s.usable);
+  for_each_face(table, [&](const auto& points, std::span<const TableFace> sides) {
+    if (sides.size() < 2) return;
+    run.clear();
+    for (const TableFace& side : sides) run.push_back(side.half_face);
+    join_run(s, points, run, defects);
+  });
   report_copies(s);
   report(s, overfull_face, defects.overfull);
   if (defects.overfull.count() > 0) s.findings.back().ids = defects.overfull_ids;

@@ -13,7 +13,7 @@ namespace sunder {
 /// What one way of finding components takes for the fans of a run.
 struct FanTimes {
   /// us, means over fans without [0] and with [1] a new component: faces, rows, components and
-  /// strengths (`FanEvent::split_us`); 0 where there was none.
+  /// strengths (`split_fan`); 0 where there was none.
   std::array<double, 2> split_us{};
   /// Tetrahedra met by splits and search, means likewise.
   std::array<double, 2> visited{};

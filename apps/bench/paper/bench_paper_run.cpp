@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "apps/bench/bench_clock.hpp"
+#include "apps/bench/clock.hpp"
 #include "apps/sunder/run/recorder.hpp"
 #include "fracture/algorithms/threshold_test.hpp"
 #include "mechanics/element/corotational_force.hpp"
@@ -24,7 +24,7 @@ std::vector<double> principal_stresses(std::span<const Mat3> node_stress) {
   return values;
 }
 
-/// Vertices that `find_fractures` would look at now.
+/// Vertices that `break_vertices` would look at now.
 StressSample sample_stress(const Simulation& now) {
   const MechanicsState& mechanics = now.state->mechanics;
   const std::vector<Mat3> stress =
@@ -79,7 +79,7 @@ ModelSample sample_models(const Simulation& now) {
   return sample;
 }
 
-void add_fan(PaperRun& run, const FanEvent& fan) {
+void add_fan(PaperRun& run, const FanEvent& fan, bool same_round) {
   PaperCounts& counts = run.counts;
   const ComponentUpdate& found = fan.components;
   ++counts.fans;
@@ -89,9 +89,7 @@ void add_fan(PaperRun& run, const FanEvent& fan) {
   counts.predicted_rightly += found.predicted > 0 && found.created > 0;
   counts.predicted_faces += found.predicted;
   counts.created += found.created;
-  RecordedFan record{fan.vertex, fan.normal, {}};
-  for (const FaceSplit& split : fan.faces) record.faces.push_back(split.face);
-  run.fans.push_back(std::move(record));
+  run.fans.push_back({fan.vertex, fan.normal, same_round});
 }
 
 void add_step(PaperRun& run, const Simulation& now, const StepReport& report) {
@@ -103,7 +101,12 @@ void add_step(PaperRun& run, const Simulation& now, const StepReport& report) {
   run.counts.suspects += report.fracture.suspects;
   run.counts.reached += report.fracture.reached;
   run.counts.still_empty += report.fracture.still_empty;
-  for (const FanEvent& fan : report.fracture.fans) add_fan(run, fan);
+  const std::vector<FanEvent>& fans = report.fracture.fans;
+  for (std::size_t row = 0; row < fans.size(); ++row) {
+    add_fan(run, fans[row],
+            row > 0 && report.fan_part[row] == report.fan_part[row - 1] &&
+                fans[row].round == fans[row - 1].round);
+  }
   run.given_up += report.status.solve.not_converged > 0;
   for (const Mat3& sigma :
        node_stress_of(now.state->cells, now.state->mechanics, now.scene.fracture.node_stress)) {

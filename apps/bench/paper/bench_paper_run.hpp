@@ -41,7 +41,8 @@ struct ModelSample {
 struct RecordedFan {
   VertexId vertex;
   Vec3 normal = Vec3::Zero();
-  std::vector<HalfFaceId> faces;  ///< in the order in which they were split
+  /// Whether it was decided on the same state as the one before.
+  bool same_round = false;
 };
 
 /// Counts of table 3.

@@ -8,7 +8,7 @@
 
 #include "topology/kernel/components.hpp"
 #include "topology/kernel/finding.hpp"
-#include "topology/mesh/tet_mesh.hpp"
+#include "topology/kernel/tet_mesh.hpp"
 #include "topology/kernel/volume_map.hpp"
 
 namespace sunder {

@@ -3,6 +3,7 @@
 #include "apps/sunder/run/event_log.hpp"
 
 #include <array>
+#include <sunder/version.hpp>
 #include <utility>
 
 #include "apps/scene/scene_hash.hpp"

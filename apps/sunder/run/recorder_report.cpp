@@ -52,7 +52,8 @@ void add_momentum(MomentumLedger& ledger, const Simulation& now, const StepRepor
     }
   }
   ledger.loads += report.load_impulse;
-  ledger.gravity += mass * now.scene.time_step * gravity_at(now.scene.gravity, report.time);
+  ledger.gravity +=
+      mass * now.scene.integrator.time_step * gravity_at(now.scene.gravity, report.time);
 }
 
 void note_contact(RunStatistics& statistics, const StepReport& report) {
@@ -206,11 +207,12 @@ void add_step(RunStatistics& statistics, const Simulation& now, const StepReport
   }
   const FractureReport& fracture = report.fracture;
   statistics.fans += fracture.fans.size();
-  for (const FanEvent& fan : fracture.fans) {
+  for (std::size_t row = 0; row < fracture.fans.size(); ++row) {
+    const FanEvent& fan = fracture.fans[row];
     statistics.faces_split += fan.faces.size();
     statistics.searched += fan.components.visited;
     statistics.fan_us[fan.components.created > 0 ? 1 : 0].push_back(
-        static_cast<float>(fan.choose_us + fan.split_us));
+        static_cast<float>(report.fan_us[row]));
     statistics.predicted += fan.components.predicted > 0;
     statistics.separated += fan.components.created > 0;
     statistics.predicted_rightly += fan.components.predicted > 0 && fan.components.created > 0;
@@ -273,7 +275,7 @@ ordered_json run_report(const RunStatistics& s, const Simulation& now,
       {"end", to_string(end)},
       {"steps", now.state->step},
       {"time", now.state->mechanics.time},
-      {"time_step", now.scene.time_step},
+      {"time_step", now.scene.integrator.time_step},
       {"tetrahedra", now.state->cells.map.tetrahedra()},
       {"vertices", now.state->cells.map.vertices()},
       {"step_ms", distribution(s.step_ms)},

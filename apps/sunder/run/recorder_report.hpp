@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/output/recorder_tables.hpp"
+#include "apps/output/fragment.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 
 namespace sunder {

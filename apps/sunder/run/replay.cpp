@@ -6,6 +6,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <sunder/version.hpp>
 
 #include "apps/scene/scene_text.hpp"
 #include "apps/sunder/run/counters_json.hpp"

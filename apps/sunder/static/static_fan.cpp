@@ -10,7 +10,7 @@
 #include <limits>
 
 #include "apps/scene/words.hpp"
-#include "fracture/algorithms/split_fan.hpp"
+#include "fracture/algorithms/choose_fan.hpp"
 #include "fracture/energy/tip_energy.hpp"
 #include "topology/kernel/fan.hpp"
 
@@ -24,7 +24,8 @@ struct LoadedBody {
 };
 
 std::vector<Vec3> fully_raised(const Simulation& sim) {
-  return corner_forces(sim.state->loads, sim.state->mechanics, std::numeric_limits<double>::infinity());
+  return corner_forces(sim.state->loads, sim.state->mechanics,
+                       std::numeric_limits<double>::infinity());
 }
 
 /// What is wrong; nothing when the answer has its release.
@@ -83,7 +84,7 @@ Result<std::vector<FanCandidate>> fan_candidates(Simulation& sim, std::span<cons
   for (std::size_t v = 0; v < node_stress.size(); ++v) {
     const PrincipalTension tension = principal_tension(node_stress[v]);
     if (!(tension.value > 0) || !(tension.value >= share * cells.strength[v])) continue;
-    const FanPlane plane = choose_fan(cells, VertexId{v}, tension);
+    const FanPlane plane = choose_fan(cells, vertex_star(cells.map, VertexId{v}), tension);
     if (plane.faces.empty()) continue;
     FanCandidate candidate{
         .fan = {.point = cells.map.point_of_vertex(VertexId{v}), .normal = plane.normal},

@@ -34,25 +34,31 @@ def box_case(name, cells, operations=(), **more):
     return Case(name, kuhn_box(*cells), operations, written={"kuhn_box": list(cells)}, **more)
 
 
+# Directions and centres that differ by less are equal (docs/suite.md).
+EQUAL = Fraction(1, 10**6)
+
+
 def canonical(normal):
-    """Divided by its component of largest magnitude, the first on ties; exact."""
+    """Divided by its component of largest magnitude, the first of those equal to 1e-6; exact."""
     normal = [Fraction(x) for x in normal]
-    return [x / max(normal, key=abs) for x in normal]
+    largest = max(map(abs, normal))
+    return [x / next(y for y in normal if abs(y) >= (1 - EQUAL) * largest) for x in normal]
 
 
 def is_positive(points, tet, normal, at):
-    """Exact sign; 0 is positive, and so is what rounding alone keeps off the plane. The kernels
-    decide in floating point, with a tolerance: no centre of the suite may be near to that."""
+    """Exact sign; what lies on the plane to the tolerance is positive. The kernels decide in
+    floating point: no centre of the suite may be near to the tolerance's edge."""
     normal = canonical(normal)
-    away = [x - Fraction(y) for x, y in zip(centroid(points, tet), at)]
-    value = sum(a * b for a, b in zip(normal, away))
+    centre = centroid(points, tet)
+    value = sum(a * (x - Fraction(y)) for a, x, y in zip(normal, centre, at))
     if value != 0:
         size = max([abs(x) for p in tet for x in points[p]] + [abs(x) for x in at])
-        tolerance = 1e-10 * math.hypot(*away) + 2e-15 * float(size)
+        radius = max(math.dist(centre, points[p]) for p in tet)
+        tolerance = float(EQUAL) * radius + 2e-15 * float(size)
         limit = math.hypot(*normal) * tolerance
-        if abs(value) < limit / 4:
+        if abs(value) < 0.99 * limit:
             return True
-        assert abs(value) > 4 * limit, f"{tet} is too near to a plane"
+        assert abs(value) > 1.01 * limit, f"{tet} is too near to the tolerance's edge"
     return value >= 0
 
 

@@ -12,9 +12,9 @@
 #include <stdexcept>
 
 #include "fracture/algorithms/choose_fan.hpp"
-#include "fracture/simulation/simulation_state.hpp"
 #include "fracture/algorithms/stress_fit.hpp"
-#include "mechanics/solver/static_solve.hpp"
+#include "fracture/simulation/simulation_state.hpp"
+#include "mechanics/statics/static_solve.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
 namespace sunder::accuracy {
@@ -60,8 +60,8 @@ void find_first_break(BendingAnswer& answer, const Simulation& sim,
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t v) { return tension[v]; });
   for (const std::size_t v : order) {
-    const FanPlane fan = choose_fan(cells, VertexId{v}, principal_tension(stress[v]),
-                                    m.components.front().rest_centre);
+    const FanPlane fan = choose_fan(cells, vertex_star(cells.map, VertexId{v}),
+                                    principal_tension(stress[v]), m.components.front().rest_centre);
     if (fan.faces.empty()) continue;
     answer.load = cells.strength[v] / tension[v];
     answer.away = std::abs(m.vertices.rest_position[v].x());
@@ -132,7 +132,7 @@ Scene bent_beam(const Beam& beam) {
   Scene scene;
   scene.bodies.push_back(std::move(body));
   scene.gravity.acceleration.setZero();
-  scene.time_step = 0.02;
+  scene.integrator.time_step = 0.02;
   return scene;
 }
 

@@ -7,15 +7,16 @@
 #include <limits>
 #include <stdexcept>
 
-#include "fracture/energy/energy_release.hpp"
 #include "fracture/algorithms/fracture_plane.hpp"
 #include "fracture/algorithms/node_stress.hpp"
+#include "fracture/energy/energy_release.hpp"
 #include "fracture/energy/tip_energy.hpp"
-#include "mechanics/solver/static_solve.hpp"
+#include "mechanics/state/living.hpp"
+#include "mechanics/statics/static_solve.hpp"
 #include "tests/support/shapes.hpp"
-#include "topology/kernel/build_map.hpp"
 #include "topology/kernel/fan.hpp"
 #include "topology/kernel/split_face.hpp"
+#include "topology/mesh/build_map.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
 namespace sunder::accuracy {

@@ -12,6 +12,7 @@
 #include "fracture/algorithms/node_stress.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/element/energy.hpp"
+#include "mechanics/rebuild.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
 namespace sunder::accuracy {
@@ -30,8 +31,8 @@ Scene flight_scene(const FreeFlight& flight) {
   rod.velocity = {3, -2, 1};
   scene.bodies.push_back(std::move(rod));
   scene.gravity.acceleration.setZero();
-  scene.time_step = flight.time_step;
   scene.integrator = flight.integrator;
+  scene.integrator.time_step = flight.time_step;
   scene.ladder.rigid = flight.ladder;
   return scene;
 }

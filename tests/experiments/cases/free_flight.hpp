@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string>
 
-#include "mechanics/integrators/settings.hpp"
+#include "mechanics/state/settings.hpp"
 
 namespace sunder::accuracy {
 

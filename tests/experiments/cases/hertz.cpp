@@ -50,8 +50,8 @@ Scene scene_of(const HertzImpact& impact) {
   block.mesh = round_block(impact);
   block.material.poisson_ratio = impact.poisson_ratio;
   block.velocity = {0, 0, -impact.speed};
-  scene.time_step = 1e-4;
-  block.translation = {0, 0, 0.4 * scene.time_step * impact.speed};
+  scene.integrator.time_step = 1e-4;
+  block.translation = {0, 0, 0.4 * scene.integrator.time_step * impact.speed};
   scene.bodies.push_back(std::move(block));
   scene.obstacles = {{.shape = Plane{{0, 0, 1}, 0}, .friction = 0}};
   scene.gravity.acceleration.setZero();
@@ -114,7 +114,7 @@ HertzOutcome run_hertz(const HertzImpact& impact) {
     last = now.state->mechanics.time;
     if (first < 0) first = last - part.length;
   };
-  const double h = sim->scene.time_step;
+  const double h = sim->scene.integrator.time_step;
   for (double time = 0; time < 3 * hertz.time && (last < 0 || time < last + 4 * h); time += h) {
     const StepReport report = advance(*sim, observe);
     if (report.status.outcome != StepOutcome::fine) {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mechanics/solver/static_solve.hpp"
+#include "mechanics/statics/static_solve.hpp"
 #include "mechanics/step.hpp"
 #include "tests/support/bodies.hpp"
 

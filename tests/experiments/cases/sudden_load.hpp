@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "mechanics/integrators/settings.hpp"
+#include "mechanics/state/settings.hpp"
 
 namespace sunder::accuracy {
 

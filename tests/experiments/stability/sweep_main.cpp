@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <string>
 
-#include "apps/sunder/chart/gnuplot.hpp"
+#include "apps/sunder/gnuplot.hpp"
 #include "tests/experiments/stability/sweep.hpp"
 
 using namespace sunder::stability;

@@ -5,13 +5,14 @@
 #include <catch2/catch.hpp>
 #include <random>
 
+#include "fracture/algorithms/split_fan.hpp"
 #include "fracture/simulation/fan_script.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/element/energy.hpp"
 #include "tests/support/tension.hpp"
 #include "topology/mesh/check.hpp"
-#include "topology/suite/random/random_run_bodies.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
+#include "topology/suite/random/random_run_bodies.hpp"
 
 using namespace sunder;
 using namespace sunder::suite;
@@ -112,24 +113,19 @@ TornBody moving_body(const TetMesh& mesh, std::mt19937_64& random) {
     state.vertices.velocity[v] += 0.1 * random_vector(random);
   }
   for (const Component& c : state.components) reframe(state, c.id);
-  const Lame constants = lame(material);
-  for (std::size_t t = 0; t < state.elements.size(); ++t) {
-    const CornerVectors d = at_corners(state.vertices.displacement, map.corners(TetId{t}));
-    state.elements.stress[t] =
-        stress_of(displacement_gradient(state.elements.shape_gradient[t], d), constants);
-  }
+  set_stress(state, map, material);
   sunder::Cells cells = make_cells(std::move(map), state);
   return {std::move(cells), std::move(state)};
 }
 
 /// Splits up to `fans` fans at random and rebuilds every piece. Gives what that released.
 RebuildReport tear(TornBody& body, std::size_t fans, std::mt19937_64& random, std::size_t& made) {
-  FanScratch scratch;
+  ComponentScratch scratch;
   for (std::size_t k = 0; k < fans; ++k) {
     const VertexId v{below(random, body.cells.map.vertices())};
     const Vec3 normal = random_vector(random).normalized();
-    PlannedFan plan = plan_known_fan(body.cells, v, normal, 0);
-    made += !split_fan(body.cells, body.state, std::move(plan), {}, scratch).faces.empty();
+    const VertexStar star = vertex_star(body.cells.map, v);
+    made += !split_fan({body.cells, body.state}, star, normal, {}, scratch).faces.empty();
   }
   MechanicsScratch mechanics;
   body.state.elements.component = body.cells.labels.of_tetrahedron;
@@ -225,7 +221,7 @@ TEST_CASE("steps that break keep across their fans what the state had before the
     scene.bodies[0].velocity = 4 * random_vector(random);
     // A rim speed at which rho w^2 L^2 / 8 is far over the strength.
     scene.bodies[0].spin = random_vector(random) + Vec3(0, 500, 300);
-    scene.time_step = 1e-4;
+    scene.integrator.time_step = 1e-4;
     // One part a step, and nobody leaves the full rung: the observer sees the state that breaks.
     scene.impact.window = false;
     scene.ladder = {.rigid = false, .quasi_static = false, .sleep = false};

@@ -16,14 +16,11 @@ TEST_CASE("a single largest tension gives its own axis as the only normal", "[fr
   CHECK(tension.value == Approx(5e6).epsilon(1e-12));
   const auto normals = candidate_normals(tension, {Vector3d::UnitX()});
   REQUIRE(normals.size() == 1);
-  CHECK((normals[0] - canonical_direction(turn.col(2))).norm() < 1e-12);
-}
-
-TEST_CASE("n and -n have one canonical direction", "[fracture]") {
-  const Vector3d n = Vector3d(-0.2, 0.5, -0.9).normalized();
-  CHECK(canonical_direction(n) == canonical_direction(-n));
-  CHECK(canonical_direction(n)(2) > 0);
-  CHECK(canonical_direction(Vector3d(-1, 1, 0)) == Vector3d(1, -1, 0));
+  CHECK(normals[0].cross(turn.col(2)).norm() < 1e-12);
+  // Of n and -n the canonical one, whichever the solver has.
+  CHECK(normals[0].maxCoeff() >= -normals[0].minCoeff());
+  const auto folded = candidate_normals(tension, {}, Vector3d(-1, -1, -1));
+  CHECK((folded[0] + normals[0]).norm() < 1e-12);
 }
 
 TEST_CASE("equal tensions offer the faces' normals within their plane, then the axes",

@@ -42,9 +42,9 @@ TEST_CASE("the first fan comes exactly when the stress passes the threshold", "[
     const TetMesh mesh = jittered(kuhn_box({3, 3, 3}), 0.15, 6);
     // 1e-9 is what the exact test resolves; node stress itself is good to 1e-12 here.
     Tension below = uniform_tension(mesh, axis, (1 - 2e-9) * Material{}.tensile_strength);
-    CHECK(find_fractures(below.cells, below.state, {}, scratch).reached == 0);
+    CHECK(break_vertices({below.cells, below.state}, {}, scratch).reached == 0);
     Tension above = uniform_tension(mesh, axis, (1 + 2e-9) * Material{}.tensile_strength);
-    const FractureReport report = find_fractures(above.cells, above.state, {}, scratch);
+    const FractureReport report = break_vertices({above.cells, above.state}, {}, scratch);
     CHECK(report.reached == 64);
     REQUIRE(!report.fans.empty());
     CHECK(std::abs(report.fans.front().normal.dot(axis)) == Approx(1).epsilon(1e-9));
@@ -65,7 +65,7 @@ TEST_CASE("a stress that is not a number stops fracture and names the vertex", "
   Tension body = uniform_tension(kuhn_box({2, 2, 2}), Vec3::UnitX(), 1e6);
   body.state.elements.stress[5](0, 1) = std::numeric_limits<double>::quiet_NaN();
   FractureScratch scratch;
-  const FractureReport report = find_fractures(body.cells, body.state, {}, scratch);
+  const FractureReport report = break_vertices({body.cells, body.state}, {}, scratch);
   REQUIRE(report.not_a_number.has_value());
   CHECK(place_of_vertex(body.cells.map.corners(TetId{5}), *report.not_a_number) < 4);
   CHECK(report.fans.empty());

@@ -22,7 +22,7 @@ struct TwoTips {
   TwoTips() {
     for (std::size_t v = 0; v < 3; ++v) body.cells.strength[v] = 1e12;
   }
-  FractureReport search() { return find_fractures(body.cells, body.state, {}, scratch); }
+  FractureReport search() { return break_vertices({body.cells, body.state}, {}, scratch); }
   void set_stress(const Vec3& axis, double stress) {
     for (Mat3& s : body.state.elements.stress) s = stress * axis * axis.transpose();
   }
@@ -111,11 +111,11 @@ TEST_CASE("a waiting vertex that a neighbour's fan splits waits no longer", "[fr
     strength.assign(body.cells.map.vertices(), 1e12);
     strength[3] = 1e5;
     FractureScratch scratch;
-    const FractureReport first = find_fractures(body.cells, body.state, {}, scratch);
+    const FractureReport first = break_vertices({body.cells, body.state}, {}, scratch);
     if (!first.fans.empty() || first.empty_fans == 0) continue;
     REQUIRE(body.cells.empty_fans.size() == 1);
     strength[0] = 1e5;
-    const FractureReport report = find_fractures(body.cells, body.state, {}, scratch);
+    const FractureReport report = break_vertices({body.cells, body.state}, {}, scratch);
     CHECK(report.still_empty == 1);
     if (!split_rows(report).contains(3)) continue;
     // It was tested again in the same call, and waits anew where its fan is empty still.
@@ -131,14 +131,14 @@ TEST_CASE("a refused fan is counted once while the stress stays", "[fracture][wa
   FractureSettings settings;
   settings.max_pieces = 1;
   FractureScratch scratch;
-  const FractureReport first = find_fractures(body.cells, body.state, settings, scratch);
+  const FractureReport first = break_vertices({body.cells, body.state}, settings, scratch);
   CHECK(first.refused_fans == 3);
   CHECK(first.empty_fans == 2);
   CHECK(first.fans.empty());
-  const FractureReport second = find_fractures(body.cells, body.state, settings, scratch);
+  const FractureReport second = break_vertices({body.cells, body.state}, settings, scratch);
   CHECK(second.refused_fans == 0);
   CHECK(second.still_empty == 5);
   // Another direction: asked again.
   for (Mat3& s : body.state.elements.stress) s = Vec3(4e6, 3e6, 4e6).asDiagonal();
-  CHECK(find_fractures(body.cells, body.state, settings, scratch).refused_fans == 3);
+  CHECK(break_vertices({body.cells, body.state}, settings, scratch).refused_fans == 3);
 }

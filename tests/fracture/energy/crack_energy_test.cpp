@@ -2,6 +2,9 @@
 // The energy a crack gives up per area, against bars pulled apart.
 #include "fracture/energy/crack_energy.hpp"
 
+#include "fracture/algorithms/choose_fan.hpp"
+#include "fracture/algorithms/split_fan.hpp"
+
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -9,7 +12,9 @@
 
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/element/energy.hpp"
-#include "mechanics/solver/static_solve.hpp"
+#include "mechanics/rebuild.hpp"
+#include "mechanics/state/living.hpp"
+#include "mechanics/statics/static_solve.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
 using namespace sunder;
@@ -30,7 +35,7 @@ Simulation stretched_bar(double time_step) {
   scene.gravity.acceleration.setZero();
   scene.fracture.mode = FractureMode::off;
   scene.ladder = {.rigid = false, .quasi_static = false, .sleep = false};
-  scene.time_step = time_step;
+  scene.integrator.time_step = time_step;
   Simulation sim = std::move(*build_simulation(std::move(scene)));
   MechanicsState& m = sim.state->mechanics;
   for (std::size_t v = 0; v < m.vertices.size(); ++v) {
@@ -47,12 +52,14 @@ std::size_t cut_in_the_middle(Simulation& sim) {
   tension.value = 1e6;
   tension.directions = Vec3::UnitX();
   std::vector<FanEvent> fans;
-  FanScratch scratch;
+  ComponentScratch scratch;
   const std::size_t rows = m.vertices.size();
   for (std::size_t v = 0; v < rows; ++v) {
     if (std::abs(m.vertices.rest_position[v].x() - 0.4) > 1e-9) continue;
-    FanEvent fan =
-        split_fan(sim.state->cells, m, plan_fan(sim.state->cells, VertexId{v}, tension), {}, scratch);
+    const VertexStar star = vertex_star(sim.state->cells.map, VertexId{v});
+    const Vec3 normal = choose_fan(sim.state->cells, star, tension).normal;
+    if (normal.isZero()) continue;
+    FanEvent fan = split_fan({sim.state->cells, m}, star, normal, {}, scratch);
     if (!fan.faces.empty()) fans.push_back(std::move(fan));
   }
   open_cracks(sim.state->cracks, {fans, 0, m.time}, m, sim.state->cells);

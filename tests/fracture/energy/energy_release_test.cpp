@@ -10,7 +10,8 @@
 
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/element/energy.hpp"
-#include "mechanics/solver/static_solve.hpp"
+#include "mechanics/rebuild.hpp"
+#include "mechanics/statics/static_solve.hpp"
 #include "topology/kernel/fan.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "mechanics/state/living.hpp"
 #include "tests/mechanics/contact/contact_scene.hpp"
 
 using namespace sunder;

@@ -169,7 +169,7 @@ TEST_CASE("the rigid reference of a moved body is the motion",
       const Vec3 shift = random_vector(random);
       std::vector<Vec3> moved;
       for (const Vec3& x : body.rest) moved.push_back(R * x + shift);
-      const RigidFrame frame = rigid_reference(component, state.vertices, moved);
+      const Pose frame = rigid_reference(component, state.vertices, moved);
       // Positions of size 1 carry roundings of eps into arms of 1e-3.
       CHECK(angle_between(frame.orientation, R) < 100 * eps / component.rest_radius);
       CHECK((frame.centre - (R * component.rest_centre + shift)).norm() < 32 * eps);
@@ -207,7 +207,7 @@ TEST_CASE("the rigid reference does not depend on where the rest origin is",
   MechanicsState a = state_of(body, {}), b = state_of(far, {});
   std::vector<Vec3> now;
   for (const Vec3& x : body.rest) now.push_back(x + 0.02 * random_vector(random));
-  const RigidFrame fa = rigid_reference(a.components[0], a.vertices, now);
-  const RigidFrame fb = rigid_reference(b.components[0], b.vertices, now);
+  const Pose fa = rigid_reference(a.components[0], a.vertices, now);
+  const Pose fb = rigid_reference(b.components[0], b.vertices, now);
   CHECK(angle_between(fa.orientation, fb.orientation) < 100 * eps);
 }

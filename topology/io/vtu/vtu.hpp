@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "topology/kernel/finding.hpp"
-#include "topology/mesh/tet_mesh.hpp"
+#include "topology/kernel/tet_mesh.hpp"
 
 namespace sunder {
 

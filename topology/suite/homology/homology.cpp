@@ -3,10 +3,10 @@
 #include "topology/suite/homology/homology.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
+#include "topology/kernel/union_find.hpp"
 #include "topology/suite/homology/homology_matrix.hpp"
 
 namespace sunder::suite {
@@ -27,32 +27,15 @@ constexpr std::array<std::array<std::uint32_t, 4>, 4> number_of_edge = {
 constexpr std::array<std::array<int, 2>, 6> ranks_of_edge = {
     {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 
-/// Sets whose lowest member stands for them.
-class Classes {
- public:
-  explicit Classes(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0U); }
-  std::uint32_t root(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
+/// The number of each row's set, in rising order of lowest members; and how many there are.
+std::pair<std::vector<std::uint32_t>, std::size_t> numbered(UnionFind&& sets) {
+  std::vector<std::uint32_t> number = std::move(sets).roots();
+  std::uint32_t next = 0;
+  for (std::uint32_t i = 0; i < number.size(); ++i) {
+    number[i] = number[i] == i ? next++ : number[number[i]];
   }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = root(a);
-    b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-  /// The number of each member's set, in rising order of lowest members; and how many there are.
-  std::pair<std::vector<std::uint32_t>, std::size_t> numbered() {
-    std::vector<std::uint32_t> number(parent_.size());
-    std::uint32_t next = 0;
-    for (std::uint32_t i = 0; i < parent_.size(); ++i) {
-      number[i] = root(i) == i ? next++ : number[root(i)];
-    }
-    return {std::move(number), next};
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
+  return {std::move(number), next};
+}
 
 /// Number of the orbit of each tetrahedron's corners, edges and faces, by rank.
 struct Orbits {
@@ -64,7 +47,7 @@ Orbits number_orbits(const GlueTwin& twin) {
   const auto tetrahedra = static_cast<std::uint32_t>(twin.tetrahedra.size());
   std::vector<std::array<int, 4>> place(tetrahedra);
   for (std::uint32_t t = 0; t < tetrahedra; ++t) place[t] = rising_places(twin.tetrahedra[t]);
-  Classes corners(4 * tetrahedra), edges(6 * tetrahedra), faces(4 * tetrahedra);
+  UnionFind corners(4 * tetrahedra), edges(6 * tetrahedra), faces(4 * tetrahedra);
   for (std::uint32_t t = 0; t < tetrahedra; ++t) {
     for (std::uint32_t i = 0; i < 4; ++i) {
       const HalfFaceId across = twin.glued[half_face(TetId{t}, place[t][i]).index()];
@@ -88,9 +71,9 @@ Orbits number_orbits(const GlueTwin& twin) {
     }
   }
   Orbits orbits;
-  std::tie(orbits.corner, orbits.counts[0]) = corners.numbered();
-  std::tie(orbits.edge, orbits.counts[1]) = edges.numbered();
-  std::tie(orbits.face, orbits.counts[2]) = faces.numbered();
+  std::tie(orbits.corner, orbits.counts[0]) = numbered(std::move(corners));
+  std::tie(orbits.edge, orbits.counts[1]) = numbered(std::move(edges));
+  std::tie(orbits.face, orbits.counts[2]) = numbered(std::move(faces));
   return orbits;
 }
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "topology/kernel/ids.hpp"
-#include "topology/mesh/tet_mesh.hpp"
+#include "topology/kernel/tet_mesh.hpp"
 
 namespace sunder::suite {
 

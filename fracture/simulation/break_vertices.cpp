@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: MIT
+// Candidates, their queue, and a fan for each.
+#include "fracture/simulation/break_vertices.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <queue>
+
+#include "fracture/algorithms/choose_fan.hpp"
+#include "fracture/algorithms/node_stress.hpp"
+#include "fracture/algorithms/piece_limits.hpp"
+#include "fracture/algorithms/split_fan.hpp"
+#include "fracture/algorithms/threshold_test.hpp"
+#include "fracture/energy/tip_energy.hpp"
+#include "topology/kernel/fan.hpp"
+#include "topology/kernel/sort_unique.hpp"
+
+namespace sunder {
+namespace {
+
+/// Overstresses that differ by less are tied: far above rounding and what a solver leaves, far
+/// below what a mesh resolves.
+constexpr double tie = 1e-6;
+/// Change of a tensor over its norm that may turn its planes by about half a degree.
+constexpr double changed_direction = 0.01;
+
+/// A vertex that reaches its threshold, by how far: the most overstressed comes first.
+struct Candidate {
+  double overstress = 0;  // largest principal stress / threshold
+  VertexId vertex;
+
+  friend bool operator<(const Candidate& a, const Candidate& b) {
+    if (a.overstress != b.overstress) return a.overstress < b.overstress;
+    return a.vertex > b.vertex;
+  }
+};
+
+/// One call at work.
+struct Work {
+  BreakableBody body;
+  const FractureSettings& settings;
+  FractureScratch& scratch;
+  const FanWatch& watch;
+  ElementStress elements;
+  FractureReport report = {};
+  std::priority_queue<Candidate> queue = {};
+
+  const Mat3& stress(VertexId v) const { return scratch.node_stress.value[v.index()]; }
+  double strength(VertexId v) const { return body.cells.strength[v.index()]; }
+  ThresholdAnswer test(VertexId v) const { return test_threshold(stress(v), strength(v)); }
+  void tell(VertexId v) const {
+    if (watch) watch(v);
+  }
+};
+
+void measure(Work& work, VertexId v) {
+  const VolumeMap& map = work.body.cells.map;
+  NodeStressField& field = work.scratch.node_stress;
+  field.value[v.index()] = work.settings.node_stress == NodeStress::fit
+                               ? fit_node_stress(field.fit, map, work.elements, v)
+                               : node_stress_of_star(work.elements, star(map, v));
+}
+
+/// Row = VertexId: whether it is looked at. Taken before anything splits.
+void look_at(std::vector<char>& rows, const MechanicsState& mechanics, const StepMembers& members) {
+  rows.resize(mechanics.vertices.size());
+  for (std::size_t v = 0; v < rows.size(); ++v) {
+    const ComponentId id = mechanics.vertices.component[v];
+    rows[v] = members.has(id) && deforms(mechanics.components[id.index()].rung);
+  }
+}
+
+/// Row = VertexId: whether a face at it is cracked.
+void look_for_cracks(std::vector<char>& cracked, const Cells& cells) {
+  cracked.assign(cells.map.vertices(), 0);
+  for (std::size_t f = 0; f < 4 * cells.map.tetrahedra(); ++f) {
+    if (!is_crack_face(cells, HalfFaceId{f})) continue;
+    for (std::size_t k = 1; k < 4; ++k)
+      cracked[cells.map.corners(TetId{f / 4})[(f % 4 + k) % 4].index()] = 1;
+  }
+}
+
+/// What the search looks at, before any stress is known.
+void prepare(Work& work, const StepMembers& members) {
+  FractureScratch& scratch = work.scratch;
+  const Cells& cells = work.body.cells;
+  const std::size_t vertices = cells.map.vertices();
+  look_at(scratch.rows, work.body.mechanics, members);
+  if (work.settings.criterion == FractureCriterion::energy) look_for_cracks(scratch.cracked, cells);
+  scratch.held.assign(vertices, 0);
+  for (std::uint32_t i = 0; i < cells.empty_fans.size(); ++i) {
+    scratch.held[cells.empty_fans[i].vertex.index()] = i + 1;
+  }
+  scratch.broken.assign(vertices, 0);
+  scratch.queued.assign(vertices, 0);
+}
+
+/// With the criterion `energy`: the threshold of a crack tip as it is deformed now.
+void set_tip_strength(Work& work, VertexId v) {
+  const RelaxedState& relaxed = work.scratch.relaxed;
+  const bool opened = work.elements.stress.data() == relaxed.stress.data();
+  const Deformed deformed{opened ? relaxed.displacement : work.body.mechanics.vertices.displacement,
+                          work.elements.stress};
+  work.body.cells.strength[v.index()] =
+      tip_strength(work.body.cells, work.body.mechanics, deformed, {v, work.stress(v)});
+}
+
+/// From now on the vertex waits until its stress changes.
+void hold(Work& work, VertexId v) {
+  work.body.cells.empty_fans.push_back({v, work.stress(v) / work.stress(v).norm()});
+}
+
+/// Whether a held vertex goes on waiting: its stress is what it was.
+bool stays_held(const Work& work, const EmptyFan& empty) {
+  const Mat3& sigma = work.stress(empty.vertex);
+  const double change = (sigma / sigma.norm() - empty.stress_direction).norm();
+  // A change that is not a number is one.
+  return change <= changed_direction && work.test(empty.vertex) == ThresholdAnswer::reached;
+}
+
+/// The threshold of a vertex that is looked at. Those with empty or refused fans are not until
+/// their stress changes; then they are forgotten (a vertex of none, for `forget_released`).
+std::optional<double> threshold(Work& work, VertexId v) {
+  FractureScratch& scratch = work.scratch;
+  if (!scratch.rows[v.index()]) return std::nullopt;
+  if (work.settings.node_stress == NodeStress::fit) {
+    work.report.unfitted += !scratch.node_stress.fit.patches[v.index()].fitted;
+  }
+  const bool by_energy = work.settings.criterion == FractureCriterion::energy;
+  if (by_energy && scratch.cracked[v.index()]) set_tip_strength(work, v);
+  if (const std::uint32_t held = scratch.held[v.index()]; held > 0) {
+    EmptyFan& empty = work.body.cells.empty_fans[held - 1];
+    if (stays_held(work, empty)) {
+      scratch.rows[v.index()] = 0;
+      ++work.report.still_empty;
+      return std::nullopt;
+    }
+    empty.vertex = VertexId::none();
+  }
+  return work.strength(v);
+}
+
+void forget_released(std::vector<EmptyFan>& empty_fans) {
+  std::erase_if(empty_fans, [](const EmptyFan& empty) { return empty.vertex.is_none(); });
+}
+
+void enqueue(Work& work, VertexId v, const PrincipalTension& tension) {
+  const double overstress = tension.value / work.strength(v);
+  work.scratch.queued[v.index()] = overstress;
+  work.queue.push({overstress, v});
+}
+
+/// Counts those that waited and are over their threshold no longer; forgets who waited.
+void count_relieved(Work& work) {
+  std::vector<char>& waits = work.body.cells.waits;
+  waits.resize(work.body.cells.map.vertices(), 0);
+  for (std::size_t row = 0; row < waits.size(); ++row) {
+    if (!waits[row] || !work.scratch.rows[row]) continue;
+    waits[row] = 0;
+    work.report.relieved += work.test(VertexId{row}) == ThresholdAnswer::below;
+  }
+}
+
+/// Whether an entry of the queue still stands: later ones of the same vertex replace it.
+bool stands(const Work& work, const Candidate& c) {
+  return work.scratch.queued[c.vertex.index()] == c.overstress;
+}
+
+/// The most overstressed candidates, as far as each is tied with the one before.
+void take_tied(std::vector<VertexId>& tied, Work& work) {
+  tied.clear();
+  double last = 0;
+  while (!work.queue.empty()) {
+    const Candidate c = work.queue.top();
+    if (stands(work, c)) {
+      if (!tied.empty() && c.overstress < last * (1 - tie)) return;
+      last = c.overstress;
+      work.scratch.queued[c.vertex.index()] = 0;
+      tied.push_back(c.vertex);
+    }
+    work.queue.pop();
+  }
+}
+
+/// The fan of a vertex for its stress as it is; nothing where every plane leaves it whole.
+std::optional<PlannedFan> plan_fan(Work& work, VertexId v) {
+  const MechanicsState& mechanics = work.body.mechanics;
+  const ComponentId component = mechanics.vertices.component[v.index()];
+  work.tell(v);
+  const PrincipalTension tension = principal_tension(work.stress(v));
+  PlannedFan plan{vertex_star(work.body.cells.map, v), {}, tension.value, work.strength(v)};
+  const FanPlane plane = choose_fan(work.body.cells, plan.v, tension,
+                                    mechanics.components[component.index()].rest_centre);
+  work.tell(VertexId::none());
+  if (plane.faces.empty()) return std::nullopt;
+  plan.normal = plane.normal;
+  return plan;
+}
+
+/// Fans of the tied candidates on the state as it is; none for those that wait or cannot break.
+std::vector<PlannedFan> plan_fans(Work& work, std::span<const VertexId> tied) {
+  FractureReport& report = work.report;
+  std::vector<PlannedFan> plans;
+  for (const VertexId v : tied) {
+    if (work.settings.node_stress == NodeStress::fit) measure(work, v);
+    if (work.test(v) != ThresholdAnswer::reached) {
+      ++report.relieved;
+      continue;
+    }
+    if (work.settings.mode == FractureMode::budget &&
+        report.fans.size() + plans.size() >= work.settings.max_fans) {
+      work.body.cells.waits[v.index()] = 1;
+      ++report.waiting;
+      continue;
+    }
+    work.scratch.broken[v.index()] = 1;
+    if (std::optional<PlannedFan> plan = plan_fan(work, v)) {
+      plans.push_back(std::move(*plan));
+    } else {
+      ++report.empty_fans;
+      hold(work, v);
+    }
+  }
+  return plans;
+}
+
+/// Whether the limits on pieces refuse a fan.
+bool is_refused(Work& work, const PlannedFan& plan) {
+  if (!limits_pieces(work.settings)) return false;
+  const Cells& cells = work.body.cells;
+  const Point normal = {plan.normal.x(), plan.normal.y(), plan.normal.z()};
+  const auto faces = breakable_fan(cells, plan.v, plane_signs(cells.map, plan.v, normal));
+  return exceeds_limits(cells, work.body.mechanics, faces, work.settings, work.scratch.components);
+}
+
+/// Rows that a fan split, old and new; copies of what has broken have broken.
+void note_splits(Work& work, const FanEvent& event, std::vector<VertexId>& split_rows) {
+  FractureScratch& scratch = work.scratch;
+  const std::size_t rows = work.body.cells.map.vertices();
+  scratch.node_stress.value.resize(rows);
+  scratch.broken.resize(rows, 0);
+  scratch.queued.resize(rows, 0);
+  for (const FaceSplit& split : event.faces) {
+    for (int i = 0; i < split.vertex_count; ++i) {
+      const auto [old_row, new_row] = split.split_vertices[i];
+      split_rows.push_back(old_row);
+      split_rows.push_back(new_row);
+      scratch.broken[new_row.index()] = scratch.broken[old_row.index()];
+    }
+  }
+}
+
+/// Splits one fan of a round, if the limits allow it and others have left it a face.
+void split(Work& work, const PlannedFan& plan, std::uint32_t round,
+           std::vector<VertexId>& split_rows) {
+  work.tell(plan.v.vertex);
+  if (is_refused(work, plan)) {
+    work.tell(VertexId::none());
+    ++work.report.refused_fans;
+    return hold(work, plan.v.vertex);
+  }
+  FanEvent event = split_planned(work.body, plan, work.settings, work.scratch.components);
+  work.tell(VertexId::none());
+  if (event.faces.empty()) {
+    ++work.report.relieved;  // its neighbours' fans had all of its faces
+    return;
+  }
+  event.round = round;
+  if (work.settings.relax > 0) {
+    note_fan(work.scratch.relaxed, work.body.cells, work.body.mechanics, event);
+  }
+  note_splits(work, event, split_rows);
+  work.report.fans.push_back(std::move(event));
+}
+
+/// Lets what was split open, and adds the vertices whose stress that changes.
+void relax(Work& work, std::vector<VertexId>& rows) {
+  RelaxedState& relaxed = work.scratch.relaxed;
+  relax_around(relaxed, work.body.cells, work.body.mechanics, work.settings.relax);
+  const std::vector<char>& looked_at = work.scratch.rows;
+  std::ranges::copy_if(relaxed.changed, std::back_inserter(rows), [&](VertexId v) {
+    return v.index() < looked_at.size() && looked_at[v.index()];
+  });
+}
+
+/// Measures what the fans of a tie split, and queues it anew.
+void follow_splits(Work& work, std::vector<VertexId>& split_rows) {
+  if (work.settings.relax > 0) relax(work, split_rows);
+  sort_unique(split_rows);
+  if (work.settings.node_stress == NodeStress::fit) {
+    follow_splits(work.scratch.node_stress.fit, work.body.cells.map);
+  }
+  std::erase_if(work.body.cells.empty_fans, [&](const EmptyFan& empty) {
+    return std::binary_search(split_rows.begin(), split_rows.end(), empty.vertex);
+  });
+  for (const VertexId v : split_rows) {
+    measure(work, v);
+    if (work.scratch.broken[v.index()]) continue;
+    if (work.settings.criterion == FractureCriterion::energy) set_tip_strength(work, v);
+    double& queued = work.scratch.queued[v.index()];
+    const bool stood = queued > 0;
+    queued = 0;
+    if (work.test(v) == ThresholdAnswer::reached) {
+      enqueue(work, v, principal_tension(work.stress(v)));
+    } else {
+      work.report.relieved += stood;
+    }
+  }
+}
+
+/// Splits the queued vertices, tie by tie.
+void split_in_order(Work& work) {
+  std::vector<VertexId> tied, split_rows;
+  for (std::uint32_t round = 0; !work.queue.empty(); ++round) {
+    take_tied(tied, work);
+    split_rows.clear();
+    for (const PlannedFan& plan : plan_fans(work, tied)) split(work, plan, round, split_rows);
+    follow_splits(work, split_rows);
+  }
+}
+
+}  // namespace
+
+FractureReport break_vertices(BreakableBody body, const FractureSettings& settings,
+                              FractureScratch& scratch, const StepMembers& members,
+                              const FanWatch& watch) {
+  if (settings.mode == FractureMode::off) return {};
+  Work work{body, settings, scratch, watch,
+            element_stress(body.cells, body.mechanics, settings.node_stress)};
+  prepare(work, members);
+  find_fractures(work.report, scratch.node_stress, body.cells, work.elements, settings,
+                 {.threshold = [&](VertexId v) { return threshold(work, v); },
+                  .split = [&](VertexId v, const auto& tension) { enqueue(work, v, tension); }});
+  forget_released(body.cells.empty_fans);
+  if (work.report.not_a_number) return std::move(work.report);
+  count_relieved(work);
+  if (settings.relax > 0 && !work.queue.empty()) {
+    start_relaxing(scratch.relaxed, body.mechanics);
+    work.elements.stress = scratch.relaxed.stress;
+  }
+  split_in_order(work);
+  return std::move(work.report);
+}
+
+FanEvent split_planned(BreakableBody body, const PlannedFan& fan, const FractureSettings& settings,
+                       ComponentScratch& scratch) {
+  FanEvent event = split_fan(body, fan.v, fan.normal, settings, scratch);
+  event.stress = fan.stress;
+  event.strength = fan.strength;
+  return event;
+}
+
+}  // namespace sunder

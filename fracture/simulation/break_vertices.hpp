@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// Algorithms 3 and 4 as runs use them: in which order vertices break, what is decided on which
+// state, and what became of the others.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "fracture/algorithms/find_fractures.hpp"
+#include "fracture/energy/relax_patch.hpp"
+#include "mechanics/state/step_input.hpp"
+
+namespace sunder {
+
+/// Working memory of `break_vertices`.
+struct FractureScratch {
+  /// As it stands after the fans of the last call; for display too.
+  NodeStressField node_stress;
+  std::vector<char> rows;           ///< |V|: looked at
+  std::vector<char> cracked;        ///< |V|: at a crack; with the criterion `energy` only
+  std::vector<std::uint32_t> held;  ///< |V|: 1 + its place in `Cells::empty_fans`; 0: not there
+  std::vector<char> broken;         ///< |V|: broken in this call
+  /// |V|: overstress with which it stands in the queue; 0: it does not
+  std::vector<double> queued;
+  ComponentScratch components;
+  RelaxedState relaxed;  ///< with `FractureSettings::relax`
+};
+
+/// Finds the vertices over their thresholds (algorithm 3, `find_fractures`) on the element stresses
+/// in `body.mechanics` (Pa, rest frame of each component) and splits them (algorithm 4,
+/// `split_fan`), the most overstressed first.
+///
+/// Candidates whose overstresses differ by no more than 1e-6 from one to the next are tied: planes
+/// and faces of all of them are decided on the state as it is before any of them is split. So what
+/// breaks first does not depend on the numbers of vertices, and mirror images break alike: their
+/// stresses differ by the rounding of sums in another order and of the solver, 1e-9 and less. Held
+/// by tests for mirrors across the coordinate planes of the mesh through the body's mass centre.
+/// What cannot be alike: a vertex on the mirror's plane whose best fan is not its own image has one
+/// of two images, by `choose_fan`'s last rule; and the limits on pieces, which know an order.
+///
+/// After the fans of a tie the stress of every vertex they split is measured again, of old rows as
+/// of new, and those over their threshold take part with it. A vertex and its copies break once a
+/// step at most: the element stresses are those from before, and breaking on them again would grind
+/// the star to single tetrahedra. With `fit`, neighbours of what split are measured again when
+/// their turn comes.
+///
+/// With `relax` the stresses around the fans of a tie are solved for again and decide from there
+/// on: whoever they bring over the threshold joins the queue, whoever they relieve leaves it.
+///
+/// A vertex whose fan is empty or was refused waits until its stress changes, untested: until its
+/// tensor over its norm differs by more than 0.01 (Frobenius; half a degree; a stress that only
+/// grows keeps its planes), it has been below its threshold, or it has been split.
+/// Leaves `mechanics.elements.component`, masses and frames to the caller (`rebuild`).
+/// Only vertices of `members` are looked at: the others' time has not come.
+FractureReport break_vertices(BreakableBody body, const FractureSettings& settings,
+                              FractureScratch& scratch, const StepMembers& members = {},
+                              const FanWatch& watch = {});
+
+/// A fan decided on one state, to be split on a later one. Half-faces and corners keep their names,
+/// so several can be decided on the same state and split one after the other.
+struct PlannedFan {
+  VertexStar v;  ///< as it was when the fan was decided on
+  Vec3 normal = Vec3::Zero();
+  double stress = 0, strength = 0;  ///< Pa, when it was decided
+};
+
+/// Splits fans that were decided on one state, in their order; `split_fan` with what their events
+/// have to tell beside it. Those with no face left give events without faces.
+FanEvent split_planned(BreakableBody body, const PlannedFan& fan, const FractureSettings& settings,
+                       ComponentScratch& scratch);
+
+}  // namespace sunder

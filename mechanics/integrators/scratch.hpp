@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Scratch of mechanics: the state that a step predicts, and what follows from the state to the bit.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "mechanics/element/energy.hpp"
+#include "mechanics/state/mechanics_state.hpp"
+#include "mechanics/state/step_status.hpp"
+
+namespace sunder {
+
+struct BaselineSystem;
+struct ColumnScratch;
+
+/// What `predict` computes for one component beside its rows.
+struct PredictedFrame {
+  Vec3 centre = Vec3::Zero();
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+  Vec3 momentum = Vec3::Zero();
+  Vec3 angular_momentum = Vec3::Zero();
+  double damping_work = 0;  ///< J taken by Rayleigh damping in this step
+  double turned = 0;        ///< rad: h^2 / I times the largest moment of forces that do not turn
+  SolveReport solve = {};
+};
+
+/// Scratch of one step, and what follows from the state to the bit. All of it can be thrown away
+/// between two steps; the next gives the same bytes. Bounded by the present mesh.
+struct MechanicsScratch {
+  MechanicsScratch();
+  ~MechanicsScratch();
+  MechanicsScratch(MechanicsScratch&&) noexcept;
+  MechanicsScratch& operator=(MechanicsScratch&&) noexcept;
+
+  /// What the baselines keep for a component; row = ComponentId, null until needed.
+  std::vector<std::unique_ptr<BaselineSystem>> baselines;
+
+  /// Predicted state, rows as in the state. `position` is what contact looks at.
+  struct Predicted {
+    std::vector<Vec3> position, velocity;
+    std::vector<Vec3> displacement, displacement_rate, displacement_acceleration;
+    std::vector<PredictedFrame> frame;  ///< row = ComponentId
+  } predicted;
+
+  /// Local vectors of the component at hand, 3 n each, grown to the largest and kept.
+  std::array<std::vector<double>, 8> local;
+  std::vector<Lame> lame;                   ///< row = MaterialId
+  std::vector<StressEnergy> stress_energy;  ///< row = MaterialId
+  /// Row = TetId: the step that its element stands explicitly, s; elements keep it for ever. Empty
+  /// until needed.
+  std::vector<double> element_step_bound;
+  std::vector<ColumnScratch> columns;  ///< one a thread
+};
+
+}  // namespace sunder

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Corner loads from pressures and forces, and their sum on vertices.
+#include "mechanics/state/loads.hpp"
+
+#include <algorithm>
+
+#include "mechanics/state/step_input.hpp"
+
+namespace sunder {
+
+std::array<CornerLoad, 3> face_pressure(const ElementColumns& elements, TetId t, int place,
+                                        double pressure) {
+  const Vec3 force =
+      pressure * elements.rest_volume[t.index()] * elements.shape_gradient[t.index()].col(place);
+  std::array<CornerLoad, 3> loads;
+  for (int k = 0; k < 3; ++k) {
+    loads[static_cast<std::size_t>(k)] = {corner(t, (place + 1 + k) % 4), force, true, 0};
+  }
+  return loads;
+}
+
+void add_vertex_force(std::vector<CornerLoad>& loads, const MechanicsState& state,
+                      std::span<const CornerId> star, const Vec3& force) {
+  double mass = 0;
+  for (CornerId c : star) mass += state.elements.mass[tetrahedron_of(c).index()];
+  for (CornerId c : star) {
+    const double share = state.elements.mass[tetrahedron_of(c).index()] / mass;
+    loads.push_back({c, share * force, false, 0});
+  }
+}
+
+void add_corner_loads(std::vector<Vec3>& force, std::span<const CornerLoad> loads,
+                      const MechanicsState& state, std::span<const Corners> corners, double time) {
+  Loads sum;
+  sum.force.swap(force);
+  add_corner_loads(sum, loads, state, corners, time);
+  force.swap(sum.force);
+}
+
+void add_corner_loads(Loads& sum, std::span<const CornerLoad> loads, const MechanicsState& state,
+                      std::span<const Corners> corners, double time) {
+  sum.force.resize(state.vertices.size(), Vec3::Zero());
+  sum.turning.resize(state.vertices.size(), Vec3::Zero());
+  for (const CornerLoad& load : loads) {
+    const std::size_t t = tetrahedron_of(load.corner).index();
+    const VertexId v = corners[t][static_cast<std::size_t>(place_of(load.corner))];
+    const double raised = load.ramp_time > 0 ? std::min(1.0, time / load.ramp_time) : 1.0;
+    Vec3 f = raised * load.force;
+    if (load.turns) {
+      f = state.components[state.elements.component[t].index()].orientation * f;
+      sum.turning[v.index()] += f;
+    }
+    sum.force[v.index()] += f;
+  }
+}
+
+}  // namespace sunder

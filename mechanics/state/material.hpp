@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// A linear isotropic material, its Lame constants and its wave speeds.
+#pragma once
+
+#include <optional>
+
+namespace sunder {
+
+/// Isotropic, linear, brittle. The defaults are those of concrete. Poisson ratios above 0.49 are
+/// refused: linear tetrahedra lock there, and at 0.5 lambda is infinite.
+struct Material {
+  double young_modulus = 30e9;    ///< E, Pa, > 0
+  double poisson_ratio = 0.2;     ///< nu, in (-1, 0.49]
+  double density = 2400;          ///< rho, kg/m^3, > 0
+  double tensile_strength = 3e6;  ///< xi, Pa, > 0; infinite where it never breaks
+  /// K_Ic, Pa sqrt(m), > 0. Where given it decides at crack tips in place of the strength.
+  std::optional<double> toughness = std::nullopt;
+};
+
+/// Constants of sigma = lambda tr(eps) I + 2 mu eps, Pa.
+struct Lame {
+  double lambda = 0;
+  double mu = 0;
+};
+
+/// lambda = E nu / ((1 + nu)(1 - 2 nu)), mu = E / (2 (1 + nu)). Needs a material without errors.
+Lame lame(const Material& material);
+
+/// Speed of a compression wave along a bar, sqrt(E / rho), m/s.
+double bar_wave_speed(const Material& material);
+
+/// Speed of a compression wave in the solid, sqrt((lambda + 2 mu) / rho), m/s: the fastest there
+/// is.
+double compression_wave_speed(const Material& material);
+
+}  // namespace sunder

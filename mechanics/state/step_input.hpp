@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// What a step is given beside the state: loads, settings, which part of a step, and what it moves.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mechanics/state/mechanics_state.hpp"
+#include "mechanics/state/settings.hpp"
+
+namespace sunder {
+
+struct ImpactSettings;
+
+/// What acts during one step from outside, constant over the step.
+struct Loads {
+  Vec3 gravity = Vec3::Zero();   ///< m/s^2
+  std::vector<Vec3> force = {};  ///< N, world, |V| rows; empty: none
+  /// Which part of `force` turns with its body during the step, as pressure does, so that its
+  /// moment stays what it was at the start; the rest keeps its direction. |V| rows; empty: none.
+  std::vector<Vec3> turning = {};
+  /// Gravity changes velocities at the start of the step instead of bending paths to parabolas: for
+  /// what contact presses, whose rest would otherwise be a saw-tooth of +- g h / 2. For implicit
+  /// Euler; others take no note of it.
+  bool weight_at_start = false;
+};
+
+/// How deformations go through a step of floating_frame, or through a part of one.
+enum class Deformation {
+  whole,     ///< by generalised-alpha
+  frozen,    ///< not at all: the frame moves alone (held vertices keep their motion)
+  catch_up,  ///< by generalised-alpha over the whole step, in a part that may be shorter
+  wave,      ///< by the scheme of impacts (`WaveScheme`)
+};
+
+/// Which part of a step is taken; `IntegratorSettings::time_step` is its length.
+struct StepPart {
+  Deformation deformation = Deformation::whole;
+  double whole_step = 0;  ///< s, for `catch_up`
+  /// Given, contact looks out for blows (`advance_with_contact`).
+  const ImpactSettings* impact = nullptr;
+};
+
+/// What a step moves, by rows of components and obstacles: 0 keeps still and meets nothing.
+/// Empty: everything moves.
+struct StepMembers {
+  std::span<const char> component, ball;
+  bool has(ComponentId id) const { return component.empty() || component[id.index()] != 0; }
+  bool has_ball(std::size_t row) const { return ball.empty() || ball[row] != 0; }
+};
+
+/// What acts on the state in one step; nothing in it is changed. The spans and references must
+/// outlive the call. Parts and members are for whoever divides steps
+/// (fracture/simulation/plan.hpp).
+struct StepInput {
+  std::span<const Corners> corners;  ///< |T|
+  const Loads& loads;
+  const IntegratorSettings& settings;
+  StepPart part = {};
+  StepMembers members = {};
+  /// Whether `Component::strain_change` is wanted.
+  bool measures_strain = false;
+  /// Threads that factors and columns of the inverse are made on. Results are the same bytes for
+  /// any number.
+  unsigned threads = 1;
+
+  /// s, over which the deformation goes by generalised-alpha.
+  double deformation_step() const {
+    return part.deformation == Deformation::catch_up ? part.whole_step : settings.time_step;
+  }
+};
+
+}  // namespace sunder

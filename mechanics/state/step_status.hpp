@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// The outcome of a step, and how its equations were solved.
+#pragma once
+
+#include <cstdint>
+
+#include "topology/kernel/counters.hpp"
+#include "topology/kernel/finding.hpp"
+#include "topology/kernel/ids.hpp"
+
+namespace sunder {
+
+/// The iterations of a step; all zero for integrators without iterations.
+struct SolveReport {
+  std::uint64_t sub_steps = 0;          ///< of sub_stepped; maximum over components
+  std::uint64_t iterations = 0;         ///< maximum over components
+  std::uint64_t force_evaluations = 0;  ///< sum over components
+  std::uint64_t not_converged = 0;      ///< components that were solved with the factor instead
+};
+
+/// Over a run: sums of the steps' worst, and the steps in which iterations were given up.
+constexpr auto counters_of(const SolveReport*) {
+  return std::tuple{Counter{"iterations", &SolveReport::iterations, Adds::most, Adds::sum},
+                    Counter{"force_evaluations", &SolveReport::force_evaluations},
+                    Counter{"not_converged", &SolveReport::not_converged, Adds::sum, Adds::once},
+                    Counter{"sub_steps", &SolveReport::sub_steps, Adds::most, Adds::sum}};
+}
+
+enum class StepOutcome {
+  fine,
+  not_a_number,        ///< a position or velocity is not finite
+  diverged,            ///< a vertex is farther from its reference than ten radii of its component
+  overturned,          ///< loads turn a component by more than half a turn within the step
+  too_many_sub_steps,  ///< sub_stepped would need more than allowed; no step was taken
+};
+
+/// The outcome of a step; where it is not fine, what shows it.
+struct StepStatus {
+  StepOutcome outcome = StepOutcome::fine;
+  VertexId vertex;          ///< the first vertex that shows it
+  ComponentId component;    ///< its component
+  double displacement = 0;  ///< m, of that vertex
+  double turned = 0;        ///< rad, of that component, for `overturned`
+  double time = 0;          ///< s, end of the step
+  double damping_work = 0;  ///< J taken by Rayleigh damping in this step
+  SolveReport solve;
+};
+
+/// Adds another part of the same step: outcome, vertex and time are the part's.
+void add_status(StepStatus& sum, StepStatus part);
+
+/// The finding that says a step failed: where, value, remedy. Needs an outcome other than fine.
+Finding to_finding(const StepStatus& status);
+
+}  // namespace sunder

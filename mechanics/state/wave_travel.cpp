@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Times of travel, from the mean size of cells and from the radius.
+#include "mechanics/state/wave_travel.hpp"
+
+#include <cmath>
+
+namespace sunder {
+
+double cell_travel(const MechanicsState& state, const Component& component) {
+  double sum = 0;
+  for (TetId t : component.tetrahedra) {
+    sum += std::cbrt(6 * state.elements.rest_volume[t.index()]) /
+           compression_wave_speed(material_of(state, t));
+  }
+  return sum / static_cast<double>(component.tetrahedra.size());
+}
+
+double extent_travel(const MechanicsState& state, const Component& component) {
+  return 2 * component.rest_radius /
+         compression_wave_speed(material_of(state, component.tetrahedra.front()));
+}
+
+}  // namespace sunder

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#include "topology/kernel/append_row.hpp"
+
+#include <catch2/catch.hpp>
+#include <cstddef>
+
+TEST_CASE("a column that grows by rows holds at most an eighth too much", "[kernel][append_row]") {
+  std::vector<std::size_t> column;
+  std::size_t moves = 0;
+  const std::size_t* home = column.data();
+  constexpr std::size_t rows = 100000;
+  for (std::size_t row = 0; row < rows; ++row) {
+    sunder::append_row(column, row);
+    moves += column.data() != home ? column.size() : 0;
+    home = column.data();
+    REQUIRE(column.capacity() <= column.size() + column.size() / 8 + 8);
+  }
+  for (std::size_t row = 0; row < rows; ++row) REQUIRE(column[row] == row);
+  CHECK(moves < 10 * rows);  // some eight copies of each row
+}

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#include "topology/kernel/owned.hpp"
+
+#include <catch2/catch.hpp>
+#include <type_traits>
+
+using sunder::Owned;
+
+TEST_CASE("what is owned is const where its owner is", "[kernel][owned]") {
+  Owned<int> owner(std::make_unique<int>(3));
+  *owner = 4;
+  const Owned<int>& seen = owner;
+  CHECK(*seen == 4);
+  STATIC_REQUIRE(std::is_same_v<decltype(*seen), const int&>);
+  STATIC_REQUIRE(std::is_same_v<decltype(seen.operator->()), const int*>);
+}
+
+TEST_CASE("owners move and do not copy", "[kernel][owned]") {
+  STATIC_REQUIRE(std::is_nothrow_move_constructible_v<Owned<int>>);
+  STATIC_REQUIRE(!std::is_copy_constructible_v<Owned<int>>);
+}
