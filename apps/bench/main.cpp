@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// sunder-bench: the commands `sunder suite`, `sunder bench` and `sunder chart`, which sunder starts.
+// sunder-bench: the commands `sunder suite`, `sunder bench` and `sunder chart`, which sunder
+// starts.
 #include "apps/bench/bench_command.hpp"
 #include "apps/bench/chart/chart.hpp"
 #include "apps/bench/suite/suite.hpp"

@@ -25,6 +25,7 @@ door(map "The 3-map of a body: faces split and glued, fans, components, invarian
 
 door(mechanics "Materials, obstacles, and what a user chooses about integration, contact and impacts."
   mechanics/state/vec3.hpp
+  topology/kernel/counters.hpp
   mechanics/state/material.hpp
   mechanics/contact/obstacle.hpp
   mechanics/contact/contact_settings.hpp
@@ -34,7 +35,7 @@ door(mechanics "Materials, obstacles, and what a user chooses about integration,
   mechanics/state/step_status.hpp
   mechanics/state/rung.hpp)
 
-door(simulation "Scenes, how to build and step them, and what a step reports."
+door(simulation "Scenes, how to build, step, save and load them, and what a step reports."
   fracture/strength/body_settings.hpp
   fracture/algorithms/fracture_settings.hpp
   fracture/simulation/ladder_settings.hpp
@@ -44,7 +45,8 @@ door(simulation "Scenes, how to build and step them, and what a step reports."
   fracture/energy/settled_crack.hpp
   fracture/simulation/step_report.hpp
   topology/kernel/owned.hpp
-  fracture/simulation/simulation.hpp)
+  fracture/simulation/simulation.hpp
+  fracture/saving/saved_state.hpp)
 
 door(scene "Scene files: JSON, every key checked."
   apps/scene/output_settings.hpp

@@ -49,8 +49,7 @@ VertexData vertex_data(const MechanicsState& mechanics, const std::vector<Mat3>&
     const Mat3 R = component.orientation.toRotationMatrix();
     data.displacement.emplace_back(R * v.displacement[i]);
     const Mat3 s = R * node_stress[i] * R.transpose();
-    data.stress.insert(data.stress.end(),
-                       {s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(1, 2), s(0, 2)});
+    data.stress.insert(data.stress.end(), {s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(1, 2), s(0, 2)});
     data.largest.push_back(largest_principal_stress(node_stress[i]));
   }
   return data;

@@ -22,7 +22,8 @@ struct SceneFile {
 };
 
 /// The scene in the JSON file `path` with its meshes, after `settings` (each `dotted.path=value`,
-/// such as "bodies.0.material.density=2000"). Mesh files are relative to the scene's folder. Rotations are
+/// such as "bodies.0.material.density=2000"). Mesh files are relative to the scene's folder.
+/// Rotations are
 /// `{"axis": [x, y, z], "angle": degrees}`. What is not said is the C++ structs' default.
 /// Errors, all of them at once, with file, line, place, value, what is allowed and a remedy:
 /// cannot_open, syntax_error, repeated_key, nested_too_deeply, bad_setting, unknown_key (naming the

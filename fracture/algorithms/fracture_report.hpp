@@ -7,13 +7,12 @@
 #include <vector>
 
 #include "fracture/algorithms/fan_event.hpp"
+#include "topology/kernel/counters.hpp"
 
 namespace sunder {
 
-/// What one search for fractures found and did.
-struct FractureReport {
-  /// Fans that split at least one face, in the order in which they were split.
-  std::vector<FanEvent> fans;
+/// What searches for fractures counted.
+struct SearchCounts {
   /// Vertices tested; those that Gershgorin's bound let through; those of them that reach their
   /// threshold. The last two give the bound's efficiency (table 3).
   std::size_t tested = 0, suspects = 0, reached = 0;
@@ -28,6 +27,24 @@ struct FractureReport {
   std::size_t waiting = 0;
   /// Vertices for which the node stress `fit` fell back to `volume`.
   std::size_t unfitted = 0;
+};
+
+constexpr auto counters_of(const SearchCounts*) {
+  return std::tuple{Counter{"tested", &SearchCounts::tested},
+                    Counter{"suspects", &SearchCounts::suspects},
+                    Counter{"reached", &SearchCounts::reached},
+                    Counter{"empty_fans", &SearchCounts::empty_fans},
+                    Counter{"still_empty", &SearchCounts::still_empty, Adds::last},
+                    Counter{"unfitted", &SearchCounts::unfitted, Adds::most},
+                    Counter{"refused_fans", &SearchCounts::refused_fans},
+                    Counter{"relieved", &SearchCounts::relieved},
+                    Counter{"waiting", &SearchCounts::waiting, Adds::last}};
+}
+
+/// What one `find_fractures` found and did.
+struct FractureReport : SearchCounts {
+  /// Fans that split at least one face, in the order in which they were split.
+  std::vector<FanEvent> fans;
   /// A vertex whose stress is not a number: nothing was split, the simulation has failed.
   std::optional<VertexId> not_a_number;
 };

@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 
 #include "fracture/simulation/check_scene.hpp"
+#include "fracture/simulation/integrator_bounds.hpp"
 #include "fracture/simulation/scene_loads.hpp"
 #include "fracture/simulation/simulation_state.hpp"
-#include "fracture/simulation/step_work.hpp"
 #include "fracture/strength/draw_strength.hpp"
 #include "fracture/strength/make_cuts.hpp"
 #include "mechanics/rebuild.hpp"
@@ -203,7 +203,8 @@ Result<Simulation> build_simulation(Scene scene) {
   for (std::size_t b = 0; b < sim.bodies.size(); ++b) place_body(sim, b);
   warn_of_slender_bodies(result.findings, sim.state->mechanics);
   start_display(*sim.state);
-  append(result.findings, check_integrator_bounds(sim));
+  append(result.findings,
+         check_integrator_bounds(sim.scene, sim.state->mechanics, sim.scratch->mechanics));
   if (has_error(result.findings)) return result;
   result.value = std::move(sim);
   return result;

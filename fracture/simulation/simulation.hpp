@@ -33,7 +33,7 @@ struct Simulation {
   unsigned threads = 1;
   /// What evolves. Internal: its type is no part of the public headers.
   Owned<SimulationState> state;
-  /// Working memory and caches. Internal.
+  /// Working memory: may be replaced by new one between any two steps. Internal.
   Owned<SimulationScratch> scratch;
 };
 
@@ -64,8 +64,5 @@ double simulated_time(const Simulation& simulation);
 
 /// Row of the body that a tetrahedron belongs to, whatever has come off.
 std::size_t body_of(const Simulation& simulation, TetId tetrahedron);
-
-/// Gravity at a time, m/s^2: raised linearly over the ramp.
-Vec3 gravity_at(const GravitySettings& gravity, double time);
 
 }  // namespace sunder

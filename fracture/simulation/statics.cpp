@@ -79,7 +79,7 @@ std::vector<Finding> notes(const Simulation& sim) {
 
 void check_turn(const Simulation& sim, const Component& component, std::vector<Finding>& findings) {
   const Material& material = sim.scene.bodies[body_of(sim, component)].material;
-  const double turn = sim.scratch->mechanics.largest_turn[component.id.index()];
+  const double turn = component.largest_turn;
   const double valid = std::sqrt(0.2 * material.tensile_strength / material.young_modulus);
   if (!(turn > valid)) return;
   findings.push_back(
@@ -209,8 +209,7 @@ Result<Equilibrium> solve_scene(Simulation& sim) {
     result.findings.push_back(std::move(f));
   }
   if (!refused.empty()) return result;
-  Equilibrium answer{
-      {}, node_stress_of(sim.state->cells, m, sim.scene.fracture.node_stress)};
+  Equilibrium answer{{}, node_stress_of(sim.state->cells, m, sim.scene.fracture.node_stress)};
   const bool finite =
       std::ranges::all_of(answer.node_stress, [](const Mat3& s) { return s.allFinite(); });
   if (finite) {
@@ -234,8 +233,7 @@ Result<std::vector<PieceModes>> scene_modes(Simulation& sim, std::size_t count) 
   std::vector<PieceModes> pieces;
   for (const Component& component : m.components) {
     if (component.tetrahedra.empty()) continue;
-    Result<Modes> modes = natural_modes(sim.scratch->mechanics, m, sim.state->cells.map.corners(),
-                                        component.id, count);
+    Result<Modes> modes = natural_modes(m, sim.state->cells.map.corners(), component.id, count);
     if (!modes) return std::move(modes.findings.front());
     PieceModes& piece = pieces.emplace_back();
     piece.component = component.id;

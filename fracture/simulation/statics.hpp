@@ -60,19 +60,20 @@ Result<Equilibrium> solve_scene(Simulation& simulation);
 struct PieceModes {
   ComponentId component;
   std::size_t body = 0;  ///< row of its body in the scene
-  /// How many of the modes are rigid motions (6 of a free piece, fewer with one or two held vertices
-  /// or held ones on a line, 0 of a held one). They come first and have frequency 0.
+  /// How many of the modes are rigid motions (6 of a free piece, fewer with one or two held
+  /// vertices or held ones on a line, 0 of a held one). They come first and have frequency 0.
   std::size_t rigid = 0;
   std::vector<double> frequency;  ///< Hz, ascending
   std::vector<VertexId> vertex;   ///< rows of the piece's vertices, ascending
-  /// shape[k][i]: displacement of vertex[i] in mode k in the axes of the body's mesh, scaled so that
-  /// the sum of m |shape|^2 over the vertices is 1 kg m^2; the entry of largest size is positive.
+  /// shape[k][i]: displacement of vertex[i] in mode k in the axes of the body's mesh, scaled so
+  /// that the sum of m |shape|^2 over the vertices is 1 kg m^2; the entry of largest size is
+  /// positive.
   std::vector<std::vector<Vec3>> shape;
 };
 
-/// The rigid modes and the `count` lowest others of every piece of `simulation`, which stands at its
-/// start; without gravity, loads and obstacles. Errors: "modes_not_found".
-/// Cost: two factors and some 3 `count` solves a piece (docs/static.md).
+/// The rigid modes and the `count` lowest others of every piece of `simulation`, which stands at
+/// its start; without gravity, loads and obstacles. Errors: "modes_not_found". Cost: two factors
+/// and some 3 `count` solves a piece (docs/static.md).
 Result<std::vector<PieceModes>> scene_modes(Simulation& simulation, std::size_t count);
 
 }  // namespace sunder

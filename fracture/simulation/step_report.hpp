@@ -37,10 +37,23 @@ struct ImpactReport {
   bool stopped = false;
 };
 
+constexpr auto counters_of(const ImpactReport*) {
+  return std::tuple{Counter{"windows", &ImpactReport::opened},
+                    Counter{"sub_steps", &ImpactReport::sub_steps},
+                    Counter{"time", &ImpactReport::time},
+                    Counter{"most_components", &ImpactReport::components, Adds::most},
+                    Counter{"coarseness", &ImpactReport::coarseness, Adds::most}};
+}
+
 /// Components and their tetrahedra by the rung of the step to come, rows as `Rung`.
 struct LadderReport {
   std::array<std::size_t, rung_count> components{}, tetrahedra{};
 };
+
+constexpr auto counters_of(const LadderReport*) {
+  return std::tuple{Counter{"component_steps", &LadderReport::components},
+                    Counter{"tetrahedron_steps", &LadderReport::tetrahedra}};
+}
 
 /// Where the energy of the bodies went in a step, J: work in = what came of it + residual,
 ///   gravity + loads + contact + supports
@@ -62,6 +75,17 @@ struct EnergyLedger {
   double residual = 0;
   double moved = 0;  ///< sum of the magnitudes of all terms, to compare the residual with
 };
+
+/// Kinetic and strain energy are those of the ends of a run and do not add up in it.
+constexpr auto counters_of(const EnergyLedger*) {
+  return std::tuple{Counter{"gravity_work", &EnergyLedger::gravity},
+                    Counter{"load_work", &EnergyLedger::loads},
+                    Counter{"contact_work", &EnergyLedger::contact},
+                    Counter{"support_work", &EnergyLedger::supports},
+                    Counter{"friction_heat", &EnergyLedger::friction},
+                    Counter{"numerical_loss", &EnergyLedger::numerical},
+                    Counter{"residual", &EnergyLedger::residual}};
+}
 
 /// What one step did.
 struct StepReport {

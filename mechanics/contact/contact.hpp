@@ -54,16 +54,15 @@ struct ContactMemory {
   std::vector<ComponentId> vertex_component, tetrahedron_component;
 };
 
-/// Room of one step, kept for the next; all of it may be thrown away between steps.
+/// Scratch of one step, kept for the next; all of it may be thrown away between steps.
 struct ContactScratch {
   ContactScratch();
   ~ContactScratch();
   ContactScratch(ContactScratch&&) noexcept;
   ContactScratch& operator=(ContactScratch&&) noexcept;
 
-  std::vector<ContactPoint> contacts;  ///< of the last step, with their impulses
-  struct Room;
-  std::unique_ptr<Room> room;
+  struct Buffers;
+  std::unique_ptr<Buffers> buffers;
 };
 
 /// Everything that moves in a step.
@@ -81,6 +80,7 @@ struct ContactStepScratch {
 struct ContactStepResult {
   StepStatus status;
   ContactReport report;
+  std::vector<ContactPoint> contacts;  ///< those with an impulse
   Blows blows;  ///< only where `StepPart::impact` is given
   /// False: there are blows ahead, and nothing was done.
   bool adopted = true;

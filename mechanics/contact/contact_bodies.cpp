@@ -5,11 +5,11 @@
 #include <algorithm>
 
 #include "mechanics/contact/obstacle_geometry.hpp"
-#include "mechanics/solver/component_system.hpp"
+#include "mechanics/frame/rotation.hpp"
 #include "mechanics/integrators/coefficients.hpp"
 #include "mechanics/integrators/component_step.hpp"
 #include "mechanics/integrators/modal.hpp"
-#include "mechanics/frame/rotation.hpp"
+#include "mechanics/solver/component_system.hpp"
 
 namespace sunder {
 namespace {
@@ -52,7 +52,7 @@ FreeSlots free_slots(const ContactPass& pass, std::span<const VertexId> slots) {
   FreeSlots free;
   for (std::size_t k = 0; k < slots.size(); ++k) {
     if (!pass.state.vertices.support[slots[k].index()].is_none()) continue;
-    free.local.push_back(pass.mechanics.local_row[slots[k].index()]);
+    free.local.push_back(pass.state.systems.local_row[slots[k].index()]);
     free.slot.push_back(static_cast<Eigen::Index>(k));
   }
   return free;
@@ -69,7 +69,7 @@ bool responds_elastically(const ContactPass& pass, const Component& component) {
 /// would give is subtracted in closed form.
 void respond_elastically(RespondingBody& body, const ContactPass& pass, const Component& component,
                          std::span<const VertexId> slots) {
-  ComponentSystem& system = *pass.mechanics.systems[component.id.index()];
+  ComponentSystem& system = *pass.state.systems.present[component.id.index()];
   const auto [local, slot] = free_slots(pass, slots);
   body.turn = component.orientation.toRotationMatrix();
   const auto size = static_cast<Eigen::Index>(3 * slots.size());
@@ -110,23 +110,21 @@ void solve_for_columns(const ContactBodies& bodies, const ContactPass& pass) {
     if (bodies.component[b].is_none()) continue;
     const Component& component = pass.state.components[bodies.component[b].index()];
     if (!responds_elastically(pass, component)) continue;
-    note_touched(*pass.mechanics.systems[component.id.index()],
+    note_touched(*pass.state.systems.present[component.id.index()],
                  free_slots(pass, bodies.slots[b]).local, use_of(pass), missing);
   }
   // What one thread could take from the other must be worth starting it.
   std::size_t rows = 0;
   for (const ColumnBlock& block : missing) rows += block.system->free_count;
   constexpr std::size_t least_rows = 4000;
-  fill_columns(missing, rows >= least_rows ? pass.input.threads : 1,
-               pass.mechanics.column_rooms);
+  fill_columns(missing, rows >= least_rows ? pass.input.threads : 1, pass.mechanics.columns);
 }
 
 RespondingBody responding_component(const ContactPass& pass, const Component& component,
                                     std::span<const VertexId> slots) {
   RespondingBody body;
   if (!takes_split_blow(pass, component)) {
-    body.elastic =
-        end_of_step_response(pass.mechanics, pass.state, pass.input, {component.id, slots});
+    body.elastic = end_of_step_response(pass.state, pass.input, {component.id, slots});
     return body;
   }
   if (!component.supported) {

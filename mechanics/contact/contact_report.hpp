@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mechanics/state/vec3.hpp"
+#include "topology/kernel/counters.hpp"
 
 namespace sunder {
 
@@ -20,7 +21,7 @@ struct ContactReport {
   double tolerated = 0;          ///< m, `ContactSettings::tolerance` as a length
   bool converged = true;         ///< residual <= tolerated in the sweeps of every pass
   double deepest = 0;            ///< m, deepest overlap at the end of the step, >= 0
-  std::uint32_t left_out = 0;    ///< contacts over `max_contacts_per_component`
+  std::uint64_t left_out = 0;    ///< contacts over `max_contacts_per_component`
   /// N s, one an obstacle: the impulse it gave to the bodies and balls it touched. Empty in a step
   /// without contact.
   std::vector<Vec3> obstacle_impulse;
@@ -29,5 +30,18 @@ struct ContactReport {
     return obstacle_impulse.empty() ? Vec3::Zero() : obstacle_impulse[obstacle];
   }
 };
+
+/// Of the residuals `add_contact` keeps the one that is farthest from what is tolerated.
+constexpr auto counters_of(const ContactReport*) {
+  return std::tuple{Counter{"", &ContactReport::candidates, Adds::most},
+                    Counter{"most_contacts", &ContactReport::contacts, Adds::most},
+                    Counter{"", &ContactReport::passes},
+                    Counter{"", &ContactReport::iterations},
+                    Counter{"left_out", &ContactReport::left_out},
+                    Counter{"deepest_overlap", &ContactReport::deepest, Adds::most}};
+}
+
+/// Adds the contact of another part of the same step.
+void add_contact(ContactReport& sum, const ContactReport& part);
 
 }  // namespace sunder

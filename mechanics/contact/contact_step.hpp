@@ -16,7 +16,7 @@ inline ContactKey key_of(const ContactPoint& c) {
   return {c.ball, c.vertex, c.obstacle, c.tetrahedron};
 }
 
-struct ContactScratch::Room {
+struct ContactScratch::Buffers {
   DetectScratch detect;
   ContactBodies bodies;
   StepBlows blows;
@@ -31,10 +31,10 @@ struct ContactStep {
   ContactPass pass;
   ContactMemory& memory;
   const ContactSettings& settings;
-  std::vector<ContactPoint>& contacts;
-  ContactScratch::Room& room;
+  ContactScratch::Buffers& scratch;
   ContactReport report;
   Blows blows;
+  std::vector<ContactPoint> contacts;
 
   double h() const { return pass.input.settings.time_step; }
   Deformation deformation() const { return pass.input.part.deformation; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Every key of materials and of the integrator's settings: name, unit, meaning and range, said once.
-// Defaults are those of the structs.
+// Every key of materials and of the integrator's settings: name, unit, meaning and range, said
+// once. Defaults are those of the structs.
 #pragma once
 
 #include "mechanics/state/field.hpp"

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "topology/kernel/counters.hpp"
 #include "topology/kernel/finding.hpp"
 #include "topology/kernel/ids.hpp"
 
@@ -11,11 +12,19 @@ namespace sunder {
 
 /// The iterations of a step; all zero for integrators without iterations.
 struct SolveReport {
-  std::uint32_t sub_steps = 0;          ///< of sub_stepped; maximum over components
-  std::uint32_t iterations = 0;         ///< maximum over components
-  std::uint32_t force_evaluations = 0;  ///< sum over components
-  std::uint32_t not_converged = 0;      ///< components that were solved with the factor instead
+  std::uint64_t sub_steps = 0;          ///< of sub_stepped; maximum over components
+  std::uint64_t iterations = 0;         ///< maximum over components
+  std::uint64_t force_evaluations = 0;  ///< sum over components
+  std::uint64_t not_converged = 0;      ///< components that were solved with the factor instead
 };
+
+/// Over a run: sums of the steps' worst, and the steps in which iterations were given up.
+constexpr auto counters_of(const SolveReport*) {
+  return std::tuple{Counter{"iterations", &SolveReport::iterations, Adds::most, Adds::sum},
+                    Counter{"force_evaluations", &SolveReport::force_evaluations},
+                    Counter{"not_converged", &SolveReport::not_converged, Adds::sum, Adds::once},
+                    Counter{"sub_steps", &SolveReport::sub_steps, Adds::most, Adds::sum}};
+}
 
 enum class StepOutcome {
   fine,
@@ -37,8 +46,8 @@ struct StepStatus {
   SolveReport solve;
 };
 
-/// Adds the iterations of another component, or of another part of a step.
-void add_solve(SolveReport& sum, const SolveReport& part);
+/// Adds another part of the same step: outcome, vertex and time are the part's.
+void add_status(StepStatus& sum, StepStatus part);
 
 /// The finding that says a step failed: where, value, remedy. Needs an outcome other than fine.
 Finding to_finding(const StepStatus& status);

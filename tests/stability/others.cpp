@@ -196,7 +196,8 @@ Cell validity_warning() {
   MechanicsScratch scratch;
   measure_elements(state, scratch, body.corners);
   // The displacement gradient of a turn by theta has the skew part sin theta.
-  return holds_below(std::abs(scratch.largest_turn[0] / std::sin(19.5 / radius) - 1), 0.05);
+  return holds_below(std::abs(state.components[0].largest_turn / std::sin(19.5 / radius) - 1),
+                     0.05);
 }
 
 }  // namespace

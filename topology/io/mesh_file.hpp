@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "topology/mesh/file_mesh.hpp"
 #include "topology/kernel/finding.hpp"
 #include "topology/kernel/tet_mesh.hpp"
+#include "topology/mesh/file_mesh.hpp"
 
 namespace sunder {
 

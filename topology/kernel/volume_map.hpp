@@ -62,6 +62,9 @@ class VolumeMap {
 
   /// Needs: rows that agree with each other, as `build_map` makes them. O(|T|), about 1 us each.
   explicit VolumeMap(MapRows rows);
+  /// The same with the incident tetrahedron of each vertex as splits have left it: walks begin
+  /// there.
+  VolumeMap(MapRows rows, std::vector<TetId> incident);
   VolumeMap(const VolumeMap& other);
   VolumeMap& operator=(const VolumeMap& other);
   VolumeMap(VolumeMap&&) noexcept;

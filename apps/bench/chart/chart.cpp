@@ -11,8 +11,8 @@
 #include "apps/bench/chart/chart_pareto.hpp"
 #include "apps/scene/scene_text.hpp"
 #include "apps/scene/words.hpp"
-#include "mechanics/contact/impact.hpp"
 #include "mechanics/baselines/verlet.hpp"
+#include "mechanics/contact/impact.hpp"
 
 namespace sunder {
 namespace {

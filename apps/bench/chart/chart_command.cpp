@@ -8,9 +8,9 @@
 #include "apps/bench/chart/chart.hpp"
 #include "apps/bench/chart/chart_mesh.hpp"
 #include "apps/bench/chart/chart_report.hpp"
-#include "apps/sunder/gnuplot.hpp"
 #include "apps/scene/scene_json.hpp"
 #include "apps/scene/words.hpp"
+#include "apps/sunder/gnuplot.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/io/output_file.hpp"
 

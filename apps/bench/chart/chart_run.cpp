@@ -9,10 +9,10 @@
 #include <array>
 #include <numeric>
 
-#include "apps/bench/clock.hpp"
 #include "apps/bench/chart/chart_mesh.hpp"
-#include "apps/sunder/run/recorder.hpp"
+#include "apps/bench/clock.hpp"
 #include "apps/scene/scene_json.hpp"
+#include "apps/sunder/run/recorder.hpp"
 
 namespace sunder {
 namespace {

@@ -11,8 +11,8 @@
 
 #include "apps/sunder/mesh/check_report.hpp"
 #include "topology/io/format_traits.hpp"
-#include "topology/mesh/finding_cells.hpp"
 #include "topology/io/mesh_file.hpp"
+#include "topology/mesh/finding_cells.hpp"
 
 namespace sunder {
 namespace {

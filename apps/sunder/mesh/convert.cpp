@@ -11,8 +11,8 @@
 #include <memory>
 #include <optional>
 
-#include "apps/sunder/mesh/convert_crack.hpp"
 #include "apps/scene/words.hpp"
+#include "apps/sunder/mesh/convert_crack.hpp"
 #include "topology/io/format_traits.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/io/output_file.hpp"

@@ -9,14 +9,14 @@
 #include <filesystem>
 #include <memory>
 
+#include "apps/scene/words.hpp"
 #include "apps/sunder/mesh/split_faces.hpp"
 #include "apps/sunder/mesh/split_output.hpp"
 #include "apps/sunder/static/static_fan.hpp"
-#include "apps/scene/words.hpp"
-#include "topology/mesh/build_map.hpp"
-#include "topology/kernel/invariants.hpp"
 #include "topology/io/mesh_file.hpp"
+#include "topology/kernel/invariants.hpp"
 #include "topology/kernel/split_face.hpp"
+#include "topology/mesh/build_map.hpp"
 
 namespace sunder {
 namespace {

@@ -56,12 +56,11 @@ BoundaryColumns boundary_columns(const Cells& cells) {
 
 render::Surface surface(const SimulationState& state, const BoundaryColumns& boundary,
                         std::span<const Vec3> positions) {
-  render::Surface surface =
-      render::drawn_surface({.positions = positions,
-                             .corners = state.cells.map.corners(),
-                             .half_faces = boundary.half_faces,
-                             .face_class = boundary.face_class,
-                             .component = state.cells.labels.of_tetrahedron});
+  render::Surface surface = render::drawn_surface({.positions = positions,
+                                                   .corners = state.cells.map.corners(),
+                                                   .half_faces = boundary.half_faces,
+                                                   .face_class = boundary.face_class,
+                                                   .component = state.cells.labels.of_tetrahedron});
   surface.colors.piece_tint = piece_tint;
   return surface;
 }
@@ -121,7 +120,8 @@ render::FrameScene picture_scene(const SimulationState& state, ShownShape show,
 }
 
 /// The camera asked for, or one that sees the whole extent.
-RunView run_view(const SimulationState& start, const PictureSettings& settings, const Vec3& gravity) {
+RunView run_view(const SimulationState& start, const PictureSettings& settings,
+                 const Vec3& gravity) {
   const Vec3 up = gravity.norm() > 0 ? Vec3(-gravity.normalized()) : Vec3::UnitZ();
   render::FrameScene still = picture_scene(start, ShownShape::deformed, {});
   still.spheres.clear();
@@ -173,8 +173,7 @@ Result<Pictures> Pictures::open(const Simulation& start, const PictureSettings& 
 
 std::vector<Finding> Pictures::draw(const std::filesystem::path& path, const Simulation& now) {
   const PictureSettings& settings = parts_->settings;
-  const render::FrameScene scene =
-      picture_scene(*now.state, settings.show, parts_->view.extent);
+  const render::FrameScene scene = picture_scene(*now.state, settings.show, parts_->view.extent);
   Result<render::Image> image =
       parts_->renderer.render(scene, parts_->view.camera, static_cast<int>(settings.width),
                               static_cast<int>(settings.height));

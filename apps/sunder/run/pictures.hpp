@@ -22,8 +22,9 @@ class Pictures {
   Pictures& operator=(Pictures&&) noexcept;
   ~Pictures();
 
-  /// Writes a PNG of the shape asked for: skin and crack faces (of `both` the deformed mesh as wires
-  /// over the filled reference), obstacles, ground. O(|V| + |T|). Errors: those of the renderer.
+  /// Writes a PNG of the shape asked for: skin and crack faces (of `both` the deformed mesh as
+  /// wires over the filled reference), obstacles, ground. O(|V| + |T|). Errors: those of the
+  /// renderer.
   std::vector<Finding> draw(const std::filesystem::path& path, const Simulation& now);
 
  private:

@@ -10,6 +10,7 @@
 
 #include "apps/output/frame.hpp"
 #include "apps/output/tables.hpp"
+#include "apps/sunder/run/counters_json.hpp"
 #include "apps/sunder/run/pictures.hpp"
 #include "topology/io/output_file.hpp"
 #include "topology/io/vtu/vtu.hpp"
@@ -196,11 +197,11 @@ std::vector<Finding> Recorder::finish(const Simulation& now, RunEnd end) {
     if (!p.frame_steps.empty() && p.last_frame != now.state->step) findings = p.write_frame_of(now);
     if (p.drawn && p.last_picture != now.state->step) append(findings, p.draw_picture(now));
   }
-  if (!p.counts.is_null()) take_search_counts(p.statistics, p.counts);
+  if (!p.counts.is_null()) read_counters(p.statistics.search, p.counts);
   p.events.add({{"end", to_string(end)},
                 {"steps", now.state->step},
                 {"fans", p.statistics.fans},
-                {"search", search_counts(p.statistics)}});
+                {"search", counters_json(p.statistics.search)}});
   const std::vector<Fragment> pieces = fragments(now);
   p.report = run_report(p.statistics, now, pieces, end);
   const auto write = [&](const char* name, const std::string& text) {

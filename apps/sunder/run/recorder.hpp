@@ -25,7 +25,7 @@ std::vector<std::uint64_t> interval_steps(const Scene& scene, double interval);
 struct RecordedRun {
   std::filesystem::path folder;
   const SceneFile& file;
-  /// Of a replay: what the searches of the run it repeats counted (`search_counts`).
+  /// Of a replay: what the searches of the run it repeats counted (`SearchCounts`).
   nlohmann::ordered_json counts = nullptr;
 };
 

@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include "apps/sunder/run/run.hpp"
 #include "apps/scene/scene_schema.hpp"
+#include "apps/sunder/run/run.hpp"
 
 namespace sunder {
 namespace {

@@ -14,9 +14,9 @@
 
 #include "apps/output/frame.hpp"
 #include "apps/scene/scene_json.hpp"
-#include "fracture/simulation/statics.hpp"
-#include "apps/sunder/static/static_fan.hpp"
 #include "apps/scene/words.hpp"
+#include "apps/sunder/static/static_fan.hpp"
+#include "fracture/simulation/statics.hpp"
 #include "mechanics/rebuild.hpp"
 
 namespace sunder {
@@ -154,8 +154,7 @@ ExitCode run_static(const StaticArguments& arguments) {
     return answer.findings.back().code == "not_a_number" ? ExitCode::failed : ExitCode::bad_input;
   }
   if (!arguments.output.empty()) {
-    const std::vector<Finding> unwritten =
-        write_frame(arguments.output, *sim);
+    const std::vector<Finding> unwritten = write_frame(arguments.output, *sim);
     print(unwritten);
     if (has_error(unwritten)) return ExitCode::not_written;
   }

@@ -38,7 +38,8 @@ TEST_CASE("fragments share mass and surface, and were parted by the faces that s
     for (const FanEvent& fan : advance(sim).fracture.fans) {
       for (const FaceSplit& face : fan.faces) {
         std::array<Vec3, 3> p;
-        for (int k = 0; k < 3; ++k) p[k] = Vec3(sim.state->cells.map.point(face.vertices[k]).data());
+        for (int k = 0; k < 3; ++k)
+          p[k] = Vec3(sim.state->cells.map.point(face.vertices[k]).data());
         split += 0.5 * (p[1] - p[0]).cross(p[2] - p[0]).norm();
       }
     }
@@ -78,7 +79,6 @@ TEST_CASE("fragments of an intact body have the solid's mass, volume and inertia
   const std::string row = csv.substr(csv.find('\n') + 1);
   CHECK(std::count(header.begin(), header.end(), ',') == std::count(row.begin(), row.end(), ','));
 }
-
 
 TEST_CASE("a step reports the pieces that came off in it, and they know when and from what",
           "[output][fragments]") {

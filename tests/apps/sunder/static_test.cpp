@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "fracture/simulation/statics.hpp"
 #include "apps/sunder/static/static_fan.hpp"
+#include "fracture/simulation/statics.hpp"
 #include "tests/support/program.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/suite/fixtures/shapes.hpp"

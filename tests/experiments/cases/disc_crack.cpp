@@ -9,7 +9,6 @@
 
 #include "fracture/algorithms/node_stress.hpp"
 #include "fracture/algorithms/threshold_test.hpp"
-#include "fracture/algorithms/threshold_test.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/statics/static_solve.hpp"
 #include "topology/suite/fixtures/shapes.hpp"

@@ -90,7 +90,8 @@ void watch(Peak& peak, const Simulation& sim, const PartReport& part, double cel
   const double force = part.contact.impulse_of(0).z() / part.length;
   if (force <= peak.force) return;
   peak = {force, 0, 0};
-  for (const ContactPoint& contact : sim.scratch->contact.contacts) {
+  for (const ContactMemory::Remembered& last : sim.state->contact.last_contacts) {
+    const ContactPoint& contact = last.contact;
     const Vec3& at = sim.state->mechanics.vertices.position[contact.vertex.index()];
     const double push = contact.impulse.z() / part.length, r = std::hypot(at.x(), at.y());
     peak.moment += push * r * r;

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "fracture/simulation/simulation_state.hpp"
+#include "mechanics/contact/contact_fields.hpp"
 #include "mechanics/contact/obstacle_geometry.hpp"
 #include "mechanics/element/energy.hpp"
-#include "mechanics/contact/contact_fields.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "fracture/algorithms/node_stress.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/element/energy.hpp"
 #include "mechanics/rebuild.hpp"
 #include "topology/suite/fixtures/shapes.hpp"

@@ -4,12 +4,12 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "fracture/strength/draw_strength.hpp"
 #include "fracture/simulation/simulation_state.hpp"
+#include "fracture/strength/draw_strength.hpp"
 #include "mechanics/element/energy.hpp"
 #include "tests/support/tension.hpp"
-#include "topology/mesh/build_map.hpp"
 #include "topology/kernel/fan.hpp"
+#include "topology/mesh/build_map.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
 using namespace sunder;

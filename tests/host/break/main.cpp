@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A host program: steps a scene, tells each piece's mass and motion as it comes off, writes a frame.
+// A host program: steps a scene, tells each piece's mass and motion as it comes off, writes a
+// frame.
 #include <cstdio>
 #include <cstdlib>
 #include <sunder/fragments.hpp>

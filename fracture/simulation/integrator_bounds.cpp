@@ -1,31 +1,21 @@
 // SPDX-License-Identifier: MIT
-// Explicit sub-steps with contact in each; and what bodies ask of integrators that are bounded.
+// What bodies ask of integrators that are bounded.
+#include "fracture/simulation/integrator_bounds.hpp"
+
 #include <algorithm>
 #include <limits>
 
 #include <fmt/format.h>
 
-#include "fracture/simulation/step_work.hpp"
-#include "mechanics/integrators/modal.hpp"
 #include "mechanics/baselines/verlet.hpp"
+#include "mechanics/integrators/modal.hpp"
 
 namespace sunder {
 namespace {
 
-/// The least bound of all components that are not rigid, s.
-double least_bound(MechanicsScratch& scratch, const MechanicsState& state) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Component& component : state.components) {
-    if (component.tetrahedra.empty() || component.isolated) continue;
-    least = std::min(least, component_step_bound(scratch, state, component));
-  }
-  return least;
-}
-
-void check_explicit(std::vector<Finding>& findings, Simulation& sim) {
-  const IntegratorSettings& settings = sim.scene.integrator;
-  const double h = sim.scene.integrator.time_step;
-  const double bound = least_bound(sim.scratch->mechanics, sim.state->mechanics);
+void check_explicit(std::vector<Finding>& findings, const Scene& scene, double bound) {
+  const IntegratorSettings& settings = scene.integrator;
+  const double h = scene.integrator.time_step;
   if (settings.integrator == Integrator::verlet && h > bound) {
     findings.push_back(
         {.code = "explicit_step_too_long",
@@ -63,27 +53,23 @@ void check_modal(std::vector<Finding>& findings, const MechanicsState& state) {
 
 }  // namespace
 
-std::vector<Finding> check_integrator_bounds(Simulation& sim) {
-  std::vector<Finding> findings;
-  if (is_explicit(sim.scene.integrator.integrator)) check_explicit(findings, sim);
-  if (sim.scene.integrator.integrator == Integrator::modal) {
-    check_modal(findings, sim.state->mechanics);
+double least_step_bound(MechanicsScratch& scratch, const MechanicsState& state) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Component& component : state.components) {
+    if (component.tetrahedra.empty() || component.isolated) continue;
+    least = std::min(least, component_step_bound(scratch, state, component));
   }
-  return findings;
+  return least;
 }
 
-void advance_sub_stepped(StepWork& work) {
-  Simulation& sim = work.sim;
-  const double h = sim.scene.integrator.time_step;
-  const double start = sim.state->mechanics.time;
-  const double bound = least_bound(sim.scratch->mechanics, sim.state->mechanics);
-  const std::uint32_t count = sub_step_count(h, bound);
-  for (std::uint32_t k = 0; k < count && !work.failed(); ++k) {
-    take_part(work, {{}, h / count});
-    break_members(work);
+std::vector<Finding> check_integrator_bounds(const Scene& scene, const MechanicsState& state,
+                                             MechanicsScratch& scratch) {
+  std::vector<Finding> findings;
+  if (is_explicit(scene.integrator.integrator)) {
+    check_explicit(findings, scene, least_step_bound(scratch, state));
   }
-  if (!work.failed()) sim.state->mechanics.time = start + h;
-  work.report.status.solve.sub_steps = count;
+  if (scene.integrator.integrator == Integrator::modal) check_modal(findings, state);
+  return findings;
 }
 
 }  // namespace sunder
