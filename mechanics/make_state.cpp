@@ -7,8 +7,9 @@
 #include <cstdio>
 #include <string>
 
-#include "mechanics/integrators/scratch.hpp"
 #include "mechanics/element/strain_displacement.hpp"
+#include "mechanics/integrators/scratch.hpp"
+#include "mechanics/state/check_settings.hpp"
 
 namespace sunder {
 namespace {
@@ -136,7 +137,7 @@ VertexColumns columns_at_rest(const BodyDescription& body) {
 Result<MechanicsState> make_state(const BodyDescription& body) {
   Result<MechanicsState> result;
   for (std::size_t m = 0; m < body.materials.size(); ++m) {
-    for (Finding& f : check(body.materials[m], "materials[" + std::to_string(m) + "]")) {
+    for (Finding& f : check_settings(body.materials[m], "materials." + std::to_string(m))) {
       result.findings.push_back(std::move(f));
     }
   }

@@ -32,23 +32,20 @@ double strain_density(const Mat3& H, const Lame& lame) {
 }  // namespace
 
 void measure_elements(MechanicsState& state, MechanicsScratch& scratch,
-                      std::span<const Corners> corners, const StepMembers& members,
-                      ElasticModel model) {
+                      std::span<const Corners> corners, const ElementMeasure& measure) {
   scratch.lame.clear();
   scratch.stress_energy.clear();
   for (const Material& material : state.materials) {
     scratch.lame.push_back(lame(material));
     scratch.stress_energy.emplace_back(material);
   }
-  scratch.largest_turn.resize(state.components.size(), 0);
-  scratch.strain.resize(state.components.size());
   // On lower rungs displacements stay what they were.
   const auto changes = [&](ComponentId id) {
-    return members.has(id) && deforms(state.components[id.index()].rung);
+    return measure.members.has(id) && deforms(state.components[id.index()].rung);
   };
-  for (std::size_t c = 0; c < state.components.size(); ++c) {
-    scratch.strain[c] = {};
-    if (changes(ComponentId{c})) scratch.largest_turn[c] = 0;
+  for (Component& component : state.components) {
+    component.strain_change = {};
+    if (changes(component.id)) component.largest_turn = 0;
   }
   ElementColumns& elements = state.elements;
   // Sums of consecutive elements of one component stay in registers.
@@ -58,11 +55,12 @@ void measure_elements(MechanicsState& state, MechanicsScratch& scratch,
   bool is_changing = false;
   const auto put_down = [&] {
     if (!is_changing) return;
-    StrainChange& sum = scratch.strain[id.index()];
+    Component& component = state.components[id.index()];
+    component.largest_turn = std::max(component.largest_turn, largest);
+    StrainChange& sum = component.strain_change;
     sum.before += change.before;
     sum.after += change.after;
     sum.difference += change.difference;
-    scratch.largest_turn[id.index()] = std::max(scratch.largest_turn[id.index()], largest);
   };
   for (std::size_t t = 0; t < elements.size(); ++t) {
     if (elements.component[t] != id) {
@@ -75,11 +73,11 @@ void measure_elements(MechanicsState& state, MechanicsScratch& scratch,
     if (!is_changing) continue;
     const CornerVectors d = at_corners(state.vertices.displacement, corners[t]);
     Mat3 H = displacement_gradient(elements.shape_gradient[t], d);
-    if (model == ElasticModel::corotational) H = own_strain(H);
+    if (measure.model == ElasticModel::corotational) H = own_strain(H);
     const MaterialId material = elements.material[t];
     const Mat3 stress = stress_of(H, scratch.lame[material.index()]);
     largest = std::max(largest, turn_of(H));
-    if (!scratch.measures_strain) {
+    if (!measure.strain) {
       elements.stress[t] = stress;
       continue;
     }

@@ -9,13 +9,19 @@
 
 namespace sunder {
 
+/// Which elements are measured, and how.
+struct ElementMeasure {
+  StepMembers members = {};
+  ElasticModel model = ElasticModel::rigid_reference;
+  bool strain = false;  ///< whether `Component::strain_change` is wanted
+};
+
 /// Element stress (eq. 5) and the largest turn of an element in each component, in one pass, from
 /// the displacements as they are. `adopt` does it; for whoever sets displacements otherwise.
 /// With corotational elements the stress is that of their own strain, in the body frame as if they
 /// had not turned in it (the rest configuration, where cracks are decided), and turns count as
 /// none.
 void measure_elements(MechanicsState& state, MechanicsScratch& scratch,
-                      std::span<const Corners> corners, const StepMembers& members = {},
-                      ElasticModel model = ElasticModel::rigid_reference);
+                      std::span<const Corners> corners, const ElementMeasure& measure = {});
 
 }  // namespace sunder

@@ -196,10 +196,10 @@ void seat_frame(const MechanicsState& state, Component& component, const Parent&
 
 /// Factors may serve on; those of a component that is gone do not. A system retired before, and not
 /// asked for since, is still the one to compare with.
-void retire_system(MechanicsScratch& scratch, ComponentId id, bool gone) {
-  if (id.index() >= scratch.systems.size()) return;
-  std::unique_ptr<ComponentSystem>& system = scratch.systems[id.index()];
-  std::unique_ptr<ComponentSystem>& retired = scratch.retired[id.index()];
+void retire_system(ComponentSystems& systems, ComponentId id, bool gone) {
+  if (id.index() >= systems.present.size()) return;
+  std::unique_ptr<ComponentSystem>& system = systems.present[id.index()];
+  std::unique_ptr<ComponentSystem>& retired = systems.retired[id.index()];
   if (system) retired = std::move(system);
   system.reset();
   if (gone) retired.reset();
@@ -221,7 +221,7 @@ RebuildReport rebuild(MechanicsState& state, std::span<const Corners> corners,
   RebuildReport report;
   for (std::size_t i = 0; i < touched.size(); ++i) {
     Component& component = state.components[touched[i].index()];
-    retire_system(scratch, touched[i], members[i].empty());
+    retire_system(state.systems, touched[i], members[i].empty());
     if (touched[i].index() < scratch.baselines.size()) {
       scratch.baselines[touched[i].index()].reset();
     }

@@ -53,8 +53,8 @@ struct RebuildReport {
 /// A free piece gets the frame of shape matching (algorithm 2); x and v of every vertex stay as
 /// they are to rounding, so P, L and the kinetic energy are continuous. A supported piece keeps the
 /// rotation of its parent. A piece that becomes a free single tetrahedron turns rigid.
-/// `corners`: |T|, after the splits. Drops the factors of `touched` from `scratch`; they come back
-/// at the next step. Needs: vertex rows appended by `append_copy`. O(|T|) + the size of `touched`.
+/// `corners`: |T|, after the splits. Retires the systems of `touched`; new ones come at the next
+/// step. Needs: vertex rows appended by `append_copy`. O(|T|) + the size of `touched`.
 RebuildReport rebuild(MechanicsState& state, std::span<const Corners> corners,
                       std::span<const ComponentId> touched, MechanicsScratch& scratch);
 

@@ -7,22 +7,22 @@
 #include <cstdio>
 #include <string>
 
-#include "mechanics/solver/component_system.hpp"
-#include "mechanics/element/corotational_force.hpp"
-#include "mechanics/integrators/baseline_system.hpp"
 #include "mechanics/baselines/broyden.hpp"
 #include "mechanics/baselines/corotational_euler.hpp"
-#include "mechanics/integrators/floating_frame.hpp"
 #include "mechanics/baselines/implicit_euler.hpp"
+#include "mechanics/baselines/newton_cg.hpp"
+#include "mechanics/baselines/verlet.hpp"
+#include "mechanics/element/corotational_force.hpp"
+#include "mechanics/element/strain_displacement.hpp"
+#include "mechanics/integrators/baseline_system.hpp"
+#include "mechanics/integrators/floating_frame.hpp"
 #include "mechanics/integrators/isolated.hpp"
 #include "mechanics/integrators/modal.hpp"
-#include "mechanics/baselines/newton_cg.hpp"
 #include "mechanics/integrators/quasi_static.hpp"
 #include "mechanics/integrators/rigid_motion.hpp"
-#include "mechanics/baselines/verlet.hpp"
-#include "mechanics/state/living.hpp"
+#include "mechanics/solver/component_system.hpp"
 #include "mechanics/solver/parallel.hpp"
-#include "mechanics/element/strain_displacement.hpp"
+#include "mechanics/state/living.hpp"
 #include "topology/kernel/assert.hpp"
 
 namespace sunder {
@@ -49,9 +49,8 @@ void step_euler(ComponentStep& step) {
       settings.integrator == Integrator::broyden && settings.broyden_start == BroydenStart::mass;
   const bool needs_factor =
       !reassembled && !by_mass && settings.integrator != Integrator::newton_cg;
-  step.system = needs_factor
-                    ? &prepared_system(step.scratch, step.state, step.input, step.component)
-                    : &built_system(step.scratch, step.state, step.input.corners, step.component);
+  step.system = needs_factor ? &prepared_system(step.state, step.input, step.component)
+                             : &built_system(step.state, step.input.corners, step.component);
   if (settings.integrator == Integrator::broyden) return step_broyden(step);
   if (settings.integrator == Integrator::newton_cg) return step_newton_cg(step);
   if (reassembled) return step_reassembled_euler(step);
@@ -59,8 +58,8 @@ void step_euler(ComponentStep& step) {
   step_implicit_euler(step);
 }
 
-void predict_component(MechanicsScratch& scratch, const MechanicsState& state,
-                       const StepInput& input, const Component& component) {
+void predict_component(MechanicsScratch& scratch, MechanicsState& state, const StepInput& input,
+                       const Component& component) {
   ComponentStep step{scratch, state, input, component, nullptr};
   if (component.rung == Rung::asleep) {
     keep_still(step);
@@ -82,11 +81,11 @@ void predict_component(MechanicsScratch& scratch, const MechanicsState& state,
       "predict: only floating_frame takes parts of steps");
   switch (integrator) {
     case Integrator::floating_frame:
-      step.system = &prepared_system(scratch, state, input, component);
+      step.system = &prepared_system(state, input, component);
       if (component.rung == Rung::quasi_static) return step_quasi_static(step);
       return step_floating_frame(step);
     case Integrator::modal:
-      step.system = &built_system(scratch, state, input.corners, component);
+      step.system = &built_system(state, input.corners, component);
       return step_floating_frame(step);
     case Integrator::verlet:
       return step_verlet(step);
@@ -172,15 +171,15 @@ MechanicsScratch::~MechanicsScratch() = default;
 MechanicsScratch::MechanicsScratch(MechanicsScratch&&) noexcept = default;
 MechanicsScratch& MechanicsScratch::operator=(MechanicsScratch&&) noexcept = default;
 
-void prepare(MechanicsScratch& scratch, const MechanicsState& state, const StepInput& input) {
+void prepare(MechanicsState& state, const StepInput& input) {
   if (input.settings.integrator != Integrator::floating_frame) return;
   if (input.part.deformation == Deformation::frozen) return;
-  fit_systems(scratch, state);
+  fit_systems(state);
   std::vector<const Component*> missing;
   std::size_t vertices = 0, most = 0;
   for_each_living(state, input.members, [&](const Component& component) {
     if (component.isolated || !deforms(component.rung)) return;
-    const ComponentSystem* system = scratch.systems[component.id.index()].get();
+    const ComponentSystem* system = state.systems.present[component.id.index()].get();
     const bool wave = input.part.deformation == Deformation::wave;
     if (system && (wave ? system->wave : system->step).factored) return;
     missing.push_back(&component);
@@ -192,13 +191,12 @@ void prepare(MechanicsScratch& scratch, const MechanicsState& state, const StepI
                            [](const Component* c) { return c->vertices.size(); });
   // What one thread could take from the other must be worth starting it.
   constexpr std::size_t least_vertices = 100;
-  const unsigned threads = vertices - most >= least_vertices ? scratch.threads : 1;
-  parallel_for(threads, missing.size(), [&](std::size_t k, unsigned) {
-    prepared_system(scratch, state, input, *missing[k]);
-  });
+  const unsigned threads = vertices - most >= least_vertices ? input.threads : 1;
+  parallel_for(threads, missing.size(),
+               [&](std::size_t k, unsigned) { prepared_system(state, input, *missing[k]); });
 }
 
-void predict(MechanicsScratch& scratch, const MechanicsState& state, const StepInput& input,
+void predict(MechanicsScratch& scratch, MechanicsState& state, const StepInput& input,
              std::span<const ComponentId> components) {
   SUNDER_ASSERT(input.corners.size() == state.elements.size(), "predict: corners of another mesh");
   SUNDER_ASSERT(input.loads.force.empty() || input.loads.force.size() == state.vertices.size(),
@@ -220,12 +218,13 @@ StepStatus adopt(MechanicsState& state, MechanicsScratch& scratch, const StepInp
     if (!component.tetrahedra.empty() && input.members.has(component.id)) {
       const PredictedFrame& frame = scratch.predicted.frame[component.id.index()];
       damping_work += frame.damping_work;
-      add_solve(solve, frame.solve);
+      add_part(solve, frame.solve);
     }
   }
   take_prediction(state, scratch, input.members);
   state.time += input.settings.time_step;
-  measure_elements(state, scratch, input.corners, input.members, input.settings.model);
+  measure_elements(state, scratch, input.corners,
+                   {input.members, input.settings.model, input.measures_strain});
   StepStatus status = judge(state, input.members);
   status.damping_work = damping_work;
   if (status.outcome != StepOutcome::not_a_number) {
@@ -239,7 +238,7 @@ StepStatus adopt(MechanicsState& state, MechanicsScratch& scratch, const StepInp
 }
 
 StepStatus advance(MechanicsState& state, MechanicsScratch& scratch, const StepInput& input) {
-  prepare(scratch, state, input);
+  prepare(state, input);
   for (const Component& component : state.components) {
     predict(scratch, state, input, {&component.id, 1});
   }

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "apps/sunder/clock.hpp"
+#include "apps/bench/clock.hpp"
 
 extern "C" void openblas_set_num_threads(int);
 

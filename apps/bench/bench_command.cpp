@@ -127,7 +127,7 @@ ExitCode run_step_bench(const StepArguments& arguments) {
 void add_step_command(CLI::App& bench, ExitCode& exit_code) {
   const auto arguments = std::make_shared<StepArguments>();
   CLI::App* command = bench.add_subcommand(
-      "step", "What a step without contact and cracks costs, in parts, and its factor");
+      "step", "Cost of a step without contact and cracks, in parts, and of its factor");
   command->add_option("MESH", arguments->settings.meshes, "Bodies in place of our own")
       ->type_name("");
   command->add_flag("--large", arguments->settings.large, "A body of 49 152 tetrahedra too");
@@ -181,7 +181,7 @@ ExitCode run_method_bench(const MethodArguments& arguments) {
 void add_methods_command(CLI::App& bench, ExitCode& exit_code) {
   const auto arguments = std::make_shared<MethodArguments>();
   CLI::App* command =
-      bench.add_subcommand("methods", "What a step costs by every integrator and model");
+      bench.add_subcommand("methods", "Cost of a step by every integrator and model");
   command->add_option("--runs", arguments->settings.runs, "Steps to take medians over (default 20)")
       ->type_name("N")
       ->check(CLI::Range(1, 100000).description(""));
@@ -264,7 +264,7 @@ constexpr const char* threshold_footer = R"(
 Node stresses come from moments of the beginnings of the three scenes of meshes/scenes/paper, as
 far as they stay below their thresholds, and from a random generator. Ways of the test: eigenvalues;
 gershgorin (bound, then eigenvalues: the paper's); exact (leading minors); chain (bound, then
-minors: the default). All answer the same. Times are this thread's own.
+minors: the default). All give the same result. Times are this thread's own.
 
 Exit codes: 0 done, 2 usage, 3 a scene has errors, 4 an output was not written.
 
@@ -299,8 +299,8 @@ ExitCode run_threshold_bench(ThresholdArguments arguments) {
 
 void add_threshold_command(CLI::App& bench, ExitCode& exit_code) {
   const auto arguments = std::make_shared<ThresholdArguments>();
-  CLI::App* command =
-      bench.add_subcommand("threshold", "What the test of an unbroken vertex costs in each way");
+  CLI::App* command = bench.add_subcommand(
+      "threshold", "Cost of testing a vertex against its strength, in each way");
   command
       ->add_option("--runs", arguments->settings.runs, "Passes to take medians over (default 25)")
       ->type_name("N")

@@ -7,7 +7,7 @@
 #include <optional>
 #include <random>
 
-#include "apps/sunder/clock.hpp"
+#include "apps/bench/clock.hpp"
 #include "topology/kernel/assert.hpp"
 #include "topology/kernel/components.hpp"
 #include "topology/kernel/fan.hpp"

@@ -11,8 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "apps/sunder/clock.hpp"
+#include "apps/bench/clock.hpp"
 #include "apps/scene/words.hpp"
+#include "topology/io/format_traits.hpp"
 #include "topology/io/mesh_file.hpp"
 
 namespace sunder {

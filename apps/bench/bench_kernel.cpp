@@ -7,14 +7,14 @@
 
 #include <algorithm>
 
-#include "apps/sunder/clock.hpp"
 #include "apps/bench/bench_fans.hpp"
-#include "topology/mesh/build_map.hpp"
+#include "apps/bench/clock.hpp"
 #include "topology/kernel/components.hpp"
 #include "topology/kernel/map_mesh.hpp"
 #include "topology/kernel/split_face.hpp"
-#include "topology/suite/kernels/managed_unsew.hpp"
+#include "topology/mesh/build_map.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
+#include "topology/suite/kernels/managed_unsew.hpp"
 
 namespace sunder {
 namespace {

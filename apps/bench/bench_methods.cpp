@@ -9,8 +9,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "apps/sunder/clock.hpp"
 #include "apps/bench/bench_figures.hpp"
+#include "apps/bench/clock.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/integrators/modal.hpp"
 #include "mechanics/rebuild.hpp"
@@ -63,7 +63,7 @@ std::vector<Case> cases() {
 /// A body in flight that turns, deformed smoothly.
 Result<Simulation> flying_body(const Case& c) {
   Scene scene;
-  scene.time_step = c.time_step;
+  scene.integrator.time_step = c.time_step;
   scene.bodies.push_back({.mesh = c.mesh,
                           .material = {.young_modulus = c.young_modulus, .tensile_strength = 1e15},
                           .spin = {1, 2, 3}});
@@ -93,7 +93,7 @@ MethodFigure measure(Simulation& sim, const Method& method, const Case& c, int r
   const ComponentId only = m.components.front().id;
   const auto step = [&] {
     predict(scratch, m, input, {&only, 1});
-    measure_elements(m, scratch, corners, {}, settings.model);
+    measure_elements(m, scratch, corners, {.model = settings.model});
   };
   step();
   std::vector<double> times;

@@ -10,12 +10,12 @@
 #include <cmath>
 
 #include "apps/bench/bench_cholmod.hpp"
-#include "apps/sunder/clock.hpp"
 #include "apps/bench/bench_figures.hpp"
+#include "apps/bench/clock.hpp"
 #include "fracture/simulation/simulation_state.hpp"
+#include "mechanics/integrators/component_step.hpp"
 #include "mechanics/rebuild.hpp"
 #include "mechanics/solver/component_system.hpp"
-#include "mechanics/integrators/component_step.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
@@ -29,7 +29,7 @@ constexpr std::array<double, 3> steps = {1e-4, 1e-3, 1.0 / 60};
 /// A body in free fall, turning, far from everything and too strong to break.
 Scene falling_scene(const TetMesh& mesh, double young_modulus, double time_step) {
   Scene scene;
-  scene.time_step = time_step;
+  scene.integrator.time_step = time_step;
   scene.bodies.push_back({.mesh = mesh,
                           .material = {.young_modulus = young_modulus, .tensile_strength = 1e15},
                           .translation = {0, 0, 1e4},
@@ -105,7 +105,7 @@ void measure_factor(Simulation& sim, const Sink& sink) {
   const Component& component = m.components.front();
   const std::span<const Corners> corners = sim.state->cells.map.corners();
   const int runs = sink.runs / 5;
-  ComponentSystem& system = *sim.scratch->mechanics.systems.front();
+  ComponentSystem& system = *sim.state->mechanics.systems.present.front();
   ComponentSystem other;
   std::vector<std::uint32_t> local_row(m.vertices.size());
   sink.measure("build", runs, [&] { build_system(other, local_row, m, corners, component); });
@@ -128,7 +128,7 @@ void measure_step(Simulation& sim, const Sink& sink) {
   MechanicsScratch& scratch = sim.scratch->mechanics;
   const std::span<const Corners> corners = sim.state->cells.map.corners();
   for (int i = 0; i < 3; ++i) advance(sim);
-  ComponentSystem& system = *scratch.systems.front();
+  ComponentSystem& system = *m.systems.present.front();
   const auto dofs = static_cast<Eigen::Index>(3 * system.size());
   Eigen::VectorXd x = Eigen::VectorXd::Random(dofs), y(dofs);
   const double product =
@@ -139,8 +139,9 @@ void measure_step(Simulation& sim, const Sink& sink) {
   const ComponentId only = m.components.front().id;
   const double predicted = sink.time(sink.runs, [&] { predict(scratch, m, input, {&only, 1}); });
   sink.add("frame", predicted - product - solve);
-  const double stress =
-      sink.measure("element_stress", sink.runs, [&] { measure_elements(m, scratch, corners); });
+  const double stress = sink.measure("element_stress", sink.runs, [&] {
+    measure_elements(m, scratch, corners, {.strain = sim.scene.energy_ledger});
+  });
   const double criterion = sink.measure("node_stress", sink.runs, [&] {
     break_vertices({sim.state->cells, m}, sim.scene.fracture, sim.scratch->fracture);
   });
@@ -196,7 +197,7 @@ void measure_crack(const Simulation& sim, std::size_t count, const Sink& sink) {
   rebuild(m, corners, {&only, 1}, scratch);
   std::vector<std::uint32_t> local_row(m.vertices.size());
   const SystemInput input{m, corners, m.components.front()};
-  const ComponentSystem& old = *sim.scratch->mechanics.systems.front();
+  const ComponentSystem& old = *sim.state->mechanics.systems.present.front();
   const SystemMatrix matrix = old.step.matrix;
   ComponentSystem copy, system, fresh;
   std::vector<double> times;
@@ -334,7 +335,7 @@ Result<StepBench> bench_step(const StepBenchSettings& settings,
     if (sim) {
       measure_step(*sim, sink);
       measure_factor(*sim, sink);
-      measure_others(*sim->scratch->mechanics.systems.front(), sink);
+      measure_others(*sim->state->mechanics.systems.present.front(), sink);
       for (const std::size_t n : crack_sizes) measure_crack(*sim, n, sink);
       if (sink.tetrahedra <= most_for_range) {
         sim.findings = measure_range(body.mesh, sink);

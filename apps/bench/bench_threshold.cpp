@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "apps/sunder/clock.hpp"
 #include "apps/bench/bench_figures.hpp"
+#include "apps/bench/clock.hpp"
 #include "apps/bench/paper/bench_paper_run.hpp"
 #include "apps/bench/paper/bench_paper_tables.hpp"
 #include "fracture/algorithms/threshold_test.hpp"

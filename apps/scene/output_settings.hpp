@@ -19,7 +19,7 @@ enum class ShownShape {
   both,
 };
 
-/// A camera that stands still.
+/// A fixed camera.
 struct CameraSettings {
   Eigen::Vector3d eye = {1, -2, 1};
   Eigen::Vector3d target = {0, 0, 0};
@@ -43,7 +43,7 @@ struct PictureSettings {
 struct OutputSettings {
   /// VTU frames, spread evenly over the run with its start and its end; 0 writes none.
   std::uint32_t frames = 51;
-  /// Time between frames, s; above 0 it rules instead of `frames`.
+  /// Time between frames, s; above 0 it is used instead of `frames`.
   double frame_interval = 0;
   PictureSettings pictures;
 };

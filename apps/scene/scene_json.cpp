@@ -15,15 +15,15 @@
 #include "apps/scene/scene_notes.hpp"
 #include "apps/scene/scene_paint.hpp"
 #include "apps/scene/scene_text.hpp"
-#include "topology/mesh/check.hpp"
+#include "fracture/simulation/check_scene.hpp"
 #include "topology/io/face_list.hpp"
 #include "topology/io/mesh_file.hpp"
+#include "topology/mesh/check.hpp"
 
 namespace sunder {
 namespace {
 
 using fields::Key;
-using fields::Range;
 using nlohmann::json;
 
 /// What every value of a scene is read with.
@@ -53,26 +53,18 @@ struct Context {
                         .line = line_of(pointer)});
   }
 
+  /// The same with the line of its place.
+  void add(Finding finding, const std::string& pointer) const {
+    finding.file = text.file;
+    finding.line = line_of(pointer);
+    findings.push_back(std::move(finding));
+  }
+
   void wrong_type(const json& value, const std::string& pointer, const char* wanted) const {
     add("wrong_type", pointer, fmt::format("is {}; {} is wanted", shown(value), wanted),
         fmt::format("give {}", wanted));
   }
 };
-
-std::string allowed(const Range& range) {
-  std::string text;
-  if (range.low > -fields::infinity) {
-    text = fmt::format("{} {}", range.without_low ? "above" : "at least", range.low);
-  }
-  if (range.high < fields::infinity) {
-    text += fmt::format("{}at most {}", text.empty() ? "" : " and ", range.high);
-  }
-  return text;
-}
-
-bool is_allowed(double value, const Range& range) {
-  return value <= range.high && (range.without_low ? value > range.low : value >= range.low);
-}
 
 /// Reads one number; false after a finding.
 bool read_number(const Context& c, const Key& key, const json& value, const std::string& at,
@@ -82,12 +74,8 @@ bool read_number(const Context& c, const Key& key, const json& value, const std:
     return false;
   }
   number = value.get<double>();
-  if (is_allowed(number, key.range)) return true;
-  const std::string unit = key.unit.empty() ? "" : fmt::format(" {}", key.unit);
-  c.add("out_of_range", at,
-        fmt::format("is {}{}; allowed is {}", shown(value), unit, allowed(key.range)),
-        fmt::format("give a value {}{}{}{}", allowed(key.range), unit,
-                    key.remedy.empty() ? "" : ": ", key.remedy));
+  if (fields::is_allowed(number, key.range)) return true;
+  c.add(fields::out_of_range(key, dotted(at), shown(value)), at);
   return false;
 }
 
@@ -333,61 +321,14 @@ class ObjectReader {
   int alternatives_found_ = 0;
 };
 
-/// A box of a body that must contain vertices; `code` says so where it has none.
-void check_box(const Context& c, const BodySettings& body, const Eigen::AlignedBox3d& box,
-               const std::string& place, const char* code) {
-  if (box.isEmpty()) {
-    c.add("bad_box", place, "has a minimum above its maximum", "exchange them where they are");
-    return;
-  }
-  const bool holds = std::ranges::any_of(body.mesh.points, [&](const Point& p) {
-    return box.contains(Eigen::Vector3d(p[0], p[1], p[2]));
-  });
-  if (!holds && !body.mesh.points.empty()) {
-    c.add(code, place, "contains no vertex of the mesh",
-          "give the box in the mesh's own coordinates, m, before it is turned and moved");
-  }
-}
-
-void check_boxes(const Context& c, const BodySettings& body, const std::string& at) {
-  for (std::size_t i = 0; i < body.held.size(); ++i) {
-    check_box(c, body, {body.held[i].minimum, body.held[i].maximum},
-              fmt::format("{}/held/{}", at, i), "empty_hold");
-  }
-  for (std::size_t i = 0; i < body.loads.size(); ++i) {
-    const LoadBox& load = body.loads[i];
-    const std::string place = fmt::format("{}/loads/{}", at, i);
-    check_box(c, body, {load.minimum, load.maximum}, place, "empty_load");
-    if (load.pressure == 0 && load.force.isZero(0)) {
-      c.add("no_load", place, "has neither a pressure nor a force",
-            "give \"pressure\" in Pa or \"force\" in N");
-    }
-  }
-}
-
-/// What no single key can say.
-void check_whole(const Context& c, const SceneFile& file) {
-  const Scene& scene = file.scene;
-  if (c.text.root.contains("bodies") && scene.bodies.empty()) {
-    c.add("out_of_range", "/bodies", "is empty", "give at least one body");
-  }
-  for (std::size_t i = 0; i < scene.bodies.size(); ++i) {
-    check_boxes(c, scene.bodies[i], fmt::format("/bodies/{}", i));
-  }
-  for (std::size_t i = 0; i < scene.obstacles.size(); ++i) {
-    for (Finding f : check(scene.obstacles[i], i)) {
-      f.file = c.text.file;
-      f.line = c.line_of(fmt::format("/obstacles/{}", i));
-      c.findings.push_back(std::move(f));
-    }
-  }
-  constexpr double most_steps = 1e9;
-  if (scene.duration / scene.time_step > most_steps) {
-    c.add(
-        "too_many_steps", "/time_step",
-        fmt::format("is {} s: {:.3g} steps for a duration of {} s; allowed are {:.0e}",
-                    scene.time_step, scene.duration / scene.time_step, scene.duration, most_steps),
-        "take a longer step or a shorter duration");
+/// What the scene as a whole gets wrong. What was refused while it was read has its default by now.
+void add_findings(const Context& c, std::vector<SettingFinding> found) {
+  for (SettingFinding& f : found) {
+    // That the key is missing has been said.
+    if (f.finding.code == "no_body" && !c.text.root.contains("bodies")) continue;
+    std::string pointer = f.place.empty() ? "" : "/" + f.place;
+    std::ranges::replace(pointer, '.', '/');
+    c.add(std::move(f.finding), pointer);
   }
 }
 
@@ -423,11 +364,10 @@ Result<SceneFile> read_scene(const std::filesystem::path& path,
   ObjectReader reader(context, text->root, "");
   fields::describe(reader, file);
   reader.finish();
-  check_whole(context, file);
   for (Finding& f : paint_strengths(file.scene, *text, context.folder)) {
     result.findings.push_back(std::move(f));
   }
-  file.scene.integrator.time_step = file.scene.time_step;
+  add_findings(context, check_scene(file.scene));
   if (file.scene.name.empty()) file.scene.name = path.stem().string();
   if (has_error(result.findings)) return result;
   for (Finding& f : scene_notes(*text, file)) result.findings.push_back(std::move(f));

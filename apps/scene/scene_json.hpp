@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Scene files: JSON, SI units, every key checked; and the schema that says the same to editors.
+// Scene files: JSON, SI units, every key checked.
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 
@@ -23,19 +22,14 @@ struct SceneFile {
 };
 
 /// The scene in the JSON file `path` with its meshes, after `settings` (each `dotted.path=value`,
-/// as
-/// `--set` takes them). Mesh files are relative to the scene's folder. Rotations are
+/// such as "bodies.0.material.density=2000"). Mesh files are relative to the scene's folder.
+/// Rotations are
 /// `{"axis": [x, y, z], "angle": degrees}`. What is not said is the C++ structs' default.
 /// Errors, all of them at once, with file, line, place, value, what is allowed and a remedy:
 /// cannot_open, syntax_error, repeated_key, nested_too_deeply, bad_setting, unknown_key (naming the
-/// nearest known one), missing_key, wrong_type, out_of_range, unknown_name, zero_direction,
-/// bad_box, empty_hold, empty_load, no_load, too_many_steps, the findings of `read_mesh` and
-/// `check_mesh`, and those of `check(Obstacle)`.
+/// nearest known one), missing_key, wrong_type, unknown_name, zero_direction, the findings of
+/// `read_mesh` and `check_mesh`, and those of `check_scene`.
 Result<SceneFile> read_scene(const std::filesystem::path& path,
                              std::span<const std::string> settings = {});
-
-/// The JSON schema (draft 2020-12) of scene files with every default, unit and range: what stands
-/// in meshes/scenes/scene.schema.json.
-nlohmann::ordered_json scene_schema();
 
 }  // namespace sunder

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The JSON schema of scene files, written from the lists of scene_fields.hpp.
+#include "apps/scene/scene_schema.hpp"
+
 #include <fmt/format.h>
 
 #include <concepts>
 #include <type_traits>
 
 #include "apps/scene/scene_fields.hpp"
-#include "apps/scene/scene_json.hpp"
 
 namespace sunder {
 namespace {

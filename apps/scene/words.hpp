@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "topology/kernel/counts.hpp"
 #include "topology/kernel/finding.hpp"
-#include "topology/kernel/invariants.hpp"
 
 namespace sunder {
 

@@ -1,31 +1,39 @@
 // SPDX-License-Identifier: MIT
-// The program: its subcommands, and how mistakes on the command line end.
+// The program: its commands, and those that a second program, sunder-bench, holds.
 #include <fmt/format.h>
+#include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
-#include <exception>
+#include <filesystem>
+#include <string_view>
 
-#include "apps/bench/bench_command.hpp"
-#include "apps/sunder/chart/chart.hpp"
+#include "apps/sunder/fragments/fragments.hpp"
 #include "apps/sunder/mesh/check.hpp"
 #include "apps/sunder/mesh/convert.hpp"
-#include "apps/sunder/exit_code.hpp"
-#include "apps/sunder/fragments/fragments.hpp"
-#include "apps/sunder/static/modes.hpp"
-#include "apps/sunder/run/run.hpp"
 #include "apps/sunder/mesh/split.hpp"
+#include "apps/sunder/program.hpp"
+#include "apps/sunder/run/run.hpp"
+#include "apps/sunder/static/modes.hpp"
 #include "apps/sunder/static/static.hpp"
-#include "apps/sunder/suite/suite.hpp"
 
 namespace {
 
-int run_program(int argc, char** argv) {
-  CLI::App program{"Breaks solid bodies of tetrahedra on an exact 3-map."};
-  program.set_version_flag("--version", "sunder " SUNDER_VERSION);
-  program.require_subcommand(1);
-  program.footer("sunder COMMAND --help tells each command's options, units and exit codes.");
-  sunder::ExitCode exit_code = sunder::ExitCode::fine;
+struct BenchCommand {
+  std::string_view name, purpose;
+};
+
+/// Commands of sunder-bench, a program of its own so that simulations are built without it.
+constexpr BenchCommand bench_commands[] = {
+    {"suite", "Judge topology kernels by bodies whose answers are known"},
+    {"bench", "Measure the program on this machine"},
+    {"chart", "Set the error of a scene's runs against their time"}};
+
+/// Where sunder-bench stands when it was built: beside this program.
+std::filesystem::path bench_program() {
+  return std::filesystem::read_symlink("/proc/self/exe").parent_path() / "sunder-bench";
+}
+
+void add_commands(CLI::App& program, sunder::ExitCode& exit_code) {
   sunder::add_run_command(program, exit_code);
   sunder::add_static_command(program, exit_code);
   sunder::add_modes_command(program, exit_code);
@@ -33,25 +41,29 @@ int run_program(int argc, char** argv) {
   sunder::add_check_command(program, exit_code);
   sunder::add_convert_command(program, exit_code);
   sunder::add_split_command(program, exit_code);
-  sunder::add_suite_command(program, exit_code);
-  sunder::add_bench_command(program, exit_code);
-  sunder::add_chart_command(program, exit_code);
-  try {
-    program.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    // CLI11 has its own numbers for mistakes; ours is one.
-    return program.exit(error) == 0 ? 0 : static_cast<int>(sunder::ExitCode::usage);
+  if (!std::filesystem::exists(bench_program())) return;
+  for (const auto& [name, purpose] : bench_commands) {
+    program.add_subcommand(std::string(name), std::string(purpose));
   }
-  return static_cast<int>(exit_code);
+}
+
+/// Becomes sunder-bench; comes back only where it is not there.
+int become_bench(char** argv) {
+  const std::string bench = bench_program();
+  execv(bench.c_str(), argv);
+  fmt::print(stderr,
+             "sunder: {} is a command of {}, which cannot be started.\n"
+             "  Build it beside this program: cmake --build --preset release --target "
+             "sunder-bench\n",
+             argv[1], bench);
+  return static_cast<int>(sunder::ExitCode::usage);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return run_program(argc, argv);
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "sunder: {}\n", error.what());
-    return static_cast<int>(sunder::ExitCode::failed);
+  for (const auto& [name, purpose] : bench_commands) {
+    if (argc > 1 && name == argv[1]) return become_bench(argv);
   }
+  return sunder::run_program(argc, argv, add_commands);
 }

@@ -15,7 +15,7 @@ namespace sunder {
 
 /// What one fan did. Rows as they are after it; nothing is renumbered later.
 struct FanEvent {
-  /// The vertex that broke, its point in the body's mesh, and where it is at rest, m.
+  /// The vertex that broke, its point in the body's mesh, and its rest position, m.
   VertexId vertex;
   std::uint32_t point = 0;
   Vec3 rest_position = Vec3::Zero();
@@ -24,15 +24,14 @@ struct FanEvent {
   /// Largest principal stress and the threshold it reached, Pa.
   double stress = 0;
   double strength = 0;
-  /// Which round of its search it came from, from 0: fans of one round were decided on the same
-  /// state.
+  /// Round of its search, counted from 0: fans of one round were decided on the same state.
   std::uint32_t round = 0;
   /// One entry a face, in the order in which they were split; empty when every tetrahedron lay on
   /// one side of the plane, or other fans have split them all: then nothing changed.
   std::vector<FaceSplit> faces;
   /// What the oracle predicted and what there was to find.
   ComponentUpdate components;
-  /// Tetrahedra met by splits, search and strengths: a measure of the cost that no clock changes.
+  /// Tetrahedra visited by splits, search and strengths: a measure of the cost without a clock.
   std::size_t visited = 0;
 };
 

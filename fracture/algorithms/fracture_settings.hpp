@@ -26,7 +26,7 @@ enum class NodeStress {
   /// The same by mass (eq. 6 as printed).
   mass,
   /// Linear least-squares fit over two rings of tetrahedra, evaluated at the vertex
-  /// (fracture/algorithms/stress_fit.hpp); `volume` where that is not to be trusted.
+  /// (docs/bending.md); `volume` where that is not to be trusted.
   fit,
 };
 
@@ -35,11 +35,11 @@ enum class FractureCriterion {
   /// Its largest principal stress: 0.54 K_Ic / sqrt(h) (`vertex_strength`).
   stress,
   /// The energy that the crack's front would release there per area: K_Ic^2 (1 - nu^2) / E
-  /// (fracture/energy/tip_energy.hpp).
+  /// (docs/energy.md).
   energy,
 };
 
-/// How vertices are tested against their thresholds; the answers are the same.
+/// How vertices are tested against their thresholds; the result is the same.
 enum class ThresholdTest {
   /// Eigenvalues of every tensor.
   eigenvalues,
@@ -60,11 +60,11 @@ struct FractureSettings {
   /// What breaks a crack tip of a material with a toughness.
   FractureCriterion criterion = FractureCriterion::stress;
   /// Rings of tetrahedra around each fan whose stresses are solved for again within the step, so
-  /// that a crack's tip bears what the crack no longer bears; 0: none (the paper's).
+  /// that the load of the crack passes to its tip at once; 0: none (the paper's).
   std::uint32_t relax = 0;
-  /// kg; a fan that would part a lighter piece is refused. 0: none is too small.
+  /// kg; a fan that would separate a lighter piece is refused. 0: no limit.
   double smallest_piece = 0;
-  /// Of the whole scene; a fan that would make more is refused. 0: no limit.
+  /// Largest number in the scene; a fan that would make more is refused. 0: no limit.
   std::uint32_t max_pieces = 0;
   /// How new connected components are found (section 4.2).
   Detection detection = Detection::exact;

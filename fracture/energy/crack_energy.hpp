@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "fracture/algorithms/fan_event.hpp"
 #include "fracture/algorithms/cells.hpp"
+#include "fracture/algorithms/fan_event.hpp"
 #include "fracture/energy/settled_crack.hpp"
 #include "mechanics/state/step_input.hpp"
 

@@ -211,10 +211,8 @@ Finding refusal(const char* code, const char* text, const char* remedy) {
 }
 
 /// The system with K factored; null where that has no inverse.
-const ComponentSystem* static_system(MechanicsScratch& scratch, const ReleaseInput& input,
-                                     const Component& component) {
-  ComponentSystem& system =
-      built_system(scratch, input.mechanics, input.cells.map.corners(), component);
+const ComponentSystem* static_system(const ReleaseInput& input, const Component& component) {
+  ComponentSystem& system = built_system(input.mechanics, input.cells.map.corners(), component);
   const bool serves = system.step.factored && system.step.matrix == quasi_static_matrix() &&
                       system.step.border.copies == system.border.columns.size();
   if (!serves) factor_system(system, quasi_static_matrix());
@@ -236,8 +234,7 @@ std::vector<Vec3> corner_forces(std::span<const CornerLoad> loads, const Mechani
   return force;
 }
 
-Result<EnergyRelease> energy_release(MechanicsScratch& scratch, const ReleaseInput& input,
-                                     std::span<const HalfFaceId> faces) {
+Result<EnergyRelease> energy_release(const ReleaseInput& input, std::span<const HalfFaceId> faces) {
   EnergyRelease release;
   for (const HalfFaceId face : faces) {
     if (input.cells.map.neighbour(face).is_none()) continue;
@@ -249,13 +246,12 @@ Result<EnergyRelease> energy_release(MechanicsScratch& scratch, const ReleaseInp
   const Component& component =
       m.components[m.vertices.component[parted.front().vertex.index()].index()];
   // Free bodies have a factor too, of rounding.
-  const ComponentSystem* system =
-      component.supported ? static_system(scratch, input, component) : nullptr;
+  const ComponentSystem* system = component.supported ? static_system(input, component) : nullptr;
   if (!system) {
     return refusal("not_supported", "the body has no equilibrium: it is not held",
                    "hold three of its vertices off one line");
   }
-  Trial trial{input, *system, scratch.local_row, parted, system->border, 0, {}};
+  Trial trial{input, *system, input.mechanics.systems.local_row, parted, system->border, 0, {}};
   trial.first = trial.border.columns.size();
   trial.border.base = system->analysis.order.size();
   add_copies(trial);

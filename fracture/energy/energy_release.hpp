@@ -18,7 +18,7 @@ struct MechanicsScratch;
 /// A supported body in equilibrium, with what pulls at it.
 struct ReleaseInput {
   const Cells& cells;
-  const MechanicsState& mechanics;     ///< displacements and stresses in equilibrium
+  MechanicsState& mechanics;           ///< displacements and stresses in equilibrium
   Vec3 gravity = Vec3::Zero();         ///< m/s^2
   std::span<const Vec3> corner_force;  ///< 4 |T|, N, world: see `corner_forces`; empty: none
 };
@@ -46,10 +46,9 @@ struct EnergyRelease {
 /// Faces on the boundary count for nothing. Held vertices do not part. Errors: "not_supported"
 /// where the component has no equilibrium; "not_a_number". Cost: twelve half back-solves for four
 /// copies, 0.2 ms at 6 000 tetrahedra, once K is factored; where a piece comes free, three whole
-/// ones a copy instead. Leaves that factor in `scratch`, as `solve_static` and quasi-static steps
+/// ones a copy instead. Leaves that factor in the state, as `solve_static` and quasi-static steps
 /// do; a step of another kind factors anew.
-Result<EnergyRelease> energy_release(MechanicsScratch& scratch, const ReleaseInput& input,
-                                     std::span<const HalfFaceId> faces);
+Result<EnergyRelease> energy_release(const ReleaseInput& input, std::span<const HalfFaceId> faces);
 
 /// G_c = K_Ic^2 (1 - nu^2) / E, J/m^2 [Irwin 1957, plane strain]; infinite without a toughness.
 double fracture_energy(const Material& material);

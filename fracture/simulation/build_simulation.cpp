@@ -4,11 +4,12 @@
 
 #include <fmt/format.h>
 
-#include "fracture/strength/draw_strength.hpp"
-#include "fracture/strength/make_cuts.hpp"
+#include "fracture/simulation/check_scene.hpp"
+#include "fracture/simulation/integrator_bounds.hpp"
 #include "fracture/simulation/scene_loads.hpp"
 #include "fracture/simulation/simulation_state.hpp"
-#include "fracture/simulation/step_work.hpp"
+#include "fracture/strength/draw_strength.hpp"
+#include "fracture/strength/make_cuts.hpp"
 #include "mechanics/rebuild.hpp"
 #include "mechanics/state/living.hpp"
 #include "topology/mesh/build_map.hpp"
@@ -22,29 +23,13 @@ void append(std::vector<Finding>& all, std::vector<Finding> more) {
 }
 
 /// Everything that settings and meshes get wrong, before anything is built.
-std::vector<Finding> check_scene(const Scene& scene) {
+std::vector<Finding> check_input(const Scene& scene) {
   std::vector<Finding> findings;
+  for (SettingFinding& f : check_scene(scene)) findings.push_back(std::move(f.finding));
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    const std::string place = fmt::format("bodies[{}]", b);
-    append(findings, check(scene.bodies[b].material, place + ".material"));
     std::vector<Finding> in_mesh = check_mesh(scene.bodies[b].mesh);
-    for (Finding& f : in_mesh) f.text = place + ".mesh: " + f.text;
+    for (Finding& f : in_mesh) f.text = fmt::format("bodies.{}.mesh: {}", b, f.text);
     append(findings, std::move(in_mesh));
-  }
-  for (std::size_t o = 0; o < scene.obstacles.size(); ++o) {
-    append(findings, check(scene.obstacles[o], o));
-  }
-  append(findings, check_strengths(scene.bodies));
-  IntegratorSettings integrator = scene.integrator;
-  integrator.time_step = scene.time_step;
-  append(findings, check(integrator, "integrator"));
-  append(findings, check(scene.contact, "contact"));
-  append(findings, check(scene.impact, "impact"));
-  append(findings, check(scene.ladder));
-  if (scene.bodies.empty()) {
-    findings.push_back({.code = "no_body",
-                        .text = "the scene has no body",
-                        .remedy = "give at least one entry in \"bodies\""});
   }
   return findings;
 }
@@ -94,29 +79,18 @@ bool contains(const HeldBox& box, const Vec3& p) {
   return (p.array() >= box.minimum.array()).all() && (p.array() <= box.maximum.array()).all();
 }
 
-/// Marks the held vertices of one body. A box that holds nothing is an error: it never is meant.
-std::vector<Finding> hold_vertices(Simulation& sim, std::size_t body) {
-  std::vector<Finding> findings;
+/// Marks the held vertices of one body.
+void hold_vertices(Simulation& sim, std::size_t body) {
   MechanicsState& m = sim.state->mechanics;
-  const auto& held = sim.scene.bodies[body].held;
-  for (std::size_t i = 0; i < held.size(); ++i) {
+  for (const HeldBox& held : sim.scene.bodies[body].held) {
     const MotionId motion{m.motions.size()};
-    std::size_t count = 0;
     for (std::size_t v = 0; v < m.vertices.size(); ++v) {
       const std::uint32_t point = sim.state->cells.map.point_of_vertex(VertexId{v});
       if (point < sim.bodies[body].first_point || point >= sim.bodies[body].end_point) continue;
-      if (!contains(held[i], m.vertices.rest_position[v])) continue;
-      m.vertices.support[v] = motion;
-      ++count;
+      if (contains(held, m.vertices.rest_position[v])) m.vertices.support[v] = motion;
     }
-    m.motions.push_back({held[i].velocity});
-    if (count > 0) continue;
-    findings.push_back(
-        {.code = "nothing_held",
-         .text = fmt::format("bodies[{}].held[{}]: no vertex of the mesh lies in it", body, i),
-         .remedy = "give the box in the mesh's own coordinates, m"});
+    m.motions.push_back({held.velocity});
   }
-  return findings;
 }
 
 /// Places every component of a body, all of them as one rigid body.
@@ -195,10 +169,9 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 Result<Simulation> build_simulation(Scene scene) {
   Result<Simulation> result;
-  result.findings = check_scene(scene);
+  result.findings = check_input(scene);
   if (has_error(result.findings)) return result;
 
-  scene.integrator.time_step = scene.time_step;
   std::vector<BodyRows> bodies;
   Result<VolumeMap> map = build_map(join_meshes(scene.bodies, bodies));
   if (!map) {
@@ -222,8 +195,7 @@ Result<Simulation> build_simulation(Scene scene) {
       SimulationState{.cells = std::move(cells), .mechanics = std::move(*mechanics)}));
   sim.scratch = Owned(std::make_unique<SimulationScratch>());
   sim.state->obstacles = sim.scene.obstacles;
-  for (std::size_t b = 0; b < sim.bodies.size(); ++b)
-    append(result.findings, hold_vertices(sim, b));
+  for (std::size_t b = 0; b < sim.bodies.size(); ++b) hold_vertices(sim, b);
   append(result.findings, make_scene_loads(sim));
   if (has_error(result.findings)) return result;
   const std::vector<ComponentId> living = living_components(sim.state->mechanics);
@@ -231,7 +203,8 @@ Result<Simulation> build_simulation(Scene scene) {
   for (std::size_t b = 0; b < sim.bodies.size(); ++b) place_body(sim, b);
   warn_of_slender_bodies(result.findings, sim.state->mechanics);
   start_display(*sim.state);
-  append(result.findings, check_integrator_bounds(sim));
+  append(result.findings,
+         check_integrator_bounds(sim.scene, sim.state->mechanics, sim.scratch->mechanics));
   if (has_error(result.findings)) return result;
   result.value = std::move(sim);
   return result;

@@ -4,32 +4,34 @@
 
 #include <cmath>
 
+#include "mechanics/element/numerical_loss.hpp"
 #include "mechanics/integrators/coefficients.hpp"
 #include "mechanics/integrators/component_step.hpp"
-#include "mechanics/state/living.hpp"
 #include "mechanics/integrators/numerical_loss.hpp"
+#include "mechanics/state/living.hpp"
 
 namespace sunder {
 namespace {
 
-void add_load_impulse(StepWork& work, double length) {
-  if (work.loads.force.empty()) return;
-  const VertexColumns& vertices = work.sim.state->mechanics.vertices;
-  for (std::size_t v = 0; v < work.loads.force.size(); ++v) {
-    if (!work.members().has(vertices.component[v])) continue;
-    work.report.load_impulse += length * work.loads.force[v];
+void add_load_impulse(Vec3& impulse, const AdoptedPart& part) {
+  const std::vector<Vec3>& force = part.input.loads.force;
+  const VertexColumns& vertices = part.state.mechanics.vertices;
+  for (std::size_t v = 0; v < force.size(); ++v) {
+    if (!part.input.members.has(vertices.component[v])) continue;
+    impulse += part.input.settings.time_step * force[v];
   }
 }
 
-void add_work(StepWork& work) {
-  const VertexColumns& vertices = work.sim.state->mechanics.vertices;
-  const std::vector<Vec3>& before = work.sim.scratch->before.position;
-  const bool is_loaded = !work.loads.force.empty();
+void add_work(EnergyLedger& ledger, const AdoptedPart& part) {
+  const VertexColumns& vertices = part.state.mechanics.vertices;
+  const std::vector<Vec3>& before = part.before.position;
+  const Loads& loads = part.input.loads;
+  const bool is_loaded = !loads.force.empty();
   for (std::size_t v = 0; v < before.size(); ++v) {
-    if (!work.members().has(vertices.component[v])) continue;
+    if (!part.input.members.has(vertices.component[v])) continue;
     const Vec3 way = vertices.position[v] - before[v];
-    work.report.energy.gravity += vertices.mass[v] * work.loads.gravity.dot(way);
-    if (is_loaded) work.report.energy.loads += work.loads.force[v].dot(way);
+    ledger.gravity += vertices.mass[v] * loads.gravity.dot(way);
+    if (is_loaded) ledger.loads += loads.force[v].dot(way);
   }
 }
 
@@ -55,17 +57,18 @@ IntegratorSettings deformation_settings(const StepInput& input, const MechanicsS
   return settings;
 }
 
-double deformation_loss(StepWork& work, const StepInput& input, const Component& component) {
-  const auto& system = work.sim.scratch->mechanics.systems[component.id.index()];
+double deformation_loss(const AdoptedPart& part, const Component& component) {
+  const StepInput& input = part.input;
+  const MechanicsState& m = part.state.mechanics;
+  const auto& system = m.systems.present[component.id.index()];
   const bool deforms_now = deforms(component.rung) && !component.isolated &&
                            input.part.deformation != Deformation::frozen;
   if (!deforms_now || !system) return 0;
-  const MechanicsState& m = work.sim.state->mechanics;
-  const PartStart& before = work.sim.scratch->before;
+  const PartStart& before = part.before;
   const VertexColumns& v = m.vertices;
   const DeformationStep step{{before.displacement, before.rate, before.acceleration},
                              {v.displacement, v.displacement_rate, v.displacement_acceleration},
-                             work.sim.scratch->mechanics.strain[component.id.index()].difference};
+                             component.strain_change.difference};
   // Equilibrium at the end under the loads of the whole way: they give what strain does not take.
   if (component.rung == Rung::quasi_static) return 0.5 * step.stiffness_difference;
   if (input.part.deformation == Deformation::wave) return wave_loss(*system, step);
@@ -75,11 +78,12 @@ double deformation_loss(StepWork& work, const StepInput& input, const Component&
 /// Of a frame that contact gave momentum. In a wave its impulse moves the centre by theta; else it
 /// is a blow at the start, weight and loads with it, and the way of the step is that of the
 /// velocity after it: the stop takes what is between.
-double frame_loss(const StepWork& work, const StepInput& input, const Component& component) {
-  const PartStart& before = work.sim.scratch->before;
+double frame_loss(const AdoptedPart& part, const Component& component) {
+  const StepInput& input = part.input;
+  const PartStart& before = part.before;
   const Vec3 change = component.momentum - before.momentum[component.id.index()];
   if (input.part.deformation == Deformation::wave) {
-    const Vec3 weight = input.settings.time_step * component.mass * work.loads.gravity;
+    const Vec3 weight = input.settings.time_step * component.mass * input.loads.gravity;
     return (WaveScheme::theta - 0.5) * (change - weight).dot(change) / component.mass;
   }
   const Vec3 turn = component.orientation.conjugate() *
@@ -88,50 +92,47 @@ double frame_loss(const StepWork& work, const StepInput& input, const Component&
                 turn.dot(component.rest_inertia.ldlt().solve(turn)));
 }
 
-void add_losses(StepWork& work, const StepInput& input) {
-  const auto& contacts = work.sim.scratch->contact.contacts;
-  const VertexColumns& vertices = work.sim.state->mechanics.vertices;
-  const ElementColumns& elements = work.sim.state->mechanics.elements;
-  std::vector<char>& touched = work.sim.scratch->before.touched;
-  touched.assign(work.sim.state->mechanics.components.size(), 0);
-  for (const ContactPoint& c : contacts) {
+void add_losses(EnergyLedger& ledger, const AdoptedPart& part) {
+  const MechanicsState& m = part.state.mechanics;
+  const VertexColumns& vertices = m.vertices;
+  const ElementColumns& elements = m.elements;
+  std::vector<char>& touched = part.before.touched;
+  touched.assign(m.components.size(), 0);
+  for (const ContactPoint& c : part.result.contacts) {
     if (!c.vertex.is_none()) touched[vertices.component[c.vertex.index()].index()] = 1;
     if (!c.tetrahedron.is_none()) touched[elements.component[c.tetrahedron.index()].index()] = 1;
   }
-  for_each_living(work.sim.state->mechanics, work.members(), [&](const Component& component) {
-    work.report.energy.numerical += deformation_loss(work, input, component);
+  for_each_living(m, part.input.members, [&](const Component& component) {
+    ledger.numerical += deformation_loss(part, component);
     if (component.supported || !touched[component.id.index()]) return;
-    work.report.energy.numerical += frame_loss(work, input, component);
+    ledger.numerical += frame_loss(part, component);
   });
 }
 
 /// Way of the point of side B: the middle of a tetrahedron, or an obstacle that moves as it is
 /// told.
-Vec3 way_of_other(const StepWork& work, const ContactPoint& contact, const Corners& corners,
-                  double length) {
+Vec3 way_of_other(const AdoptedPart& part, const ContactPoint& contact) {
   if (contact.tetrahedron.is_none()) {
-    return length * work.sim.state->obstacles[contact.obstacle].velocity;
+    return part.input.settings.time_step * part.state.obstacles[contact.obstacle].velocity;
   }
-  const VertexColumns& vertices = work.sim.state->mechanics.vertices;
+  const VertexColumns& vertices = part.state.mechanics.vertices;
   Vec3 way = Vec3::Zero();
-  for (VertexId v : corners) {
-    way += 0.25 * (vertices.position[v.index()] - work.sim.scratch->before.position[v.index()]);
+  for (VertexId v : part.input.corners[contact.tetrahedron.index()]) {
+    way += 0.25 * (vertices.position[v.index()] - part.before.position[v.index()]);
   }
   return way;
 }
 
-void add_contact_work(StepWork& work, const StepInput& input) {
-  const VertexColumns& vertices = work.sim.state->mechanics.vertices;
-  const double h = input.settings.time_step;
-  EnergyLedger& ledger = work.report.energy;
-  for (const ContactPoint& c : work.sim.scratch->contact.contacts) {
+void add_contact_work(EnergyLedger& ledger, const AdoptedPart& part) {
+  const VertexColumns& vertices = part.state.mechanics.vertices;
+  const double h = part.input.settings.time_step;
+  for (const ContactPoint& c : part.result.contacts) {
     const bool is_vertex = c.ball == ContactPoint::none;
-    const Corners corners =
-        c.tetrahedron.is_none() ? Corners{} : input.corners[c.tetrahedron.index()];
-    const Vec3 other = way_of_other(work, c, corners, h);
-    const Vec3 way = is_vertex ? Vec3(vertices.position[c.vertex.index()] -
-                                      work.sim.scratch->before.position[c.vertex.index()])
-                               : Vec3(h * work.sim.state->obstacles[c.ball].velocity);
+    const Vec3 other = way_of_other(part, c);
+    const Vec3 way =
+        is_vertex
+            ? Vec3(vertices.position[c.vertex.index()] - part.before.position[c.vertex.index()])
+            : Vec3(h * part.state.obstacles[c.ball].velocity);
     const Vec3 force = c.impulse / h;
     if (is_vertex) ledger.contact += force.dot(way);
     if (!c.tetrahedron.is_none()) ledger.contact -= force.dot(other);
@@ -142,9 +143,10 @@ void add_contact_work(StepWork& work, const StepInput& input) {
 
 /// Supports that move: what they give the frame as a whole, and what they give vertices that move
 /// against the frame, by the forces K d - f where the scheme balances them.
-void add_support_work(StepWork& work, const StepInput& input, const Component& component) {
-  const MechanicsState& m = work.sim.state->mechanics;
-  const auto& system = work.sim.scratch->mechanics.systems[component.id.index()];
+void add_support_work(EnergyLedger& ledger, const AdoptedPart& part, const Component& component) {
+  const StepInput& input = part.input;
+  const MechanicsState& m = part.state.mechanics;
+  const auto& system = m.systems.present[component.id.index()];
   if (!component.supported || !system) return;
   const std::size_t n = system->size();
   double fastest = component.frame_velocity.norm();
@@ -157,7 +159,7 @@ void add_support_work(StepWork& work, const StepInput& input, const Component& c
   const RayleighDamping damping = input.part.deformation == Deformation::wave
                                       ? wave_damping(input.settings, system->cell_travel)
                                       : settings.damping;
-  PartStart& before = work.sim.scratch->before;
+  PartStart& before = part.before;
   before.work.resize(6 * n);
   Eigen::Map<Eigen::Matrix3Xd> at(before.work.data(), 3, static_cast<Eigen::Index>(n));
   Eigen::Map<Eigen::VectorXd> force(before.work.data() + 3 * n, static_cast<Eigen::Index>(3 * n));
@@ -176,8 +178,8 @@ void add_support_work(StepWork& work, const StepInput& input, const Component& c
   double given = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t v = system->order[i].index();
-    Vec3 f = m.vertices.mass[v] * work.loads.gravity;
-    if (!work.loads.force.empty()) f += work.loads.force[v];
+    Vec3 f = m.vertices.mass[v] * input.loads.gravity;
+    if (!input.loads.force.empty()) f += input.loads.force[v];
     outside += input.settings.time_step * f;
     if (i < system->free_count) continue;
     const Vec3 pull = force.segment<3>(static_cast<Eigen::Index>(3 * i)) +
@@ -186,23 +188,20 @@ void add_support_work(StepWork& work, const StepInput& input, const Component& c
                       R.transpose() * f;
     given += pull.dot(m.vertices.displacement[v] - before.displacement[v]);
   }
-  for (const ContactPoint& c : work.sim.scratch->contact.contacts) {
+  for (const ContactPoint& c : part.result.contacts) {
     if (c.vertex.is_none() || m.vertices.component[c.vertex.index()] != component.id) continue;
     outside += c.impulse;
   }
   const Vec3 momentum = component.momentum - before.momentum[component.id.index()];
-  work.report.energy.supports += given + component.frame_velocity.dot(momentum - outside);
+  ledger.supports += given + component.frame_velocity.dot(momentum - outside);
 }
 
 }  // namespace
 
-void begin_part(StepWork& work) {
-  const MechanicsState& m = work.sim.state->mechanics;
-  PartStart& before = work.sim.scratch->before;
-  const bool is_kept = work.sim.scene.energy_ledger;
-  work.sim.scratch->mechanics.measures_strain = is_kept;
-  if (is_kept || !work.sim.state->cracks.empty()) before.displacement = m.vertices.displacement;
-  if (!is_kept) return;
+void remember_start(PartStart& before, const SimulationState& state, bool keeps_ledger) {
+  const MechanicsState& m = state.mechanics;
+  if (keeps_ledger || !state.cracks.empty()) before.displacement = m.vertices.displacement;
+  if (!keeps_ledger) return;
   before.position = m.vertices.position;
   before.rate = m.vertices.displacement_rate;
   before.acceleration = m.vertices.displacement_acceleration;
@@ -214,35 +213,31 @@ void begin_part(StepWork& work) {
   }
 }
 
-void end_part(StepWork& work, const StepInput& input) {
-  const MechanicsState& m = work.sim.state->mechanics;
-  const double length = input.settings.time_step;
-  add_load_impulse(work, length);
-  follow_cracks(work.report.cracks, work.sim.state->cracks, m,
-                {work.sim.scratch->before.displacement, work.members(), length});
-  if (!work.sim.scene.energy_ledger) return;
-  add_work(work);
-  add_contact_work(work, input);
-  const bool has_closed_forms = input.settings.integrator == Integrator::floating_frame;
-  const MechanicsScratch& scratch = work.sim.scratch->mechanics;
-  for_each_living(m, work.members(), [&](const Component& component) {
-    const StrainChange& change = scratch.strain[component.id.index()];
-    work.report.energy.strain += change.after - change.before;
-    if (has_closed_forms) add_support_work(work, input, component);
+void add_part_energy(StepReport& report, const AdoptedPart& part, bool keeps_ledger) {
+  const MechanicsState& m = part.state.mechanics;
+  const StepMembers& members = part.input.members;
+  add_load_impulse(report.load_impulse, part);
+  follow_cracks(report.cracks, part.state.cracks, m,
+                {part.before.displacement, members, part.input.settings.time_step});
+  if (!keeps_ledger) return;
+  EnergyLedger& ledger = report.energy;
+  add_work(ledger, part);
+  add_contact_work(ledger, part);
+  const bool has_closed_forms = part.input.settings.integrator == Integrator::floating_frame;
+  for_each_living(m, members, [&](const Component& component) {
+    const StrainChange& change = component.strain_change;
+    ledger.strain += change.after - change.before;
+    if (has_closed_forms) add_support_work(ledger, part, component);
   });
-  if (has_closed_forms) add_losses(work, input);
+  if (has_closed_forms) add_losses(ledger, part);
 }
 
-void close_ledger(StepWork& work, double kinetic) {
-  EnergyLedger& ledger = work.report.energy;
-  if (!work.sim.scene.energy_ledger) {
-    ledger = {};
-    return;
-  }
-  ledger.kinetic = kinetic_energy(work.sim.state->mechanics.vertices) - kinetic;
+void close_ledger(StepReport& report, double kinetic, double kinetic_now) {
+  EnergyLedger& ledger = report.energy;
+  ledger.kinetic = kinetic_now - kinetic;
   const double in[] = {ledger.gravity, ledger.loads, ledger.contact, ledger.supports};
-  const double out[] = {ledger.kinetic, ledger.strain, ledger.numerical,
-                        work.report.status.damping_work, work.report.energy_released};
+  const double out[] = {ledger.kinetic, ledger.strain, ledger.numerical, report.status.damping_work,
+                        report.energy_released};
   for (const double work_in : in) {
     ledger.residual += work_in;
     ledger.moved += std::abs(work_in);

@@ -2,20 +2,29 @@
 // Where the energy of a step comes from and goes to: added up part by part.
 #pragma once
 
-#include "fracture/simulation/step_work.hpp"
+#include "fracture/simulation/state.hpp"
+#include "fracture/simulation/step_report.hpp"
 
 namespace sunder {
 
-/// Remembers the state before a part of a step.
-void begin_part(StepWork& work);
+/// Remembers the state before a part of a step: what `add_part_energy` compares with.
+void remember_start(PartStart& start, const SimulationState& state, bool keeps_ledger);
 
-/// Adds to the report of the step what happened in the part just adopted: change of strain, work of
-/// gravity, surface loads, contact and supports, losses, impulse of loads. `input`: as the part was
-/// taken with. O(vertices + contacts), beside the pass over elements that `adopt` makes anyway; one
-/// product with K for each component whose supports move.
-void end_part(StepWork& work, const StepInput& input);
+/// A part that was just adopted.
+struct AdoptedPart {
+  SimulationState& state;
+  const StepInput& input;  ///< as the part was taken with
+  const ContactStepResult& result;
+  PartStart& before;
+};
 
-/// Closes the ledger of a step that began with `kinetic` J.
-void close_ledger(StepWork& work, double kinetic);
+/// Adds to the report of the step what happened in the part: impulse of loads and cracks whose
+/// energy was settled; and, where the ledger is kept, change of strain, work of gravity, surface
+/// loads, contact and supports, losses. O(vertices + contacts), beside the pass over elements that
+/// `adopt` makes anyway; one product with K for each component whose supports move.
+void add_part_energy(StepReport& report, const AdoptedPart& part, bool keeps_ledger);
+
+/// Closes the ledger of a step that began with `kinetic` J and ended with `kinetic_now`.
+void close_ledger(StepReport& report, double kinetic, double kinetic_now);
 
 }  // namespace sunder

@@ -8,9 +8,8 @@
 #include <limits>
 #include <string>
 
-#include "fracture/simulation/step_work.hpp"
-#include "mechanics/element/energy.hpp"
 #include "mechanics/contact/impact.hpp"
+#include "mechanics/element/energy.hpp"
 
 namespace sunder {
 namespace {
@@ -32,12 +31,11 @@ double lowest_strength(const SimulationState& s, const Component& component) {
 }
 
 /// Marks components on a corner of which a surface load acts.
-void find_loaded(Simulation& sim) {
-  std::vector<char>& loaded = sim.scratch->ladder.loaded;
-  loaded.assign(sim.state->mechanics.components.size(), 0);
-  for (const CornerLoad& load : sim.state->loads) {
+void find_loaded(std::vector<char>& loaded, const SimulationState& s) {
+  loaded.assign(s.mechanics.components.size(), 0);
+  for (const CornerLoad& load : s.loads) {
     const TetId t = tetrahedron_of(load.corner);
-    loaded[sim.state->mechanics.elements.component[t.index()].index()] = 1;
+    loaded[s.mechanics.elements.component[t.index()].index()] = 1;
   }
 }
 
@@ -79,28 +77,26 @@ double swing(const MechanicsState& state, const Component& component, double str
 }
 
 /// Whether no contact and no blow had to do with the component in this step.
-bool is_left_alone(const StepWork& work, const Component& component) {
-  return !work.sim.scratch->ladder.touched[component.id.index()] &&
-         work.sim.state->impact.quiet[component.id.index()] == ImpactWindow::closed;
+bool is_left_alone(const SimulationState& s, const std::vector<char>& touched,
+                   const Component& component) {
+  return !touched[component.id.index()] &&
+         s.impact.quiet[component.id.index()] == ImpactWindow::closed;
 }
 
 /// Whether the component may go rigid or stay so. What it would give up must be nothing: outcomes
 /// of many blows are chaotic, and a millionth of the critical speed was seen in them late.
-bool flies_safely(const StepWork& work, const Component& component) {
+bool flies_safely(const SimulationState& s, const Component& component) {
   constexpr double nothing = 1e-7;
-  const SimulationState& s = *work.sim.state;
-  if (component.supported || component.isolated || !is_left_alone(work, component)) return false;
+  if (component.supported || component.isolated) return false;
   const double strength = lowest_strength(s, component);
   return swing(s.mechanics, component, strength) < nothing &&
          flight_stress_bound(s.mechanics, component) < safe_part * strength;
 }
 
 /// Whether the component may go from equilibrium to equilibrium.
-bool is_loaded_slowly(const StepWork& work, const Component& component) {
+bool is_loaded_slowly(const SimulationState& s, const Component& component) {
   constexpr double slow = 1e-3;
-  const SimulationState& s = *work.sim.state;
-  return component.supported && is_left_alone(work, component) &&
-         swing(s.mechanics, component, lowest_strength(s, component)) < slow;
+  return component.supported && swing(s.mechanics, component, lowest_strength(s, component)) < slow;
 }
 
 double fastest_vertex(const MechanicsState& state, const Component& component) {
@@ -112,10 +108,10 @@ double fastest_vertex(const MechanicsState& state, const Component& component) {
 }
 
 /// Whether what acts from outside is constant from now on.
-bool loads_are_steady(const Simulation& sim) {
-  const double now = sim.state->mechanics.time;
-  return now >= sim.scene.gravity.ramp_time &&
-         std::ranges::all_of(sim.state->loads, [&](const CornerLoad& l) { return now >= l.ramp_time; });
+bool loads_are_steady(const Scene& scene, const SimulationState& s) {
+  const double now = s.mechanics.time;
+  return now >= scene.gravity.ramp_time &&
+         std::ranges::all_of(s.loads, [&](const CornerLoad& l) { return now >= l.ramp_time; });
 }
 
 bool is_carried(const MechanicsState& state, const Component& component) {
@@ -159,13 +155,12 @@ void keep_awake_with_neighbours(LadderScratch& ladder, const SimulationState& s)
 }
 
 /// Marks components that may sleep from now on.
-void find_rested(StepWork& work) {
-  SimulationState& s = *work.sim.state;
-  const LadderSettings& settings = work.sim.scene.ladder;
+void find_rested(LadderScratch& ladder, SimulationState& s, const Scene& scene) {
+  const LadderSettings& settings = scene.ladder;
   // What lies still may creep by the depth that contact leaves alone, in the time it takes.
-  const double still_speed = work.sim.scene.contact.allowed_penetration / settings.sleep_after;
-  const bool steady = loads_are_steady(work.sim);
-  std::vector<char>& rested = work.sim.scratch->ladder.rested;
+  const double still_speed = scene.contact.allowed_penetration / settings.sleep_after;
+  const bool steady = loads_are_steady(scene, s);
+  std::vector<char>& rested = ladder.rested;
   s.ladder.still.resize(rested.size(), 0);
   for (const Component& c : s.mechanics.components) {
     if (c.tetrahedra.empty()) continue;
@@ -173,10 +168,10 @@ void find_rested(StepWork& work) {
     const bool moves = !steady || is_carried(s.mechanics, c) ||
                        s.impact.quiet[c.id.index()] != ImpactWindow::closed ||
                        fastest_vertex(s.mechanics, c) > still_speed;
-    still = moves ? 0 : still + work.sim.scene.time_step;
+    still = moves ? 0 : still + scene.integrator.time_step;
     rested[c.id.index()] = c.rung == Rung::asleep || still >= settings.sleep_after;
   }
-  keep_awake_with_neighbours(work.sim.scratch->ladder, s);
+  keep_awake_with_neighbours(ladder, s);
 }
 
 /// Gives the kinetic energy that is lost, J.
@@ -197,15 +192,6 @@ double fall_asleep(MechanicsState& state, Component& component) {
 
 }  // namespace
 
-std::vector<Finding> check(const LadderSettings& settings) {
-  // Written so that a NaN fails.
-  if (settings.sleep_after > 0) return {};
-  return {{.code = "bad_ladder_setting",
-           .text = "ladder.sleep_after is " + std::to_string(settings.sleep_after) +
-                   " s; allowed is a number above 0",
-           .remedy = "leave it out for the default, or set ladder.sleep to false"}};
-}
-
 double flight_stress_bound(const MechanicsState& state, const Component& component) {
   const Material& material = material_of(state, component);
   double energy = 0;
@@ -225,11 +211,9 @@ double flight_stress_bound(const MechanicsState& state, const Component& compone
          2 * material.density * squared_speed;
 }
 
-void note_touches(StepWork& work) {
-  const MechanicsState& m = work.sim.state->mechanics;
-  std::vector<char>& touched = work.sim.scratch->ladder.touched;
-  touched.resize(m.components.size(), 0);
-  for (const ContactPoint& c : work.sim.scratch->contact.contacts) {
+void note_touches(std::vector<char>& touched, const MechanicsState& m,
+                  std::span<const ContactPoint> contacts) {
+  for (const ContactPoint& c : contacts) {
     if (c.ball == ContactPoint::none) {
       touched[m.vertices.component[c.vertex.index()].index()] = 1;
     }
@@ -239,33 +223,32 @@ void note_touches(StepWork& work) {
   }
 }
 
-void choose_rungs(StepWork& work) {
-  SimulationState& s = *work.sim.state;
-  const LadderSettings& settings = work.sim.scene.ladder;
-  const bool climbs = work.sim.scene.integrator.integrator == Integrator::floating_frame;
-  LadderScratch& ladder = work.sim.scratch->ladder;
-  ladder.touched.resize(s.mechanics.components.size(), 0);
-  ladder.rested.assign(s.mechanics.components.size(), 0);
-  if (climbs && settings.sleep) find_rested(work);
-  find_loaded(work.sim);
+LadderReport choose_rungs(double& energy_released, SimulationState& s, const RungInput& input,
+                          LadderScratch& scratch) {
+  const LadderSettings& settings = input.scene.ladder;
+  const bool climbs = input.scene.integrator.integrator == Integrator::floating_frame;
+  scratch.rested.assign(s.mechanics.components.size(), 0);
+  if (climbs && settings.sleep) find_rested(scratch, s, input.scene);
+  find_loaded(scratch.loaded, s);
+  LadderReport report;
   for (Component& c : s.mechanics.components) {
     if (c.tetrahedra.empty()) continue;
     const std::size_t row = c.id.index();
-    double& given_up = work.report.energy_released;
-    if (ladder.rested[row]) {
-      if (c.rung != Rung::asleep) given_up += fall_asleep(s.mechanics, c);
-    } else if (climbs && settings.rigid && !ladder.loaded[row] && flies_safely(work, c)) {
-      if (c.rung != Rung::rigid) given_up += stop_deforming(s.mechanics, c);
+    const bool may_leave = climbs && is_left_alone(s, input.touched, c);
+    if (scratch.rested[row]) {
+      if (c.rung != Rung::asleep) energy_released += fall_asleep(s.mechanics, c);
+    } else if (may_leave && settings.rigid && !scratch.loaded[row] && flies_safely(s, c)) {
+      if (c.rung != Rung::rigid) energy_released += stop_deforming(s.mechanics, c);
       c.rung = Rung::rigid;
-    } else if (climbs && settings.quasi_static && is_loaded_slowly(work, c)) {
+    } else if (may_leave && settings.quasi_static && is_loaded_slowly(s, c)) {
       c.rung = Rung::quasi_static;
     } else {
       c.rung = Rung::full;
     }
-    LadderReport& report = work.report.ladder;
     ++report.components[static_cast<std::size_t>(c.rung)];
     report.tetrahedra[static_cast<std::size_t>(c.rung)] += c.tetrahedra.size();
   }
+  return report;
 }
 
 }  // namespace sunder

@@ -2,13 +2,14 @@
 // Which rung each component takes its next step on: no more than the scene needs (docs/ladder.md).
 #pragma once
 
+#include <span>
 #include <vector>
 
-#include "fracture/simulation/simulation_state.hpp"
+#include "fracture/simulation/scene.hpp"
+#include "fracture/simulation/state.hpp"
+#include "fracture/simulation/step_report.hpp"
 
 namespace sunder {
-
-struct StepWork;
 
 /// Bound on the largest principal node stress (Pa) that a free component can come to while nothing
 /// touches it, from what is in it now:
@@ -18,12 +19,19 @@ struct StepWork;
 /// mean stress of largest eigenvalue sigma holds at least V sigma^2 / (2 E), and it cannot hold
 /// more than there is. Second: centrifugal forces stress a rod with rho s^2 / 2 at most and a disc
 /// with 0.41 rho s^2; the factor leaves four times that for notches
-/// (`tests/fracture/simulation/ladder_test.cpp` holds it against the equilibria of spinning bodies). O(rows of
-/// the component).
+/// (`tests/fracture/simulation/ladder_test.cpp` holds it against the equilibria of spinning
+/// bodies). O(rows of the component).
 double flight_stress_bound(const MechanicsState& state, const Component& component);
 
-/// Marks the components that the contacts of the last part pushed at.
-void note_touches(StepWork& work);
+/// Marks the components that the contacts of a part pushed at; rows of `touched` = ComponentId.
+void note_touches(std::vector<char>& touched, const MechanicsState& state,
+                  std::span<const ContactPoint> contacts);
+
+/// What the choice of rungs asks beside the state.
+struct RungInput {
+  const Scene& scene;
+  const std::vector<char>& touched;  ///< row = ComponentId: a contact pushed at it in this step
+};
 
 /// Chooses the rungs of the next step, after everything else in this one:
 /// - `rigid`: free, not touched in this step, in no impact window, without surface loads, and
@@ -38,6 +46,8 @@ void note_touches(StepWork& work);
 ///   called rest for `sleep_after`, with gravity and loads fully raised. Touched by what is awake,
 ///   or overlapped on the way of anything, it wakes (mechanics/contact/contact.cpp).
 /// - `full`: all others, and everything under other integrators than floating_frame.
-void choose_rungs(StepWork& work);
+/// Gives how many are on which; what they give up (J) is added to `energy_released`.
+LadderReport choose_rungs(double& energy_released, SimulationState& state, const RungInput& input,
+                          LadderScratch& scratch);
 
 }  // namespace sunder

@@ -2,25 +2,18 @@
 // What a user chooses about the ladder.
 #pragma once
 
-#include <vector>
-
-#include "topology/kernel/finding.hpp"
-
 namespace sunder {
 
-/// How little of a component's motion may be computed (docs/ladder.md).
+/// Which components may be computed with less than full dynamics (docs/ladder.md).
 struct LadderSettings {
   /// Whether components in free flight that cannot break move as rigid bodies.
   bool rigid = true;
   /// Whether supported components under slow loads go from equilibrium to equilibrium.
   bool quasi_static = true;
-  /// Whether components that lie still are left alone until something touches them.
+  /// Whether components at rest are not stepped until something touches them.
   bool sleep = true;
-  /// How long they must have lain still, s.
+  /// How long they must have been at rest, s.
   double sleep_after = 0.1;
 };
-
-/// What is wrong with the settings, each an error with value and remedy.
-std::vector<Finding> check(const LadderSettings& settings);
 
 }  // namespace sunder

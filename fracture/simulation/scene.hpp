@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "fracture/strength/body_settings.hpp"
 #include "fracture/algorithms/fracture_settings.hpp"
 #include "fracture/simulation/ladder_settings.hpp"
+#include "fracture/strength/body_settings.hpp"
 #include "mechanics/contact/contact_settings.hpp"
 #include "mechanics/contact/impact_settings.hpp"
 #include "mechanics/contact/obstacle.hpp"
@@ -31,8 +31,7 @@ struct Scene {
   std::vector<BodySettings> bodies;
   std::vector<Obstacle> obstacles;
   GravitySettings gravity;
-  /// Length of a step and of the run, s.
-  double time_step = 1e-3;
+  /// Length of the run, s; that of a step is `integrator.time_step`.
   double duration = 1;
   IntegratorSettings integrator;
   ContactSettings contact;
@@ -44,5 +43,11 @@ struct Scene {
   /// How fast what is drawn follows the simulation after a split, s (section 3.3); 0: at once.
   double display_time_constant = 0.1;
 };
+
+/// Gravity at a time, m/s^2: raised linearly over the ramp.
+Vec3 gravity_at(const GravitySettings& gravity, double time);
+
+/// Number of steps of a scene: its duration over its time step, rounded up (to rounding errors).
+std::uint64_t step_count(const Scene& scene);
 
 }  // namespace sunder

@@ -35,8 +35,8 @@ std::size_t add_pressure(Simulation& sim, const BodyRows& rows, const LoadBox& b
   return count;
 }
 
-/// The force in equal parts on every vertex in the box; how many there are.
-std::size_t add_force(Simulation& sim, const BodyRows& rows, const LoadBox& box) {
+/// The force in equal parts on every vertex in the box.
+void add_force(Simulation& sim, const BodyRows& rows, const LoadBox& box) {
   const MechanicsState& m = sim.state->mechanics;
   std::vector<std::vector<CornerId>> star(m.vertices.size());
   for (std::size_t t = rows.first_tetrahedron; t < rows.end_tetrahedron; ++t) {
@@ -54,16 +54,9 @@ std::size_t add_force(Simulation& sim, const BodyRows& rows, const LoadBox& box)
     if (corners.empty()) continue;
     add_vertex_force(sim.state->loads, m, corners, box.force / static_cast<double>(count));
   }
-  for (std::size_t i = first; i < sim.state->loads.size(); ++i) sim.state->loads[i].ramp_time = box.ramp_time;
-  return count;
-}
-
-Finding nothing_loaded(const std::string& place, const char* what) {
-  return {.code = "nothing_loaded",
-          .text = fmt::format("{}: no {} of the mesh lies in its box", place, what),
-          .remedy =
-              "give the box in the mesh's own coordinates, m, before it is turned and moved; "
-              "a pressure needs boundary faces with all three vertices inside"};
+  for (std::size_t i = first; i < sim.state->loads.size(); ++i) {
+    sim.state->loads[i].ramp_time = box.ramp_time;
+  }
 }
 
 }  // namespace
@@ -73,18 +66,14 @@ std::vector<Finding> make_scene_loads(Simulation& sim) {
   for (std::size_t b = 0; b < sim.bodies.size(); ++b) {
     const std::vector<LoadBox>& boxes = sim.scene.bodies[b].loads;
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-      const std::string place = fmt::format("bodies[{}].loads[{}]", b, i);
-      const bool pushes = boxes[i].pressure != 0, pulls = !boxes[i].force.isZero(0);
-      if (!pushes && !pulls) {
-        findings.push_back({.code = "no_load",
-                            .text = place + " has neither a pressure nor a force",
-                            .remedy = "give \"pressure\" in Pa or \"force\" in N"});
-      }
-      if (pushes && add_pressure(sim, sim.bodies[b], boxes[i]) == 0) {
-        findings.push_back(nothing_loaded(place, "boundary face"));
-      }
-      if (pulls && add_force(sim, sim.bodies[b], boxes[i]) == 0) {
-        findings.push_back(nothing_loaded(place, "vertex"));
+      if (!boxes[i].force.isZero(0)) add_force(sim, sim.bodies[b], boxes[i]);
+      if (boxes[i].pressure != 0 && add_pressure(sim, sim.bodies[b], boxes[i]) == 0) {
+        findings.push_back(
+            {.code = "nothing_loaded",
+             .text =
+                 fmt::format("bodies.{}.loads.{}: no boundary face lies in its box whole", b, i),
+             .remedy = "give the box in the mesh's own coordinates, m, large enough for all three "
+                       "vertices of a face"});
       }
     }
   }

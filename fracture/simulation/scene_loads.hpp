@@ -6,9 +6,9 @@
 
 namespace sunder {
 
-/// Makes `sim.state->loads` of every `loads` entry of every body. Needs: map, columns and components at
-/// rest, nothing split. Errors: "no_load" for an entry with neither pressure nor force,
-/// "nothing_loaded" for one whose box holds no boundary face (pressure) or no vertex (force).
+/// Makes `sim.state->loads` of every `loads` entry of every body. Needs: map, columns and
+/// components at rest, nothing split, settings without errors. Error nothing_loaded: a pressure
+/// whose box holds no boundary face whole.
 std::vector<Finding> make_scene_loads(Simulation& sim);
 
 }  // namespace sunder

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // A scene in motion: one step is contact, mechanics, fracture, components. No file is read or
-// written, and no clock decides anything: times of stages are only reported.
+// written, and no result depends on a clock: times of stages are only reported.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -27,32 +28,41 @@ struct Simulation {
 
   Scene scene;
   std::vector<BodyRows> bodies;
-  /// fracture/simulation/simulation_state.hpp.
+  /// Threads for factors and contact of large pieces, at least 1; outcomes are the same bytes for
+  /// any number. May change between steps.
+  unsigned threads = 1;
+  /// What evolves. Internal: its type is no part of the public headers.
   Owned<SimulationState> state;
-  /// Working memory and caches.
+  /// Working memory: may be replaced by new one between any two steps. Internal.
   Owned<SimulationScratch> scratch;
 };
 
 using StepObserver = std::function<void(const Simulation&, const PartReport&)>;
 
 /// Builds every body of a scene at its start: map, columns, supports, placement, components.
-/// The findings tell all that is wrong with meshes, materials, obstacles and settings; warnings and
+/// Errors: all that is wrong with meshes and settings (`check_mesh`, `check_scene`). Warnings and
 /// notes may stand beside a simulation. O(|T|).
 Result<Simulation> build_simulation(Scene scene);
 
-/// One step of length `scene.time_step`: contact and external forces -> integrate -> element stress
-/// at the new state -> fracture -> components (docs/decisions.md, Order of a step).
-/// A step that would run into a blow is divided for the components struck and what they can reach:
-/// frozen deformations up to the blow, sub-steps while it lasts, each with its own fractures, and
-/// the rest at once; all others take the whole step, and everybody meets at its end
-/// (docs/impact.md). `observe` is called after each part.
+/// One step, `scene.integrator.time_step` long: contact and external forces -> integrate -> element
+/// stress at the new state -> fracture -> components (docs/decisions.md, Order of a step). A step
+/// in which something is struck is divided for the components struck and those they can reach:
+/// deformations are frozen up to the impact, sub-steps follow while the waves run, each with its
+/// own search for fractures, and the remainder is taken at once; all other components take the
+/// whole step (docs/impact.md). `observe` is called after each part.
 /// With a script its fans are made instead of looking for any.
 /// After an outcome other than fine in `status`, a stress that is not a number, or a departure from
-/// the script, the simulation must not be advanced further; the state is as computed, for whoever
-/// wants to look.
+/// the script, the simulation must not be advanced further; the state is as computed, to be looked
+/// at.
 StepReport advance(Simulation& simulation, const StepObserver& observe = {});
 
-/// Gravity at a time, m/s^2: raised linearly over the ramp.
-Vec3 gravity_at(const GravitySettings& gravity, double time);
+/// Steps taken since the start.
+std::uint64_t steps_taken(const Simulation& simulation);
+
+/// Simulated time since the start, s.
+double simulated_time(const Simulation& simulation);
+
+/// Row of the body that a tetrahedron belongs to, whatever has come off.
+std::size_t body_of(const Simulation& simulation, TetId tetrahedron);
 
 }  // namespace sunder

@@ -1,85 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What evolves in a simulation, and the room it works in.
+// The inside of a simulation, for those who look at its rows and for observers of its parts.
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <limits>
-#include <optional>
-#include <vector>
-
-#include "fracture/algorithms/cells.hpp"
-#include "fracture/simulation/break_vertices.hpp"
-#include "fracture/energy/crack_energy.hpp"
-#include "fracture/simulation/fan_script.hpp"
 #include "fracture/simulation/simulation.hpp"
-#include "mechanics/contact/contact.hpp"
-#include "mechanics/state/loads.hpp"
-#include "mechanics/state/display_state.hpp"
-#include "mechanics/step.hpp"
+#include "fracture/simulation/state.hpp"
 
 namespace sunder {
-
-/// Impact windows: which components are stepped finely, and how finely.
-struct ImpactWindow {
-  static constexpr double closed = std::numeric_limits<double>::infinity();
-  /// Row = ComponentId: s since the component last felt a blow; `closed` for all others.
-  std::vector<double> quiet;
-  /// s, the scene's step over a power of two; kept while a window is open.
-  double sub_step = 0;
-};
-
-/// What decides on which rung components take their steps, beside their rows.
-struct LadderState {
-  std::vector<double> still;  ///< row = ComponentId: s for which it has lain still
-};
-
-/// What evolves and would have to be saved to go on later.
-struct SimulationState {
-  Cells cells;
-  MechanicsState mechanics;
-  /// Those of the scene, where they are now.
-  std::vector<Obstacle> obstacles;
-  ContactMemory contact;
-  ImpactWindow impact;
-  LadderState ladder;
-  /// Row = ComponentId: where each component is drawn (section 3.3), and the target it was given in
-  /// the last step.
-  std::vector<Pose> display, display_target;
-  std::vector<OpenCrack> cracks;  ///< whose energy is still being measured
-  std::uint64_t fans = 0;         ///< so far
-  std::uint64_t step = 0;
-  /// Surface loads of all bodies (`BodySettings::loads`); corners keep them through every split.
-  std::vector<CornerLoad> loads;
-  /// Fans to make in place of finding any: those of an earlier run (replay).
-  std::optional<FanScript> script;
-};
-
-/// The state at the start of the part of a step at hand, for the energy ledger.
-struct PartStart {
-  std::vector<Vec3> position;                          ///< m, world
-  std::vector<Vec3> displacement, rate, acceleration;  ///< m, m/s, m/s^2, body frame
-  std::vector<Vec3> momentum, angular_momentum;        ///< row = ComponentId
-  std::vector<double> work;                            ///< of a product with K
-  std::vector<char> touched;                           ///< row = ComponentId: contact gave it some
-};
-
-/// What the choice of rungs looks at, rows = ComponentId.
-struct LadderScratch {
-  std::vector<char> touched;  ///< a contact has pushed at it in this step
-  std::vector<char> rested, loaded;
-  std::vector<std::array<std::size_t, 2>> touching;
-};
-
-/// Working memory of a step and caches; can be thrown away between steps.
-struct SimulationScratch {
-  MechanicsScratch mechanics;
-  ContactScratch contact;
-  FractureScratch fracture;
-  LadderScratch ladder;
-  PartStart before;
-  Loads loads;
-};
 
 /// A part of a step as an observer sees it, right after it was taken and before anything breaks.
 struct PartReport {

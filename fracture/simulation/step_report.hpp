@@ -28,7 +28,7 @@ struct ImpactReport {
   /// Sub-steps, and the time they took together, s.
   std::uint32_t sub_steps = 0;
   double time = 0;
-  /// Most components that were stepped finely at once: the struck ones and what they could reach.
+  /// Most components that were sub-stepped at once: those struck and those that they could reach.
   std::uint32_t components = 0;
   /// Largest sub-step over the longest that resolves a blow it met; above 1 where pieces were
   /// struck that are smaller than the one the window was opened for.
@@ -37,15 +37,28 @@ struct ImpactReport {
   bool stopped = false;
 };
 
+constexpr auto counters_of(const ImpactReport*) {
+  return std::tuple{Counter{"windows", &ImpactReport::opened},
+                    Counter{"sub_steps", &ImpactReport::sub_steps},
+                    Counter{"time", &ImpactReport::time},
+                    Counter{"most_components", &ImpactReport::components, Adds::most},
+                    Counter{"coarseness", &ImpactReport::coarseness, Adds::most}};
+}
+
 /// Components and their tetrahedra by the rung of the step to come, rows as `Rung`.
 struct LadderReport {
   std::array<std::size_t, rung_count> components{}, tetrahedra{};
 };
 
+constexpr auto counters_of(const LadderReport*) {
+  return std::tuple{Counter{"component_steps", &LadderReport::components},
+                    Counter{"tetrahedron_steps", &LadderReport::tetrahedra}};
+}
+
 /// Where the energy of the bodies went in a step, J: work in = what came of it + residual,
 ///   gravity + loads + contact + supports
 ///     = kinetic + strain + damping work + numerical + energy released + residual.
-/// Everything is recomputed from rows and impulses, part by part; nothing is taken as the rest.
+/// Every term is computed by itself, part by part of the step; none is the difference of others.
 struct EnergyLedger {
   double kinetic = 0, strain = 0;  ///< change over the step
   double gravity = 0;              ///< sum m g . dx
@@ -60,8 +73,19 @@ struct EnergyLedger {
   /// what other integrators take is in the residual.
   double numerical = 0;
   double residual = 0;
-  double moved = 0;  ///< sum of the sizes of all terms: what the residual is to be compared with
+  double moved = 0;  ///< sum of the magnitudes of all terms, to compare the residual with
 };
+
+/// Kinetic and strain energy are those of the ends of a run and do not add up in it.
+constexpr auto counters_of(const EnergyLedger*) {
+  return std::tuple{Counter{"gravity_work", &EnergyLedger::gravity},
+                    Counter{"load_work", &EnergyLedger::loads},
+                    Counter{"contact_work", &EnergyLedger::contact},
+                    Counter{"support_work", &EnergyLedger::supports},
+                    Counter{"friction_heat", &EnergyLedger::friction},
+                    Counter{"numerical_loss", &EnergyLedger::numerical},
+                    Counter{"residual", &EnergyLedger::residual}};
+}
 
 /// What one step did.
 struct StepReport {
@@ -93,6 +117,8 @@ struct StepReport {
   /// J, given up by pieces that became rigid tetrahedra and by components that took a lower rung.
   double energy_released = 0;
   std::size_t components = 0;
+  /// Those that came off in this step, ascending.
+  std::vector<ComponentId> new_components;
   /// Wall time of each stage, ms. For reports only.
   std::array<double, stage_names.size()> stage_ms{};
 };

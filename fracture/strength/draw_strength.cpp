@@ -49,38 +49,21 @@ std::int32_t region_of(const TetMesh& mesh, std::size_t t) {
   return mesh.region.empty() ? 0 : mesh.region[t];
 }
 
-/// Findings of one body, with its place.
-struct BodyFindings {
-  std::string place;
-  std::vector<Finding>& findings;
+void add_unknown_region(fields::SettingsCheck& to, const std::string& where,
+                        const RegionName& name) {
+  to.add("unknown_region", where,
+         fmt::format("is '{}': no tetrahedron of the mesh has it", name.text),
+         "give the name or the number of a region; `sunder check` lists them");
+}
 
-  void add(const char* code, const std::string& where, const std::string& text,
-           const std::string& remedy) const {
-    findings.push_back(
-        {.code = code, .text = fmt::format("{}.{} {}", place, where, text), .remedy = remedy});
-  }
-  void number(const std::string& where, double value) const {
-    if (value > 0 && std::isfinite(value)) return;
-    add("strength_out_of_range", where, fmt::format("is {}; allowed is above 0", value),
-        "give a finite number above 0");
-  }
-  void unknown_region(const std::string& where, const RegionName& name) const {
-    add("unknown_region", where,
-        fmt::format("is '{}': no tetrahedron of the mesh has it", name.text),
-        "give the name or the number of a region; `sunder check` lists them");
-  }
-};
-
-void check_regions(const BodyFindings& to, const BodySettings& body) {
+void check_regions(fields::SettingsCheck& to, const BodySettings& body) {
   std::vector<std::int32_t> seen;
   for (std::size_t i = 0; i < body.strength.regions.size(); ++i) {
     const RegionStrength& r = body.strength.regions[i];
-    const std::string where = fmt::format("strength.regions[{}]", i);
-    if (r.tensile_strength) to.number(where + ".tensile_strength", *r.tensile_strength);
-    if (r.toughness) to.number(where + ".toughness", *r.toughness);
+    const std::string where = fmt::format("strength.regions.{}", i);
     const auto region = find_region(body.mesh, r.region);
     if (!region) {
-      to.unknown_region(where + ".region", r.region);
+      add_unknown_region(to, where + ".region", r.region);
       continue;
     }
     if (std::ranges::find(seen, *region) != seen.end()) {
@@ -91,7 +74,7 @@ void check_regions(const BodyFindings& to, const BodySettings& body) {
   }
 }
 
-void check_painted(const BodyFindings& to, const BodySettings& body) {
+void check_painted(fields::SettingsCheck& to, const BodySettings& body) {
   const std::vector<double>& painted = body.strength.painted;
   if (painted.empty()) return;
   if (painted.size() != body.mesh.points.size()) {
@@ -111,22 +94,13 @@ void check_painted(const BodyFindings& to, const BodySettings& body) {
   }
 }
 
-void check_unbreakable(const BodyFindings& to, const BodySettings& body) {
+void check_unbreakable(fields::SettingsCheck& to, const BodySettings& body) {
   for (std::size_t i = 0; i < body.unbreakable.size(); ++i) {
-    const std::string where = fmt::format("unbreakable[{}]", i);
-    if (const auto* name = std::get_if<RegionName>(&body.unbreakable[i].where)) {
-      if (!find_region(body.mesh, *name)) to.unknown_region(where + ".region", *name);
-      continue;
+    const std::string where = fmt::format("unbreakable.{}", i);
+    const auto* name = std::get_if<RegionName>(&body.unbreakable[i].where);
+    if (name != nullptr && !find_region(body.mesh, *name)) {
+      add_unknown_region(to, where + ".region", *name);
     }
-    const RestBox& box = std::get<RestBox>(body.unbreakable[i].where);
-    const Eigen::AlignedBox3d inside(box.minimum, box.maximum);
-    if (std::ranges::any_of(body.mesh.points, [&](const Point& p) {
-          return inside.contains(Vec3(p[0], p[1], p[2]));
-        })) {
-      continue;
-    }
-    to.add("nothing_unbreakable", where + ".box", "contains no vertex of the mesh",
-           "give the box in the mesh's own coordinates, m, its minimum below its maximum");
   }
 }
 
@@ -186,19 +160,10 @@ std::optional<std::int32_t> find_region(const TetMesh& mesh, const RegionName& n
   return region;
 }
 
-std::vector<Finding> check_strengths(std::span<const BodySettings> bodies) {
-  std::vector<Finding> findings;
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const BodyFindings to{fmt::format("bodies[{}]", b), findings};
-    check_regions(to, bodies[b]);
-    check_painted(to, bodies[b]);
-    check_unbreakable(to, bodies[b]);
-    if (const auto& weibull = bodies[b].strength.weibull) {
-      to.number("strength.weibull.modulus", weibull->modulus);
-      to.number("strength.weibull.reference_volume", weibull->reference_volume);
-    }
-  }
-  return findings;
+void check_strength(fields::SettingsCheck& check, const BodySettings& body) {
+  check_regions(check, body);
+  check_painted(check, body);
+  check_unbreakable(check, body);
 }
 
 BodyMaterials materials_of(const BodySettings& body) {

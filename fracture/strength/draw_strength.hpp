@@ -9,6 +9,7 @@
 
 #include "fracture/algorithms/cells.hpp"
 #include "fracture/strength/body_settings.hpp"
+#include "mechanics/state/check_settings.hpp"
 #include "topology/kernel/finding.hpp"
 
 namespace sunder {
@@ -31,9 +32,9 @@ double weibull_factor(const WeibullSettings& settings, const DrawPlace& place);
 /// tetrahedron has it. A mesh without regions has the region 0.
 std::optional<std::int32_t> find_region(const TetMesh& mesh, const RegionName& name);
 
-/// What the bodies' strengths and unbreakable parts get wrong, errors with their place:
-/// unknown_region, repeated_region, strength_out_of_range, painted_strength, nothing_unbreakable.
-std::vector<Finding> check_strengths(std::span<const BodySettings> bodies);
+/// What a body's strengths and unbreakable parts get wrong beside ranges: unknown_region,
+/// repeated_region, painted_strength. Needs: a mesh with tetrahedra.
+void check_strength(fields::SettingsCheck& check, const BodySettings& body);
 
 /// Materials of a body: its own, then one for each entry of `strength.regions`; and for every
 /// tetrahedron of its mesh which of them it has. Needs: settings without errors.

@@ -34,7 +34,7 @@ struct Cut {
   std::string place;
   std::vector<Finding>& findings;
 
-  void add(const char* code, const std::string& text, const char* remedy) const {
+  void add(const std::string& code, const std::string& text, const std::string& remedy) const {
     findings.push_back(
         {.code = code, .text = fmt::format("{}: {}", place, text), .remedy = remedy});
   }
@@ -44,8 +44,9 @@ std::vector<HalfFaceId> faces_of(const Cut& cut, const VolumeMap& map, const Cut
   const Vec3& n = plane.normal;
   Result<std::vector<HalfFaceId>> faces =
       plane_faces(map, CuttingPlane{{n[0], n[1], n[2]}, n.dot(plane.point)});
-  if (!faces) {
-    cut.add("not_a_direction", faces.findings.front().text, "give a normal that is not zero");
+  if (!faces) {  // an offset beyond all doubles
+    const Finding& f = faces.findings.front();
+    cut.add(f.code, f.text, f.remedy);
     return {};
   }
   std::erase_if(*faces, [&](HalfFaceId f) {
@@ -79,19 +80,7 @@ std::vector<HalfFaceId> faces_of(const Cut& cut, const VolumeMap& map, const Fac
   return faces;
 }
 
-void check_place(const Cut& cut) {
-  const CutSettings& c = cut.settings;
-  if (c.box && !(c.box->minimum.array() <= c.box->maximum.array()).all()) {
-    cut.add("bad_box", "its box has a minimum above its maximum", "exchange them where they are");
-  }
-  if (c.ball && !(c.ball->radius > 0)) {
-    cut.add("bad_ball", fmt::format("its ball has the radius {} m", c.ball->radius),
-            "give a radius above 0");
-  }
-}
-
 std::vector<HalfFaceId> faces_of(const Cut& cut, const VolumeMap& map) {
-  check_place(cut);
   const std::size_t before = cut.findings.size();
   std::vector<HalfFaceId> faces =
       std::visit([&](const auto& what) { return faces_of(cut, map, what); }, cut.settings.faces);
@@ -112,7 +101,7 @@ std::vector<Finding> make_cuts(VolumeMap& map, std::span<const BodySettings> bod
   std::vector<HalfFaceId> faces;  // all chosen on the intact map
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     for (std::size_t i = 0; i < bodies[b].cuts.size(); ++i) {
-      const Cut cut{bodies[b].cuts[i], rows[b], fmt::format("bodies[{}].cuts[{}]", b, i), findings};
+      const Cut cut{bodies[b].cuts[i], rows[b], fmt::format("bodies.{}.cuts.{}", b, i), findings};
       const std::vector<HalfFaceId> more = faces_of(cut, map);
       faces.insert(faces.end(), more.begin(), more.end());
     }

@@ -2,9 +2,9 @@
 // Broyden's method with limited memory on the equation of implicit Euler.
 #include "mechanics/baselines/broyden.hpp"
 
-#include "mechanics/integrators/baseline_system.hpp"
 #include "mechanics/baselines/euler_problem.hpp"
 #include "mechanics/frame/rigid_reference.hpp"
+#include "mechanics/integrators/baseline_system.hpp"
 
 namespace sunder {
 namespace {

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <limits>
 
-#include "mechanics/element/corotational_force.hpp"
-#include "mechanics/integrators/baseline_system.hpp"
 #include "mechanics/baselines/euler_problem.hpp"
-#include "mechanics/integrators/model_force.hpp"
+#include "mechanics/element/corotational_force.hpp"
 #include "mechanics/frame/rigid_reference.hpp"
+#include "mechanics/integrators/baseline_system.hpp"
+#include "mechanics/integrators/model_force.hpp"
 
 namespace sunder {
 namespace {
@@ -22,7 +22,7 @@ void for_each_block(const ReassembledSystem& system, const ComponentStep& step, 
   const Corners& corners = step.input.corners[t.index()];
   const auto row_of = [&](int a) {
     const std::uint32_t local =
-        step.scratch.local_row[corners[static_cast<std::size_t>(a)].index()];
+        step.state.systems.local_row[corners[static_cast<std::size_t>(a)].index()];
     return local < system.row.size() ? system.row[local] : ReassembledSystem::none;
   };
   std::size_t k = 0;
@@ -45,8 +45,8 @@ VertexGraph free_graph(const ComponentStep& step) {
   for (TetId t : step.component.tetrahedra) {
     for (VertexId a : step.input.corners[t.index()]) {
       for (VertexId b : step.input.corners[t.index()]) {
-        const std::uint32_t i = step.scratch.local_row[a.index()];
-        const std::uint32_t j = step.scratch.local_row[b.index()];
+        const std::uint32_t i = step.state.systems.local_row[a.index()];
+        const std::uint32_t j = step.state.systems.local_row[b.index()];
         if (i < n && j < n && i != j) links.emplace_back(i, j);
       }
     }
@@ -165,7 +165,7 @@ void solve_reassembled(WorldField& impulse, ReassembledSystem& system, const Com
                        const Mat3& R) {
   const double h = step.input.settings.time_step;
   const std::size_t n = system.row.size();
-  factor(system.factor, system.analysis, {system.matrix, system.mass, 1, h * h}, system.room);
+  factor(system.factor, system.analysis, {system.matrix, system.mass, 1, h * h}, system.scratch);
   system.solution.resize(3 * n);
   Eigen::Map<Eigen::Matrix3Xd> x(system.solution.data(), 3, static_cast<Eigen::Index>(n));
   for (std::size_t i = 0; i < n; ++i) {

@@ -17,7 +17,7 @@ struct ReassembledSystem {
   Eigen::VectorXd mass;            ///< by rows
   BlockMatrix matrix;
   BlockFactor factor;
-  FactorRoom room;
+  FactorScratch scratch;
   std::vector<double> solution;  ///< by rows
   static constexpr std::uint32_t none = 0xffffffff;
   std::vector<std::array<std::uint32_t, 10>> places;  ///< of each element's blocks; none: held

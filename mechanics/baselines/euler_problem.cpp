@@ -4,12 +4,12 @@
 
 #include <limits>
 
-#include "mechanics/integrators/baseline_system.hpp"
 #include "mechanics/baselines/corotational_euler.hpp"
 #include "mechanics/baselines/implicit_euler.hpp"
+#include "mechanics/element/strain_displacement.hpp"
+#include "mechanics/integrators/baseline_system.hpp"
 #include "mechanics/integrators/modal.hpp"
 #include "mechanics/integrators/model_force.hpp"
-#include "mechanics/element/strain_displacement.hpp"
 
 namespace sunder {
 namespace {
@@ -25,7 +25,7 @@ void make_diagonal(const ComponentStep& step) {
     const Lame constants = lame(step.state.materials[elements.material[t.index()].index()]);
     for (int a = 0; a < 4; ++a) {
       const std::size_t v = step.input.corners[t.index()][a].index();
-      diagonal.middleCols<3>(3 * step.scratch.local_row[v]) +=
+      diagonal.middleCols<3>(3 * step.state.systems.local_row[v]) +=
           stiffness_block(G.col(a), G.col(a), elements.rest_volume[t.index()], constants);
     }
   }
@@ -168,7 +168,7 @@ void fall_back(const ComponentStep& step, SolveReport report) {
   if (step.input.settings.model == ElasticModel::corotational) {
     step_reassembled_euler(by_factor);
   } else {
-    by_factor.system = &prepared_system(step.scratch, step.state, step.input, step.component);
+    by_factor.system = &prepared_system(step.state, step.input, step.component);
     step_implicit_euler(by_factor);
   }
   step.scratch.predicted.frame[step.component.id.index()].solve = report;

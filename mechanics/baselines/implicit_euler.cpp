@@ -36,11 +36,11 @@ Field impulse_of_forces(const ComponentStep& step, const Pose& frame, const Fiel
   const bool at_start = step.component.supported || settings.euler_frame == EulerFrame::current;
   const Mat3 R = frame.orientation.toRotationMatrix();
 
-  Field deforming = work_field(step.scratch, Work::displacement, system.size());
+  Field deforming = scratch_field(step.scratch, ScratchField::displacement, system.size());
   deforming = rate;
   if (!step.component.supported) project_acceleration(deforming, system.shape);
   // K takes the displacement and the damped rate in one product.
-  Field argument = work_field(step.scratch, Work::argument, system.size());
+  Field argument = scratch_field(step.scratch, ScratchField::argument, system.size());
   for (std::size_t i = 0; i < system.size(); ++i) {
     const std::size_t v = system.order[i].index();
     const auto column = static_cast<Eigen::Index>(i);
@@ -49,10 +49,10 @@ Field impulse_of_forces(const ComponentStep& step, const Pose& frame, const Fiel
     argument.col(column) = R.transpose() * (x - frame.centre) - system.shape.arm.col(column);
   }
   argument += (b + (at_start ? h : 0)) * deforming;
-  Field elastic = work_field(step.scratch, Work::product, system.size());
+  Field elastic = scratch_field(step.scratch, ScratchField::product, system.size());
   multiply_stiffness(as_vector(elastic), system, as_vector(argument));
 
-  Field load = work_field(step.scratch, Work::load, system.size());
+  Field load = scratch_field(step.scratch, ScratchField::load, system.size());
   load.setZero();
   add_body_load(load, step, R);
   load = h * (load - elastic - a * (deforming * system.shape.mass.asDiagonal()));
@@ -67,7 +67,7 @@ void step_implicit_euler(const ComponentStep& step) {
   const Pose frame = linearisation_frame(step);
   const Mat3 R = frame.orientation.toRotationMatrix();
 
-  Field rate = work_field(step.scratch, Work::rate, system.size());
+  Field rate = scratch_field(step.scratch, ScratchField::rate, system.size());
   gather(rate, system.order, step.state.vertices.velocity);
   rate = (R.transpose() * (rate.colwise() - step.component.frame_velocity)).eval();
 

@@ -2,11 +2,11 @@
 // Newton's method, matrix-free but for the product with K.
 #include "mechanics/baselines/newton_cg.hpp"
 
-#include "mechanics/element/corotational_force.hpp"
-#include "mechanics/integrators/baseline_system.hpp"
 #include "mechanics/baselines/euler_problem.hpp"
+#include "mechanics/element/corotational_force.hpp"
 #include "mechanics/frame/mean_axis.hpp"
 #include "mechanics/frame/rigid_reference.hpp"
+#include "mechanics/integrators/baseline_system.hpp"
 
 namespace sunder {
 namespace {

@@ -7,18 +7,19 @@
 
 #include "mechanics/contact/contact_bounce.hpp"
 #include "mechanics/contact/contact_step.hpp"
+#include "mechanics/contact/obstacle_geometry.hpp"
 #include "mechanics/state/living.hpp"
 
 namespace sunder {
 
-ContactScratch::ContactScratch() : room(std::make_unique<Room>()) {}
+ContactScratch::ContactScratch() : buffers(std::make_unique<Buffers>()) {}
 ContactScratch::~ContactScratch() = default;
 ContactScratch::ContactScratch(ContactScratch&&) noexcept = default;
 ContactScratch& ContactScratch::operator=(ContactScratch&&) noexcept = default;
 
 StepPaths paths_of(const ContactStep& step) {
   return {step.pass.state,        step.pass.input.corners, step.pass.mechanics.predicted.position,
-          step.pass.obstacles,    step.room.ball_end,      step.h(),
+          step.pass.obstacles,    step.scratch.ball_end,   step.h(),
           step.pass.input.members};
 }
 
@@ -32,14 +33,14 @@ namespace {
 
 void predict_balls(ContactStep& step) {
   const std::vector<Obstacle>& obstacles = step.pass.obstacles;
-  step.room.ball_end.resize(obstacles.size(), Vec3::Zero());
+  step.scratch.ball_end.resize(obstacles.size(), Vec3::Zero());
   if (step.is_wave()) return predict_wave_balls(step);
   const double h = step.h();
   for (std::size_t k = 0; k < obstacles.size(); ++k) {
     if (!obstacles[k].mass) continue;
     Vec3 motion = h * obstacles[k].velocity;
-    if (!step.room.blows.ball_touched[k]) motion += 0.5 * h * h * step.pass.input.loads.gravity;
-    step.room.ball_end[k] = std::get<Sphere>(obstacles[k].shape).center + motion;
+    if (!step.scratch.blows.ball_touched[k]) motion += 0.5 * h * h * step.pass.input.loads.gravity;
+    step.scratch.ball_end[k] = std::get<Sphere>(obstacles[k].shape).center + motion;
   }
 }
 
@@ -51,29 +52,29 @@ double measure_rows(ContactStep& step) {
   double worst = 0;
   for (std::size_t k = 0; k < step.contacts.size(); ++k) {
     const ContactPoint& contact = step.contacts[k];
-    ContactRow& row = step.room.bodies.rows[k];
+    ContactRow& row = step.scratch.bodies.rows[k];
     const ContactPath path = path_of(contact, paths);
-    row.gap = predicted_lack(step, contact, path);
+    row.gap = predicted_gap_error(step, contact, path);
     row.compliance = step.settings.compliance / step.h();
     row.friction = contact.friction;
     row.impulse = contact.impulse;
     row.slip = path.end - path.start + relative_shift(step, contact);
     for (std::uint32_t e = 0; e < row.end_count; ++e) {
-      const std::uint32_t ball = step.room.bodies.ball[row.ends[e].body];
+      const std::uint32_t ball = step.scratch.bodies.ball[row.ends[e].body];
       if (ball == ContactBodies::none) continue;
       row.slip +=
           step.h() * row.ends[e].weight * step.pass.obstacles[ball].spin.cross(row.ends[e].arm);
     }
     const double pressed = row.normal.dot(row.impulse);
-    const double lack = row.gap + row.compliance * pressed;
-    worst = std::max(worst, pressed > 0 ? std::abs(lack) : -lack);
+    const double gap_error = row.gap + row.compliance * pressed;
+    worst = std::max(worst, pressed > 0 ? std::abs(gap_error) : -gap_error);
   }
   return worst;
 }
 
 /// Solves, hands the changes on, and predicts what was touched.
 void solve_pass(ContactStep& step) {
-  ContactBodies& bodies = step.room.bodies;
+  ContactBodies& bodies = step.scratch.bodies;
   // With a unit step, displacements are velocities.
   const double over = step.is_wave() ? step.h() : 1;
   const SolveOutcome outcome = solve_contacts(
@@ -81,16 +82,16 @@ void solve_pass(ContactStep& step) {
       {step.is_wave() ? 1 : step.h(), step.report.tolerated / over, step.settings.max_iterations});
   step.report.iterations += outcome.iterations;
   step.report.converged = step.report.converged && outcome.converged;
-  step.room.change.resize(step.contacts.size());
+  step.scratch.change.resize(step.contacts.size());
   for (std::size_t k = 0; k < step.contacts.size(); ++k) {
-    step.room.change[k] = bodies.rows[k].impulse - step.contacts[k].impulse;
+    step.scratch.change[k] = bodies.rows[k].impulse - step.contacts[k].impulse;
     step.contacts[k].impulse = bodies.rows[k].impulse;
   }
   if (step.is_wave()) {
     apply_wave_changes(step);
   } else {
-    apply_changes(step.room.blows, bodies, step.room.change, step.pass);
-    predict_touched(step.room.blows, step.pass);
+    apply_changes(step.scratch.blows, bodies, step.scratch.change, step.pass);
+    predict_touched(step.scratch.blows, step.pass);
   }
   predict_balls(step);
   ++step.report.passes;
@@ -110,7 +111,7 @@ void guess_from_last_step(ContactStep& step) {
     // Turned with the normal, so that it stays inside the bounds and the circle.
     const Eigen::Quaterniond turn =
         Eigen::Quaterniond::FromTwoVectors(found->contact.normal, contact.contact.normal);
-    step.room.bodies.rows[k].guess = step.h() / found->step * (turn * found->contact.impulse);
+    step.scratch.bodies.rows[k].guess = step.h() / found->step * (turn * found->contact.impulse);
   }
 }
 
@@ -142,9 +143,9 @@ bool resolve(ContactStep& step) {
     if (deepest == 0) return true;
     step.report.tolerated = step.settings.tolerance * deepest;
     if (k == 0 || step.contacts.size() != before) {
-      gather_bodies(step.room.bodies, step.contacts, step.pass);
+      gather_bodies(step.scratch.bodies, step.contacts, step.pass);
     } else {
-      for (ContactRow& row : step.room.bodies.rows) row.guess.setZero();
+      for (ContactRow& row : step.scratch.bodies.rows) row.guess.setZero();
     }
     step.report.residual = measure_rows(step);
     // A thousandth of the overlap, and far below the depth that is never pushed out.
@@ -168,8 +169,8 @@ void move_obstacles(ContactStep& step) {
     if (!obstacle.mass) {
       translate(obstacle.shape, step.h() * obstacle.velocity);
     } else if (step.pass.input.members.has_ball(k) && !step.is_wave()) {
-      std::get<Sphere>(obstacle.shape).center = step.room.ball_end[k];
-      if (!step.room.blows.ball_touched[k]) obstacle.velocity += fall;
+      std::get<Sphere>(obstacle.shape).center = step.scratch.ball_end[k];
+      if (!step.scratch.blows.ball_touched[k]) obstacle.velocity += fall;
     }
   }
   if (step.is_wave()) move_wave_balls(step);
@@ -198,24 +199,24 @@ void sum_impulses(ContactStep& step) {
   }
 }
 
-/// Makes room for a step.
+/// As many rows in the scratch as the step needs, and a first prediction.
 void begin_step(ContactStep& step) {
-  ContactScratch::Room& room = step.room;
-  const MechanicsState& state = step.pass.state;
+  ContactScratch::Buffers& scratch = step.scratch;
+  MechanicsState& state = step.pass.state;
   const std::size_t balls = step.pass.obstacles.size();
-  room.blows.component_touched.assign(state.components.size(), 0);
-  room.blows.ball_touched.assign(balls, 0);
-  room.blows.vertex_impulse.assign(state.vertices.size(), Vec3::Zero());
-  room.blows.ball_impulse.assign(balls, Vec3::Zero());
-  room.blows.ball_twist.assign(balls, Vec3::Zero());
-  room.count.assign(state.components.size(), 0);
+  scratch.blows.component_touched.assign(state.components.size(), 0);
+  scratch.blows.ball_touched.assign(balls, 0);
+  scratch.blows.vertex_impulse.assign(state.vertices.size(), Vec3::Zero());
+  scratch.blows.ball_impulse.assign(balls, Vec3::Zero());
+  scratch.blows.ball_twist.assign(balls, Vec3::Zero());
+  scratch.count.assign(state.components.size(), 0);
   const StepInput& input = step.pass.input;
-  prepare(step.pass.mechanics, state, input);
+  prepare(state, input);
   for_each_living(state, input.members, [&](const Component& component) {
     predict(step.pass.mechanics, state, input, {&component.id, 1});
   });
   if (input.members.component.empty()) return;
-  // What keeps still is where it is; the room for it is there also where no member lives.
+  // What keeps still is where it is; its rows are there also where no member lives.
   predict(step.pass.mechanics, state, input, {});
   for (std::size_t v = 0; v < state.vertices.size(); ++v) {
     if (input.members.has(state.vertices.component[v])) continue;
@@ -230,7 +231,7 @@ void end_step(ContactStep& step, bool fine) {
   const bool bounces =
       step.deformation() == Deformation::whole || step.deformation() == Deformation::catch_up;
   if (fine && bounces) {
-    take_back_bounce(step.contacts, step.room.bodies, step.pass, step.settings);
+    take_back_bounce(step.contacts, step.scratch.bodies, step.pass, step.settings);
   }
   sum_impulses(step);
   remember_contacts(step);
@@ -238,20 +239,33 @@ void end_step(ContactStep& step, bool fine) {
 
 }  // namespace
 
+void add_contact(ContactReport& sum, const ContactReport& part) {
+  add_part(sum, part);
+  if (part.residual - part.tolerated >= sum.residual - sum.tolerated) {
+    sum.residual = part.residual;
+    sum.tolerated = part.tolerated;
+  }
+  sum.converged = sum.converged && part.converged;
+  const std::size_t obstacles = std::max(sum.obstacle_impulse.size(), part.obstacle_impulse.size());
+  sum.obstacle_impulse.resize(obstacles, Vec3::Zero());
+  for (std::size_t k = 0; k < part.obstacle_impulse.size(); ++k) {
+    sum.obstacle_impulse[k] += part.obstacle_impulse[k];
+  }
+}
+
 ContactStepResult advance_with_contact(const ContactWorld& world, const StepInput& input,
                                        const ContactSettings& settings,
                                        const ContactStepScratch& scratch) {
-  scratch.contact.contacts.clear();
   ContactStep step{{input, world.state, world.obstacles, scratch.mechanics},
                    world.memory,
                    settings,
-                   scratch.contact.contacts,
-                   *scratch.contact.room,
+                   *scratch.contact.buffers,
+                   {},
                    {},
                    {}};
   begin_step(step);
   predict_balls(step);
-  update_allowances(world.memory, step.room.detect, paths_of(step), step.settings);
+  update_allowances(world.memory, step.scratch.detect, paths_of(step), step.settings);
   ContactStepResult result;
   result.adopted = resolve(step);
   if (result.adopted) {
@@ -262,6 +276,7 @@ ContactStepResult advance_with_contact(const ContactWorld& world, const StepInpu
   }
   result.blows = std::move(step.blows);
   result.report = std::move(step.report);
+  result.contacts = std::move(step.contacts);
   return result;
 }
 

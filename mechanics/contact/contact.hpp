@@ -54,16 +54,15 @@ struct ContactMemory {
   std::vector<ComponentId> vertex_component, tetrahedron_component;
 };
 
-/// Room of one step, kept for the next; all of it may be thrown away between steps.
+/// Scratch of one step, kept for the next; all of it may be thrown away between steps.
 struct ContactScratch {
   ContactScratch();
   ~ContactScratch();
   ContactScratch(ContactScratch&&) noexcept;
   ContactScratch& operator=(ContactScratch&&) noexcept;
 
-  std::vector<ContactPoint> contacts;  ///< of the last step, with their impulses
-  struct Room;
-  std::unique_ptr<Room> room;
+  struct Buffers;
+  std::unique_ptr<Buffers> buffers;
 };
 
 /// Everything that moves in a step.
@@ -81,6 +80,7 @@ struct ContactStepScratch {
 struct ContactStepResult {
   StepStatus status;
   ContactReport report;
+  std::vector<ContactPoint> contacts;  ///< those with an impulse
   Blows blows;  ///< only where `StepPart::impact` is given
   /// False: there are blows ahead, and nothing was done.
   bool adopted = true;
@@ -89,8 +89,8 @@ struct ContactStepResult {
 /// One whole step: predicts it without contact, finds what would overlap on the way (swept: fast
 /// points do not pass thin obstacles), solves for the impulses that leave
 ///   gap_end + C j_n / h >= 0,  j_n >= 0,  one of them zero,  |j_t| <= mu j_n against the slip,
-/// by projected Gauss-Seidel with the bodies' own rigid and elastic answer, predicts what was
-/// touched again, repeats that while the answer's curvature matters, and adopts. No restitution.
+/// by projected Gauss-Seidel with the bodies' own rigid and elastic response, predicts what was
+/// touched again, repeats that while the response's curvature matters, and adopts. No restitution.
 /// The impulse acts on the frame (P, L) at the start of the step and on the deformation as the
 /// force j / h during it; weight likewise turns from a parabola into a blow at the start for what
 /// is touched. So a body at rest has v = 0 and its static stress. The same blow on the deformation

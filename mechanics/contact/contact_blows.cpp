@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The way of contact impulses into frames, deformations and balls.
 #include "mechanics/contact/contact_bodies.hpp"
+#include "mechanics/contact/obstacle_geometry.hpp"
 #include "topology/kernel/assert.hpp"
 
 namespace sunder {

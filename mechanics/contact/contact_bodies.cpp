@@ -4,11 +4,12 @@
 
 #include <algorithm>
 
-#include "mechanics/solver/component_system.hpp"
+#include "mechanics/contact/obstacle_geometry.hpp"
+#include "mechanics/frame/rotation.hpp"
 #include "mechanics/integrators/coefficients.hpp"
 #include "mechanics/integrators/component_step.hpp"
 #include "mechanics/integrators/modal.hpp"
-#include "mechanics/frame/rotation.hpp"
+#include "mechanics/solver/component_system.hpp"
 
 namespace sunder {
 namespace {
@@ -26,9 +27,9 @@ Mat3 world_inertia(const MechanicsState& state, const Component& component) {
   return inertia;
 }
 
-/// What A^-1 of a part of a step is multiplied by in the answer to a unit impulse that is spread
+/// What A^-1 of a part of a step is multiplied by in the response to a unit impulse that is spread
 /// over the part as a force: displacement beta h^2 over the part's length, or velocity in a wave.
-double answer_scale(const ContactPass& pass, const Component& component) {
+double response_scale(const ContactPass& pass, const Component& component) {
   const StepInput& input = pass.input;
   if (input.part.deformation == Deformation::wave) return 1;
   const double h = input.deformation_step();
@@ -36,7 +37,7 @@ double answer_scale(const ContactPass& pass, const Component& component) {
   return generalised_alpha(rho).beta * h * (h / input.settings.time_step);
 }
 
-/// The factor that answers blows in this part of a step.
+/// The factor with which blows are solved in this part of a step.
 FactorUse use_of(const ContactPass& pass) {
   return pass.input.part.deformation == Deformation::wave ? FactorUse::wave : FactorUse::step;
 }
@@ -51,24 +52,24 @@ FreeSlots free_slots(const ContactPass& pass, std::span<const VertexId> slots) {
   FreeSlots free;
   for (std::size_t k = 0; k < slots.size(); ++k) {
     if (!pass.state.vertices.support[slots[k].index()].is_none()) continue;
-    free.local.push_back(pass.mechanics.local_row[slots[k].index()]);
+    free.local.push_back(pass.state.systems.local_row[slots[k].index()]);
     free.slot.push_back(static_cast<Eigen::Index>(k));
   }
   return free;
 }
 
-/// Whether the body answers by deforming, in floating_frame or modal.
-bool answers_elastically(const ContactPass& pass, const Component& component) {
+/// Whether the body responds by deforming, in floating_frame or modal.
+bool responds_elastically(const ContactPass& pass, const Component& component) {
   return takes_split_blow(pass, component) && !component.isolated &&
          pass.input.part.deformation != Deformation::frozen;
 }
 
-/// Elastic answer of floating_frame at the end of a part of a step: `answer_scale` A^-1 on loads
-/// freed of their rigid part. Rigid fields r have A r = mu M r, so what a load's rigid part would
-/// give is subtracted in closed form.
-void answer_elastically(AnsweringBody& body, const ContactPass& pass, const Component& component,
-                        std::span<const VertexId> slots) {
-  ComponentSystem& system = *pass.mechanics.systems[component.id.index()];
+/// Elastic response of floating_frame at the end of a part of a step: `response_scale` A^-1 on
+/// loads freed of their rigid part. Rigid fields r have A r = mu M r, so what a load's rigid part
+/// would give is subtracted in closed form.
+void respond_elastically(RespondingBody& body, const ContactPass& pass, const Component& component,
+                         std::span<const VertexId> slots) {
+  ComponentSystem& system = *pass.state.systems.present[component.id.index()];
   const auto [local, slot] = free_slots(pass, slots);
   body.turn = component.orientation.toRotationMatrix();
   const auto size = static_cast<Eigen::Index>(3 * slots.size());
@@ -81,16 +82,17 @@ void answer_elastically(AnsweringBody& body, const ContactPass& pass, const Comp
     }
   };
   if (pass.input.settings.integrator == Integrator::modal) {
-    const Eigen::MatrixXd answer =
-        modal_answer({pass.mechanics, pass.state, pass.input, component, &system}, local);
+    const Eigen::MatrixXd response =
+        modal_response({pass.mechanics, pass.state, pass.input, component, &system}, local);
     return fill([&](std::size_t a, std::size_t b) -> Mat3 {
-      return answer.block<3, 3>(static_cast<Eigen::Index>(3 * a), static_cast<Eigen::Index>(3 * b));
+      return response.block<3, 3>(static_cast<Eigen::Index>(3 * a),
+                                  static_cast<Eigen::Index>(3 * b));
     });
   }
   const FactorUse use = use_of(pass);
   const std::vector<std::uint32_t> places = touch_compliance(system, local, use);
   const SystemFactor& factor = factor_of(system, use);
-  const double scale = answer_scale(pass, component);
+  const double scale = response_scale(pass, component);
   if (!component.supported) {
     body.rigid_mass = scale / (factor.matrix.mass * component.mass);
     body.rigid_inertia = scale / factor.matrix.mass * system.shape.inertia.inverse();
@@ -100,44 +102,42 @@ void answer_elastically(AnsweringBody& body, const ContactPass& pass, const Comp
   });
 }
 
-/// Columns of A^-1 that the answers will be made of, those of all bodies together.
+/// Columns of A^-1 that the responses will be made of, those of all bodies together.
 void solve_for_columns(const ContactBodies& bodies, const ContactPass& pass) {
   if (pass.input.settings.integrator == Integrator::modal) return;
   std::vector<ColumnBlock> missing;
   for (std::size_t b = 0; b < bodies.component.size(); ++b) {
     if (bodies.component[b].is_none()) continue;
     const Component& component = pass.state.components[bodies.component[b].index()];
-    if (!answers_elastically(pass, component)) continue;
-    note_touched(*pass.mechanics.systems[component.id.index()],
+    if (!responds_elastically(pass, component)) continue;
+    note_touched(*pass.state.systems.present[component.id.index()],
                  free_slots(pass, bodies.slots[b]).local, use_of(pass), missing);
   }
   // What one thread could take from the other must be worth starting it.
   std::size_t rows = 0;
   for (const ColumnBlock& block : missing) rows += block.system->free_count;
   constexpr std::size_t least_rows = 4000;
-  fill_columns(missing, rows >= least_rows ? pass.mechanics.threads : 1,
-               pass.mechanics.column_rooms);
+  fill_columns(missing, rows >= least_rows ? pass.input.threads : 1, pass.mechanics.columns);
 }
 
-AnsweringBody answering_component(const ContactPass& pass, const Component& component,
-                                  std::span<const VertexId> slots) {
-  AnsweringBody body;
+RespondingBody responding_component(const ContactPass& pass, const Component& component,
+                                    std::span<const VertexId> slots) {
+  RespondingBody body;
   if (!takes_split_blow(pass, component)) {
-    body.elastic =
-        end_of_step_response(pass.mechanics, pass.state, pass.input, {component.id, slots});
+    body.elastic = end_of_step_response(pass.state, pass.input, {component.id, slots});
     return body;
   }
   if (!component.supported) {
     body.inverse_mass = 1 / component.mass;
     body.inverse_inertia = world_inertia(pass.state, component).inverse();
   }
-  if (answers_elastically(pass, component)) answer_elastically(body, pass, component, slots);
+  if (responds_elastically(pass, component)) respond_elastically(body, pass, component, slots);
   return body;
 }
 
-AnsweringBody lumped_component(const ContactPass& pass, const Component& component,
-                               std::span<const VertexId> slots) {
-  AnsweringBody body;
+RespondingBody lumped_component(const ContactPass& pass, const Component& component,
+                                std::span<const VertexId> slots) {
+  RespondingBody body;
   if (component.isolated) {
     body.inverse_mass = 1 / component.mass;
     body.inverse_inertia = world_inertia(pass.state, component).inverse();
@@ -155,8 +155,8 @@ AnsweringBody lumped_component(const ContactPass& pass, const Component& compone
   return body;
 }
 
-AnsweringBody answering_ball(const Obstacle& ball) {
-  AnsweringBody body;
+RespondingBody responding_ball(const Obstacle& ball) {
+  RespondingBody body;
   body.inverse_mass = 1 / *ball.mass;
   body.inverse_inertia = Mat3::Identity() / moment_of_inertia(ball);
   return body;
@@ -239,7 +239,7 @@ void add_tetrahedron_ends(ContactRow& row, TetId t, const ContactBodies& bodies,
   const ComponentId id = pass.state.elements.component[t.index()];
   const Component& component = pass.state.components[id.index()];
   if (component.isolated) {
-    const Vec3 arm = center_of(corners, pass.state.vertices.position) - component.centre;
+    const Vec3 arm = centre_of(corners, pass.state.vertices.position) - component.centre;
     add_end(
         row,
         {bodies.body_of_component[id.index()], ContactEnd::rigid_slot, -1, arm, Vec3::Zero(), {}});
@@ -285,7 +285,7 @@ void gather(ContactBodies& bodies, std::span<const ContactPoint> contacts, const
   bodies.bodies.clear();
   for (std::size_t b = 0; b < bodies.component.size(); ++b) {
     bodies.bodies.push_back(bodies.component[b].is_none()
-                                ? answering_ball(pass.obstacles[bodies.ball[b]])
+                                ? responding_ball(pass.obstacles[bodies.ball[b]])
                                 : make_component(pass,
                                                  pass.state.components[bodies.component[b].index()],
                                                  bodies.slots[b]));
@@ -306,7 +306,7 @@ void gather_bodies(ContactBodies& bodies, std::span<const ContactPoint> contacts
                    const ContactPass& pass) {
   enlist_all(bodies, contacts, pass);
   solve_for_columns(bodies, pass);
-  gather(bodies, contacts, pass, answering_component);
+  gather(bodies, contacts, pass, responding_component);
 }
 
 void gather_lumped_bodies(ContactBodies& bodies, std::span<const ContactPoint> contacts,

@@ -13,7 +13,7 @@ namespace sunder {
 /// The bodies of one solve. Component and ball rows point into `bodies`.
 struct ContactBodies {
   static constexpr std::uint32_t none = 0xffffffffu;
-  std::vector<AnsweringBody> bodies;
+  std::vector<RespondingBody> bodies;
   std::vector<ComponentId> component;            ///< of each body; none() for a ball
   std::vector<std::uint32_t> ball;               ///< of each body; none for a component
   std::vector<std::vector<VertexId>> slots;      ///< vertices of each component's slots, ascending
@@ -44,12 +44,12 @@ struct ContactPass {
 /// isolated tetrahedra. Other integrators take it as a jump of velocities at the start.
 bool takes_split_blow(const ContactPass& pass, const Component& component);
 
-/// Makes the bodies that `contacts` act on, with their answer over the coming step, and the ends of
-/// their rows. Costs three back-solves for each contact vertex the first time it is met.
+/// Makes the bodies that `contacts` act on, with their response over the coming step, and the ends
+/// of their rows. Costs three back-solves for each contact vertex the first time it is met.
 void gather_bodies(ContactBodies& bodies, std::span<const ContactPoint> contacts,
                    const ContactPass& pass);
 
-/// The same bodies with the answer of their velocities at this very moment: lumped masses.
+/// The same bodies with the response of their velocities at this moment: lumped masses.
 void gather_lumped_bodies(ContactBodies& bodies, std::span<const ContactPoint> contacts,
                           const ContactPass& pass);
 

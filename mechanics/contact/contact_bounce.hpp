@@ -7,7 +7,7 @@
 namespace sunder {
 
 /// Takes back what sends contacts off the other side, right after a step was adopted.
-/// A gap closed by the end of a step needs, from a scheme whose answer in the step is
+/// A gap closed by the end of a step needs, from a scheme whose response in the step is
 /// beta h A^-1 j, up to twice the impulse that stops a lumped vertex: its velocity reverses, at
 /// once or over the next steps by the acceleration that the scheme remembers. Where the normal
 /// velocity that is to come,

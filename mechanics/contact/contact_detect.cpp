@@ -6,12 +6,13 @@
 #include <cmath>
 #include <tuple>
 
+#include "mechanics/contact/obstacle_geometry.hpp"
 #include "topology/kernel/assert.hpp"
 
 namespace sunder {
 namespace {
 
-Vec3 ball_center(const Obstacle& ball) { return std::get<Sphere>(ball.shape).center; }
+Vec3 ball_centre(const Obstacle& ball) { return std::get<Sphere>(ball.shape).center; }
 double ball_radius(const Obstacle& ball) { return std::get<Sphere>(ball.shape).radius; }
 
 /// The obstacle's shape about its own reference: balls about their centre, the rest as it stands.
@@ -71,18 +72,18 @@ void find_balls(DetectScratch& scratch, const StepPaths& paths) {
 void measure_balls(DetectScratch& scratch, const StepPaths& paths, double share) {
   const std::size_t count = paths.corners.size();
   const std::vector<Vec3>& rest = paths.state.vertices.rest_position;
-  scratch.center_start.resize(count);
+  scratch.centre_start.resize(count);
   for (std::size_t t = 0; t < count; ++t) {
-    scratch.center_start[t] = center_of(paths.corners[t], paths.state.vertices.position);
+    scratch.centre_start[t] = centre_of(paths.corners[t], paths.state.vertices.position);
   }
   if (scratch.radius.size() == count && scratch.ball_share == share) return;
   scratch.ball_share = share;
   scratch.radius.resize(count);
   for (std::size_t t = 0; t < count; ++t) {
-    const Vec3 center = center_of(paths.corners[t], rest);
+    const Vec3 centre = centre_of(paths.corners[t], rest);
     double squared = 0;
     for (VertexId v : paths.corners[t]) {
-      squared = std::max(squared, (rest[v.index()] - center).squaredNorm());
+      squared = std::max(squared, (rest[v.index()] - centre).squaredNorm());
     }
     scratch.radius[t] = share * std::sqrt(squared);
   }
@@ -105,15 +106,15 @@ void pair_up(DetectScratch& scratch, const StepPaths& paths) {
   }
   const std::size_t count = paths.corners.size();
   scratch.reach.resize(count);
-  scratch.center_middle.resize(count);
+  scratch.centre_middle.resize(count);
   for (std::size_t t = 0; t < count; ++t) {
-    const Vec3 end = center_of(paths.corners[t], paths.predicted);
-    const double motion = (end - scratch.center_start[t] - mean).norm() + largest;
-    scratch.center_middle[t] = 0.5 * (scratch.center_start[t] + end);
+    const Vec3 end = centre_of(paths.corners[t], paths.predicted);
+    const double motion = (end - scratch.centre_start[t] - mean).norm() + largest;
+    scratch.centre_middle[t] = 0.5 * (scratch.centre_start[t] + end);
     scratch.reach[t] = scratch.radius[t] + 0.5 * std::min(motion, 2 * scratch.radius[t]);
   }
   find_sphere_pairs(scratch.pairs, scratch.grid, scratch.cache,
-                    {scratch.point_middle, paths.state.vertices.component, scratch.center_middle,
+                    {scratch.point_middle, paths.state.vertices.component, scratch.centre_middle,
                      scratch.reach, paths.state.elements.component});
 }
 
@@ -205,12 +206,12 @@ Vec3 relative_velocity(const ContactPoint& contact, const StepPaths& paths) {
                                                 : paths.obstacles[contact.ball].velocity;
   if (contact.obstacle != ContactPoint::none)
     return sum - paths.obstacles[contact.obstacle].velocity;
-  return sum - center_of(paths.corners[contact.tetrahedron.index()], velocity);
+  return sum - centre_of(paths.corners[contact.tetrahedron.index()], velocity);
 }
 
 }  // namespace
 
-Vec3 center_of(const Corners& corners, std::span<const Vec3> position) {
+Vec3 centre_of(const Corners& corners, std::span<const Vec3> position) {
   return 0.25 * (position[corners[0].index()] + position[corners[1].index()] +
                  position[corners[2].index()] + position[corners[3].index()]);
 }
@@ -218,7 +219,7 @@ Vec3 center_of(const Corners& corners, std::span<const Vec3> position) {
 ContactPath path_of(const ContactPoint& contact, const StepPaths& paths) {
   ContactPath path;
   if (contact.ball != ContactPoint::none) {
-    path = {ball_center(paths.obstacles[contact.ball]), paths.ball_end[contact.ball]};
+    path = {ball_centre(paths.obstacles[contact.ball]), paths.ball_end[contact.ball]};
   } else {
     const std::size_t v = contact.vertex.index();
     path = {paths.state.vertices.position[v], paths.predicted[v]};
@@ -226,15 +227,15 @@ ContactPath path_of(const ContactPoint& contact, const StepPaths& paths) {
   if (contact.obstacle != ContactPoint::none) {
     const Obstacle& obstacle = paths.obstacles[contact.obstacle];
     if (obstacle.mass) {
-      path.start -= ball_center(obstacle);
+      path.start -= ball_centre(obstacle);
       path.end -= paths.ball_end[contact.obstacle];
     } else {
       path.end -= paths.time_step * obstacle.velocity;
     }
   } else {
     const Corners& corners = paths.corners[contact.tetrahedron.index()];
-    path.start -= center_of(corners, paths.state.vertices.position);
-    path.end -= center_of(corners, paths.predicted);
+    path.start -= centre_of(corners, paths.state.vertices.position);
+    path.end -= centre_of(corners, paths.predicted);
   }
   return path;
 }
@@ -265,12 +266,12 @@ void update_allowances(ContactMemory& memory, DetectScratch& scratch, const Step
     measure_balls(scratch, paths, settings.ball_share);
     if (!first_call) extend_remembered(memory, paths);
     find_sphere_pairs(scratch.pairs, scratch.grid, scratch.cache,
-                      {state.vertices.position, state.vertices.component, scratch.center_start,
+                      {state.vertices.position, state.vertices.component, scratch.centre_start,
                        scratch.radius, state.elements.component});
     for (const SpherePair& pair : scratch.pairs) {
       const std::size_t t = pair.tetrahedron.index(), v = pair.vertex.index();
       const double overlap =
-          scratch.radius[t] - (state.vertices.position[v] - scratch.center_start[t]).norm();
+          scratch.radius[t] - (state.vertices.position[v] - scratch.centre_start[t]).norm();
       const bool were_one =
           first_call || memory.vertex_component[v] == memory.tetrahedron_component[t];
       const double before = allowance_of(memory.allowances, pair);

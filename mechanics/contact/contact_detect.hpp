@@ -16,7 +16,7 @@ struct DetectScratch {
   PairCache cache;
   std::vector<SpherePair> pairs;
   /// |T|: centres of the tetrahedra at the start and half-way, and their balls at rest, m.
-  std::vector<Vec3> center_start, center_middle;
+  std::vector<Vec3> centre_start, centre_middle;
   std::vector<double> radius, reach;
   double ball_share = 0;           ///< what `radius` was measured with
   std::vector<Vec3> point_middle;  ///< |V|
@@ -38,7 +38,7 @@ struct StepPaths {
 };
 
 /// Mean of a tetrahedron's four positions.
-Vec3 center_of(const Corners& corners, std::span<const Vec3> position);
+Vec3 centre_of(const Corners& corners, std::span<const Vec3> position);
 
 /// Where side A of a contact is, and the reference of side B, at the start and end of the step.
 struct ContactPath {

@@ -73,8 +73,8 @@ Grid fill_grid(GridScratch& scratch, const SphereQuery& query) {
 
 bool overlaps(const SphereQuery& query, std::size_t t, std::size_t v) {
   const double r = query.radii[t];
-  return query.point_component[v] != query.center_component[t] &&
-         (query.points[v] - query.centers[t]).squaredNorm() < r * r;
+  return query.point_component[v] != query.centre_component[t] &&
+         (query.points[v] - query.centres[t]).squaredNorm() < r * r;
 }
 
 void compare_all_points(std::vector<SpherePair>& pairs, const SphereQuery& query, std::size_t t) {
@@ -86,8 +86,8 @@ void compare_all_points(std::vector<SpherePair>& pairs, const SphereQuery& query
 void visit_cells(std::vector<SpherePair>& pairs, const GridScratch& scratch, const Grid& grid,
                  const SphereQuery& query, std::size_t t) {
   const Vec3 reach = Vec3::Constant(query.radii[t]);
-  const Cell low = cell_at(query.centers[t] - reach, grid.cell_width);
-  const Cell high = cell_at(query.centers[t] + reach, grid.cell_width);
+  const Cell low = cell_at(query.centres[t] - reach, grid.cell_width);
+  const Cell high = cell_at(query.centres[t] + reach, grid.cell_width);
   double covered = 1;
   for (int k = 0; k < 3; ++k) covered *= static_cast<double>(high[k]) - low[k] + 1;
   if (covered > static_cast<double>(query.points.size())) {
@@ -118,21 +118,21 @@ void visit_cells(std::vector<SpherePair>& pairs, const GridScratch& scratch, con
 void find_sphere_pairs(std::vector<SpherePair>& pairs, GridScratch& scratch,
                        const SphereQuery& query) {
   SUNDER_ASSERT(query.points.size() == query.point_component.size(), "one component a vertex");
-  SUNDER_ASSERT(query.centers.size() == query.radii.size() &&
-                    query.centers.size() == query.center_component.size(),
+  SUNDER_ASSERT(query.centres.size() == query.radii.size() &&
+                    query.centres.size() == query.centre_component.size(),
                 "one radius and one component a ball");
   pairs.clear();
   const Grid grid = fill_grid(scratch, query);
-  for (std::size_t t = 0; t < query.centers.size(); ++t) {
-    if (!query.centers[t].allFinite() || !std::isfinite(query.radii[t])) continue;
+  for (std::size_t t = 0; t < query.centres.size(); ++t) {
+    if (!query.centres[t].allFinite() || !std::isfinite(query.radii[t])) continue;
     visit_cells(pairs, scratch, grid, query, t);
   }
 }
 
 void find_sphere_pairs_brute_force(std::vector<SpherePair>& pairs, const SphereQuery& query) {
   pairs.clear();
-  for (std::size_t t = 0; t < query.centers.size(); ++t) {
-    if (!query.centers[t].allFinite() || !std::isfinite(query.radii[t])) continue;
+  for (std::size_t t = 0; t < query.centres.size(); ++t) {
+    if (!query.centres[t].allFinite() || !std::isfinite(query.radii[t])) continue;
     compare_all_points(pairs, query, t);
   }
 }

@@ -26,11 +26,11 @@ struct SphereQuery {
   /// |V|.
   std::span<const ComponentId> point_component;
   /// |T| centres of balls, m.
-  std::span<const Vec3> centers;
+  std::span<const Vec3> centres;
   /// |T| radii, m, >= 0.
   std::span<const double> radii;
   /// |T|.
-  std::span<const ComponentId> center_component;
+  std::span<const ComponentId> centre_component;
 };
 
 /// Room that `find_sphere_pairs` reuses: no allocation once it has grown.
@@ -41,7 +41,7 @@ struct GridScratch {
   std::vector<VertexId> sorted;         ///< |V|: vertices by bucket, ascending inside each
 };
 
-/// Every (tetrahedron, vertex) of different components with `|point - center| < radius`, sorted by
+/// Every (tetrahedron, vertex) of different components with `|point - centre| < radius`, sorted by
 /// tetrahedron, then vertex; `pairs` is overwritten. The cell is as wide as the mean ball; vertices
 /// are counted into hashed cells, each ball visits the cells it covers (or all vertices, where
 /// those are fewer). O(|V| + |T| + pairs) while balls are of similar size. Points and balls that

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What meets in a step: contacts along the predicted paths, blows among them, whom they rouse.
+// What meets in a step: contacts along the predicted paths, blows among them, whom they wake.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,12 +16,12 @@ Vec3 weight_shift(const ContactStep& step, ComponentId id) {
   const Component& component = step.pass.state.components[id.index()];
   const bool falls_later = component.isolated || !is_explicit(step.pass.input.settings.integrator);
   const bool shifts = falls_later && !component.supported && component.rung != Rung::asleep &&
-                      !step.room.blows.component_touched[id.index()];
+                      !step.scratch.blows.component_touched[id.index()];
   return shifts ? Vec3{0.5 * step.h() * step.h() * step.pass.input.loads.gravity} : Vec3::Zero();
 }
 
 Vec3 weight_shift_of_ball(const ContactStep& step, std::uint32_t row) {
-  const bool shifts = step.pass.obstacles[row].mass && !step.room.blows.ball_touched[row];
+  const bool shifts = step.pass.obstacles[row].mass && !step.scratch.blows.ball_touched[row];
   return shifts ? Vec3{0.5 * step.h() * step.h() * step.pass.input.loads.gravity} : Vec3::Zero();
 }
 
@@ -38,10 +38,10 @@ bool take_place(ContactStep& step, const ContactPoint& contact) {
   std::uint32_t* a = nullptr;
   std::uint32_t* b = nullptr;
   if (contact.ball == ContactPoint::none) {
-    a = &step.room.count[state.vertices.component[contact.vertex.index()].index()];
+    a = &step.scratch.count[state.vertices.component[contact.vertex.index()].index()];
   }
   if (contact.obstacle == ContactPoint::none) {
-    b = &step.room.count[state.elements.component[contact.tetrahedron.index()].index()];
+    b = &step.scratch.count[state.elements.component[contact.tetrahedron.index()].index()];
   }
   if ((a && *a >= most) || (b && *b >= most)) return false;
   if (a) ++*a;
@@ -76,7 +76,7 @@ bool is_blow_for_a_side(const ContactStep& step, const ContactPoint& contact, do
 
 /// Blows among the contacts found: they are told, and in a frozen part forgotten.
 void look_for_blows(ContactStep& step) {
-  DetectScratch& found = step.room.detect;
+  DetectScratch& found = step.scratch.detect;
   const StepPaths paths = paths_of(step);
   Blows& blows = step.blows;
   std::size_t kept = 0;
@@ -98,7 +98,7 @@ void look_for_blows(ContactStep& step) {
 /// Finds contacts along the paths as they are predicted. False when there are blows on them that
 /// the step must not run into.
 bool detect_contacts(ContactStep& step) {
-  find_contacts(step.room.detect, step.memory, paths_of(step), step.settings);
+  find_contacts(step.scratch.detect, step.memory, paths_of(step), step.settings);
   if (!step.pass.input.part.impact || step.is_wave()) return true;
   look_for_blows(step);
   return step.deformation() == Deformation::frozen || step.blows.struck.empty();
@@ -132,41 +132,41 @@ bool lie_still(const ContactStep& step, const ContactPoint& contact,
 }
 
 /// Depth of the deepest overlap that the contacts found will have, or `deepest`, m.
-double deepest_lack(const ContactStep& step, double deepest) {
+double deepest_violation(const ContactStep& step, double deepest) {
   const StepPaths paths = paths_of(step);
-  for (const ContactPoint& contact : step.room.detect.found) {
+  for (const ContactPoint& contact : step.scratch.detect.found) {
     const ContactPath path = path_of(contact, paths);
-    const double lack = predicted_lack(step, contact, path);
-    if (lack < -rounding_of(path, contact)) deepest = std::max(deepest, -lack);
+    const double gap_error = predicted_gap_error(step, contact, path);
+    if (gap_error < -rounding_of(path, contact)) deepest = std::max(deepest, -gap_error);
   }
   return deepest;
 }
 
 /// Takes components that a contact found may act on, one that `add_new_contacts` would take, to the
 /// rung `full`; which, ascending.
-std::vector<ComponentId> rouse(ContactStep& step, double deepest) {
-  std::vector<ComponentId> roused;
-  deepest = deepest_lack(step, deepest);
-  if (deepest == 0) return roused;
+std::vector<ComponentId> wake(ContactStep& step, double deepest) {
+  std::vector<ComponentId> woken;
+  deepest = deepest_violation(step, deepest);
+  if (deepest == 0) return woken;
   const StepPaths paths = paths_of(step);
-  for (const ContactPoint& contact : step.room.detect.found) {
+  for (const ContactPoint& contact : step.scratch.detect.found) {
     const std::array<Component*, 2> sides = sides_of(step, contact);
     if (!on_lower_rung(sides[0]) && !on_lower_rung(sides[1])) continue;
     if (lie_still(step, contact, sides)) continue;
-    if (!(predicted_lack(step, contact, path_of(contact, paths)) <= deepest)) continue;
+    if (!(predicted_gap_error(step, contact, path_of(contact, paths)) <= deepest)) continue;
     for (Component* side : sides) {
       if (!on_lower_rung(side)) continue;
       side->rung = Rung::full;
-      roused.push_back(side->id);
+      woken.push_back(side->id);
     }
   }
-  std::sort(roused.begin(), roused.end());
-  return roused;
+  std::sort(woken.begin(), woken.end());
+  return woken;
 }
 
 /// Forgets contacts with what stays on a lower rung: nothing overlaps it.
 void leave_alone(ContactStep& step) {
-  DetectScratch& found = step.room.detect;
+  DetectScratch& found = step.scratch.detect;
   std::size_t kept = 0;
   for (std::size_t k = 0; k < found.found.size(); ++k) {
     const std::array<Component*, 2> sides = sides_of(step, found.found[k]);
@@ -193,9 +193,9 @@ Vec3 relative_shift(const ContactStep& step, const ContactPoint& contact) {
   return shift;
 }
 
-double predicted_lack(const ContactStep& step, const ContactPoint& contact,
-                      const ContactPath& path) {
-  if (step.is_wave()) return wave_lack(step, contact);
+double predicted_gap_error(const ContactStep& step, const ContactPoint& contact,
+                           const ContactPath& path) {
+  if (step.is_wave()) return wave_gap_error(step, contact);
   return gap_end(contact, path) + contact.normal.dot(relative_shift(step, contact)) -
          target_gap(step, contact);
 }
@@ -208,9 +208,9 @@ bool meet(ContactStep& step, double deepest) {
     return clear;
   }
   for (;;) {
-    const std::vector<ComponentId> roused = rouse(step, deepest);
-    if (roused.empty()) break;
-    predict(step.pass.mechanics, step.pass.state, step.pass.input, roused);
+    const std::vector<ComponentId> woken = wake(step, deepest);
+    if (woken.empty()) break;
+    predict(step.pass.mechanics, step.pass.state, step.pass.input, woken);
     clear = detect_contacts(step) && clear;
   }
   leave_alone(step);
@@ -218,9 +218,9 @@ bool meet(ContactStep& step, double deepest) {
 }
 
 double add_new_contacts(ContactStep& step, double deepest) {
-  DetectScratch& found = step.room.detect;
+  DetectScratch& found = step.scratch.detect;
   const StepPaths paths = paths_of(step);
-  std::vector<ContactKey>& known = step.room.known;
+  std::vector<ContactKey>& known = step.scratch.known;
   known.clear();
   for (const ContactPoint& c : step.contacts) known.push_back(key_of(c));
   std::sort(known.begin(), known.end());
@@ -229,9 +229,9 @@ double add_new_contacts(ContactStep& step, double deepest) {
     const ContactPoint& contact = found.found[k];
     if (std::binary_search(known.begin(), known.end(), key_of(contact))) continue;
     const ContactPath path = path_of(contact, paths);
-    double& lack = found.found_gap[k];
-    lack = predicted_lack(step, contact, path);
-    if (lack < -rounding_of(path, contact)) deepest = std::max(deepest, -lack);
+    double& gap_error = found.found_gap[k];
+    gap_error = predicted_gap_error(step, contact, path);
+    if (gap_error < -rounding_of(path, contact)) deepest = std::max(deepest, -gap_error);
     found.order.push_back(k);
   }
   if (deepest == 0) return 0;

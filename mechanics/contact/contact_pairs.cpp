@@ -27,13 +27,13 @@ double largest_motion(std::span<const Vec3> before, std::span<const Vec3> now) {
 /// Whether every pair that is to be found is among those found with the margin.
 bool still_holds(const PairCache& cache, const SphereQuery& query) {
   if (!std::ranges::equal(cache.point_component, query.point_component) ||
-      !std::ranges::equal(cache.center_component, query.center_component)) {
+      !std::ranges::equal(cache.centre_component, query.centre_component)) {
     return false;
   }
   const double moved = largest_motion(cache.points, query.points);
   if (!(moved < infinity)) return false;
-  for (std::size_t t = 0; t < query.centers.size(); ++t) {
-    const double shift = (query.centers[t] - cache.centers[t]).norm();
+  for (std::size_t t = 0; t < query.centres.size(); ++t) {
+    const double shift = (query.centres[t] - cache.centres[t]).norm();
     if (!(query.radii[t] + moved + shift < cache.reach[t])) return false;
   }
   return true;
@@ -47,9 +47,9 @@ void copy(std::vector<T>& to, std::span<const T> from) {
 void search_with_margin(GridScratch& grid, PairCache& cache, const SphereQuery& query,
                         double margin) {
   copy(cache.points, query.points);
-  copy(cache.centers, query.centers);
+  copy(cache.centres, query.centres);
   copy(cache.point_component, query.point_component);
-  copy(cache.center_component, query.center_component);
+  copy(cache.centre_component, query.centre_component);
   cache.reach.resize(query.radii.size());
   std::ranges::transform(query.radii, cache.reach.begin(), [&](double r) { return r + margin; });
   SphereQuery wide = query;
@@ -79,7 +79,7 @@ void find_sphere_pairs(std::vector<SpherePair>& pairs, GridScratch& grid, PairCa
   for (const SpherePair& pair : cache.near) {
     const std::size_t t = pair.tetrahedron.index(), v = pair.vertex.index();
     const double r = query.radii[t];
-    if ((query.points[v] - query.centers[t]).squaredNorm() < r * r) pairs.push_back(pair);
+    if ((query.points[v] - query.centres[t]).squaredNorm() < r * r) pairs.push_back(pair);
   }
 }
 

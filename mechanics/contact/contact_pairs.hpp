@@ -8,9 +8,9 @@ namespace sunder {
 
 /// What the last search saw, and what it found with the margin. May be thrown away at any time.
 struct PairCache {
-  std::vector<Vec3> points, centers;
+  std::vector<Vec3> points, centres;
   std::vector<double> reach;  ///< |T|, m: radii with the margin
-  std::vector<ComponentId> point_component, center_component;
+  std::vector<ComponentId> point_component, centre_component;
   std::vector<SpherePair> near;
   std::vector<Vec3> last_points;  ///< of the last call
   std::size_t searches = 0;       ///< in all, for tests

@@ -7,27 +7,41 @@
 #include <vector>
 
 #include "mechanics/state/vec3.hpp"
+#include "topology/kernel/counters.hpp"
 
 namespace sunder {
 
-/// How contact went; never silent.
+/// How the contact problem of a step was solved.
 struct ContactReport {
   std::uint32_t candidates = 0;  ///< contacts solved for
   std::uint32_t contacts = 0;    ///< those with an impulse
-  int passes = 0;                ///< predictions with impulses
+  int passes = 0;                ///< times the step was predicted with impulses
   int iterations = 0;            ///< sweeps, all passes
-  double residual = 0;           ///< m, largest error of an end-of-step gap that is left
-  double tolerated = 0;          ///< m, what `ContactSettings::tolerance` came to
+  double residual = 0;           ///< m, largest constraint violation left in a gap
+  double tolerated = 0;          ///< m, `ContactSettings::tolerance` as a length
   bool converged = true;         ///< residual <= tolerated in the sweeps of every pass
   double deepest = 0;            ///< m, deepest overlap at the end of the step, >= 0
-  std::uint32_t left_out = 0;    ///< contacts over `max_contacts_per_component`
-  /// Row = obstacle: impulse (N s) that it gave the bodies and balls it touched; empty where there
-  /// was no contact.
+  std::uint64_t left_out = 0;    ///< contacts over `max_contacts_per_component`
+  /// N s, one an obstacle: the impulse it gave to the bodies and balls it touched. Empty in a step
+  /// without contact.
   std::vector<Vec3> obstacle_impulse;
 
   Vec3 impulse_of(std::size_t obstacle) const {
     return obstacle_impulse.empty() ? Vec3::Zero() : obstacle_impulse[obstacle];
   }
 };
+
+/// Of the residuals `add_contact` keeps the one that is farthest from what is tolerated.
+constexpr auto counters_of(const ContactReport*) {
+  return std::tuple{Counter{"", &ContactReport::candidates, Adds::most},
+                    Counter{"most_contacts", &ContactReport::contacts, Adds::most},
+                    Counter{"", &ContactReport::passes},
+                    Counter{"", &ContactReport::iterations},
+                    Counter{"left_out", &ContactReport::left_out},
+                    Counter{"deepest_overlap", &ContactReport::deepest, Adds::most}};
+}
+
+/// Adds the contact of another part of the same step.
+void add_contact(ContactReport& sum, const ContactReport& part);
 
 }  // namespace sunder

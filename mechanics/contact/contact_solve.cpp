@@ -11,42 +11,42 @@ namespace sunder {
 namespace {
 
 /// How far end `a` of a body moves for a unit impulse at end `b` of the same body.
-Mat3 answer_between(const AnsweringBody& body, const ContactEnd& a, const ContactEnd& b,
-                    double step) {
-  Mat3 answer = Mat3::Zero();
-  answer.diagonal().setConstant(step * body.inverse_mass);
+Mat3 response_between(const RespondingBody& body, const ContactEnd& a, const ContactEnd& b,
+                      double step) {
+  Mat3 response = Mat3::Zero();
+  response.diagonal().setConstant(step * body.inverse_mass);
   for (int k = 0; k < 3; ++k) {
     const Vec3 spin = body.inverse_inertia * b.arm.cross(Vec3::Unit(k));
-    answer.col(k) += step * spin.cross(a.arm);
+    response.col(k) += step * spin.cross(a.arm);
   }
   if (a.slot != ContactEnd::rigid_slot && b.slot != ContactEnd::rigid_slot) {
     Mat3 elastic = body.elastic.block<3, 3>(3 * a.slot, 3 * b.slot) +
                    cross_matrix(a.rest_arm) * body.rigid_inertia * cross_matrix(b.rest_arm);
     elastic.diagonal().array() -= body.rigid_mass;
-    answer += body.turn * elastic * body.turn.transpose();
+    response += body.turn * elastic * body.turn.transpose();
   }
-  return answer;
+  return response;
 }
 
-Mat3 own_answer(const ContactRow& row, std::span<const AnsweringBody> bodies, double step) {
-  Mat3 answer = Mat3::Zero();
+Mat3 own_response(const ContactRow& row, std::span<const RespondingBody> bodies, double step) {
+  Mat3 response = Mat3::Zero();
   for (std::uint32_t i = 0; i < row.end_count; ++i) {
     for (std::uint32_t j = 0; j < row.end_count; ++j) {
       const ContactEnd& a = row.ends[i];
       const ContactEnd& b = row.ends[j];
       if (a.body != b.body) continue;
-      answer += a.weight * b.weight * answer_between(bodies[a.body], a, b, step);
+      response += a.weight * b.weight * response_between(bodies[a.body], a, b, step);
     }
   }
-  return answer;
+  return response;
 }
 
-Vec3 relative_displacement(const ContactRow& row, std::span<const AnsweringBody> bodies,
+Vec3 relative_displacement(const ContactRow& row, std::span<const RespondingBody> bodies,
                            double step) {
   Vec3 sum = Vec3::Zero();
   for (std::uint32_t i = 0; i < row.end_count; ++i) {
     const ContactEnd& end = row.ends[i];
-    const AnsweringBody& body = bodies[end.body];
+    const RespondingBody& body = bodies[end.body];
     Vec3 moved = step * (body.velocity + body.spin.cross(end.arm));
     if (end.slot != ContactEnd::rigid_slot) {
       const Vec3 turned = body.rigid_inertia * body.moment;
@@ -58,10 +58,10 @@ Vec3 relative_displacement(const ContactRow& row, std::span<const AnsweringBody>
   return sum;
 }
 
-void add_impulse(const ContactRow& row, std::span<AnsweringBody> bodies, const Vec3& impulse) {
+void add_impulse(const ContactRow& row, std::span<RespondingBody> bodies, const Vec3& impulse) {
   for (std::uint32_t i = 0; i < row.end_count; ++i) {
     const ContactEnd& end = row.ends[i];
-    AnsweringBody& body = bodies[end.body];
+    RespondingBody& body = bodies[end.body];
     const Vec3 share = end.weight * impulse;
     body.velocity += body.inverse_mass * share;
     body.spin += body.inverse_inertia * end.arm.cross(share);
@@ -74,13 +74,13 @@ void add_impulse(const ContactRow& row, std::span<AnsweringBody> bodies, const V
   }
 }
 
-/// Largest eigenvalue of the answer in the contact plane: the safe divisor for both directions.
-double tangential_answer(const ContactRow& row) {
+/// Largest eigenvalue of the response in the contact plane: the safe divisor for both directions.
+double tangential_response(const ContactRow& row) {
   const Vec3 u = row.normal.unitOrthogonal();
   const Vec3 w = row.normal.cross(u);
-  const double uu = u.dot(row.answer * u);
-  const double ww = w.dot(row.answer * w);
-  const double uw = 0.5 * (u.dot(row.answer * w) + w.dot(row.answer * u));
+  const double uu = u.dot(row.response * u);
+  const double ww = w.dot(row.response * w);
+  const double uw = 0.5 * (u.dot(row.response * w) + w.dot(row.response * u));
   return 0.5 * (uu + ww) + std::hypot(0.5 * (uu - ww), uw);
 }
 
@@ -90,22 +90,22 @@ Vec3 projected_on_disk(const Vec3& v, double radius) {
 }
 
 /// One visit of a row: its new impulse, and by how far (m) it was from where it should be.
-double relax(ContactRow& row, std::span<AnsweringBody> bodies, double step) {
-  const double normal_answer = row.normal_answer;
-  if (!(normal_answer > 0)) return 0;
+double relax(ContactRow& row, std::span<RespondingBody> bodies, double step) {
+  const double normal_response = row.normal_response;
+  if (!(normal_response > 0)) return 0;
   const Vec3& n = row.normal;
   const Vec3 before = row.impulse;
   const double before_n = n.dot(before);
   const Vec3 moved = relative_displacement(row, bodies, step);
   const double gap = row.gap + n.dot(moved) + row.compliance * before_n;
-  const double wanted_n = std::clamp(before_n - gap / normal_answer, row.least, row.most);
-  double error = std::abs(wanted_n - before_n) * normal_answer;
+  const double wanted_n = std::clamp(before_n - gap / normal_response, row.least, row.most);
+  double error = std::abs(wanted_n - before_n) * normal_response;
   // Friction sees the slip that the new normal impulse leaves.
   const Vec3 normal_change = (wanted_n - before_n) * n;
   Vec3 wanted_t = Vec3::Zero();
   if (row.friction > 0 && wanted_n > 0) {
-    const double divisor = row.tangential_answer;
-    const Vec3 total = row.slip + moved + row.answer * normal_change;
+    const double divisor = row.tangential_response;
+    const Vec3 total = row.slip + moved + row.response * normal_change;
     const Vec3 slip = total - n * n.dot(total);
     const Vec3 before_t = before - before_n * n;
     if (divisor > 0) {
@@ -128,7 +128,7 @@ struct Search {
 /// Goes on in the direction that sweeps have gone, as far as conjugate gradients would [Silcowitz,
 /// Niebe, Erleben 2010: nonsmooth nonlinear conjugate gradients]; starts afresh when a sweep
 /// changed more than the one before. May leave the bounds: the next sweep returns.
-void conjugate(Search& search, std::span<ContactRow> rows, std::span<AnsweringBody> bodies) {
+void conjugate(Search& search, std::span<ContactRow> rows, std::span<RespondingBody> bodies) {
   double now = 0;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     now += (rows[k].impulse - search.before[k]).squaredNorm();
@@ -148,9 +148,9 @@ void conjugate(Search& search, std::span<ContactRow> rows, std::span<AnsweringBo
 
 }  // namespace
 
-SolveOutcome solve_contacts(std::span<ContactRow> rows, std::span<AnsweringBody> bodies,
+SolveOutcome solve_contacts(std::span<ContactRow> rows, std::span<RespondingBody> bodies,
                             const SolveLimits& limits) {
-  for (AnsweringBody& body : bodies) {
+  for (RespondingBody& body : bodies) {
     body.velocity.setZero();
     body.spin.setZero();
     body.impulse.setZero();
@@ -158,9 +158,9 @@ SolveOutcome solve_contacts(std::span<ContactRow> rows, std::span<AnsweringBody>
     body.displacement.setZero(body.elastic.rows());
   }
   for (ContactRow& row : rows) {
-    row.answer = own_answer(row, bodies, limits.step);
-    row.normal_answer = row.normal.dot(row.answer * row.normal) + row.compliance;
-    row.tangential_answer = tangential_answer(row);
+    row.response = own_response(row, bodies, limits.step);
+    row.normal_response = row.normal.dot(row.response * row.normal) + row.compliance;
+    row.tangential_response = tangential_response(row);
     add_impulse(row, bodies, row.guess);
     row.impulse += row.guess;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Projected Gauss-Seidel for contacts between bodies given by their answer to impulses; no mesh.
+// Projected Gauss-Seidel for contacts between bodies given by their response to impulses; no mesh.
 #pragma once
 
 #include <array>
@@ -15,9 +15,9 @@ namespace sunder {
 /// A body as the solver sees it: displacement of its points at the end of the step for impulses,
 /// rigid part h (J/m + I^-1 T x arm) plus an elastic part between its slots,
 ///   turn (E + rest_arm x J0^-1 (rest_arm x .) - 1/m) turn^T,
-/// the last two over all slots at once: what E has of rigid answers and should not have. Kept apart
-/// so that neither a turn of the body nor other slots cost a pass over E.
-struct AnsweringBody {
+/// the last two over all slots at once: what E has of rigid response and should not have. Kept
+/// apart so that neither a turn of the body nor other slots cost a pass over E.
+struct RespondingBody {
   double inverse_mass = 0;              ///< 1/kg; 0: does not move
   Mat3 inverse_inertia = Mat3::Zero();  ///< 1/(kg m^2), world
   Eigen::MatrixXd elastic;              ///< E, 3k x 3k, m/(N s), the body's own frame; empty: rigid
@@ -35,7 +35,7 @@ struct AnsweringBody {
 struct ContactEnd {
   static constexpr std::uint32_t rigid_slot = 0xffffffffu;
   std::uint32_t body = 0;
-  std::uint32_t slot = rigid_slot;  ///< its place in the body's elastic answer, or `rigid_slot`
+  std::uint32_t slot = rigid_slot;  ///< its place in the body's elastic response, or `rigid_slot`
   double weight = 1;                ///< share of the impulse: sums to +1 on side A, -1 on side B
   Vec3 arm = Vec3::Zero();          ///< m, from the body's mass centre
   Vec3 rest_arm = Vec3::Zero();     ///< m, the same at rest in the body's own frame
@@ -57,9 +57,9 @@ struct ContactRow {
   Vec3 guess{0, 0, 0};    ///< N s: a change to begin with, say what the last step needed
 
   // Filled by `solve_contacts`, m/(N s):
-  Mat3 answer = Mat3::Zero();    ///< own 3 x 3 block
-  double normal_answer = 0;      ///< along the normal, compliance included
-  double tangential_answer = 0;  ///< the larger one in the contact plane
+  Mat3 response = Mat3::Zero();    ///< own 3 x 3 block
+  double normal_response = 0;      ///< along the normal, compliance included
+  double tangential_response = 0;  ///< the larger one in the contact plane
 };
 
 struct SolveLimits {
@@ -79,7 +79,7 @@ struct SolveOutcome {
 /// each followed by a step of nonsmooth conjugate gradients; the same to the bit on every run.
 /// `bodies` accumulate the changes made by what was added to the impulses. A row that can move
 /// nothing keeps its impulse. O(rows x slots) a sweep.
-SolveOutcome solve_contacts(std::span<ContactRow> rows, std::span<AnsweringBody> bodies,
+SolveOutcome solve_contacts(std::span<ContactRow> rows, std::span<RespondingBody> bodies,
                             const SolveLimits& limits);
 
 }  // namespace sunder

@@ -16,7 +16,7 @@ inline ContactKey key_of(const ContactPoint& c) {
   return {c.ball, c.vertex, c.obstacle, c.tetrahedron};
 }
 
-struct ContactScratch::Room {
+struct ContactScratch::Buffers {
   DetectScratch detect;
   ContactBodies bodies;
   StepBlows blows;
@@ -31,10 +31,10 @@ struct ContactStep {
   ContactPass pass;
   ContactMemory& memory;
   const ContactSettings& settings;
-  std::vector<ContactPoint>& contacts;
-  ContactScratch::Room& room;
+  ContactScratch::Buffers& scratch;
   ContactReport report;
   Blows blows;
+  std::vector<ContactPoint> contacts;
 
   double h() const { return pass.input.settings.time_step; }
   Deformation deformation() const { return pass.input.part.deformation; }
@@ -51,21 +51,21 @@ double target_gap(const ContactStep& step, const ContactPoint& contact);
 /// start for what has not been touched yet.
 Vec3 relative_shift(const ContactStep& step, const ContactPoint& contact);
 
-/// What the end of the step lacks, m: gap less target, as predicted.
-double predicted_lack(const ContactStep& step, const ContactPoint& contact,
-                      const ContactPath& path);
+/// Predicted gap at the end of the step less its target, m; negative: a constraint violation.
+double predicted_gap_error(const ContactStep& step, const ContactPoint& contact,
+                           const ContactPath& path);
 
-/// Contacts along the paths, with everything roused that they act on. False when there are blows
+/// Contacts along the paths, and wakes what they act on. False when there are blows
 /// on them that the step must not run into.
 bool meet(ContactStep& step, double deepest);
 
 /// Of the contacts found, adds what has come near since the last pass: overlaps, deepest first, and
-/// what is nearer than the deepest overlap is deep. Gives that depth, m; 0 when nothing overlaps.
+/// what is closer than the depth of the deepest. Gives that depth, m; 0 when nothing overlaps.
 double add_new_contacts(ContactStep& step, double deepest);
 
-/// What the end of a wave's sub-step lacks, m: velocity times h, and the gap of its start less its
+/// The same at the end of a sub-step of a wave: velocity times h, and the gap at its start less its
 /// target.
-double wave_lack(const ContactStep& step, const ContactPoint& contact);
+double wave_gap_error(const ContactStep& step, const ContactPoint& contact);
 
 /// Gaps and slips of the rows of a wave, as velocities. Gives the largest error, m.
 double measure_wave_rows(ContactStep& step);

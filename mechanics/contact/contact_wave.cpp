@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "mechanics/contact/contact_step.hpp"
+#include "mechanics/contact/obstacle_geometry.hpp"
 #include "mechanics/integrators/coefficients.hpp"
 
 namespace sunder {
@@ -13,7 +14,7 @@ namespace {
 Vec3 ball_velocity(const ContactStep& step, std::size_t row) {
   const Obstacle& ball = step.pass.obstacles[row];
   return ball.velocity + step.h() * step.pass.input.loads.gravity +
-         step.room.blows.ball_impulse[row] / *ball.mass;
+         step.scratch.blows.ball_impulse[row] / *ball.mass;
 }
 
 /// Velocity of side A against side B at the end of the sub-step, spins of balls left out.
@@ -22,7 +23,7 @@ Vec3 velocity_end(const ContactStep& step, const ContactPoint& contact) {
   Vec3 sum = contact.ball == ContactPoint::none ? velocity[contact.vertex.index()]
                                                 : ball_velocity(step, contact.ball);
   if (contact.obstacle == ContactPoint::none) {
-    return sum - center_of(step.pass.input.corners[contact.tetrahedron.index()], velocity);
+    return sum - centre_of(step.pass.input.corners[contact.tetrahedron.index()], velocity);
   }
   const Obstacle& obstacle = step.pass.obstacles[contact.obstacle];
   return sum - (obstacle.mass ? ball_velocity(step, contact.obstacle) : obstacle.velocity);
@@ -32,10 +33,10 @@ Vec3 velocity_end(const ContactStep& step, const ContactPoint& contact) {
 Vec3 spin_slip(const ContactStep& step, const ContactRow& row) {
   Vec3 slip = Vec3::Zero();
   for (std::uint32_t e = 0; e < row.end_count; ++e) {
-    const std::uint32_t ball = step.room.bodies.ball[row.ends[e].body];
+    const std::uint32_t ball = step.scratch.bodies.ball[row.ends[e].body];
     if (ball == ContactBodies::none) continue;
     const Obstacle& sphere = step.pass.obstacles[ball];
-    const Vec3 spin = sphere.spin + step.room.blows.ball_twist[ball] / moment_of_inertia(sphere);
+    const Vec3 spin = sphere.spin + step.scratch.blows.ball_twist[ball] / moment_of_inertia(sphere);
     slip += row.ends[e].weight * spin.cross(row.ends[e].arm);
   }
   return slip;
@@ -43,8 +44,8 @@ Vec3 spin_slip(const ContactStep& step, const ContactRow& row) {
 
 /// Adds an impulse at one end to what it acts on.
 void strike_end(ContactStep& step, const ContactEnd& end, const Vec3& impulse) {
-  StepBlows& blows = step.room.blows;
-  const ContactBodies& bodies = step.room.bodies;
+  StepBlows& blows = step.scratch.blows;
+  const ContactBodies& bodies = step.scratch.bodies;
   if (bodies.component[end.body].is_none()) {
     blows.ball_impulse[bodies.ball[end.body]] += impulse;
     blows.ball_twist[bodies.ball[end.body]] += end.arm.cross(impulse);
@@ -68,7 +69,7 @@ struct Touch {
 
 Vec3 velocity_of_side_b(const ContactStep& step, const ContactPoint& contact) {
   if (contact.obstacle != ContactPoint::none) return step.pass.obstacles[contact.obstacle].velocity;
-  return center_of(step.pass.input.corners[contact.tetrahedron.index()],
+  return centre_of(step.pass.input.corners[contact.tetrahedron.index()],
                    step.pass.state.vertices.velocity);
 }
 
@@ -101,7 +102,7 @@ std::vector<Touch> strongest_touches(const ContactStep& step) {
 
 }  // namespace
 
-double wave_lack(const ContactStep& step, const ContactPoint& contact) {
+double wave_gap_error(const ContactStep& step, const ContactPoint& contact) {
   return contact.gap_start - target_gap(step, contact) +
          step.h() * contact.normal.dot(velocity_end(step, contact));
 }
@@ -111,27 +112,27 @@ double measure_wave_rows(ContactStep& step) {
   double worst = 0;
   for (std::size_t k = 0; k < step.contacts.size(); ++k) {
     const ContactPoint& contact = step.contacts[k];
-    ContactRow& row = step.room.bodies.rows[k];
-    row.gap = wave_lack(step, contact) / h;
+    ContactRow& row = step.scratch.bodies.rows[k];
+    row.gap = wave_gap_error(step, contact) / h;
     row.compliance = step.settings.compliance / (h * h);
     row.friction = contact.friction;
     row.impulse = contact.impulse;
     row.slip = velocity_end(step, contact) + spin_slip(step, row);
     const double pressed = row.normal.dot(row.impulse);
-    const double lack = h * (row.gap + row.compliance * pressed);
-    worst = std::max(worst, pressed > 0 ? std::abs(lack) : -lack);
+    const double gap_error = h * (row.gap + row.compliance * pressed);
+    worst = std::max(worst, pressed > 0 ? std::abs(gap_error) : -gap_error);
   }
   return worst;
 }
 
 void apply_wave_changes(ContactStep& step) {
-  StepBlows& blows = step.room.blows;
+  StepBlows& blows = step.scratch.blows;
   const ContactPass& pass = step.pass;
   for (std::size_t k = 0; k < step.contacts.size(); ++k) {
-    if (step.room.change[k].isZero(0)) continue;
-    const ContactRow& row = step.room.bodies.rows[k];
+    if (step.scratch.change[k].isZero(0)) continue;
+    const ContactRow& row = step.scratch.bodies.rows[k];
     for (std::uint32_t e = 0; e < row.end_count; ++e) {
-      strike_end(step, row.ends[e], row.ends[e].weight * step.room.change[k]);
+      strike_end(step, row.ends[e], row.ends[e].weight * step.scratch.change[k]);
     }
   }
   const StepInput& input = pass.input;
@@ -154,9 +155,10 @@ void predict_wave_balls(ContactStep& step) {
   for (std::size_t k = 0; k < step.pass.obstacles.size(); ++k) {
     const Obstacle& ball = step.pass.obstacles[k];
     if (!ball.mass) continue;
-    const Vec3 pushed = WaveScheme::theta * step.room.blows.ball_impulse[k] / *ball.mass;
-    step.room.ball_end[k] = std::get<Sphere>(ball.shape).center +
-                            h * (ball.velocity + 0.5 * h * step.pass.input.loads.gravity + pushed);
+    const Vec3 pushed = WaveScheme::theta * step.scratch.blows.ball_impulse[k] / *ball.mass;
+    step.scratch.ball_end[k] =
+        std::get<Sphere>(ball.shape).center +
+        h * (ball.velocity + 0.5 * h * step.pass.input.loads.gravity + pushed);
   }
 }
 
@@ -165,8 +167,8 @@ void move_wave_balls(ContactStep& step) {
     Obstacle& ball = step.pass.obstacles[k];
     if (!ball.mass || !step.pass.input.members.has_ball(k)) continue;
     ball.velocity = ball_velocity(step, k);
-    ball.spin += step.room.blows.ball_twist[k] / moment_of_inertia(ball);
-    std::get<Sphere>(ball.shape).center = step.room.ball_end[k];
+    ball.spin += step.scratch.blows.ball_twist[k] / moment_of_inertia(ball);
+    std::get<Sphere>(ball.shape).center = step.scratch.ball_end[k];
   }
 }
 

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What a body can run into that does not break: planes, spheres and boxes; no contact solved here.
+// Obstacles, which do not break: planes, spheres and boxes. No contact is solved here.
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <variant>
-#include <vector>
 
 #include "mechanics/state/vec3.hpp"
-#include "topology/kernel/finding.hpp"
 
 #include <Eigen/Geometry>
 
@@ -41,68 +38,18 @@ struct Box {
 using Shape = std::variant<Plane, Sphere, Box>;
 
 /// A shape with its motion. Without a mass it is driven: it keeps its velocity whatever it hits.
-/// With one it must be a sphere: a projectile that falls, is pushed back and hits other obstacles.
+/// With a mass it must be a sphere: a projectile that falls, is pushed back and hits other
+/// obstacles.
 struct Obstacle {
   Shape shape = Plane{};
   /// m/s; zero for a static obstacle.
   Vec3 velocity{0, 0, 0};
   /// Angular velocity, rad/s; used by free spheres only.
   Vec3 spin{0, 0, 0};
-  /// Coulomb's coefficient, >= 0. Two surfaces in contact rub with the mean of theirs.
+  /// Coulomb's coefficient, >= 0. Two surfaces in contact have the mean of theirs.
   double friction = 0.5;
   /// kg, > 0, of a free sphere; none for a driven obstacle.
   std::optional<double> mass = {};
 };
-
-/// The place of a point against a shape.
-struct SurfaceDistance {
-  /// Distance to the surface, m; negative inside.
-  double gap = 0;
-  /// Unit vector out of the shape: the gradient of the gap.
-  Vec3 normal{0, 0, 1};
-};
-
-/// Signed distance of `point` (m) to a shape and its gradient. Inside a box the nearest face
-/// counts; where the gradient is not unique (the middle of a sphere, ties) a fixed axis is taken.
-SurfaceDistance surface_distance(const Shape& shape, const Vec3& point);
-
-/// A point that moves straight from `start` to `end` (m) beside a shape at rest.
-struct Path {
-  Vec3 start{0, 0, 0};
-  Vec3 end{0, 0, 0};
-  /// Radius of a ball around the point, m; 0 for a bare point.
-  double radius = 0;
-};
-
-/// The tangent plane that a moving point meets, if it meets the shape at all.
-struct FirstTouch {
-  /// Unit normal, out of the shape, where the point touches first, or where it is nearest.
-  Vec3 normal{0, 0, 1};
-  /// Signed distance at the start, m.
-  double gap_start = 0;
-  /// Signed distance of the end to the tangent plane at that place, m: negative if it passed it.
-  double gap_end = 0;
-};
-
-/// Where a moving point first touches a shape. Sphere tracing: the signed distance never grows
-/// faster than the path is long, so a fast point cannot pass a thin obstacle unseen. A path that
-/// begins inside keeps the normal of its start. At most 48 evaluations of the distance.
-FirstTouch first_touch(const Shape& shape, const Path& path);
-
-/// Velocity of an obstacle's material at `point` of its surface, m/s.
-Vec3 surface_velocity(const Obstacle& obstacle, const Vec3& point);
-
-/// Moves an obstacle by `displacement` (m); planes shift along their normal.
-void translate(Shape& shape, const Vec3& displacement);
-
-/// Moment of inertia of a free sphere about its centre, 2/5 m r^2, kg m^2.
-/// Needs: a sphere with a mass.
-double moment_of_inertia(const Obstacle& free_sphere);
-
-/// What is wrong with an obstacle: a normal of length zero, a radius, extent or mass that is not
-/// positive, negative friction, a mass on anything but a sphere, a spin without mass, not a number.
-/// `row` names the obstacle. Normals and orientations of other lengths than 1 are errors too: scene
-/// readers normalise them.
-std::vector<Finding> check(const Obstacle& obstacle, std::size_t row);
 
 }  // namespace sunder

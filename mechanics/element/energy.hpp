@@ -23,12 +23,6 @@ double element_strain_energy(const MechanicsState& state, TetId element);
 /// sum V sigma : eps / 2 from the element stresses (eq. 5), J. Needs: `elements.stress` up to date.
 double strain_energy(const MechanicsState& state);
 
-/// What a measure of element stresses changed in a component's strain energy, J.
-struct StrainChange {
-  double before = 0, after = 0;
-  double difference = 0;  ///< Dd . K Dd: twice the energy of the difference of the stresses
-};
-
 /// Turns stresses of one material into energies: sigma : eps = (sigma : sigma - share tr^2) / 2 mu
 /// with share = lambda / (3 lambda + 2 mu) = nu / (1 + nu).
 struct StressEnergy {

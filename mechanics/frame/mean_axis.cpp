@@ -67,7 +67,7 @@ Mat3 product_of(const Eigen::VectorXd& mass, ConstLocalField a, ConstLocalField 
   return Eigen::Map<const Mat3>(s);
 }
 
-RigidField rigid_answer(const RestShape& shape, ConstLocalField load) {
+RigidField rigid_response(const RestShape& shape, ConstLocalField load) {
   Vec3 force = Vec3::Zero();
   Vec3 torque = Vec3::Zero();
   for (Eigen::Index i = 0; i < load.cols(); ++i) {
@@ -78,7 +78,7 @@ RigidField rigid_answer(const RestShape& shape, ConstLocalField load) {
 }
 
 RigidField project_load(LocalField load, const RestShape& shape) {
-  const RigidField rigid = rigid_answer(shape, load);
+  const RigidField rigid = rigid_response(shape, load);
   for (Eigen::Index i = 0; i < load.cols(); ++i) {
     load.col(i) -=
         shape.mass[i] * (rigid.translation + rigid.rotation.cross(Vec3(shape.arm.col(i))));

@@ -42,7 +42,7 @@ struct RigidField {
 };
 
 /// The rigid accelerations a load (N) gives: sum b / m and J0^-1 sum r0 x b.
-RigidField rigid_answer(const RestShape& shape, ConstLocalField load);
+RigidField rigid_response(const RestShape& shape, ConstLocalField load);
 
 /// Leaves of a load (N) what only deforms: b -= m (a0 + alpha x r0), so that sum b = 0 and
 /// sum r0 x b = 0. Gives what it took out. K, M and C map that subspace into itself.

@@ -47,7 +47,7 @@ SystemMatrix wave_matrix(const IntegratorSettings& settings, double cell_travel)
   return {1 + reach * a, reach * b + reach * reach};
 }
 
-ImpulseAnswer impulse_answer(const IntegratorSettings& settings) {
+ImpulseCoefficients impulse_coefficients(const IntegratorSettings& settings) {
   const double h = settings.time_step;
   const auto [a, b] = settings.damping;
   switch (settings.integrator) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The numbers of the time schemes: generalised-alpha, the system matrix, the answer to an impulse.
+// The numbers of the time schemes: generalised-alpha, the system matrix, the response to an
+// impulse.
 #pragma once
 
 #include "mechanics/solver/component_system.hpp"
@@ -23,8 +24,9 @@ constexpr GeneralisedAlpha generalised_alpha(double rho_infinity) {
 
 /// The rho_infinity that a component takes a step of `time_step` with: the user's where the step
 /// resolves its slowest axial mode (w h <= 0.3, w = pi c / L), 0 where it does not (w h >= 3), and
-/// in between by the logarithm of w h. A load that comes suddenly then settles at the static answer
-/// in long steps, whatever the user's is: 0.5 would ring for five. `extent_travel`: L/c, s.
+/// in between by the logarithm of w h. A load that comes suddenly then settles at the static
+/// solution in long steps, whatever the user's is: 0.5 would ring for five. `extent_travel`: L/c,
+/// s.
 double followed_rho(double rho_infinity, double time_step, double extent_travel);
 
 /// A = mass M + stiffness K of the integrator, Rayleigh damping C = a M + b K included:
@@ -54,10 +56,10 @@ SystemMatrix wave_matrix(const IntegratorSettings& settings, double cell_travel)
 /// Displacement at the end of a step for a unit change of momentum at its start, elastic part:
 /// inverse A^-1 + mass M^-1 on deformations. From A da = -C dv - h (1-alpha_f) K dv and
 /// dd = h dv + beta h^2 da, dv = M^-1 j, with K M^-1 written through A.
-struct ImpulseAnswer {
+struct ImpulseCoefficients {
   double inverse = 0;  ///< s
   double mass = 0;     ///< s
 };
-ImpulseAnswer impulse_answer(const IntegratorSettings& settings);
+ImpulseCoefficients impulse_coefficients(const IntegratorSettings& settings);
 
 }  // namespace sunder

@@ -8,21 +8,22 @@
 
 namespace sunder {
 
-void fit_systems(MechanicsScratch& scratch, const MechanicsState& state) {
-  scratch.systems.resize(state.components.size());
-  scratch.retired.resize(state.components.size());
-  scratch.local_row.resize(state.vertices.size());
+void fit_systems(MechanicsState& state) {
+  state.systems.present.resize(state.components.size());
+  state.systems.retired.resize(state.components.size());
+  state.systems.local_row.resize(state.vertices.size());
 }
 
-ComponentSystem& built_system(MechanicsScratch& scratch, const MechanicsState& state,
-                              std::span<const Corners> corners, const Component& component) {
-  fit_systems(scratch, state);
-  std::unique_ptr<ComponentSystem>& system = scratch.systems[component.id.index()];
+ComponentSystem& built_system(MechanicsState& state, std::span<const Corners> corners,
+                              const Component& component) {
+  fit_systems(state);
+  std::unique_ptr<ComponentSystem>& system = state.systems.present[component.id.index()];
   if (!system) {
     system = std::make_unique<ComponentSystem>();
-    std::unique_ptr<ComponentSystem>& old = scratch.retired[component.id.index()];
-    if (!old || !extend_system(*system, *old, scratch.local_row, {state, corners, component})) {
-      build_system(*system, scratch.local_row, state, corners, component);
+    std::unique_ptr<ComponentSystem>& old = state.systems.retired[component.id.index()];
+    std::vector<std::uint32_t>& local_row = state.systems.local_row;
+    if (!old || !extend_system(*system, *old, local_row, {state, corners, component})) {
+      build_system(*system, local_row, state, corners, component);
     }
     old.reset();
   }
@@ -39,9 +40,9 @@ IntegratorSettings settings_of(const StepInput& input, const MechanicsState& sta
   return settings;
 }
 
-ComponentSystem& prepared_system(MechanicsScratch& scratch, const MechanicsState& state,
-                                 const StepInput& input, const Component& component) {
-  ComponentSystem& system = built_system(scratch, state, input.corners, component);
+ComponentSystem& prepared_system(MechanicsState& state, const StepInput& input,
+                                 const Component& component) {
+  ComponentSystem& system = built_system(state, input.corners, component);
   if (component.rung == Rung::quasi_static) {
     factor_system(system, quasi_static_matrix());
     return system;

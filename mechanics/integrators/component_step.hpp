@@ -8,10 +8,11 @@
 
 namespace sunder {
 
-/// One component in one step. Integrators read `state`, write `scratch.predicted` only.
+/// One component in one step. Integrators read the state, write `scratch.predicted` and what they
+/// need of `state.systems`.
 struct ComponentStep {
   MechanicsScratch& scratch;
-  const MechanicsState& state;
+  MechanicsState& state;
   const StepInput& input;
   const Component& component;
   ComponentSystem* system;  ///< built and factored; null for isolated tetrahedra and verlet
@@ -22,24 +23,33 @@ IntegratorSettings settings_of(const StepInput& input, const MechanicsState& sta
                                const Component& component);
 
 /// As many places for systems as the state has components, and rows as it has vertices.
-void fit_systems(MechanicsScratch& scratch, const MechanicsState& state);
+void fit_systems(MechanicsState& state);
 
 /// The system of a component, built where it is not yet; nothing is said of its factor.
-ComponentSystem& built_system(MechanicsScratch& scratch, const MechanicsState& state,
-                              std::span<const Corners> corners, const Component& component);
+ComponentSystem& built_system(MechanicsState& state, std::span<const Corners> corners,
+                              const Component& component);
 
 /// The system of a component, built and factored for this part of a step: at once where that is
 /// done already.
-ComponentSystem& prepared_system(MechanicsScratch& scratch, const MechanicsState& state,
-                                 const StepInput& input, const Component& component);
+ComponentSystem& prepared_system(MechanicsState& state, const StepInput& input,
+                                 const Component& component);
 
 /// Scratch vectors of a component, by name.
-enum class Work { displacement, rate, acceleration, load, argument, product, position, spare };
+enum class ScratchField {
+  displacement,
+  rate,
+  acceleration,
+  load,
+  argument,
+  product,
+  position,
+  spare
+};
 
-/// `work[which]` as 3 x n; grows, never shrinks. Contents are whatever they were.
-inline Eigen::Map<Eigen::Matrix3Xd> work_field(MechanicsScratch& scratch, Work which,
-                                               std::size_t n) {
-  std::vector<double>& buffer = scratch.work[static_cast<std::size_t>(which)];
+/// `scratch.local[which]` as 3 x n; grows, never shrinks. Contents are whatever they were.
+inline Eigen::Map<Eigen::Matrix3Xd> scratch_field(MechanicsScratch& scratch, ScratchField which,
+                                                  std::size_t n) {
+  std::vector<double>& buffer = scratch.local[static_cast<std::size_t>(which)];
   if (buffer.size() < 3 * n) buffer.resize(3 * n);
   return {buffer.data(), 3, static_cast<Eigen::Index>(n)};
 }

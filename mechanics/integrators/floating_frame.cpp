@@ -2,10 +2,10 @@
 // Floating frame of reference with a constant factor.
 #include "mechanics/integrators/floating_frame.hpp"
 
+#include "mechanics/frame/rotation.hpp"
 #include "mechanics/integrators/coefficients.hpp"
 #include "mechanics/integrators/modal.hpp"
 #include "mechanics/integrators/rigid_motion.hpp"
-#include "mechanics/frame/rotation.hpp"
 
 namespace sunder {
 namespace {
@@ -19,9 +19,9 @@ struct BodyDeformation {
 
 BodyDeformation gather_deformation(const ComponentStep& step) {
   const std::size_t n = step.system->size();
-  BodyDeformation d{work_field(step.scratch, Work::displacement, n),
-                    work_field(step.scratch, Work::rate, n),
-                    work_field(step.scratch, Work::acceleration, n)};
+  BodyDeformation d{scratch_field(step.scratch, ScratchField::displacement, n),
+                    scratch_field(step.scratch, ScratchField::rate, n),
+                    scratch_field(step.scratch, ScratchField::acceleration, n)};
   const VertexColumns& vertices = step.state.vertices;
   gather(d.displacement, step.system->order, vertices.displacement);
   gather(d.rate, step.system->order, vertices.displacement_rate);
@@ -34,13 +34,13 @@ BodyDeformation gather_deformation(const ComponentStep& step) {
 double damping_work(const ComponentStep& step, const RayleighDamping& damping,
                     const BodyDeformation& d, double balance) {
   const std::size_t n = step.system->size();
-  Field way = work_field(step.scratch, Work::argument, n);
+  Field way = scratch_field(step.scratch, ScratchField::argument, n);
   gather(way, step.system->order, step.state.vertices.displacement);
   way = d.displacement - way;
-  Field rate = work_field(step.scratch, Work::spare, n);
+  Field rate = scratch_field(step.scratch, ScratchField::spare, n);
   gather(rate, step.system->order, step.state.vertices.displacement_rate);
   rate = balance * d.rate + (1 - balance) * rate;
-  Field product = work_field(step.scratch, Work::product, n);
+  Field product = scratch_field(step.scratch, ScratchField::product, n);
   multiply_stiffness(as_vector(product), *step.system, as_vector(way));
   const double inner =
       way.cwiseProduct(rate).colwise().sum().dot(step.system->shape.mass.transpose());
@@ -64,9 +64,9 @@ double advance_deformation(const ComponentStep& step, BodyDeformation& d, const 
   const auto free = static_cast<Eigen::Index>(step.system->free_count);
   const bool damped = a > 0 || b > 0;
 
-  Field argument = work_field(step.scratch, Work::argument, n);
+  Field argument = scratch_field(step.scratch, ScratchField::argument, n);
   argument = alpha_f * (d.displacement + b * d.rate);
-  Field rhs = work_field(step.scratch, Work::product, n);
+  Field rhs = scratch_field(step.scratch, ScratchField::product, n);
   // d and d' become their predictors; the weighted rate is alpha_f old + (1 - alpha_f) predictor.
   d.displacement.leftCols(free) +=
       h * d.rate.leftCols(free) + h * h * (0.5 - beta) * d.acceleration.leftCols(free);
@@ -99,9 +99,9 @@ double advance_wave(const ComponentStep& step, BodyDeformation& d, const Field& 
   const std::size_t n = step.system->size();
   const auto free = static_cast<Eigen::Index>(step.system->free_count);
 
-  Field argument = work_field(step.scratch, Work::argument, n);
+  Field argument = scratch_field(step.scratch, ScratchField::argument, n);
   argument = d.displacement + (reach + damping.stiffness_factor) * d.rate;
-  Field change = work_field(step.scratch, Work::product, n);
+  Field change = scratch_field(step.scratch, ScratchField::product, n);
   multiply_stiffness(as_vector(change), *step.system, as_vector(argument));
   change =
       h * (load - change - damping.mass_factor * (d.rate * step.system->shape.mass.asDiagonal()));
@@ -170,7 +170,7 @@ Field inertial_load(const ComponentStep& step, const BodyDeformation& d, const S
   if (settings.integrator == Integrator::modal) balance = 0.5;
   const double ahead = balance * settings.time_step;
   const RestShape& shape = step.system->shape;
-  Field load = work_field(step.scratch, Work::load, step.system->size());
+  Field load = scratch_field(step.scratch, ScratchField::load, step.system->size());
   const Vec3 w = spin.velocity + ahead * spin.acceleration;
   for (Eigen::Index i = 0; i < load.cols(); ++i) {
     const Vec3 displaced = d.displacement.col(i) + ahead * d.rate.col(i);
@@ -193,8 +193,8 @@ Field inertial_load(const ComponentStep& step, const BodyDeformation& d, const S
 BodyDeformation motion_ahead(const ComponentStep& step, const BodyDeformation& d) {
   if (step.input.settings.integrator != Integrator::modal) return d;
   const std::size_t n = step.system->size();
-  BodyDeformation ahead{d.displacement, work_field(step.scratch, Work::spare, n),
-                        work_field(step.scratch, Work::argument, n)};
+  BodyDeformation ahead{d.displacement, scratch_field(step.scratch, ScratchField::spare, n),
+                        scratch_field(step.scratch, ScratchField::argument, n)};
   mean_modal_rate(ahead.rate, step, {d.displacement, d.rate});
   ahead.acceleration.setZero();
   return ahead;
@@ -207,7 +207,7 @@ void settle_frame(const ComponentStep& step, BodyDeformation& d, PredictedFrame&
   d.displacement.colwise() -= shift;
   next.centre += next.orientation * shift;
 
-  Field q = work_field(step.scratch, Work::position, step.system->size());
+  Field q = scratch_field(step.scratch, ScratchField::position, step.system->size());
   q = shape.arm + d.displacement;
   const Mat3 A = product_of(shape.mass, q, shape.arm);
   const Eigen::Quaterniond turn = refine_rotation(A, Eigen::Quaterniond::Identity());
@@ -246,7 +246,7 @@ void step_free(const ComponentStep& step) {
   const ComponentSystem& system = *step.system;
   const Eigen::VectorXd& mass = system.shape.mass;
   BodyDeformation d = gather_deformation(step);
-  Field q = work_field(step.scratch, Work::position, system.size());
+  Field q = scratch_field(step.scratch, ScratchField::position, system.size());
   q = system.shape.arm + d.displacement;
 
   const RigidLoad load = rigid_load(step);
@@ -274,7 +274,7 @@ void step_free(const ComponentStep& step) {
 void step_supported(const ComponentStep& step) {
   const Component& body = step.component;
   BodyDeformation d = gather_deformation(step);
-  Field load = work_field(step.scratch, Work::load, step.system->size());
+  Field load = scratch_field(step.scratch, ScratchField::load, step.system->size());
   load.setZero();
   add_body_load(load, step, body.orientation.toRotationMatrix());
 

@@ -121,21 +121,21 @@ struct FreeVertices {
   std::vector<std::uint32_t> local;
 };
 
-FreeVertices free_vertices(const MechanicsScratch& scratch, const MechanicsState& state,
-                           std::span<const VertexId> vertices) {
+FreeVertices free_vertices(const MechanicsState& state, std::span<const VertexId> vertices) {
   FreeVertices free;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     const std::size_t v = vertices[i].index();
     if (!state.vertices.support[v].is_none()) continue;
     free.row.push_back(static_cast<Eigen::Index>(i));
-    free.local.push_back(scratch.local_row[v]);
+    free.local.push_back(state.systems.local_row[v]);
   }
   return free;
 }
 
 /// Adds R (c1 A^-1 + c2 M^-1, freed of the rigid answer unless supported) R^T.
-void add_elastic_response(Eigen::MatrixXd& Y, ComponentSystem& system, const ImpulseAnswer& answer,
-                          const Component& component, const FreeVertices& free) {
+void add_elastic_response(Eigen::MatrixXd& Y, ComponentSystem& system,
+                          const ImpulseCoefficients& answer, const Component& component,
+                          const FreeVertices& free) {
   const std::vector<std::uint32_t> places = touch_compliance(system, free.local);
   // A r = mu M r for rigid fields r, so the rigid part of A^-1 is that of M^-1 over mu.
   const double rigid_part =
@@ -176,8 +176,8 @@ void apply_impulses(MechanicsState& state, std::span<const VertexImpulse> impuls
   }
 }
 
-Eigen::MatrixXd end_of_step_response(MechanicsScratch& scratch, const MechanicsState& state,
-                                     const StepInput& input, const StruckVertices& struck) {
+Eigen::MatrixXd end_of_step_response(MechanicsState& state, const StepInput& input,
+                                     const StruckVertices& struck) {
   const Component& component = state.components[struck.component.index()];
   const auto k = static_cast<Eigen::Index>(struck.vertices.size());
   const double h = input.settings.time_step;
@@ -192,10 +192,9 @@ Eigen::MatrixXd end_of_step_response(MechanicsScratch& scratch, const MechanicsS
     return Y;
   }
   if (!component.supported) Y = rigid_response(state, component, struck.vertices, h);
-  ComponentSystem& system = prepared_system(scratch, state, input, component);
-  const ImpulseAnswer answer = impulse_answer(settings_of(input, state, component));
-  add_elastic_response(Y, system, answer, component,
-                       free_vertices(scratch, state, struck.vertices));
+  ComponentSystem& system = prepared_system(state, input, component);
+  const ImpulseCoefficients answer = impulse_coefficients(settings_of(input, state, component));
+  add_elastic_response(Y, system, answer, component, free_vertices(state, struck.vertices));
   return Y;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Impulses at vertices and how far the step answers them: the one way contact couples to mechanics.
+// Impulses at vertices and how the step responds to them: the one way contact couples to mechanics.
 #pragma once
 
 #include <span>
@@ -37,7 +37,7 @@ void apply_impulses(MechanicsState& state, std::span<const VertexImpulse> impuls
 /// Needs: every vertex in `struck.component`. The first touch of a vertex costs three back-solves,
 /// cached until the component is rebuilt or the step changes: the cache holds 72 k^2 bytes, no
 /// more.
-Eigen::MatrixXd end_of_step_response(MechanicsScratch& scratch, const MechanicsState& state,
-                                     const StepInput& input, const StruckVertices& struck);
+Eigen::MatrixXd end_of_step_response(MechanicsState& state, const StepInput& input,
+                                     const StruckVertices& struck);
 
 }  // namespace sunder

@@ -113,7 +113,7 @@ void mean_modal_rate(LocalField rate, const ComponentStep& step, const ModalDefo
   rate.rightCols(rate.cols() - free) = d.rate.rightCols(rate.cols() - free);
 }
 
-Eigen::MatrixXd modal_answer(const ComponentStep& step, std::span<const std::uint32_t> vertices) {
+Eigen::MatrixXd modal_response(const ComponentStep& step, std::span<const std::uint32_t> vertices) {
   const ModalBasis& basis = modal_basis(step);
   const double h = step.input.settings.time_step;
   Eigen::MatrixXd shape(static_cast<Eigen::Index>(3 * vertices.size()), basis.shape.cols());

@@ -41,6 +41,6 @@ void mean_modal_rate(LocalField rate, const ComponentStep& step, const ModalDefo
 /// Displacement (rows, of free vertices) at the end of the step for unit impulses (columns) that
 /// act as forces all through it: S diag((1 - cos wh) / (w^2 h)) S^T. Body frame, 3 k x 3 k, m/(N
 /// s).
-Eigen::MatrixXd modal_answer(const ComponentStep& step, std::span<const std::uint32_t> vertices);
+Eigen::MatrixXd modal_response(const ComponentStep& step, std::span<const std::uint32_t> vertices);
 
 }  // namespace sunder

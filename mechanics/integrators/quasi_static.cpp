@@ -17,17 +17,17 @@ Field equilibrium(const ComponentStep& step, const Field& before) {
   const auto free = static_cast<Eigen::Index>(system.free_count);
   const auto held = static_cast<Eigen::Index>(n) - free;
   const Mat3 back = step.component.orientation.toRotationMatrix().transpose();
-  Field d = work_field(step.scratch, Work::rate, n);
+  Field d = scratch_field(step.scratch, ScratchField::rate, n);
   d.setZero();
   for (Eigen::Index i = free; i < free + held; ++i) {
     const VertexId v = system.order[static_cast<std::size_t>(i)];
     const Vec3 relative = support_velocity(step.state, v) - step.component.frame_velocity;
     d.col(i) = before.col(i) + step.input.settings.time_step * (back * relative);
   }
-  Field load = work_field(step.scratch, Work::load, n);
+  Field load = scratch_field(step.scratch, ScratchField::load, n);
   load.setZero();
   add_body_load(load, step, back.transpose());
-  Field product = work_field(step.scratch, Work::product, n);
+  Field product = scratch_field(step.scratch, ScratchField::product, n);
   multiply_stiffness(as_vector(product), system, as_vector(d));
   load -= product;
   solve_system(system, as_vector(load).head(3 * free));
@@ -42,7 +42,7 @@ void step_quasi_static(const ComponentStep& step) {
   const Component& body = step.component;
   const ComponentSystem& system = *step.system;
   const double h = step.input.settings.time_step;
-  Field before = work_field(step.scratch, Work::displacement, system.size());
+  Field before = scratch_field(step.scratch, ScratchField::displacement, system.size());
   gather(before, system.order, step.state.vertices.displacement);
   const Field d = equilibrium(step, before);
 

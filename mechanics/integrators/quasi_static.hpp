@@ -6,8 +6,8 @@
 
 namespace sunder {
 
-/// The displacement at the end of the step is the static answer to the loads, K d = R^T f with held
-/// vertices where they are then; its rate is the mean one of the step, accelerations are none.
+/// The displacement at the end of the step is the static solution to the loads, K d = R^T f with
+/// held vertices where they are then; its rate is the mean one of the step, accelerations are none.
 /// Needs `step.system` factored with `quasi_static_matrix`. One back-solve.
 void step_quasi_static(const ComponentStep& step);
 

@@ -29,11 +29,11 @@ void place_rows(std::span<std::uint32_t> place, const BlockAnalysis& analysis,
 
 /// A's own blocks into the panel.
 void assemble(const Panel& panel, const Supernode& node, const ShiftedMatrix& A,
-              const FactorRoom& room, std::size_t rows) {
+              const FactorScratch& scratch, std::size_t rows) {
   for (std::uint32_t j = node.first; j < node.end; ++j) {
     const std::size_t column = tile_rows * 3 * (j - node.first);
     for (std::uint32_t e = A.K.start[j]; e < A.K.start[j + 1] && A.K.row[e] < rows; ++e) {
-      double* to = panel.vertex_row(room.place[A.K.row[e]]) + column;
+      double* to = panel.vertex_row(scratch.place[A.K.row[e]]) + column;
       const double* from = A.K.value.data() + 9 * std::size_t{e};
       for (std::size_t c = 0; c < 3; ++c, to += tile_rows, from += 3) {
         for (std::size_t r = 0; r < 3; ++r) to[r] = A.stiffness * from[r];
@@ -48,21 +48,22 @@ void assemble(const Panel& panel, const Supernode& node, const ShiftedMatrix& A,
 
 /// A child's update into its parent's panel and update.
 void add_update(const Panel& panel, double* update, std::span<const std::uint32_t> rows,
-                const double* child, const FactorRoom& room) {
+                const double* child, const FactorScratch& scratch) {
   const std::size_t n = rows.size(), leading = update_leading(n);
   const std::size_t own_leading = update_leading(panel.height);
   for (std::size_t k = 0; k < n; ++k) {
-    const std::size_t column = room.place[rows[k]];
+    const std::size_t column = scratch.place[rows[k]];
     const double* from = child + 3 * k * leading;
     if (column < panel.width) {
       for (std::size_t i = k; i < n; ++i) {
-        double* to = panel.vertex_row(room.place[rows[i]]) + 3 * column * tile_rows;
+        double* to = panel.vertex_row(scratch.place[rows[i]]) + 3 * column * tile_rows;
         add_block(to, tile_rows, from + 3 * i, leading);
       }
     } else {
       double* to = update + 3 * (column - panel.width) * own_leading;
       for (std::size_t i = k; i < n; ++i) {
-        add_block(to + 3 * (room.place[rows[i]] - panel.width), own_leading, from + 3 * i, leading);
+        add_block(to + 3 * (scratch.place[rows[i]] - panel.width), own_leading, from + 3 * i,
+                  leading);
       }
     }
   }
@@ -80,20 +81,20 @@ struct UpdateStack {
 
 /// The front of one supernode: assembled, factored, its update left on the stack.
 bool factor_front(const Panel& panel, std::uint32_t s, const BlockAnalysis& analysis,
-                  const ShiftedMatrix& A, FactorRoom& room, UpdateStack& stack) {
+                  const ShiftedMatrix& A, FactorScratch& scratch, UpdateStack& stack) {
   const Supernode& node = analysis.supernodes[s];
-  double* base = room.stack.data();
+  double* base = scratch.stack.data();
   double* update = base + stack.top;
   const std::size_t size = update_doubles(node.height());
   std::fill(update, update + size, 0.0);
-  place_rows(room.place, analysis, node);
-  assemble(panel, node, A, room, analysis.order.size());
+  place_rows(scratch.place, analysis, node);
+  assemble(panel, node, A, scratch, analysis.order.size());
   std::size_t begin = stack.top;
   while (!stack.entries.empty() &&
          analysis.supernodes[stack.entries.back().supernode].parent == s) {
     const UpdateStack::Entry child = stack.entries.back();
     add_update(panel, update, analysis.rows_below(analysis.supernodes[child.supernode]),
-               base + child.begin, room);
+               base + child.begin, scratch);
     begin = child.begin;
     stack.entries.pop_back();
   }
@@ -110,16 +111,16 @@ bool factor_front(const Panel& panel, std::uint32_t s, const BlockAnalysis& anal
 }  // namespace
 
 void factor(BlockFactor& factor, const BlockAnalysis& analysis, const ShiftedMatrix& A,
-            FactorRoom& room) {
+            FactorScratch& scratch) {
   factor.panels.assign(analysis.panel_size, 0.0);
-  room.stack.resize(std::max(room.stack.size(), analysis.stack_size));
-  room.place.resize(std::max(room.place.size(), analysis.order.size()));
+  scratch.stack.resize(std::max(scratch.stack.size(), analysis.stack_size));
+  scratch.place.resize(std::max(scratch.place.size(), analysis.order.size()));
   UpdateStack stack;
   factor.positive_definite = true;
   for (std::uint32_t s = 0; s < analysis.supernodes.size(); ++s) {
     const Supernode& node = analysis.supernodes[s];
     const Panel panel{factor.panels.data() + node.panel, node.width(), node.height()};
-    if (!factor_front(panel, s, analysis, A, room, stack)) {
+    if (!factor_front(panel, s, analysis, A, scratch, stack)) {
       factor.positive_definite = false;
       return;
     }

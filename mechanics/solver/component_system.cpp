@@ -6,8 +6,8 @@
 #include <limits>
 #include <numeric>
 
-#include "mechanics/solver/assemble_system.hpp"
 #include "mechanics/element/strain_displacement.hpp"
+#include "mechanics/solver/assemble_system.hpp"
 #include "mechanics/state/wave_travel.hpp"
 
 namespace sunder {
@@ -139,6 +139,23 @@ void assemble_stiffness(BlockMatrix& K, const VertexStars& stars,
 }
 
 }  // namespace
+
+ComponentSystems::ComponentSystems() = default;
+ComponentSystems::ComponentSystems(ComponentSystems&&) noexcept = default;
+ComponentSystems& ComponentSystems::operator=(ComponentSystems&&) noexcept = default;
+ComponentSystems::~ComponentSystems() = default;
+
+ComponentSystems::ComponentSystems(const ComponentSystems& other) : local_row(other.local_row) {
+  const auto copy = [](const std::unique_ptr<ComponentSystem>& system) {
+    return system ? std::make_unique<ComponentSystem>(*system) : nullptr;
+  };
+  std::ranges::transform(other.present, std::back_inserter(present), copy);
+  std::ranges::transform(other.retired, std::back_inserter(retired), copy);
+}
+
+ComponentSystems& ComponentSystems::operator=(const ComponentSystems& other) {
+  return *this = ComponentSystems(other);
+}
 
 void assemble_system(ComponentSystem& system, std::span<std::uint32_t> local_row,
                      const SystemInput& input) {

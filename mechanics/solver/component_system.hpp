@@ -35,14 +35,14 @@ struct SystemFactor {
   std::vector<std::uint32_t> touched;
   Eigen::MatrixXd compliance;  ///< 1/kg; body frame; capacity grows by doubling
   std::vector<char> needed;    ///< supernodes that entries between touched vertices depend on
-  /// Room of `solve_system` for extended rows.
+  /// Scratch of `solve_system` for extended rows.
   mutable std::vector<double> extended;
 };
 
 /// Which of a component's factors: that of its steps, or that of the sub-steps of an impact.
 enum class FactorUse { step, wave };
 
-/// Everything constant between two changes of a component. Derived from the state; never saved.
+/// Everything constant between two changes of a component.
 struct ComponentSystem {
   /// Its own numbering, n: free vertices in the order in which they are eliminated, then the held
   /// ones. So the free dofs are the leading block of every matrix and the factor needs no
@@ -127,8 +127,8 @@ struct ColumnBlock {
   std::span<const std::uint32_t> places() const { return {place.data(), count}; }
 };
 
-/// Room of one thread at work on columns.
-struct ColumnRoom {
+/// Scratch of one thread at work on columns.
+struct ColumnScratch {
   AlignedDoubles X;
   std::vector<char> loaded;
 };
@@ -139,10 +139,10 @@ std::vector<std::uint32_t> note_touched(ComponentSystem& system,
                                         std::span<const std::uint32_t> local_vertices,
                                         FactorUse use, std::vector<ColumnBlock>& missing);
 
-/// Solves for columns, block by block: same bytes for any number of threads. `rooms` is kept from
-/// call to call.
+/// Solves for columns, block by block: same bytes for any number of threads. `scratch`: one a
+/// thread.
 void fill_columns(std::span<const ColumnBlock> blocks, unsigned threads,
-                  std::vector<ColumnRoom>& rooms);
+                  std::vector<ColumnScratch>& scratch);
 
 /// Both at once, on one thread: three back-solves for each new vertex.
 std::vector<std::uint32_t> touch_compliance(ComponentSystem& system,

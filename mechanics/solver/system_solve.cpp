@@ -43,10 +43,10 @@ void renew_analysis(ComponentSystem& system) {
 }
 
 void make_factor(ComponentSystem& system, SystemFactor& own) {
-  FactorRoom room;
+  FactorScratch scratch;
   if (system.factor_row.empty()) {
     factor(own.factor, system.analysis,
-           {system.stiffness, system.shape.mass, own.matrix.mass, own.matrix.stiffness}, room);
+           {system.stiffness, system.shape.mass, own.matrix.mass, own.matrix.stiffness}, scratch);
     return;
   }
   const BlockMatrix K = renumbered(system.stiffness, system.factor_row);
@@ -54,7 +54,7 @@ void make_factor(ComponentSystem& system, SystemFactor& own) {
   for (std::size_t i = 0; i < system.free_count; ++i) {
     mass[system.factor_row[i]] = system.shape.mass[static_cast<Eigen::Index>(i)];
   }
-  factor(own.factor, system.analysis, {K, mass, own.matrix.mass, own.matrix.stiffness}, room);
+  factor(own.factor, system.analysis, {K, mass, own.matrix.mass, own.matrix.stiffness}, scratch);
 }
 
 /// x <- A^-1 x by way of the rows of the factor.
@@ -145,22 +145,23 @@ void clear_rows(AlignedDoubles& X, const ComponentSystem& system, std::span<cons
 /// A column gives the entries between its vertex and those of lower places, so that no two columns
 /// write the same.
 void fill_block(SystemFactor& own, const ComponentSystem& system, const ColumnBlock& task,
-                ColumnRoom& room) {
+                ColumnScratch& scratch) {
   const std::span<const std::uint32_t> places = task.places();
   std::array<std::uint32_t, ColumnBlock::size> vertices;
   for (std::size_t b = 0; b < places.size(); ++b) vertices[b] = own.touched[places[b]];
-  mark_supernodes(room.loaded, system, {vertices.data(), places.size()});
-  clear_rows(room.X, system, own.needed);
+  mark_supernodes(scratch.loaded, system, {vertices.data(), places.size()});
+  clear_rows(scratch.X, system, own.needed);
   const auto block = [&](std::uint32_t vertex, std::size_t b) {
     return Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>, 0, Eigen::OuterStride<12>>(
-        room.X.data() + 36 * std::size_t{factor_row(system, vertex)} + 3 * b);
+        scratch.X.data() + 36 * std::size_t{factor_row(system, vertex)} + 3 * b);
   };
   for (std::size_t b = 0; b < places.size(); ++b) block(vertices[b], b).setIdentity();
   if (system.border.columns.empty()) {
-    solve_lower_12(room.X.data(), own.factor, system.analysis, room.loaded);
-    solve_upper_12(room.X.data(), own.factor, system.analysis, own.needed);
+    solve_lower_12(scratch.X.data(), own.factor, system.analysis, scratch.loaded);
+    solve_upper_12(scratch.X.data(), own.factor, system.analysis, own.needed);
   } else {
-    solve_bordered_12(room.X.data(), own.border, bordered(system, own), room.loaded, own.needed);
+    solve_bordered_12(scratch.X.data(), own.border, bordered(system, own), scratch.loaded,
+                      own.needed);
   }
   for (std::size_t b = 0; b < places.size(); ++b) {
     const auto column = static_cast<Eigen::Index>(3 * places[b]);
@@ -176,11 +177,11 @@ void fill_block(SystemFactor& own, const ComponentSystem& system, const ColumnBl
 }  // namespace
 
 void fill_columns(std::span<const ColumnBlock> blocks, unsigned threads,
-                  std::vector<ColumnRoom>& rooms) {
-  rooms.resize(std::max<std::size_t>(rooms.size(), std::max(threads, 1u)));
+                  std::vector<ColumnScratch>& scratch) {
+  scratch.resize(std::max<std::size_t>(scratch.size(), std::max(threads, 1u)));
   parallel_for(threads, blocks.size(), [&](std::size_t k, unsigned worker) {
     const ColumnBlock& block = blocks[k];
-    fill_block(factor_of(*block.system, block.use), *block.system, block, rooms[worker]);
+    fill_block(factor_of(*block.system, block.use), *block.system, block, scratch[worker]);
   });
 }
 
@@ -224,9 +225,9 @@ std::vector<std::uint32_t> touch_compliance(ComponentSystem& system,
                                             std::span<const std::uint32_t> local_vertices,
                                             FactorUse use) {
   std::vector<ColumnBlock> missing;
-  std::vector<ColumnRoom> rooms;
+  std::vector<ColumnScratch> scratch;
   std::vector<std::uint32_t> places = note_touched(system, local_vertices, use, missing);
-  fill_columns(missing, 1, rooms);
+  fill_columns(missing, 1, scratch);
   return places;
 }
 

@@ -31,7 +31,7 @@ struct PrescribedMotion {
 
 /// |V| rows. They grow by appended copies at a split (`append_copy`); rows never move.
 struct VertexColumns {
-  std::vector<Vec3> rest_position;  ///< m; one rest configuration for ever
+  std::vector<Vec3> rest_position;  ///< m; the rest configuration, never changed
   std::vector<Vec3> position;       ///< m, world
   std::vector<Vec3> velocity;       ///< m/s, world
   std::vector<double> mass;         ///< kg; a quarter of every tetrahedron of its star
@@ -47,7 +47,7 @@ struct VertexColumns {
   std::size_t size() const { return rest_position.size(); }
 };
 
-/// |T| rows, fixed for ever but for `component` and `stress`.
+/// |T| rows; only `component` and `stress` change.
 struct ElementColumns {
   std::vector<ShapeGradient> shape_gradient;  ///< 1/m, rest configuration
   std::vector<double> rest_volume;            ///< m^3, positive

@@ -11,6 +11,12 @@
 
 namespace sunder {
 
+/// What a measure of element stresses changed in a component's strain energy, J.
+struct StrainChange {
+  double before = 0, after = 0;
+  double difference = 0;  ///< Dd . K Dd: twice the energy of the difference of the stresses
+};
+
 /// A component and its rigid reference (section 3.2): the reference of vertex i is
 /// centre + R (rest_position_i - rest_centre), R = orientation.
 /// All sums over vertices are weighted with the lumped masses.
@@ -33,6 +39,10 @@ struct Component {
   Vec3 frame_velocity = Vec3::Zero();  ///< m/s; the frame of a supported component moves with it
   bool isolated = false;  ///< one free tetrahedron: a true rigid body, no finite elements
   Rung rung = Rung::full;
+  /// rad: largest turn of a tetrahedron against the frame when its stress was last computed (size
+  /// of the skew part of the displacement gradient).
+  double largest_turn = 0;
+  StrainChange strain_change;  ///< then, where asked for (`StepInput::measures_strain`); else 0
 };
 
 }  // namespace sunder

@@ -1,22 +1,19 @@
 // SPDX-License-Identifier: MIT
-// A linear isotropic material, its Lame constants, and what may be wrong with one.
+// A linear isotropic material, its Lame constants and its wave speeds.
 #pragma once
 
 #include <optional>
-#include <string_view>
-#include <vector>
-
-#include "topology/kernel/finding.hpp"
 
 namespace sunder {
 
-/// Isotropic, linear, brittle. The defaults are those of concrete.
+/// Isotropic, linear, brittle. The defaults are those of concrete. Poisson ratios above 0.49 are
+/// refused: linear tetrahedra lock there, and at 0.5 lambda is infinite.
 struct Material {
   double young_modulus = 30e9;    ///< E, Pa, > 0
   double poisson_ratio = 0.2;     ///< nu, in (-1, 0.49]
   double density = 2400;          ///< rho, kg/m^3, > 0
   double tensile_strength = 3e6;  ///< xi, Pa, > 0; infinite where it never breaks
-  /// K_Ic, Pa sqrt(m), > 0: rules at crack tips in place of the strength, where given.
+  /// K_Ic, Pa sqrt(m), > 0. Where given it decides at crack tips in place of the strength.
   std::optional<double> toughness = std::nullopt;
 };
 
@@ -35,10 +32,5 @@ double bar_wave_speed(const Material& material);
 /// Speed of a compression wave in the solid, sqrt((lambda + 2 mu) / rho), m/s: the fastest there
 /// is.
 double compression_wave_speed(const Material& material);
-
-/// Everything that is wrong with `material`, an error each with value, range and remedy. `place`
-/// names it in the texts, such as "bodies[0].material". Poisson ratios above 0.49 are refused:
-/// linear tetrahedra lock there, and at 0.5 lambda is infinite.
-std::vector<Finding> check(const Material& material, std::string_view place);
 
 }  // namespace sunder

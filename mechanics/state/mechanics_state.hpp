@@ -6,6 +6,7 @@
 
 #include "mechanics/state/columns.hpp"
 #include "mechanics/state/component.hpp"
+#include "mechanics/state/component_systems.hpp"
 #include "mechanics/state/material.hpp"
 
 namespace sunder {
@@ -21,6 +22,7 @@ struct MechanicsState {
   /// Row = ComponentId. A component without tetrahedra is an id that was never given.
   std::vector<Component> components;
   double time = 0;  ///< s
+  ComponentSystems systems;
 };
 
 }  // namespace sunder

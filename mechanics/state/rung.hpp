@@ -8,10 +8,10 @@ namespace sunder {
 
 /// How much of a component's motion a step computes: no more than it needs (docs/ladder.md).
 enum class Rung : unsigned char {
-  full,          ///< frame and deformation
-  quasi_static,  ///< the equilibrium under the present load, of what is supported
-  rigid,         ///< the frame; what it is deformed by stays
-  asleep,        ///< nothing: it lies still
+  full,          ///< rigid motion and deformation
+  quasi_static,  ///< the equilibrium under the present load; supported components only
+  rigid,         ///< rigid motion; the deformation stays as it is
+  asleep,        ///< nothing: the component is at rest
 };
 inline constexpr std::size_t rung_count = 4;
 

@@ -51,13 +51,18 @@ struct StepMembers {
 
 /// What acts on the state in one step; nothing in it is changed. The spans and references must
 /// outlive the call. Parts and members are for whoever divides steps
-/// (fracture/simulation/impact_step.cpp).
+/// (fracture/simulation/plan.hpp).
 struct StepInput {
   std::span<const Corners> corners;  ///< |T|
   const Loads& loads;
   const IntegratorSettings& settings;
   StepPart part = {};
   StepMembers members = {};
+  /// Whether `Component::strain_change` is wanted.
+  bool measures_strain = false;
+  /// Threads that factors and columns of the inverse are made on. Results are the same bytes for
+  /// any number.
+  unsigned threads = 1;
 
   /// s, over which the deformation goes by generalised-alpha.
   double deformation_step() const {

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Sums of solves, and the finding that says a step failed.
+// Parts of a step added up, and the finding that says a step failed.
 #include "mechanics/state/step_status.hpp"
 
-#include <algorithm>
 #include <cstdio>
 #include <string>
+#include <utility>
 
 #include "topology/kernel/assert.hpp"
 
 namespace sunder {
 
-void add_solve(SolveReport& sum, const SolveReport& part) {
-  sum.sub_steps = std::max(sum.sub_steps, part.sub_steps);
-  sum.iterations = std::max(sum.iterations, part.iterations);
-  sum.force_evaluations += part.force_evaluations;
-  sum.not_converged += part.not_converged;
+void add_status(StepStatus& sum, StepStatus part) {
+  part.damping_work = sum.damping_work + part.damping_work;
+  add_part(part.solve, sum.solve);
+  sum = std::move(part);
 }
 
 Finding to_finding(const StepStatus& status) {
@@ -41,7 +40,7 @@ Finding to_finding(const StepStatus& status) {
     std::snprintf(text, sizeof text,
                   "The step that ends at %.9g s would need %u explicit sub-steps, more than "
                   "max_sub_steps.",
-                  status.time, status.solve.sub_steps);
+                  status.time, static_cast<unsigned>(status.solve.sub_steps));
     finding.remedy =
         "Raise integrator.max_sub_steps, take a shorter time step, or use floating_frame.";
   } else if (status.outcome == StepOutcome::diverged) {

@@ -1,31 +1,40 @@
 // SPDX-License-Identifier: MIT
-// How a step went: sound or not, and how its equations were solved.
+// The outcome of a step, and how its equations were solved.
 #pragma once
 
 #include <cstdint>
 
+#include "topology/kernel/counters.hpp"
 #include "topology/kernel/finding.hpp"
 #include "topology/kernel/ids.hpp"
 
 namespace sunder {
 
-/// How the iterations of a step went; nothing of integrators that have none.
+/// The iterations of a step; all zero for integrators without iterations.
 struct SolveReport {
-  std::uint32_t sub_steps = 0;          ///< of sub_stepped, the most of any component
-  std::uint32_t iterations = 0;         ///< the most of any component
-  std::uint32_t force_evaluations = 0;  ///< of all components
-  std::uint32_t not_converged = 0;      ///< components whose step the factor took instead
+  std::uint64_t sub_steps = 0;          ///< of sub_stepped; maximum over components
+  std::uint64_t iterations = 0;         ///< maximum over components
+  std::uint64_t force_evaluations = 0;  ///< sum over components
+  std::uint64_t not_converged = 0;      ///< components that were solved with the factor instead
 };
+
+/// Over a run: sums of the steps' worst, and the steps in which iterations were given up.
+constexpr auto counters_of(const SolveReport*) {
+  return std::tuple{Counter{"iterations", &SolveReport::iterations, Adds::most, Adds::sum},
+                    Counter{"force_evaluations", &SolveReport::force_evaluations},
+                    Counter{"not_converged", &SolveReport::not_converged, Adds::sum, Adds::once},
+                    Counter{"sub_steps", &SolveReport::sub_steps, Adds::most, Adds::sum}};
+}
 
 enum class StepOutcome {
   fine,
   not_a_number,        ///< a position or velocity is not finite
   diverged,            ///< a vertex is farther from its reference than ten radii of its component
   overturned,          ///< loads turn a component by more than half a turn within the step
-  too_many_sub_steps,  ///< sub_stepped would need more than allowed; nothing was stepped
+  too_many_sub_steps,  ///< sub_stepped would need more than allowed; no step was taken
 };
 
-/// How a step went; never silent.
+/// The outcome of a step; where it is not fine, what shows it.
 struct StepStatus {
   StepOutcome outcome = StepOutcome::fine;
   VertexId vertex;          ///< the first vertex that shows it
@@ -37,8 +46,8 @@ struct StepStatus {
   SolveReport solve;
 };
 
-/// Adds the iterations of another component, or of another part of a step.
-void add_solve(SolveReport& sum, const SolveReport& part);
+/// Adds another part of the same step: outcome, vertex and time are the part's.
+void add_status(StepStatus& sum, StepStatus part);
 
 /// The finding that says a step failed: where, value, remedy. Needs an outcome other than fine.
 Finding to_finding(const StepStatus& status);

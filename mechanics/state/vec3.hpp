@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Three numbers and three by three of them, in double precision.
+// The vectors and matrices of three dimensions, in double precision.
 #pragma once
 
 #include <Eigen/Core>

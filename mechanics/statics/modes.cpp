@@ -194,10 +194,10 @@ constexpr Index small_body = 200;
 
 }  // namespace
 
-Result<Modes> natural_modes(MechanicsScratch& scratch, const MechanicsState& state,
-                            std::span<const Corners> corners, ComponentId id, std::size_t count) {
+Result<Modes> natural_modes(MechanicsState& state, std::span<const Corners> corners, ComponentId id,
+                            std::size_t count) {
   const Component& component = state.components[id.index()];
-  ComponentSystem& system = built_system(scratch, state, corners, component);
+  ComponentSystem& system = built_system(state, corners, component);
   Problem problem{system, {}, 0, {}, {}};
   problem.root_mass.resize(static_cast<Index>(3 * system.free_count));
   for (Index i = 0; i < problem.size(); ++i) {

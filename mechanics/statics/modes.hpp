@@ -28,10 +28,9 @@ struct Modes {
 /// projected out, so that a free body needs no shift near an eigenvalue; then Sylvester's law
 /// counts the negative pivots of K - s M just above the last mode, and what Lanczos missed of equal
 /// frequencies is looked for until the count agrees. Errors: "modes_not_found" when it does not.
-/// Leaves another factor in `scratch`; the next step factors anew.
+/// Leaves another factor in the state; the next step factors anew.
 /// Cost: two factors and some 3 `count` solves.
-Result<Modes> natural_modes(MechanicsScratch& scratch, const MechanicsState& state,
-                            std::span<const Corners> corners, ComponentId component,
-                            std::size_t count);
+Result<Modes> natural_modes(MechanicsState& state, std::span<const Corners> corners,
+                            ComponentId component, std::size_t count);
 
 }  // namespace sunder

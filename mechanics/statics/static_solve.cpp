@@ -4,9 +4,9 @@
 
 #include <string>
 
+#include "mechanics/element/strain_displacement.hpp"
 #include "mechanics/integrators/component_step.hpp"
 #include "mechanics/measure_elements.hpp"
-#include "mechanics/element/strain_displacement.hpp"
 
 namespace sunder {
 namespace {
@@ -49,7 +49,7 @@ Eigen::VectorXd equilibrium(MechanicsScratch& scratch, const MechanicsState& sta
     d.segment<3>(static_cast<Eigen::Index>(3 * i)) =
         state.vertices.displacement[system.order[i].index()];
   }
-  auto load = work_field(scratch, Work::load, system.size());
+  auto load = scratch_field(scratch, ScratchField::load, system.size());
   load.setZero();
   add_body_load(load, step, component.orientation.toRotationMatrix());
   Eigen::VectorXd held_force(d.size());
@@ -87,7 +87,7 @@ std::vector<Finding> solve_static(MechanicsState& state, MechanicsScratch& scrat
   const StepInput input{corners, loads, settings};
   for (const Component& component : state.components) {
     if (component.tetrahedra.empty()) continue;
-    ComponentSystem& system = built_system(scratch, state, corners, component);
+    ComponentSystem& system = built_system(state, corners, component);
     const Eigen::VectorXd d =
         equilibrium(scratch, state, component, {scratch, state, input, component, &system});
     for (std::size_t i = 0; i < system.size(); ++i) {
@@ -106,14 +106,14 @@ std::vector<Finding> solve_static(MechanicsState& state, MechanicsScratch& scrat
   return findings;
 }
 
-std::vector<Vec3> support_forces(MechanicsScratch& scratch, const MechanicsState& state,
+std::vector<Vec3> support_forces(MechanicsScratch& scratch, MechanicsState& state,
                                  std::span<const Corners> corners, const Loads& loads) {
   std::vector<Vec3> force(state.vertices.size(), Vec3::Zero());
   const IntegratorSettings settings;
   const StepInput input{corners, loads, settings};
   for (const Component& component : state.components) {
     if (component.tetrahedra.empty()) continue;
-    ComponentSystem& system = built_system(scratch, state, corners, component);
+    ComponentSystem& system = built_system(state, corners, component);
     const Mat3 R = component.orientation.toRotationMatrix();
     Eigen::Matrix3Xd d(3, static_cast<Eigen::Index>(system.size()));
     Eigen::Matrix3Xd load = Eigen::Matrix3Xd::Zero(3, d.cols());

@@ -33,7 +33,7 @@ Swap swap_speeds(const std::array<int, 3>& cells, double time_step, double fract
   scene.bodies = {left, right};
   scene.gravity.acceleration.setZero();
   scene.fracture.mode = FractureMode::off;
-  scene.time_step = time_step;
+  scene.integrator.time_step = time_step;
   scene.impact.fraction = fraction;
   scene.impact.max_sub_steps = 100000;
   Result<Simulation> sim = build_simulation(std::move(scene));

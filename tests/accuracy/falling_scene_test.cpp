@@ -11,12 +11,12 @@ TEST_CASE("a falling cube breaks at the same time and into the same largest piec
           "[accuracy][impact]") {
   Scene scene = falling_cube(4);
   scene.duration = 0.008;
-  scene.time_step = 1e-3;
+  scene.integrator.time_step = 1e-3;
   const FallOutcome coarse = run_fall(scene);
   REQUIRE(coarse.fans > 0);
   CHECK(coarse.largest_share < 0.99);
   for (const double part : {4, 16}) {
-    scene.time_step = 1e-3 / part;
+    scene.integrator.time_step = 1e-3 / part;
     const FallOutcome fine = run_fall(scene);
     INFO("step 1 ms / " << part << ": " << fine.fans << " fans, " << coarse.fans << " at 1 ms");
     CHECK(fine.first_fan == Approx(coarse.first_fan).epsilon(0.05));

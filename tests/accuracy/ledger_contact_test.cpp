@@ -61,11 +61,11 @@ TEST_CASE("the ledger of a blow closes through all its sub-steps", "[accuracy][l
   bar.rotation = Eigen::AngleAxisd(GENERATE(0.0, 0.2), Vec3(0, 0.6, 0.8));
   Scene scene = scene_of({bar});
   scene.obstacles = {{.shape = Plane{.normal = {1, 0, 0}, .offset = -0.2}, .friction = 0.3}};
-  scene.time_step = GENERATE(5e-5, 5e-4);
+  scene.integrator.time_step = GENERATE(5e-5, 5e-4);
   double damping = 0;
   const double mass = 1000 * 0.8 * 0.04, start = 0.5 * mass * 4;
   const EnergyLedger sum =
-      run(scene, static_cast<int>(std::lround(0.15 / scene.time_step)), &damping);
+      run(scene, static_cast<int>(std::lround(0.15 / scene.integrator.time_step)), &damping);
   INFO("of " << start << " J: kinetic " << sum.kinetic << ", strain " << sum.strain << ", contact "
              << sum.contact << ", friction " << sum.friction << ", scheme " << sum.numerical
              << ", viscosity " << damping << ", residual " << sum.residual);
@@ -86,8 +86,9 @@ TEST_CASE("a sliding block turns its kinetic energy into heat of friction", "[ac
   scene.gravity.acceleration = {0, 0, -9.81};
   scene.obstacles = {{.shape = Plane{}, .friction = 0.5}};
   scene.contact.friction = 0.5;
-  scene.time_step = GENERATE(1e-4, 1e-3);
-  const EnergyLedger sum = run(scene, static_cast<int>(std::lround(0.3 / scene.time_step)));
+  scene.integrator.time_step = GENERATE(1e-4, 1e-3);
+  const EnergyLedger sum =
+      run(scene, static_cast<int>(std::lround(0.3 / scene.integrator.time_step)));
   const double start = 0.5 * 27;
   INFO("kinetic " << sum.kinetic << ", friction " << sum.friction << ", contact " << sum.contact
                   << ", scheme " << sum.numerical << ", residual " << sum.residual);
@@ -108,11 +109,11 @@ TEST_CASE("a bar pulled by its ends takes the work of its supports", "[accuracy]
        .maximum = {9, 9, 9},
        .velocity = {both ? speed / 2 : speed, 0, 0}}};
   Scene scene = scene_of({bar});
-  scene.time_step = GENERATE(1e-5, 1e-3);
+  scene.integrator.time_step = GENERATE(1e-5, 1e-3);
   scene.integrator.damping.stiffness_factor = GENERATE(0.0, 1e-5);
   double damping = 0;
   const EnergyLedger sum =
-      run(scene, static_cast<int>(std::lround(time / scene.time_step)), &damping);
+      run(scene, static_cast<int>(std::lround(time / scene.integrator.time_step)), &damping);
   const double strain = speed * time / 0.8;
   const double expected = 0.5 * 1e9 * strain * strain * 0.8 * 0.04;
   INFO("strain " << sum.strain << " of " << expected << ", supports " << sum.supports << ", scheme "
@@ -127,7 +128,7 @@ TEST_CASE("Rayleigh damping closes the ledger to rounding", "[accuracy][ledger]"
   bar.held = {{.minimum = {-1, -1, -1}, .maximum = {1e-6, 9, 9}}};
   bar.loads = {{.minimum = {0.8 - 1e-6, -1, -1}, .maximum = {9, 9, 9}, .pressure = -1e5}};
   Scene scene = scene_of({bar});
-  scene.time_step = GENERATE(1e-5, 1e-4, 1e-2);
+  scene.integrator.time_step = GENERATE(1e-5, 1e-4, 1e-2);
   scene.integrator.rho_infinity = GENERATE(0.0, 0.5);
   scene.integrator.damping = {.mass_factor = 20, .stiffness_factor = 1e-5};
   double damping = 0;

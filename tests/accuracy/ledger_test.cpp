@@ -43,9 +43,9 @@ TEST_CASE("in a fall gravity's work is the kinetic energy", "[accuracy][ledger]"
   Scene scene = bar_scene();
   scene.gravity.acceleration = {0, 0, -9.81};
   scene.bodies[0].velocity = {1, 2, 3};
-  scene.time_step = GENERATE(1e-3, 1.0 / 60);
+  scene.integrator.time_step = GENERATE(1e-3, 1.0 / 60);
   Simulation sim = built(scene);
-  const double mass = 1000 * 0.8 * 0.04, h = scene.time_step;
+  const double mass = 1000 * 0.8 * 0.04, h = scene.integrator.time_step;
   double work = 0;
   for (int i = 0; i < 50; ++i) {
     const EnergyLedger ledger = advance(sim).energy;
@@ -62,7 +62,7 @@ TEST_CASE("in a fall gravity's work is the kinetic energy", "[accuracy][ledger]"
 TEST_CASE("a body spinning in its equilibrium loses nothing", "[accuracy][ledger]") {
   Scene scene = bar_scene();
   scene.bodies[0].spin = {0, 0, 20};
-  scene.time_step = 5e-3;
+  scene.integrator.time_step = 5e-3;
   Simulation sim = built(scene);
   // From the undeformed start it rings, and large steps take that away.
   for (int i = 0; i < 40; ++i) advance(sim);
@@ -80,7 +80,7 @@ TEST_CASE("what a sudden load gives beyond the strain is the integrator's loss",
   scene.bodies[0].held = {{.minimum = {-1, -1, -1}, .maximum = {1e-6, 9, 9}}};
   scene.bodies[0].loads = {
       {.minimum = {0.8 - 1e-6, -1, -1}, .maximum = {9, 9, 9}, .pressure = -1e5}};
-  scene.time_step = GENERATE(1e-4, 1e-3, 0.1);
+  scene.integrator.time_step = GENERATE(1e-4, 1e-3, 0.1);
   Simulation sim = built(scene);
   const double strain = 0.5 * 1e5 * 1e5 / 1e9 * 0.8 * 0.04;
   EnergyLedger sum;
@@ -92,7 +92,7 @@ TEST_CASE("what a sudden load gives beyond the strain is the integrator's loss",
     sum.strain += ledger.strain;
     sum.numerical += ledger.numerical;
   }
-  if (scene.time_step < 0.1) return;
+  if (scene.integrator.time_step < 0.1) return;
   CHECK(sum.strain == Approx(strain).epsilon(1e-6));
   CHECK(sum.loads == Approx(2 * strain).epsilon(1e-6));
   CHECK(sum.numerical == Approx(strain).epsilon(1e-6));
@@ -101,7 +101,7 @@ TEST_CASE("what a sudden load gives beyond the strain is the integrator's loss",
 TEST_CASE("the ledger of a ringing body closes, at any step and memory of the integrator",
           "[accuracy][ledger]") {
   Scene scene = bar_scene();
-  scene.time_step = GENERATE(2e-5, 2e-4, 2e-3);
+  scene.integrator.time_step = GENERATE(2e-5, 2e-4, 2e-3);
   scene.integrator.rho_infinity = GENERATE(0.0, 0.5);
   Simulation sim = built(scene);
   VertexColumns& vertices = sim.state->mechanics.vertices;
@@ -126,7 +126,7 @@ TEST_CASE("the ledger of a ringing body closes, at any step and memory of the in
 
 TEST_CASE("Rayleigh damping has its own place in the ledger", "[accuracy][ledger]") {
   Scene scene = bar_scene();
-  scene.time_step = 2e-5;
+  scene.integrator.time_step = 2e-5;
   scene.integrator.damping.stiffness_factor = 1e-5;
   Simulation sim = built(scene);
   VertexColumns& vertices = sim.state->mechanics.vertices;

@@ -2,8 +2,8 @@
 // Cases 4 and 5: natural frequencies against closed forms, and laws of the solver of modes.
 #include <catch2/catch.hpp>
 
-#include "mechanics/solver/component_system.hpp"
 #include "mechanics/integrators/component_step.hpp"
+#include "mechanics/solver/component_system.hpp"
 #include "mechanics/statics/modes.hpp"
 #include "tests/support/accuracy_bodies.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 
 Modes modes_of(const MechanicsState& state, const Body& body, std::size_t count) {
   MechanicsScratch scratch;
-  Result<Modes> modes = natural_modes(scratch, state, body.corners, ComponentId{0}, count);
+  Result<Modes> modes = natural_modes(state, body.corners, ComponentId{0}, count);
   REQUIRE(modes);
   return std::move(*modes);
 }

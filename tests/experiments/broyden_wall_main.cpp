@@ -21,7 +21,7 @@ void print(const SolveReport& report) {
   if (report.not_converged > 0) {
     std::printf("%16s", "given up");
   } else {
-    std::printf("%16u", report.iterations);
+    std::printf("%16llu", static_cast<unsigned long long>(report.iterations));
   }
 }
 

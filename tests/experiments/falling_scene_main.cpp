@@ -15,7 +15,7 @@ namespace {
 void print_row(const Scene& scene) {
   const FallOutcome o = run_fall(scene);
   std::printf("%s,%g,%g,%.6g,%zu,%zu,%.4f,%.2g,%zu\n", scene.impact.window ? "yes" : "no",
-              scene.impact.fraction, scene.time_step, o.first_fan, o.fans, o.pieces,
+              scene.impact.fraction, scene.integrator.time_step, o.first_fan, o.fans, o.pieces,
               o.largest_share, o.deepest, o.sub_steps);
   std::fflush(stdout);
 }
@@ -30,19 +30,19 @@ int main(int argc, char** argv) {
     if (!file) return 3;
     scene = std::move(file->scene);
   }
-  if (argc > 2) scene.time_step = std::atof(argv[2]);
+  if (argc > 2) scene.integrator.time_step = std::atof(argv[2]);
   if (argc > 3) scene.duration = std::atof(argv[3]);
   std::puts("window,fraction,step,first fan,fans,pieces,largest share,deepest,sub-steps");
-  const double h = scene.time_step;
+  const double h = scene.integrator.time_step;
   for (const bool window : {true, false}) {
     scene.impact.window = window;
     for (const double part : {1.0, 4.0, 16.0}) {
-      scene.time_step = h / part;
+      scene.integrator.time_step = h / part;
       print_row(scene);
     }
   }
   scene.impact.window = true;
-  scene.time_step = h;
+  scene.integrator.time_step = h;
   for (const double fraction : {0.25, 0.125, 0.03125, 0.015625}) {
     scene.impact.fraction = fraction;
     print_row(scene);

@@ -42,7 +42,8 @@ Scene pulled_bar(const Bars& bars, std::uint32_t seed) {
   BodySettings& body = scene.bodies[0];
   body.material = {.young_modulus = stiffness, .poisson_ratio = 0, .tensile_strength = strength};
   const double end = bars.length();
-  const double speed = bars.closed_mean() / stiffness * end / (steps_to_mean * scene.time_step);
+  const double speed =
+      bars.closed_mean() / stiffness * end / (steps_to_mean * scene.integrator.time_step);
   body.held = {
       {.minimum = {-0.01, -1, -1}, .maximum = {0.01, 9, 9}},
       {.minimum = {end - 0.01, -1, -1}, .maximum = {end + 0.01, 9, 9}, .velocity = {speed, 0, 0}}};

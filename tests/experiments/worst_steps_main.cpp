@@ -46,13 +46,13 @@ int main(int argc, char** argv) {
   Result<SceneFile> file = read_scene(argv[1]);
   for (const Finding& f : file.findings) std::fprintf(stderr, "%s\n", f.text.c_str());
   if (!file) return 3;
-  file->scene.time_step = std::atof(argv[2]);
+  file->scene.integrator.time_step = std::atof(argv[2]);
   file->scene.duration = std::atof(argv[3]);
   const double duration = file->scene.duration;
   Result<Simulation> sim = build_simulation(std::move(file->scene));
   for (const Finding& f : sim.findings) std::fprintf(stderr, "%s\n", f.text.c_str());
   if (!sim) return 3;
-  if (argc == 5) sim->scratch->mechanics.threads = static_cast<unsigned>(std::atoi(argv[4]));
+  if (argc == 5) sim->threads = static_cast<unsigned>(std::atoi(argv[4]));
   std::vector<Row> rows;
   while (sim->state->mechanics.time < duration * (1 - 1e-9)) {
     const StepReport report = advance(*sim);

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "topology/io/face_list.hpp"
+#include "topology/io/format_traits.hpp"
 #include "topology/io/formats.hpp"
 #include "topology/io/gzip.hpp"
 #include "topology/io/mesh_file.hpp"

@@ -24,8 +24,6 @@ GPL = re.compile(r"SPDX-License-Identifier:.*\bGPL-")  # \b: the L of LGPL is no
 TOOL = "apps/sunder-mesh/"
 # The GPL parts' own test, itself under the GPL.
 TOOL_TEST = "tests/meshes/sunder_mesh_parts_test.cpp"
-# Mains may include all of their program.
-MAINS = {"apps/sunder/main.cpp"}
 # Where files must not lead back to themselves, a header and its source taken as one.
 NO_CIRCLES = "fracture/simulation/"
 
@@ -75,8 +73,7 @@ def wrong_directions(graph):
         allowed = rooms.allowed(rooms.room_of(name))
         for target in sorted(own):
             is_plain = "plain" in allowed and target in rooms.PLAIN
-            is_main = name in MAINS and target.startswith("apps/")
-            if rooms.room_of(target) not in allowed and not is_plain and not is_main:
+            if rooms.room_of(target) not in allowed and not is_plain:
                 wrong.append(f"{name} includes {target}")
     return wrong
 

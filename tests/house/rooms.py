@@ -12,7 +12,7 @@ import sys
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 
 # Headers of topology/kernel that know no map: what the siblings topology and mechanics share.
-PLAIN = {f"topology/kernel/{name}.hpp" for name in ("assert", "finding", "ids", "owned", "tet_mesh")}
+PLAIN = {f"topology/kernel/{name}.hpp" for name in ("assert", "counters", "finding", "ids", "owned", "tet_mesh")}
 
 # A room is the folder with all folders in it that are not rooms themselves. It may include itself
 # and the rooms named, which stand above it in this table, so nothing can go round in a circle.
@@ -55,6 +55,9 @@ ROOMS = (
     ("fracture/simulation", "a scene in memory, its steps and what they report",
      ("topology/kernel", "topology/mesh", "mechanics/*", "fracture/algorithms", "fracture/strength",
       "fracture/energy")),
+    ("fracture/saving", "a simulation as a file, to go on with later",
+     ("topology/kernel", "topology/mesh", "topology/io", "mechanics/*", "fracture/algorithms",
+      "fracture/strength", "fracture/energy", "fracture/simulation")),
     ("apps/scene", "scene files, JSON to settings",
      ("topology/kernel", "topology/mesh", "topology/io", "mechanics/*", "fracture/*")),
     ("apps/output", "fragments, tables and frames of a simulation",
@@ -62,7 +65,7 @@ ROOMS = (
     ("apps/render", "pictures of triangles; knows no map and no mechanics", ("plain",)),
     ("apps/sunder", "the program, a folder a command",
      ("topology/*", "mechanics/*", "fracture/*", "apps/scene", "apps/output", "apps/render")),
-    ("apps/bench", "measurements",
+    ("apps/bench", "sunder-bench: measurements, charts, kernels judged",
      ("topology/*", "mechanics/*", "fracture/*", "apps/scene", "apps/output", "apps/render",
       "apps/sunder")),
     ("apps/sunder-mesh", "surfaces to tetrahedra, under the GPL",

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <map>
 
-#include "mechanics/solver/component_system.hpp"
 #include "mechanics/element/energy.hpp"
+#include "mechanics/solver/component_system.hpp"
 #include "mechanics/state/living.hpp"
 #include "tests/support/bodies.hpp"
 

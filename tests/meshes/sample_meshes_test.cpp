@@ -11,9 +11,9 @@
 #include <numbers>
 #include <string>
 
-#include "topology/mesh/build_map.hpp"
-#include "topology/kernel/invariants.hpp"
 #include "topology/io/mesh_file.hpp"
+#include "topology/kernel/invariants.hpp"
+#include "topology/mesh/build_map.hpp"
 
 namespace {
 

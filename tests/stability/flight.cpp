@@ -9,6 +9,7 @@
 
 #include "mechanics/element/energy.hpp"
 #include "mechanics/element/strain_displacement.hpp"
+#include "mechanics/state/check_settings.hpp"
 
 namespace sunder::stability {
 namespace {
@@ -133,7 +134,7 @@ double highest_frequency(const MechanicsState& state, const test::Body& body) {
 }
 
 Cell fly(const Flight& flight, const Method& method) {
-  if (!check(flight.material, "material").empty()) return {Outcome::refuses, 0};
+  if (!check_settings(flight.material, "material").empty()) return {Outcome::refuses, 0};
   const test::Body body = flight_body(flight.sliver_angle);
   MechanicsState state = start_of(flight, body);
   const Loads loads{.gravity = flight.weight ? Vec3(0, 0, -9.81) : Vec3::Zero()};

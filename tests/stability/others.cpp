@@ -9,6 +9,7 @@
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/element/energy.hpp"
 #include "mechanics/frame/rotation.hpp"
+#include "mechanics/state/check_settings.hpp"
 #include "tests/mechanics/contact/contact_scene.hpp"
 #include "tests/stability/flight.hpp"
 #include "tests/stability/matrix.hpp"
@@ -72,7 +73,8 @@ Cell reflected() {
 }
 
 Cell refused_material(double poisson_ratio) {
-  const bool refused = has_error(check(Material{.poisson_ratio = poisson_ratio}, "material"));
+  const bool refused =
+      has_error(check_settings(Material{.poisson_ratio = poisson_ratio}, "material"));
   return {refused ? Outcome::refuses : Outcome::holds, poisson_ratio};
 }
 
@@ -194,7 +196,8 @@ Cell validity_warning() {
   MechanicsScratch scratch;
   measure_elements(state, scratch, body.corners);
   // The displacement gradient of a turn by theta has the skew part sin theta.
-  return holds_below(std::abs(scratch.largest_turn[0] / std::sin(19.5 / radius) - 1), 0.05);
+  return holds_below(std::abs(state.components[0].largest_turn / std::sin(19.5 / radius) - 1),
+                     0.05);
 }
 
 }  // namespace

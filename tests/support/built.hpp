@@ -8,14 +8,14 @@
 #include <string>
 #include <vector>
 
-#include "topology/mesh/build_map.hpp"
-#include "topology/mesh/check.hpp"
 #include "topology/kernel/components.hpp"
 #include "topology/kernel/fan.hpp"
 #include "topology/kernel/invariants.hpp"
 #include "topology/kernel/split_face.hpp"
-#include "topology/suite/judge/glue_twin.hpp"
+#include "topology/mesh/build_map.hpp"
+#include "topology/mesh/check.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
+#include "topology/suite/judge/glue_twin.hpp"
 
 namespace sunder::test {
 

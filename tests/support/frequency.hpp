@@ -12,8 +12,7 @@ namespace sunder::test {
 /// rad/s, by power iteration on M^-1 K.
 inline double highest_frequency(const MechanicsState& state, const Body& body) {
   MechanicsScratch scratch;
-  const ComponentSystem& system =
-      built_system(scratch, state, body.corners, state.components.front());
+  const ComponentSystem& system = built_system(state, body.corners, state.components.front());
   const auto size = static_cast<Eigen::Index>(3 * system.size());
   Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(size, 1, 2), product(size);
   for (Eigen::Index k = 0; k < size; k += 2) x[k] = -x[k];

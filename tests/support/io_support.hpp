@@ -8,29 +8,13 @@
 #include <string_view>
 #include <vector>
 
+#include "tests/support/folder.hpp"
 #include "topology/io/mesh_file.hpp"
 
 namespace sunder::test {
 
-/// A folder that is empty at first and gone at the end.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-  /// Names of the files in it, sorted.
-  std::vector<std::string> names() const;
-
- private:
-  std::filesystem::path path_;
-};
-
 /// A file of tests/topology/io/data.
 std::filesystem::path sample(std::string_view name);
-
-std::string bytes_of(const std::filesystem::path& path);
 
 /// Two tetrahedra on one face, regions 2 and 5, coordinates that need all 17 digits.
 TetMesh two_tetrahedra();

@@ -7,37 +7,38 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/folder.hpp"
 #include "topology/kernel/tet_mesh.hpp"
 
 namespace sunder::test {
 
+/// How the program ended, and what it said.
 struct Outcome {
   int exit_code = -1;
   std::string out;
   std::string err;
+  std::string text() const { return out + err; }
   /// stdout as JSON; discarded where it is none.
   nlohmann::json json() const { return nlohmann::json::parse(out, nullptr, false); }
 };
 
-/// A folder of its own for each test; gone at the end.
+/// Runs the program on `words`, which the shell takes apart.
+Outcome run_program(const std::string& words);
+
+/// A folder with the program at hand.
 class Workplace {
  public:
-  Workplace();
-  ~Workplace();
-  Workplace(const Workplace&) = delete;
-  Workplace& operator=(const Workplace&) = delete;
-
   Outcome run(const std::vector<std::string>& arguments) const;
   /// The path of a file here.
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string path(const std::string& name) const { return (folder_.path() / name).string(); }
   /// Writes a file here and gives its path.
   std::string write(const std::string& name, const std::string& bytes) const;
   std::string write(const std::string& name, const TetMesh& mesh) const;
   /// Names of the files here, sorted.
-  std::vector<std::string> names() const;
+  std::vector<std::string> names() const { return folder_.names(); }
 
  private:
-  std::filesystem::path folder_;
+  Folder folder_;
 };
 
 /// A mesh of the repository's meshes/.

@@ -39,6 +39,16 @@ inline MechanicsState columns_of(const VolumeMap& map, const Material& material)
                                 .materials = materials}));
 }
 
+/// Element stress (eq. 5) of a body of one material, from its displacements.
+inline void set_stress(MechanicsState& state, const VolumeMap& map, const Material& material) {
+  const Lame constants = lame(material);
+  for (std::size_t t = 0; t < state.elements.size(); ++t) {
+    const CornerVectors d = at_corners(state.vertices.displacement, map.corners(TetId{t}));
+    state.elements.stress[t] =
+        stress_of(displacement_gradient(state.elements.shape_gradient[t], d), constants);
+  }
+}
+
 /// `mesh` stretched along the unit vector `axis` (rest frame) by the tension `stress` (Pa): the
 /// displacement is linear, so every element has exactly this stress, to rounding.
 inline Tension uniform_tension(const TetMesh& mesh, const Vec3& axis, double stress,
@@ -51,12 +61,7 @@ inline Tension uniform_tension(const TetMesh& mesh, const Vec3& axis, double str
   for (std::size_t v = 0; v < state.vertices.size(); ++v) {
     state.vertices.displacement[v] = strain * state.vertices.rest_position[v];
   }
-  const Lame constants = lame(material);
-  for (std::size_t t = 0; t < state.elements.size(); ++t) {
-    const CornerVectors d = at_corners(state.vertices.displacement, map.corners(TetId{t}));
-    state.elements.stress[t] =
-        stress_of(displacement_gradient(state.elements.shape_gradient[t], d), constants);
-  }
+  set_stress(state, map, material);
   sunder::Cells cells = make_cells(std::move(map), state);
   return {std::move(cells), std::move(state)};
 }

@@ -9,14 +9,15 @@
 #include <utility>
 
 #include "topology/io/abaqus/abaqus.hpp"
+#include "topology/io/format_traits.hpp"
 #include "topology/io/medit/medit.hpp"
 #include "topology/io/msh/msh.hpp"
-#include "topology/io/surface/obj.hpp"
-#include "topology/io/surface/off.hpp"
 #include "topology/io/output_file.hpp"
 #include "topology/io/ovm/ovm.hpp"
-#include "topology/io/surface/ply.hpp"
 #include "topology/io/scan.hpp"
+#include "topology/io/surface/obj.hpp"
+#include "topology/io/surface/off.hpp"
+#include "topology/io/surface/ply.hpp"
 #include "topology/io/surface/stl.hpp"
 #include "topology/io/tetgen/tetgen.hpp"
 #include "topology/io/vtk/vtk.hpp"

@@ -8,6 +8,7 @@
 #include <string>
 #include <system_error>
 
+#include "topology/io/format_traits.hpp"
 #include "topology/io/formats.hpp"
 #include "topology/io/gzip.hpp"
 #include "topology/io/input_file.hpp"

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Mesh files in and out: which formats there are, what each can carry, and how to read and write.
+// Mesh files in and out.
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "topology/mesh/file_mesh.hpp"
 #include "topology/kernel/finding.hpp"
 #include "topology/kernel/tet_mesh.hpp"
+#include "topology/mesh/file_mesh.hpp"
 
 namespace sunder {
 
@@ -20,58 +18,6 @@ enum class MeshFormat { msh, medit, vtu, vtk, tetgen, abaqus, ovm, ply, off, obj
 
 /// How numbers stand in a file: as digits, as raw bytes, or as bytes written in base64.
 enum class Encoding { text, binary, base64 };
-
-/// What a format can hold of a FileMesh beside points, and what we do with it.
-struct FormatTraits {
-  MeshFormat format;
-  /// As messages name it.
-  std::string_view name;
-  /// Endings of its files' names with their dots, the usual one first; `--to` names formats by
-  /// them, without the dot.
-  std::span<const std::string_view> extensions;
-  /// The ending among them that means binary, where there is one.
-  std::string_view binary_extension = {};
-  /// How it can be written, the usual way first.
-  std::span<const Encoding> encodings;
-  /// Whether arrays can be packed by zlib inside the file.
-  bool packs = false;
-  /// Versions that can be written, the usual one first; empty where there is but one.
-  std::span<const std::string_view> versions = {};
-  /// By dimension: whether vertices, edges, triangles, tetrahedra can stand in it.
-  std::array<bool, 4> holds_cells{false, false, false, true};
-  bool holds_regions = true;
-  bool holds_region_names = false;
-  /// Regions are words there, such as sets: their numbers and full names go beside (see
-  /// named_regions.hpp).
-  bool regions_are_words = false;
-  bool holds_entities = false;
-  bool holds_point_regions = false;
-  bool holds_point_ids = false;
-  bool holds_cell_ids = false;
-  /// The lowest dimension of cells whose numbers it holds.
-  int cell_ids_from = 0;
-  bool holds_point_data = false;
-  bool holds_cell_data = false;
-  /// The lowest dimension of cells whose data it holds.
-  int cell_data_from = 0;
-  /// Whether columns keep the type of their numbers.
-  bool holds_number_types = false;
-};
-
-/// Every format, one row each.
-std::span<const FormatTraits> format_traits();
-
-/// The row of one format.
-const FormatTraits& traits_of(MeshFormat format);
-
-/// The format that `bytes` begin like, whatever the file is called; none when no format does.
-std::optional<MeshFormat> format_of_content(std::string_view bytes);
-
-/// The format usual for a name's ending (upper case too, and before .gz); none for others.
-std::optional<MeshFormat> format_of_name(const std::filesystem::path& name);
-
-/// Whether a name has the ending of a format's binary files, such as .meshb.
-bool is_binary_name(const std::filesystem::path& name);
 
 struct ReadOptions {
   /// Volume cells that are no tetrahedra are left out with a warning instead of refused.

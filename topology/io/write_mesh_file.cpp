@@ -5,16 +5,17 @@
 #include <algorithm>
 #include <map>
 
-#include "topology/mesh/boundary_surface.hpp"
 #include "topology/io/abaqus/abaqus.hpp"
+#include "topology/io/format_traits.hpp"
 #include "topology/io/formats.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/io/msh/msh.hpp"
-#include "topology/io/surface/ply.hpp"
 #include "topology/io/region_names.hpp"
 #include "topology/io/scan.hpp"
+#include "topology/io/surface/ply.hpp"
 #include "topology/io/surface/stl.hpp"
 #include "topology/io/vtk/vtk_cells.hpp"
+#include "topology/mesh/boundary_surface.hpp"
 
 namespace sunder {
 namespace {

@@ -24,9 +24,9 @@ struct Components {
   std::vector<ComponentId> parent;
 };
 
-/// How separations are found. All four give the same labels; they differ in what they visit.
+/// How separations are found. All four give the same labels; they differ in their cost.
 enum class Detection {
-  /// Walk the whole component after every change (the paper's base line).
+  /// Walk the whole component after every change (the paper's baseline).
   walk,
   /// Count the vertices of the component that came apart since its labels were last right; walk it
   /// whole when there are three or more, for the face that parts a component parts three at once.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The darts behind a VolumeMap: CGAL's 3-map, and a kernel that walks nothing else.
-// Internal: costs 12 s a source to include; users take topology/kernel/volume_map.hpp.
+// Costs 12 s a source to include: who needs no dart takes VolumeMap alone.
 #pragma once
 
 #include <CGAL/Cell_attribute.h>

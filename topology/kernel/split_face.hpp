@@ -32,8 +32,8 @@ struct FaceSplit {
   int vertex_count = 0;
   /// Bit i: the edge from vertices[i] to vertices[(i + 1) % 3] came apart.
   std::uint8_t split_edges = 0;
-  /// Tetrahedra that the walks round edges and the searches of stars met, one met twice counted
-  /// twice: a measure of the cost, which no clock and no size of the body changes.
+  /// Tetrahedra visited by walks round edges and searches of stars, one visited twice counted
+  /// twice: a measure of the cost, the same on every machine.
   std::uint32_t visited = 0;
 };
 
@@ -44,7 +44,7 @@ inline int edge_count(const FaceSplit& s) { return std::popcount(s.split_edges);
 /// says yes falsely when a handle is cut (figure 4).
 inline bool oracle_says_new(const FaceSplit& s) { return s.did && s.vertex_count == 3; }
 
-/// Unsews the face and tells which of its vertices and edges came apart.
+/// Unsews the face and reports which of its vertices and edges came apart.
 ///
 ///     before            after, passed side = A       vertex row v: A keeps v, B gets a new row
 ///      ___v___           ___v   v'___                when no chain of faces joins A to B round v;

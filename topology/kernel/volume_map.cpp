@@ -37,6 +37,11 @@ VolumeMap::VolumeMap(MapRows rows)
       incident_(incident_tetrahedra(rows_)),
       darts_(std::make_unique<DartMap>(rows_)) {}
 
+VolumeMap::VolumeMap(MapRows rows, std::vector<TetId> incident)
+    : rows_(std::move(rows)),
+      incident_(std::move(incident)),
+      darts_(std::make_unique<DartMap>(rows_)) {}
+
 VolumeMap::VolumeMap(const VolumeMap& other)
     : rows_(other.rows_), incident_(other.incident_), darts_(std::make_unique<DartMap>(rows_)) {}
 

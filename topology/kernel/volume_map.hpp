@@ -32,7 +32,7 @@ struct MapRows {
   std::vector<TetId> reoriented;
 };
 
-/// What the parts of a map weigh, bytes, counted from their capacities: all that it holds.
+/// Memory of the parts of a map, bytes, counted from their capacities.
 struct MapBytes {
   /// CGAL's darts.
   std::size_t darts = 0;
@@ -50,7 +50,7 @@ constexpr std::size_t total(const MapBytes& b) {
   return b.darts + b.attributes + b.adjacency + b.handles + b.vertex_columns;
 }
 
-/// A 3-map of tetrahedra; a model of `Kernel` that answers queries from its dense side.
+/// A 3-map of tetrahedra; a model of `Kernel` that answers queries from its dense rows.
 ///
 /// Guarded: the dense rows equal the darts after every call; rows of vertices are exactly the
 /// vertex orbits between calls of split_face and glue_face (the primitives `unsew`, `sew`,
@@ -62,6 +62,9 @@ class VolumeMap {
 
   /// Needs: rows that agree with each other, as `build_map` makes them. O(|T|), about 1 us each.
   explicit VolumeMap(MapRows rows);
+  /// The same with the incident tetrahedron of each vertex as splits have left it: walks begin
+  /// there.
+  VolumeMap(MapRows rows, std::vector<TetId> incident);
   VolumeMap(const VolumeMap& other);
   VolumeMap& operator=(const VolumeMap& other);
   VolumeMap(VolumeMap&&) noexcept;
@@ -102,7 +105,8 @@ class VolumeMap {
   VertexId split_vertex(const VertexSplit& split);
   void merge_vertices(VertexId kept, VertexId retired, std::span<const CornerId> corners);
 
-  /// The darts behind the rows, for the few sources that include topology/kernel/dart_map.hpp.
+  /// CGAL's darts behind the rows, for the few sources that include dart_map.hpp (of hosts:
+  /// <sunder/cgal_map.hpp>).
   const DartMap& darts() const { return *darts_; }
   MapBytes bytes() const;
 

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "topology/mesh/file_mesh.hpp"
+#include "topology/kernel/counts.hpp"
 #include "topology/kernel/finding.hpp"
-#include "topology/kernel/invariants.hpp"
 #include "topology/kernel/tet_mesh.hpp"
+#include "topology/mesh/file_mesh.hpp"
 
 namespace sunder {
 

@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "topology/mesh/check.hpp"
+#include "topology/kernel/counts.hpp"
 #include "topology/kernel/finding.hpp"
-#include "topology/kernel/invariants.hpp"
 #include "topology/kernel/tet_mesh.hpp"
 #include "topology/kernel/volume_map.hpp"
+#include "topology/mesh/check.hpp"
 
 namespace sunder {
 

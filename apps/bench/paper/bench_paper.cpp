@@ -8,8 +8,8 @@
 #include <array>
 #include <numeric>
 
-#include "apps/sunder/clock.hpp"
 #include "apps/bench/bench_figures.hpp"
+#include "apps/bench/clock.hpp"
 #include "apps/bench/paper/bench_paper_fans.hpp"
 #include "apps/bench/paper/bench_paper_phases.hpp"
 #include "apps/bench/paper/bench_paper_run.hpp"

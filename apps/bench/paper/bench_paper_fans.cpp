@@ -2,7 +2,7 @@
 // Fans cut again and threshold tests, each timed by itself.
 #include "apps/bench/paper/bench_paper_fans.hpp"
 
-#include "apps/sunder/clock.hpp"
+#include "apps/bench/clock.hpp"
 #include "fracture/algorithms/choose_fan.hpp"
 #include "fracture/algorithms/split_fan.hpp"
 #include "fracture/algorithms/threshold_test.hpp"

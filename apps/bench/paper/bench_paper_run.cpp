@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "apps/sunder/clock.hpp"
+#include "apps/bench/clock.hpp"
 #include "apps/sunder/run/recorder.hpp"
 #include "fracture/algorithms/threshold_test.hpp"
 #include "mechanics/element/corotational_force.hpp"
@@ -64,7 +64,7 @@ ModelSample sample_models(const Simulation& now) {
   MechanicsState state = now.state->mechanics;
   const auto principal = [&](ElasticModel model) {
     MechanicsScratch scratch;
-    measure_elements(state, scratch, cells.map.corners(), {}, model);
+    measure_elements(state, scratch, cells.map.corners(), {.model = model});
     return principal_stresses(node_stress_of(cells, state, NodeStress::mass));
   };
   const std::vector<double> ours = principal(ElasticModel::rigid_reference);
@@ -108,7 +108,8 @@ void add_step(PaperRun& run, const Simulation& now, const StepReport& report) {
                 fans[row].round == fans[row - 1].round);
   }
   run.given_up += report.status.solve.not_converged > 0;
-  for (const Mat3& sigma : now.scratch->fracture.node_stress.value) {
+  for (const Mat3& sigma :
+       node_stress_of(now.state->cells, now.state->mechanics, now.scene.fracture.node_stress)) {
     run.peak_stress = std::max(run.peak_stress, largest_principal_stress(sigma));
   }
 }

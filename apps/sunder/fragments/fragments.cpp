@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "apps/scene/words.hpp"
 #include "apps/sunder/fragments/fragments_report.hpp"
 #include "apps/sunder/gnuplot.hpp"
-#include "apps/scene/words.hpp"
 
 namespace sunder {
 namespace {

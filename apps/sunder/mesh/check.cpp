@@ -10,22 +10,23 @@
 #include <stdexcept>
 
 #include "apps/sunder/mesh/check_report.hpp"
-#include "topology/mesh/finding_cells.hpp"
+#include "topology/io/format_traits.hpp"
 #include "topology/io/mesh_file.hpp"
+#include "topology/mesh/finding_cells.hpp"
 
 namespace sunder {
 namespace {
 
 constexpr const char* footer = R"(
 MESH is any mesh file that sunder convert reads (sunder convert --formats lists them), packed by
-gzip or not; its content decides, not its name.
+gzip or not; its content decides which, not its name.
 Coordinates are taken as metres, volumes are m^3. Vertices, edges and faces are counted as orbits
 of the 3-map: cells that only touch are not joined. Numbers in brackets are rows counted from 0.
 Betti numbers follow from boundary sheets where the body lies in space; where it is flat, folded or
-has no boundary they are those of its homology over the integers, which is told with its torsion.
+has no boundary they are those of its homology over the integers, reported with its torsion.
 Dihedral angles lie between two faces of a tetrahedron (70.5 degrees in a regular one). Radius
 ratios are 3 r / R of the spheres inside and around it: 1 for a regular one, 0 for a flat one.
-docs/checks.md tells every finding, its tolerance and what to do about it.
+docs/checks.md explains every finding, its tolerance and what to do about it.
 
 Exit codes: 0 no error found (warnings and notes may be), 1 a mesh with errors, 2 usage, 3 no mesh
 can be read from the file, 4 FILE of --write-findings cannot be written.
@@ -109,8 +110,8 @@ ExitCode run_check(const Arguments& arguments) {
 
 void add_check_command(CLI::App& program, ExitCode& exit_code) {
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = program.add_subcommand(
-      "check", "Count the cells of a mesh, measure them, list what is wrong");
+  CLI::App* command =
+      program.add_subcommand("check", "Count and measure the cells of a mesh, list what is wrong");
   command->add_option("MESH", arguments->mesh, "Mesh file")->type_name("FILE")->required();
   command
       ->add_option("--write-findings", arguments->findings,

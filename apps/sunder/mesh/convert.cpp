@@ -11,8 +11,9 @@
 #include <memory>
 #include <optional>
 
-#include "apps/sunder/mesh/convert_crack.hpp"
 #include "apps/scene/words.hpp"
+#include "apps/sunder/mesh/convert_crack.hpp"
+#include "topology/io/format_traits.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/io/output_file.hpp"
 #include "topology/mesh/repair.hpp"
@@ -21,16 +22,16 @@ namespace sunder {
 namespace {
 
 constexpr const char* footer = R"(
-IN is known by its content, not by its name (TetGen's files by their names, any of which may be
+IN is recognised by its content, not by its name (TetGen's files by their names, any of which may be
 given: STEM.node, .ele, .face and .edge are read and written together); it may be packed by gzip.
 OUT's ending names the format, or --to does. `sunder convert --formats` lists the formats, their
-endings, versions and encodings (the usual ones first), and what each can hold. Points and cells
-keep their order; numbers, regions, entities and data go along where the format holds them. Names of
+endings, versions and encodings (defaults first), and what each can hold. Points and cells keep
+their order; numbers, regions, entities and data are kept where the format holds them. Names of
 regions that it does not hold go to OUT.regions, which is read with OUT. Everything else that would
 be lost is listed first, as warnings.
-Repairs are made in the order in which they are listed here, and each tells what it changed.
-A crack is opened after them, without width: points are copied exactly where the cut faces part the
-tetrahedra around them, a front stays joined (docs/cracks.md).
+Repairs are made in the order in which they are listed here, and each reports what it changed.
+A crack is opened after them, without width: points are copied exactly where the cut faces separate
+the tetrahedra around them; its front stays joined (docs/cracks.md).
 
 Exit codes: 0 written, 1 something would be lost and --strict was given (nothing is written),
 2 usage, 3 the input cannot be read or repaired, 4 the output cannot be written.
@@ -211,7 +212,7 @@ std::string known_format(const std::string& word) {
 void add_convert_command(CLI::App& program, ExitCode& exit_code) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command =
-      program.add_subcommand("convert", "Convert a mesh file, telling what would be lost");
+      program.add_subcommand("convert", "Convert a mesh file; lists what would be lost");
   command->add_option("IN", arguments->in, "Mesh file to read")->type_name("FILE")->required();
   command->add_option("OUT", arguments->out, "Mesh file to write")->type_name("FILE")->required();
   command->add_option("--to", arguments->to, "Format to write; default: by OUT's ending")

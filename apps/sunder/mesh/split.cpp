@@ -9,14 +9,14 @@
 #include <filesystem>
 #include <memory>
 
+#include "apps/scene/words.hpp"
 #include "apps/sunder/mesh/split_faces.hpp"
 #include "apps/sunder/mesh/split_output.hpp"
 #include "apps/sunder/static/static_fan.hpp"
-#include "apps/scene/words.hpp"
-#include "topology/mesh/build_map.hpp"
-#include "topology/kernel/invariants.hpp"
 #include "topology/io/mesh_file.hpp"
+#include "topology/kernel/invariants.hpp"
 #include "topology/kernel/split_face.hpp"
+#include "topology/mesh/build_map.hpp"
 
 namespace sunder {
 namespace {
@@ -24,23 +24,23 @@ namespace {
 constexpr const char* footer = R"(
 One of --faces, --fan and --plane chooses the faces; all are found on the intact mesh and then split
 one after the other. Points are rows of the mesh file, counted from 0; lengths are metres. A face
-that is not interior is told in its row of the answer, and changes nothing.
+that is not interior is reported in its row of the result, and changes nothing.
 
-Answer: the counts before and after, and for each face, in the order of splitting, which of its
+Result: the counts before and after, and for each face, in the order of splitting, which of its
 vertices and edges came apart, whether all three vertices did (the oracle), whether a new component
-came off, and how many tetrahedra the search for components visited to know. --oracle chooses that
-search; the answers are the same, the visits are not:
-  exact  when the oracle says yes, from both sides of the face until one side is known whole
+came off, and how many tetrahedra the search for components visited. --oracle chooses that search;
+the result is the same, the cost is not:
+  exact  when the oracle says yes, from both sides of the face until one side is complete
   paper  when the oracle says yes, the whole component (algorithm 4 of the paper)
   walk   the whole component after every face
 
 With -o the cut mesh is written: every copy of a vertex is a point of its own, and the region of a
 tetrahedron is its component, numbered from 1. A cut face whose two sides still have the same three
-points cannot be told by vertex numbers: such faces are listed in OUT.cuts, and
-`sunder split OUT --faces OUT.cuts` has the same map again. When there is none, an OUT.cuts of an
+points cannot be expressed by vertex numbers: such faces are listed in OUT.cuts, and
+`sunder split OUT --faces OUT.cuts` restores the same map. Where there is none, an OUT.cuts of an
 earlier run is removed.
 
-Exit codes: 0 done, 2 usage (also a vertex or normal that cannot be), 3 mesh or list of faces
+Exit codes: 0 done, 2 usage (also an impossible vertex or normal), 3 mesh or list of faces
 unreadable or invalid, 4 OUT or OUT.cuts not written.
 
 Examples:
@@ -249,7 +249,7 @@ std::string check_plane(const std::string& list) {
 }
 
 void add_options(CLI::App& command, SplitArguments& arguments) {
-  command.add_option("MESH", arguments.mesh, "Mesh file (.msh, .mesh, .vtu)")
+  command.add_option("MESH", arguments.mesh, "Mesh file, in any format that sunder convert reads")
       ->type_name("FILE")
       ->required();
   CLI::Option_group* which = command.add_option_group("faces to split (one of these)");
@@ -276,14 +276,15 @@ void add_options(CLI::App& command, SplitArguments& arguments) {
               .description(""));
   command
       .add_option("--oracle", arguments.oracle,
-                  "How components are found: exact (default), paper, walk; same answers")
+                  "How components are found: exact (default), paper, walk; same result")
       ->type_name("exact|paper|walk")
       ->transform(
           CLI::CheckedTransformer(std::map<std::string, Detection>{{"exact", Detection::exact},
                                                                    {"paper", Detection::oracle},
                                                                    {"walk", Detection::walk}})
               .description(""));
-  command.add_option("-o,--output", arguments.output, "Write the cut mesh (.msh or .vtu)")
+  command
+      .add_option("-o,--output", arguments.output, "Write the cut mesh; its format by OUT's ending")
       ->type_name("OUT");
   command.add_flag("--json", arguments.json, "Print JSON instead of tables");
 }
@@ -293,7 +294,7 @@ void add_options(CLI::App& command, SplitArguments& arguments) {
 void add_split_command(CLI::App& program, ExitCode& exit_code) {
   const auto arguments = std::make_shared<SplitArguments>();
   CLI::App* command =
-      program.add_subcommand("split", "Split faces of a mesh and tell what came apart");
+      program.add_subcommand("split", "Split faces of a mesh and report what came apart");
   add_options(*command, *arguments);
   command->footer(footer);
   command->callback([=, &exit_code] { exit_code = run_split(*arguments); });

@@ -10,6 +10,7 @@
 #include <numeric>
 #include <string>
 
+#include "topology/io/format_traits.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/io/output_file.hpp"
 #include "topology/kernel/map_mesh.hpp"

@@ -3,6 +3,7 @@
 #include "apps/sunder/run/event_log.hpp"
 
 #include <array>
+#include <sunder/version.hpp>
 #include <utility>
 
 #include "apps/scene/scene_hash.hpp"
@@ -35,18 +36,6 @@ ordered_json face_of(const FaceSplit& split, const VolumeMap& map) {
           {"oracle", oracle_says_new(split)}};
 }
 
-using Count = std::size_t RunStatistics::*;
-constexpr std::array<std::pair<const char*, Count>, 9> counts_of_search = {
-    {{"tested", &RunStatistics::tested},
-     {"suspects", &RunStatistics::suspects},
-     {"reached", &RunStatistics::reached},
-     {"empty_fans", &RunStatistics::empty_fans},
-     {"still_empty", &RunStatistics::still_empty},
-     {"unfitted", &RunStatistics::unfitted},
-     {"refused_fans", &RunStatistics::refused_fans},
-     {"relieved", &RunStatistics::relieved},
-     {"waiting", &RunStatistics::waiting}}};
-
 }  // namespace
 
 std::string_view to_string(RunEnd end) {
@@ -74,22 +63,6 @@ ordered_json event_of(const FanEvent& event, const EventTime& when, const Volume
           {"faces", faces},
           {"oracle", event.components.predicted},
           {"new_components", created}};
-}
-
-ordered_json search_counts(const RunStatistics& statistics) {
-  ordered_json counts = ordered_json::object();
-  for (const auto& [name, count] : counts_of_search) counts[name] = statistics.*count;
-  return counts;
-}
-
-bool take_search_counts(RunStatistics& statistics, const ordered_json& counts) {
-  if (!counts.is_object()) return false;
-  for (const auto& [name, count] : counts_of_search) {
-    const auto value = counts.find(name);
-    if (value == counts.end() || !value->is_number_unsigned()) return false;
-    statistics.*count = value->get<std::size_t>();
-  }
-  return true;
 }
 
 ordered_json event_log_head(const SceneFile& file, const std::string& hash) {

@@ -34,11 +34,6 @@ struct EventTime {
 /// time; names the faces' points.
 nlohmann::ordered_json event_of(const FanEvent& event, const EventTime& when, const VolumeMap& map);
 
-/// What the run's search for fractures counted beside fans (a replay does not search), and the
-/// other way; `take` gives false where `counts` has not all of them as numbers.
-nlohmann::ordered_json search_counts(const RunStatistics& statistics);
-bool take_search_counts(RunStatistics& statistics, const nlohmann::ordered_json& counts);
-
 /// The log as text, one JSON object a line. Its first line names format, program and scene; each
 /// other is a fan, the last says how the run ended. Guarded: every line ends with a `check` over
 /// itself and the lines before it (the first over itself only: another program version may replay

@@ -1,25 +1,36 @@
 // SPDX-License-Identifier: MIT
-// Scenes for the renderer.
+// From the state of a run to what a picture shows: surfaces, obstacles, ground, camera.
 #include "apps/sunder/run/pictures.hpp"
 
+#include <span>
 #include <variant>
 
+#include "apps/render/camera.hpp"
 #include "apps/render/drawn_surface.hpp"
+#include "apps/render/renderer.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 
 namespace sunder {
 namespace {
+
+/// What stays the same in all pictures of a run.
+struct RunView {
+  render::Camera camera;
+  /// The bodies as they start, what is static, and the ground below.
+  render::Bounds extent;
+};
 
 /// How strongly pieces differ in hue: enough to tell them apart, too little to look painted.
 constexpr float piece_tint = 0.35f;
 
 /// |V| positions of the drawn rigid references.
-std::vector<Vec3> reference_positions(const PictureSource& source) {
-  const MechanicsState& mechanics = source.state.mechanics;
+std::vector<Vec3> reference_positions(const SimulationState& state) {
+  const MechanicsState& mechanics = state.mechanics;
   const VertexColumns& v = mechanics.vertices;
   std::vector<Vec3> positions(v.size());
   for (std::size_t i = 0; i < v.size(); ++i) {
     const std::size_t piece = v.component[i].index();
-    const Pose& drawn = source.state.display[piece];
+    const Pose& drawn = state.display[piece];
     const Vec3& rest_centre = mechanics.components[piece].rest_centre;
     positions[i] = drawn.orientation * (v.rest_position[i] - rest_centre) + drawn.centre;
   }
@@ -43,14 +54,13 @@ BoundaryColumns boundary_columns(const Cells& cells) {
   return columns;
 }
 
-render::Surface surface(const PictureSource& source, const BoundaryColumns& boundary,
+render::Surface surface(const SimulationState& state, const BoundaryColumns& boundary,
                         std::span<const Vec3> positions) {
-  render::Surface surface =
-      render::drawn_surface({.positions = positions,
-                             .corners = source.state.cells.map.corners(),
-                             .half_faces = boundary.half_faces,
-                             .face_class = boundary.face_class,
-                             .component = source.state.cells.labels.of_tetrahedron});
+  render::Surface surface = render::drawn_surface({.positions = positions,
+                                                   .corners = state.cells.map.corners(),
+                                                   .half_faces = boundary.half_faces,
+                                                   .face_class = boundary.face_class,
+                                                   .component = state.cells.labels.of_tetrahedron});
   surface.colors.piece_tint = piece_tint;
   return surface;
 }
@@ -89,27 +99,29 @@ void add_shadow(render::Bounds& bounds, std::span<const Obstacle> obstacles, con
   }
 }
 
-}  // namespace
-
-render::FrameScene picture_scene(const PictureSource& source, ShownShape show,
+/// Skin and crack faces of the shape asked for, obstacles, ground. `extent`: what all pictures of a
+/// run share.
+render::FrameScene picture_scene(const SimulationState& state, ShownShape show,
                                  const render::Bounds& extent) {
   render::FrameScene scene;
   scene.extent = extent;
-  const BoundaryColumns boundary = boundary_columns(source.state.cells);
+  const BoundaryColumns boundary = boundary_columns(state.cells);
   if (show != ShownShape::deformed) {
-    scene.surfaces.push_back(surface(source, boundary, reference_positions(source)));
+    scene.surfaces.push_back(surface(state, boundary, reference_positions(state)));
   }
   if (show != ShownShape::reference) {
-    scene.surfaces.push_back(surface(source, boundary, source.state.mechanics.vertices.position));
+    scene.surfaces.push_back(surface(state, boundary, state.mechanics.vertices.position));
     if (show == ShownShape::both) {
       scene.surfaces.back().style = render::SurfaceStyle::wireframe;
     }
   }
-  for (const Obstacle& obstacle : source.obstacles) std::visit(AddObstacle{scene}, obstacle.shape);
+  for (const Obstacle& obstacle : state.obstacles) std::visit(AddObstacle{scene}, obstacle.shape);
   return scene;
 }
 
-RunView run_view(const PictureSource& start, const PictureSettings& settings, const Vec3& gravity) {
+/// The camera asked for, or one that sees the whole extent.
+RunView run_view(const SimulationState& start, const PictureSettings& settings,
+                 const Vec3& gravity) {
   const Vec3 up = gravity.norm() > 0 ? Vec3(-gravity.normalized()) : Vec3::UnitZ();
   render::FrameScene still = picture_scene(start, ShownShape::deformed, {});
   still.spheres.clear();
@@ -133,6 +145,42 @@ RunView run_view(const PictureSource& start, const PictureSettings& settings, co
     view.camera = render::frame_bounds(view.extent, {.aspect = aspect, .up = up.cast<float>()});
   }
   return view;
+}
+
+}  // namespace
+
+struct Pictures::Parts {
+  PictureSettings settings;
+  render::Renderer renderer;
+  RunView view;
+};
+
+Pictures::Pictures(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+Pictures::Pictures(Pictures&&) noexcept = default;
+Pictures& Pictures::operator=(Pictures&&) noexcept = default;
+Pictures::~Pictures() = default;
+
+Result<Pictures> Pictures::open(const Simulation& start, const PictureSettings& settings) {
+  Result<Pictures> result;
+  Result<render::Renderer> renderer = render::Renderer::offscreen();
+  result.findings = std::move(renderer.findings);
+  if (!renderer) return result;
+  result.value = Pictures(std::make_unique<Parts>(
+      Parts{settings, std::move(*renderer),
+            run_view(*start.state, settings, start.scene.gravity.acceleration)}));
+  return result;
+}
+
+std::vector<Finding> Pictures::draw(const std::filesystem::path& path, const Simulation& now) {
+  const PictureSettings& settings = parts_->settings;
+  const render::FrameScene scene = picture_scene(*now.state, settings.show, parts_->view.extent);
+  Result<render::Image> image =
+      parts_->renderer.render(scene, parts_->view.camera, static_cast<int>(settings.width),
+                              static_cast<int>(settings.height));
+  std::vector<Finding> findings = std::move(image.findings);
+  if (!image) return findings;
+  for (Finding& f : render::write_png(path, *image)) findings.push_back(std::move(f));
+  return findings;
 }
 
 }  // namespace sunder

@@ -1,39 +1,36 @@
 // SPDX-License-Identifier: MIT
-// From the state of a run to what a picture shows: surfaces, obstacles, ground, camera.
+// Pictures of a run, drawn into files; where the program is built without the renderer, a refusal.
 #pragma once
 
-#include <span>
+#include <filesystem>
+#include <memory>
+#include <vector>
 
-#include "apps/render/camera.hpp"
-#include "apps/render/frame_scene.hpp"
 #include "apps/scene/output_settings.hpp"
-#include "fracture/simulation/simulation_state.hpp"
+#include "fracture/simulation/simulation.hpp"
 
 namespace sunder {
 
-/// The state that a picture is drawn of.
-struct PictureSource {
-  const SimulationState& state;
-  /// Where they are now.
-  std::span<const Obstacle> obstacles;
+/// Draws pictures of one run, all seen by the same camera.
+class Pictures {
+ public:
+  /// The camera of the settings, or one that sees the bodies as they start, what is static, and the
+  /// ground below; up is against gravity (z without any).
+  /// Errors: those of the renderer; `no_renderer` where the program was built without it.
+  static Result<Pictures> open(const Simulation& start, const PictureSettings& settings);
+  Pictures(Pictures&&) noexcept;
+  Pictures& operator=(Pictures&&) noexcept;
+  ~Pictures();
+
+  /// Writes a PNG of the shape asked for: skin and crack faces (of `both` the deformed mesh as
+  /// wires over the filled reference), obstacles, ground. O(|V| + |T|). Errors: those of the
+  /// renderer.
+  std::vector<Finding> draw(const std::filesystem::path& path, const Simulation& now);
+
+ private:
+  struct Parts;
+  explicit Pictures(std::unique_ptr<Parts> parts);
+  std::unique_ptr<Parts> parts_;
 };
-
-/// What the picture shows: skin and crack faces of the shape asked for (the reference where the
-/// display states have it; `both`: the deformed mesh as wires over the filled reference),
-/// obstacles, ground. O(|V| + |T|). `extent`: what all pictures of a run share, as `run_view` gives
-/// it.
-render::FrameScene picture_scene(const PictureSource& source, ShownShape show,
-                                 const render::Bounds& extent);
-
-/// What stays the same in all pictures of a run.
-struct RunView {
-  render::Camera camera;
-  /// The bodies as they start, what is static, and the ground below.
-  render::Bounds extent;
-};
-
-/// The camera asked for, or one that sees the whole extent; `up` is against gravity (z without
-/// any).
-RunView run_view(const PictureSource& start, const PictureSettings& settings, const Vec3& gravity);
 
 }  // namespace sunder

@@ -8,9 +8,10 @@
 #include <cmath>
 #include <optional>
 
-#include "apps/render/renderer.hpp"
+#include "apps/output/frame.hpp"
+#include "apps/output/tables.hpp"
+#include "apps/sunder/run/counters_json.hpp"
 #include "apps/sunder/run/pictures.hpp"
-#include "fracture/algorithms/find_fractures.hpp"
 #include "topology/io/output_file.hpp"
 #include "topology/io/vtu/vtu.hpp"
 
@@ -21,7 +22,6 @@ namespace fs = std::filesystem;
 struct Recorder::Parts {
   fs::path folder;
   OutputSettings output;
-  Origins origin;
   std::vector<std::uint64_t> frame_steps, picture_steps;
   RunStatistics statistics;
   std::vector<PvdFrame> frames;
@@ -29,9 +29,7 @@ struct Recorder::Parts {
   std::optional<std::uint64_t> last_frame, last_picture;
   EventLog events;
   nlohmann::ordered_json counts;
-  std::vector<std::uint64_t> birth;  // step, by component; those of the start have 0
-  std::optional<render::Renderer> renderer;
-  RunView view;
+  std::optional<Pictures> drawn;
   nlohmann::ordered_json report;
 
   explicit Parts(const RecordedRun& run)
@@ -95,7 +93,7 @@ std::vector<std::uint64_t> due_pictures(const SceneFile& file) {
   const std::uint64_t steps = step_count(file.scene);
   std::vector<std::uint64_t> due = even_steps(steps, file.output.pictures.count);
   for (const double time : file.output.pictures.times) {
-    const double step = std::round(time / file.scene.time_step);
+    const double step = std::round(time / file.scene.integrator.time_step);
     if (step <= static_cast<double>(steps)) due.push_back(static_cast<std::uint64_t>(step));
   }
   std::ranges::sort(due);
@@ -104,11 +102,6 @@ std::vector<std::uint64_t> due_pictures(const SceneFile& file) {
 }
 
 }  // namespace
-
-std::uint64_t step_count(const Scene& scene) {
-  // 1 s of 1 ms steps is 1000 steps, although 1 / 1e-3 may come out a little above.
-  return static_cast<std::uint64_t>(std::ceil(scene.duration / scene.time_step - 1e-6));
-}
 
 std::vector<std::uint64_t> even_steps(std::uint64_t steps, std::uint64_t count) {
   std::vector<std::uint64_t> due;
@@ -123,7 +116,7 @@ std::vector<std::uint64_t> even_steps(std::uint64_t steps, std::uint64_t count) 
 
 std::vector<std::uint64_t> interval_steps(const Scene& scene, double interval) {
   const std::uint64_t steps = step_count(scene);
-  const double stride = std::max(interval / scene.time_step, 1.0);
+  const double stride = std::max(interval / scene.integrator.time_step, 1.0);
   std::vector<std::uint64_t> due;
   for (std::uint64_t k = 0;; ++k) {
     const double step = std::round(static_cast<double>(k) * stride);
@@ -140,18 +133,15 @@ Recorder::~Recorder() = default;
 Result<Recorder> Recorder::open(const RecordedRun& run, const Simulation& start,
                                 std::vector<Finding> warnings) {
   auto parts = std::make_unique<Parts>(run);
-  parts->origin = origins(run.file.scene.bodies);
   parts->frame_steps = due_frames(run.file);
   parts->picture_steps = due_pictures(run.file);
   parts->statistics = begin_statistics(start, std::move(warnings));
   Result<Recorder> result;
   if (!parts->picture_steps.empty()) {
-    Result<render::Renderer> renderer = render::Renderer::offscreen();
-    append(result.findings, std::move(renderer.findings));
-    if (!renderer) return result;
-    parts->renderer = std::move(*renderer);
-    parts->view = run_view({*start.state, start.state->obstacles}, parts->output.pictures,
-                           start.scene.gravity.acceleration);
+    Result<Pictures> drawn = Pictures::open(start, parts->output.pictures);
+    append(result.findings, std::move(drawn.findings));
+    if (!drawn) return result;
+    parts->drawn = std::move(*drawn);
   }
   if (const std::error_code error = prepare_folder(run.folder)) {
     result.findings.push_back(cannot_write(run.folder, error));
@@ -164,10 +154,7 @@ Result<Recorder> Recorder::open(const RecordedRun& run, const Simulation& start,
 
 std::vector<Finding> Recorder::Parts::write_frame_of(const Simulation& now) {
   const std::string name = fmt::format("frames/frame_{:06}.vtu", frames.size());
-  const std::vector<Mat3> stress =
-      node_stress_of(now.state->cells, now.state->mechanics, now.scene.fracture.node_stress);
-  std::vector<Finding> findings =
-      write_frame(folder / name, now.state->cells, now.state->mechanics, origin, stress);
+  std::vector<Finding> findings = write_frame(folder / name, now);
   if (has_error(findings)) return findings;
   frames.push_back({now.state->mechanics.time, name});
   last_frame = now.state->step;
@@ -176,16 +163,9 @@ std::vector<Finding> Recorder::Parts::write_frame_of(const Simulation& now) {
 }
 
 std::vector<Finding> Recorder::Parts::draw_picture(const Simulation& now) {
-  const PictureSettings& settings = output.pictures;
-  const render::FrameScene scene =
-      picture_scene({*now.state, now.state->obstacles}, settings.show, view.extent);
-  Result<render::Image> image = renderer->render(
-      scene, view.camera, static_cast<int>(settings.width), static_cast<int>(settings.height));
-  std::vector<Finding> findings = std::move(image.findings);
-  if (!image) return findings;
-  const std::string name = fmt::format("picture_{:03}.png", pictures++);
-  append(findings, render::write_png(folder / name, *image));
-  last_picture = now.state->step;
+  std::vector<Finding> findings =
+      drawn->draw(folder / fmt::format("picture_{:03}.png", pictures++), now);
+  if (!has_error(findings)) last_picture = now.state->step;
   return findings;
 }
 
@@ -202,9 +182,6 @@ std::vector<Finding> Recorder::record(const Simulation& now, const StepReport& r
                                       double step_ms) {
   add_step(parts_->statistics, now, report, step_ms);
   for (std::size_t k = 0; k < report.fracture.fans.size(); ++k) {
-    const ComponentUpdate& made = report.fracture.fans[k].components;
-    if (made.created > 0) parts_->birth.resize(made.first_new.index(), 0);
-    parts_->birth.resize(parts_->birth.size() + made.created, report.step);
     const std::uint64_t fan = parts_->statistics.fans - report.fracture.fans.size() + k;
     parts_->events.add(event_of(report.fracture.fans[k],
                                 {fan, report.step, report.fan_part[k], report.fan_time[k]},
@@ -218,15 +195,14 @@ std::vector<Finding> Recorder::finish(const Simulation& now, RunEnd end) {
   std::vector<Finding> findings;
   if (end != RunEnd::finished) {
     if (!p.frame_steps.empty() && p.last_frame != now.state->step) findings = p.write_frame_of(now);
-    if (p.renderer && p.last_picture != now.state->step) append(findings, p.draw_picture(now));
+    if (p.drawn && p.last_picture != now.state->step) append(findings, p.draw_picture(now));
   }
-  if (!p.counts.is_null()) take_search_counts(p.statistics, p.counts);
+  if (!p.counts.is_null()) read_counters(p.statistics.search, p.counts);
   p.events.add({{"end", to_string(end)},
                 {"steps", now.state->step},
                 {"fans", p.statistics.fans},
-                {"search", search_counts(p.statistics)}});
-  const std::vector<Fragment> pieces =
-      fragments(now.state->cells, now.state->mechanics, p.origin, p.birth);
+                {"search", counters_json(p.statistics.search)}});
+  const std::vector<Fragment> pieces = fragments(now);
   p.report = run_report(p.statistics, now, pieces, end);
   const auto write = [&](const char* name, const std::string& text) {
     if (auto finding = write_file(p.folder / name, text)) findings.push_back(std::move(*finding));

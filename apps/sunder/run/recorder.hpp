@@ -15,9 +15,6 @@
 
 namespace sunder {
 
-/// Number of steps of a scene: its duration over its time step, rounded up (to rounding errors).
-std::uint64_t step_count(const Scene& scene);
-
 /// The steps after which something is written, ascending, from 0 (the start) to `steps`: `count` of
 /// them spread evenly with both ends (1: the end only), or every `interval` s where that is above
 /// 0.
@@ -28,7 +25,7 @@ std::vector<std::uint64_t> interval_steps(const Scene& scene, double interval);
 struct RecordedRun {
   std::filesystem::path folder;
   const SceneFile& file;
-  /// Of a replay: what the searches of the run it repeats counted (`search_counts`).
+  /// Of a replay: what the searches of the run it repeats counted (`SearchCounts`).
   nlohmann::ordered_json counts = nullptr;
 };
 

@@ -8,8 +8,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "apps/sunder/run/event_log.hpp"
 #include "apps/scene/words.hpp"
+#include "apps/sunder/run/counters_json.hpp"
+#include "apps/sunder/run/event_log.hpp"
 #include "mechanics/element/energy.hpp"
 
 namespace sunder {
@@ -51,46 +52,19 @@ void add_momentum(MomentumLedger& ledger, const Simulation& now, const StepRepor
     }
   }
   ledger.loads += report.load_impulse;
-  ledger.gravity += mass * now.scene.time_step * gravity_at(now.scene.gravity, report.time);
+  ledger.gravity +=
+      mass * now.scene.integrator.time_step * gravity_at(now.scene.gravity, report.time);
 }
 
-void add_contact(ContactStatistics& contact, const StepReport& report) {
+void note_contact(RunStatistics& statistics, const StepReport& report) {
   const ContactReport& now = report.contact;
-  contact.steps += now.contacts > 0;
-  contact.most = std::max(contact.most, now.contacts);
-  contact.left_out += now.left_out;
-  contact.deepest = std::max(contact.deepest, now.deepest);
+  statistics.contact_steps += now.contacts > 0;
   if (now.converged) return;
-  ++contact.not_converged;
-  if (now.residual > contact.worst_residual) {
-    contact.worst_residual = now.residual;
-    contact.worst_step = report.step;
+  ++statistics.unconverged_steps;
+  if (now.residual > statistics.worst_residual) {
+    statistics.worst_residual = now.residual;
+    statistics.worst_step = report.step;
   }
-}
-
-void add_impact(ImpactStatistics& impact, const ImpactReport& now) {
-  impact.steps += now.sub_steps > 0;
-  impact.opened += now.opened;
-  impact.sub_steps += now.sub_steps;
-  impact.stopped_steps += now.stopped;
-  impact.most_components = std::max(impact.most_components, now.components);
-  impact.time += now.time;
-  impact.coarseness = std::max(impact.coarseness, now.coarseness);
-}
-
-void add_ladder(LadderStatistics& ladder, const LadderReport& now) {
-  for (std::size_t rung = 0; rung < ladder.components.size(); ++rung) {
-    ladder.components[rung] += now.components[rung];
-    ladder.tetrahedra[rung] += now.tetrahedra[rung];
-  }
-}
-
-void add_solve_report(SolveStatistics& solve, const SolveReport& now) {
-  solve.iterations += now.iterations;
-  solve.most_iterations = std::max<std::uint64_t>(solve.most_iterations, now.iterations);
-  solve.force_evaluations += now.force_evaluations;
-  solve.not_converged += now.not_converged > 0;
-  solve.sub_steps += now.sub_steps;
 }
 
 /// Mean, median, 99th percentile (nearest rank) and largest.
@@ -114,40 +88,36 @@ ordered_json ratio(std::size_t part, std::size_t whole) {
   return static_cast<double>(part) / static_cast<double>(whole);
 }
 
-ordered_json contact_report(const ContactStatistics& c) {
-  return {{"steps", c.steps},
-          {"most_contacts", c.most},
-          {"not_converged", c.not_converged},
-          {"worst_residual", c.worst_residual},
-          {"worst_step", c.worst_step},
-          {"left_out", c.left_out},
-          {"deepest_overlap", c.deepest}};
+ordered_json contact_report(const RunStatistics& s) {
+  ordered_json report = {{"steps", s.contact_steps},
+                         {"not_converged", s.unconverged_steps},
+                         {"worst_residual", s.worst_residual},
+                         {"worst_step", s.worst_step}};
+  report.update(counters_json(s.contact));
+  return report;
 }
 
-ordered_json integrator_report(const SolveStatistics& s, std::uint64_t steps) {
-  return {{"iterations", {{"mean", ratio(s.iterations, steps)}, {"max", s.most_iterations}}},
-          {"force_evaluations", s.force_evaluations},
-          {"not_converged", s.not_converged},
-          {"sub_steps", s.sub_steps}};
+ordered_json integrator_report(const RunStatistics& s, std::uint64_t steps) {
+  ordered_json report = counters_json(s.solve);
+  report["iterations"] = {{"mean", ratio(s.solve.iterations, steps)}, {"max", s.most_iterations}};
+  return report;
 }
 
-ordered_json impact_report(const ImpactStatistics& i) {
-  return {{"windows", i.opened},
-          {"steps", i.steps},
-          {"sub_steps", i.sub_steps},
-          {"time", i.time},
-          {"most_components", i.most_components},
-          {"coarseness", i.coarseness},
-          {"stopped_steps", i.stopped_steps}};
+ordered_json impact_report(const RunStatistics& s) {
+  ordered_json report = {{"steps", s.impact_steps}, {"stopped_steps", s.stopped_steps}};
+  report.update(counters_json(s.impact));
+  return report;
 }
 
 /// Steps of components, and of tetrahedra, on each rung.
-ordered_json ladder_report(const LadderStatistics& l) {
-  const auto rungs = [](const std::array<std::size_t, rung_count>& steps) {
-    return ordered_json{
+ordered_json ladder_report(const LadderReport& ladder) {
+  ordered_json report;
+  for_each_counter<LadderReport>([&](const auto& counter) {
+    const auto& steps = ladder.*counter.member;
+    report[std::string(counter.name)] = {
         {"full", steps[0]}, {"quasi_static", steps[1]}, {"rigid", steps[2]}, {"asleep", steps[3]}};
-  };
-  return {{"component_steps", rungs(l.components)}, {"tetrahedron_steps", rungs(l.tetrahedra)}};
+  });
+  return report;
 }
 
 /// What is missing between end and start is what supports took; without any it is rounding.
@@ -185,13 +155,7 @@ ordered_json energy_ledger(const RunStatistics& statistics, const Simulation& no
                          {"damping_work", statistics.damping_work},
                          {"released_by_rigid_pieces", statistics.energy_released}};
   if (!now.scene.energy_ledger) return report;
-  report["gravity_work"] = statistics.gravity_work;
-  report["load_work"] = statistics.load_work;
-  report["contact_work"] = statistics.contact_work;
-  report["support_work"] = statistics.support_work;
-  report["friction_heat"] = statistics.friction;
-  report["numerical_loss"] = statistics.numerical_loss;
-  report["residual"] = statistics.residual;
+  report.update(counters_json(statistics.energy));
   report["residual_over_energy_moved"] =
       statistics.moved > 0 ? statistics.residual_size / statistics.moved : 0;
   return report;
@@ -203,22 +167,21 @@ double largest_valid_turn(const Material& material) {
 }
 
 void check_turns(RunStatistics& statistics, const Simulation& now, const StepReport& report) {
-  const std::vector<double>& turn = now.scratch->mechanics.largest_turn;
   const MechanicsState& mechanics = now.state->mechanics;
-  for (std::size_t c = 0; c < std::min(turn.size(), mechanics.components.size()); ++c) {
-    const Component& component = mechanics.components[c];
+  for (const Component& component : mechanics.components) {
     if (component.tetrahedra.empty() || component.isolated) continue;
     const MaterialId material = mechanics.elements.material[component.tetrahedra[0].index()];
     const double valid = largest_valid_turn(mechanics.materials[material.index()]);
-    if (!(turn[c] > valid)) continue;
+    if (!(component.largest_turn > valid)) continue;
     statistics.turned_too_far = true;
     statistics.warnings.push_back(
         {.code = "turned_too_far",
          .severity = Severity::warning,
-         .ids = {static_cast<std::int64_t>(c)},
+         .ids = {static_cast<std::int64_t>(component.id.index())},
          .text = fmt::format("from step {} (t = {:.6g} s) on parts of component {} have turned by "
                              "{:.3g} rad against its reference; the linear model is good to {:.3g}",
-                             report.step, report.time, c, turn[c], valid),
+                             report.step, report.time, component.id.index(), component.largest_turn,
+                             valid),
          .remedy = "read the stresses there as too high by about E theta^2 / 2, or take a stiffer "
                    "material or less slender bodies"});
     return;
@@ -244,15 +207,6 @@ void add_step(RunStatistics& statistics, const Simulation& now, const StepReport
   }
   const FractureReport& fracture = report.fracture;
   statistics.fans += fracture.fans.size();
-  statistics.tested += fracture.tested;
-  statistics.suspects += fracture.suspects;
-  statistics.reached += fracture.reached;
-  statistics.empty_fans += fracture.empty_fans;
-  statistics.still_empty = fracture.still_empty;
-  statistics.unfitted = std::max(statistics.unfitted, fracture.unfitted);
-  statistics.refused_fans += fracture.refused_fans;
-  statistics.relieved += fracture.relieved;
-  statistics.waiting = fracture.waiting;
   for (std::size_t row = 0; row < fracture.fans.size(); ++row) {
     const FanEvent& fan = fracture.fans[row];
     statistics.faces_split += fan.faces.size();
@@ -263,21 +217,20 @@ void add_step(RunStatistics& statistics, const Simulation& now, const StepReport
     statistics.separated += fan.components.created > 0;
     statistics.predicted_rightly += fan.components.predicted > 0 && fan.components.created > 0;
   }
-  add_contact(statistics.contact, report);
-  add_impact(statistics.impact, report.impact);
-  add_ladder(statistics.ladder, report.ladder);
-  add_solve_report(statistics.solve, report.status.solve);
+  add_step<SearchCounts>(statistics.search, fracture);
+  add_step(statistics.contact, report.contact);
+  add_step(statistics.impact, report.impact);
+  add_step(statistics.ladder, report.ladder);
+  add_step(statistics.solve, report.status.solve);
+  add_step(statistics.energy, report.energy);
+  note_contact(statistics, report);
+  statistics.impact_steps += report.impact.sub_steps > 0;
+  statistics.stopped_steps += report.impact.stopped;
+  statistics.most_iterations = std::max(statistics.most_iterations, report.status.solve.iterations);
   add_momentum(statistics.momentum, now, report);
   statistics.cracks.insert(statistics.cracks.end(), report.cracks.begin(), report.cracks.end());
   statistics.damping_work += report.status.damping_work;
   statistics.energy_released += report.energy_released;
-  statistics.gravity_work += report.energy.gravity;
-  statistics.load_work += report.energy.loads;
-  statistics.numerical_loss += report.energy.numerical;
-  statistics.contact_work += report.energy.contact;
-  statistics.support_work += report.energy.supports;
-  statistics.friction += report.energy.friction;
-  statistics.residual += report.energy.residual;
   statistics.residual_size += std::abs(report.energy.residual);
   statistics.moved += report.energy.moved;
   if (!statistics.turned_too_far) check_turns(statistics, now, report);
@@ -311,53 +264,52 @@ ordered_json run_report(const RunStatistics& s, const Simulation& now,
     mass += piece.mass;
     largest = std::max(largest, piece.mass);
   }
-  return {{"scene", now.scene.name},
-          {"end", to_string(end)},
-          {"steps", now.state->step},
-          {"time", now.state->mechanics.time},
-          {"time_step", now.scene.time_step},
-          {"tetrahedra", now.state->cells.map.tetrahedra()},
-          {"vertices", now.state->cells.map.vertices()},
-          {"step_ms", distribution(s.step_ms)},
-          {"stage_ms", stages},
-          {"fans", s.fans},
-          {"faces_split", s.faces_split},
-          {"fan_us",
-           {{"no_new_component", distribution(s.fan_us[0])},
-            {"new_component", distribution(s.fan_us[1])}}},
-          {"searched_tetrahedra", s.searched},
-          {"empty_fans", s.empty_fans},
-          {"still_empty", s.still_empty},
-          {"unfitted", s.unfitted},
-          {"refused_fans", s.refused_fans},
-          {"relieved", s.relieved},
-          {"waiting", s.waiting},
-          {"components", pieces.size()},
-          {"fragments",
-           {{"count", pieces.size()},
-            {"single_tetrahedra", std::ranges::count(pieces, 1, &Fragment::tetrahedra)},
-            {"largest_mass", largest},
-            {"mass", mass},
-            {"mass_error", (mass - s.mass_at_start) / s.mass_at_start}}},
-          {"gershgorin",
-           {{"tested", s.tested},
-            {"suspects", s.suspects},
-            {"reached", s.reached},
-            {"efficiency", ratio(s.reached, s.suspects)}}},
-          {"oracle",
-           {{"fans", s.fans},
-            {"predicted", s.predicted},
-            {"separated", s.separated},
-            {"efficiency", ratio(s.predicted_rightly, s.predicted)},
-            {"missed", s.separated - s.predicted_rightly}}},
-          {"contact", contact_report(s.contact)},
-          {"impact", impact_report(s.impact)},
-          {"ladder", ladder_report(s.ladder)},
-          {"integrator", integrator_report(s.solve, now.state->step)},
-          {"momentum", momentum_ledger(s.momentum, now)},
-          {"energy", energy_ledger(s, now)},
-          {"cracks", crack_ledger(s.cracks)},
-          {"warnings", findings_json(s.warnings)}};
+  ordered_json search = counters_json(s.search), gershgorin = ordered_json::object();
+  for (const char* key : {"tested", "suspects", "reached"}) {
+    gershgorin[key] = search[key];
+    search.erase(key);
+  }
+  gershgorin["efficiency"] = ratio(s.search.reached, s.search.suspects);
+  ordered_json report = {
+      {"scene", now.scene.name},
+      {"end", to_string(end)},
+      {"steps", now.state->step},
+      {"time", now.state->mechanics.time},
+      {"time_step", now.scene.integrator.time_step},
+      {"tetrahedra", now.state->cells.map.tetrahedra()},
+      {"vertices", now.state->cells.map.vertices()},
+      {"step_ms", distribution(s.step_ms)},
+      {"stage_ms", stages},
+      {"fans", s.fans},
+      {"faces_split", s.faces_split},
+      {"fan_us",
+       {{"no_new_component", distribution(s.fan_us[0])},
+        {"new_component", distribution(s.fan_us[1])}}},
+      {"searched_tetrahedra", s.searched},
+      {"components", pieces.size()},
+      {"fragments",
+       {{"count", pieces.size()},
+        {"single_tetrahedra", std::ranges::count(pieces, 1, &Fragment::tetrahedra)},
+        {"largest_mass", largest},
+        {"mass", mass},
+        {"mass_error", (mass - s.mass_at_start) / s.mass_at_start}}},
+      {"gershgorin", gershgorin},
+      {"oracle",
+       {{"fans", s.fans},
+        {"predicted", s.predicted},
+        {"separated", s.separated},
+        {"efficiency", ratio(s.predicted_rightly, s.predicted)},
+        {"missed", s.separated - s.predicted_rightly}}},
+      {"contact", contact_report(s)},
+      {"impact", impact_report(s)},
+      {"ladder", ladder_report(s.ladder)},
+      {"integrator", integrator_report(s, now.state->step)},
+      {"momentum", momentum_ledger(s.momentum, now)},
+      {"energy", energy_ledger(s, now)},
+      {"cracks", crack_ledger(s.cracks)},
+      {"warnings", findings_json(s.warnings)}};
+  report.update(search);
+  return report;
 }
 
 std::string summary_table(const ordered_json& r) {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/output/recorder_tables.hpp"
+#include "apps/output/fragment.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 
 namespace sunder {
@@ -26,51 +26,27 @@ struct MomentumLedger {
   Vec3 start = Vec3::Zero(), gravity = Vec3::Zero(), loads = Vec3::Zero(), obstacles = Vec3::Zero();
 };
 
-/// How contact went over a run.
-struct ContactStatistics {
-  std::size_t steps = 0, not_converged = 0, left_out = 0;
-  std::uint32_t most = 0;
-  /// m.
-  double deepest = 0, worst_residual = 0;
-  std::uint64_t worst_step = 0;
-};
-
-/// What impact windows did over a run.
-struct ImpactStatistics {
-  std::size_t steps = 0, opened = 0, sub_steps = 0, stopped_steps = 0;
-  std::uint32_t most_components = 0;
-  /// s, simulated.
-  double time = 0;
-  double coarseness = 0;
-};
-
-/// How many components and tetrahedra took steps on each rung, over a run.
-struct LadderStatistics {
-  std::array<std::size_t, rung_count> components{}, tetrahedra{};
-};
-
-/// How iterations of integrators went over a run; nothing of those that have none.
-struct SolveStatistics {
-  /// The most of any component in each step.
-  std::uint64_t iterations = 0, most_iterations = 0;
-  std::uint64_t force_evaluations = 0, sub_steps = 0;
-  /// Steps in which a component's iterations were given up.
-  std::size_t not_converged = 0;
-};
-
 /// Everything that is added up over a run.
 struct RunStatistics {
   /// Wall time of every step and of its stages, ms.
   std::vector<float> step_ms;
   std::array<std::vector<float>, stage_names.size()> stage_ms;
   std::size_t fans = 0, faces_split = 0;
-  /// Of Gershgorin's bound and of vertices that were over their threshold.
-  std::size_t tested = 0, suspects = 0, reached = 0, empty_fans = 0, relieved = 0;
-  /// Vertices that still wait with an empty fan, and most that the node stress `fit` did not fit.
-  std::size_t still_empty = 0, unfitted = 0;
-  std::size_t refused_fans = 0;
-  /// Left over by the last step's budget.
-  std::size_t waiting = 0;
+  /// The reports of the steps, added up (`counters_of`).
+  SearchCounts search;
+  ContactReport contact;
+  ImpactReport impact;
+  LadderReport ladder;
+  SolveReport solve;
+  EnergyLedger energy;
+  /// Steps with contact, with contact that did not converge, with sub-steps, and those that reached
+  /// `ImpactSettings::max_sub_steps`.
+  std::size_t contact_steps = 0, unconverged_steps = 0, impact_steps = 0, stopped_steps = 0;
+  /// m, of contact that did not converge, and its step.
+  double worst_residual = 0;
+  std::uint64_t worst_step = 0;
+  /// Of an integrator's step, for any component.
+  std::uint64_t most_iterations = 0;
   /// Of the oracle: fans that predicted a separation, those of them that had one, fans that had
   /// one.
   std::size_t predicted = 0, predicted_rightly = 0, separated = 0;
@@ -80,15 +56,10 @@ struct RunStatistics {
   std::size_t searched = 0;
   /// J.
   double damping_work = 0, energy_released = 0;
-  double gravity_work = 0, load_work = 0, contact_work = 0, support_work = 0, friction = 0;
-  double numerical_loss = 0, residual = 0, residual_size = 0, moved = 0;
+  double residual_size = 0, moved = 0;  ///< sums of |residual| and of all that was moved
   std::vector<CrackEnergy> cracks;
   Energies energy_at_start;
   MomentumLedger momentum;
-  ContactStatistics contact;
-  ImpactStatistics impact;
-  LadderStatistics ladder;
-  SolveStatistics solve;
   /// kg.
   double mass_at_start = 0;
   std::vector<Finding> warnings;

@@ -6,8 +6,10 @@
 
 #include <fstream>
 #include <iterator>
+#include <sunder/version.hpp>
 
 #include "apps/scene/scene_text.hpp"
+#include "apps/sunder/run/counters_json.hpp"
 
 namespace sunder {
 namespace {
@@ -158,9 +160,9 @@ bool read_end(LogReader& reader, const ordered_json& end, std::string_view text)
     replay.end = e;
     known = true;
   }
-  RunStatistics unused;
+  SearchCounts unused;
   replay.counts = end.value("search", ordered_json());
-  if (!known || !take_search_counts(unused, replay.counts)) {
+  if (!known || !read_counters(unused, replay.counts)) {
     return reader.refuse("bad_event_log", "is not the end of a log");
   }
   replay.steps = end["steps"].get<std::uint64_t>();

@@ -119,7 +119,7 @@ ExitCode run_scene(const RunArguments& arguments) {
   Result<Simulation> simulation = build_simulation(file->scene);
   print(simulation.findings);
   if (!simulation) return ExitCode::bad_input;
-  simulation->scratch->mechanics.threads = arguments.threads;
+  simulation->threads = arguments.threads;
   // With the criterion `energy` strengths come from the search: it is made, and held to the log.
   if (replay && file->scene.fracture.criterion != FractureCriterion::energy) {
     simulation->state->script = replay->script;

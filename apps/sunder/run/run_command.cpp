@@ -4,24 +4,25 @@
 
 #include <memory>
 
+#include "apps/scene/scene_schema.hpp"
 #include "apps/sunder/run/run.hpp"
-#include "apps/scene/scene_json.hpp"
 
 namespace sunder {
 namespace {
 
 constexpr const char* footer = R"(
 The scene is a JSON file in SI units: docs/scene.md explains it, --schema prints every key.
-Files in DIR (an earlier run's files of these names are taken away):
+Files in DIR (those of an earlier run are removed):
   frames.pvd, frames/*.vtu  the deformed bodies, for ParaView
   picture_*.png             with --png or the scene's output.pictures
-  report.json               counts, times, ledgers, warnings
+  report.json               counts, times, momentum and energy, warnings
   fragments.csv             one line a piece
   events.jsonl              one line a crack; --replay repeats the run from it
   cracks.csv                area and energy of each crack
 
-Exit codes: 0 done, 2 usage, 3 bad scene or mesh, 4 not written, 5 the simulation failed
-(the files tell until when), 6 a replay departed from its log (likewise), 130 interrupted by Ctrl-C (likewise).
+Exit codes: 0 done, 2 usage, 3 bad scene or mesh, 4 not written, 5 the simulation failed, 6 a replay
+departed from its log, 130 interrupted by Ctrl-C. After 5, 6 and 130 the files hold the run up to
+that moment.
 
 Examples:
   sunder run meshes/scenes/bunny.json -o out/bunny --png 6
@@ -79,7 +80,7 @@ void add_options(CLI::App& command, RunArguments& arguments, std::vector<std::st
 }  // namespace
 
 void add_run_command(CLI::App& program, ExitCode& exit_code) {
-  CLI::App* command = program.add_subcommand("run", "Break the bodies of a scene");
+  CLI::App* command = program.add_subcommand("run", "Simulate a scene whose bodies break");
   const auto arguments = std::make_shared<RunArguments>();
   const auto shortcuts = std::make_shared<std::vector<std::string>>();
   const auto schema = std::make_shared<bool>(false);

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -12,9 +13,9 @@
 #include <vector>
 
 #include "apps/scene/scene_json.hpp"
-#include "apps/sunder/static/static_answer.hpp"
 #include "apps/scene/words.hpp"
-#include "mechanics/statics/modes.hpp"
+#include "fracture/simulation/simulation_state.hpp"
+#include "fracture/simulation/statics.hpp"
 #include "topology/io/vtu/vtu.hpp"
 
 namespace sunder {
@@ -23,11 +24,11 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr const char* footer = R"(
-SCENE is a scene file as `sunder run` takes it, SI units: docs/static.md. Of every piece of every
-body the N lowest natural frequencies (Hz) are found, its held vertices at rest, without gravity,
-loads and obstacles. A free piece has six rigid motions more, listed first with frequency 0.
-FILE.vtu holds the undeformed bodies with a displacement column mode_1, mode_2, ... each, rigid
-motions among them; the largest displacement of a piece in a mode is 1 m.
+SCENE is a scene file as `sunder run` takes it, SI units: docs/static.md. For every piece of every
+body: the N lowest natural frequencies (Hz), with held vertices at rest, without gravity, loads and
+obstacles. A free piece has six rigid motions besides, listed first with frequency 0.
+FILE.vtu holds the undeformed bodies with displacement columns mode_1, mode_2, ..., the rigid
+motions included; the largest displacement of a piece in a mode is 1 m.
 
 Exit codes: 0 done, 2 usage, 3 bad scene or mesh, 4 not written, 5 the modes were not found.
 
@@ -43,13 +44,6 @@ struct ModesArguments {
   bool json = false;
 };
 
-/// The modes of one piece.
-struct PieceModes {
-  ComponentId component;
-  std::size_t body = 0;
-  Modes modes;
-};
-
 ordered_json answer_json(const Simulation& sim, const std::vector<PieceModes>& pieces) {
   ordered_json list = ordered_json::array();
   for (const PieceModes& piece : pieces) {
@@ -59,8 +53,8 @@ ordered_json answer_json(const Simulation& sim, const std::vector<PieceModes>& p
                     {"component", piece.component.value},
                     {"tetrahedra", component.tetrahedra.size()},
                     {"mass", component.mass},
-                    {"rigid_modes", piece.modes.rigid},
-                    {"frequencies", piece.modes.frequency}});
+                    {"rigid_modes", piece.rigid},
+                    {"frequencies", piece.frequency}});
   }
   return {{"scene", sim.scene.name}, {"pieces", list}};
 }
@@ -68,10 +62,10 @@ ordered_json answer_json(const Simulation& sim, const std::vector<PieceModes>& p
 void print_table(const Simulation& sim, const std::vector<PieceModes>& pieces) {
   for (const PieceModes& piece : pieces) {
     fmt::print("body {} {}, piece {}: {} rigid\n", piece.body, sim.scene.bodies[piece.body].name,
-               piece.component.value, piece.modes.rigid);
-    for (std::size_t k = 0; k < piece.modes.frequency.size(); ++k) {
-      fmt::print("  mode {:<4} {:.6g} Hz{}\n", k + 1, piece.modes.frequency[k],
-                 k < piece.modes.rigid ? " (rigid)" : "");
+               piece.component.value, piece.rigid);
+    for (std::size_t k = 0; k < piece.frequency.size(); ++k) {
+      fmt::print("  mode {:<4} {:.6g} Hz{}\n", k + 1, piece.frequency[k],
+                 k < piece.rigid ? " (rigid)" : "");
     }
   }
 }
@@ -82,14 +76,12 @@ std::vector<Vec3> shape_column(const Simulation& sim, const std::vector<PieceMod
   const MechanicsState& m = sim.state->mechanics;
   std::vector<Vec3> column(m.vertices.size(), Vec3::Zero());
   for (const PieceModes& piece : pieces) {
-    if (k >= piece.modes.frequency.size()) continue;
+    if (k >= piece.frequency.size()) continue;
     const Component& component = m.components[piece.component.index()];
-    const auto shape =
-        piece.modes.shape.col(static_cast<Eigen::Index>(k)).reshaped(3, Eigen::AutoSize);
-    const double largest = shape.colwise().norm().maxCoeff();
-    for (std::size_t i = 0; i < component.vertices.size(); ++i) {
-      const Vec3 phi = shape.col(static_cast<Eigen::Index>(i)) / largest;
-      column[component.vertices[i].index()] = component.orientation * phi;
+    double largest = 0;
+    for (const Vec3& phi : piece.shape[k]) largest = std::max(largest, phi.norm());
+    for (std::size_t i = 0; i < piece.vertex.size(); ++i) {
+      column[piece.vertex[i].index()] = component.orientation * (piece.shape[k][i] / largest);
     }
   }
   return column;
@@ -104,7 +96,7 @@ std::vector<Finding> write_shapes(const std::filesystem::path& path, const Simul
     mesh.tetrahedra.push_back({c[0].value, c[1].value, c[2].value, c[3].value});
   }
   std::size_t most = 0;
-  for (const PieceModes& piece : pieces) most = std::max(most, piece.modes.frequency.size());
+  for (const PieceModes& piece : pieces) most = std::max(most, piece.frequency.size());
   std::vector<std::string> names;
   std::vector<std::vector<Vec3>> columns;
   for (std::size_t k = 0; k < most; ++k) {
@@ -120,20 +112,6 @@ void print(const std::vector<Finding>& findings) {
   fmt::print(stderr, "{}", finding_lines(findings));
 }
 
-Result<std::vector<PieceModes>> all_modes(Simulation& sim, std::size_t count) {
-  MechanicsState& m = sim.state->mechanics;
-  const std::vector<std::size_t> body = body_of_vertices(sim);
-  std::vector<PieceModes> pieces;
-  for (const Component& component : m.components) {
-    if (component.tetrahedra.empty()) continue;
-    Result<Modes> modes =
-        natural_modes(sim.scratch->mechanics, m, sim.state->cells.map.corners(), component.id, count);
-    if (!modes) return std::move(modes.findings.front());
-    pieces.push_back({component.id, body[component.vertices.front().index()], std::move(*modes)});
-  }
-  return pieces;
-}
-
 ExitCode run_modes(const ModesArguments& arguments) {
   Result<SceneFile> file = read_scene(arguments.scene, arguments.settings);
   print(file.findings);
@@ -141,7 +119,7 @@ ExitCode run_modes(const ModesArguments& arguments) {
   Result<Simulation> sim = build_simulation(file->scene);
   print(sim.findings);
   if (!sim) return ExitCode::bad_input;
-  const Result<std::vector<PieceModes>> pieces = all_modes(*sim, arguments.count);
+  const Result<std::vector<PieceModes>> pieces = scene_modes(*sim, arguments.count);
   print(pieces.findings);
   if (!pieces) return ExitCode::failed;
   if (!arguments.output.empty()) {

@@ -12,11 +12,11 @@
 #include <string>
 #include <vector>
 
-#include "apps/output/recorder_tables.hpp"
+#include "apps/output/frame.hpp"
 #include "apps/scene/scene_json.hpp"
-#include "apps/sunder/static/static_answer.hpp"
-#include "apps/sunder/static/static_fan.hpp"
 #include "apps/scene/words.hpp"
+#include "apps/sunder/static/static_fan.hpp"
+#include "fracture/simulation/statics.hpp"
 #include "mechanics/rebuild.hpp"
 
 namespace sunder {
@@ -26,23 +26,23 @@ using nlohmann::ordered_json;
 
 constexpr const char* footer = R"(
 SCENE is a scene file as `sunder run` takes it, SI units: docs/static.md. Gravity and the bodies'
-"loads" (Pa, N) act fully; "held" vertices stay, or stand where their velocity (m/s) takes them by
-the scene's "duration" (s). Every body needs three held vertices off one line. Obstacles have no
-part in it: what lies on one is not supported by it here.
+"loads" (Pa, N) act fully; "held" vertices stay, or are where their velocity (m/s) takes them by the
+scene's "duration" (s). Every body needs three held vertices that are not on one line. Obstacles are
+ignored: a body that rests on one is not supported by it here.
 
-Answers, per body and over all: largest displacement (m), strain energy (J), largest principal
+Results, per body and over all: largest displacement (m), strain energy (J), largest principal
 stress of a vertex (Pa) and its share of the tensile strength, each with the point of the mesh
 (counted from 0) and its place (m); force (N) and moment about the mass centre (N m) of each support.
 --fan V,NX,NY,NZ adds what the fan at point V (of all bodies' meshes, one after the other) with this
 normal in the mesh's axes would release: faces, area (m^2), energy (J) and energy per area (J/m^2),
-beside the material's where it has a toughness (docs/energy.md). Nothing is split.
+with the material's where it has a toughness (docs/energy.md). Nothing is split.
 --fans SHARE lists that for the fan of every vertex with at least this share of its strength (1: what
-would break now), most energy per area first, and beside it what the crack's front would release at
-vertices that are on one.
+would break now), most energy per area first, with what the crack's front would release at vertices
+that are on one.
 FILE.vtu holds the deformed bodies with displacement, node stress and largest principal stress.
 
-Exit codes: 0 done, 2 usage, 3 bad scene or mesh or no equilibrium, 4 not written, 5 the answer is
-no finite number.
+Exit codes: 0 done, 2 usage, 3 bad scene or mesh or no equilibrium, 4 not written, 5 the result is
+not finite.
 
 Examples:
   sunder static beam.json
@@ -63,9 +63,9 @@ ordered_json extreme_json(const Extreme& e) {
   return {{"value", e.value}, {"vertex", e.point}, {"position", numbers(e.position)}};
 }
 
-ordered_json body_json(const StaticBody& body) {
+ordered_json body_json(const BodyEquilibrium& body) {
   ordered_json supports = ordered_json::array();
-  for (const SupportAnswer& s : body.supports) {
+  for (const SupportReaction& s : body.supports) {
     supports.push_back(
         {{"vertices", s.vertices}, {"force", numbers(s.force)}, {"moment", numbers(s.moment)}});
   }
@@ -83,7 +83,7 @@ ordered_json body_json(const StaticBody& body) {
 }
 
 /// The largest of all bodies, with the body's row.
-ordered_json largest(const StaticAnswer& answer, Extreme StaticBody::*which) {
+ordered_json largest(const Equilibrium& answer, Extreme BodyEquilibrium::*which) {
   std::size_t row = 0;
   for (std::size_t b = 1; b < answer.bodies.size(); ++b) {
     if ((answer.bodies[b].*which).value > (answer.bodies[row].*which).value) row = b;
@@ -93,19 +93,19 @@ ordered_json largest(const StaticAnswer& answer, Extreme StaticBody::*which) {
   return json;
 }
 
-ordered_json answer_json(const std::string& scene, const StaticAnswer& answer,
+ordered_json answer_json(const std::string& scene, const Equilibrium& answer,
                          const std::vector<Finding>& findings) {
   ordered_json bodies = ordered_json::array();
   double energy = 0;
-  for (const StaticBody& body : answer.bodies) {
+  for (const BodyEquilibrium& body : answer.bodies) {
     bodies.push_back(body_json(body));
     energy += body.strain_energy;
   }
   return {{"scene", scene},
-          {"max_displacement", largest(answer, &StaticBody::displacement)},
+          {"max_displacement", largest(answer, &BodyEquilibrium::displacement)},
           {"strain_energy", energy},
-          {"max_principal_stress", largest(answer, &StaticBody::principal_stress)},
-          {"max_strength_share", largest(answer, &StaticBody::strength_share)},
+          {"max_principal_stress", largest(answer, &BodyEquilibrium::principal_stress)},
+          {"max_strength_share", largest(answer, &BodyEquilibrium::strength_share)},
           {"bodies", bodies},
           {"findings", findings_json(findings)}};
 }
@@ -115,12 +115,12 @@ std::string place(const Extreme& e) {
                      e.position[1], e.position[2]);
 }
 
-void print_table(const StaticAnswer& answer) {
+void print_table(const Equilibrium& answer) {
   const auto row = [](const char* name, const std::string& value) {
     fmt::print("{:<18} {}\n", name, value);
   };
   for (std::size_t b = 0; b < answer.bodies.size(); ++b) {
-    const StaticBody& body = answer.bodies[b];
+    const BodyEquilibrium& body = answer.bodies[b];
     row("body",
         fmt::format("{} {} ({} tetrahedra, {:.6g} kg)", b, body.name, body.tetrahedra, body.mass));
     row("displacement",
@@ -130,7 +130,7 @@ void print_table(const StaticAnswer& answer) {
         fmt::format("{:.6g} Pa {}", body.principal_stress.value, place(body.principal_stress)));
     row("share of strength",
         fmt::format("{:.4g} {}", body.strength_share.value, place(body.strength_share)));
-    for (const SupportAnswer& s : body.supports) {
+    for (const SupportReaction& s : body.supports) {
       row("support", fmt::format("{} vertices push with ({:.6g}, {:.6g}, {:.6g}) N", s.vertices,
                                  s.force[0], s.force[1], s.force[2]));
     }
@@ -148,15 +148,13 @@ ExitCode run_static(const StaticArguments& arguments) {
   Result<Simulation> sim = build_simulation(file->scene);
   print(sim.findings);
   if (!sim) return ExitCode::bad_input;
-  const Result<StaticAnswer> answer = solve_scene(*sim);
+  const Result<Equilibrium> answer = solve_scene(*sim);
   print(answer.findings);
   if (!answer) {
     return answer.findings.back().code == "not_a_number" ? ExitCode::failed : ExitCode::bad_input;
   }
   if (!arguments.output.empty()) {
-    const std::vector<Finding> unwritten =
-        write_frame(arguments.output, sim->state->cells, sim->state->mechanics,
-                    origins(sim->scene.bodies), answer->node_stress);
+    const std::vector<Finding> unwritten = write_frame(arguments.output, *sim);
     print(unwritten);
     if (has_error(unwritten)) return ExitCode::not_written;
   }

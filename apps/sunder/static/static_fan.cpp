@@ -32,11 +32,10 @@ std::vector<Vec3> fully_raised(const Simulation& sim) {
 std::vector<Finding> add_release(FanAnswer& answer, const LoadedBody& body, VertexId vertex,
                                  std::span<const HalfFaceId> faces) {
   const Cells& cells = body.sim.state->cells;
-  const MechanicsState& m = body.sim.state->mechanics;
+  MechanicsState& m = body.sim.state->mechanics;
   answer.faces = faces.size();
   const auto release =
-      energy_release(body.sim.scratch->mechanics,
-                     {cells, m, body.sim.scene.gravity.acceleration, body.force}, faces);
+      energy_release({cells, m, body.sim.scene.gravity.acceleration, body.force}, faces);
   if (!release) return release.findings;
   answer.release = *release;
   const TetId t = cells.map.incident_tetrahedron(vertex);

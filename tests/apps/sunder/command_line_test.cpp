@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The command line: help, version, mistakes and their exit codes.
+#include <sys/wait.h>
+
 #include <catch2/catch.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <regex>
 #include <set>
 
@@ -24,6 +30,25 @@ TEST_CASE("help and version end with 0 and stand on stdout", "[apps][command_lin
     CHECK(help.err.empty());
     CHECK(help.out.size() > 200);
   }
+}
+
+TEST_CASE("commands of sunder-bench are started, and say so where it is not there",
+          "[apps][command_line]") {
+  const Workplace here;
+  const std::string help = here.run({"--help"}).out;
+  for (const char* command : {"suite", "bench", "chart"}) {
+    const Outcome outcome = here.run({command, "--help"});
+    CHECK(outcome.exit_code == 0);
+    const std::string purpose = outcome.out.substr(0, outcome.out.find('\n'));
+    CHECK(help.find(purpose) != std::string::npos);
+    CHECK(here.run({command, "--nothing-such"}).exit_code == 2);
+  }
+  std::filesystem::copy_file(SUNDER_PROGRAM, here.path("sunder"));
+  const std::string command = here.path("sunder") + " bench kernel 2>" + here.path("err");
+  CHECK(WEXITSTATUS(std::system(command.c_str())) == 2);
+  std::ifstream err(here.path("err"));
+  const std::string said{std::istreambuf_iterator<char>(err), {}};
+  CHECK(said.find("--target sunder-bench") != std::string::npos);
 }
 
 TEST_CASE("the help of check and split gives units, exit codes and examples",

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "tests/support/program.hpp"
+#include "topology/io/format_traits.hpp"
 #include "topology/io/mesh_file.hpp"
 
 using namespace sunder;

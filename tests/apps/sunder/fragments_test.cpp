@@ -1,25 +1,22 @@
 // SPDX-License-Identifier: MIT
 // Laws of sizes found again in samples drawn from them; the table of fragments; the command.
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <random>
 
 #include "apps/sunder/fragments/fragment_sizes.hpp"
 #include "apps/sunder/fragments/fragments_report.hpp"
 #include "tests/support/outside.hpp"
+#include "tests/support/program.hpp"
 
 namespace fs = std::filesystem;
 using namespace sunder;
+using namespace sunder::test;
 
 namespace {
 
@@ -48,30 +45,6 @@ std::vector<double> lognormal_sample(std::size_t n, unsigned number, double mean
   }
   std::ranges::sort(values);
   return values;
-}
-
-struct Folder {
-  fs::path path = fs::temp_directory_path() / ("sunder_fragments_test" + std::to_string(getpid()));
-  Folder() { fs::create_directories(path); }
-  ~Folder() { fs::remove_all(path); }
-};
-
-std::string slurp(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-struct Outcome {
-  int exit_code = -1;
-  std::string text;
-};
-
-Outcome run(const Folder& folder, const std::string& words) {
-  const fs::path log = folder.path / "log";
-  const std::string command =
-      std::string(SUNDER_PROGRAM) + " " + words + " >" + log.string() + " 2>&1";
-  const int status = std::system(command.c_str());
-  return {WEXITSTATUS(status), slurp(log)};
 }
 
 }  // namespace
@@ -195,48 +168,50 @@ TEST_CASE("pieces that are single elements have the mesh's own distribution", "[
 }
 
 TEST_CASE("sunder fragments draws the sizes of a run", "[run][fragments]") {
-  if (!test::has_program("gnuplot")) return;
+  if (!has_program("gnuplot")) return;
   const Folder folder;
-  const std::string out = (folder.path / "out").string(), png = (folder.path / "sizes.png").string();
-  REQUIRE(run(folder, "run " SUNDER_SCENES "/monolith.json --set duration=0.05 --quiet -o " + out)
+  const std::string out = (folder.path() / "out").string(),
+                    png = (folder.path() / "sizes.png").string();
+  REQUIRE(run_program("run " SUNDER_SCENES "/monolith.json --set duration=0.05 --quiet -o " + out)
               .exit_code == 0);
-  CHECK(run(folder, "fragments " + out + " --png " + png).exit_code == 0);
-  CHECK(slurp(png).starts_with("\x89PNG"));
+  CHECK(run_program("fragments " + out + " --png " + png).exit_code == 0);
+  CHECK(bytes_of(png).starts_with("\x89PNG"));
 }
 
 TEST_CASE("sunder fragments reads a run and tells its sizes", "[run][fragments]") {
   const Folder folder;
-  const std::string out = (folder.path / "out").string();
-  const Outcome ran = run(folder, "run " SUNDER_SCENES
+  const std::string out = (folder.path() / "out").string();
+  const Outcome ran = run_program("run " SUNDER_SCENES
                                   "/monolith.json --set duration=0.05 --quiet "
                                   "--frames 2 -o " +
-                                      out);
-  INFO(ran.text);
+                                  out);
+  INFO(ran.text());
   REQUIRE(ran.exit_code == 0);
-  const Outcome text = run(folder, "fragments " + out);
-  INFO(text.text);
+  const Outcome text = run_program("fragments " + out);
+  INFO(text.text());
   CHECK(text.exit_code == 0);
-  CHECK(text.text.find("ln L / n") != std::string::npos);
-  const Outcome json_said = run(folder, "fragments " + out + "/fragments.csv --by mass --json");
+  CHECK(text.text().find("ln L / n") != std::string::npos);
+  const Outcome json_said = run_program("fragments " + out + "/fragments.csv --by mass --json");
   REQUIRE(json_said.exit_code == 0);
-  const auto json = nlohmann::json::parse(json_said.text);
-  const auto report = nlohmann::json::parse(slurp(folder.path / "out/report.json"));
+  const auto json = nlohmann::json::parse(json_said.text());
+  const auto report = nlohmann::json::parse(bytes_of(folder.path() / "out/report.json"));
   CHECK(json["pieces"] == report["components"]);
   CHECK(json["elements"]["count"] == report["tetrahedra"]);
   CHECK(json["largest"] == report["fragments"]["largest_mass"]);
   // The same from the mesh as from the first frame, to the frame's rounding.
   const auto meshed = nlohmann::json::parse(
-      run(folder, "fragments " + out + " --by mass --json --mesh " SUNDER_MESHES "/monolith.msh")
-          .text);
+      run_program("fragments " + out + " --by mass --json --mesh " SUNDER_MESHES "/monolith.msh")
+          .text());
   CHECK(meshed["elements"]["median"].get<double>() ==
         Approx(json["elements"]["median"].get<double>()).epsilon(1e-6));
 
-  CHECK(run(folder, "fragments " + (folder.path / "none").string()).exit_code == 3);
-  std::ofstream(folder.path / "fragments.csv") << "mass,volume,tetrahedra\r\n1,2,1\r\n1,zero,1\r\n";
-  const Outcome bad = run(folder, "fragments " + folder.path.string());
+  CHECK(run_program("fragments " + (folder.path() / "none").string()).exit_code == 3);
+  std::ofstream(folder.path() / "fragments.csv")
+      << "mass,volume,tetrahedra\r\n1,2,1\r\n1,zero,1\r\n";
+  const Outcome bad = run_program("fragments " + folder.path().string());
   CHECK(bad.exit_code == 3);
-  CHECK(bad.text.find("fragments.csv:3") != std::string::npos);
-  std::ofstream(folder.path / "fragments.csv") << "mass,tetrahedra\r\n1,1\r\n";
-  CHECK(run(folder, "fragments " + folder.path.string()).text.find("no column volume") !=
+  CHECK(bad.text().find("fragments.csv:3") != std::string::npos);
+  std::ofstream(folder.path() / "fragments.csv") << "mass,tetrahedra\r\n1,1\r\n";
+  CHECK(run_program("fragments " + folder.path().string()).text().find("no column volume") !=
         std::string::npos);
 }

@@ -1,49 +1,31 @@
 // SPDX-License-Identifier: MIT
 // `sunder modes` from outside: JSON, shapes on disk, rigid motions, exit codes.
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <catch2/catch.hpp>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "tests/support/program.hpp"
 #include "topology/io/mesh_file.hpp"
 
 using nlohmann::json;
 namespace fs = std::filesystem;
+using namespace sunder::test;
 
 namespace {
-
-struct Outcome {
-  int exit_code = -1;
-  std::string out, err;
-};
-
-std::string slurp(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 /// Runs `sunder modes` on a scene in `folder`.
 Outcome run(const fs::path& folder, const json& scene, const std::string& words) {
   std::ofstream(folder / "scene.json") << scene.dump(1);
-  const std::string command = std::string(SUNDER_PROGRAM) + " modes " +
-                              (folder / "scene.json").string() + " " + words + " >" +
-                              (folder / "out").string() + " 2>" + (folder / "err").string();
-  const int status = std::system(command.c_str());
-  return {WEXITSTATUS(status), slurp(folder / "out"), slurp(folder / "err")};
+  return run_program("modes " + (folder / "scene.json").string() + " " + words);
 }
 
 }  // namespace
 
 TEST_CASE("sunder modes tells rigid motions from frequencies and ends as it says", "[run][modes]") {
-  const fs::path folder =
-      fs::temp_directory_path() / ("sunder_modes_test_" + std::to_string(getpid()));
-  fs::create_directories(folder);
+  const Folder own;
+  const fs::path& folder = own.path();
   json scene = {{"bodies", {{{"mesh", SUNDER_MESHES "/cube.msh"}}}}};
   const Outcome free = run(folder, scene, "--count 3 --json -o " + (folder / "m.vtu").string());
   CHECK(free.exit_code == 0);
@@ -54,7 +36,7 @@ TEST_CASE("sunder modes tells rigid motions from frequencies and ends as it says
   CHECK(frequency[5] == 0);
   CHECK(frequency[6] > 100);
   CHECK(sunder::read_mesh(folder / "m.vtu"));
-  CHECK(slurp(folder / "m.vtu").find("mode_9") != std::string::npos);
+  CHECK(bytes_of(folder / "m.vtu").find("mode_9") != std::string::npos);
 
   scene["bodies"][0]["held"] = {{{"minimum", {-9, -9, -9}}, {"maximum", {9, 9, 0}}}};
   const Outcome held = run(folder, scene, "--count 3");
@@ -63,5 +45,4 @@ TEST_CASE("sunder modes tells rigid motions from frequencies and ends as it says
   CHECK(run(folder, scene, "--count 0").exit_code == 2);
   CHECK(run(folder, scene, "--set bodies.0.mesh=none.msh").exit_code == 3);
   CHECK(run(folder, scene, "-o /nowhere/at/all.vtu").exit_code == 4);
-  fs::remove_all(folder);
 }

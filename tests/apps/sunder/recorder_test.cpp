@@ -37,7 +37,7 @@ TEST_CASE("frames are spread evenly with both ends, or by their interval", "[run
   CHECK(even_steps(100, 3) == Steps{0, 50, 100});
   CHECK(even_steps(2, 10) == Steps{0, 1, 2});
   Scene scene;
-  scene.time_step = 1e-3;
+  scene.integrator.time_step = 1e-3;
   scene.duration = 0.01;
   CHECK(step_count(scene) == 10);
   CHECK(interval_steps(scene, 4e-3) == Steps{0, 4, 8});
@@ -45,63 +45,6 @@ TEST_CASE("frames are spread evenly with both ends, or by their interval", "[run
   CHECK(interval_steps(scene, 1e-5).size() == 11);
   scene.duration = 0.0101;
   CHECK(step_count(scene) == 11);
-}
-
-TEST_CASE("fragments share mass and surface, and were parted by the faces that split",
-          "[run][recorder]") {
-  auto file = read_scene(std::string(SUNDER_SCENES "/monolith.json"));
-  REQUIRE(file);
-  file->scene.bodies[0].material.tensile_strength = 1e6;
-  Simulation sim = std::move(*build_simulation(file->scene));
-  const Origins from = origins(sim.scene.bodies);
-  const Fragment whole = fragments(sim.state->cells, sim.state->mechanics, from).at(0);
-  CHECK(whole.crack_area == 0);
-  CHECK(whole.parent.is_none());
-  double split = 0;
-  for (int i = 0; i < 240; ++i) {
-    for (const FanEvent& fan : advance(sim).fracture.fans) {
-      for (const FaceSplit& face : fan.faces) {
-        std::array<Vec3, 3> p;
-        for (int k = 0; k < 3; ++k) p[k] = Vec3(sim.state->cells.map.point(face.vertices[k]).data());
-        split += 0.5 * (p[1] - p[0]).cross(p[2] - p[0]).norm();
-      }
-    }
-  }
-  const auto pieces = fragments(sim.state->cells, sim.state->mechanics, from);
-  REQUIRE(pieces.size() > 1);
-  double mass = 0, surface = 0, cracks = 0;
-  for (const Fragment& f : pieces) {
-    mass += f.mass;
-    surface += f.surface;
-    cracks += f.crack_area;
-    if (!f.parent.is_none()) CHECK(f.parent < f.id);
-  }
-  CHECK(mass == Approx(whole.mass).epsilon(1e-12));
-  CHECK(surface - cracks == Approx(whole.surface).epsilon(1e-12));
-  CHECK(cracks == Approx(2 * split).epsilon(1e-12));
-}
-
-TEST_CASE("fragments of an intact body have the solid's mass, volume and inertia",
-          "[run][recorder]") {
-  const Simulation simulation = shipped("monolith");
-  const std::vector<Fragment> pieces = fragments(simulation.state->cells, simulation.state->mechanics,
-                                                 origins(simulation.scene.bodies));
-  REQUIRE(pieces.size() == 1);
-  const Fragment& slab = pieces[0];
-  // A box of 1 x 0.3 x 2 m with 2400 kg/m^3. The sums are over 413 tetrahedra: 1e-12 is ample.
-  CHECK(slab.volume == Approx(0.6).epsilon(1e-12));
-  CHECK(slab.mass == Approx(1440).epsilon(1e-12));
-  CHECK(slab.tetrahedra == simulation.state->cells.map.tetrahedra());
-  // The mass centre is that of lumped vertices; for a linear field it is the solid's.
-  CHECK((slab.center - Vec3(0, 0, 1)).norm() < 1e-12);
-  CHECK(slab.inertia(0, 0) == Approx(1440 * (0.09 + 4) / 12).epsilon(1e-12));
-  CHECK(slab.inertia(1, 1) == Approx(1440 * (1.0 + 4) / 12).epsilon(1e-12));
-  CHECK(slab.inertia(2, 2) == Approx(1440 * (1.0 + 0.09) / 12).epsilon(1e-12));
-  const std::string csv = fragments_csv(pieces);
-  CHECK(std::count(csv.begin(), csv.end(), '\n') == 2);
-  const std::string header = csv.substr(0, csv.find('\r'));
-  const std::string row = csv.substr(csv.find('\n') + 1);
-  CHECK(std::count(header.begin(), header.end(), ',') == std::count(row.begin(), row.end(), ','));
 }
 
 TEST_CASE("momentum that no support took is accounted for to rounding", "[run][recorder]") {
@@ -113,10 +56,7 @@ TEST_CASE("momentum that no support took is accounted for to rounding", "[run][r
     largest = std::max(largest, statistics.momentum.start.norm());
   }
   CHECK(statistics.fans > 0);
-  const auto report = run_report(statistics, simulation,
-                                 fragments(simulation.state->cells, simulation.state->mechanics,
-                                           origins(simulation.scene.bodies)),
-                                 RunEnd::finished);
+  const auto report = run_report(statistics, simulation, fragments(simulation), RunEnd::finished);
   for (const auto& axis : report["momentum"]["supports"]) {
     // Hundreds of steps of impulses as large as `largest`: 1e-10 of it is far above their rounding.
     CHECK(std::abs(axis.get<double>()) < 1e-10 * largest);

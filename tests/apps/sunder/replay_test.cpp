@@ -1,63 +1,44 @@
 // SPDX-License-Identifier: MIT
 // Replays: the same bytes from a run's own log, and every log that is not one refused or left.
+#include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <catch2/catch.hpp>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
-#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "apps/scene/scene_hash.hpp"
 #include "apps/sunder/run/recorder.hpp"
 #include "apps/sunder/run/replay.hpp"
-#include "apps/scene/scene_hash.hpp"
 #include "mechanics/rebuild.hpp"
+#include "tests/support/program.hpp"
 
 namespace fs = std::filesystem;
 using namespace sunder;
 using nlohmann::json;
 using nlohmann::ordered_json;
+using test::bytes_of;
+using test::Outcome;
+using test::run_program;
 
 namespace {
 
-std::string slurp(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-/// A folder of this test's own, taken away at the end, and the scene it works on.
-struct Place {
-  fs::path path;
+/// A folder with the scene that is run in it.
+struct Place : test::Folder {
   fs::path scene;
-  explicit Place(const std::string& name)
-      : path(fs::temp_directory_path() /
-             ("sunder_replay_test_" + name + std::to_string(getpid()))) {
-    fs::remove_all(path);
-    fs::create_directories(path);
-  }
-  ~Place() { fs::remove_all(path); }
 };
 
-struct Outcome {
-  int exit_code = -1;
-  std::string text;
-};
-
-/// `sunder run` on the scene into the folder `out`; stdout and stderr together.
+/// `sunder run` on the scene into the folder `out`.
 Outcome run(const Place& place, const std::string& out, const std::string& words = "") {
-  const fs::path log = place.path / (out + ".log");
-  const std::string command = std::string(SUNDER_PROGRAM) + " run " + place.scene.string() +
-                              " --quiet --frames 3 -o " + (place.path / out).string() + " " +
-                              words + " >" + log.string() + " 2>&1";
-  const int status = std::system(command.c_str());
-  return {WEXITSTATUS(status), slurp(log)};
+  return run_program("run " + place.scene.string() + " --quiet --frames 3 -o " +
+                     (place.path() / out).string() + " " + words);
 }
 
 /// The monolith struck by one ball: breaks in impact windows in its first step.
@@ -75,16 +56,16 @@ json struck_scene() {
           {"duration", 0.005}};
 }
 
-Place place_of(const std::string& name, const json& scene) {
-  Place place(name);
-  place.scene = place.path / "scene.json";
+Place place_of(const json& scene) {
+  Place place;
+  place.scene = place.path() / "scene.json";
   std::ofstream(place.scene) << scene.dump(1);
   return place;
 }
 
 /// report.json without the wall times: all of a run that may differ.
 json without_times(const fs::path& report) {
-  json r = json::parse(slurp(report));
+  json r = json::parse(bytes_of(report));
   for (const char* times : {"step_ms", "stage_ms", "fan_us"}) r.erase(times);
   return r;
 }
@@ -100,7 +81,7 @@ void hold_same(const fs::path& a, const fs::path& b) {
     if (entry.path().filename() == "report.json") {
       CHECK(without_times(entry.path()) == without_times(other));
     } else {
-      CHECK(slurp(entry.path()) == slurp(other));
+      CHECK(bytes_of(entry.path()) == bytes_of(other));
     }
   }
   for (const auto& entry : fs::recursive_directory_iterator(b)) others += entry.is_regular_file();
@@ -164,19 +145,19 @@ struct BusyMachine {
 }  // namespace
 
 TEST_CASE("a replay, and a run on a busy machine, leave the bytes of the run", "[run][replay]") {
-  const Place place = place_of("bytes", struck_scene());
+  const Place place = place_of(struck_scene());
   const Outcome first = run(place, "a");
-  INFO(first.text);
+  INFO(first.text());
   REQUIRE(first.exit_code == 0);
-  REQUIRE(json::parse(slurp(place.path / "a/report.json"))["fans"] > 50);
-  const Outcome again = run(place, "b", "--replay " + (place.path / "a/events.jsonl").string());
-  INFO(again.text);
+  REQUIRE(json::parse(bytes_of(place.path() / "a/report.json"))["fans"] > 50);
+  const Outcome again = run(place, "b", "--replay " + (place.path() / "a/events.jsonl").string());
+  INFO(again.text());
   CHECK(again.exit_code == 0);
-  hold_same(place.path / "a", place.path / "b");
+  hold_same(place.path() / "a", place.path() / "b");
   const BusyMachine busy;
   const Outcome loaded = run(place, "c", "--threads 2");
   CHECK(loaded.exit_code == 0);
-  hold_same(place.path / "a", place.path / "c");
+  hold_same(place.path() / "a", place.path() / "c");
 }
 
 TEST_CASE("replays repeat limits, budgets, sub-steps and drawn strengths", "[run][replay]") {
@@ -198,37 +179,37 @@ TEST_CASE("replays repeat limits, budgets, sub-steps and drawn strengths", "[run
   scenes["sub_stepped"]["integrator"] = {{"method", "sub_stepped"}};
   scenes["sub_stepped"]["bodies"][0]["material"]["tensile_strength"] = 1e6;
   for (const auto& [name, scene] : scenes) {
-    const Place place = place_of(name, scene);
+    const Place place = place_of(scene);
     const Outcome first = run(place, "a");
-    INFO(name << ": " << first.text);
+    INFO(name << ": " << first.text());
     REQUIRE(first.exit_code == 0);
-    CHECK(json::parse(slurp(place.path / "a/report.json"))["fans"] > 0);
-    const Outcome again = run(place, "b", "--replay " + (place.path / "a/events.jsonl").string());
-    INFO(again.text);
+    CHECK(json::parse(bytes_of(place.path() / "a/report.json"))["fans"] > 0);
+    const Outcome again = run(place, "b", "--replay " + (place.path() / "a/events.jsonl").string());
+    INFO(again.text());
     CHECK(again.exit_code == 0);
-    hold_same(place.path / "a", place.path / "b");
+    hold_same(place.path() / "a", place.path() / "b");
   }
 }
 
 TEST_CASE("the replay of a run that failed fails alike", "[run][replay]") {
   json scene = struck_scene();
   scene["integrator"] = {{"method", "verlet"}};
-  const Place place = place_of("failed", scene);
+  const Place place = place_of(scene);
   const Outcome first = run(place, "a");
-  INFO(first.text);
+  INFO(first.text());
   REQUIRE(first.exit_code == 5);
-  const Outcome again = run(place, "b", "--replay " + (place.path / "a/events.jsonl").string());
-  INFO(again.text);
+  const Outcome again = run(place, "b", "--replay " + (place.path() / "a/events.jsonl").string());
+  INFO(again.text());
   CHECK(again.exit_code == 5);
-  hold_same(place.path / "a", place.path / "b");
+  hold_same(place.path() / "a", place.path() / "b");
 }
 
 TEST_CASE("tampered and foreign logs are refused with line and reason", "[run][replay]") {
   json scene = struck_scene();
   scene["duration"] = 0.001;
-  const Place place = place_of("tampered", scene);
+  const Place place = place_of(scene);
   REQUIRE(run(place, "a").exit_code == 0);
-  const std::vector<std::string> good = lines_of(place.path / "a/events.jsonl");
+  const std::vector<std::string> good = lines_of(place.path() / "a/events.jsonl");
   REQUIRE(good.size() > 10);
   const SceneFile file = *read_scene(place.scene);
   const ReplayedScene told{scene_hash(file), step_count(file.scene)};
@@ -271,7 +252,7 @@ TEST_CASE("tampered and foreign logs are refused with line and reason", "[run][r
   for (const Case& c : cases) {
     Lines lines = good;
     c.change(lines);
-    const fs::path log = place.path / "tampered.jsonl";
+    const fs::path log = place.path() / "tampered.jsonl";
     write_lines(log, lines);
     const Result<Replay> replay = read_replay(log, told);
     INFO(c.name);
@@ -283,18 +264,18 @@ TEST_CASE("tampered and foreign logs are refused with line and reason", "[run][r
     CHECK(f.line == c.line);
     CHECK(f.text.find(c.words) != std::string::npos);
   }
-  CHECK(read_replay(place.path / "a/events.jsonl", told));
+  CHECK(read_replay(place.path() / "a/events.jsonl", told));
   for (const int steps : {1, 5}) {
-    forge(place.path / "a/events.jsonl", place.path / "steps.jsonl",
+    forge(place.path() / "a/events.jsonl", place.path() / "steps.jsonl",
           [&](auto& lines) { lines.back()["steps"] = steps; });
-    CHECK(read_replay(place.path / "steps.jsonl", told).findings.at(0).line == good.size());
+    CHECK(read_replay(place.path() / "steps.jsonl", told).findings.at(0).line == good.size());
   }
-  CHECK(read_replay(place.path / "none", told).findings.at(0).code == "cannot_open");
+  CHECK(read_replay(place.path() / "none", told).findings.at(0).code == "cannot_open");
 
-  const std::string log = "--replay " + (place.path / "a/events.jsonl").string();
+  const std::string log = "--replay " + (place.path() / "a/events.jsonl").string();
   const Outcome other = run(place, "b", log + " --set bodies.0.material.density=2401");
   CHECK(other.exit_code == 3);
-  CHECK(other.text.find("other_scene") != std::string::npos);
+  CHECK(other.text().find("other_scene") != std::string::npos);
   CHECK(run(place, "b", log + " --png 0 --set name=renamed").exit_code == 0);
   CHECK(run(place, "a", log).exit_code == 3);
 }
@@ -302,22 +283,22 @@ TEST_CASE("tampered and foreign logs are refused with line and reason", "[run][r
 TEST_CASE("a log of another version of the program is replayed with a warning", "[run][replay]") {
   json scene = struck_scene();
   scene["duration"] = 0.001;
-  const Place place = place_of("version", scene);
+  const Place place = place_of(scene);
   REQUIRE(run(place, "a").exit_code == 0);
-  const fs::path log = place.path / "older.jsonl";
-  forge(place.path / "a/events.jsonl", log, [](auto& lines) { lines[0]["sunder"] = "0.0.1"; });
+  const fs::path log = place.path() / "older.jsonl";
+  forge(place.path() / "a/events.jsonl", log, [](auto& lines) { lines[0]["sunder"] = "0.0.1"; });
   const Outcome o = run(place, "b", "--replay " + log.string());
-  INFO(o.text);
+  INFO(o.text());
   CHECK(o.exit_code == 0);
-  CHECK(o.text.find("other_program") != std::string::npos);
+  CHECK(o.text().find("other_program") != std::string::npos);
 }
 
 TEST_CASE("logs forged with right checks depart where they stop being this run", "[run][replay]") {
   json scene = struck_scene();
   scene["duration"] = 0.001;
-  const Place place = place_of("forged", scene);
+  const Place place = place_of(scene);
   REQUIRE(run(place, "a").exit_code == 0);
-  const fs::path good = place.path / "a/events.jsonl";
+  const fs::path good = place.path() / "a/events.jsonl";
   using Lines = std::vector<ordered_json>;
   const auto renumber = [](Lines& l) {
     for (std::size_t k = 1; k + 1 < l.size(); ++k) l[k]["fan"] = k - 1;
@@ -351,18 +332,18 @@ TEST_CASE("logs forged with right checks depart where they stop being this run",
       {"said to have failed", [](Lines& l) { l.back()["end"] = "failed"; }},
   };
   for (const Case& c : cases) {
-    const fs::path log = place.path / "forged.jsonl";
+    const fs::path log = place.path() / "forged.jsonl";
     forge(good, log, c.change);
     const Outcome o = run(place, "b", "--replay " + log.string());
-    INFO(c.name << ": " << o.text);
+    INFO(c.name << ": " << o.text());
     CHECK(o.exit_code == 6);
-    CHECK(o.text.find("replay_departed") != std::string::npos);
-    CHECK(o.text.find("forged.jsonl:") != std::string::npos);
+    CHECK(o.text().find("replay_departed") != std::string::npos);
+    CHECK(o.text().find("forged.jsonl:") != std::string::npos);
   }
 }
 
 TEST_CASE("a scene's hash knows every value and the mesh, and not the names", "[run][replay]") {
-  const Place place = place_of("hash", struck_scene());
+  const Place place = place_of(struck_scene());
   const SceneFile file = *read_scene(place.scene);
   const std::string hash = scene_hash(file);
   CHECK(hash.size() == 16);

@@ -1,58 +1,30 @@
 // SPDX-License-Identifier: MIT
 // The scene reader, the committed schema, and `sunder run` from outside: files, bytes, exit codes.
-#include <sys/wait.h>
-
 #include <catch2/catch.hpp>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "apps/scene/scene_json.hpp"
+#include "apps/scene/scene_schema.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/state/living.hpp"
+#include "tests/support/program.hpp"
 #include "topology/kernel/invariants.hpp"
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using namespace sunder::test;
 
 namespace {
 
-std::string slurp(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-/// A folder of this test's own, empty, taken away at the end.
-struct Folder {
-  fs::path path;
-  explicit Folder(const std::string& name)
-      : path(fs::temp_directory_path() / ("sunder_run_test_" + name + std::to_string(getpid()))) {
-    fs::remove_all(path);
-    fs::create_directories(path);
-  }
-  ~Folder() { fs::remove_all(path); }
-};
-
-struct Outcome {
-  int exit_code = -1;
-  std::string text;
-};
-
-/// Runs `sunder run` with these words; stdout and stderr together.
-Outcome run(const Folder& folder, const std::string& words) {
-  const fs::path log = folder.path / "log";
-  const std::string command =
-      std::string(SUNDER_PROGRAM) + " run " + words + " >" + log.string() + " 2>&1";
-  const int status = std::system(command.c_str());
-  return {WEXITSTATUS(status), slurp(log)};
-}
+/// Runs `sunder run` with these words.
+Outcome run(const std::string& words) { return run_program("run " + words); }
 
 fs::path write_scene(const Folder& folder, const json& scene) {
-  std::ofstream(folder.path / "scene.json") << scene.dump(1);
-  return folder.path / "scene.json";
+  std::ofstream(folder.path() / "scene.json") << scene.dump(1);
+  return folder.path() / "scene.json";
 }
 
 /// The monolith struck at once by one ball: breaks within 0.02 s.
@@ -118,7 +90,7 @@ TEST_CASE("the maps of all three scenes pass every law at their end", "[.][scene
 }
 
 TEST_CASE("the committed schema is the program's own", "[run]") {
-  CHECK(json::parse(slurp(SUNDER_SCENES "/scene.schema.json")) ==
+  CHECK(json::parse(bytes_of(SUNDER_SCENES "/scene.schema.json")) ==
         json::parse(sunder::scene_schema().dump()));
 }
 
@@ -133,7 +105,7 @@ TEST_CASE("every scene that is shipped can be read", "[run]") {
 }
 
 TEST_CASE("a scene with only what is required has the defaults of the C++ structs", "[run]") {
-  const Folder folder("defaults");
+  const Folder folder;
   json scene = struck_scene();
   scene["bodies"][0].erase("material");
   const auto file = sunder::read_scene(write_scene(folder, scene));
@@ -144,25 +116,25 @@ TEST_CASE("a scene with only what is required has the defaults of the C++ struct
 }
 
 TEST_CASE("two runs of a scene that breaks leave the same bytes", "[run]") {
-  const Folder folder("bytes");
+  const Folder folder;
   const fs::path scene = write_scene(folder, struck_scene());
   for (const char* out : {"a", "b"}) {
     const Outcome o =
-        run(folder, scene.string() + " --quiet --frames 3 -o " + (folder.path / out).string());
-    INFO(o.text);
+        run(scene.string() + " --quiet --frames 3 -o " + (folder.path() / out).string());
+    INFO(o.text());
     REQUIRE(o.exit_code == 0);
   }
-  const std::string events = slurp(folder.path / "a/events.jsonl");
+  const std::string events = bytes_of(folder.path() / "a/events.jsonl");
   CHECK(!events.empty());
-  CHECK(events == slurp(folder.path / "b/events.jsonl"));
-  CHECK(slurp(folder.path / "a/fragments.csv") == slurp(folder.path / "b/fragments.csv"));
+  CHECK(events == bytes_of(folder.path() / "b/events.jsonl"));
+  CHECK(bytes_of(folder.path() / "a/fragments.csv") == bytes_of(folder.path() / "b/fragments.csv"));
   std::size_t frames = 0;
-  for (const auto& entry : fs::directory_iterator(folder.path / "a/frames")) {
+  for (const auto& entry : fs::directory_iterator(folder.path() / "a/frames")) {
     ++frames;
-    CHECK(slurp(entry.path()) == slurp(folder.path / "b/frames" / entry.path().filename()));
+    CHECK(bytes_of(entry.path()) == bytes_of(folder.path() / "b/frames" / entry.path().filename()));
   }
   CHECK(frames == 3);
-  const json report = json::parse(slurp(folder.path / "a/report.json"));
+  const json report = json::parse(bytes_of(folder.path() / "a/report.json"));
   for (const char* key : {"steps", "step_ms", "stage_ms", "fans", "faces_split", "components",
                           "fragments", "gershgorin", "oracle", "momentum", "energy", "warnings"}) {
     INFO(key);
@@ -173,7 +145,7 @@ TEST_CASE("two runs of a scene that breaks leave the same bytes", "[run]") {
 }
 
 TEST_CASE("bad scenes are told with place, value and remedy, exit code 3", "[run]") {
-  const Folder folder("bad");
+  const Folder folder;
   struct Case {
     const char* pointer;
     json value;
@@ -194,46 +166,46 @@ TEST_CASE("bad scenes are told with place, value and remedy, exit code 3", "[run
       scene["bodies"][0]["held"] = {{{"minimum", {-10, -10, -10}}, {"maximum", {0, 0, 0}}}};
     }
     scene[json::json_pointer(c.pointer)] = c.value;
-    const fs::path out = folder.path / "out";
-    const Outcome o =
-        run(folder, write_scene(folder, scene).string() + " --quiet -o " + out.string());
-    INFO(c.pointer << ": " << o.text);
+    const fs::path out = folder.path() / "out";
+    const Outcome o = run(write_scene(folder, scene).string() + " --quiet -o " + out.string());
+    INFO(c.pointer << ": " << o.text());
     CHECK(o.exit_code == 3);
-    CHECK(o.text.find(c.words) != std::string::npos);
+    CHECK(o.text().find(c.words) != std::string::npos);
     CHECK(!fs::exists(out / "report.json"));
   }
 }
 
 TEST_CASE("a cut mesh is named with its line, exit code 3", "[run]") {
-  const Folder folder("cut");
-  std::ofstream(folder.path / "cut.msh") << slurp(SUNDER_MESHES "/bunny.msh").substr(0, 100000);
+  const Folder folder;
+  std::ofstream(folder.path() / "cut.msh")
+      << bytes_of(SUNDER_MESHES "/bunny.msh").substr(0, 100000);
   json scene = struck_scene();
   scene["bodies"][0]["mesh"] = "cut.msh";
-  const Outcome o = run(folder, write_scene(folder, scene).string() + " --quiet -o " +
-                                    (folder.path / "out").string());
-  INFO(o.text);
+  const Outcome o =
+      run(write_scene(folder, scene).string() + " --quiet -o " + (folder.path() / "out").string());
+  INFO(o.text());
   CHECK(o.exit_code == 3);
-  CHECK(o.text.find("cut.msh:") != std::string::npos);
+  CHECK(o.text().find("cut.msh:") != std::string::npos);
 }
 
 TEST_CASE("an explicit step that diverges says where and what to do, exit code 5", "[run]") {
-  const Folder folder("diverges");
-  const fs::path out = folder.path / "out";
-  const Outcome o = run(folder, write_scene(folder, struck_scene()).string() +
-                                    " --quiet --set integrator.method=verlet"
-                                    " --set fracture.mode=off -o " +
-                                    out.string());
-  INFO(o.text);
+  const Folder folder;
+  const fs::path out = folder.path() / "out";
+  const Outcome o = run(write_scene(folder, struck_scene()).string() +
+                        " --quiet --set integrator.method=verlet"
+                        " --set fracture.mode=off -o " +
+                        out.string());
+  INFO(o.text());
   CHECK(o.exit_code == 5);
-  CHECK(o.text.find("vertex") != std::string::npos);
-  CHECK(o.text.find("explicit_step_bound") != std::string::npos);
+  CHECK(o.text().find("vertex") != std::string::npos);
+  CHECK(o.text().find("explicit_step_bound") != std::string::npos);
   CHECK(fs::exists(out / "report.json"));
 }
 
 TEST_CASE("an output that cannot be written is exit code 4, a wrong option 2", "[run]") {
-  const Folder folder("codes");
+  const Folder folder;
   const std::string scene = write_scene(folder, struck_scene()).string();
-  CHECK(run(folder, scene + " --quiet -o /proc/nowhere/out").exit_code == 4);
-  CHECK(run(folder, scene + " --no-such-option").exit_code == 2);
-  CHECK(run(folder, "").exit_code == 2);
+  CHECK(run(scene + " --quiet -o /proc/nowhere/out").exit_code == 4);
+  CHECK(run(scene + " --no-such-option").exit_code == 2);
+  CHECK(run("").exit_code == 2);
 }

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Equilibrium of scenes: closed forms, balance at supports, loads in runs, and the command's ends.
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "apps/sunder/static/static_answer.hpp"
 #include "apps/sunder/static/static_fan.hpp"
+#include "fracture/simulation/statics.hpp"
+#include "tests/support/program.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
@@ -39,10 +35,10 @@ LoadBox end_of(double length) {
   return {.minimum = {length - 1e-6, -1, -1}, .maximum = {length + 1, 9, 9}};
 }
 
-StaticAnswer solved(const Scene& scene) {
+Equilibrium solved(const Scene& scene) {
   Result<Simulation> sim = build_simulation(scene);
   REQUIRE(sim);
-  Result<StaticAnswer> answer = solve_scene(*sim);
+  Result<Equilibrium> answer = solve_scene(*sim);
   REQUIRE(answer);
   return std::move(*answer);
 }
@@ -50,42 +46,19 @@ StaticAnswer solved(const Scene& scene) {
 std::string code_of(const Scene& scene) {
   Result<Simulation> sim = build_simulation(scene);
   if (!sim) return sim.findings.front().code;
-  const Result<StaticAnswer> answer = solve_scene(*sim);
+  const Result<Equilibrium> answer = solve_scene(*sim);
   return answer ? "" : answer.findings.back().code;
 }
 
-struct Outcome {
-  int exit_code = -1;
-  std::string out, err;
-};
-
 /// Runs `sunder static` in a folder of its own.
-class Place {
- public:
-  Place()
-      : folder_(std::filesystem::temp_directory_path() /
-                ("sunder_static_test_" + std::to_string(getpid()))) {
-    std::filesystem::create_directories(folder_);
-  }
-  ~Place() { std::filesystem::remove_all(folder_); }
-  Place(const Place&) = delete;
-  Place& operator=(const Place&) = delete;
+struct Place {
+  test::Folder folder;
 
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  Outcome run(const json& scene, const std::string& words) const {
+  std::string path(const std::string& name) const { return (folder.path() / name).string(); }
+  test::Outcome run(const json& scene, const std::string& words) const {
     std::ofstream(path("scene.json")) << scene.dump(1);
-    const std::string command = std::string(SUNDER_PROGRAM) + " static " + path("scene.json") +
-                                " " + words + " >" + path("out") + " 2>" + path("err");
-    const int status = std::system(command.c_str());
-    return {WEXITSTATUS(status), slurp("out"), slurp("err")};
+    return test::run_program("static " + path("scene.json") + " " + words);
   }
-
- private:
-  std::string slurp(const std::string& name) const {
-    std::ifstream in(path(name), std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-  std::filesystem::path folder_;
 };
 
 json cube_scene() {
@@ -106,7 +79,7 @@ TEST_CASE("a pressure on a bar's end gives p everywhere and p L / E at the end",
   // A turned and moved body has the same answer, its forces turned.
   scene.bodies[0].rotation = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized());
   scene.bodies[0].translation = {3, -2, 1};
-  const StaticBody bar = solved(scene).bodies[0];
+  const BodyEquilibrium bar = solved(scene).bodies[0];
   // Uniaxial stress with nu = 0 is in the space of linear tetrahedra: exact to rounding of the
   // solve, condition (L/h)^2 times 2e-16 with a margin of 1e3.
   CHECK(bar.displacement.value == Approx(2e5 * 0.8 / 1e9).epsilon(1e-10));
@@ -128,7 +101,7 @@ TEST_CASE("supports carry weight and moment of what they hold", "[run][static][l
   LoadBox tip = end_of(0.6);
   tip.force = {3, -7, 11};
   scene.bodies[0].loads = {tip};
-  const StaticBody bar = solved(scene).bodies[0];
+  const BodyEquilibrium bar = solved(scene).bodies[0];
   const double weight = 1000 * 0.6 * 0.04 * 10;
   const Vec3 load = Vec3(0, 0, -weight) + tip.force;
   CHECK((bar.load - load).norm() < 1e-11 * weight);
@@ -146,7 +119,7 @@ TEST_CASE("held vertices stand where their velocity brings them by the end",
   scene.duration = 2;
   scene.bodies[0].held.push_back(
       {.minimum = {0.8 - 1e-6, -1, -1}, .maximum = {9, 9, 9}, .velocity = {4e-5, 0, 0}});
-  const StaticBody bar = solved(scene).bodies[0];
+  const BodyEquilibrium bar = solved(scene).bodies[0];
   CHECK(bar.principal_stress.value == Approx(1e9 * 8e-5 / 0.8).epsilon(1e-10));
   CHECK(bar.supports[1].force.x() == Approx(1e5 * 0.01).epsilon(1e-10));
   CHECK(bar.supports[0].force.x() == Approx(-1e5 * 0.01).epsilon(1e-10));
@@ -181,7 +154,7 @@ TEST_CASE("a run under slowly raised loads settles at the static answer, its mom
   pull.force = {1000, 0, 0};
   pull.ramp_time = 0.05;
   scene.bodies[0].loads = {pull};
-  scene.time_step = 1e-3;
+  scene.integrator.time_step = 1e-3;
   scene.integrator.damping.stiffness_factor = 1e-3;
   Result<Simulation> sim = build_simulation(scene);
   REQUIRE(sim);
@@ -212,7 +185,8 @@ TEST_CASE("loads stay with the sides of a split", "[run][static][loads][split]")
     REQUIRE(report.status.outcome == StepOutcome::fine);
     pieces = report.components;
     std::vector<Vec3> force;
-    add_corner_loads(force, sim->state->loads, sim->state->mechanics, sim->state->cells.map.corners(), 1);
+    add_corner_loads(force, sim->state->loads, sim->state->mechanics,
+                     sim->state->cells.map.corners(), 1);
     double pull = 0;
     for (const Vec3& f : force) pull += f.norm();
     // Two ends of 0.01 m^2, each pulled by 1 MPa, on however many vertices.
@@ -234,7 +208,7 @@ TEST_CASE("fans near their threshold are listed by the energy they would release
   pull.pressure = -5e4;
   scene.bodies[0].loads = {pull};
   Simulation sim = std::move(*build_simulation(scene));
-  const StaticAnswer answer = std::move(*solve_scene(sim));
+  const Equilibrium answer = std::move(*solve_scene(sim));
   const auto all = fan_candidates(sim, answer.node_stress, 0);
   REQUIRE(all);
   REQUIRE(all->size() > 10);
@@ -259,7 +233,7 @@ TEST_CASE("fans near their threshold are listed by the energy they would release
 
 TEST_CASE("sunder static answers in JSON, writes VTU and ends as it says", "[run][static]") {
   const Place here;
-  const Outcome fine = here.run(cube_scene(), "--json -o " + here.path("cube.vtu"));
+  const test::Outcome fine = here.run(cube_scene(), "--json -o " + here.path("cube.vtu"));
   CHECK(fine.exit_code == 0);
   const json answer = json::parse(fine.out);
   const double weight = 2400 * 8 * 9.81;
@@ -272,7 +246,7 @@ TEST_CASE("sunder static answers in JSON, writes VTU and ends as it says", "[run
 
   json free = cube_scene();
   free["bodies"][0].erase("held");
-  const Outcome refused = here.run(free, "--json");
+  const test::Outcome refused = here.run(free, "--json");
   CHECK(refused.exit_code == 3);
   CHECK(refused.out.empty());
   CHECK(refused.err.find("[not_supported: 0]") != std::string::npos);
@@ -281,7 +255,8 @@ TEST_CASE("sunder static answers in JSON, writes VTU and ends as it says", "[run
   // Finite stresses whose energy is not: nothing is answered.
   for (const char* far :
        {"bodies.0.material.young_modulus=1e-300", "gravity.acceleration=[0,0,1e306]"}) {
-    const Outcome overflow = here.run(cube_scene(), std::string("--json --set '") + far + "'");
+    const test::Outcome overflow =
+        here.run(cube_scene(), std::string("--json --set '") + far + "'");
     INFO(far << ": " << overflow.err);
     CHECK(overflow.exit_code == 5);
     CHECK(overflow.out.empty());
@@ -290,7 +265,7 @@ TEST_CASE("sunder static answers in JSON, writes VTU and ends as it says", "[run
   json empty_box = cube_scene();
   empty_box["bodies"][0]["loads"] = {
       {{"minimum", {8, 8, 8}}, {"maximum", {9, 9, 9}}, {"pressure", 1}}};
-  const Outcome outside = here.run(empty_box, "");
+  const test::Outcome outside = here.run(empty_box, "");
   CHECK(outside.exit_code == 3);
-  CHECK(outside.err.find("empty_load") != std::string::npos);
+  CHECK(outside.err.find("nothing_loaded") != std::string::npos);
 }

@@ -23,7 +23,7 @@ Simulation shattered(unsigned threads) {
   REQUIRE(file);
   Result<Simulation> sim = build_simulation(std::move(file->scene));
   REQUIRE(sim);
-  sim->scratch->mechanics.threads = threads;
+  sim->threads = threads;
   while (sim->state->step < 414) {
     REQUIRE(advance(*sim).status.outcome == StepOutcome::fine);
   }

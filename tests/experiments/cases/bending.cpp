@@ -132,7 +132,7 @@ Scene bent_beam(const Beam& beam) {
   Scene scene;
   scene.bodies.push_back(std::move(body));
   scene.gravity.acceleration.setZero();
-  scene.time_step = 0.02;
+  scene.integrator.time_step = 0.02;
   return scene;
 }
 

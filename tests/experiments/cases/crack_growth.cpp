@@ -46,7 +46,7 @@ Scene scene_of(const NotchedBar& bar) {
   Scene scene;
   scene.bodies = {body};
   scene.gravity.acceleration.setZero();
-  scene.time_step = bar.time_step;
+  scene.integrator.time_step = bar.time_step;
   scene.fracture = bar.fracture;
   return scene;
 }

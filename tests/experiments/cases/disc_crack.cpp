@@ -9,7 +9,6 @@
 
 #include "fracture/algorithms/node_stress.hpp"
 #include "fracture/algorithms/threshold_test.hpp"
-#include "fracture/algorithms/threshold_test.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/statics/static_solve.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
@@ -53,7 +52,7 @@ Scene scene_of(int cells) {
   Scene scene;
   scene.bodies = {disc};
   scene.gravity.acceleration.setZero();
-  scene.time_step = 1e-3;
+  scene.integrator.time_step = 1e-3;
   scene.fracture.relax = 2;
   return scene;
 }

@@ -31,8 +31,8 @@ Scene flight_scene(const FreeFlight& flight) {
   rod.velocity = {3, -2, 1};
   scene.bodies.push_back(std::move(rod));
   scene.gravity.acceleration.setZero();
-  scene.time_step = flight.time_step;
   scene.integrator = flight.integrator;
+  scene.integrator.time_step = flight.time_step;
   scene.ladder.rigid = flight.ladder;
   return scene;
 }

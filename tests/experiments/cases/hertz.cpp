@@ -50,8 +50,8 @@ Scene scene_of(const HertzImpact& impact) {
   block.mesh = round_block(impact);
   block.material.poisson_ratio = impact.poisson_ratio;
   block.velocity = {0, 0, -impact.speed};
-  scene.time_step = 1e-4;
-  block.translation = {0, 0, 0.4 * scene.time_step * impact.speed};
+  scene.integrator.time_step = 1e-4;
+  block.translation = {0, 0, 0.4 * scene.integrator.time_step * impact.speed};
   scene.bodies.push_back(std::move(block));
   scene.obstacles = {{.shape = Plane{{0, 0, 1}, 0}, .friction = 0}};
   scene.gravity.acceleration.setZero();
@@ -90,7 +90,8 @@ void watch(Peak& peak, const Simulation& sim, const PartReport& part, double cel
   const double force = part.contact.impulse_of(0).z() / part.length;
   if (force <= peak.force) return;
   peak = {force, 0, 0};
-  for (const ContactPoint& contact : sim.scratch->contact.contacts) {
+  for (const ContactMemory::Remembered& last : sim.state->contact.last_contacts) {
+    const ContactPoint& contact = last.contact;
     const Vec3& at = sim.state->mechanics.vertices.position[contact.vertex.index()];
     const double push = contact.impulse.z() / part.length, r = std::hypot(at.x(), at.y());
     peak.moment += push * r * r;
@@ -113,7 +114,7 @@ HertzOutcome run_hertz(const HertzImpact& impact) {
     last = now.state->mechanics.time;
     if (first < 0) first = last - part.length;
   };
-  const double h = sim->scene.time_step;
+  const double h = sim->scene.integrator.time_step;
   for (double time = 0; time < 3 * hertz.time && (last < 0 || time < last + 4 * h); time += h) {
     const StepReport report = advance(*sim, observe);
     if (report.status.outcome != StepOutcome::fine) {

@@ -38,12 +38,12 @@ Scene scene_of(const BarImpact& impact, const Scales& scales) {
       suite::kuhn_box({impact.cells[0], impact.cells[1], impact.cells[2]}, 1.0 / impact.cells[0]);
   bar.material.poisson_ratio = 0;
   bar.velocity = {-scales.speed, 0, 0};
-  scene.time_step = impact.step * scales.travel();
-  bar.translation = {impact.touches_at * scene.time_step * scales.speed, 0, 0};
+  scene.integrator = impact.integrator;
+  scene.integrator.time_step = impact.step * scales.travel();
+  bar.translation = {impact.touches_at * scene.integrator.time_step * scales.speed, 0, 0};
   scene.bodies.push_back(std::move(bar));
   scene.obstacles = {{.shape = Plane{{1, 0, 0}, 0}, .friction = 0}};
   scene.gravity.acceleration.setZero();
-  scene.integrator = impact.integrator;
   scene.contact = impact.contact;
   scene.contact.friction = 0;
   scene.impact = impact.impact;
@@ -99,7 +99,7 @@ BarOutcome run_bar(const BarImpact& impact) {
   if (!sim) throw std::runtime_error(sim.findings.front().text);
   Watch watch{.scales = scales, .seen = {}};
   watch.energy_at_start = kinetic_energy(sim->state->mechanics.vertices);
-  const double h = sim->scene.time_step;
+  const double h = sim->scene.integrator.time_step;
   const double wait = 3 * scales.travel() + 4 * h;
   const double give_up = 20 * scales.travel() + 40 * h;
   const StepObserver observe = [&](const Simulation& now, const PartReport& part) {

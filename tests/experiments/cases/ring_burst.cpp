@@ -89,7 +89,7 @@ Scene scene_of(const Ring& ring, const RingBurst& burst) {
     body.strength.painted.push_back(ring.strength[k % ring.strength.size()]);
   }
   const double travel = ring.cell / bar_wave_speed(body.material);
-  scene.time_step = burst.step * travel;
+  scene.integrator.time_step = burst.step * travel;
   scene.integrator.damping.stiffness_factor = burst.viscosity * travel;
   scene.bodies = {std::move(body)};
   scene.gravity.acceleration.setZero();
@@ -121,7 +121,7 @@ RingOutcome run_ring(const RingBurst& burst) {
   RingOutcome seen;
   const double before = energy_of(*sim);
   std::vector<char> broke(ring.strength.size(), 0);
-  while (sim->state->mechanics.time < last + sim->scene.time_step) {
+  while (sim->state->mechanics.time < last + sim->scene.integrator.time_step) {
     const StepReport report = advance(*sim);
     if (report.status.outcome != StepOutcome::fine) {
       throw std::runtime_error(to_finding(report.status).text);

@@ -43,7 +43,7 @@ Scene scene_of(const Spall& spall, double cell) {
   const double travel = cell / bar_wave_speed(bar.material);
   scene.bodies = {bar};
   scene.gravity.acceleration.setZero();
-  scene.time_step = spall.step * travel;
+  scene.integrator.time_step = spall.step * travel;
   scene.integrator.damping.stiffness_factor = spall.viscosity * travel;
   scene.ladder.rigid = false;
   return scene;

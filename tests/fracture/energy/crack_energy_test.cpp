@@ -35,7 +35,7 @@ Simulation stretched_bar(double time_step) {
   scene.gravity.acceleration.setZero();
   scene.fracture.mode = FractureMode::off;
   scene.ladder = {.rigid = false, .quasi_static = false, .sleep = false};
-  scene.time_step = time_step;
+  scene.integrator.time_step = time_step;
   Simulation sim = std::move(*build_simulation(std::move(scene)));
   MechanicsState& m = sim.state->mechanics;
   for (std::size_t v = 0; v < m.vertices.size(); ++v) {

@@ -97,7 +97,7 @@ TEST_CASE("energy released by fans of random bodies is that of a copy split and 
       const VertexId v{random() % m.vertices.size()};
       const auto faces =
           fan_faces(sim.state->cells.map, v, {normal(random), normal(random), normal(random)});
-      const auto release = energy_release(sim.scratch->mechanics, input, *faces);
+      const auto release = energy_release(input, *faces);
       REQUIRE(release);
       if (faces->empty()) continue;
       const std::optional<double> slow = slow_release(sim, *faces);
@@ -129,7 +129,7 @@ TEST_CASE("a section through a bar pulled between two grips releases sigma^2 L /
   const auto faces =
       plane_faces(sim.state->cells.map, CuttingPlane{.normal = {1, 0, 0}, .offset = 0.4});
   const std::vector<Mat3> stress = m.elements.stress;
-  const auto release = energy_release(sim.scratch->mechanics, {sim.state->cells, m}, *faces);
+  const auto release = energy_release({sim.state->cells, m}, *faces);
   REQUIRE(release);
   const double sigma = young * pull / length;
   CHECK(release->area == Approx(0.04).epsilon(1e-12));
@@ -149,15 +149,14 @@ TEST_CASE("a piece that comes free releases what strained it, or without end wha
   MechanicsState& m = sim.state->mechanics;
   const auto section =
       plane_faces(sim.state->cells.map, CuttingPlane{.normal = {1, 0, 0}, .offset = 0.3});
-  const auto at_rest = energy_release(sim.scratch->mechanics, {sim.state->cells, m}, *section);
+  const auto at_rest = energy_release({sim.state->cells, m}, *section);
   REQUIRE(at_rest);
   CHECK(at_rest->comes_free);
   CHECK(at_rest->energy == 0);
   const Vec3 gravity{0, 0, -9.81};
   const auto corners = sim.state->cells.map.corners();
   REQUIRE(solve_static(m, sim.scratch->mechanics, corners, {.gravity = gravity}).empty());
-  const auto loaded =
-      energy_release(sim.scratch->mechanics, {sim.state->cells, m, gravity}, *section);
+  const auto loaded = energy_release({sim.state->cells, m, gravity}, *section);
   REQUIRE(loaded);
   CHECK(std::isinf(loaded->energy));
 }
@@ -170,8 +169,7 @@ TEST_CASE("a free body has no energy release in statics", "[fracture][energy_rel
   Simulation sim = std::move(*build_simulation(std::move(scene)));
   const auto faces =
       plane_faces(sim.state->cells.map, CuttingPlane{.normal = {1, 0, 0}, .offset = 0.1});
-  const auto release =
-      energy_release(sim.scratch->mechanics, {sim.state->cells, sim.state->mechanics}, *faces);
+  const auto release = energy_release({sim.state->cells, sim.state->mechanics}, *faces);
   REQUIRE(!release);
   CHECK(release.findings.front().code == "not_supported");
 }

@@ -26,7 +26,7 @@ Scene lying_block() {
   block.rotation = Eigen::AngleAxisd(2 * M_PI / 3, Vec3(1, 1, 1).normalized());
   block.translation = {-1, 0, 0.15};
   scene.bodies.push_back(std::move(block));
-  scene.time_step = 2e-3;
+  scene.integrator.time_step = 2e-3;
   return scene;
 }
 

@@ -18,7 +18,7 @@ struct Run {
 
 Run run(bool with_borders) {
   Scene scene;
-  scene.time_step = 2e-5;
+  scene.integrator.time_step = 2e-5;
   scene.impact.window = false;  // so that systems can be thrown away between any two parts
   scene.bodies.push_back({.mesh = suite::kuhn_box({6, 4, 3}, 0.05),
                           .material = {.tensile_strength = 3e6},
@@ -34,11 +34,11 @@ Run run(bool with_borders) {
     REQUIRE(report.status.outcome == StepOutcome::fine);
     for (const FanEvent& fan : report.fracture.fans) result.fans.emplace_back(k, fan.vertex);
     if (last == 2000 && result.fans.size() >= 8) last = k + 20;
-    MechanicsScratch& scratch = sim->scratch->mechanics;
+    ComponentSystems& systems = sim->state->mechanics.systems;
     if (!with_borders) {
-      for (auto& retired : scratch.retired) retired.reset();
+      for (auto& retired : systems.retired) retired.reset();
     }
-    for (const auto& system : scratch.systems) {
+    for (const auto& system : systems.present) {
       result.bordered += system && !system->border.columns.empty();
     }
   }

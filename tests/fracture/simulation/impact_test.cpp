@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "fracture/simulation/simulation_state.hpp"
+#include "mechanics/contact/contact_fields.hpp"
+#include "mechanics/contact/obstacle_geometry.hpp"
 #include "mechanics/element/energy.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
@@ -81,7 +83,7 @@ TEST_CASE("a body that touches in the middle of a step is struck there, in sub-s
   BodySettings cube = cube_over_plane(share * step * speed);
   cube.velocity = {0, 0, -speed};
   Scene scene = on_plane({cube});
-  scene.time_step = step;
+  scene.integrator.time_step = step;
   Simulation sim = built(std::move(scene));
   double end = 0, touched = -1;
   const StepReport report = advance(sim, [&](const Simulation&, const PartReport& part) {
@@ -106,7 +108,7 @@ TEST_CASE("a window closes when the last wave has come back, and opens for no re
   const double step = GENERATE(1e-4, 1e-3, 1.0 / 60);
   Scene scene = on_plane({cube_over_plane(0)});
   scene.gravity.acceleration = {0, 0, -9.81};
-  scene.time_step = step;
+  scene.integrator.time_step = step;
   Simulation resting = built(scene);
   for (int k = 0; k < 100; ++k) CHECK(advance(resting).impact.sub_steps == 0);
 
@@ -136,7 +138,7 @@ TEST_CASE("energy never grows in a window, with friction or without", "[fracture
   Scene scene = on_plane({cube});
   scene.gravity.acceleration = {0, 0, -9.81};
   scene.contact.friction = scene.obstacles[0].friction = friction;
-  scene.time_step = step;
+  scene.integrator.time_step = step;
   Simulation sim = built(std::move(scene));
   const double start = energy(sim);
   double last = start, worst = 0;
@@ -178,7 +180,7 @@ TEST_CASE("energy never grows among wedged pieces, though the sweeps are cut sho
   scene.fracture.mode = FractureMode::all;
   scene.contact.max_iterations = 40;
   scene.contact.max_passes = 1;
-  scene.time_step = 2e-3;
+  scene.integrator.time_step = 2e-3;
   Simulation sim = built(std::move(scene));
   const double start = energy(sim);
   double last = start, worst = 0;
@@ -203,7 +205,7 @@ TEST_CASE("bodies and balls that strike each other keep their momentum", "[fract
   right.translation += Vec3(0.301, 0.05, 0.02);
   right.rotation = Eigen::AngleAxisd(0.1, Vec3::UnitZ());
   Scene scene = scene_of({left, right});
-  scene.time_step = step;
+  scene.integrator.time_step = step;
   Obstacle ball{.shape = Sphere{{-0.12, 0.15, 0.17}, 0.1}, .velocity = {20, 0, 0}};
   ball.mass = 5;
   scene.obstacles = {ball};
@@ -264,7 +266,7 @@ TEST_CASE("a blow below the negligible part of the strength opens no window and 
     cube.velocity = {0, 0, -0.99 * limit};
     Scene scene = on_plane({cube});
     scene.fracture.mode = FractureMode::all;
-    scene.time_step = 1e-4;
+    scene.integrator.time_step = 1e-4;
     // Stepped finely all the same, it does not break either: the rule loses nothing.
     if (always) scene.impact.negligible = 1e-3;
     Simulation sim = built(std::move(scene));
@@ -283,7 +285,7 @@ TEST_CASE("the bound on sub-steps is kept and told, and the step still ends",
   BodySettings cube = cube_over_plane(1e-4);
   cube.velocity = {0, 0, -3};
   Scene scene = on_plane({cube});
-  scene.time_step = 200 * travel();
+  scene.integrator.time_step = 200 * travel();
   scene.impact.max_sub_steps = 5;
   Simulation sim = built(std::move(scene));
   const StepReport first = advance(sim);
@@ -303,7 +305,7 @@ TEST_CASE("a step of any length that breaks in a window gives the same bytes twi
     Scene scene = on_plane({cube});
     scene.gravity.acceleration = {0, 0, -9.81};
     scene.fracture.mode = FractureMode::all;
-    scene.time_step = 5e-4;
+    scene.integrator.time_step = 5e-4;
     Simulation sim = built(std::move(scene));
     std::vector<double> times;
     for (int k = 0; k < 10; ++k) {
@@ -327,11 +329,10 @@ TEST_CASE("a step of any length that breaks in a window gives the same bytes twi
 
 TEST_CASE("settings of impacts out of range are told", "[fracture][impact]") {
   const ImpactSettings wrong{.fraction = 0, .negligible = 2, .max_sub_steps = 0};
-  const std::vector<Finding> findings = check(wrong, "impact");
+  const std::vector<Finding> findings = check_settings(wrong, "impact");
   REQUIRE(findings.size() == 3);
-  CHECK(findings[0].text ==
-        "impact.fraction is 0.000000; allowed is a number above 0 and at most 1.");
-  CHECK(check(ImpactSettings{}, "impact").empty());
+  CHECK(findings[0].text == "impact.fraction is 0; allowed is above 0 and at most 1");
+  CHECK(check_settings(ImpactSettings{}, "impact").empty());
   const ImpactSettings nan{.fraction = std::nan("")};
-  CHECK(check(nan, "impact").size() == 1);
+  CHECK(check_settings(nan, "impact").size() == 1);
 }

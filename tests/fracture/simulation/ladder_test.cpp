@@ -6,6 +6,7 @@
 #include <random>
 
 #include "fracture/algorithms/node_stress.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/element/energy.hpp"
 #include "mechanics/rebuild.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
@@ -72,7 +73,7 @@ TEST_CASE("a body that swings in flight never exceeds the bound of its energy", 
     full_always(scene);
     scene.fracture.mode = FractureMode::off;
     scene.integrator.rho_infinity = 0.5;
-    scene.time_step = 2e-6;
+    scene.integrator.time_step = 2e-6;
     Simulation sim = built(scene);
     VertexColumns& vertices = sim.state->mechanics.vertices;
     for (Vec3& v : vertices.velocity)
@@ -98,7 +99,7 @@ TEST_CASE("a spinning body is stressed by less than the bound of its spin", "[la
       full_always(scene);
       scene.fracture.mode = FractureMode::off;
       scene.bodies[0].spin = 50 * axis.normalized();
-      scene.time_step = 1e-3;
+      scene.integrator.time_step = 1e-3;
       Simulation sim = built(scene);
       double fastest = 0;
       for (const Vec3& v : sim.state->mechanics.vertices.velocity)
@@ -225,5 +226,5 @@ TEST_CASE("a sleep of no length is refused", "[ladder]") {
   const Result<Simulation> sim = build_simulation(scene);
   CHECK(!sim);
   REQUIRE(!sim.findings.empty());
-  CHECK(sim.findings.front().code == "bad_ladder_setting");
+  CHECK(sim.findings.front().text == "ladder.sleep_after is 0 s; allowed is above 0");
 }

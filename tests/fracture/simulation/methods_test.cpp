@@ -21,8 +21,8 @@ Scene breaking_scene(const IntegratorSettings& integrator) {
                           .translation = {-0.3, -0.1, 0.21},
                           .velocity = {0, 0, -4}});
   scene.obstacles = {Obstacle{Sphere{{0, 0, 0.1}, 0.1}}, Obstacle{Plane{}}};
-  scene.time_step = 1e-3;
   scene.integrator = integrator;
+  scene.integrator.time_step = 1e-3;
   return scene;
 }
 

@@ -23,7 +23,7 @@ Scene bar_scene() {
                           .material = {},
                           .held = {}});
   scene.gravity.acceleration.setZero();
-  scene.time_step = 1e-3;
+  scene.integrator.time_step = 1e-3;
   return scene;
 }
 
@@ -99,7 +99,7 @@ TEST_CASE("a body cut by command at rest keeps zero kinetic energy", "[fracture]
 TEST_CASE("a spinning body of 30 GPa does not break by itself", "[fracture][scene]") {
   Scene scene = bar_scene();
   scene.bodies[0].spin = {0, 0, 50};
-  scene.time_step = 0.01;
+  scene.integrator.time_step = 0.01;
   Simulation sim = built(std::move(scene));
   const Vec3 before = angular_momentum(sim.state->mechanics.vertices);
   for (int i = 0; i < 200; ++i) {
@@ -115,7 +115,7 @@ TEST_CASE("breaking keeps mass and momentum, and the two runs of a scene are the
   const auto run = [] {
     Scene scene = bar_scene();
     scene.bodies[0].spin = {3, 20, 650};
-    scene.time_step = 1e-4;
+    scene.integrator.time_step = 1e-4;
     Simulation sim = built(std::move(scene));
     const Vec3 P = momentum(sim.state->mechanics.vertices);
     const Vec3 L = angular_momentum(sim.state->mechanics.vertices);

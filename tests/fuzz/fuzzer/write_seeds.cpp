@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "topology/io/format_traits.hpp"
 #include "topology/io/mesh_file.hpp"
 
 using namespace sunder;

@@ -356,7 +356,7 @@ TEST_CASE("corotational elements feel nothing of any rigid motion and linear str
     state.vertices.position = x;
     reframe(state, ComponentId{0});
     MechanicsScratch scratch;
-    measure_elements(state, scratch, body.corners, {}, ElasticModel::corotational);
+    measure_elements(state, scratch, body.corners, {.model = ElasticModel::corotational});
     const Mat3 expected = stress_of(S - Mat3::Identity(), lame(state.materials[0]));
     for (const Mat3& sigma : state.elements.stress) {
       worst = std::max(worst, (sigma - expected).norm());
@@ -391,7 +391,7 @@ TEST_CASE("a slender bent bar: corotational elements see the strain of bending, 
   };
   const auto error = [&](ElasticModel model) {
     MechanicsScratch scratch;
-    measure_elements(state, scratch, body.corners, {}, model);
+    measure_elements(state, scratch, body.corners, {.model = model});
     double worst = 0;
     for (std::size_t e = 0; e < state.elements.size(); ++e) {
       const double measured = state.elements.stress[e](0, 0) / material.young_modulus;

@@ -13,11 +13,11 @@ using namespace sunder;
 namespace {
 
 struct Cloud {
-  std::vector<Vec3> points, centers;
+  std::vector<Vec3> points, centres;
   std::vector<double> radii;
-  std::vector<ComponentId> point_component, center_component;
+  std::vector<ComponentId> point_component, centre_component;
 
-  SphereQuery query() const { return {points, point_component, centers, radii, center_component}; }
+  SphereQuery query() const { return {points, point_component, centres, radii, centre_component}; }
 };
 
 Cloud random_cloud(unsigned seed, double radius_spread) {
@@ -29,8 +29,8 @@ Cloud random_cloud(unsigned seed, double radius_spread) {
   for (int k = 0; k < 400; ++k) {
     cloud.points.emplace_back(place(random), place(random), place(random));
     cloud.point_component.emplace_back(component(random));
-    cloud.centers.emplace_back(place(random), place(random), place(random));
-    cloud.center_component.emplace_back(component(random));
+    cloud.centres.emplace_back(place(random), place(random), place(random));
+    cloud.centre_component.emplace_back(component(random));
     cloud.radii.push_back(0.12 * std::pow(radius_spread, power(random)));
   }
   return cloud;
@@ -84,7 +84,7 @@ TEST_CASE("pairs sifted from a search with a margin are those of a fresh search"
   for (int step = 0; step < 60; ++step) {
     for (std::size_t k = 0; k < 400; ++k) {
       cloud.points[k] += point_motion[k];
-      cloud.centers[k] += center_motion[k];
+      cloud.centres[k] += center_motion[k];
       cloud.radii[k] *= 1.0001;
     }
     if (step == 30) cloud.point_component[7] = ComponentId{5};  // something broke
@@ -101,7 +101,7 @@ TEST_CASE("the grid survives points that are not numbers or very far away",
   Cloud cloud = random_cloud(11, 3.0);
   cloud.points[3] = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
   cloud.points[4] = Vec3::Constant(1e300);
-  cloud.centers[5].x() = std::numeric_limits<double>::infinity();
+  cloud.centres[5].x() = std::numeric_limits<double>::infinity();
   cloud.radii[6] = 1e6;
   GridScratch scratch;
   std::vector<SpherePair> fast, slow;
@@ -113,7 +113,7 @@ TEST_CASE("the grid survives points that are not numbers or very far away",
 TEST_CASE("a vertex never pairs with a ball of its own component", "[mechanics][contact][grid]") {
   Cloud cloud = random_cloud(13, 10.0);
   cloud.point_component.assign(cloud.points.size(), ComponentId{2});
-  cloud.center_component.assign(cloud.centers.size(), ComponentId{2});
+  cloud.centre_component.assign(cloud.centres.size(), ComponentId{2});
   GridScratch scratch;
   std::vector<SpherePair> pairs;
   find_sphere_pairs(pairs, scratch, cloud.query());

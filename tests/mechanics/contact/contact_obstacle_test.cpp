@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "mechanics/contact/contact_fields.hpp"
 #include "tests/mechanics/contact/contact_scene.hpp"
 
 using namespace sunder;
@@ -279,13 +280,14 @@ TEST_CASE("a moving box pushes a block along and a fast one does not pass throug
 }
 
 TEST_CASE("what is wrong with contact settings is found, all of it", "[mechanics][contact]") {
-  CHECK(check(ContactSettings{}, "contact").empty());
+  CHECK(check_settings(ContactSettings{}, "contact").empty());
   ContactSettings wrong;
   wrong.friction = -1;
   wrong.compliance = std::numeric_limits<double>::quiet_NaN();
   wrong.max_iterations = 0;
-  const std::vector<Finding> findings = check(wrong, "scene.contact");
+  const std::vector<Finding> findings = check_settings(wrong, "contact");
   REQUIRE(findings.size() == 3);
-  CHECK(findings[0].text.find("scene.contact.friction is -1") != std::string::npos);
+  CHECK(findings[0].text.find("contact.friction is -1; allowed is at least 0") !=
+        std::string::npos);
   for (const Finding& f : findings) CHECK_FALSE(f.remedy.empty());
 }

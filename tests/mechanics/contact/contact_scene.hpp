@@ -4,9 +4,10 @@
 
 #include <vector>
 
-#include "tests/support/bodies.hpp"
 #include "mechanics/contact/contact.hpp"
+#include "mechanics/contact/obstacle_geometry.hpp"
 #include "mechanics/element/energy.hpp"
+#include "tests/support/bodies.hpp"
 
 namespace sunder::test {
 

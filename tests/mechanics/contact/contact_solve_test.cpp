@@ -12,7 +12,7 @@ namespace {
 constexpr double h = 1e-2;
 
 struct Problem {
-  std::vector<AnsweringBody> bodies;
+  std::vector<RespondingBody> bodies;
   std::vector<ContactRow> rows;
 };
 
@@ -23,7 +23,7 @@ Problem random_problem(unsigned seed, std::size_t rows) {
   const auto vector = [&] { return Vec3(unit(random), unit(random), unit(random)); };
   Problem problem;
   problem.bodies.resize(3);
-  for (AnsweringBody& body : problem.bodies) {
+  for (RespondingBody& body : problem.bodies) {
     body.inverse_mass = 1 + 0.5 * unit(random);
     body.inverse_inertia = Vec3(3, 4, 5).asDiagonal();
   }
@@ -50,7 +50,7 @@ Vec3 moved(const Problem& problem, const ContactRow& row) {
   Vec3 sum = Vec3::Zero();
   for (std::uint32_t e = 0; e < row.end_count; ++e) {
     const ContactEnd& end = row.ends[e];
-    const AnsweringBody& body = problem.bodies[end.body];
+    const RespondingBody& body = problem.bodies[end.body];
     Vec3 u = h * (body.velocity + body.spin.cross(end.arm));
     if (end.slot != ContactEnd::rigid_slot) u += body.displacement.segment<3>(3 * end.slot);
     sum += end.weight * u;
@@ -117,7 +117,7 @@ TEST_CASE("a solve that runs out of sweeps says so and keeps the bounds",
 }
 
 TEST_CASE("a row that can move nothing stays as it is", "[mechanics][contact][solve]") {
-  std::vector<AnsweringBody> bodies(1);
+  std::vector<RespondingBody> bodies(1);
   std::vector<ContactRow> rows(1);
   rows[0].gap = -1;
   rows[0].end_count = 1;
@@ -128,7 +128,7 @@ TEST_CASE("a row that can move nothing stays as it is", "[mechanics][contact][so
 
 TEST_CASE("compliance lets a contact give way by the force over its stiffness",
           "[mechanics][contact][solve]") {
-  std::vector<AnsweringBody> bodies(1);
+  std::vector<RespondingBody> bodies(1);
   bodies[0].inverse_mass = 0.5;
   std::vector<ContactRow> rows(1);
   rows[0].gap = -0.01;

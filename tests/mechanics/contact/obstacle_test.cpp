@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Distances to planes, spheres and boxes, swept touches, and what users get wrong.
 #include "mechanics/contact/obstacle.hpp"
+#include "mechanics/contact/contact_fields.hpp"
+#include "mechanics/contact/obstacle_geometry.hpp"
 
 #include <catch2/catch.hpp>
 #include <limits>
@@ -95,45 +97,49 @@ TEST_CASE("distances at places without a gradient are finite", "[mechanics][cont
   CHECK(surface_distance(Box{}, {0.5, 0.5, 0.5}).normal.norm() == Approx(1));
 }
 
-TEST_CASE("what is wrong with an obstacle is said with its row and a remedy",
+TEST_CASE("what is wrong with an obstacle is said with its place and a remedy",
           "[mechanics][contact][obstacle]") {
-  CHECK(check(Obstacle{Plane{}}, 0).empty());
+  CHECK(check_settings(Obstacle{Plane{}}, "o").empty());
   Obstacle ball{Sphere{}};
   ball.mass = 2;
   ball.spin = Vec3::UnitX();
-  CHECK(check(ball, 0).empty());
+  CHECK(check_settings(ball, "o").empty());
 
   const double nan = std::numeric_limits<double>::quiet_NaN();
   struct Case {
     Obstacle obstacle;
-    std::string code;
+    std::string code, place;
   };
   std::vector<Case> cases = {
-      {Obstacle{Plane{Vec3::Zero(), 0}}, "bad_normal"},
-      {Obstacle{Plane{Vec3::UnitZ(), nan}}, "not_a_number"},
-      {Obstacle{Sphere{Vec3::Zero(), -1}}, "bad_radius"},
-      {Obstacle{Box{Vec3::Zero(), Eigen::Quaterniond(0, 0, 0, 0), {1, 1, 1}}}, "bad_orientation"},
-      {Obstacle{Box{Vec3::Zero(), Eigen::Quaterniond::Identity(), {1, 0, 1}}}, "bad_extent"},
+      {Obstacle{Plane{Vec3::Zero(), 0}}, "zero_direction", "plane.normal"},
+      {Obstacle{Plane{{0, 0, 2}, 0}}, "not_a_unit_vector", "plane.normal"},
+      {Obstacle{Plane{Vec3::UnitZ(), nan}}, "out_of_range", "plane.offset"},
+      {Obstacle{Sphere{Vec3::Zero(), -1}}, "out_of_range", "sphere.radius"},
+      {Obstacle{Sphere{{0, nan, 0}, 1}}, "out_of_range", "sphere.center.1"},
+      {Obstacle{Box{Vec3::Zero(), Eigen::Quaterniond(0, 0, 0, 0), {1, 1, 1}}}, "not_a_rotation",
+       "box.rotation"},
+      {Obstacle{Box{Vec3::Zero(), Eigen::Quaterniond::Identity(), {1, 0, 1}}}, "out_of_range",
+       "box.half_extent.1"},
   };
   Obstacle wrong{Plane{}};
   wrong.mass = 1;
-  cases.push_back({wrong, "mass_without_sphere"});
+  cases.push_back({wrong, "mass_without_sphere", "mass"});
   wrong = Obstacle{Sphere{}};
   wrong.mass = -1;
-  cases.push_back({wrong, "bad_mass"});
+  cases.push_back({wrong, "out_of_range", "mass"});
   wrong = Obstacle{Sphere{}};
   wrong.friction = -0.1;
-  cases.push_back({wrong, "bad_friction"});
+  cases.push_back({wrong, "out_of_range", "friction"});
   wrong = Obstacle{Sphere{}};
   wrong.spin = Vec3::UnitZ();
-  cases.push_back({wrong, "spin_without_mass"});
+  cases.push_back({wrong, "spin_without_mass", "spin"});
   for (const Case& c : cases) {
-    const std::vector<Finding> findings = check(c.obstacle, 3);
+    const std::vector<SettingFinding> findings = setting_findings(c.obstacle, "obstacles.3");
     INFO(c.code);
     REQUIRE(findings.size() == 1);
-    CHECK(findings[0].code == c.code);
-    CHECK(findings[0].ids == std::vector<std::int64_t>{3});
-    CHECK_FALSE(findings[0].text.empty());
-    CHECK_FALSE(findings[0].remedy.empty());
+    CHECK(findings[0].finding.code == c.code);
+    CHECK(findings[0].place == "obstacles.3." + c.place);
+    CHECK(findings[0].finding.text.find(findings[0].place) == 0);
+    CHECK_FALSE(findings[0].finding.remedy.empty());
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Element matrices: derivatives, equal forms, rigid modes, the patch test; and bad materials.
+// Element matrices: derivatives, equal forms, rigid modes, the patch test; and bad bodies.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -8,10 +8,10 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "mechanics/solver/component_system.hpp"
 #include "mechanics/element/elastic_force.hpp"
-#include "mechanics/frame/rotation.hpp"
 #include "mechanics/element/strain_displacement.hpp"
+#include "mechanics/frame/rotation.hpp"
+#include "mechanics/solver/component_system.hpp"
 #include "tests/support/bodies.hpp"
 
 using namespace sunder;
@@ -196,30 +196,6 @@ TEST_CASE("a rigid motion gives no force, whatever the rotation", "[mechanics][e
     for (const Vec3& f : force) largest = std::max(largest, f.norm());
     CHECK(largest < 1e-12 * 30e9 * 0.35);  // E A
   }
-}
-
-TEST_CASE("bad materials are found with place, value and remedy", "[mechanics][material]") {
-  CHECK(check(Material{}, "m").empty());
-  const auto only = [](const Material& material) {
-    const std::vector<Finding> findings = check(material, "bodies[0].material");
-    REQUIRE(findings.size() == 1);
-    CHECK(findings[0].severity == Severity::error);
-    CHECK(findings[0].text.find("bodies[0].material.") == 0);
-    CHECK_FALSE(findings[0].remedy.empty());
-    return findings[0];
-  };
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  CHECK(only({.poisson_ratio = 0.5}).code == "bad_poisson_ratio");
-  CHECK(only({.poisson_ratio = 0.5}).text.find("is 0.5") != std::string::npos);
-  CHECK(only({.poisson_ratio = -1}).code == "bad_poisson_ratio");
-  CHECK(only({.poisson_ratio = nan}).code == "bad_poisson_ratio");
-  CHECK(only({.density = -2400}).code == "bad_density");
-  CHECK(only({.density = nan}).code == "bad_density");
-  CHECK(only({.young_modulus = 0}).code == "bad_young_modulus");
-  CHECK(only({.tensile_strength = 0}).code == "bad_tensile_strength");
-  CHECK(only({.toughness = -1}).code == "bad_toughness");
-  CHECK(check({.young_modulus = -1, .density = 0}, "m").size() == 2);
-  CHECK(check({.poisson_ratio = 0.49}, "m").empty());
 }
 
 TEST_CASE("flat, inverted and misnumbered bodies are refused", "[mechanics][material]") {

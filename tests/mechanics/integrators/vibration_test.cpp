@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "mechanics/element/energy.hpp"
+#include "mechanics/state/check_settings.hpp"
 #include "mechanics/statics/static_solve.hpp"
 #include "tests/support/bodies.hpp"
 
@@ -227,22 +228,24 @@ TEST_CASE("a displacement far beyond the body is called divergence", "[mechanics
 
 TEST_CASE("bad integrator settings are found with place, value and remedy",
           "[mechanics][failure]") {
-  CHECK(check(IntegratorSettings{}, "integrator").empty());
+  CHECK(check_settings(IntegratorSettings{}, "integrator").empty());
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto only = [](const IntegratorSettings& settings) {
-    const std::vector<Finding> findings = check(settings, "scene");
+    const std::vector<SettingFinding> findings = setting_findings(settings, "integrator");
     REQUIRE(findings.size() == 1);
-    CHECK(findings[0].text.find("scene.") == 0);
-    CHECK_FALSE(findings[0].remedy.empty());
-    return findings[0].code;
+    CHECK(findings[0].finding.text.find(findings[0].place) == 0);
+    CHECK_FALSE(findings[0].finding.remedy.empty());
+    return findings[0].finding.code + " " + findings[0].place;
   };
-  CHECK(only({.time_step = 0}) == "bad_time_step");
-  CHECK(only({.time_step = nan}) == "bad_time_step");
-  CHECK(only({.rho_infinity = 0.8}) == "bad_rho_infinity");
-  CHECK(only({.damping = {.mass_factor = -1}}) == "bad_damping");
-  CHECK(only({.damping = {.stiffness_factor = nan}}) == "bad_damping");
+  CHECK(only({.rho_infinity = 0.8}) == "out_of_range integrator.rho_infinity");
+  CHECK(only({.damping = {.mass_factor = -1}}) == "out_of_range integrator.damping.mass_factor");
+  CHECK(only({.damping = {.stiffness_factor = nan}}) ==
+        "out_of_range integrator.damping.stiffness_factor");
+  CHECK(only({.tolerance = 0.2}) == "out_of_range integrator.tolerance");
+  CHECK(only({.max_iterations = 0}) == "out_of_range integrator.max_iterations");
   CHECK(only({.integrator = Integrator::verlet, .damping = {.mass_factor = 1}}) ==
-        "damping_not_supported");
+        "damping_not_supported integrator.damping");
+  CHECK(only({.model = ElasticModel::corotational}) == "model_not_supported integrator.method");
 }
 
 TEST_CASE("a body pushed through itself comes back", "[mechanics][failure]") {

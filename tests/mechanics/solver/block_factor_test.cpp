@@ -142,7 +142,7 @@ TEST_CASE("solves in blocks agree with dense ones on graphs of every shape",
           "[mechanics][block_factor]") {
   std::mt19937 random(4);
   INFO("seed 4");
-  FactorRoom room;  // one for all, as a simulation may keep it
+  FactorScratch scratch;  // one for all, as a simulation may keep it
   for (const NamedGraph& g : graphs(random)) {
     INFO(g.name);
     const BlockAnalysis analysis = analyse(g.graph);
@@ -150,7 +150,7 @@ TEST_CASE("solves in blocks agree with dense ones on graphs of every shape",
     const auto n = static_cast<Eigen::Index>(g.graph.size());
     const Eigen::VectorXd mass = Eigen::VectorXd::Constant(n, 0.5);
     BlockFactor L;
-    factor(L, analysis, {A, mass, 2, 3}, room);
+    factor(L, analysis, {A, mass, 2, 3}, scratch);
     REQUIRE(L.positive_definite);
     if (n == 0) continue;
     Eigen::MatrixXd dense = 3 * dense_of(A);
@@ -277,10 +277,10 @@ TEST_CASE("a factor and its answers are the same bytes everywhere", "[mechanics]
   const BlockAnalysis analysis = analyse(g.graph);
   const BlockMatrix A = random_matrix(g.graph, analysis, random);
   const Eigen::VectorXd mass = Eigen::VectorXd::Constant(216, 0.25);
-  FactorRoom room;
+  FactorScratch scratch;
   BlockFactor L, again;
-  factor(L, analysis, {A, mass, 1, 1}, room);
-  factor(again, analysis, {A, mass, 1, 1}, room);
+  factor(L, analysis, {A, mass, 1, 1}, scratch);
+  factor(again, analysis, {A, mass, 1, 1}, scratch);
   REQUIRE(L.panels.size() == again.panels.size());
   CHECK(std::memcmp(L.panels.data(), again.panels.data(), 8 * L.panels.size()) == 0);
   Eigen::VectorXd x(648);

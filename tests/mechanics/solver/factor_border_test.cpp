@@ -139,8 +139,7 @@ TEST_CASE("factors under a border answer as fresh ones, crack after crack", "[me
     const SystemMatrix step{.mass = 1, .stiffness = 1e-8}, wave{.mass = 1, .stiffness = 2e-10};
     for (int round = 0; round < 12; ++round) {
       INFO("round " << round);
-      ComponentSystem& system =
-          built_system(c.scratch, c.state, c.body.corners, c.state.components[0]);
+      ComponentSystem& system = built_system(c.state, c.body.corners, c.state.components[0]);
       // Sometimes one factor is not asked for between two cracks, or never was.
       if (round % 3 != 1) {
         factor_system(system, step);
@@ -170,10 +169,10 @@ TEST_CASE("a border serves for as long as its limit says and not longer", "[mech
   INFO("seed 22");
   Cracking c = cracking_body(false, random);
   const SystemMatrix step{.mass = 1, .stiffness = 1e-8};
-  factor_system(built_system(c.scratch, c.state, c.body.corners, c.state.components[0]), step);
+  factor_system(built_system(c.state, c.body.corners, c.state.components[0]), step);
   while (c.splits == 0) split(c, VertexId{random() % c.body.rest.size()}, random);
   update_components(c);
-  ComponentSystem& system = built_system(c.scratch, c.state, c.body.corners, c.state.components[0]);
+  ComponentSystem& system = built_system(c.state, c.body.corners, c.state.components[0]);
   for (std::uint32_t k = 0; k < BorderLimits::age; ++k) {
     factor_system(system, step);
     REQUIRE(system.border.columns.size() == 1);
@@ -188,12 +187,12 @@ TEST_CASE("a vertex that is held anew ends a border", "[mechanics][border]") {
   INFO("seed 23");
   Cracking c = cracking_body(true, random);
   const SystemMatrix step{.mass = 1, .stiffness = 1e-8};
-  factor_system(built_system(c.scratch, c.state, c.body.corners, c.state.components[0]), step);
+  factor_system(built_system(c.state, c.body.corners, c.state.components[0]), step);
   for (std::size_t v = 0; v < c.body.rest.size(); ++v) {
     if (c.body.rest[v].x() > 0.4) c.state.vertices.support[v] = MotionId{0};
   }
   update_components(c);
-  ComponentSystem& system = built_system(c.scratch, c.state, c.body.corners, c.state.components[0]);
+  ComponentSystem& system = built_system(c.state, c.body.corners, c.state.components[0]);
   CHECK(system.factor_row.empty());
   factor_system(system, step);
   CHECK(error_of(c, system, FactorUse::step, step) < 1e-12);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "mechanics/state/check_settings.hpp"
+
 using namespace sunder;
 
 TEST_CASE("Lame's constants give back modulus and Poisson's ratio", "[mechanics][material]") {
@@ -28,18 +30,28 @@ TEST_CASE("waves of bar and solid differ by the P-wave modulus", "[mechanics][ma
   CHECK(compression_wave_speed(material) == Approx(std::sqrt(modulus) * bar_wave_speed(material)));
 }
 
-TEST_CASE("a material's mistakes are found, each with its place", "[mechanics][material]") {
-  CHECK(check(Material{}, "m").empty());
-  Material material;
-  material.young_modulus = 0;
-  material.poisson_ratio = 0.5;
-  material.density = std::nan("");
-  material.tensile_strength = -1;
-  material.toughness = 0;
-  const std::vector<Finding> findings = check(material, "bodies[0].material");
-  CHECK(findings.size() == 5);
-  for (const Finding& f : findings) CHECK(f.text.find("bodies[0].material") != std::string::npos);
-  material = {};
-  material.tensile_strength = std::numeric_limits<double>::infinity();
-  CHECK(check(material, "m").empty());
+TEST_CASE("bad materials are found with place, value and remedy", "[mechanics][material]") {
+  CHECK(check_settings(Material{}, "m").empty());
+  const auto place = [](const Material& material) {
+    const std::vector<SettingFinding> findings = setting_findings(material, "bodies.0.material");
+    REQUIRE(findings.size() == 1);
+    const Finding& f = findings[0].finding;
+    CHECK(f.severity == Severity::error);
+    CHECK(f.code == "out_of_range");
+    CHECK(f.text.find(findings[0].place + " is ") == 0);
+    CHECK_FALSE(f.remedy.empty());
+    return findings[0].place.substr(std::string("bodies.0.material.").size());
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinite = std::numeric_limits<double>::infinity();
+  for (const double nu : {0.5, -1.0, nan}) CHECK(place({.poisson_ratio = nu}) == "poisson_ratio");
+  for (const double rho : {-2400.0, nan, infinite}) CHECK(place({.density = rho}) == "density");
+  CHECK(place({.young_modulus = 0}) == "young_modulus");
+  CHECK(place({.tensile_strength = 0}) == "tensile_strength");
+  CHECK(place({.tensile_strength = -infinite}) == "tensile_strength");
+  CHECK(place({.toughness = -1}) == "toughness");
+  CHECK(check_settings(Material{.poisson_ratio = 0.5}, "m")[0].text ==
+        "m.poisson_ratio is 0.5; allowed is above -1 and at most 0.49");
+  CHECK(check_settings(Material{.young_modulus = -1, .density = 0}, "m").size() == 2);
+  CHECK(check_settings(Material{.poisson_ratio = 0.49, .tensile_strength = infinite}, "m").empty());
 }

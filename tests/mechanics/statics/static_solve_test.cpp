@@ -272,7 +272,7 @@ TEST_CASE("the turn of an element is the angle of its displacement gradient",
   }
   MechanicsScratch scratch;
   measure_elements(state, scratch, body.corners);
-  CHECK(scratch.largest_turn[0] == Approx(theta.norm()).epsilon(1e-12));
+  CHECK(state.components[0].largest_turn == Approx(theta.norm()).epsilon(1e-12));
   // A linear rotation is no strain: rounding of 30 GPa times the turn.
   for (const Mat3& sigma : state.elements.stress) CHECK(sigma.norm() < 1e-13 * 30e9);
 }

@@ -177,7 +177,7 @@ TEST_CASE("one part in one place is the mesh", "[io][abaqus]") {
 }
 
 TEST_CASE("what is written has words for regions and keeps their numbers beside", "[io][abaqus]") {
-  const TemporaryFolder folder;
+  const Folder folder;
   FileMesh mesh = file_mesh_of(two_tetrahedra());
   mesh.vertices.corners = {{3}, {1}};
   mesh.triangles.corners = {{0, 1, 2}};
@@ -205,7 +205,7 @@ TEST_CASE("what is written has words for regions and keeps their numbers beside"
 }
 
 TEST_CASE("numbers are written so that their first 20 characters are one too", "[io][abaqus]") {
-  const TemporaryFolder folder;
+  const Folder folder;
   FileMesh mesh = file_mesh_of(two_tetrahedra());
   mesh.points[0] = {1.1102230246251565e-16, -1.2345678901234567e-5, 6.123233995736766e-33};
   mesh.points[1] = {0.1 + 0.2, -1.0 / 3, 1e-40 / 3};

@@ -69,7 +69,7 @@ TEST_CASE("a file cut at any place is answered", "[io][damage]") {
 }
 
 TEST_CASE("a binary file cut at any place is answered", "[io][damage]") {
-  const TemporaryFolder folder;
+  const Folder folder;
   for (const char* name : {"body.meshb", "body.vtk"}) {
     REQUIRE_FALSE(has_error(write_mesh(folder.path() / name, two_tetrahedra())));
     const std::string whole = bytes_of(folder.path() / name);

@@ -81,7 +81,7 @@ TEST_CASE("defects of Abaqus' files are named", "[io][defects][abaqus]") {
 }
 
 TEST_CASE("included files are read in their folder only, and once", "[io][defects][abaqus]") {
-  const TemporaryFolder folder;
+  const Folder folder;
   const auto main = folder.path() / "main.inp";
   std::filesystem::create_directory(folder.path() / "parts");
   const auto put = [](const std::filesystem::path& path, std::string_view text) {

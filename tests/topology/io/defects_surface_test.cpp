@@ -87,7 +87,7 @@ void check_defects(const std::vector<Defect>& defects) {
 }
 
 std::string binary_stl() {
-  const TemporaryFolder folder;
+  const Folder folder;
   FileMesh mesh;
   mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   mesh.triangles.corners = {{0, 1, 2}};

@@ -301,7 +301,7 @@ TEST_CASE("a sample that is not read says how to convert it", "[io][defects]") {
 }
 
 TEST_CASE("each defect of a binary MEDIT file is found", "[io][defects][medit]") {
-  const TemporaryFolder folder;
+  const Folder folder;
   REQUIRE_FALSE(has_error(write_mesh(folder.path() / "good.meshb", two_tetrahedra())));
   const std::string good = bytes_of(folder.path() / "good.meshb");
   REQUIRE(good.size() == 8 + 16 + (16 + 5 * 28) + (16 + 2 * 20) + 12);
@@ -372,7 +372,7 @@ TEST_CASE("each defect of a legacy VTK file is found at its line", "[io][defects
 }
 
 TEST_CASE("a file that cannot be opened is named with the reason", "[io][defects]") {
-  const TemporaryFolder folder;
+  const Folder folder;
   const Result<TetMesh> missing = read_mesh(folder.path() / "none.msh");
   CHECK(summary(missing.findings) == "error cannot_open 0");
   CHECK(missing.findings[0].text.find("No such file") != std::string::npos);

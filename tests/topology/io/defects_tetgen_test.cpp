@@ -28,7 +28,7 @@ const std::string node = "4 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n";
 const std::string ele = "1 4 1\n1 1 2 3 4 7\n";
 const std::string face = "1 1\n1 1 2 3 5\n";
 
-Result<FileMesh> read(const TemporaryFolder& folder, const Defect& d) {
+Result<FileMesh> read(const Folder& folder, const Defect& d) {
   const auto put = [&](const char* name, const std::string& text) {
     std::filesystem::remove(folder.path() / name);
     if (!text.empty()) std::ofstream(folder.path() / name, std::ios::binary) << text;
@@ -42,7 +42,7 @@ Result<FileMesh> read(const TemporaryFolder& folder, const Defect& d) {
 }  // namespace
 
 TEST_CASE("defects of TetGen's files are named", "[io][defects][tetgen]") {
-  const TemporaryFolder folder;
+  const Folder folder;
   REQUIRE(read(folder, {"good", node, ele, face, "", "", 0, ""}));
   const Defect defects[] = {
       {"no points", "", ele, face, "missing_file", "ele", 0, "a.node"},
@@ -101,7 +101,7 @@ TEST_CASE("TetGen's files cut or changed at random are answered", "[io][damage][
   const unsigned seed = Catch::rngSeed() != 0 ? Catch::rngSeed() : 20261121;
   INFO("seed " << seed);
   std::mt19937 random(seed);
-  const TemporaryFolder folder;
+  const Folder folder;
   const std::string names[] = {"tetgen.1.node", "tetgen.1.ele", "tetgen.1.face", "tetgen.1.edge"};
   constexpr const char* pieces[] = {"99999999999", "-1", "nan", "#", "", "4294967295", "\n", ".5"};
   for (int round = 0; round < 1500; ++round) {

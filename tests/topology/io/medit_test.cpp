@@ -43,7 +43,7 @@ TEST_CASE("sections that are not used are passed over, unknown ones with a note"
 TEST_CASE("MEDIT to MSH to memory keeps what MEDIT carries", "[io][medit][round_trip]") {
   const Result<TetMesh> mesh = read_mesh(sample("gmsh.mesh"));
   REQUIRE(mesh);
-  const TemporaryFolder folder;
+  const Folder folder;
   CHECK(write_mesh(folder.path() / "a.msh", *mesh).empty());
   CHECK(identical(*mesh, *read_mesh(folder.path() / "a.msh")));
   CHECK(write_mesh(folder.path() / "a.vtu", *mesh).empty());

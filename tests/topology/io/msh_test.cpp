@@ -102,7 +102,7 @@ TEST_CASE("a mesh written as MSH comes back in every bit", "[io][msh][round_trip
     mesh.source_tetrahedron_id = {100, 50};
   }
   SECTION("with points that nothing uses") { mesh.points.push_back({1, 2, 3}); }
-  const TemporaryFolder folder;
+  const Folder folder;
   CHECK(write_mesh(folder.path() / "a.msh", mesh).empty());
   const Result<TetMesh> back = read_mesh(folder.path() / "a.msh");
   INFO(summary(back.findings));
@@ -114,7 +114,7 @@ TEST_CASE("a mesh written as MSH comes back in every bit", "[io][msh][round_trip
 TEST_CASE("Gmsh's file survives reading, writing and reading again", "[io][msh][round_trip]") {
   const Result<TetMesh> mesh = read_mesh(sample("gmsh_41_all.msh"));
   REQUIRE(mesh);
-  const TemporaryFolder folder;
+  const Folder folder;
   CHECK(write_mesh(folder.path() / "a.msh", *mesh).empty());
   const Result<TetMesh> back = read_mesh(folder.path() / "a.msh");
   REQUIRE(back);
@@ -125,7 +125,7 @@ TEST_CASE("source numbers that MSH cannot hold are given up with a warning", "[i
   TetMesh mesh = two_tetrahedra();
   SECTION("because two points have the same") { mesh.source_point_id = {1, 2, 3, 4, 4}; }
   SECTION("because one is 0") { mesh.source_point_id = {0, 1, 2, 3, 4}; }
-  const TemporaryFolder folder;
+  const Folder folder;
   CHECK(summary(write_mesh(folder.path() / "a.msh", mesh)) == "warning source_ids_lost 0");
   const Result<TetMesh> back = read_mesh(folder.path() / "a.msh");
   REQUIRE(back);
@@ -136,7 +136,7 @@ TEST_CASE("source numbers that MSH cannot hold are given up with a warning", "[i
 TEST_CASE("regions below 1 come back, with a warning about other readers", "[io][msh]") {
   TetMesh mesh = two_tetrahedra();
   mesh.region = {0, -4};
-  const TemporaryFolder folder;
+  const Folder folder;
   CHECK(summary(write_mesh(folder.path() / "a.msh", mesh)) == "warning region_not_positive 0");
   const Result<TetMesh> back = read_mesh(folder.path() / "a.msh");
   REQUIRE(back);
@@ -165,7 +165,7 @@ TEST_CASE("cells of which only some have numbers are numbered anew, and it is sa
   FileMesh mesh = file_mesh_of(two_tetrahedra());
   mesh.tetrahedra.source_id = {100, 50};
   mesh.triangles.corners = {{0, 1, 2}};
-  const TemporaryFolder folder;
+  const Folder folder;
   CHECK(summary(write_file_mesh(folder.path() / "a.msh", mesh)) == "warning source_ids_lost 0");
   CHECK(read_file_mesh(folder.path() / "a.msh")->tetrahedra.source_id.empty());
   mesh.triangles.source_id = {7};

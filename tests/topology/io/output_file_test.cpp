@@ -13,7 +13,7 @@ using namespace sunder;
 using namespace sunder::test;
 
 TEST_CASE("a file is written whole and nothing is left beside it", "[io][output_file]") {
-  const TemporaryFolder folder;
+  const Folder folder;
   const std::string_view parts[] = {"one ", "", "two"};
   CHECK_FALSE(write_file(folder.path() / "a.txt", parts));
   CHECK(bytes_of(folder.path() / "a.txt") == "one two");
@@ -23,7 +23,7 @@ TEST_CASE("a file is written whole and nothing is left beside it", "[io][output_
 }
 
 TEST_CASE("places that cannot be written to are named with the reason", "[io][output_file]") {
-  const TemporaryFolder folder;
+  const Folder folder;
   std::ofstream(folder.path() / "file") << "x";
   const auto missing = write_file(folder.path() / "no" / "a.txt", "x");
   REQUIRE(missing);
@@ -37,7 +37,7 @@ TEST_CASE("places that cannot be written to are named with the reason", "[io][ou
 }
 
 TEST_CASE("a link stays a link", "[io][output_file]") {
-  const TemporaryFolder folder;
+  const Folder folder;
   std::ofstream(folder.path() / "target") << "old";
   std::filesystem::create_symlink("target", folder.path() / "link");
   CHECK_FALSE(write_file(folder.path() / "link", "new"));
@@ -47,7 +47,7 @@ TEST_CASE("a link stays a link", "[io][output_file]") {
 
 TEST_CASE("when the disk is full the old file stays and nothing is left beside it",
           "[io][output_file]") {
-  const TemporaryFolder folder;
+  const Folder folder;
   std::ofstream(folder.path() / "a.txt") << "old";
   // A limit on the size of files stands in for a full disk; its signal has to be ignored.
   rlimit before{};

@@ -103,7 +103,7 @@ TEST_CASE("tetrahedra of any turn and any neighbour come back as they were", "[i
   const unsigned seed = Catch::rngSeed() != 0 ? Catch::rngSeed() : 20261121;
   INFO("seed " << seed);
   std::mt19937 random(seed);
-  const TemporaryFolder folder;
+  const Folder folder;
   for (int round = 0; round < 60; ++round) {
     FileMesh mesh;
     const std::size_t points = 4 + random() % 5;
@@ -132,7 +132,7 @@ TEST_CASE("tetrahedra of any turn and any neighbour come back as they were", "[i
 }
 
 TEST_CASE("data of any name and number of components come back", "[io][ovm]") {
-  const TemporaryFolder folder;
+  const Folder folder;
   FileMesh mesh = file_mesh_of(two_tetrahedra());
   mesh.region_name = {};
   for (const char* name : {"region", "", "a \"b\"", "100%", "x[0/1]", "source_cell_id"}) {

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "tests/support/io_support.hpp"
+#include "topology/io/format_traits.hpp"
 #include "topology/mesh/boundary_surface.hpp"
 
 using namespace sunder;
@@ -130,7 +131,7 @@ TEST_CASE("Gmsh's legacy VTK file is read", "[io][vtk]") {
 }
 
 TEST_CASE("a name that ends with .meshb is written as binary MEDIT", "[io][medit]") {
-  const TemporaryFolder folder;
+  const Folder folder;
   const FileMesh mesh = file_mesh_of(two_tetrahedra());
   CHECK_FALSE(has_error(write_file_mesh(folder.path() / "a.meshb", mesh)));
   CHECK(bytes_of(folder.path() / "a.meshb")[0] == 1);
@@ -141,7 +142,7 @@ namespace {
 
 /// Writes `mesh` as `variant` and reads it again; nothing is lost beyond what was told.
 FileMesh through(const FileMesh& mesh, const Variant& variant) {
-  const TemporaryFolder folder;
+  const Folder folder;
   const auto path = folder.path() / ("mesh" + std::string(variant.traits->extensions[0]));
   const auto findings = write_file_mesh(
       path, mesh, {variant.traits->format, variant.version, variant.encoding, variant.pack});
@@ -203,7 +204,7 @@ TEST_CASE("from any format to any other, what both hold comes back in every bit"
 }
 
 TEST_CASE("names of an earlier mesh do not come back with a new one", "[io][round_trip]") {
-  const TemporaryFolder folder;
+  const Folder folder;
   const auto path = folder.path() / "mesh.vtu";
   FileMesh mesh = file_mesh_of(two_tetrahedra());
   mesh.region_name[3] = {{2, "core"}};

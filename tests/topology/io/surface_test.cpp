@@ -181,7 +181,7 @@ TEST_CASE("faces of three tetrahedra and of two equal ones are no boundary", "[i
 }
 
 TEST_CASE("what a surface leaves out of a body is told, and is what is written", "[io][surface]") {
-  const TemporaryFolder folder;
+  const Folder folder;
   FileMesh mesh = block();
   mesh.points.push_back({9, 9, 9});
   mesh.triangles.corners = {{0, 1, 4}, {21, 22, 25}};
@@ -198,7 +198,7 @@ TEST_CASE("what a surface leaves out of a body is told, and is what is written",
 }
 
 TEST_CASE("binary STL tells what its floats change", "[io][stl]") {
-  const TemporaryFolder folder;
+  const Folder folder;
   FileMesh mesh;
   mesh.points = {{0, 0, 0}, {0.1, 0, 0}, {0, 1, 0}, {5, 5, 5}};
   mesh.triangles.corners = {{1, 2, 0}};
@@ -217,7 +217,7 @@ TEST_CASE("binary STL tells what its floats change", "[io][stl]") {
 }
 
 TEST_CASE("STL: -0 is 0, and a binary file may begin with solid", "[io][stl]") {
-  const TemporaryFolder folder;
+  const Folder folder;
   FileMesh mesh;
   mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0, 0, -0.0}, {0, 0, 1}};
   mesh.triangles.corners = {{0, 1, 2}, {3, 2, 4}};
@@ -376,7 +376,7 @@ TEST_CASE("big-endian PLY is read", "[io][ply]") {
 }
 
 TEST_CASE("PLY keeps types and any names; 64-bit integers where 32 bits hold them", "[io][ply]") {
-  const TemporaryFolder folder;
+  const Folder folder;
   FileMesh mesh;
   mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   mesh.triangles.corners = {{0, 1, 2}};
@@ -477,7 +477,7 @@ TEST_CASE("solids of an STL text are regions", "[io][stl]") {
   CHECK(mesh->points.size() == 3);
   CHECK(mesh->triangles.region == std::vector<std::int32_t>{1, 0, 7, 7});
   CHECK(mesh->region_name[2] == std::map<std::int32_t, std::string>{{1, "inlet wall"}});
-  const TemporaryFolder folder;
+  const Folder folder;
   CHECK(has(write_file_mesh(folder.path() / "a.stl", *mesh), "regions_lost", 4));
   const auto findings =
       write_file_mesh(folder.path() / "a.stl", *mesh, {.encoding = Encoding::text});

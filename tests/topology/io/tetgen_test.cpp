@@ -73,7 +73,7 @@ TEST_CASE("meshio's TetGen files are read with the names of their data", "[io][t
 }
 
 TEST_CASE("points are enough; other files and their packed forms come along", "[io][tetgen]") {
-  const TemporaryFolder folder;
+  const Folder folder;
   const auto node = folder.path() / "a.b.node";
   write(node, points);
   Result<FileMesh> mesh = read_file_mesh(node);
@@ -93,7 +93,7 @@ TEST_CASE("points are enough; other files and their packed forms come along", "[
 }
 
 TEST_CASE("points may be numbered from any number", "[io][tetgen]") {
-  const TemporaryFolder folder;
+  const Folder folder;
   write(folder.path() / "a.node", "# four\n\n4  3\n7 0 0 0 # here\n8 1 0 0\r\n9 0 1 0\n10 0 0 1");
   write(folder.path() / "a.ele", "1\n\n# it\n5 7 8 9 10");
   const Result<FileMesh> mesh = read_file_mesh(folder.path() / "a.ele");
@@ -105,7 +105,7 @@ TEST_CASE("points may be numbered from any number", "[io][tetgen]") {
 }
 
 TEST_CASE("names of data come back whatever they are", "[io][tetgen]") {
-  const TemporaryFolder folder;
+  const Folder folder;
   FileMesh mesh = file_mesh_of(two_tetrahedra());
   mesh.region_name = {};
   const auto with_names = [](std::vector<std::string> names, std::size_t rows) {
@@ -137,7 +137,7 @@ TEST_CASE("names of data come back whatever they are", "[io][tetgen]") {
 }
 
 TEST_CASE("triangles and edges of an earlier mesh do not stay", "[io][tetgen]") {
-  const TemporaryFolder folder;
+  const Folder folder;
   FileMesh mesh = file_mesh_of(two_tetrahedra());
   mesh.triangles.corners = {{0, 1, 2}};
   mesh.edges.corners = {{0, 1}};
@@ -166,7 +166,7 @@ TEST_CASE("what TetGen's files do not hold is told", "[io][tetgen]") {
 }
 
 TEST_CASE("a file named as TetGen's is known by its content all the same", "[io][tetgen]") {
-  const TemporaryFolder folder;
+  const Folder folder;
   std::filesystem::copy(sample("gmsh.mesh"), folder.path() / "a.node");
   const Result<FileMesh> mesh = read_file_mesh(folder.path() / "a.node");
   REQUIRE(mesh);

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "tests/support/io_support.hpp"
+#include "topology/io/format_traits.hpp"
 #include "topology/io/vtu/vtu.hpp"
 
 using namespace sunder;
@@ -13,7 +14,7 @@ TEST_CASE("a mesh written as VTU comes back in every bit, its region names from 
   TetMesh mesh = two_tetrahedra();
   mesh.source_point_id = {9, 4, 1'000'000'000'000, 4, -2};
   mesh.source_tetrahedron_id = {0, 50};
-  const TemporaryFolder folder;
+  const Folder folder;
   CHECK(summary(write_mesh(folder.path() / "a.VTU", mesh)) == "note names_beside 0");
   CHECK(folder.names() == std::vector<std::string>{"a.VTU", "a.VTU.regions"});
   const Result<TetMesh> back = read_mesh(folder.path() / "a.VTU");
@@ -34,7 +35,7 @@ TEST_CASE("the columns of a frame stand in the file as they were given", "[io][v
   const NamedColumn cells[] = {{"stress", std::span<const double>(stress)},
                                {"region", std::span<const std::int32_t>(component)},
                                {"shade", std::span<const float>(shade), 3}};
-  const TemporaryFolder folder;
+  const Folder folder;
   const auto path = folder.path() / "frame.vtu";
   REQUIRE(write_vtu(path, mesh, points, cells).empty());
   const std::string bytes = bytes_of(path);
@@ -52,7 +53,7 @@ TEST_CASE("the columns of a frame stand in the file as they were given", "[io][v
 TEST_CASE("a column of the wrong length is refused and nothing is written", "[io][vtu]") {
   const std::vector<double> three{1, 2, 3};
   const NamedColumn column{"stress", std::span<const double>(three)};
-  const TemporaryFolder folder;
+  const Folder folder;
   const auto findings = write_vtu(folder.path() / "a.vtu", two_tetrahedra(), {}, {{column}});
   REQUIRE(summary(findings) == "error bad_column 0");
   CHECK(findings[0].text ==
@@ -62,7 +63,7 @@ TEST_CASE("a column of the wrong length is refused and nothing is written", "[io
 }
 
 TEST_CASE("a PVD list names each frame with its time", "[io][vtu]") {
-  const TemporaryFolder folder;
+  const Folder folder;
   const PvdFrame frames[] = {{0, "f/0000.vtu"}, {0.1, "f/0001 & more.vtu"}};
   REQUIRE(write_pvd(folder.path() / "run.pvd", frames).empty());
   CHECK(bytes_of(folder.path() / "run.pvd") ==

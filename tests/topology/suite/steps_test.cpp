@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <set>
 
-#include "topology/mesh/build_map.hpp"
 #include "topology/kernel/fan.hpp"
-#include "topology/suite/judge/judge_truth.hpp"
+#include "topology/mesh/build_map.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
-#include "topology/suite/judge/shrink.hpp"
 #include "topology/suite/fixtures/steps.hpp"
+#include "topology/suite/judge/judge_truth.hpp"
+#include "topology/suite/judge/shrink.hpp"
 
 using namespace sunder;
 using namespace sunder::suite;

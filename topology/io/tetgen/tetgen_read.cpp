@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "topology/io/format_traits.hpp"
 #include "topology/io/named_regions.hpp"
 #include "topology/io/scan.hpp"
 #include "topology/io/tetgen/tetgen.hpp"

@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "topology/suite/kernels/operation.hpp"
 #include "topology/kernel/tet_mesh.hpp"
+#include "topology/suite/kernels/operation.hpp"
 
 namespace sunder::suite {
 

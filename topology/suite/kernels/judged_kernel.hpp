@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "topology/kernel/finding.hpp"
-#include "topology/suite/kernels/operation.hpp"
 #include "topology/kernel/tet_mesh.hpp"
+#include "topology/suite/kernels/operation.hpp"
 
 namespace sunder::suite {
 

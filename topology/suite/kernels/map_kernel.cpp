@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "topology/mesh/build_map.hpp"
 #include "topology/kernel/components.hpp"
 #include "topology/kernel/fan.hpp"
 #include "topology/kernel/invariants.hpp"
 #include "topology/kernel/split_face.hpp"
+#include "topology/mesh/build_map.hpp"
 #include "topology/suite/kernels/judged_kernel.hpp"
 
 namespace sunder::suite {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "topology/suite/fixtures/shapes.hpp"
 #include "topology/kernel/tet_mesh.hpp"
+#include "topology/suite/fixtures/shapes.hpp"
 
 namespace sunder::suite {
 

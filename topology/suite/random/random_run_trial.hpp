@@ -7,12 +7,12 @@
 #include <span>
 #include <vector>
 
+#include "topology/kernel/tet_mesh.hpp"
 #include "topology/suite/fixtures/fixture.hpp"
 #include "topology/suite/judge/glue_twin.hpp"
 #include "topology/suite/judge/judge_checks.hpp"
 #include "topology/suite/kernels/judged_kernel.hpp"
 #include "topology/suite/kernels/operation.hpp"
-#include "topology/kernel/tet_mesh.hpp"
 
 namespace sunder::suite {
 

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// `sunder chart`: the error of one quantity over the time to compute it, for every way of stepping.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/bench/chart/chart_grid.hpp"
+#include "apps/bench/chart/chart_run.hpp"
+#include "apps/sunder/exit_code.hpp"
+
+namespace sunder {
+
+/// What a user asks of `sunder chart`.
+struct ChartArguments {
+  std::filesystem::path scene;
+  std::string quantity = "position";
+  /// Empty: out/chart_ and the scene file's name without its ending.
+  std::filesystem::path folder;
+  double within = 0.01;
+  double limit = 20;
+  /// Numbers, or "start"; empty: a converged run.
+  std::string exact;
+  std::string probe;
+  std::vector<std::string> methods, variants, meshes, settings;
+  std::vector<double> steps, fractions;
+  /// Refinements of the scene's meshes; -1: one where that leaves at most 20 000 tetrahedra.
+  int levels = -1;
+  bool quick = false, quiet = false, json = false;
+};
+
+/// What errors are measured against.
+struct ChartReference {
+  Vec3 value = Vec3::Zero();
+  /// What differences are divided by.
+  double scale = 1;
+  /// Error of the reference itself, as far as it is known: the largest difference to the runs
+  /// next to it in step and in mesh, over `scale`. 0: given as exact.
+  double own_error = 0;
+  /// In words.
+  std::string how;
+};
+
+struct ChartPoint {
+  ChartSetting setting;
+  ChartOutcome outcome;
+  /// |value - reference| / scale; of a run that ended otherwise than fine not a number.
+  double error = std::numeric_limits<double>::quiet_NaN();
+  /// The largest error of this and of all shorter steps of its series: an error that a still
+  /// shorter step would lose again was luck. Not finite where one of those failed.
+  double lasting_error = std::numeric_limits<double>::quiet_NaN();
+  bool on_front = false;
+};
+
+/// A whole chart.
+struct Chart {
+  std::string scene;
+  Probe probe;
+  /// s.
+  double duration = 0;
+  ChartReference reference;
+  /// Of each mesh.
+  std::vector<std::size_t> tetrahedra;
+  std::vector<ChartPoint> points;
+  /// Rows of `points`, ascending in cost.
+  std::vector<std::size_t> front;
+  /// The schema's default setting at the scene's step, and the cheapest run of the paper's own
+  /// method; none where not fine.
+  std::optional<std::size_t> default_point, paper_point;
+  double within = 0;
+  /// The cheapest whose lasting error is within.
+  std::optional<std::size_t> cheapest;
+};
+
+/// What an error counts as: not below the reference's own.
+double counted_error(const ChartReference& reference, double error);
+
+/// Runs everything. `told` hears of every run before it begins. Errors: unknown_quantity,
+/// unknown_method, bad_setting, no_reference, and those of reading and building the scene.
+Result<Chart> make_chart(const ChartArguments& arguments,
+                         const std::function<void(const std::string&)>& told);
+
+/// Adds the subcommand `chart` to the program; `exit_code` is set when it has run.
+void add_chart_command(CLI::App& program, ExitCode& exit_code);
+
+}  // namespace sunder

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+// The command line of `sunder chart`, and the files it leaves.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "apps/bench/chart/chart.hpp"
+#include "apps/bench/chart/chart_mesh.hpp"
+#include "apps/bench/chart/chart_report.hpp"
+#include "apps/scene/scene_json.hpp"
+#include "apps/scene/words.hpp"
+#include "apps/sunder/gnuplot.hpp"
+#include "topology/io/mesh_file.hpp"
+#include "topology/io/output_file.hpp"
+
+namespace sunder {
+namespace {
+
+std::string footer() {
+  std::string text = R"(
+Runs SCENE with every method, step, impact window and mesh, and compares the error of one quantity
+with the time to compute it: DIR/QUANTITY.csv (every run; those that diverged, broke nothing or
+took too long with their reason) and DIR/QUANTITY.png (by gnuplot). Ends with the cheapest setting
+inside --within, as keys of a scene: one whose shorter steps are inside too, since an error that
+grows again with a shorter step was small by chance.
+
+Quantities:
+)";
+  for (const QuantityTraits& q : quantities()) {
+    text += fmt::format("  {:<18} {}{}\n", q.name, q.text,
+                        q.unit.empty() ? "" : fmt::format(" ({})", q.unit));
+  }
+  text += "\nMethods:\n";
+  for (const ChartMethod& m : chart_methods()) text += fmt::format("  {}\n", m.name);
+  return text + R"(
+Errors are against --exact, or against the default method at half the shortest step (with impacts at
+most a quarter of the time in which a wave crosses a cell) on the finest mesh; what that run still
+changes with step, window and mesh is its own error, and no point counts as better. Times are ms of
+mechanics, fracture and rebuilding (first factors too) per simulated ms, medians of up to a hundred
+runs, without the time that other programs took of the processor: compare ratios, not machines.
+given_up counts steps whose iterations did not converge and that were solved with the factor.
+Steps are whole fractions of the duration. Those of methods that are stable only below a bound are
+fractions of that bound on each mesh.
+
+Exit codes: 0 done, 1 no run is inside --within, 2 usage, 3 bad scene, mesh or reference,
+4 not written.
+
+Examples:
+  sunder chart meshes/scenes/charts/bar.json --quantity peak_stress --exact 4.5e6
+  sunder chart meshes/scenes/monolith.json --quantity largest_piece --quick --levels 0
+  sunder chart meshes/scenes/block.json --quantity largest_piece --vary contact.max_iterations=10,40,200
+)";
+}
+
+void print(const std::vector<Finding>& findings) {
+  fmt::print(stderr, "{}", finding_lines(findings));
+}
+
+/// Writes the finer meshes that the answer needs, and says which.
+std::vector<Finding> write_meshes(const ChartArguments& arguments, const ChartPoint& point,
+                                  std::string& said) {
+  if (point.setting.mesh == 0 && arguments.meshes.empty()) return {};
+  if (!arguments.meshes.empty()) {
+    said += fmt::format("bodies.0.mesh: {}\n", arguments.meshes[point.setting.mesh]);
+    return {};
+  }
+  Result<SceneFile> file = read_scene(arguments.scene, arguments.settings);
+  if (!file) return file.findings;
+  for (std::size_t b = 0; b < file->scene.bodies.size(); ++b) {
+    TetMesh mesh = file->scene.bodies[b].mesh;
+    for (std::size_t k = 0; k < point.setting.mesh; ++k) mesh = refined(mesh);
+    const auto path = arguments.folder / fmt::format("body_{}_finer_{}.msh", b, point.setting.mesh);
+    const std::vector<Finding> findings = write_mesh(path, mesh);
+    if (has_error(findings)) return findings;
+    said += fmt::format("bodies.{}.mesh: {}\n", b, path.string());
+  }
+  return {};
+}
+
+/// What the chart comes to, for people.
+std::string answer_text(const Chart& chart) {
+  if (!chart.cheapest) {
+    const double own = chart.reference.own_error;
+    return fmt::format("No run is inside an error of {:.3g}{}.\n", chart.within,
+                       own > chart.within
+                           ? fmt::format(", nor can one be: the reference's own is {:.2g}", own)
+                           : "");
+  }
+  const ChartPoint& p = chart.points[*chart.cheapest];
+  return fmt::format("Cheapest inside an error of {:.3g}: {}\n{}\n", chart.within,
+                     setting_text(chart, p.setting), setting_json(p.setting).dump(2));
+}
+
+ExitCode write_chart(const ChartArguments& arguments, const Chart& chart) {
+  std::error_code error;
+  std::filesystem::create_directories(arguments.folder, error);
+  const std::string name(traits_of(chart.probe.quantity).name);
+  std::vector<Finding> findings;
+  const auto keep = [&](std::optional<Finding> f) {
+    if (f) findings.push_back(std::move(*f));
+  };
+  keep(write_file(arguments.folder / (name + ".csv"), chart_csv(chart)));
+  if (!has_error(findings)) keep(draw_png(chart_script(chart), arguments.folder / (name + ".png")));
+  std::string meshes;
+  if (chart.cheapest) {
+    for (Finding& f : write_meshes(arguments, chart.points[*chart.cheapest], meshes)) {
+      findings.push_back(std::move(f));
+    }
+  }
+  print(findings);
+  if (arguments.json) {
+    fmt::print("{}\n", chart_json(chart).dump(2));
+  } else {
+    fmt::print("{}{:<14} {}\n\n{}{}", chart_table(chart), "written to", arguments.folder.string(),
+               answer_text(chart), meshes);
+  }
+  if (has_error(findings)) return ExitCode::not_written;
+  return chart.cheapest ? ExitCode::fine : ExitCode::problems;
+}
+
+ExitCode run_chart_command(ChartArguments arguments) {
+  if (arguments.folder.empty()) {
+    arguments.folder =
+        std::filesystem::path("out") / fmt::format("chart_{}", arguments.scene.stem().string());
+  }
+  const Result<Chart> chart = make_chart(arguments, [&](const std::string& what) {
+    if (!arguments.quiet) fmt::print(stderr, "{}\n", what);
+  });
+  print(chart.findings);
+  if (!chart) return ExitCode::bad_input;
+  return write_chart(arguments, *chart);
+}
+
+void add_grid_options(CLI::App& command, ChartArguments& a) {
+  command.add_option("--method", a.methods, "Only these methods; may be given often; default: all")
+      ->type_name("NAME")
+      ->take_all();
+  command
+      .add_option("--steps", a.steps, "Steps; default: 8 times the scene's to a sixteenth of it")
+      ->type_name("SECONDS,...")
+      ->delimiter(',')
+      ->check(CLI::PositiveNumber);
+  command
+      .add_option("--windows", a.fractions,
+                  "Sub-steps of impact windows over L/c, 0 for no window; default: 0, 1/4, 1/16, "
+                  "1/64")
+      ->type_name("SHARE,...")
+      ->delimiter(',')
+      ->check(CLI::Range(0.0, 1.0));
+  CLI::Option* levels =
+      command
+          .add_option("--levels", a.levels,
+                      "Refine the meshes up to N times, eight tetrahedra for one; default: once "
+                      "where that leaves at most 20 000")
+          ->type_name("N")
+          ->check(CLI::Range(0, 5));
+  command
+      .add_option("--mesh", a.meshes,
+                  "Meshes of the first body instead, coarse to fine; may be given often")
+      ->type_name("FILE")
+      ->take_all()
+      ->excludes(levels);
+  command
+      .add_option("--vary", a.variants,
+                  "Cross with values of one more key of the scene: impact.negligible=0.03,0.1,0.3")
+      ->type_name("KEY=VALUE,...")
+      ->take_all();
+  command.add_flag("--quick", a.quick, "Half the steps, one window");
+}
+
+void add_options(CLI::App& command, ChartArguments& a) {
+  command.add_option("SCENE", a.scene, "Scene file (JSON)")->required();
+  command.add_option("--quantity", a.quantity, "What errors are of; default: position")
+      ->type_name("NAME");
+  command.add_option("-o,--out", a.folder, "Folder; default: out/chart_ and the scene's name")
+      ->type_name("DIR");
+  command.add_option("--within", a.within, "Error to stay inside; default: 0.01")
+      ->type_name("ERROR")
+      ->check(CLI::PositiveNumber);
+  command
+      .add_option("--exact", a.exact,
+                  "The true value (three numbers for a vector), or 'start' for what is conserved")
+      ->type_name("VALUE");
+  command
+      .add_option("--probe", a.probe,
+                  "Point of the first body for 'position', m, in its mesh; default: the farthest "
+                  "from the mesh's origin")
+      ->type_name("X,Y,Z");
+  command.add_option("--limit", a.limit, "Wall seconds a run may take; default: 20")
+      ->type_name("SECONDS")
+      ->check(CLI::PositiveNumber);
+  add_grid_options(command, a);
+  command.add_option("--set", a.settings, "Change a value of the scene; may be given often")
+      ->type_name("KEY=VALUE")
+      ->take_all();
+  command.add_flag("--quiet", a.quiet, "No progress on stderr");
+  command.add_flag("--json", a.json, "Print the chart as JSON instead of a table");
+}
+
+}  // namespace
+
+void add_chart_command(CLI::App& program, ExitCode& exit_code) {
+  CLI::App* command = program.add_subcommand(
+      "chart", "Chart the error of a scene's runs over their computing time");
+  const auto arguments = std::make_shared<ChartArguments>();
+  add_options(*command, *arguments);
+  command->footer(footer());
+  command->callback([=, &exit_code] { exit_code = run_chart_command(*arguments); });
+}
+
+}  // namespace sunder

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: MIT
+# The public headers <sunder/NAME.hpp>, and the headers of the tree that each is made of, in the order in which they need
+# each other. (version.hpp is made from version.hpp.in.) A host needs Eigen for them and nothing else, but for cgal_map.
+
+door(finding "What is wrong with an input, and results that carry it."
+  topology/kernel/finding.hpp)
+
+door(mesh "Tetrahedral meshes: cells, files in and out, checks."
+  topology/kernel/ids.hpp
+  topology/kernel/tet_mesh.hpp
+  topology/mesh/file_mesh.hpp
+  topology/io/mesh_file.hpp
+  topology/kernel/counts.hpp
+  topology/mesh/check.hpp)
+
+door(map "The 3-map of a body: faces split and glued, fans, components, invariants."
+  topology/kernel/kernel.hpp
+  topology/kernel/volume_map.hpp
+  topology/mesh/build_map.hpp
+  topology/kernel/split_face.hpp
+  topology/kernel/fan.hpp
+  topology/kernel/components.hpp
+  topology/kernel/invariants.hpp
+  topology/kernel/map_mesh.hpp)
+
+door(mechanics "Materials, obstacles, and what a user chooses about integration, contact and impacts."
+  mechanics/state/vec3.hpp
+  topology/kernel/counters.hpp
+  mechanics/state/material.hpp
+  mechanics/contact/obstacle.hpp
+  mechanics/contact/contact_settings.hpp
+  mechanics/contact/impact_settings.hpp
+  mechanics/contact/contact_report.hpp
+  mechanics/state/settings.hpp
+  mechanics/state/step_status.hpp
+  mechanics/state/rung.hpp)
+
+door(simulation "Scenes, how to build, step, save and load them, and what a step reports."
+  fracture/strength/body_settings.hpp
+  fracture/algorithms/fracture_settings.hpp
+  fracture/simulation/ladder_settings.hpp
+  fracture/simulation/scene.hpp
+  fracture/algorithms/fan_event.hpp
+  fracture/algorithms/fracture_report.hpp
+  fracture/energy/settled_crack.hpp
+  fracture/simulation/step_report.hpp
+  topology/kernel/owned.hpp
+  fracture/simulation/simulation.hpp
+  fracture/saving/saved_state.hpp)
+
+door(scene "Scene files: JSON, every key checked."
+  apps/scene/output_settings.hpp
+  apps/scene/scene_json.hpp)
+
+door(fragments "Pieces: mass, motion, inertia, surface, crack faces; tables of them."
+  apps/output/fragment.hpp
+  apps/output/tables.hpp)
+
+door(frames "VTU frames of a simulation for viewers, and their list."
+  topology/io/vtu/vtu.hpp
+  apps/output/frame.hpp)
+
+door(statics "Equilibrium of a scene's bodies, and their natural modes."
+  fracture/simulation/statics.hpp)
+
+door(cgal_map "For researchers: CGAL's combinatorial map behind a VolumeMap. Needs CGAL; 12 s a source."
+  topology/kernel/dart_map.hpp)

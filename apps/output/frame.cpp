@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// Columns of a frame from the state of a simulation.
+#include "apps/output/frame.hpp"
+
+#include <array>
+#include <cstdint>
+
+#include "fracture/algorithms/find_fractures.hpp"
+#include "fracture/algorithms/threshold_test.hpp"
+#include "fracture/simulation/simulation_state.hpp"
+#include "topology/io/vtu/vtu.hpp"
+
+namespace sunder {
+namespace {
+
+/// Which body and region every tetrahedron came from: what splits do not change.
+struct Origins {
+  std::vector<std::int32_t> body;
+  /// 0 where the mesh names no regions.
+  std::vector<std::int32_t> region;
+};
+
+Origins origins(const std::vector<BodySettings>& bodies) {
+  Origins result;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const TetMesh& mesh = bodies[b].mesh;
+    result.body.resize(result.body.size() + mesh.tetrahedra.size(), static_cast<std::int32_t>(b));
+    result.region.insert(result.region.end(), mesh.region.begin(), mesh.region.end());
+    result.region.resize(result.body.size(), 0);
+  }
+  return result;
+}
+
+/// Point data of a frame, a row a vertex.
+struct VertexData {
+  std::vector<Vec3> displacement;  ///< m, world
+  std::vector<double> stress;      ///< Pa, world, six each in VTK's order
+  std::vector<double> largest;     ///< Pa
+};
+
+VertexData vertex_data(const MechanicsState& mechanics, const std::vector<Mat3>& node_stress) {
+  const VertexColumns& v = mechanics.vertices;
+  VertexData data;
+  data.displacement.reserve(v.size());
+  data.stress.reserve(6 * v.size());
+  data.largest.reserve(v.size());
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    const Component& component = mechanics.components[v.component[i].index()];
+    const Mat3 R = component.orientation.toRotationMatrix();
+    data.displacement.emplace_back(R * v.displacement[i]);
+    const Mat3 s = R * node_stress[i] * R.transpose();
+    data.stress.insert(data.stress.end(), {s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(1, 2), s(0, 2)});
+    data.largest.push_back(largest_principal_stress(node_stress[i]));
+  }
+  return data;
+}
+
+}  // namespace
+
+std::vector<Finding> write_frame(const std::filesystem::path& path, const Simulation& simulation) {
+  const Cells& cells = simulation.state->cells;
+  const MechanicsState& mechanics = simulation.state->mechanics;
+  const VertexColumns& v = mechanics.vertices;
+  const VertexData data = vertex_data(
+      mechanics, node_stress_of(cells, mechanics, simulation.scene.fracture.node_stress));
+  TetMesh mesh;
+  mesh.points.reserve(v.size());
+  for (const Vec3& x : v.position) mesh.points.push_back({x[0], x[1], x[2]});
+  std::vector<std::uint32_t> component;
+  component.reserve(cells.map.tetrahedra());
+  mesh.tetrahedra.reserve(cells.map.tetrahedra());
+  for (const std::array<VertexId, 4>& c : cells.map.corners()) {
+    mesh.tetrahedra.push_back({c[0].value, c[1].value, c[2].value, c[3].value});
+    component.push_back(cells.labels.of_tetrahedron[component.size()].value);
+  }
+  const Origins origin = origins(simulation.scene.bodies);
+  const std::array point_data = {
+      vector_column("displacement", data.displacement), vector_column("velocity", v.velocity),
+      NamedColumn{"node_stress", std::span<const double>(data.stress), 6},
+      NamedColumn{"largest_principal_stress", std::span<const double>(data.largest)}};
+  const std::array cell_data = {
+      NamedColumn{"component", std::span<const std::uint32_t>(component)},
+      NamedColumn{"body", std::span<const std::int32_t>(origin.body)},
+      NamedColumn{"region", std::span<const std::int32_t>(origin.region)}};
+  return write_vtu(path, mesh, point_data, cell_data);
+}
+
+}  // namespace sunder

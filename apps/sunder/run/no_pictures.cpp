@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// In place of pictures.cpp where the program is built without the renderer.
+#include "apps/sunder/run/pictures.hpp"
+
+namespace sunder {
+
+struct Pictures::Parts {};
+
+Pictures::Pictures(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+Pictures::Pictures(Pictures&&) noexcept = default;
+Pictures& Pictures::operator=(Pictures&&) noexcept = default;
+Pictures::~Pictures() = default;
+
+Result<Pictures> Pictures::open(const Simulation&, const PictureSettings&) {
+  return Finding{.code = "no_renderer",
+                 .text = "pictures are asked for, but this sunder was built without the renderer",
+                 .remedy =
+                     "leave out --png and the scene's output.pictures, or build with "
+                     "-DSUNDER_BUILD_RENDERER=ON"};
+}
+
+std::vector<Finding> Pictures::draw(const std::filesystem::path&, const Simulation&) { return {}; }
+
+}  // namespace sunder

@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: MIT
+// Plain data as bytes and back by one definition: numbers little endian and of their own width,
+// counts as 64 bits, containers and structs member by member.
+#pragma once
+
+#include <Eigen/Dense>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "topology/kernel/ids.hpp"
+
+namespace sunder {
+
+/// Calls `visit` with every member of a struct, in their order. Overloads of `member_count(const
+/// T*)` say how many there are: a struct that gains or loses one does not compile until its number,
+/// and with it the format, is looked at.
+template <class T, class Visit>
+void for_each_member(T& x, Visit visit) {
+  constexpr int n = member_count(static_cast<const T*>(nullptr));
+  static_assert(n >= 1 && n <= 17);
+  const auto all = [&](auto&... member) { (visit(member), ...); };
+  if constexpr (n == 1) {
+    auto& [a] = x;
+    all(a);
+  } else if constexpr (n == 2) {
+    auto& [a, b] = x;
+    all(a, b);
+  } else if constexpr (n == 3) {
+    auto& [a, b, c] = x;
+    all(a, b, c);
+  } else if constexpr (n == 4) {
+    auto& [a, b, c, d] = x;
+    all(a, b, c, d);
+  } else if constexpr (n == 5) {
+    auto& [a, b, c, d, e] = x;
+    all(a, b, c, d, e);
+  } else if constexpr (n == 6) {
+    auto& [a, b, c, d, e, f] = x;
+    all(a, b, c, d, e, f);
+  } else if constexpr (n == 7) {
+    auto& [a, b, c, d, e, f, g] = x;
+    all(a, b, c, d, e, f, g);
+  } else if constexpr (n == 8) {
+    auto& [a, b, c, d, e, f, g, h] = x;
+    all(a, b, c, d, e, f, g, h);
+  } else if constexpr (n == 9) {
+    auto& [a, b, c, d, e, f, g, h, i] = x;
+    all(a, b, c, d, e, f, g, h, i);
+  } else if constexpr (n == 10) {
+    auto& [a, b, c, d, e, f, g, h, i, j] = x;
+    all(a, b, c, d, e, f, g, h, i, j);
+  } else if constexpr (n == 11) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k] = x;
+    all(a, b, c, d, e, f, g, h, i, j, k);
+  } else if constexpr (n == 12) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l] = x;
+    all(a, b, c, d, e, f, g, h, i, j, k, l);
+  } else if constexpr (n == 13) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m] = x;
+    all(a, b, c, d, e, f, g, h, i, j, k, l, m);
+  } else if constexpr (n == 14) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o] = x;
+    all(a, b, c, d, e, f, g, h, i, j, k, l, m, o);
+  } else if constexpr (n == 15) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p] = x;
+    all(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p);
+  } else if constexpr (n == 16) {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q] = x;
+    all(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q);
+  } else {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r] = x;
+    all(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r);
+  }
+}
+
+template <class T>
+concept Scalar = std::is_arithmetic_v<T> || std::is_enum_v<T>;
+
+/// A number as the bytes of a file, and back: the same call.
+template <Scalar T>
+T little_endian(T x) {
+  if constexpr (std::endian::native == std::endian::big) {
+    auto bytes = std::bit_cast<std::array<char, sizeof(T)>>(x);
+    for (std::size_t i = 0; i < sizeof(T) / 2; ++i) std::swap(bytes[i], bytes[sizeof(T) - 1 - i]);
+    x = std::bit_cast<T>(bytes);
+  }
+  return x;
+}
+
+/// Appends to `bytes`.
+struct StateWriter {
+  std::string bytes;
+
+  template <Scalar T>
+  void numbers(const T* x, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const T number = little_endian(x[i]);
+      bytes.append(reinterpret_cast<const char*>(&number), sizeof(T));
+    }
+  }
+  void count(const std::uint64_t& n) { numbers(&n, 1); }
+};
+
+/// Takes from the front of `bytes`. What is not there, or claims to be more than is there, fails;
+/// after that nothing is read or allocated any more.
+struct StateReader {
+  std::string_view bytes;
+  bool failed = false;
+
+  template <Scalar T>
+  void numbers(T* x, std::size_t count) {
+    if (failed || count > bytes.size() / sizeof(T)) {
+      failed = true;
+      return;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      std::array<char, sizeof(T)> raw;
+      std::memcpy(raw.data(), bytes.data() + i * sizeof(T), sizeof(T));
+      if constexpr (std::is_same_v<T, bool>) {
+        x[i] = raw[0] != 0;
+      } else {
+        x[i] = little_endian(std::bit_cast<T>(raw));
+      }
+    }
+    bytes.remove_prefix(count * sizeof(T));
+  }
+  /// A number of things that take at least `least` bytes each.
+  void count(std::uint64_t& n, std::size_t least = 1) {
+    n = 0;
+    numbers(&n, 1);
+    failed = failed || n > bytes.size() / least;
+    if (failed) n = 0;
+  }
+};
+
+template <class Archive>
+inline constexpr bool is_reader = std::is_same_v<Archive, StateReader>;
+
+template <class Archive, class T>
+void archive(Archive& a, T& x);
+
+template <class Archive, class T>
+void archive_all(Archive& a, T& container) {
+  using Value = typename std::remove_const_t<T>::value_type;
+  std::uint64_t n = container.size();
+  if constexpr (Scalar<Value>) {
+    if constexpr (is_reader<Archive>) {
+      a.count(n, sizeof(Value));
+      container.resize(n);
+    } else {
+      a.count(n);
+    }
+    a.numbers(container.data(), n);
+  } else if constexpr (is_reader<Archive>) {
+    a.count(n);
+    container.clear();
+    for (std::uint64_t i = 0; i < n && !a.failed; ++i) {
+      container.emplace_back();
+      archive(a, container.back());
+    }
+  } else {
+    a.count(n);
+    for (auto& value : container) archive(a, value);
+  }
+}
+
+template <class Archive, class T>
+void archive_dynamic(Archive& a, T& matrix) {
+  std::uint64_t rows = static_cast<std::uint64_t>(matrix.rows());
+  std::uint64_t columns = static_cast<std::uint64_t>(matrix.cols());
+  a.count(rows);
+  a.count(columns);
+  if constexpr (is_reader<Archive>) {
+    using M = std::remove_const_t<T>;
+    const bool fits = columns == 0 || rows <= a.bytes.size() / sizeof(double) / columns;
+    const bool fixed = M::RowsAtCompileTime != Eigen::Dynamic &&
+                       rows != static_cast<std::uint64_t>(M::RowsAtCompileTime);
+    const bool narrow = M::ColsAtCompileTime != Eigen::Dynamic &&
+                        columns != static_cast<std::uint64_t>(M::ColsAtCompileTime);
+    a.failed = a.failed || !fits || fixed || narrow;
+    if (a.failed) return;
+    matrix.resize(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(columns));
+  }
+  a.numbers(matrix.data(), static_cast<std::size_t>(matrix.size()));
+}
+
+template <class T>
+inline constexpr bool is_id = false;
+template <class Tag>
+inline constexpr bool is_id<Id<Tag>> = true;
+template <class T>
+inline constexpr bool is_pair = false;
+template <class A, class B>
+inline constexpr bool is_pair<std::pair<A, B>> = true;
+template <class T>
+inline constexpr bool is_optional = false;
+template <class T>
+inline constexpr bool is_optional<std::optional<T>> = true;
+template <class T>
+inline constexpr bool is_unique = false;
+template <class T>
+inline constexpr bool is_unique<std::unique_ptr<T>> = true;
+template <class T>
+inline constexpr bool is_variant = false;
+template <class... T>
+inline constexpr bool is_variant<std::variant<T...>> = true;
+template <class T>
+inline constexpr bool is_map = false;
+template <class K, class V>
+inline constexpr bool is_map<std::map<K, V>> = true;
+
+/// The value of a variant by the number of its alternative.
+template <class Archive, class T, std::size_t... I>
+void archive_variant(Archive& a, T& x, std::index_sequence<I...>) {
+  std::uint64_t which = x.index();
+  a.count(which);
+  const auto one = [&]<std::size_t i>() {
+    if (which != i) return;
+    if constexpr (is_reader<Archive>) x.template emplace<i>();
+    archive(a, std::get<i>(x));
+  };
+  (one.template operator()<I>(), ...);
+  if constexpr (is_reader<Archive>) a.failed = a.failed || which >= sizeof...(I);
+}
+
+/// Writes `x` with a `StateWriter`, or reads it with a `StateReader`.
+template <class Archive, class T>
+void archive(Archive& a, T& x) {
+  using V = std::remove_const_t<T>;
+  if constexpr (Scalar<V>) {
+    a.numbers(&x, 1);
+  } else if constexpr (is_id<V>) {
+    a.numbers(&x.value, 1);
+  } else if constexpr (requires { V::RowsAtCompileTime; }) {
+    if constexpr (V::SizeAtCompileTime == Eigen::Dynamic) {
+      archive_dynamic(a, x);
+    } else {
+      a.numbers(x.data(), static_cast<std::size_t>(V::SizeAtCompileTime));
+    }
+  } else if constexpr (requires { x.coeffs(); }) {
+    a.numbers(x.coeffs().data(), 4);
+  } else if constexpr (is_pair<V>) {
+    archive(a, x.first);
+    archive(a, x.second);
+  } else if constexpr (is_optional<V> || is_unique<V>) {
+    bool has = static_cast<bool>(x);
+    archive(a, has);
+    if constexpr (is_reader<Archive>) {
+      x.reset();
+      if constexpr (is_optional<V>) {
+        if (has) x.emplace();
+      } else {
+        if (has) x = std::make_unique<typename V::element_type>();
+      }
+    }
+    if (has) archive(a, *x);
+  } else if constexpr (is_variant<V>) {
+    archive_variant(a, x, std::make_index_sequence<std::variant_size_v<V>>());
+  } else if constexpr (is_map<V>) {
+    if constexpr (is_reader<Archive>) {
+      std::vector<std::pair<typename V::key_type, typename V::mapped_type>> pairs;
+      archive(a, pairs);
+      x = V(pairs.begin(), pairs.end());
+    } else {
+      const std::vector<std::pair<typename V::key_type, typename V::mapped_type>> pairs(x.begin(),
+                                                                                        x.end());
+      archive(a, pairs);
+    }
+  } else if constexpr (requires { std::tuple_size<V>::value; }) {
+    for (auto& value : x) archive(a, value);
+  } else if constexpr (requires(V & v) { v.clear(); }) {
+    archive_all(a, x);
+  } else if constexpr (requires { archive_struct(a, x); }) {
+    archive_struct(a, x);
+  } else {
+    for_each_member(x, [&](auto& member) { archive(a, member); });
+  }
+}
+
+}  // namespace sunder

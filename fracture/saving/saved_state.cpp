@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: MIT
+// Sections of a saved state, and how many members each struct in them has.
+#include "fracture/saving/saved_state.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "fracture/saving/archive.hpp"
+#include "fracture/simulation/simulation_state.hpp"
+#include "mechanics/solver/component_system.hpp"
+#include "topology/io/output_file.hpp"
+
+namespace sunder {
+
+// Of the scene.
+constexpr int member_count(const Scene*) { return 12; }
+constexpr int member_count(const BodySettings*) { return 12; }
+constexpr int member_count(const TetMesh*) { return 6; }
+constexpr int member_count(const Material*) { return 5; }
+constexpr int member_count(const HeldBox*) { return 3; }
+constexpr int member_count(const LoadBox*) { return 5; }
+constexpr int member_count(const CutSettings*) { return 3; }
+constexpr int member_count(const CutPlane*) { return 2; }
+constexpr int member_count(const FaceList*) { return 2; }
+constexpr int member_count(const RestBox*) { return 2; }
+constexpr int member_count(const RestBall*) { return 2; }
+constexpr int member_count(const StrengthSettings*) { return 4; }
+constexpr int member_count(const RegionName*) { return 1; }
+constexpr int member_count(const RegionStrength*) { return 3; }
+constexpr int member_count(const WeibullSettings*) { return 3; }
+constexpr int member_count(const UnbreakablePart*) { return 1; }
+constexpr int member_count(const GravitySettings*) { return 2; }
+constexpr int member_count(const IntegratorSettings*) { return 14; }
+constexpr int member_count(const RayleighDamping*) { return 2; }
+constexpr int member_count(const ContactSettings*) { return 10; }
+constexpr int member_count(const ImpactSettings*) { return 4; }
+constexpr int member_count(const FractureSettings*) { return 10; }
+constexpr int member_count(const LadderSettings*) { return 4; }
+constexpr int member_count(const Obstacle*) { return 5; }
+constexpr int member_count(const Plane*) { return 2; }
+constexpr int member_count(const Sphere*) { return 2; }
+constexpr int member_count(const Box*) { return 3; }
+constexpr int member_count(const BodyRows*) { return 4; }
+// Of cells.
+constexpr int member_count(const MapRows*) { return 5; }
+constexpr int member_count(const Components*) { return 4; }
+constexpr int member_count(const EmptyFan*) { return 2; }
+// Of mechanics.
+constexpr int member_count(const MechanicsState*) { return 7; }
+constexpr int member_count(const VertexColumns*) { return 9; }
+constexpr int member_count(const ElementColumns*) { return 6; }
+constexpr int member_count(const PrescribedMotion*) { return 1; }
+constexpr int member_count(const Component*) { return 17; }
+constexpr int member_count(const StrainChange*) { return 3; }
+constexpr int member_count(const ComponentSystem*) { return 14; }
+constexpr int member_count(const RestShape*) { return 4; }
+constexpr int member_count(const BlockMatrix*) { return 3; }
+constexpr int member_count(const BlockAnalysis*) { return 6; }
+constexpr int member_count(const Supernode*) { return 6; }
+constexpr int member_count(const BlockFactor*) { return 2; }
+constexpr int member_count(const SystemMatrix*) { return 2; }
+constexpr int member_count(const FactorBorder*) { return 2; }
+constexpr int member_count(const FactorBorder::Column*) { return 4; }
+constexpr int member_count(const BorderFactor::Block*) { return 3; }
+// Of all else that evolves.
+constexpr int member_count(const ContactMemory*) { return 4; }
+constexpr int member_count(const ContactMemory::Allowance*) { return 2; }
+constexpr int member_count(const ContactMemory::Remembered*) { return 2; }
+constexpr int member_count(const SpherePair*) { return 2; }
+constexpr int member_count(const ContactPoint*) { return 9; }
+constexpr int member_count(const ImpactWindow*) { return 2; }
+constexpr int member_count(const LadderState*) { return 1; }
+constexpr int member_count(const Pose*) { return 2; }
+constexpr int member_count(const OpenCrack*) { return 5; }
+constexpr int member_count(const CrackSide*) { return 3; }
+constexpr int member_count(const CornerLoad*) { return 4; }
+constexpr int member_count(const FanScript*) { return 3; }
+constexpr int member_count(const ScriptedFan*) { return 6; }
+constexpr int member_count(const SearchPlace*) { return 2; }
+constexpr int member_count(const ScriptDeparture*) { return 2; }
+
+namespace {
+
+constexpr std::string_view magic = "SunderSt";
+
+/// The leading rows and columns that are in use; what lies beyond is capacity.
+template <class Archive, class Matrix>
+void archive_used(Archive& a, Matrix& matrix, std::size_t blocks) {
+  if constexpr (is_reader<Archive>) {
+    archive(a, matrix);
+    a.failed = a.failed || matrix.rows() != static_cast<Eigen::Index>(3 * blocks) ||
+               matrix.cols() != matrix.rows();
+  } else {
+    const auto used = static_cast<Eigen::Index>(3 * blocks);
+    const Eigen::MatrixXd block = matrix.topLeftCorner(used, used);
+    archive(a, block);
+  }
+}
+
+}  // namespace
+
+template <class Archive, class Part>
+requires std::is_same_v<std::remove_const_t<Part>, BorderFactor>
+void archive_struct(Archive& a, Part& part) {
+  auto& [blocks, needed, corner, copies] = part;
+  archive(a, blocks);
+  archive(a, needed);
+  archive(a, copies);
+  archive_used(a, corner, copies);
+}
+
+template <class Archive, class Factor>
+requires std::is_same_v<std::remove_const_t<Factor>, SystemFactor>
+void archive_struct(Archive& a, Factor& own) {
+  auto& [factor, border, factored, matrix, touched, compliance, needed, scratch] = own;
+  static_cast<void>(scratch);
+  archive(a, factor);
+  archive(a, border);
+  archive(a, factored);
+  archive(a, matrix);
+  archive(a, touched);
+  archive_used(a, compliance, touched.size());
+  archive(a, needed);
+}
+
+template <class Archive, class Systems>
+requires std::is_same_v<std::remove_const_t<Systems>, ComponentSystems>
+void archive_struct(Archive& a, Systems& systems) {
+  archive(a, systems.present);
+  archive(a, systems.retired);
+  archive(a, systems.local_row);
+}
+
+namespace {
+
+/// Whether a map can be made of the rows: all of them in range, neighbours of each other.
+bool fit_together(const MapRows& rows, std::span<const TetId> incident) {
+  const std::size_t tetrahedra = rows.corners.size(), vertices = rows.point_of_vertex.size();
+  if (rows.neighbours.size() != tetrahedra || incident.size() != vertices) return false;
+  for (const std::uint32_t point : rows.point_of_vertex) {
+    if (point >= rows.points.size()) return false;
+  }
+  for (std::size_t v = 0; v < vertices; ++v) {
+    if (incident[v].index() >= tetrahedra) return false;
+    const auto& corners = rows.corners[incident[v].index()];
+    if (std::ranges::find(corners, VertexId{v}) == corners.end()) return false;
+  }
+  for (std::size_t t = 0; t < tetrahedra; ++t) {
+    for (std::size_t place = 0; place < 4; ++place) {
+      if (rows.corners[t][place].index() >= vertices) return false;
+      const HalfFaceId across = rows.neighbours[t][place];
+      if (across.is_none()) continue;
+      if (across.index() >= 4 * tetrahedra) return false;
+      if (rows.neighbours[across.index() / 4][across.index() % 4].index() != 4 * t + place) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+template <class Archive, class Map>
+void archive_map(Archive& a, Map& map) {
+  MapRows rows;
+  std::vector<TetId> incident;
+  if constexpr (!is_reader<Archive>) {
+    const auto copy = [](auto& to, const auto& from) { to.assign(from.begin(), from.end()); };
+    copy(rows.corners, map.corners());
+    copy(rows.neighbours, map.neighbours());
+    copy(rows.point_of_vertex, map.point_of_vertex());
+    copy(rows.points, map.points());
+    copy(rows.reoriented, map.reoriented());
+    for (std::size_t v = 0; v < map.vertices(); ++v) {
+      incident.push_back(map.incident_tetrahedron(VertexId{v}));
+    }
+  }
+  archive(a, rows);
+  archive(a, incident);
+  if constexpr (is_reader<Archive>) {
+    a.failed = a.failed || !fit_together(rows, incident);
+    if (!a.failed) map = VolumeMap(std::move(rows), std::move(incident));
+  }
+}
+
+/// A part of the file with its name and length. A reader must take just what is there.
+template <class Archive, class... Parts>
+void section(Archive& a, std::string_view name, Parts&... parts) {
+  if constexpr (is_reader<Archive>) {
+    std::array<char, 4> found{};
+    std::uint64_t length = 0;
+    a.numbers(found.data(), found.size());
+    a.count(length);
+    a.failed = a.failed || std::string_view(found.data(), found.size()) != name;
+    if (a.failed) return;
+    StateReader own{a.bytes.substr(0, length)};
+    (archive(own, parts), ...);
+    a.failed = own.failed || !own.bytes.empty();
+    a.bytes.remove_prefix(length);
+  } else {
+    StateWriter own;
+    (archive(own, parts), ...);
+    a.numbers(name.data(), name.size());
+    a.count(own.bytes.size());
+    a.bytes += own.bytes;
+  }
+}
+
+/// Whether columns are as long as each other, as far as a step relies on it without a look.
+bool fits_together(const SimulationState& s) {
+  const std::size_t vertices = s.cells.map.vertices(), tetrahedra = s.cells.map.tetrahedra();
+  const std::size_t components = s.mechanics.components.size();
+  const VertexColumns& v = s.mechanics.vertices;
+  const ElementColumns& e = s.mechanics.elements;
+  for (const std::size_t rows :
+       {v.rest_position.size(), v.position.size(), v.velocity.size(), v.mass.size(),
+        v.component.size(), v.displacement.size(), v.displacement_rate.size(),
+        v.displacement_acceleration.size(), v.support.size(), s.cells.strength.size(),
+        s.cells.labels.of_vertex.size()}) {
+    if (rows != vertices) return false;
+  }
+  for (const std::size_t rows :
+       {e.shape_gradient.size(), e.rest_volume.size(), e.mass.size(), e.material.size(),
+        e.component.size(), e.stress.size(), s.cells.labels.of_tetrahedron.size()}) {
+    if (rows != tetrahedra) return false;
+  }
+  return s.display.size() == components && s.display_target.size() == components &&
+         s.cells.labels.size.size() == components && s.cells.skin.size() == 4 * tetrahedra;
+}
+
+}  // namespace
+
+template <class Archive, class C>
+requires std::is_same_v<std::remove_const_t<C>, Cells>
+void archive_struct(Archive& a, C& cells) {
+  auto& [map, labels, skin, strength, painted, flaw, unbreakable, waits, empty_fans] = cells;
+  archive_map(a, map);
+  const auto all = [&](auto&... member) { (archive(a, member), ...); };
+  all(labels, skin, strength, painted, flaw, unbreakable, waits, empty_fans);
+}
+
+namespace {
+
+/// All that is saved, section by section.
+template <class Archive, class S>
+void sections(Archive& a, S& sim) {
+  section(a, "SCEN", sim.scene, sim.bodies);
+  auto& [cells, mechanics, obstacles, contact, impact, ladder, display, display_target, cracks,
+         fans, step, birth_step, loads, script] = *sim.state;
+  section(a, "CELL", cells);
+  section(a, "MECH", mechanics);
+  section(a, "OBST", obstacles);
+  section(a, "CONT", contact);
+  section(a, "IMPA", impact);
+  section(a, "LADD", ladder);
+  section(a, "DISP", display, display_target);
+  section(a, "CRAC", cracks);
+  section(a, "LOAD", loads);
+  section(a, "SCRI", script);
+  section(a, "STEP", fans, step, birth_step);
+}
+
+std::uint64_t checksum(std::string_view bytes) {
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (const char byte : bytes) {
+    hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
+  }
+  return hash;
+}
+
+Finding damaged(std::string text) {
+  return {.code = "damaged",
+          .text = std::move(text),
+          .remedy = "take another copy of it, or run the simulation from its start"};
+}
+
+}  // namespace
+
+std::string saved_state(const Simulation& simulation) {
+  StateWriter writer;
+  writer.bytes = magic;
+  archive(writer, saved_state_format);
+  sections(writer, simulation);
+  const std::uint64_t sum = checksum(writer.bytes);
+  archive(writer, sum);
+  return std::move(writer.bytes);
+}
+
+Result<Simulation> restore(std::string_view bytes) {
+  if (!bytes.starts_with(magic)) {
+    return Finding{.code = "not_a_saved_state",
+                   .text = "it does not begin as a saved state does",
+                   .remedy = "give a file that `save` has written"};
+  }
+  constexpr std::size_t trailer = sizeof(std::uint64_t);
+  StateReader reader{bytes.substr(magic.size())};
+  std::uint32_t format = 0;
+  archive(reader, format);
+  if (reader.failed) return damaged("it ends after its first bytes");
+  if (format != saved_state_format) {
+    return Finding{
+        .code = "other_version",
+        .text = fmt::format("its format is {}; this version reads {}", format, saved_state_format),
+        .remedy = "load it with the version that saved it"};
+  }
+  if (reader.bytes.size() < trailer) return damaged("it ends after its first bytes");
+  StateReader end{bytes.substr(bytes.size() - trailer)};
+  std::uint64_t sum = 0;
+  archive(end, sum);
+  if (sum != checksum(bytes.substr(0, bytes.size() - trailer))) {
+    return damaged("its checksum is not that of its bytes: some are missing or changed");
+  }
+  reader.bytes.remove_suffix(trailer);
+  Simulation sim;
+  sim.state = Owned(
+      std::make_unique<SimulationState>(SimulationState{.cells = {.map = VolumeMap(MapRows{})}}));
+  sim.scratch = Owned(std::make_unique<SimulationScratch>());
+  sections(reader, sim);
+  if (reader.failed || !reader.bytes.empty() || !fits_together(*sim.state)) {
+    return damaged("its sections do not fit together");
+  }
+  return sim;
+}
+
+std::vector<Finding> save(const Simulation& simulation, const std::filesystem::path& path) {
+  std::vector<Finding> findings;
+  if (auto finding = write_file(path, saved_state(simulation))) {
+    findings.push_back(std::move(*finding));
+  }
+  return findings;
+}
+
+Result<Simulation> load(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  Result<Simulation> result;
+  if (!file.is_open() || file.bad()) {
+    result = Finding{.code = "cannot_open",
+                     .text = "it cannot be read",
+                     .remedy = "check its path and that you may read it"};
+  } else {
+    result = restore(bytes);
+  }
+  for (Finding& finding : result.findings) {
+    finding.file = path.string();
+    finding.text = path.string() + ": " + finding.text;
+  }
+  return result;
+}
+
+}  // namespace sunder

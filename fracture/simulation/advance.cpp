@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+// One step: plan, part, break, rebuild, for every part of it; then rungs, ledger, display.
+#include <algorithm>
+#include <chrono>
+
+#include "fracture/simulation/break.hpp"
+#include "fracture/simulation/display.hpp"
+#include "fracture/simulation/energy_ledger.hpp"
+#include "fracture/simulation/fan_clock.hpp"
+#include "fracture/simulation/ladder.hpp"
+#include "fracture/simulation/part.hpp"
+#include "fracture/simulation/plan.hpp"
+#include "fracture/simulation/rebuild_pieces.hpp"
+#include "fracture/simulation/simulation_state.hpp"
+#include "mechanics/element/energy.hpp"
+#include "mechanics/state/living.hpp"
+
+namespace sunder {
+namespace {
+
+/// Adds the time until the end of its scope to a stage of the report.
+class StageTimer {
+ public:
+  StageTimer(StepReport& report, Stage stage)
+      : ms_(report.stage_ms[static_cast<std::size_t>(stage)]) {}
+  ~StageTimer() {
+    ms_ += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_)
+               .count();
+  }
+  StageTimer(const StageTimer&) = delete;
+  StageTimer& operator=(const StageTimer&) = delete;
+
+ private:
+  double& ms_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+bool has_failed(const StepReport& report) {
+  return report.status.outcome != StepOutcome::fine || report.fracture.not_a_number.has_value() ||
+         report.departed;
+}
+
+FractureSettings with_fans_left(FractureSettings settings, std::size_t made) {
+  settings.max_fans -= std::min(settings.max_fans, static_cast<std::uint32_t>(made));
+  return settings;
+}
+
+/// Notes which components came off in the step that ends, and when; gives them.
+std::vector<ComponentId> note_births(SimulationState& s, std::size_t before) {
+  std::vector<ComponentId> born;
+  s.birth_step.resize(before, 0);
+  s.birth_step.resize(s.cells.labels.size.size(), s.step);
+  for (std::size_t id = before; id < s.birth_step.size(); ++id) born.emplace_back(id);
+  return born;
+}
+
+/// Adds the fractures of another part of the step, at `sum.time`.
+void add_fracture(StepReport& sum, FractureReport&& part) {
+  FractureReport& all = sum.fracture;
+  add_part<SearchCounts>(all, part);
+  all.not_a_number = part.not_a_number;
+  for (FanEvent& fan : part.fans) {
+    all.fans.push_back(std::move(fan));
+    sum.fan_time.push_back(sum.time);
+    sum.fan_part.push_back(sum.parts);
+  }
+  ++sum.parts;
+}
+
+}  // namespace
+
+StepReport advance(Simulation& sim, const StepObserver& observe) {
+  const Scene& scene = sim.scene;
+  SimulationState& s = *sim.state;
+  SimulationScratch& scratch = *sim.scratch;
+  StepReport report;
+  const std::size_t components_before = s.cells.labels.size.size();
+  const double kinetic = scene.energy_ledger ? kinetic_energy(s.mechanics.vertices) : 0;
+  std::vector<char>& touched = scratch.touched;
+  touched.assign(s.mechanics.components.size(), 0);
+
+  StepPlan plan = plan_step(scene, s, scratch.mechanics);
+  while (const std::optional<PlannedPart> part = next_part(plan, scene, s)) {
+    ContactStepResult taken;
+    if (part->moves) {
+      const StageTimer timer(report, Stage::mechanics);
+      taken =
+          take_part(report, s, {scene, *part, plan.members(), plan.gravity, sim.threads}, scratch);
+      if (taken.adopted) {
+        add_status(report.status, taken.status);
+        add_contact(report.contact, taken.report);
+        note_touches(touched, s.mechanics, taken.contacts);
+        report.time = s.mechanics.time;
+        if (observe) observe(sim, {part->part.deformation, part->length, taken.report});
+      }
+    }
+    note_part(plan, *part, taken, scene, s);
+    if (has_failed(report)) break;
+    if (!taken.adopted || !part->breaks) continue;
+
+    FractureReport found;
+    FanClock clock;
+    {
+      const StageTimer timer(report, Stage::fracture);
+      found = break_members(s, with_fans_left(scene.fracture, report.fracture.fans.size()),
+                            {s.step + 1, report.parts}, plan.members(), scratch.fracture,
+                            clock.watch());
+      report.departed = s.script && s.script->departure;
+    }
+    for (const FanEvent& fan : found.fans) report.fan_us.push_back(clock.us(fan.vertex));
+    if (!found.not_a_number && !found.fans.empty()) {
+      const StageTimer timer(report, Stage::rebuild);
+      const RebuildReport rebuilt = rebuild_pieces(s, found.fans, scratch.mechanics);
+      report.energy_released += rebuilt.energy_released;
+      report.energy.strain -= rebuilt.strain_released;
+      inherit(touched, s.cells.labels);
+      inherit(plan.components, s.cells.labels);
+    }
+    add_fracture(report, std::move(found));
+    if (has_failed(report)) break;
+  }
+  report.impact = plan.impact;
+  if (plan.phase == StepPlan::Phase::equal) report.status.solve.sub_steps = plan.parts;
+
+  report.step = ++s.step;
+  report.new_components = note_births(s, components_before);
+  report.time = s.mechanics.time;
+  for_each_living(s.mechanics, {}, [&](const Component&) { ++report.components; });
+  if (!has_failed(report)) {
+    report.ladder = choose_rungs(report.energy_released, s, {scene, touched}, scratch.ladder);
+  }
+  if (scene.energy_ledger) {
+    close_ledger(report, kinetic, kinetic_energy(s.mechanics.vertices));
+  } else {
+    report.energy = {};
+  }
+  if (!has_failed(report)) {
+    const StageTimer timer(report, Stage::display);
+    update_display(s, scene);
+  }
+  return report;
+}
+
+}  // namespace sunder

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// What is wrong with a scene before anything is built, but for its meshes (`check_mesh`).
+#pragma once
+
+#include <vector>
+
+#include "fracture/simulation/scene_fields.hpp"
+#include "mechanics/state/check_settings.hpp"
+
+namespace sunder {
+
+/// All errors in a scene's settings, each with its place ("bodies.0.held.1"): numbers out of range
+/// and the rules between keys below. The meshes may be faulty; a body without one is held to its
+/// numbers alone.
+std::vector<SettingFinding> check_scene(const Scene& scene);
+
+/// bad_box: a minimum above its maximum. no_load: neither a pressure nor a force.
+void check_together(fields::SettingsCheck& check, const HeldBox& box);
+void check_together(fields::SettingsCheck& check, const LoadBox& box);
+void check_together(fields::SettingsCheck& check, const RestBox& box);
+/// nothing_held, nothing_loaded, nothing_unbreakable: a box without a vertex of the mesh; and those
+/// of `check_strength`.
+void check_together(fields::SettingsCheck& check, const BodySettings& body);
+/// no_body; too_many_steps.
+void check_together(fields::SettingsCheck& check, const Scene& scene);
+
+}  // namespace sunder

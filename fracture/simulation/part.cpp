@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Loads, contact and mechanics of one part of a step.
+#include "fracture/simulation/part.hpp"
+
+#include "fracture/simulation/energy_ledger.hpp"
+
+namespace sunder {
+namespace {
+
+/// Surface loads at `time` on the vertices as they are: rows may have come since the last part.
+void update_forces(Loads& loads, const SimulationState& s, double time) {
+  loads.force.clear();
+  loads.turning.clear();
+  if (s.loads.empty()) return;
+  loads.force.assign(s.mechanics.vertices.size(), Vec3::Zero());
+  loads.turning.assign(s.mechanics.vertices.size(), Vec3::Zero());
+  add_corner_loads(loads, s.loads, s.mechanics, s.cells.map.corners(), time);
+}
+
+}  // namespace
+
+ContactStepResult take_part(StepReport& report, SimulationState& s, const PartInput& part,
+                            SimulationScratch& scratch) {
+  IntegratorSettings settings = part.scene.integrator;
+  settings.time_step = part.plan.length;
+  scratch.loads.gravity = part.gravity;
+  update_forces(scratch.loads, s, s.mechanics.time + part.plan.length);
+  const StepInput input{.corners = s.cells.map.corners(),
+                        .loads = scratch.loads,
+                        .settings = settings,
+                        .part = part.plan.part,
+                        .members = part.members,
+                        .measures_strain = part.scene.energy_ledger,
+                        .threads = part.threads};
+  remember_start(scratch.before, s, part.scene.energy_ledger);
+  ContactStepResult result =
+      advance_with_contact({s.mechanics, s.obstacles, s.contact}, input, part.scene.contact,
+                           {scratch.mechanics, scratch.contact});
+  if (!result.adopted) return result;
+  add_part_energy(report, {s, input, result, scratch.before}, part.scene.energy_ledger);
+  return result;
+}
+
+}  // namespace sunder

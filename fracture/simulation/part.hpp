@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// One part of a step: contact and mechanics, and where the energy of it went.
+#pragma once
+
+#include "fracture/simulation/scene.hpp"
+#include "fracture/simulation/state.hpp"
+#include "fracture/simulation/step_report.hpp"
+
+namespace sunder {
+
+/// Which part of a step comes next.
+struct PlannedPart {
+  StepPart part;
+  double length = 0;   ///< s
+  bool moves = true;   ///< false: nobody is there to be moved
+  bool breaks = true;  ///< whether fractures are looked for at its end
+};
+
+/// What a part is given beside the state.
+struct PartInput {
+  const Scene& scene;
+  PlannedPart plan;
+  StepMembers members;
+  Vec3 gravity = Vec3::Zero();  ///< m/s^2
+  unsigned threads = 1;
+};
+
+/// Takes one part of a step for its members: surface loads at its end, contact, mechanics. What it
+/// did with energy and impulses of loads is added to `report.energy`, `report.load_impulse` and
+/// `report.cracks`; all else is returned. Where there are blows ahead that the part must not run
+/// into, nothing is done (`ContactStepResult::adopted`).
+ContactStepResult take_part(StepReport& report, SimulationState& state, const PartInput& input,
+                            SimulationScratch& scratch);
+
+}  // namespace sunder

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: MIT
+// Impact windows: which components are stepped finely, from when, until when; and the other plans.
+#include "fracture/simulation/plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fracture/simulation/integrator_bounds.hpp"
+#include "mechanics/baselines/verlet.hpp"
+#include "mechanics/contact/obstacle_geometry.hpp"
+#include "mechanics/state/living.hpp"
+
+namespace sunder {
+namespace {
+
+/// L/c for which a window stays open after its component last felt a blow: the waves of the last
+/// push go to the far end and come back once.
+constexpr double waves_stay = 2;
+
+bool has_windows(const Scene& scene) {
+  return scene.impact.window && scene.integrator.integrator == Integrator::floating_frame;
+}
+
+bool is_open(const ImpactWindow& window, std::size_t component) {
+  return window.quiet[component] != ImpactWindow::closed;
+}
+
+std::vector<ComponentId> open_windows(const ImpactWindow& window) {
+  std::vector<ComponentId> open;
+  for (std::size_t c = 0; c < window.quiet.size(); ++c) {
+    if (is_open(window, c)) open.emplace_back(c);
+  }
+  return open;
+}
+
+/// Opens windows for what is struck. The first one decides the sub-step: the step over a power of
+/// two, so that runs whose steps differ by such a power take the same sub-steps.
+void open(StepPlan& plan, ImpactWindow& window, const Blows& blows, double time_step) {
+  if (open_windows(window).empty()) {
+    const double halvings = std::ceil(std::log2(time_step / blows.sub_step));
+    window.sub_step = time_step * std::exp2(-std::max(0.0, halvings));
+  }
+  for (ComponentId id : blows.struck) {
+    plan.impact.opened += !is_open(window, id.index());
+    window.quiet[id.index()] = 0;
+  }
+}
+
+/// A ball around a component or free sphere.
+struct Around {
+  Vec3 center;
+  double radius;
+  char* member;
+};
+
+double fastest_speed(const SimulationState& s) {
+  double squared = 0;
+  for (const Vec3& v : s.mechanics.vertices.velocity) squared = std::max(squared, v.squaredNorm());
+  for (const Obstacle& o : s.obstacles) squared = std::max(squared, o.velocity.squaredNorm());
+  return std::sqrt(squared);
+}
+
+/// Makes members of those with open windows and of all that they could meet in this step, one
+/// through the other:
+/// whose balls are nearer than four times the farthest way of anything. Twice that is what two
+/// bodies do at the present speeds, and an impact can double a speed.
+void gather_members(StepPlan& plan, const SimulationState& s, double h) {
+  const double way = h * (fastest_speed(s) + h * plan.gravity.norm());
+  plan.components.assign(s.mechanics.components.size(), 0);
+  plan.balls.assign(s.obstacles.size(), 0);
+  std::vector<Around> others, reached;
+  for (const Component& c : s.mechanics.components) {
+    if (c.tetrahedra.empty()) continue;
+    // A deformed body is larger than at rest, by less than this.
+    others.push_back({c.centre, 1.1 * c.rest_radius, &plan.components[c.id.index()]});
+  }
+  for (std::size_t k = 0; k < s.obstacles.size(); ++k) {
+    if (!s.obstacles[k].mass) continue;
+    const Sphere& ball = std::get<Sphere>(s.obstacles[k].shape);
+    others.push_back({ball.center, ball.radius, &plan.balls[k]});
+  }
+  for (ComponentId id : open_windows(s.impact)) plan.components[id.index()] = 1;
+  const auto seeds_end =
+      std::partition(others.begin(), others.end(), [](const Around& a) { return *a.member == 0; });
+  reached.assign(seeds_end, others.end());
+  others.erase(seeds_end, others.end());
+  while (!reached.empty()) {
+    const Around near = reached.back();
+    reached.pop_back();
+    const auto out = std::partition(others.begin(), others.end(), [&](const Around& other) {
+      return (other.center - near.center).norm() > near.radius + other.radius + 4 * way;
+    });
+    for (auto it = out; it != others.end(); ++it) {
+      *it->member = 1;
+      reached.push_back(*it);
+    }
+    others.erase(out, others.end());
+  }
+}
+
+/// Turns members into all others. True when there are any that could move.
+bool take_the_others(StepPlan& plan, const SimulationState& s) {
+  for (char& member : plan.components) member = !member;
+  for (char& member : plan.balls) member = !member;
+  bool any = !living_components(s.mechanics, plan.members()).empty();
+  for (std::size_t k = 0; k < s.obstacles.size(); ++k) {
+    any = any || (s.obstacles[k].mass && plan.balls[k]);
+  }
+  return any;
+}
+
+/// How many sub-steps the members go on with frozen deformations: to the one in which the first
+/// blow falls.
+std::uint64_t sub_steps_before(double blow, std::uint64_t left, double sub_step) {
+  const double most = static_cast<double>(left - 1);
+  return static_cast<std::uint64_t>(std::clamp(std::floor(blow / sub_step), 0.0, most));
+}
+
+/// Driven obstacles where they were when the step began.
+void put_back_obstacles(const StepPlan& plan, std::vector<Obstacle>& obstacles) {
+  for (std::size_t k = 0; k < obstacles.size(); ++k) {
+    if (!plan.obstacles[k].mass) obstacles[k] = plan.obstacles[k];
+  }
+}
+
+void begin_others(StepPlan& plan, const SimulationState& s) {
+  plan.phase = StepPlan::Phase::others;
+  plan.obstacles = s.obstacles;
+}
+
+/// The others have taken the step; now the members take it. Steps that are no longer than a window
+/// lasts at least are sub-stepped whole: to freeze what moves for a part of them would cost more
+/// accuracy than it saves.
+void begin_members(StepPlan& plan, const Scene& scene, SimulationState& s) {
+  put_back_obstacles(plan, s.obstacles);
+  take_the_others(plan, s);
+  s.mechanics.time = plan.start;
+  plan.impact.components =
+      std::max(plan.impact.components,
+               static_cast<std::uint32_t>(living_components(s.mechanics, plan.members()).size()));
+  const double count = std::round(scene.integrator.time_step / s.impact.sub_step);
+  plan.throughout = count <= waves_stay / scene.impact.fraction;
+  plan.left = static_cast<std::uint64_t>(count);
+  if (!plan.throughout) plan.still = sub_steps_before(plan.blow, plan.left, s.impact.sub_step);
+}
+
+PlannedPart next_of_members(StepPlan& plan, const Scene& scene, const SimulationState& s) {
+  const double sub_step = s.impact.sub_step;
+  if (plan.still > 0) {
+    return {.part = {Deformation::frozen, 0, &scene.impact},
+            .length = static_cast<double>(plan.still) * sub_step,
+            .breaks = false};
+  }
+  plan.impact.stopped = plan.impact.sub_steps >= scene.impact.max_sub_steps;
+  const bool fine = plan.throughout || !open_windows(s.impact).empty();
+  if (fine && !plan.impact.stopped) return {{Deformation::wave, 0, &scene.impact}, sub_step};
+  // What is left at once, or the way to the next blow.
+  const ImpactSettings* impact = plan.impact.stopped ? nullptr : &scene.impact;
+  return {{Deformation::catch_up, scene.integrator.time_step, impact},
+          static_cast<double>(plan.left) * sub_step};
+}
+
+/// After a sub-step: windows whose waves have died away close, those of what was struck open.
+void note_sub_step(StepPlan& plan, const Blows& blows, SimulationState& s) {
+  const double length = s.impact.sub_step;
+  ++plan.impact.sub_steps;
+  plan.impact.time += length;
+  plan.impact.coarseness = std::max(plan.impact.coarseness, length / blows.sub_step);
+  for (const Component& c : s.mechanics.components) {
+    double& quiet = s.impact.quiet[c.id.index()];
+    if (quiet == ImpactWindow::closed) continue;
+    quiet += length;
+    if (c.tetrahedra.empty() || quiet > waves_stay * extent_travel(s.mechanics, c)) {
+      quiet = ImpactWindow::closed;
+    }
+  }
+  for (ComponentId id : blows.struck) {
+    plan.impact.opened += !is_open(s.impact, id.index());
+    s.impact.quiet[id.index()] = 0;
+  }
+}
+
+void note_members(StepPlan& plan, const PlannedPart& part, const ContactStepResult& result,
+                  const Scene& scene, SimulationState& s) {
+  switch (part.part.deformation) {
+    case Deformation::frozen:
+      plan.left -= plan.still;
+      plan.still = 0;
+      return;
+    case Deformation::wave:
+      note_sub_step(plan, result.blows, s);
+      --plan.left;
+      return;
+    default:
+      if (result.adopted) {
+        plan.left = 0;
+      } else {
+        open(plan, s.impact, result.blows, scene.integrator.time_step);
+        plan.still = sub_steps_before(result.blows.time, plan.left, s.impact.sub_step);
+      }
+  }
+}
+
+/// Where the members' step ends everybody meets again.
+void finish_members(StepPlan& plan, const Scene& scene, SimulationState& s) {
+  if (plan.impact.stopped) std::ranges::fill(s.impact.quiet, ImpactWindow::closed);
+  put_back_obstacles(plan, s.obstacles);
+  for (Obstacle& obstacle : s.obstacles) {
+    if (!obstacle.mass) translate(obstacle.shape, scene.integrator.time_step * obstacle.velocity);
+  }
+}
+
+}  // namespace
+
+StepPlan plan_step(const Scene& scene, SimulationState& s, MechanicsScratch& scratch) {
+  StepPlan plan;
+  plan.start = s.mechanics.time;
+  plan.gravity = gravity_at(scene.gravity, s.mechanics.time + scene.integrator.time_step);
+  s.impact.quiet.resize(s.mechanics.components.size(), ImpactWindow::closed);
+  if (scene.integrator.integrator == Integrator::sub_stepped) {
+    plan.phase = StepPlan::Phase::equal;
+    plan.parts = sub_step_count(scene.integrator.time_step, least_step_bound(scratch, s.mechanics));
+  } else if (has_windows(scene)) {
+    if (!open_windows(s.impact).empty()) begin_others(plan, s);
+  }
+  return plan;
+}
+
+std::optional<PlannedPart> next_part(StepPlan& plan, const Scene& scene, SimulationState& s) {
+  using Phase = StepPlan::Phase;
+  const double h = scene.integrator.time_step;
+  const StepPart whole{Deformation::whole, 0, has_windows(scene) ? &scene.impact : nullptr};
+  if (plan.phase == Phase::others_done) {
+    begin_members(plan, scene, s);
+    plan.phase = Phase::members;
+  }
+  const bool is_through = (plan.phase == Phase::equal && plan.taken == plan.parts) ||
+                          (plan.phase == Phase::members && plan.left == 0);
+  if (is_through) {
+    if (plan.phase == Phase::members) finish_members(plan, scene, s);
+    s.mechanics.time = plan.start + h;
+    return std::nullopt;
+  }
+  switch (plan.phase) {
+    case Phase::whole:
+      return PlannedPart{whole, h};
+    case Phase::equal:
+      return PlannedPart{{}, h / plan.parts};
+    case Phase::others:
+      gather_members(plan, s, h);
+      return PlannedPart{.part = whole, .length = h, .moves = take_the_others(plan, s)};
+    case Phase::members:
+      return next_of_members(plan, scene, s);
+    case Phase::others_done:
+    case Phase::whole_done:
+      break;
+  }
+  return std::nullopt;
+}
+
+void note_part(StepPlan& plan, const PlannedPart& part, const ContactStepResult& result,
+               const Scene& scene, SimulationState& s) {
+  using Phase = StepPlan::Phase;
+  ++plan.taken;
+  if (plan.phase == Phase::members) return note_members(plan, part, result, scene, s);
+  if (result.adopted) {
+    if (plan.phase == Phase::whole) plan.phase = Phase::whole_done;
+    if (plan.phase == Phase::others) plan.phase = Phase::others_done;
+    return;
+  }
+  // The others go first, as long as no blow makes members of them.
+  open(plan, s.impact, result.blows, scene.integrator.time_step);
+  plan.blow =
+      plan.phase == Phase::whole ? result.blows.time : std::min(plan.blow, result.blows.time);
+  if (plan.phase == Phase::whole) begin_others(plan, s);
+}
+
+}  // namespace sunder

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// In which parts a step is taken: whole, in equal sub-steps, or through impact windows.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "fracture/simulation/part.hpp"
+
+namespace sunder {
+
+/// The parts of one step as they come about; each depends on what the one before met.
+struct StepPlan {
+  enum class Phase {
+    whole,        ///< one part for everybody
+    whole_done,   ///< which was taken
+    equal,        ///< `parts` of one length, of an explicit integrator
+    others,       ///< those whom open windows do not concern, the whole step
+    others_done,  ///< which was taken
+    members,      ///< then those whom windows do concern, in sub-steps
+  };
+  Phase phase = Phase::whole;
+  double start = 0;             ///< s, when the step begins
+  Vec3 gravity = Vec3::Zero();  ///< m/s^2, over the step
+  std::uint32_t parts = 1;      ///< of `equal`
+  std::uint32_t taken = 0;      ///< parts so far
+
+  /// Members of the part at hand; rows of components and obstacles, empty: all.
+  std::vector<char> components, balls;
+  ImpactReport impact;
+  double blow = 0;                  ///< s, when the first blow falls
+  std::uint64_t left = 0;           ///< sub-steps that the members have before them
+  std::uint64_t still = 0;          ///< how many of them they now go with frozen deformations
+  bool throughout = false;          ///< every sub-step is taken finely
+  std::vector<Obstacle> obstacles;  ///< as they were at the start
+
+  StepMembers members() const { return {components, balls}; }
+};
+
+/// The plan of a step from the state as it is. With impact windows a part may be refused for blows
+/// that lie ahead; windows open, and the plan goes on from there (docs/impact.md).
+StepPlan plan_step(const Scene& scene, SimulationState& state, MechanicsScratch& scratch);
+
+/// The next part; nothing when the step is through. Times and driven obstacles go back to where the
+/// part begins; windows close where the limit on sub-steps is reached.
+std::optional<PlannedPart> next_part(StepPlan& plan, const Scene& scene, SimulationState& state);
+
+/// Tells the plan what became of the part that it gave last: windows open, stay or close.
+void note_part(StepPlan& plan, const PlannedPart& part, const ContactStepResult& result,
+               const Scene& scene, SimulationState& state);
+
+}  // namespace sunder

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// Pieces after fans.
+#include "fracture/simulation/rebuild_pieces.hpp"
+
+#include "topology/kernel/sort_unique.hpp"
+
+namespace sunder {
+namespace {
+
+/// Components that fans divided, and what came off them, ascending.
+std::vector<ComponentId> touched_components(const Components& labels,
+                                            std::span<const FanEvent> fans, std::size_t before) {
+  std::vector<ComponentId> touched;
+  for (const FanEvent& fan : fans) {
+    // Every row a fan split belongs to a component whose masses, at least, must be made anew.
+    for (const FaceSplit& split : fan.faces) {
+      touched.push_back(labels.of_tetrahedron[tetrahedron_of(split.face).index()]);
+      touched.push_back(labels.of_tetrahedron[tetrahedron_of(split.opposite).index()]);
+    }
+  }
+  for (std::size_t id = before; id < labels.size.size(); ++id) {
+    touched.emplace_back(id);
+    touched.push_back(ancestor(labels, ComponentId{id}, before));
+  }
+  sort_unique(touched);
+  return touched;
+}
+
+}  // namespace
+
+ComponentId ancestor(const Components& labels, ComponentId id, std::size_t count) {
+  while (id.index() >= count) id = labels.parent[id.index()];
+  return id;
+}
+
+RebuildReport rebuild_pieces(SimulationState& s, std::span<const FanEvent> fans,
+                             MechanicsScratch& scratch) {
+  const std::size_t before = s.display.size();
+  const auto touched = touched_components(s.cells.labels, fans, before);
+  open_cracks(s.cracks, {fans, s.fans, s.mechanics.time}, s.mechanics, s.cells);
+  s.fans += fans.size();
+  std::vector<Vec3> old_rest_centre;
+  for (std::size_t id = 0; id < before; ++id) {
+    old_rest_centre.push_back(s.mechanics.components[id].rest_centre);
+  }
+  s.mechanics.elements.component = s.cells.labels.of_tetrahedron;
+  const RebuildReport report = rebuild(s.mechanics, s.cells.map.corners(), touched, scratch);
+
+  s.display.resize(s.cells.labels.size.size());
+  s.display_target.resize(s.display.size());
+  // Fresh ids first: their display state comes from the parent's, which changes last.
+  for (auto id = touched.rbegin(); id != touched.rend(); ++id) {
+    const std::size_t old = ancestor(s.cells.labels, *id, before).index();
+    const Vec3& centre = s.mechanics.components[id->index()].rest_centre;
+    s.display[id->index()] = split_off(s.display[old], old_rest_centre[old], centre);
+    s.display_target[id->index()] = split_off(s.display_target[old], old_rest_centre[old], centre);
+  }
+  inherit(s.impact.quiet, s.cells.labels);
+  return report;
+}
+
+}  // namespace sunder

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// Every key of obstacles and of the settings of contact and impacts: name, unit, meaning and range,
+// said once; and the rules between keys of an obstacle.
+#pragma once
+
+#include "mechanics/contact/contact_settings.hpp"
+#include "mechanics/contact/impact_settings.hpp"
+#include "mechanics/contact/obstacle.hpp"
+#include "mechanics/state/check_settings.hpp"
+
+namespace sunder {
+
+/// not_a_unit_vector, mass_without_sphere, spin_without_mass.
+void check_together(fields::SettingsCheck& check, const Obstacle& obstacle);
+
+namespace fields {
+
+template <class V>
+void describe(V& v, Plane& p) {
+  v.direction(Key{"normal", "", "Out of the solid half-space; any length but 0"}, p.normal);
+  v.field(Key{"offset", "m", "Distance from the origin along the normal"}, p.offset);
+}
+
+template <class V>
+void describe(V& v, Sphere& s) {
+  v.field(Key{"center", "m", "Centre"}, s.center);
+  v.field(Key{"radius", "m", "Radius", above(0)}, s.radius);
+}
+
+template <class V>
+void describe(V& v, Box& b) {
+  v.field(Key{"center", "m", "Centre"}, b.center);
+  v.field(Key{"rotation", "", "Turn of the box's own axes"}, b.orientation);
+  v.field(Key{"half_extent", "m", "Half the length of each side", above(0)}, b.half_extent);
+}
+
+template <class V>
+void describe(V& v, Obstacle& o) {
+  v.alternative(Key{"plane", "", "A half-space: ground, wall"}, Plane{}, o.shape);
+  v.alternative(Key{"sphere", "", "A ball"}, Sphere{}, o.shape);
+  v.alternative(Key{"box", "", "A box"}, Box{}, o.shape);
+  v.field(Key{"velocity", "m/s", "Velocity, kept whatever it hits unless there is a mass"},
+          o.velocity);
+  v.field(Key{"spin", "rad/s", "Angular velocity of a free ball"}, o.spin);
+  v.field(
+      Key{"friction", "", "Coulomb's coefficient; two surfaces in contact have the mean of theirs",
+          at_least(0)},
+      o.friction);
+  v.field(
+      Key{"mass", "kg", "Makes a ball a free projectile that falls and is pushed back", above(0)},
+      o.mass);
+}
+
+template <class V>
+void describe(V& v, ContactSettings& c) {
+  v.field(Key{"friction", "", "Coulomb's coefficient of the bodies' own surface", at_least(0)},
+          c.friction);
+  v.field(Key{"compliance", "m/N", "Compliance of one contact point; 0: hard", at_least(0)},
+          c.compliance);
+  v.field(Key{"push_out_speed", "m/s",
+              "Largest speed at which contacts that start with an overlap are pushed apart",
+              at_least(0)},
+          c.push_out_speed);
+  v.field(Key{"allowed_penetration", "m", "Penetration that is not corrected", at_least(0)},
+          c.allowed_penetration);
+  v.field(Key{"between_pieces", "",
+              "Whether pieces collide with each other; with obstacles they always do"},
+          c.between_pieces);
+  v.field(Key{"ball_share",
+              "",
+              "Radius of the ball that stands for a tetrahedron between pieces, as a share of its "
+              "bounding ball's; 1 is the paper's",
+              {.low = 0, .high = 1, .without_low = true}},
+          c.ball_share);
+  v.field(Key{"max_iterations", "", "Sweeps of projected Gauss-Seidel in a pass", between(1, 1e6)},
+          c.max_iterations);
+  v.field(Key{"tolerance", "",
+              "Largest constraint violation of an end-of-step gap, relative to the deepest overlap "
+              "that the step would have had without contact",
+              above(0)},
+          c.tolerance);
+  v.field(Key{"max_passes", "", "How often a step may be predicted again with the impulses found",
+              between(1, 100)},
+          c.max_passes);
+  v.field(Key{"max_contacts_per_component", "",
+              "Contacts of one piece in a pass; the deepest are solved first, the rest later",
+              between(1, 100000)},
+          c.max_contacts_per_component);
+}
+
+template <class V>
+void describe(V& v, ImpactSettings& i) {
+  v.field(
+      Key{"window", "",
+          "Whether components that are struck are sub-stepped while the waves run; without it the "
+          "step decides what breaks on impact"},
+      i.window);
+  v.field(Key{"fraction", "",
+              "Largest sub-step over L/c, the time in which a wave crosses the component",
+              Range{.low = 0, .high = 1, .without_low = true}},
+          i.fraction);
+  v.field(Key{"negligible", "",
+              "Part of the tensile strength below which the stress rho c v of an impact is ignored",
+              Range{.low = 0, .high = 1, .without_low = true}},
+          i.negligible);
+  v.field(
+      Key{"max_sub_steps", "",
+          "Sub-steps allowed in one step; the remainder is then taken at once, and the report says "
+          "so",
+          between(1, 1e6)},
+      i.max_sub_steps);
+}
+
+}  // namespace fields
+}  // namespace sunder
