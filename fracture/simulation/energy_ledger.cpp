@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "mechanics/element/numerical_loss.hpp"
+#include "mechanics/integrators/numerical_loss.hpp"
 #include "mechanics/integrators/coefficients.hpp"
 #include "mechanics/integrators/component_step.hpp"
 #include "mechanics/integrators/numerical_loss.hpp"

@@ -229,7 +229,7 @@ Result<Equilibrium> solve_scene(Simulation& sim) {
 }
 
 Result<std::vector<PieceModes>> scene_modes(Simulation& sim, std::size_t count) {
-  const MechanicsState& m = sim.state->mechanics;
+  MechanicsState& m = sim.state->mechanics;
   std::vector<PieceModes> pieces;
   for (const Component& component : m.components) {
     if (component.tetrahedra.empty()) continue;
