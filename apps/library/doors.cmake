@@ -18,6 +18,7 @@ door(map "The 3-map of a body: faces split and glued, fans, components, invarian
   topology/kernel/volume_map.hpp
   topology/mesh/build_map.hpp
   topology/kernel/split_face.hpp
+  topology/kernel/plane_side.hpp
   topology/kernel/fan.hpp
   topology/kernel/components.hpp
   topology/kernel/invariants.hpp

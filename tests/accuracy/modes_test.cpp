@@ -12,8 +12,7 @@ using namespace sunder::accuracy;
 
 namespace {
 
-Modes modes_of(const MechanicsState& state, const Body& body, std::size_t count) {
-  MechanicsScratch scratch;
+Modes modes_of(MechanicsState state, const Body& body, std::size_t count) {
   Result<Modes> modes = natural_modes(state, body.corners, ComponentId{0}, count);
   REQUIRE(modes);
   return std::move(*modes);

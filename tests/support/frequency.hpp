@@ -10,8 +10,7 @@
 namespace sunder::test {
 
 /// rad/s, by power iteration on M^-1 K.
-inline double highest_frequency(const MechanicsState& state, const Body& body) {
-  MechanicsScratch scratch;
+inline double highest_frequency(MechanicsState state, const Body& body) {
   const ComponentSystem& system = built_system(state, body.corners, state.components.front());
   const auto size = static_cast<Eigen::Index>(3 * system.size());
   Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(size, 1, 2), product(size);

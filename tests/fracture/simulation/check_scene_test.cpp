@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "fracture/simulation/simulation.hpp"
-#include "tests/support/shapes.hpp"
+#include "topology/suite/fixtures/shapes.hpp"
 
 using namespace sunder;
 
@@ -15,7 +15,7 @@ namespace {
 Scene cube() {
   Scene scene;
   scene.bodies.resize(1);
-  scene.bodies[0].mesh = test::kuhn_box({2, 2, 2});
+  scene.bodies[0].mesh = suite::kuhn_box({2, 2, 2});
   return scene;
 }
 

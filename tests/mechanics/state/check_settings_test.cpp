@@ -15,7 +15,7 @@ using fields::Range;
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// A struct with every kind of member that settings have.
@@ -73,14 +73,14 @@ TEST_CASE("ranges allow what they say, and nothing that is not finite", "[mechan
   CHECK(is_allowed(5e-324, above(0)));
   CHECK(is_allowed(1, between(0, 1)));
   CHECK_FALSE(is_allowed(1.0000001, between(0, 1)));
-  for (const double x : {nan, infinite, -infinite}) {
+  for (const double x : {no_number, infinite, -infinite}) {
     CHECK_FALSE(is_allowed(x, Range{}));
     CHECK_FALSE(is_allowed(x, at_least(0)));
   }
   const Range endless{.low = 0, .without_low = true, .with_infinity = true};
   CHECK(is_allowed(infinite, endless));
   CHECK_FALSE(is_allowed(-infinite, endless));
-  CHECK_FALSE(is_allowed(nan, endless));
+  CHECK_FALSE(is_allowed(no_number, endless));
 }
 
 TEST_CASE("every kind of member is held to its description, at its place",
@@ -88,10 +88,10 @@ TEST_CASE("every kind of member is held to its description, at its place",
   using All = std::vector<std::string>;
   CHECK(places({}) == All{});
   CHECK(places({.length = -1, .count = 0}) == All{"out_of_range a.length", "out_of_range a.count"});
-  CHECK(places({.place = {0, nan, infinite}}) ==
+  CHECK(places({.place = {0, no_number, infinite}}) ==
         All{"out_of_range a.place.1", "out_of_range a.place.2"});
   CHECK(places({.axis = {0, 0, 0}}) == All{"zero_direction a.axis"});
-  CHECK(places({.axis = {nan, 0, 0}}) == All{"out_of_range a.axis.0"});
+  CHECK(places({.axis = {no_number, 0, 0}}) == All{"out_of_range a.axis.0"});
   CHECK(places({.turn = {2, 0, 0, 0}}) == All{"not_a_rotation a.turn"});
   CHECK(places({.mass = 0}) == All{"out_of_range a.mass"});
   CHECK(places({.inner = {{.share = 2}, {}, {.share = -1}}}) ==
