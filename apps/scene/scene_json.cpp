@@ -323,7 +323,16 @@ class ObjectReader {
 
 /// What the scene as a whole gets wrong. What was refused while it was read has its default by now.
 void add_findings(const Context& c, std::vector<SettingFinding> found) {
+  const std::size_t read = c.findings.size();
   for (SettingFinding& f : found) {
+    // Where reading failed the setting is the default: of that nothing more is to be said.
+    const auto is_of_place = [&](const Finding& said) {
+      return !f.place.empty() && said.text.starts_with(f.place + " ");
+    };
+    if (std::any_of(c.findings.begin(), c.findings.begin() + static_cast<std::ptrdiff_t>(read),
+                    is_of_place)) {
+      continue;
+    }
     // That the key is missing has been said.
     if (f.finding.code == "no_body" && !c.text.root.contains("bodies")) continue;
     std::string pointer = f.place.empty() ? "" : "/" + f.place;

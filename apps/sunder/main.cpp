@@ -26,7 +26,7 @@ struct BenchCommand {
 constexpr BenchCommand bench_commands[] = {
     {"suite", "Judge topology kernels by bodies whose answers are known"},
     {"bench", "Measure the program on this machine"},
-    {"chart", "Set the error of a scene's runs against their time"}};
+    {"chart", "Chart the error of a scene's runs over their computing time"}};
 
 /// Where sunder-bench stands when it was built: beside this program.
 std::filesystem::path bench_program() {

@@ -83,7 +83,7 @@ void check_together(fields::SettingsCheck& check, const Scene& scene) {
   }
   constexpr double most_steps = 1e9;
   const double steps = scene.duration / scene.integrator.time_step;
-  if (steps > most_steps) {
+  if (scene.integrator.time_step > 0 && steps > most_steps) {
     check.add("too_many_steps", "time_step",
               fmt::format("is {} s: {:.3g} steps for a duration of {} s; allowed are {:.0e}",
                           scene.integrator.time_step, steps, scene.duration, most_steps),

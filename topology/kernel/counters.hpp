@@ -28,6 +28,14 @@ struct Counter {
   Adds over_run = over_step;   ///< steps of a run
 };
 
+// Clang deduces no template arguments of aggregates before its version 17.
+template <class Report, class Value>
+Counter(std::string_view, Value Report::*) -> Counter<Report, Value>;
+template <class Report, class Value>
+Counter(std::string_view, Value Report::*, Adds) -> Counter<Report, Value>;
+template <class Report, class Value>
+Counter(std::string_view, Value Report::*, Adds, Adds) -> Counter<Report, Value>;
+
 /// Calls `visit(counter)` for every counter of a report.
 template <class Report, class Visit>
 void for_each_counter(Visit visit) {

@@ -32,7 +32,7 @@ std::vector<Fixture> good() {
 json good_json() {
   std::ifstream in(data / "good" / "small.json");
   json document = json::parse(in);
-  document["cases"][4]["body"]["mesh"] = (data / "../../../meshes/two_tets.msh").string();
+  document["cases"][4]["body"]["mesh"] = (data / "../../../../meshes/two_tets.msh").string();
   return document;
 }
 
