@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Algorithm 3.
+// Node stresses of a state, eq. 6 or the fit.
 #include "fracture/algorithms/find_fractures.hpp"
 
 #include "fracture/algorithms/node_stress.hpp"
-#include "fracture/algorithms/threshold_test.hpp"
 
 namespace sunder {
 
@@ -23,34 +22,6 @@ std::vector<Mat3> node_stress_of(const Cells& cells, const MechanicsState& mecha
   NodeStressField field;
   measure_node_stress(field, cells.map, element_stress(cells, mechanics, mode), mode);
   return std::move(field.value);
-}
-
-// Algorithm 3: findFractures().
-void find_fractures(FractureReport& report, NodeStressField& field, const Cells& cells,
-                    const ElementStress& elements, const FractureSettings& settings,
-                    const FractureSearch& search) {
-  // Compute each tetrahedron stress tensor [eq. 5, done: `elements`] and report it to its vertices;
-  // average each vertex stress tensor (eq. 6).
-  measure_node_stress(field, cells.map, elements, settings.node_stress);
-  // Check where a fracture occurs.
-  const std::size_t vertices = cells.map.vertices();
-  for (std::size_t row = 0; row < vertices; ++row) {
-    const VertexId v{row};
-    const std::optional<double> xi = search.threshold(v);
-    if (!xi) continue;
-    ++report.tested;
-    // gerschgorinTest(v.sigma, xi) (eq. 7), and whether the largest eigenvalue reaches xi.
-    const ThresholdAnswer answer =
-        test_threshold(field.value[row], *xi, settings.test, report.suspects);
-    if (answer == ThresholdAnswer::below) continue;
-    if (answer == ThresholdAnswer::not_a_number) {
-      report.not_a_number = v;
-      return;
-    }
-    ++report.reached;
-    // split(v, eigenvec(max(eigenval))).
-    search.split(v, principal_tension(field.value[row]));
-  }
 }
 
 }  // namespace sunder

@@ -2,7 +2,7 @@
 // Algorithm 3: which vertices break.
 #pragma once
 
-#include <functional>
+#include <concepts>
 #include <optional>
 #include <vector>
 
@@ -11,6 +11,7 @@
 #include "fracture/algorithms/fracture_report.hpp"
 #include "fracture/algorithms/fracture_settings.hpp"
 #include "fracture/algorithms/stress_fit.hpp"
+#include "fracture/algorithms/threshold_test.hpp"
 
 namespace sunder {
 
@@ -34,14 +35,15 @@ std::vector<Mat3> node_stress_of(const Cells& cells, const MechanicsState& mecha
                                  NodeStress mode);
 
 /// Where a search for fractures looks, and what it does with what it finds.
-struct FractureSearch {
-  /// The threshold xi of a vertex, Pa; nothing for a vertex that is not looked at. Asked once a
-  /// vertex, in rising order, when all node stresses are known.
-  std::function<std::optional<double>(VertexId)> threshold;
-  /// Algorithm 4 for a vertex that reaches its threshold, with its largest eigenvalue and the
-  /// eigenvectors: at once, as in the paper (`split_fan`), or when its turn comes
-  /// (`break_vertices`).
-  std::function<void(VertexId, const PrincipalTension&)> split;
+/// `threshold(v)`: the threshold xi of a vertex, Pa; nothing for a vertex that is not looked at.
+/// Asked once a vertex, in rising order, when all node stresses are known.
+/// `split(v, tension)`: algorithm 4 for a vertex that reaches its threshold, with its largest
+/// eigenvalue and the eigenvectors: at once, as in the paper (`split_fan`), or when its turn comes
+/// (`break_vertices`).
+template <class Search>
+concept FractureSearch = requires(Search& search, VertexId v, const PrincipalTension& tension) {
+  { search.threshold(v) } -> std::same_as<std::optional<double>>;
+  search.split(v, tension);
 };
 
 /// Algorithm 3, findFractures(): the stress of each vertex from those of the tetrahedra around it
@@ -49,8 +51,32 @@ struct FractureSearch {
 /// `elements`: eq. 5, which `measure_elements` (mechanics/measure_elements.hpp) has evaluated with
 /// the displacements, Pa. `field`: the result of eq. 6. Counts into `report`; stops at a stress
 /// that is not a number, `report.not_a_number`, before anything more is split.
+template <FractureSearch Search>
 void find_fractures(FractureReport& report, NodeStressField& field, const Cells& cells,
                     const ElementStress& elements, const FractureSettings& settings,
-                    const FractureSearch& search);
+                    Search search) {
+  // Compute each tetrahedron stress tensor [eq. 5, done: `elements`] and report it to its vertices;
+  // average each vertex stress tensor (eq. 6).
+  measure_node_stress(field, cells.map, elements, settings.node_stress);
+  // Check where a fracture occurs.
+  const std::size_t vertices = cells.map.vertices();
+  for (std::size_t row = 0; row < vertices; ++row) {
+    const VertexId v{row};
+    const std::optional<double> xi = search.threshold(v);
+    if (!xi) continue;
+    ++report.tested;
+    // gerschgorinTest(v.sigma, xi) (eq. 7), and whether the largest eigenvalue reaches xi.
+    const ThresholdAnswer answer =
+        test_threshold(field.value[row], *xi, settings.test, report.suspects);
+    if (answer == ThresholdAnswer::below) continue;
+    if (answer == ThresholdAnswer::not_a_number) {
+      report.not_a_number = v;
+      return;
+    }
+    ++report.reached;
+    // split(v, eigenvec(max(eigenval))).
+    search.split(v, principal_tension(field.value[row]));
+  }
+}
 
 }  // namespace sunder

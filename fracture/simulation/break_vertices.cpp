@@ -88,7 +88,7 @@ void prepare(Work& work, const StepMembers& members) {
   const std::size_t vertices = cells.map.vertices();
   look_at(scratch.rows, work.body.mechanics, members);
   if (work.settings.criterion == FractureCriterion::energy) look_for_cracks(scratch.cracked, cells);
-  scratch.held.assign(vertices, 0);
+  scratch.held.assign(cells.empty_fans.empty() ? 0 : vertices, 0);
   for (std::uint32_t i = 0; i < cells.empty_fans.size(); ++i) {
     scratch.held[cells.empty_fans[i].vertex.index()] = i + 1;
   }
@@ -121,7 +121,7 @@ bool stays_held(const Work& work, const EmptyFan& empty) {
 
 /// The threshold of a vertex that is looked at. Those with empty or refused fans are not until
 /// their stress changes; then they are forgotten (a vertex of none, for `forget_released`).
-std::optional<double> threshold(Work& work, VertexId v) {
+std::optional<double> threshold_of(Work& work, VertexId v) {
   FractureScratch& scratch = work.scratch;
   if (!scratch.rows[v.index()]) return std::nullopt;
   if (work.settings.node_stress == NodeStress::fit) {
@@ -129,8 +129,8 @@ std::optional<double> threshold(Work& work, VertexId v) {
   }
   const bool by_energy = work.settings.criterion == FractureCriterion::energy;
   if (by_energy && scratch.cracked[v.index()]) set_tip_strength(work, v);
-  if (const std::uint32_t held = scratch.held[v.index()]; held > 0) {
-    EmptyFan& empty = work.body.cells.empty_fans[held - 1];
+  if (!scratch.held.empty() && scratch.held[v.index()] > 0) {
+    EmptyFan& empty = work.body.cells.empty_fans[scratch.held[v.index()] - 1];
     if (stays_held(work, empty)) {
       scratch.rows[v.index()] = 0;
       ++work.report.still_empty;
@@ -150,6 +150,14 @@ void enqueue(Work& work, VertexId v, const PrincipalTension& tension) {
   work.scratch.queued[v.index()] = overstress;
   work.queue.push({overstress, v});
 }
+
+/// What algorithm 3 does here: candidates wait for their turn.
+struct Candidates {
+  Work& work;
+
+  std::optional<double> threshold(VertexId v) { return threshold_of(work, v); }
+  void split(VertexId v, const PrincipalTension& tension) { enqueue(work, v, tension); }
+};
 
 /// Counts those that waited and are over their threshold no longer; forgets who waited.
 void count_relieved(Work& work) {
@@ -330,8 +338,7 @@ FractureReport break_vertices(BreakableBody body, const FractureSettings& settin
             element_stress(body.cells, body.mechanics, settings.node_stress)};
   prepare(work, members);
   find_fractures(work.report, scratch.node_stress, body.cells, work.elements, settings,
-                 {.threshold = [&](VertexId v) { return threshold(work, v); },
-                  .split = [&](VertexId v, const auto& tension) { enqueue(work, v, tension); }});
+                 Candidates{work});
   forget_released(body.cells.empty_fans);
   if (work.report.not_a_number) return std::move(work.report);
   count_relieved(work);

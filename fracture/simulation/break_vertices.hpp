@@ -17,10 +17,11 @@ namespace sunder {
 struct FractureScratch {
   /// As it stands after the fans of the last call; for display too.
   NodeStressField node_stress;
-  std::vector<char> rows;           ///< |V|: looked at
-  std::vector<char> cracked;        ///< |V|: at a crack; with the criterion `energy` only
-  std::vector<std::uint32_t> held;  ///< |V|: 1 + its place in `Cells::empty_fans`; 0: not there
-  std::vector<char> broken;         ///< |V|: broken in this call
+  std::vector<char> rows;     ///< |V|: looked at
+  std::vector<char> cracked;  ///< |V|: at a crack; with the criterion `energy` only
+  /// |V|, or none where no fan is empty: 1 + its place in `Cells::empty_fans`; 0: not there
+  std::vector<std::uint32_t> held;
+  std::vector<char> broken;  ///< |V|: broken in this call
   /// |V|: overstress with which it stands in the queue; 0: it does not
   std::vector<double> queued;
   ComponentScratch components;

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "mechanics/integrators/numerical_loss.hpp"
 #include "mechanics/integrators/coefficients.hpp"
 #include "mechanics/integrators/component_step.hpp"
 #include "mechanics/integrators/numerical_loss.hpp"

@@ -19,18 +19,24 @@ struct Printed {
   FractureReport report;
   NodeStressField field;
 
+  struct Search {
+    Tension& body;
+    const FractureSettings& settings;
+    FractureReport& report;
+    std::vector<double> xi = body.cells.strength;
+    ComponentScratch scratch = {};
+
+    std::optional<double> threshold(VertexId v) { return xi[v.index()]; }
+    void split(VertexId v, const PrincipalTension& tension) {
+      report.fans.push_back(split_fan({body.cells, body.state}, vertex_star(body.cells.map, v),
+                                      tension.directions.col(0), settings, scratch));
+    }
+  };
+
   void run(Tension& body, const FractureSettings& settings) {
-    ComponentScratch scratch;
-    const std::vector<double> xi = body.cells.strength;
     find_fractures(report, field, body.cells,
                    element_stress(body.cells, body.state, settings.node_stress), settings,
-                   {.threshold = [&](VertexId v) { return std::optional(xi[v.index()]); },
-                    .split =
-                        [&](VertexId v, const PrincipalTension& tension) {
-                          report.fans.push_back(
-                              split_fan({body.cells, body.state}, vertex_star(body.cells.map, v),
-                                        tension.directions.col(0), settings, scratch));
-                        }});
+                   Search{body, settings, report});
   }
 };
 
