@@ -9,7 +9,7 @@
 #include "mechanics/integrators/baseline_system.hpp"
 #include "mechanics/integrators/scratch.hpp"
 #include "mechanics/solver/component_system.hpp"
-#include "topology/kernel/assert.hpp"
+#include "topology/base/assert.hpp"
 
 namespace sunder {
 namespace {

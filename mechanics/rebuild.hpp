@@ -5,7 +5,7 @@
 #include <span>
 
 #include "mechanics/state/mechanics_state.hpp"
-#include "topology/kernel/finding.hpp"
+#include "topology/base/finding.hpp"
 
 namespace sunder {
 

@@ -23,7 +23,7 @@
 #include "mechanics/solver/component_system.hpp"
 #include "mechanics/solver/parallel.hpp"
 #include "mechanics/state/living.hpp"
-#include "topology/kernel/assert.hpp"
+#include "topology/base/assert.hpp"
 
 namespace sunder {
 namespace {

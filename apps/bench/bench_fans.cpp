@@ -8,7 +8,7 @@
 #include <random>
 
 #include "apps/bench/clock.hpp"
-#include "topology/kernel/assert.hpp"
+#include "topology/base/assert.hpp"
 #include "topology/kernel/components.hpp"
 #include "topology/kernel/fan.hpp"
 #include "topology/kernel/invariants.hpp"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "topology/kernel/ids.hpp"
+#include "topology/base/ids.hpp"
 #include "topology/kernel/volume_map.hpp"
 
 namespace sunder {

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "apps/bench/bench_figures.hpp"
-#include "topology/kernel/tet_mesh.hpp"
+#include "topology/base/tet_mesh.hpp"
 
 namespace sunder {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "topology/kernel/finding.hpp"
+#include "topology/base/finding.hpp"
 
 namespace sunder {
 

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "apps/bench/bench_figures.hpp"
-#include "topology/kernel/finding.hpp"
+#include "topology/base/finding.hpp"
 
 namespace sunder {
 

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "topology/kernel/finding.hpp"
-#include "topology/kernel/tet_mesh.hpp"
+#include "topology/base/finding.hpp"
+#include "topology/base/tet_mesh.hpp"
 
 namespace sunder {
 

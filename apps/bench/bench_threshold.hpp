@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "topology/kernel/finding.hpp"
+#include "topology/base/finding.hpp"
 
 namespace sunder {
 

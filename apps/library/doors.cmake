@@ -3,11 +3,11 @@
 # each other. (version.hpp is made from version.hpp.in.) A host needs Eigen for them and nothing else, but for cgal_map.
 
 door(finding "What is wrong with an input, and results that carry it."
-  topology/kernel/finding.hpp)
+  topology/base/finding.hpp)
 
 door(mesh "Tetrahedral meshes: cells, files in and out, checks."
-  topology/kernel/ids.hpp
-  topology/kernel/tet_mesh.hpp
+  topology/base/ids.hpp
+  topology/base/tet_mesh.hpp
   topology/mesh/file_mesh.hpp
   topology/io/mesh_file.hpp
   topology/kernel/counts.hpp
@@ -26,7 +26,7 @@ door(map "The 3-map of a body: faces split and glued, fans, components, invarian
 
 door(mechanics "Materials, obstacles, and what a user chooses about integration, contact and impacts."
   mechanics/state/vec3.hpp
-  topology/kernel/counters.hpp
+  topology/base/counters.hpp
   mechanics/state/material.hpp
   mechanics/contact/obstacle.hpp
   mechanics/contact/contact_settings.hpp
@@ -39,13 +39,13 @@ door(mechanics "Materials, obstacles, and what a user chooses about integration,
 door(simulation "Scenes, how to build, step, save and load them, and what a step reports."
   fracture/strength/body_settings.hpp
   fracture/algorithms/fracture_settings.hpp
-  fracture/simulation/ladder_settings.hpp
-  fracture/simulation/scene.hpp
+  fracture/scene/ladder_settings.hpp
+  fracture/scene/scene.hpp
   fracture/algorithms/fan_event.hpp
   fracture/algorithms/fracture_report.hpp
   fracture/energy/settled_crack.hpp
   fracture/simulation/step_report.hpp
-  topology/kernel/owned.hpp
+  topology/base/owned.hpp
   fracture/simulation/simulation.hpp
   fracture/saving/saved_state.hpp)
 

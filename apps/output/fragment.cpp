@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "fracture/simulation/simulation_state.hpp"
-#include "topology/kernel/assert.hpp"
+#include "topology/base/assert.hpp"
+#include "topology/base/sort_unique.hpp"
 #include "topology/kernel/kernel.hpp"
-#include "topology/kernel/sort_unique.hpp"
 
 namespace sunder {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "fracture/simulation/simulation.hpp"
-#include "topology/kernel/finding.hpp"
+#include "topology/base/finding.hpp"
 
 namespace sunder {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "apps/render/frame_scene.hpp"
-#include "topology/kernel/finding.hpp"
+#include "topology/base/finding.hpp"
 
 namespace sunder::render {
 

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "topology/kernel/assert.hpp"
+#include "topology/base/assert.hpp"
 
 namespace sunder::render {
 namespace {

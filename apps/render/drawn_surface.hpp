@@ -7,7 +7,7 @@
 #include <span>
 
 #include "apps/render/frame_scene.hpp"
-#include "topology/kernel/ids.hpp"
+#include "topology/base/ids.hpp"
 
 namespace sunder::render {
 

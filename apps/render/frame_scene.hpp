@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "apps/render/color.hpp"
-#include "topology/kernel/finding.hpp"
+#include "topology/base/finding.hpp"
 
 namespace sunder::render {
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "apps/render/color.hpp"
-#include "topology/kernel/finding.hpp"
+#include "topology/base/finding.hpp"
 
 namespace sunder::render {
 

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "topology/kernel/finding.hpp"
+#include "topology/base/finding.hpp"
 
 namespace sunder::render {
 

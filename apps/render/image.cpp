@@ -9,7 +9,7 @@
 #include <string>
 #include <system_error>
 
-#include "topology/kernel/assert.hpp"
+#include "topology/base/assert.hpp"
 
 namespace sunder::render {
 namespace {

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "topology/kernel/finding.hpp"
+#include "topology/base/finding.hpp"
 
 namespace sunder::render {
 

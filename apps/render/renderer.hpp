@@ -8,7 +8,7 @@
 #include "apps/render/camera.hpp"
 #include "apps/render/frame_scene.hpp"
 #include "apps/render/image.hpp"
-#include "topology/kernel/finding.hpp"
+#include "topology/base/finding.hpp"
 
 namespace sunder::render {
 

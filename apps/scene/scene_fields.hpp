@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The keys of a scene file beside those of the scene itself (fracture/simulation/scene_fields.hpp):
+// The keys of a scene file beside those of the scene itself (fracture/scene/scene_fields.hpp):
 // what a run writes. The reader and the schema visit these descriptions.
 #pragma once
 
 #include "apps/scene/output_settings.hpp"
 #include "apps/scene/scene_json.hpp"
-#include "fracture/simulation/scene_fields.hpp"
+#include "fracture/scene/scene_fields.hpp"
 
 namespace sunder::fields {
 

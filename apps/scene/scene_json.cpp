@@ -15,7 +15,7 @@
 #include "apps/scene/scene_notes.hpp"
 #include "apps/scene/scene_paint.hpp"
 #include "apps/scene/scene_text.hpp"
-#include "fracture/simulation/check_scene.hpp"
+#include "fracture/scene/check_scene.hpp"
 #include "topology/io/face_list.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/mesh/check.hpp"

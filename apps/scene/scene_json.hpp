@@ -7,8 +7,8 @@
 #include <string>
 
 #include "apps/scene/output_settings.hpp"
-#include "fracture/simulation/scene.hpp"
-#include "topology/kernel/finding.hpp"
+#include "fracture/scene/scene.hpp"
+#include "topology/base/finding.hpp"
 
 namespace sunder {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "apps/scene/scene_text.hpp"
-#include "fracture/simulation/scene.hpp"
+#include "fracture/scene/scene.hpp"
 
 namespace sunder {
 

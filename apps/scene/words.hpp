@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "topology/base/finding.hpp"
 #include "topology/kernel/counts.hpp"
-#include "topology/kernel/finding.hpp"
 
 namespace sunder {
 

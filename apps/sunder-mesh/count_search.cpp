@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "topology/kernel/assert.hpp"
+#include "topology/base/assert.hpp"
 
 namespace sunder {
 namespace {

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "topology/kernel/assert.hpp"
+#include "topology/base/assert.hpp"
 
 namespace sunder {
 namespace {

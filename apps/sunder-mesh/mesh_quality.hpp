@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "topology/kernel/tet_mesh.hpp"
+#include "topology/base/tet_mesh.hpp"
 
 namespace sunder {
 

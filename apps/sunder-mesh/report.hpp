@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "apps/sunder-mesh/mesh_quality.hpp"
-#include "topology/kernel/finding.hpp"
-#include "topology/kernel/tet_mesh.hpp"
+#include "topology/base/finding.hpp"
+#include "topology/base/tet_mesh.hpp"
 
 namespace sunder {
 

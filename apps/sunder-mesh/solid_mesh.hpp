@@ -5,8 +5,8 @@
 #include <cstddef>
 
 #include "apps/sunder-mesh/surface.hpp"
-#include "topology/kernel/finding.hpp"
-#include "topology/kernel/tet_mesh.hpp"
+#include "topology/base/finding.hpp"
+#include "topology/base/tet_mesh.hpp"
 
 namespace sunder {
 

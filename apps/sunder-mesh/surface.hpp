@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "topology/kernel/finding.hpp"
-#include "topology/kernel/tet_mesh.hpp"
+#include "topology/base/finding.hpp"
+#include "topology/base/tet_mesh.hpp"
 
 namespace sunder {
 

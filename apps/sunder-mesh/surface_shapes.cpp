@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "apps/sunder-mesh/surface.hpp"
-#include "topology/kernel/assert.hpp"
+#include "topology/base/assert.hpp"
 
 namespace sunder {
 namespace {

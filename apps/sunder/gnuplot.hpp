@@ -6,7 +6,7 @@
 #include <optional>
 #include <string_view>
 
-#include "topology/kernel/finding.hpp"
+#include "topology/base/finding.hpp"
 
 namespace sunder {
 

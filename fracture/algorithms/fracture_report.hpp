@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "fracture/algorithms/fan_event.hpp"
-#include "topology/kernel/counters.hpp"
+#include "topology/base/counters.hpp"
 
 namespace sunder {
 

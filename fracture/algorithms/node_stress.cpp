@@ -2,7 +2,7 @@
 // Eq. 6, for all vertices at once and for one.
 #include "fracture/algorithms/node_stress.hpp"
 
-#include "topology/kernel/assert.hpp"
+#include "topology/base/assert.hpp"
 
 namespace sunder {
 

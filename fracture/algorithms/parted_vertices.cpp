@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "topology/base/sort_unique.hpp"
 #include "topology/kernel/fan.hpp"
-#include "topology/kernel/sort_unique.hpp"
 #include "topology/kernel/star_parts.hpp"
 
 namespace sunder {

@@ -2,8 +2,8 @@
 // Algorithm 4, and the rows that come of a split.
 #include "fracture/algorithms/split_fan.hpp"
 
-#include "topology/kernel/assert.hpp"
-#include "topology/kernel/sort_unique.hpp"
+#include "topology/base/assert.hpp"
+#include "topology/base/sort_unique.hpp"
 
 namespace sunder {
 namespace {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "topology/base/sort_unique.hpp"
 #include "topology/kernel/fan.hpp"
-#include "topology/kernel/sort_unique.hpp"
 
 namespace sunder {
 namespace {

@@ -9,7 +9,7 @@
 #include "fracture/algorithms/cells.hpp"
 #include "fracture/algorithms/parted_vertices.hpp"
 #include "mechanics/state/loads.hpp"
-#include "topology/kernel/finding.hpp"
+#include "topology/base/finding.hpp"
 
 namespace sunder {
 

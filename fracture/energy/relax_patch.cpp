@@ -8,9 +8,9 @@
 
 #include "mechanics/element/strain_displacement.hpp"
 #include "mechanics/solver/component_system.hpp"
-#include "topology/kernel/assert.hpp"
+#include "topology/base/assert.hpp"
+#include "topology/base/sort_unique.hpp"
 #include "topology/kernel/fan.hpp"
-#include "topology/kernel/sort_unique.hpp"
 
 namespace sunder {
 namespace {

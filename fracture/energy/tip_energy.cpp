@@ -7,11 +7,11 @@
 #include <limits>
 #include <vector>
 
-#include "fracture/energy/energy_release.hpp"
 #include "fracture/algorithms/fracture_plane.hpp"
+#include "fracture/energy/energy_release.hpp"
 #include "mechanics/element/strain_displacement.hpp"
+#include "topology/base/sort_unique.hpp"
 #include "topology/kernel/fan.hpp"
-#include "topology/kernel/sort_unique.hpp"
 
 namespace sunder {
 namespace {

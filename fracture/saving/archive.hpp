@@ -18,7 +18,7 @@
 #include <variant>
 #include <vector>
 
-#include "topology/kernel/ids.hpp"
+#include "topology/base/ids.hpp"
 
 namespace sunder {
 

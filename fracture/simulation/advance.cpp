@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <chrono>
 
-#include "fracture/simulation/break.hpp"
-#include "fracture/simulation/display.hpp"
+#include "fracture/breaking/break.hpp"
+#include "fracture/breaking/fan_clock.hpp"
 #include "fracture/simulation/energy_ledger.hpp"
-#include "fracture/simulation/fan_clock.hpp"
 #include "fracture/simulation/ladder.hpp"
 #include "fracture/simulation/part.hpp"
 #include "fracture/simulation/plan.hpp"
@@ -67,6 +66,17 @@ void add_fracture(StepReport& sum, FractureReport&& part) {
   ++sum.parts;
 }
 
+/// Section 3.3: what is drawn follows the frames smoothly.
+void update_display(SimulationState& s, const Scene& scene) {
+  for (const Component& c : s.mechanics.components) {
+    const Pose target{c.centre, c.orientation};
+    Pose& shown = s.display[c.id.index()];
+    shown = approach(carry(shown, s.display_target[c.id.index()], target), target,
+                     scene.integrator.time_step, scene.display_time_constant);
+    s.display_target[c.id.index()] = target;
+  }
+}
+
 }  // namespace
 
 StepReport advance(Simulation& sim, const StepObserver& observe) {
@@ -102,7 +112,8 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
     FanClock clock;
     {
       const StageTimer timer(report, Stage::fracture);
-      found = break_members(s, with_fans_left(scene.fracture, report.fracture.fans.size()),
+      found = break_members({s.cells, s.mechanics}, s.script,
+                            with_fans_left(scene.fracture, report.fracture.fans.size()),
                             {s.step + 1, report.parts}, plan.members(), scratch.fracture,
                             clock.watch());
       report.departed = s.script && s.script->departure;

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "fracture/simulation/check_scene.hpp"
+#include "fracture/scene/check_scene.hpp"
 #include "fracture/simulation/integrator_bounds.hpp"
 #include "fracture/simulation/scene_loads.hpp"
 #include "fracture/simulation/simulation_state.hpp"

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "fracture/simulation/scene.hpp"
+#include "fracture/scene/scene.hpp"
 #include "mechanics/step.hpp"
 
 namespace sunder {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "fracture/simulation/scene.hpp"
+#include "fracture/scene/scene.hpp"
 #include "fracture/simulation/state.hpp"
 #include "fracture/simulation/step_report.hpp"
 

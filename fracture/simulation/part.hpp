@@ -2,7 +2,7 @@
 // One part of a step: contact and mechanics, and where the energy of it went.
 #pragma once
 
-#include "fracture/simulation/scene.hpp"
+#include "fracture/scene/scene.hpp"
 #include "fracture/simulation/state.hpp"
 #include "fracture/simulation/step_report.hpp"
 

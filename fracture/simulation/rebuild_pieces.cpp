@@ -2,7 +2,7 @@
 // Pieces after fans.
 #include "fracture/simulation/rebuild_pieces.hpp"
 
-#include "topology/kernel/sort_unique.hpp"
+#include "topology/base/sort_unique.hpp"
 
 namespace sunder {
 namespace {

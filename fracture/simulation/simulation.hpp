@@ -8,10 +8,10 @@
 #include <functional>
 #include <vector>
 
-#include "fracture/simulation/scene.hpp"
+#include "fracture/scene/scene.hpp"
 #include "fracture/simulation/step_report.hpp"
-#include "topology/kernel/finding.hpp"
-#include "topology/kernel/owned.hpp"
+#include "topology/base/finding.hpp"
+#include "topology/base/owned.hpp"
 
 namespace sunder {
 

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "fracture/algorithms/cells.hpp"
+#include "fracture/breaking/break_vertices.hpp"
+#include "fracture/breaking/fan_script.hpp"
 #include "fracture/energy/crack_energy.hpp"
-#include "fracture/simulation/break_vertices.hpp"
-#include "fracture/simulation/fan_script.hpp"
 #include "mechanics/contact/contact.hpp"
 #include "mechanics/state/display_state.hpp"
 #include "mechanics/state/loads.hpp"

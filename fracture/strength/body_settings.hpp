@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "mechanics/state/material.hpp"
-#include "topology/kernel/tet_mesh.hpp"
+#include "topology/base/tet_mesh.hpp"
 
 namespace sunder {
 

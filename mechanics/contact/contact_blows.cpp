@@ -2,7 +2,7 @@
 // The way of contact impulses into frames, deformations and balls.
 #include "mechanics/contact/contact_bodies.hpp"
 #include "mechanics/contact/obstacle_geometry.hpp"
-#include "topology/kernel/assert.hpp"
+#include "topology/base/assert.hpp"
 
 namespace sunder {
 namespace {

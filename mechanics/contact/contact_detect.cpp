@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "mechanics/contact/obstacle_geometry.hpp"
-#include "topology/kernel/assert.hpp"
+#include "topology/base/assert.hpp"
 
 namespace sunder {
 namespace {

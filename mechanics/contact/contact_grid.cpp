@@ -6,7 +6,7 @@
 #include <bit>
 #include <cmath>
 
-#include "topology/kernel/assert.hpp"
+#include "topology/base/assert.hpp"
 
 namespace sunder {
 namespace {

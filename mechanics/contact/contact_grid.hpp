@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "mechanics/state/columns.hpp"
-#include "topology/kernel/ids.hpp"
+#include "topology/base/ids.hpp"
 
 namespace sunder {
 

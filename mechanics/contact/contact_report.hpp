@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "mechanics/state/vec3.hpp"
-#include "topology/kernel/counters.hpp"
+#include "topology/base/counters.hpp"
 
 namespace sunder {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "topology/kernel/assert.hpp"
+#include "topology/base/assert.hpp"
 
 namespace sunder {
 namespace {

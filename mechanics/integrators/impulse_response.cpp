@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
-#include "mechanics/integrators/coefficients.hpp"
-#include "mechanics/integrators/component_step.hpp"
 #include "mechanics/frame/mean_axis.hpp"
 #include "mechanics/frame/rotation.hpp"
-#include "topology/kernel/assert.hpp"
+#include "mechanics/integrators/coefficients.hpp"
+#include "mechanics/integrators/component_step.hpp"
+#include "topology/base/assert.hpp"
 
 namespace sunder {
 namespace {

@@ -7,7 +7,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "mechanics/integrators/baseline_system.hpp"
-#include "topology/kernel/assert.hpp"
+#include "topology/base/assert.hpp"
 
 namespace sunder {
 namespace {

@@ -2,7 +2,7 @@
 // Static solves step by step.
 #include "mechanics/integrators/quasi_static.hpp"
 
-#include "topology/kernel/assert.hpp"
+#include "topology/base/assert.hpp"
 
 namespace sunder {
 namespace {

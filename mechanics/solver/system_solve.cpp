@@ -6,7 +6,7 @@
 
 #include "mechanics/solver/component_system.hpp"
 #include "mechanics/solver/parallel.hpp"
-#include "topology/kernel/assert.hpp"
+#include "topology/base/assert.hpp"
 
 namespace sunder {
 namespace {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "mechanics/state/settings_fields.hpp"
-#include "topology/kernel/finding.hpp"
+#include "topology/base/finding.hpp"
 
 namespace sunder {
 

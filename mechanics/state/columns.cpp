@@ -2,7 +2,7 @@
 // Growth of the vertex columns at a split.
 #include "mechanics/state/columns.hpp"
 
-#include "topology/kernel/assert.hpp"
+#include "topology/base/assert.hpp"
 
 namespace sunder {
 

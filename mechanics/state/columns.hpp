@@ -10,7 +10,7 @@
 #include <Eigen/Dense>
 
 #include "mechanics/state/vec3.hpp"
-#include "topology/kernel/ids.hpp"
+#include "topology/base/ids.hpp"
 
 namespace sunder {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "topology/kernel/assert.hpp"
+#include "topology/base/assert.hpp"
 
 namespace sunder {
 

@@ -4,9 +4,9 @@
 
 #include <cstdint>
 
-#include "topology/kernel/counters.hpp"
-#include "topology/kernel/finding.hpp"
-#include "topology/kernel/ids.hpp"
+#include "topology/base/counters.hpp"
+#include "topology/base/finding.hpp"
+#include "topology/base/ids.hpp"
 
 namespace sunder {
 

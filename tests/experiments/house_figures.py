@@ -126,10 +126,11 @@ class House:
         headers = self.declared[name]
         if here or not headers & self.leads_to(file):
             return here
-        near = headers & self.includes[file] or headers & self.leads_to(file)
-        units = {unit(header) for header in near}
-        at_home = [f for f in all_of_name if unit(f[1]) in units]
-        return at_home or [f for f in all_of_name if near & self.leads_to(f[1])]
+        found = set()
+        for header in headers & self.includes[file] or headers & self.leads_to(file):
+            at_home = [f for f in all_of_name if unit(f[1]) == unit(header)]
+            found.update(at_home or [f for f in all_of_name if header in self.leads_to(f[1])])
+        return sorted(found)
 
     def calls(self, function):
         name, file, first, last = function

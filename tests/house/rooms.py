@@ -11,65 +11,68 @@ import sys
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 
-# Headers of topology/kernel that know no map: what the siblings topology and mechanics share.
-PLAIN = {f"topology/kernel/{name}.hpp" for name in ("assert", "counters", "finding", "ids", "owned", "tet_mesh")}
-
 # A room is the folder with all folders in it that are not rooms themselves. It may include itself
 # and the rooms named, which stand above it in this table, so nothing can go round in a circle.
-# "a/*": every room of a. "plain": the headers of PLAIN.
+# "a/*": every room of a.
 ROOMS = (
+    ("topology/base", "ids, plain meshes, findings, counters: what knows no map and all rooms share", ()),
     ("topology/kernel", "the 3-map: darts, cells, attributes, `split_face`, fans, components, invariants",
-     ()),
+     ("topology/base",)),
     ("topology/mesh", "meshes as files hold them: check, survey, repair, crack, boundary; a map made of one",
-     ("topology/kernel",)),
-    ("topology/io", "mesh files, a folder a format", ("topology/kernel", "topology/mesh")),
+     ("topology/base", "topology/kernel")),
+    ("topology/io", "mesh files, a folder a format", ("topology/base", "topology/kernel", "topology/mesh")),
     ("topology/suite", "what judges a kernel: fixtures, slow twins, homology, random runs",
-     ("topology/kernel", "topology/mesh", "topology/io")),
+     ("topology/base", "topology/kernel", "topology/mesh", "topology/io")),
     ("mechanics/state", "columns, components, materials, loads, settings: what is saved or chosen",
-     ("plain",)),
-    ("mechanics/frame", "rotations, rigid frames, mean axes", ("plain", "mechanics/state")),
+     ("topology/base",)),
+    ("mechanics/frame", "rotations, rigid frames, mean axes", ("topology/base", "mechanics/state")),
     ("mechanics/element", "strain, stress, elastic force and energy of tetrahedra",
-     ("plain", "mechanics/state", "mechanics/frame")),
+     ("topology/base", "mechanics/state", "mechanics/frame")),
     ("mechanics/solver", "assembled stiffness, block factor, columns of the inverse",
-     ("plain", "mechanics/state", "mechanics/frame", "mechanics/element")),
+     ("topology/base", "mechanics/state", "mechanics/frame", "mechanics/element")),
     ("mechanics/integrators", "a step of one component in the floating frame; answers to impulses",
-     ("plain", "mechanics/state", "mechanics/frame", "mechanics/element", "mechanics/solver")),
+     ("topology/base", "mechanics/state", "mechanics/frame", "mechanics/element", "mechanics/solver")),
     ("mechanics/baselines", "integrators that ours is compared with",
-     ("plain", "mechanics/state", "mechanics/frame", "mechanics/element", "mechanics/solver",
+     ("topology/base", "mechanics/state", "mechanics/frame", "mechanics/element", "mechanics/solver",
       "mechanics/integrators")),
     ("mechanics", "one step of all components; components made, placed and rebuilt",
-     ("plain", "mechanics/state", "mechanics/frame", "mechanics/element", "mechanics/solver",
+     ("topology/base", "mechanics/state", "mechanics/frame", "mechanics/element", "mechanics/solver",
       "mechanics/integrators", "mechanics/baselines")),
     ("mechanics/statics", "equilibrium and modes",
-     ("plain", "mechanics/state", "mechanics/frame", "mechanics/element", "mechanics/solver",
+     ("topology/base", "mechanics/state", "mechanics/frame", "mechanics/element", "mechanics/solver",
       "mechanics/integrators", "mechanics")),
     ("mechanics/contact", "a step with contact: obstacles, pieces, impacts",
-     ("plain", "mechanics/state", "mechanics/frame", "mechanics/element", "mechanics/solver",
+     ("topology/base", "mechanics/state", "mechanics/frame", "mechanics/element", "mechanics/solver",
       "mechanics/integrators", "mechanics")),
     ("fracture/algorithms", "node stress, threshold, plane, fan, split: algorithms 3 and 4 of the paper",
-     ("topology/kernel", "mechanics/state", "mechanics/frame", "mechanics/element")),
+     ("topology/base", "topology/kernel", "mechanics/state", "mechanics/frame", "mechanics/element")),
     ("fracture/strength", "strength drawn at random, faces cut before the start",
-     ("topology/kernel", "mechanics/state", "fracture/algorithms")),
+     ("topology/base", "topology/kernel", "mechanics/state", "fracture/algorithms")),
     ("fracture/energy", "energy that a crack releases, and what it leaves in motion",
-     ("topology/kernel", "mechanics/*", "fracture/algorithms")),
-    ("fracture/simulation", "a scene in memory, its steps and what they report",
-     ("topology/kernel", "topology/mesh", "mechanics/*", "fracture/algorithms", "fracture/strength",
-      "fracture/energy")),
+     ("topology/base", "topology/kernel", "mechanics/*", "fracture/algorithms")),
+    ("fracture/scene", "bodies and all that a user chooses of a simulation; every key once",
+     ("topology/base", "mechanics/state", "mechanics/contact", "fracture/algorithms", "fracture/strength")),
+    ("fracture/breaking", "which vertices break in a run and in what order; or the fans of a script",
+     ("topology/base", "topology/kernel", "mechanics/state", "fracture/algorithms", "fracture/energy")),
+    ("fracture/simulation", "a body in motion: its steps and what they report",
+     ("topology/base", "topology/kernel", "topology/mesh", "mechanics/*", "fracture/algorithms", "fracture/strength",
+      "fracture/energy", "fracture/scene", "fracture/breaking")),
     ("fracture/saving", "a simulation as a file, to go on with later",
-     ("topology/kernel", "topology/mesh", "topology/io", "mechanics/*", "fracture/algorithms",
-      "fracture/strength", "fracture/energy", "fracture/simulation")),
+     ("topology/base", "topology/kernel", "topology/mesh", "topology/io", "mechanics/*", "fracture/algorithms",
+      "fracture/strength", "fracture/energy", "fracture/scene", "fracture/breaking",
+      "fracture/simulation")),
     ("apps/scene", "scene files, JSON to settings",
-     ("topology/kernel", "topology/mesh", "topology/io", "mechanics/*", "fracture/*")),
+     ("topology/base", "topology/kernel", "topology/mesh", "topology/io", "mechanics/*", "fracture/*")),
     ("apps/output", "fragments, tables and frames of a simulation",
-     ("topology/kernel", "topology/mesh", "topology/io", "mechanics/*", "fracture/*")),
-    ("apps/render", "pictures of triangles; knows no map and no mechanics", ("plain",)),
+     ("topology/base", "topology/kernel", "topology/mesh", "topology/io", "mechanics/*", "fracture/*")),
+    ("apps/render", "pictures of triangles; knows no map and no mechanics", ("topology/base",)),
     ("apps/sunder", "the program, a folder a command",
      ("topology/*", "mechanics/*", "fracture/*", "apps/scene", "apps/output", "apps/render")),
     ("apps/bench", "sunder-bench: measurements, charts, kernels judged",
      ("topology/*", "mechanics/*", "fracture/*", "apps/scene", "apps/output", "apps/render",
       "apps/sunder")),
     ("apps/sunder-mesh", "surfaces to tetrahedra, under the GPL",
-     ("topology/kernel", "topology/mesh", "topology/io")),
+     ("topology/base", "topology/kernel", "topology/mesh", "topology/io")),
 )
 NAMES = tuple(name for name, _, _ in ROOMS)
 TOPS = ("topology", "mechanics", "fracture", "apps")
@@ -108,7 +111,7 @@ def room_of(name):
 
 
 def allowed(room):
-    """Every room that `room` may include, itself among them, and "plain" where it may."""
+    """Every room that `room` may include, itself among them."""
     seen = {room}
     for entry in next(sees for name, _, sees in ROOMS if name == room):
         if entry.endswith("/*"):
@@ -123,7 +126,7 @@ def table():
     """The table of rooms in Markdown."""
     lines = ["| room | what it is for | may include |", "|---|---|---|"]
     for name, purpose, sees in ROOMS:
-        shown = ", ".join("plain headers" if s == "plain" else f"`{s}`" for s in sees)
+        shown = ", ".join(f"`{s}`" for s in sees)
         lines.append(f"| `{name}` | {purpose} | {shown or 'nothing'} |")
     return "\n".join(lines) + "\n"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tests/support/folder.hpp"
-#include "topology/kernel/tet_mesh.hpp"
+#include "topology/base/tet_mesh.hpp"
 
 namespace sunder::test {
 

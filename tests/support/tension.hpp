@@ -6,7 +6,7 @@
 
 #include "fracture/algorithms/cells.hpp"
 #include "fracture/algorithms/node_stress.hpp"
-#include "fracture/simulation/break_vertices.hpp"
+#include "fracture/breaking/break_vertices.hpp"
 #include "mechanics/element/strain_displacement.hpp"
 #include "mechanics/rebuild.hpp"
 #include "topology/mesh/build_map.hpp"

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "topology/mesh/file_mesh.hpp"
-#include "topology/kernel/finding.hpp"
+#include "topology/base/finding.hpp"
 #include "topology/io/number_source.hpp"
+#include "topology/mesh/file_mesh.hpp"
 
 namespace sunder::io {
 

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "topology/kernel/finding.hpp"
+#include "topology/base/finding.hpp"
 
 namespace sunder {
 

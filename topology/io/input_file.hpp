@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "topology/kernel/finding.hpp"
+#include "topology/base/finding.hpp"
 
 namespace sunder::io {
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-#include "topology/kernel/finding.hpp"
+#include "topology/base/finding.hpp"
 
 namespace sunder {
 

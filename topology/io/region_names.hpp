@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "topology/mesh/file_mesh.hpp"
-#include "topology/kernel/finding.hpp"
+#include "topology/base/finding.hpp"
 #include "topology/io/mesh_file.hpp"
+#include "topology/mesh/file_mesh.hpp"
 
 namespace sunder::io {
 

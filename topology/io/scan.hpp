@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "topology/kernel/finding.hpp"
+#include "topology/base/finding.hpp"
 
 namespace sunder::io {
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "topology/kernel/ids.hpp"
+#include "topology/base/ids.hpp"
 #include "topology/kernel/kernel.hpp"
 #include "topology/kernel/split_face.hpp"
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "topology/kernel/append_row.hpp"
-#include "topology/kernel/assert.hpp"
+#include "topology/base/append_row.hpp"
+#include "topology/base/assert.hpp"
 
 namespace sunder {
 namespace {

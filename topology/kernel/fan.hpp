@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "topology/kernel/finding.hpp"
-#include "topology/kernel/ids.hpp"
+#include "topology/base/finding.hpp"
+#include "topology/base/ids.hpp"
 #include "topology/kernel/kernel.hpp"
 #include "topology/kernel/plane_side.hpp"
 

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "topology/base/finding.hpp"
 #include "topology/kernel/counts.hpp"
-#include "topology/kernel/finding.hpp"
 #include "topology/kernel/kernel.hpp"
 #include "topology/kernel/split_face.hpp"
 

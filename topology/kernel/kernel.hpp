@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <span>
 
-#include "topology/kernel/ids.hpp"
-#include "topology/kernel/tet_mesh.hpp"
+#include "topology/base/ids.hpp"
+#include "topology/base/tet_mesh.hpp"
 
 namespace sunder {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "topology/kernel/assert.hpp"
+#include "topology/base/assert.hpp"
 
 namespace sunder {
 

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "topology/kernel/ids.hpp"
-#include "topology/kernel/tet_mesh.hpp"
+#include "topology/base/ids.hpp"
+#include "topology/base/tet_mesh.hpp"
 #include "topology/kernel/volume_map.hpp"
 
 namespace sunder {

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "topology/base/union_find.hpp"
 #include "topology/kernel/components.hpp"
-#include "topology/kernel/union_find.hpp"
 
 namespace sunder {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "topology/kernel/point_math.hpp"
+#include "topology/base/point_math.hpp"
 
 namespace sunder {
 namespace {

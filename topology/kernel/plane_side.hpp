@@ -6,7 +6,7 @@
 #include <array>
 #include <optional>
 
-#include "topology/kernel/tet_mesh.hpp"
+#include "topology/base/tet_mesh.hpp"
 
 namespace sunder {
 

@@ -6,7 +6,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "topology/kernel/ids.hpp"
+#include "topology/base/ids.hpp"
 #include "topology/kernel/kernel.hpp"
 
 namespace sunder {

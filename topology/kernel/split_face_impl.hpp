@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "topology/kernel/assert.hpp"
+#include "topology/base/assert.hpp"
 #include "topology/kernel/split_face.hpp"
 
 namespace sunder::detail {

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "topology/kernel/union_find.hpp"
+#include "topology/base/union_find.hpp"
 
 namespace sunder {
 

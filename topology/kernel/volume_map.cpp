@@ -2,8 +2,8 @@
 // The map of a body: every change goes to the darts and to the dense rows in one call.
 #include "topology/kernel/volume_map.hpp"
 
-#include "topology/kernel/append_row.hpp"
-#include "topology/kernel/assert.hpp"
+#include "topology/base/append_row.hpp"
+#include "topology/base/assert.hpp"
 #include "topology/kernel/dart_map.hpp"
 
 namespace sunder {

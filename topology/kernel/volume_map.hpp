@@ -9,10 +9,10 @@
 #include <span>
 #include <vector>
 
-#include "topology/kernel/finding.hpp"
-#include "topology/kernel/ids.hpp"
+#include "topology/base/finding.hpp"
+#include "topology/base/ids.hpp"
+#include "topology/base/tet_mesh.hpp"
 #include "topology/kernel/kernel.hpp"
-#include "topology/kernel/tet_mesh.hpp"
 
 namespace sunder {
 

@@ -2,8 +2,8 @@
 // From a mesh as files hold it to a 3-map: checks everything, sews every shared face.
 #pragma once
 
-#include "topology/kernel/finding.hpp"
-#include "topology/kernel/tet_mesh.hpp"
+#include "topology/base/finding.hpp"
+#include "topology/base/tet_mesh.hpp"
 #include "topology/kernel/volume_map.hpp"
 
 namespace sunder {

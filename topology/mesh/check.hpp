@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "topology/base/finding.hpp"
+#include "topology/base/tet_mesh.hpp"
 #include "topology/kernel/counts.hpp"
-#include "topology/kernel/finding.hpp"
-#include "topology/kernel/tet_mesh.hpp"
 #include "topology/mesh/file_mesh.hpp"
 
 namespace sunder {

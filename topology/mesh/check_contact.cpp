@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "topology/base/point_math.hpp"
+#include "topology/base/sort_unique.hpp"
+#include "topology/base/union_find.hpp"
 #include "topology/kernel/kernel.hpp"
-#include "topology/kernel/point_math.hpp"
-#include "topology/kernel/sort_unique.hpp"
-#include "topology/kernel/union_find.hpp"
 #include "topology/mesh/box_tree.hpp"
 #include "topology/mesh/survey.hpp"
 

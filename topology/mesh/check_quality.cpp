@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "topology/base/point_math.hpp"
 #include "topology/kernel/kernel.hpp"
-#include "topology/kernel/point_math.hpp"
 #include "topology/mesh/survey.hpp"
 
 namespace sunder {

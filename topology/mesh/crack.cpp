@@ -7,7 +7,7 @@
 #include <numeric>
 #include <optional>
 
-#include "topology/kernel/assert.hpp"
+#include "topology/base/assert.hpp"
 #include "topology/kernel/kernel.hpp"
 #include "topology/kernel/star_parts.hpp"
 

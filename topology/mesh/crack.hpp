@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
+#include "topology/base/finding.hpp"
 #include "topology/kernel/fan.hpp"
 #include "topology/mesh/file_mesh.hpp"
-#include "topology/kernel/finding.hpp"
 
 namespace sunder {
 

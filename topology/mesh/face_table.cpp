@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "topology/kernel/assert.hpp"
+#include "topology/base/assert.hpp"
 
 namespace sunder {
 namespace {

@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "topology/kernel/tet_mesh.hpp"
+#include "topology/base/tet_mesh.hpp"
 
 namespace sunder {
 

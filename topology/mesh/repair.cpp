@@ -9,7 +9,7 @@
 #include <numeric>
 #include <unordered_map>
 
-#include "topology/kernel/union_find.hpp"
+#include "topology/base/union_find.hpp"
 #include "topology/mesh/build_map.hpp"
 #include "topology/mesh/face_table.hpp"
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "topology/base/finding.hpp"
 #include "topology/mesh/file_mesh.hpp"
-#include "topology/kernel/finding.hpp"
 
 namespace sunder {
 

@@ -10,7 +10,7 @@
 #include <limits>
 #include <sstream>
 
-#include "topology/kernel/assert.hpp"
+#include "topology/base/assert.hpp"
 
 namespace sunder {
 namespace {

@@ -2,7 +2,7 @@
 // Meshes of one body in several finenesses, for charts.
 #pragma once
 
-#include "topology/kernel/tet_mesh.hpp"
+#include "topology/base/tet_mesh.hpp"
 
 namespace sunder {
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "topology/kernel/finding.hpp"
+#include "topology/base/finding.hpp"
 
 namespace sunder {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "apps/sunder/fragments/size_laws.hpp"
-#include "topology/kernel/finding.hpp"
+#include "topology/base/finding.hpp"
 
 namespace sunder {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "topology/kernel/assert.hpp"
+#include "topology/base/assert.hpp"
 
 namespace sunder {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "topology/base/finding.hpp"
 #include "topology/mesh/file_mesh.hpp"
-#include "topology/kernel/finding.hpp"
 
 namespace sunder {
 

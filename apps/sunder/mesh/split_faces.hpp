@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "topology/base/finding.hpp"
 #include "topology/kernel/fan.hpp"
-#include "topology/kernel/finding.hpp"
 #include "topology/kernel/volume_map.hpp"
 
 namespace sunder {

@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <vector>
 
+#include "topology/base/finding.hpp"
+#include "topology/base/tet_mesh.hpp"
 #include "topology/kernel/components.hpp"
-#include "topology/kernel/finding.hpp"
-#include "topology/kernel/tet_mesh.hpp"
 #include "topology/kernel/volume_map.hpp"
 
 namespace sunder {

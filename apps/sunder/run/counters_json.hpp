@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "topology/kernel/counters.hpp"
+#include "topology/base/counters.hpp"
 
 namespace sunder {
 

@@ -8,8 +8,8 @@
 #include <string_view>
 
 #include "apps/sunder/run/event_log.hpp"
-#include "fracture/simulation/fan_script.hpp"
-#include "topology/kernel/finding.hpp"
+#include "fracture/breaking/fan_script.hpp"
+#include "topology/base/finding.hpp"
 
 namespace sunder {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "tests/support/program.hpp"
-#include "topology/kernel/tet_mesh.hpp"
+#include "topology/base/tet_mesh.hpp"
 
 using namespace sunder::test;
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstddef>
 
-#include "fracture/simulation/scene.hpp"
+#include "fracture/scene/scene.hpp"
 
 namespace sunder::accuracy {
 

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "fracture/simulation/scene.hpp"
+#include "fracture/scene/scene.hpp"
 
 namespace sunder::accuracy {
 

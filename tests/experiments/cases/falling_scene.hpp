@@ -2,7 +2,7 @@
 // A scene that falls and breaks, at steps of h, h/4, h/16: whether the outcome is that of the step.
 #pragma once
 
-#include "fracture/simulation/scene.hpp"
+#include "fracture/scene/scene.hpp"
 
 namespace sunder::accuracy {
 

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "fracture/algorithms/split_fan.hpp"
-#include "fracture/simulation/fan_script.hpp"
+#include "fracture/breaking/fan_script.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/element/energy.hpp"
 #include "tests/support/tension.hpp"

@@ -6,10 +6,10 @@
 #include <charconv>
 #include <cmath>
 
+#include "topology/base/sort_unique.hpp"
 #include "topology/io/abaqus/abaqus.hpp"
 #include "topology/io/named_regions.hpp"
 #include "topology/io/number_sink.hpp"
-#include "topology/kernel/sort_unique.hpp"
 
 namespace sunder::io {
 namespace {

@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "topology/kernel/assert.hpp"
+#include "topology/base/assert.hpp"
 #include "topology/io/number_sink.hpp"
 #include "topology/io/vtk/vtk_cells.hpp"
 

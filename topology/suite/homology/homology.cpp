@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "topology/kernel/union_find.hpp"
+#include "topology/base/union_find.hpp"
 #include "topology/suite/homology/homology_matrix.hpp"
 
 namespace sunder::suite {

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "topology/kernel/tet_mesh.hpp"
+#include "topology/base/tet_mesh.hpp"
 #include "topology/suite/kernels/operation.hpp"
 
 namespace sunder::suite {

@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "topology/kernel/ids.hpp"
+#include "topology/base/ids.hpp"
 #include "topology/kernel/volume_map.hpp"
 
 namespace sunder::suite {

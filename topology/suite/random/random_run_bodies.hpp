@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "topology/kernel/tet_mesh.hpp"
+#include "topology/base/tet_mesh.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
 namespace sunder::suite {

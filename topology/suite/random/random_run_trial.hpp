@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "topology/kernel/tet_mesh.hpp"
+#include "topology/base/tet_mesh.hpp"
 #include "topology/suite/fixtures/fixture.hpp"
 #include "topology/suite/judge/glue_twin.hpp"
 #include "topology/suite/judge/judge_checks.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "topology/kernel/point_math.hpp"
+#include "topology/base/point_math.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -3,7 +3,7 @@
 // several keys. Defaults are those of the structs.
 #pragma once
 
-#include "fracture/simulation/scene.hpp"
+#include "fracture/scene/scene.hpp"
 #include "mechanics/contact/contact_fields.hpp"
 
 namespace sunder::fields {

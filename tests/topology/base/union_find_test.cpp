@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Sets by union-find, and what a star falls into.
-#include "topology/kernel/union_find.hpp"
+#include "topology/base/union_find.hpp"
 
 #include <catch2/catch.hpp>
 

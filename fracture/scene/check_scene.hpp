@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "fracture/simulation/scene_fields.hpp"
+#include "fracture/scene/scene_fields.hpp"
 #include "mechanics/state/check_settings.hpp"
 
 namespace sunder {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Gravity and the number of steps of a scene.
-#include "fracture/simulation/scene.hpp"
+#include "fracture/scene/scene.hpp"
 
 #include <algorithm>
 #include <cmath>

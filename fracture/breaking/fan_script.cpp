@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Making the fans of a script, each checked first against the body as it is.
-#include "fracture/simulation/fan_script.hpp"
+#include "fracture/breaking/fan_script.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reports add up as their counters say, over a step and over a run.
-#include "topology/kernel/counters.hpp"
+#include "topology/base/counters.hpp"
 
 #include <array>
 #include <catch2/catch.hpp>

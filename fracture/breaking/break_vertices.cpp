@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Candidates, their queue, and a fan for each.
-#include "fracture/simulation/break_vertices.hpp"
+#include "fracture/breaking/break_vertices.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -13,8 +13,8 @@
 #include "fracture/algorithms/split_fan.hpp"
 #include "fracture/algorithms/threshold_test.hpp"
 #include "fracture/energy/tip_energy.hpp"
+#include "topology/base/sort_unique.hpp"
 #include "topology/kernel/fan.hpp"
-#include "topology/kernel/sort_unique.hpp"
 
 namespace sunder {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "fracture/algorithms/fracture_settings.hpp"
-#include "fracture/simulation/ladder_settings.hpp"
+#include "fracture/scene/ladder_settings.hpp"
 #include "fracture/strength/body_settings.hpp"
 #include "mechanics/contact/contact_settings.hpp"
 #include "mechanics/contact/impact_settings.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "topology/kernel/owned.hpp"
+#include "topology/base/owned.hpp"
 
 #include <catch2/catch.hpp>
 #include <type_traits>

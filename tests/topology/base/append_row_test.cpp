@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "topology/kernel/append_row.hpp"
+#include "topology/base/append_row.hpp"
 
 #include <catch2/catch.hpp>
 #include <cstddef>

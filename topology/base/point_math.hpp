@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "topology/kernel/tet_mesh.hpp"
+#include "topology/base/tet_mesh.hpp"
 
 namespace sunder::detail {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The rules between keys of a scene.
-#include "fracture/simulation/check_scene.hpp"
+#include "fracture/scene/check_scene.hpp"
 
 #include <fmt/format.h>
 

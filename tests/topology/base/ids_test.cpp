@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "topology/kernel/ids.hpp"
+#include "topology/base/ids.hpp"
 
 #include <catch2/catch.hpp>
 #include <type_traits>

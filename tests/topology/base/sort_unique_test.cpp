@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "topology/kernel/sort_unique.hpp"
+#include "topology/base/sort_unique.hpp"
 
 #include <catch2/catch.hpp>
 

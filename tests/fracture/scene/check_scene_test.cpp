@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a program that fills a scene itself may get wrong: refused as a scene file would be.
-#include "fracture/simulation/check_scene.hpp"
+#include "fracture/scene/check_scene.hpp"
 
 #include <catch2/catch.hpp>
 #include <limits>

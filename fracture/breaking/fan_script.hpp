@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "fracture/simulation/break_vertices.hpp"
+#include "fracture/breaking/break_vertices.hpp"
 
 namespace sunder {
 
