@@ -17,6 +17,8 @@ enum class ExitCode : int {
   failed = 5,
   /// A replay is not the run whose log it follows.
   departed = 6,
+  /// A run to its end that has warnings, where `--strict` asks.
+  warned = 7,
   interrupted = 130,
 };
 

@@ -69,7 +69,7 @@ constexpr int member_count(const ContactMemory*) { return 4; }
 constexpr int member_count(const ContactMemory::Allowance*) { return 2; }
 constexpr int member_count(const ContactMemory::Remembered*) { return 2; }
 constexpr int member_count(const SpherePair*) { return 2; }
-constexpr int member_count(const ContactPoint*) { return 9; }
+constexpr int member_count(const ContactPoint*) { return 10; }
 constexpr int member_count(const ImpactWindow*) { return 2; }
 constexpr int member_count(const LadderState*) { return 1; }
 constexpr int member_count(const Pose*) { return 2; }

@@ -89,13 +89,14 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
   std::vector<char>& touched = scratch.touched;
   touched.assign(s.mechanics.components.size(), 0);
 
-  StepPlan plan = plan_step(scene, s, scratch.mechanics);
+  StepPlan plan = plan_step(scene, s, scratch);
   while (const std::optional<PlannedPart> part = next_part(plan, scene, s)) {
+    plan.hurried = sim.hurry && *sim.hurry;
     ContactStepResult taken;
     if (part->moves) {
       const StageTimer timer(report, Stage::mechanics);
-      taken =
-          take_part(report, s, {scene, *part, plan.members(), plan.gravity, sim.threads}, scratch);
+      taken = take_part(
+          report, s, {scene, *part, plan.members(), plan.gravity, sim.threads, sim.hurry}, scratch);
       if (taken.adopted) {
         add_status(report.status, taken.status);
         add_contact(report.contact, taken.report);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "mechanics/contact/contact_detect.hpp"
 #include "mechanics/integrators/coefficients.hpp"
 #include "mechanics/integrators/component_step.hpp"
 #include "mechanics/integrators/numerical_loss.hpp"
@@ -108,18 +109,27 @@ void add_losses(EnergyLedger& ledger, const AdoptedPart& part) {
   });
 }
 
-/// Way of the point of side B: the middle of a tetrahedron, or an obstacle that moves as it is
-/// told.
+/// Way of the point of side B: of a tetrahedron, or of an obstacle that moves as it is told.
 Vec3 way_of_other(const AdoptedPart& part, const ContactPoint& contact) {
   if (contact.tetrahedron.is_none()) {
     return part.input.settings.time_step * part.state.obstacles[contact.obstacle].velocity;
   }
   const VertexColumns& vertices = part.state.mechanics.vertices;
   Vec3 way = Vec3::Zero();
-  for (VertexId v : part.input.corners[contact.tetrahedron.index()]) {
-    way += 0.25 * (vertices.position[v.index()] - part.before.position[v.index()]);
+  const Corners& corners = part.input.corners[contact.tetrahedron.index()];
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t v = corners[i].index();
+    way += contact.weights[i] * (vertices.position[v] - part.before.position[v]);
   }
-  return way;
+  const ComponentId id = part.state.mechanics.elements.component[contact.tetrahedron.index()];
+  const Component& component = part.state.mechanics.components[id.index()];
+  if (component.isolated) return way;
+  // The impulse acts where side A began, as if that were fast to B.
+  const Vec3 lever = part.before.position[contact.vertex.index()] -
+                     weighted_sum(corners, contact.weights, part.before.position);
+  const Vec3 turned =
+      component.orientation * (part.before.orientation[id.index()].conjugate() * lever);
+  return way + turned - lever;
 }
 
 void add_contact_work(EnergyLedger& ledger, const AdoptedPart& part) {
@@ -206,9 +216,11 @@ void remember_start(PartStart& before, const SimulationState& state, bool keeps_
   before.acceleration = m.vertices.displacement_acceleration;
   before.momentum.clear();
   before.angular_momentum.clear();
+  before.orientation.clear();
   for (const Component& component : m.components) {
     before.momentum.push_back(component.momentum);
     before.angular_momentum.push_back(component.angular_momentum);
+    before.orientation.push_back(component.orientation);
   }
 }
 

@@ -207,7 +207,8 @@ double flight_stress_bound(const MechanicsState& state, const Component& compone
         std::max(squared_speed, (state.vertices.velocity[v.index()] - drift).squaredNorm());
   }
   const double smallest_star = 4 * lightest / material.density;
-  return std::sqrt(2 * material.young_modulus * energy / smallest_star) +
+  const auto [lambda, mu] = lame(material);
+  return std::sqrt(2 * (lambda + 2 * mu) * energy / smallest_star) +
          2 * material.density * squared_speed;
 }
 

@@ -13,11 +13,12 @@ namespace sunder {
 
 /// Bound on the largest principal node stress (Pa) that a free component can come to while nothing
 /// touches it, from what is in it now:
-///   sqrt(2 E (U + T_d) / V) + 2 rho s^2
+///   sqrt(2 M (U + T_d) / V) + 2 rho s^2
 /// U its strain energy, T_d the kinetic energy of its deformation, V the volume of its smallest
-/// star, s the largest speed of a vertex against the mass centre. First term: a volume V under the
-/// mean stress of largest eigenvalue sigma holds at least V sigma^2 / (2 E), and it cannot hold
-/// more than there is. Second: centrifugal forces stress a rod with rho s^2 / 2 at most and a disc
+/// star, s the largest speed of a vertex against the mass centre, M = lambda + 2 mu = rho c_p^2.
+/// First term: a volume V under the mean stress of largest eigenvalue sigma holds at least
+/// V sigma^2 / (2 M) (uniaxial strain; for nu = 0 that is E), and it cannot hold more than there
+/// is. Second: centrifugal forces stress a rod with rho s^2 / 2 at most and a disc
 /// with 0.41 rho s^2; the factor leaves four times that for notches
 /// (`tests/fracture/simulation/ladder_test.cpp` holds it against the equilibria of spinning
 /// bodies). O(rows of the component).

@@ -31,7 +31,8 @@ ContactStepResult take_part(StepReport& report, SimulationState& s, const PartIn
                         .part = part.plan.part,
                         .members = part.members,
                         .measures_strain = part.scene.energy_ledger,
-                        .threads = part.threads};
+                        .threads = part.threads,
+                        .hurry = part.hurry};
   remember_start(scratch.before, s, part.scene.energy_ledger);
   ContactStepResult result =
       advance_with_contact({s.mechanics, s.obstacles, s.contact}, input, part.scene.contact,

@@ -23,6 +23,7 @@ struct PartInput {
   StepMembers members;
   Vec3 gravity = Vec3::Zero();  ///< m/s^2
   unsigned threads = 1;
+  const std::atomic<bool>* hurry = nullptr;  ///< `Simulation::hurry`
 };
 
 /// Takes one part of a step for its members: surface loads at its end, contact, mechanics. What it

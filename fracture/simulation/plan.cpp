@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "fracture/simulation/integrator_bounds.hpp"
 #include "mechanics/baselines/verlet.hpp"
@@ -147,16 +148,19 @@ void begin_members(StepPlan& plan, const Scene& scene, SimulationState& s) {
 PlannedPart next_of_members(StepPlan& plan, const Scene& scene, const SimulationState& s) {
   const double sub_step = s.impact.sub_step;
   if (plan.still > 0) {
-    return {.part = {Deformation::frozen, 0, &scene.impact},
+    return {.part = {Deformation::frozen, 0, &scene.impact, plan.strength},
             .length = static_cast<double>(plan.still) * sub_step,
             .breaks = false};
   }
   plan.impact.stopped = plan.impact.sub_steps >= scene.impact.max_sub_steps;
   const bool fine = plan.throughout || !open_windows(s.impact).empty();
-  if (fine && !plan.impact.stopped) return {{Deformation::wave, 0, &scene.impact}, sub_step};
+  if (fine && !plan.impact.stopped && !plan.hurried) {
+    return {{Deformation::wave, 0, &scene.impact, plan.strength}, sub_step};
+  }
   // What is left at once, or the way to the next blow.
-  const ImpactSettings* impact = plan.impact.stopped ? nullptr : &scene.impact;
-  return {{Deformation::catch_up, scene.integrator.time_step, impact},
+  const bool at_once = plan.impact.stopped || plan.hurried;
+  const ImpactSettings* impact = at_once ? nullptr : &scene.impact;
+  return {{Deformation::catch_up, scene.integrator.time_step, impact, plan.strength},
           static_cast<double>(plan.left) * sub_step};
 }
 
@@ -210,16 +214,26 @@ void finish_members(StepPlan& plan, const Scene& scene, SimulationState& s) {
   }
 }
 
+/// Pieces that came off take their vertices' strengths with them.
+void note_strengths(StepPlan& plan, const SimulationState& s) {
+  plan.strength.assign(s.mechanics.components.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t v = 0; v < s.mechanics.vertices.size(); ++v) {
+    double& lowest = plan.strength[s.mechanics.vertices.component[v].index()];
+    lowest = std::min(lowest, s.cells.strength[v]);
+  }
+}
+
 }  // namespace
 
-StepPlan plan_step(const Scene& scene, SimulationState& s, MechanicsScratch& scratch) {
-  StepPlan plan;
+StepPlan plan_step(const Scene& scene, SimulationState& s, SimulationScratch& scratch) {
+  StepPlan plan{.strength = scratch.strength};
   plan.start = s.mechanics.time;
   plan.gravity = gravity_at(scene.gravity, s.mechanics.time + scene.integrator.time_step);
   s.impact.quiet.resize(s.mechanics.components.size(), ImpactWindow::closed);
   if (scene.integrator.integrator == Integrator::sub_stepped) {
     plan.phase = StepPlan::Phase::equal;
-    plan.parts = sub_step_count(scene.integrator.time_step, least_step_bound(scratch, s.mechanics));
+    plan.parts = sub_step_count(scene.integrator.time_step,
+                                least_step_bound(scratch.mechanics, s.mechanics));
   } else if (has_windows(scene)) {
     if (!open_windows(s.impact).empty()) begin_others(plan, s);
   }
@@ -229,7 +243,11 @@ StepPlan plan_step(const Scene& scene, SimulationState& s, MechanicsScratch& scr
 std::optional<PlannedPart> next_part(StepPlan& plan, const Scene& scene, SimulationState& s) {
   using Phase = StepPlan::Phase;
   const double h = scene.integrator.time_step;
-  const StepPart whole{Deformation::whole, 0, has_windows(scene) ? &scene.impact : nullptr};
+  if (has_windows(scene)) note_strengths(plan, s);
+  // Explicit parts cannot be longer; everybody is at the same time, so the step may end here.
+  if (plan.hurried && plan.phase == Phase::equal) return std::nullopt;
+  const StepPart whole{Deformation::whole, 0, has_windows(scene) ? &scene.impact : nullptr,
+                       plan.strength};
   if (plan.phase == Phase::others_done) {
     begin_members(plan, scene, s);
     plan.phase = Phase::members;

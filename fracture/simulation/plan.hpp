@@ -28,11 +28,14 @@ struct StepPlan {
 
   /// Members of the part at hand; rows of components and obstacles, empty: all.
   std::vector<char> components, balls;
+  /// |C|, Pa: of the weakest vertex, as the part at hand begins; kept in the scratch.
+  std::vector<double>& strength;
   ImpactReport impact;
   double blow = 0;                  ///< s, when the first blow falls
   std::uint64_t left = 0;           ///< sub-steps that the members have before them
   std::uint64_t still = 0;          ///< how many of them they now go with frozen deformations
   bool throughout = false;          ///< every sub-step is taken finely
+  bool hurried = false;             ///< what is left is taken at once (`Simulation::hurry`)
   std::vector<Obstacle> obstacles;  ///< as they were at the start
 
   StepMembers members() const { return {components, balls}; }
@@ -40,7 +43,7 @@ struct StepPlan {
 
 /// The plan of a step from the state as it is. With impact windows a part may be refused for blows
 /// that lie ahead; windows open, and the plan goes on from there (docs/impact.md).
-StepPlan plan_step(const Scene& scene, SimulationState& state, MechanicsScratch& scratch);
+StepPlan plan_step(const Scene& scene, SimulationState& state, SimulationScratch& scratch);
 
 /// The next part; nothing when the step is through. Times and driven obstacles go back to where the
 /// part begins; windows close where the limit on sub-steps is reached.

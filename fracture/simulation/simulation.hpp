@@ -3,6 +3,7 @@
 // written, and no result depends on a clock: times of stages are only reported.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -31,6 +32,9 @@ struct Simulation {
   /// Threads for factors and contact of large pieces, at least 1; outcomes are the same bytes for
   /// any number. May change between steps.
   unsigned threads = 1;
+  /// Where given and true, a step ends as soon as it can: what is left of it is taken at once and
+  /// contact's sweeps are cut short, which its report says. For programs that can be interrupted.
+  const std::atomic<bool>* hurry = nullptr;
   /// What evolves. Internal: its type is no part of the public headers.
   Owned<SimulationState> state;
   /// Working memory: may be replaced by new one between any two steps. Internal.

@@ -60,6 +60,7 @@ struct PartStart {
   std::vector<Vec3> position;                          ///< m, world
   std::vector<Vec3> displacement, rate, acceleration;  ///< m, m/s, m/s^2, body frame
   std::vector<Vec3> momentum, angular_momentum;        ///< row = ComponentId
+  std::vector<Eigen::Quaterniond> orientation;         ///< row = ComponentId
   std::vector<double> work;                            ///< of a product with K
   std::vector<char> touched;                           ///< row = ComponentId: contact gave it some
 };
@@ -80,6 +81,7 @@ struct SimulationScratch {
   LadderScratch ladder;
   PartStart before;
   Loads loads;
+  std::vector<double> strength;  ///< |C|, Pa: `StepPlan::strength`
 };
 
 }  // namespace sunder

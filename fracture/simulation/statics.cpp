@@ -174,8 +174,8 @@ class Survey {
 Loads full_loads(const Simulation& sim) {
   Loads loads{.gravity = sim.scene.gravity.acceleration};
   if (!sim.state->loads.empty()) {
-    add_corner_loads(loads.force, sim.state->loads, sim.state->mechanics, sim.state->cells.map.corners(),
-                     std::numeric_limits<double>::infinity());
+    add_corner_loads(loads.force, sim.state->loads, sim.state->mechanics,
+                     sim.state->cells.map.corners(), std::numeric_limits<double>::infinity());
   }
   return loads;
 }

@@ -18,9 +18,10 @@ ContactScratch::ContactScratch(ContactScratch&&) noexcept = default;
 ContactScratch& ContactScratch::operator=(ContactScratch&&) noexcept = default;
 
 StepPaths paths_of(const ContactStep& step) {
-  return {step.pass.state,        step.pass.input.corners, step.pass.mechanics.predicted.position,
-          step.pass.obstacles,    step.scratch.ball_end,   step.h(),
-          step.pass.input.members};
+  const MechanicsScratch::Predicted& predicted = step.pass.mechanics.predicted;
+  return {step.pass.state, step.pass.input.corners, predicted.position,
+          predicted.frame, step.pass.obstacles,     step.scratch.ball_end,
+          step.h(),        step.pass.input.members};
 }
 
 double target_gap(const ContactStep& step, const ContactPoint& contact) {
@@ -77,9 +78,10 @@ void solve_pass(ContactStep& step) {
   ContactBodies& bodies = step.scratch.bodies;
   // With a unit step, displacements are velocities.
   const double over = step.is_wave() ? step.h() : 1;
-  const SolveOutcome outcome = solve_contacts(
-      bodies.rows, bodies.bodies,
-      {step.is_wave() ? 1 : step.h(), step.report.tolerated / over, step.settings.max_iterations});
+  const SolveOutcome outcome =
+      solve_contacts(bodies.rows, bodies.bodies,
+                     {step.is_wave() ? 1 : step.h(), step.report.tolerated / over,
+                      step.settings.max_iterations, step.pass.input.hurry});
   step.report.iterations += outcome.iterations;
   step.report.converged = step.report.converged && outcome.converged;
   step.scratch.change.resize(step.contacts.size());
@@ -141,7 +143,8 @@ bool resolve(ContactStep& step) {
     if (!meet(step, deepest) && k == 0) return false;
     deepest = add_new_contacts(step, deepest);
     if (deepest == 0) return true;
-    step.report.tolerated = step.settings.tolerance * deepest;
+    step.report.tolerated =
+        std::max(step.settings.tolerance * deepest, 1e-5 * step.settings.allowed_penetration);
     if (k == 0 || step.contacts.size() != before) {
       gather_bodies(step.scratch.bodies, step.contacts, step.pass);
     } else {
@@ -154,9 +157,8 @@ bool resolve(ContactStep& step) {
     const bool settled =
         k > 0 && step.contacts.size() == before && step.report.residual <= good_enough;
     if (settled || k == step.settings.max_passes) break;
-    // In a wave sweeps begin at nothing and only take energy; the impulse of the last blow would
-    // strike again where they are cut short (interlocked pieces gained 60 kJ by it).
-    if (k == 0 && !step.is_wave()) guess_from_last_step(step);
+    if (k > 0 && step.pass.input.is_hurried()) break;
+    if (k == 0) guess_from_last_step(step);
     solve_pass(step);
   }
   return true;
@@ -206,6 +208,7 @@ void begin_step(ContactStep& step) {
   const std::size_t balls = step.pass.obstacles.size();
   scratch.blows.component_touched.assign(state.components.size(), 0);
   scratch.blows.ball_touched.assign(balls, 0);
+  scratch.blows.component_twist.assign(state.components.size(), Vec3::Zero());
   scratch.blows.vertex_impulse.assign(state.vertices.size(), Vec3::Zero());
   scratch.blows.ball_impulse.assign(balls, Vec3::Zero());
   scratch.blows.ball_twist.assign(balls, Vec3::Zero());

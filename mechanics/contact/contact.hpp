@@ -2,6 +2,7 @@
 // A step with contact: bodies against obstacles, balls and each other's pieces; no cracks here.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -18,16 +19,19 @@
 namespace sunder {
 
 /// One unilateral contact with friction. Side A is a vertex or a ball; side B an obstacle (driven
-/// or a ball) or the bounding ball of a tetrahedron, in equal parts on its four vertices.
+/// or a ball) or the bounding ball of a tetrahedron. What B gets acts at the place of A, so that no
+/// angular momentum is lost, and is shared among the corners by `weights`.
 struct ContactPoint {
   static constexpr std::uint32_t none = 0xffffffffu;
   VertexId vertex;                ///< A, or
   std::uint32_t ball = none;      ///< A: row of a free sphere
   TetId tetrahedron;              ///< B, or
   std::uint32_t obstacle = none;  ///< B: row of an obstacle
-  Vec3 normal{0, 0, 1};           ///< from B to A
-  /// gap = normal . (point A - reference of B) + offset, m; the reference of B is the centre of its
-  /// ball, or the displacement of a driven obstacle since the step began.
+  /// Of the corners of B, in the point of the tetrahedron that is nearest to A as they touch.
+  std::array<double, 4> weights = {0.25, 0.25, 0.25, 0.25};
+  Vec3 normal{0, 0, 1};  ///< from B to A
+  /// gap = normal . (point A - reference of B) + offset, m; the reference of B is its point of
+  /// `weights`, the centre of a free ball, or how far a driven obstacle has moved in the step.
   double offset = 0;
   double gap_start = 0;  ///< m, negative: overlapped already
   double friction = 0;
@@ -81,7 +85,7 @@ struct ContactStepResult {
   StepStatus status;
   ContactReport report;
   std::vector<ContactPoint> contacts;  ///< those with an impulse
-  Blows blows;  ///< only where `StepPart::impact` is given
+  Blows blows;                         ///< only where `StepPart::impact` is given
   /// False: there are blows ahead, and nothing was done.
   bool adopted = true;
 };
@@ -97,10 +101,9 @@ struct ContactStepResult {
 /// would leave stiff vertices with the false velocity -j / 2m (rho_infinity = 0).
 /// An impulse that pushed a lumped vertex off the other side faster than it should is then taken
 /// back in part (never more than was given): the impact of one lumped mass makes no bounce.
-/// Needs: obstacles without findings, a state of `make_state`. Momentum between pieces and balls is
-/// conserved to rounding, whatever the tolerance. Angular momentum too, but for contacts between
-/// pieces: their reaction acts on the middle of the tetrahedron, off the line of friction and off a
-/// normal that turned before they touched (0.4 per cent of L in the test).
+/// Needs: obstacles without findings, a state of `make_state`. Momentum
+/// and angular momentum are conserved to rounding, whatever the tolerance: both impulses of a
+/// contact act at one point, where side A is at the start of the step.
 /// With `StepPart::impact` given: a step that would run into a blow is not taken but returned with
 /// what lies ahead; `frozen` leaves blows alone, they are the next part's; `wave` tells which
 /// components are in the midst of one: touched, with a vertex that comes or goes fast.

@@ -45,6 +45,7 @@ void strike_component(StepBlows& blows, Component& component, const ContactEnd& 
   if (!takes_split_blow(pass, component)) {
     const VertexImpulse hit{end.vertex, impulse};
     apply_impulses(pass.state, {&hit, 1});
+    apply_twist(pass.state, component.id, end.lever.cross(impulse));
     return;
   }
   if (!component.isolated) blows.vertex_impulse[end.vertex.index()] += impulse;

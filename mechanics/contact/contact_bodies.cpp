@@ -16,17 +16,6 @@ namespace {
 
 const Sphere& sphere_of(const Obstacle& ball) { return std::get<Sphere>(ball.shape); }
 
-Mat3 world_inertia(const MechanicsState& state, const Component& component) {
-  Mat3 inertia = Mat3::Zero();
-  for (VertexId v : component.vertices) {
-    const Vec3 arm = state.vertices.position[v.index()] - component.centre;
-    const double m = state.vertices.mass[v.index()];
-    inertia -= m * arm * arm.transpose();
-    inertia.diagonal().array() += m * arm.squaredNorm();
-  }
-  return inertia;
-}
-
 /// What A^-1 of a part of a step is multiplied by in the response to a unit impulse that is spread
 /// over the part as a force: displacement beta h^2 over the part's length, or velocity in a wave.
 double response_scale(const ContactPass& pass, const Component& component) {
@@ -145,6 +134,10 @@ RespondingBody lumped_component(const ContactPass& pass, const Component& compon
   }
   const auto size = static_cast<Eigen::Index>(3 * slots.size());
   body.elastic = Eigen::MatrixXd::Zero(size, size);
+  if (!component.supported) {
+    body.inverse_inertia = world_inertia(pass.state, component).inverse();
+    body.rigid_inertia = body.inverse_inertia;
+  }
   for (std::size_t k = 0; k < slots.size(); ++k) {
     const std::size_t v = slots[k].index();
     if (!pass.state.vertices.support[v].is_none()) continue;
@@ -180,7 +173,10 @@ template <class Visit>
 void for_each_vertex(const ContactPoint& contact, std::span<const Corners> corners, Visit visit) {
   if (contact.ball == ContactPoint::none) visit(contact.vertex);
   if (contact.obstacle == ContactPoint::none) {
-    for (VertexId v : corners[contact.tetrahedron.index()]) visit(v);
+    const Corners& touched = corners[contact.tetrahedron.index()];
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (contact.weights[i] != 0) visit(touched[i]);
+    }
   }
 }
 
@@ -232,20 +228,27 @@ ContactEnd vertex_end(const ContactBodies& bodies, const ContactPass& pass, Vert
   return end;
 }
 
-/// Equal parts on four vertices; on a rigid body that is one impulse at their mean.
-void add_tetrahedron_ends(ContactRow& row, TetId t, const ContactBodies& bodies,
-                          const ContactPass& pass) {
-  const Corners& corners = pass.input.corners[t.index()];
-  const ComponentId id = pass.state.elements.component[t.index()];
+/// Corners by their weights. All have the arm of `place`, where side A is: both sides then feel the
+/// same line of action, and angular momentum is conserved exactly. What the corners' own moment
+/// falls short of that is rigid and deforms nothing.
+void add_tetrahedron_ends(ContactRow& row, const ContactPoint& contact, const Vec3& place,
+                          const ContactBodies& bodies, const ContactPass& pass) {
+  const Corners& corners = pass.input.corners[contact.tetrahedron.index()];
+  const ComponentId id = pass.state.elements.component[contact.tetrahedron.index()];
   const Component& component = pass.state.components[id.index()];
+  const Vec3 arm = place - component.centre;
   if (component.isolated) {
-    const Vec3 arm = centre_of(corners, pass.state.vertices.position) - component.centre;
-    add_end(
-        row,
-        {bodies.body_of_component[id.index()], ContactEnd::rigid_slot, -1, arm, Vec3::Zero(), {}});
+    add_end(row,
+            {.body = bodies.body_of_component[id.index()], .weight = -1, .arm = arm, .lever = arm});
     return;
   }
-  for (VertexId v : corners) add_end(row, vertex_end(bodies, pass, v, -0.25));
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (contact.weights[i] == 0) continue;
+    ContactEnd end = vertex_end(bodies, pass, corners[i], -contact.weights[i]);
+    end.lever = arm - end.arm;
+    end.arm = arm;
+    add_end(row, end);
+  }
 }
 
 /// The points that a row acts on. Its gap, slip and bounds are the caller's.
@@ -265,8 +268,9 @@ ContactRow row_of(const ContactPoint& contact, const ContactBodies& bodies,
     add_end(row,
             {bodies.body_of_ball[contact.ball], ContactEnd::rigid_slot, 1, arm, Vec3::Zero(), {}});
   }
+  place += drift_of(pass, contact);
   if (contact.obstacle == ContactPoint::none) {
-    add_tetrahedron_ends(row, contact.tetrahedron, bodies, pass);
+    add_tetrahedron_ends(row, contact, place, bodies, pass);
   } else if (pass.obstacles[contact.obstacle].mass) {
     // From the ball's centre to where side A is, not to its surface: both sides then feel the same
     // line of action, and angular momentum is conserved exactly.
@@ -302,6 +306,23 @@ bool takes_split_blow(const ContactPass& pass, const Component& component) {
   return component.isolated || is_floating(pass.input.settings.integrator);
 }
 
+Vec3 drift_of(const ContactPass& pass, const ContactPoint& contact) {
+  if (pass.input.part.deformation != Deformation::wave) return Vec3::Zero();
+  const auto velocity_of = [&](ComponentId id) -> Vec3 {
+    const Component& component = pass.state.components[id.index()];
+    return component.supported ? component.frame_velocity
+                               : Vec3(component.momentum / component.mass);
+  };
+  const MechanicsState& state = pass.state;
+  const Vec3 a = contact.ball == ContactPoint::none
+                     ? velocity_of(state.vertices.component[contact.vertex.index()])
+                     : pass.obstacles[contact.ball].velocity;
+  const Vec3 b = contact.obstacle == ContactPoint::none
+                     ? velocity_of(state.elements.component[contact.tetrahedron.index()])
+                     : pass.obstacles[contact.obstacle].velocity;
+  return (1 - WaveScheme::theta) * pass.input.settings.time_step * (a - b);
+}
+
 void gather_bodies(ContactBodies& bodies, std::span<const ContactPoint> contacts,
                    const ContactPass& pass) {
   enlist_all(bodies, contacts, pass);
@@ -313,6 +334,14 @@ void gather_lumped_bodies(ContactBodies& bodies, std::span<const ContactPoint> c
                           const ContactPass& pass) {
   enlist_all(bodies, contacts, pass);
   gather(bodies, contacts, pass, lumped_component);
+  // Vertices respond each by itself, and the body turns by what their places leave over: the turn
+  // by all of the moment less the turn by that of the vertices.
+  for (ContactRow& row : bodies.rows) {
+    for (std::uint32_t e = 0; e < row.end_count; ++e) {
+      ContactEnd& end = row.ends[e];
+      if (!end.vertex.is_none()) end.rest_arm = end.arm - end.lever;
+    }
+  }
 }
 
 }  // namespace sunder

@@ -26,7 +26,10 @@ struct ContactBodies {
 /// What touched bodies have got so far in this step.
 struct StepBlows {
   std::vector<char> component_touched, ball_touched;
-  std::vector<Vec3> vertex_impulse;     ///< |V|, N s: what deforms a component of floating_frame
+  std::vector<Vec3> vertex_impulse;  ///< |V|, N s: what deforms a component of floating_frame
+  /// Row = ComponentId, N m s, of waves only: what the moment of the contacts exceeds that of the
+  /// vertices by that they act on.
+  std::vector<Vec3> component_twist;
   std::vector<Vec3> ball_impulse;       ///< N s, of waves only, like the next
   std::vector<Vec3> ball_twist;         ///< N m s, about the ball's centre
   Loads without_gravity, with_gravity;  ///< `force` is filled by `predict_touched`
@@ -43,6 +46,12 @@ struct ContactPass {
 /// True where an impulse is split between the frame and the deformation: floating_frame and
 /// isolated tetrahedra. Other integrators take it as a jump of velocities at the start.
 bool takes_split_blow(const ContactPass& pass, const Component& component);
+
+/// m: from where side A of a contact is at the start to where its impulse acts on side B; 0 but in
+/// a wave. There an impulse moves a mass centre by theta of its way over the part, which is as if
+/// it acted at a place that goes the rest of the way with the body; the same place for both sides
+/// keeps the angular momentum.
+Vec3 drift_of(const ContactPass& pass, const ContactPoint& contact);
 
 /// Makes the bodies that `contacts` act on, with their response over the coming step, and the ends
 /// of their rows. Costs three back-solves for each contact vertex the first time it is met.

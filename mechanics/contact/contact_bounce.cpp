@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
+#include "mechanics/frame/mean_axis.hpp"
 #include "mechanics/integrators/coefficients.hpp"
 #include "mechanics/integrators/component_step.hpp"
-#include "mechanics/frame/mean_axis.hpp"
 
 namespace sunder {
 namespace {
@@ -47,8 +47,15 @@ Vec3 coming_velocity(const Bounce& bounce, const ContactEnd& end) {
     return mean;
   }
   const std::size_t v = end.vertex.index();
-  return vertices.velocity[v] + bounce.reach(end) * (bounce.component_of(end).orientation *
-                                                     vertices.displacement_acceleration[v]);
+  const Component& component = bounce.component_of(end);
+  Vec3 velocity =
+      vertices.velocity[v] +
+      bounce.reach(end) * (component.orientation * vertices.displacement_acceleration[v]);
+  if (!end.lever.isZero(0) && !component.supported) {
+    const Mat3 inertia = world_inertia(bounce.pass.state, component);
+    velocity += inertia.ldlt().solve(component.angular_momentum).cross(end.lever);
+  }
+  return velocity;
 }
 
 /// Normal acceleration that a vertex remembers becomes the velocity it stands for.
@@ -135,7 +142,7 @@ void take_back_bounce(std::span<ContactPoint> contacts, ContactBodies& bodies,
   if (!(fastest > 0)) return;
   // With a unit step, displacements are velocities.
   solve_contacts(bodies.rows, bodies.bodies,
-                 {1, settings.tolerance * fastest, settings.max_iterations});
+                 {1, settings.tolerance * fastest, settings.max_iterations, pass.input.hurry});
   for (const ContactRow& row : bodies.rows) {
     if (!row.impulse.isZero(0)) spend_acceleration(bounce, row);
   }
@@ -145,6 +152,7 @@ void take_back_bounce(std::span<ContactPoint> contacts, ContactBodies& bodies,
     }
   }
   std::vector<VertexImpulse> hits;
+  std::vector<std::pair<ComponentId, Vec3>> twists;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const ContactRow& row = bodies.rows[k];
     contacts[k].impulse += row.impulse;
@@ -152,16 +160,22 @@ void take_back_bounce(std::span<ContactPoint> contacts, ContactBodies& bodies,
       const Vec3 impulse = row.ends[e].weight * row.impulse;
       if (bounce.is_ball(row.ends[e])) {
         strike_ball(pass.obstacles[bodies.ball[row.ends[e].body]], impulse, row.ends[e].arm);
-      } else if (row.ends[e].vertex.is_none()) {
-        for (VertexId v : bounce.component_of(row.ends[e]).vertices) {
-          hits.push_back({v, 0.25 * impulse});
-        }
       } else {
-        hits.push_back({row.ends[e].vertex, impulse});
+        const ContactEnd& end = row.ends[e];
+        const Component& component = bounce.component_of(end);
+        twists.emplace_back(component.id, end.lever.cross(impulse));
+        if (end.vertex.is_none()) {
+          for (VertexId v : component.vertices) hits.push_back({v, 0.25 * impulse});
+        } else {
+          hits.push_back({end.vertex, impulse});
+        }
       }
     }
   }
   apply_impulses(pass.state, hits);
+  for (const auto& [id, twist] : twists) {
+    if (!twist.isZero(0)) apply_twist(pass.state, id, twist);
+  }
 }
 
 }  // namespace sunder

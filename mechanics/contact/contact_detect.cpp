@@ -6,6 +6,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "mechanics/contact/nearest_point.hpp"
 #include "mechanics/contact/obstacle_geometry.hpp"
 #include "topology/base/assert.hpp"
 
@@ -21,12 +22,16 @@ Shape shape_about_reference(const Obstacle& obstacle) {
   return Sphere{Vec3::Zero(), ball_radius(obstacle)};
 }
 
-/// Adds the contact if its path ends nearer to the plane than it is long.
+/// Whether a path ends nearer to the plane that it meets than it is long.
+bool is_near(const FirstTouch& touch, const Path& path) {
+  return touch.gap_end < (path.end - path.start).norm();
+}
+
+/// Adds the contact if its path ends near.
 void add_if_near(DetectScratch& scratch, ContactPoint contact, const Shape& shape,
                  const Path& path) {
-  const double length = (path.end - path.start).norm();
   const FirstTouch touch = first_touch(shape, path);
-  if (!(touch.gap_end < length)) return;
+  if (!is_near(touch, path)) return;
   contact.normal = touch.normal;
   contact.gap_start = touch.gap_start;
   contact.offset = touch.gap_end - touch.normal.dot(path.end);
@@ -68,7 +73,7 @@ void find_balls(DetectScratch& scratch, const StepPaths& paths) {
   }
 }
 
-/// Balls at rest about the mean of the corners: it is where the reaction acts.
+/// Balls at rest about the mean of the corners.
 void measure_balls(DetectScratch& scratch, const StepPaths& paths, double share) {
   const std::size_t count = paths.corners.size();
   const std::vector<Vec3>& rest = paths.state.vertices.rest_position;
@@ -178,6 +183,32 @@ void keep_deepest(DetectScratch& scratch, const StepPaths& paths, std::size_t fi
   scratch.found_gap.resize(first + order.size());
 }
 
+/// Of the vertex against the middle of the tetrahedron, where its ball is.
+Path path_about_middle(const SpherePair& pair, const StepPaths& paths) {
+  const Corners& corners = paths.corners[pair.tetrahedron.index()];
+  const std::size_t v = pair.vertex.index();
+  const std::vector<Vec3>& start = paths.state.vertices.position;
+  return {start[v] - centre_of(corners, start),
+          paths.predicted[v] - centre_of(corners, paths.predicted), 0};
+}
+
+/// The point of the tetrahedron that the vertex touches when both have gone a part of their way; of
+/// a rigid one the place of the vertex itself as the step begins.
+std::array<double, 4> weights_at(double part, const SpherePair& pair, const StepPaths& paths) {
+  const auto place = [&](VertexId v) -> Vec3 {
+    const Vec3& start = paths.state.vertices.position[v.index()];
+    return start + part * (paths.predicted[v.index()] - start);
+  };
+  const Corners& c = paths.corners[pair.tetrahedron.index()];
+  const ComponentId id = paths.state.elements.component[pair.tetrahedron.index()];
+  if (paths.state.components[id.index()].isolated) {
+    const std::vector<Vec3>& x = paths.state.vertices.position;
+    return affine_weights({x[c[0].index()], x[c[1].index()], x[c[2].index()], x[c[3].index()]},
+                          x[pair.vertex.index()]);
+  }
+  return nearest_point({place(c[0]), place(c[1]), place(c[2]), place(c[3])}, place(pair.vertex));
+}
+
 void find_between_pieces(DetectScratch& scratch, const ContactMemory& memory,
                          const StepPaths& paths, const ContactSettings& settings) {
   pair_up(scratch, paths);
@@ -193,8 +224,15 @@ void find_between_pieces(DetectScratch& scratch, const ContactMemory& memory,
     contact.friction = settings.friction;
     const double allowed = std::max(0.0, allowance_of(memory.allowances, pair));
     const Sphere ball{Vec3::Zero(), scratch.radius[pair.tetrahedron.index()] - allowed};
-    const ContactPath path = path_of(contact, paths);
-    add_if_near(scratch, contact, ball, {path.start, path.end, 0});
+    const Path path = path_about_middle(pair, paths);
+    const FirstTouch touch = first_touch(ball, path);
+    if (!is_near(touch, path)) continue;
+    contact.weights = weights_at(touch.part, pair, paths);
+    contact.normal = touch.normal;
+    contact.gap_start = touch.gap_start;
+    contact.offset = touch.gap_end - touch.normal.dot(path_of(contact, paths).end);
+    scratch.found.push_back(contact);
+    scratch.found_gap.push_back(touch.gap_end);
   }
   keep_deepest(scratch, paths, first);
 }
@@ -206,7 +244,7 @@ Vec3 relative_velocity(const ContactPoint& contact, const StepPaths& paths) {
                                                 : paths.obstacles[contact.ball].velocity;
   if (contact.obstacle != ContactPoint::none)
     return sum - paths.obstacles[contact.obstacle].velocity;
-  return sum - centre_of(paths.corners[contact.tetrahedron.index()], velocity);
+  return sum - weighted_sum(paths.corners[contact.tetrahedron.index()], contact.weights, velocity);
 }
 
 }  // namespace
@@ -214,6 +252,13 @@ Vec3 relative_velocity(const ContactPoint& contact, const StepPaths& paths) {
 Vec3 centre_of(const Corners& corners, std::span<const Vec3> position) {
   return 0.25 * (position[corners[0].index()] + position[corners[1].index()] +
                  position[corners[2].index()] + position[corners[3].index()]);
+}
+
+Vec3 weighted_sum(const Corners& corners, const std::array<double, 4>& weights,
+                  std::span<const Vec3> values) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t i = 0; i < 4; ++i) sum += weights[i] * values[corners[i].index()];
+  return sum;
 }
 
 ContactPath path_of(const ContactPoint& contact, const StepPaths& paths) {
@@ -224,6 +269,7 @@ ContactPath path_of(const ContactPoint& contact, const StepPaths& paths) {
     const std::size_t v = contact.vertex.index();
     path = {paths.state.vertices.position[v], paths.predicted[v]};
   }
+  path.size = path.start.norm() + path.end.norm();
   if (contact.obstacle != ContactPoint::none) {
     const Obstacle& obstacle = paths.obstacles[contact.obstacle];
     if (obstacle.mass) {
@@ -233,9 +279,17 @@ ContactPath path_of(const ContactPoint& contact, const StepPaths& paths) {
       path.end -= paths.time_step * obstacle.velocity;
     }
   } else {
+    // Where A is at the start, as if it were fast to B.
     const Corners& corners = paths.corners[contact.tetrahedron.index()];
-    path.start -= centre_of(corners, paths.state.vertices.position);
-    path.end -= centre_of(corners, paths.predicted);
+    const ComponentId id = paths.state.elements.component[contact.tetrahedron.index()];
+    const Component& component = paths.state.components[id.index()];
+    const Vec3 start = weighted_sum(corners, contact.weights, paths.state.vertices.position);
+    const Vec3 lever = path.start - start;
+    path.end -= weighted_sum(corners, contact.weights, paths.predicted);
+    path.end -= component.isolated ? lever
+                                   : paths.frame[id.index()].orientation *
+                                         (component.orientation.conjugate() * lever);
+    path.start.setZero();
   }
   return path;
 }

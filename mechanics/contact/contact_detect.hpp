@@ -30,7 +30,8 @@ struct DetectScratch {
 struct StepPaths {
   const MechanicsState& state;
   std::span<const Corners> corners;
-  std::span<const Vec3> predicted;  ///< |V|: end of the step, m
+  std::span<const Vec3> predicted;        ///< |V|: end of the step, m
+  std::span<const PredictedFrame> frame;  ///< row = ComponentId: there too
   std::span<const Obstacle> obstacles;
   std::span<const Vec3> ball_end;  ///< row = obstacle: centre of a free sphere at the end
   double time_step;
@@ -40,10 +41,15 @@ struct StepPaths {
 /// Mean of a tetrahedron's four positions.
 Vec3 centre_of(const Corners& corners, std::span<const Vec3> position);
 
+/// Weighted sum of a tetrahedron's four positions or velocities.
+Vec3 weighted_sum(const Corners& corners, const std::array<double, 4>& weights,
+                  std::span<const Vec3> values);
+
 /// Where side A of a contact is, and the reference of side B, at the start and end of the step.
 struct ContactPath {
   Vec3 start{0, 0, 0};  ///< A - reference of B, m
   Vec3 end{0, 0, 0};
+  double size = 0;  ///< m: of the coordinates it is a difference of, for their rounding
 };
 ContactPath path_of(const ContactPoint& contact, const StepPaths& paths);
 

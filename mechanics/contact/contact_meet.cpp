@@ -27,8 +27,7 @@ Vec3 weight_shift_of_ball(const ContactStep& step, std::uint32_t row) {
 
 /// Rounding of a gap: nothing below it is an overlap.
 double rounding_of(const ContactPath& path, const ContactPoint& contact) {
-  return 128 * std::numeric_limits<double>::epsilon() *
-         (path.start.norm() + path.end.norm() + std::abs(contact.offset));
+  return 128 * std::numeric_limits<double>::epsilon() * (path.size + std::abs(contact.offset));
 }
 
 /// Counts a contact against both components; false when one of them has enough.
@@ -60,7 +59,7 @@ bool is_blow_for_a_side(const ContactStep& step, const ContactPoint& contact, do
   bool any = false;
   const auto try_side = [&](ComponentId id) {
     const Component& component = state.components[id.index()];
-    if (!is_blow(state, component, speed, impact)) return;
+    if (!is_blow(state, component, speed, strength_of(step, id), impact)) return;
     any = true;
     blows.struck.push_back(id);
     blows.sub_step = std::min(blows.sub_step, wave_sub_step(state, component, impact));

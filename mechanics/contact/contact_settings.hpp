@@ -14,8 +14,9 @@ struct ContactSettings {
   /// implicitly, so any value is stable. The body deforms by itself, so 0 is the realistic value.
   double compliance = 0;
   /// m/s: contacts that begin deeper than `allowed_penetration` are pushed apart at this speed at
-  /// most. A piece of mass m gains at most m v^2 / 2 by it, whatever the step.
-  double push_out_speed = 0.01;
+  /// most. It works against what presses: interlocked pieces of a monolith of 1 440 kg gained 130 J
+  /// in 0.4 s by ten times this speed.
+  double push_out_speed = 0.001;
   /// Penetration that is not corrected, m.
   double allowed_penetration = 1e-5;
   /// Whether pieces collide with each other; with obstacles they always do.

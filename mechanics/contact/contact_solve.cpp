@@ -103,13 +103,13 @@ double relax(ContactRow& row, std::span<RespondingBody> bodies, double step) {
   // Friction sees the slip that the new normal impulse leaves.
   const Vec3 normal_change = (wanted_n - before_n) * n;
   Vec3 wanted_t = Vec3::Zero();
-  if (row.friction > 0 && wanted_n > 0) {
+  if (row.disk > 0) {
     const double divisor = row.tangential_response;
     const Vec3 total = row.slip + moved + row.response * normal_change;
     const Vec3 slip = total - n * n.dot(total);
     const Vec3 before_t = before - before_n * n;
     if (divisor > 0) {
-      wanted_t = projected_on_disk(before_t - slip / divisor, row.friction * wanted_n);
+      wanted_t = projected_on_disk(before_t - slip / divisor, row.disk);
       error = std::max(error, (wanted_t - before_t).norm() * divisor);
     }
   }
@@ -146,10 +146,91 @@ void conjugate(Search& search, std::span<ContactRow> rows, std::span<RespondingB
   }
 }
 
-}  // namespace
+/// Lets the disks follow the normal impulses. Gives the largest change, as the displacement (m) it
+/// stands for.
+double follow_disks(std::span<ContactRow> rows) {
+  double largest = 0;
+  for (ContactRow& row : rows) {
+    const double disk = row.friction * std::max(0.0, row.normal.dot(row.impulse));
+    largest = std::max(largest, std::abs(disk - row.disk) * row.tangential_response);
+    row.disk = disk;
+  }
+  return largest;
+}
 
-SolveOutcome solve_contacts(std::span<ContactRow> rows, std::span<RespondingBody> bodies,
-                            const SolveLimits& limits) {
+/// Friction that a disk allowed and the normal impulse at the end does not: by no more than the
+/// tolerance where the solve converged.
+void keep_to_cones(std::span<ContactRow> rows, std::span<RespondingBody> bodies) {
+  // What presses by a rounding of friction does not press.
+  double rounding = 0;
+  for (const ContactRow& row : rows) rounding = std::max(rounding, 1e-12 * row.impulse.norm());
+  for (ContactRow& row : rows) {
+    const double pressed = row.normal.dot(row.impulse);
+    const Vec3 tangential = row.impulse - pressed * row.normal;
+    const double most = row.friction * std::max(0.0, pressed);
+    const bool presses = pressed > rounding;
+    if (row.friction == 0 || (presses && tangential.norm() <= most)) continue;
+    const Vec3 kept =
+        presses ? Vec3(pressed * row.normal + projected_on_disk(tangential, most)) : Vec3::Zero();
+    const Vec3 change = kept - row.impulse;
+    row.impulse = kept;
+    add_impulse(row, bodies, change);
+  }
+}
+
+/// What rows do by their impulses: the displacement without any, and what impulses of earlier
+/// passes give, both as the rows stand when the solve begins.
+struct Energy {
+  std::vector<Vec3> without, earlier;
+};
+
+Energy energy_of(std::span<const ContactRow> rows, std::span<RespondingBody> bodies, double step) {
+  Energy energy;
+  for (const ContactRow& row : rows) add_impulse(row, bodies, row.impulse);
+  for (const ContactRow& row : rows) {
+    const Vec3& n = row.normal;
+    energy.earlier.push_back(relative_displacement(row, bodies, step));
+    energy.without.push_back(row.gap * n + row.slip - n * n.dot(row.slip) - energy.earlier.back());
+  }
+  return energy;
+}
+
+/// Whether the impulses as they are give the bodies energy: never, unless a solve was cut short.
+bool gives_energy(std::span<const ContactRow> rows, std::span<const RespondingBody> bodies,
+                  const Energy& energy, double step) {
+  double work = 0;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const Vec3 response = energy.earlier[k] + relative_displacement(rows[k], bodies, step);
+    work += rows[k].impulse.dot(energy.without[k] + 0.5 * response);
+  }
+  return work > 0;
+}
+
+/// Once round all rows; by how far the farthest was from where it should be, m.
+double sweep(std::span<ContactRow> rows, std::span<RespondingBody> bodies, double step) {
+  double farthest = 0;
+  for (ContactRow& row : rows) farthest = std::max(farthest, relax(row, bodies, step));
+  return farthest;
+}
+
+void start_from_nothing(std::span<ContactRow> rows, std::span<RespondingBody> bodies) {
+  for (ContactRow& row : rows) {
+    add_impulse(row, bodies, -row.impulse);
+    row.impulse.setZero();
+  }
+}
+
+/// Impulses anew, from none, without friction and without conjugation: each visit takes energy.
+void press_only(std::span<ContactRow> rows, std::span<RespondingBody> bodies,
+                const SolveLimits& limits) {
+  start_from_nothing(rows, bodies);
+  for (ContactRow& row : rows) row.disk = 0;
+  for (int i = 0; i < limits.max_iterations / 2; ++i) {
+    if (sweep(rows, bodies, limits.step) <= limits.tolerance) return;
+  }
+}
+
+void set_to_rest(std::span<RespondingBody> bodies) {
   for (RespondingBody& body : bodies) {
     body.velocity.setZero();
     body.spin.setZero();
@@ -157,6 +238,17 @@ SolveOutcome solve_contacts(std::span<ContactRow> rows, std::span<RespondingBody
     body.moment.setZero();
     body.displacement.setZero(body.elastic.rows());
   }
+}
+
+}  // namespace
+
+SolveOutcome solve_contacts(std::span<ContactRow> rows, std::span<RespondingBody> bodies,
+                            const SolveLimits& limits) {
+  SolveOutcome outcome;
+  if (rows.empty()) return outcome;
+  set_to_rest(bodies);
+  const Energy energy = energy_of(rows, bodies, limits.step);
+  set_to_rest(bodies);
   for (ContactRow& row : rows) {
     row.response = own_response(row, bodies, limits.step);
     row.normal_response = row.normal.dot(row.response * row.normal) + row.compliance;
@@ -164,21 +256,34 @@ SolveOutcome solve_contacts(std::span<ContactRow> rows, std::span<RespondingBody
     add_impulse(row, bodies, row.guess);
     row.impulse += row.guess;
   }
-  SolveOutcome outcome;
-  if (rows.empty()) return outcome;
+  // What a wedge pressed with in the last step must not be where this one begins.
+  if (gives_energy(rows, bodies, energy, limits.step)) start_from_nothing(rows, bodies);
   Search search{std::vector<Vec3>(rows.size()), std::vector<Vec3>(rows.size(), Vec3::Zero()), 0};
+  // Sweeps of a round with the same disks, unless it converges earlier.
+  constexpr int round_length = 8;
+  int sweeps = 0;
+  double moved = 0;
+  follow_disks(rows);
   outcome.converged = false;
   while (outcome.iterations < limits.max_iterations) {
     ++outcome.iterations;
-    outcome.residual = 0;
     for (std::size_t k = 0; k < rows.size(); ++k) search.before[k] = rows[k].impulse;
-    for (ContactRow& row : rows) {
-      outcome.residual = std::max(outcome.residual, relax(row, bodies, limits.step));
+    outcome.residual = sweep(rows, bodies, limits.step);
+    if (limits.hurry && *limits.hurry) break;
+    if (++sweeps >= round_length || outcome.residual <= std::max(limits.tolerance, 0.1 * moved)) {
+      moved = follow_disks(rows);
+      outcome.residual = std::max(outcome.residual, moved);
+      outcome.converged = outcome.residual <= limits.tolerance;
+      if (outcome.converged) break;
+      sweeps = 0;
     }
-    outcome.converged = outcome.residual <= limits.tolerance;
-    if (outcome.converged) break;
     // The last sweep stands as it is: its impulses keep their bounds.
     if (outcome.iterations < limits.max_iterations) conjugate(search, rows, bodies);
+  }
+  keep_to_cones(rows, bodies);
+  if (gives_energy(rows, bodies, energy, limits.step)) {
+    outcome.converged = false;
+    press_only(rows, bodies, limits);
   }
   return outcome;
 }

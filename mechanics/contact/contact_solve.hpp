@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -38,8 +39,11 @@ struct ContactEnd {
   std::uint32_t slot = rigid_slot;  ///< its place in the body's elastic response, or `rigid_slot`
   double weight = 1;                ///< share of the impulse: sums to +1 on side A, -1 on side B
   Vec3 arm = Vec3::Zero();          ///< m, from the body's mass centre
-  Vec3 rest_arm = Vec3::Zero();     ///< m, the same at rest in the body's own frame
+  Vec3 rest_arm = Vec3::Zero();     ///< m, of the slot at rest in the body's own frame
   VertexId vertex;  ///< of no concern to the solver; none() for a whole isolated tetrahedron
+  /// m, of no concern to the solver: from the vertex (from the mass centre of an isolated
+  /// tetrahedron) to where the contact acts. An impulse there turns the body by so much more.
+  Vec3 lever = Vec3::Zero();
 };
 
 /// One row of three unknowns.
@@ -60,12 +64,14 @@ struct ContactRow {
   Mat3 response = Mat3::Zero();    ///< own 3 x 3 block
   double normal_response = 0;      ///< along the normal, compliance included
   double tangential_response = 0;  ///< the larger one in the contact plane
+  double disk = 0;                 ///< N s: what friction may be in the sweeps at hand
 };
 
 struct SolveLimits {
   double step = 0;       ///< h, s
   double tolerance = 0;  ///< m
   int max_iterations = 0;
+  const std::atomic<bool>* hurry = nullptr;  ///< given and true: no further sweep
 };
 
 struct SolveOutcome {
@@ -75,8 +81,13 @@ struct SolveOutcome {
 };
 
 /// Solves for the impulses of `rows`: the normal part within its bounds, complementary to the gap,
-/// the tangential part inside Coulomb's circle and against the slip. Sweeps in the given order,
-/// each followed by a step of nonsmooth conjugate gradients; the same to the bit on every run.
+/// the tangential part inside Coulomb's disk and against the slip. Rounds of sweeps with disks of
+/// fixed radius, a convex problem whose solution takes energy only (Tresca's friction); after each
+/// the disks follow the normal impulses [Kaufman, Sueda, James, Pai 2008: staggered projections].
+/// Disks that followed every visit of a row would let wedged pieces press each other harder and
+/// harder. Sweeps go in the given order, each followed by a step of nonsmooth conjugate gradients;
+/// the same to the bit on every run. Where a solve that was cut short would give the bodies energy,
+/// impulses without friction that give none are taken in its place (not `converged`).
 /// `bodies` accumulate the changes made by what was added to the impulses. A row that can move
 /// nothing keeps its impulse. O(rows x slots) a sweep.
 SolveOutcome solve_contacts(std::span<ContactRow> rows, std::span<RespondingBody> bodies,

@@ -41,6 +41,11 @@ struct ContactStep {
   bool is_wave() const { return deformation() == Deformation::wave; }
 };
 
+/// Pa, of the weakest vertex of a component. Needs: `StepPart::impact`.
+inline double strength_of(const ContactStep& step, ComponentId id) {
+  return step.pass.input.part.strength[id.index()];
+}
+
 /// Paths through the step as it is predicted now.
 StepPaths paths_of(const ContactStep& step);
 

@@ -23,7 +23,14 @@ Vec3 velocity_end(const ContactStep& step, const ContactPoint& contact) {
   Vec3 sum = contact.ball == ContactPoint::none ? velocity[contact.vertex.index()]
                                                 : ball_velocity(step, contact.ball);
   if (contact.obstacle == ContactPoint::none) {
-    return sum - centre_of(step.pass.input.corners[contact.tetrahedron.index()], velocity);
+    const Corners& corners = step.pass.input.corners[contact.tetrahedron.index()];
+    const std::vector<Vec3>& start = step.pass.state.vertices.position;
+    const ComponentId id = step.pass.state.elements.component[contact.tetrahedron.index()];
+    // As in `path_of`: where the impulse acts, as if it were fast to B.
+    const Vec3 lever = start[contact.vertex.index()] + drift_of(step.pass, contact) -
+                       weighted_sum(corners, contact.weights, start);
+    const Vec3& spin = step.pass.mechanics.predicted.frame[id.index()].spin;
+    return sum - weighted_sum(corners, contact.weights, velocity) - spin.cross(lever);
   }
   const Obstacle& obstacle = step.pass.obstacles[contact.obstacle];
   return sum - (obstacle.mass ? ball_velocity(step, contact.obstacle) : obstacle.velocity);
@@ -53,6 +60,7 @@ void strike_end(ContactStep& step, const ContactEnd& end, const Vec3& impulse) {
   }
   const Component& component = step.pass.state.components[bodies.component[end.body].index()];
   blows.component_touched[component.id.index()] = 1;
+  blows.component_twist[component.id.index()] += end.lever.cross(impulse);
   if (!end.vertex.is_none()) {
     blows.vertex_impulse[end.vertex.index()] += impulse;
     return;
@@ -69,8 +77,8 @@ struct Touch {
 
 Vec3 velocity_of_side_b(const ContactStep& step, const ContactPoint& contact) {
   if (contact.obstacle != ContactPoint::none) return step.pass.obstacles[contact.obstacle].velocity;
-  return centre_of(step.pass.input.corners[contact.tetrahedron.index()],
-                   step.pass.state.vertices.velocity);
+  return weighted_sum(step.pass.input.corners[contact.tetrahedron.index()], contact.weights,
+                      step.pass.state.vertices.velocity);
 }
 
 Vec3 velocity_of_side_a(const ContactStep& step, const ContactPoint& contact) {
@@ -142,8 +150,16 @@ void apply_wave_changes(ContactStep& step) {
   for (const Component& component : pass.state.components) {
     if (!blows.component_touched[component.id.index()]) continue;
     touched.push_back(component.id);
+    // The field of forces of a rigid change of spin.
+    const Vec3& twist = blows.component_twist[component.id.index()];
+    const Vec3 spin = component.supported || twist.isZero(0)
+                          ? Vec3::Zero()
+                          : Vec3(world_inertia(pass.state, component).ldlt().solve(twist));
     for (VertexId v : component.vertices) {
-      blows.with_gravity.force[v.index()] += blows.vertex_impulse[v.index()] / step.h();
+      const std::size_t i = v.index();
+      const Vec3 rigid = pass.state.vertices.mass[i] *
+                         spin.cross(pass.state.vertices.position[i] - component.centre);
+      blows.with_gravity.force[i] += (blows.vertex_impulse[i] + rigid) / step.h();
     }
   }
   predict(pass.mechanics, pass.state,
@@ -184,7 +200,7 @@ void feel_blows(ContactStep& step) {
       const Vec3 relative = state.vertices.velocity[v.index()] - touch.against;
       fastest = std::max(fastest, std::abs(touch.normal.dot(relative)));
     }
-    if (!is_blow(state, component, fastest, impact)) continue;
+    if (!is_blow(state, component, fastest, strength_of(step, component.id), impact)) continue;
     step.blows.struck.push_back(component.id);
     step.blows.sub_step = std::min(step.blows.sub_step, wave_sub_step(state, component, impact));
   }

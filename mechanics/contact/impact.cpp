@@ -13,12 +13,12 @@ double wave_sub_step(const MechanicsState& state, const Component& component,
                   0.5 * cell_travel(state, component));
 }
 
-bool is_blow(const MechanicsState& state, const Component& component, double speed,
+bool is_blow(const MechanicsState& state, const Component& component, double speed, double strength,
              const ImpactSettings& settings) {
   if (component.isolated || component.tetrahedra.empty()) return false;
   const Material& material = material_of(state, component.tetrahedra.front());
   return material.density * compression_wave_speed(material) * speed >=
-         settings.negligible * material.tensile_strength;
+         settings.negligible * strength;
 }
 
 }  // namespace sunder

@@ -24,11 +24,11 @@ double wave_sub_step(const MechanicsState& state, const Component& component,
                      const ImpactSettings& settings);
 
 /// Whether `speed` (m/s, at which two surfaces meet) is a blow for the component: rho c v reaches
-/// the part of its strength that is not negligible. A hard wall gives rho c v over a flat front; a
-/// wave that meets its reflection doubles it. Below a tenth of the strength it would have to be
-/// focused fivefold to break anything (a test holds that bodies struck just below stay whole). A
-/// rigid tetrahedron cannot break: nothing is a blow for it.
-bool is_blow(const MechanicsState& state, const Component& component, double speed,
+/// the part of its strength (Pa, of its weakest vertex) that is not negligible. A hard wall gives
+/// rho c v over a flat front; a wave that meets its reflection doubles it. Below a tenth of the
+/// strength it would have to be focused fivefold to break anything (a test holds that bodies struck
+/// just below stay whole). A rigid tetrahedron cannot break: nothing is a blow for it.
+bool is_blow(const MechanicsState& state, const Component& component, double speed, double strength,
              const ImpactSettings& settings);
 
 }  // namespace sunder

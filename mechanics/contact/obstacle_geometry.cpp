@@ -39,8 +39,10 @@ SurfaceDistance distance_to(const Box& box, const Vec3& point) {
 }
 
 FirstTouch touch_plane(const Plane& plane, const Path& path) {
-  return {plane.normal, plane.normal.dot(path.start) - plane.offset - path.radius,
-          plane.normal.dot(path.end) - plane.offset - path.radius};
+  const double start = plane.normal.dot(path.start) - plane.offset - path.radius;
+  const double end = plane.normal.dot(path.end) - plane.offset - path.radius;
+  const double part = start <= 0 ? 0 : end >= start ? 0 : std::min(1.0, start / (start - end));
+  return {plane.normal, start, end, part};
 }
 
 }  // namespace
@@ -57,7 +59,7 @@ FirstTouch first_touch(const Shape& shape, const Path& path) {
   here.gap -= path.radius;
   const double gap_start = here.gap;
   SurfaceDistance nearest = here;
-  Vec3 nearest_point = path.start;
+  double nearest_travelled = 0;
   // A millionth of the path is far below what one step can mean for the result.
   const double arrived = 1e-6 * length;
   constexpr int max_evaluations = 48;
@@ -69,10 +71,11 @@ FirstTouch first_touch(const Shape& shape, const Path& path) {
     here.gap -= path.radius;
     if (here.gap < nearest.gap) {
       nearest = here;
-      nearest_point = point;
+      nearest_travelled = travelled;
     }
   }
-  return {nearest.normal, gap_start, nearest.gap + nearest.normal.dot(path.end - nearest_point)};
+  const double part = length > 0 ? nearest_travelled / length : 0;
+  return {nearest.normal, gap_start, nearest.gap + nearest.normal.dot(motion) * (1 - part), part};
 }
 
 Vec3 surface_velocity(const Obstacle& obstacle, const Vec3& point) {

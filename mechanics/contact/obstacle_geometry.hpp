@@ -34,6 +34,8 @@ struct FirstTouch {
   double gap_start = 0;
   /// Signed distance of the end to the tangent plane at that place, m: negative if it passed it.
   double gap_end = 0;
+  /// Where on the path that is: 0 at its start, 1 at its end.
+  double part = 0;
 };
 
 /// Where a moving point first touches a shape. Sphere tracing: the signed distance never grows

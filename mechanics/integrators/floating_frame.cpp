@@ -239,7 +239,9 @@ void write_rows(const ComponentStep& step, const BodyDeformation& d, const Predi
   scatter(predicted.displacement, system.order, d.displacement);
   scatter(predicted.displacement_rate, system.order, d.rate);
   scatter(predicted.displacement_acceleration, system.order, d.acceleration);
-  predicted.frame[step.component.id.index()] = next;
+  PredictedFrame& frame = predicted.frame[step.component.id.index()];
+  frame = next;
+  frame.spin = R * spin;
 }
 
 void step_free(const ComponentStep& step) {

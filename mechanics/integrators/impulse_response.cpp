@@ -90,14 +90,7 @@ void apply_to_component(MechanicsState& state, const BodyBlow& blow) {
 /// h (I/M - [x_k - c] I(q)^-1 [x_l - c]) for every pair, world.
 Eigen::MatrixXd rigid_response(const MechanicsState& state, const Component& component,
                                std::span<const VertexId> vertices, double time_step) {
-  Mat3 inertia = Mat3::Zero();
-  for (VertexId v : component.vertices) {
-    const Vec3 q = state.vertices.position[v.index()] - component.centre;
-    const double m = state.vertices.mass[v.index()];
-    inertia -= m * q * q.transpose();
-    inertia.diagonal().array() += m * q.squaredNorm();
-  }
-  const Mat3 inverse = inertia.inverse();
+  const Mat3 inverse = world_inertia(state, component).inverse();
   const auto k = static_cast<Eigen::Index>(vertices.size());
   Eigen::MatrixXd Y(3 * k, 3 * k);
   for (Eigen::Index a = 0; a < k; ++a) {
@@ -173,6 +166,29 @@ void apply_impulses(MechanicsState& state, std::span<const VertexImpulse> impuls
         std::find_if(first, sorted.end(), [&](const auto& hit) { return component_of(hit) != id; });
     apply_to_component(state, {state.components[id.index()], {first, last}});
     first = last;
+  }
+}
+
+Mat3 world_inertia(const MechanicsState& state, const Component& component) {
+  Mat3 inertia = Mat3::Zero();
+  for (VertexId v : component.vertices) {
+    const Vec3 arm = state.vertices.position[v.index()] - component.centre;
+    const double m = state.vertices.mass[v.index()];
+    inertia -= m * arm * arm.transpose();
+    inertia.diagonal().array() += m * arm.squaredNorm();
+  }
+  return inertia;
+}
+
+void apply_twist(MechanicsState& state, ComponentId id, const Vec3& twist) {
+  Component& component = state.components[id.index()];
+  if (component.supported) return;
+  component.angular_momentum += twist;
+  if (component.isolated) return set_rigid_velocities(state, component);
+  const Vec3 spin = world_inertia(state, component).ldlt().solve(twist);
+  for (VertexId v : component.vertices) {
+    state.vertices.velocity[v.index()] +=
+        spin.cross(state.vertices.position[v.index()] - component.centre);
   }
 }
 

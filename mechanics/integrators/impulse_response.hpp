@@ -27,6 +27,13 @@ struct StruckVertices {
 /// Several impulses at one vertex add up. O(vertices of the components struck).
 void apply_impulses(MechanicsState& state, std::span<const VertexImpulse> impulses);
 
+/// Inertia of a component about its mass centre as it is deformed now, kg m^2, world.
+Mat3 world_inertia(const MechanicsState& state, const Component& component);
+
+/// Adds an angular impulse (N m s) to a free component as a change of its spin: L += twist, and the
+/// velocities that are rigid. Held components take none. O(vertices of the component).
+void apply_twist(MechanicsState& state, ComponentId id, const Vec3& twist);
+
 /// World displacement at the END of the next step of `struck.vertices` (3 k rows) for unit impulses
 /// at them at its START (3 k columns), m/(N s), at the present state:
 ///   h (I/M - [x_k - c] I(q)^-1 [x_l - c])  +  R (c1 A^-1 + c2 M^-1, mean-axis projected) R^T

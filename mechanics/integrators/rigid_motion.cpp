@@ -157,6 +157,7 @@ void step_rigid_body(const ComponentStep& step) {
     predicted.displacement_rate[v.index()].setZero();
     predicted.displacement_acceleration[v.index()].setZero();
   }
+  next.spin = spin;
   predicted.frame[body.id.index()] = next;
 }
 

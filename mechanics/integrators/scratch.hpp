@@ -24,6 +24,7 @@ struct PredictedFrame {
   double damping_work = 0;  ///< J taken by Rayleigh damping in this step
   double turned = 0;        ///< rad: h^2 / I times the largest moment of forces that do not turn
   SolveReport solve = {};
+  Vec3 spin = Vec3::Zero();  ///< rad/s, world; of what floats in its frame
 };
 
 /// Scratch of one step, and what follows from the state to the bit. All of it can be thrown away

@@ -2,6 +2,7 @@
 // What a step is given beside the state: loads, settings, which part of a step, and what it moves.
 #pragma once
 
+#include <atomic>
 #include <span>
 #include <vector>
 
@@ -39,6 +40,8 @@ struct StepPart {
   double whole_step = 0;  ///< s, for `catch_up`
   /// Given, contact looks out for blows (`advance_with_contact`).
   const ImpactSettings* impact = nullptr;
+  /// Beside `impact`: lowest tensile strength in each component, Pa; |C|.
+  std::span<const double> strength = {};
 };
 
 /// What a step moves, by rows of components and obstacles: 0 keeps still and meets nothing.
@@ -63,7 +66,10 @@ struct StepInput {
   /// Threads that factors and columns of the inverse are made on. Results are the same bytes for
   /// any number.
   unsigned threads = 1;
+  /// Given and true: iterations end where they are.
+  const std::atomic<bool>* hurry = nullptr;
 
+  bool is_hurried() const { return hurry && hurry->load(std::memory_order_relaxed); }
   /// s, over which the deformation goes by generalised-alpha.
   double deformation_step() const {
     return part.deformation == Deformation::catch_up ? part.whole_step : settings.time_step;

@@ -78,8 +78,9 @@ TEST_CASE("what two bars keep back is what each loses at a rigid wall", "[accura
   const double e = rebound(cells, fraction);
   INFO(cells[0] << " cells, sub-steps of L/c times " << fraction << ": " << swap.left
                 << ", rebound " << e);
-  // Seen from the middle each bar meets a wall at half the speed: (1 -+ e) / 2.
-  CHECK(swap.left == Approx((1 - e) / 2).margin(cells[1] > 1 ? 0.01 : 0.003));
+  // Seen from the middle each bar meets a wall at half the speed: (1 -+ e) / 2. One bar is met at
+  // points of its faces, where it gives more than at vertices.
+  CHECK(swap.left == Approx((1 - e) / 2).margin(0.01));
 }
 
 TEST_CASE("with cells and sub-steps two bars come to swap their speeds", "[accuracy][case11]") {

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "apps/sunder/run/recorder_report.hpp"
 #include "apps/scene/scene_json.hpp"
+#include "apps/sunder/run/recorder_report.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 
 namespace sunder {

@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "apps/scene/scene_json.hpp"
 #include "apps/sunder/run/event_log.hpp"
 #include "apps/sunder/run/recorder_report.hpp"
-#include "apps/scene/scene_json.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 
 namespace sunder {

@@ -155,9 +155,10 @@ ordered_json energy_ledger(const RunStatistics& statistics, const Simulation& no
                          {"damping_work", statistics.damping_work},
                          {"released_by_rigid_pieces", statistics.energy_released}};
   if (!now.scene.energy_ledger) return report;
+  const RunTroubles& troubles = statistics.troubles;
   report.update(counters_json(statistics.energy));
   report["residual_over_energy_moved"] =
-      statistics.moved > 0 ? statistics.residual_size / statistics.moved : 0;
+      troubles.moved > 0 ? troubles.residual_size / troubles.moved : 0;
   return report;
 }
 
@@ -196,6 +197,7 @@ RunStatistics begin_statistics(const Simulation& start, std::vector<Finding> war
   statistics.energy_at_start = energies(start);
   statistics.momentum.start = moving_momentum(start);
   statistics.mass_at_start = total_mass(start.state->mechanics);
+  statistics.troubles = begin_troubles(start);
   return statistics;
 }
 
@@ -231,9 +233,14 @@ void add_step(RunStatistics& statistics, const Simulation& now, const StepReport
   statistics.cracks.insert(statistics.cracks.end(), report.cracks.begin(), report.cracks.end());
   statistics.damping_work += report.status.damping_work;
   statistics.energy_released += report.energy_released;
-  statistics.residual_size += std::abs(report.energy.residual);
-  statistics.moved += report.energy.moved;
+  note_troubles(statistics.troubles, now, report);
   if (!statistics.turned_too_far) check_turns(statistics, now, report);
+}
+
+std::vector<Finding> all_warnings(const RunStatistics& statistics, const Scene& scene) {
+  std::vector<Finding> all = statistics.warnings;
+  std::ranges::move(warnings_of(statistics.troubles, scene), std::back_inserter(all));
+  return all;
 }
 
 std::optional<Finding> step_failure(const StepReport& report, const Simulation& now) {
@@ -307,7 +314,7 @@ ordered_json run_report(const RunStatistics& s, const Simulation& now,
       {"momentum", momentum_ledger(s.momentum, now)},
       {"energy", energy_ledger(s, now)},
       {"cracks", crack_ledger(s.cracks)},
-      {"warnings", findings_json(s.warnings)}};
+      {"warnings", findings_json(all_warnings(s, now.scene))}};
   report.update(search);
   return report;
 }

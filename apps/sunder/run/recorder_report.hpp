@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "apps/output/fragment.hpp"
+#include "apps/sunder/run/run_warnings.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 
 namespace sunder {
@@ -56,13 +57,13 @@ struct RunStatistics {
   std::size_t searched = 0;
   /// J.
   double damping_work = 0, energy_released = 0;
-  double residual_size = 0, moved = 0;  ///< sums of |residual| and of all that was moved
   std::vector<CrackEnergy> cracks;
   Energies energy_at_start;
   MomentumLedger momentum;
   /// kg.
   double mass_at_start = 0;
-  std::vector<Finding> warnings;
+  std::vector<Finding> warnings;  ///< of the scene, and of the model where it was left
+  RunTroubles troubles;
   /// Whether the small-displacement model was left once (docs/decisions.md, Validity).
   bool turned_too_far = false;
 };
@@ -74,11 +75,15 @@ RunStatistics begin_statistics(const Simulation& start, std::vector<Finding> war
 void add_step(RunStatistics& statistics, const Simulation& now, const StepReport& report,
               double step_ms);
 
+/// Everything that a run warns of.
+std::vector<Finding> all_warnings(const RunStatistics& statistics, const Scene& scene);
+
 /// What `advance` reports as a failure, as a finding with step, vertex, value and remedy; nothing
 /// when the step is fine.
 std::optional<Finding> step_failure(const StepReport& report, const Simulation& now);
 
-/// report.json of a run, keys as docs/scene.md has them. `pieces`: as `fragments` gives them at the end.
+/// report.json of a run, keys as docs/scene.md has them. `pieces`: as `fragments` gives them at the
+/// end.
 nlohmann::ordered_json run_report(const RunStatistics& statistics, const Simulation& now,
                                   std::span<const Fragment> pieces, RunEnd end);
 

@@ -4,27 +4,30 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
 
+#include "apps/scene/scene_hash.hpp"
+#include "apps/scene/words.hpp"
 #include "apps/sunder/run/progress.hpp"
 #include "apps/sunder/run/recorder.hpp"
 #include "apps/sunder/run/replay.hpp"
-#include "apps/scene/scene_hash.hpp"
-#include "apps/scene/words.hpp"
 
 namespace sunder {
 namespace {
 
 // A signal handler can reach nothing but a global.
-volatile std::sig_atomic_t interrupted = 0;
+std::atomic<bool> interrupted = false;
+static_assert(std::atomic<bool>::is_always_lock_free);
 
-/// Ctrl-C ends the run after its step; a second one ends the program at once.
+/// Ctrl-C ends the step at hand as soon as it can, and the run after it; a second one ends the
+/// program at once.
 void watch_for_interrupt() {
-  interrupted = 0;
+  interrupted = false;
   struct sigaction action = {};
-  action.sa_handler = [](int) { interrupted = 1; };
+  action.sa_handler = [](int) { interrupted = true; };
   action.sa_flags = static_cast<int>(SA_RESETHAND);
   sigaction(SIGINT, &action, nullptr);
 }
@@ -126,6 +129,7 @@ ExitCode run_scene(const RunArguments& arguments) {
   }
 
   watch_for_interrupt();
+  simulation->hurry = &interrupted;
   Result<Recorder> recorder =
       Recorder::open({folder, *file, replay ? replay->counts : nlohmann::ordered_json()},
                      *simulation, std::move(simulation.findings));
@@ -142,10 +146,14 @@ ExitCode run_scene(const RunArguments& arguments) {
       ended = ExitCode::departed;
     }
   }
+  const std::vector<Finding> warnings = all_warnings(recorder->statistics(), simulation->scene);
+  print(warnings_of(recorder->statistics().troubles, simulation->scene));
+  if (ended == ExitCode::fine && arguments.strict && !warnings.empty()) ended = ExitCode::warned;
   const nlohmann::ordered_json& report = recorder->report();
   fmt::print("{}", arguments.json ? report.dump(2) + "\n" : summary_table(report));
   if (!arguments.json) fmt::print("{:<14} {}\n", "written to", folder.string());
-  return ended == ExitCode::fine && has_error(unwritten) ? ExitCode::not_written : ended;
+  const bool reached_end = ended == ExitCode::fine || ended == ExitCode::warned;
+  return reached_end && has_error(unwritten) ? ExitCode::not_written : ended;
 }
 
 }  // namespace sunder

@@ -23,6 +23,8 @@ struct RunArguments {
   std::filesystem::path replay;
   /// Threads for factors; the result is the same for any number.
   unsigned threads = 1;
+  /// A run with warnings ends with an exit code of its own.
+  bool strict = false;
   /// The report as JSON on stdout instead of the table.
   bool json = false;
 };

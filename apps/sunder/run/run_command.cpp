@@ -21,8 +21,8 @@ Files in DIR (those of an earlier run are removed):
   cracks.csv                area and energy of each crack
 
 Exit codes: 0 done, 2 usage, 3 bad scene or mesh, 4 not written, 5 the simulation failed, 6 a replay
-departed from its log, 130 interrupted by Ctrl-C. After 5, 6 and 130 the files hold the run up to
-that moment.
+departed from its log, 7 done, with warnings, and --strict was given, 130 interrupted by Ctrl-C.
+After 5, 6 and 130 the files hold the run up to that moment; the step that Ctrl-C met is cut short.
 
 Examples:
   sunder run meshes/scenes/bunny.json -o out/bunny --png 6
@@ -73,6 +73,9 @@ void add_options(CLI::App& command, RunArguments& arguments, std::vector<std::st
                   "Threads for factors and contact of large pieces; results do not depend on it")
       ->capture_default_str()
       ->check(CLI::Range(1, 64));
+  command.add_flag("--strict", arguments.strict,
+                   "End with exit code 7 when the run has a warning: contacts left out or not "
+                   "converged, sub-steps that ran out, energy that does not add up");
   command.add_flag("--quiet", arguments.quiet, "No progress on stderr");
   command.add_flag("--json", arguments.json, "Print report.json instead of a table");
 }

@@ -23,8 +23,8 @@ struct ContactScene {
   MechanicsScratch mechanics = {};
   ContactScratch scratch = {};
 
-  ContactStepResult step() {
-    return advance_with_contact({state, obstacles, memory}, {body.corners, loads, integrator},
+  ContactStepResult step(const StepPart& part = {}) {
+    return advance_with_contact({state, obstacles, memory}, {body.corners, loads, integrator, part},
                                 contact, {mechanics, scratch});
   }
 

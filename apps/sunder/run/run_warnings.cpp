@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// Troubles noted step by step, told at the end.
+#include "apps/sunder/run/run_warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "mechanics/contact/obstacle_geometry.hpp"
+#include "mechanics/element/energy.hpp"
+
+namespace sunder {
+namespace {
+
+/// Of what moved, in the ledger of a step or of a run.
+constexpr double allowed_residual = 0.01;
+/// Of the most energy there was.
+constexpr double allowed_rise = 1e-6;
+
+double energy_of_balls(const std::vector<Obstacle>& obstacles) {
+  double sum = 0;
+  for (const Obstacle& ball : obstacles) {
+    if (!ball.mass) continue;
+    sum += 0.5 * *ball.mass * ball.velocity.squaredNorm() +
+           0.5 * moment_of_inertia(ball) * ball.spin.squaredNorm();
+  }
+  return sum;
+}
+
+std::vector<Vec3> centres_of_balls(const std::vector<Obstacle>& obstacles) {
+  std::vector<Vec3> centres(obstacles.size(), Vec3::Zero());
+  for (std::size_t k = 0; k < obstacles.size(); ++k) {
+    if (obstacles[k].mass) centres[k] = std::get<Sphere>(obstacles[k].shape).center;
+  }
+  return centres;
+}
+
+/// J, what came in from outside in a step: bodies by their ledger, balls by their way.
+double work_from_outside(const EnergyBalance& before, const Simulation& now,
+                         const StepReport& report) {
+  const EnergyLedger& ledger = report.energy;
+  double work = ledger.gravity + ledger.loads + ledger.supports;
+  const Vec3 gravity = gravity_at(now.scene.gravity, report.time);
+  const std::vector<Vec3> centres = centres_of_balls(now.state->obstacles);
+  for (std::size_t k = 0; k < centres.size(); ++k) {
+    const Obstacle& obstacle = now.state->obstacles[k];
+    work += obstacle.mass ? *obstacle.mass * gravity.dot(centres[k] - before.ball_centre[k])
+                          : report.contact.impulse_of(k).dot(obstacle.velocity);
+  }
+  return work;
+}
+
+void note_energy(RunTroubles& troubles, const Simulation& now, const StepReport& report) {
+  const EnergyLedger& ledger = report.energy;
+  troubles.residual_size += std::abs(ledger.residual);
+  troubles.moved += ledger.moved;
+  if (std::abs(ledger.residual) > allowed_residual * ledger.moved) {
+    troubles.residual.note(report.step);
+    troubles.residual.size = std::max(troubles.residual.size, std::abs(ledger.residual));
+  }
+  EnergyBalance& balance = troubles.balance;
+  const MechanicsState& m = now.state->mechanics;
+  const double balls = energy_of_balls(now.state->obstacles);
+  balance.level += ledger.kinetic + ledger.strain + balls - balance.ball_energy -
+                   work_from_outside(balance, now, report);
+  balance.most = std::max(balance.most, kinetic_energy(m.vertices) + strain_energy(m) + balls);
+  balance.ball_energy = balls;
+  balance.ball_centre = centres_of_balls(now.state->obstacles);
+  const double rise = balance.level - balance.lowest;
+  balance.lowest = std::min(balance.lowest, balance.level);
+  if (rise > std::max(balance.risen, allowed_rise * balance.most)) {
+    troubles.risen.note(report.step);
+    balance.risen = troubles.risen.size = rise;
+  }
+}
+
+Finding warning(std::string code, std::string text, std::string remedy) {
+  return {.code = std::move(code),
+          .severity = Severity::warning,
+          .text = std::move(text),
+          .remedy = std::move(remedy)};
+}
+
+/// "in 3 steps, from step 7 to 12": when a trouble was there.
+std::string when(const Trouble& trouble) {
+  if (trouble.steps == 1) return fmt::format("in step {}", trouble.first);
+  return fmt::format("in {} steps, from step {} to {}", trouble.steps, trouble.first, trouble.last);
+}
+
+}  // namespace
+
+RunTroubles begin_troubles(const Simulation& start) {
+  RunTroubles troubles;
+  const MechanicsState& m = start.state->mechanics;
+  EnergyBalance& balance = troubles.balance;
+  balance.ball_energy = energy_of_balls(start.state->obstacles);
+  balance.ball_centre = centres_of_balls(start.state->obstacles);
+  balance.most = kinetic_energy(m.vertices) + strain_energy(m) + balance.ball_energy;
+  return troubles;
+}
+
+void note_troubles(RunTroubles& troubles, const Simulation& now, const StepReport& report) {
+  const ContactReport& contact = report.contact;
+  if (contact.left_out > 0) {
+    troubles.left_out.note(report.step);
+    troubles.left_out.size += static_cast<double>(contact.left_out);
+  }
+  if (!contact.converged) {
+    troubles.not_converged.note(report.step);
+    troubles.not_converged.size = std::max(troubles.not_converged.size, contact.residual);
+  }
+  if (report.impact.stopped) troubles.stopped.note(report.step);
+  if (report.status.solve.not_converged > 0) troubles.given_up.note(report.step);
+  if (now.scene.energy_ledger) note_energy(troubles, now, report);
+}
+
+std::vector<Finding> warnings_of(const RunTroubles& t, const Scene& scene) {
+  std::vector<Finding> found;
+  if (t.left_out.steps > 0) {
+    found.push_back(warning(
+        "contacts_left_out",
+        fmt::format("{} contacts were left out {}: pieces may overlap and gain energy",
+                    static_cast<std::uint64_t>(t.left_out.size), when(t.left_out)),
+        "raise contact.max_contacts_per_component, take a shorter time_step, or a coarser mesh"));
+  }
+  if (t.not_converged.steps > 0) {
+    found.push_back(
+        warning("contact_not_converged",
+                fmt::format("contact did not converge {}; the worst gap is off by {:.2g} m",
+                            when(t.not_converged), t.not_converged.size),
+                "raise contact.max_iterations, or take a shorter time_step"));
+  }
+  if (t.stopped.steps > 0) {
+    found.push_back(
+        warning("sub_steps_ran_out",
+                fmt::format("sub-steps of impacts ran out {}: blows there are stepped too coarsely "
+                            "to say what they break",
+                            when(t.stopped)),
+                "raise impact.max_sub_steps, or take a shorter time_step"));
+  }
+  if (t.given_up.steps > 0) {
+    found.push_back(
+        warning("integrator_not_converged",
+                fmt::format("the integrator gave its iterations up {}", when(t.given_up)),
+                "take a shorter time_step or the method floating_frame"));
+  }
+  if (!scene.energy_ledger) return found;
+  if (t.residual_size > allowed_residual * t.moved) {
+    found.push_back(warning(
+        "energy_residual",
+        fmt::format("the energy ledger does not close: {:.3g} of what moved is unaccounted for; "
+                    "it is off by more than a hundredth {}",
+                    t.residual_size / t.moved, when(t.residual)),
+        "take a shorter time_step; speeds near the material's wave speed are outside the model"));
+  }
+  if (t.risen.steps > 0) {
+    found.push_back(warning(
+        "energy_rises",
+        fmt::format("energy rose without work by {:.3g} J, {:.2g} of the most there was, {}",
+                    t.risen.size, t.risen.size / t.balance.most, when(t.risen)),
+        "take a shorter time_step; look for bodies that overlap at the start"));
+  }
+  return found;
+}
+
+}  // namespace sunder

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// What a run must not keep silent about: work left undone, solves that did not end, energy that
+// came from nowhere.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "fracture/simulation/simulation_state.hpp"
+
+namespace sunder {
+
+/// One kind of trouble over the steps of a run.
+struct Trouble {
+  std::uint64_t first = 0, last = 0, steps = 0;  ///< first and last step that had it, and how many
+  double size = 0;                               ///< the worst, or the sum, in the kind's unit
+
+  void note(std::uint64_t step) {
+    if (steps++ == 0) first = step;
+    last = step;
+  }
+};
+
+/// Kinetic and strain energy of everything that moves less the work that came in from gravity,
+/// loads, supports and driven obstacles: what is left may sink (sliding, blows without a bounce,
+/// damping, cracks) and never rise. J; 0 at the start.
+struct EnergyBalance {
+  double level = 0, lowest = 0;
+  double risen = 0;               ///< most that it has stood above an earlier level
+  double most = 0;                ///< largest kinetic and strain energy so far
+  double ball_energy = 0;         ///< kinetic energy of free balls at the end of the last step
+  std::vector<Vec3> ball_centre;  ///< row = obstacle
+};
+
+/// Troubles of a run as its steps come.
+struct RunTroubles {
+  Trouble left_out;       ///< contacts, summed
+  Trouble not_converged;  ///< contact; m, the worst residual
+  Trouble stopped;        ///< sub-steps of windows that ran out
+  Trouble given_up;       ///< iterations of the integrator
+  Trouble residual;       ///< steps whose energy ledger is off by more than a hundredth; J, worst
+  Trouble risen;          ///< J, most
+  double residual_size = 0, moved = 0;  ///< J, sums over the run
+  EnergyBalance balance;
+};
+
+/// The troubles of a run that stands at its start: none.
+RunTroubles begin_troubles(const Simulation& start);
+
+/// Adds a step. O(obstacles).
+void note_troubles(RunTroubles& troubles, const Simulation& now, const StepReport& report);
+
+/// A warning a kind that there was, with first and last step, size and remedy. Of energy only where
+/// the scene keeps its ledger.
+std::vector<Finding> warnings_of(const RunTroubles& troubles, const Scene& scene);
+
+}  // namespace sunder
