@@ -139,7 +139,10 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
   report.time = s.mechanics.time;
   for_each_living(s.mechanics, {}, [&](const Component&) { ++report.components; });
   if (!has_failed(report)) {
-    report.ladder = choose_rungs(report.energy_released, s, {scene, touched}, scratch.ladder);
+    GivenUp given_up;
+    report.ladder = choose_rungs(given_up, s, {scene, touched}, scratch.ladder);
+    report.energy_released += given_up.energy;
+    report.momentum.sleep -= given_up.momentum;
   }
   if (scene.energy_ledger) {
     close_ledger(report, kinetic, kinetic_energy(s.mechanics.vertices));

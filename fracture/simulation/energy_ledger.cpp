@@ -210,15 +210,15 @@ void add_support_work(EnergyLedger& ledger, const AdoptedPart& part, const Compo
 void remember_start(PartStart& before, const SimulationState& state, bool keeps_ledger) {
   const MechanicsState& m = state.mechanics;
   if (keeps_ledger || !state.cracks.empty()) before.displacement = m.vertices.displacement;
+  before.momentum.clear();
+  for (const Component& component : m.components) before.momentum.push_back(component.momentum);
   if (!keeps_ledger) return;
   before.position = m.vertices.position;
   before.rate = m.vertices.displacement_rate;
   before.acceleration = m.vertices.displacement_acceleration;
-  before.momentum.clear();
   before.angular_momentum.clear();
   before.orientation.clear();
   for (const Component& component : m.components) {
-    before.momentum.push_back(component.momentum);
     before.angular_momentum.push_back(component.angular_momentum);
     before.orientation.push_back(component.orientation);
   }

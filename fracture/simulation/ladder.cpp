@@ -224,7 +224,7 @@ void note_touches(std::vector<char>& touched, const MechanicsState& m,
   }
 }
 
-LadderReport choose_rungs(double& energy_released, SimulationState& s, const RungInput& input,
+LadderReport choose_rungs(GivenUp& given_up, SimulationState& s, const RungInput& input,
                           LadderScratch& scratch) {
   const LadderSettings& settings = input.scene.ladder;
   const bool climbs = input.scene.integrator.integrator == Integrator::floating_frame;
@@ -237,9 +237,12 @@ LadderReport choose_rungs(double& energy_released, SimulationState& s, const Run
     const std::size_t row = c.id.index();
     const bool may_leave = climbs && is_left_alone(s, input.touched, c);
     if (scratch.rested[row]) {
-      if (c.rung != Rung::asleep) energy_released += fall_asleep(s.mechanics, c);
+      if (c.rung != Rung::asleep) {
+        given_up.momentum += c.momentum;
+        given_up.energy += fall_asleep(s.mechanics, c);
+      }
     } else if (may_leave && settings.rigid && !scratch.loaded[row] && flies_safely(s, c)) {
-      if (c.rung != Rung::rigid) energy_released += stop_deforming(s.mechanics, c);
+      if (c.rung != Rung::rigid) given_up.energy += stop_deforming(s.mechanics, c);
       c.rung = Rung::rigid;
     } else if (may_leave && settings.quasi_static && is_loaded_slowly(s, c)) {
       c.rung = Rung::quasi_static;

@@ -28,6 +28,12 @@ double flight_stress_bound(const MechanicsState& state, const Component& compone
 void note_touches(std::vector<char>& touched, const MechanicsState& state,
                   std::span<const ContactPoint> contacts);
 
+/// What components give up that take a lower rung.
+struct GivenUp {
+  double energy = 0;             ///< J
+  Vec3 momentum = Vec3::Zero();  ///< N s, of what falls asleep
+};
+
 /// What the choice of rungs asks beside the state.
 struct RungInput {
   const Scene& scene;
@@ -47,8 +53,8 @@ struct RungInput {
 ///   called rest for `sleep_after`, with gravity and loads fully raised. Touched by what is awake,
 ///   or overlapped on the way of anything, it wakes (mechanics/contact/contact.cpp).
 /// - `full`: all others, and everything under other integrators than floating_frame.
-/// Gives how many are on which; what they give up (J) is added to `energy_released`.
-LadderReport choose_rungs(double& energy_released, SimulationState& state, const RungInput& input,
+/// Gives how many are on which; what they give up is added to `given_up`.
+LadderReport choose_rungs(GivenUp& given_up, SimulationState& state, const RungInput& input,
                           LadderScratch& scratch);
 
 }  // namespace sunder

@@ -3,6 +3,7 @@
 #include "fracture/simulation/part.hpp"
 
 #include "fracture/simulation/energy_ledger.hpp"
+#include "fracture/simulation/momentum_ledger.hpp"
 
 namespace sunder {
 namespace {
@@ -38,6 +39,7 @@ ContactStepResult take_part(StepReport& report, SimulationState& s, const PartIn
       advance_with_contact({s.mechanics, s.obstacles, s.contact}, input, part.scene.contact,
                            {scratch.mechanics, scratch.contact});
   if (!result.adopted) return result;
+  add_part_momentum(report.momentum, {s, input, result, scratch.before});
   add_part_energy(report, {s, input, result, scratch.before}, part.scene.energy_ledger);
   return result;
 }

@@ -87,6 +87,22 @@ constexpr auto counters_of(const EnergyLedger*) {
                     Counter{"residual", &EnergyLedger::residual}};
 }
 
+/// Impulses that bodies and free balls got in a step, N s, by where they came from. Each is
+/// measured by itself: with `load_impulse` they give the change of momentum, or something is wrong.
+struct MomentumLedger {
+  Vec3 gravity = Vec3::Zero();    ///< weight of what moved
+  Vec3 obstacles = Vec3::Zero();  ///< of obstacles that move as they are told
+  Vec3 supports = Vec3::Zero();   ///< on held components
+  Vec3 sleep = Vec3::Zero();      ///< what was stopped as it fell asleep
+};
+
+constexpr auto counters_of(const MomentumLedger*) {
+  return std::tuple{Counter{"gravity", &MomentumLedger::gravity},
+                    Counter{"obstacles", &MomentumLedger::obstacles},
+                    Counter{"supports", &MomentumLedger::supports},
+                    Counter{"sleep", &MomentumLedger::sleep}};
+}
+
 /// What one step did.
 struct StepReport {
   std::uint64_t step = 0;
@@ -110,6 +126,7 @@ struct StepReport {
   LadderReport ladder;
   /// N s, given by surface loads, what acts at supports too.
   Vec3 load_impulse = Vec3::Zero();
+  MomentumLedger momentum;
   EnergyLedger energy;
   /// Fans whose energy was settled in this step; not of this step, and not in the ledger: what
   /// they give up goes into motion and from there into losses.

@@ -40,22 +40,6 @@ Vec3 moving_momentum(const Simulation& s) {
   return sum;
 }
 
-void add_momentum(MomentumLedger& ledger, const Simulation& now, const StepReport& report) {
-  double mass = total_mass(now.state->mechanics);
-  const std::vector<Vec3>& impulse = report.contact.obstacle_impulse;
-  for (std::size_t i = 0; i < now.state->obstacles.size(); ++i) {
-    const Obstacle& obstacle = now.state->obstacles[i];
-    if (obstacle.mass) {
-      mass += *obstacle.mass;
-    } else if (i < impulse.size()) {
-      ledger.obstacles += impulse[i];
-    }
-  }
-  ledger.loads += report.load_impulse;
-  ledger.gravity +=
-      mass * now.scene.integrator.time_step * gravity_at(now.scene.gravity, report.time);
-}
-
 void note_contact(RunStatistics& statistics, const StepReport& report) {
   const ContactReport& now = report.contact;
   statistics.contact_steps += now.contacts > 0;
@@ -120,16 +104,18 @@ ordered_json ladder_report(const LadderReport& ladder) {
   return report;
 }
 
-/// What is missing between end and start is what supports took; without any it is rounding.
-ordered_json momentum_ledger(const MomentumLedger& ledger, const Simulation& now) {
+ordered_json momentum_ledger(const RunStatistics& statistics, const Simulation& now) {
   const Vec3 end = moving_momentum(now);
-  return {
-      {"start", numbers(ledger.start)},
-      {"end", numbers(end)},
-      {"gravity", numbers(ledger.gravity)},
-      {"loads", numbers(ledger.loads)},
-      {"obstacles", numbers(ledger.obstacles)},
-      {"supports", numbers(end - ledger.start - ledger.gravity - ledger.loads - ledger.obstacles)}};
+  const MomentumLedger& ledger = statistics.momentum;
+  Vec3 given = statistics.load_impulse;
+  ordered_json report = {{"start", numbers(statistics.momentum_at_start)}, {"end", numbers(end)}};
+  report["loads"] = numbers(statistics.load_impulse);
+  for_each_counter<MomentumLedger>([&](const auto& counter) {
+    given += ledger.*counter.member;
+    report[std::string(counter.name)] = numbers(ledger.*counter.member);
+  });
+  report["residual"] = numbers(end - statistics.momentum_at_start - given);
+  return report;
 }
 
 /// What the fans whose energy was settled gave up together.
@@ -195,7 +181,7 @@ RunStatistics begin_statistics(const Simulation& start, std::vector<Finding> war
   RunStatistics statistics;
   statistics.warnings = std::move(warnings);
   statistics.energy_at_start = energies(start);
-  statistics.momentum.start = moving_momentum(start);
+  statistics.momentum_at_start = moving_momentum(start);
   statistics.mass_at_start = total_mass(start.state->mechanics);
   statistics.troubles = begin_troubles(start);
   return statistics;
@@ -229,7 +215,8 @@ void add_step(RunStatistics& statistics, const Simulation& now, const StepReport
   statistics.impact_steps += report.impact.sub_steps > 0;
   statistics.stopped_steps += report.impact.stopped;
   statistics.most_iterations = std::max(statistics.most_iterations, report.status.solve.iterations);
-  add_momentum(statistics.momentum, now, report);
+  statistics.load_impulse += report.load_impulse;
+  add_step(statistics.momentum, report.momentum);
   statistics.cracks.insert(statistics.cracks.end(), report.cracks.begin(), report.cracks.end());
   statistics.damping_work += report.status.damping_work;
   statistics.energy_released += report.energy_released;
@@ -311,7 +298,7 @@ ordered_json run_report(const RunStatistics& s, const Simulation& now,
       {"impact", impact_report(s)},
       {"ladder", ladder_report(s.ladder)},
       {"integrator", integrator_report(s, now.state->step)},
-      {"momentum", momentum_ledger(s.momentum, now)},
+      {"momentum", momentum_ledger(s, now)},
       {"energy", energy_ledger(s, now)},
       {"cracks", crack_ledger(s.cracks)},
       {"warnings", findings_json(all_warnings(s, now.scene))}};

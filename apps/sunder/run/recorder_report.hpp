@@ -21,12 +21,6 @@ struct Energies {
   double kinetic = 0, strain = 0, gravity = 0;
 };
 
-/// Momentum of everything that moves (bodies and free balls) and what it was given from outside,
-/// kg m/s: impulses of gravity, of surface loads and of obstacles without mass.
-struct MomentumLedger {
-  Vec3 start = Vec3::Zero(), gravity = Vec3::Zero(), loads = Vec3::Zero(), obstacles = Vec3::Zero();
-};
-
 /// Everything that is added up over a run.
 struct RunStatistics {
   /// Wall time of every step and of its stages, ms.
@@ -59,6 +53,8 @@ struct RunStatistics {
   double damping_work = 0, energy_released = 0;
   std::vector<CrackEnergy> cracks;
   Energies energy_at_start;
+  /// Of everything that moves (bodies and free balls) at the start, and the impulses since, N s.
+  Vec3 momentum_at_start = Vec3::Zero(), load_impulse = Vec3::Zero();
   MomentumLedger momentum;
   /// kg.
   double mass_at_start = 0;
