@@ -15,6 +15,8 @@ namespace {
 
 /// Of what moved, in the ledger of a step or of a run.
 constexpr double allowed_residual = 0.01;
+/// Of the penetration that contact leaves alone.
+constexpr double allowed_violation = 0.01;
 /// Of the most energy there was.
 constexpr double allowed_rise = 1e-6;
 
@@ -106,7 +108,8 @@ void note_troubles(RunTroubles& troubles, const Simulation& now, const StepRepor
     troubles.left_out.note(report.step);
     troubles.left_out.size += static_cast<double>(contact.left_out);
   }
-  if (!contact.converged) {
+  const double harmless = allowed_violation * now.scene.contact.allowed_penetration;
+  if (!contact.converged && contact.residual > harmless) {
     troubles.not_converged.note(report.step);
     troubles.not_converged.size = std::max(troubles.not_converged.size, contact.residual);
   }

@@ -63,6 +63,9 @@ TEST_CASE("each trouble of a step is a warning of its own", "[run]") {
   using Codes = std::vector<std::string>;
   CHECK(codes(sim, {left_out}) == Codes{"contacts_left_out"});
   CHECK(codes(sim, {unconverged}) == Codes{"contact_not_converged"});
+  StepReport nearly = unconverged;
+  nearly.contact.residual = 0.009 * sim.scene.contact.allowed_penetration;
+  CHECK(codes(sim, {nearly}).empty());
   CHECK(codes(sim, {stopped}) == Codes{"sub_steps_ran_out"});
   CHECK(codes(sim, {given_up}) == Codes{"integrator_not_converged"});
   CHECK(codes(sim, {left_out, unconverged, stopped, given_up}).size() == 4);
