@@ -101,9 +101,9 @@ struct ContactStepResult {
 /// would leave stiff vertices with the false velocity -j / 2m (rho_infinity = 0).
 /// An impulse that pushed a lumped vertex off the other side faster than it should is then taken
 /// back in part (never more than was given): the impact of one lumped mass makes no bounce.
-/// Needs: obstacles without findings, a state of `make_state`. Momentum
-/// and angular momentum are conserved to rounding, whatever the tolerance: both impulses of a
-/// contact act at one point, where side A is at the start of the step.
+/// Needs: obstacles without findings, a state of `make_state`. Momentum and angular momentum are
+/// conserved to rounding, whatever the tolerance: both impulses of a contact act at one point,
+/// where side A is at the start of the step.
 /// With `StepPart::impact` given: a step that would run into a blow is not taken but returned with
 /// what lies ahead; `frozen` leaves blows alone, they are the next part's; `wave` tells which
 /// components are in the midst of one: touched, with a vertex that comes or goes fast.
