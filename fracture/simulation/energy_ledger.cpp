@@ -124,9 +124,7 @@ Vec3 way_of_other(const AdoptedPart& part, const ContactPoint& contact) {
   const ComponentId id = part.state.mechanics.elements.component[contact.tetrahedron.index()];
   const Component& component = part.state.mechanics.components[id.index()];
   if (component.isolated) return way;
-  // The impulse acts where side A began, as if that were fast to B.
-  const Vec3 lever = part.before.position[contact.vertex.index()] -
-                     weighted_sum(corners, contact.weights, part.before.position);
+  const Vec3 lever = lever_of(contact, corners, part.before.position);
   const Vec3 turned =
       component.orientation * (part.before.orientation[id.index()].conjugate() * lever);
   return way + turned - lever;

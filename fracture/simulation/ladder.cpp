@@ -10,6 +10,7 @@
 
 #include "mechanics/contact/impact.hpp"
 #include "mechanics/element/energy.hpp"
+#include "mechanics/integrators/impulse_response.hpp"
 
 namespace sunder {
 namespace {
@@ -42,16 +43,11 @@ void find_loaded(std::vector<char>& loaded, const SimulationState& s) {
 /// J that a component gives up when it stops deforming: its vertices move with the frame alone.
 double stop_deforming(MechanicsState& state, const Component& component) {
   VertexColumns& vertices = state.vertices;
-  Mat3 inertia = Mat3::Zero();
   double before = 0, after = 0;
   for (VertexId v : component.vertices) {
-    const Vec3 arm = vertices.position[v.index()] - component.centre;
-    const double m = vertices.mass[v.index()];
-    inertia -= m * arm * arm.transpose();
-    inertia.diagonal().array() += m * arm.squaredNorm();
-    before += 0.5 * m * vertices.velocity[v.index()].squaredNorm();
+    before += 0.5 * vertices.mass[v.index()] * vertices.velocity[v.index()].squaredNorm();
   }
-  const Vec3 spin = inertia.ldlt().solve(component.angular_momentum);
+  const Vec3 spin = world_inertia(state, component).ldlt().solve(component.angular_momentum);
   for (VertexId v : component.vertices) {
     const Vec3 arm = vertices.position[v.index()] - component.centre;
     vertices.velocity[v.index()] = component.momentum / component.mass + spin.cross(arm);

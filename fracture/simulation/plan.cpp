@@ -154,11 +154,11 @@ PlannedPart next_of_members(StepPlan& plan, const Scene& scene, const Simulation
   }
   plan.impact.stopped = plan.impact.sub_steps >= scene.impact.max_sub_steps;
   const bool fine = plan.throughout || !open_windows(s.impact).empty();
-  if (fine && !plan.impact.stopped && !plan.hurried) {
+  const bool at_once = plan.impact.stopped || plan.hurried;
+  if (fine && !at_once) {
     return {{Deformation::wave, 0, &scene.impact, plan.strength}, sub_step};
   }
   // What is left at once, or the way to the next blow.
-  const bool at_once = plan.impact.stopped || plan.hurried;
   const ImpactSettings* impact = at_once ? nullptr : &scene.impact;
   return {{Deformation::catch_up, scene.integrator.time_step, impact, plan.strength},
           static_cast<double>(plan.left) * sub_step};

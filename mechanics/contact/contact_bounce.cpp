@@ -51,10 +51,9 @@ Vec3 coming_velocity(const Bounce& bounce, const ContactEnd& end) {
   Vec3 velocity =
       vertices.velocity[v] +
       bounce.reach(end) * (component.orientation * vertices.displacement_acceleration[v]);
-  if (!end.lever.isZero(0) && !component.supported) {
-    const Mat3 inertia = world_inertia(bounce.pass.state, component);
-    velocity += inertia.ldlt().solve(component.angular_momentum).cross(end.lever);
-  }
+  // Nothing for a held component, whose inverse inertia is zero.
+  const Vec3 spin = bounce.bodies.bodies[end.body].inverse_inertia * component.angular_momentum;
+  velocity += spin.cross(end.lever);
   return velocity;
 }
 
@@ -152,7 +151,7 @@ void take_back_bounce(std::span<ContactPoint> contacts, ContactBodies& bodies,
     }
   }
   std::vector<VertexImpulse> hits;
-  std::vector<std::pair<ComponentId, Vec3>> twists;
+  std::vector<Vec3> twist(bodies.bodies.size(), Vec3::Zero());
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const ContactRow& row = bodies.rows[k];
     contacts[k].impulse += row.impulse;
@@ -163,7 +162,7 @@ void take_back_bounce(std::span<ContactPoint> contacts, ContactBodies& bodies,
       } else {
         const ContactEnd& end = row.ends[e];
         const Component& component = bounce.component_of(end);
-        twists.emplace_back(component.id, end.lever.cross(impulse));
+        twist[end.body] += end.lever.cross(impulse);
         if (end.vertex.is_none()) {
           for (VertexId v : component.vertices) hits.push_back({v, 0.25 * impulse});
         } else {
@@ -173,8 +172,8 @@ void take_back_bounce(std::span<ContactPoint> contacts, ContactBodies& bodies,
     }
   }
   apply_impulses(pass.state, hits);
-  for (const auto& [id, twist] : twists) {
-    if (!twist.isZero(0)) apply_twist(pass.state, id, twist);
+  for (std::size_t b = 0; b < twist.size(); ++b) {
+    if (!bodies.component[b].is_none()) apply_twist(pass.state, bodies.component[b], twist[b]);
   }
 }
 

@@ -27,16 +27,20 @@ bool is_near(const FirstTouch& touch, const Path& path) {
   return touch.gap_end < (path.end - path.start).norm();
 }
 
-/// Adds the contact if its path ends near.
-void add_if_near(DetectScratch& scratch, ContactPoint contact, const Shape& shape,
-                 const Path& path) {
-  const FirstTouch touch = first_touch(shape, path);
-  if (!is_near(touch, path)) return;
+/// Adds a contact whose sides are `end` apart at the end of the step.
+void add(DetectScratch& scratch, ContactPoint contact, const FirstTouch& touch, const Vec3& end) {
   contact.normal = touch.normal;
   contact.gap_start = touch.gap_start;
-  contact.offset = touch.gap_end - touch.normal.dot(path.end);
+  contact.offset = touch.gap_end - touch.normal.dot(end);
   scratch.found.push_back(contact);
   scratch.found_gap.push_back(touch.gap_end);
+}
+
+/// Adds the contact if its path ends near.
+void add_if_near(DetectScratch& scratch, const ContactPoint& contact, const Shape& shape,
+                 const Path& path) {
+  const FirstTouch touch = first_touch(shape, path);
+  if (is_near(touch, path)) add(scratch, contact, touch, path.end);
 }
 
 void find_vertex_obstacle(DetectScratch& scratch, const StepPaths& paths, std::uint32_t row,
@@ -228,11 +232,7 @@ void find_between_pieces(DetectScratch& scratch, const ContactMemory& memory,
     const FirstTouch touch = first_touch(ball, path);
     if (!is_near(touch, path)) continue;
     contact.weights = weights_at(touch.part, pair, paths);
-    contact.normal = touch.normal;
-    contact.gap_start = touch.gap_start;
-    contact.offset = touch.gap_end - touch.normal.dot(path_of(contact, paths).end);
-    scratch.found.push_back(contact);
-    scratch.found_gap.push_back(touch.gap_end);
+    add(scratch, contact, touch, path_of(contact, paths).end);
   }
   keep_deepest(scratch, paths, first);
 }
@@ -261,6 +261,10 @@ Vec3 weighted_sum(const Corners& corners, const std::array<double, 4>& weights,
   return sum;
 }
 
+Vec3 lever_of(const ContactPoint& contact, const Corners& corners, std::span<const Vec3> start) {
+  return start[contact.vertex.index()] - weighted_sum(corners, contact.weights, start);
+}
+
 ContactPath path_of(const ContactPoint& contact, const StepPaths& paths) {
   ContactPath path;
   if (contact.ball != ContactPoint::none) {
@@ -279,12 +283,10 @@ ContactPath path_of(const ContactPoint& contact, const StepPaths& paths) {
       path.end -= paths.time_step * obstacle.velocity;
     }
   } else {
-    // Where A is at the start, as if it were fast to B.
     const Corners& corners = paths.corners[contact.tetrahedron.index()];
     const ComponentId id = paths.state.elements.component[contact.tetrahedron.index()];
     const Component& component = paths.state.components[id.index()];
-    const Vec3 start = weighted_sum(corners, contact.weights, paths.state.vertices.position);
-    const Vec3 lever = path.start - start;
+    const Vec3 lever = lever_of(contact, corners, paths.state.vertices.position);
     path.end -= weighted_sum(corners, contact.weights, paths.predicted);
     path.end -= component.isolated ? lever
                                    : paths.frame[id.index()].orientation *

@@ -45,6 +45,10 @@ Vec3 centre_of(const Corners& corners, std::span<const Vec3> position);
 Vec3 weighted_sum(const Corners& corners, const std::array<double, 4>& weights,
                   std::span<const Vec3> values);
 
+/// From the point of B, a tetrahedron, to where side A is, both at the start of a step, m. An
+/// impulse acts on B at the end of it, as if it were fast to B. `start`: positions there.
+Vec3 lever_of(const ContactPoint& contact, const Corners& corners, std::span<const Vec3> start);
+
 /// Where side A of a contact is, and the reference of side B, at the start and end of the step.
 struct ContactPath {
   Vec3 start{0, 0, 0};  ///< A - reference of B, m

@@ -24,11 +24,9 @@ Vec3 velocity_end(const ContactStep& step, const ContactPoint& contact) {
                                                 : ball_velocity(step, contact.ball);
   if (contact.obstacle == ContactPoint::none) {
     const Corners& corners = step.pass.input.corners[contact.tetrahedron.index()];
-    const std::vector<Vec3>& start = step.pass.state.vertices.position;
     const ComponentId id = step.pass.state.elements.component[contact.tetrahedron.index()];
-    // As in `path_of`: where the impulse acts, as if it were fast to B.
-    const Vec3 lever = start[contact.vertex.index()] + drift_of(step.pass, contact) -
-                       weighted_sum(corners, contact.weights, start);
+    const Vec3 lever = lever_of(contact, corners, step.pass.state.vertices.position) +
+                       drift_of(step.pass, contact);
     const Vec3& spin = step.pass.mechanics.predicted.frame[id.index()].spin;
     return sum - weighted_sum(corners, contact.weights, velocity) - spin.cross(lever);
   }

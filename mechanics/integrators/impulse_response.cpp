@@ -182,7 +182,7 @@ Mat3 world_inertia(const MechanicsState& state, const Component& component) {
 
 void apply_twist(MechanicsState& state, ComponentId id, const Vec3& twist) {
   Component& component = state.components[id.index()];
-  if (component.supported) return;
+  if (component.supported || twist.isZero(0)) return;
   component.angular_momentum += twist;
   if (component.isolated) return set_rigid_velocities(state, component);
   const Vec3 spin = world_inertia(state, component).ldlt().solve(twist);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "mechanics/contact/obstacle_geometry.hpp"
 #include "mechanics/element/energy.hpp"
@@ -39,12 +40,11 @@ std::vector<Vec3> centres_of_balls(const std::vector<Obstacle>& obstacles) {
 }
 
 /// J, what came in from outside in a step: bodies by their ledger, balls by their way.
-double work_from_outside(const EnergyBalance& before, const Simulation& now,
-                         const StepReport& report) {
+double work_from_outside(const EnergyBalance& before, std::span<const Vec3> centres,
+                         const Simulation& now, const StepReport& report) {
   const EnergyLedger& ledger = report.energy;
   double work = ledger.gravity + ledger.loads + ledger.supports;
   const Vec3 gravity = gravity_at(now.scene.gravity, report.time);
-  const std::vector<Vec3> centres = centres_of_balls(now.state->obstacles);
   for (std::size_t k = 0; k < centres.size(); ++k) {
     const Obstacle& obstacle = now.state->obstacles[k];
     work += obstacle.mass ? *obstacle.mass * gravity.dot(centres[k] - before.ball_centre[k])
@@ -62,13 +62,15 @@ void note_energy(RunTroubles& troubles, const Simulation& now, const StepReport&
     troubles.residual.size = std::max(troubles.residual.size, std::abs(ledger.residual));
   }
   EnergyBalance& balance = troubles.balance;
-  const MechanicsState& m = now.state->mechanics;
   const double balls = energy_of_balls(now.state->obstacles);
-  balance.level += ledger.kinetic + ledger.strain + balls - balance.ball_energy -
-                   work_from_outside(balance, now, report);
-  balance.most = std::max(balance.most, kinetic_energy(m.vertices) + strain_energy(m) + balls);
+  std::vector<Vec3> centres = centres_of_balls(now.state->obstacles);
+  const double change = ledger.kinetic + ledger.strain;
+  balance.level +=
+      change + balls - balance.ball_energy - work_from_outside(balance, centres, now, report);
+  balance.body_energy += change;
   balance.ball_energy = balls;
-  balance.ball_centre = centres_of_balls(now.state->obstacles);
+  balance.ball_centre = std::move(centres);
+  balance.most = std::max(balance.most, balance.body_energy + balls);
   const double rise = balance.level - balance.lowest;
   balance.lowest = std::min(balance.lowest, balance.level);
   if (rise > std::max(balance.risen, allowed_rise * balance.most)) {
@@ -98,7 +100,8 @@ RunTroubles begin_troubles(const Simulation& start) {
   EnergyBalance& balance = troubles.balance;
   balance.ball_energy = energy_of_balls(start.state->obstacles);
   balance.ball_centre = centres_of_balls(start.state->obstacles);
-  balance.most = kinetic_energy(m.vertices) + strain_energy(m) + balance.ball_energy;
+  balance.body_energy = kinetic_energy(m.vertices) + strain_energy(m);
+  balance.most = balance.body_energy + balance.ball_energy;
   return troubles;
 }
 
@@ -128,11 +131,11 @@ std::vector<Finding> warnings_of(const RunTroubles& t, const Scene& scene) {
         "raise contact.max_contacts_per_component, take a shorter time_step, or a coarser mesh"));
   }
   if (t.not_converged.steps > 0) {
-    found.push_back(
-        warning("contact_not_converged",
-                fmt::format("contact did not converge {}; the worst gap is off by {:.2g} m",
-                            when(t.not_converged), t.not_converged.size),
-                "raise contact.max_iterations, or take a shorter time_step"));
+    found.push_back(warning(
+        "contact_not_converged",
+        fmt::format("contact did not converge {}; the worst gap is off by {:.2g} m",
+                    when(t.not_converged), t.not_converged.size),
+        "take a shorter time_step; more of contact.max_iterations help where nothing is wedged"));
   }
   if (t.stopped.steps > 0) {
     found.push_back(

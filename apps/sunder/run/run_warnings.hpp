@@ -26,9 +26,10 @@ struct Trouble {
 /// damping, cracks) and never rise. J; 0 at the start.
 struct EnergyBalance {
   double level = 0, lowest = 0;
-  double risen = 0;               ///< most that it has stood above an earlier level
-  double most = 0;                ///< largest kinetic and strain energy so far
-  double ball_energy = 0;         ///< kinetic energy of free balls at the end of the last step
+  double risen = 0;        ///< most that it has stood above an earlier level
+  double most = 0;         ///< largest kinetic and strain energy so far
+  double body_energy = 0;  ///< kinetic and strain energy of bodies at the end of the last step
+  double ball_energy = 0;  ///< kinetic energy of free balls there
   std::vector<Vec3> ball_centre;  ///< row = obstacle
 };
 

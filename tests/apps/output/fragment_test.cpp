@@ -9,20 +9,10 @@
 #include "apps/output/tables.hpp"
 #include "apps/scene/scene_json.hpp"
 #include "fracture/simulation/simulation_state.hpp"
+#include "tests/support/shipped.hpp"
 
 using namespace sunder;
-
-namespace {
-
-Simulation shipped(const char* name) {
-  auto file = read_scene(std::string(SUNDER_SCENES "/") + name + ".json");
-  REQUIRE(file);
-  auto simulation = build_simulation(file->scene);
-  REQUIRE(simulation);
-  return std::move(*simulation);
-}
-
-}  // namespace
+using namespace sunder::test;
 
 TEST_CASE("fragments share mass and surface, and were parted by the faces that split",
           "[output][fragments]") {

@@ -14,21 +14,11 @@
 
 #include "apps/sunder/run/progress.hpp"
 #include "apps/sunder/run/recorder.hpp"
+#include "tests/support/shipped.hpp"
 
 using namespace sunder;
+using namespace sunder::test;
 namespace fs = std::filesystem;
-
-namespace {
-
-Simulation shipped(const char* name) {
-  auto file = read_scene(std::string(SUNDER_SCENES "/") + name + ".json");
-  REQUIRE(file);
-  auto simulation = build_simulation(file->scene);
-  REQUIRE(simulation);
-  return std::move(*simulation);
-}
-
-}  // namespace
 
 TEST_CASE("frames are spread evenly with both ends, or by their interval", "[run][recorder]") {
   using Steps = std::vector<std::uint64_t>;

@@ -9,10 +9,12 @@
 
 #include "mechanics/solver/component_system.hpp"
 #include "tests/support/same_state.hpp"
+#include "tests/support/simulation.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
 using namespace sunder;
 using namespace sunder::suite;
+using namespace sunder::test;
 
 namespace {
 
@@ -21,13 +23,6 @@ struct Seen {
   std::size_t fans = 0, sub_steps = 0, bordered = 0, settled = 0;
   std::array<std::size_t, rung_count> rungs{};
 };
-
-Simulation built(Scene scene) {
-  Result<Simulation> sim = build_simulation(std::move(scene));
-  for (const Finding& f : sim.findings) UNSCOPED_INFO(f.code << ": " << f.text);
-  REQUIRE(sim);
-  return std::move(*sim);
-}
 
 void note(Seen& seen, const StepReport& report, const Simulation& sim) {
   seen.fans += report.fracture.fans.size();
@@ -127,23 +122,9 @@ std::string code_of(const Result<Simulation>& result) {
 TEST_CASE("a breaking body goes on to the same bytes under every integrator and model",
           "[fracture][saved_state]") {
   using enum Integrator;
-  const auto corotational = ElasticModel::corotational;
-  const std::vector<IntegratorSettings> methods = {
-      {.integrator = floating_frame},
-      {.integrator = implicit_euler},
-      {.integrator = verlet},
-      {.integrator = broyden, .max_iterations = 100},
-      {.integrator = broyden, .broyden_start = BroydenStart::factor},
-      {.integrator = newton_cg},
-      {.integrator = sub_stepped},
-      {.integrator = modal},
-      {.integrator = implicit_euler, .model = corotational},
-      {.integrator = implicit_euler,
-       .model = corotational,
-       .corotational_solve = CorotationalSolve::prefactored},
-      {.integrator = newton_cg, .model = corotational},
-      {.isolated = IsolatedTetrahedra::projection},
-      {.isolated = IsolatedTetrahedra::qr}};
+  std::vector<IntegratorSettings> methods = other_methods();
+  methods.push_back({.integrator = floating_frame});
+  methods.push_back({.integrator = verlet});
   for (std::size_t k = 0; k < methods.size(); ++k) {
     INFO("method " << k);
     Scene scene = breaking_scene(methods[k]);

@@ -7,10 +7,12 @@
 #include "mechanics/contact/contact_fields.hpp"
 #include "mechanics/contact/obstacle_geometry.hpp"
 #include "mechanics/element/energy.hpp"
+#include "tests/support/simulation.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
 using namespace sunder;
+using namespace sunder::test;
 
 namespace {
 
@@ -39,13 +41,6 @@ Scene on_plane(std::vector<BodySettings> bodies) {
   Scene scene = scene_of(std::move(bodies));
   scene.obstacles = {{.shape = Plane{}}};
   return scene;
-}
-
-Simulation built(Scene scene) {
-  Result<Simulation> sim = build_simulation(std::move(scene));
-  for (const Finding& f : sim.findings) UNSCOPED_INFO(f.code << ": " << f.text);
-  REQUIRE(sim);
-  return std::move(*sim);
 }
 
 /// Kinetic, strain and gravitational energy of bodies and free balls, J.

@@ -9,19 +9,14 @@
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/element/energy.hpp"
 #include "mechanics/rebuild.hpp"
+#include "tests/support/simulation.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
 using namespace sunder;
 using namespace sunder::suite;
+using namespace sunder::test;
 
 namespace {
-
-Simulation built(Scene scene) {
-  Result<Simulation> sim = build_simulation(std::move(scene));
-  for (const Finding& f : sim.findings) UNSCOPED_INFO(f.code << ": " << f.text);
-  REQUIRE(sim);
-  return std::move(*sim);
-}
 
 /// One body in the air, without gravity.
 Scene floating(TetMesh mesh) {

@@ -5,10 +5,12 @@
 #include <numeric>
 
 #include "fracture/simulation/simulation_state.hpp"
+#include "tests/support/simulation.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
 using namespace sunder;
 using namespace sunder::suite;
+using namespace sunder::test;
 
 namespace {
 
@@ -26,31 +28,12 @@ Scene breaking_scene(const IntegratorSettings& integrator) {
   return scene;
 }
 
-std::vector<IntegratorSettings> all_methods() {
-  using enum Integrator;
-  const auto corotational = ElasticModel::corotational;
-  return {{.integrator = implicit_euler},
-          {.integrator = broyden, .max_iterations = 100},
-          {.integrator = broyden, .broyden_start = BroydenStart::factor},
-          {.integrator = newton_cg},
-          {.integrator = sub_stepped},
-          {.integrator = modal},
-          {.integrator = implicit_euler, .model = corotational},
-          {.integrator = implicit_euler,
-           .model = corotational,
-           .corotational_solve = CorotationalSolve::prefactored},
-          {.integrator = newton_cg, .model = corotational},
-          {.integrator = sub_stepped, .model = corotational},
-          {.isolated = IsolatedTetrahedra::projection},
-          {.isolated = IsolatedTetrahedra::qr}};
-}
-
 }  // namespace
 
 TEST_CASE("every integrator and model takes a scene that falls and breaks",
           "[fracture][baselines]") {
   std::size_t k = 0;
-  for (const IntegratorSettings& method : all_methods()) {
+  for (const IntegratorSettings& method : other_methods()) {
     INFO("method " << k++);
     Result<Simulation> sim = build_simulation(breaking_scene(method));
     for (const Finding& f : sim.findings) UNSCOPED_INFO(f.code << ": " << f.text);

@@ -6,9 +6,11 @@
 
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/element/energy.hpp"
+#include "tests/support/simulation.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
 using namespace sunder;
+using namespace sunder::test;
 
 namespace {
 
@@ -38,13 +40,6 @@ struct Sums {
                ledger.supports - ledger.sleep - loads;
   }
 };
-
-Simulation built(Scene scene) {
-  Result<Simulation> sim = build_simulation(std::move(scene));
-  for (const Finding& f : sim.findings) UNSCOPED_INFO(f.code << ": " << f.text);
-  REQUIRE(sim);
-  return std::move(*sim);
-}
 
 }  // namespace
 

@@ -8,11 +8,13 @@
 #include "mechanics/element/energy.hpp"
 #include "mechanics/rebuild.hpp"
 #include "mechanics/state/living.hpp"
+#include "tests/support/simulation.hpp"
 #include "topology/kernel/invariants.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
 using namespace sunder;
 using namespace sunder::suite;
+using namespace sunder::test;
 
 namespace {
 
@@ -25,13 +27,6 @@ Scene bar_scene() {
   scene.gravity.acceleration.setZero();
   scene.integrator.time_step = 1e-3;
   return scene;
-}
-
-Simulation built(Scene scene) {
-  Result<Simulation> sim = build_simulation(std::move(scene));
-  for (const Finding& f : sim.findings) UNSCOPED_INFO(f.code << ": " << f.text);
-  REQUIRE(sim);
-  return std::move(*sim);
 }
 
 double total_mass(const Simulation& sim) {

@@ -7,6 +7,7 @@
 #include "fracture/simulation/simulation_state.hpp"
 #include "fracture/strength/draw_strength.hpp"
 #include "mechanics/element/energy.hpp"
+#include "tests/support/simulation.hpp"
 #include "tests/support/tension.hpp"
 #include "topology/kernel/fan.hpp"
 #include "topology/mesh/build_map.hpp"
@@ -14,6 +15,7 @@
 
 using namespace sunder;
 using namespace sunder::suite;
+using namespace sunder::test;
 
 namespace {
 
@@ -29,13 +31,6 @@ Scene pulled_bar(TetMesh mesh) {
 }
 
 TetMesh bar() { return jittered(kuhn_box({6, 2, 2}, 0.1), 0.01, 4); }
-
-Simulation built(Scene scene) {
-  Result<Simulation> sim = build_simulation(std::move(scene));
-  for (const Finding& f : sim.findings) UNSCOPED_INFO(f.code << ": " << f.text);
-  REQUIRE(sim);
-  return std::move(*sim);
-}
 
 std::vector<std::string> error_codes(const Scene& scene) {
   std::vector<std::string> codes;
