@@ -633,7 +633,8 @@ CASES = {"bar": (shipped, 0.4, 0.06, 600), "block": (shipped, 4.0, 1.8, 4000), "
          "monolith": (shipped, 0.8, 0.1, 1000), "monolith_bodies": (monolith_bodies, 0.8, 0.1, 1000),
          "meet": (meet, 0.4, 0.15, 1600), "burst": (burst, 0.3, 0.06, 800), "pile": (pile, 3.0, 0.3, 3000)}
 # Run where they are named; only the end is of interest.
-AT_LENGTH = {"block_rest": (shipped, 10.0, 10.0, 100), "monolith_rest": (shipped, 4.0, 4.0, 20), "bunny_rest": (shipped, 1.0, 1.0, 10)}
+AT_LENGTH = {"block_rest": (shipped, 10.0, 10.0, 100), "monolith_rest": (shipped, 4.0, 4.0, 20),
+             "bunny_rest": (shipped, 1.0, 1.0, 10)}
 FINEST = 2e-4  # s
 STACK_CASE = (stack, 10.0, 10.0, 200)
 
@@ -673,7 +674,8 @@ def judge(name, step, scene_path, folder):
         seen |= top_of(scene, folder, last, cells)
     warned, broken = warnings_of(folder), broken_laws(seen)
     silent = [law for law in broken if not set(TELLS[law]) & set(warned)]
-    return {"case": name, "step_ms": 1e3 * step, **seen, "broken": " ".join(broken), "silent": " ".join(silent), "warnings": " ".join(warned)}
+    return {"case": name, "step_ms": 1e3 * step, **seen, "broken": " ".join(broken), "silent": " ".join(silent),
+            "warnings": " ".join(warned)}
 
 
 def top_of(scene, folder, last, cells):
@@ -702,10 +704,13 @@ def run_case(said, name, step):
 
 # ---- tables --------------------------------------------------------------------------------------
 
-COLUMNS = {"case": "case", "step_ms": "step, ms", "seconds": "s", "frames": "frames", "pieces": "pieces", "passed_P": "P passed, N s",
+COLUMNS = {"case": "case", "step_ms": "step, ms", "seconds": "s", "frames": "frames", "pieces": "pieces",
+           "passed_P": "P passed, N s",
            "drift_P": "drift of P", "drift_L": "drift of L", "most_J": "most, J", "rise_J": "rise, J", "rise_share": "rise / most",
-           "judged_rise_share": "judged", "overlap": "overlap / edge", "overlap_surface": "to the surface", "in_obstacles": "in obstacles",
-           "fastest": "fastest, m/s", "top": "top / box", "top_since_1s": "since 1 s", "broken": "broken", "silent": "and not told", "warnings": "warnings"}
+           "judged_rise_share": "judged", "overlap": "overlap / edge", "overlap_surface": "to the surface",
+           "in_obstacles": "in obstacles",
+           "fastest": "fastest, m/s", "top": "top / box", "top_since_1s": "since 1 s", "broken": "broken",
+           "silent": "and not told", "warnings": "warnings"}
 
 
 def text_of(value):
