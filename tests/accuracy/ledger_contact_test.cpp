@@ -113,7 +113,7 @@ TEST_CASE("the ledger closes on the springs of penalty, which store what it does
                   << ", contact " << sum.contact << ", scheme " << sum.numerical << ", residual "
                   << sum.residual);
   CHECK((sum.friction > 1) == (scene.contact.penalty_damping > 0));
-  CHECK(sum.residual < 1e-3 * sum.moved);
+  CHECK(sum.residual < 1e-4 * sum.moved);
 }
 
 TEST_CASE("a bar pulled by its ends takes the work of its supports", "[accuracy][ledger]") {
