@@ -3,6 +3,7 @@
 #include "fracture/simulation/integrator_bounds.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
@@ -38,6 +39,29 @@ void check_explicit(std::vector<Finding>& findings, const Scene& scene, double b
   }
 }
 
+/// A vertex on one spring: the kick-drift map of its spring and damper is stable up to this step,
+/// s.
+double penalty_step_bound(const ContactSettings& contact, double mass) {
+  const double k = contact.penalty_stiffness, c = contact.penalty_damping;
+  return (std::sqrt(c * c + 4 * k * mass) - c) / k;
+}
+
+void check_penalty(std::vector<Finding>& findings, const Scene& scene, const MechanicsState& state,
+                   double bound) {
+  double h = scene.integrator.time_step;
+  if (scene.integrator.integrator == Integrator::sub_stepped) h /= sub_step_count(h, bound);
+  const double lightest = std::ranges::min(state.vertices.mass);
+  const double longest = penalty_step_bound(scene.contact, lightest);
+  if (h <= longest) return;
+  findings.push_back(
+      {.code = "penalty_step_too_long",
+       .severity = Severity::warning,
+       .text = fmt::format("steps are {:.6g} s; the lightest vertex, {:.3g} kg, on one spring of "
+                           "contact.penalty_stiffness is stable up to {:.6g} s",
+                           h, lightest, longest),
+       .remedy = "take a shorter time_step, softer springs, or contact.method impulses"});
+}
+
 void check_modal(std::vector<Finding>& findings, const MechanicsState& state) {
   for (const Component& component : state.components) {
     if (component.vertices.size() <= modal_vertex_limit) continue;
@@ -65,9 +89,10 @@ double least_step_bound(MechanicsScratch& scratch, const MechanicsState& state) 
 std::vector<Finding> check_integrator_bounds(const Scene& scene, const MechanicsState& state,
                                              MechanicsScratch& scratch) {
   std::vector<Finding> findings;
-  if (is_explicit(scene.integrator.integrator)) {
-    check_explicit(findings, scene, least_step_bound(scratch, state));
-  }
+  const bool is_bounded = is_explicit(scene.integrator.integrator);
+  const double bound = is_bounded ? least_step_bound(scratch, state) : 0;
+  if (is_bounded) check_explicit(findings, scene, bound);
+  if (scene.contact.method == ContactMethod::penalty) check_penalty(findings, scene, state, bound);
   if (scene.integrator.integrator == Integrator::modal) check_modal(findings, state);
   return findings;
 }

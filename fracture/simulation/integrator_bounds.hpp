@@ -13,8 +13,8 @@ namespace sunder {
 double least_step_bound(MechanicsScratch& scratch, const MechanicsState& state);
 
 /// What the bodies as they are ask of a bounded integrator beyond its bounds: a warning for verlet
-/// above its step, errors for sub_stepped above its count and modal above its size. Splits only
-/// make bodies smaller.
+/// above its step and for contact by penalty above that of a vertex on one spring, errors for
+/// sub_stepped above its count and modal above its size. Splits only make bodies smaller.
 std::vector<Finding> check_integrator_bounds(const Scene& scene, const MechanicsState& state,
                                              MechanicsScratch& scratch);
 

@@ -19,7 +19,8 @@ namespace {
 constexpr double waves_stay = 2;
 
 bool has_windows(const Scene& scene) {
-  return scene.impact.window && scene.integrator.integrator == Integrator::floating_frame;
+  return scene.impact.window && scene.integrator.integrator == Integrator::floating_frame &&
+         scene.contact.method == ContactMethod::impulses;
 }
 
 bool is_open(const ImpactWindow& window, std::size_t component) {

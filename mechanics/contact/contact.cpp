@@ -232,7 +232,8 @@ void end_step(ContactStep& step, bool fine) {
   move_obstacles(step);
   std::erase_if(step.contacts, [](const ContactPoint& c) { return c.impulse.isZero(0); });
   const bool bounces =
-      step.deformation() == Deformation::whole || step.deformation() == Deformation::catch_up;
+      step.settings.method == ContactMethod::impulses &&
+      (step.deformation() == Deformation::whole || step.deformation() == Deformation::catch_up);
   if (fine && bounces) {
     take_back_bounce(step.contacts, step.scratch.bodies, step.pass, step.settings);
   }
@@ -268,9 +269,14 @@ ContactStepResult advance_with_contact(const ContactWorld& world, const StepInpu
                    {}};
   begin_step(step);
   predict_balls(step);
-  update_allowances(world.memory, step.scratch.detect, paths_of(step), step.settings);
   ContactStepResult result;
-  result.adopted = resolve(step);
+  if (settings.method == ContactMethod::penalty) {
+    push_by_penalty(step);
+    predict_balls(step);
+  } else {
+    update_allowances(world.memory, step.scratch.detect, paths_of(step), step.settings);
+    result.adopted = resolve(step);
+  }
   if (result.adopted) {
     count_contacts(step);
     if (step.is_wave() && input.part.impact) feel_blows(step);

@@ -112,6 +112,10 @@ struct ContactStepResult {
 /// the impulse being a force over the sub-step. A vertex that touches then stays at rest while it
 /// is pressed: no oscillation against the constraint, no bounce to take back, and no work done but
 /// by friction, by the inelastic stop of what touches (a lumped mass each) and by the push-out.
+/// With `ContactMethod::penalty` every vertex that lies in an obstacle, or in the ball of a
+/// tetrahedron of another component, as the step begins gets the impulse
+///   h (k depth - c v_n) n >= 0 at its start, and against the slip h min(c |v_t|, mu f_n);
+/// balls likewise. Needs: whole steps of everything, without `StepPart::impact`.
 /// Limits: pieces are balls of tetrahedra and meet early or late (`ball_share`); a ball smaller
 /// than a face can enter between its vertices; pieces that pass each other by more than two radii
 /// in a step can miss. An outcome other than fine: see `adopt`.

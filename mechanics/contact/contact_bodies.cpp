@@ -330,6 +330,12 @@ void gather_bodies(ContactBodies& bodies, std::span<const ContactPoint> contacts
   gather(bodies, contacts, pass, responding_component);
 }
 
+void gather_rows(ContactBodies& bodies, std::span<const ContactPoint> contacts,
+                 const ContactPass& pass) {
+  enlist_all(bodies, contacts, pass);
+  gather(bodies, contacts, pass, [](const auto&...) { return RespondingBody{}; });
+}
+
 void gather_lumped_bodies(ContactBodies& bodies, std::span<const ContactPoint> contacts,
                           const ContactPass& pass) {
   enlist_all(bodies, contacts, pass);

@@ -62,6 +62,10 @@ void gather_bodies(ContactBodies& bodies, std::span<const ContactPoint> contacts
 void gather_lumped_bodies(ContactBodies& bodies, std::span<const ContactPoint> contacts,
                           const ContactPass& pass);
 
+/// The same bodies without a response: for impulses that need no solve.
+void gather_rows(ContactBodies& bodies, std::span<const ContactPoint> contacts,
+                 const ContactPass& pass);
+
 /// Adds `change[k]` (N s, on side A of row k) to momenta and spins of what takes split blows and to
 /// the velocities of everything else. What is touched for the first time gets its weight as a blow.
 void apply_changes(StepBlows& blows, const ContactBodies& bodies, std::span<const Vec3> change,

@@ -77,27 +77,6 @@ void find_balls(DetectScratch& scratch, const StepPaths& paths) {
   }
 }
 
-/// Balls at rest about the mean of the corners.
-void measure_balls(DetectScratch& scratch, const StepPaths& paths, double share) {
-  const std::size_t count = paths.corners.size();
-  const std::vector<Vec3>& rest = paths.state.vertices.rest_position;
-  scratch.centre_start.resize(count);
-  for (std::size_t t = 0; t < count; ++t) {
-    scratch.centre_start[t] = centre_of(paths.corners[t], paths.state.vertices.position);
-  }
-  if (scratch.radius.size() == count && scratch.ball_share == share) return;
-  scratch.ball_share = share;
-  scratch.radius.resize(count);
-  for (std::size_t t = 0; t < count; ++t) {
-    const Vec3 centre = centre_of(paths.corners[t], rest);
-    double squared = 0;
-    for (VertexId v : paths.corners[t]) {
-      squared = std::max(squared, (rest[v.index()] - centre).squaredNorm());
-    }
-    scratch.radius[t] = share * std::sqrt(squared);
-  }
-}
-
 /// Every pair whose paths come within a radius of each other lies, half-way, within the radius and
 /// half their relative motion. The motion counted is cut at two radii: see the limits in
 /// contact.hpp.
@@ -196,23 +175,6 @@ Path path_about_middle(const SpherePair& pair, const StepPaths& paths) {
           paths.predicted[v] - centre_of(corners, paths.predicted), 0};
 }
 
-/// The point of the tetrahedron that the vertex touches when both have gone a part of their way; of
-/// a rigid one the place of the vertex itself as the step begins.
-std::array<double, 4> weights_at(double part, const SpherePair& pair, const StepPaths& paths) {
-  const auto place = [&](VertexId v) -> Vec3 {
-    const Vec3& start = paths.state.vertices.position[v.index()];
-    return start + part * (paths.predicted[v.index()] - start);
-  };
-  const Corners& c = paths.corners[pair.tetrahedron.index()];
-  const ComponentId id = paths.state.elements.component[pair.tetrahedron.index()];
-  if (paths.state.components[id.index()].isolated) {
-    const std::vector<Vec3>& x = paths.state.vertices.position;
-    return affine_weights({x[c[0].index()], x[c[1].index()], x[c[2].index()], x[c[3].index()]},
-                          x[pair.vertex.index()]);
-  }
-  return nearest_point({place(c[0]), place(c[1]), place(c[2]), place(c[3])}, place(pair.vertex));
-}
-
 void find_between_pieces(DetectScratch& scratch, const ContactMemory& memory,
                          const StepPaths& paths, const ContactSettings& settings) {
   pair_up(scratch, paths);
@@ -252,6 +214,41 @@ Vec3 relative_velocity(const ContactPoint& contact, const StepPaths& paths) {
 Vec3 centre_of(const Corners& corners, std::span<const Vec3> position) {
   return 0.25 * (position[corners[0].index()] + position[corners[1].index()] +
                  position[corners[2].index()] + position[corners[3].index()]);
+}
+
+void measure_balls(DetectScratch& scratch, const StepPaths& paths, double share) {
+  const std::size_t count = paths.corners.size();
+  const std::vector<Vec3>& rest = paths.state.vertices.rest_position;
+  scratch.centre_start.resize(count);
+  for (std::size_t t = 0; t < count; ++t) {
+    scratch.centre_start[t] = centre_of(paths.corners[t], paths.state.vertices.position);
+  }
+  if (scratch.radius.size() == count && scratch.ball_share == share) return;
+  scratch.ball_share = share;
+  scratch.radius.resize(count);
+  for (std::size_t t = 0; t < count; ++t) {
+    const Vec3 centre = centre_of(paths.corners[t], rest);
+    double squared = 0;
+    for (VertexId v : paths.corners[t]) {
+      squared = std::max(squared, (rest[v.index()] - centre).squaredNorm());
+    }
+    scratch.radius[t] = share * std::sqrt(squared);
+  }
+}
+
+std::array<double, 4> weights_at(double part, const SpherePair& pair, const StepPaths& paths) {
+  const auto place = [&](VertexId v) -> Vec3 {
+    const Vec3& start = paths.state.vertices.position[v.index()];
+    return start + part * (paths.predicted[v.index()] - start);
+  };
+  const Corners& c = paths.corners[pair.tetrahedron.index()];
+  const ComponentId id = paths.state.elements.component[pair.tetrahedron.index()];
+  if (paths.state.components[id.index()].isolated) {
+    const std::vector<Vec3>& x = paths.state.vertices.position;
+    return affine_weights({x[c[0].index()], x[c[1].index()], x[c[2].index()], x[c[3].index()]},
+                          x[pair.vertex.index()]);
+  }
+  return nearest_point({place(c[0]), place(c[1]), place(c[2]), place(c[3])}, place(pair.vertex));
 }
 
 Vec3 weighted_sum(const Corners& corners, const std::array<double, 4>& weights,

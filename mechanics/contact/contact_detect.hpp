@@ -41,6 +41,13 @@ struct StepPaths {
 /// Mean of a tetrahedron's four positions.
 Vec3 centre_of(const Corners& corners, std::span<const Vec3> position);
 
+/// Centres of the tetrahedra at the start, and their balls: `share` of the bounding balls at rest.
+void measure_balls(DetectScratch& scratch, const StepPaths& paths, double share);
+
+/// The point of the tetrahedron that the vertex touches when both have gone a part of their way; of
+/// a rigid one the place of the vertex itself as the step begins.
+std::array<double, 4> weights_at(double part, const SpherePair& pair, const StepPaths& paths);
+
 /// Weighted sum of a tetrahedron's four positions or velocities.
 Vec3 weighted_sum(const Corners& corners, const std::array<double, 4>& weights,
                   std::span<const Vec3> values);

@@ -15,6 +15,12 @@ void check_together(fields::SettingsCheck& check, const Obstacle& obstacle);
 
 namespace fields {
 
+inline const Names<ContactMethod>& names_of(ContactMethod) {
+  static const Names<ContactMethod> names = {{ContactMethod::impulses, "impulses"},
+                                             {ContactMethod::penalty, "penalty"}};
+  return names;
+}
+
 template <class V>
 void describe(V& v, Plane& p) {
   v.direction(Key{"normal", "", "Out of the solid half-space; any length but 0"}, p.normal);
@@ -53,16 +59,34 @@ void describe(V& v, Obstacle& o) {
 
 template <class V>
 void describe(V& v, ContactSettings& c) {
+  v.field(Key{"method", "",
+              "impulses: unilateral contact solved with the response of the bodies, the default; "
+              "penalty: the paper's, springs on what overlaps as a step begins, without impact "
+              "windows (docs/baselines.md)"},
+          c.method);
+  v.field(Key{"penalty_stiffness", "N/m",
+              "penalty: of the spring between one vertex and one obstacle or ball of a "
+              "tetrahedron; stable up to about 4 m / h^2 for a vertex of mass m at a step h",
+              above(0)},
+          c.penalty_stiffness);
+  v.field(Key{"penalty_damping", "N s/m",
+              "penalty: of the damper beside the spring; it never pulls, and brakes the slip by "
+              "Coulomb's friction at most, so that 0, the paper's, has no friction",
+              at_least(0)},
+          c.penalty_damping);
   v.field(Key{"friction", "", "Coulomb's coefficient of the bodies' own surface", at_least(0)},
           c.friction);
-  v.field(Key{"compliance", "m/N", "Compliance of one contact point; 0: hard", at_least(0)},
-          c.compliance);
-  v.field(Key{"push_out_speed", "m/s",
-              "Largest speed at which contacts that start with an overlap are pushed apart",
-              at_least(0)},
-          c.push_out_speed);
-  v.field(Key{"allowed_penetration", "m", "Penetration that is not corrected", at_least(0)},
-          c.allowed_penetration);
+  v.field(
+      Key{"compliance", "m/N", "impulses: compliance of one contact point; 0: hard", at_least(0)},
+      c.compliance);
+  v.field(
+      Key{"push_out_speed", "m/s",
+          "impulses: largest speed at which contacts that start with an overlap are pushed apart",
+          at_least(0)},
+      c.push_out_speed);
+  v.field(
+      Key{"allowed_penetration", "m", "impulses: penetration that is not corrected", at_least(0)},
+      c.allowed_penetration);
   v.field(Key{"between_pieces", "",
               "Whether pieces collide with each other; with obstacles they always do"},
           c.between_pieces);
@@ -72,20 +96,24 @@ void describe(V& v, ContactSettings& c) {
               "bounding ball's; 1 is the paper's",
               {.low = 0, .high = 1, .without_low = true}},
           c.ball_share);
-  v.field(Key{"max_iterations", "", "Sweeps of projected Gauss-Seidel in a pass", between(1, 1e6)},
+  v.field(Key{"max_iterations", "", "impulses: sweeps of projected Gauss-Seidel in a pass",
+              between(1, 1e6)},
           c.max_iterations);
   v.field(Key{"tolerance", "",
-              "Largest constraint violation of an end-of-step gap, relative to the deepest overlap "
+              "impulses: largest constraint violation of an end-of-step gap, relative to the "
+              "deepest overlap "
               "that the step would have had without contact",
               above(0)},
           c.tolerance);
-  v.field(Key{"max_passes", "", "How often a step may be predicted again with the impulses found",
+  v.field(Key{"max_passes", "",
+              "impulses: how often a step may be predicted again with the impulses found",
               between(1, 100)},
           c.max_passes);
-  v.field(Key{"max_contacts_per_component", "",
-              "Contacts of one piece in a pass; the deepest are solved first, the rest later",
-              between(1, 100000)},
-          c.max_contacts_per_component);
+  v.field(
+      Key{"max_contacts_per_component", "",
+          "impulses: contacts of one piece in a pass; the deepest are solved first, the rest later",
+          between(1, 100000)},
+      c.max_contacts_per_component);
 }
 
 template <class V>

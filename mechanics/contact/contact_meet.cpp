@@ -216,6 +216,25 @@ bool meet(ContactStep& step, double deepest) {
   return clear;
 }
 
+void wake_touched(ContactStep& step) {
+  // What wakes may lie against others that sleep.
+  for (bool woken = true; woken;) {
+    woken = false;
+    for (const ContactPoint& contact : step.contacts) {
+      const std::array<Component*, 2> sides = sides_of(step, contact);
+      if (lie_still(step, contact, sides)) continue;
+      for (Component* side : sides) {
+        if (!on_lower_rung(side)) continue;
+        side->rung = Rung::full;
+        woken = true;
+      }
+    }
+  }
+  std::erase_if(step.contacts, [&](const ContactPoint& contact) {
+    return lie_still(step, contact, sides_of(step, contact));
+  });
+}
+
 double add_new_contacts(ContactStep& step, double deepest) {
   DetectScratch& found = step.scratch.detect;
   const StepPaths paths = paths_of(step);

@@ -6,8 +6,21 @@
 
 namespace sunder {
 
-/// What a user chooses about contact.
+/// What keeps bodies apart.
+enum class ContactMethod {
+  impulses,  ///< unilateral contact, solved with the response of the bodies over the step
+  penalty,   ///< the paper's: springs on what overlaps as the step begins
+};
+
+/// What a user chooses about contact. `penalty` takes of it `friction`, `between_pieces`,
+/// `ball_share` and what bears its name.
 struct ContactSettings {
+  ContactMethod method = ContactMethod::impulses;
+  /// N/m, > 0, of the spring of one vertex on one obstacle or ball.
+  double penalty_stiffness = 1e5;
+  /// N s/m, >= 0, of the damper beside it, which never pulls and brakes the slip by friction at
+  /// most. At 0, the paper's, contact is elastic and slides freely.
+  double penalty_damping = 0;
   /// Coulomb's coefficient of the bodies' own surface, >= 0.
   double friction = 0.5;
   /// Compliance of one contact point, m/N, the inverse of its stiffness; 0: hard. It is solved

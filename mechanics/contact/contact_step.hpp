@@ -72,6 +72,14 @@ double add_new_contacts(ContactStep& step, double deepest);
 /// target.
 double wave_gap_error(const ContactStep& step, const ContactPoint& contact);
 
+/// Takes all that contacts of the step act on to the rung `full`, but where neither side moves:
+/// such contacts are forgotten.
+void wake_touched(ContactStep& step);
+
+/// Contact as the paper has it, for `ContactMethod::penalty`: finds the contacts of the step and
+/// gives their impulses.
+void push_by_penalty(ContactStep& step);
+
 /// Gaps and slips of the rows of a wave, as velocities. Gives the largest error, m.
 double measure_wave_rows(ContactStep& step);
 

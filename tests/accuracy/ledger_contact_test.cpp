@@ -98,6 +98,24 @@ TEST_CASE("a sliding block turns its kinetic energy into heat of friction", "[ac
   CHECK(sum.residual < 0.05 * start);
 }
 
+TEST_CASE("the ledger closes on the springs of penalty, which store what it does not count",
+          "[accuracy][ledger]") {
+  BodySettings block = bar_of({3, 3, 3}, 0.1);
+  block.velocity = {1, 0, -2};
+  block.translation = {0, 0, 0.01};
+  Scene scene = scene_of({block});
+  scene.obstacles = {{.shape = Plane{}, .friction = 0.5}};
+  scene.contact.method = ContactMethod::penalty;
+  scene.contact.penalty_damping = GENERATE(0.0, 100.0);
+  scene.integrator.time_step = 1e-4;
+  const EnergyLedger sum = run(scene, 1000);
+  INFO("kinetic " << sum.kinetic << ", strain " << sum.strain << ", friction " << sum.friction
+                  << ", contact " << sum.contact << ", scheme " << sum.numerical << ", residual "
+                  << sum.residual);
+  CHECK((sum.friction > 1) == (scene.contact.penalty_damping > 0));
+  CHECK(sum.residual < 1e-4 * sum.moved);
+}
+
 TEST_CASE("a bar pulled by its ends takes the work of its supports", "[accuracy][ledger]") {
   BodySettings bar = bar_of({8, 2, 2}, 0.1);
   bar.material.poisson_ratio = 0;

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "mechanics/contact/contact_settings.hpp"
 #include "mechanics/state/settings.hpp"
 
 namespace sunder::stability {
@@ -20,9 +21,13 @@ enum class Outcome {
   false_stress,  ///< stress or strain without a cause, which would break the body
   gains,         ///< motion out of nothing: kinetic energy or spin
   diverges,      ///< the run ends in `diverged` or `not_a_number`, which is reported
+  // Of contact alone:
+  restless,        ///< what should lie still does not, though no energy comes
+  passes_through,  ///< bodies sink into one another or come out on the other side
 };
 inline constexpr std::string_view outcome_names[] = {
-    "-", "holds", "refuses", "off path", "loses", "false stress", "gains", "diverges"};
+    "-",     "holds",    "refuses",  "off path",      "loses", "false stress",
+    "gains", "diverges", "restless", "passes through"};
 inline std::string_view name_of(Outcome outcome) {
   return outcome_names[static_cast<std::size_t>(outcome)];
 }
@@ -33,6 +38,13 @@ struct Cell {
   double figure = 0;
 };
 
+/// Springs of `ContactMethod::penalty`, by what a step of theirs does to the lightest vertex.
+struct Springs {
+  double turn = 0;        ///< w h, w^2 = k / m: stable up to 2; 0: contact by impulses
+  double damping = 0;     ///< over c = 2 m w, which is critical
+  double ball_share = 1;  ///< the paper's
+};
+
 /// An integrator with its model and options; `time_step` is the scenario's.
 struct Method {
   std::string name;
@@ -40,9 +52,13 @@ struct Method {
   /// Energy swings about its mean by some of the vibration's, without a drift: explicit schemes.
   bool energy_swings = false;
   bool is_damped = true;  ///< whether it takes Rayleigh damping
+  Springs springs = {};
 };
 
 /// All methods; a new one is one line.
 const std::vector<Method>& methods();
+
+/// The same, and other ways of contact, with the default integrator.
+std::vector<Method> contact_methods();
 
 }  // namespace sunder::stability

@@ -35,6 +35,9 @@ Cell ball_on_block(const BallOnBlock& pile, const Method& method);
 /// Scenarios of bodies in motion, for every method.
 std::vector<Scenario> motions();
 
+/// Scenarios of bodies that meet, for every method of `contact_methods`.
+std::vector<Scenario> contacts();
+
 /// Scenarios that no integrator takes part in: rotations of degenerate shapes, contact, splits,
 /// input. Their one cell is run with the default method.
 std::vector<Scenario> others();

@@ -31,6 +31,12 @@ TEST_CASE("every method does in every motion what is expected of it", "[stabilit
   }
 }
 
+TEST_CASE("every method does in every contact what is expected of it", "[stability]") {
+  for (const Scenario& scenario : contacts()) {
+    for (const Method& method : contact_methods()) check(scenario, method);
+  }
+}
+
 TEST_CASE("rotations, contact, splits and input do what is expected of them", "[stability]") {
   for (const Scenario& scenario : others()) check(scenario, methods().front());
 }

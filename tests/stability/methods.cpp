@@ -30,4 +30,12 @@ const std::vector<Method>& methods() {
   return all;
 }
 
+std::vector<Method> contact_methods() {
+  std::vector<Method> all = methods();
+  all.push_back({.name = "penalty", .springs = {.turn = 0.5}});
+  all.push_back({.name = "penalty, damped", .springs = {0.5, 0.2, 0.5}});
+  all.push_back({.name = "penalty, step too long", .springs = {.turn = 6}});
+  return all;
+}
+
 }  // namespace sunder::stability

@@ -192,6 +192,28 @@ TEST_CASE("a body that lies still sleeps, and a ball that falls on it wakes it",
   CHECK(fans == fans_full);
 }
 
+TEST_CASE("a body that lies on springs sleeps, keeps its place, and wakes as a ball meets it",
+          "[ladder]") {
+  Scene scene = floating(kuhn_box({3, 3, 3}, 0.05));
+  scene.gravity.acceleration = {0, 0, -9.81};
+  // Falls for 1 s.
+  scene.obstacles = {{.shape = Plane{}}, {.shape = Sphere{{0.075, 0.075, 5.1}, 0.04}, .mass = 2.0}};
+  scene.contact.method = ContactMethod::penalty;
+  scene.contact.penalty_stiffness = 1e4;
+  scene.contact.penalty_damping = 12;
+  Simulation sim = built(scene);
+  const auto& body = sim.state->mechanics.components[0];
+  int slept = 0;
+  while (simulated_time(sim) < 0.95) {
+    advance(sim);
+    slept += rung(sim) == Rung::asleep;
+  }
+  CHECK(slept > 50);
+  CHECK(body.centre.z() - 0.075 == Approx(-body.mass * 9.81 / (16 * 1e4)).epsilon(1e-3));
+  while (simulated_time(sim) < 1.02) advance(sim);
+  CHECK(rung(sim) == Rung::full);
+}
+
 TEST_CASE("a held bar under a load that is raised slowly goes from equilibrium to equilibrium",
           "[ladder]") {
   Scene scene = floating(jittered(kuhn_box({8, 2, 2}, 0.05), 4e-3, 9));

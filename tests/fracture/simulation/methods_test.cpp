@@ -2,6 +2,7 @@
 // Every integrator and model in a scene that falls and breaks; what bounded ones refuse.
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <numeric>
 
 #include "fracture/simulation/simulation_state.hpp"
@@ -51,6 +52,35 @@ TEST_CASE("every integrator and model takes a scene that falls and breaks",
     }
     CHECK(fans > 0);
     CHECK(mass() == Approx(before).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("contact by penalty breaks the bar without impact windows, and long steps are warned of",
+          "[fracture][baselines]") {
+  Scene scene = breaking_scene({});
+  scene.contact.method = ContactMethod::penalty;
+  Result<Simulation> sim = build_simulation(scene);
+  REQUIRE(sim);
+  CHECK(sim.findings.empty());
+  const double m = std::ranges::min(sim->state->mechanics.vertices.mass);
+  std::size_t fans = 0;
+  for (int i = 0; i < 100; ++i) {
+    const StepReport report = advance(*sim);
+    REQUIRE(report.status.outcome == StepOutcome::fine);
+    CHECK(report.impact.opened == 0);
+    fans += report.fracture.fans.size();
+  }
+  CHECK(fans > 0);
+  // The bound of a vertex on a spring with a damper, from the roots of its two by two map.
+  const double h = 1e-3, c = 0.5 * m / h;
+  scene.contact.penalty_damping = c;
+  for (const double part : {0.999, 1.001}) {
+    scene.contact.penalty_stiffness = part * (4 * m - 2 * c * h) / (h * h);
+    const Result<Simulation> again = build_simulation(scene);
+    REQUIRE(again);
+    const bool warned = !again.findings.empty();
+    CHECK(warned == (part > 1));
+    if (warned) CHECK(again.findings[0].code == "penalty_step_too_long");
   }
 }
 

@@ -50,6 +50,9 @@ TEST_CASE("bodies that fall, collide, rest and fall asleep: no momentum is lost 
   scene.bodies.push_back(box({0, 0, 0.02}, {0, 0, 0}));
   scene.bodies.push_back(box({0.3, 0, 0.001}, {-0.4, 0, 0}));
   scene.fracture.mode = FractureMode::off;
+  scene.contact.method = GENERATE(ContactMethod::impulses, ContactMethod::penalty);
+  scene.contact.penalty_stiffness = 1e4;
+  scene.contact.penalty_damping = 8;
   Simulation sim = built(std::move(scene));
   const Sums sums(sim, 1500);
   std::size_t asleep = 0;
