@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "fracture/breaking/partners.hpp"
 #include "fracture/scene/check_scene.hpp"
 #include "fracture/simulation/integrator_bounds.hpp"
 #include "fracture/simulation/scene_loads.hpp"
@@ -179,6 +180,8 @@ Result<Simulation> build_simulation(Scene scene) {
     return result;
   }
   std::vector<char> skin = boundary_of(*map);
+  const auto sewn = map->neighbours();
+  const std::vector<std::array<HalfFaceId, 4>> uncut(sewn.begin(), sewn.end());
   append(result.findings, make_cuts(*map, scene.bodies, bodies));
   if (has_error(result.findings)) return result;
   const Components labels = label_components(*map);
@@ -195,6 +198,7 @@ Result<Simulation> build_simulation(Scene scene) {
       SimulationState{.cells = std::move(cells), .mechanics = std::move(*mechanics)}));
   sim.scratch = Owned(std::make_unique<SimulationScratch>());
   sim.state->obstacles = sim.scene.obstacles;
+  sim.state->contact.partners = partners_of_cuts(sim.state->cells.map, uncut);
   for (std::size_t b = 0; b < sim.bodies.size(); ++b) hold_vertices(sim, b);
   append(result.findings, make_scene_loads(sim));
   if (has_error(result.findings)) return result;

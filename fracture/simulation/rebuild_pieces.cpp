@@ -2,6 +2,7 @@
 // Pieces after fans.
 #include "fracture/simulation/rebuild_pieces.hpp"
 
+#include "fracture/breaking/partners.hpp"
 #include "topology/base/sort_unique.hpp"
 
 namespace sunder {
@@ -39,6 +40,7 @@ RebuildReport rebuild_pieces(SimulationState& s, std::span<const FanEvent> fans,
   const auto touched = touched_components(s.cells.labels, fans, before);
   open_cracks(s.cracks, {fans, s.fans, s.mechanics.time}, s.mechanics, s.cells);
   s.fans += fans.size();
+  add_partners(s.contact.partners, s.cells.map, fans);
   std::vector<Vec3> old_rest_centre;
   for (std::size_t id = 0; id < before; ++id) {
     old_rest_centre.push_back(s.mechanics.components[id].rest_centre);

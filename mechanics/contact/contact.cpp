@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "mechanics/contact/contact_bounce.hpp"
+#include "mechanics/contact/contact_partners.hpp"
 #include "mechanics/contact/contact_step.hpp"
 #include "mechanics/contact/obstacle_geometry.hpp"
 #include "mechanics/state/living.hpp"
@@ -24,10 +25,17 @@ StepPaths paths_of(const ContactStep& step) {
           step.h(),        step.pass.input.members};
 }
 
-double target_gap(const ContactStep& step, const ContactPoint& contact) {
-  const double allowed = -step.settings.allowed_penetration;
-  if (contact.gap_start >= allowed) return std::min(0.0, contact.gap_start);
-  return std::min(allowed, contact.gap_start + step.settings.push_out_speed * step.h());
+double target_gap(const ContactPoint& contact) { return std::min(0.0, contact.gap_start); }
+
+double push_out(const ContactStep& step, const ContactPoint& contact) {
+  const double too_deep = -step.settings.allowed_penetration - contact.gap_start;
+  return std::clamp(too_deep, 0.0, step.settings.push_out_speed * step.h());
+}
+
+double row_error(const ContactRow& row) {
+  const double pressed = row.normal.dot(row.impulse);
+  const double gap = row.gap + row.compliance * pressed;
+  return pressed > 0 ? std::max(-gap, gap - row.push) : -gap;
 }
 
 namespace {
@@ -56,6 +64,7 @@ double measure_rows(ContactStep& step) {
     ContactRow& row = step.scratch.bodies.rows[k];
     const ContactPath path = path_of(contact, paths);
     row.gap = predicted_gap_error(step, contact, path);
+    row.push = push_out(step, contact);
     row.compliance = step.settings.compliance / step.h();
     row.friction = contact.friction;
     row.impulse = contact.impulse;
@@ -66,9 +75,7 @@ double measure_rows(ContactStep& step) {
       row.slip +=
           step.h() * row.ends[e].weight * step.pass.obstacles[ball].spin.cross(row.ends[e].arm);
     }
-    const double pressed = row.normal.dot(row.impulse);
-    const double gap_error = row.gap + row.compliance * pressed;
-    worst = std::max(worst, pressed > 0 ? std::abs(gap_error) : -gap_error);
+    worst = std::max(worst, row_error(row));
   }
   return worst;
 }
@@ -141,23 +148,29 @@ bool resolve(ContactStep& step) {
   for (int k = 0; k <= step.settings.max_passes; ++k) {
     const std::size_t before = step.contacts.size();
     if (!meet(step, deepest) && k == 0) return false;
-    deepest = add_new_contacts(step, deepest);
+    deepest = find_new_contacts(step, deepest);
     if (deepest == 0) return true;
     step.report.tolerated =
-        std::max(step.settings.tolerance * deepest, 1e-5 * step.settings.allowed_penetration);
+        step.settings.tolerance * std::max(deepest, step.settings.allowed_penetration);
+    const bool is_last = k == step.settings.max_passes || (k > 0 && step.pass.input.is_hurried());
+    if (is_last) {
+      step.report.residual = std::max(measure_rows(step), leave_new_contacts(step));
+      break;
+    }
+    take_new_contacts(step);
     if (k == 0 || step.contacts.size() != before) {
       gather_bodies(step.scratch.bodies, step.contacts, step.pass);
     } else {
       for (ContactRow& row : step.scratch.bodies.rows) row.guess.setZero();
     }
     step.report.residual = measure_rows(step);
-    // A thousandth of the overlap, and far below the depth that is never pushed out.
-    const double good_enough =
-        std::max({1e-3 * deepest, 1e-2 * step.settings.allowed_penetration, step.report.tolerated});
+    // Below ten thousandths of the depth that is never pushed out, by default, nothing is worth
+    // another pass.
+    const double good_enough = std::max(
+        step.report.tolerated, 10 * step.settings.tolerance * step.settings.allowed_penetration);
     const bool settled =
         k > 0 && step.contacts.size() == before && step.report.residual <= good_enough;
-    if (settled || k == step.settings.max_passes) break;
-    if (k > 0 && step.pass.input.is_hurried()) break;
+    if (settled) break;
     if (k == 0) guess_from_last_step(step);
     solve_pass(step);
   }
@@ -187,6 +200,10 @@ void count_contacts(ContactStep& step) {
   for (const ContactPoint& contact : step.contacts) {
     report.deepest = std::max(report.deepest, -gap_end(contact, path_of(contact, paths)));
   }
+  report.left_out = step.scratch.left_out.size();
+  for (const ContactPoint& contact : step.scratch.left_out) {
+    report.deepest = std::max(report.deepest, -gap_end(contact, path_of(contact, paths)));
+  }
 }
 
 void sum_impulses(ContactStep& step) {
@@ -201,6 +218,27 @@ void sum_impulses(ContactStep& step) {
   }
 }
 
+/// How surface loads move and turn what is free.
+void note_loads(ContactStep& step) {
+  step.scratch.load_acceleration.clear();
+  const MechanicsState& state = step.pass.state;
+  const std::vector<Vec3>& force = step.pass.input.loads.force;
+  if (force.empty()) return;
+  step.scratch.load_acceleration.resize(state.components.size(), {Vec3::Zero(), Vec3::Zero()});
+  for_each_living(state, step.pass.input.members, [&](const Component& component) {
+    if (component.supported) return;
+    Vec3 sum = Vec3::Zero(), moment = Vec3::Zero();
+    for (VertexId v : component.vertices) {
+      const Vec3& f = force[v.index()];
+      sum += f;
+      moment += (state.vertices.position[v.index()] - component.centre).cross(f);
+    }
+    if (sum.isZero(0) && moment.isZero(0)) return;
+    step.scratch.load_acceleration[component.id.index()] = {
+        sum / component.mass, world_inertia(state, component).inverse() * moment};
+  });
+}
+
 /// As many rows in the scratch as the step needs, and a first prediction.
 void begin_step(ContactStep& step) {
   ContactScratch::Buffers& scratch = step.scratch;
@@ -212,7 +250,8 @@ void begin_step(ContactStep& step) {
   scratch.blows.vertex_impulse.assign(state.vertices.size(), Vec3::Zero());
   scratch.blows.ball_impulse.assign(balls, Vec3::Zero());
   scratch.blows.ball_twist.assign(balls, Vec3::Zero());
-  scratch.count.assign(state.components.size(), 0);
+  scratch.left_out.clear();
+  note_loads(step);
   const StepInput& input = step.pass.input;
   prepare(state, input);
   for_each_living(state, input.members, [&](const Component& component) {
@@ -274,6 +313,7 @@ ContactStepResult advance_with_contact(const ContactWorld& world, const StepInpu
     push_by_penalty(step);
     predict_balls(step);
   } else {
+    update_partners(world.memory, step.scratch.detect, paths_of(step));
     update_allowances(world.memory, step.scratch.detect, paths_of(step), step.settings);
     result.adopted = resolve(step);
   }

@@ -14,19 +14,23 @@
 #include "mechanics/contact/contact_settings.hpp"
 #include "mechanics/contact/impact.hpp"
 #include "mechanics/contact/obstacle.hpp"
+#include "mechanics/contact/partner.hpp"
 #include "mechanics/step.hpp"
 
 namespace sunder {
 
 /// One unilateral contact with friction. Side A is a vertex or a ball; side B an obstacle (driven
-/// or a ball) or the bounding ball of a tetrahedron. What B gets acts at the place of A, so that no
-/// angular momentum is lost, and is shared among the corners by `weights`.
+/// or a ball), the ball of a tetrahedron, or the vertex of it that was one with A before a crack
+/// (`Partner`). What B gets acts at the place of A, so that no angular momentum is lost, and is
+/// shared among the corners by `weights`.
 struct ContactPoint {
   static constexpr std::uint32_t none = 0xffffffffu;
   VertexId vertex;                ///< A, or
   std::uint32_t ball = none;      ///< A: row of a free sphere
   TetId tetrahedron;              ///< B, or
   std::uint32_t obstacle = none;  ///< B: row of an obstacle
+  /// Of partners: the lowest crack face of A's side that the contact stands for; none() otherwise.
+  HalfFaceId face;
   /// Of the corners of B, in the point of the tetrahedron that is nearest to A as they touch.
   std::array<double, 4> weights = {0.25, 0.25, 0.25, 0.25};
   Vec3 normal{0, 0, 1};  ///< from B to A
@@ -54,6 +58,9 @@ struct ContactMemory {
   };
   /// Where the next solve begins; sorted.
   std::vector<Remembered> last_contacts;
+  /// Crack faces that still face each other, in the order in which they came apart. Whoever unsews
+  /// a face adds it.
+  std::vector<Partner> partners;
   /// Components as the last step saw them; that is how a separation is noticed.
   std::vector<ComponentId> vertex_component, tetrahedron_component;
 };

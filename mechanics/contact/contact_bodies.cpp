@@ -266,7 +266,7 @@ ContactRow row_of(const ContactPoint& contact, const ContactBodies& bodies,
     const Vec3 arm = -ball.radius * contact.normal;
     place = ball.center + arm;
     add_end(row,
-            {bodies.body_of_ball[contact.ball], ContactEnd::rigid_slot, 1, arm, Vec3::Zero(), {}});
+            {bodies.body_of_ball[contact.ball], ContactEnd::no_slot, 1, arm, Vec3::Zero(), {}});
   }
   place += drift_of(pass, contact);
   if (contact.obstacle == ContactPoint::none) {
@@ -277,7 +277,7 @@ ContactRow row_of(const ContactPoint& contact, const ContactBodies& bodies,
     const Vec3 arm = place - sphere_of(pass.obstacles[contact.obstacle]).center;
     add_end(
         row,
-        {bodies.body_of_ball[contact.obstacle], ContactEnd::rigid_slot, -1, arm, Vec3::Zero(), {}});
+        {bodies.body_of_ball[contact.obstacle], ContactEnd::no_slot, -1, arm, Vec3::Zero(), {}});
   }
   return row;
 }
@@ -328,6 +328,7 @@ void gather_bodies(ContactBodies& bodies, std::span<const ContactPoint> contacts
   enlist_all(bodies, contacts, pass);
   solve_for_columns(bodies, pass);
   gather(bodies, contacts, pass, responding_component);
+  merge_ends(bodies.rows, bodies.bodies);
 }
 
 void gather_rows(ContactBodies& bodies, std::span<const ContactPoint> contacts,
@@ -348,6 +349,7 @@ void gather_lumped_bodies(ContactBodies& bodies, std::span<const ContactPoint> c
       if (!end.vertex.is_none()) end.rest_arm = end.arm - end.lever;
     }
   }
+  merge_ends(bodies.rows, bodies.bodies);
 }
 
 }  // namespace sunder

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "mechanics/contact/contact_partners.hpp"
 #include "mechanics/contact/nearest_point.hpp"
 #include "mechanics/contact/obstacle_geometry.hpp"
 #include "topology/base/assert.hpp"
@@ -184,6 +185,7 @@ void find_between_pieces(DetectScratch& scratch, const ContactMemory& memory,
         !paths.members.has(paths.state.elements.component[pair.tetrahedron.index()])) {
       continue;
     }
+    if (faces(scratch, pair, paths.corners)) continue;
     ContactPoint contact;
     contact.vertex = pair.vertex;
     contact.tetrahedron = pair.tetrahedron;
@@ -327,8 +329,9 @@ void update_allowances(ContactMemory& memory, DetectScratch& scratch, const Step
           scratch.radius[t] - (state.vertices.position[v] - scratch.centre_start[t]).norm();
       const bool were_one =
           first_call || memory.vertex_component[v] == memory.tetrahedron_component[t];
-      const double before = allowance_of(memory.allowances, pair);
-      if (before < 0 && !were_one) continue;
+      const bool partners = faces(scratch, pair, paths.corners);
+      const double before = partners ? -1 : allowance_of(memory.allowances, pair);
+      if (before < 0 && !were_one && !partners) continue;
       scratch.allowances.push_back({pair, before < 0 ? overlap : std::min(before, overlap)});
     }
   }
@@ -346,7 +349,9 @@ void find_contacts(DetectScratch& scratch, const ContactMemory& memory, const St
     find_vertex_obstacle(scratch, paths, row, settings.friction);
   }
   find_balls(scratch, paths);
-  if (settings.between_pieces && several_components(paths)) {
+  if (!settings.between_pieces) return;
+  find_between_partners(scratch, memory, paths, settings);
+  if (several_components(paths)) {
     find_between_pieces(scratch, memory, paths, settings);
   }
 }

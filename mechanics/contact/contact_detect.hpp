@@ -3,6 +3,7 @@
 #pragma once
 
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "mechanics/contact/contact.hpp"
@@ -21,6 +22,7 @@ struct DetectScratch {
   double ball_share = 0;           ///< what `radius` was measured with
   std::vector<Vec3> point_middle;  ///< |V|
   std::vector<ContactMemory::Allowance> allowances;
+  std::vector<std::pair<VertexId, VertexId>> facing;  ///< of partners, both ways, sorted
   std::vector<ContactPoint> found, deepest;
   std::vector<double> found_gap, deepest_gap;  ///< m, end of the step, in the tangent plane
   std::vector<std::uint32_t> order, taken;
@@ -79,14 +81,15 @@ struct Meeting {
 Meeting meeting_of(const ContactPoint& contact, const StepPaths& paths);
 
 /// Notices which (tetrahedron, vertex) pairs overlap, now that the step begins, and shrinks what
-/// they are allowed; pairs whose components were one at the last call are allowed what they have.
+/// they are allowed; pairs whose components were one at the last call are allowed what they have,
+/// and so are those of partners (`update_partners` comes first).
 /// The first call allows everything that is there: bodies that a user puts beside one another.
 void update_allowances(ContactMemory& memory, DetectScratch& scratch, const StepPaths& paths,
                        const ContactSettings& settings);
 
 /// All contacts whose path ends nearer to the tangent plane than it is long, into `scratch.found`,
-/// in the order: vertices by obstacle, balls, pieces by vertex; of the tetrahedra of one component
-/// only the deepest for each vertex. `settings` gives the friction.
+/// in the order: vertices by obstacle, balls, partners, pieces by vertex; of the tetrahedra of one
+/// component only the deepest for each vertex. `settings` gives the friction.
 void find_contacts(DetectScratch& scratch, const ContactMemory& memory, const StepPaths& paths,
                    const ContactSettings& settings);
 

@@ -109,11 +109,10 @@ void describe(V& v, ContactSettings& c) {
               "impulses: how often a step may be predicted again with the impulses found",
               between(1, 100)},
           c.max_passes);
-  v.field(
-      Key{"max_contacts_per_component", "",
-          "impulses: contacts of one piece in a pass; the deepest are solved first, the rest later",
-          between(1, 100000)},
-      c.max_contacts_per_component);
+  v.field(Key{"max_contacts_per_pair", "",
+              "Contacts between two bodies in a pass; of more, a set that spans the same patch",
+              between(2, 100000)},
+          c.max_contacts_per_pair);
 }
 
 template <class V>

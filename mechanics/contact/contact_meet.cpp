@@ -4,20 +4,28 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <unordered_map>
 
 #include "mechanics/contact/contact_step.hpp"
 
 namespace sunder {
 namespace {
 
-/// How much lower than predicted a free body ends once its weight is taken as a blow at the start:
-/// + h^2 g / 2 for what has not been touched yet, nothing for the rest.
-Vec3 weight_shift(const ContactStep& step, ComponentId id) {
+/// How much farther than predicted `place` (m) of a free body goes once weight and other loads are
+/// taken as a blow at the start: h^2 / 2 times their acceleration for what has not been touched
+/// yet, nothing for the rest.
+Vec3 weight_shift(const ContactStep& step, ComponentId id, const Vec3& place) {
   const Component& component = step.pass.state.components[id.index()];
   const bool falls_later = component.isolated || !is_explicit(step.pass.input.settings.integrator);
   const bool shifts = falls_later && !component.supported && component.rung != Rung::asleep &&
                       !step.scratch.blows.component_touched[id.index()];
-  return shifts ? Vec3{0.5 * step.h() * step.h() * step.pass.input.loads.gravity} : Vec3::Zero();
+  if (!shifts) return Vec3::Zero();
+  Vec3 acceleration = step.pass.input.loads.gravity;
+  if (!step.scratch.load_acceleration.empty()) {
+    const auto& [linear, angular] = step.scratch.load_acceleration[id.index()];
+    acceleration += linear + angular.cross(place - component.centre);
+  }
+  return 0.5 * step.h() * step.h() * acceleration;
 }
 
 Vec3 weight_shift_of_ball(const ContactStep& step, std::uint32_t row) {
@@ -30,45 +38,71 @@ double rounding_of(const ContactPath& path, const ContactPoint& contact) {
   return 128 * std::numeric_limits<double>::epsilon() * (path.size + std::abs(contact.offset));
 }
 
-/// Counts a contact against both components; false when one of them has enough.
-bool take_place(ContactStep& step, const ContactPoint& contact) {
+/// The two bodies of a contact, the same for both orders; obstacles after components.
+std::uint64_t pair_of(const ContactStep& step, const ContactPoint& contact) {
   const MechanicsState& state = step.pass.state;
-  const std::uint32_t most = step.settings.max_contacts_per_component;
-  std::uint32_t* a = nullptr;
-  std::uint32_t* b = nullptr;
-  if (contact.ball == ContactPoint::none) {
-    a = &step.scratch.count[state.vertices.component[contact.vertex.index()].index()];
-  }
-  if (contact.obstacle == ContactPoint::none) {
-    b = &step.scratch.count[state.elements.component[contact.tetrahedron.index()].index()];
-  }
-  if ((a && *a >= most) || (b && *b >= most)) return false;
-  if (a) ++*a;
-  if (b) ++*b;
-  return true;
+  const auto components = static_cast<std::uint64_t>(state.components.size());
+  const std::uint64_t a = contact.ball == ContactPoint::none
+                              ? state.vertices.component[contact.vertex.index()].value
+                              : components + contact.ball;
+  const std::uint64_t b = contact.obstacle == ContactPoint::none
+                              ? state.elements.component[contact.tetrahedron.index()].value
+                              : components + contact.obstacle;
+  return std::min(a, b) << 32 | std::max(a, b);
 }
 
 /// Spreads equal depths over a face instead of filling it from one side.
 std::uint32_t scattered(VertexId v) { return v.value * 2654435761u; }
 
-/// Whether two sides meet so fast that it is a blow for one of them.
+/// Takes what is in `order`, deepest first, into `taken`; of a pair of bodies with more than
+/// `max_contacts_per_pair` the deepest half of so many, and others spread over the rest: a set that
+/// spans the same patch. What is left out is found again in the next pass, if it is still too deep.
+void take_spanning_sets(ContactStep& step) {
+  DetectScratch& found = step.scratch.detect;
+  const std::size_t most = step.settings.max_contacts_per_pair;
+  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> pairs;
+  for (const std::uint32_t k : found.order) pairs[pair_of(step, found.found[k])].push_back(k);
+  found.taken.clear();
+  for (auto& [pair, contacts] : pairs) {
+    if (contacts.size() > most) {
+      const auto rest = contacts.begin() + static_cast<std::ptrdiff_t>(most / 2);
+      std::sort(rest, contacts.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return std::tuple(scattered(found.found[a].vertex), a) <
+               std::tuple(scattered(found.found[b].vertex), b);
+      });
+      contacts.resize(most);
+    }
+    found.taken.insert(found.taken.end(), contacts.begin(), contacts.end());
+  }
+}
+
+/// The components that a contact acts on; null where a side is none.
+std::array<Component*, 2> sides_of(const ContactStep& step, const ContactPoint& contact) {
+  MechanicsState& state = step.pass.state;
+  std::array<Component*, 2> sides{};
+  if (contact.ball == ContactPoint::none) {
+    sides[0] = &state.components[state.vertices.component[contact.vertex.index()].index()];
+  }
+  if (contact.obstacle == ContactPoint::none) {
+    sides[1] = &state.components[state.elements.component[contact.tetrahedron.index()].index()];
+  }
+  return sides;
+}
+
+/// Whether two sides meet so fast that it is a blow for one of them. A crack that closes within one
+/// component brings it nothing that it did not have.
 bool is_blow_for_a_side(const ContactStep& step, const ContactPoint& contact, double speed,
                         Blows& blows) {
   const MechanicsState& state = step.pass.state;
   const ImpactSettings& impact = *step.pass.input.part.impact;
+  const std::array<Component*, 2> sides = sides_of(step, contact);
+  if (sides[0] == sides[1]) return false;
   bool any = false;
-  const auto try_side = [&](ComponentId id) {
-    const Component& component = state.components[id.index()];
-    if (!is_blow(state, component, speed, strength_of(step, id), impact)) return;
+  for (const Component* side : sides) {
+    if (!side || !is_blow(state, *side, speed, strength_of(step, side->id), impact)) continue;
     any = true;
-    blows.struck.push_back(id);
-    blows.sub_step = std::min(blows.sub_step, wave_sub_step(state, component, impact));
-  };
-  if (contact.ball == ContactPoint::none) {
-    try_side(state.vertices.component[contact.vertex.index()]);
-  }
-  if (contact.obstacle == ContactPoint::none) {
-    try_side(state.elements.component[contact.tetrahedron.index()]);
+    blows.struck.push_back(side->id);
+    blows.sub_step = std::min(blows.sub_step, wave_sub_step(state, *side, impact));
   }
   return any;
 }
@@ -103,19 +137,6 @@ bool detect_contacts(ContactStep& step) {
   return step.deformation() == Deformation::frozen || step.blows.struck.empty();
 }
 
-/// The components that a contact acts on; null where a side is none.
-std::array<Component*, 2> sides_of(const ContactStep& step, const ContactPoint& contact) {
-  MechanicsState& state = step.pass.state;
-  std::array<Component*, 2> sides{};
-  if (contact.ball == ContactPoint::none) {
-    sides[0] = &state.components[state.vertices.component[contact.vertex.index()].index()];
-  }
-  if (contact.obstacle == ContactPoint::none) {
-    sides[1] = &state.components[state.elements.component[contact.tetrahedron.index()].index()];
-  }
-  return sides;
-}
-
 bool on_lower_rung(const Component* side) { return side && side->rung != Rung::full; }
 
 /// Whether neither side of a contact moves in this step.
@@ -130,19 +151,25 @@ bool lie_still(const ContactStep& step, const ContactPoint& contact,
   return !obstacle.mass && obstacle.velocity.isZero(0);
 }
 
+/// The same with what the contact should come out; negative: there is something to solve.
+double wanted_gap_error(const ContactStep& step, const ContactPoint& contact,
+                        const ContactPath& path) {
+  return predicted_gap_error(step, contact, path) - push_out(step, contact);
+}
+
 /// Depth of the deepest overlap that the contacts found will have, or `deepest`, m.
 double deepest_violation(const ContactStep& step, double deepest) {
   const StepPaths paths = paths_of(step);
   for (const ContactPoint& contact : step.scratch.detect.found) {
     const ContactPath path = path_of(contact, paths);
-    const double gap_error = predicted_gap_error(step, contact, path);
+    const double gap_error = wanted_gap_error(step, contact, path);
     if (gap_error < -rounding_of(path, contact)) deepest = std::max(deepest, -gap_error);
   }
   return deepest;
 }
 
-/// Takes components that a contact found may act on, one that `add_new_contacts` would take, to the
-/// rung `full`; which, ascending.
+/// Takes components that a contact found may act on, one that `find_new_contacts` would find, to
+/// the rung `full`; which, ascending.
 std::vector<ComponentId> wake(ContactStep& step, double deepest) {
   std::vector<ComponentId> woken;
   deepest = deepest_violation(step, deepest);
@@ -152,7 +179,7 @@ std::vector<ComponentId> wake(ContactStep& step, double deepest) {
     const std::array<Component*, 2> sides = sides_of(step, contact);
     if (!on_lower_rung(sides[0]) && !on_lower_rung(sides[1])) continue;
     if (lie_still(step, contact, sides)) continue;
-    if (!(predicted_gap_error(step, contact, path_of(contact, paths)) <= deepest)) continue;
+    if (!(wanted_gap_error(step, contact, path_of(contact, paths)) <= deepest)) continue;
     for (Component* side : sides) {
       if (!on_lower_rung(side)) continue;
       side->rung = Rung::full;
@@ -181,13 +208,18 @@ void leave_alone(ContactStep& step) {
 
 Vec3 relative_shift(const ContactStep& step, const ContactPoint& contact) {
   const MechanicsState& state = step.pass.state;
-  Vec3 shift = contact.ball == ContactPoint::none
-                   ? weight_shift(step, state.vertices.component[contact.vertex.index()])
-                   : weight_shift_of_ball(step, contact.ball);
+  const bool is_ball = contact.ball != ContactPoint::none;
+  const Vec3 place = is_ball ? Vec3::Zero() : state.vertices.position[contact.vertex.index()];
+  Vec3 shift = is_ball
+                   ? weight_shift_of_ball(step, contact.ball)
+                   : weight_shift(step, state.vertices.component[contact.vertex.index()], place);
   if (contact.obstacle != ContactPoint::none) {
     shift -= weight_shift_of_ball(step, contact.obstacle);
   } else {
-    shift -= weight_shift(step, state.elements.component[contact.tetrahedron.index()]);
+    const Corners& corners = step.pass.input.corners[contact.tetrahedron.index()];
+    const ComponentId id = state.elements.component[contact.tetrahedron.index()];
+    shift -=
+        weight_shift(step, id, weighted_sum(corners, contact.weights, state.vertices.position));
   }
   return shift;
 }
@@ -196,7 +228,7 @@ double predicted_gap_error(const ContactStep& step, const ContactPoint& contact,
                            const ContactPath& path) {
   if (step.is_wave()) return wave_gap_error(step, contact);
   return gap_end(contact, path) + contact.normal.dot(relative_shift(step, contact)) -
-         target_gap(step, contact);
+         target_gap(contact);
 }
 
 bool meet(ContactStep& step, double deepest) {
@@ -235,7 +267,7 @@ void wake_touched(ContactStep& step) {
   });
 }
 
-double add_new_contacts(ContactStep& step, double deepest) {
+double find_new_contacts(ContactStep& step, double deepest) {
   DetectScratch& found = step.scratch.detect;
   const StepPaths paths = paths_of(step);
   std::vector<ContactKey>& known = step.scratch.known;
@@ -248,27 +280,40 @@ double add_new_contacts(ContactStep& step, double deepest) {
     if (std::binary_search(known.begin(), known.end(), key_of(contact))) continue;
     const ContactPath path = path_of(contact, paths);
     double& gap_error = found.found_gap[k];
-    gap_error = predicted_gap_error(step, contact, path);
+    gap_error = wanted_gap_error(step, contact, path);
     if (gap_error < -rounding_of(path, contact)) deepest = std::max(deepest, -gap_error);
     found.order.push_back(k);
   }
-  if (deepest == 0) return 0;
-  std::erase_if(found.order, [&](std::uint32_t k) { return !(found.found_gap[k] <= deepest); });
+  // Of crack faces, which are many, only what would overlap.
+  std::erase_if(found.order, [&](std::uint32_t k) {
+    return !(found.found_gap[k] <= (found.found[k].face.is_none() ? deepest : 0));
+  });
   std::sort(found.order.begin(), found.order.end(), [&](std::uint32_t a, std::uint32_t b) {
     return std::tuple(found.found_gap[a], scattered(found.found[a].vertex), a) <
            std::tuple(found.found_gap[b], scattered(found.found[b].vertex), b);
   });
-  found.taken.clear();
-  for (const std::uint32_t k : found.order) {
-    if (take_place(step, found.found[k])) {
-      found.taken.push_back(k);
-    } else {
-      ++step.report.left_out;
-    }
-  }
+  return deepest;
+}
+
+void take_new_contacts(ContactStep& step) {
+  DetectScratch& found = step.scratch.detect;
+  take_spanning_sets(step);
   std::sort(found.taken.begin(), found.taken.end());
   for (const std::uint32_t k : found.taken) step.contacts.push_back(found.found[k]);
-  return deepest;
+}
+
+double leave_new_contacts(ContactStep& step) {
+  const DetectScratch& found = step.scratch.detect;
+  const StepPaths paths = paths_of(step);
+  double worst = 0;
+  step.scratch.left_out.clear();
+  for (const std::uint32_t k : found.order) {
+    const ContactPoint& contact = found.found[k];
+    const double error = predicted_gap_error(step, contact, path_of(contact, paths));
+    worst = std::max(worst, -error);
+    if (error < -step.settings.allowed_penetration) step.scratch.left_out.push_back(contact);
+  }
+  return worst;
 }
 
 }  // namespace sunder

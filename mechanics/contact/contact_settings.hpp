@@ -47,9 +47,10 @@ struct ContactSettings {
   /// How often a step may be predicted again with the impulses found. The response of a body that
   /// turns by theta in a step is not linear: an error of theta^2 is left after a single pass.
   int max_passes = 3;
-  /// Contacts k of one component in a pass; the deepest are solved, the rest in the next pass or
-  /// step. Bounds memory (72 k^2 bytes) and time of the elastic response.
-  std::uint32_t max_contacts_per_component = 256;
+  /// Contacts between two bodies in a pass, those of a body's own crack faces too: of more, a set
+  /// that spans the same patch is solved, deepest first. Bounds memory (72 k^2 bytes, k contacts of
+  /// one component) and time of the elastic response.
+  std::uint32_t max_contacts_per_pair = 128;
 };
 
 }  // namespace sunder

@@ -5,74 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mechanics/frame/rotation.hpp"
+#include "mechanics/contact/contact_subspace.hpp"
 
 namespace sunder {
 namespace {
-
-/// How far end `a` of a body moves for a unit impulse at end `b` of the same body.
-Mat3 response_between(const RespondingBody& body, const ContactEnd& a, const ContactEnd& b,
-                      double step) {
-  Mat3 response = Mat3::Zero();
-  response.diagonal().setConstant(step * body.inverse_mass);
-  for (int k = 0; k < 3; ++k) {
-    const Vec3 spin = body.inverse_inertia * b.arm.cross(Vec3::Unit(k));
-    response.col(k) += step * spin.cross(a.arm);
-  }
-  if (a.slot != ContactEnd::rigid_slot && b.slot != ContactEnd::rigid_slot) {
-    Mat3 elastic = body.elastic.block<3, 3>(3 * a.slot, 3 * b.slot) +
-                   cross_matrix(a.rest_arm) * body.rigid_inertia * cross_matrix(b.rest_arm);
-    elastic.diagonal().array() -= body.rigid_mass;
-    response += body.turn * elastic * body.turn.transpose();
-  }
-  return response;
-}
-
-Mat3 own_response(const ContactRow& row, std::span<const RespondingBody> bodies, double step) {
-  Mat3 response = Mat3::Zero();
-  for (std::uint32_t i = 0; i < row.end_count; ++i) {
-    for (std::uint32_t j = 0; j < row.end_count; ++j) {
-      const ContactEnd& a = row.ends[i];
-      const ContactEnd& b = row.ends[j];
-      if (a.body != b.body) continue;
-      response += a.weight * b.weight * response_between(bodies[a.body], a, b, step);
-    }
-  }
-  return response;
-}
-
-Vec3 relative_displacement(const ContactRow& row, std::span<const RespondingBody> bodies,
-                           double step) {
-  Vec3 sum = Vec3::Zero();
-  for (std::uint32_t i = 0; i < row.end_count; ++i) {
-    const ContactEnd& end = row.ends[i];
-    const RespondingBody& body = bodies[end.body];
-    Vec3 moved = step * (body.velocity + body.spin.cross(end.arm));
-    if (end.slot != ContactEnd::rigid_slot) {
-      const Vec3 turned = body.rigid_inertia * body.moment;
-      moved += body.turn * (body.displacement.segment<3>(3 * end.slot) +
-                            end.rest_arm.cross(turned) - body.rigid_mass * body.impulse);
-    }
-    sum += end.weight * moved;
-  }
-  return sum;
-}
-
-void add_impulse(const ContactRow& row, std::span<RespondingBody> bodies, const Vec3& impulse) {
-  for (std::uint32_t i = 0; i < row.end_count; ++i) {
-    const ContactEnd& end = row.ends[i];
-    RespondingBody& body = bodies[end.body];
-    const Vec3 share = end.weight * impulse;
-    body.velocity += body.inverse_mass * share;
-    body.spin += body.inverse_inertia * end.arm.cross(share);
-    if (end.slot != ContactEnd::rigid_slot) {
-      const Vec3 own = body.turn.transpose() * share;
-      body.displacement.noalias() += body.elastic.middleCols<3>(3 * end.slot) * own;
-      body.impulse += own;
-      body.moment += end.rest_arm.cross(own);
-    }
-  }
-}
 
 /// Largest eigenvalue of the response in the contact plane: the safe divisor for both directions.
 double tangential_response(const ContactRow& row) {
@@ -89,6 +25,19 @@ Vec3 projected_on_disk(const Vec3& v, double radius) {
   return length <= radius ? v : Vec3{v * (radius / length)};
 }
 
+/// The normal impulse that a row needs, if it has `before` and its gap is `gap`: what is too deep
+/// is pushed by ever less, and by nothing from `push_most` on. Wedged pieces cannot be pushed
+/// apart; a push without end would press them until friction threw them out.
+double wanted_normal(const ContactRow& row, double before, double gap) {
+  double wanted = before - gap / row.normal_response;
+  if (row.push > 0) {
+    const double give = row.push / row.push_most;
+    const double pushed = before + (row.push - gap - give * before) / (row.normal_response + give);
+    wanted = std::max(wanted, std::min(pushed, row.push_most));
+  }
+  return std::clamp(wanted, row.least, row.most);
+}
+
 /// One visit of a row: its new impulse, and by how far (m) it was from where it should be.
 double relax(ContactRow& row, std::span<RespondingBody> bodies, double step) {
   const double normal_response = row.normal_response;
@@ -98,7 +47,7 @@ double relax(ContactRow& row, std::span<RespondingBody> bodies, double step) {
   const double before_n = n.dot(before);
   const Vec3 moved = relative_displacement(row, bodies, step);
   const double gap = row.gap + n.dot(moved) + row.compliance * before_n;
-  const double wanted_n = std::clamp(before_n - gap / normal_response, row.least, row.most);
+  const double wanted_n = wanted_normal(row, before_n, gap);
   double error = std::abs(wanted_n - before_n) * normal_response;
   // Friction sees the slip that the new normal impulse leaves.
   const Vec3 normal_change = (wanted_n - before_n) * n;
@@ -151,9 +100,19 @@ void conjugate(Search& search, std::span<ContactRow> rows, std::span<RespondingB
 double follow_disks(std::span<ContactRow> rows) {
   double largest = 0;
   for (ContactRow& row : rows) {
-    const double disk = row.friction * std::max(0.0, row.normal.dot(row.impulse));
-    largest = std::max(largest, std::abs(disk - row.disk) * row.tangential_response);
-    row.disk = disk;
+    const double pressed = row.normal.dot(row.impulse);
+    const double disk = row.friction * std::max(0.0, pressed);
+    // What sticks inside both disks does not feel the change.
+    const double friction = (row.impulse - pressed * row.normal).norm();
+    const bool slips = friction >= (1 - 1e-9) * std::min(disk, row.disk);
+    const double change = disk - row.disk;
+    if (slips) largest = std::max(largest, std::abs(change) * row.tangential_response);
+    // In a wedge friction and pressure take from each other, more than there is: shorter ways where
+    // the change turns back.
+    const bool turns_back = change * row.disk_change < 0;
+    row.disk_share = turns_back ? 0.5 * row.disk_share : std::min(1.0, 1.25 * row.disk_share);
+    row.disk += row.disk_share * change;
+    row.disk_change = change;
   }
   return largest;
 }
@@ -190,7 +149,8 @@ Energy energy_of(std::span<const ContactRow> rows, std::span<RespondingBody> bod
   for (const ContactRow& row : rows) {
     const Vec3& n = row.normal;
     energy.earlier.push_back(relative_displacement(row, bodies, step));
-    energy.without.push_back(row.gap * n + row.slip - n * n.dot(row.slip) - energy.earlier.back());
+    energy.without.push_back((row.gap - row.push) * n + row.slip - n * n.dot(row.slip) -
+                             energy.earlier.back());
   }
   return energy;
 }
@@ -230,16 +190,6 @@ void press_only(std::span<ContactRow> rows, std::span<RespondingBody> bodies,
   }
 }
 
-void set_to_rest(std::span<RespondingBody> bodies) {
-  for (RespondingBody& body : bodies) {
-    body.velocity.setZero();
-    body.spin.setZero();
-    body.impulse.setZero();
-    body.moment.setZero();
-    body.displacement.setZero(body.elastic.rows());
-  }
-}
-
 }  // namespace
 
 SolveOutcome solve_contacts(std::span<ContactRow> rows, std::span<RespondingBody> bodies,
@@ -250,9 +200,13 @@ SolveOutcome solve_contacts(std::span<ContactRow> rows, std::span<RespondingBody
   const Energy energy = energy_of(rows, bodies, limits.step);
   set_to_rest(bodies);
   for (ContactRow& row : rows) {
-    row.response = own_response(row, bodies, limits.step);
+    set_own_response(row, bodies, limits.step);
+    row.disk_change = 0;
+    row.disk_share = 1;
     row.normal_response = row.normal.dot(row.response * row.normal) + row.compliance;
     row.tangential_response = tangential_response(row);
+    // A hundred times what would push the two sides apart were they free: it lifts what rests.
+    row.push_most = row.normal_response > 0 ? 100 * row.push / row.normal_response : 0;
     add_impulse(row, bodies, row.guess);
     row.impulse += row.guess;
   }
@@ -276,6 +230,12 @@ SolveOutcome solve_contacts(std::span<ContactRow> rows, std::span<RespondingBody
       outcome.converged = outcome.residual <= limits.tolerance;
       if (outcome.converged) break;
       sweeps = 0;
+      const int left = std::min(24, limits.max_iterations - outcome.iterations - 1);
+      if (left > 1) {
+        outcome.iterations += solve_subspace(rows, bodies, limits.step, left);
+        search.last = 0;
+        continue;
+      }
     }
     // The last sweep stands as it is: its impulses keep their bounds.
     if (outcome.iterations < limits.max_iterations) conjugate(search, rows, bodies);

@@ -2,6 +2,7 @@
 // One step with contact at work: what its passes share. For the sources of contact only.
 #pragma once
 
+#include <array>
 #include <tuple>
 #include <vector>
 
@@ -11,9 +12,9 @@
 namespace sunder {
 
 /// What tells contacts apart.
-using ContactKey = std::tuple<std::uint32_t, VertexId, std::uint32_t, TetId>;
+using ContactKey = std::tuple<std::uint32_t, VertexId, std::uint32_t, TetId, HalfFaceId>;
 inline ContactKey key_of(const ContactPoint& c) {
-  return {c.ball, c.vertex, c.obstacle, c.tetrahedron};
+  return {c.ball, c.vertex, c.obstacle, c.tetrahedron, c.face};
 }
 
 struct ContactScratch::Buffers {
@@ -23,7 +24,9 @@ struct ContactScratch::Buffers {
   std::vector<Vec3> ball_end;
   std::vector<Vec3> change;
   std::vector<ContactKey> known;
-  std::vector<std::uint32_t> count;  ///< row = ComponentId: contacts taken so far
+  /// Row = ComponentId, m/s^2 and rad/s^2 of free components; empty without surface loads.
+  std::vector<std::array<Vec3, 2>> load_acceleration;
+  std::vector<ContactPoint> left_out;  ///< that end too deep and were not solved for
 };
 
 /// One step at work.
@@ -49,8 +52,14 @@ inline double strength_of(const ContactStep& step, ComponentId id) {
 /// Paths through the step as it is predicted now.
 StepPaths paths_of(const ContactStep& step);
 
-/// Where the gap may be at the end of the step: a contact that is too deep comes out slowly.
-double target_gap(const ContactStep& step, const ContactPoint& contact);
+/// Where the gap may be at the end of the step, m: no deeper than it began.
+double target_gap(const ContactPoint& contact);
+
+/// How much farther out a contact that is too deep should come in the step, m.
+double push_out(const ContactStep& step, const ContactPoint& contact);
+
+/// How far the gap of a row is from where it may be with the impulse as it is; m, m/s in a wave.
+double row_error(const ContactRow& row);
 
 /// How much farther apart two sides end than predicted, m, once weight is taken as a blow at the
 /// start for what has not been touched yet.
@@ -64,9 +73,16 @@ double predicted_gap_error(const ContactStep& step, const ContactPoint& contact,
 /// on them that the step must not run into.
 bool meet(ContactStep& step, double deepest);
 
-/// Of the contacts found, adds what has come near since the last pass: overlaps, deepest first, and
-/// what is closer than the depth of the deepest. Gives that depth, m; 0 when nothing overlaps.
-double add_new_contacts(ContactStep& step, double deepest);
+/// Of the contacts found, those that have come near since the last pass into `detect.order`:
+/// overlaps, deepest first, and what is closer than the depth of the deepest. Gives that depth, m;
+/// 0 when nothing overlaps.
+double find_new_contacts(ContactStep& step, double deepest);
+
+/// Adds what was so found to the contacts of the step, of each pair a set that spans its patch.
+void take_new_contacts(ContactStep& step);
+
+/// Notes instead what of it ends too deep: there is no further pass. Gives the deepest of it, m.
+double leave_new_contacts(ContactStep& step);
 
 /// The same at the end of a sub-step of a wave: velocity times h, and the gap at its start less its
 /// target.

@@ -84,7 +84,14 @@ Vec3 velocity_of_side_a(const ContactStep& step, const ContactPoint& contact) {
   return step.pass.state.vertices.velocity[contact.vertex.index()];
 }
 
-/// Row = ComponentId.
+/// Whether a contact closes a crack within one component.
+bool within_one(const MechanicsState& state, const ContactPoint& contact) {
+  return contact.ball == ContactPoint::none && contact.obstacle == ContactPoint::none &&
+         state.vertices.component[contact.vertex.index()] ==
+             state.elements.component[contact.tetrahedron.index()];
+}
+
+/// Row = ComponentId; cracks that close within it left out.
 std::vector<Touch> strongest_touches(const ContactStep& step) {
   const MechanicsState& state = step.pass.state;
   std::vector<Touch> touches(state.components.size());
@@ -94,6 +101,7 @@ std::vector<Touch> strongest_touches(const ContactStep& step) {
     if (impulse > touch.impulse) touch = {impulse, contact.normal, against};
   };
   for (const ContactPoint& contact : step.contacts) {
+    if (within_one(state, contact)) continue;
     if (contact.ball == ContactPoint::none) {
       see(state.vertices.component[contact.vertex.index()], contact,
           velocity_of_side_b(step, contact));
@@ -109,7 +117,7 @@ std::vector<Touch> strongest_touches(const ContactStep& step) {
 }  // namespace
 
 double wave_gap_error(const ContactStep& step, const ContactPoint& contact) {
-  return contact.gap_start - target_gap(step, contact) +
+  return contact.gap_start - target_gap(contact) +
          step.h() * contact.normal.dot(velocity_end(step, contact));
 }
 
@@ -120,13 +128,12 @@ double measure_wave_rows(ContactStep& step) {
     const ContactPoint& contact = step.contacts[k];
     ContactRow& row = step.scratch.bodies.rows[k];
     row.gap = wave_gap_error(step, contact) / h;
+    row.push = push_out(step, contact) / h;
     row.compliance = step.settings.compliance / (h * h);
     row.friction = contact.friction;
     row.impulse = contact.impulse;
     row.slip = velocity_end(step, contact) + spin_slip(step, row);
-    const double pressed = row.normal.dot(row.impulse);
-    const double gap_error = h * (row.gap + row.compliance * pressed);
-    worst = std::max(worst, pressed > 0 ? std::abs(gap_error) : -gap_error);
+    worst = std::max(worst, h * row_error(row));
   }
   return worst;
 }

@@ -128,7 +128,7 @@ std::vector<Finding> warnings_of(const RunTroubles& t, const Scene& scene) {
         "contacts_left_out",
         fmt::format("{} contacts were left out {}: pieces may overlap and gain energy",
                     static_cast<std::uint64_t>(t.left_out.size), when(t.left_out)),
-        "raise contact.max_contacts_per_component, take a shorter time_step, or a coarser mesh"));
+        "take a shorter time_step, or raise contact.max_passes or contact.max_contacts_per_pair"));
   }
   if (t.not_converged.steps > 0) {
     found.push_back(warning(

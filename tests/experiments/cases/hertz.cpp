@@ -56,7 +56,7 @@ Scene scene_of(const HertzImpact& impact) {
   scene.obstacles = {{.shape = Plane{{0, 0, 1}, 0}, .friction = 0}};
   scene.gravity.acceleration.setZero();
   scene.contact.friction = 0;
-  scene.contact.max_contacts_per_component = 1024;
+  scene.contact.max_contacts_per_pair = 1024;
   scene.impact.fraction = impact.fraction;
   scene.impact.negligible = 1e-6;
   scene.fracture.mode = FractureMode::off;

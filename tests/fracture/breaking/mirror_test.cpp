@@ -218,7 +218,12 @@ TEST_CASE("a body that falls flat breaks symmetrically about the planes of its s
   while (faces.empty() && sim->state->mechanics.time < 0.01) {
     const StepReport report = advance(*sim);
     REQUIRE(report.status.outcome == StepOutcome::fine);
-    faces = split_faces(sim->state->cells.map, report.fracture.fans);
+    // Those of the first search that finds any: from then on crack faces push at each other, by
+    // impulses that are alike only as far as contact is solved.
+    const auto& parts = report.fan_part;
+    const auto first = std::ranges::find_if(parts, [&](auto p) { return p != parts.front(); });
+    const std::size_t count = static_cast<std::size_t>(first - parts.begin());
+    faces = split_faces(sim->state->cells.map, std::span(report.fracture.fans).first(count));
   }
   REQUIRE_FALSE(faces.empty());
   CHECK((faces == mirrored(faces, body)));

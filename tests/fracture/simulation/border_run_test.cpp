@@ -60,5 +60,6 @@ TEST_CASE("with and without borders the same vertices break in the same steps",
   for (std::size_t v = 0; v < with.position.size(); ++v) {
     worst = std::max(worst, (with.position[v] - without.position[v]).norm());
   }
-  CHECK(worst < 1e-9);
+  // Of 0.3 m. Crack faces touch: places are as alike as contact is solved.
+  CHECK(worst < 1e-6);
 }

@@ -251,6 +251,35 @@ TEST_CASE(
   CHECK(rebound <= v);
 }
 
+TEST_CASE("of many contacts a set that spans the patch holds a body as all of them do",
+          "[mechanics][contact]") {
+  const auto resting = [](std::uint32_t most) {
+    const Body body = kuhn_block({8, 8, 2}, {0.8, 0.8, 0.2});
+    ContactScene scene{body, state_of(body, material_of(3e10))};
+    scene.integrator.time_step = 1e-3;
+    scene.loads.gravity = {0, 0, -9.81};
+    scene.obstacles = {Obstacle{Plane{}}};
+    scene.contact.max_contacts_per_pair = most;
+    scene.contact.max_passes = 1;
+    place(scene.state, ComponentId{0}, {.translation = {0, 0, 0.1}});
+    std::uint64_t left_out = 0;
+    std::uint32_t candidates = 0;
+    for (int k = 0; k < 300; ++k) {
+      const ContactReport report = scene.step().report;
+      left_out += report.left_out;
+      candidates = std::max(candidates, report.candidates);
+    }
+    CHECK(left_out == 0);
+    CHECK(candidates <= most);
+    CHECK(scene.state.components[0].orientation.angularDistance(Eigen::Quaterniond::Identity()) <
+          1e-6);
+    return scene.state.components[0].centre.z();
+  };
+  const double all = resting(81), some = resting(16);
+  CHECK(std::abs(all - 0.1) < 1e-5);
+  CHECK(std::abs(some - all) < 1e-5);
+}
+
 TEST_CASE("a body held inside an obstacle at the start comes out slowly", "[mechanics][contact]") {
   ContactScene scene = block_over_plane(1e9, 1e-3);
   scene.loads.gravity.setZero();

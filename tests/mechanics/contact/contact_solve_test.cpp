@@ -37,9 +37,9 @@ Problem random_problem(unsigned seed, std::size_t rows) {
     row.gap = 0.01 * unit(random);
     row.slip = 0.01 * vector();
     row.friction = 0.4;
-    row.end_count = 2;
-    row.ends[0] = {static_cast<std::uint32_t>(k % 2), ContactEnd::rigid_slot, 1, vector(), {}};
-    row.ends[1] = {2, static_cast<std::uint32_t>(k), -1, vector(), {}};
+    row.side_count = 2;
+    row.sides[0] = {static_cast<std::uint32_t>(k % 2), ContactEnd::no_slot, 1, vector(), {}};
+    row.sides[1] = {2, static_cast<std::uint32_t>(k), -1, vector(), {}};
     problem.rows.push_back(row);
   }
   return problem;
@@ -48,14 +48,37 @@ Problem random_problem(unsigned seed, std::size_t rows) {
 /// Relative displacement that the accumulated changes of the bodies mean for a row.
 Vec3 moved(const Problem& problem, const ContactRow& row) {
   Vec3 sum = Vec3::Zero();
-  for (std::uint32_t e = 0; e < row.end_count; ++e) {
-    const ContactEnd& end = row.ends[e];
-    const RespondingBody& body = problem.bodies[end.body];
-    Vec3 u = h * (body.velocity + body.spin.cross(end.arm));
-    if (end.slot != ContactEnd::rigid_slot) u += body.displacement.segment<3>(3 * end.slot);
-    sum += end.weight * u;
+  for (std::uint32_t e = 0; e < row.side_count; ++e) {
+    const RowSide& side = row.sides[e];
+    const BodyMotion& got = problem.bodies[side.body].motion;
+    sum += h * (side.weight * got.velocity + got.spin.cross(side.arm));
+    if (side.slot != ContactEnd::no_slot) sum += got.displacement.segment<3>(3 * side.slot);
   }
   return sum;
+}
+
+/// A body of 1 kg between two immovable planes that lean by `lean` (rad) away from it at the top;
+/// both are in it, ask for the same push (m), and its weight moves it down by `fall` (m).
+/// `ratio` > 0: it gives at each contact, by so much less than it is free.
+Problem wedge(double lean, double friction, double push, double fall, double ratio) {
+  Problem problem;
+  problem.bodies.resize(1);
+  problem.bodies[0].inverse_mass = 1;
+  problem.bodies[0].inverse_inertia = Vec3(60, 60, 60).asDiagonal();
+  for (const double side : {-1.0, 1.0}) {
+    ContactRow row;
+    row.normal = {-side * std::cos(lean), 0, std::sin(lean)};
+    row.gap = -fall * std::sin(lean);
+    row.slip = {0, 0, -fall};
+    row.push = push;
+    row.friction = friction;
+    row.side_count = 1;
+    row.sides[0].arm = {side * 0.1, 0, 0.02};
+    if (ratio > 0) row.sides[0].slot = static_cast<std::uint32_t>(problem.rows.size());
+    problem.rows.push_back(row);
+  }
+  if (ratio > 0) problem.bodies[0].elastic = h / ratio * Eigen::MatrixXd::Identity(6, 6);
+  return problem;
 }
 
 }  // namespace
@@ -120,7 +143,7 @@ TEST_CASE("a row that can move nothing stays as it is", "[mechanics][contact][so
   std::vector<RespondingBody> bodies(1);
   std::vector<ContactRow> rows(1);
   rows[0].gap = -1;
-  rows[0].end_count = 1;
+  rows[0].side_count = 1;
   const SolveOutcome outcome = solve_contacts(rows, bodies, {h, 1e-9, 10});
   CHECK(outcome.converged);
   CHECK(rows[0].impulse == Vec3::Zero());
@@ -132,11 +155,81 @@ TEST_CASE("compliance lets a contact give way by the force over its stiffness",
   bodies[0].inverse_mass = 0.5;
   std::vector<ContactRow> rows(1);
   rows[0].gap = -0.01;
-  rows[0].end_count = 1;
+  rows[0].side_count = 1;
   const double stiffness = 1e4;
   rows[0].compliance = 1 / (stiffness * h);
   solve_contacts(rows, bodies, {h, 1e-15, 100});
   const double force = rows[0].impulse.z() / h;
-  const double depth = 0.01 - h * bodies[0].velocity.z();
+  const double depth = 0.01 - h * bodies[0].motion.velocity.z();
   CHECK(depth == Approx(force / stiffness).epsilon(1e-12));
+}
+
+TEST_CASE("what is too deep is pushed out at the speed that is asked",
+          "[mechanics][contact][solve]") {
+  std::vector<RespondingBody> bodies(2);
+  bodies[0].inverse_mass = 0.5;
+  bodies[1].inverse_mass = 3;
+  std::vector<ContactRow> rows(1);
+  rows[0].push = 1e-5;
+  rows[0].friction = 0.5;
+  rows[0].side_count = 2;
+  rows[0].sides[1].body = 1;
+  rows[0].sides[1].weight = -1;
+  // Falling into each other or resting: they end as far apart as is asked, to a hundredth of it.
+  rows[0].gap = GENERATE(0.0, -1e-6, -1e-5);
+  const double gap = rows[0].gap;
+  const SolveOutcome outcome = solve_contacts(rows, bodies, {h, 1e-12, 100});
+  CHECK(outcome.converged);
+  const double apart = gap + h * (bodies[0].motion.velocity.z() - bodies[1].motion.velocity.z());
+  CHECK(apart <= rows[0].push);
+  CHECK(apart == Approx(rows[0].push).epsilon(0.021));
+}
+
+TEST_CASE("what is wedged is pressed within bounds and gains no energy, however many sweeps",
+          "[mechanics][contact][solve]") {
+  const double lean = GENERATE(0.0, 0.02, 0.1, 0.3);
+  const double friction = GENERATE(0.0, 0.5, 1.0);
+  const double fall = GENERATE(0.0, 1e-3);
+  const double ratio = GENERATE(0.0, 1e2, 1e4);
+  if (lean == 0 && friction == 0 && fall > 0) return;  // it falls: nothing holds it
+  const double push = 1e-5;
+  // What a step would ask for.
+  const double tolerance = 1e-5 * std::max(fall, push);
+  std::vector<Vec3> few;
+  for (const int sweeps : {200, 20000}) {
+    INFO("lean " << lean << " friction " << friction << " fall " << fall << " sweeps " << sweeps
+                 << " ratio " << ratio);
+    Problem problem = wedge(lean, friction, push, fall, ratio);
+    const SolveOutcome outcome =
+        solve_contacts(problem.rows, problem.bodies, {h, tolerance, sweeps});
+    INFO("residual " << outcome.residual << " after " << outcome.iterations);
+    CHECK(outcome.converged);
+    Problem anew = problem;
+    set_to_rest(anew.bodies);
+    for (const ContactRow& row : problem.rows) add_impulse(row, anew.bodies, row.impulse);
+    for (const ContactRow& row : problem.rows) {
+      CHECK((moved(problem, row) - moved(anew, row)).norm() <= 1e-12 * std::max(fall, push));
+    }
+    // The pushes at their most, and what holds a falling body without friction.
+    double work = 0;
+    for (const ContactRow& row : problem.rows) {
+      const double held = lean > 0 ? fall / h / std::sin(lean) : fall / h;
+      CHECK(row.impulse.norm() <= (1 + friction) * (row.push_most + held) * (1 + 1e-12));
+      const Vec3 n = row.normal;
+      const Vec3 without = (row.gap - row.push) * n + row.slip - n * n.dot(row.slip);
+      work += row.impulse.dot(without + 0.5 * moved(problem, row));
+    }
+    CHECK(work <= 0);
+    // Nothing is faster than it fell, or than pushes along both planes make it.
+    const Vec3 velocity = problem.bodies[0].motion.velocity - Vec3(0, 0, fall / h);
+    const double out = push / h / (lean > 0 ? std::sin(lean) : 1);
+    CHECK(velocity.norm() <= std::max(fall / h, out) * (1 + 1e-9));
+    if (sweeps == 200) {
+      for (const ContactRow& row : problem.rows) few.push_back(row.impulse);
+    } else {
+      for (std::size_t k = 0; k < few.size(); ++k) {
+        CHECK((problem.rows[k].impulse - few[k]).norm() <= 1e-4 * few[k].norm());
+      }
+    }
+  }
 }

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+// What impulses of rows do to bodies, and back.
+#include "mechanics/contact/contact_rows.hpp"
+
+#include <algorithm>
+
+#include "mechanics/frame/rotation.hpp"
+
+namespace sunder {
+namespace {
+
+/// A slot of a body is the weighted sum of some of its vertices' slots.
+struct MergedSlot {
+  std::array<std::uint32_t, 5> slots;
+  std::array<double, 5> weights;
+  std::uint32_t count = 0;
+  friend bool operator==(const MergedSlot& a, const MergedSlot& b) {
+    return std::equal(a.slots.begin(), a.slots.begin() + a.count, b.slots.begin(),
+                      b.slots.begin() + b.count) &&
+           std::equal(a.weights.begin(), a.weights.begin() + a.count, b.weights.begin(),
+                      b.weights.begin() + b.count);
+  }
+};
+
+RowSide& side_of(ContactRow& row, std::uint32_t body) {
+  for (std::uint32_t s = 0; s < row.side_count; ++s) {
+    if (row.sides[s].body == body) return row.sides[s];
+  }
+  RowSide& side = row.sides[row.side_count++];
+  side = {.body = body, .weight = 0};
+  return side;
+}
+
+/// Rows of the same ends follow each other: it is enough to look at the last slot.
+std::uint32_t place_of(std::vector<MergedSlot>& merged, const MergedSlot& slot) {
+  if (merged.empty() || !(merged.back() == slot)) merged.push_back(slot);
+  return static_cast<std::uint32_t>(merged.size() - 1);
+}
+
+void merge_slots(ContactRow& row, RowSide& side, std::vector<MergedSlot>& merged) {
+  MergedSlot slot;
+  for (std::uint32_t e = 0; e < row.end_count; ++e) {
+    const ContactEnd& end = row.ends[e];
+    if (end.body != side.body || end.slot == ContactEnd::no_slot) continue;
+    slot.slots[slot.count] = end.slot;
+    slot.weights[slot.count++] = end.weight;
+  }
+  if (slot.count > 0) side.slot = place_of(merged, slot);
+}
+
+/// P^T E P, each column of P a merged slot. E is symmetric.
+Eigen::MatrixXd between(const std::vector<MergedSlot>& merged, const Eigen::MatrixXd& elastic) {
+  const auto size = static_cast<Eigen::Index>(3 * merged.size());
+  Eigen::MatrixXd result(size, size);
+  for (std::size_t b = 0; b < merged.size(); ++b) {
+    for (std::size_t a = b; a < merged.size(); ++a) {
+      Mat3 block = Mat3::Zero();
+      for (std::uint32_t f = 0; f < merged[b].count; ++f) {
+        for (std::uint32_t e = 0; e < merged[a].count; ++e) {
+          block += merged[a].weights[e] * merged[b].weights[f] *
+                   elastic.block<3, 3>(3 * merged[a].slots[e], 3 * merged[b].slots[f]);
+        }
+      }
+      const auto i = static_cast<Eigen::Index>(3 * a), j = static_cast<Eigen::Index>(3 * b);
+      result.block<3, 3>(i, j) = block;
+      if (a != b) result.block<3, 3>(j, i) = block.transpose();
+    }
+  }
+  return result;
+}
+
+/// Motion of one side by what its body has got, m.
+Vec3 side_displacement(const RowSide& side, const RespondingBody& body, double step) {
+  const BodyMotion& got = body.motion;
+  Vec3 moved = step * (side.weight * got.velocity + got.spin.cross(side.arm));
+  if (side.slot != ContactEnd::no_slot) {
+    const Vec3 turned = body.rigid_inertia * got.moment;
+    moved += body.turn * (got.displacement.segment<3>(3 * side.slot) + side.rest_arm.cross(turned) -
+                          side.weight * body.rigid_mass * got.impulse);
+  }
+  return moved;
+}
+
+/// What an impulse gives the body but for E; the impulse in the body's own frame.
+Vec3 give_side(const RowSide& side, RespondingBody& body, const Vec3& impulse) {
+  BodyMotion& got = body.motion;
+  got.velocity += side.weight * body.inverse_mass * impulse;
+  got.spin += body.inverse_inertia * side.arm.cross(impulse);
+  if (side.slot == ContactEnd::no_slot) return Vec3::Zero();
+  const Vec3 own = body.turn.transpose() * impulse;
+  got.impulse += side.weight * own;
+  got.moment += side.rest_arm.cross(own);
+  return own;
+}
+
+}  // namespace
+
+void merge_ends(std::span<ContactRow> rows, std::span<RespondingBody> bodies) {
+  std::vector<std::vector<MergedSlot>> merged(bodies.size());
+  for (ContactRow& row : rows) {
+    row.side_count = 0;
+    for (std::uint32_t e = 0; e < row.end_count; ++e) {
+      const ContactEnd& end = row.ends[e];
+      RowSide& side = side_of(row, end.body);
+      side.weight += end.weight;
+      side.arm += end.weight * end.arm;
+      side.rest_arm += end.weight * end.rest_arm;
+    }
+    for (std::uint32_t s = 0; s < row.side_count; ++s) {
+      merge_slots(row, row.sides[s], merged[row.sides[s].body]);
+    }
+  }
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (!merged[b].empty()) bodies[b].elastic = between(merged[b], bodies[b].elastic);
+  }
+}
+
+Vec3 relative_displacement(const ContactRow& row, std::span<const RespondingBody> bodies,
+                           double step) {
+  Vec3 sum = Vec3::Zero();
+  for (std::uint32_t s = 0; s < row.side_count; ++s) {
+    sum += side_displacement(row.sides[s], bodies[row.sides[s].body], step);
+  }
+  return sum;
+}
+
+void add_impulse(const ContactRow& row, std::span<RespondingBody> bodies, const Vec3& impulse) {
+  for (std::uint32_t s = 0; s < row.side_count; ++s) {
+    const RowSide& side = row.sides[s];
+    RespondingBody& body = bodies[side.body];
+    const Vec3 own = give_side(side, body, impulse);
+    if (side.slot == ContactEnd::no_slot) continue;
+    body.motion.displacement.noalias() += body.elastic.middleCols<3>(3 * side.slot) * own;
+  }
+}
+
+void add_impulses(std::span<const ContactRow> rows, std::span<RespondingBody> bodies,
+                  std::span<const Vec3> impulses) {
+  std::vector<Eigen::VectorXd> own(bodies.size());
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    if (impulses[k].isZero(0)) continue;
+    for (std::uint32_t s = 0; s < rows[k].side_count; ++s) {
+      const RowSide& side = rows[k].sides[s];
+      const Vec3 impulse = give_side(side, bodies[side.body], impulses[k]);
+      if (side.slot == ContactEnd::no_slot) continue;
+      Eigen::VectorXd& all = own[side.body];
+      if (all.size() == 0) all.setZero(bodies[side.body].elastic.rows());
+      all.segment<3>(3 * side.slot) += impulse;
+    }
+  }
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    if (own[b].size() == 0) continue;
+    bodies[b].motion.displacement.noalias() +=
+        bodies[b].elastic.selfadjointView<Eigen::Lower>() * own[b];
+  }
+}
+
+void set_own_response(ContactRow& row, std::span<const RespondingBody> bodies, double step) {
+  row.response.setZero();
+  row.give.setZero();
+  for (std::uint32_t s = 0; s < row.side_count; ++s) {
+    const RowSide& side = row.sides[s];
+    const RespondingBody& body = bodies[side.body];
+    const Mat3 arm = cross_matrix(side.arm);
+    row.response -= step * arm * body.inverse_inertia * arm;
+    row.response.diagonal().array() += step * side.weight * side.weight * body.inverse_mass;
+    if (side.slot == ContactEnd::no_slot) continue;
+    const Mat3 rest_arm = cross_matrix(side.rest_arm);
+    Mat3 elastic = body.elastic.block<3, 3>(3 * side.slot, 3 * side.slot) +
+                   rest_arm * body.rigid_inertia * rest_arm;
+    elastic.diagonal().array() -= side.weight * side.weight * body.rigid_mass;
+    row.give += body.turn * elastic * body.turn.transpose();
+  }
+  row.response += row.give;
+}
+
+void set_to_rest(std::span<RespondingBody> bodies) {
+  for (RespondingBody& body : bodies) {
+    body.motion = {};
+    body.motion.displacement.setZero(body.elastic.rows());
+  }
+}
+
+}  // namespace sunder

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// Bodies and contacts as the solver sees them: responses to impulses, no mesh.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "mechanics/state/columns.hpp"
+
+namespace sunder {
+
+/// What a body has got in a solve so far.
+struct BodyMotion {
+  Vec3 velocity = Vec3::Zero();                        ///< m/s, change
+  Vec3 spin = Vec3::Zero();                            ///< rad/s, change
+  Eigen::VectorXd displacement;                        ///< 3k, m: change by E, own frame
+  Vec3 impulse = Vec3::Zero(), moment = Vec3::Zero();  ///< on slots, own frame, N s and N s m
+};
+
+/// A body by the displacement of its slots at the end of the step for impulses: rigid part
+/// h (J/m + I^-1 T x arm) plus an elastic part between its slots,
+///   turn (E + rest_arm x J0^-1 (rest_arm x .) - 1/m) turn^T,
+/// the last two over all slots at once: what E has of rigid response and should not have. Kept
+/// apart so that neither a turn of the body nor other slots cost a pass over E.
+struct RespondingBody {
+  double inverse_mass = 0;              ///< 1/kg; 0: does not move
+  Mat3 inverse_inertia = Mat3::Zero();  ///< 1/(kg m^2), world
+  Eigen::MatrixXd elastic;              ///< E, 3k x 3k, m/(N s), the body's own frame; empty: rigid
+  Mat3 turn = Mat3::Identity();         ///< from that frame to the world
+  double rigid_mass = 0;                ///< 1/m of the elastic part, m/(N s)
+  Mat3 rigid_inertia = Mat3::Zero();    ///< J0^-1 of the elastic part, 1/(N s m)
+  BodyMotion motion;                    ///< what the solve accumulates
+};
+
+/// One of the points a contact acts on; the solver takes those of a body together (`RowSide`).
+struct ContactEnd {
+  static constexpr std::uint32_t no_slot = 0xffffffffu;
+  std::uint32_t body = 0;
+  std::uint32_t slot = no_slot;  ///< the vertex's place among those of its body
+  double weight = 1;             ///< share of the impulse: sums to +1 on side A, -1 on side B
+  Vec3 arm = Vec3::Zero();       ///< m, from the body's mass centre
+  Vec3 rest_arm = Vec3::Zero();  ///< m, of the vertex at rest in the body's own frame
+  VertexId vertex;               ///< none() for a whole isolated tetrahedron or a ball
+  /// m, from the vertex (from the mass centre of an isolated tetrahedron) to where the contact
+  /// acts. An impulse there turns the body by so much more.
+  Vec3 lever = Vec3::Zero();
+};
+
+/// Everything that a contact acts on in one body: sums over its ends, each times its weight.
+struct RowSide {
+  std::uint32_t body = 0;
+  std::uint32_t slot = ContactEnd::no_slot;  ///< its place in the body's elastic response, if any
+  double weight = 1;                         ///< 0 where both sides are of one body
+  Vec3 arm = Vec3::Zero();                   ///< m
+  Vec3 rest_arm = Vec3::Zero();              ///< m
+};
+
+/// One row of three unknowns.
+struct ContactRow {
+  std::array<ContactEnd, 5> ends;  ///< for whoever makes and applies rows
+  std::uint32_t end_count = 0;
+  std::array<RowSide, 2> sides;  ///< of different bodies
+  std::uint32_t side_count = 0;
+  Vec3 normal{0, 0, 1};
+  double gap = 0;      ///< m: end-of-step gap with the impulse as it is, less what it may be
+  double push = 0;     ///< m, >= 0: how much more it should be, if that takes little impulse
+  Vec3 slip{0, 0, 0};  ///< m: relative displacement over the step with the impulse as it is
+  double friction = 0;
+  double compliance = 0;  ///< m/(N s): give of the contact itself
+  double least = 0;       ///< N s: bounds of the normal impulse
+  double most = std::numeric_limits<double>::infinity();
+  Vec3 impulse{0, 0, 0};  ///< N s; in: what it is, out: what it should be
+  Vec3 guess{0, 0, 0};    ///< N s: a change to begin with, say what the last step needed
+
+  // Filled by `solve_contacts`, m/(N s):
+  Mat3 response = Mat3::Zero();    ///< own 3 x 3 block
+  Mat3 give = Mat3::Zero();        ///< of that, what is elastic
+  double normal_response = 0;      ///< along the normal, compliance included
+  double push_most = 0;            ///< N s: with that pressed, nothing pushes any more
+  double tangential_response = 0;  ///< the larger one in the contact plane
+  double disk = 0;                 ///< N s: what friction may be in the sweeps at hand
+  double disk_change = 0;          ///< N s: by which it should have changed last
+  double disk_share = 1;           ///< how much of such a change is made
+};
+
+/// Sums up the ends of each row by body, and each body's E, given between its vertices, becomes
+/// that between the sides of its rows, one slot for all that have the same ends. Exact.
+void merge_ends(std::span<ContactRow> rows, std::span<RespondingBody> bodies);
+
+/// Displacement of side A against side B by what the bodies have got, m.
+Vec3 relative_displacement(const ContactRow& row, std::span<const RespondingBody> bodies,
+                           double step);
+
+/// Adds an impulse of a row to what its bodies have got. O(slots of the bodies).
+void add_impulse(const ContactRow& row, std::span<RespondingBody> bodies, const Vec3& impulse);
+
+/// Adds one impulse a row at once: one product with each E. O(slots^2 of each body).
+void add_impulses(std::span<const ContactRow> rows, std::span<RespondingBody> bodies,
+                  std::span<const Vec3> impulses);
+
+/// The row's own 3 x 3 response: `response`, and the elastic part of it, `give`.
+void set_own_response(ContactRow& row, std::span<const RespondingBody> bodies, double step);
+
+/// Nothing got yet.
+void set_to_rest(std::span<RespondingBody> bodies);
+
+}  // namespace sunder

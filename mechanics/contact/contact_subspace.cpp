@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: MIT
+// Preconditioned conjugate gradients on the contacts that press or stick.
+#include "mechanics/contact/contact_subspace.hpp"
+
+#include <Eigen/SparseCholesky>
+#include <algorithm>
+#include <utility>
+
+#include "mechanics/frame/rotation.hpp"
+
+namespace sunder {
+namespace {
+
+using Impulses = std::vector<Vec3>;
+using Twist = Eigen::Matrix<double, 6, 1>;
+using Arm = Eigen::Matrix<double, 3, 6>;  ///< from a twist of a body to motion at a row
+
+/// What of a row's impulse is free: a basis of it, columns orthonormal.
+struct Free {
+  Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, 3> basis{3, 0};
+  Mat3 inverse = Mat3::Zero();  ///< of D, on it
+};
+
+struct Subspace {
+  std::span<ContactRow> rows;
+  std::span<RespondingBody> bodies;
+  double step;
+  std::vector<Free> free;
+  std::vector<std::uint32_t> place;  ///< of bodies with rigid motions in the equations; or none
+  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factor;
+  int products = 0;
+};
+
+constexpr std::uint32_t none = 0xffffffffu;
+
+Vec3 within(const Free& free, const Vec3& v) { return free.basis * (free.basis.transpose() * v); }
+
+double dot(const Impulses& a, const Impulses& b) {
+  double sum = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) sum += a[k].dot(b[k]);
+  return sum;
+}
+
+/// m/(N s): of the contact itself, and of a push at work (`ContactRow::push`).
+double give_of(const ContactRow& row) {
+  const bool pushes = row.push > 0 && row.normal.dot(row.impulse) < row.push_most;
+  return row.compliance + (pushes ? row.push / row.push_most : 0);
+}
+
+/// Bounds of the normal impulse, so that a push at work stays one, and what presses more does.
+std::array<double, 2> bounds_of(const ContactRow& row) {
+  if (!(row.push > 0)) return {row.least, row.most};
+  return row.normal.dot(row.impulse) < row.push_most
+             ? std::array{row.least, std::min(row.most, row.push_most)}
+             : std::array{std::max(row.least, row.push_most), row.most};
+}
+
+/// Friction is free inside its disk, where a row slips not even along the rim: the next sweep turns
+/// it. The normal part is free off its bounds.
+Free free_part(const ContactRow& row, double rounding) {
+  Free free;
+  const Vec3& n = row.normal;
+  const double pressed = n.dot(row.impulse);
+  const bool presses =
+      row.normal_response > 0 && pressed > row.least + rounding && pressed < row.most - rounding;
+  const bool sticks = row.disk > 0 && row.tangential_response > 0 &&
+                      (row.impulse - pressed * n).norm() < (1 - 1e-9) * row.disk;
+  free.basis.resize(3, (presses ? 1 : 0) + (sticks ? 2 : 0));
+  if (presses) free.basis.col(0) = n;
+  if (sticks) {
+    const Vec3 u = n.unitOrthogonal();
+    free.basis.rightCols<2>() << u, n.cross(u);
+  }
+  if (free.basis.cols() == 0) return free;
+  // Contacts of rigid bodies give a little for the preconditioner's sake.
+  Mat3 give = row.give + give_of(row) * n * n.transpose();
+  give.diagonal().array() += 1e-4 * row.response.trace();
+  const Eigen::MatrixXd on_basis = free.basis.transpose() * give * free.basis;
+  free.inverse = free.basis * on_basis.inverse() * free.basis.transpose();
+  return free;
+}
+
+Arm arm_of(const RowSide& side) {
+  Arm arm;
+  arm.leftCols<3>() = side.weight * Mat3::Identity();
+  arm.rightCols<3>() = -cross_matrix(side.arm);
+  return arm;
+}
+
+bool is_rigid_side(const RowSide& side, const Subspace& s) {
+  return s.place[side.body] != none && (side.weight != 0 || !side.arm.isZero(0));
+}
+
+/// W^-1 + G^T D^-1 G of the bodies that free rows act on, factored.
+void factor_bodies(Subspace& s) {
+  s.place.assign(s.bodies.size(), none);
+  std::uint32_t count = 0;
+  std::vector<Eigen::Triplet<double>> entries;
+  const auto add = [&](std::uint32_t a, std::uint32_t b, const Eigen::Matrix<double, 6, 6>& block) {
+    for (int i = 0; i < 6; ++i) {
+      for (int j = 0; j < 6; ++j) {
+        if (a == b ? i >= j : a > b) {
+          entries.emplace_back(static_cast<int>(6 * a) + i, static_cast<int>(6 * b) + j,
+                               block(i, j));
+        }
+      }
+    }
+  };
+  for (std::size_t k = 0; k < s.rows.size(); ++k) {
+    if (s.free[k].basis.cols() == 0) continue;
+    for (std::uint32_t e = 0; e < s.rows[k].side_count; ++e) {
+      const std::uint32_t b = s.rows[k].sides[e].body;
+      if (s.place[b] != none || !(s.bodies[b].inverse_mass > 0)) continue;
+      s.place[b] = count;
+      Eigen::Matrix<double, 6, 6> inertia = Eigen::Matrix<double, 6, 6>::Zero();
+      inertia.topLeftCorner<3, 3>().diagonal().setConstant(1 / (s.step * s.bodies[b].inverse_mass));
+      inertia.bottomRightCorner<3, 3>() = s.bodies[b].inverse_inertia.inverse() / s.step;
+      add(count, count, inertia);
+      ++count;
+    }
+  }
+  for (std::size_t k = 0; k < s.rows.size(); ++k) {
+    if (s.free[k].basis.cols() == 0) continue;
+    const ContactRow& row = s.rows[k];
+    for (std::uint32_t a = 0; a < row.side_count; ++a) {
+      if (!is_rigid_side(row.sides[a], s)) continue;
+      const Eigen::Matrix<double, 6, 3> left = arm_of(row.sides[a]).transpose() * s.free[k].inverse;
+      for (std::uint32_t b = 0; b < row.side_count; ++b) {
+        if (!is_rigid_side(row.sides[b], s)) continue;
+        add(s.place[row.sides[a].body], s.place[row.sides[b].body], left * arm_of(row.sides[b]));
+      }
+    }
+  }
+  const auto size = static_cast<Eigen::Index>(6 * count);
+  Eigen::SparseMatrix<double> matrix(size, size);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  if (size > 0) s.factor.compute(matrix);
+}
+
+/// (D + G W G^T)^-1 on what is free.
+Impulses precondition(const Subspace& s, const Impulses& r) {
+  Impulses result(r.size(), Vec3::Zero());
+  Eigen::VectorXd twist = Eigen::VectorXd::Zero(s.factor.cols());
+  const auto each = [&](auto visit) {
+    for (std::size_t k = 0; k < r.size(); ++k) {
+      if (s.free[k].basis.cols() == 0) continue;
+      for (std::uint32_t e = 0; e < s.rows[k].side_count; ++e) {
+        const RowSide& side = s.rows[k].sides[e];
+        if (is_rigid_side(side, s)) visit(k, side, 6 * s.place[side.body]);
+      }
+    }
+  };
+  for (std::size_t k = 0; k < r.size(); ++k) result[k] = s.free[k].inverse * r[k];
+  if (twist.size() == 0) return result;
+  each([&](std::size_t k, const RowSide& side, std::uint32_t at) {
+    twist.segment<6>(at) += arm_of(side).transpose() * result[k];
+  });
+  const Eigen::VectorXd moved = s.factor.solve(twist);
+  Impulses back(r.size(), Vec3::Zero());
+  each([&](std::size_t k, const RowSide& side, std::uint32_t at) {
+    back[k] += arm_of(side) * moved.segment<6>(at);
+  });
+  for (std::size_t k = 0; k < r.size(); ++k) result[k] -= s.free[k].inverse * back[k];
+  return result;
+}
+
+/// The response to impulses, m; motions of the bodies stay.
+Impulses response_to(Subspace& s, const Impulses& impulses) {
+  ++s.products;
+  std::vector<BodyMotion> before(s.bodies.size());
+  for (std::size_t b = 0; b < before.size(); ++b) std::swap(before[b], s.bodies[b].motion);
+  set_to_rest(s.bodies);
+  add_impulses(s.rows, s.bodies, impulses);
+  Impulses moved(impulses.size());
+  for (std::size_t k = 0; k < moved.size(); ++k) {
+    const ContactRow& row = s.rows[k];
+    moved[k] = relative_displacement(row, s.bodies, s.step) +
+               give_of(row) * row.normal.dot(impulses[k]) * row.normal;
+  }
+  for (std::size_t b = 0; b < before.size(); ++b) std::swap(before[b], s.bodies[b].motion);
+  return moved;
+}
+
+/// Gradient of the energy: gap along the normal, slip across.
+Impulses gradient_of(const Subspace& s) {
+  Impulses gradient;
+  for (const ContactRow& row : s.rows) {
+    const Vec3& n = row.normal;
+    const Vec3 moved = relative_displacement(row, s.bodies, s.step);
+    const double pressed = n.dot(row.impulse);
+    const double push = row.push > 0 && pressed < row.push_most ? row.push : 0;
+    const double gap = row.gap - push + n.dot(moved) + give_of(row) * pressed;
+    const Vec3 total = row.slip + moved;
+    gradient.push_back(gap * n + total - n * n.dot(total));
+  }
+  return gradient;
+}
+
+/// Preconditioned conjugate gradients; where the energy is least on what is free.
+Impulses least_energy(Subspace& s, const Impulses& gradient, int most) {
+  Impulses found(gradient.size(), Vec3::Zero()), residual(gradient.size());
+  for (std::size_t k = 0; k < residual.size(); ++k) residual[k] = -within(s.free[k], gradient[k]);
+  Impulses z = precondition(s, residual), direction = z;
+  double rz = dot(residual, z);
+  // The sweeps after it find what else is free: a thousandth of the error is enough.
+  const double enough = 1e-6 * rz;
+  while (rz > enough && s.products < most) {
+    const Impulses moved = response_to(s, direction);
+    const double curvature = dot(direction, moved);
+    if (!(curvature > 0)) break;
+    const double length = rz / curvature;
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      found[k] += length * direction[k];
+      residual[k] -= length * within(s.free[k], moved[k]);
+    }
+    z = precondition(s, residual);
+    const double before = std::exchange(rz, dot(residual, z));
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      direction[k] = z[k] + rz / before * direction[k];
+    }
+  }
+  return found;
+}
+
+/// The impulse inside its bounds that is nearest.
+Vec3 inside_bounds(const ContactRow& row, const Vec3& impulse) {
+  const auto [least, most] = bounds_of(row);
+  const double pressed = row.normal.dot(impulse);
+  Vec3 friction = impulse - pressed * row.normal;
+  const double length = friction.norm();
+  if (length > row.disk) friction *= row.disk / length;
+  return std::clamp(pressed, least, most) * row.normal + friction;
+}
+
+/// Takes back, from the bodies too, what the bounds as they are now do not allow: disks have
+/// shrunk.
+void keep_bounds(const Subspace& s) {
+  Impulses back;
+  for (ContactRow& row : s.rows) {
+    const Vec3 kept = inside_bounds(row, row.impulse);
+    back.push_back(kept - row.impulse);
+    row.impulse = kept;
+  }
+  add_impulses(s.rows, s.bodies, back);
+}
+
+/// How far one may go before the first bound, in [0, 1].
+double first_bound(const Subspace& s, const Impulses& change) {
+  double most = 1;
+  for (std::size_t k = 0; k < change.size(); ++k) {
+    const ContactRow& row = s.rows[k];
+    if (change[k].isZero(0)) continue;
+    const double pressed = row.normal.dot(row.impulse), by = row.normal.dot(change[k]);
+    const auto [lowest, highest] = bounds_of(row);
+    if (by < 0) most = std::min(most, (lowest - pressed) / by);
+    if (by > 0) most = std::min(most, (highest - pressed) / by);
+    const Vec3 t = row.impulse - pressed * row.normal, d = change[k] - by * row.normal;
+    const double dd = d.squaredNorm(), td = t.dot(d), left = row.disk * row.disk - t.squaredNorm();
+    if (dd > 0 && left > 0) {
+      most = std::min(most, (std::sqrt(td * td + dd * left) - td) / dd);
+    }
+  }
+  return std::max(0.0, most);
+}
+
+}  // namespace
+
+int solve_subspace(std::span<ContactRow> rows, std::span<RespondingBody> bodies, double step,
+                   int most) {
+  Subspace s{rows, bodies, step, {}, {}, {}, 0};
+  keep_bounds(s);
+  double largest = 0;
+  for (const ContactRow& row : rows) largest = std::max(largest, row.impulse.norm());
+  for (const ContactRow& row : rows) s.free.push_back(free_part(row, 1e-12 * largest));
+  factor_bodies(s);
+  if (s.factor.cols() > 0 && s.factor.info() != Eigen::Success) return 0;
+  const Impulses gradient = gradient_of(s);
+  Impulses change = least_energy(s, gradient, most - 1);
+  // All the way, back to the bounds, if that is lower; else to the first bound.
+  Impulses bounded(change.size());
+  for (std::size_t k = 0; k < change.size(); ++k) {
+    bounded[k] = inside_bounds(rows[k], rows[k].impulse + change[k]) - rows[k].impulse;
+  }
+  const double energy = dot(bounded, gradient) + 0.5 * dot(bounded, response_to(s, bounded));
+  if (energy < 0) {
+    change = bounded;
+  } else {
+    const double share = first_bound(s, change);
+    for (Vec3& c : change) c *= share;
+  }
+  add_impulses(rows, bodies, change);
+  for (std::size_t k = 0; k < change.size(); ++k) {
+    rows[k].impulse = inside_bounds(rows[k], rows[k].impulse + change[k]);
+  }
+  return s.products;
+}
+
+}  // namespace sunder
