@@ -5,22 +5,22 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "mechanics/state/vec3.hpp"
+#include "mechanics/element/strain_displacement.hpp"
 
 namespace sunder {
 namespace {
 
 double inradius(const VolumeMap& map, TetId t) {
-  const auto at = [&](int corner) -> Vec3 {
-    const Point& p = map.point(map.corners()[t.index()][static_cast<std::size_t>(corner)]);
-    return {p[0], p[1], p[2]};
-  };
-  double area = 0;
-  for (const auto& c : dart_order::face_corners) {
-    area += 0.5 * (at(c[1]) - at(c[0])).cross(at(c[2]) - at(c[0])).norm();
+  std::array<Vec3, 4> at;
+  for (std::size_t corner = 0; corner < 4; ++corner) {
+    const Point& p = map.point(map.corners()[t.index()][corner]);
+    at[corner] = {p[0], p[1], p[2]};
   }
-  const double volume = (at(1) - at(0)).cross(at(2) - at(0)).dot(at(3) - at(0)) / 6;
-  return 3 * std::abs(volume) / area;
+  double area = 0;
+  for (const auto& [a, b, c] : dart_order::face_corners) {
+    area += 0.5 * (at[b] - at[a]).cross(at[c] - at[a]).norm();
+  }
+  return 3 * std::abs(tetrahedron_volume(at)) / area;
 }
 
 Partner partner_of(const VolumeMap& map, HalfFaceId face, HalfFaceId opposite) {

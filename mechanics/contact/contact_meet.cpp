@@ -76,19 +76,6 @@ void take_spanning_sets(ContactStep& step) {
   }
 }
 
-/// The components that a contact acts on; null where a side is none.
-std::array<Component*, 2> sides_of(const ContactStep& step, const ContactPoint& contact) {
-  MechanicsState& state = step.pass.state;
-  std::array<Component*, 2> sides{};
-  if (contact.ball == ContactPoint::none) {
-    sides[0] = &state.components[state.vertices.component[contact.vertex.index()].index()];
-  }
-  if (contact.obstacle == ContactPoint::none) {
-    sides[1] = &state.components[state.elements.component[contact.tetrahedron.index()].index()];
-  }
-  return sides;
-}
-
 /// Whether two sides meet so fast that it is a blow for one of them. A crack that closes within one
 /// component brings it nothing that it did not have.
 bool is_blow_for_a_side(const ContactStep& step, const ContactPoint& contact, double speed,
@@ -206,6 +193,18 @@ void leave_alone(ContactStep& step) {
 
 }  // namespace
 
+std::array<Component*, 2> sides_of(const ContactStep& step, const ContactPoint& contact) {
+  MechanicsState& state = step.pass.state;
+  std::array<Component*, 2> sides{};
+  if (contact.ball == ContactPoint::none) {
+    sides[0] = &state.components[state.vertices.component[contact.vertex.index()].index()];
+  }
+  if (contact.obstacle == ContactPoint::none) {
+    sides[1] = &state.components[state.elements.component[contact.tetrahedron.index()].index()];
+  }
+  return sides;
+}
+
 Vec3 relative_shift(const ContactStep& step, const ContactPoint& contact) {
   const MechanicsState& state = step.pass.state;
   const bool is_ball = contact.ball != ContactPoint::none;
@@ -284,6 +283,7 @@ double find_new_contacts(ContactStep& step, double deepest) {
     if (gap_error < -rounding_of(path, contact)) deepest = std::max(deepest, -gap_error);
     found.order.push_back(k);
   }
+  if (deepest == 0) return 0;
   // Of crack faces, which are many, only what would overlap.
   std::erase_if(found.order, [&](std::uint32_t k) {
     return !(found.found_gap[k] <= (found.found[k].face.is_none() ? deepest : 0));

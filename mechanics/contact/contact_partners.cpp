@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <tuple>
 
-#include "mechanics/contact/nearest_point.hpp"
 #include "topology/base/sort_unique.hpp"
 
 namespace sunder {
@@ -84,7 +84,7 @@ std::vector<Facing> facing_corners(const ContactMemory& memory, const StepPaths&
 
 /// Of corners with the same two vertices: one for all that lie in one plane, with their areas.
 void merge_planes(std::vector<Facing>& all) {
-  const double one_plane = std::cos(10 * 3.14159265358979 / 180);
+  const double one_plane = std::cos(10 * std::numbers::pi / 180);
   std::size_t kept = 0, first = 0;
   for (const Facing& corner : all) {
     if (kept > 0 && (all[kept - 1].a != corner.a || all[kept - 1].b != corner.b)) first = kept;
@@ -104,12 +104,9 @@ void merge_planes(std::vector<Facing>& all) {
 
 /// Where the impulse acts on B: its vertex; of a rigid tetrahedron the place of A.
 std::array<double, 4> weights_of(const Facing& corner, const StepPaths& paths) {
-  const std::vector<Vec3>& x = paths.state.vertices.position;
-  const Corners& c = paths.corners[corner.tetrahedron.index()];
   const ComponentId id = paths.state.elements.component[corner.tetrahedron.index()];
   if (paths.state.components[id.index()].isolated) {
-    return affine_weights({x[c[0].index()], x[c[1].index()], x[c[2].index()], x[c[3].index()]},
-                          x[corner.a.index()]);
+    return weights_at(0, {corner.tetrahedron, corner.a}, paths);
   }
   std::array<double, 4> weights{};
   weights[corner.corner] = 1;

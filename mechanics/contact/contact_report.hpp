@@ -21,8 +21,8 @@ struct ContactReport {
   double tolerated = 0;          ///< m, `ContactSettings::tolerance` as a length
   bool converged = true;         ///< residual <= tolerated in the sweeps of every pass
   double deepest = 0;            ///< m, deepest overlap at the end of the step, >= 0
-  /// Contacts that were not solved for, over `max_contacts_per_pair` or met after the last pass, and
-  /// end deeper than they may.
+  /// Contacts that were not solved for, over `max_contacts_per_pair` or met after the last pass,
+  /// and end deeper than they may.
   std::uint64_t left_out = 0;
   /// N s, one an obstacle: the impulse it gave to the bodies and balls it touched. Empty in a step
   /// without contact.

@@ -176,7 +176,10 @@ void set_own_response(ContactRow& row, std::span<const RespondingBody> bodies, d
 
 void set_to_rest(std::span<RespondingBody> bodies) {
   for (RespondingBody& body : bodies) {
-    body.motion = {};
+    for (Vec3* part :
+         {&body.motion.velocity, &body.motion.spin, &body.motion.impulse, &body.motion.moment}) {
+      part->setZero();
+    }
     body.motion.displacement.setZero(body.elastic.rows());
   }
 }

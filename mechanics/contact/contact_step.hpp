@@ -49,6 +49,10 @@ inline double strength_of(const ContactStep& step, ComponentId id) {
   return step.pass.input.part.strength[id.index()];
 }
 
+/// The components that a contact acts on; null where a side is none. Both are the same where a
+/// crack closes within one component.
+std::array<Component*, 2> sides_of(const ContactStep& step, const ContactPoint& contact);
+
 /// Paths through the step as it is predicted now.
 StepPaths paths_of(const ContactStep& step);
 

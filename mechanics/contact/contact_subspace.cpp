@@ -28,6 +28,7 @@ struct Subspace {
   std::vector<Free> free;
   std::vector<std::uint32_t> place;  ///< of bodies with rigid motions in the equations; or none
   Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factor;
+  std::vector<BodyMotion> spare;  ///< |bodies|, whose room each product takes
   int products = 0;
 };
 
@@ -167,8 +168,10 @@ Impulses precondition(const Subspace& s, const Impulses& r) {
 /// The response to impulses, m; motions of the bodies stay.
 Impulses response_to(Subspace& s, const Impulses& impulses) {
   ++s.products;
-  std::vector<BodyMotion> before(s.bodies.size());
-  for (std::size_t b = 0; b < before.size(); ++b) std::swap(before[b], s.bodies[b].motion);
+  const auto swap_motions = [&] {
+    for (std::size_t b = 0; b < s.spare.size(); ++b) std::swap(s.spare[b], s.bodies[b].motion);
+  };
+  swap_motions();
   set_to_rest(s.bodies);
   add_impulses(s.rows, s.bodies, impulses);
   Impulses moved(impulses.size());
@@ -177,7 +180,7 @@ Impulses response_to(Subspace& s, const Impulses& impulses) {
     moved[k] = relative_displacement(row, s.bodies, s.step) +
                give_of(row) * row.normal.dot(impulses[k]) * row.normal;
   }
-  for (std::size_t b = 0; b < before.size(); ++b) std::swap(before[b], s.bodies[b].motion);
+  swap_motions();
   return moved;
 }
 
@@ -267,7 +270,7 @@ double first_bound(const Subspace& s, const Impulses& change) {
 
 int solve_subspace(std::span<ContactRow> rows, std::span<RespondingBody> bodies, double step,
                    int most) {
-  Subspace s{rows, bodies, step, {}, {}, {}, 0};
+  Subspace s{rows, bodies, step, {}, {}, {}, std::vector<BodyMotion>(bodies.size()), 0};
   keep_bounds(s);
   double largest = 0;
   for (const ContactRow& row : rows) largest = std::max(largest, row.impulse.norm());

@@ -84,32 +84,19 @@ Vec3 velocity_of_side_a(const ContactStep& step, const ContactPoint& contact) {
   return step.pass.state.vertices.velocity[contact.vertex.index()];
 }
 
-/// Whether a contact closes a crack within one component.
-bool within_one(const MechanicsState& state, const ContactPoint& contact) {
-  return contact.ball == ContactPoint::none && contact.obstacle == ContactPoint::none &&
-         state.vertices.component[contact.vertex.index()] ==
-             state.elements.component[contact.tetrahedron.index()];
-}
-
 /// Row = ComponentId; cracks that close within it left out.
 std::vector<Touch> strongest_touches(const ContactStep& step) {
-  const MechanicsState& state = step.pass.state;
-  std::vector<Touch> touches(state.components.size());
+  std::vector<Touch> touches(step.pass.state.components.size());
   const auto see = [&](ComponentId id, const ContactPoint& contact, const Vec3& against) {
     Touch& touch = touches[id.index()];
     const double impulse = contact.impulse.norm();
     if (impulse > touch.impulse) touch = {impulse, contact.normal, against};
   };
   for (const ContactPoint& contact : step.contacts) {
-    if (within_one(state, contact)) continue;
-    if (contact.ball == ContactPoint::none) {
-      see(state.vertices.component[contact.vertex.index()], contact,
-          velocity_of_side_b(step, contact));
-    }
-    if (contact.obstacle == ContactPoint::none) {
-      see(state.elements.component[contact.tetrahedron.index()], contact,
-          velocity_of_side_a(step, contact));
-    }
+    const std::array<Component*, 2> sides = sides_of(step, contact);
+    if (sides[0] == sides[1]) continue;
+    if (sides[0]) see(sides[0]->id, contact, velocity_of_side_b(step, contact));
+    if (sides[1]) see(sides[1]->id, contact, velocity_of_side_a(step, contact));
   }
   return touches;
 }

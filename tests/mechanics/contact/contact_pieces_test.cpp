@@ -4,8 +4,9 @@
 #include <cmath>
 #include <random>
 
+#include "mechanics/contact/contact_detect.hpp"
 #include "mechanics/state/living.hpp"
-#include "tests/mechanics/contact/contact_scene.hpp"
+#include "tests/mechanics/contact/cut_block.hpp"
 
 using namespace sunder;
 using namespace sunder::test;
@@ -23,26 +24,13 @@ ContactScene scene_of(const SeveralBodies& all, double young_modulus, double tim
   return scene;
 }
 
-/// Cuts a block at x = `plane`: doubles the vertices there and gives the right side a new id.
+/// Cuts a block at x = `plane` and gives the right side a new id.
 void cut(ContactScene& scene, double plane) {
-  const std::size_t before = scene.state.vertices.size();
-  std::vector<VertexId> copy(before);
-  for (std::size_t t = 0; t < scene.body.corners.size(); ++t) {
-    Corners& corners = scene.body.corners[t];
-    double middle = 0;
-    for (VertexId v : corners) {
-      middle += 0.25 * scene.state.vertices.rest_position[v.index()].x();
-    }
-    if (middle < plane) continue;
-    scene.state.elements.component[t] = ComponentId{1};
-    for (VertexId& v : corners) {
-      if (std::abs(scene.state.vertices.rest_position[v.index()].x() - plane) > 1e-9) continue;
-      if (copy[v.index()].is_none()) copy[v.index()] = append_copy(scene.state.vertices, v);
-      v = copy[v.index()];
-    }
+  std::vector<bool> right;
+  for (const Corners& corners : scene.body.corners) {
+    right.push_back(!(centre_of(corners, scene.state.vertices.rest_position).x() < plane));
   }
-  const std::vector<ComponentId> touched = {ComponentId{0}, ComponentId{1}};
-  rebuild(scene.state, scene.body.corners, touched, scene.mechanics);
+  part(scene.state, scene.body, right, true, scene.mechanics);
 }
 
 }  // namespace
