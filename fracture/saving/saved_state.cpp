@@ -65,12 +65,11 @@ constexpr int member_count(const FactorBorder*) { return 2; }
 constexpr int member_count(const FactorBorder::Column*) { return 4; }
 constexpr int member_count(const BorderFactor::Block*) { return 3; }
 // Of all else that evolves.
-constexpr int member_count(const ContactMemory*) { return 5; }
+constexpr int member_count(const ContactMemory*) { return 2; }
 constexpr int member_count(const Partner*) { return 5; }
-constexpr int member_count(const ContactMemory::Allowance*) { return 2; }
 constexpr int member_count(const ContactMemory::Remembered*) { return 2; }
 constexpr int member_count(const SpherePair*) { return 2; }
-constexpr int member_count(const ContactPoint*) { return 11; }
+constexpr int member_count(const ContactPoint*) { return 12; }
 constexpr int member_count(const ImpactWindow*) { return 2; }
 constexpr int member_count(const LadderState*) { return 1; }
 constexpr int member_count(const Pose*) { return 2; }

@@ -31,6 +31,7 @@ ContactStepResult take_part(StepReport& report, SimulationState& s, const PartIn
                         .settings = settings,
                         .part = part.plan.part,
                         .members = part.members,
+                        .neighbours = s.cells.map.neighbours(),
                         .measures_strain = part.scene.energy_ledger,
                         .threads = part.threads,
                         .hurry = part.hurry};

@@ -22,7 +22,7 @@ StepPaths paths_of(const ContactStep& step) {
   const MechanicsScratch::Predicted& predicted = step.pass.mechanics.predicted;
   return {step.pass.state, step.pass.input.corners, predicted.position,
           predicted.frame, step.pass.obstacles,     step.scratch.ball_end,
-          step.h(),        step.pass.input.members};
+          step.h(),        step.pass.input.members, step.pass.input.neighbours};
 }
 
 double target_gap(const ContactPoint& contact) { return std::min(0.0, contact.gap_start); }
@@ -314,7 +314,6 @@ ContactStepResult advance_with_contact(const ContactWorld& world, const StepInpu
     predict_balls(step);
   } else {
     update_partners(world.memory, step.scratch.detect, paths_of(step));
-    update_allowances(world.memory, step.scratch.detect, paths_of(step), step.settings);
     result.adopted = resolve(step);
   }
   if (result.adopted) {

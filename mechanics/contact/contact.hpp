@@ -20,9 +20,9 @@
 namespace sunder {
 
 /// One unilateral contact with friction. Side A is a vertex or a ball; side B an obstacle (driven
-/// or a ball), the ball of a tetrahedron, or the vertex of it that was one with A before a crack
-/// (`Partner`). What B gets acts at the place of A, so that no angular momentum is lost, and is
-/// shared among the corners by `weights`.
+/// or a ball), a face of a tetrahedron (its ball for `penalty`), or the vertex of it that was one
+/// with A before a crack (`Partner`). What B gets acts at the place of A, so that no angular
+/// momentum is lost, and is shared among the corners by `weights`.
 struct ContactPoint {
   static constexpr std::uint32_t none = 0xffffffffu;
   VertexId vertex;                ///< A, or
@@ -31,6 +31,7 @@ struct ContactPoint {
   std::uint32_t obstacle = none;  ///< B: row of an obstacle
   /// Of partners: the lowest crack face of A's side that the contact stands for; none() otherwise.
   HalfFaceId face;
+  std::uint8_t place = 0;  ///< of the face of the tetrahedron that is met
   /// Of the corners of B, in the point of the tetrahedron that is nearest to A as they touch.
   std::array<double, 4> weights = {0.25, 0.25, 0.25, 0.25};
   Vec3 normal{0, 0, 1};  ///< from B to A
@@ -44,13 +45,6 @@ struct ContactPoint {
 
 /// What contact must remember from step to step; part of the saved state.
 struct ContactMemory {
-  /// Overlap that a (tetrahedron, vertex) pair may keep, m: the one it had when its components
-  /// first differed, shrunk since to the least it has had. Sorted by pair.
-  struct Allowance {
-    SpherePair pair;
-    double overlap = 0;
-  };
-  std::vector<Allowance> allowances;
   /// A contact with the impulse that it last had, and the length of that step, s.
   struct Remembered {
     ContactPoint contact;
@@ -61,8 +55,6 @@ struct ContactMemory {
   /// Crack faces that still face each other, in the order in which they came apart. Whoever unsews
   /// a face adds it.
   std::vector<Partner> partners;
-  /// Components as the last step saw them; that is how a separation is noticed.
-  std::vector<ComponentId> vertex_component, tetrahedron_component;
 };
 
 /// Scratch of one step, kept for the next; all of it may be thrown away between steps.
@@ -123,9 +115,9 @@ struct ContactStepResult {
 /// tetrahedron of another component, as the step begins gets the impulse
 ///   h (k depth - c v_n) n >= 0 at its start, and against the slip h min(c |v_t|, mu f_n);
 /// balls likewise. Needs: whole steps of everything, without `StepPart::impact`.
-/// Limits: pieces are balls of tetrahedra and meet early or late (`ball_share`); a ball smaller
-/// than a face can enter between its vertices; pieces that pass each other by more than two radii
-/// in a step can miss. An outcome other than fine: see `adopt`.
+/// Limits: corners move on straight lines through the step; a free sphere smaller than a face can
+/// enter between its vertices; pieces that pass each other by more than two radii of their
+/// tetrahedra in a step can miss. An outcome other than fine: see `adopt`.
 ContactStepResult advance_with_contact(const ContactWorld& world, const StepInput& input,
                                        const ContactSettings& settings,
                                        const ContactStepScratch& scratch);

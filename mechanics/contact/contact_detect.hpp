@@ -8,6 +8,7 @@
 
 #include "mechanics/contact/contact.hpp"
 #include "mechanics/contact/contact_pairs.hpp"
+#include "mechanics/contact/piece_surface.hpp"
 
 namespace sunder {
 
@@ -21,10 +22,10 @@ struct DetectScratch {
   std::vector<double> radius, reach;
   double ball_share = 0;           ///< what `radius` was measured with
   std::vector<Vec3> point_middle;  ///< |V|
-  std::vector<ContactMemory::Allowance> allowances;
+  PieceSurface surface;
   std::vector<std::pair<VertexId, VertexId>> facing;  ///< of partners, both ways, sorted
-  std::vector<ContactPoint> found, deepest;
-  std::vector<double> found_gap, deepest_gap;  ///< m, end of the step, in the tangent plane
+  std::vector<ContactPoint> found;
+  std::vector<double> found_gap;  ///< m, end of the step, in the tangent plane
   std::vector<std::uint32_t> order, taken;
 };
 
@@ -37,18 +38,33 @@ struct StepPaths {
   std::span<const Obstacle> obstacles;
   std::span<const Vec3> ball_end;  ///< row = obstacle: centre of a free sphere at the end
   double time_step;
-  StepMembers members = {};  ///< only they meet
+  StepMembers members = {};                                    ///< only they meet
+  std::span<const std::array<HalfFaceId, 4>> neighbours = {};  ///< `StepInput::neighbours`
+
+  const Vec3& at_start(VertexId v) const { return state.vertices.position[v.index()]; }
+  /// Where a vertex is when it has gone a part of its way, on a straight line, m.
+  Vec3 at(VertexId v, double part) const {
+    return (1 - part) * state.vertices.position[v.index()] + part * predicted[v.index()];
+  }
 };
 
 /// Mean of a tetrahedron's four positions.
 Vec3 centre_of(const Corners& corners, std::span<const Vec3> position);
 
+/// A tetrahedron's four positions at the start.
+std::array<Vec3, 4> places_of(const Corners& corners, const StepPaths& paths);
+
 /// Centres of the tetrahedra at the start, and their balls: `share` of the bounding balls at rest.
 void measure_balls(DetectScratch& scratch, const StepPaths& paths, double share);
 
-/// The point of the tetrahedron that the vertex touches when both have gone a part of their way; of
-/// a rigid one the place of the vertex itself as the step begins.
-std::array<double, 4> weights_at(double part, const SpherePair& pair, const StepPaths& paths);
+/// Every vertex whose path comes within a tetrahedron's ball of its centre's, into `scratch.pairs`.
+/// Needs: `measure_balls`.
+void pair_up(DetectScratch& scratch, const StepPaths& paths);
+
+/// A contact's weights from those of the point of its tetrahedron that is touched: these, but of a
+/// rigid one the place of side A itself as the step begins.
+std::array<double, 4> weights_on(const ContactPoint& contact, const std::array<double, 4>& touched,
+                                 const StepPaths& paths);
 
 /// Weighted sum of a tetrahedron's four positions or velocities.
 Vec3 weighted_sum(const Corners& corners, const std::array<double, 4>& weights,
@@ -80,16 +96,9 @@ struct Meeting {
 };
 Meeting meeting_of(const ContactPoint& contact, const StepPaths& paths);
 
-/// Notices which (tetrahedron, vertex) pairs overlap, now that the step begins, and shrinks what
-/// they are allowed; pairs whose components were one at the last call are allowed what they have,
-/// and so are those of partners (`update_partners` comes first).
-/// The first call allows everything that is there: bodies that a user puts beside one another.
-void update_allowances(ContactMemory& memory, DetectScratch& scratch, const StepPaths& paths,
-                       const ContactSettings& settings);
-
 /// All contacts whose path ends nearer to the tangent plane than it is long, into `scratch.found`,
-/// in the order: vertices by obstacle, balls, partners, pieces by vertex; of the tetrahedra of one
-/// component only the deepest for each vertex. `settings` gives the friction.
+/// in the order: vertices by obstacle, balls, partners, pieces by vertex.
+/// `settings` gives the friction.
 void find_contacts(DetectScratch& scratch, const ContactMemory& memory, const StepPaths& paths,
                    const ContactSettings& settings);
 

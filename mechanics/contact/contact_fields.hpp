@@ -92,8 +92,8 @@ void describe(V& v, ContactSettings& c) {
           c.between_pieces);
   v.field(Key{"ball_share",
               "",
-              "Radius of the ball that stands for a tetrahedron between pieces, as a share of its "
-              "bounding ball's; 1 is the paper's",
+              "penalty: radius of the ball that stands for a tetrahedron between pieces, as a share "
+              "of its bounding ball's; 1 is the paper's",
               {.low = 0, .high = 1, .without_low = true}},
           c.ball_share);
   v.field(Key{"max_iterations", "", "impulses: sweeps of projected Gauss-Seidel in a pass",

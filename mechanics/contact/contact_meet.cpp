@@ -208,7 +208,7 @@ std::array<Component*, 2> sides_of(const ContactStep& step, const ContactPoint& 
 Vec3 relative_shift(const ContactStep& step, const ContactPoint& contact) {
   const MechanicsState& state = step.pass.state;
   const bool is_ball = contact.ball != ContactPoint::none;
-  const Vec3 place = is_ball ? Vec3::Zero() : state.vertices.position[contact.vertex.index()];
+  const Vec3 place = is_ball ? Vec3(Vec3::Zero()) : state.vertices.position[contact.vertex.index()];
   Vec3 shift = is_ball
                    ? weight_shift_of_ball(step, contact.ball)
                    : weight_shift(step, state.vertices.component[contact.vertex.index()], place);

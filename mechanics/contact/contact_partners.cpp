@@ -103,14 +103,11 @@ void merge_planes(std::vector<Facing>& all) {
 }
 
 /// Where the impulse acts on B: its vertex; of a rigid tetrahedron the place of A.
-std::array<double, 4> weights_of(const Facing& corner, const StepPaths& paths) {
-  const ComponentId id = paths.state.elements.component[corner.tetrahedron.index()];
-  if (paths.state.components[id.index()].isolated) {
-    return weights_at(0, {corner.tetrahedron, corner.a}, paths);
-  }
+std::array<double, 4> weights_of(const ContactPoint& contact, std::uint8_t corner,
+                                 const StepPaths& paths) {
   std::array<double, 4> weights{};
-  weights[corner.corner] = 1;
-  return weights;
+  weights[corner] = 1;
+  return weights_on(contact, weights, paths);
 }
 
 }  // namespace
@@ -152,7 +149,7 @@ void find_between_partners(DetectScratch& scratch, const ContactMemory& memory,
     contact.vertex = corner.a;
     contact.tetrahedron = corner.tetrahedron;
     contact.face = corner.face;
-    contact.weights = weights_of(corner, paths);
+    contact.weights = weights_of(contact, corner.corner, paths);
     contact.friction = settings.friction;
     contact.normal = corner.area.normalized();
     contact.gap_start = contact.normal.dot(x[corner.a.index()] - x[corner.b.index()]);

@@ -11,7 +11,7 @@ namespace sunder {
 /// is forgotten: nothing else keeps a crack from closing through itself. O(partners).
 void update_partners(ContactMemory& memory, DetectScratch& scratch, const StepPaths& paths);
 
-/// Whether a vertex faces a corner of a tetrahedron: then its ball does not concern it.
+/// Whether a vertex faces a corner of a tetrahedron: then their contact is that of partners.
 bool faces(const DetectScratch& scratch, const SpherePair& pair, std::span<const Corners> corners);
 
 /// Appends the contacts of partners to `scratch.found`, sorted by vertices, then face: the gap of

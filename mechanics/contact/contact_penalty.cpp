@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mechanics/contact/contact_step.hpp"
+#include "mechanics/contact/nearest_point.hpp"
 #include "mechanics/contact/obstacle_geometry.hpp"
 #include "topology/base/assert.hpp"
 
@@ -60,13 +61,13 @@ void find_between_pieces(ContactStep& step) {
                      detect.radius, state.elements.component});
   for (const SpherePair& pair : detect.pairs) {
     const std::size_t t = pair.tetrahedron.index();
-    add_overlap(step,
-                {.vertex = pair.vertex,
-                 .tetrahedron = pair.tetrahedron,
-                 .weights = weights_at(0, pair, paths),
-                 .friction = step.settings.friction},
-                surface_distance(Sphere{detect.centre_start[t], detect.radius[t]},
-                                 state.vertices.position[pair.vertex.index()]));
+    const Vec3& place = state.vertices.position[pair.vertex.index()];
+    ContactPoint contact{.vertex = pair.vertex, .tetrahedron = pair.tetrahedron};
+    contact.weights =
+        weights_on(contact, nearest_point(places_of(paths.corners[t], paths), place), paths);
+    contact.friction = step.settings.friction;
+    add_overlap(step, contact,
+                surface_distance(Sphere{detect.centre_start[t], detect.radius[t]}, place));
   }
 }
 

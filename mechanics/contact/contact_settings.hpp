@@ -13,7 +13,7 @@ enum class ContactMethod {
 };
 
 /// What a user chooses about contact. `penalty` takes of it `friction`, `between_pieces`,
-/// `ball_share` and what bears its name.
+/// `ball_share`, which it alone takes, and what bears its name.
 struct ContactSettings {
   ContactMethod method = ContactMethod::impulses;
   /// N/m, > 0, of the spring of one vertex on one obstacle or ball.
@@ -34,10 +34,10 @@ struct ContactSettings {
   double allowed_penetration = 1e-5;
   /// Whether pieces collide with each other; with obstacles they always do.
   bool between_pieces = true;
-  /// Radius of a tetrahedron's ball as a share of its bounding ball's, in (0, 1]. At 1 (the
-  /// paper's) the balls of crack faces interlock: a vertex cannot slide past the centres beside it,
-  /// and wedged chips are squeezed without end. At 0.5 (1/3 is inscribed, in a regular tetrahedron)
-  /// pieces slide, and touch a little late.
+  /// penalty: radius of a tetrahedron's ball as a share of its bounding ball's, in (0, 1]. At 1
+  /// (the paper's) the balls of crack faces interlock: a vertex cannot slide past the centres beside
+  /// it, and wedged chips are squeezed without end. At 0.5 (1/3 is inscribed, in a regular
+  /// tetrahedron) pieces slide, and touch a little late.
   double ball_share = 0.5;
   /// Sweeps of projected Gauss-Seidel in a pass.
   int max_iterations = 200;

@@ -12,9 +12,10 @@
 namespace sunder {
 
 /// What tells contacts apart.
-using ContactKey = std::tuple<std::uint32_t, VertexId, std::uint32_t, TetId, HalfFaceId>;
+using ContactKey =
+    std::tuple<std::uint32_t, VertexId, std::uint32_t, TetId, HalfFaceId, std::uint8_t>;
 inline ContactKey key_of(const ContactPoint& c) {
-  return {c.ball, c.vertex, c.obstacle, c.tetrahedron, c.face};
+  return {c.ball, c.vertex, c.obstacle, c.tetrahedron, c.face, c.place};
 }
 
 struct ContactScratch::Buffers {

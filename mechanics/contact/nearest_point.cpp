@@ -61,8 +61,9 @@ void try_inside_of_triangle(Nearest& nearest, std::size_t i, std::size_t j, std:
   nearest.attempt(weights);
 }
 
-/// Not numbers in a flat one.
-Weights barycentric(const Corners4& corners, const Vec3& x) {
+}  // namespace
+
+std::array<double, 4> barycentric(const std::array<Vec3, 4>& corners, const Vec3& x) {
   const Vec3 a = corners[1] - corners[0], b = corners[2] - corners[0], c = corners[3] - corners[0];
   const Vec3 p = x - corners[0];
   const double volume = a.cross(b).dot(c);
@@ -70,8 +71,6 @@ Weights barycentric(const Corners4& corners, const Vec3& x) {
                w = a.cross(b).dot(p) / volume;
   return {1 - u - v - w, u, v, w};
 }
-
-}  // namespace
 
 std::array<double, 4> nearest_point(const std::array<Vec3, 4>& corners, const Vec3& x) {
   const Weights inside = barycentric(corners, x);

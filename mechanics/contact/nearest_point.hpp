@@ -13,6 +13,10 @@ namespace sunder {
 /// faces; of corners that coincide one has all.
 std::array<double, 4> nearest_point(const std::array<Vec3, 4>& corners, const Vec3& x);
 
+/// Shares of the corners in `x` (m), of any size and sign with sum 1; not numbers in a flat
+/// tetrahedron.
+std::array<double, 4> barycentric(const std::array<Vec3, 4>& corners, const Vec3& x);
+
 /// Shares of the corners in `x` (m) itself, of any size and sign with sum 1: it moves with a rigid
 /// tetrahedron as a point fast to it. One that is flat to rounding gives its nearest point.
 std::array<double, 4> affine_weights(const std::array<Vec3, 4>& corners, const Vec3& x);

@@ -2,6 +2,7 @@
 // What a step is given beside the state: loads, settings, which part of a step, and what it moves.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <span>
 #include <vector>
@@ -61,6 +62,9 @@ struct StepInput {
   const IntegratorSettings& settings;
   StepPart part = {};
   StepMembers members = {};
+  /// |T|: the half-face beyond each face, by its place, or none(): the surface that contact between
+  /// pieces goes by. Needed where there are several components and contact.
+  std::span<const std::array<HalfFaceId, 4>> neighbours = {};
   /// Whether `Component::strain_change` is wanted.
   bool measures_strain = false;
   /// Threads that factors and columns of the inverse are made on. Results are the same bytes for

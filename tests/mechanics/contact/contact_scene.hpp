@@ -2,6 +2,10 @@
 // A body among obstacles with everything a step with contact needs, for tests.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <map>
+#include <span>
 #include <vector>
 
 #include "mechanics/contact/contact.hpp"
@@ -10,6 +14,29 @@
 #include "tests/support/bodies.hpp"
 
 namespace sunder::test {
+
+/// The half-face beyond each face: two faces with the same corners are one.
+inline std::vector<std::array<HalfFaceId, 4>> neighbours_of(std::span<const Corners> corners) {
+  std::vector<std::array<HalfFaceId, 4>> neighbours(corners.size());
+  std::map<std::array<VertexId, 3>, HalfFaceId> open;
+  for (std::size_t t = 0; t < corners.size(); ++t) {
+    for (int place = 0; place < 4; ++place) {
+      std::array<VertexId, 3> face;
+      for (std::size_t i = 0, k = 0; i < 4; ++i) {
+        if (static_cast<int>(i) != place) face[k++] = corners[t][i];
+      }
+      std::ranges::sort(face);
+      const HalfFaceId mine = half_face(TetId{t}, place);
+      const auto [other, is_new] = open.emplace(face, mine);
+      if (is_new) continue;
+      const HalfFaceId theirs = other->second;
+      neighbours[t][static_cast<std::size_t>(place)] = theirs;
+      neighbours[tetrahedron_of(theirs).index()][static_cast<std::size_t>(place_of(theirs))] = mine;
+      open.erase(other);
+    }
+  }
+  return neighbours;
+}
 
 /// State, obstacles and scratch that live together.
 struct ContactScene {
@@ -24,7 +51,13 @@ struct ContactScene {
   ContactScratch scratch = {};
 
   ContactStepResult step(const StepPart& part = {}) {
-    return advance_with_contact({state, obstacles, memory}, {body.corners, loads, integrator, part},
+    const auto neighbours = neighbours_of(body.corners);
+    return advance_with_contact({state, obstacles, memory},
+                                {.corners = body.corners,
+                                 .loads = loads,
+                                 .settings = integrator,
+                                 .part = part,
+                                 .neighbours = neighbours},
                                 contact, {mechanics, scratch});
   }
 

@@ -1,0 +1,365 @@
+// SPDX-License-Identifier: MIT
+// Vertices of pieces against faces of others, swept through the step.
+#include "mechanics/contact/contact_pieces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "mechanics/contact/contact_partners.hpp"
+#include "mechanics/contact/nearest_point.hpp"
+#include "topology/base/sort_unique.hpp"
+
+namespace sunder {
+namespace {
+
+/// Share of a tetrahedron, or of a face, within which a vertex beside it counts as on it: rounding.
+constexpr double rounding = 1e-9;
+
+/// The three corners of a face, by rows of vertices, from outside counter-clockwise.
+std::array<VertexId, 3> corners_of(const StepPaths& paths, HalfFaceId face) {
+  const Corners& c = paths.corners[tetrahedron_of(face).index()];
+  const auto& places = outward_face[static_cast<std::size_t>(place_of(face))];
+  return {c[places[0]], c[places[1]], c[places[2]]};
+}
+
+Vec3 normal_of(const std::array<Vec3, 3>& x) {
+  return (x[1] - x[0]).cross(x[2] - x[0]).normalized();
+}
+
+/// Shares of the corners in the foot of `point` in their plane; not numbers where they are in line.
+std::array<double, 3> foot_of(const std::array<Vec3, 3>& x, const Vec3& point) {
+  const Vec3 a = x[1] - x[0], b = x[2] - x[0], p = point - x[0], area = a.cross(b);
+  const double square = area.squaredNorm();
+  const double v = p.cross(b).dot(area) / square, w = a.cross(p).dot(area) / square;
+  return {1 - v - w, v, w};
+}
+
+std::array<Vec3, 3> places_at(const StepPaths& paths, const std::array<VertexId, 3>& vertices,
+                              double part) {
+  return {paths.at(vertices[0], part), paths.at(vertices[1], part), paths.at(vertices[2], part)};
+}
+
+/// A vertex against a face.
+struct Touch {
+  VertexId vertex;
+  ComponentId component;              ///< of the face
+  HalfFaceId face;                    ///< none(): only tells that the vertex begins inside
+  double gap_start = 0, gap_end = 0;  ///< m, from the plane of the face
+  double part = 0;                    ///< when they meet or are nearest; 0 to 1
+  Vec3 normal{0, 0, 1};               ///< then
+  std::array<double, 3> foot{};       ///< then
+  double size = 0;                    ///< m, of an edge of the face
+  bool is_swept = false;              ///< met on the way; else as the step begins
+  bool over_face = false;             ///< whether the foot lies in the face
+  bool are_partners = false;          ///< whose contact is met elsewhere
+};
+
+/// As the step begins.
+Touch touch_at_start(const StepPaths& paths, VertexId v, HalfFaceId face) {
+  Touch touch{.vertex = v, .face = face};
+  const std::array<VertexId, 3> corners = corners_of(paths, face);
+  const auto gap_at = [&](double part) {
+    const std::array<Vec3, 3> x = places_at(paths, corners, part);
+    return normal_of(x).dot(paths.at(v, part) - x[0]);
+  };
+  touch.component = paths.state.elements.component[tetrahedron_of(face).index()];
+  touch.gap_start = gap_at(0);
+  touch.gap_end = gap_at(1);
+  return touch;
+}
+
+void set_foot(Touch& touch, const StepPaths& paths) {
+  const std::array<Vec3, 3> x = places_at(paths, corners_of(paths, touch.face), touch.part);
+  touch.normal = normal_of(x);
+  touch.size = (x[1] - x[0]).norm();
+  touch.foot = foot_of(x, paths.at(touch.vertex, touch.part));
+  touch.over_face = std::ranges::all_of(touch.foot, [](double w) { return w >= -rounding; });
+}
+
+/// On the way.
+Touch swept_touch(const StepPaths& paths, VertexId v, HalfFaceId face) {
+  Touch touch = touch_at_start(paths, v, face);
+  touch.is_swept = true;
+  if (touch.gap_start > 0) {
+    touch.part = touch.gap_end < 0 ? touch.gap_start / (touch.gap_start - touch.gap_end)
+                                   : (touch.gap_end < touch.gap_start ? 1.0 : 0.0);
+  }
+  set_foot(touch, paths);
+  return touch;
+}
+
+/// A vertex that begins on the surface or inside against the point of a face that it is nearest to:
+/// within `band` (m) of its border still the face itself, of one that is inside then its border, an
+/// edge where the surface turns inwards.
+Touch resting_touch(const StepPaths& paths, VertexId v, HalfFaceId face, double band,
+                    bool is_inside) {
+  Touch touch = touch_at_start(paths, v, face);
+  set_foot(touch, paths);
+  if (touch.over_face || touch.gap_start > band) return touch;
+  const std::array<VertexId, 3> corners = corners_of(paths, face);
+  const std::array<Vec3, 3> x = places_at(paths, corners, 0);
+  const std::array<double, 4> nearest = nearest_point({x[0], x[1], x[2], x[2]}, paths.at_start(v));
+  touch.foot = {nearest[0], nearest[1], nearest[2] + nearest[3]};
+  const auto apart_at = [&](double part) -> Vec3 {
+    const std::array<Vec3, 3> there = places_at(paths, corners, part);
+    return paths.at(v, part) - touch.foot[0] * there[0] - touch.foot[1] * there[1] -
+           touch.foot[2] * there[2];
+  };
+  const Vec3 apart = apart_at(0);
+  const double beside = (apart - touch.gap_start * touch.normal).norm();
+  touch.over_face = beside <= band;
+  if (touch.over_face || !is_inside || touch.gap_start > 0) return touch;
+  touch.gap_start = -apart.norm();
+  touch.normal = -apart.normalized();
+  touch.gap_end = touch.normal.dot(apart_at(1));
+  touch.over_face = true;
+  return touch;
+}
+
+/// By the Gauss map: whether a vertex can come to rest on a face with this normal.
+bool fits(const StepPaths& paths, const PieceSurface& surface, const Touch& touch) {
+  constexpr double about = 0.05;
+  const Vec3& from = paths.state.vertices.position[touch.vertex.index()];
+  for (VertexId end : surface.ring_of(touch.vertex)) {
+    const Vec3 along = paths.state.vertices.position[end.index()] - from;
+    if (touch.normal.dot(along) < -about * along.norm()) return false;
+  }
+  return true;
+}
+
+/// Whether the vertex ends nearer to the face than they move against each other.
+bool is_near(const StepPaths& paths, const Touch& touch) {
+  const std::array<VertexId, 3> corners = corners_of(paths, touch.face);
+  Vec3 way = paths.at(touch.vertex, 1) - paths.at(touch.vertex, 0);
+  for (std::size_t k = 0; k < 3; ++k) {
+    way -= touch.foot[k] * (paths.at(corners[k], 1) - paths.at(corners[k], 0));
+  }
+  return touch.gap_end < way.norm();
+}
+
+/// A tetrahedron as the step begins, and how it moves.
+struct Hull {
+  std::array<Vec3, 4> normal, corner;  ///< of each face: unit, outward; one of its corners
+  Vec3 way;                            ///< m, of the centre
+  double spread = 0;                   ///< m: how much farther a corner may go than that
+};
+
+Hull hull_of(const StepPaths& paths, TetId t) {
+  Hull hull;
+  for (int place = 0; place < 4; ++place) {
+    const auto x = places_at(paths, corners_of(paths, half_face(t, place)), 0);
+    hull.normal[static_cast<std::size_t>(place)] = normal_of(x);
+    hull.corner[static_cast<std::size_t>(place)] = x[0];
+  }
+  const Corners& corners = paths.corners[t.index()];
+  hull.way =
+      centre_of(corners, paths.predicted) - centre_of(corners, paths.state.vertices.position);
+  for (VertexId v : corners) {
+    hull.spread = std::max(hull.spread, (paths.at(v, 1) - paths.at(v, 0) - hull.way).norm());
+  }
+  return hull;
+}
+
+/// A vertex and a component that it begins on or in.
+struct Resting {
+  VertexId vertex;
+  ComponentId component;
+  bool is_inside = false;
+  friend constexpr auto operator<=>(const Resting&, const Resting&) = default;
+};
+
+bool move_against_each_other(const DetectScratch& scratch, const StepPaths& paths,
+                             const SpherePair& pair) {
+  return !scratch.surface.ring_of(pair.vertex).empty() &&
+         paths.members.has(paths.state.vertices.component[pair.vertex.index()]) &&
+         paths.members.has(paths.state.elements.component[pair.tetrahedron.index()]);
+}
+
+/// Adds `make(face)` for every face of the pair's tetrahedron that is `near` and on the surface.
+template <class Make>
+void add_touches(std::vector<Touch>& touches, const DetectScratch& scratch, const StepPaths& paths,
+                 const SpherePair& pair, const std::array<bool, 4>& near, Make make) {
+  const bool are_partners = faces(scratch, pair, paths.corners);
+  for (int place = 0; place < 4; ++place) {
+    const auto i = static_cast<std::size_t>(place);
+    if (!near[i] || !paths.neighbours[pair.tetrahedron.index()][i].is_none()) continue;
+    touches.push_back(make(half_face(pair.tetrahedron, place)));
+    touches.back().are_partners = are_partners;
+  }
+}
+
+/// Vertices outside with every face of the tetrahedra that they could come to: whose start they are
+/// no farther from than twice their motion against each other. Gives who begins inside or within
+/// `band` (m) of the surface, sorted.
+std::vector<Resting> gather_swept(std::vector<Touch>& touches, const DetectScratch& scratch,
+                                  const StepPaths& paths, double band) {
+  std::vector<Resting> resting;
+  TetId last;
+  Hull hull;
+  for (const SpherePair& pair : scratch.pairs) {
+    const auto [t, v] = pair;
+    if (t != last) hull = hull_of(paths, t);
+    last = t;
+    const Vec3& from = paths.at_start(v);
+    const double motion = (paths.predicted[v.index()] - from - hull.way).norm() + hull.spread;
+    const double reach = 2 * motion + rounding * scratch.radius[t.index()];
+    double gap = -std::numeric_limits<double>::infinity();
+    std::array<bool, 4> near{};
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double gap_of_face = hull.normal[i].dot(from - hull.corner[i]);
+      near[i] = std::abs(gap_of_face) <= reach;
+      gap = std::max(gap, gap_of_face);
+    }
+    if (!(gap <= std::max(reach, band)) || !move_against_each_other(scratch, paths, pair)) continue;
+    const ComponentId other = paths.state.elements.component[t.index()];
+    if (gap <= band) resting.push_back({v, other, gap < 0});
+    if (gap < 0) continue;
+    add_touches(touches, scratch, paths, pair, near,
+                [&](HalfFaceId face) { return swept_touch(paths, v, face); });
+  }
+  sort_unique(resting);
+  return resting;
+}
+
+/// Those with every face that is near them: they may lie behind another tetrahedron's.
+void gather_resting(std::vector<Touch>& touches, const DetectScratch& scratch,
+                    const StepPaths& paths, const std::vector<Resting>& resting, double band) {
+  if (resting.empty()) return;
+  std::vector<char> any(paths.state.vertices.size());
+  for (const Resting& r : resting) {
+    any[r.vertex.index()] = 1;
+    if (r.is_inside) touches.push_back({.vertex = r.vertex, .component = r.component});
+  }
+  for (const SpherePair& pair : scratch.pairs) {
+    const VertexId v = pair.vertex;
+    if (!any[v.index()]) continue;
+    const ComponentId id = paths.state.elements.component[pair.tetrahedron.index()];
+    const bool is_inside = std::ranges::binary_search(resting, Resting{v, id, true});
+    if (!is_inside && !std::ranges::binary_search(resting, Resting{v, id, false})) continue;
+    add_touches(touches, scratch, paths, pair, {true, true, true, true},
+                [&](HalfFaceId face) { return resting_touch(paths, v, face, band, is_inside); });
+  }
+}
+
+/// Of a vertex deep inside a component: the face of all its surface that it is nearest to.
+Touch way_out(const StepPaths& paths, VertexId v, ComponentId id) {
+  Touch nearest;
+  double least = std::numeric_limits<double>::infinity();
+  const Vec3 from = paths.at(v, 0);
+  for (TetId t : paths.state.components[id.index()].tetrahedra) {
+    for (int place = 0; place < 4; ++place) {
+      if (!paths.neighbours[t.index()][static_cast<std::size_t>(place)].is_none()) continue;
+      const auto c = corners_of(paths, half_face(t, place));
+      const Vec3 middle = (paths.at(c[0], 0) + paths.at(c[1], 0) + paths.at(c[2], 0)) / 3;
+      const double distance = (middle - from).squaredNorm();
+      if (!(distance < least)) continue;
+      least = distance;
+      nearest = resting_touch(paths, v, half_face(t, place), 0, true);
+    }
+  }
+  return nearest;
+}
+
+/// Of the touches of a vertex that begins on or in a component the nearest: one that does not fit
+/// must be clearly nearer. `band`, m: how far from a face is still on it; on several, as at a
+/// corner, that one counts from which the vertex ends farthest.
+const Touch* nearest_rest(std::span<const Touch> touches, const StepPaths& paths,
+                          const PieceSurface& surface, double band, bool is_inside) {
+  const Touch* best = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Touch& touch : touches) {
+    if (touch.is_swept || touch.face.is_none() || !touch.over_face || touch.gap_start > band) {
+      continue;
+    }
+    if (!is_inside && touch.gap_start < -band) continue;
+    const double depth = std::max(0.0, -touch.gap_start - band) +
+                         (fits(paths, surface, touch) ? 0 : 0.01 * touch.size);
+    if (best && std::pair(depth, -touch.gap_end) >= std::pair(least, -best->gap_end)) continue;
+    best = &touch;
+    least = depth;
+  }
+  return best;
+}
+
+/// Of the touches of a vertex on its way the one that it ends deepest behind, those that fit first.
+const Touch* deepest_on_way(std::span<const Touch> touches, const StepPaths& paths,
+                            const PieceSurface& surface) {
+  const Touch* best = nullptr;
+  bool best_fits = false;
+  for (const Touch& touch : touches) {
+    if (!touch.is_swept || !touch.over_face || touch.are_partners ||
+        touch.gap_start < -rounding * touch.size || !is_near(paths, touch)) {
+      continue;
+    }
+    const bool now = fits(paths, surface, touch);
+    if (best && std::pair(!now, touch.gap_end) >= std::pair(!best_fits, best->gap_end)) continue;
+    best = &touch;
+    best_fits = now;
+  }
+  return best;
+}
+
+/// Of the touches of one vertex with one component the one that counts; null: none does.
+const Touch* choose(std::span<const Touch> touches, Touch& room, const StepPaths& paths,
+                    const PieceSurface& surface, double band) {
+  const bool is_inside = touches.front().face.is_none() || touches.back().face.is_none();
+  const Touch* rest = nearest_rest(touches, paths, surface, band, is_inside);
+  if (rest && rest->are_partners) return nullptr;
+  if (rest && (is_inside || is_near(paths, *rest))) return rest;
+  if (!is_inside) return deepest_on_way(touches, paths, surface);
+  room = way_out(paths, touches.front().vertex, touches.front().component);
+  return &room;
+}
+
+void add(DetectScratch& scratch, const StepPaths& paths, const Touch& touch, double friction) {
+  ContactPoint contact;
+  contact.vertex = touch.vertex;
+  contact.tetrahedron = tetrahedron_of(touch.face);
+  contact.place = static_cast<std::uint8_t>(place_of(touch.face));
+  contact.friction = friction;
+  contact.normal = touch.normal;
+  contact.gap_start = touch.gap_start;
+  std::array<double, 4> weights{};
+  double sum = 0;
+  const auto& places = outward_face[static_cast<std::size_t>(place_of(touch.face))];
+  for (std::size_t k = 0; k < 3; ++k) {
+    weights[places[k]] = std::clamp(touch.foot[k], 0.0, 1.0);
+    sum += weights[places[k]];
+  }
+  for (double& w : weights) w /= sum;
+  contact.weights = weights_on(contact, weights, paths);
+  contact.offset = touch.gap_end - touch.normal.dot(path_of(contact, paths).end);
+  scratch.found.push_back(contact);
+  scratch.found_gap.push_back(touch.gap_end);
+}
+
+}  // namespace
+
+void find_between_pieces(DetectScratch& scratch, const StepPaths& paths,
+                         const ContactSettings& settings) {
+  update_surface(scratch.surface, paths.corners, paths.neighbours, paths.state.vertices.size());
+  pair_up(scratch, paths);
+  std::vector<Touch> touches;
+  const double band = settings.allowed_penetration;
+  gather_resting(touches, scratch, paths, gather_swept(touches, scratch, paths, band), band);
+  const auto key = [](const Touch& t) {
+    return std::tuple(t.vertex, t.component, t.face, t.is_swept);
+  };
+  std::ranges::sort(touches, {}, key);
+  for (std::size_t first = 0; first < touches.size();) {
+    std::size_t end = first;
+    while (end < touches.size() && touches[end].vertex == touches[first].vertex &&
+           touches[end].component == touches[first].component) {
+      ++end;
+    }
+    Touch room;
+    const Touch* chosen =
+        choose(std::span(touches).subspan(first, end - first), room, paths, scratch.surface, band);
+    if (chosen) add(scratch, paths, *chosen, settings.friction);
+    first = end;
+  }
+}
+
+}  // namespace sunder

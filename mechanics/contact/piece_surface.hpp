@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// The surface of pieces: faces without a neighbour, and which vertices are joined along it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mechanics/state/columns.hpp"
+#include "topology/base/ids.hpp"
+
+namespace sunder {
+
+/// Places of the corners of each face in its tetrahedron, seen from outside counter-clockwise.
+inline constexpr std::array<std::array<std::uint8_t, 3>, 4> outward_face = {
+    {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+
+/// Surfaces of all pieces together.
+struct PieceSurface {
+  /// |V| + 1: where the ring of each vertex begins.
+  std::vector<std::uint32_t> ring_first;
+  /// Vertices at the other ends of the edges of faces without a neighbour.
+  std::vector<VertexId> ring;
+
+  /// Ascending; empty for a vertex inside.
+  std::span<const VertexId> ring_of(VertexId v) const {
+    return std::span(ring).subspan(ring_first[v.index()],
+                                   ring_first[v.index() + 1] - ring_first[v.index()]);
+  }
+
+  /// What it was made of.
+  std::vector<Corners> corners;
+  std::vector<std::array<HalfFaceId, 4>> neighbours;
+};
+
+/// Makes the surface anew where corners or neighbours (the half-face beyond each face, or none();
+/// |T| rows each) are others than at the last call. O(|T|).
+void update_surface(PieceSurface& surface, std::span<const Corners> corners,
+                    std::span<const std::array<HalfFaceId, 4>> neighbours, std::size_t vertices);
+
+}  // namespace sunder
