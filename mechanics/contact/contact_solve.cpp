@@ -70,7 +70,7 @@ double relax(ContactRow& row, std::span<RespondingBody> bodies, double step) {
 
 /// Impulses of a sweep and where the last one led: what conjugation needs.
 struct Search {
-  std::vector<Vec3> before, direction;
+  std::vector<Vec3> before, direction, onward;
   double last = 0;  ///< squared length of the last sweep's change
 };
 
@@ -85,14 +85,14 @@ void conjugate(Search& search, std::span<ContactRow> rows, std::span<RespondingB
   const bool afresh = !(search.last > 0) || now > search.last;
   const double beta = afresh ? 0 : now / search.last;
   search.last = now;
+  std::vector<Vec3>& onward = search.onward;
+  onward.resize(rows.size());
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    const Vec3 change = rows[k].impulse - search.before[k];
-    const Vec3 onward = beta * search.direction[k];
-    search.direction[k] = onward + change;
-    if (onward.isZero(0)) continue;
-    rows[k].impulse += onward;
-    add_impulse(rows[k], bodies, onward);
+    onward[k] = beta * search.direction[k];
+    search.direction[k] = onward[k] + rows[k].impulse - search.before[k];
+    rows[k].impulse += onward[k];
   }
+  if (!afresh) add_impulses(rows, bodies, onward);
 }
 
 /// Lets the disks follow the normal impulses. Gives the largest change, as the displacement (m) it
@@ -212,7 +212,8 @@ SolveOutcome solve_contacts(std::span<ContactRow> rows, std::span<RespondingBody
   }
   // What a wedge pressed with in the last step must not be where this one begins.
   if (gives_energy(rows, bodies, energy, limits.step)) start_from_nothing(rows, bodies);
-  Search search{std::vector<Vec3>(rows.size()), std::vector<Vec3>(rows.size(), Vec3::Zero()), 0};
+  Search search{
+      std::vector<Vec3>(rows.size()), std::vector<Vec3>(rows.size(), Vec3::Zero()), {}, 0};
   // Sweeps of a round with the same disks, unless it converges earlier.
   constexpr int round_length = 8;
   int sweeps = 0;
