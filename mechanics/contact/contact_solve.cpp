@@ -213,23 +213,22 @@ Effort effort_of(std::span<const ContactRow> rows, std::span<const RespondingBod
 /// In a wedge pressure and friction can raise each other without end and hold each other so well
 /// that next to nothing moves, as little as the sweeps ask for. Such impulses come from no motion
 /// of the bodies, and what the response is off by gives energy. A tall stack strains as hard, but
-/// by its weight, without friction too. True where pressure alone has been put in their place.
-bool release_wedges(std::span<ContactRow> rows, std::span<RespondingBody> bodies,
+/// by its weight, without friction too. Puts pressure alone in their place.
+void release_wedges(std::span<ContactRow> rows, std::span<RespondingBody> bodies,
                     const Energy& energy, const SolveLimits& limits) {
   constexpr double holds = 64, by_friction = 16;
   const Effort effort = effort_of(rows, bodies, energy, limits.step);
-  if (!(effort.alone > holds * effort.together)) return false;
+  if (!(effort.alone > holds * effort.together)) return;
   std::vector<Vec3> change;
   for (const ContactRow& row : rows) change.push_back(row.impulse);
   press_only(rows, bodies, limits);
   const Effort pressed = effort_of(rows, bodies, energy, limits.step);
-  if (effort.alone > by_friction * pressed.alone) return true;
+  if (effort.alone > by_friction * pressed.alone) return;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     change[k] -= rows[k].impulse;
     rows[k].impulse += change[k];
   }
   add_impulses(rows, bodies, change);
-  return false;
 }
 
 }  // namespace
@@ -287,8 +286,8 @@ SolveOutcome solve_contacts(std::span<ContactRow> rows, std::span<RespondingBody
   if (gives_energy(rows, bodies, energy, limits.step)) {
     outcome.converged = false;
     press_only(rows, bodies, limits);
-  } else if (release_wedges(rows, bodies, energy, limits)) {
-    outcome.converged = false;
+  } else if (!outcome.converged) {
+    release_wedges(rows, bodies, energy, limits);
   }
   return outcome;
 }
