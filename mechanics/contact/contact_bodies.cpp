@@ -61,22 +61,18 @@ void respond_elastically(RespondingBody& body, const ContactPass& pass, const Co
   ComponentSystem& system = *pass.state.systems.present[component.id.index()];
   const auto [local, slot] = free_slots(pass, slots);
   body.turn = component.orientation.toRotationMatrix();
-  const auto size = static_cast<Eigen::Index>(3 * slots.size());
-  body.elastic.setZero(size, size);
-  const auto fill = [&](auto block) {
-    for (std::size_t b = 0; b < slot.size(); ++b) {
-      for (std::size_t a = 0; a < slot.size(); ++a) {
-        body.elastic.block<3, 3>(3 * slot[a], 3 * slot[b]) = block(a, b);
-      }
-    }
-  };
   if (pass.input.settings.integrator == Integrator::modal) {
     const Eigen::MatrixXd response =
         modal_response({pass.mechanics, pass.state, pass.input, component, &system}, local);
-    return fill([&](std::size_t a, std::size_t b) -> Mat3 {
-      return response.block<3, 3>(static_cast<Eigen::Index>(3 * a),
-                                  static_cast<Eigen::Index>(3 * b));
-    });
+    const auto size = static_cast<Eigen::Index>(3 * slots.size());
+    body.elastic.setZero(size, size);
+    for (std::size_t b = 0; b < slot.size(); ++b) {
+      for (std::size_t a = 0; a < slot.size(); ++a) {
+        body.elastic.block<3, 3>(3 * slot[a], 3 * slot[b]) = response.block<3, 3>(
+            static_cast<Eigen::Index>(3 * a), static_cast<Eigen::Index>(3 * b));
+      }
+    }
+    return;
   }
   const FactorUse use = use_of(pass);
   const std::vector<std::uint32_t> places = touch_compliance(system, local, use);
@@ -86,9 +82,12 @@ void respond_elastically(RespondingBody& body, const ContactPass& pass, const Co
     body.rigid_mass = scale / (factor.matrix.mass * component.mass);
     body.rigid_inertia = scale / factor.matrix.mass * system.shape.inertia.inverse();
   }
-  fill([&](std::size_t a, std::size_t b) -> Mat3 {
-    return scale * factor.compliance.block<3, 3>(3 * places[a], 3 * places[b]);
-  });
+  body.cached = &factor.compliance;
+  body.cached_scale = scale;
+  body.cached_places.assign(slots.size(), ContactEnd::no_slot);
+  for (std::size_t k = 0; k < slot.size(); ++k) {
+    body.cached_places[static_cast<std::size_t>(slot[k])] = places[k];
+  }
 }
 
 /// Columns of A^-1 that the responses will be made of, those of all bodies together.
@@ -220,7 +219,7 @@ ContactEnd vertex_end(const ContactBodies& bodies, const ContactPass& pass, Vert
   end.body = bodies.body_of_component[id.index()];
   end.weight = weight;
   end.arm = pass.state.vertices.position[v.index()] - pass.state.components[id.index()].centre;
-  if (bodies.bodies[end.body].elastic.size() > 0) {
+  if (bodies.bodies[end.body].cached || bodies.bodies[end.body].elastic.size() > 0) {
     const Component& component = pass.state.components[id.index()];
     end.slot = bodies.slot_of_vertex[v.index()];
     end.rest_arm = pass.state.vertices.rest_position[v.index()] - component.rest_centre;

@@ -48,18 +48,41 @@ void merge_slots(ContactRow& row, RowSide& side, std::vector<MergedSlot>& merged
   if (slot.count > 0) side.slot = place_of(merged, slot);
 }
 
+/// The columns of E, as `RespondingBody` has it before its slots are merged, summed up to one of a
+/// merged slot.
+void sum_columns(Eigen::Matrix<double, Eigen::Dynamic, 3>& sum, const RespondingBody& body,
+                 const MergedSlot& slot) {
+  sum.setZero();
+  for (std::uint32_t f = 0; f < slot.count; ++f) {
+    if (!body.cached) {
+      sum += slot.weights[f] * body.elastic.middleCols<3>(3 * slot.slots[f]);
+      continue;
+    }
+    const std::uint32_t column = body.cached_places[slot.slots[f]];
+    if (column == ContactEnd::no_slot) continue;
+    const double weight = body.cached_scale * slot.weights[f];
+    for (std::size_t k = 0; k < body.cached_places.size(); ++k) {
+      const std::uint32_t row = body.cached_places[k];
+      if (row == ContactEnd::no_slot) continue;
+      sum.middleRows<3>(static_cast<Eigen::Index>(3 * k)) +=
+          weight * body.cached->block<3, 3>(3 * row, 3 * column);
+    }
+  }
+}
+
 /// P^T E P, each column of P a merged slot. E is symmetric.
-Eigen::MatrixXd between(const std::vector<MergedSlot>& merged, const Eigen::MatrixXd& elastic) {
+Eigen::MatrixXd between(const std::vector<MergedSlot>& merged, const RespondingBody& body) {
   const auto size = static_cast<Eigen::Index>(3 * merged.size());
   Eigen::MatrixXd result(size, size);
+  Eigen::Matrix<double, Eigen::Dynamic, 3> column(
+      body.cached ? static_cast<Eigen::Index>(3 * body.cached_places.size()) : body.elastic.rows(),
+      3);
   for (std::size_t b = 0; b < merged.size(); ++b) {
+    sum_columns(column, body, merged[b]);
     for (std::size_t a = b; a < merged.size(); ++a) {
       Mat3 block = Mat3::Zero();
-      for (std::uint32_t f = 0; f < merged[b].count; ++f) {
-        for (std::uint32_t e = 0; e < merged[a].count; ++e) {
-          block += merged[a].weights[e] * merged[b].weights[f] *
-                   elastic.block<3, 3>(3 * merged[a].slots[e], 3 * merged[b].slots[f]);
-        }
+      for (std::uint32_t e = 0; e < merged[a].count; ++e) {
+        block += merged[a].weights[e] * column.middleRows<3>(3 * merged[a].slots[e]);
       }
       const auto i = static_cast<Eigen::Index>(3 * a), j = static_cast<Eigen::Index>(3 * b);
       result.block<3, 3>(i, j) = block;
@@ -111,7 +134,8 @@ void merge_ends(std::span<ContactRow> rows, std::span<RespondingBody> bodies) {
     }
   }
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    if (!merged[b].empty()) bodies[b].elastic = between(merged[b], bodies[b].elastic);
+    if (!merged[b].empty()) bodies[b].elastic = between(merged[b], bodies[b]);
+    bodies[b].cached = nullptr;
   }
 }
 

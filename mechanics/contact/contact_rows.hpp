@@ -33,6 +33,11 @@ struct RespondingBody {
   double rigid_mass = 0;                ///< 1/m of the elastic part, m/(N s)
   Mat3 rigid_inertia = Mat3::Zero();    ///< J0^-1 of the elastic part, 1/(N s m)
   BodyMotion motion;                    ///< what the solve accumulates
+  /// Where `merge_ends` takes E from, if not from `elastic`: `cached_scale` times the blocks of a
+  /// larger matrix, of slot k those at `cached_places[k]`, or none. Needed until then only.
+  const Eigen::MatrixXd* cached = nullptr;
+  std::vector<std::uint32_t> cached_places;
+  double cached_scale = 1;
 };
 
 /// One of the points a contact acts on; the solver takes those of a body together (`RowSide`).

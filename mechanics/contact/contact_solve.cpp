@@ -70,7 +70,7 @@ double relax(ContactRow& row, std::span<RespondingBody> bodies, double step) {
 
 /// Impulses of a sweep and where the last one led: what conjugation needs.
 struct Search {
-  std::vector<Vec3> before, direction;
+  std::vector<Vec3> before, direction, onward;
   double last = 0;  ///< squared length of the last sweep's change
 };
 
@@ -85,14 +85,14 @@ void conjugate(Search& search, std::span<ContactRow> rows, std::span<RespondingB
   const bool afresh = !(search.last > 0) || now > search.last;
   const double beta = afresh ? 0 : now / search.last;
   search.last = now;
+  std::vector<Vec3>& onward = search.onward;
+  onward.resize(rows.size());
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    const Vec3 change = rows[k].impulse - search.before[k];
-    const Vec3 onward = beta * search.direction[k];
-    search.direction[k] = onward + change;
-    if (onward.isZero(0)) continue;
-    rows[k].impulse += onward;
-    add_impulse(rows[k], bodies, onward);
+    onward[k] = beta * search.direction[k];
+    search.direction[k] = onward[k] + rows[k].impulse - search.before[k];
+    rows[k].impulse += onward[k];
   }
+  if (!afresh) add_impulses(rows, bodies, onward);
 }
 
 /// Lets the disks follow the normal impulses. Gives the largest change, as the displacement (m) it
@@ -180,14 +180,55 @@ void start_from_nothing(std::span<ContactRow> rows, std::span<RespondingBody> bo
   }
 }
 
-/// Impulses anew, from none, without friction and without conjugation: each visit takes energy.
+/// Impulses anew, from none, without friction and without conjugation: each visit takes energy. Not
+/// many sweeps: what they leave is not solved anyway, and a wedge of overlaps without a way out is
+/// pressed harder by each.
 void press_only(std::span<ContactRow> rows, std::span<RespondingBody> bodies,
                 const SolveLimits& limits) {
   start_from_nothing(rows, bodies);
   for (ContactRow& row : rows) row.disk = 0;
-  for (int i = 0; i < limits.max_iterations / 2; ++i) {
+  constexpr int enough = 64;
+  for (int i = 0; i < std::min(enough, limits.max_iterations / 2); ++i) {
     if (sweep(rows, bodies, limits.step) <= limits.tolerance) return;
   }
+}
+
+/// Twice what the impulses of rows would give at rest, N s m: each alone, and all together.
+struct Effort {
+  double alone = 0, together = 0;
+};
+
+Effort effort_of(std::span<const ContactRow> rows, std::span<const RespondingBody> bodies,
+                 const Energy& energy, double step) {
+  Effort effort;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const Vec3& j = rows[k].impulse;
+    if (j.isZero(0)) continue;
+    effort.alone += j.dot(rows[k].response * j);
+    effort.together += j.dot(energy.earlier[k] + relative_displacement(rows[k], bodies, step));
+  }
+  return effort;
+}
+
+/// In a wedge pressure and friction can raise each other without end and hold each other so well
+/// that next to nothing moves, as little as the sweeps ask for. Such impulses come from no motion
+/// of the bodies, and what the response is off by gives energy. A tall stack strains as hard, but
+/// by its weight, without friction too. Puts pressure alone in their place.
+void release_wedges(std::span<ContactRow> rows, std::span<RespondingBody> bodies,
+                    const Energy& energy, const SolveLimits& limits) {
+  constexpr double holds = 64, by_friction = 16;
+  const Effort effort = effort_of(rows, bodies, energy, limits.step);
+  if (!(effort.alone > holds * effort.together)) return;
+  std::vector<Vec3> change;
+  for (const ContactRow& row : rows) change.push_back(row.impulse);
+  press_only(rows, bodies, limits);
+  const Effort pressed = effort_of(rows, bodies, energy, limits.step);
+  if (effort.alone > by_friction * pressed.alone) return;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    change[k] -= rows[k].impulse;
+    rows[k].impulse += change[k];
+  }
+  add_impulses(rows, bodies, change);
 }
 
 }  // namespace
@@ -212,7 +253,8 @@ SolveOutcome solve_contacts(std::span<ContactRow> rows, std::span<RespondingBody
   }
   // What a wedge pressed with in the last step must not be where this one begins.
   if (gives_energy(rows, bodies, energy, limits.step)) start_from_nothing(rows, bodies);
-  Search search{std::vector<Vec3>(rows.size()), std::vector<Vec3>(rows.size(), Vec3::Zero()), 0};
+  Search search{
+      std::vector<Vec3>(rows.size()), std::vector<Vec3>(rows.size(), Vec3::Zero()), {}, 0};
   // Sweeps of a round with the same disks, unless it converges earlier.
   constexpr int round_length = 8;
   int sweeps = 0;
@@ -244,6 +286,8 @@ SolveOutcome solve_contacts(std::span<ContactRow> rows, std::span<RespondingBody
   if (gives_energy(rows, bodies, energy, limits.step)) {
     outcome.converged = false;
     press_only(rows, bodies, limits);
+  } else if (!outcome.converged) {
+    release_wedges(rows, bodies, energy, limits);
   }
   return outcome;
 }

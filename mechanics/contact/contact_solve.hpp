@@ -29,9 +29,11 @@ struct SolveOutcome {
 /// Disks that followed every visit of a row would let wedged pieces press each other harder and
 /// harder. Sweeps go in the given order, each followed by a step of nonsmooth conjugate gradients;
 /// the same to the bit on every run. Where a solve that was cut short would give the bodies energy,
-/// impulses without friction that give none are taken in its place (not `converged`).
-/// `bodies` accumulate the changes made by what was added to the impulses. A row that can move
-/// nothing keeps its impulse. O(rows x slots) a sweep.
+/// impulses without friction that give none are taken in its place (not `converged`). So they are
+/// where, not converged, impulses hold each other: alone they would give over 64 times what they
+/// give together, and over 16 times what those without friction do. Those of a wedge grow so
+/// without end. `bodies` accumulate the changes made by what was added to the impulses. A row that
+/// can move nothing keeps its impulse. O(rows x slots) a sweep.
 SolveOutcome solve_contacts(std::span<ContactRow> rows, std::span<RespondingBody> bodies,
                             const SolveLimits& limits);
 

@@ -2,17 +2,16 @@
 // Preconditioned conjugate gradients on the contacts that press or stick.
 #include "mechanics/contact/contact_subspace.hpp"
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <utility>
 
+#include "mechanics/contact/body_factor.hpp"
 #include "mechanics/frame/rotation.hpp"
 
 namespace sunder {
 namespace {
 
 using Impulses = std::vector<Vec3>;
-using Twist = Eigen::Matrix<double, 6, 1>;
 using Arm = Eigen::Matrix<double, 3, 6>;  ///< from a twist of a body to motion at a row
 
 /// What of a row's impulse is free: a basis of it, columns orthonormal.
@@ -27,12 +26,14 @@ struct Subspace {
   double step;
   std::vector<Free> free;
   std::vector<std::uint32_t> place;  ///< of bodies with rigid motions in the equations; or none
-  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factor;
+  BodyFactor factor;
   std::vector<BodyMotion> spare;  ///< |bodies|, whose room each product takes
   int products = 0;
 };
 
 constexpr std::uint32_t none = 0xffffffffu;
+
+bool is_free(const Free& free) { return free.basis.cols() > 0; }
 
 Vec3 within(const Free& free, const Vec3& v) { return free.basis * (free.basis.transpose() * v); }
 
@@ -76,7 +77,8 @@ Free free_part(const ContactRow& row, double rounding) {
   // Contacts of rigid bodies give a little for the preconditioner's sake.
   Mat3 give = row.give + give_of(row) * n * n.transpose();
   give.diagonal().array() += 1e-4 * row.response.trace();
-  const Eigen::MatrixXd on_basis = free.basis.transpose() * give * free.basis;
+  const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 3, 3> on_basis =
+      free.basis.transpose() * give * free.basis;
   free.inverse = free.basis * on_basis.inverse() * free.basis.transpose();
   return free;
 }
@@ -92,80 +94,77 @@ bool is_rigid_side(const RowSide& side, const Subspace& s) {
   return s.place[side.body] != none && (side.weight != 0 || !side.arm.isZero(0));
 }
 
-/// W^-1 + G^T D^-1 G of the bodies that free rows act on, factored.
-void factor_bodies(Subspace& s) {
+/// W^-1 + G^T D^-1 G of the bodies that free rows act on, factored. False: it has no factor.
+bool factor_bodies(Subspace& s) {
   s.place.assign(s.bodies.size(), none);
-  std::uint32_t count = 0;
-  std::vector<Eigen::Triplet<double>> entries;
-  const auto add = [&](std::uint32_t a, std::uint32_t b, const Eigen::Matrix<double, 6, 6>& block) {
-    for (int i = 0; i < 6; ++i) {
-      for (int j = 0; j < 6; ++j) {
-        if (a == b ? i >= j : a > b) {
-          entries.emplace_back(static_cast<int>(6 * a) + i, static_cast<int>(6 * b) + j,
-                               block(i, j));
-        }
-      }
-    }
-  };
+  std::vector<std::uint32_t> moved;
   for (std::size_t k = 0; k < s.rows.size(); ++k) {
-    if (s.free[k].basis.cols() == 0) continue;
+    if (!is_free(s.free[k])) continue;
     for (std::uint32_t e = 0; e < s.rows[k].side_count; ++e) {
       const std::uint32_t b = s.rows[k].sides[e].body;
       if (s.place[b] != none || !(s.bodies[b].inverse_mass > 0)) continue;
-      s.place[b] = count;
-      Eigen::Matrix<double, 6, 6> inertia = Eigen::Matrix<double, 6, 6>::Zero();
-      inertia.topLeftCorner<3, 3>().diagonal().setConstant(1 / (s.step * s.bodies[b].inverse_mass));
-      inertia.bottomRightCorner<3, 3>() = s.bodies[b].inverse_inertia.inverse() / s.step;
-      add(count, count, inertia);
-      ++count;
+      s.place[b] = static_cast<std::uint32_t>(moved.size());
+      moved.push_back(b);
     }
   }
+  s.factor.reset(moved.size());
+  for (std::uint32_t k = 0; k < moved.size(); ++k) {
+    const RespondingBody& body = s.bodies[moved[k]];
+    BodyFactor::Block inertia = BodyFactor::Block::Zero();
+    inertia.topLeftCorner<3, 3>().diagonal().setConstant(1 / (s.step * body.inverse_mass));
+    inertia.bottomRightCorner<3, 3>() = body.inverse_inertia.inverse() / s.step;
+    s.factor.add(k, k, inertia);
+  }
   for (std::size_t k = 0; k < s.rows.size(); ++k) {
-    if (s.free[k].basis.cols() == 0) continue;
+    if (!is_free(s.free[k])) continue;
     const ContactRow& row = s.rows[k];
     for (std::uint32_t a = 0; a < row.side_count; ++a) {
       if (!is_rigid_side(row.sides[a], s)) continue;
+      const std::uint32_t at = s.place[row.sides[a].body];
       const Eigen::Matrix<double, 6, 3> left = arm_of(row.sides[a]).transpose() * s.free[k].inverse;
       for (std::uint32_t b = 0; b < row.side_count; ++b) {
         if (!is_rigid_side(row.sides[b], s)) continue;
-        add(s.place[row.sides[a].body], s.place[row.sides[b].body], left * arm_of(row.sides[b]));
+        const std::uint32_t to = s.place[row.sides[b].body];
+        if (at >= to) s.factor.add(at, to, left * arm_of(row.sides[b]));
       }
     }
   }
-  const auto size = static_cast<Eigen::Index>(6 * count);
-  Eigen::SparseMatrix<double> matrix(size, size);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  if (size > 0) s.factor.compute(matrix);
+  return s.factor.factor();
 }
 
 /// (D + G W G^T)^-1 on what is free.
 Impulses precondition(const Subspace& s, const Impulses& r) {
   Impulses result(r.size(), Vec3::Zero());
-  Eigen::VectorXd twist = Eigen::VectorXd::Zero(s.factor.cols());
+  Eigen::VectorXd twist = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(6 * s.factor.size()));
   const auto each = [&](auto visit) {
     for (std::size_t k = 0; k < r.size(); ++k) {
-      if (s.free[k].basis.cols() == 0) continue;
+      if (!is_free(s.free[k])) continue;
       for (std::uint32_t e = 0; e < s.rows[k].side_count; ++e) {
         const RowSide& side = s.rows[k].sides[e];
         if (is_rigid_side(side, s)) visit(k, side, 6 * s.place[side.body]);
       }
     }
   };
-  for (std::size_t k = 0; k < r.size(); ++k) result[k] = s.free[k].inverse * r[k];
+  for (std::size_t k = 0; k < r.size(); ++k) {
+    if (is_free(s.free[k])) result[k] = s.free[k].inverse * r[k];
+  }
   if (twist.size() == 0) return result;
   each([&](std::size_t k, const RowSide& side, std::uint32_t at) {
-    twist.segment<6>(at) += arm_of(side).transpose() * result[k];
+    twist.segment<3>(at) += side.weight * result[k];
+    twist.segment<3>(at + 3) += side.arm.cross(result[k]);
   });
-  const Eigen::VectorXd moved = s.factor.solve(twist);
+  s.factor.solve(twist);
   Impulses back(r.size(), Vec3::Zero());
   each([&](std::size_t k, const RowSide& side, std::uint32_t at) {
-    back[k] += arm_of(side) * moved.segment<6>(at);
+    back[k] += side.weight * twist.segment<3>(at) + twist.segment<3>(at + 3).cross(side.arm);
   });
-  for (std::size_t k = 0; k < r.size(); ++k) result[k] -= s.free[k].inverse * back[k];
+  for (std::size_t k = 0; k < r.size(); ++k) {
+    if (is_free(s.free[k])) result[k] -= s.free[k].inverse * back[k];
+  }
   return result;
 }
 
-/// The response to impulses, m; motions of the bodies stay.
+/// The response of free rows to impulses of theirs, m; motions of the bodies stay.
 Impulses response_to(Subspace& s, const Impulses& impulses) {
   ++s.products;
   const auto swap_motions = [&] {
@@ -174,8 +173,9 @@ Impulses response_to(Subspace& s, const Impulses& impulses) {
   swap_motions();
   set_to_rest(s.bodies);
   add_impulses(s.rows, s.bodies, impulses);
-  Impulses moved(impulses.size());
+  Impulses moved(impulses.size(), Vec3::Zero());
   for (std::size_t k = 0; k < moved.size(); ++k) {
+    if (!is_free(s.free[k])) continue;
     const ContactRow& row = s.rows[k];
     moved[k] = relative_displacement(row, s.bodies, s.step) +
                give_of(row) * row.normal.dot(impulses[k]) * row.normal;
@@ -275,13 +275,13 @@ int solve_subspace(std::span<ContactRow> rows, std::span<RespondingBody> bodies,
   double largest = 0;
   for (const ContactRow& row : rows) largest = std::max(largest, row.impulse.norm());
   for (const ContactRow& row : rows) s.free.push_back(free_part(row, 1e-12 * largest));
-  factor_bodies(s);
-  if (s.factor.cols() > 0 && s.factor.info() != Eigen::Success) return 0;
+  if (!factor_bodies(s)) return 0;
   const Impulses gradient = gradient_of(s);
   Impulses change = least_energy(s, gradient, most - 1);
   // All the way, back to the bounds, if that is lower; else to the first bound.
-  Impulses bounded(change.size());
+  Impulses bounded(change.size(), Vec3::Zero());
   for (std::size_t k = 0; k < change.size(); ++k) {
+    if (!is_free(s.free[k])) continue;
     bounded[k] = inside_bounds(rows[k], rows[k].impulse + change[k]) - rows[k].impulse;
   }
   const double energy = dot(bounded, gradient) + 0.5 * dot(bounded, response_to(s, bounded));
