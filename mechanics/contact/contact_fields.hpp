@@ -90,12 +90,13 @@ void describe(V& v, ContactSettings& c) {
   v.field(Key{"between_pieces", "",
               "Whether pieces collide with each other; with obstacles they always do"},
           c.between_pieces);
-  v.field(Key{"ball_share",
-              "",
-              "penalty: radius of the ball that stands for a tetrahedron between pieces, as a share "
-              "of its bounding ball's; 1 is the paper's",
-              {.low = 0, .high = 1, .without_low = true}},
-          c.ball_share);
+  v.field(
+      Key{"ball_share",
+          "",
+          "penalty: radius of the ball that stands for a tetrahedron between pieces, as a share "
+          "of its bounding ball's; 1 is the paper's",
+          {.low = 0, .high = 1, .without_low = true}},
+      c.ball_share);
   v.field(Key{"max_iterations", "", "impulses: sweeps of projected Gauss-Seidel in a pass",
               between(1, 1e6)},
           c.max_iterations);
@@ -106,7 +107,8 @@ void describe(V& v, ContactSettings& c) {
               above(0)},
           c.tolerance);
   v.field(Key{"max_passes", "",
-              "impulses: how often a step may be predicted again with the impulses found",
+              "impulses: how often a step may be predicted again with the impulses found; for "
+              "integrators other than floating_frame and modal 3 at most",
               between(1, 100)},
           c.max_passes);
   v.field(Key{"max_contacts_per_pair", "",

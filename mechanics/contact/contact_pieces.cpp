@@ -335,13 +335,31 @@ void add(DetectScratch& scratch, const StepPaths& paths, const Touch& touch, dou
   scratch.found_gap.push_back(touch.gap_end);
 }
 
+/// The vertex that the foot of a touch is, or none().
+VertexId foot_vertex(const Touch& touch, const StepPaths& paths) {
+  constexpr double all = 1 - 1e-6;
+  const auto one = std::ranges::find_if(touch.foot, [](double share) { return share > all; });
+  if (one == touch.foot.end()) return VertexId::none();
+  return corners_of(paths, touch.face)[static_cast<std::size_t>(one - touch.foot.begin())];
+}
+
+/// Whether a vertex lies on a lower one that lies on it, face to face: the two touches are one.
+bool is_mirror(const Touch& touch, std::span<const Touch> all, const StepPaths& paths) {
+  const VertexId other = foot_vertex(touch, paths);
+  if (other.is_none() || touch.vertex < other) return false;
+  const auto of_other = std::ranges::equal_range(all, other, {}, &Touch::vertex);
+  return std::ranges::any_of(of_other, [&](const Touch& mirror) {
+    return foot_vertex(mirror, paths) == touch.vertex && mirror.normal.dot(touch.normal) < -0.9;
+  });
+}
+
 }  // namespace
 
 void find_between_pieces(DetectScratch& scratch, const StepPaths& paths,
                          const ContactSettings& settings) {
   update_surface(scratch.surface, paths.corners, paths.neighbours, paths.state.vertices.size());
   pair_up(scratch, paths);
-  std::vector<Touch> touches;
+  std::vector<Touch> touches, chosen;
   const double band = settings.allowed_penetration;
   gather_resting(touches, scratch, paths, gather_swept(touches, scratch, paths, band), band);
   const auto key = [](const Touch& t) {
@@ -355,10 +373,13 @@ void find_between_pieces(DetectScratch& scratch, const StepPaths& paths,
       ++end;
     }
     Touch room;
-    const Touch* chosen =
+    const Touch* best =
         choose(std::span(touches).subspan(first, end - first), room, paths, scratch.surface, band);
-    if (chosen) add(scratch, paths, *chosen, settings.friction);
+    if (best) chosen.push_back(*best);
     first = end;
+  }
+  for (const Touch& touch : chosen) {
+    if (!is_mirror(touch, chosen, paths)) add(scratch, paths, touch, settings.friction);
   }
 }
 
