@@ -141,11 +141,13 @@ void remember_contacts(ContactStep& step) {
   std::sort(last.begin(), last.end(), by_key);
 }
 
-/// Further passes are for integrators whose bodies answer as the response says: others turn what it
-/// is off by into impulses, the more the more passes there are.
+/// Further passes are for methods whose bodies answer as the response says: others turn what it is
+/// off by into impulses, the more the more passes there are.
 int most_passes(const ContactStep& step) {
   constexpr int for_others = 3;
-  const bool answers = is_floating(step.pass.input.settings.integrator);
+  const IntegratorSettings& method = step.pass.input.settings;
+  const bool answers =
+      is_floating(method.integrator) && method.isolated == IsolatedTetrahedra::rigid;
   return answers ? step.settings.max_passes : std::min(step.settings.max_passes, for_others);
 }
 

@@ -107,8 +107,8 @@ void describe(V& v, ContactSettings& c) {
               above(0)},
           c.tolerance);
   v.field(Key{"max_passes", "",
-              "impulses: how often a step may be predicted again with the impulses found; for "
-              "integrators other than floating_frame and modal 3 at most",
+              "impulses: how often a step may be predicted again with the impulses found; 3 at "
+              "most but for floating_frame and modal with rigid isolated tetrahedra",
               between(1, 100)},
           c.max_passes);
   v.field(Key{"max_contacts_per_pair", "",

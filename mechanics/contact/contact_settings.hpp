@@ -45,8 +45,8 @@ struct ContactSettings {
   /// overlap that the step would have had without contact.
   double tolerance = 1e-5;
   /// How often a step may be predicted again with the impulses found. The response of a body that
-  /// turns by theta in a step is not linear: an error of theta^2 is left after a single pass. For
-  /// integrators other than floating_frame and modal 3 at most.
+  /// turns by theta in a step is not linear: an error of theta^2 is left after a single pass. At
+  /// most 3 but for floating_frame and modal with rigid isolated tetrahedra.
   int max_passes = 10;
   /// Contacts between two bodies in a pass, those of a body's own crack faces too: of more, a set
   /// that spans the same patch is solved, deepest first. Bounds memory (72 k^2 bytes, k contacts of
