@@ -68,7 +68,6 @@ constexpr int member_count(const BorderFactor::Block*) { return 3; }
 constexpr int member_count(const ContactMemory*) { return 2; }
 constexpr int member_count(const Partner*) { return 5; }
 constexpr int member_count(const ContactMemory::Remembered*) { return 2; }
-constexpr int member_count(const SpherePair*) { return 2; }
 constexpr int member_count(const ContactPoint*) { return 12; }
 constexpr int member_count(const ImpactWindow*) { return 2; }
 constexpr int member_count(const LadderState*) { return 1; }

@@ -9,7 +9,6 @@
 #include <string_view>
 #include <vector>
 
-#include "mechanics/contact/contact_grid.hpp"
 #include "mechanics/contact/contact_report.hpp"
 #include "mechanics/contact/contact_settings.hpp"
 #include "mechanics/contact/impact.hpp"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <tuple>
 
 #include "mechanics/contact/contact_partners.hpp"
@@ -301,16 +302,18 @@ const Touch* deepest_on_way(std::span<const Touch> touches, const StepPaths& pat
   return best;
 }
 
-/// Of the touches of one vertex with one component the one that counts; null: none does.
-const Touch* choose(std::span<const Touch> touches, Touch& room, const StepPaths& paths,
-                    const PieceSurface& surface, double band) {
+/// Of the touches of one vertex with one component the one that counts, if any.
+std::optional<Touch> choose(std::span<const Touch> touches, const StepPaths& paths,
+                            const PieceSurface& surface, double band) {
+  const auto if_any = [](const Touch* touch) {
+    return touch ? std::optional(*touch) : std::nullopt;
+  };
   const bool is_inside = touches.front().face.is_none() || touches.back().face.is_none();
   const Touch* rest = nearest_rest(touches, paths, surface, band, is_inside);
-  if (rest && rest->are_partners) return nullptr;
-  if (rest && (is_inside || is_near(paths, *rest))) return rest;
-  if (!is_inside) return deepest_on_way(touches, paths, surface);
-  room = way_out(paths, touches.front().vertex, touches.front().component);
-  return &room;
+  if (rest && rest->are_partners) return std::nullopt;
+  if (rest && (is_inside || is_near(paths, *rest))) return *rest;
+  if (!is_inside) return if_any(deepest_on_way(touches, paths, surface));
+  return way_out(paths, touches.front().vertex, touches.front().component);
 }
 
 void add(DetectScratch& scratch, const StepPaths& paths, const Touch& touch, double friction) {
@@ -372,9 +375,8 @@ void find_between_pieces(DetectScratch& scratch, const StepPaths& paths,
            touches[end].component == touches[first].component) {
       ++end;
     }
-    Touch room;
-    const Touch* best =
-        choose(std::span(touches).subspan(first, end - first), room, paths, scratch.surface, band);
+    const std::optional<Touch> best =
+        choose(std::span(touches).subspan(first, end - first), paths, scratch.surface, band);
     if (best) chosen.push_back(*best);
     first = end;
   }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// TetGen's files read: each a line with counts, then a line a row; comments from # to the line's
-// end.
+// TetGen's files read: what their numbers mean.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,186 +9,11 @@
 
 #include "topology/io/format_traits.hpp"
 #include "topology/io/named_regions.hpp"
-#include "topology/io/scan.hpp"
 #include "topology/io/tetgen/tetgen.hpp"
+#include "topology/io/tetgen/tetgen_table.hpp"
 
 namespace sunder::io {
 namespace {
-
-/// More attributes than anybody has: each becomes a column.
-constexpr std::int64_t most_attributes = 1000;
-
-/// The name of a column as a comment gives it.
-struct ColumnName {
-  /// As it stands there.
-  std::string_view raw;
-  std::string name;
-  std::size_t components = 1;
-};
-
-/// One of the files while it is read.
-struct Table {
-  std::string_view text;
-  /// The line: the text up to its end or its comment.
-  Scanner line;
-  /// Where the next line begins.
-  std::size_t next = 0;
-  /// From the comment before the first line, where there is one.
-  std::vector<ColumnName> names;
-};
-
-std::string_view trimmed(std::string_view text) {
-  Scanner s{text};
-  return rest_of_line(s);
-}
-
-/// `height, velocity*3`.
-ColumnName column_name(std::string_view word) {
-  ColumnName column{.raw = trimmed(word)};
-  std::string_view name = column.raw;
-  if (const std::size_t star = name.find('*'); star != std::string_view::npos) {
-    std::size_t components = 0;
-    const auto [stop, reason] =
-        std::from_chars(name.data() + star + 1, name.data() + name.size(), components);
-    if (reason == std::errc{} && stop == name.data() + name.size()) {
-      column.components = std::clamp<std::size_t>(components, 1, most_attributes + 1);
-      name = name.substr(0, star);
-    }
-  }
-  column.name = unescaped_name(name);
-  return column;
-}
-
-/// Takes names from a comment such as meshio and Sunder write.
-void read_names(Table& table, std::string_view comment) {
-  constexpr std::string_view beginnings[] = {"attribute and marker names:", "attribute names:"};
-  comment = trimmed(comment);
-  for (const std::string_view beginning : beginnings) {
-    if (!comment.starts_with(beginning)) continue;
-    comment.remove_prefix(beginning.size());
-    table.names.clear();
-    while (table.names.size() <= most_attributes) {
-      const std::size_t comma = std::min(comment.find(','), comment.size());
-      table.names.push_back(column_name(comment.substr(0, comma)));
-      if (comma == comment.size()) return;
-      comment.remove_prefix(comma + 1);
-    }
-    return;
-  }
-}
-
-/// Goes to the next line that holds something; false at the end.
-bool next_line(Table& table) {
-  while (table.next < table.text.size()) {
-    const std::size_t begin = table.next;
-    const std::size_t end = std::min(table.text.find('\n', begin), table.text.size());
-    const std::string_view line = table.text.substr(begin, end - begin);
-    const std::size_t comment = std::min(line.find('#'), line.size());
-    table.next = end + 1;
-    table.line = {table.text.substr(0, begin + comment), begin};
-    skip_blanks(table.line);
-    if (table.line.at < table.line.text.size()) return true;
-    if (comment < line.size()) read_names(table, line.substr(comment + 1));
-  }
-  return false;
-}
-
-bool at_line_end(Table& table) {
-  skip_blanks(table.line);
-  return table.line.at == table.line.text.size();
-}
-
-/// The next number of the line.
-template <class Number>
-Number read_in_line(Table& table, std::string_view what) {
-  if (!at_line_end(table)) return read_number<Number>(table.line, what);
-  fail(table.text, table.line.at,
-       {.code = "wrong_count",
-        .text = fmt::format("the line ends where {} was expected", what),
-        .remedy = "complete the line, or correct the counts in the file's first line"});
-}
-
-/// The next count of the first line; `usual` where the line ends before.
-std::int64_t read_head(Table& table, std::string_view what, std::int64_t usual,
-                       std::int64_t highest) {
-  if (at_line_end(table)) return usual;
-  const std::size_t at = table.line.at;
-  const auto count = read_number<std::int64_t>(table.line, what);
-  if (count >= 0 && count <= highest) return count;
-  fail(table.text, at,
-       {.code = count < 0 ? "bad_number" : "count_too_big",
-        .text = fmt::format("{} stands where {} was expected: 0 to {}", count, what, highest),
-        .remedy = "correct the file's first line, or write the file again"});
-}
-
-/// The number of rows, the first number of the file, which ends it where there is none.
-std::size_t read_rows(Table& table, std::string_view what) {
-  if (!next_line(table)) {
-    fail(table.text, table.text.size(),
-         {.code = "truncated_file",
-          .text = fmt::format("the file has no line with the number of {}", what),
-          .remedy = "write the file again"});
-  }
-  return static_cast<std::size_t>(
-      read_head(table, fmt::format("the number of {}", what), 0, std::int64_t{1} << 40));
-}
-
-/// Fails where the bytes that follow cannot hold `rows` lines of `words` numbers each.
-void bound_rows(const Table& table, std::size_t rows, std::string_view what, std::size_t words) {
-  const Scanner rest{table.text, std::min(table.next, table.text.size())};
-  // The last line may end without a line end.
-  if (rows == 0 || 2 * words * rows <= rest.text.size() - rest.at + 1) return;
-  check_count(rest, 0, static_cast<std::int64_t>(rows), what, 2 * words);
-}
-
-/// Goes to row `row` of `rows`.
-void expect_row(Table& table, std::size_t row, std::size_t rows, std::string_view what) {
-  if (next_line(table)) return;
-  fail(table.text, table.text.size(),
-       {.code = "truncated_file",
-        .text = fmt::format("the file ends after {} of {} {}", row, rows, what),
-        .remedy = "the file was cut short, or its first line has a wrong count: correct it"});
-}
-
-void expect_end(Table& table, std::size_t rows, std::string_view what) {
-  if (!next_line(table)) return;
-  fail(table.text, table.line.at,
-       {.code = "wrong_count",
-        .text =
-            fmt::format("a line follows where the {} {} that the file announces end", rows, what),
-        .remedy = "correct the count in the file's first line"});
-}
-
-/// Columns for `numbers` numbers a row: as the comment names them where its names fit, else
-/// `attribute` or `attribute_1`, `attribute_2`, ...
-std::vector<DataColumn> new_columns(std::span<const ColumnName> names, std::size_t numbers,
-                                    std::size_t rows) {
-  std::vector<DataColumn> columns;
-  std::size_t named = 0;
-  for (const ColumnName& n : names) named += n.components;
-  const auto add = [&](std::string name, std::size_t components) {
-    std::vector<double> values;
-    values.reserve(rows * components);
-    columns.push_back({std::move(name), components, NumberType::float64, std::move(values)});
-  };
-  if (named == numbers) {
-    for (const ColumnName& n : names) add(n.name, n.components);
-    return columns;
-  }
-  for (std::size_t i = 1; i <= numbers; ++i) {
-    add(numbers == 1 ? "attribute" : fmt::format("attribute_{}", i), 1);
-  }
-  return columns;
-}
-
-void read_columns(Table& table, std::vector<DataColumn>& columns) {
-  for (DataColumn& column : columns) {
-    auto& values = std::get<std::vector<double>>(column.values);
-    for (std::size_t k = 0; k < column.components; ++k) {
-      values.push_back(read_in_line<double>(table, "an attribute"));
-    }
-  }
-}
 
 /// Whether all of them are integers that a region can be.
 bool are_labels(const std::vector<double>& values) {
@@ -245,9 +69,7 @@ void read_points(TetgenReader& r, Table table) {
   bound_rows(table, rows, "points", 4 + attributes + markers);
   // The marker's name is the last, where it is there at all.
   std::span<const ColumnName> names = table.names;
-  std::size_t named = 0;
-  for (const ColumnName& n : names) named += n.components;
-  const bool names_marker = markers == 1 && named == attributes + 1;
+  const bool names_marker = markers == 1 && numbers_named(table) == attributes + 1;
   if (names_marker) names = names.first(names.size() - 1);
   std::vector<DataColumn> columns = new_columns(names, attributes, rows);
   std::vector<double> marker;
@@ -315,9 +137,7 @@ void read_tetrahedra(TetgenReader& r, Table table) {
   r.is_curved = nodes == 10;
   if (r.is_curved) add_curved_cells(r.draft, "second-order tetrahedra", rows, table.line.at);
   // Without a name the first attribute is the region, where it can be.
-  std::size_t named = 0;
-  for (const ColumnName& n : table.names) named += n.components;
-  const bool fits = named == attributes;
+  const bool fits = numbers_named(table) == attributes;
   const bool has_region = attributes > 0 && (!fits || is_tetgen_region(table.names.front().raw));
   std::span<const ColumnName> names = table.names;
   if (fits && has_region) names = names.subspan(1);
