@@ -57,18 +57,18 @@ struct Touch {
   bool are_partners = false;          ///< whose contact is met elsewhere
 };
 
-/// As the step begins.
+/// m, of a vertex from the plane of a face.
+double gap_at(const StepPaths& paths, VertexId v, HalfFaceId face, double part) {
+  const std::array<Vec3, 3> x = places_at(paths, corners_of(paths, face), part);
+  return normal_of(x).dot(paths.at(v, part) - x[0]);
+}
+
+/// As the step begins, without what it ends with.
 Touch touch_at_start(const StepPaths& paths, VertexId v, HalfFaceId face) {
-  Touch touch{.vertex = v, .face = face};
-  const std::array<VertexId, 3> corners = corners_of(paths, face);
-  const auto gap_at = [&](double part) {
-    const std::array<Vec3, 3> x = places_at(paths, corners, part);
-    return normal_of(x).dot(paths.at(v, part) - x[0]);
-  };
-  touch.component = paths.state.elements.component[tetrahedron_of(face).index()];
-  touch.gap_start = gap_at(0);
-  touch.gap_end = gap_at(1);
-  return touch;
+  return {.vertex = v,
+          .component = paths.state.elements.component[tetrahedron_of(face).index()],
+          .face = face,
+          .gap_start = gap_at(paths, v, face, 0)};
 }
 
 void set_foot(Touch& touch, const StepPaths& paths) {
@@ -79,26 +79,41 @@ void set_foot(Touch& touch, const StepPaths& paths) {
   touch.over_face = std::ranges::all_of(touch.foot, [](double w) { return w >= -rounding; });
 }
 
-/// On the way.
-Touch swept_touch(const StepPaths& paths, VertexId v, HalfFaceId face) {
+/// Whether the vertex ends nearer to the face than they move against each other.
+bool is_near(const StepPaths& paths, const Touch& touch) {
+  const std::array<VertexId, 3> corners = corners_of(paths, touch.face);
+  Vec3 way = paths.at(touch.vertex, 1) - paths.at(touch.vertex, 0);
+  for (std::size_t k = 0; k < 3; ++k) {
+    way -= touch.foot[k] * (paths.at(corners[k], 1) - paths.at(corners[k], 0));
+  }
+  return touch.gap_end < way.norm();
+}
+
+/// On the way, from outside: where the vertex comes to the face itself.
+std::optional<Touch> swept_touch(const StepPaths& paths, VertexId v, HalfFaceId face) {
   Touch touch = touch_at_start(paths, v, face);
+  touch.gap_end = gap_at(paths, v, face, 1);
   touch.is_swept = true;
   if (touch.gap_start > 0) {
     touch.part = touch.gap_end < 0 ? touch.gap_start / (touch.gap_start - touch.gap_end)
                                    : (touch.gap_end < touch.gap_start ? 1.0 : 0.0);
   }
   set_foot(touch, paths);
-  return touch;
+  const bool counts =
+      touch.over_face && touch.gap_start >= -rounding * touch.size && is_near(paths, touch);
+  return counts ? std::optional(touch) : std::nullopt;
 }
 
 /// A vertex that begins on the surface or inside against the point of a face that it is nearest to:
 /// within `band` (m) of its border still the face itself, of one that is inside then its border, an
 /// edge where the surface turns inwards.
-Touch resting_touch(const StepPaths& paths, VertexId v, HalfFaceId face, double band,
+std::optional<Touch> resting_touch(const StepPaths& paths, VertexId v, HalfFaceId face, double band,
                     bool is_inside) {
   Touch touch = touch_at_start(paths, v, face);
+  if (touch.gap_start > band || (!is_inside && touch.gap_start < -band)) return std::nullopt;
+  touch.gap_end = gap_at(paths, v, face, 1);
   set_foot(touch, paths);
-  if (touch.over_face || touch.gap_start > band) return touch;
+  if (touch.over_face) return touch;
   const std::array<VertexId, 3> corners = corners_of(paths, face);
   const std::array<Vec3, 3> x = places_at(paths, corners, 0);
   const std::array<double, 4> nearest = nearest_point({x[0], x[1], x[2], x[2]}, paths.at_start(v));
@@ -111,7 +126,8 @@ Touch resting_touch(const StepPaths& paths, VertexId v, HalfFaceId face, double 
   const Vec3 apart = apart_at(0);
   const double beside = (apart - touch.gap_start * touch.normal).norm();
   touch.over_face = beside <= band;
-  if (touch.over_face || !is_inside || touch.gap_start > 0) return touch;
+  if (touch.over_face) return touch;
+  if (!is_inside || touch.gap_start > 0) return std::nullopt;
   touch.gap_start = -apart.norm();
   touch.normal = -apart.normalized();
   touch.gap_end = touch.normal.dot(apart_at(1));
@@ -128,16 +144,6 @@ bool fits(const StepPaths& paths, const PieceSurface& surface, const Touch& touc
     if (touch.normal.dot(along) < -about * along.norm()) return false;
   }
   return true;
-}
-
-/// Whether the vertex ends nearer to the face than they move against each other.
-bool is_near(const StepPaths& paths, const Touch& touch) {
-  const std::array<VertexId, 3> corners = corners_of(paths, touch.face);
-  Vec3 way = paths.at(touch.vertex, 1) - paths.at(touch.vertex, 0);
-  for (std::size_t k = 0; k < 3; ++k) {
-    way -= touch.foot[k] * (paths.at(corners[k], 1) - paths.at(corners[k], 0));
-  }
-  return touch.gap_end < way.norm();
 }
 
 /// A tetrahedron as the step begins, and how it moves.
@@ -178,16 +184,18 @@ bool move_against_each_other(const DetectScratch& scratch, const StepPaths& path
          paths.members.has(paths.state.elements.component[pair.tetrahedron.index()]);
 }
 
-/// Adds `make(face)` for every face of the pair's tetrahedron that is `near` and on the surface.
+/// Adds `make(face)` for every face of the pair's tetrahedron that is `near` and on the surface,
+/// where it gives a touch.
 template <class Make>
 void add_touches(std::vector<Touch>& touches, const DetectScratch& scratch, const StepPaths& paths,
                  const SpherePair& pair, const std::array<bool, 4>& near, Make make) {
-  const bool are_partners = faces(scratch, pair, paths.corners);
   for (int place = 0; place < 4; ++place) {
     const auto i = static_cast<std::size_t>(place);
     if (!near[i] || !paths.neighbours[pair.tetrahedron.index()][i].is_none()) continue;
-    touches.push_back(make(half_face(pair.tetrahedron, place)));
-    touches.back().are_partners = are_partners;
+    std::optional<Touch> touch = make(half_face(pair.tetrahedron, place));
+    if (!touch) continue;
+    touch->are_partners = faces(scratch, pair, paths.corners);
+    touches.push_back(*touch);
   }
 }
 
@@ -198,7 +206,7 @@ std::vector<Resting> gather_swept(std::vector<Touch>& touches, const DetectScrat
                                   const StepPaths& paths, double band) {
   std::vector<Resting> resting;
   TetId last;
-  Hull hull;
+  Hull hull{};
   for (const SpherePair& pair : scratch.pairs) {
     const auto [t, v] = pair;
     if (t != last) hull = hull_of(paths, t);
@@ -245,8 +253,8 @@ void gather_resting(std::vector<Touch>& touches, const DetectScratch& scratch,
 }
 
 /// Of a vertex deep inside a component: the face of all its surface that it is nearest to.
-Touch way_out(const StepPaths& paths, VertexId v, ComponentId id) {
-  Touch nearest;
+std::optional<Touch> way_out(const StepPaths& paths, VertexId v, ComponentId id) {
+  std::optional<Touch> nearest;
   double least = std::numeric_limits<double>::infinity();
   const Vec3 from = paths.at(v, 0);
   for (TetId t : paths.state.components[id.index()].tetrahedra) {
@@ -256,8 +264,10 @@ Touch way_out(const StepPaths& paths, VertexId v, ComponentId id) {
       const Vec3 middle = (paths.at(c[0], 0) + paths.at(c[1], 0) + paths.at(c[2], 0)) / 3;
       const double distance = (middle - from).squaredNorm();
       if (!(distance < least)) continue;
+      const std::optional<Touch> touch = resting_touch(paths, v, half_face(t, place), 0, true);
+      if (!touch) continue;
       least = distance;
-      nearest = resting_touch(paths, v, half_face(t, place), 0, true);
+      nearest = touch;
     }
   }
   return nearest;
@@ -267,14 +277,11 @@ Touch way_out(const StepPaths& paths, VertexId v, ComponentId id) {
 /// must be clearly nearer. `band`, m: how far from a face is still on it; on several, as at a
 /// corner, that one counts from which the vertex ends farthest.
 const Touch* nearest_rest(std::span<const Touch> touches, const StepPaths& paths,
-                          const PieceSurface& surface, double band, bool is_inside) {
+                          const PieceSurface& surface, double band) {
   const Touch* best = nullptr;
   double least = std::numeric_limits<double>::infinity();
   for (const Touch& touch : touches) {
-    if (touch.is_swept || touch.face.is_none() || !touch.over_face || touch.gap_start > band) {
-      continue;
-    }
-    if (!is_inside && touch.gap_start < -band) continue;
+    if (touch.is_swept || touch.face.is_none()) continue;
     const double depth = std::max(0.0, -touch.gap_start - band) +
                          (fits(paths, surface, touch) ? 0 : 0.01 * touch.size);
     if (best && std::pair(depth, -touch.gap_end) >= std::pair(least, -best->gap_end)) continue;
@@ -290,10 +297,7 @@ const Touch* deepest_on_way(std::span<const Touch> touches, const StepPaths& pat
   const Touch* best = nullptr;
   bool best_fits = false;
   for (const Touch& touch : touches) {
-    if (!touch.is_swept || !touch.over_face || touch.are_partners ||
-        touch.gap_start < -rounding * touch.size || !is_near(paths, touch)) {
-      continue;
-    }
+    if (!touch.is_swept || touch.are_partners) continue;
     const bool now = fits(paths, surface, touch);
     if (best && std::pair(!now, touch.gap_end) >= std::pair(!best_fits, best->gap_end)) continue;
     best = &touch;
@@ -309,7 +313,7 @@ std::optional<Touch> choose(std::span<const Touch> touches, const StepPaths& pat
     return touch ? std::optional(*touch) : std::nullopt;
   };
   const bool is_inside = touches.front().face.is_none() || touches.back().face.is_none();
-  const Touch* rest = nearest_rest(touches, paths, surface, band, is_inside);
+  const Touch* rest = nearest_rest(touches, paths, surface, band);
   if (rest && rest->are_partners) return std::nullopt;
   if (rest && (is_inside || is_near(paths, *rest))) return *rest;
   if (!is_inside) return if_any(deepest_on_way(touches, paths, surface));
