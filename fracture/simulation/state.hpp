@@ -81,7 +81,8 @@ struct SimulationScratch {
   LadderScratch ladder;
   PartStart before;
   Loads loads;
-  std::vector<double> strength;  ///< |C|, Pa: `StepPlan::strength`
+  std::vector<double> strength;   ///< |C|, Pa: `StepPlan::strength`
+  std::vector<double> threshold;  ///< |C|, J: `StepPlan::threshold`
 };
 
 }  // namespace sunder
