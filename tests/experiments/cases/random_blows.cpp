@@ -71,6 +71,7 @@ Simulation built(Scene scene) {
 Scene scene_of(Random& random) {
   Scene scene;
   scene.gravity.acceleration = {0, 0, -9.81};
+  scene.impact.negligible = 0.01;
   const double gap = between(random, 0, 0.002);
   const std::uint64_t kind = random() % 4;
   if (kind != 1) scene.obstacles = {{.shape = Plane{}}};
@@ -134,7 +135,7 @@ Run run(Scene scene, bool by_energy, int steps) {
 BlowOutcome run_blow(std::uint64_t number) {
   Random random(number);
   Scene scene = scene_of(random);
-  set_energy(scene, std::pow(10, between(random, -1, 2)));
+  set_energy(scene, std::pow(10, between(random, -1.5, 3)));
   const double travel = 0.1 / compression_wave_speed(scene.bodies[0].material);
   const double step = travel * std::pow(10, between(random, std::log10(0.5), std::log10(50)));
   double slowest = 1e9;

@@ -8,8 +8,9 @@ namespace sunder::accuracy {
 
 /// One blow twice, with windows at every blow and by energy. Small blocks of 1 to 3 cells a side,
 /// turned at random and spinning: onto the floor, into each other, onto one that lies on the floor,
-/// and several thrown together over a floor. Speeds are such that the energy of the blow is a tenth
-/// to a hundred times what the weakest star of a block needs, steps are 0.5 to 50 L/c.
+/// and several thrown together over a floor. Speeds are such that the energy of the blow is a
+/// thirtieth to a thousand times what the weakest star of a block needs, steps are 0.5 to 50 L/c;
+/// a hundredth of the strength counts as a blow, so that the energy decides.
 struct BlowOutcome {
   bool breaks_always = false, breaks_by_energy = false;
   bool opens_always = false, opens_by_energy = false;
