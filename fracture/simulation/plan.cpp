@@ -130,6 +130,10 @@ void begin_members(StepPlan& plan, const Scene& scene, SimulationState& s) {
   const double count = std::round(scene.integrator.time_step / s.impact.sub_step);
   plan.throughout = count <= waves_stay / scene.impact.fraction;
   plan.left = static_cast<std::uint64_t>(count);
+  if (plan.throughout) {
+    // Quiet begins with the blow, which lies ahead.
+    for (double& quiet : s.impact.quiet) quiet = quiet == 0 ? -plan.blow : quiet;
+  }
   if (!plan.throughout) plan.still = sub_steps_before(plan.blow, plan.left, s.impact.sub_step);
 }
 
@@ -181,7 +185,7 @@ void note_sub_step(StepPlan& plan, const Blows& blows, SimulationState& s) {
     quiet += length;
     if (std::ranges::binary_search(blows.struck, c.id)) continue;
     const bool over = c.tetrahedra.empty() || quiet > waves_stay * extent_travel(s.mechanics, c);
-    if (!over && !has_calmed(plan, s, c)) continue;
+    if (!over && !(quiet > 0 && has_calmed(plan, s, c))) continue;
     quiet = ImpactWindow::closed;
     ++(over ? plan.impact.closed_by_time : plan.impact.closed_by_energy);
   }

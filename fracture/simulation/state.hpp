@@ -22,7 +22,8 @@ namespace sunder {
 /// Impact windows: which components are stepped finely, and how finely.
 struct ImpactWindow {
   static constexpr double closed = std::numeric_limits<double>::infinity();
-  /// Row = ComponentId: s since the component last felt a blow; `closed` for all others.
+  /// Row = ComponentId: s since the component last felt a blow, negative where it lies ahead;
+  /// `closed` for all others.
   std::vector<double> quiet;
   /// s, the scene's step over a power of two; kept while a window is open.
   double sub_step = 0;
