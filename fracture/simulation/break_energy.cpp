@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "fracture/simulation/state.hpp"
+
 namespace sunder {
 
 void note_lowest_strengths(std::vector<double>& strength, const SimulationState& s) {
@@ -16,11 +18,13 @@ void note_lowest_strengths(std::vector<double>& strength, const SimulationState&
 }
 
 void note_break_energies(std::vector<double>& energy, const SimulationState& s,
-                         NodeStress node_stress) {
+                         NodeStress node_stress, BreakEnergyScratch& scratch) {
   const MechanicsState& m = s.mechanics;
   energy.assign(m.components.size(), std::numeric_limits<double>::infinity());
-  std::vector<double> modulus(m.components.size(), 0), density(m.components.size(), 0);
-  std::vector<std::uint32_t> star(m.vertices.size(), 0);
+  auto& [modulus, density, star] = scratch;
+  modulus.assign(m.components.size(), 0);
+  density.assign(m.components.size(), 0);
+  star.assign(m.vertices.size(), 0);
   for (std::size_t t = 0; t < m.elements.size(); ++t) {
     const std::size_t c = m.elements.component[t].index();
     const Material& material = m.materials[m.elements.material[t].index()];

@@ -2,15 +2,23 @@
 // What a component must be under, and hold, before anything of it can break.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "fracture/algorithms/fracture_settings.hpp"
-#include "fracture/simulation/state.hpp"
 
 namespace sunder {
 
+struct SimulationState;
+
 /// Pa, row = ComponentId: strength of each component's weakest vertex; infinite without vertices.
 void note_lowest_strengths(std::vector<double>& strength, const SimulationState& state);
+
+/// Kept from call to call.
+struct BreakEnergyScratch {
+  std::vector<double> modulus, density;  ///< row = ComponentId
+  std::vector<std::uint32_t> star;       ///< row = VertexId: tetrahedra
+};
 
 /// J, row = ComponentId: least strain energy with which the node stress of a vertex could reach its
 /// strength, over vertices whose star in the component has two or more tetrahedra:
@@ -20,6 +28,6 @@ void note_lowest_strengths(std::vector<double>& strength, const SimulationState&
 /// (`NodeStress::fit` may read fourfold at the corner of a cell). Infinite for single tetrahedra.
 /// Mixed materials: the largest M and rho of a component. O(tetrahedra + vertices).
 void note_break_energies(std::vector<double>& energy, const SimulationState& state,
-                         NodeStress node_stress);
+                         NodeStress node_stress, BreakEnergyScratch& scratch);
 
 }  // namespace sunder

@@ -231,7 +231,7 @@ void note_strengths(StepPlan& plan, const Scene& scene, const SimulationState& s
   note_lowest_strengths(plan.strength, s);
   plan.threshold.clear();
   if (!scene.impact.by_energy) return;
-  note_break_energies(plan.threshold, s, scene.fracture.node_stress);
+  note_break_energies(plan.threshold, s, scene.fracture.node_stress, plan.break_energy);
   // What loads can do to it is not bounded.
   for (const CornerLoad& load : s.loads) {
     const TetId t = tetrahedron_of(load.corner);
@@ -242,7 +242,9 @@ void note_strengths(StepPlan& plan, const Scene& scene, const SimulationState& s
 }  // namespace
 
 StepPlan plan_step(const Scene& scene, SimulationState& s, SimulationScratch& scratch) {
-  StepPlan plan{.strength = scratch.strength, .threshold = scratch.threshold};
+  StepPlan plan{.strength = scratch.strength,
+                .threshold = scratch.threshold,
+                .break_energy = scratch.break_energy};
   plan.start = s.mechanics.time;
   plan.gravity = gravity_at(scene.gravity, s.mechanics.time + scene.integrator.time_step);
   s.impact.quiet.resize(s.mechanics.components.size(), ImpactWindow::closed);

@@ -35,6 +35,7 @@ struct StepPlan {
   std::vector<double>& strength;
   /// |C|, J: below it none of its vertices can break; kept in the scratch, empty: all can.
   std::vector<double>& threshold;
+  BreakEnergyScratch& break_energy;
   ImpactReport impact;
   double blow = 0;                  ///< s, when the first blow falls
   std::uint64_t left = 0;           ///< sub-steps that the members have before them

@@ -12,6 +12,7 @@
 #include "fracture/breaking/break_vertices.hpp"
 #include "fracture/breaking/fan_script.hpp"
 #include "fracture/energy/crack_energy.hpp"
+#include "fracture/simulation/break_energy.hpp"
 #include "mechanics/contact/contact.hpp"
 #include "mechanics/state/display_state.hpp"
 #include "mechanics/state/loads.hpp"
@@ -84,6 +85,7 @@ struct SimulationScratch {
   Loads loads;
   std::vector<double> strength;   ///< |C|, Pa: `StepPlan::strength`
   std::vector<double> threshold;  ///< |C|, J: `StepPlan::threshold`
+  BreakEnergyScratch break_energy;
 };
 
 }  // namespace sunder

@@ -99,7 +99,8 @@ Scene scene_of(Random& random) {
 void set_energy(Scene& scene, double part) {
   const Simulation sim = built(scene);
   std::vector<double> energy;
-  note_break_energies(energy, *sim.state, scene.fracture.node_stress);
+  BreakEnergyScratch scratch;
+  note_break_energies(energy, *sim.state, scene.fracture.node_stress, scratch);
   double speed = 1e9;
   for (const Component& c : sim.state->mechanics.components) {
     if (c.tetrahedra.empty()) continue;
