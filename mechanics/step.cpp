@@ -65,6 +65,10 @@ void predict_component(MechanicsScratch& scratch, MechanicsState& state, const S
     keep_still(step);
     return;
   }
+  if (component.rung == Rung::carried) {
+    step_carried(step);
+    return;
+  }
   if (component.isolated && input.settings.isolated == IsolatedTetrahedra::projection) {
     return step_projected(step);
   }

@@ -25,8 +25,8 @@ struct MethodFigure {
   double time_step = 0;      ///< s
   double ms = 0;             ///< a step
   double ratio = 0;          ///< to floating_frame, same body, modulus and step
-  std::uint32_t iterations = 0;
-  std::uint32_t force_evaluations = 0;
+  std::uint64_t iterations = 0;
+  std::uint64_t force_evaluations = 0;
   bool given_up = false;  ///< iterations were, and the factor took the step
 };
 

@@ -96,7 +96,7 @@ void follow_cracks(std::vector<CrackEnergy>& settled, std::vector<OpenCrack>& cr
       const std::size_t v = side.vertex.index();
       const Component& component = state.components[vertices.component[v].index()];
       travel = std::max(travel, extent_travel(state, component));
-      if (!step.members.has(component.id)) continue;
+      if (!step.members.has(component.id) || component.rung == Rung::carried) continue;
       moves = true;
       if (v >= step.displacement_before.size()) continue;
       side.opening +=

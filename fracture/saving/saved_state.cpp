@@ -35,7 +35,7 @@ constexpr int member_count(const GravitySettings*) { return 2; }
 constexpr int member_count(const IntegratorSettings*) { return 14; }
 constexpr int member_count(const RayleighDamping*) { return 2; }
 constexpr int member_count(const ContactSettings*) { return 13; }
-constexpr int member_count(const ImpactSettings*) { return 4; }
+constexpr int member_count(const ImpactSettings*) { return 5; }
 constexpr int member_count(const FractureSettings*) { return 10; }
 constexpr int member_count(const LadderSettings*) { return 4; }
 constexpr int member_count(const Obstacle*) { return 5; }

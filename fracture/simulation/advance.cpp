@@ -127,10 +127,14 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
       report.energy.strain -= rebuilt.strain_released;
       inherit(touched, s.cells.labels);
       inherit(plan.components, s.cells.labels);
+      inherit(plan.boundary.component, s.cells.labels);
     }
     add_fracture(report, std::move(found));
     if (has_failed(report)) break;
   }
+  end_boundary(plan.boundary, s);
+  report.energy.gravity += plan.boundary.gravity_work;
+  report.momentum.gravity += plan.boundary.gravity_impulse;
   report.impact = plan.impact;
   if (plan.phase == StepPlan::Phase::equal) report.status.solve.sub_steps = plan.parts;
 

@@ -83,7 +83,8 @@ double frame_loss(const AdoptedPart& part, const Component& component) {
   const PartStart& before = part.before;
   const Vec3 change = component.momentum - before.momentum[component.id.index()];
   if (input.part.deformation == Deformation::wave) {
-    const Vec3 weight = input.settings.time_step * component.mass * input.loads.gravity;
+    Vec3 weight = input.settings.time_step * component.mass * input.loads.gravity;
+    if (component.rung == Rung::carried) weight.setZero();
     return (WaveScheme::theta - 0.5) * (change - weight).dot(change) / component.mass;
   }
   const Vec3 turn = component.orientation.conjugate() *
@@ -236,7 +237,7 @@ void add_part_energy(StepReport& report, const AdoptedPart& part, bool keeps_led
   for_each_living(m, members, [&](const Component& component) {
     const StrainChange& change = component.strain_change;
     ledger.strain += change.after - change.before;
-    if (has_closed_forms) add_support_work(ledger, part, component);
+    if (has_closed_forms && component.rung != Rung::carried) add_support_work(ledger, part, component);
   });
   if (has_closed_forms) add_losses(ledger, part);
 }

@@ -39,10 +39,11 @@ void add_part_momentum(MomentumLedger& ledger, const AdoptedPart& part) {
   bool any_held = false;
   for_each_living(m, part.input.members, [&](const Component& c) {
     if (c.rung == Rung::asleep) return;
-    ledger.gravity += c.mass * fall;
+    const Vec3 weight = c.rung == Rung::carried ? Vec3::Zero() : Vec3(c.mass * fall);
+    ledger.gravity += weight;
     if (!c.supported) return;
     any_held = true;
-    ledger.supports += c.momentum - part.before.momentum[c.id.index()] - c.mass * fall;
+    ledger.supports += c.momentum - part.before.momentum[c.id.index()] - weight;
   });
   if (any_held) {
     take_contacts(ledger.supports, part);

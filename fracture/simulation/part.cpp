@@ -16,6 +16,13 @@ void update_forces(Loads& loads, const SimulationState& s, double time) {
   loads.force.assign(s.mechanics.vertices.size(), Vec3::Zero());
   loads.turning.assign(s.mechanics.vertices.size(), Vec3::Zero());
   add_corner_loads(loads, s.loads, s.mechanics, s.cells.map.corners(), time);
+  for (const Component& component : s.mechanics.components) {
+    if (component.rung != Rung::carried) continue;
+    for (VertexId v : component.vertices) {
+      loads.force[v.index()].setZero();
+      loads.turning[v.index()].setZero();
+    }
+  }
 }
 
 }  // namespace

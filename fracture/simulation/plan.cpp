@@ -6,8 +6,10 @@
 #include <cmath>
 #include <limits>
 
+#include "fracture/simulation/break_energy.hpp"
 #include "fracture/simulation/integrator_bounds.hpp"
 #include "mechanics/baselines/verlet.hpp"
+#include "mechanics/contact/impact_energy.hpp"
 #include "mechanics/contact/obstacle_geometry.hpp"
 #include "mechanics/state/living.hpp"
 
@@ -48,67 +50,54 @@ void open(StepPlan& plan, ImpactWindow& window, const Blows& blows, double time_
   }
 }
 
-/// A ball around a component or free sphere.
-struct Around {
-  Vec3 center;
-  double radius;
-  char* member;
-};
-
-double fastest_speed(const SimulationState& s) {
-  double squared = 0;
-  for (const Vec3& v : s.mechanics.vertices.velocity) squared = std::max(squared, v.squaredNorm());
-  for (const Obstacle& o : s.obstacles) squared = std::max(squared, o.velocity.squaredNorm());
-  return std::sqrt(squared);
-}
-
-/// Makes members of those with open windows and of all that they could meet in this step, one
-/// through the other:
-/// whose balls are nearer than four times the farthest way of anything. Twice that is what two
-/// bodies do at the present speeds, and an impact can double a speed.
+/// Makes members of those with open windows and of what they touch, and rigid bodies of what is
+/// round those.
 void gather_members(StepPlan& plan, const SimulationState& s, double h) {
-  const double way = h * (fastest_speed(s) + h * plan.gravity.norm());
-  plan.components.assign(s.mechanics.components.size(), 0);
-  plan.balls.assign(s.obstacles.size(), 0);
-  std::vector<Around> others, reached;
-  for (const Component& c : s.mechanics.components) {
-    if (c.tetrahedra.empty()) continue;
-    // A deformed body is larger than at rest, by less than this.
-    others.push_back({c.centre, 1.1 * c.rest_radius, &plan.components[c.id.index()]});
-  }
-  for (std::size_t k = 0; k < s.obstacles.size(); ++k) {
-    if (!s.obstacles[k].mass) continue;
-    const Sphere& ball = std::get<Sphere>(s.obstacles[k].shape);
-    others.push_back({ball.center, ball.radius, &plan.balls[k]});
-  }
-  for (ComponentId id : open_windows(s.impact)) plan.components[id.index()] = 1;
-  const auto seeds_end =
-      std::partition(others.begin(), others.end(), [](const Around& a) { return *a.member == 0; });
-  reached.assign(seeds_end, others.end());
-  others.erase(seeds_end, others.end());
-  while (!reached.empty()) {
-    const Around near = reached.back();
-    reached.pop_back();
-    const auto out = std::partition(others.begin(), others.end(), [&](const Around& other) {
-      return (other.center - near.center).norm() > near.radius + other.radius + 4 * way;
-    });
-    for (auto it = out; it != others.end(); ++it) {
-      *it->member = 1;
-      reached.push_back(*it);
-    }
-    others.erase(out, others.end());
-  }
+  plan.reach = reach_of_step(s, plan.gravity, h);
+  assign_roles(plan.boundary, s, open_windows(s.impact), plan.reach);
 }
 
-/// Turns members into all others. True when there are any that could move.
+/// Everybody whose role `fits` becomes a member of the part to come.
+template <class Fits>
+void take_those(StepPlan& plan, Fits fits) {
+  plan.components.clear();
+  for (Role role : plan.boundary.component) plan.components.push_back(fits(role));
+  plan.balls.clear();
+  for (Role role : plan.boundary.ball) plan.balls.push_back(fits(role));
+}
+
+/// All but the members, for the whole step. True when there are any that could move.
 bool take_the_others(StepPlan& plan, const SimulationState& s) {
-  for (char& member : plan.components) member = !member;
-  for (char& member : plan.balls) member = !member;
+  take_those(plan, [](Role role) { return role != Role::member; });
   bool any = !living_components(s.mechanics, plan.members()).empty();
   for (std::size_t k = 0; k < s.obstacles.size(); ++k) {
     any = any || (s.obstacles[k].mass && plan.balls[k]);
   }
   return any;
+}
+
+/// The members, and the carried among which they are.
+void take_the_members(StepPlan& plan, const SimulationState& s) {
+  take_those(plan, [](Role role) { return role != Role::other; });
+  std::uint32_t members = 0, carried = 0;
+  for_each_living(s.mechanics, {}, [&](const Component& c) {
+    members += plan.boundary.component[c.id.index()] == Role::member;
+    carried += plan.boundary.component[c.id.index()] == Role::carried;
+  });
+  plan.impact.components = std::max(plan.impact.components, members);
+  plan.impact.carried = std::max(plan.impact.carried, carried);
+}
+
+double time_left(const StepPlan& plan, const SimulationState& s) {
+  return static_cast<double>(plan.left) * s.impact.sub_step;
+}
+
+/// Carried components for which windows have opened are members from here on.
+void release_struck(StepPlan& plan, SimulationState& s) {
+  const double left = time_left(plan, s);
+  for (ComponentId id : open_windows(s.impact)) {
+    release(plan.boundary, s, id, plan.gravity, left);
+  }
 }
 
 /// How many sub-steps the members go on with frozen deformations: to the one in which the first
@@ -135,21 +124,27 @@ void begin_others(StepPlan& plan, const SimulationState& s) {
 /// accuracy than it saves.
 void begin_members(StepPlan& plan, const Scene& scene, SimulationState& s) {
   put_back_obstacles(plan, s.obstacles);
-  take_the_others(plan, s);
+  begin_boundary(plan.boundary, s, plan.gravity, scene.integrator.time_step);
+  take_the_members(plan, s);
   s.mechanics.time = plan.start;
-  plan.impact.components =
-      std::max(plan.impact.components,
-               static_cast<std::uint32_t>(living_components(s.mechanics, plan.members()).size()));
   const double count = std::round(scene.integrator.time_step / s.impact.sub_step);
   plan.throughout = count <= waves_stay / scene.impact.fraction;
   plan.left = static_cast<std::uint64_t>(count);
+  if (plan.throughout) {
+    // Quiet begins with the blow, which lies ahead.
+    for (double& quiet : s.impact.quiet) quiet = quiet == 0 ? -plan.blow : quiet;
+  }
   if (!plan.throughout) plan.still = sub_steps_before(plan.blow, plan.left, s.impact.sub_step);
 }
 
-PlannedPart next_of_members(StepPlan& plan, const Scene& scene, const SimulationState& s) {
+PlannedPart next_of_members(StepPlan& plan, const Scene& scene, SimulationState& s) {
   const double sub_step = s.impact.sub_step;
+  // A tenth of a depth that is never pushed out.
+  spread_boundary(plan.boundary, s, plan.gravity, time_left(plan, s), plan.reach,
+                  0.1 * scene.contact.allowed_penetration);
+  take_the_members(plan, s);
   if (plan.still > 0) {
-    return {.part = {Deformation::frozen, 0, &scene.impact, plan.strength},
+    return {.part = {Deformation::frozen, 0, &scene.impact, plan.strength, plan.threshold},
             .length = static_cast<double>(plan.still) * sub_step,
             .breaks = false};
   }
@@ -157,12 +152,25 @@ PlannedPart next_of_members(StepPlan& plan, const Scene& scene, const Simulation
   const bool fine = plan.throughout || !open_windows(s.impact).empty();
   const bool at_once = plan.impact.stopped || plan.hurried;
   if (fine && !at_once) {
-    return {{Deformation::wave, 0, &scene.impact, plan.strength}, sub_step};
+    return {{Deformation::wave, 0, &scene.impact, plan.strength, plan.threshold}, sub_step};
   }
   // What is left at once, or the way to the next blow.
   const ImpactSettings* impact = at_once ? nullptr : &scene.impact;
-  return {{Deformation::catch_up, scene.integrator.time_step, impact, plan.strength},
-          static_cast<double>(plan.left) * sub_step};
+  return {
+      {Deformation::catch_up, scene.integrator.time_step, impact, plan.strength, plan.threshold},
+      static_cast<double>(plan.left) * sub_step};
+}
+
+/// How many components were struck without the energy to break.
+void count_spared(ImpactReport& report, const Blows& blows) {
+  report.spared_by_pair += static_cast<std::uint32_t>(blows.spared_by_pair.size());
+  report.spared_by_island += static_cast<std::uint32_t>(blows.spared_by_island.size());
+}
+
+/// Whether all that is in a component is too little to break it.
+bool has_calmed(const StepPlan& plan, const SimulationState& s, const Component& component) {
+  return !plan.threshold.empty() &&
+         deformation_energy(s.mechanics, component) < plan.threshold[component.id.index()];
 }
 
 /// After a sub-step: windows whose waves have died away close, those of what was struck open.
@@ -175,9 +183,11 @@ void note_sub_step(StepPlan& plan, const Blows& blows, SimulationState& s) {
     double& quiet = s.impact.quiet[c.id.index()];
     if (quiet == ImpactWindow::closed) continue;
     quiet += length;
-    if (c.tetrahedra.empty() || quiet > waves_stay * extent_travel(s.mechanics, c)) {
-      quiet = ImpactWindow::closed;
-    }
+    if (std::ranges::binary_search(blows.struck, c.id)) continue;
+    const bool over = c.tetrahedra.empty() || quiet > waves_stay * extent_travel(s.mechanics, c);
+    if (!over && !(quiet > 0 && has_calmed(plan, s, c))) continue;
+    quiet = ImpactWindow::closed;
+    ++(over ? plan.impact.closed_by_time : plan.impact.closed_by_energy);
   }
   for (ComponentId id : blows.struck) {
     plan.impact.opened += !is_open(s.impact, id.index());
@@ -208,6 +218,7 @@ void note_members(StepPlan& plan, const PlannedPart& part, const ContactStepResu
 
 /// Where the members' step ends everybody meets again.
 void finish_members(StepPlan& plan, const Scene& scene, SimulationState& s) {
+  end_boundary(plan.boundary, s);
   if (plan.impact.stopped) std::ranges::fill(s.impact.quiet, ImpactWindow::closed);
   put_back_obstacles(plan, s.obstacles);
   for (Obstacle& obstacle : s.obstacles) {
@@ -216,18 +227,25 @@ void finish_members(StepPlan& plan, const Scene& scene, SimulationState& s) {
 }
 
 /// Pieces that came off take their vertices' strengths with them.
-void note_strengths(StepPlan& plan, const SimulationState& s) {
-  plan.strength.assign(s.mechanics.components.size(), std::numeric_limits<double>::infinity());
-  for (std::size_t v = 0; v < s.mechanics.vertices.size(); ++v) {
-    double& lowest = plan.strength[s.mechanics.vertices.component[v].index()];
-    lowest = std::min(lowest, s.cells.strength[v]);
+void note_strengths(StepPlan& plan, const Scene& scene, const SimulationState& s) {
+  note_lowest_strengths(plan.strength, s.mechanics, s.cells);
+  plan.threshold.clear();
+  if (!scene.impact.by_energy) return;
+  note_break_energies(plan.threshold, s.mechanics, s.cells, scene.fracture.node_stress,
+                      plan.break_energy);
+  // What loads can do to it is not bounded.
+  for (const CornerLoad& load : s.loads) {
+    const TetId t = tetrahedron_of(load.corner);
+    plan.threshold[s.mechanics.elements.component[t.index()].index()] = 0;
   }
 }
 
 }  // namespace
 
 StepPlan plan_step(const Scene& scene, SimulationState& s, SimulationScratch& scratch) {
-  StepPlan plan{.strength = scratch.strength};
+  StepPlan plan{.strength = scratch.strength,
+                .threshold = scratch.threshold,
+                .break_energy = scratch.break_energy};
   plan.start = s.mechanics.time;
   plan.gravity = gravity_at(scene.gravity, s.mechanics.time + scene.integrator.time_step);
   s.impact.quiet.resize(s.mechanics.components.size(), ImpactWindow::closed);
@@ -244,11 +262,11 @@ StepPlan plan_step(const Scene& scene, SimulationState& s, SimulationScratch& sc
 std::optional<PlannedPart> next_part(StepPlan& plan, const Scene& scene, SimulationState& s) {
   using Phase = StepPlan::Phase;
   const double h = scene.integrator.time_step;
-  if (has_windows(scene)) note_strengths(plan, s);
+  if (has_windows(scene)) note_strengths(plan, scene, s);
   // Explicit parts cannot be longer; everybody is at the same time, so the step may end here.
   if (plan.hurried && plan.phase == Phase::equal) return std::nullopt;
   const StepPart whole{Deformation::whole, 0, has_windows(scene) ? &scene.impact : nullptr,
-                       plan.strength};
+                       plan.strength, plan.threshold};
   if (plan.phase == Phase::others_done) {
     begin_members(plan, scene, s);
     plan.phase = Phase::members;
@@ -281,7 +299,12 @@ void note_part(StepPlan& plan, const PlannedPart& part, const ContactStepResult&
                const Scene& scene, SimulationState& s) {
   using Phase = StepPlan::Phase;
   ++plan.taken;
-  if (plan.phase == Phase::members) return note_members(plan, part, result, scene, s);
+  count_spared(plan.impact, result.blows);
+  if (plan.phase == Phase::members) {
+    if (result.adopted) note_pushed(plan.boundary, s.mechanics, result.contacts);
+    note_members(plan, part, result, scene, s);
+    return release_struck(plan, s);
+  }
   if (result.adopted) {
     if (plan.phase == Phase::whole) plan.phase = Phase::whole_done;
     if (plan.phase == Phase::others) plan.phase = Phase::others_done;

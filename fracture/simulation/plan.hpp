@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "fracture/simulation/boundary.hpp"
 #include "fracture/simulation/part.hpp"
 
 namespace sunder {
@@ -28,8 +29,13 @@ struct StepPlan {
 
   /// Members of the part at hand; rows of components and obstacles, empty: all.
   std::vector<char> components, balls;
+  Boundary boundary;  ///< who is who once windows are open
+  double reach = 0;   ///< m, `reach_of_step` as the roles were given
   /// |C|, Pa: of the weakest vertex, as the part at hand begins; kept in the scratch.
   std::vector<double>& strength;
+  /// |C|, J: below it none of its vertices can break; kept in the scratch, empty: all can.
+  std::vector<double>& threshold;
+  BreakEnergyScratch& break_energy;
   ImpactReport impact;
   double blow = 0;                  ///< s, when the first blow falls
   std::uint64_t left = 0;           ///< sub-steps that the members have before them

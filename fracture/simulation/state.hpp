@@ -12,6 +12,7 @@
 #include "fracture/breaking/break_vertices.hpp"
 #include "fracture/breaking/fan_script.hpp"
 #include "fracture/energy/crack_energy.hpp"
+#include "fracture/simulation/break_energy.hpp"
 #include "mechanics/contact/contact.hpp"
 #include "mechanics/state/display_state.hpp"
 #include "mechanics/state/loads.hpp"
@@ -22,7 +23,8 @@ namespace sunder {
 /// Impact windows: which components are stepped finely, and how finely.
 struct ImpactWindow {
   static constexpr double closed = std::numeric_limits<double>::infinity();
-  /// Row = ComponentId: s since the component last felt a blow; `closed` for all others.
+  /// Row = ComponentId: s since the component last felt a blow, negative where it lies ahead;
+  /// `closed` for all others.
   std::vector<double> quiet;
   /// s, the scene's step over a power of two; kept while a window is open.
   double sub_step = 0;
@@ -81,7 +83,9 @@ struct SimulationScratch {
   LadderScratch ladder;
   PartStart before;
   Loads loads;
-  std::vector<double> strength;  ///< |C|, Pa: `StepPlan::strength`
+  std::vector<double> strength;   ///< |C|, Pa: `StepPlan::strength`
+  std::vector<double> threshold;  ///< |C|, J: `StepPlan::threshold`
+  BreakEnergyScratch break_energy;
 };
 
 }  // namespace sunder

@@ -25,11 +25,18 @@ inline constexpr std::array<std::string_view, 4> stage_names = {"mechanics", "fr
 struct ImpactReport {
   /// Components for which a window opened.
   std::uint32_t opened = 0;
+  /// How often one was struck and judged unable to break with the energy at hand, by which bound
+  /// (`ImpactEnergy`).
+  std::uint32_t spared_by_pair = 0, spared_by_island = 0;
+  /// Windows that closed as the waves had gone to and fro, and as they held too little energy.
+  std::uint32_t closed_by_time = 0, closed_by_energy = 0;
   /// Sub-steps, and the time they took together, s.
   std::uint32_t sub_steps = 0;
   double time = 0;
-  /// Most components that were sub-stepped at once: those struck and those that they could reach.
+  /// Most components that were sub-stepped at once: those struck and what they could meet.
   std::uint32_t components = 0;
+  /// Most that stood round those as rigid bodies.
+  std::uint32_t carried = 0;
   /// Largest sub-step over the longest that resolves a blow it met; above 1 where pieces were
   /// struck that are smaller than the one the window was opened for.
   double coarseness = 0;
@@ -39,9 +46,14 @@ struct ImpactReport {
 
 constexpr auto counters_of(const ImpactReport*) {
   return std::tuple{Counter{"windows", &ImpactReport::opened},
+                    Counter{"spared_by_pair", &ImpactReport::spared_by_pair},
+                    Counter{"spared_by_island", &ImpactReport::spared_by_island},
+                    Counter{"closed_by_time", &ImpactReport::closed_by_time},
+                    Counter{"closed_by_energy", &ImpactReport::closed_by_energy},
                     Counter{"sub_steps", &ImpactReport::sub_steps},
                     Counter{"time", &ImpactReport::time},
                     Counter{"most_components", &ImpactReport::components, Adds::most},
+                    Counter{"most_carried", &ImpactReport::carried, Adds::most},
                     Counter{"coarseness", &ImpactReport::coarseness, Adds::most}};
 }
 

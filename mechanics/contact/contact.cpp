@@ -110,10 +110,34 @@ bool by_key(const ContactMemory::Remembered& a, const ContactMemory::Remembered&
   return key_of(a.contact) < key_of(b.contact);
 }
 
+/// Whether all that meets in a contact belongs to what the step moves, and not all of it is
+/// carried: contacts of those were solved as they took the step.
+bool concerns_step(const ContactStep& step, const ContactPoint& contact) {
+  const StepMembers& members = step.pass.input.members;
+  const MechanicsState& state = step.pass.state;
+  bool all = true, any = false;
+  const auto see = [&](ComponentId id) {
+    all = all && members.has(id);
+    any = any || state.components[id.index()].rung != Rung::carried;
+  };
+  const auto see_ball = [&](std::uint32_t row) {
+    all = all && members.has_ball(row);
+    any = true;
+  };
+  if (contact.ball != ContactPoint::none) see_ball(contact.ball);
+  if (!contact.vertex.is_none()) see(state.vertices.component[contact.vertex.index()]);
+  if (!contact.tetrahedron.is_none()) see(state.elements.component[contact.tetrahedron.index()]);
+  const bool meets_ball = contact.obstacle != ContactPoint::none &&
+                          step.pass.obstacles[contact.obstacle].mass.has_value();
+  if (meets_ball) see_ball(contact.obstacle);
+  return all && any;
+}
+
 /// Lets the first pass begin with the forces that the same contacts needed in the last step.
 void guess_from_last_step(ContactStep& step) {
   const auto& last = step.memory.last_contacts;
   for (std::size_t k = 0; k < step.contacts.size(); ++k) {
+    if (!concerns_step(step, step.contacts[k])) continue;
     const ContactMemory::Remembered contact{step.contacts[k], step.h()};
     const auto found = std::lower_bound(last.begin(), last.end(), contact, by_key);
     if (found == last.end() || key_of(found->contact) != key_of(contact.contact)) continue;
@@ -124,20 +148,13 @@ void guess_from_last_step(ContactStep& step) {
   }
 }
 
-/// Whether all sides of a contact belong to what the step moves.
-bool among_members(const ContactStep& step, const ContactPoint& contact) {
-  const StepMembers& members = step.pass.input.members;
-  const MechanicsState& state = step.pass.state;
-  if (contact.ball != ContactPoint::none) return members.has_ball(contact.ball);
-  return contact.vertex.index() < state.vertices.size() &&
-         members.has(state.vertices.component[contact.vertex.index()]);
-}
-
 /// Contacts of this step in place of those of the members' last one.
 void remember_contacts(ContactStep& step) {
   auto& last = step.memory.last_contacts;
-  std::erase_if(last, [&](const auto& old) { return among_members(step, old.contact); });
-  for (const ContactPoint& contact : step.contacts) last.push_back({contact, step.h()});
+  std::erase_if(last, [&](const auto& old) { return concerns_step(step, old.contact); });
+  for (const ContactPoint& contact : step.contacts) {
+    if (concerns_step(step, contact)) last.push_back({contact, step.h()});
+  }
   std::sort(last.begin(), last.end(), by_key);
 }
 

@@ -35,7 +35,8 @@ void touch(StepBlows& blows, const ContactBodies& bodies, std::size_t b, const C
   if (touched) return;
   touched = 1;
   Component& component = pass.state.components[bodies.component[b].index()];
-  if (takes_split_blow(pass, component) && !component.supported) {
+  const bool has_taken_loads = component.rung == Rung::carried;
+  if (takes_split_blow(pass, component) && !component.supported && !has_taken_loads) {
     blow_of_loads(blows, component, pass);
   }
 }
@@ -126,7 +127,7 @@ void predict_touched(StepBlows& blows, const ContactPass& pass) {
     const bool split = takes_split_blow(pass, component);
     if (split && !component.supported) {
       free.push_back(component.id);
-      if (component.isolated) {
+      if (component.isolated || component.rung == Rung::carried) {
         for (VertexId v : component.vertices) force[v.index()].setZero();
         continue;
       }

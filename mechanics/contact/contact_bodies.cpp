@@ -50,6 +50,7 @@ FreeSlots free_slots(const ContactPass& pass, std::span<const VertexId> slots) {
 /// Whether the body responds by deforming, in floating_frame or modal.
 bool responds_elastically(const ContactPass& pass, const Component& component) {
   return takes_split_blow(pass, component) && !component.isolated &&
+         component.rung != Rung::carried &&
          pass.input.part.deformation != Deformation::frozen;
 }
 
@@ -126,7 +127,8 @@ RespondingBody responding_component(const ContactPass& pass, const Component& co
 RespondingBody lumped_component(const ContactPass& pass, const Component& component,
                                 std::span<const VertexId> slots) {
   RespondingBody body;
-  if (component.isolated) {
+  if (component.isolated || component.rung == Rung::carried) {
+    if (component.supported) return body;
     body.inverse_mass = 1 / component.mass;
     body.inverse_inertia = world_inertia(pass.state, component).inverse();
     return body;

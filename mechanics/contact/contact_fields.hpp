@@ -132,6 +132,10 @@ void describe(V& v, ImpactSettings& i) {
               "Part of the tensile strength below which the stress rho c v of an impact is ignored",
               Range{.low = 0, .high = 1, .without_low = true}},
           i.negligible);
+  v.field(Key{"by_energy", "",
+              "Whether only such impacts count as bring enough energy with them to break the "
+              "component struck"},
+          i.by_energy);
   v.field(
       Key{"max_sub_steps", "",
           "Sub-steps allowed in one step; the remainder is then taken at once, and the report says "

@@ -18,6 +18,7 @@ Vec3 weight_shift(const ContactStep& step, ComponentId id, const Vec3& place) {
   const Component& component = step.pass.state.components[id.index()];
   const bool falls_later = component.isolated || !is_explicit(step.pass.input.settings.integrator);
   const bool shifts = falls_later && !component.supported && component.rung != Rung::asleep &&
+                      component.rung != Rung::carried &&
                       !step.scratch.blows.component_touched[id.index()];
   if (!shifts) return Vec3::Zero();
   Vec3 acceleration = step.pass.input.loads.gravity;
@@ -76,45 +77,6 @@ void take_spanning_sets(ContactStep& step) {
   }
 }
 
-/// Whether two sides meet so fast that it is a blow for one of them. A crack that closes within one
-/// component brings it nothing that it did not have.
-bool is_blow_for_a_side(const ContactStep& step, const ContactPoint& contact, double speed,
-                        Blows& blows) {
-  const MechanicsState& state = step.pass.state;
-  const ImpactSettings& impact = *step.pass.input.part.impact;
-  const std::array<Component*, 2> sides = sides_of(step, contact);
-  if (sides[0] == sides[1]) return false;
-  bool any = false;
-  for (const Component* side : sides) {
-    if (!side || !is_blow(state, *side, speed, strength_of(step, side->id), impact)) continue;
-    any = true;
-    blows.struck.push_back(side->id);
-    blows.sub_step = std::min(blows.sub_step, wave_sub_step(state, *side, impact));
-  }
-  return any;
-}
-
-/// Blows among the contacts found: they are told, and in a frozen part forgotten.
-void look_for_blows(ContactStep& step) {
-  DetectScratch& found = step.scratch.detect;
-  const StepPaths paths = paths_of(step);
-  Blows& blows = step.blows;
-  std::size_t kept = 0;
-  for (std::size_t k = 0; k < found.found.size(); ++k) {
-    const Meeting meeting = meeting_of(found.found[k], paths);
-    const bool blow = std::isfinite(meeting.time) &&
-                      is_blow_for_a_side(step, found.found[k], meeting.speed, blows);
-    if (blow) blows.time = std::min(blows.time, meeting.time);
-    if (blow && step.deformation() == Deformation::frozen) continue;
-    found.found[kept] = found.found[k];
-    found.found_gap[kept++] = found.found_gap[k];
-  }
-  found.found.resize(kept);
-  found.found_gap.resize(kept);
-  std::sort(blows.struck.begin(), blows.struck.end());
-  blows.struck.erase(std::unique(blows.struck.begin(), blows.struck.end()), blows.struck.end());
-}
-
 /// Finds contacts along the paths as they are predicted. False when there are blows on them that
 /// the step must not run into.
 bool detect_contacts(ContactStep& step) {
@@ -124,7 +86,9 @@ bool detect_contacts(ContactStep& step) {
   return step.deformation() == Deformation::frozen || step.blows.struck.empty();
 }
 
-bool on_lower_rung(const Component* side) { return side && side->rung != Rung::full; }
+bool on_lower_rung(const Component* side) {
+  return side && side->rung != Rung::full && side->rung != Rung::carried;
+}
 
 /// Whether neither side of a contact moves in this step.
 bool lie_still(const ContactStep& step, const ContactPoint& contact,

@@ -108,7 +108,7 @@ std::optional<Touch> swept_touch(const StepPaths& paths, VertexId v, HalfFaceId 
 /// within `band` (m) of its border still the face itself, of one that is inside then its border, an
 /// edge where the surface turns inwards.
 std::optional<Touch> resting_touch(const StepPaths& paths, VertexId v, HalfFaceId face, double band,
-                    bool is_inside) {
+                                   bool is_inside) {
   Touch touch = touch_at_start(paths, v, face);
   if (touch.gap_start > band || (!is_inside && touch.gap_start < -band)) return std::nullopt;
   touch.gap_end = gap_at(paths, v, face, 1);
@@ -205,8 +205,9 @@ void add_touches(std::vector<Touch>& touches, const DetectScratch& scratch, cons
 std::vector<Resting> gather_swept(std::vector<Touch>& touches, const DetectScratch& scratch,
                                   const StepPaths& paths, double band) {
   std::vector<Resting> resting;
-  TetId last;
-  Hull hull{};
+  if (scratch.pairs.empty()) return {};
+  TetId last = scratch.pairs.front().tetrahedron;
+  Hull hull = hull_of(paths, last);
   for (const SpherePair& pair : scratch.pairs) {
     const auto [t, v] = pair;
     if (t != last) hull = hull_of(paths, t);

@@ -113,6 +113,9 @@ void predict_wave_balls(ContactStep& step);
 /// Balls go where the wave's sub-step leads them.
 void move_wave_balls(ContactStep& step);
 
+/// Blows among the contacts found: they are told, and in a frozen part forgotten.
+void look_for_blows(ContactStep& step);
+
 /// Which components are in the midst of a blow, into `step.blows`. Needs: the state of the start.
 void feel_blows(ContactStep& step);
 

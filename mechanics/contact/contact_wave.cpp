@@ -66,41 +66,6 @@ void strike_end(ContactStep& step, const ContactEnd& end, const Vec3& impulse) {
   for (VertexId v : component.vertices) blows.vertex_impulse[v.index()] += 0.25 * impulse;
 }
 
-/// The strongest contact that a component has: what it moves against.
-struct Touch {
-  double impulse = 0;  ///< N s
-  Vec3 normal = Vec3::Zero();
-  Vec3 against = Vec3::Zero();  ///< m/s, velocity of the other side at the start
-};
-
-Vec3 velocity_of_side_b(const ContactStep& step, const ContactPoint& contact) {
-  if (contact.obstacle != ContactPoint::none) return step.pass.obstacles[contact.obstacle].velocity;
-  return weighted_sum(step.pass.input.corners[contact.tetrahedron.index()], contact.weights,
-                      step.pass.state.vertices.velocity);
-}
-
-Vec3 velocity_of_side_a(const ContactStep& step, const ContactPoint& contact) {
-  if (contact.ball != ContactPoint::none) return step.pass.obstacles[contact.ball].velocity;
-  return step.pass.state.vertices.velocity[contact.vertex.index()];
-}
-
-/// Row = ComponentId; cracks that close within it left out.
-std::vector<Touch> strongest_touches(const ContactStep& step) {
-  std::vector<Touch> touches(step.pass.state.components.size());
-  const auto see = [&](ComponentId id, const ContactPoint& contact, const Vec3& against) {
-    Touch& touch = touches[id.index()];
-    const double impulse = contact.impulse.norm();
-    if (impulse > touch.impulse) touch = {impulse, contact.normal, against};
-  };
-  for (const ContactPoint& contact : step.contacts) {
-    const std::array<Component*, 2> sides = sides_of(step, contact);
-    if (sides[0] == sides[1]) continue;
-    if (sides[0]) see(sides[0]->id, contact, velocity_of_side_b(step, contact));
-    if (sides[1]) see(sides[1]->id, contact, velocity_of_side_a(step, contact));
-  }
-  return touches;
-}
-
 }  // namespace
 
 double wave_gap_error(const ContactStep& step, const ContactPoint& contact) {
@@ -177,24 +142,6 @@ void move_wave_balls(ContactStep& step) {
     ball.velocity = ball_velocity(step, k);
     ball.spin += step.scratch.blows.ball_twist[k] / moment_of_inertia(ball);
     std::get<Sphere>(ball.shape).center = step.scratch.ball_end[k];
-  }
-}
-
-void feel_blows(ContactStep& step) {
-  const MechanicsState& state = step.pass.state;
-  const ImpactSettings& impact = *step.pass.input.part.impact;
-  const std::vector<Touch> touches = strongest_touches(step);
-  for (const Component& component : state.components) {
-    const Touch& touch = touches[component.id.index()];
-    if (touch.impulse == 0) continue;
-    double fastest = 0;
-    for (VertexId v : component.vertices) {
-      const Vec3 relative = state.vertices.velocity[v.index()] - touch.against;
-      fastest = std::max(fastest, std::abs(touch.normal.dot(relative)));
-    }
-    if (!is_blow(state, component, fastest, strength_of(step, component.id), impact)) continue;
-    step.blows.struck.push_back(component.id);
-    step.blows.sub_step = std::min(step.blows.sub_step, wave_sub_step(state, component, impact));
   }
 }
 

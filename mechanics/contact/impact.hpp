@@ -17,6 +17,8 @@ struct Blows {
   /// s, the longest sub-step that resolves them.
   double sub_step = std::numeric_limits<double>::infinity();
   std::vector<ComponentId> struck;  ///< ascending, none twice
+  /// Struck, but without the energy to break (`ImpactEnergy`): by which bound.
+  std::vector<ComponentId> spared_by_pair, spared_by_island;
 };
 
 /// Longest sub-step that resolves a blow on the component, s.

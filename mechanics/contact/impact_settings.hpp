@@ -18,6 +18,10 @@ struct ImpactSettings {
   double fraction = 0.0625;
   /// A blow counts when its stress rho c v is at least this part of the tensile strength.
   double negligible = 0.1;
+  /// Whether a window opens only where the energy that could come into a component before the next
+  /// check could break it, and closes once less is left in it; false: at every such blow, for 2
+  /// L/c.
+  bool by_energy = true;
   /// Sub-steps allowed in one step; the remainder of the step is then taken at once.
   std::uint32_t max_sub_steps = 256;
 };

@@ -42,6 +42,43 @@ int dead_substeps(const Mat3& dead, double least_inertia, double time_step) {
   return turn < 0.5 * most ? std::max(1, static_cast<int>(std::ceil(2 * turn))) : most;
 }
 
+/// A step of the six rigid degrees of freedom under a load.
+void move_rigidly(const ComponentStep& step, const RigidLoad& load) {
+  const Component& body = step.component;
+  const VertexColumns& vertices = step.state.vertices;
+  const auto arm_of = [&](VertexId v) {
+    return Vec3{vertices.rest_position[v.index()] - body.rest_centre +
+                vertices.displacement[v.index()]};
+  };
+  Mat3 inertia = body.rest_inertia;
+  if (!body.isolated) {
+    inertia.setZero();
+    for (VertexId v : body.vertices) {
+      const Vec3 q = arm_of(v);
+      inertia -= vertices.mass[v.index()] * q * q.transpose();
+      inertia.diagonal().array() += vertices.mass[v.index()] * q.squaredNorm();
+    }
+  }
+  PredictedFrame next = advance_centre(step, load);
+  turn_under_load(next, body,
+                  {inertia, Vec3::Zero(), body.angular_momentum, next.angular_momentum,
+                   step.input.settings.time_step},
+                  load);
+  const Mat3 R = next.orientation.toRotationMatrix();
+  const Vec3 spin = R * inertia.ldlt().solve(R.transpose() * next.angular_momentum);
+  MechanicsScratch::Predicted& predicted = step.scratch.predicted;
+  for (VertexId v : body.vertices) {
+    const Vec3 arm = R * arm_of(v);
+    predicted.position[v.index()] = next.centre + arm;
+    predicted.velocity[v.index()] = next.momentum / body.mass + spin.cross(arm);
+    predicted.displacement[v.index()] = vertices.displacement[v.index()];
+    predicted.displacement_rate[v.index()].setZero();
+    predicted.displacement_acceleration[v.index()].setZero();
+  }
+  next.spin = spin;
+  predicted.frame[body.id.index()] = next;
+}
+
 }  // namespace
 
 RigidLoad rigid_load(const ComponentStep& step) {
@@ -124,41 +161,30 @@ void turn_under_load(PredictedFrame& next, const Component& body, const SpinStep
   next.turned = h * h * largest / least;
 }
 
-void step_rigid_body(const ComponentStep& step) {
+void step_rigid_body(const ComponentStep& step) { move_rigidly(step, rigid_load(step)); }
+
+void step_carried(const ComponentStep& step) {
   const Component& body = step.component;
   const VertexColumns& vertices = step.state.vertices;
-  const auto arm_of = [&](VertexId v) {
-    return Vec3{vertices.rest_position[v.index()] - body.rest_centre +
-                vertices.displacement[v.index()]};
-  };
-  Mat3 inertia = body.rest_inertia;
-  if (!body.isolated) {
-    inertia.setZero();
-    for (VertexId v : body.vertices) {
-      const Vec3 q = arm_of(v);
-      inertia -= vertices.mass[v.index()] * q * q.transpose();
-      inertia.diagonal().array() += vertices.mass[v.index()] * q.squaredNorm();
-    }
-  }
-  const RigidLoad load = rigid_load(step);
-  PredictedFrame next = advance_centre(step, load);
-  turn_under_load(next, body,
-                  {inertia, Vec3::Zero(), body.angular_momentum, next.angular_momentum,
-                   step.input.settings.time_step},
-                  load);
-  const Mat3 R = next.orientation.toRotationMatrix();
-  const Vec3 spin = R * inertia.ldlt().solve(R.transpose() * next.angular_momentum);
   MechanicsScratch::Predicted& predicted = step.scratch.predicted;
-  for (VertexId v : body.vertices) {
-    const Vec3 arm = R * arm_of(v);
-    predicted.position[v.index()] = next.centre + arm;
-    predicted.velocity[v.index()] = next.momentum / body.mass + spin.cross(arm);
-    predicted.displacement[v.index()] = vertices.displacement[v.index()];
-    predicted.displacement_rate[v.index()].setZero();
-    predicted.displacement_acceleration[v.index()].setZero();
+  if (body.supported) {
+    const Vec3 way = step.input.settings.time_step * body.frame_velocity;
+    for (VertexId v : body.vertices) {
+      predicted.position[v.index()] = vertices.position[v.index()] + way;
+      predicted.velocity[v.index()] = body.frame_velocity;
+      predicted.displacement[v.index()] = vertices.displacement[v.index()];
+    }
+    predicted.frame[body.id.index()] = {body.centre + way, body.orientation, body.momentum,
+                                        body.angular_momentum};
+  } else {
+    RigidLoad load = rigid_load(step);
+    load.weight.setZero();
+    move_rigidly(step, load);
   }
-  next.spin = spin;
-  predicted.frame[body.id.index()] = next;
+  for (VertexId v : body.vertices) {
+    predicted.displacement_rate[v.index()] = vertices.displacement_rate[v.index()];
+    predicted.displacement_acceleration[v.index()] = vertices.displacement_acceleration[v.index()];
+  }
 }
 
 void keep_still(const ComponentStep& step) {

@@ -50,6 +50,11 @@ void turn_under_load(PredictedFrame& next, const Component& body, const SpinStep
 /// as it is, with the inertia of its lumped vertices.
 void step_rigid_body(const ComponentStep& step);
 
+/// A part of a step of a component on the rung `carried`: a rigid body that has taken its loads
+/// already, under the forces of contact alone; a held one goes on with its frame. Rates of
+/// deformation stay as they are, and velocities are written without them.
+void step_carried(const ComponentStep& step);
+
 /// A step of a component that sleeps: its rows as they are, without velocity.
 void keep_still(const ComponentStep& step);
 

@@ -12,7 +12,9 @@ enum class Rung : unsigned char {
   quasi_static,  ///< the equilibrium under the present load; supported components only
   rigid,         ///< rigid motion; the deformation stays as it is
   asleep,        ///< nothing: the component is at rest
+  carried,       ///< inside a step only: what has taken it already meets what is sub-stepped
 };
+/// Those on which components are between steps.
 inline constexpr std::size_t rung_count = 4;
 
 /// Whether displacements change on a rung.

@@ -43,6 +43,9 @@ struct StepPart {
   const ImpactSettings* impact = nullptr;
   /// Beside `impact`: lowest tensile strength in each component, Pa; |C|.
   std::span<const double> strength = {};
+  /// Beside `impact`: J that a component must hold before it can break, |C|. Blows that cannot bring
+  /// it so far are none. Empty: every blow counts.
+  std::span<const double> threshold = {};
 };
 
 /// What a step moves, by rows of components and obstacles: 0 keeps still and meets nothing.

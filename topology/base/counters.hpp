@@ -46,7 +46,8 @@ void for_each_counter(Visit visit) {
 template <class Value>
 void add_value(Value& sum, const Value& part, Adds adds) {
   if constexpr (requires { sum.size(); }) {
-    for (std::size_t i = 0; i < sum.size(); ++i) add_value(sum[i], part[i], adds);
+    auto of_part = part.begin();
+    for (auto& value : sum) add_value(value, *of_part++, adds);
   } else {
     switch (adds) {
       case Adds::sum:

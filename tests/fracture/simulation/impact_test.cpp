@@ -181,10 +181,10 @@ TEST_CASE("energy never grows among wedged pieces, though the sweeps are cut sho
   double last = start, worst = 0;
   StepReport report;
   for (int k = 0; k < 650; ++k) {
-    report = advance(sim, [&](const Simulation& now, const PartReport&) {
-      worst = std::max(worst, energy(now) - last);
-      last = energy(now);
-    });
+    report = advance(sim);
+    // Within a step not all are at the same time.
+    worst = std::max(worst, energy(sim) - last);
+    last = energy(sim);
     REQUIRE(report.status.outcome == StepOutcome::fine);
   }
   INFO(report.components << " pieces, " << last << " of " << start << " J, largest gain " << worst);
@@ -264,6 +264,7 @@ TEST_CASE("a blow below the negligible part of the strength opens no window and 
     scene.integrator.time_step = 1e-4;
     // Stepped finely all the same, it does not break either: the rule loses nothing.
     if (always) scene.impact.negligible = 1e-3;
+    if (always) scene.impact.by_energy = false;
     Simulation sim = built(std::move(scene));
     std::uint32_t fine = 0;
     for (int k = 0; k < 100; ++k) {

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// Windows by energy: nothing breaks for which none opened.
+#include <catch2/catch.hpp>
+
+#include "tests/experiments/cases/random_blows.hpp"
+
+TEST_CASE("what breaks under random blows had an impact window by energy", "[accuracy][impact]") {
+  const sunder::accuracy::BlowCounts counts = sunder::accuracy::run_blows(0, 100);
+  CHECK(counts.missed == 0);
+  // Both sides of the bound are there.
+  CHECK(counts.broke > 2);
+  CHECK(counts.spared > 2);
+  CHECK(counts.spared_by_pair > 0);
+  CHECK(counts.spared_by_island > 0);
+}
