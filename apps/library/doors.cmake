@@ -26,6 +26,7 @@ door(map "The 3-map of a body: faces split and glued, fans, components, invarian
 
 door(mechanics "Materials, obstacles, and what a user chooses about integration, contact and impacts."
   mechanics/state/vec3.hpp
+  mechanics/state/impulse.hpp
   topology/base/counters.hpp
   mechanics/state/material.hpp
   mechanics/contact/obstacle.hpp

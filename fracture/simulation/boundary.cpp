@@ -272,9 +272,10 @@ void release(Boundary& boundary, SimulationState& s, ComponentId id, const Vec3&
     // Back on the parabola: its momentum here, and its place.
     const Vec3 impulse = left * c.mass * gravity;
     const Vec3 way = 0.5 * left * left * gravity;
+    boundary.gravity_impulse -= impulse_at(c.centre, c.momentum);
     c.momentum -= impulse;
     c.centre += way;
-    boundary.gravity_impulse -= impulse;
+    boundary.gravity_impulse += impulse_at(c.centre, c.momentum);
     boundary.gravity_work += c.mass * gravity.dot(way);
   }
   write_rows(s.mechanics, c, true);

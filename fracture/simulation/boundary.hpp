@@ -7,6 +7,7 @@
 
 #include "fracture/scene/scene.hpp"
 #include "fracture/simulation/state.hpp"
+#include "mechanics/state/impulse.hpp"
 
 namespace sunder {
 
@@ -32,10 +33,10 @@ struct Boundary {
   std::vector<Rung> rung;
   std::vector<Component> frame;
   std::vector<Vec3> position, velocity;
-  /// Of gravity on ways that bodies were moved outside of any part, J, and momentum taken back
-  /// with it, N s: for the ledgers.
+  /// Of gravity on ways that bodies were moved outside of any part, J, and what it took back of
+  /// their momentum: for the ledgers.
   double gravity_work = 0;
-  Vec3 gravity_impulse = Vec3::Zero();
+  Impulse gravity_impulse = Impulse::Zero();
 };
 
 /// How near two things have to be that could meet in a step of length `h`, one through the other:

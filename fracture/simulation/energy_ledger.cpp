@@ -13,15 +13,6 @@
 namespace sunder {
 namespace {
 
-void add_load_impulse(Vec3& impulse, const AdoptedPart& part) {
-  const std::vector<Vec3>& force = part.input.loads.force;
-  const VertexColumns& vertices = part.state.mechanics.vertices;
-  for (std::size_t v = 0; v < force.size(); ++v) {
-    if (!part.input.members.has(vertices.component[v])) continue;
-    impulse += part.input.settings.time_step * force[v];
-  }
-}
-
 void add_work(EnergyLedger& ledger, const AdoptedPart& part) {
   const VertexColumns& vertices = part.state.mechanics.vertices;
   const std::vector<Vec3>& before = part.before.position;
@@ -146,6 +137,8 @@ void add_contact_work(EnergyLedger& ledger, const AdoptedPart& part) {
     if (!c.tetrahedron.is_none()) ledger.contact -= force.dot(other);
     const Vec3 sliding = force - c.normal.dot(force) * c.normal;
     ledger.friction -= sliding.dot(way - other);
+    const double parted = c.normal.dot(way - other);
+    if (c.gap_start < 0 && parted > 0) ledger.push_out += c.normal.dot(force) * parted;
   }
 }
 
@@ -209,24 +202,26 @@ void add_support_work(EnergyLedger& ledger, const AdoptedPart& part, const Compo
 void remember_start(PartStart& before, const SimulationState& state, bool keeps_ledger) {
   const MechanicsState& m = state.mechanics;
   if (keeps_ledger || !state.cracks.empty()) before.displacement = m.vertices.displacement;
-  before.momentum.clear();
-  for (const Component& component : m.components) before.momentum.push_back(component.momentum);
-  if (!keeps_ledger) return;
   before.position = m.vertices.position;
-  before.rate = m.vertices.displacement_rate;
-  before.acceleration = m.vertices.displacement_acceleration;
+  before.obstacles = state.obstacles;
+  before.momentum.clear();
   before.angular_momentum.clear();
+  before.centre.clear();
   before.orientation.clear();
   for (const Component& component : m.components) {
+    before.momentum.push_back(component.momentum);
     before.angular_momentum.push_back(component.angular_momentum);
+    before.centre.push_back(component.centre);
     before.orientation.push_back(component.orientation);
   }
+  if (!keeps_ledger) return;
+  before.rate = m.vertices.displacement_rate;
+  before.acceleration = m.vertices.displacement_acceleration;
 }
 
 void add_part_energy(StepReport& report, const AdoptedPart& part, bool keeps_ledger) {
   const MechanicsState& m = part.state.mechanics;
   const StepMembers& members = part.input.members;
-  add_load_impulse(report.load_impulse, part);
   follow_cracks(report.cracks, part.state.cracks, m,
                 {part.before.displacement, members, part.input.settings.time_step});
   if (!keeps_ledger) return;
@@ -237,7 +232,8 @@ void add_part_energy(StepReport& report, const AdoptedPart& part, bool keeps_led
   for_each_living(m, members, [&](const Component& component) {
     const StrainChange& change = component.strain_change;
     ledger.strain += change.after - change.before;
-    if (has_closed_forms && component.rung != Rung::carried) add_support_work(ledger, part, component);
+    if (has_closed_forms && component.rung != Rung::carried)
+      add_support_work(ledger, part, component);
   });
   if (has_closed_forms) add_losses(ledger, part);
 }

@@ -8,6 +8,7 @@
 #include <limits>
 #include <string>
 
+#include "fracture/simulation/momentum_ledger.hpp"
 #include "mechanics/contact/impact.hpp"
 #include "mechanics/element/energy.hpp"
 #include "mechanics/integrators/impulse_response.hpp"
@@ -234,7 +235,7 @@ LadderReport choose_rungs(GivenUp& given_up, SimulationState& s, const RungInput
     const bool may_leave = climbs && is_left_alone(s, input.touched, c);
     if (scratch.rested[row]) {
       if (c.rung != Rung::asleep) {
-        given_up.momentum += c.momentum;
+        given_up.momentum += momentum_of(c);
         given_up.energy += fall_asleep(s.mechanics, c);
       }
     } else if (may_leave && settings.rigid && !scratch.loaded[row] && flies_safely(s, c)) {

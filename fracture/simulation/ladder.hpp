@@ -8,6 +8,7 @@
 #include "fracture/scene/scene.hpp"
 #include "fracture/simulation/state.hpp"
 #include "fracture/simulation/step_report.hpp"
+#include "mechanics/state/impulse.hpp"
 
 namespace sunder {
 
@@ -30,8 +31,8 @@ void note_touches(std::vector<char>& touched, const MechanicsState& state,
 
 /// What components give up that take a lower rung.
 struct GivenUp {
-  double energy = 0;             ///< J
-  Vec3 momentum = Vec3::Zero();  ///< N s, of what falls asleep
+  double energy = 0;                   ///< J
+  Impulse momentum = Impulse::Zero();  ///< of what falls asleep
 };
 
 /// What the choice of rungs asks beside the state.

@@ -1,37 +1,119 @@
 // SPDX-License-Identifier: MIT
-// Impulses by their source.
+// Impulses by their source, and where they act.
 #include "fracture/simulation/momentum_ledger.hpp"
 
+#include "mechanics/contact/obstacle_geometry.hpp"
+#include "mechanics/element/energy.hpp"
+#include "mechanics/integrators/coefficients.hpp"
 #include "mechanics/state/living.hpp"
 
 namespace sunder {
 namespace {
 
-/// Adds what contact gave held components to what their momentum changed by, with the other sign.
-void take_contacts(Vec3& supports, const AdoptedPart& part) {
+/// Where, between the start of a part (0) and its end (1), loads act on what moves: with contact
+/// they are a blow at the start, else half of their way goes with them.
+double moment_of_loads(const AdoptedPart& part, const std::vector<char>& touched, std::size_t row) {
+  const bool floats = part.input.settings.integrator == Integrator::floating_frame;
+  const bool struck = !touched.empty() && touched[row];
+  return struck || !floats ? 0 : 0.5;
+}
+
+bool is_wave(const AdoptedPart& part) { return part.input.part.deformation == Deformation::wave; }
+
+/// m: where weight acts on a free component.
+Vec3 place_of_weight(const AdoptedPart& part, const Component& c) {
+  const std::size_t row = c.id.index();
+  const Vec3& start = part.before.centre[row];
+  if (is_wave(part)) {
+    return start + part.input.settings.time_step / (2 * c.mass) * part.before.momentum[row];
+  }
+  return start + moment_of_loads(part, part.result.touched, row) * (c.centre - start);
+}
+
+/// m: where a surface load acts on a vertex.
+Vec3 place_of_load(const AdoptedPart& part, const Component& c, VertexId v) {
+  const std::size_t row = c.id.index();
+  const Vec3& start = part.before.position[v.index()];
+  if (is_wave(part)) {
+    const double h = part.input.settings.time_step;
+    return start + h * ((1 - WaveScheme::theta) / c.mass * part.before.momentum[row] +
+                        (0.5 - WaveScheme::theta) * h * part.input.loads.gravity);
+  }
+  const Vec3 arm = part.before.orientation[row].conjugate() * (start - part.before.centre[row]);
+  const Vec3 end = c.centre + c.orientation * arm;
+  return start + moment_of_loads(part, part.result.touched, row) * (end - start);
+}
+
+/// Of contacts and loads on held components the part that their supports had to bear.
+void take_contacts(Impulse& supports, const AdoptedPart& part) {
   const MechanicsState& m = part.state.mechanics;
   const auto is_held = [&](ComponentId id) { return m.components[id.index()].supported; };
-  for (const ContactPoint& c : part.result.contacts) {
-    if (!c.vertex.is_none() && is_held(m.vertices.component[c.vertex.index()])) {
-      supports -= c.impulse;
-    }
+  for (std::size_t k = 0; k < part.result.contacts.size(); ++k) {
+    const ContactPoint& c = part.result.contacts[k];
+    Impulse given;
+    given << c.impulse, part.result.moments[k];
+    if (!c.vertex.is_none() && is_held(m.vertices.component[c.vertex.index()])) supports -= given;
     if (!c.tetrahedron.is_none() && is_held(m.elements.component[c.tetrahedron.index()])) {
-      supports += c.impulse;
+      supports += given;
     }
   }
 }
 
-void take_loads(Vec3& supports, const AdoptedPart& part) {
+void add_loads(MomentumLedger& ledger, const AdoptedPart& part) {
   const MechanicsState& m = part.state.mechanics;
   const std::vector<Vec3>& force = part.input.loads.force;
   for (std::size_t v = 0; v < force.size(); ++v) {
-    const ComponentId id = m.vertices.component[v];
-    if (!part.input.members.has(id) || !m.components[id.index()].supported) continue;
-    supports -= part.input.settings.time_step * force[v];
+    const Component& c = m.components[m.vertices.component[v].index()];
+    if (!part.input.members.has(c.id) || force[v].isZero(0)) continue;
+    const Impulse given =
+        impulse_at(place_of_load(part, c, VertexId{v}), part.input.settings.time_step * force[v]);
+    ledger.loads += given;
+    if (c.supported) ledger.supports -= given;
+  }
+}
+
+void add_obstacles(MomentumLedger& ledger, const AdoptedPart& part) {
+  for (std::size_t k = 0; k < part.result.contacts.size(); ++k) {
+    const ContactPoint& c = part.result.contacts[k];
+    if (c.obstacle == ContactPoint::none || part.state.obstacles[c.obstacle].mass) continue;
+    Impulse given;
+    given << c.impulse, part.result.moments[k];
+    ledger.obstacles += given;
+  }
+}
+
+void add_weight_of_balls(MomentumLedger& ledger, const AdoptedPart& part) {
+  const double h = part.input.settings.time_step;
+  for (std::size_t k = 0; k < part.state.obstacles.size(); ++k) {
+    const Obstacle& ball = part.state.obstacles[k];
+    if (!ball.mass || !part.input.members.has_ball(k)) continue;
+    const Obstacle& before = part.before.obstacles[k];
+    const Vec3 start = std::get<Sphere>(before.shape).center;
+    const Vec3 way = is_wave(part) ? Vec3(0.5 * h * before.velocity)
+                                   : Vec3(moment_of_loads(part, part.result.ball_touched, k) *
+                                          (std::get<Sphere>(ball.shape).center - start));
+    ledger.gravity += impulse_at(start + way, h * *ball.mass * part.input.loads.gravity);
   }
 }
 
 }  // namespace
+
+Impulse momentum_of(const Component& component) {
+  Impulse sum = impulse_at(component.centre, component.momentum);
+  sum.tail<3>() += component.angular_momentum;
+  return sum;
+}
+
+Impulse total_momentum(const SimulationState& state) {
+  Impulse sum;
+  sum << momentum(state.mechanics.vertices), angular_momentum(state.mechanics.vertices);
+  for (const Obstacle& ball : state.obstacles) {
+    if (!ball.mass) continue;
+    sum += impulse_at(std::get<Sphere>(ball.shape).center, *ball.mass * ball.velocity);
+    sum.tail<3>() += moment_of_inertia(ball) * ball.spin;
+  }
+  return sum;
+}
 
 void add_part_momentum(MomentumLedger& ledger, const AdoptedPart& part) {
   const MechanicsState& m = part.state.mechanics;
@@ -39,24 +121,20 @@ void add_part_momentum(MomentumLedger& ledger, const AdoptedPart& part) {
   bool any_held = false;
   for_each_living(m, part.input.members, [&](const Component& c) {
     if (c.rung == Rung::asleep) return;
-    const Vec3 weight = c.rung == Rung::carried ? Vec3::Zero() : Vec3(c.mass * fall);
+    const std::size_t row = c.id.index();
+    Impulse weight = impulse_at(place_of_weight(part, c), c.mass * fall);
+    if (c.rung == Rung::carried) weight.setZero();
     ledger.gravity += weight;
     if (!c.supported) return;
     any_held = true;
-    ledger.supports += c.momentum - part.before.momentum[c.id.index()] - weight;
+    Impulse before = impulse_at(part.before.centre[row], part.before.momentum[row]);
+    before.tail<3>() += part.before.angular_momentum[row];
+    ledger.supports += momentum_of(c) - before - weight;
   });
-  if (any_held) {
-    take_contacts(ledger.supports, part);
-    take_loads(ledger.supports, part);
-  }
-  for (std::size_t k = 0; k < part.state.obstacles.size(); ++k) {
-    const Obstacle& obstacle = part.state.obstacles[k];
-    if (!obstacle.mass) {
-      ledger.obstacles += part.result.report.impulse_of(k);
-    } else if (part.input.members.has_ball(k)) {
-      ledger.gravity += *obstacle.mass * fall;
-    }
-  }
+  add_loads(ledger, part);
+  if (any_held) take_contacts(ledger.supports, part);
+  add_obstacles(ledger, part);
+  add_weight_of_balls(ledger, part);
 }
 
 }  // namespace sunder

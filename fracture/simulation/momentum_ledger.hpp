@@ -6,10 +6,17 @@
 
 namespace sunder {
 
-/// Adds the impulses of a part that was just adopted: weight of what moved, driven obstacles, and
-/// supports, which are what a held component's momentum changed by beside its weight, its loads and
-/// its contacts. What sleeps moves nothing and counts for nothing. O(components + contacts +
-/// loads).
+/// Momentum of bodies and free balls, and their angular momentum about the origin.
+Impulse total_momentum(const SimulationState& state);
+
+/// Momentum of a component by its frame, and its angular momentum about the origin.
+Impulse momentum_of(const Component& component);
+
+/// Adds the impulses of a part that was just adopted, with their moments about the origin: weight
+/// of what moved and surface loads, contact with driven obstacles, and supports, which are what a
+/// held component's momentum changed by beside those. What sleeps moves nothing and counts for
+/// nothing. Exact for floating_frame but where surface loads turn a body far in a part; other
+/// integrators turn bodies by schemes of their own. O(components + contacts + loads).
 void add_part_momentum(MomentumLedger& ledger, const AdoptedPart& part);
 
 }  // namespace sunder

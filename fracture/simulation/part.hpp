@@ -27,8 +27,8 @@ struct PartInput {
 };
 
 /// Takes one part of a step for its members: surface loads at its end, contact, mechanics. What it
-/// did with energy and impulses of loads is added to `report.energy`, `report.momentum`,
-/// `report.load_impulse` and `report.cracks`; all else is returned. Where there are blows ahead
+/// did with energy and impulses of loads is added to `report.energy`, `report.momentum`
+/// and `report.cracks`; all else is returned. Where there are blows ahead
 /// that the part must not run into, nothing is done (`ContactStepResult::adopted`).
 ContactStepResult take_part(StepReport& report, SimulationState& state, const PartInput& input,
                             SimulationScratch& scratch);

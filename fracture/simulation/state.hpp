@@ -57,14 +57,15 @@ struct SimulationState {
   std::optional<FanScript> script;
 };
 
-/// The state at the start of the part of a step at hand, for the energy ledger.
+/// The state at the start of the part of a step at hand, for the ledgers.
 struct PartStart {
-  std::vector<Vec3> position;                          ///< m, world
-  std::vector<Vec3> displacement, rate, acceleration;  ///< m, m/s, m/s^2, body frame
-  std::vector<Vec3> momentum, angular_momentum;        ///< row = ComponentId
-  std::vector<Eigen::Quaterniond> orientation;         ///< row = ComponentId
-  std::vector<double> work;                            ///< of a product with K
-  std::vector<char> touched;                           ///< row = ComponentId: contact gave it some
+  std::vector<Vec3> position;                            ///< m, world
+  std::vector<Vec3> displacement, rate, acceleration;    ///< m, m/s, m/s^2, body frame
+  std::vector<Vec3> centre, momentum, angular_momentum;  ///< row = ComponentId
+  std::vector<Eigen::Quaterniond> orientation;           ///< row = ComponentId
+  std::vector<Obstacle> obstacles;
+  std::vector<double> work;   ///< of a product with K
+  std::vector<char> touched;  ///< row = ComponentId: contact gave it some
 };
 
 /// What the choice of rungs looks at, rows = ComponentId.

@@ -10,6 +10,7 @@
 #include "fracture/algorithms/fracture_report.hpp"
 #include "fracture/energy/settled_crack.hpp"
 #include "mechanics/contact/contact_report.hpp"
+#include "mechanics/state/impulse.hpp"
 #include "mechanics/state/rung.hpp"
 #include "mechanics/state/step_status.hpp"
 
@@ -79,6 +80,7 @@ struct EnergyLedger {
   /// that stands still takes by friction, and by stopping the lumped layer that touches it.
   double contact = 0;
   double friction = 0;  ///< of that, what sliding turned into heat; free spheres' turning left out
+  double push_out = 0;  ///< of that, given by contacts that began overlapped, as they came apart
   double supports = 0;  ///< of supports that move
   /// What the scheme took: of deformations by its closed form (`numerical_loss`, `wave_loss`), and
   /// of the frame of what is touched, which a blow stops without a bounce. Only of floating_frame;
@@ -95,24 +97,27 @@ constexpr auto counters_of(const EnergyLedger*) {
                     Counter{"contact_work", &EnergyLedger::contact},
                     Counter{"support_work", &EnergyLedger::supports},
                     Counter{"friction_heat", &EnergyLedger::friction},
+                    Counter{"push_out_work", &EnergyLedger::push_out},
                     Counter{"numerical_loss", &EnergyLedger::numerical},
                     Counter{"residual", &EnergyLedger::residual}};
 }
 
-/// Impulses that bodies and free balls got in a step, N s, by where they came from. Each is
-/// measured by itself: with `load_impulse` they give the change of momentum, or something is wrong.
+/// Impulses that bodies and free balls got in a step, with their moments about the origin, by where
+/// they came from. Each is measured by itself: together they give the change of momentum and
+/// angular momentum, or something is wrong.
 struct MomentumLedger {
-  Vec3 gravity = Vec3::Zero();    ///< weight of what moved
-  Vec3 obstacles = Vec3::Zero();  ///< of obstacles that move as they are told
-  Vec3 supports = Vec3::Zero();   ///< on held components
-  Vec3 sleep = Vec3::Zero();      ///< what was stopped as it fell asleep
+  Impulse gravity = Impulse::Zero();    ///< weight of what moved
+  Impulse loads = Impulse::Zero();      ///< of surface loads, what acts at supports too
+  Impulse obstacles = Impulse::Zero();  ///< of obstacles that move as they are told
+  Impulse supports = Impulse::Zero();   ///< on held components
+  Impulse sleep = Impulse::Zero();      ///< what was stopped as it fell asleep
 };
 
 constexpr auto counters_of(const MomentumLedger*) {
-  return std::tuple{Counter{"gravity", &MomentumLedger::gravity},
-                    Counter{"obstacles", &MomentumLedger::obstacles},
-                    Counter{"supports", &MomentumLedger::supports},
-                    Counter{"sleep", &MomentumLedger::sleep}};
+  return std::tuple{
+      Counter{"gravity", &MomentumLedger::gravity}, Counter{"loads", &MomentumLedger::loads},
+      Counter{"obstacles", &MomentumLedger::obstacles},
+      Counter{"supports", &MomentumLedger::supports}, Counter{"sleep", &MomentumLedger::sleep}};
 }
 
 /// What one step did.
@@ -136,8 +141,6 @@ struct StepReport {
   bool departed = false;
   ImpactReport impact;
   LadderReport ladder;
-  /// N s, given by surface loads, what acts at supports too.
-  Vec3 load_impulse = Vec3::Zero();
   MomentumLedger momentum;
   EnergyLedger energy;
   /// Fans whose energy was settled in this step; not of this step, and not in the ledger: what

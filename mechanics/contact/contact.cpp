@@ -294,16 +294,43 @@ void begin_step(ContactStep& step) {
   }
 }
 
-/// After the bodies were adopted: balls, bounces, memory.
-void end_step(ContactStep& step, bool fine) {
-  move_obstacles(step);
+/// Where side A of a contact is, m; as the part begins where what moves has not been adopted yet.
+Vec3 place_of(const ContactStep& step, const ContactPoint& contact) {
+  if (contact.ball == ContactPoint::none) {
+    return step.pass.state.vertices.position[contact.vertex.index()];
+  }
+  const Sphere& ball = std::get<Sphere>(step.pass.obstacles[contact.ball].shape);
+  return ball.center - ball.radius * contact.normal;
+}
+
+/// Before the bodies are adopted: what is without an impulse is no contact; moments of the others.
+std::vector<Vec3> finish_contacts(ContactStep& step) {
   std::erase_if(step.contacts, [](const ContactPoint& c) { return c.impulse.isZero(0); });
+  std::vector<Vec3> moments;
+  for (const ContactPoint& c : step.contacts) {
+    moments.push_back((place_of(step, c) + way_of_impulse(step.pass, c)).cross(c.impulse));
+  }
+  return moments;
+}
+
+/// What a bounce took back or gave, it did where the part ends.
+void take_back_bounce(std::vector<Vec3>& moments, ContactStep& step) {
+  std::vector<Vec3> before;
+  for (const ContactPoint& c : step.contacts) before.push_back(c.impulse);
+  take_back_bounce(step.contacts, step.scratch.bodies, step.pass, step.settings);
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    const ContactPoint& c = step.contacts[k];
+    moments[k] += place_of(step, c).cross(c.impulse - before[k]);
+  }
+}
+
+/// After the bodies were adopted: balls, bounces, memory.
+void end_step(ContactStep& step, std::vector<Vec3>& moments, bool fine) {
+  move_obstacles(step);
   const bool bounces =
       step.settings.method == ContactMethod::impulses &&
       (step.deformation() == Deformation::whole || step.deformation() == Deformation::catch_up);
-  if (fine && bounces) {
-    take_back_bounce(step.contacts, step.scratch.bodies, step.pass, step.settings);
-  }
+  if (fine && bounces) take_back_bounce(moments, step);
   sum_impulses(step);
   remember_contacts(step);
 }
@@ -347,8 +374,13 @@ ContactStepResult advance_with_contact(const ContactWorld& world, const StepInpu
   if (result.adopted) {
     count_contacts(step);
     if (step.is_wave() && input.part.impact) feel_blows(step);
+    result.moments = finish_contacts(step);
     result.status = adopt(world.state, scratch.mechanics, input);
-    end_step(step, result.status.outcome == StepOutcome::fine);
+    end_step(step, result.moments, result.status.outcome == StepOutcome::fine);
+    if (step.report.candidates > 0) {
+      result.touched = step.scratch.blows.component_touched;
+      result.ball_touched = step.scratch.blows.ball_touched;
+    }
   }
   result.blows = std::move(step.blows);
   result.report = std::move(step.report);

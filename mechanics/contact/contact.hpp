@@ -83,7 +83,11 @@ struct ContactStepResult {
   StepStatus status;
   ContactReport report;
   std::vector<ContactPoint> contacts;  ///< those with an impulse
-  Blows blows;                         ///< only where `StepPart::impact` is given
+  /// N m s, of each of them about the origin: what side A got.
+  std::vector<Vec3> moments;
+  /// Rows = ComponentId, obstacles: who got impulses, be they taken back; empty: nobody.
+  std::vector<char> touched, ball_touched;
+  Blows blows;  ///< only where `StepPart::impact` is given
   /// False: there are blows ahead, and nothing was done.
   bool adopted = true;
 };

@@ -50,8 +50,7 @@ FreeSlots free_slots(const ContactPass& pass, std::span<const VertexId> slots) {
 /// Whether the body responds by deforming, in floating_frame or modal.
 bool responds_elastically(const ContactPass& pass, const Component& component) {
   return takes_split_blow(pass, component) && !component.isolated &&
-         component.rung != Rung::carried &&
-         pass.input.part.deformation != Deformation::frozen;
+         component.rung != Rung::carried && pass.input.part.deformation != Deformation::frozen;
 }
 
 /// Elastic response of floating_frame at the end of a part of a step: `response_scale` A^-1 on
@@ -283,6 +282,25 @@ ContactRow row_of(const ContactPoint& contact, const ContactBodies& bodies,
   return row;
 }
 
+/// m: how far the place where impulses act on a body goes with it in a wave; see `drift_of`.
+Vec3 way_in_wave(const ContactPass& pass, const Vec3& velocity, const Vec3& fall) {
+  return pass.input.settings.time_step *
+         ((1 - WaveScheme::theta) * velocity + (0.5 - WaveScheme::theta) * fall);
+}
+
+Vec3 way_in_wave(const ContactPass& pass, ComponentId id) {
+  const Component& component = pass.state.components[id.index()];
+  const Vec3 fall = pass.input.settings.time_step * pass.input.loads.gravity;
+  return way_in_wave(
+      pass,
+      component.supported ? component.frame_velocity : Vec3(component.momentum / component.mass),
+      component.rung == Rung::carried ? Vec3::Zero() : fall);
+}
+
+Vec3 way_in_wave(const ContactPass& pass, const Obstacle& ball) {
+  return way_in_wave(pass, ball.velocity, pass.input.settings.time_step * pass.input.loads.gravity);
+}
+
 /// The enlisted bodies and their rows.
 template <class MakeComponent>
 void gather(ContactBodies& bodies, std::span<const ContactPoint> contacts, const ContactPass& pass,
@@ -307,21 +325,20 @@ bool takes_split_blow(const ContactPass& pass, const Component& component) {
   return component.isolated || is_floating(pass.input.settings.integrator);
 }
 
+Vec3 way_of_impulse(const ContactPass& pass, const ContactPoint& contact) {
+  if (pass.input.part.deformation != Deformation::wave) return Vec3::Zero();
+  return contact.ball == ContactPoint::none
+             ? way_in_wave(pass, pass.state.vertices.component[contact.vertex.index()])
+             : way_in_wave(pass, pass.obstacles[contact.ball]);
+}
+
 Vec3 drift_of(const ContactPass& pass, const ContactPoint& contact) {
   if (pass.input.part.deformation != Deformation::wave) return Vec3::Zero();
-  const auto velocity_of = [&](ComponentId id) -> Vec3 {
-    const Component& component = pass.state.components[id.index()];
-    return component.supported ? component.frame_velocity
-                               : Vec3(component.momentum / component.mass);
-  };
-  const MechanicsState& state = pass.state;
-  const Vec3 a = contact.ball == ContactPoint::none
-                     ? velocity_of(state.vertices.component[contact.vertex.index()])
-                     : pass.obstacles[contact.ball].velocity;
-  const Vec3 b = contact.obstacle == ContactPoint::none
-                     ? velocity_of(state.elements.component[contact.tetrahedron.index()])
-                     : pass.obstacles[contact.obstacle].velocity;
-  return (1 - WaveScheme::theta) * pass.input.settings.time_step * (a - b);
+  const Vec3 way_of_b =
+      contact.obstacle == ContactPoint::none
+          ? way_in_wave(pass, pass.state.elements.component[contact.tetrahedron.index()])
+          : way_in_wave(pass, pass.obstacles[contact.obstacle]);
+  return way_of_impulse(pass, contact) - way_of_b;
 }
 
 void gather_bodies(ContactBodies& bodies, std::span<const ContactPoint> contacts,

@@ -47,10 +47,13 @@ struct ContactPass {
 /// isolated tetrahedra. Other integrators take it as a jump of velocities at the start.
 bool takes_split_blow(const ContactPass& pass, const Component& component);
 
-/// m: from where side A of a contact is at the start to where its impulse acts on side B; 0 but in
-/// a wave. There an impulse moves a mass centre by theta of its way over the part, which is as if
-/// it acted at a place that goes the rest of the way with the body; the same place for both sides
-/// keeps the angular momentum.
+/// m: from where side A of a contact is at the start to where its impulse acts; 0 but in a wave.
+/// There an impulse moves a mass centre by theta of its way over the part, and weight by a half,
+/// which is as if it acted at a place that goes the rest of the way with the body.
+Vec3 way_of_impulse(const ContactPass& pass, const ContactPoint& contact);
+
+/// m: from where side A is at the start to where its impulse acts on side B, as B feels it; the
+/// same place for both sides keeps the angular momentum.
 Vec3 drift_of(const ContactPass& pass, const ContactPoint& contact);
 
 /// Makes the bodies that `contacts` act on, with their response over the coming step, and the ends

@@ -316,7 +316,11 @@ std::optional<Touch> choose(std::span<const Touch> touches, const StepPaths& pat
   const bool is_inside = touches.front().face.is_none() || touches.back().face.is_none();
   const Touch* rest = nearest_rest(touches, paths, surface, band);
   if (rest && rest->are_partners) return std::nullopt;
-  if (rest && (is_inside || is_near(paths, *rest))) return *rest;
+  // What stays together as it falls will press once the lowest is stopped.
+  constexpr double together = 0.01;
+  if (rest && (is_inside || is_near(paths, *rest) || rest->gap_end <= together * band)) {
+    return *rest;
+  }
   if (!is_inside) return if_any(deepest_on_way(touches, paths, surface));
   return way_out(paths, touches.front().vertex, touches.front().component);
 }

@@ -249,7 +249,6 @@ std::vector<Scenario> contacts() {
       // Springs that the step allows are too soft to carry the blocks.
       of("three blocks stacked, step 10 ms", [] { return stack(1e-2); },
          {verlet,
-          {"sub-stepped", Outcome::restless},
           {"penalty", passes},
           {"penalty, damped", passes},
           {"penalty, step too long", gains}}),

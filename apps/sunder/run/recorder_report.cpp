@@ -11,6 +11,7 @@
 #include "apps/scene/words.hpp"
 #include "apps/sunder/run/counters_json.hpp"
 #include "apps/sunder/run/event_log.hpp"
+#include "fracture/simulation/momentum_ledger.hpp"
 #include "mechanics/element/energy.hpp"
 
 namespace sunder {
@@ -29,15 +30,6 @@ Energies energies(const Simulation& s) {
 double total_mass(const MechanicsState& mechanics) {
   const std::vector<double>& mass = mechanics.vertices.mass;
   return std::accumulate(mass.begin(), mass.end(), 0.0);
-}
-
-/// Of bodies and free balls.
-Vec3 moving_momentum(const Simulation& s) {
-  Vec3 sum = momentum(s.state->mechanics.vertices);
-  for (const Obstacle& obstacle : s.state->obstacles) {
-    if (obstacle.mass) sum += *obstacle.mass * obstacle.velocity;
-  }
-  return sum;
 }
 
 void note_contact(RunStatistics& statistics, const StepReport& report) {
@@ -104,17 +96,21 @@ ordered_json ladder_report(const LadderReport& ladder) {
   return report;
 }
 
-ordered_json momentum_ledger(const RunStatistics& statistics, const Simulation& now) {
-  const Vec3 end = moving_momentum(now);
-  const MomentumLedger& ledger = statistics.momentum;
-  Vec3 given = statistics.load_impulse;
-  ordered_json report = {{"start", numbers(statistics.momentum_at_start)}, {"end", numbers(end)}};
-  report["loads"] = numbers(statistics.load_impulse);
+/// Rows of impulses from `first` on: 0 for momentum, 3 for angular momentum.
+ordered_json momentum_ledger(const RunStatistics& statistics, const Simulation& now,
+                             Eigen::Index first) {
+  const auto part_of = [&](const Impulse& impulse) -> ordered_json {
+    return numbers(impulse.segment<3>(first));
+  };
+  const Impulse& start = statistics.momentum_at_start;
+  const Impulse end = total_momentum(*now.state);
+  Impulse given = Impulse::Zero();
+  ordered_json report = {{"start", part_of(start)}, {"end", part_of(end)}};
   for_each_counter<MomentumLedger>([&](const auto& counter) {
-    given += ledger.*counter.member;
-    report[std::string(counter.name)] = numbers(ledger.*counter.member);
+    given += statistics.momentum.*counter.member;
+    report[std::string(counter.name)] = part_of(statistics.momentum.*counter.member);
   });
-  report["residual"] = numbers(end - statistics.momentum_at_start - given);
+  report["residual"] = part_of(end - start - given);
   return report;
 }
 
@@ -148,7 +144,8 @@ ordered_json energy_ledger(const RunStatistics& statistics, const Simulation& no
   return report;
 }
 
-/// Past this turn a part's false strain theta^2 / 2 reaches a tenth of the breaking strain xi / E.
+/// Past this turn a part's false strain theta^2 / 2 reaches a tenth of the breaking strain xi /
+/// E.
 double largest_valid_turn(const Material& material) {
   return std::sqrt(0.2 * material.tensile_strength / material.young_modulus);
 }
@@ -181,7 +178,7 @@ RunStatistics begin_statistics(const Simulation& start, std::vector<Finding> war
   RunStatistics statistics;
   statistics.warnings = std::move(warnings);
   statistics.energy_at_start = energies(start);
-  statistics.momentum_at_start = moving_momentum(start);
+  statistics.momentum_at_start = total_momentum(*start.state);
   statistics.mass_at_start = total_mass(start.state->mechanics);
   statistics.troubles = begin_troubles(start);
   return statistics;
@@ -215,7 +212,6 @@ void add_step(RunStatistics& statistics, const Simulation& now, const StepReport
   statistics.impact_steps += report.impact.sub_steps > 0;
   statistics.stopped_steps += report.impact.stopped;
   statistics.most_iterations = std::max(statistics.most_iterations, report.status.solve.iterations);
-  statistics.load_impulse += report.load_impulse;
   add_step(statistics.momentum, report.momentum);
   statistics.cracks.insert(statistics.cracks.end(), report.cracks.begin(), report.cracks.end());
   statistics.damping_work += report.status.damping_work;
@@ -298,7 +294,8 @@ ordered_json run_report(const RunStatistics& s, const Simulation& now,
       {"impact", impact_report(s)},
       {"ladder", ladder_report(s.ladder)},
       {"integrator", integrator_report(s, now.state->step)},
-      {"momentum", momentum_ledger(s, now)},
+      {"momentum", momentum_ledger(s, now, 0)},
+      {"angular_momentum", momentum_ledger(s, now, 3)},
       {"energy", energy_ledger(s, now)},
       {"cracks", crack_ledger(s.cracks)},
       {"warnings", findings_json(all_warnings(s, now.scene))}};

@@ -53,8 +53,8 @@ struct RunStatistics {
   double damping_work = 0, energy_released = 0;
   std::vector<CrackEnergy> cracks;
   Energies energy_at_start;
-  /// Of everything that moves (bodies and free balls) at the start, and the impulses since, N s.
-  Vec3 momentum_at_start = Vec3::Zero(), load_impulse = Vec3::Zero();
+  /// Of everything that moves (bodies and free balls) at the start, and the impulses since.
+  Impulse momentum_at_start = Impulse::Zero();
   MomentumLedger momentum;
   /// kg.
   double mass_at_start = 0;

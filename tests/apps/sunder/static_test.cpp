@@ -158,8 +158,8 @@ TEST_CASE("a run under slowly raised loads settles at the static answer, its mom
   scene.integrator.damping.stiffness_factor = 1e-3;
   Result<Simulation> sim = build_simulation(scene);
   REQUIRE(sim);
-  Vec3 impulse = Vec3::Zero();
-  for (int i = 0; i < 100; ++i) impulse += advance(*sim).load_impulse;
+  Impulse impulse = Impulse::Zero();
+  for (int i = 0; i < 100; ++i) impulse += advance(*sim).momentum.loads;
   // The ramp's steps take the load of their ends: sum of i / 50 for 50 steps, then 50 whole ones.
   CHECK(impulse.x() == Approx(1000 * 1e-3 * (25.5 + 50)).epsilon(1e-12));
   double largest = 0;
