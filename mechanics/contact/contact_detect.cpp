@@ -206,13 +206,13 @@ ContactPath path_of(const ContactPoint& contact, const StepPaths& paths) {
   return path;
 }
 
-Meeting meeting_of(const ContactPoint& contact, const StepPaths& paths) {
+Meeting meeting_of(const ContactPoint& contact, const StepPaths& paths, double touching) {
   const ContactPath path = path_of(contact, paths);
   const double h = paths.time_step;
   const double start = contact.normal.dot(path.start) + contact.offset;
   const double end = gap_end(contact, path);
   const double speed = contact.normal.dot(relative_velocity(contact, paths));
-  if (start <= 0) return {0, -speed};
+  if (start <= touching) return {0, -speed};
   const double acceleration = 2 * (end - start - speed * h) / (h * h);
   const double squared = speed * speed - 2 * acceleration * start;
   if (!(squared >= 0)) return {};

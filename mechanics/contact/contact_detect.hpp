@@ -89,12 +89,13 @@ inline double gap_end(const ContactPoint& contact, const ContactPath& path) {
 
 /// When, after how many seconds, and how fast (m/s) the sides of a contact meet, from their gaps
 /// and velocities: the parabola with the gap and speed of the start and the gap of the end. What
-/// touches at the start meets at once. Infinite time: not in this step.
+/// is nearer than `touching` (m) at the start meets at once: over so short a way weight and strain
+/// that contact holds would bring what lies still to a speed. Infinite time: not in this step.
 struct Meeting {
   double time = std::numeric_limits<double>::infinity();
   double speed = 0;
 };
-Meeting meeting_of(const ContactPoint& contact, const StepPaths& paths);
+Meeting meeting_of(const ContactPoint& contact, const StepPaths& paths, double touching);
 
 /// All contacts whose path ends nearer to the tangent plane than it is long, into `scratch.found`,
 /// in the order: vertices by obstacle, balls, partners, pieces by vertex.

@@ -272,9 +272,12 @@ SolveOutcome solve_contacts(std::span<ContactRow> rows, std::span<RespondingBody
       outcome.converged = outcome.residual <= limits.tolerance;
       if (outcome.converged) break;
       sweeps = 0;
-      const int left = std::min(24, limits.max_iterations - outcome.iterations - 1);
+      const int left = limits.max_iterations - outcome.iterations - 1;
       if (left > 1) {
-        outcome.iterations += solve_subspace(rows, bodies, limits.step, left);
+        // Where few sweeps are allowed they find what is free sooner.
+        const bool again = left > 64;
+        outcome.iterations +=
+            solve_subspace(rows, bodies, limits.step, std::min(24, left), again);
         search.last = 0;
         continue;
       }

@@ -57,19 +57,26 @@ std::array<double, 2> bounds_of(const ContactRow& row) {
              : std::array{std::max(row.least, row.push_most), row.most};
 }
 
+/// Which parts of a row's impulse are free.
+struct Parts {
+  bool normal = false, friction = false;
+};
+
 /// Friction is free inside its disk, where a row slips not even along the rim: the next sweep turns
 /// it. The normal part is free off its bounds.
-Free free_part(const ContactRow& row, double rounding) {
+Parts free_parts(const ContactRow& row, double rounding) {
+  const double pressed = row.normal.dot(row.impulse);
+  return {row.normal_response > 0 && pressed > row.least + rounding &&
+          pressed<row.most - rounding, row.disk> 0 && row.tangential_response > 0 &&
+          (row.impulse - pressed * row.normal).norm() < (1 - 1e-9) * row.disk};
+}
+
+Free free_of(const ContactRow& row, const Parts& parts) {
   Free free;
   const Vec3& n = row.normal;
-  const double pressed = n.dot(row.impulse);
-  const bool presses =
-      row.normal_response > 0 && pressed > row.least + rounding && pressed < row.most - rounding;
-  const bool sticks = row.disk > 0 && row.tangential_response > 0 &&
-                      (row.impulse - pressed * n).norm() < (1 - 1e-9) * row.disk;
-  free.basis.resize(3, (presses ? 1 : 0) + (sticks ? 2 : 0));
-  if (presses) free.basis.col(0) = n;
-  if (sticks) {
+  free.basis.resize(3, (parts.normal ? 1 : 0) + (parts.friction ? 2 : 0));
+  if (parts.normal) free.basis.col(0) = n;
+  if (parts.friction) {
     const Vec3 u = n.unitOrthogonal();
     free.basis.rightCols<2>() << u, n.cross(u);
   }
@@ -207,10 +214,13 @@ Impulses least_energy(Subspace& s, const Impulses& gradient, int most) {
   double rz = dot(residual, z);
   // The sweeps after it find what else is free: a thousandth of the error is enough.
   const double enough = 1e-6 * rz;
+  // Where contacts are more than their bodies can tell apart only rounding is left.
+  constexpr double rounding = 1e-9;
+  double square = rz;  // of the direction, measured by the preconditioner's inverse
   while (rz > enough && s.products < most) {
     const Impulses moved = response_to(s, direction);
     const double curvature = dot(direction, moved);
-    if (!(curvature > 0)) break;
+    if (!(curvature > rounding * square)) break;
     const double length = rz / curvature;
     for (std::size_t k = 0; k < found.size(); ++k) {
       found[k] += length * direction[k];
@@ -218,9 +228,9 @@ Impulses least_energy(Subspace& s, const Impulses& gradient, int most) {
     }
     z = precondition(s, residual);
     const double before = std::exchange(rz, dot(residual, z));
-    for (std::size_t k = 0; k < found.size(); ++k) {
-      direction[k] = z[k] + rz / before * direction[k];
-    }
+    const double share = rz / before;
+    square = rz + share * share * square;
+    for (std::size_t k = 0; k < found.size(); ++k) direction[k] = z[k] + share * direction[k];
   }
   return found;
 }
@@ -247,49 +257,62 @@ void keep_bounds(const Subspace& s) {
   add_impulses(s.rows, s.bodies, back);
 }
 
-/// How far one may go before the first bound, in [0, 1].
-double first_bound(const Subspace& s, const Impulses& change) {
-  double most = 1;
-  for (std::size_t k = 0; k < change.size(); ++k) {
-    const ContactRow& row = s.rows[k];
-    if (change[k].isZero(0)) continue;
-    const double pressed = row.normal.dot(row.impulse), by = row.normal.dot(change[k]);
-    const auto [lowest, highest] = bounds_of(row);
-    if (by < 0) most = std::min(most, (lowest - pressed) / by);
-    if (by > 0) most = std::min(most, (highest - pressed) / by);
-    const Vec3 t = row.impulse - pressed * row.normal, d = change[k] - by * row.normal;
-    const double dd = d.squaredNorm(), td = t.dot(d), left = row.disk * row.disk - t.squaredNorm();
-    if (dd > 0 && left > 0) {
-      most = std::min(most, (std::sqrt(td * td + dd * left) - td) / dd);
-    }
-  }
-  return std::max(0.0, most);
+/// How far a row may go before it is at a bound, in [0, 1]: of its normal part, and of friction.
+std::array<double, 2> way_to_bounds(const ContactRow& row, const Vec3& change) {
+  std::array<double, 2> most{1, 1};
+  if (change.isZero(0)) return most;
+  const double pressed = row.normal.dot(row.impulse), by = row.normal.dot(change);
+  const auto [lowest, highest] = bounds_of(row);
+  if (by < 0) most[0] = std::min(most[0], (lowest - pressed) / by);
+  if (by > 0) most[0] = std::min(most[0], (highest - pressed) / by);
+  const Vec3 t = row.impulse - pressed * row.normal, d = change - by * row.normal;
+  const double dd = d.squaredNorm(), td = t.dot(d), left = row.disk * row.disk - t.squaredNorm();
+  if (dd > 0 && left > 0) most[1] = std::min(most[1], (std::sqrt(td * td + dd * left) - td) / dd);
+  return {std::max(0.0, most[0]), std::max(0.0, most[1])};
 }
 
 }  // namespace
 
 int solve_subspace(std::span<ContactRow> rows, std::span<RespondingBody> bodies, double step,
-                   int most) {
+                   int most, bool again) {
   Subspace s{rows, bodies, step, {}, {}, {}, std::vector<BodyMotion>(bodies.size()), 0};
   keep_bounds(s);
   double largest = 0;
   for (const ContactRow& row : rows) largest = std::max(largest, row.impulse.norm());
-  for (const ContactRow& row : rows) s.free.push_back(free_part(row, 1e-12 * largest));
-  if (!factor_bodies(s)) return 0;
+  std::vector<Parts> parts;
+  for (const ContactRow& row : rows) parts.push_back(free_parts(row, 1e-12 * largest));
   const Impulses gradient = gradient_of(s);
-  Impulses change = least_energy(s, gradient, most - 1);
-  // All the way, back to the bounds, if that is lower; else to the first bound.
-  Impulses bounded(change.size(), Vec3::Zero());
-  for (std::size_t k = 0; k < change.size(); ++k) {
-    if (!is_free(s.free[k])) continue;
-    bounded[k] = inside_bounds(rows[k], rows[k].impulse + change[k]) - rows[k].impulse;
-  }
-  const double energy = dot(bounded, gradient) + 0.5 * dot(bounded, response_to(s, bounded));
-  if (energy < 0) {
-    change = bounded;
-  } else {
-    const double share = first_bound(s, change);
-    for (Vec3& c : change) c *= share;
+  Impulses change(rows.size(), Vec3::Zero()), bounded(rows.size());
+  double least = 0;
+  const int first = again ? most / 2 : most;
+  for (bool more = true; more && s.products + 2 < most;) {
+    s.free.clear();
+    for (std::size_t k = 0; k < rows.size(); ++k) s.free.push_back(free_of(rows[k], parts[k]));
+    if (!factor_bodies(s)) break;
+    Impulses whole = least_energy(s, gradient, std::min(most - 1, s.products + first));
+    // All the way, back to the bounds; or to the first bound.
+    double share = 1;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      bounded[k] = inside_bounds(rows[k], rows[k].impulse + whole[k]) - rows[k].impulse;
+      const auto [normal, friction] = way_to_bounds(rows[k], whole[k]);
+      share = std::min({share, normal, friction});
+      // Without what soon comes to its bound one may go farther.
+      constexpr double soon = 0.5;
+      parts[k].normal = parts[k].normal && normal >= soon;
+      parts[k].friction = parts[k].friction && friction >= soon;
+    }
+    more = again && share < 0.1;
+    const double to_bounds = dot(bounded, gradient) + 0.5 * dot(bounded, response_to(s, bounded));
+    // Conjugate gradients: the response's part is half of the gradient's.
+    const double to_first = share * (1 - 0.5 * share) * dot(whole, gradient);
+    if (to_bounds < 0) {
+      change = bounded;
+      break;
+    } else if (to_first < least) {
+      least = to_first;
+      for (Vec3& c : whole) c *= share;
+      change = std::move(whole);
+    }
   }
   add_impulses(rows, bodies, change);
   for (std::size_t k = 0; k < change.size(); ++k) {

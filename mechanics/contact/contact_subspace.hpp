@@ -16,9 +16,10 @@ namespace sunder {
 ///   (D + G W G^T)^-1 = D^-1 - D^-1 G (W^-1 + G^T D^-1 G)^-1 G^T D^-1,
 /// D the contacts' own elastic blocks, W the bodies' inverse masses, as preconditioner of conjugate
 /// gradients on what is elastic. The impulses keep their bounds, and the energy never rises.
+/// Where bounds stop it early and `again` is true, it tries without the rows that do.
 /// Gives the products with the response that it took, at most `most`. Needs: own responses set,
 /// bodies with the motion of the impulses.
 int solve_subspace(std::span<ContactRow> rows, std::span<RespondingBody> bodies, double step,
-                   int most);
+                   int most, bool again);
 
 }  // namespace sunder

@@ -102,7 +102,7 @@ void look_for_blows(ContactStep& step) {
   BlowJudge judge(step, all);
   std::size_t kept = 0;
   for (std::size_t k = 0; k < all.size(); ++k) {
-    const Meeting meeting = meeting_of(all[k], paths);
+    const Meeting meeting = meeting_of(all[k], paths, step.settings.allowed_penetration);
     bool blow = false;
     if (std::isfinite(meeting.time)) {
       const std::array<Component*, 2> sides = sides_of(step, all[k]);

@@ -38,7 +38,7 @@ MOMENTUM, RISE, OVERLAP, STACK = 1e-9, 1e-6, 0.05, 0.01
 AT_REST = 0.1  # m/s
 # Warnings that name a law. `contact_not_converged` names gaps between balls, which say nothing of how deep
 # the tetrahedra lie in each other.
-TELLS = {"momentum": (), "energy": ("energy_rises", "energy_residual"), "overlap": ("contacts_left_out",), "stack": ()}
+TELLS = {"momentum": (), "energy": ("energy_rises", "energy_residual"), "overlap": ("contacts_left_out", "deep_overlap"), "stack": ()}
 CODES = {"Float64": "d", "Float32": "f", "UInt32": "I", "Int32": "i", "UInt8": "B"}
 
 

@@ -18,8 +18,25 @@ namespace {
 constexpr double allowed_residual = 0.01;
 /// Of the penetration that contact leaves alone.
 constexpr double allowed_violation = 0.01;
+/// Of the mean edge.
+constexpr double allowed_overlap = 0.05;
 /// Of the most energy there was.
 constexpr double allowed_rise = 1e-6;
+
+/// m, over all edges of all tetrahedra at rest.
+double mean_edge(const SimulationState& state) {
+  const std::vector<Vec3>& rest = state.mechanics.vertices.rest_position;
+  double sum = 0;
+  std::size_t count = 0;
+  for (const Corners& c : state.cells.map.corners()) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t j = 0; j < i; ++j, ++count) {
+        sum += (rest[c[i].index()] - rest[c[j].index()]).norm();
+      }
+    }
+  }
+  return count > 0 ? sum / static_cast<double>(count) : 0;
+}
 
 double energy_of_balls(const std::vector<Obstacle>& obstacles) {
   double sum = 0;
@@ -97,6 +114,7 @@ std::string when(const Trouble& trouble) {
 RunTroubles begin_troubles(const Simulation& start) {
   RunTroubles troubles;
   const MechanicsState& m = start.state->mechanics;
+  troubles.mean_edge = mean_edge(*start.state);
   EnergyBalance& balance = troubles.balance;
   balance.ball_energy = energy_of_balls(start.state->obstacles);
   balance.ball_centre = centres_of_balls(start.state->obstacles);
@@ -115,6 +133,10 @@ void note_troubles(RunTroubles& troubles, const Simulation& now, const StepRepor
   if (!contact.converged && contact.residual > harmless) {
     troubles.not_converged.note(report.step);
     troubles.not_converged.size = std::max(troubles.not_converged.size, contact.residual);
+  }
+  if (contact.deepest > allowed_overlap * troubles.mean_edge) {
+    troubles.overlaps.note(report.step);
+    troubles.overlaps.size = std::max(troubles.overlaps.size, contact.deepest);
   }
   if (report.impact.stopped) troubles.stopped.note(report.step);
   if (report.status.solve.not_converged > 0) troubles.given_up.note(report.step);
@@ -136,6 +158,14 @@ std::vector<Finding> warnings_of(const RunTroubles& t, const Scene& scene) {
         fmt::format("contact did not converge {}; the worst gap is off by {:.2g} m",
                     when(t.not_converged), t.not_converged.size),
         "take a shorter time_step; more of contact.max_iterations help where nothing is wedged"));
+  }
+  if (t.overlaps.steps > 0) {
+    found.push_back(warning(
+        "deep_overlap",
+        fmt::format("pieces and obstacles overlapped by up to {:.2g} m, over a twentieth of the "
+                    "mean edge, {}; they come apart at contact.push_out_speed at most",
+                    t.overlaps.size, when(t.overlaps)),
+        "take a shorter time_step; look for bodies that overlap at the start"));
   }
   if (t.stopped.steps > 0) {
     found.push_back(

@@ -37,11 +37,13 @@ struct EnergyBalance {
 struct RunTroubles {
   Trouble left_out;       ///< contacts, summed
   Trouble not_converged;  ///< contact; m, the worst residual
+  Trouble overlaps;       ///< over a twentieth of the mean edge; m, the deepest
   Trouble stopped;        ///< sub-steps of windows that ran out
   Trouble given_up;       ///< iterations of the integrator
   Trouble residual;       ///< steps whose energy ledger is off by more than a hundredth; J, worst
   Trouble risen;          ///< J, most
   double residual_size = 0, moved = 0;  ///< J, sums over the run
+  double mean_edge = 0;                 ///< m, of tetrahedra at rest
   EnergyBalance balance;
 };
 

@@ -68,7 +68,13 @@ TEST_CASE("each trouble of a step is a warning of its own", "[run]") {
   CHECK(codes(sim, {nearly}).empty());
   CHECK(codes(sim, {stopped}) == Codes{"sub_steps_ran_out"});
   CHECK(codes(sim, {given_up}) == Codes{"integrator_not_converged"});
-  CHECK(codes(sim, {left_out, unconverged, stopped, given_up}).size() == 4);
+  // Edges of 0.1 m, face diagonals and the long one: 0.121 m in the mean.
+  StepReport deep = step(7), touching = step(8);
+  deep.contact.deepest = 0.0065;
+  touching.contact.deepest = 0.005;
+  CHECK(codes(sim, {deep}) == Codes{"deep_overlap"});
+  CHECK(codes(sim, {touching}).empty());
+  CHECK(codes(sim, {left_out, unconverged, stopped, given_up, deep}).size() == 5);
 }
 
 TEST_CASE("a warning tells the first and the last step and how bad it was", "[run]") {
