@@ -271,6 +271,30 @@ std::array<double, 2> way_to_bounds(const ContactRow& row, const Vec3& change) {
   return {std::max(0.0, most[0]), std::max(0.0, most[1])};
 }
 
+/// How far, in [0, 1], all may go before the first is at a bound. Those that would be within half
+/// of the way are free no more: without them one may go farther.
+double go_to_bounds(std::vector<Parts>& parts, const Subspace& s, const Impulses& change) {
+  constexpr double soon = 0.5;
+  double share = 1;
+  for (std::size_t k = 0; k < change.size(); ++k) {
+    const auto [normal, friction] = way_to_bounds(s.rows[k], change[k]);
+    share = std::min({share, normal, friction});
+    parts[k].normal = parts[k].normal && normal >= soon;
+    parts[k].friction = parts[k].friction && friction >= soon;
+  }
+  return share;
+}
+
+/// All the way, and back to the bounds.
+Impulses go_all_the_way(const Subspace& s, const Impulses& change) {
+  Impulses bounded;
+  for (std::size_t k = 0; k < change.size(); ++k) {
+    const ContactRow& row = s.rows[k];
+    bounded.push_back(inside_bounds(row, row.impulse + change[k]) - row.impulse);
+  }
+  return bounded;
+}
+
 }  // namespace
 
 int solve_subspace(std::span<ContactRow> rows, std::span<RespondingBody> bodies, double step,
@@ -282,7 +306,7 @@ int solve_subspace(std::span<ContactRow> rows, std::span<RespondingBody> bodies,
   std::vector<Parts> parts;
   for (const ContactRow& row : rows) parts.push_back(free_parts(row, 1e-12 * largest));
   const Impulses gradient = gradient_of(s);
-  Impulses change(rows.size(), Vec3::Zero()), bounded(rows.size());
+  Impulses change(rows.size(), Vec3::Zero());
   double least = 0;
   const int first = again ? most / 2 : most;
   for (bool more = true; more && s.products + 2 < most;) {
@@ -290,29 +314,19 @@ int solve_subspace(std::span<ContactRow> rows, std::span<RespondingBody> bodies,
     for (std::size_t k = 0; k < rows.size(); ++k) s.free.push_back(free_of(rows[k], parts[k]));
     if (!factor_bodies(s)) break;
     Impulses whole = least_energy(s, gradient, std::min(most - 1, s.products + first));
-    // All the way, back to the bounds; or to the first bound.
-    double share = 1;
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-      bounded[k] = inside_bounds(rows[k], rows[k].impulse + whole[k]) - rows[k].impulse;
-      const auto [normal, friction] = way_to_bounds(rows[k], whole[k]);
-      share = std::min({share, normal, friction});
-      // Without what soon comes to its bound one may go farther.
-      constexpr double soon = 0.5;
-      parts[k].normal = parts[k].normal && normal >= soon;
-      parts[k].friction = parts[k].friction && friction >= soon;
-    }
-    more = again && share < 0.1;
-    const double to_bounds = dot(bounded, gradient) + 0.5 * dot(bounded, response_to(s, bounded));
-    // Conjugate gradients: the response's part is half of the gradient's.
-    const double to_first = share * (1 - 0.5 * share) * dot(whole, gradient);
-    if (to_bounds < 0) {
-      change = bounded;
+    Impulses bounded = go_all_the_way(s, whole);
+    if (dot(bounded, gradient) + 0.5 * dot(bounded, response_to(s, bounded)) < 0) {
+      change = std::move(bounded);
       break;
-    } else if (to_first < least) {
-      least = to_first;
-      for (Vec3& c : whole) c *= share;
-      change = std::move(whole);
     }
+    const double share = go_to_bounds(parts, s, whole);
+    more = again && share < 0.1;
+    // Conjugate gradients: the response's part is half of the gradient's.
+    const double energy = share * (1 - 0.5 * share) * dot(whole, gradient);
+    if (energy >= least) continue;
+    least = energy;
+    for (Vec3& c : whole) c *= share;
+    change = std::move(whole);
   }
   add_impulses(rows, bodies, change);
   for (std::size_t k = 0; k < change.size(); ++k) {
