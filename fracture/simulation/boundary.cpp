@@ -119,18 +119,6 @@ void surround(Boundary& boundary, const SimulationState& s, std::span<const Body
   });
 }
 
-Mat3 arm_inertia(const VertexColumns& vertices, const Component& c) {
-  if (c.isolated) return c.rest_inertia;
-  Mat3 inertia = Mat3::Zero();
-  for (VertexId v : c.vertices) {
-    const Vec3 q =
-        vertices.rest_position[v.index()] - c.rest_centre + vertices.displacement[v.index()];
-    inertia -= vertices.mass[v.index()] * q * q.transpose();
-    inertia.diagonal().array() += vertices.mass[v.index()] * q.squaredNorm();
-  }
-  return inertia;
-}
-
 /// Positions and velocities of a component from its frame; with rates of deformation or without.
 void write_rows(MechanicsState& state, const Component& c, bool with_rates) {
   VertexColumns& vertices = state.vertices;
@@ -145,7 +133,7 @@ void write_rows(MechanicsState& state, const Component& c, bool with_rates) {
           vertices.rest_position[v.index()] - c.rest_centre + vertices.displacement[v.index()];
       l -= vertices.mass[v.index()] * q.cross(vertices.displacement_rate[v.index()]);
     }
-    spin = arm_inertia(vertices, c).ldlt().solve(l);
+    spin = deformed_inertia(vertices, c).ldlt().solve(l);
     velocity = c.momentum / c.mass;
   }
   for (VertexId v : c.vertices) {
@@ -168,7 +156,7 @@ void carry_back(Boundary& boundary, MechanicsState& state, std::size_t row, cons
   boundary.gravity_work += c.mass * gravity.dot(way);
   if (!c.supported) {
     c.orientation =
-        turn_through_step(c.orientation, {arm_inertia(state.vertices, c), Vec3::Zero(),
+        turn_through_step(c.orientation, {deformed_inertia(state.vertices, c), Vec3::Zero(),
                                           -c.angular_momentum, -c.angular_momentum, time});
   }
   write_rows(state, c, false);
@@ -184,7 +172,7 @@ double astray(const Boundary& boundary, const MechanicsState& state, const Compo
   if (c.supported) return 0;
   const Component& was = boundary.frame[c.id.index()];
   const Vec3 turn = c.orientation.conjugate() * (c.angular_momentum - was.angular_momentum);
-  const double spin = arm_inertia(state.vertices, c).ldlt().solve(turn).norm();
+  const double spin = deformed_inertia(state.vertices, c).ldlt().solve(turn).norm();
   return left * ((c.momentum - was.momentum).norm() / c.mass + spin * c.rest_radius);
 }
 

@@ -44,14 +44,26 @@ Vec3 place_of_load(const AdoptedPart& part, const Component& c, VertexId v) {
   return start + moment_of_loads(part, part.result.touched, row) * (end - start);
 }
 
+/// What side A of a contact got.
+Impulse impulse_of(const ContactStepResult& result, std::size_t contact) {
+  Impulse given;
+  given << result.contacts[contact].impulse, result.moments[contact];
+  return given;
+}
+
+Impulse momentum_of(const Vec3& centre, const Vec3& momentum, const Vec3& angular_momentum) {
+  Impulse sum = impulse_at(centre, momentum);
+  sum.tail<3>() += angular_momentum;
+  return sum;
+}
+
 /// Of contacts and loads on held components the part that their supports had to bear.
 void take_contacts(Impulse& supports, const AdoptedPart& part) {
   const MechanicsState& m = part.state.mechanics;
   const auto is_held = [&](ComponentId id) { return m.components[id.index()].supported; };
   for (std::size_t k = 0; k < part.result.contacts.size(); ++k) {
     const ContactPoint& c = part.result.contacts[k];
-    Impulse given;
-    given << c.impulse, part.result.moments[k];
+    const Impulse given = impulse_of(part.result, k);
     if (!c.vertex.is_none() && is_held(m.vertices.component[c.vertex.index()])) supports -= given;
     if (!c.tetrahedron.is_none() && is_held(m.elements.component[c.tetrahedron.index()])) {
       supports += given;
@@ -76,9 +88,7 @@ void add_obstacles(MomentumLedger& ledger, const AdoptedPart& part) {
   for (std::size_t k = 0; k < part.result.contacts.size(); ++k) {
     const ContactPoint& c = part.result.contacts[k];
     if (c.obstacle == ContactPoint::none || part.state.obstacles[c.obstacle].mass) continue;
-    Impulse given;
-    given << c.impulse, part.result.moments[k];
-    ledger.obstacles += given;
+    ledger.obstacles += impulse_of(part.result, k);
   }
 }
 
@@ -99,9 +109,7 @@ void add_weight_of_balls(MomentumLedger& ledger, const AdoptedPart& part) {
 }  // namespace
 
 Impulse momentum_of(const Component& component) {
-  Impulse sum = impulse_at(component.centre, component.momentum);
-  sum.tail<3>() += component.angular_momentum;
-  return sum;
+  return momentum_of(component.centre, component.momentum, component.angular_momentum);
 }
 
 Impulse total_momentum(const SimulationState& state) {
@@ -127,9 +135,10 @@ void add_part_momentum(MomentumLedger& ledger, const AdoptedPart& part) {
     ledger.gravity += weight;
     if (!c.supported) return;
     any_held = true;
-    Impulse before = impulse_at(part.before.centre[row], part.before.momentum[row]);
-    before.tail<3>() += part.before.angular_momentum[row];
-    ledger.supports += momentum_of(c) - before - weight;
+    const PartStart& start = part.before;
+    ledger.supports +=
+        momentum_of(c) -
+        momentum_of(start.centre[row], start.momentum[row], start.angular_momentum[row]) - weight;
   });
   add_loads(ledger, part);
   if (any_held) take_contacts(ledger.supports, part);

@@ -294,21 +294,13 @@ void begin_step(ContactStep& step) {
   }
 }
 
-/// Where side A of a contact is, m; as the part begins where what moves has not been adopted yet.
-Vec3 place_of(const ContactStep& step, const ContactPoint& contact) {
-  if (contact.ball == ContactPoint::none) {
-    return step.pass.state.vertices.position[contact.vertex.index()];
-  }
-  const Sphere& ball = std::get<Sphere>(step.pass.obstacles[contact.ball].shape);
-  return ball.center - ball.radius * contact.normal;
-}
-
 /// Before the bodies are adopted: what is without an impulse is no contact; moments of the others.
 std::vector<Vec3> finish_contacts(ContactStep& step) {
   std::erase_if(step.contacts, [](const ContactPoint& c) { return c.impulse.isZero(0); });
   std::vector<Vec3> moments;
   for (const ContactPoint& c : step.contacts) {
-    moments.push_back((place_of(step, c) + way_of_impulse(step.pass, c)).cross(c.impulse));
+    moments.push_back(
+        (place_of_side_a(step.pass, c) + way_of_impulse(step.pass, c)).cross(c.impulse));
   }
   return moments;
 }
@@ -320,7 +312,7 @@ void take_back_bounce(std::vector<Vec3>& moments, ContactStep& step) {
   take_back_bounce(step.contacts, step.scratch.bodies, step.pass, step.settings);
   for (std::size_t k = 0; k < before.size(); ++k) {
     const ContactPoint& c = step.contacts[k];
-    moments[k] += place_of(step, c).cross(c.impulse - before[k]);
+    moments[k] += place_of_side_a(step.pass, c).cross(c.impulse - before[k]);
   }
 }
 

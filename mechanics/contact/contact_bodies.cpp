@@ -257,18 +257,14 @@ ContactRow row_of(const ContactPoint& contact, const ContactBodies& bodies,
   ContactRow row;
   row.normal = contact.normal;
   row.impulse = contact.impulse;
-  Vec3 place;
   if (contact.ball == ContactPoint::none) {
-    place = pass.state.vertices.position[contact.vertex.index()];
     add_end(row, vertex_end(bodies, pass, contact.vertex, 1));
   } else {
-    const Sphere& ball = sphere_of(pass.obstacles[contact.ball]);
-    const Vec3 arm = -ball.radius * contact.normal;
-    place = ball.center + arm;
+    const Vec3 arm = -sphere_of(pass.obstacles[contact.ball]).radius * contact.normal;
     add_end(row,
             {bodies.body_of_ball[contact.ball], ContactEnd::no_slot, 1, arm, Vec3::Zero(), {}});
   }
-  place += drift_of(pass, contact);
+  const Vec3 place = place_of_side_a(pass, contact) + drift_of(pass, contact);
   if (contact.obstacle == ContactPoint::none) {
     add_tetrahedron_ends(row, contact, place, bodies, pass);
   } else if (pass.obstacles[contact.obstacle].mass) {
@@ -323,6 +319,14 @@ void gather(ContactBodies& bodies, std::span<const ContactPoint> contacts, const
 
 bool takes_split_blow(const ContactPass& pass, const Component& component) {
   return component.isolated || is_floating(pass.input.settings.integrator);
+}
+
+Vec3 place_of_side_a(const ContactPass& pass, const ContactPoint& contact) {
+  if (contact.ball == ContactPoint::none) {
+    return pass.state.vertices.position[contact.vertex.index()];
+  }
+  const Sphere& ball = sphere_of(pass.obstacles[contact.ball]);
+  return ball.center - ball.radius * contact.normal;
 }
 
 Vec3 way_of_impulse(const ContactPass& pass, const ContactPoint& contact) {

@@ -47,6 +47,9 @@ struct ContactPass {
 /// isolated tetrahedra. Other integrators take it as a jump of velocities at the start.
 bool takes_split_blow(const ContactPass& pass, const Component& component);
 
+/// m: a contact's vertex, or the point of its ball, in the state as it is.
+Vec3 place_of_side_a(const ContactPass& pass, const ContactPoint& contact);
+
 /// m: from where side A of a contact is at the start to where its impulse acts; 0 but in a wave.
 /// There an impulse moves a mass centre by theta of its way over the part, and weight by a half,
 /// which is as if it acted at a place that goes the rest of the way with the body.

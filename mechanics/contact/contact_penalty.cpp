@@ -75,15 +75,10 @@ void find_between_pieces(ContactStep& step) {
 Vec3 relative_velocity(const ContactStep& step, const ContactPoint& contact) {
   const VertexColumns& vertices = step.pass.state.vertices;
   const std::vector<Obstacle>& obstacles = step.pass.obstacles;
-  Vec3 place, velocity;
-  if (contact.ball == ContactPoint::none) {
-    place = vertices.position[contact.vertex.index()];
-    velocity = vertices.velocity[contact.vertex.index()];
-  } else {
-    const Sphere& ball = std::get<Sphere>(obstacles[contact.ball].shape);
-    place = ball.center - ball.radius * contact.normal;
-    velocity = surface_velocity(obstacles[contact.ball], place);
-  }
+  const Vec3 place = place_of_side_a(step.pass, contact);
+  const Vec3 velocity = contact.ball == ContactPoint::none
+                            ? vertices.velocity[contact.vertex.index()]
+                            : surface_velocity(obstacles[contact.ball], place);
   if (contact.obstacle != ContactPoint::none) {
     return velocity - surface_velocity(obstacles[contact.obstacle], place);
   }

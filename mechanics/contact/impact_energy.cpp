@@ -36,6 +36,7 @@ ImpactEnergy::ImpactEnergy(const ContactStep& step, std::span<const ContactPoint
     : step_(step), components_(step.pass.state.components.size()) {
   const MechanicsState& state = step.pass.state;
   nodes_.resize(components_ + step.pass.obstacles.size());
+  joined_ = UnionFind(nodes_.size());
   islands_.resize(nodes_.size());
   const auto row_of_obstacle = [&](std::uint32_t k) {
     return static_cast<std::uint32_t>(components_ + k);
@@ -51,18 +52,9 @@ ImpactEnergy::ImpactEnergy(const ContactStep& step, std::span<const ContactPoint
   }
 }
 
-std::uint32_t ImpactEnergy::root_of(std::uint32_t node) {
-  while (nodes_[node].parent != node) {
-    nodes_[node].parent = nodes_[nodes_[node].parent].parent;
-    node = nodes_[node].parent;
-  }
-  return node;
-}
-
 void ImpactEnergy::join(std::uint32_t a, std::uint32_t b) {
   for (const auto& [one, other] : {std::pair{a, b}, std::pair{b, a}}) {
     Node& node = nodes_[one];
-    if (node.parent == none) node.parent = one;
     node.meets_several = node.meets_several || (node.other != none && node.other != other);
     node.other = other;
   }
@@ -70,8 +62,7 @@ void ImpactEnergy::join(std::uint32_t a, std::uint32_t b) {
   if (mass_of(b) == infinite) grounds_.emplace_back(a, b);
   if (mass_of(a) == infinite) grounds_.emplace_back(b, a);
   if (mass_of(a) == infinite || mass_of(b) == infinite) return;
-  const std::uint32_t first = root_of(a), second = root_of(b);
-  nodes_[std::max(first, second)].parent = std::min(first, second);
+  joined_.join(a, b);
 }
 
 bool ImpactEnergy::is_driven(std::uint32_t node) const {
@@ -127,13 +118,13 @@ double ImpactEnergy::strain_of(std::uint32_t node) const {
 }
 
 const ImpactEnergy::Island& ImpactEnergy::island_of(std::uint32_t node) {
-  const std::uint32_t root = root_of(node);
+  const std::uint32_t root = joined_.root(node);
   Island& island = islands_[root];
   if (island.known) return island;
   island.known = true;
   std::vector<std::uint32_t> members;
   for (std::uint32_t k = 0; k < nodes_.size(); ++k) {
-    if (nodes_[k].parent != none && root_of(k) == root) members.push_back(k);
+    if (nodes_[k].other != none && joined_.root(k) == root) members.push_back(k);
   }
   std::vector<std::uint32_t> held;
   bool grounded = false, torn = false;
@@ -149,7 +140,7 @@ const ImpactEnergy::Island& ImpactEnergy::island_of(std::uint32_t node) {
     momentum += mass_of(k) * velocity_of(k);
   }
   for (const auto& [member, ground] : grounds_) {
-    if (root_of(member) != root) continue;
+    if (joined_.root(member) != root) continue;
     rest_on(velocity_of(ground));
     if (ground < components_ && std::ranges::find(held, ground) == held.end()) {
       held.push_back(ground);
@@ -201,7 +192,7 @@ double ImpactEnergy::energy_round_held(std::uint32_t node) {
       if (velocity_of(member) != velocity_of(node)) return infinite;
       continue;
     }
-    const std::uint32_t root = root_of(member);
+    const std::uint32_t root = joined_.root(member);
     if (std::ranges::find(seen, root) != seen.end()) continue;
     seen.push_back(root);
     sum += energy_of_island(member);
@@ -211,7 +202,7 @@ double ImpactEnergy::energy_round_held(std::uint32_t node) {
 
 Verdict ImpactEnergy::judge(ComponentId id, double threshold) {
   const std::uint32_t node = id.value;
-  if (nodes_[node].parent == none) return Verdict::breaks;
+  if (nodes_[node].other == none) return Verdict::breaks;
   const Component& component = step_.pass.state.components[id.index()];
   const double pair = pair_bound(node);
   if (pair < threshold) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mechanics/contact/contact_step.hpp"
+#include "topology/base/union_find.hpp"
 
 namespace sunder {
 
@@ -41,8 +42,7 @@ class ImpactEnergy {
   static constexpr std::uint32_t none = 0xffffffffu;
   /// A component, a free ball, or a driven obstacle: in this order.
   struct Node {
-    std::uint32_t parent = none;  ///< in the union of islands; none: meets nothing
-    std::uint32_t other = none;   ///< the one it meets
+    std::uint32_t other = none;  ///< the one it meets; none: meets nothing
     bool meets_several = false;
   };
   struct Island {
@@ -52,7 +52,6 @@ class ImpactEnergy {
     Vec3 velocity = Vec3::Zero();                 ///< m/s, of what it touches or its mass centre
   };
 
-  std::uint32_t root_of(std::uint32_t node);
   void join(std::uint32_t a, std::uint32_t b);
   bool is_driven(std::uint32_t node) const;
   /// kg; infinite for what is driven or held.
@@ -71,6 +70,7 @@ class ImpactEnergy {
   const ContactStep& step_;
   std::size_t components_ = 0;
   std::vector<Node> nodes_;
+  UnionFind joined_;             ///< nodes of one island
   std::vector<Island> islands_;  ///< row = root
   /// What meets a node that is driven or held, and that node.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> grounds_;

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "mechanics/integrators/coefficients.hpp"
 #include "mechanics/frame/rotation.hpp"
+#include "mechanics/integrators/coefficients.hpp"
 
 namespace sunder {
 namespace {
@@ -50,15 +50,7 @@ void move_rigidly(const ComponentStep& step, const RigidLoad& load) {
     return Vec3{vertices.rest_position[v.index()] - body.rest_centre +
                 vertices.displacement[v.index()]};
   };
-  Mat3 inertia = body.rest_inertia;
-  if (!body.isolated) {
-    inertia.setZero();
-    for (VertexId v : body.vertices) {
-      const Vec3 q = arm_of(v);
-      inertia -= vertices.mass[v.index()] * q * q.transpose();
-      inertia.diagonal().array() += vertices.mass[v.index()] * q.squaredNorm();
-    }
-  }
+  const Mat3 inertia = deformed_inertia(vertices, body);
   PredictedFrame next = advance_centre(step, load);
   turn_under_load(next, body,
                   {inertia, Vec3::Zero(), body.angular_momentum, next.angular_momentum,
@@ -80,6 +72,18 @@ void move_rigidly(const ComponentStep& step, const RigidLoad& load) {
 }
 
 }  // namespace
+
+Mat3 deformed_inertia(const VertexColumns& vertices, const Component& body) {
+  if (body.isolated) return body.rest_inertia;
+  Mat3 inertia = Mat3::Zero();
+  for (VertexId v : body.vertices) {
+    const Vec3 q =
+        vertices.rest_position[v.index()] - body.rest_centre + vertices.displacement[v.index()];
+    inertia -= vertices.mass[v.index()] * q * q.transpose();
+    inertia.diagonal().array() += vertices.mass[v.index()] * q.squaredNorm();
+  }
+  return inertia;
+}
 
 RigidLoad rigid_load(const ComponentStep& step) {
   const Loads& loads = step.input.loads;

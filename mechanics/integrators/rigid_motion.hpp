@@ -18,6 +18,9 @@ struct RigidLoad {
 };
 RigidLoad rigid_load(const ComponentStep& step);
 
+/// Inertia of a component about its mass centre as it is deformed now, kg m^2, body frame.
+Mat3 deformed_inertia(const VertexColumns& vertices, const Component& body);
+
 /// c += h P/M + h^2 F/(2 M), P += h F, L += h tau: a parabola under gravity, to rounding. In a wave
 /// the forces other than weight are those of contact and move c by theta h^2 F/M, like the
 /// deformation: so a vertex held by contact stays where it is. The orientation is left alone, and
