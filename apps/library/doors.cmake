@@ -29,7 +29,7 @@ door(mechanics "Materials, obstacles, and what a user chooses about integration,
   mechanics/state/impulse.hpp
   topology/base/counters.hpp
   mechanics/state/material.hpp
-  mechanics/contact/obstacle.hpp
+  mechanics/contact/shapes/obstacle.hpp
   mechanics/contact/contact_settings.hpp
   mechanics/contact/impact_settings.hpp
   mechanics/contact/contact_report.hpp

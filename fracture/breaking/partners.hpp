@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "fracture/algorithms/fan_event.hpp"
-#include "mechanics/contact/partner.hpp"
+#include "mechanics/contact/shapes/partner.hpp"
 #include "topology/kernel/volume_map.hpp"
 
 namespace sunder {

@@ -12,7 +12,7 @@
 #include "fracture/strength/body_settings.hpp"
 #include "mechanics/contact/contact_settings.hpp"
 #include "mechanics/contact/impact_settings.hpp"
-#include "mechanics/contact/obstacle.hpp"
+#include "mechanics/contact/shapes/obstacle.hpp"
 #include "mechanics/state/settings.hpp"
 
 namespace sunder {

@@ -2,7 +2,7 @@
 // Impulses by their source, and where they act.
 #include "fracture/simulation/momentum_ledger.hpp"
 
-#include "mechanics/contact/obstacle_geometry.hpp"
+#include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/element/energy.hpp"
 #include "mechanics/integrators/coefficients.hpp"
 #include "mechanics/state/living.hpp"

@@ -10,7 +10,7 @@
 #include "fracture/simulation/integrator_bounds.hpp"
 #include "mechanics/baselines/verlet.hpp"
 #include "mechanics/contact/impact_energy.hpp"
-#include "mechanics/contact/obstacle_geometry.hpp"
+#include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/state/living.hpp"
 
 namespace sunder {

@@ -8,7 +8,7 @@
 #include "mechanics/contact/contact_bounce.hpp"
 #include "mechanics/contact/contact_partners.hpp"
 #include "mechanics/contact/contact_step.hpp"
-#include "mechanics/contact/obstacle_geometry.hpp"
+#include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/state/living.hpp"
 
 namespace sunder {

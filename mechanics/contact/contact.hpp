@@ -12,8 +12,8 @@
 #include "mechanics/contact/contact_report.hpp"
 #include "mechanics/contact/contact_settings.hpp"
 #include "mechanics/contact/impact.hpp"
-#include "mechanics/contact/obstacle.hpp"
-#include "mechanics/contact/partner.hpp"
+#include "mechanics/contact/shapes/obstacle.hpp"
+#include "mechanics/contact/shapes/partner.hpp"
 #include "mechanics/step.hpp"
 
 namespace sunder {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The way of contact impulses into frames, deformations and balls.
 #include "mechanics/contact/contact_bodies.hpp"
-#include "mechanics/contact/obstacle_geometry.hpp"
+#include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "topology/base/assert.hpp"
 
 namespace sunder {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "mechanics/contact/contact_detect.hpp"
-#include "mechanics/contact/contact_solve.hpp"
+#include "mechanics/contact/solver/contact_solve.hpp"
 #include "mechanics/integrators/impulse_response.hpp"
 
 namespace sunder {

@@ -8,8 +8,8 @@
 
 #include "mechanics/contact/contact_partners.hpp"
 #include "mechanics/contact/contact_pieces.hpp"
-#include "mechanics/contact/nearest_point.hpp"
-#include "mechanics/contact/obstacle_geometry.hpp"
+#include "mechanics/contact/shapes/nearest_point.hpp"
+#include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "topology/base/assert.hpp"
 
 namespace sunder {

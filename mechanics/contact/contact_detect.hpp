@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "mechanics/contact/contact.hpp"
-#include "mechanics/contact/contact_pairs.hpp"
-#include "mechanics/contact/piece_surface.hpp"
+#include "mechanics/contact/shapes/contact_pairs.hpp"
+#include "mechanics/contact/shapes/piece_surface.hpp"
 
 namespace sunder {
 

@@ -5,7 +5,7 @@
 
 #include "mechanics/contact/contact_settings.hpp"
 #include "mechanics/contact/impact_settings.hpp"
-#include "mechanics/contact/obstacle.hpp"
+#include "mechanics/contact/shapes/obstacle.hpp"
 #include "mechanics/state/check_settings.hpp"
 
 namespace sunder {

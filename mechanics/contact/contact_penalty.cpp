@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "mechanics/contact/contact_step.hpp"
-#include "mechanics/contact/nearest_point.hpp"
-#include "mechanics/contact/obstacle_geometry.hpp"
+#include "mechanics/contact/shapes/nearest_point.hpp"
+#include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "topology/base/assert.hpp"
 
 namespace sunder {

@@ -9,7 +9,7 @@
 #include <tuple>
 
 #include "mechanics/contact/contact_partners.hpp"
-#include "mechanics/contact/nearest_point.hpp"
+#include "mechanics/contact/shapes/nearest_point.hpp"
 #include "topology/base/sort_unique.hpp"
 
 namespace sunder {

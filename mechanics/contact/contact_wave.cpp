@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "mechanics/contact/contact_step.hpp"
-#include "mechanics/contact/obstacle_geometry.hpp"
+#include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/integrators/coefficients.hpp"
 
 namespace sunder {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "mechanics/contact/obstacle_geometry.hpp"
+#include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/element/energy.hpp"
 
 namespace sunder {

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "fracture/simulation/simulation_state.hpp"
-#include "mechanics/contact/obstacle_geometry.hpp"
+#include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/element/energy.hpp"
 #include "mechanics/rebuild.hpp"
 #include "tests/stability/matrix.hpp"
@@ -242,9 +242,7 @@ std::vector<Scenario> contacts() {
   const std::pair<const std::string, Outcome> verlet = {"verlet", Outcome::diverges};
   return {
       of("three blocks stacked, step 1 ms", [] { return stack(1e-3); },
-         {verlet,
-          {"penalty", Outcome::restless},
-          {"penalty, step too long", Outcome::diverges}}),
+         {verlet, {"penalty", Outcome::restless}, {"penalty, step too long", Outcome::diverges}}),
       // Springs that the step allows are too soft to carry the blocks.
       of("three blocks stacked, step 10 ms", [] { return stack(1e-2); },
          {verlet,

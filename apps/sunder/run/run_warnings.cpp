@@ -8,7 +8,7 @@
 #include <cmath>
 #include <span>
 
-#include "mechanics/contact/obstacle_geometry.hpp"
+#include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/element/energy.hpp"
 
 namespace sunder {

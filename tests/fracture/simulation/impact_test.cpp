@@ -5,7 +5,7 @@
 
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/contact/contact_fields.hpp"
-#include "mechanics/contact/obstacle_geometry.hpp"
+#include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/element/energy.hpp"
 #include "tests/support/simulation.hpp"
 #include "topology/io/mesh_file.hpp"

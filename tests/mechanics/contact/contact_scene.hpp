@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "mechanics/contact/contact.hpp"
-#include "mechanics/contact/obstacle_geometry.hpp"
+#include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/element/energy.hpp"
 #include "tests/support/bodies.hpp"
 

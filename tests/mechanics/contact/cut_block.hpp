@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "mechanics/contact/partner.hpp"
+#include "mechanics/contact/shapes/partner.hpp"
 #include "tests/mechanics/contact/contact_scene.hpp"
 #include "topology/kernel/kernel.hpp"
 

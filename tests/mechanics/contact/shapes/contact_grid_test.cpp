@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The uniform grid against its slow twin.
-#include "mechanics/contact/contact_grid.hpp"
+#include "mechanics/contact/shapes/contact_grid.hpp"
 
-#include "mechanics/contact/contact_pairs.hpp"
+#include "mechanics/contact/shapes/contact_pairs.hpp"
 
 #include <catch2/catch.hpp>
 #include <limits>

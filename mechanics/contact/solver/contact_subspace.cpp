@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Preconditioned conjugate gradients on the contacts that press or stick.
-#include "mechanics/contact/contact_subspace.hpp"
+#include "mechanics/contact/solver/contact_subspace.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "mechanics/contact/body_factor.hpp"
+#include "mechanics/contact/solver/body_factor.hpp"
 #include "mechanics/frame/rotation.hpp"
 
 namespace sunder {

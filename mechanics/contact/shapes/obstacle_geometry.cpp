@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Signed distances of planes, spheres and boxes, and sphere tracing.
-#include "mechanics/contact/obstacle_geometry.hpp"
+#include "mechanics/contact/shapes/obstacle_geometry.hpp"
 
 #include <algorithm>
 #include <cmath>

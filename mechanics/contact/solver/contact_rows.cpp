@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What impulses of rows do to bodies, and back.
-#include "mechanics/contact/contact_rows.hpp"
+#include "mechanics/contact/solver/contact_rows.hpp"
 
 #include <algorithm>
 

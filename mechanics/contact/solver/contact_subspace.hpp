@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "mechanics/contact/contact_rows.hpp"
+#include "mechanics/contact/solver/contact_rows.hpp"
 
 namespace sunder {
 

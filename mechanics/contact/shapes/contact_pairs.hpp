@@ -2,7 +2,7 @@
 // Pairs of vertices and balls from call to call: searched with a margin, sifted while it lasts.
 #pragma once
 
-#include "mechanics/contact/contact_grid.hpp"
+#include "mechanics/contact/shapes/contact_grid.hpp"
 
 namespace sunder {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The block factor against a dense one.
-#include "mechanics/contact/body_factor.hpp"
+#include "mechanics/contact/solver/body_factor.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>

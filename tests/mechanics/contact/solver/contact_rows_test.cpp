@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Ends taken together by body against every end by itself, and what impulses of rows do.
-#include "mechanics/contact/contact_rows.hpp"
+#include "mechanics/contact/solver/contact_rows.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "tests/mechanics/contact/contact_problem.hpp"
+#include "tests/mechanics/contact/solver/contact_problem.hpp"
 
 using namespace sunder;
 using namespace sunder::test;

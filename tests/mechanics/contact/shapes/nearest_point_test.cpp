@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Nearest points of tetrahedra against a search over a fine net of weights.
-#include "mechanics/contact/nearest_point.hpp"
+#include "mechanics/contact/shapes/nearest_point.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Distances to planes, spheres and boxes, swept touches, and what users get wrong.
-#include "mechanics/contact/obstacle.hpp"
+#include "mechanics/contact/shapes/obstacle.hpp"
 #include "mechanics/contact/contact_fields.hpp"
-#include "mechanics/contact/obstacle_geometry.hpp"
+#include "mechanics/contact/shapes/obstacle_geometry.hpp"
 
 #include <catch2/catch.hpp>
 #include <limits>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The sweeps of projected Gauss-Seidel over contact rows, sped up by conjugation.
-#include "mechanics/contact/contact_solve.hpp"
+#include "mechanics/contact/solver/contact_solve.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "mechanics/contact/contact_subspace.hpp"
+#include "mechanics/contact/solver/contact_subspace.hpp"
 
 namespace sunder {
 namespace {
@@ -276,8 +276,7 @@ SolveOutcome solve_contacts(std::span<ContactRow> rows, std::span<RespondingBody
       if (left > 1) {
         // Where few sweeps are allowed they find what is free sooner.
         const bool again = left > 64;
-        outcome.iterations +=
-            solve_subspace(rows, bodies, limits.step, std::min(24, left), again);
+        outcome.iterations += solve_subspace(rows, bodies, limits.step, std::min(24, left), again);
         search.last = 0;
         continue;
       }

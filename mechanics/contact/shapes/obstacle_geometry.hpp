@@ -2,7 +2,7 @@
 // Where points and paths meet obstacles, and how obstacles move.
 #pragma once
 
-#include "mechanics/contact/obstacle.hpp"
+#include "mechanics/contact/shapes/obstacle.hpp"
 
 namespace sunder {
 

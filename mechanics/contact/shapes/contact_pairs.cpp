@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // When pairs found before will do, and when to search with a margin.
-#include "mechanics/contact/contact_pairs.hpp"
+#include "mechanics/contact/shapes/contact_pairs.hpp"
 
 #include <algorithm>
 #include <cmath>

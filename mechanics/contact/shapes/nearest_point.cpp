@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Nearest points on segments, triangles and tetrahedra: the inside where it holds the point's foot,
 // else the nearest of what bounds it.
-#include "mechanics/contact/nearest_point.hpp"
+#include "mechanics/contact/shapes/nearest_point.hpp"
 
 #include <algorithm>
 #include <cmath>

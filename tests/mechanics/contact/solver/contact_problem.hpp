@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "mechanics/contact/contact_rows.hpp"
+#include "mechanics/contact/solver/contact_rows.hpp"
 #include "mechanics/frame/rotation.hpp"
 #include "tests/support/bodies.hpp"
 

@@ -5,7 +5,7 @@
 #include <atomic>
 #include <span>
 
-#include "mechanics/contact/contact_rows.hpp"
+#include "mechanics/contact/solver/contact_rows.hpp"
 
 namespace sunder {
 

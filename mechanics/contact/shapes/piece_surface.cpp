@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // From faces without a neighbour to the edges of the surface.
-#include "mechanics/contact/piece_surface.hpp"
+#include "mechanics/contact/shapes/piece_surface.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Surfaces of pieces, and vertices that meet them: against a slow search in time.
-#include "mechanics/contact/piece_surface.hpp"
+#include "mechanics/contact/shapes/piece_surface.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>
 
 #include "mechanics/contact/contact_pieces.hpp"
-#include "mechanics/contact/nearest_point.hpp"
+#include "mechanics/contact/shapes/nearest_point.hpp"
 #include "tests/mechanics/contact/contact_scene.hpp"
 
 using namespace sunder;

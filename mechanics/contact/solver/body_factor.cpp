@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Block Cholesky by least degree.
-#include "mechanics/contact/body_factor.hpp"
+#include "mechanics/contact/solver/body_factor.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The solver alone: complementarity, Coulomb's circle, bounds, and what it says when it gives up.
-#include "mechanics/contact/contact_solve.hpp"
+#include "mechanics/contact/solver/contact_solve.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // All contacts that press or stick at once, against dense algebra and plain sweeps.
-#include "mechanics/contact/contact_subspace.hpp"
+#include "mechanics/contact/solver/contact_subspace.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "mechanics/contact/contact_solve.hpp"
-#include "tests/mechanics/contact/contact_problem.hpp"
+#include "mechanics/contact/solver/contact_solve.hpp"
+#include "tests/mechanics/contact/solver/contact_problem.hpp"
 
 using namespace sunder;
 using namespace sunder::test;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The uniform grid behind `find_sphere_pairs`, and its slow twin.
-#include "mechanics/contact/contact_grid.hpp"
+#include "mechanics/contact/shapes/contact_grid.hpp"
 
 #include <algorithm>
 #include <bit>
