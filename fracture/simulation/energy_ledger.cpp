@@ -66,38 +66,28 @@ double deformation_loss(const AdoptedPart& part, const Component& component) {
   return numerical_loss(*system, deformation_settings(input, m, component), step);
 }
 
-/// Of a frame that contact gave momentum. In a wave its impulse moves the centre by theta; else it
-/// is a blow at the start, weight and loads with it, and the way of the step is that of the
+/// Of a free frame. What a wave moves by theta loses a little of each change of its velocity. Else
+/// contact is a blow at the start, weight and loads with it, and the way of the step is that of the
 /// velocity after it: the stop takes what is between.
 double frame_loss(const AdoptedPart& part, const Component& component) {
   const StepInput& input = part.input;
   const PartStart& before = part.before;
-  const Vec3 change = component.momentum - before.momentum[component.id.index()];
+  const std::size_t row = component.id.index();
+  const Vec3 change = component.momentum - before.momentum[row];
   if (input.part.deformation == Deformation::wave) {
-    Vec3 weight = input.settings.time_step * component.mass * input.loads.gravity;
-    if (component.rung == Rung::carried) weight.setZero();
-    return (WaveScheme::theta - 0.5) * (change - weight).dot(change) / component.mass;
+    return (share_in_wave(part, component) - 0.5) * change.squaredNorm() / component.mass;
   }
+  if (!is_struck(part.result.touched, row)) return 0;
   const Vec3 turn = component.orientation.conjugate() *
-                    (component.angular_momentum - before.angular_momentum[component.id.index()]);
+                    (component.angular_momentum - before.angular_momentum[row]);
   return 0.5 * (change.squaredNorm() / component.mass +
                 turn.dot(component.rest_inertia.ldlt().solve(turn)));
 }
 
 void add_losses(EnergyLedger& ledger, const AdoptedPart& part) {
-  const MechanicsState& m = part.state.mechanics;
-  const VertexColumns& vertices = m.vertices;
-  const ElementColumns& elements = m.elements;
-  std::vector<char>& touched = part.before.touched;
-  touched.assign(m.components.size(), 0);
-  for (const ContactPoint& c : part.result.contacts) {
-    if (!c.vertex.is_none()) touched[vertices.component[c.vertex.index()].index()] = 1;
-    if (!c.tetrahedron.is_none()) touched[elements.component[c.tetrahedron.index()].index()] = 1;
-  }
-  for_each_living(m, part.input.members, [&](const Component& component) {
+  for_each_living(part.state.mechanics, part.input.members, [&](const Component& component) {
     ledger.numerical += deformation_loss(part, component);
-    if (component.supported || !touched[component.id.index()]) return;
-    ledger.numerical += frame_loss(part, component);
+    if (!component.supported) ledger.numerical += frame_loss(part, component);
   });
 }
 
@@ -198,6 +188,15 @@ void add_support_work(EnergyLedger& ledger, const AdoptedPart& part, const Compo
 }
 
 }  // namespace
+
+bool is_struck(const std::vector<char>& touched, std::size_t row) {
+  return !touched.empty() && touched[row];
+}
+
+double share_in_wave(const AdoptedPart& part, const Component& component) {
+  const bool struck = is_struck(part.result.touched, component.id.index());
+  return struck || !part.input.loads.force.empty() ? WaveScheme::theta : 0.5;
+}
 
 void remember_start(PartStart& before, const SimulationState& state, bool keeps_ledger) {
   const MechanicsState& m = state.mechanics;

@@ -14,8 +14,7 @@ namespace {
 /// they are a blow at the start, else half of their way goes with them.
 double moment_of_loads(const AdoptedPart& part, const std::vector<char>& touched, std::size_t row) {
   const bool floats = part.input.settings.integrator == Integrator::floating_frame;
-  const bool struck = !touched.empty() && touched[row];
-  return struck || !floats ? 0 : 0.5;
+  return is_struck(touched, row) || !floats ? 0 : 0.5;
 }
 
 bool is_wave(const AdoptedPart& part) { return part.input.part.deformation == Deformation::wave; }
@@ -25,7 +24,8 @@ Vec3 place_of_weight(const AdoptedPart& part, const Component& c) {
   const std::size_t row = c.id.index();
   const Vec3& start = part.before.centre[row];
   if (is_wave(part)) {
-    return start + part.input.settings.time_step / (2 * c.mass) * part.before.momentum[row];
+    const double share = share_in_wave(part, c);
+    return start + (1 - share) * part.input.settings.time_step / c.mass * part.before.momentum[row];
   }
   return start + moment_of_loads(part, part.result.touched, row) * (c.centre - start);
 }
@@ -36,8 +36,7 @@ Vec3 place_of_load(const AdoptedPart& part, const Component& c, VertexId v) {
   const Vec3& start = part.before.position[v.index()];
   if (is_wave(part)) {
     const double h = part.input.settings.time_step;
-    return start + h * ((1 - WaveScheme::theta) / c.mass * part.before.momentum[row] +
-                        (0.5 - WaveScheme::theta) * h * part.input.loads.gravity);
+    return start + (1 - WaveScheme::theta) * h / c.mass * part.before.momentum[row];
   }
   const Vec3 arm = part.before.orientation[row].conjugate() * (start - part.before.centre[row]);
   const Vec3 end = c.centre + c.orientation * arm;
@@ -99,8 +98,10 @@ void add_weight_of_balls(MomentumLedger& ledger, const AdoptedPart& part) {
     if (!ball.mass || !part.input.members.has_ball(k)) continue;
     const Obstacle& before = part.before.obstacles[k];
     const Vec3 start = std::get<Sphere>(before.shape).center;
-    const Vec3 way = is_wave(part) ? Vec3(0.5 * h * before.velocity)
-                                   : Vec3(moment_of_loads(part, part.result.ball_touched, k) *
+    const std::vector<char>& touched = part.result.ball_touched;
+    const double old_share = is_struck(touched, k) ? 1 - WaveScheme::theta : 0.5;
+    const Vec3 way = is_wave(part) ? Vec3(old_share * h * before.velocity)
+                                   : Vec3(moment_of_loads(part, touched, k) *
                                           (std::get<Sphere>(ball.shape).center - start));
     ledger.gravity += impulse_at(start + way, h * *ball.mass * part.input.loads.gravity);
   }

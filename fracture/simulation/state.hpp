@@ -64,8 +64,7 @@ struct PartStart {
   std::vector<Vec3> centre, momentum, angular_momentum;  ///< row = ComponentId
   std::vector<Eigen::Quaterniond> orientation;           ///< row = ComponentId
   std::vector<Obstacle> obstacles;
-  std::vector<double> work;   ///< of a product with K
-  std::vector<char> touched;  ///< row = ComponentId: contact gave it some
+  std::vector<double> work;  ///< of a product with K
 };
 
 /// What the choice of rungs looks at, rows = ComponentId.

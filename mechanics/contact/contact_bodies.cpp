@@ -279,22 +279,14 @@ ContactRow row_of(const ContactPoint& contact, const ContactBodies& bodies,
 }
 
 /// m: how far the place where impulses act on a body goes with it in a wave; see `drift_of`.
-Vec3 way_in_wave(const ContactPass& pass, const Vec3& velocity, const Vec3& fall) {
-  return pass.input.settings.time_step *
-         ((1 - WaveScheme::theta) * velocity + (0.5 - WaveScheme::theta) * fall);
+Vec3 way_in_wave(const ContactPass& pass, const Vec3& velocity) {
+  return pass.input.settings.time_step * (1 - WaveScheme::theta) * velocity;
 }
 
 Vec3 way_in_wave(const ContactPass& pass, ComponentId id) {
   const Component& component = pass.state.components[id.index()];
-  const Vec3 fall = pass.input.settings.time_step * pass.input.loads.gravity;
-  return way_in_wave(
-      pass,
-      component.supported ? component.frame_velocity : Vec3(component.momentum / component.mass),
-      component.rung == Rung::carried ? Vec3::Zero() : fall);
-}
-
-Vec3 way_in_wave(const ContactPass& pass, const Obstacle& ball) {
-  return way_in_wave(pass, ball.velocity, pass.input.settings.time_step * pass.input.loads.gravity);
+  return way_in_wave(pass, component.supported ? component.frame_velocity
+                                               : Vec3(component.momentum / component.mass));
 }
 
 /// The enlisted bodies and their rows.
@@ -333,7 +325,7 @@ Vec3 way_of_impulse(const ContactPass& pass, const ContactPoint& contact) {
   if (pass.input.part.deformation != Deformation::wave) return Vec3::Zero();
   return contact.ball == ContactPoint::none
              ? way_in_wave(pass, pass.state.vertices.component[contact.vertex.index()])
-             : way_in_wave(pass, pass.obstacles[contact.ball]);
+             : way_in_wave(pass, pass.obstacles[contact.ball].velocity);
 }
 
 Vec3 drift_of(const ContactPass& pass, const ContactPoint& contact) {
@@ -341,7 +333,7 @@ Vec3 drift_of(const ContactPass& pass, const ContactPoint& contact) {
   const Vec3 way_of_b =
       contact.obstacle == ContactPoint::none
           ? way_in_wave(pass, pass.state.elements.component[contact.tetrahedron.index()])
-          : way_in_wave(pass, pass.obstacles[contact.obstacle]);
+          : way_in_wave(pass, pass.obstacles[contact.obstacle].velocity);
   return way_of_impulse(pass, contact) - way_of_b;
 }
 

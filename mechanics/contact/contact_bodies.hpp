@@ -51,8 +51,8 @@ bool takes_split_blow(const ContactPass& pass, const Component& component);
 Vec3 place_of_side_a(const ContactPass& pass, const ContactPoint& contact);
 
 /// m: from where side A of a contact is at the start to where its impulse acts; 0 but in a wave.
-/// There an impulse moves a mass centre by theta of its way over the part, and weight by a half,
-/// which is as if it acted at a place that goes the rest of the way with the body.
+/// There an impulse moves a mass centre by theta of its way over the part, which is as if it acted
+/// at a place that goes the rest of the way with the body.
 Vec3 way_of_impulse(const ContactPass& pass, const ContactPoint& contact);
 
 /// m: from where side A is at the start to where its impulse acts on side B, as B feels it; the

@@ -52,6 +52,7 @@ void strike_end(ContactStep& step, const ContactEnd& end, const Vec3& impulse) {
   StepBlows& blows = step.scratch.blows;
   const ContactBodies& bodies = step.scratch.bodies;
   if (bodies.component[end.body].is_none()) {
+    blows.ball_touched[bodies.ball[end.body]] = 1;
     blows.ball_impulse[bodies.ball[end.body]] += impulse;
     blows.ball_twist[bodies.ball[end.body]] += end.arm.cross(impulse);
     return;
@@ -128,10 +129,10 @@ void predict_wave_balls(ContactStep& step) {
   for (std::size_t k = 0; k < step.pass.obstacles.size(); ++k) {
     const Obstacle& ball = step.pass.obstacles[k];
     if (!ball.mass) continue;
-    const Vec3 pushed = WaveScheme::theta * step.scratch.blows.ball_impulse[k] / *ball.mass;
-    step.scratch.ball_end[k] =
-        std::get<Sphere>(ball.shape).center +
-        h * (ball.velocity + 0.5 * h * step.pass.input.loads.gravity + pushed);
+    const bool touched = step.scratch.blows.ball_touched[k] != 0;
+    const double share = touched ? WaveScheme::theta : 0.5;
+    step.scratch.ball_end[k] = std::get<Sphere>(ball.shape).center +
+                               h * ((1 - share) * ball.velocity + share * ball_velocity(step, k));
   }
 }
 

@@ -106,11 +106,12 @@ RigidLoad rigid_load(const ComponentStep& step) {
 PredictedFrame advance_centre(const ComponentStep& step, const RigidLoad& load) {
   const Component& body = step.component;
   const double h = step.input.settings.time_step;
-  const bool wave = step.input.part.deformation == Deformation::wave;
-  const double share = wave ? WaveScheme::theta : 0.5;
+  const bool pressed =
+      step.input.part.deformation == Deformation::wave && !step.input.loads.force.empty();
+  const double share = pressed ? WaveScheme::theta : 0.5;
   PredictedFrame next;
-  next.centre = body.centre +
-                h / body.mass * (body.momentum + 0.5 * h * load.weight + share * h * load.force);
+  next.centre =
+      body.centre + h / body.mass * (body.momentum + share * h * (load.weight + load.force));
   next.orientation = body.orientation;
   next.momentum = body.momentum + h * (load.weight + load.force);
   next.angular_momentum = body.angular_momentum + h * load.torque;

@@ -22,8 +22,9 @@ RigidLoad rigid_load(const ComponentStep& step);
 Mat3 deformed_inertia(const VertexColumns& vertices, const Component& body);
 
 /// c += h P/M + h^2 F/(2 M), P += h F, L += h tau: a parabola under gravity, to rounding. In a wave
-/// the forces other than weight are those of contact and move c by theta h^2 F/M, like the
-/// deformation: so a vertex held by contact stays where it is. The orientation is left alone, and
+/// what has forces beside its weight, which are those of contact, moves by theta h^2 F/M, like the
+/// deformation: so a vertex held by contact stays where it is, and since weight goes the same way,
+/// (theta - 1/2) |h F|^2 / M of energy is lost and none is won. The orientation is left alone, and
 /// the torque is taken as that of the start.
 PredictedFrame advance_centre(const ComponentStep& step, const RigidLoad& load);
 
