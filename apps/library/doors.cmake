@@ -42,6 +42,7 @@ door(simulation "Scenes, how to build, step, save and load them, and what a step
   fracture/algorithms/fracture_settings.hpp
   fracture/scene/ladder_settings.hpp
   fracture/scene/scene.hpp
+  fracture/cracks/crack_label.hpp
   fracture/algorithms/fan_event.hpp
   fracture/algorithms/fracture_report.hpp
   fracture/energy/settled_crack.hpp

@@ -44,7 +44,7 @@ void add_surface(Fragment& f, const Cells& cells, TetId t) {
   for (int place = 0; place < 4; ++place) {
     const HalfFaceId face = half_face(t, place);
     if (!cells.map.neighbour(face).is_none()) continue;
-    const double area = rest_area_vector(cells, face).norm();
+    const double area = rest_area_vector(cells.map, face).norm();
     f.surface += area;
     if (is_crack_face(cells, face)) f.crack_area += area;
   }

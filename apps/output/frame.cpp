@@ -55,6 +55,24 @@ VertexData vertex_data(const MechanicsState& mechanics, const std::vector<Mat3>&
   return data;
 }
 
+/// Cell data of a frame: the newest crack that a tetrahedron has a side of, -1 for none, and that
+/// side, 1 or -1, 0 for none. Nothing with `CrackMode::paper`.
+struct CrackData {
+  std::vector<std::int32_t> crack, side;
+};
+
+CrackData crack_data(const Cells& cells, CrackMode mode) {
+  CrackData data;
+  if (mode == CrackMode::paper) return data;
+  data.crack.assign(cells.map.tetrahedra(), -1);
+  data.side.assign(cells.map.tetrahedra(), 0);
+  for (const CrackLabel& label : cells.cracks.labels) {
+    data.crack[label.tetrahedron.index()] = static_cast<std::int32_t>(label.crack.value);
+    data.side[label.tetrahedron.index()] = label.positive ? 1 : -1;
+  }
+  return data;
+}
+
 }  // namespace
 
 std::vector<Finding> write_frame(const std::filesystem::path& path, const Simulation& simulation) {
@@ -78,10 +96,14 @@ std::vector<Finding> write_frame(const std::filesystem::path& path, const Simula
       vector_column("displacement", data.displacement), vector_column("velocity", v.velocity),
       NamedColumn{"node_stress", std::span<const double>(data.stress), 6},
       NamedColumn{"largest_principal_stress", std::span<const double>(data.largest)}};
-  const std::array cell_data = {
-      NamedColumn{"component", std::span<const std::uint32_t>(component)},
-      NamedColumn{"body", std::span<const std::int32_t>(origin.body)},
-      NamedColumn{"region", std::span<const std::int32_t>(origin.region)}};
+  std::vector cell_data = {NamedColumn{"component", std::span<const std::uint32_t>(component)},
+                           NamedColumn{"body", std::span<const std::int32_t>(origin.body)},
+                           NamedColumn{"region", std::span<const std::int32_t>(origin.region)}};
+  const CrackData cracks = crack_data(cells, simulation.scene.fracture.crack);
+  if (!cracks.crack.empty()) {
+    cell_data.push_back({"crack", std::span<const std::int32_t>(cracks.crack)});
+    cell_data.push_back({"crack_side", std::span<const std::int32_t>(cracks.side)});
+  }
   return write_vtu(path, mesh, point_data, cell_data);
 }
 

@@ -19,21 +19,6 @@ bool is_crack_tip(const Cells& cells, VertexId vertex, std::span<const TetId> st
   return false;
 }
 
-/// Mean length of the edges of the star's tetrahedra, shared ones once for each, m.
-double mean_edge_length(const VertexColumns& vertices, std::span<const Corners> corners,
-                        std::span<const TetId> star) {
-  double sum = 0;
-  for (const TetId t : star) {
-    const Corners& c = corners[t.index()];
-    for (int i = 0; i < 4; ++i) {
-      for (int j = i + 1; j < 4; ++j) {
-        sum += (vertices.rest_position[c[i].index()] - vertices.rest_position[c[j].index()]).norm();
-      }
-    }
-  }
-  return sum / (6.0 * static_cast<double>(star.size()));
-}
-
 /// Whether a face has a vertex that never splits.
 bool touches_unbreakable(const Cells& cells, HalfFaceId face) {
   const Corners& corners = cells.map.corners(tetrahedron_of(face));
@@ -81,6 +66,27 @@ void append_copy(Cells& cells, VertexId from) {
   append(cells.labels.of_vertex);
 }
 
+double mean_edge_length(const VertexColumns& vertices, std::span<const Corners> corners,
+                        std::span<const TetId> star) {
+  double sum = 0;
+  for (const TetId t : star) {
+    const Corners& c = corners[t.index()];
+    for (int i = 0; i < 4; ++i) {
+      for (int j = i + 1; j < 4; ++j) {
+        sum += (vertices.rest_position[c[i].index()] - vertices.rest_position[c[j].index()]).norm();
+      }
+    }
+  }
+  return sum / (6.0 * static_cast<double>(star.size()));
+}
+
+double mean_edge_length(const VertexColumns& vertices, std::span<const Corners> corners,
+                        const VertexStar& star) {
+  std::vector<TetId> around;
+  for (const CornerId c : star.corners) around.push_back(tetrahedron_of(c));
+  return mean_edge_length(vertices, corners, around);
+}
+
 double vertex_strength(const Cells& cells, const MechanicsState& mechanics, VertexId vertex,
                        std::span<const TetId> star) {
   if (cells.unbreakable[vertex.index()]) return std::numeric_limits<double>::infinity();
@@ -98,10 +104,10 @@ double vertex_strength(const Cells& cells, const MechanicsState& mechanics, Vert
   return crack_tip_factor * toughness / std::sqrt(h);
 }
 
-Vec3 rest_area_vector(const Cells& cells, HalfFaceId face) {
-  const Corners& corners = cells.map.corners(tetrahedron_of(face));
+Vec3 rest_area_vector(const VolumeMap& map, HalfFaceId face) {
+  const Corners& corners = map.corners(tetrahedron_of(face));
   const auto& order = dart_order::face_corners[place_of(face)];
-  const auto x = [&](int k) { return Vec3(cells.map.point(corners[order[k]]).data()); };
+  const auto x = [&](int k) { return Vec3(map.point(corners[order[k]]).data()); };
   const Vec3 a = x(0);
   return 0.5 * (x(1) - a).cross(x(2) - a);
 }

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "fracture/cracks/crack_labels.hpp"
 #include "mechanics/state/mechanics_state.hpp"
 #include "topology/kernel/components.hpp"
 #include "topology/kernel/fan.hpp"
@@ -38,6 +39,8 @@ struct Cells {
   std::vector<char> waits;
   /// Those that wait until their stress changes, each vertex once.
   std::vector<EmptyFan> empty_fans;
+  /// With `CrackMode::object`.
+  CrackLabels cracks;
 };
 
 /// The bodies of a simulation as breaking changes them: their cells, and the columns of mechanics
@@ -72,8 +75,14 @@ inline constexpr double crack_tip_factor = 0.54;
 double vertex_strength(const Cells& cells, const MechanicsState& mechanics, VertexId vertex,
                        std::span<const TetId> star);
 
-/// Area vector of a face at rest, m^2, by the order of its corners in `dart_order`.
-Vec3 rest_area_vector(const Cells& cells, HalfFaceId face);
+/// Mean length of the edges of a star's tetrahedra at rest, each tetrahedron's six counted, m.
+double mean_edge_length(const VertexColumns& vertices, std::span<const Corners> corners,
+                        std::span<const TetId> star);
+double mean_edge_length(const VertexColumns& vertices, std::span<const Corners> corners,
+                        const VertexStar& star);
+
+/// Area vector of a half-face at rest, m^2, out of its tetrahedron.
+Vec3 rest_area_vector(const VolumeMap& map, HalfFaceId face);
 
 /// The fan of a star's signs (`plane_signs`): `fan_faces`, but for those that touch an unbreakable
 /// vertex. A vertex splits by faces at it alone, so an unbreakable one never does.

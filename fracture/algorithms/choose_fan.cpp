@@ -72,7 +72,7 @@ Candidate judge_fan(const Cells& cells, FanPlane fan) {
   Candidate candidate{std::move(fan)};
   double area = 0, aligned = 0;
   for (const HalfFaceId f : candidate.fan.faces) {
-    const Vec3 a = rest_area_vector(cells, f);
+    const Vec3 a = rest_area_vector(cells.map, f);
     area += a.norm();
     aligned += std::abs(a.dot(candidate.fan.normal));
     candidate.on_crack += borders_crack(cells, f) || borders_crack(cells, cells.map.neighbour(f));
@@ -125,7 +125,7 @@ std::vector<Vec3> interior_face_normals(const Place& place) {
       if (p == place_of(c)) continue;
       const HalfFaceId other = place.cells.map.neighbour(f);
       if (!other.is_none() && f < other) {
-        normals.push_back(rest_area_vector(place.cells, f).normalized());
+        normals.push_back(rest_area_vector(place.cells.map, f).normalized());
       }
     }
   }

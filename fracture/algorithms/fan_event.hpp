@@ -7,6 +7,7 @@
 #include <functional>
 #include <vector>
 
+#include "fracture/cracks/crack_label.hpp"
 #include "mechanics/state/vec3.hpp"
 #include "topology/kernel/components.hpp"
 #include "topology/kernel/split_face.hpp"
@@ -26,6 +27,11 @@ struct FanEvent {
   double strength = 0;
   /// Round of its search, counted from 0: fans of one round were decided on the same state.
   std::uint32_t round = 0;
+  /// The crack that it is of, with `CrackMode::object`, its anchor (m, rest frame, a point of the
+  /// plane) and the tetrahedra that the crack decided on with it.
+  CrackId crack;
+  Vec3 anchor = Vec3::Zero();
+  std::vector<CrackLabel> labels;
   /// One entry a face, in the order in which they were split; empty when every tetrahedron lay on
   /// one side of the plane, or other fans have split them all: then nothing changed.
   std::vector<FaceSplit> faces;

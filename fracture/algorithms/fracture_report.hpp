@@ -25,6 +25,8 @@ struct SearchCounts {
   std::size_t relieved = 0;
   /// Vertices over their threshold that the budget left for a later step.
   std::size_t waiting = 0;
+  /// Vertices over their threshold that wait on the flank of a crack (`CrackMode::object`).
+  std::size_t on_flanks = 0;
   /// Vertices for which the node stress `fit` fell back to `volume`.
   std::size_t unfitted = 0;
 };
@@ -37,6 +39,7 @@ constexpr auto counters_of(const SearchCounts*) {
                     Counter{"still_empty", &SearchCounts::still_empty, Adds::last},
                     Counter{"unfitted", &SearchCounts::unfitted, Adds::most},
                     Counter{"refused_fans", &SearchCounts::refused_fans},
+                    Counter{"on_flanks", &SearchCounts::on_flanks, Adds::last},
                     Counter{"relieved", &SearchCounts::relieved},
                     Counter{"waiting", &SearchCounts::waiting, Adds::last}};
 }

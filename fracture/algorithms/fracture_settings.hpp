@@ -39,6 +39,14 @@ enum class FractureCriterion {
   energy,
 };
 
+/// What a crack is.
+enum class CrackMode {
+  /// Faces that were unsewn: the plane of each fan is its vertex' own (the paper's).
+  paper,
+  /// A surface with sides that grows along its front (docs/cracks.md).
+  object,
+};
+
 /// How vertices are tested against their thresholds; the result is the same.
 enum class ThresholdTest {
   /// Eigenvalues of every tensor.
@@ -59,6 +67,7 @@ struct FractureSettings {
   ThresholdTest test = ThresholdTest::chain;
   /// What breaks a crack tip of a material with a toughness.
   FractureCriterion criterion = FractureCriterion::stress;
+  CrackMode crack = CrackMode::paper;
   /// Rings of tetrahedra around each fan whose stresses are solved for again within the step, so
   /// that the load of the crack passes to its tip at once; 0: none (the paper's).
   std::uint32_t relax = 0;

@@ -43,13 +43,19 @@ std::size_t refresh_strength(BreakableBody body, const FanEvent& event) {
 // Algorithm 4: split(v, u).
 FanEvent split_fan(BreakableBody body, const VertexStar& v, const Vec3& u,
                    const FractureSettings& settings, ComponentScratch& scratch) {
+  // Get the signs of tetrahedra around v relatively to the fracture plane.
+  const std::vector<char> positive = plane_signs(body.cells.map, v, {u.x(), u.y(), u.z()});
+  return split_fan(body, v, u, positive, settings, scratch);
+}
+
+FanEvent split_fan(BreakableBody body, const VertexStar& v, const Vec3& u,
+                   std::span<const char> positive, const FractureSettings& settings,
+                   ComponentScratch& scratch) {
   VolumeMap& map = body.cells.map;
   FanEvent event{.vertex = v.vertex,
                  .point = map.point_of_vertex(v.vertex),
                  .rest_position = body.mechanics.vertices.rest_position[v.vertex.index()],
                  .normal = u};
-  // Get the signs of tetrahedra around v relatively to the fracture plane.
-  const std::vector<char> positive = plane_signs(map, v, {u.x(), u.y(), u.z()});
   // Search for faces adjacent to positive and negative tetrahedra; those with an edge at the
   // surface first, or they would fool the oracle (figure 5).
   std::vector<HalfFaceId> fan = breakable_fan(body.cells, v, positive);

@@ -29,4 +29,10 @@ namespace sunder {
 FanEvent split_fan(BreakableBody body, const VertexStar& v, const Vec3& u,
                    const FractureSettings& settings, ComponentScratch& scratch);
 
+/// The same with the signs at hand, one flag for each tetrahedron of the star: of a crack that
+/// keeps its sides they are its labels. `u` is only noted.
+FanEvent split_fan(BreakableBody body, const VertexStar& v, const Vec3& u,
+                   std::span<const char> positive, const FractureSettings& settings,
+                   ComponentScratch& scratch);
+
 }  // namespace sunder

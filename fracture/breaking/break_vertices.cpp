@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <iterator>
 #include <optional>
-#include <queue>
 
-#include "fracture/algorithms/choose_fan.hpp"
 #include "fracture/algorithms/node_stress.hpp"
 #include "fracture/algorithms/piece_limits.hpp"
 #include "fracture/algorithms/split_fan.hpp"
 #include "fracture/algorithms/threshold_test.hpp"
+#include "fracture/breaking/decide_sides.hpp"
+#include "fracture/breaking/plan_fans.hpp"
 #include "fracture/energy/tip_energy.hpp"
 #include "topology/base/sort_unique.hpp"
 #include "topology/kernel/fan.hpp"
@@ -24,43 +24,6 @@ namespace {
 constexpr double tie = 1e-6;
 /// Change of a tensor over its norm that may turn its planes by about half a degree.
 constexpr double changed_direction = 0.01;
-
-/// A vertex that reaches its threshold, by how far: the most overstressed comes first.
-struct Candidate {
-  double overstress = 0;  // largest principal stress / threshold
-  VertexId vertex;
-
-  friend bool operator<(const Candidate& a, const Candidate& b) {
-    if (a.overstress != b.overstress) return a.overstress < b.overstress;
-    return a.vertex > b.vertex;
-  }
-};
-
-/// One call at work.
-struct Work {
-  BreakableBody body;
-  const FractureSettings& settings;
-  FractureScratch& scratch;
-  const FanWatch& watch;
-  ElementStress elements;
-  FractureReport report = {};
-  std::priority_queue<Candidate> queue = {};
-
-  const Mat3& stress(VertexId v) const { return scratch.node_stress.value[v.index()]; }
-  double strength(VertexId v) const { return body.cells.strength[v.index()]; }
-  ThresholdAnswer test(VertexId v) const { return test_threshold(stress(v), strength(v)); }
-  void tell(VertexId v) const {
-    if (watch) watch(v);
-  }
-};
-
-void measure(Work& work, VertexId v) {
-  const VolumeMap& map = work.body.cells.map;
-  NodeStressField& field = work.scratch.node_stress;
-  field.value[v.index()] = work.settings.node_stress == NodeStress::fit
-                               ? fit_node_stress(field.fit, map, work.elements, v)
-                               : node_stress_of_star(work.elements, star(map, v));
-}
 
 /// Row = VertexId: whether it is looked at. Taken before anything splits.
 void look_at(std::vector<char>& rows, const MechanicsState& mechanics, const StepMembers& members) {
@@ -82,7 +45,7 @@ void look_for_cracks(std::vector<char>& cracked, const Cells& cells) {
 }
 
 /// What the search looks at, before any stress is known.
-void prepare(Work& work, const StepMembers& members) {
+void prepare(FractureWork& work, const StepMembers& members) {
   FractureScratch& scratch = work.scratch;
   const Cells& cells = work.body.cells;
   const std::size_t vertices = cells.map.vertices();
@@ -97,7 +60,7 @@ void prepare(Work& work, const StepMembers& members) {
 }
 
 /// With the criterion `energy`: the threshold of a crack tip as it is deformed now.
-void set_tip_strength(Work& work, VertexId v) {
+void set_tip_strength(FractureWork& work, VertexId v) {
   const RelaxedState& relaxed = work.scratch.relaxed;
   const bool opened = work.elements.stress.data() == relaxed.stress.data();
   const Deformed deformed{opened ? relaxed.displacement : work.body.mechanics.vertices.displacement,
@@ -106,13 +69,8 @@ void set_tip_strength(Work& work, VertexId v) {
       tip_strength(work.body.cells, work.body.mechanics, deformed, {v, work.stress(v)});
 }
 
-/// From now on the vertex waits until its stress changes.
-void hold(Work& work, VertexId v) {
-  work.body.cells.empty_fans.push_back({v, work.stress(v) / work.stress(v).norm()});
-}
-
 /// Whether a held vertex goes on waiting: its stress is what it was.
-bool stays_held(const Work& work, const EmptyFan& empty) {
+bool stays_held(const FractureWork& work, const EmptyFan& empty) {
   const Mat3& sigma = work.stress(empty.vertex);
   const double change = (sigma / sigma.norm() - empty.stress_direction).norm();
   // A change that is not a number is one.
@@ -121,7 +79,7 @@ bool stays_held(const Work& work, const EmptyFan& empty) {
 
 /// The threshold of a vertex that is looked at. Those with empty or refused fans are not until
 /// their stress changes; then they are forgotten (a vertex of none, for `forget_released`).
-std::optional<double> threshold_of(Work& work, VertexId v) {
+std::optional<double> threshold_of(FractureWork& work, VertexId v) {
   FractureScratch& scratch = work.scratch;
   if (!scratch.rows[v.index()]) return std::nullopt;
   if (work.settings.node_stress == NodeStress::fit) {
@@ -145,22 +103,24 @@ void forget_released(std::vector<EmptyFan>& empty_fans) {
   std::erase_if(empty_fans, [](const EmptyFan& empty) { return empty.vertex.is_none(); });
 }
 
-void enqueue(Work& work, VertexId v, const PrincipalTension& tension) {
+void enqueue(FractureWork& work, VertexId v, const PrincipalTension& tension) {
   const double overstress = tension.value / work.strength(v);
   work.scratch.queued[v.index()] = overstress;
-  work.queue.push({overstress, v});
+  const VertexStar around = vertex_star(work.body.cells.map, v);
+  const bool grows = crack_of(work, around, tension).step == CrackStep::grows;
+  work.queue.push({overstress, v, grows});
 }
 
 /// What algorithm 3 does here: candidates wait for their turn.
 struct Candidates {
-  Work& work;
+  FractureWork& work;
 
   std::optional<double> threshold(VertexId v) { return threshold_of(work, v); }
   void split(VertexId v, const PrincipalTension& tension) { enqueue(work, v, tension); }
 };
 
 /// Counts those that waited and are over their threshold no longer; forgets who waited.
-void count_relieved(Work& work) {
+void count_relieved(FractureWork& work) {
   std::vector<char>& waits = work.body.cells.waits;
   waits.resize(work.body.cells.map.vertices(), 0);
   for (std::size_t row = 0; row < waits.size(); ++row) {
@@ -171,19 +131,20 @@ void count_relieved(Work& work) {
 }
 
 /// Whether an entry of the queue still stands: later ones of the same vertex replace it.
-bool stands(const Work& work, const Candidate& c) {
+bool stands(const FractureWork& work, const BreakCandidate& c) {
   return work.scratch.queued[c.vertex.index()] == c.overstress;
 }
 
 /// The most overstressed candidates, as far as each is tied with the one before.
-void take_tied(std::vector<VertexId>& tied, Work& work) {
+void take_tied(std::vector<VertexId>& tied, FractureWork& work) {
   tied.clear();
-  double last = 0;
+  BreakCandidate last;
   while (!work.queue.empty()) {
-    const Candidate c = work.queue.top();
+    const BreakCandidate c = work.queue.top();
     if (stands(work, c)) {
-      if (!tied.empty() && c.overstress < last * (1 - tie)) return;
-      last = c.overstress;
+      const bool is_tied = c.grows == last.grows && c.overstress >= last.overstress * (1 - tie);
+      if (!tied.empty() && !is_tied) return;
+      last = c;
       work.scratch.queued[c.vertex.index()] = 0;
       tied.push_back(c.vertex);
     }
@@ -191,59 +152,16 @@ void take_tied(std::vector<VertexId>& tied, Work& work) {
   }
 }
 
-/// The fan of a vertex for its stress as it is; nothing where every plane leaves it whole.
-std::optional<PlannedFan> plan_fan(Work& work, VertexId v) {
-  const MechanicsState& mechanics = work.body.mechanics;
-  const ComponentId component = mechanics.vertices.component[v.index()];
-  work.tell(v);
-  const PrincipalTension tension = principal_tension(work.stress(v));
-  PlannedFan plan{vertex_star(work.body.cells.map, v), {}, tension.value, work.strength(v)};
-  const FanPlane plane = choose_fan(work.body.cells, plan.v, tension,
-                                    mechanics.components[component.index()].rest_centre);
-  work.tell(VertexId::none());
-  if (plane.faces.empty()) return std::nullopt;
-  plan.normal = plane.normal;
-  return plan;
-}
-
-/// Fans of the tied candidates on the state as it is; none for those that wait or cannot break.
-std::vector<PlannedFan> plan_fans(Work& work, std::span<const VertexId> tied) {
-  FractureReport& report = work.report;
-  std::vector<PlannedFan> plans;
-  for (const VertexId v : tied) {
-    if (work.settings.node_stress == NodeStress::fit) measure(work, v);
-    if (work.test(v) != ThresholdAnswer::reached) {
-      ++report.relieved;
-      continue;
-    }
-    if (work.settings.mode == FractureMode::budget &&
-        report.fans.size() + plans.size() >= work.settings.max_fans) {
-      work.body.cells.waits[v.index()] = 1;
-      ++report.waiting;
-      continue;
-    }
-    work.scratch.broken[v.index()] = 1;
-    if (std::optional<PlannedFan> plan = plan_fan(work, v)) {
-      plans.push_back(std::move(*plan));
-    } else {
-      ++report.empty_fans;
-      hold(work, v);
-    }
-  }
-  return plans;
-}
-
 /// Whether the limits on pieces refuse a fan.
-bool is_refused(Work& work, const PlannedFan& plan) {
+bool is_refused(FractureWork& work, const PlannedFan& plan) {
   if (!limits_pieces(work.settings)) return false;
   const Cells& cells = work.body.cells;
-  const Point normal = {plan.normal.x(), plan.normal.y(), plan.normal.z()};
-  const auto faces = breakable_fan(cells, plan.v, plane_signs(cells.map, plan.v, normal));
+  const auto faces = breakable_fan(cells, plan.v, plan.positive);
   return exceeds_limits(cells, work.body.mechanics, faces, work.settings, work.scratch.components);
 }
 
 /// Rows that a fan split, old and new; copies of what has broken have broken.
-void note_splits(Work& work, const FanEvent& event, std::vector<VertexId>& split_rows) {
+void note_splits(FractureWork& work, const FanEvent& event, std::vector<VertexId>& split_rows) {
   FractureScratch& scratch = work.scratch;
   const std::size_t rows = work.body.cells.map.vertices();
   scratch.node_stress.value.resize(rows);
@@ -260,7 +178,7 @@ void note_splits(Work& work, const FanEvent& event, std::vector<VertexId>& split
 }
 
 /// Splits one fan of a round, if the limits allow it and others have left it a face.
-void split(Work& work, const PlannedFan& plan, std::uint32_t round,
+void split(FractureWork& work, const PlannedFan& plan, std::uint32_t round,
            std::vector<VertexId>& split_rows) {
   work.tell(plan.v.vertex);
   if (is_refused(work, plan)) {
@@ -283,7 +201,7 @@ void split(Work& work, const PlannedFan& plan, std::uint32_t round,
 }
 
 /// Lets what was split open, and adds the vertices whose stress that changes.
-void relax(Work& work, std::vector<VertexId>& rows) {
+void relax(FractureWork& work, std::vector<VertexId>& rows) {
   RelaxedState& relaxed = work.scratch.relaxed;
   relax_around(relaxed, work.body.cells, work.body.mechanics, work.settings.relax);
   const std::vector<char>& looked_at = work.scratch.rows;
@@ -293,7 +211,7 @@ void relax(Work& work, std::vector<VertexId>& rows) {
 }
 
 /// Measures what the fans of a tie split, and queues it anew.
-void follow_splits(Work& work, std::vector<VertexId>& split_rows) {
+void follow_splits(FractureWork& work, std::vector<VertexId>& split_rows) {
   if (work.settings.relax > 0) relax(work, split_rows);
   sort_unique(split_rows);
   if (work.settings.node_stress == NodeStress::fit) {
@@ -317,15 +235,46 @@ void follow_splits(Work& work, std::vector<VertexId>& split_rows) {
   }
 }
 
+/// Queues those around fans of cracks anew: the front may pass through them now.
+void follow_fronts(FractureWork& work, std::span<const PlannedFan> fans) {
+  std::vector<VertexId> around;
+  const VolumeMap& map = work.body.cells.map;
+  for (const PlannedFan& fan : fans) {
+    for (const CornerId c : fan.v.corners) {
+      const Corners& rows = map.corners(tetrahedron_of(c));
+      around.insert(around.end(), rows.begin(), rows.end());
+    }
+  }
+  sort_unique(around);
+  const std::vector<char>& looked_at = work.scratch.rows;
+  for (const VertexId v : around) {
+    const bool is_seen = v.index() >= looked_at.size() || looked_at[v.index()];
+    if (!is_seen || work.scratch.broken[v.index()]) continue;
+    if (work.test(v) == ThresholdAnswer::reached) {
+      enqueue(work, v, principal_tension(work.stress(v)));
+    }
+  }
+}
+
 /// Splits the queued vertices, tie by tie.
-void split_in_order(Work& work) {
+void split_in_order(FractureWork& work) {
   std::vector<VertexId> tied, split_rows;
   for (std::uint32_t round = 0; !work.queue.empty(); ++round) {
     take_tied(tied, work);
     split_rows.clear();
-    for (const PlannedFan& plan : plan_fans(work, tied)) split(work, plan, round, split_rows);
+    const std::vector<PlannedFan> plans = plan_fans(work, tied);
+    for (const PlannedFan& plan : plans) split(work, plan, round, split_rows);
     follow_splits(work, split_rows);
+    if (work.has_objects()) follow_fronts(work, plans);
   }
+}
+
+/// Those on flanks that have not broken after all.
+std::size_t count_flanks(FractureWork& work) {
+  std::vector<VertexId>& flanks = work.scratch.flanks;
+  sort_unique(flanks);
+  std::erase_if(flanks, [&](VertexId v) { return work.scratch.broken[v.index()] != 0; });
+  return flanks.size();
 }
 
 }  // namespace
@@ -334,9 +283,10 @@ FractureReport break_vertices(BreakableBody body, const FractureSettings& settin
                               FractureScratch& scratch, const StepMembers& members,
                               const FanWatch& watch) {
   if (settings.mode == FractureMode::off) return {};
-  Work work{body, settings, scratch, watch,
-            element_stress(body.cells, body.mechanics, settings.node_stress)};
+  FractureWork work{body, settings, scratch, watch,
+                    element_stress(body.cells, body.mechanics, settings.node_stress)};
   prepare(work, members);
+  work.fresh = body.cells.cracks.anchors.size();
   find_fractures(work.report, scratch.node_stress, body.cells, work.elements, settings,
                  Candidates{work});
   forget_released(body.cells.empty_fans);
@@ -346,15 +296,19 @@ FractureReport break_vertices(BreakableBody body, const FractureSettings& settin
     start_relaxing(scratch.relaxed, body.mechanics);
     work.elements.stress = scratch.relaxed.stress;
   }
+  scratch.flanks.clear();
   split_in_order(work);
+  work.report.on_flanks = count_flanks(work);
   return std::move(work.report);
 }
 
 FanEvent split_planned(BreakableBody body, const PlannedFan& fan, const FractureSettings& settings,
                        ComponentScratch& scratch) {
-  FanEvent event = split_fan(body, fan.v, fan.normal, settings, scratch);
+  FanEvent event = split_fan(body, fan.v, fan.normal, fan.positive, settings, scratch);
   event.stress = fan.stress;
   event.strength = fan.strength;
+  // One whose faces are all gone leaves nothing, its crack's labels neither: no event tells of it.
+  if (!fan.crack.is_none() && !event.faces.empty()) note_crack(body.cells, fan, event);
   return event;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fracture/algorithms/find_fractures.hpp"
+#include "fracture/breaking/planned_fan.hpp"
 #include "fracture/energy/relax_patch.hpp"
 #include "mechanics/state/step_input.hpp"
 
@@ -21,7 +22,8 @@ struct FractureScratch {
   std::vector<char> cracked;  ///< |V|: at a crack; with the criterion `energy` only
   /// |V|, or none where no fan is empty: 1 + its place in `Cells::empty_fans`; 0: not there
   std::vector<std::uint32_t> held;
-  std::vector<char> broken;  ///< |V|: broken in this call
+  std::vector<char> broken;      ///< |V|: broken in this call
+  std::vector<VertexId> flanks;  ///< that waited there; some twice
   /// |V|: overstress with which it stands in the queue; 0: it does not
   std::vector<double> queued;
   ComponentScratch components;
@@ -52,19 +54,15 @@ struct FractureScratch {
 /// A vertex whose fan is empty or was refused waits until its stress changes, untested: until its
 /// tensor over its norm differs by more than 0.01 (Frobenius; half a degree; a stress that only
 /// grows keeps its planes), it has been below its threshold, or it has been split.
+/// With `CrackMode::object` vertices on the front of a crack come before those that would start
+/// one, and after each tie all vertices around its fans are looked at again: a crack grows as far
+/// as the stresses carry it before the next one starts. Those on a flank wait (`choose_crack`).
+///
 /// Leaves `mechanics.elements.component`, masses and frames to the caller (`rebuild`).
 /// Only vertices of `members` are looked at: the others' time has not come.
 FractureReport break_vertices(BreakableBody body, const FractureSettings& settings,
                               FractureScratch& scratch, const StepMembers& members = {},
                               const FanWatch& watch = {});
-
-/// A fan decided on one state, to be split on a later one. Half-faces and corners keep their names,
-/// so several can be decided on the same state and split one after the other.
-struct PlannedFan {
-  VertexStar v;  ///< as it was when the fan was decided on
-  Vec3 normal = Vec3::Zero();
-  double stress = 0, strength = 0;  ///< Pa, when it was decided
-};
 
 /// Splits fans that were decided on one state, in their order; `split_fan` with what their events
 /// have to tell beside it. Those with no face left give events without faces.

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace sunder {
@@ -19,14 +20,33 @@ std::string misfit(const Cells& cells, const ScriptedFan& fan) {
     return fmt::format("vertex {} is not there yet: the highest is {}", fan.vertex.value,
                        cells.map.vertices() - 1);
   }
+  if (!fan.crack.is_none() && fan.crack.index() > cells.cracks.cracks + cells.map.vertices()) {
+    return fmt::format("crack {} is not there: there are {}", fan.crack.value, cells.cracks.cracks);
+  }
   if (!(std::abs(fan.normal.norm() - 1) < 1e-9)) {
     return fmt::format("the normal of the fan at vertex {} is not of length 1", fan.vertex.value);
   }
   return {};
 }
 
+/// Sides by the labels of the fan's crack, known ones and new ones; without a crack by the plane.
+std::vector<char> signs_of(const Cells& cells, const PlannedFan& plan, const ScriptedFan& fan) {
+  if (fan.crack.is_none()) {
+    return plane_signs(cells.map, plan.v, {fan.normal.x(), fan.normal.y(), fan.normal.z()});
+  }
+  std::vector<char> positive;
+  for (const CornerId c : plan.v.corners) {
+    const TetId t = tetrahedron_of(c);
+    const auto label = std::ranges::find(fan.labels, t, &CrackLabel::tetrahedron);
+    positive.push_back(label != fan.labels.end()
+                           ? label->positive
+                           : side_of(cells.cracks, fan.crack, t) == Side::positive);
+  }
+  return positive;
+}
+
 /// Plans the fans from the script's next up to `end` on the state as it is.
-std::vector<PlannedFan> plan_round(const Cells& cells, const FractureSettings& settings,
+std::vector<PlannedFan> plan_round(Cells& cells, const FractureSettings& settings,
                                    FanScript& script, std::size_t end) {
   std::vector<PlannedFan> plans;
   for (std::size_t row = script.next; row < end; ++row) {
@@ -36,9 +56,16 @@ std::vector<PlannedFan> plan_round(const Cells& cells, const FractureSettings& s
       depart(script, row, std::move(reason));
       break;
     }
+    while (!fan.crack.is_none() && cells.cracks.cracks <= fan.crack.value) {
+      add_crack(cells.cracks, cells.map.tetrahedra());
+    }
     const bool by_energy = settings.criterion == FractureCriterion::energy;
-    plans.push_back({vertex_star(cells.map, fan.vertex), fan.normal, fan.stress,
-                     by_energy ? fan.strength : cells.strength[fan.vertex.index()]});
+    PlannedFan plan{vertex_star(cells.map, fan.vertex), fan.normal, fan.stress,
+                    by_energy ? fan.strength : cells.strength[fan.vertex.index()]};
+    plan.crack = fan.crack;
+    plan.at = fan.anchor;
+    plan.positive = signs_of(cells, plan, fan);
+    plans.push_back(std::move(plan));
   }
   return plans;
 }

@@ -29,6 +29,10 @@ struct ScriptedFan {
   Vec3 normal = Vec3::Zero();  ///< rest frame, of length 1
   double stress = 0;           ///< Pa, only noted in the event
   double strength = 0;         ///< Pa, only noted, with the criterion `energy`: stresses made it
+  /// With `CrackMode::object`, as in `FanEvent`.
+  CrackId crack;
+  Vec3 anchor = Vec3::Zero();
+  std::vector<CrackLabel> labels;
 };
 
 /// A fan of the script that cannot be made.

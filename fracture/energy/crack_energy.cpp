@@ -69,7 +69,7 @@ void open_cracks(std::vector<OpenCrack>& cracks, const NewCracks& fresh,
     crack.fan = fresh.first_fan + k;
     crack.time = fresh.time;
     for (const FaceSplit& face : fresh.fans[k].faces) {
-      crack.area += rest_area_vector(cells, face.face).norm();
+      crack.area += rest_area_vector(cells.map, face.face).norm();
     }
   }
   std::vector<std::uint32_t> group(state.vertices.size(), 0);  // 1 + row of `parted`; 0: whole

@@ -7,9 +7,9 @@
 #include <limits>
 #include <optional>
 
+#include "mechanics/element/strain_displacement.hpp"
 #include "mechanics/integrators/component_step.hpp"
 #include "mechanics/integrators/quasi_static.hpp"
-#include "mechanics/element/strain_displacement.hpp"
 
 namespace sunder {
 namespace {
@@ -238,7 +238,7 @@ Result<EnergyRelease> energy_release(const ReleaseInput& input, std::span<const 
   EnergyRelease release;
   for (const HalfFaceId face : faces) {
     if (input.cells.map.neighbour(face).is_none()) continue;
-    release.area += rest_area_vector(input.cells, face).norm();
+    release.area += rest_area_vector(input.cells.map, face).norm();
   }
   const std::vector<PartedVertex> parted = parted_vertices(input.cells.map, faces);
   if (parted.empty()) return release;

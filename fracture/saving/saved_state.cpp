@@ -36,7 +36,7 @@ constexpr int member_count(const IntegratorSettings*) { return 14; }
 constexpr int member_count(const RayleighDamping*) { return 2; }
 constexpr int member_count(const ContactSettings*) { return 13; }
 constexpr int member_count(const ImpactSettings*) { return 5; }
-constexpr int member_count(const FractureSettings*) { return 10; }
+constexpr int member_count(const FractureSettings*) { return 11; }
 constexpr int member_count(const LadderSettings*) { return 4; }
 constexpr int member_count(const Obstacle*) { return 5; }
 constexpr int member_count(const Plane*) { return 2; }
@@ -47,6 +47,9 @@ constexpr int member_count(const BodyRows*) { return 4; }
 constexpr int member_count(const MapRows*) { return 5; }
 constexpr int member_count(const Components*) { return 4; }
 constexpr int member_count(const EmptyFan*) { return 2; }
+constexpr int member_count(const CrackLabels*) { return 6; }
+constexpr int member_count(const CrackLabel*) { return 4; }
+constexpr int member_count(const CrackAnchor*) { return 6; }
 // Of mechanics.
 constexpr int member_count(const MechanicsState*) { return 7; }
 constexpr int member_count(const VertexColumns*) { return 9; }
@@ -76,7 +79,7 @@ constexpr int member_count(const OpenCrack*) { return 5; }
 constexpr int member_count(const CrackSide*) { return 3; }
 constexpr int member_count(const CornerLoad*) { return 4; }
 constexpr int member_count(const FanScript*) { return 3; }
-constexpr int member_count(const ScriptedFan*) { return 6; }
+constexpr int member_count(const ScriptedFan*) { return 9; }
 constexpr int member_count(const SearchPlace*) { return 2; }
 constexpr int member_count(const ScriptDeparture*) { return 2; }
 
@@ -206,6 +209,29 @@ void section(Archive& a, std::string_view name, Parts&... parts) {
   }
 }
 
+/// Whether labels and anchors name rows that are there, and chains only lead back.
+bool fits_together(const CrackLabels& c, std::size_t vertices, std::size_t tetrahedra) {
+  const bool sized = c.cracks == 0
+                         ? c.last_label.empty() && c.of_face.empty()
+                         : c.last_label.size() == tetrahedra && c.of_face.size() == 4 * tetrahedra;
+  if (!sized || c.last_anchor.size() != c.cracks) return false;
+  const auto is_crack = [&](CrackId k) { return k.index() < c.cracks; };
+  for (std::size_t row = 0; row < c.labels.size(); ++row) {
+    const CrackLabel& label = c.labels[row];
+    if (!is_crack(label.crack) || label.before > row) return false;
+    if (label.tetrahedron.index() >= tetrahedra) return false;
+  }
+  for (std::size_t row = 0; row < c.anchors.size(); ++row) {
+    const CrackAnchor& anchor = c.anchors[row];
+    if (!is_crack(anchor.crack) || anchor.before > row) return false;
+    if (anchor.vertex.index() >= vertices) return false;
+    if (!anchor.copy.is_none() && anchor.copy.index() >= vertices) return false;
+  }
+  return std::ranges::all_of(c.last_label, [&](auto row) { return row <= c.labels.size(); }) &&
+         std::ranges::all_of(c.last_anchor, [&](auto row) { return row <= c.anchors.size(); }) &&
+         std::ranges::all_of(c.of_face, [&](CrackId k) { return k.is_none() || is_crack(k); });
+}
+
 /// Whether columns are as long as each other, as far as a step relies on it without a look.
 bool fits_together(const SimulationState& s) {
   const std::size_t vertices = s.cells.map.vertices(), tetrahedra = s.cells.map.tetrahedra();
@@ -225,7 +251,8 @@ bool fits_together(const SimulationState& s) {
     if (rows != tetrahedra) return false;
   }
   return s.display.size() == components && s.display_target.size() == components &&
-         s.cells.labels.size.size() == components && s.cells.skin.size() == 4 * tetrahedra;
+         s.cells.labels.size.size() == components && s.cells.skin.size() == 4 * tetrahedra &&
+         fits_together(s.cells.cracks, vertices, tetrahedra);
 }
 
 }  // namespace
@@ -233,10 +260,11 @@ bool fits_together(const SimulationState& s) {
 template <class Archive, class C>
 requires std::is_same_v<std::remove_const_t<C>, Cells>
 void archive_struct(Archive& a, C& cells) {
-  auto& [map, labels, skin, strength, painted, flaw, unbreakable, waits, empty_fans] = cells;
+  auto& [map, labels, skin, strength, painted, flaw, unbreakable, waits, empty_fans, cracks] =
+      cells;
   archive_map(a, map);
   const auto all = [&](auto&... member) { (archive(a, member), ...); };
-  all(labels, skin, strength, painted, flaw, unbreakable, waits, empty_fans);
+  all(labels, skin, strength, painted, flaw, unbreakable, waits, empty_fans, cracks);
 }
 
 namespace {

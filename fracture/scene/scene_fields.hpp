@@ -18,6 +18,11 @@ inline const Names<FractureCriterion>& names_of(FractureCriterion) {
                                                  {FractureCriterion::energy, "energy"}};
   return names;
 }
+inline const Names<CrackMode>& names_of(CrackMode) {
+  static const Names<CrackMode> names = {{CrackMode::paper, "paper"},
+                                         {CrackMode::object, "object"}};
+  return names;
+}
 inline const Names<NodeStress>& names_of(NodeStress) {
   static const Names<NodeStress> names = {
       {NodeStress::volume, "volume"}, {NodeStress::mass, "mass"}, {NodeStress::fit, "fit"}};
@@ -194,6 +199,10 @@ void describe(V& v, FractureSettings& f) {
               "What breaks a crack tip of a material with a toughness: stress: the node stress "
               "there; energy: what the crack's front would release per area"},
           f.criterion);
+  v.field(Key{"crack", "",
+              "What a crack is: paper: each vertex is cut along its own plane; object: a surface "
+              "that keeps its sides and grows along its front (docs/cracks.md)"},
+          f.crack);
   v.field(Key{"relax", "",
               "Rings of tetrahedra around each fan whose stresses are solved for again within the "
               "step, so that the load of the crack passes to its tip at once; 0: none",

@@ -182,7 +182,8 @@ Result<Simulation> build_simulation(Scene scene) {
   std::vector<char> skin = boundary_of(*map);
   const auto sewn = map->neighbours();
   const std::vector<std::array<HalfFaceId, 4>> uncut(sewn.begin(), sewn.end());
-  append(result.findings, make_cuts(*map, scene.bodies, bodies));
+  std::vector<CutFaces> cuts;
+  append(result.findings, make_cuts(*map, scene.bodies, bodies, cuts));
   if (has_error(result.findings)) return result;
   const Components labels = label_components(*map);
   Result<MechanicsState> mechanics = make_columns(scene, bodies, *map, labels);
@@ -190,6 +191,7 @@ Result<Simulation> build_simulation(Scene scene) {
   if (!mechanics) return result;
 
   Cells cells = make_cells(std::move(*map), *mechanics, std::move(skin));
+  if (scene.fracture.crack == CrackMode::object) label_cuts(cells, cuts);
   draw_strengths(cells, *mechanics, scene.bodies, bodies);
   Simulation sim;
   sim.scene = std::move(scene);

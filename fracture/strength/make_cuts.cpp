@@ -93,22 +93,50 @@ std::vector<HalfFaceId> faces_of(const Cut& cut, const VolumeMap& map) {
   return faces;
 }
 
+CutFaces both_sides(const CutSettings& settings, const VolumeMap& map,
+                    std::span<const HalfFaceId> faces) {
+  CutFaces cut;
+  for (const HalfFaceId face : faces) {
+    cut.faces.push_back({face, map.neighbour(face)});
+    const Vec3 area = rest_area_vector(map, face);
+    cut.normal += area.dot(cut.normal) < 0 ? Vec3(-area) : area;
+  }
+  if (const auto* plane = std::get_if<CutPlane>(&settings.faces)) cut.normal = plane->normal;
+  return cut;
+}
+
 }  // namespace
 
 std::vector<Finding> make_cuts(VolumeMap& map, std::span<const BodySettings> bodies,
-                               std::span<const BodyRows> rows) {
+                               std::span<const BodyRows> rows, std::vector<CutFaces>& made) {
   std::vector<Finding> findings;
-  std::vector<HalfFaceId> faces;  // all chosen on the intact map
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     for (std::size_t i = 0; i < bodies[b].cuts.size(); ++i) {
       const Cut cut{bodies[b].cuts[i], rows[b], fmt::format("bodies.{}.cuts.{}", b, i), findings};
-      const std::vector<HalfFaceId> more = faces_of(cut, map);
-      faces.insert(faces.end(), more.begin(), more.end());
+      // All are chosen on the intact map.
+      made.push_back(both_sides(cut.settings, map, faces_of(cut, map)));
     }
   }
   if (has_error(findings)) return findings;
-  for (const HalfFaceId face : faces) split_face(map, face);  // the second time refuses
+  for (const CutFaces& cut : made) {
+    for (const auto& face : cut.faces) split_face(map, face[0]);  // the second time refuses
+  }
   return findings;
+}
+
+void label_cuts(Cells& cells, std::span<const CutFaces> cuts) {
+  for (const CutFaces& cut : cuts) {
+    const CrackId crack = add_crack(cells.cracks, cells.map.tetrahedra());
+    for (const auto& [face, opposite] : cut.faces) {
+      const bool points_back = rest_area_vector(cells.map, face).dot(cut.normal) < 0;
+      for (const HalfFaceId f : {face, opposite}) {
+        const TetId t = tetrahedron_of(f);
+        cells.cracks.of_face[f.index()] = crack;
+        if (side_of(cells.cracks, crack, t) != Side::undecided) continue;
+        add_label(cells.cracks, crack, t, (f == face) == points_back);
+      }
+    }
+  }
 }
 
 }  // namespace sunder

@@ -2,6 +2,7 @@
 // Cracks that are there before anything moves.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -11,11 +12,23 @@
 
 namespace sunder {
 
+/// The faces of one cut, both sides of each, and which way they face: that of the plane, or the sum
+/// of the listed faces' area vectors, each turned to the first.
+struct CutFaces {
+  std::vector<std::array<HalfFaceId, 2>> faces;
+  Vec3 normal = Vec3::Zero();
+};
+
 /// Unsews the faces of every body's `cuts` in the map of all bodies, before there is any state: as
 /// `sunder split --plane` and `--faces` do it. A face that two cuts name is cut once.
 /// Errors, with the cut's place: nothing_cut (no interior face of the body in it), not_interior (a
 /// listed face that cannot be cut). Needs: settings without errors. O(|T|) a cut.
+/// `made`: gets an entry a cut.
 std::vector<Finding> make_cuts(VolumeMap& map, std::span<const BodySettings> bodies,
-                               std::span<const BodyRows> rows);
+                               std::span<const BodyRows> rows, std::vector<CutFaces>& made);
+
+/// Makes each cut a crack without anchors (`CrackMode::object`): the tetrahedra on its faces get
+/// their sides, so that it goes on where its edge passes.
+void label_cuts(Cells& cells, std::span<const CutFaces> cuts);
 
 }  // namespace sunder

@@ -36,6 +36,15 @@ ordered_json face_of(const FaceSplit& split, const VolumeMap& map) {
           {"oracle", oracle_says_new(split)}};
 }
 
+/// Tetrahedra that the crack decided on with a fan, on one of its sides.
+ordered_json labelled(const FanEvent& event, bool positive) {
+  ordered_json rows = ordered_json::array();
+  for (const CrackLabel& label : event.labels) {
+    if (label.positive == positive) rows.push_back(label.tetrahedron.value);
+  }
+  return rows;
+}
+
 }  // namespace
 
 std::string_view to_string(RunEnd end) {
@@ -49,20 +58,27 @@ ordered_json event_of(const FanEvent& event, const EventTime& when, const Volume
   for (std::size_t i = 0; i < event.components.created; ++i) {
     created.push_back(event.components.first_new.value + i);
   }
-  return {{"fan", when.fan},
-          {"step", when.step},
-          {"part", when.part},
-          {"round", event.round},
-          {"time", when.time},
-          {"vertex", event.vertex.value},
-          {"point", event.point},
-          {"rest_position", numbers(event.rest_position)},
-          {"normal", numbers(event.normal)},
-          {"stress", event.stress},
-          {"strength", event.strength},
-          {"faces", faces},
-          {"oracle", event.components.predicted},
-          {"new_components", created}};
+  ordered_json line = {{"fan", when.fan},
+                       {"step", when.step},
+                       {"part", when.part},
+                       {"round", event.round},
+                       {"time", when.time},
+                       {"vertex", event.vertex.value},
+                       {"point", event.point},
+                       {"rest_position", numbers(event.rest_position)},
+                       {"normal", numbers(event.normal)},
+                       {"stress", event.stress},
+                       {"strength", event.strength},
+                       {"faces", faces},
+                       {"oracle", event.components.predicted},
+                       {"new_components", created}};
+  if (!event.crack.is_none()) {
+    line["crack"] = event.crack.value;
+    line["anchor"] = numbers(event.anchor);
+    line["positive"] = labelled(event, true);
+    line["negative"] = labelled(event, false);
+  }
+  return line;
 }
 
 ordered_json event_log_head(const SceneFile& file, const std::string& hash) {

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <sunder/version.hpp>
@@ -96,6 +97,16 @@ bool read_head(LogReader& reader, const ordered_json& head, std::string_view tex
   return true;
 }
 
+bool is_vector(const ordered_json& fan, const char* key) {
+  const auto vector = fan.find(key);
+  return vector != fan.end() && vector->is_array() && vector->size() == 3 &&
+         std::ranges::all_of(*vector, [](const auto& x) { return x.is_number(); });
+}
+
+Vec3 vector_of(const ordered_json& numbers) {
+  return {numbers[0].get<double>(), numbers[1].get<double>(), numbers[2].get<double>()};
+}
+
 /// What is wrong with the keys of a fan; empty where nothing is.
 std::string misfit(const ordered_json& fan) {
   for (const char* key : {"fan", "step", "part", "round", "vertex"}) {
@@ -104,10 +115,20 @@ std::string misfit(const ordered_json& fan) {
   for (const char* key : {"part", "round", "vertex"}) {
     if (fan[key] > ordered_json(0xfffffffeu)) return fmt::format("has too large a \"{}\"", key);
   }
-  const auto normal = fan.find("normal");
-  if (normal == fan.end() || !normal->is_array() || normal->size() != 3) return "has no normal";
-  for (const ordered_json& x : *normal) {
-    if (!x.is_number()) return "has a normal that is not three numbers";
+  if (!is_vector(fan, "normal")) return "has no normal of three numbers";
+  if (fan.contains("crack")) {
+    if (!is_count(fan, "crack") || fan["crack"] > ordered_json(0xfffffffeu)) {
+      return "has a crack that is no row";
+    }
+    if (!is_vector(fan, "anchor")) return "has no anchor of three numbers";
+    for (const char* side : {"positive", "negative"}) {
+      const auto rows = fan.find(side);
+      const bool are_rows =
+          rows != fan.end() && rows->is_array() && std::ranges::all_of(*rows, [](const auto& t) {
+            return t.is_number_unsigned() && t <= ordered_json(0xfffffffeu);
+          });
+      if (!are_rows) return fmt::format("has no list of tetrahedra \"{}\"", side);
+    }
   }
   const auto stress = fan.find("stress");
   if (stress == fan.end() || !stress->is_number()) return "has no stress";
@@ -129,10 +150,17 @@ bool read_fan(LogReader& reader, const ordered_json& fan, std::string_view text)
   ScriptedFan wanted{{fan["step"].get<std::uint64_t>(), fan["part"].get<std::uint32_t>()},
                      fan["round"].get<std::uint32_t>(),
                      VertexId{fan["vertex"].get<std::uint32_t>()}};
-  for (int i = 0; i < 3; ++i) {
-    wanted.normal[i] = fan["normal"][static_cast<std::size_t>(i)].get<double>();
-  }
+  wanted.normal = vector_of(fan["normal"]);
   wanted.stress = fan["stress"].get<double>();
+  if (is_count(fan, "crack")) {
+    wanted.crack = CrackId{fan["crack"].get<std::uint32_t>()};
+    wanted.anchor = vector_of(fan["anchor"]);
+    for (const bool positive : {true, false}) {
+      for (const ordered_json& t : fan[positive ? "positive" : "negative"]) {
+        wanted.labels.push_back({wanted.crack, TetId{t.get<std::uint32_t>()}, positive});
+      }
+    }
+  }
   const auto strength = fan.find("strength");
   if (strength != fan.end() && strength->is_number()) wanted.strength = strength->get<double>();
   if (!script.fans.empty() && wanted.place < script.fans.back().place) {

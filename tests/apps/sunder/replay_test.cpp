@@ -162,7 +162,7 @@ TEST_CASE("a replay, and a run on a busy machine, leave the bytes of the run", "
 
 TEST_CASE("replays repeat limits, budgets, sub-steps and drawn strengths", "[run][replay]") {
   std::map<std::string, json> scenes;
-  for (const char* name : {"limits", "budget", "fit", "relax", "energy", "sub_stepped"}) {
+  for (const char* name : {"limits", "budget", "fit", "relax", "energy", "object", "sub_stepped"}) {
     scenes[name] = struck_scene();
     scenes[name]["duration"] = 0.002;
   }
@@ -175,6 +175,10 @@ TEST_CASE("replays repeat limits, budgets, sub-steps and drawn strengths", "[run
     scenes[name]["bodies"][0]["material"]["toughness"] = 1e6;
   }
   scenes["energy"]["fracture"]["criterion"] = "energy";
+  scenes["object"]["fracture"] = {{"crack", "object"}};
+  scenes["object"]["bodies"][0]["cuts"] = {
+      {{"plane", {{"point", {0, 0, 1}}, {"normal", {0, 0, 1}}}},
+       {"box", {{"minimum", {-1, -1, 0}}, {"maximum", {0, 1, 2}}}}}};
   scenes["sub_stepped"]["duration"] = 0.001;
   scenes["sub_stepped"]["integrator"] = {{"method", "sub_stepped"}};
   scenes["sub_stepped"]["bodies"][0]["material"]["tensile_strength"] = 1e6;

@@ -58,7 +58,7 @@ void add_cracks(GrowthAnswer& answer, const Simulation& sim, const NotchedBar& b
   for (std::size_t f = 0; f < 4 * cells.map.tetrahedra(); ++f) {
     const HalfFaceId face{f};
     if (!is_crack_face(cells, face)) continue;
-    area += 0.5 * rest_area_vector(cells, face).norm();
+    area += 0.5 * rest_area_vector(cells.map, face).norm();
     for (std::size_t k = 1; k < 4; ++k) {
       const VertexId v = cells.map.corners(TetId{f / 4})[(f % 4 + k) % 4];
       answer.farthest =

@@ -104,7 +104,7 @@ void add_fans(DiscAnswer& answer, DiameterCrack& crack, const Cells& cells,
     crack.lowest = std::min(crack.lowest, fan.rest_position.y());
     crack.highest = std::max(crack.highest, fan.rest_position.y());
     for (const FaceSplit& face : fan.faces) {
-      const Vec3 a = rest_area_vector(cells, face.face);
+      const Vec3 a = rest_area_vector(cells.map, face.face);
       crack.area += a.norm();
       crack.across += std::abs(a.x());
     }

@@ -95,7 +95,7 @@ struct Outcome {
 };
 
 Outcome break_once(const MirrorBody& body, Field field, std::uint64_t seed,
-                   const std::set<std::uint32_t>& held) {
+                   const std::set<std::uint32_t>& held, CrackMode crack = CrackMode::paper) {
   Outcome outcome{uniform_tension(body.mesh, Vec3::UnitZ(), 1), {}};
   Cells& cells = outcome.tension.cells;
   std::mt19937_64 random(seed);
@@ -106,6 +106,7 @@ Outcome break_once(const MirrorBody& body, Field field, std::uint64_t seed,
   }
   FractureSettings settings;
   settings.node_stress = static_cast<NodeStress>(seed % 3);
+  settings.crack = crack;
   FractureScratch scratch;
   outcome.report = break_vertices({cells, outcome.tension.state}, settings, scratch);
   return outcome;
@@ -133,19 +134,25 @@ std::optional<std::uint32_t> one_of_two(const Outcome& outcome, const MirrorBody
 
 TEST_CASE("the first breaking step of a mirror-symmetric body is mirror-symmetric",
           "[fracture][mirror]") {
+  const CrackMode crack = GENERATE(CrackMode::paper, CrackMode::object);
   const Joint joint = GENERATE(Joint::faces, Joint::bridge);
   const Field field =
       GENERATE(Field::tension, Field::random, Field::smooth, Field::biaxial, Field::hydrostatic);
+  // Where all directions are equally tense, starts of one tie follow each other round corners and
+  // have no side in common.
+  if (crack == CrackMode::object && field == Field::hydrostatic) return;
   // Fields whose planes at a vertex on the mirror's plane are not their own images: see below.
   const bool chooses =
       field == Field::hydrostatic ||
       (joint == Joint::bridge && (field == Field::random || field == Field::smooth));
   std::size_t split = 0;
   for (std::uint64_t seed = 0; seed < 12; ++seed) {
-    INFO("seed " << seed);
+    INFO("seed " << seed << " field " << int(field) << " joint " << int(joint));
     const MirrorBody body = mirror_body(seed, joint, seed / 3 % 3, 0.37 * (seed % 2));
-    const auto held = chooses ? points_on_plane(body) : std::set<std::uint32_t>();
-    const Outcome outcome = break_once(body, field, seed, held);
+    // A vertex on the plane is on the fronts of two cracks that are images, and takes one.
+    const bool holds = chooses || crack == CrackMode::object;
+    const auto held = holds ? points_on_plane(body) : std::set<std::uint32_t>();
+    const Outcome outcome = break_once(body, field, seed, held, crack);
     const auto faces = split_faces(outcome.tension.cells.map, outcome.report.fans);
     CHECK(faces == mirrored(faces, body));
     split += faces.size();

@@ -135,12 +135,13 @@ TEST_CASE("a breaking body goes on to the same bytes under every integrator and 
 }
 
 TEST_CASE("cracks go on to the same bytes however they are found", "[fracture][saved_state]") {
-  std::vector<FractureSettings> ways(4);
+  std::vector<FractureSettings> ways(5);
   ways[0].node_stress = NodeStress::fit;
   ways[1].relax = 1;
   ways[2].criterion = FractureCriterion::energy;
   ways[3].mode = FractureMode::budget;
   ways[3].max_fans = 1;
+  ways[4].crack = CrackMode::object;
   for (std::size_t k = 0; k < ways.size(); ++k) {
     INFO("way " << k);
     Scene scene = breaking_scene({});
@@ -191,7 +192,9 @@ TEST_CASE("what sleeps, flies and creeps goes on to the same bytes", "[fracture]
 }
 
 TEST_CASE("a script goes on where it stood", "[fracture][saved_state]") {
-  Simulation first = built(breaking_scene({}));
+  Scene scene = breaking_scene({});
+  scene.fracture.crack = GENERATE(CrackMode::paper, CrackMode::object);
+  Simulation first = built(scene);
   FanScript script;
   for (int k = 0; k < 30; ++k) {
     const StepReport report = advance(first);
@@ -202,11 +205,14 @@ TEST_CASE("a script goes on where it stood", "[fracture][saved_state]") {
                              fan.vertex,
                              fan.normal,
                              fan.stress,
-                             fan.strength});
+                             fan.strength,
+                             fan.crack,
+                             fan.anchor,
+                             fan.labels});
     }
   }
   REQUIRE(script.fans.size() > 1);
-  Simulation again = built(breaking_scene({}));
+  Simulation again = built(scene);
   again.state->script = script;
   for (int k = 0; k < 30; ++k) {
     REQUIRE_FALSE(advance(again).departed);

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Which crack a vertex over its threshold belongs to, and where that crack passes.
+#pragma once
+
+#include <vector>
+
+#include "fracture/algorithms/cells.hpp"
+#include "fracture/algorithms/fracture_plane.hpp"
+
+namespace sunder {
+
+/// What becomes of a vertex over its threshold (`CrackMode::object`).
+enum class CrackStep {
+  starts,  ///< a new crack, with the fan of `choose_fan`
+  grows,   ///< the front of a crack passes through it, and goes on
+  waits,   ///< beside a crack: its stress is the one from before that crack
+};
+
+struct CrackChoice {
+  CrackStep step = CrackStep::starts;
+  CrackId crack;     ///< that grows, or beside which it is
+  CrackPlane plane;  ///< of `grows`; `at` is where the vertex lies on it, its anchor
+};
+
+/// A crack goes on at a vertex whose tension is turned from it by less, else it branches; and a
+/// flank holds back what is turned less. cos 50 degrees (docs/cracks.md has what others give).
+inline constexpr double cos_branch_angle = 0.643;
+
+/// Where and when a vertex is looked at.
+struct CrackPlace {
+  double h = 0;                ///< m, mean edge of the star
+  Vec3 centre = Vec3::Zero();  ///< m, rest mass centre of the vertex' component
+  std::size_t fresh = 0;       ///< row of the first anchor that is newer than the stresses
+};
+
+/// On the front of a crack (`CrackAtVertex::is_front`) whose normal lies within the branch angle of
+/// the tension: the crack goes on, along the mean of the vertex' own normal and those of its
+/// anchors within 3 h (`anchors_near`, own weight 1), through the mean of their points and the
+/// vertex. Of several fronts the one that the tension is turned from least; where equal to 1e-6,
+/// the one whose normal comes first by `folded_order`. Else, with one side of a crack whose normal
+/// lies within that angle: waits, and so where a crack with such a normal has an anchor within 3 h
+/// that is newer than the stresses. Else a crack starts, as a branch where there are fronts.
+/// O(star + anchors of the cracks there + fresh anchors).
+CrackChoice choose_crack(const Cells& cells, const VertexStar& v, const PrincipalTension& tension,
+                         const CrackPlace& place);
+
+/// Signed distances of the centres of a star's tetrahedra from a plane, m, each with the tolerance
+/// within which it counts as on the plane.
+struct CentreDistance {
+  double distance = 0, tolerance = 0;
+};
+std::vector<CentreDistance> distances_of(const Cells& cells, const VertexStar& v,
+                                         const CrackPlane& plane);
+
+}  // namespace sunder
