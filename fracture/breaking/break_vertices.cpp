@@ -281,12 +281,13 @@ std::size_t count_flanks(FractureWork& work) {
 
 FractureReport break_vertices(BreakableBody body, const FractureSettings& settings,
                               FractureScratch& scratch, const StepMembers& members,
-                              const FanWatch& watch) {
+                              const FanWatch& watch, double time_step) {
   if (settings.mode == FractureMode::off) return {};
   FractureWork work{body, settings, scratch, watch,
                     element_stress(body.cells, body.mechanics, settings.node_stress)};
   prepare(work, members);
   work.fresh = body.cells.cracks.anchors.size();
+  work.time_step = time_step;
   find_fractures(work.report, scratch.node_stress, body.cells, work.elements, settings,
                  Candidates{work});
   forget_released(body.cells.empty_fans);

@@ -59,10 +59,11 @@ struct FractureScratch {
 /// as the stresses carry it before the next one starts. Those on a flank wait (`choose_crack`).
 ///
 /// Leaves `mechanics.elements.component`, masses and frames to the caller (`rebuild`).
-/// Only vertices of `members` are looked at: the others' time has not come.
+/// Only vertices of `members` are looked at: the others' time has not come. `time_step`: s, of the
+/// part at whose end the stresses are; how far a new crack holds others back (`choose_crack`).
 FractureReport break_vertices(BreakableBody body, const FractureSettings& settings,
                               FractureScratch& scratch, const StepMembers& members = {},
-                              const FanWatch& watch = {});
+                              const FanWatch& watch = {}, double time_step = 0);
 
 /// Splits fans that were decided on one state, in their order; `split_fan` with what their events
 /// have to tell beside it. Those with no face left give events without faces.

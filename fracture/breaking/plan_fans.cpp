@@ -74,9 +74,12 @@ CrackChoice crack_of(const FractureWork& work, const VertexStar& v,
   if (!work.has_objects() || cells.cracks.cracks == 0) return {};
   const MechanicsState& mechanics = work.body.mechanics;
   const ComponentId component = mechanics.vertices.component[v.vertex.index()];
+  const TetId t = tetrahedron_of(v.corners.front());
+  const Material& material = mechanics.materials[mechanics.elements.material[t.index()].index()];
   return choose_crack(cells, v, tension,
                       {mean_edge_length(mechanics.vertices, cells.map.corners(), v),
-                       mechanics.components[component.index()].rest_centre, work.fresh});
+                       mechanics.components[component.index()].rest_centre, work.fresh,
+                       work.time_step * compression_wave_speed(material)});
 }
 
 std::vector<PlannedFan> plan_fans(FractureWork& work, std::span<const VertexId> tied) {

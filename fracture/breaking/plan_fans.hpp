@@ -34,6 +34,7 @@ struct FractureWork {
   ElementStress elements;
   FractureReport report = {};
   std::size_t fresh = 0;  // the first anchor of this call
+  double time_step = 0;   // s
   std::priority_queue<BreakCandidate> queue = {};
 
   const Mat3& stress(VertexId v) const { return scratch.node_stress.value[v.index()]; }

@@ -116,7 +116,7 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
       found = break_members({s.cells, s.mechanics}, s.script,
                             with_fans_left(scene.fracture, report.fracture.fans.size()),
                             {s.step + 1, report.parts}, plan.members(), scratch.fracture,
-                            clock.watch());
+                            part->length, clock.watch());
       report.departed = s.script && s.script->departure;
     }
     for (const FanEvent& fan : found.fans) report.fan_us.push_back(clock.us(fan.vertex));

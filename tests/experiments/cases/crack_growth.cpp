@@ -32,13 +32,14 @@ void shake(TetMesh& mesh, const NotchedBar& bar) {
 Scene scene_of(const NotchedBar& bar) {
   const double b = bar.height, cell = b / bar.cells;
   BodySettings body;
-  body.mesh = suite::kuhn_box({2 * bar.cells, bar.cells, bar.thickness}, cell);
+  body.mesh =
+      bar.mesh ? *bar.mesh : suite::kuhn_box({2 * bar.cells, bar.cells, bar.thickness}, cell);
   body.material = bar.material;
   const double speed = bar.stress_rate / bar.material.young_modulus * 2 * b;
   const double eps = 1e-3 * cell;
   body.held = {{.minimum = {-1, -1, -1}, .maximum = {eps, 9, 9}},
                {.minimum = {2 * b - eps, -1, -1}, .maximum = {9, 9, 9}, .velocity = {speed, 0, 0}}};
-  shake(body.mesh, bar);
+  if (!bar.mesh) shake(body.mesh, bar);
   if (bar.cut)
     body.cuts = {{.faces = CutPlane{.point = {b, 0, 0}, .normal = {1, 0, 0}},
                   .box = RestBox{{-1, -1, -1}, {9, 0.25 * b + eps, 9}},
@@ -54,11 +55,12 @@ Scene scene_of(const NotchedBar& bar) {
 void add_cracks(GrowthAnswer& answer, const Simulation& sim, const NotchedBar& bar) {
   const Cells& cells = sim.state->cells;
   const double cell = bar.height / bar.cells;
-  double area = 0;
+  double area = 0, projected = 0;
   for (std::size_t f = 0; f < 4 * cells.map.tetrahedra(); ++f) {
     const HalfFaceId face{f};
     if (!is_crack_face(cells, face)) continue;
     area += 0.5 * rest_area_vector(cells.map, face).norm();
+    projected += 0.5 * std::abs(rest_area_vector(cells.map, face).x());
     for (std::size_t k = 1; k < 4; ++k) {
       const VertexId v = cells.map.corners(TetId{f / 4})[(f % 4 + k) % 4];
       answer.farthest =
@@ -67,6 +69,7 @@ void add_cracks(GrowthAnswer& answer, const Simulation& sim, const NotchedBar& b
   }
   const double section = bar.height * cell * bar.thickness, cut = bar.cut ? 0.25 : 0;
   answer.area = (area / section - cut) / (1 - cut);
+  answer.projected = (projected / section - cut) / (1 - cut);
   double whole = 0, largest = 0;
   for (const Component& c : sim.state->mechanics.components) {
     whole += c.mass;

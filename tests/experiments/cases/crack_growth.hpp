@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include "fracture/scene/scene.hpp"
 
@@ -20,6 +21,8 @@ struct NotchedBar {
   double shake = 0;          ///< of vertices inside, over their distance
   bool cut = true;
   FractureSettings fracture;
+  /// In place of the cubes: a mesh of the box [0, 2 b] x [0, b] x [0, thickness b / cells].
+  std::optional<TetMesh> mesh = {};
 };
 
 struct GrowthAnswer {
@@ -27,6 +30,7 @@ struct GrowthAnswer {
   double load = 0;                              ///< Pa: nominal stress at the first fan
   double separated = 0;                         ///< s from the first fan to the second piece
   double area = 0;                              ///< of new crack over the section that the cut left
+  double projected = 0;                         ///< the same of its projection along the bar
   double energy = 0;                            ///< J/m^2: given up by the fans over their area
   double farthest = 0;                          ///< of new crack from the cut's plane, over b
   double smallest = 0;                          ///< mass of the smaller end over the bar's
