@@ -43,7 +43,7 @@ enum class FractureCriterion {
 enum class CrackMode {
   /// Faces that were unsewn: the plane of each fan is its vertex' own (the paper's).
   paper,
-  /// A surface with sides that grows along its front (docs/cracks.md).
+  /// A surface with sides that grows along its front (docs/crack_objects.md).
   object,
 };
 

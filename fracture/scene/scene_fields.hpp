@@ -201,7 +201,7 @@ void describe(V& v, FractureSettings& f) {
           f.criterion);
   v.field(Key{"crack", "",
               "What a crack is: paper: each vertex is cut along its own plane; object: a surface "
-              "that keeps its sides and grows along its front (docs/cracks.md)"},
+              "that keeps its sides and grows along its front (docs/crack_objects.md)"},
           f.crack);
   v.field(Key{"relax", "",
               "Rings of tetrahedra around each fan whose stresses are solved for again within the "

@@ -52,24 +52,43 @@ Scene scene_of(const NotchedBar& bar) {
   return scene;
 }
 
-void add_cracks(GrowthAnswer& answer, const Simulation& sim, const NotchedBar& bar) {
-  const Cells& cells = sim.state->cells;
-  const double cell = bar.height / bar.cells;
-  double area = 0, projected = 0;
+/// Area of all crack faces, each counted once, and of their projections along the bar, m^2.
+struct CrackArea {
+  double raw = 0, projected = 0;
+};
+
+CrackArea crack_area(const Cells& cells) {
+  CrackArea sum;
   for (std::size_t f = 0; f < 4 * cells.map.tetrahedra(); ++f) {
-    const HalfFaceId face{f};
-    if (!is_crack_face(cells, face)) continue;
-    area += 0.5 * rest_area_vector(cells.map, face).norm();
-    projected += 0.5 * std::abs(rest_area_vector(cells.map, face).x());
+    if (!is_crack_face(cells, HalfFaceId{f})) continue;
+    const Vec3 area = 0.5 * rest_area_vector(cells.map, HalfFaceId{f});
+    sum.raw += area.norm();
+    sum.projected += std::abs(area.x());
+  }
+  return sum;
+}
+
+/// How far from the cut's plane cracks reach, over b.
+double farthest_crack(const Cells& cells, const NotchedBar& bar) {
+  double farthest = 0;
+  for (std::size_t f = 0; f < 4 * cells.map.tetrahedra(); ++f) {
+    if (!is_crack_face(cells, HalfFaceId{f})) continue;
     for (std::size_t k = 1; k < 4; ++k) {
       const VertexId v = cells.map.corners(TetId{f / 4})[(f % 4 + k) % 4];
-      answer.farthest =
-          std::max(answer.farthest, std::abs(cells.map.point(v)[0] - bar.height) / bar.height);
+      farthest = std::max(farthest, std::abs(cells.map.point(v)[0] - bar.height) / bar.height);
     }
   }
-  const double section = bar.height * cell * bar.thickness, cut = bar.cut ? 0.25 : 0;
-  answer.area = (area / section - cut) / (1 - cut);
-  answer.projected = (projected / section - cut) / (1 - cut);
+  return farthest;
+}
+
+void add_cracks(GrowthAnswer& answer, const Simulation& sim, const NotchedBar& bar,
+                const CrackArea& cut) {
+  const CrackArea all = crack_area(sim.state->cells);
+  const double section = bar.height * bar.height / bar.cells * bar.thickness;
+  const double left = section * (bar.cut ? 0.75 : 1);
+  answer.area = (all.raw - cut.raw) / left;
+  answer.projected = (all.projected - cut.projected) / left;
+  answer.farthest = farthest_crack(sim.state->cells, bar);
   double whole = 0, largest = 0;
   for (const Component& c : sim.state->mechanics.components) {
     whole += c.mass;
@@ -85,6 +104,7 @@ GrowthAnswer pulled_apart(const NotchedBar& bar, int after) {
   if (!built) throw std::runtime_error(built.findings.front().text);
   Simulation sim = std::move(*built);
   GrowthAnswer answer;
+  const CrackArea cut = crack_area(sim.state->cells);
   double first = 0, energy = 0, area = 0;
   for (int left = after; left > 0;) {
     const StepReport report = advance(sim);
@@ -109,7 +129,7 @@ GrowthAnswer pulled_apart(const NotchedBar& bar, int after) {
     if (report.time * bar.stress_rate > 10 * bar.material.tensile_strength) break;
   }
   answer.energy = area > 0 ? energy / area : 0;
-  add_cracks(answer, sim, bar);
+  add_cracks(answer, sim, bar, cut);
   return answer;
 }
 
