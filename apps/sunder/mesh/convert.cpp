@@ -31,7 +31,7 @@ regions that it does not hold go to OUT.regions, which is read with OUT. Everyth
 be lost is listed first, as warnings.
 Repairs are made in the order in which they are listed here, and each reports what it changed.
 A crack is opened after them, without width: points are copied exactly where the cut faces separate
-the tetrahedra around them; its front stays joined (docs/crack_objects.md).
+the tetrahedra around them; its front stays joined (docs/cracks.md).
 
 Exit codes: 0 written, 1 something would be lost and --strict was given (nothing is written),
 2 usage, 3 the input cannot be read or repaired, 4 the output cannot be written.
