@@ -116,8 +116,7 @@ std::optional<Touch> resting_touch(const StepPaths& paths, VertexId v, HalfFaceI
   if (touch.over_face) return touch;
   const std::array<VertexId, 3> corners = corners_of(paths, face);
   const std::array<Vec3, 3> x = places_at(paths, corners, 0);
-  const std::array<double, 4> nearest = nearest_point({x[0], x[1], x[2], x[2]}, paths.at_start(v));
-  touch.foot = {nearest[0], nearest[1], nearest[2] + nearest[3]};
+  touch.foot = nearest_on_triangle(x, paths.at_start(v));
   const auto apart_at = [&](double part) -> Vec3 {
     const std::array<Vec3, 3> there = places_at(paths, corners, part);
     return paths.at(v, part) - touch.foot[0] * there[0] - touch.foot[1] * there[1] -

@@ -136,6 +136,10 @@ const ImpactEnergy::Island& ImpactEnergy::island_of(std::uint32_t node) {
   double mass = 0;
   Vec3 momentum = Vec3::Zero();
   for (const std::uint32_t k : members) {
+    if (mass_of(k) == infinite) {
+      rest_on(velocity_of(k));  // held or driven: an island of its own
+      continue;
+    }
     mass += mass_of(k);
     momentum += mass_of(k) * velocity_of(k);
   }
@@ -154,9 +158,9 @@ const ImpactEnergy::Island& ImpactEnergy::island_of(std::uint32_t node) {
     const double speed = (velocity_of(k) - island.velocity).norm() + surface_speed_of(k);
     island.fastest = std::max(island.fastest, speed);
   }
-  if (torn) island.kinetic = infinite;
-  if (torn) island.fastest = infinite;
-  if (grounded) {
+  if (torn) {
+    island.kinetic = island.fastest = infinite;
+  } else if (grounded) {
     const double fall = step_.h() * step_.pass.input.loads.gravity.norm();
     island.gravity = mass * fall * (island.fastest + fall);
   }
@@ -175,7 +179,7 @@ double ImpactEnergy::pair_bound(std::uint32_t node) {
     mass = mass_of(node);
     speed += 2 * island_of(node).fastest;
   }
-  return 0.5 * mass * speed * speed;
+  return speed > 0 ? 0.5 * mass * speed * speed : 0;
 }
 
 double ImpactEnergy::energy_of_island(std::uint32_t node) {

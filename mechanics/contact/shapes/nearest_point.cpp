@@ -74,7 +74,15 @@ std::array<double, 4> barycentric(const std::array<Vec3, 4>& corners, const Vec3
 
 std::array<double, 4> nearest_point(const std::array<Vec3, 4>& corners, const Vec3& x) {
   const Weights inside = barycentric(corners, x);
-  if (std::ranges::all_of(inside, [](double w) { return w >= 0; })) return inside;
+  // In a flat tetrahedron shares are rounding divided by rounding: they must give the point again.
+  const double size = (corners[0] - corners[1]).squaredNorm() +
+                      (corners[0] - corners[2]).squaredNorm() +
+                      (corners[0] - corners[3]).squaredNorm();
+  constexpr double again = 1e-9;
+  if (std::ranges::all_of(inside, [](double w) { return w >= 0; }) &&
+      (point_of(corners, inside) - x).squaredNorm() <= again * again * size) {
+    return inside;
+  }
   Nearest nearest{corners, x};
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t j = i + 1; j < 4; ++j) {
@@ -83,6 +91,14 @@ std::array<double, 4> nearest_point(const std::array<Vec3, 4>& corners, const Ve
     }
   }
   return nearest.weights;
+}
+
+std::array<double, 3> nearest_on_triangle(const std::array<Vec3, 3>& corners, const Vec3& x) {
+  const Corners4 four = {corners[0], corners[1], corners[2], corners[2]};
+  Nearest nearest{four, x};
+  for (std::size_t i = 0; i < 3; ++i) try_segment(nearest, i, (i + 1) % 3);
+  try_inside_of_triangle(nearest, 0, 1, 2);
+  return {nearest.weights[0], nearest.weights[1], nearest.weights[2]};
 }
 
 std::array<double, 4> affine_weights(const std::array<Vec3, 4>& corners, const Vec3& x) {

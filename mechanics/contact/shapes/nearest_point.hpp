@@ -13,6 +13,9 @@ namespace sunder {
 /// faces; of corners that coincide one has all.
 std::array<double, 4> nearest_point(const std::array<Vec3, 4>& corners, const Vec3& x);
 
+/// The same of a triangle.
+std::array<double, 3> nearest_on_triangle(const std::array<Vec3, 3>& corners, const Vec3& x);
+
 /// Shares of the corners in `x` (m), of any size and sign with sum 1; not numbers in a flat
 /// tetrahedron.
 std::array<double, 4> barycentric(const std::array<Vec3, 4>& corners, const Vec3& x);

@@ -71,3 +71,25 @@ TEST_CASE("a point inside a tetrahedron is its own nearest point", "[mechanics][
   const std::array<Vec3, 4> one = {x, x, x, x};
   CHECK((point_of(one, nearest_point(one, Vec3::Zero())) - x).norm() < 1e-15);
 }
+
+TEST_CASE("a triangle's nearest point is that of the flat tetrahedron, in its plane too",
+          "[mechanics][contact]") {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> in(-1, 1);
+  const auto vector = [&] { return Vec3(in(random), in(random), in(random)); };
+  for (int k = 0; k < 500; ++k) {
+    const std::array<Vec3, 3> corners = {vector(), vector(), vector()};
+    const double u = in(random), v = in(random);
+    // Every other one in the triangle's plane, to rounding.
+    const Vec3 x =
+        k % 2 == 0
+            ? vector()
+            : Vec3(corners[0] + u * (corners[1] - corners[0]) + v * (corners[2] - corners[0]));
+    const std::array<double, 3> w = nearest_on_triangle(corners, x);
+    const std::array<Vec3, 4> flat = {corners[0], corners[1], corners[2], corners[2]};
+    const double found = (w[0] * corners[0] + w[1] * corners[1] + w[2] * corners[2] - x).norm();
+    CHECK(found <= by_search(flat, x, 24) + 1e-12);
+    CHECK(std::abs(found - (point_of(flat, nearest_point(flat, x)) - x).norm()) < 1e-9);
+    if (k % 2 == 1 && u >= 0 && v >= 0 && u + v <= 1) CHECK(found < 1e-12);
+  }
+}
