@@ -90,10 +90,30 @@ bool flies_safely(const SimulationState& s, const Component& component) {
          flight_stress_bound(s.mechanics, component) < safe_part * strength;
 }
 
+/// Whether three held vertices lie off one line: else the component turns about them freely, and K
+/// alone has no factor.
+bool is_held_fast(const VertexColumns& vertices, const Component& component) {
+  constexpr double off_line = 1e-3;
+  const auto is_held = [&](VertexId v) { return !vertices.support[v.index()].is_none(); };
+  const auto first = std::ranges::find_if(component.vertices, is_held);
+  if (first == component.vertices.end()) return false;
+  const auto from_first = [&](VertexId v) -> Vec3 {
+    return vertices.rest_position[v.index()] - vertices.rest_position[first->index()];
+  };
+  Vec3 along = Vec3::Zero();
+  for (VertexId v : component.vertices) {
+    if (is_held(v) && from_first(v).squaredNorm() > along.squaredNorm()) along = from_first(v);
+  }
+  return std::ranges::any_of(component.vertices, [&](VertexId v) {
+    return is_held(v) && along.cross(from_first(v)).norm() > off_line * along.squaredNorm();
+  });
+}
+
 /// Whether the component may go from equilibrium to equilibrium.
 bool is_loaded_slowly(const SimulationState& s, const Component& component) {
   constexpr double slow = 1e-3;
-  return component.supported && swing(s.mechanics, component, lowest_strength(s, component)) < slow;
+  return component.supported && is_held_fast(s.mechanics.vertices, component) &&
+         swing(s.mechanics, component, lowest_strength(s, component)) < slow;
 }
 
 double fastest_vertex(const MechanicsState& state, const Component& component) {

@@ -264,3 +264,15 @@ TEST_CASE("a sleep of no length is refused", "[ladder]") {
   REQUIRE(!sim.findings.empty());
   CHECK(sim.findings.front().text == "ladder.sleep_after is 0 s; allowed is above 0");
 }
+
+TEST_CASE("what is hung on one edge swings, and is in no equilibrium of its own", "[ladder]") {
+  Scene scene;
+  scene.bodies.push_back(
+      {.mesh = suite::kuhn_box({2, 1, 1}, 0.1), .held = {{{-1e-6, -1, -1e-6}, {1e-6, 1, 1e-6}}}});
+  scene.gravity.ramp_time = 10;
+  Simulation sim = built(scene);
+  for (int k = 0; k < 100; ++k) {
+    REQUIRE(advance(sim).status.outcome == StepOutcome::fine);
+    CHECK(sim.state->mechanics.components[0].rung == Rung::full);
+  }
+}
