@@ -15,7 +15,7 @@ namespace sunder {
 /// `script->departure` says so.
 FractureReport break_members(BreakableBody body, std::optional<FanScript>& script,
                              const FractureSettings& settings, SearchPlace place,
-                             const StepMembers& members, FractureScratch& scratch, double time_step,
+                             const StepMembers& members, FractureScratch& scratch, double untested,
                              const FanWatch& watch = {});
 
 }  // namespace sunder

@@ -281,13 +281,13 @@ std::size_t count_flanks(FractureWork& work) {
 
 FractureReport break_vertices(BreakableBody body, const FractureSettings& settings,
                               FractureScratch& scratch, const StepMembers& members,
-                              const FanWatch& watch, double time_step) {
+                              const FanWatch& watch, double untested) {
   if (settings.mode == FractureMode::off) return {};
   FractureWork work{body, settings, scratch, watch,
                     element_stress(body.cells, body.mechanics, settings.node_stress)};
   prepare(work, members);
-  work.fresh = body.cells.cracks.anchors.size();
-  work.time_step = time_step;
+  work.under_way = first_under_way(body.cells.cracks, body.mechanics.time);
+  work.untested = untested;
   find_fractures(work.report, scratch.node_stress, body.cells, work.elements, settings,
                  Candidates{work});
   forget_released(body.cells.empty_fans);
@@ -309,7 +309,8 @@ FanEvent split_planned(BreakableBody body, const PlannedFan& fan, const Fracture
   event.stress = fan.stress;
   event.strength = fan.strength;
   // One whose faces are all gone leaves nothing, its crack's labels neither: no event tells of it.
-  if (!fan.crack.is_none() && !event.faces.empty()) note_crack(body.cells, fan, event);
+  if (!fan.crack.is_none() && !event.faces.empty())
+    note_crack(body.cells, body.mechanics, fan, event);
   return event;
 }
 

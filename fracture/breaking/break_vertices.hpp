@@ -59,11 +59,13 @@ struct FractureScratch {
 /// as the stresses carry it before the next one starts. Those on a flank wait (`choose_crack`).
 ///
 /// Leaves `mechanics.elements.component`, masses and frames to the caller (`rebuild`).
-/// Only vertices of `members` are looked at: the others' time has not come. `time_step`: s, of the
-/// part at whose end the stresses are; how far a new crack holds others back (`choose_crack`).
+/// Only vertices of `members` are looked at: the others' time has not come. `untested`: s, since
+/// fractures were looked for before; loads have grown meanwhile, and what they overload together
+/// would have broken one after the other: a new crack holds others back as far as its wave goes in
+/// that time (`choose_crack`).
 FractureReport break_vertices(BreakableBody body, const FractureSettings& settings,
                               FractureScratch& scratch, const StepMembers& members = {},
-                              const FanWatch& watch = {}, double time_step = 0);
+                              const FanWatch& watch = {}, double untested = 0);
 
 /// Splits fans that were decided on one state, in their order; `split_fan` with what their events
 /// have to tell beside it. Those with no face left give events without faces.

@@ -103,13 +103,12 @@ CrackChoice choose_crack(const Cells& cells, const VertexStar& v, const Principa
     return {CrackStep::grows, front->at.crack, plane_of_front(cells, v, *front, tension)};
   }
   if (flank) return {CrackStep::waits, flank->at.crack, {}};
-  const double shielded = std::max(3 * place.h, place.reach);
-  for (std::size_t row = place.fresh; row < cells.cracks.anchors.size(); ++row) {
+  for (std::size_t row = place.under_way; row < cells.cracks.anchors.size(); ++row) {
     const CrackAnchor& anchor = cells.cracks.anchors[row];
-    const bool shields = (anchor.at - at_rest).norm() <= shielded &&
-                         is_in(component, own, anchor) &&
-                         tension_towards(tension, anchor.normal).norm() >= cos_branch_angle;
-    if (shields) return {CrackStep::waits, anchor.crack, {}};
+    const bool waits = holds_back(anchor, place.time, (anchor.at - at_rest).norm()) &&
+                       is_in(component, own, anchor) &&
+                       tension_towards(tension, anchor.normal).norm() >= cos_branch_angle;
+    if (waits) return {CrackStep::waits, anchor.crack, {}};
   }
   return {};
 }

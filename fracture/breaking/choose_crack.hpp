@@ -30,8 +30,8 @@ inline constexpr double cos_branch_angle = 0.643;
 struct CrackPlace {
   double h = 0;                ///< m, mean edge of the star
   Vec3 centre = Vec3::Zero();  ///< m, rest mass centre of the vertex' component
-  std::size_t fresh = 0;       ///< row of the first anchor that is newer than the stresses
-  double reach = 0;            ///< m, way of a wave in the step at whose end the stresses are
+  double time = 0;             ///< s, of the stresses
+  std::size_t under_way = 0;   ///< row of the first anchor whose wave is (`first_under_way`)
 };
 
 /// On the front of a crack (`CrackAtVertex::is_front`) whose normal lies within the branch angle of
@@ -39,10 +39,9 @@ struct CrackPlace {
 /// anchors within 3 h (`anchors_near`, own weight 1), through the mean of their points and the
 /// vertex. Of several fronts the one that the tension is turned from least; where equal to 1e-6,
 /// the one whose normal comes first, folded as in `choose_fan`. Else, with one side of a crack
-/// whose normal lies within that angle: waits, and so where a crack with such a normal has an
-/// anchor within 3 h, or within reach of its wave, that is newer than the stresses. Else a crack
-/// starts, as a branch where there are fronts. O(star + anchors of the cracks there + fresh
-/// anchors).
+/// whose normal lies within that angle: waits, and so where the wave of an anchor with such a
+/// normal has not come yet (`holds_back`). Else a crack starts, as a branch where there are fronts.
+/// O(star + anchors of the cracks there + those under way).
 CrackChoice choose_crack(const Cells& cells, const VertexStar& v, const PrincipalTension& tension,
                          const CrackPlace& place);
 

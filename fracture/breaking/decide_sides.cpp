@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "fracture/breaking/choose_crack.hpp"
+#include "mechanics/state/material.hpp"
 #include "topology/base/union_find.hpp"
 
 namespace sunder {
@@ -91,7 +92,8 @@ void decide_sides(Cells& cells, const MechanicsState& mechanics, std::span<Plann
   }
 }
 
-void note_crack(Cells& cells, const PlannedFan& fan, FanEvent& event) {
+void note_crack(Cells& cells, const MechanicsState& mechanics, const PlannedFan& fan,
+                FanEvent& event) {
   CrackLabels& cracks = cells.cracks;
   event.crack = fan.crack;
   for (std::size_t i = 0; i < fan.v.corners.size(); ++i) {
@@ -102,6 +104,13 @@ void note_crack(Cells& cells, const PlannedFan& fan, FanEvent& event) {
   }
   event.anchor = fan.at;
   CrackAnchor anchor{fan.crack, fan.v.vertex, VertexId::none(), fan.at, fan.normal};
+  const TetId first = tetrahedron_of(fan.v.corners.front());
+  const Material& material =
+      mechanics.materials[mechanics.elements.material[first.index()].index()];
+  anchor.time = mechanics.time;
+  anchor.wave_speed = compression_wave_speed(material);
+  anchor.reach = std::max(3 * mean_edge_length(mechanics.vertices, cells.map.corners(), fan.v),
+                          anchor.wave_speed * fan.untested);
   for (const FaceSplit& split : event.faces) {
     cracks.of_face[split.face.index()] = cracks.of_face[split.opposite.index()] = fan.crack;
     for (int i = 0; i < split.vertex_count && anchor.copy.is_none(); ++i) {

@@ -19,7 +19,9 @@ namespace sunder {
 /// fans does not matter. Nothing is labelled: fans may yet be refused. O(stars + starts squared).
 void decide_sides(Cells& cells, const MechanicsState& mechanics, std::span<PlannedFan> plans);
 
-/// Labels the star of a fan of a crack that has been made, and notes its faces and its anchor.
-void note_crack(Cells& cells, const PlannedFan& fan, FanEvent& event);
+/// Labels the star of a fan of a crack that has been made, and notes its faces and its anchor. That
+/// holds back others within 3 h, or the way of a compression wave in `PlannedFan::untested`.
+void note_crack(Cells& cells, const MechanicsState& mechanics, const PlannedFan& fan,
+                FanEvent& event);
 
 }  // namespace sunder

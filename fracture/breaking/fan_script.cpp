@@ -84,7 +84,7 @@ std::size_t end_of_round(const FanScript& script) {
 
 std::vector<FanEvent> make_fans(BreakableBody body, const FractureSettings& settings,
                                 FanScript& script, SearchPlace place, ComponentScratch& scratch,
-                                const FanWatch& watch) {
+                                double untested, const FanWatch& watch) {
   const auto tell = [&](VertexId v) {
     if (watch) watch(v);
   };
@@ -98,7 +98,8 @@ std::vector<FanEvent> make_fans(BreakableBody body, const FractureSettings& sett
       return made;
     }
     const std::uint32_t round = script.fans[script.next].round;
-    for (const PlannedFan& plan : plan_round(body.cells, settings, script, end_of_round(script))) {
+    for (PlannedFan& plan : plan_round(body.cells, settings, script, end_of_round(script))) {
+      plan.untested = untested;
       tell(plan.v.vertex);
       FanEvent event = split_planned(body, plan, settings, scratch);
       tell(VertexId::none());

@@ -54,9 +54,10 @@ struct FanScript {
 /// `break_vertices`. Limits on pieces are not asked again. Stops at the first fan that does not fit
 /// (its search has passed, its vertex is not there, its plane parts nothing) and says so in
 /// `script.departure`. Whether what they split is what they split then is the caller's to compare.
+/// `untested`: s, as in `break_vertices`.
 /// Needs: calls in the order of the run, one for every search. Cost: that of the fans.
 std::vector<FanEvent> make_fans(BreakableBody body, const FractureSettings& settings,
                                 FanScript& script, SearchPlace place, ComponentScratch& scratch,
-                                const FanWatch& watch = {});
+                                double untested, const FanWatch& watch = {});
 
 }  // namespace sunder

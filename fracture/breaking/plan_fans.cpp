@@ -41,6 +41,7 @@ void plan_fan(std::vector<PlannedFan>& plans, FractureWork& work, PlannedFan pla
 void plan_vertex(std::vector<PlannedFan>& plans, FractureWork& work, VertexId v) {
   const PrincipalTension tension = principal_tension(work.stress(v));
   PlannedFan plan{vertex_star(work.body.cells.map, v), {}, tension.value, work.strength(v)};
+  plan.untested = work.untested;
   const CrackChoice crack = crack_of(work, plan.v, tension);
   if (crack.step == CrackStep::waits) {
     work.scratch.flanks.push_back(v);
@@ -74,12 +75,10 @@ CrackChoice crack_of(const FractureWork& work, const VertexStar& v,
   if (!work.has_objects() || cells.cracks.cracks == 0) return {};
   const MechanicsState& mechanics = work.body.mechanics;
   const ComponentId component = mechanics.vertices.component[v.vertex.index()];
-  const TetId t = tetrahedron_of(v.corners.front());
-  const Material& material = mechanics.materials[mechanics.elements.material[t.index()].index()];
-  return choose_crack(cells, v, tension,
-                      {mean_edge_length(mechanics.vertices, cells.map.corners(), v),
-                       mechanics.components[component.index()].rest_centre, work.fresh,
-                       work.time_step * compression_wave_speed(material)});
+  return choose_crack(
+      cells, v, tension,
+      {mean_edge_length(mechanics.vertices, cells.map.corners(), v),
+       mechanics.components[component.index()].rest_centre, mechanics.time, work.under_way});
 }
 
 std::vector<PlannedFan> plan_fans(FractureWork& work, std::span<const VertexId> tied) {

@@ -33,8 +33,8 @@ struct FractureWork {
   const FanWatch& watch;
   ElementStress elements;
   FractureReport report = {};
-  std::size_t fresh = 0;  // the first anchor of this call
-  double time_step = 0;   // s
+  std::size_t under_way = 0;  // `first_under_way`
+  double untested = 0;        // s
   std::priority_queue<BreakCandidate> queue = {};
 
   const Mat3& stress(VertexId v) const { return scratch.node_stress.value[v.index()]; }

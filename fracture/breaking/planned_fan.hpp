@@ -20,6 +20,7 @@ struct PlannedFan {
   /// With `CrackMode::object`: its crack, and a point of the plane, m, rest frame.
   CrackId crack;
   Vec3 at = Vec3::Zero();
+  double untested = 0;  ///< s, since fractures were looked for before
 };
 
 }  // namespace sunder

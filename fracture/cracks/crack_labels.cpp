@@ -59,6 +59,17 @@ void add_anchor(CrackLabels& cracks, CrackAnchor anchor) {
   last = static_cast<std::uint32_t>(cracks.anchors.size());
 }
 
+bool holds_back(const CrackAnchor& anchor, double time, double distance) {
+  return anchor.reach > 0 && distance <= anchor.reach &&
+         anchor.wave_speed * (time - anchor.time) <= distance;
+}
+
+std::size_t first_under_way(const CrackLabels& cracks, double time) {
+  const auto found = std::ranges::find_if(
+      cracks.anchors, [&](const CrackAnchor& a) { return holds_back(a, time, a.reach); });
+  return static_cast<std::size_t>(found - cracks.anchors.begin());
+}
+
 bool is_in(std::span<const ComponentId> component, ComponentId own, const CrackAnchor& anchor) {
   const auto has = [&](VertexId v) { return !v.is_none() && component[v.index()] == own; };
   return has(anchor.vertex) || has(anchor.copy);

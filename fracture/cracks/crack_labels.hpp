@@ -19,6 +19,9 @@ struct CrackAnchor {
   VertexId vertex, copy;
   Vec3 at = Vec3::Zero();      ///< m, rest frame
   Vec3 normal = Vec3::Zero();  ///< unit length, rest frame, towards the crack's positive side
+  /// s: when it broke. Until its wave (m/s) has come to it, what is within reach (m) bears the
+  /// stress from before. Reach 0: long ago.
+  double time = 0, wave_speed = 0, reach = 0;
   /// 1 + the row of the crack's anchor before; 0: none.
   std::uint32_t before = 0;
 };
@@ -61,6 +64,12 @@ void add_label(CrackLabels& cracks, CrackId crack, TetId tetrahedron, bool posit
 
 /// `before` is filled in here.
 void add_anchor(CrackLabels& cracks, CrackAnchor anchor);
+
+/// Whether its wave is under way at `time` and has not come as far as `distance` from it (m).
+bool holds_back(const CrackAnchor& anchor, double time, double distance);
+
+/// The first anchor whose wave is under way at `time`, as a row. O(anchors).
+std::size_t first_under_way(const CrackLabels& cracks, double time);
 
 /// A crack's plane, or the mean of several.
 struct CrackPlane {

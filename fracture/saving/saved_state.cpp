@@ -49,7 +49,7 @@ constexpr int member_count(const Components*) { return 4; }
 constexpr int member_count(const EmptyFan*) { return 2; }
 constexpr int member_count(const CrackLabels*) { return 6; }
 constexpr int member_count(const CrackLabel*) { return 4; }
-constexpr int member_count(const CrackAnchor*) { return 6; }
+constexpr int member_count(const CrackAnchor*) { return 9; }
 // Of mechanics.
 constexpr int member_count(const MechanicsState*) { return 7; }
 constexpr int member_count(const VertexColumns*) { return 9; }

@@ -90,6 +90,7 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
   touched.assign(s.mechanics.components.size(), 0);
 
   StepPlan plan = plan_step(scene, s, scratch);
+  double untested = 0;  // s
   while (const std::optional<PlannedPart> part = next_part(plan, scene, s)) {
     plan.hurried = sim.hurry && *sim.hurry;
     ContactStepResult taken;
@@ -107,7 +108,9 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
     }
     note_part(plan, *part, taken, scene, s);
     if (has_failed(report)) break;
-    if (!taken.adopted || !part->breaks) continue;
+    if (!taken.adopted) continue;
+    untested += part->length;
+    if (!part->breaks) continue;
 
     FractureReport found;
     FanClock clock;
@@ -115,8 +118,9 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
       const StageTimer timer(report, Stage::fracture);
       found = break_members({s.cells, s.mechanics}, s.script,
                             with_fans_left(scene.fracture, report.fracture.fans.size()),
-                            {s.step + 1, report.parts}, plan.members(), scratch.fracture,
-                            part->length, clock.watch());
+                            {s.step + 1, report.parts}, plan.members(), scratch.fracture, untested,
+                            clock.watch());
+      untested = 0;
       report.departed = s.script && s.script->departure;
     }
     for (const FanEvent& fan : found.fans) report.fan_us.push_back(clock.us(fan.vertex));
@@ -128,6 +132,7 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
       inherit(touched, s.cells.labels);
       inherit(plan.components, s.cells.labels);
       inherit(plan.boundary.component, s.cells.labels);
+      note_fans(plan, scene, s, found.fans);
     }
     add_fracture(report, std::move(found));
     if (has_failed(report)) break;

@@ -53,7 +53,7 @@ double deformation_loss(const AdoptedPart& part, const Component& component) {
   const MechanicsState& m = part.state.mechanics;
   const auto& system = m.systems.present[component.id.index()];
   const bool deforms_now = deforms(component.rung) && !component.isolated &&
-                           input.part.deformation != Deformation::frozen;
+                           deformation_of(input, m, component) != Deformation::frozen;
   if (!deforms_now || !system) return 0;
   const PartStart& before = part.before;
   const VertexColumns& v = m.vertices;

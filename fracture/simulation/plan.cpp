@@ -12,6 +12,7 @@
 #include "mechanics/contact/impact_energy.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/state/living.hpp"
+#include "topology/base/sort_unique.hpp"
 
 namespace sunder {
 namespace {
@@ -38,16 +39,43 @@ std::vector<ComponentId> open_windows(const ImpactWindow& window) {
 }
 
 /// Opens windows for what is struck. The first one decides the sub-step: the step over a power of
-/// two, so that runs whose steps differ by such a power take the same sub-steps.
+/// two, so that runs whose steps differ by such a power take the same sub-steps. In the midst of
+/// the members' step what is left of it is counted anew.
 void open(StepPlan& plan, ImpactWindow& window, const Blows& blows, double time_step) {
   if (open_windows(window).empty()) {
     const double halvings = std::ceil(std::log2(time_step / blows.sub_step));
-    window.sub_step = time_step * std::exp2(-std::max(0.0, halvings));
+    double sub_step = time_step * std::exp2(-std::max(0.0, halvings));
+    if (plan.phase == StepPlan::Phase::members) {
+      sub_step = std::min(sub_step, window.sub_step);
+      plan.left *= static_cast<std::uint64_t>(std::round(window.sub_step / sub_step));
+    }
+    window.sub_step = sub_step;
   }
   for (ComponentId id : blows.struck) {
     plan.impact.opened += !is_open(window, id.index());
     window.quiet[id.index()] = 0;
   }
+}
+
+/// What fans have cracked, as what a blow has struck.
+Blows cracked_by(std::span<const FanEvent> fans, const Scene& scene, const MechanicsState& m) {
+  Blows cracked;
+  const auto add = [&](VertexId v) {
+    const Component& c = m.components[m.vertices.component[v.index()].index()];
+    if (c.isolated) return;
+    cracked.struck.push_back(c.id);
+    cracked.sub_step = std::min(cracked.sub_step, wave_sub_step(m, c, scene.impact));
+  };
+  for (const FanEvent& fan : fans) {
+    add(fan.vertex);
+    for (const FaceSplit& face : fan.faces) {
+      for (int i = 0; i < face.vertex_count; ++i) {
+        add(face.split_vertices[static_cast<std::size_t>(i)].new_row);
+      }
+    }
+  }
+  sort_unique(cracked.struck);
+  return cracked;
 }
 
 /// Makes members of those with open windows and of what they touch, and rigid bodies of what is
@@ -144,7 +172,8 @@ PlannedPart next_of_members(StepPlan& plan, const Scene& scene, SimulationState&
                   0.1 * scene.contact.allowed_penetration);
   take_the_members(plan, s);
   if (plan.still > 0) {
-    return {.part = {Deformation::frozen, 0, &scene.impact, plan.strength, plan.threshold},
+    return {.part = {Deformation::frozen, scene.integrator.time_step, &scene.impact, plan.strength,
+                     plan.threshold},
             .length = static_cast<double>(plan.still) * sub_step,
             .breaks = false};
   }
@@ -315,6 +344,14 @@ void note_part(StepPlan& plan, const PlannedPart& part, const ContactStepResult&
   plan.blow =
       plan.phase == Phase::whole ? result.blows.time : std::min(plan.blow, result.blows.time);
   if (plan.phase == Phase::whole) begin_others(plan, s);
+}
+
+void note_fans(StepPlan& plan, const Scene& scene, SimulationState& s,
+               std::span<const FanEvent> fans) {
+  if (!has_windows(scene) || scene.fracture.crack != CrackMode::object) return;
+  s.impact.quiet.resize(s.mechanics.components.size(), ImpactWindow::closed);
+  const Blows cracked = cracked_by(fans, scene, s.mechanics);
+  if (!cracked.struck.empty()) open(plan, s.impact, cracked, scene.integrator.time_step);
 }
 
 }  // namespace sunder

@@ -59,4 +59,10 @@ std::optional<PlannedPart> next_part(StepPlan& plan, const Scene& scene, Simulat
 void note_part(StepPlan& plan, const PlannedPart& part, const ContactStepResult& result,
                const Scene& scene, SimulationState& state);
 
+/// Opens windows for what fans have just cracked, after `rebuild_pieces` (`CrackMode::object`): a
+/// crack runs on with the waves, and a step whose load grows meanwhile would break what the crack
+/// relieves.
+void note_fans(StepPlan& plan, const Scene& scene, SimulationState& s,
+               std::span<const FanEvent> fans);
+
 }  // namespace sunder

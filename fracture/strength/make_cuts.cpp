@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "topology/kernel/fan.hpp"
 #include "topology/kernel/split_face.hpp"
@@ -101,8 +102,25 @@ CutFaces both_sides(const CutSettings& settings, const VolumeMap& map,
     const Vec3 area = rest_area_vector(map, face);
     cut.normal += area.dot(cut.normal) < 0 ? Vec3(-area) : area;
   }
-  if (const auto* plane = std::get_if<CutPlane>(&settings.faces)) cut.normal = plane->normal;
+  if (const auto* plane = std::get_if<CutPlane>(&settings.faces)) {
+    cut.normal = plane->normal;
+    cut.plane = *plane;
+  }
   return cut;
+}
+
+/// The rows on the two sides of a face that was split, corner by corner.
+std::array<std::array<VertexId, 2>, 3> facing_rows(const VolumeMap& map, HalfFaceId face,
+                                                   HalfFaceId opposite) {
+  std::array<std::array<VertexId, 2>, 3> rows;
+  for (std::size_t i = 0; i < 3; ++i) {
+    rows[i][0] = map.corners(tetrahedron_of(face))[(face.index() + 1 + i) % 4];
+    for (std::size_t k = 1; k < 4; ++k) {
+      const VertexId other = map.corners(tetrahedron_of(opposite))[(opposite.index() + k) % 4];
+      if (map.point_of_vertex(other) == map.point_of_vertex(rows[i][0])) rows[i][1] = other;
+    }
+  }
+  return rows;
 }
 
 }  // namespace
@@ -127,6 +145,7 @@ std::vector<Finding> make_cuts(VolumeMap& map, std::span<const BodySettings> bod
 void label_cuts(Cells& cells, std::span<const CutFaces> cuts) {
   for (const CutFaces& cut : cuts) {
     const CrackId crack = add_crack(cells.cracks, cells.map.tetrahedra());
+    std::map<std::array<VertexId, 2>, Vec3> normals;  // of rows that face each other
     for (const auto& [face, opposite] : cut.faces) {
       const bool points_back = rest_area_vector(cells.map, face).dot(cut.normal) < 0;
       for (const HalfFaceId f : {face, opposite}) {
@@ -135,6 +154,20 @@ void label_cuts(Cells& cells, std::span<const CutFaces> cuts) {
         if (side_of(cells.cracks, crack, t) != Side::undecided) continue;
         add_label(cells.cracks, crack, t, (f == face) == points_back);
       }
+      const Vec3 area = (points_back ? -1 : 1) * rest_area_vector(cells.map, face);
+      for (const auto& rows : facing_rows(cells.map, face, opposite)) {
+        normals.try_emplace(rows, Vec3::Zero()).first->second += area;
+      }
+    }
+    for (const auto& [rows, normal] : normals) {
+      const Vec3 at(cells.map.point(rows[0]).data());
+      const VertexId copy = rows[0] == rows[1] ? VertexId::none() : rows[1];
+      CrackAnchor anchor{crack, rows[0], copy, at, normal.normalized()};
+      if (cut.plane) {
+        anchor.normal = cut.plane->normal.normalized();
+        anchor.at = at - anchor.normal.dot(at - cut.plane->point) * anchor.normal;
+      }
+      add_anchor(cells.cracks, anchor);
     }
   }
 }

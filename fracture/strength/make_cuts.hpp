@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,6 +18,7 @@ namespace sunder {
 struct CutFaces {
   std::vector<std::array<HalfFaceId, 2>> faces;
   Vec3 normal = Vec3::Zero();
+  std::optional<CutPlane> plane;
 };
 
 /// Unsews the faces of every body's `cuts` in the map of all bodies, before there is any state: as
@@ -27,8 +29,9 @@ struct CutFaces {
 std::vector<Finding> make_cuts(VolumeMap& map, std::span<const BodySettings> bodies,
                                std::span<const BodyRows> rows, std::vector<CutFaces>& made);
 
-/// Makes each cut a crack without anchors (`CrackMode::object`): the tetrahedra on its faces get
-/// their sides, so that it goes on where its edge passes.
+/// Makes each cut a crack (`CrackMode::object`): the tetrahedra on its faces get their sides, its
+/// vertices are anchors, on its plane where it is one, with the mean normal of its faces there
+/// elsewhere. So it goes on where its edge passes, and holds back starts beside it.
 void label_cuts(Cells& cells, std::span<const CutFaces> cuts);
 
 }  // namespace sunder

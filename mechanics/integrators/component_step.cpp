@@ -2,6 +2,8 @@
 // What integrators share: a component's factored system, and loads in its frame.
 #include "mechanics/integrators/component_step.hpp"
 
+#include <algorithm>
+
 #include "mechanics/integrators/coefficients.hpp"
 #include "mechanics/integrators/quasi_static.hpp"
 #include "mechanics/state/wave_travel.hpp"
@@ -30,6 +32,20 @@ ComponentSystem& built_system(MechanicsState& state, std::span<const Corners> co
   return *system;
 }
 
+bool is_pulled(const MechanicsState& state, const Component& component) {
+  return component.supported && std::ranges::any_of(component.vertices, [&](VertexId v) {
+           return !state.vertices.support[v.index()].is_none() &&
+                  support_velocity(state, v) != component.frame_velocity;
+         });
+}
+
+Deformation deformation_of(const StepInput& input, const MechanicsState& state,
+                           const Component& component) {
+  const Deformation asked = input.part.deformation;
+  const bool must_move = asked == Deformation::frozen && is_pulled(state, component);
+  return must_move ? Deformation::catch_up : asked;
+}
+
 IntegratorSettings settings_of(const StepInput& input, const MechanicsState& state,
                                const Component& component) {
   IntegratorSettings settings = input.settings;
@@ -47,7 +63,7 @@ ComponentSystem& prepared_system(MechanicsState& state, const StepInput& input,
     factor_system(system, quasi_static_matrix());
     return system;
   }
-  switch (input.part.deformation) {
+  switch (deformation_of(input, state, component)) {
     case Deformation::frozen:
       break;
     case Deformation::wave:

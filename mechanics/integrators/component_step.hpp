@@ -18,6 +18,14 @@ struct ComponentStep {
   ComponentSystem* system;  ///< built and factored; null for isolated tetrahedra and verlet
 };
 
+/// Whether supports move vertices of a component against its frame: frozen, it would be stretched
+/// at its supports alone.
+bool is_pulled(const MechanicsState& state, const Component& component);
+
+/// How a component's deformation goes through the part of a step.
+Deformation deformation_of(const StepInput& input, const MechanicsState& state,
+                           const Component& component);
+
 /// The settings as a component takes them in this step: rho_infinity follows the step.
 IntegratorSettings settings_of(const StepInput& input, const MechanicsState& state,
                                const Component& component);

@@ -117,9 +117,8 @@ double advance_wave(const ComponentStep& step, BodyDeformation& d, const Field& 
 
 /// Takes the deformation through the part of a step at hand; gives the damping work.
 double advance_part(const ComponentStep& step, BodyDeformation& d, const Field& load) {
-  switch (step.input.part.deformation) {
+  switch (deformation_of(step.input, step.state, step.component)) {
     case Deformation::frozen:
-      move_held(step, d);
       return 0;
     case Deformation::wave:
       return advance_wave(step, d, load);

@@ -30,7 +30,7 @@ struct Loads {
 /// How deformations go through a step of floating_frame, or through a part of one.
 enum class Deformation {
   whole,     ///< by generalised-alpha
-  frozen,    ///< not at all: the frame moves alone (held vertices keep their motion)
+  frozen,    ///< not at all: the frame moves alone; what is pulled (`is_pulled`) catches up
   catch_up,  ///< by generalised-alpha over the whole step, in a part that may be shorter
   wave,      ///< by the scheme of impacts (`WaveScheme`)
 };
@@ -38,13 +38,13 @@ enum class Deformation {
 /// Which part of a step is taken; `IntegratorSettings::time_step` is its length.
 struct StepPart {
   Deformation deformation = Deformation::whole;
-  double whole_step = 0;  ///< s, for `catch_up`
+  double whole_step = 0;  ///< s, for `catch_up` and `frozen`
   /// Given, contact looks out for blows (`advance_with_contact`).
   const ImpactSettings* impact = nullptr;
   /// Beside `impact`: lowest tensile strength in each component, Pa; |C|.
   std::span<const double> strength = {};
-  /// Beside `impact`: J that a component must hold before it can break, |C|. Blows that cannot bring
-  /// it so far are none. Empty: every blow counts.
+  /// Beside `impact`: J that a component must hold before it can break, |C|. Blows that cannot
+  /// bring it so far are none. Empty: every blow counts.
   std::span<const double> threshold = {};
 };
 
@@ -79,7 +79,9 @@ struct StepInput {
   bool is_hurried() const { return hurry && hurry->load(std::memory_order_relaxed); }
   /// s, over which the deformation goes by generalised-alpha.
   double deformation_step() const {
-    return part.deformation == Deformation::catch_up ? part.whole_step : settings.time_step;
+    const bool is_own =
+        part.deformation == Deformation::catch_up || part.deformation == Deformation::frozen;
+    return is_own ? part.whole_step : settings.time_step;
   }
 };
 

@@ -39,6 +39,11 @@ Scene scene_of(const NotchedBar& bar) {
   const double eps = 1e-3 * cell;
   body.held = {{.minimum = {-1, -1, -1}, .maximum = {eps, 9, 9}},
                {.minimum = {2 * b - eps, -1, -1}, .maximum = {9, 9, 9}, .velocity = {speed, 0, 0}}};
+  if (bar.grip > 0) {
+    const double grip = bar.grip * b;
+    body.unbreakable = {{RestBox{{-1, -1, -1}, {grip, 9, 9}}},
+                        {RestBox{{2 * b - grip, -1, -1}, {9, 9, 9}}}};
+  }
   if (!bar.mesh) shake(body.mesh, bar);
   if (bar.cut)
     body.cuts = {{.faces = CutPlane{.point = {b, 0, 0}, .normal = {1, 0, 0}},
@@ -48,6 +53,7 @@ Scene scene_of(const NotchedBar& bar) {
   scene.bodies = {body};
   scene.gravity.acceleration.setZero();
   scene.integrator.time_step = bar.time_step;
+  scene.integrator.damping.stiffness_factor = bar.damping;
   scene.fracture = bar.fracture;
   return scene;
 }
@@ -123,7 +129,12 @@ GrowthAnswer pulled_apart(const NotchedBar& bar, int after) {
       answer.fans += report.fracture.fans.size();
       answer.worst_ms = std::max(answer.worst_ms, report.stage_ms[std::size_t(Stage::fracture)]);
     }
-    if (answer.separated == 0 && answer.pieces > 1) answer.separated = report.time - first + 1e-300;
+    if (answer.separated == 0 && answer.pieces > 1) {
+      answer.separated = report.time - first + 1e-300;
+      add_cracks(answer, sim, bar, cut);
+      answer.parted_area = answer.area;
+      answer.parted_projected = answer.projected;
+    }
     left -= answer.pieces > 1;
     if (first > 0 && report.time > 10 * first) break;
     if (report.time * bar.stress_rate > 10 * bar.material.tensile_strength) break;

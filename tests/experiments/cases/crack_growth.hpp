@@ -20,6 +20,8 @@ struct NotchedBar {
   double time_step = 1e-3;   ///< s
   double shake = 0;          ///< of vertices inside, over their distance
   bool cut = true;
+  double grip = 0;  ///< over b: as far from the ends vertices never split, as in a tester's grips
+  double damping = 0;  ///< Rayleigh's, of the stiffness, s
   FractureSettings fracture;
   /// In place of the cubes: a mesh of the box [0, 2 b] x [0, b] x [0, thickness b / cells].
   std::optional<TetMesh> mesh = {};
@@ -31,10 +33,11 @@ struct GrowthAnswer {
   double separated = 0;                         ///< s from the first fan to the second piece
   double area = 0;                              ///< of new crack over the section that the cut left
   double projected = 0;                         ///< the same of its projection along the bar
-  double energy = 0;                            ///< J/m^2: given up by the fans over their area
-  double farthest = 0;                          ///< of new crack from the cut's plane, over b
-  double smallest = 0;                          ///< mass of the smaller end over the bar's
-  double worst_ms = 0;                          ///< fracture stage of the slowest step
+  double parted_area = 0, parted_projected = 0;  ///< both, right after the second piece
+  double energy = 0;                             ///< J/m^2: given up by the fans over their area
+  double farthest = 0;                           ///< of new crack from the cut's plane, over b
+  double smallest = 0;                           ///< mass of the smaller end over the bar's
+  double worst_ms = 0;                           ///< fracture stage of the slowest step
 };
 
 /// Runs until `after` steps after the second piece, or in vain for ten times the time to the

@@ -58,7 +58,7 @@ std::optional<PlannedFan> plan(Tearing& t, VertexId v) {
   CrackChoice choice;
   if (has_objects) {
     const double h = mean_edge_length(t.body.state.vertices, cells.map.corners(), fan.v);
-    choice = choose_crack(cells, fan.v, tension, {h, t.middle, cells.cracks.anchors.size()});
+    choice = choose_crack(cells, fan.v, tension, {h, t.middle, 0, cells.cracks.anchors.size()});
     if (choice.step == CrackStep::waits) return std::nullopt;
   }
   t.broken[v.index()] = 1;

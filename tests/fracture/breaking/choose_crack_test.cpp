@@ -33,19 +33,23 @@ struct Begun {
     return best;
   }
 
-  Begun() {
+  /// `untested`: s, since fractures were looked for.
+  explicit Begun(double untested = 0) {
     PlannedFan fan{vertex_star(body.cells.map, nearest({0.3, 0.3, 0.3}))};
     fan.normal = Vec3::UnitX();
     fan.at = Vec3(body.cells.map.point(fan.v.vertex).data());
+    fan.untested = untested;
     decide_sides(body.cells, body.state, {&fan, 1});
     event = split_planned({body.cells, body.state}, fan, {}, scratch);
   }
 
-  CrackChoice choose(VertexId v, const Vec3& tension, std::size_t fresh = 1000) const {
+  /// `way`: m, as far as the crack's wave has come.
+  CrackChoice choose(VertexId v, const Vec3& tension, double way = 1) const {
     PrincipalTension pull{1, {}};
     pull.directions = tension.normalized();
     return choose_crack(body.cells, vertex_star(body.cells.map, v), pull,
-                        {h, Vec3(0.3, 0.3, 0.3), fresh});
+                        {h, Vec3(0.3, 0.3, 0.3),
+                         body.state.time + way / body.cells.cracks.anchors[0].wave_speed, 0});
   }
 };
 
@@ -89,15 +93,25 @@ TEST_CASE("a crack goes on at its front, branches where the tension turns, and h
   CHECK(flanks == 2);
 }
 
-TEST_CASE("a crack that is newer than the stresses holds back others beside it",
+TEST_CASE("a crack holds back others beside it until its wave has come to them",
           "[fracture][cracks]") {
-  const Begun begun;
+  const Begun begun, late{2e-4};
   const VertexId near = begun.nearest({0.5, 0.3, 0.3}), far = begun.nearest({0.3, 0.6, 0.6});
   REQUIRE(cracks_at(begun.body.cells.cracks, vertex_star(begun.body.cells.map, near)).empty());
-  CHECK(begun.choose(near, turned(10)).step == CrackStep::starts);
-  CHECK(begun.choose(near, turned(10), 0).step == CrackStep::waits);
-  CHECK(begun.choose(near, turned(80), 0).step == CrackStep::starts);
-  CHECK(begun.choose(far, turned(10), 0).step == CrackStep::starts);
+  for (const double way : {0.0, 0.1, 0.15}) {
+    CHECK(begun.choose(near, turned(10), way).step == CrackStep::waits);
+    CHECK(begun.choose(near, turned(80), way).step == CrackStep::starts);
+    CHECK(begun.choose(far, turned(10), way).step == CrackStep::starts);
+    CHECK(late.choose(far, turned(10), way).step == CrackStep::waits);
+  }
+  CHECK(begun.choose(near, turned(10), 0.25).step == CrackStep::starts);
+  CHECK(late.choose(far, turned(10), 0.5).step == CrackStep::starts);
+  const CrackLabels& cracks = begun.body.cells.cracks;
+  const double speed = cracks.anchors[0].wave_speed, time = begun.body.state.time;
+  REQUIRE(speed * 2e-4 > 0.43);  // from the middle to `far`
+  CHECK(first_under_way(cracks, time) == 0);
+  CHECK(first_under_way(cracks, time + 0.25 / speed) == 0);
+  CHECK(first_under_way(cracks, time + 0.5 / speed) == 1);
 }
 
 TEST_CASE("starts of one tie side by side are one crack, whatever their order",

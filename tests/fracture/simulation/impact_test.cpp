@@ -332,3 +332,72 @@ TEST_CASE("settings of impacts out of range are told", "[fracture][impact]") {
   const ImpactSettings nan{.fraction = std::nan("")};
   CHECK(check_settings(nan, "impact").size() == 1);
 }
+
+TEST_CASE("what supports pull apart goes on stretching while it waits for a blow",
+          "[fracture][impact]") {
+  BodySettings bar{.mesh = suite::kuhn_box({10, 1, 1}, 0.1)};
+  bar.held = {{{-1, -1, -1}, {1e-3, 1, 1}}, {{0.999, -1, -1}, {2, 1, 1}, {0.02, 0, 0}}};
+  Scene scene = scene_of({bar});
+  scene.integrator.time_step = 1e-3;
+  const Simulation alone = [&] {
+    Simulation sim = built(scene);
+    advance(sim);
+    return sim;
+  }();
+  // It touches the middle late in the step.
+  scene.impact.by_energy = false;
+  scene.obstacles = {{.shape = Sphere{{0.5, 0, 0.15 + 0.9e-3 * 0.3}, 0.05},
+                      .velocity = {0, 0, -0.3},
+                      .mass = 0.1}};
+  const auto stretch_at_end = [](const Simulation& sim) {
+    double largest = 0;
+    const Cells& cells = sim.state->cells;
+    for (std::size_t t = 0; t < cells.map.tetrahedra(); ++t) {
+      for (const VertexId v : cells.map.corners(TetId{t})) {
+        if (cells.map.point(v)[0] < 0.95) continue;
+        largest = std::max(largest, sim.state->mechanics.elements.stress[t](0, 0));
+      }
+    }
+    return largest;
+  };
+  Simulation struck = built(scene);
+  double largest = 0;
+  const StepReport report = advance(struck, [&](const Simulation& sim, const PartReport&) {
+    largest = std::max(largest, stretch_at_end(sim));
+  });
+  REQUIRE(report.impact.opened > 0);
+  // Frozen until the touch, the last cell would have borne nine times as much.
+  CHECK(stretch_at_end(alone) > 1e5);
+  CHECK(largest < 3 * stretch_at_end(alone));
+}
+
+TEST_CASE("the parts of a step last as long as the step, whatever opens and closes windows",
+          "[fracture][impact]") {
+  Scene scene = on_plane({});
+  scene.gravity.acceleration = {0, 0, -9.81};
+  for (int k = 0; k < 3; ++k) {
+    BodySettings cube = cube_over_plane(0.01, 0.3 + k);
+    cube.mesh = suite::kuhn_box({2 + k, 2, 2}, 0.1 / (1 + k));
+    cube.translation += Vec3(0.05 * k, 0.02 * k, 0.35 * k);
+    cube.velocity = {0, 0, -3};
+    scene.bodies.push_back(std::move(cube));
+  }
+  scene.fracture.mode = FractureMode::all;
+  scene.integrator.time_step = 2e-3;
+  for (const CrackMode mode : {CrackMode::paper, CrackMode::object}) {
+    scene.fracture.crack = mode;
+    Simulation sim = built(scene);
+    std::size_t windows = 0;
+    for (int k = 0; k < 60; ++k) {
+      double members = 0, others = 0;
+      const StepReport report = advance(sim, [&](const Simulation&, const PartReport& part) {
+        (part.deformation == Deformation::whole ? others : members) += part.length;
+      });
+      windows += report.impact.opened;
+      CAPTURE(k);
+      if (others > 0) CHECK(others == Approx(2e-3).epsilon(1e-12));
+      if (members > 0) CHECK(members == Approx(2e-3).epsilon(1e-9));
+    }
+    CHECK(windows > 5);
+  }
+}
