@@ -3,6 +3,7 @@
 
     python3 run_mutants.py --program build/release/tests/mutants/sunder_mutant [--only NUMBER]
 
+With --test the program is a test of its own (Catch2), and what fails in it kills the fault.
 Exit code 0 when the unharmed kernel passes and every fault is killed, 1 otherwise.
 """
 
@@ -19,11 +20,11 @@ HERE = pathlib.Path(__file__).resolve().parent
 PROJECT = HERE.parent.parent
 
 
-def run(program, fixtures, number, seconds):
+def run(command, number, seconds):
     """(fixture where it ended, how): how is None when the fault survived."""
     environment = dict(os.environ, SUNDER_FAULT=str(number))
     try:
-        done = subprocess.run([program, fixtures], env=environment, capture_output=True, text=True,
+        done = subprocess.run(command, env=environment, capture_output=True, text=True,
                               timeout=seconds, check=False)
         lines, code = done.stdout.splitlines(), done.returncode
     except subprocess.TimeoutExpired as hung:
@@ -34,6 +35,9 @@ def run(program, fixtures, number, seconds):
         return lines[-1] if lines else "-", None
     if code == 1 and lines[-1].startswith("killed: "):
         return lines[-2], lines[-1][len("killed: "):]
+    failed = [line for line in lines if ": failed: " in line]
+    if code > 0 and failed:
+        return pathlib.Path(failed[0].split(":")[0]).name, failed[0].split(": failed: ")[1][:100]
     if code < 0:
         return lines[-1] if lines else "-", f"ended by signal {-code}"
     raise SystemExit(f"run_mutants.py: fault {number}: exit code {code}: {done.stderr.strip()}")
@@ -43,10 +47,15 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--program", required=True, help="sunder_mutant, see tests/mutants")
     parser.add_argument("--fixtures", default=PROJECT / "meshes/suite", help="folder of fixtures")
+    parser.add_argument("--test", action="store_true", help="the program is a test")
+    parser.add_argument("--list", default=HERE / "mutants.json", type=pathlib.Path,
+                        help="the faults")
     parser.add_argument("--seconds", type=float, default=120, help="time limit of one fault")
     parser.add_argument("--only", type=int, help="number of one fault")
     arguments = parser.parse_args()
-    entries = json.loads((HERE / "mutants.json").read_text(encoding="utf-8"))
+    entries = json.loads(arguments.list.read_text(encoding="utf-8"))
+    command = [arguments.program] + (["-r", "compact"] if arguments.test
+                                     else [arguments.fixtures])
     faults = {0: ("-", "none: the kernel as it is")}
     for entry in entries:
         for fault in entry["faults"]:
@@ -55,8 +64,7 @@ def main():
     started = time.monotonic()
 
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
-        results = pool.map(lambda n: run(arguments.program, arguments.fixtures, n,
-                                         arguments.seconds), numbers)
+        results = pool.map(lambda n: run(command, n, arguments.seconds), numbers)
         survived = []
         for number, (fixture, how) in zip(numbers, results):
             file, what = faults[number]

@@ -37,11 +37,11 @@ of single comparisons, and the time inside all kernels, microseconds. Of a misma
 number and the smallest sequence of steps found that shows one.
 
 With --random no fixture is run: bodies of a dozen families (and those of --mesh) are torn apart at
-random, fan by fan, with faces, planes and glues in between, and every answer is compared with
-union-find and the laws. The table lists, for each family, the fans with at least one face, the
-faces split, the vertices that came apart, the oracle's alarms, how many of them separated a
-component (true %), separations it missed, and mismatches. The run ends at its first mismatch; what
-is left of it after shrinking is printed as a fixture file.
+random, fan by fan, with faces, planes, breaks by labels and glues in between, and every answer is
+compared with union-find and the laws. The table lists, for each family, the fans with at least one
+face, those by labels beside, the faces split, the vertices that came apart, the oracle's alarms,
+how many of them separated a component (true %), separations it missed, and mismatches. The run
+ends at its first mismatch; what is left of it after shrinking is printed as a fixture file.
 
 Exit codes: 0 no mismatch, 1 mismatches, 2 usage (also a FILTER that no fixture has, or a command
 that is no kernel), 3 fixtures or meshes unreadable or invalid, 4 an exported file not written.

@@ -11,8 +11,8 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/scene/words.hpp"
-#include "topology/mesh/check.hpp"
 #include "topology/io/mesh_file.hpp"
+#include "topology/mesh/check.hpp"
 #include "topology/suite/random/random_run.hpp"
 #include "topology/suite/random/random_run_numbers.hpp"
 
@@ -109,20 +109,21 @@ std::string efficiency(const FamilyReport& family) {
                      100.0 * static_cast<double>(separations) / static_cast<double>(alarms));
 }
 
-constexpr const char* row = "{:<{}}{:>8}{:>10}{:>9}{:>9}{:>9}{:>9}{:>9}{:>7}{:>8}{:>8}{:>7}{:>6}\n";
+constexpr const char* row =
+    "{:<{}}{:>8}{:>10}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>7}{:>8}{:>8}{:>7}{:>6}\n";
 
 void print_line(const FamilyReport& f, std::size_t width, std::size_t mismatches) {
   const std::string sizes = fmt::format("{}-{}", f.fewest, f.most);
-  fmt::print(row, f.name, width, f.bodies, sizes, f.counts.fans, f.counts.faces, f.counts.vertices,
-             f.counts.alarms, f.counts.separations, f.counts.missed, efficiency(f), f.counts.glues,
-             f.checks.homologies, mismatches);
+  fmt::print(row, f.name, width, f.bodies, sizes, f.counts.fans, f.counts.labelled_fans,
+             f.counts.faces, f.counts.vertices, f.counts.alarms, f.counts.separations,
+             f.counts.missed, efficiency(f), f.counts.glues, f.checks.homologies, mismatches);
 }
 
 void print_table(const KernelRun& run) {
   std::size_t width = 0;
   for (const FamilyReport& f : run.report.families) width = std::max(width, f.name.size());
-  fmt::print(row, "family", width, "bodies", "tets", "fans", "faces", "vertices", "alarms",
-             "parted", "missed", "true %", "glues", "homol.", "wrong");
+  fmt::print(row, "family", width, "bodies", "tets", "fans", "labelled", "faces", "vertices",
+             "alarms", "parted", "missed", "true %", "glues", "homol.", "wrong");
   for (const FamilyReport& f : run.report.families) print_line(f, width, f.failure ? 1 : 0);
   print_line(suite::total_of(run.report), width, failures_of(run));
 }
@@ -162,6 +163,8 @@ void print_checks(const FamilyReport& total) {
   line(c.homologies, "whole bodies: homology over GF(2) and Z (every hundredth operation)");
   line(t.orders, "operations undone by gluing and done again in another order");
   line(t.all_orders, "of them: in all orders");
+  line(t.labelled_fans, "labelled fans: faces split against the union over the breaks");
+  line(t.fans_in_other_orders, "of them: broken again on a second kernel in another order");
   line(t.replays, "bodies cut anew on a second kernel, all faces in another order");
   line(total.comparisons, "single comparisons");
 }
@@ -174,8 +177,8 @@ void print_run(const RandomArguments& arguments, const KernelRun& run) {
   for (const FamilyReport& f : run.report.families) {
     if (f.failure) print_failure(f);
   }
-  fmt::print("\n{} fans, {} mismatches, {:.1f} minutes\n", total.counts.fans, failures_of(run),
-             run.seconds / 60);
+  fmt::print("\n{} fans and {} by labels, {} mismatches, {:.1f} minutes\n", total.counts.fans,
+             total.counts.labelled_fans, failures_of(run), run.seconds / 60);
 }
 
 ordered_json mismatch_json(const suite::Mismatch& m) {

@@ -19,13 +19,15 @@ INTEGERS_UP_TO = 1700
 
 class Case:
     """`body`: (points, tetrahedra). `written`: how the JSON gives it, where that is shorter.
-    `page`: numbers known beforehand, held against what is computed."""
+    `cracks`: labels, as the JSON has them. `page`: numbers known beforehand, held against what is
+    computed."""
 
     def __init__(self, name, body, operations=(), **more):
         self.name, self.body, self.operations = name, body, list(operations)
         self.shows = more.pop("shows", None)
         self.written = more.pop("written", None)
         self.page = more.pop("page", {})
+        self.cracks = more.pop("cracks", [])
         assert not more, more
 
 
@@ -90,6 +92,34 @@ def plane_faces(glued, points, plane):
     return faces_between(glued, range(len(glued.tets)), positive)
 
 
+def break_faces(glued, cracks, what):
+    """At all copies of the point, from positive tetrahedra to negative ones."""
+    crack = cracks[what["crack"]]
+    sides = dict.fromkeys(crack["positive"], 1) | dict.fromkeys(crack["negative"], -1)
+    around = glued.around[what["point"]]
+    return faces_where(glued, around, what["point"],
+                       lambda t, u: sides.get(t) == 1 and sides.get(u) == -1)
+
+
+def faces_where(glued, tets, through, differ):
+    """Glued faces of these tetrahedra, that have a point, between t and u with differ(t, u)."""
+    return [h for t in sorted(tets) for h in range(4 * t, 4 * t + 4)
+            if glued.tets[t][h % 4] != through and glued.other[h] >= 0
+            and differ(t, glued.other[h] // 4)]
+
+
+def check_breaks(case, intact, glued):
+    """Breaks alone: the faces split are the union over the breaks, in this order and reversed."""
+    breaks = [operation["break"] for operation in case.operations]
+    again = Glued(case.body[1])
+    union = {h for b in breaks for h in break_faces(again, case.cracks, b)}
+    cut = {h for h, across in enumerate(intact) if across >= 0 > glued.other[h]}
+    assert cut == union | {intact[h] for h in union}
+    for b in reversed(breaks):
+        again.split_all(break_faces(again, case.cracks, b))
+    assert again.other == glued.other and again.counts() == glued.counts()
+
+
 def shatter_faces(glued, intact, order):
     faces = [h for h, across in enumerate(intact) if across > h]
     if order == "falling":
@@ -107,7 +137,8 @@ def half_face_of(glued, face):
     return glued.sides[tuple(sorted(face))][0]
 
 
-def faces_of(glued, intact, points, operation):
+def faces_of(glued, intact, case, operation):
+    points = case.body[0]
     (kind, what), = operation.items()
     if kind == "split":
         return [half_face_of(glued, what)]
@@ -115,6 +146,8 @@ def faces_of(glued, intact, points, operation):
         return fan_faces(glued, points, what)
     if kind == "plane":
         return plane_faces(glued, points, what)
+    if kind == "break":
+        return break_faces(glued, case.cracks, what)
     return shatter_faces(glued, intact, what)
 
 
@@ -126,10 +159,10 @@ def named(glued, operation):
     return {"fan": {"tetrahedron": glued.around[fan["point"]][0]} | fan}
 
 
-def run(glued, intact, points, operation):
+def run(glued, intact, case, operation):
     """Does one operation; the answers of its splits (None for a glue)."""
     if "glue" not in operation:
-        return glued.split_all(faces_of(glued, intact, points, operation))
+        return glued.split_all(faces_of(glued, intact, case, operation))
     a = half_face_of(glued, operation["glue"])
     assert glued.other[a] < 0 <= intact[a], f"{operation} glues what is not parted"
     glued.glue(a, intact[a])
@@ -232,16 +265,17 @@ def written(family, case):
 
 
 def run_case(case, result):
-    points, tets = case.body
-    glued = Glued(tets)
+    glued = Glued(case.body[1])
     intact = list(glued.other)
     now = result["built"] = state(glued)
     hold_against_page(case.page.get("built", {}), now, None)
+    if case.cracks:
+        result["cracks"] = case.cracks
     result["operations"] = []
     pages = case.page.get("after", {})
     for n, operation in enumerate(case.operations):
         before, operation = now, named(glued, operation)
-        answers = run(glued, intact, points, operation)
+        answers = run(glued, intact, case, operation)
         now = state(glued)
         splits = None if answers is None else what_splits_did(answers)
         if answers is not None and len(answers) == 1 and answers[0] is not None:
@@ -249,6 +283,8 @@ def run_case(case, result):
         hold_against_page(pages.get(n, {}), now, splits)
         result["operations"].append(operation | {"after": (splits or {}) | now})
     assert set(pages) <= set(range(len(case.operations)))
+    if case.operations and all("break" in operation for operation in case.operations):
+        check_breaks(case, intact, glued)
     if "total" in case.page:
         total = Counter()
         for operation in result["operations"]:

@@ -2,6 +2,7 @@
 """All families, in the order of their names."""
 
 import balls
+import cracks
 import defective
 import manifolds
 import page
@@ -9,6 +10,6 @@ import solids
 import turned
 
 ALL = (page.FAMILIES + balls.FAMILIES + manifolds.FAMILIES + solids.FAMILIES
-       + defective.FAMILIES + turned.FAMILIES)
+       + defective.FAMILIES + turned.FAMILIES + cracks.FAMILIES)
 assert [family.name.split("-")[0] for family in ALL] == sorted(
     family.name.split("-")[0] for family in ALL)

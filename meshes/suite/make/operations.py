@@ -30,6 +30,11 @@ def plane(normal, offset):
     return {"plane": {"normal": list(normal), "offset": offset}}
 
 
+def breaks(*points, crack=0):
+    """Breaks of these points, one after the other."""
+    return [{"break": {"point": point, "crack": crack}} for point in points]
+
+
 def shatters(name, body, **more):
     """Three cases: all faces in the three orders."""
     return [Case(f"{name}-{order}", body, [operation], **more)

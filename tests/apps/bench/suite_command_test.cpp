@@ -29,7 +29,7 @@ TEST_CASE("right kernels end with 0 and a line of totals", "[suite][command]") {
   CHECK(outcome.exit_code == 0);
   CHECK(outcome.err.empty());
   CHECK(outcome.out.find("small/figure-5-abc") != std::string::npos);
-  CHECK(outcome.out.find("6 fixtures, 2 kernels: ") != std::string::npos);
+  CHECK(outcome.out.find("7 fixtures, 2 kernels: ") != std::string::npos);
   CHECK(outcome.out.find(" 0 mismatches") != std::string::npos);
 }
 
@@ -78,7 +78,7 @@ TEST_CASE("a filter is a part of the name or a pattern for it", "[suite][command
     return here.run({"suite", filter, "--fixtures", data + "/good", "--kernel", "twin", "--json"})
         .json()["totals"]["fixtures"];
   };
-  CHECK(fixtures("") == 6);
+  CHECK(fixtures("") == 7);
   CHECK(fixtures("figure") == 1);
   CHECK(fixtures("small/[mn]*") == 2);
   CHECK(here.run({"suite", "none-such", "--fixtures", data + "/good"}).exit_code == 2);

@@ -24,7 +24,7 @@ TEST_CASE("a random run prints a table, the checks made and its seed", "[suite][
   CHECK(outcome.exit_code == 0);
   CHECK(outcome.err.empty());
   for (const char* text : {"kernel sunder, seed 3", "closed spheres", "Checks made",
-                           "single comparisons", "60 fans, 0 mismatches"}) {
+                           "single comparisons", "60 fans and ", " by labels, 0 mismatches"}) {
     CHECK(outcome.out.find(text) != std::string::npos);
   }
 }

@@ -163,8 +163,9 @@ TEST_CASE("a tetrahedron keeps its side, and a star tells fronts from flanks",
   CrackLabels cracks;
   CHECK(side_of(cracks, CrackId{0}, TetId{3}) == Side::undecided);
   const CrackId first = add_crack(cracks, 8), second = add_crack(cracks, 8);
-  add_label(cracks, second, TetId{3}, false);
+  // The second one's label is the newest, and is met first.
   add_label(cracks, first, TetId{3}, true);
+  add_label(cracks, second, TetId{3}, false);
   add_label(cracks, first, TetId{4}, false);
   CHECK(side_of(cracks, first, TetId{3}) == Side::positive);
   CHECK(side_of(cracks, second, TetId{3}) == Side::negative);

@@ -79,7 +79,7 @@ bool has(const std::vector<std::string>& texts, const std::string& part) {
 TEST_CASE("a fixture file gives its cases with bodies, operations and expectations",
           "[suite][fixture]") {
   const std::vector<Fixture> fixtures = good();
-  REQUIRE(fixtures.size() == 6);
+  REQUIRE(fixtures.size() == 7);
   const Fixture& two = fixtures[0];
   CHECK(two.name == "small/two-tetrahedra");
   CHECK(two.shows == "one face, cut, glued, cut again");
@@ -115,6 +115,11 @@ TEST_CASE("a fixture file gives its cases with bodies, operations and expectatio
   CHECK(std::isnan(fixtures[3].body.points[2][1]));
   CHECK(fixtures[4].body.tetrahedra.size() == 2);
   CHECK(fixtures[5].known_differences[0].counts->edges == 12);
+  using enum CrackSide;
+  REQUIRE(fixtures[6].cracks.size() == 2);
+  CHECK(fixtures[6].cracks[0] ==
+        CrackSides{positive, negative, positive, negative, none, negative});
+  CHECK(std::get<BreakPoint>(fixtures[6].operations[1].operation).sides == fixtures[6].cracks[1]);
 }
 
 TEST_CASE("a wrong value is refused with its place and what was expected", "[suite][fixture]") {
@@ -163,6 +168,13 @@ TEST_CASE("a wrong value is refused with its place and what was expected", "[sui
       {"/cases/1/operations/3/fan/normal/0", nullptr, "normal is no direction"},
       {"/cases/1/operations/3/fan/point", 27, "fan names point 27, which is no corner of any"},
       {"/cases/1/operations/6/plane/offset", nullptr, "offset is null; a finite number"},
+      {"/cases/6/operations/0/break/point", 8, "break names point 8, which is no corner of any"},
+      {"/cases/6/operations/1/break/crack", 2, "break names crack 2 of 2"},
+      {"/cases/6/operations/1/break/normal", 2, "break/normal is not a known key"},
+      {"/cases/6/cracks/0/positive/1", 6, "cracks/0/positive names tetrahedron 6 of 6"},
+      {"/cases/6/cracks/0/negative/1", 2, "names tetrahedron 2, which has a side already"},
+      {"/cases/6/cracks/0/negative", 2, "cracks/0/negative is 2; an array was expected"},
+      {"/cases/3/cracks", json::array({1}), "/cases/3/cracks stands there though the body is"},
       {"/cases/5/known_differences/0/counts/edges", -3, "a whole number from 0 was expected"},
   };
   for (const Wrong& w : wrong) {
@@ -212,9 +224,9 @@ TEST_CASE("a folder gives its files in order; the schema is none of them", "[sui
   std::filesystem::remove(file.path);
   const auto fixtures = read_fixture_folder(file.folder);
   REQUIRE(fixtures);
-  REQUIRE(fixtures->size() == 12);
+  REQUIRE(fixtures->size() == 14);
   CHECK(fixtures->front().name == "first/two-tetrahedra");
-  CHECK(fixtures->back().name == "second/odd-kernel");
+  CHECK(fixtures->back().name == "second/labelled");
   std::ofstream(file.folder / "3.json") << second.dump();
   CHECK(code_of(file.folder) == "bad_fixture");
   CHECK(code_of(file.folder / "none") == "cannot_open");

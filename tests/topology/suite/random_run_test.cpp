@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Random runs: right kernels pass, each kind of wrong one is caught, and what is left of a failure
 // fails again when it is read as a fixture.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdio>
 #include <filesystem>
@@ -8,9 +9,11 @@
 #include <memory>
 #include <set>
 
+#include "topology/suite/judge/crack_formula.hpp"
 #include "topology/suite/judge/judge.hpp"
 #include "topology/suite/random/random_run.hpp"
 #include "topology/suite/random/random_run_bodies.hpp"
+#include "topology/suite/random/random_run_labels.hpp"
 #include "topology/suite/random/random_run_laws.hpp"
 
 using namespace sunder;
@@ -78,6 +81,12 @@ std::optional<Mismatch> judged_again(const RandomFailure& failure,
   return verdict.mismatch;
 }
 
+std::vector<BreakPoint> at_all_points(const TetMesh& body, const CrackSides& sides) {
+  std::vector<BreakPoint> breaks;
+  for (std::uint32_t p = 0; p < body.points.size(); ++p) breaks.push_back({p, sides});
+  return breaks;
+}
+
 /// Wraps a kernel's split so that `change` sees the face and the answer, after the split.
 template <class Change>
 void change_splits(JudgedKernel& kernel, Change change) {
@@ -102,6 +111,9 @@ TEST_CASE("our kernel makes no mistake in random fans on bodies of every family"
   for (const FamilyReport& family : report.families) {
     fans += family.counts.fans;
     done.planes += family.counts.planes;
+    done.labelled_fans += family.counts.labelled_fans;
+    done.empty_labelled_fans += family.counts.empty_labelled_fans;
+    done.fans_in_other_orders += family.counts.fans_in_other_orders;
     done.single_faces += family.counts.single_faces;
     done.glues += family.counts.glues;
     done.vain += family.counts.vain;
@@ -116,8 +128,9 @@ TEST_CASE("our kernel makes no mistake in random fans on bodies of every family"
   CHECK(fans == 700);
   // No kind of operation and no check was forgotten.
   for (const std::size_t n :
-       {done.planes, done.single_faces, done.glues, done.vain, done.orders, done.replays,
-        checks.betti_changes, checks.faults, checks.fans, checks.homologies}) {
+       {done.labelled_fans, done.empty_labelled_fans, done.fans_in_other_orders, done.planes,
+        done.single_faces, done.glues, done.vain, done.orders, done.replays, checks.betti_changes,
+        checks.faults, checks.fans, checks.homologies}) {
     CHECK(n > 0);
   }
 }
@@ -144,6 +157,31 @@ TEST_CASE("the same seed gives the same run whatever the kernel, another seed an
   other.seed = 1;
   other.largest = 100;
   CHECK(faces(run_random(other, twin_kernel)) != first);
+}
+
+TEST_CASE("labels are of many kinds, and most breaks drawn by them cut faces", "[suite][random]") {
+  std::mt19937_64 random(6);
+  const TetMesh body = kuhn_box({3, 3, 3});
+  const GlueTwin intact = glue_twin(body.tetrahedra, body.points.size());
+  std::size_t parting = 0, undecided = 0, breaks = 0, cutting = 0, again = 0;
+  for (int i = 0; i < 100; ++i) {
+    const CrackSides sides = any_labels(body, intact, random);
+    REQUIRE(sides.size() == body.tetrahedra.size());
+    parting += crack_faces(intact, at_all_points(body, sides)).empty() ? 0 : 1;
+    undecided += std::ranges::count(sides, CrackSide::none) > 0 ? 1 : 0;
+    std::set<std::pair<std::uint32_t, CrackSides>> met;
+    for (const BreakPoint& broken : any_breaks(body, intact, random)) {
+      ++breaks;
+      cutting += crack_faces(intact, std::span(&broken, 1)).empty() ? 0 : 1;
+      again += met.emplace(broken.point, broken.sides).second ? 0 : 1;
+    }
+  }
+  INFO("seed 6: " << parting << " " << undecided << " " << breaks << " " << cutting << " "
+                  << again);
+  CHECK(parting > 80);
+  CHECK((undecided > 15 && undecided < 60));
+  CHECK((cutting > breaks / 2 && cutting < breaks));
+  CHECK(again > 0);
 }
 
 TEST_CASE("families draw the bodies they promise, all of which can be built", "[suite][random]") {
@@ -286,6 +324,12 @@ TEST_CASE("wrong answers that no single step shows are caught too", "[suite][ran
       {"fan",
        [](JudgedKernel& kernel) {
          kernel.fan = [](CornerAt, Point) { return std::vector<FaceSide>{}; };
+       }},
+      {"fan of labels",
+       [](JudgedKernel& kernel) {
+         kernel.crack_fan = [](std::uint32_t, const CrackSides&) {
+           return std::vector<FaceSide>{};
+         };
        }},
       {"torsion",
        [](JudgedKernel& kernel) {

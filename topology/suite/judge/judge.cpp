@@ -35,6 +35,8 @@ struct Trial {
   const Truth& truth;
   JudgedKernel& kernel;
   Checks checks = {};
+  /// Which of the truth's operations are run.
+  const std::vector<TrueOperation>* running = &truth.operations;
   std::size_t not_asked = 0;
   double kernel_us = 0;
   std::string known_difference = {};
@@ -112,17 +114,35 @@ struct Trial {
       const auto found = from_positive.find(side);
       answered.push_back(found == from_positive.end() ? side : found->second);
     }
+    compare_fans(corner.point, std::move(expected), std::move(answered));
+  }
+
+  /// The same for a break; its faces have to be seen from their positive sides.
+  void check_break(const BreakPoint& broken, const std::vector<TrueStep>& steps) {
+    if (!kernel.crack_fan) {
+      ++not_asked;
+      return;
+    }
+    std::vector<FaceSide> expected;
+    for (const TrueStep& s : steps) expected.push_back(s.step.a);
+    compare_fans(broken.point, std::move(expected),
+                 timed([&] { return kernel.crack_fan(broken.point, broken.sides); }));
+  }
+
+  void compare_fans(std::uint32_t point, std::vector<FaceSide> expected,
+                    std::vector<FaceSide> answered) {
     std::sort(expected.begin(), expected.end());
     std::sort(answered.begin(), answered.end());
     if (same(checks, expected, answered)) return;
     const auto text = [this](const std::vector<FaceSide>& faces) {
       std::string out;
       for (const FaceSide& f : faces) {
-        out += fmt::format("{}{}", out.empty() ? "" : ", ", face_text(truth.intact, f));
+        out += fmt::format("{}{} from tetrahedron {}", out.empty() ? "" : ", ",
+                           face_text(truth.intact, f), f.tetrahedron);
       }
       return out.empty() ? "no face" : out;
     };
-    differ(checks, fmt::format("fan at point {}", corner.point), text(expected), text(answered));
+    differ(checks, fmt::format("fan at point {}", point), text(expected), text(answered));
   }
 
   /// False when the kernel cannot go on.
@@ -195,14 +215,30 @@ struct Trial {
         return;
       }
     }
+    if (!failed() && !truth.backwards.empty()) run_backwards();
+  }
+
+  /// Breaks once more from the beginning, last first: the map at the end is the same.
+  void run_backwards() {
+    timed([this] { return kernel.load(fixture.body); });
+    running = &truth.backwards;
+    checks.step = 0;
+    for (std::size_t row = 0; row < truth.backwards.size() && !failed(); ++row) {
+      const ExpectedOperation& asked = fixture.operations[truth.backwards.size() - 1 - row];
+      checks.operation = row + 1;
+      run(truth.backwards[row], {asked.operation, {}});
+    }
+    if (failed()) checks.first->what += " (breaks in reverse order)";
   }
 
   /// False when the kernel cannot go on.
   bool run(const TrueOperation& operation, const ExpectedOperation& asked) {
     if (const auto* fan = std::get_if<SplitFan>(&asked.operation)) {
       check_fan(*fan, operation.steps);
-      if (failed()) return true;
+    } else if (const auto* broken = std::get_if<BreakPoint>(&asked.operation)) {
+      check_break(*broken, operation.steps);
     }
+    if (failed()) return true;
     for (const TrueStep& step : operation.steps) {
       ++checks.step;
       if (!take(step)) return false;
@@ -215,10 +251,10 @@ struct Trial {
   }
 };
 
-/// The steps of a fixture up to the one where a mismatch showed.
-std::vector<Step> steps_until(const Truth& truth, std::size_t end) {
+/// The steps up to the one where a mismatch showed.
+std::vector<Step> steps_until(const std::vector<TrueOperation>& operations, std::size_t end) {
   std::vector<Step> steps;
-  for (const TrueOperation& operation : truth.operations) {
+  for (const TrueOperation& operation : operations) {
     for (const TrueStep& s : operation.steps) {
       if (steps.size() < end) steps.push_back(s.step);
     }
@@ -227,23 +263,23 @@ std::vector<Step> steps_until(const Truth& truth, std::size_t end) {
 }
 
 /// Counted from 1.
-std::size_t operation_of_step(const Truth& truth, std::size_t step) {
+std::size_t operation_of_step(const std::vector<TrueOperation>& operations, std::size_t step) {
   std::size_t operation = 0, end = 0;
-  while (end < step) end += truth.operations[operation++].steps.size();
+  while (end < step) end += operations[operation++].steps.size();
   return operation;
 }
 
 /// Takes the fixture's operations apart into steps, to see at which one the mismatch really begins
 /// and which of them it needs.
-void narrow_down(Mismatch& mismatch, const Fixture& fixture, const Truth& truth,
-                 JudgedKernel& kernel) {
+void narrow_down(Mismatch& mismatch, const Fixture& fixture,
+                 const std::vector<TrueOperation>& operations, JudgedKernel& kernel) {
   const auto begins = first_mismatch(fixture.body, mismatch.steps, kernel);
   if (!begins) return;
   if (begins->step < mismatch.step) {
     std::vector<Step> steps = std::move(mismatch.steps);
     steps.resize(begins->step);
     mismatch = *begins;
-    mismatch.operation = operation_of_step(truth, begins->step);
+    mismatch.operation = operation_of_step(operations, begins->step);
     mismatch.steps = std::move(steps);
   }
   const auto fails = [&kernel](const TetMesh& body, std::span<const Step> steps) {
@@ -294,13 +330,13 @@ Verdict judge(const Fixture& fixture, const Truth& truth, JudgedKernel& kernel) 
   verdict.kernel_us = trial.kernel_us;
   verdict.mismatch = std::move(trial.checks.first);
   if (verdict.mismatch) {
-    verdict.mismatch->steps = steps_until(truth, verdict.mismatch->step);
+    verdict.mismatch->steps = steps_until(*trial.running, verdict.mismatch->step);
     // A kernel that hangs would do so in every trial.
-    if (!verdict.lost) narrow_down(*verdict.mismatch, fixture, truth, kernel);
+    if (!verdict.lost) narrow_down(*verdict.mismatch, fixture, *trial.running, kernel);
   } else if (truth.checks.first) {
     verdict.mismatch = truth.checks.first;
     verdict.mismatch->what += " (the fixture against union-find)";
-    verdict.mismatch->steps = steps_until(truth, verdict.mismatch->step);
+    verdict.mismatch->steps = steps_until(truth.operations, verdict.mismatch->step);
   }
   return verdict;
 }

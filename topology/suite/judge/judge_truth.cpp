@@ -9,8 +9,9 @@
 #include <set>
 #include <tuple>
 
-#include "topology/suite/judge/judge_expected.hpp"
 #include "topology/suite/fixtures/steps.hpp"
+#include "topology/suite/judge/crack_formula.hpp"
+#include "topology/suite/judge/judge_expected.hpp"
 
 namespace sunder::suite {
 namespace {
@@ -109,6 +110,29 @@ void check_point(Checks& checks, const Operation& operation, const GlueTwin& now
 
 bool expects_counts(const Expected& e) { return e.counts || e.euler_characteristic; }
 
+/// All operations, where all are breaks; else none.
+std::vector<BreakPoint> only_breaks(const Fixture& fixture) {
+  std::vector<BreakPoint> breaks;
+  for (const ExpectedOperation& operation : fixture.operations) {
+    const auto* broken = std::get_if<BreakPoint>(&operation.operation);
+    if (broken == nullptr) return {};
+    breaks.push_back(*broken);
+  }
+  return breaks;
+}
+
+/// Holds a body on which breaks were made, one after the other, against what they come to without
+/// an order: glued faces, and everything that hangs together by them.
+void check_formula(Checks& checks, const GlueTwin& intact, std::span<const BreakPoint> breaks,
+                   const GlueTwin& now) {
+  const GlueTwin expected = without_faces(intact, crack_faces(intact, breaks));
+  if (!same(checks, expected.glued, now.glued)) {
+    differ(checks, "faces split by breaks", "the union over the breaks", "others");
+  } else if (!same(checks, moment_of(expected), moment_of(now))) {
+    differ(checks, "vertices after breaks", "the orbits of what is still glued", "others");
+  }
+}
+
 /// A run of a fixture on the twin.
 struct Course {
   const Fixture& fixture;
@@ -158,6 +182,21 @@ struct Course {
     check_splits(truth.checks, asked.after, operation.steps, now);
     operation.homology = check_homology(truth.checks, asked.after, now);
   }
+
+  /// Breaks in the order of the fixture and in the reverse one, by the formula.
+  void run_backwards(std::span<const BreakPoint> breaks) {
+    check_formula(truth.checks, truth.intact, breaks, now);
+    GlueTwin again = truth.intact;
+    for (std::size_t row = breaks.size(); row > 0; --row) {
+      TrueOperation& operation = truth.backwards.emplace_back();
+      for (const Step& step : steps_of(breaks[row - 1], truth.intact, again, fixture.body)) {
+        operation.steps.push_back(take(again, step));
+        check_laws(truth.checks, again, operation.steps.back());
+      }
+    }
+    check_formula(truth.checks, truth.intact, breaks, again);
+    truth.backwards.back().after = moment_of(again);
+  }
 };
 
 }  // namespace
@@ -198,6 +237,8 @@ Truth truth_of(const Fixture& fixture) {
   check_counts(course.truth.checks, fixture.built, course.truth.built.counts);
   course.truth.homology = check_homology(course.truth.checks, fixture.built, course.now);
   for (std::size_t row = 0; row < fixture.operations.size(); ++row) course.run(row);
+  const std::vector<BreakPoint> breaks = only_breaks(fixture);
+  if (!breaks.empty()) course.run_backwards(breaks);
   return std::move(course.truth);
 }
 

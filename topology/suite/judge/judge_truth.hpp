@@ -19,6 +19,7 @@ namespace sunder::suite {
 struct Moment {
   CellCounts counts;
   std::vector<std::uint32_t> vertex_of_corner, component_of_tetrahedron;
+  friend bool operator==(const Moment&, const Moment&) = default;
 };
 
 struct TrueStep {
@@ -46,6 +47,8 @@ struct Truth {
   Moment built;
   std::optional<IntegerHomology> homology;
   std::vector<TrueOperation> operations;
+  /// Where all operations are breaks: the same ones, last first. They lead to the same map.
+  std::vector<TrueOperation> backwards;
   /// The fixture's own expectations, held against the above; and the laws of a split.
   Checks checks;
 };

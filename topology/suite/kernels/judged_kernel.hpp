@@ -44,6 +44,9 @@ struct JudgedKernel {
   /// The faces of the fan of a vertex for a normal (section 4.1, algorithm 4), each once from
   /// whichever side, in any order. May be empty.
   std::function<std::vector<FaceSide>(CornerAt, Point)> fan;
+  /// The faces, at all copies of a point, between a positive and a negative tetrahedron of a crack,
+  /// each once from its positive side, in any order. May be empty.
+  std::function<std::vector<FaceSide>(std::uint32_t point, const CrackSides&)> crack_fan;
   /// Homology over Z of the body as it is now; nothing when it is too large for the kernel. May be
   /// empty.
   std::function<std::optional<IntegerHomology>()> homology;

@@ -259,6 +259,35 @@ std::vector<FaceSide> fan(Body& body, CornerAt at, const Point& normal) {
   return sides;
 }
 
+/// The fan of one copy of a point. A face of it is one whichever side tetrahedra without a label
+/// are counted on: then one of its own two is positive, the other negative.
+std::vector<HalfFaceId> crack_fan(Body& body, const VertexStar& star, const CrackSides& sides) {
+  std::vector<char> positive, not_negative;
+  for (const CornerId c : star.corners) {
+    const CrackSide side = sides[tetrahedron_of(c).index()];
+    positive.push_back(side == CrackSide::positive ? 1 : 0);
+    not_negative.push_back(side == CrackSide::negative ? 0 : 1);
+  }
+  const std::vector<HalfFaceId> with = fan_faces(*body.map, star, not_negative);
+  std::vector<HalfFaceId> fan = fan_faces(*body.map, star, positive);
+  if (!std::is_sorted(fan.begin(), fan.end())) {
+    body.faults.push_back("the faces of a fan are not in rising order");
+  }
+  std::erase_if(
+      fan, [&with](HalfFaceId f) { return std::find(with.begin(), with.end(), f) == with.end(); });
+  return fan;
+}
+
+std::vector<FaceSide> crack_fan(Body& body, std::uint32_t point, const CrackSides& sides) {
+  std::vector<FaceSide> faces;
+  for (std::size_t v = 0; v < body.map->vertices(); ++v) {
+    if (body.map->point_of_vertex(VertexId{v}) != point) continue;
+    const VertexStar star = vertex_star(*body.map, VertexId{v});
+    for (const HalfFaceId f : crack_fan(body, star, sides)) faces.push_back(side_of(body, f));
+  }
+  return faces;
+}
+
 }  // namespace
 
 JudgedKernel volume_map_kernel() {
@@ -279,6 +308,9 @@ JudgedKernel volume_map_kernel() {
   };
   kernel.own_faults = [body] { return own_faults(*body); };
   kernel.fan = [body](CornerAt at, Point normal) { return fan(*body, at, normal); };
+  kernel.crack_fan = [body](std::uint32_t point, const CrackSides& sides) {
+    return crack_fan(*body, point, sides);
+  };
   return kernel;
 }
 

@@ -32,6 +32,11 @@ struct CornerAt {
   friend auto operator<=>(const CornerAt&, const CornerAt&) = default;
 };
 
+/// On which side of a crack a tetrahedron lies, given to it beforehand.
+enum class CrackSide : char { none, negative, positive };
+/// A crack as labels: its side of every tetrahedron of the file.
+using CrackSides = std::vector<CrackSide>;
+
 /// The two steps that everything else is made of.
 struct Step {
   enum class Kind {

@@ -65,7 +65,7 @@ struct RandomReport {
 /// Tears bodies of every family (random_run_bodies.hpp) until `fans` fans are split; see
 /// random_run_tear.hpp for what is done and random_run_trial.hpp for what is checked.
 /// `fresh_kernel` is asked for two kernels of one kind. Same seed and kernel, same report, on every
-/// machine. About 0.5 ms a fan for kernels as fast as `volume_map_kernel`.
+/// machine. About 2 ms a fan for kernels as fast as `volume_map_kernel`.
 RandomReport run_random(const RandomOptions& options,
                         const std::function<JudgedKernel()>& fresh_kernel);
 

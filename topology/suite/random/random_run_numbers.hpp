@@ -17,10 +17,13 @@ struct NamedNumber {
 };
 
 /// Every number of `TearCounts`.
-inline constexpr std::array<NamedNumber<TearCounts>, 16> tear_numbers = {
+inline constexpr std::array<NamedNumber<TearCounts>, 21> tear_numbers = {
     {{"operations", &TearCounts::operations},
      {"fans", &TearCounts::fans},
      {"empty_fans", &TearCounts::empty_fans},
+     {"labelled_fans", &TearCounts::labelled_fans},
+     {"empty_labelled_fans", &TearCounts::empty_labelled_fans},
+     {"crack_groups", &TearCounts::crack_groups},
      {"planes", &TearCounts::planes},
      {"single_faces", &TearCounts::single_faces},
      {"faces", &TearCounts::faces},
@@ -33,7 +36,9 @@ inline constexpr std::array<NamedNumber<TearCounts>, 16> tear_numbers = {
      {"in_vain", &TearCounts::vain},
      {"other_orders", &TearCounts::orders},
      {"all_orders", &TearCounts::all_orders},
-     {"replays", &TearCounts::replays}}};
+     {"replays", &TearCounts::replays},
+     {"crack_orders", &TearCounts::crack_orders},
+     {"fans_in_other_orders", &TearCounts::fans_in_other_orders}}};
 
 /// Every number of `CheckCounts`.
 inline constexpr std::array<NamedNumber<CheckCounts>, 9> check_numbers = {

@@ -4,10 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "topology/suite/fixtures/shapes.hpp"
 #include "topology/suite/fixtures/steps.hpp"
+#include "topology/suite/judge/crack_formula.hpp"
+#include "topology/suite/random/random_run_labels.hpp"
 
 namespace sunder::suite {
 namespace {
@@ -210,24 +213,83 @@ void ask_in_vain(TearRun& run, Tear& tear) {
   }
 }
 
-/// The same faces split on a second kernel from the beginning, in any order and from any sides:
-/// what hangs together then is the same.
-void replay(TearRun& run, Tear& tear) {
-  ++run.counts.replays;
+/// Does something on a second kernel from the beginning; what hangs together then is the same. The
+/// first `parted` faces are split before, in any order and from any sides.
+template <class Act>
+void on_second(TearRun& run, Tear& tear, std::size_t parted, const Act& act) {
   Trial second = begin_trial(tear.trial.body, run.second);
   Faces faces;
-  for (const auto& sides : tear.parted) faces.push_back(sides[below(run.random, 2)]);
+  for (std::size_t i = 0; i < parted; ++i) {
+    faces.push_back(tear.parted[i][below(run.random, 2)]);
+  }
   shuffle(faces, run.random);
   try {
     for (const HalfFaceId f : faces) split(second, f);
+    act(second);
     judge_whole(second);
     judge_faults(second);
   } catch (const KernelLost& lost) {
     differ(second.checks, "the kernel", "an answer", lost.what());
   }
+  if (!same(second.checks, tear.trial.twin.glued, second.twin.glued)) {
+    differ(second.checks, "what is glued", "the same in every order", "something else");
+  }
   if (!second.checks.first) return;
   tear.trial.checks.first = second.checks.first;
   tear.trial.steps = second.steps;
+}
+
+/// All that is split so far, split in another order.
+void replay(TearRun& run, Tear& tear) {
+  ++run.counts.replays;
+  on_second(run, tear, tear.parted.size(), [](Trial&) {});
+}
+
+/// The faces of a break as the suite has them, held against the kernel's own.
+Faces judged_break(Trial& trial, const BreakPoint& broken) {
+  const std::vector<Step> steps = steps_of(broken, trial.twin, trial.twin, trial.body);
+  judge_break(trial, broken, steps);
+  Faces faces;
+  for (const Step& step : steps) faces.push_back(half_face_of(trial.twin, step.a));
+  return faces;
+}
+
+/// Breaks by labels, on the body as it is: they split the union over them, whatever their order,
+/// and the faces of each in any order, too.
+void tear_cracks(TearRun& run, Tear& tear) {
+  std::vector<BreakPoint> breaks = any_breaks(tear.trial.body, tear.trial.twin, run.random);
+  const std::set<HalfFaceId> expected = crack_faces(tear.trial.twin, breaks);
+  const std::size_t before = tear.parted.size();
+  TearCounts& counts = run.counts;
+  ++counts.crack_groups;
+  std::size_t fans = 0;
+  for (const BreakPoint& broken : breaks) {
+    Faces faces = judged_break(tear.trial, broken);
+    ++(faces.empty() ? counts.empty_labelled_fans : counts.labelled_fans);
+    fans += faces.empty() ? 0 : 1;
+    part_all(run, tear, faces);
+    if (tear.trial.checks.first) return;
+  }
+  std::set<HalfFaceId> done;
+  for (std::size_t i = before; i < tear.parted.size(); ++i) {
+    done.insert(std::min(tear.parted[i][0], tear.parted[i][1]));
+  }
+  if (!same(tear.trial.checks, expected, done)) {
+    differ(tear.trial.checks, "faces of cracks", "the union over the breaks", "others");
+  }
+  judge_orders(run, tear, tear.parted.size() - before);
+  const std::size_t cost = tear.trial.body.tetrahedra.size() + 16 * tear.parted.size();
+  if (tear.trial.checks.first || fans == 0 || !due(tear.crack_pace, cost)) return;
+  ++counts.crack_orders;
+  counts.fans_in_other_orders += fans;
+  shuffle(breaks, run.random);
+  on_second(run, tear, before, [&](Trial& second) {
+    for (const BreakPoint& broken : breaks) {
+      Faces faces = judged_break(second, broken);
+      shuffle(faces, run.random);
+      for (const HalfFaceId f : faces) split(second, f);
+    }
+  });
 }
 
 }  // namespace
@@ -265,6 +327,8 @@ void tear_once(TearRun& run, Tear& tear) {
     rejoin_some(run, tear);
   } else if (drawn < 22) {
     ask_in_vain(run, tear);
+  } else if (drawn < 32) {
+    tear_cracks(run, tear);
   } else {
     tear_fan(run, tear);
   }

@@ -17,6 +17,9 @@ struct TearCounts {
   std::size_t operations = 0;
   /// Fans with at least one face; those without one; sections of planes; single faces.
   std::size_t fans = 0, empty_fans = 0, planes = 0, single_faces = 0;
+  /// Breaks by labels with at least one face; those without one; and the groups that they come in:
+  /// one to three cracks with labels of their own, given beforehand.
+  std::size_t labelled_fans = 0, empty_labelled_fans = 0, crack_groups = 0;
   /// Faces split by all of these, and what came apart there.
   std::size_t faces = 0, vertices = 0, edges = 0;
   /// Faces at which the oracle says yes; that part a component; at which it says no all the same.
@@ -29,6 +32,9 @@ struct TearCounts {
   std::size_t orders = 0, all_orders = 0;
   /// Bodies taken apart from the beginning on a second kernel, in another order.
   std::size_t replays = 0;
+  /// Groups of breaks made again on a second kernel, in another order of the breaks; and the
+  /// labelled fans among them.
+  std::size_t crack_orders = 0, fans_in_other_orders = 0;
 };
 
 /// A set of half-faces from which one can be drawn.
@@ -54,7 +60,7 @@ struct Tear {
   /// Faces not split, by their lower side; and the two sides of each that is.
   FaceSet whole;
   std::vector<std::array<HalfFaceId, 2>> parted;
-  Pace order_pace{.allowance = 32}, replay_pace{.allowance = 16};
+  Pace order_pace{.allowance = 32}, replay_pace{.allowance = 16}, crack_pace{.allowance = 2000};
 };
 
 Tear begin_tear(Trial trial);
@@ -67,8 +73,9 @@ struct TearRun {
   JudgedKernel second;
 };
 
-/// One operation drawn at random: mostly the fan of a vertex, sometimes a single face, a plane,
-/// gluing some of what was split, or what has to be refused. Needs: a face that is whole.
+/// One operation drawn at random: mostly the fan of a vertex, sometimes breaks by labels, a single
+/// face, a plane, gluing some of what was split, or what has to be refused. Needs: a face that is
+/// whole.
 void tear_once(TearRun& run, Tear& tear);
 
 }  // namespace sunder::suite

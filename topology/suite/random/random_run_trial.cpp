@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "topology/suite/fixtures/steps.hpp"
 #include "topology/suite/homology/homology.hpp"
 #include "topology/suite/random/random_run_laws.hpp"
-#include "topology/suite/fixtures/steps.hpp"
 
 namespace sunder::suite {
 namespace {
@@ -208,6 +208,22 @@ void judge_fan(Trial& trial, const SplitFan& fan, std::span<const Step> steps) {
   differ(trial.checks,
          fmt::format("fan at point {} of tetrahedron {} for normal {:.17g}", point, tetrahedron,
                      fmt::join(fan.normal, " ")),
+         fmt::format("half-faces {}", fmt::join(expected, " ")),
+         fmt::format("half-faces {}", fmt::join(answered, " ")));
+}
+
+void judge_break(Trial& trial, const BreakPoint& broken, std::span<const Step> steps) {
+  if (trial.checks.first || !trial.kernel.crack_fan) return;
+  ++trial.times.fans;
+  std::vector<std::uint32_t> expected, answered;
+  for (const Step& step : steps) expected.push_back(half_face_of(trial.twin, step.a).value);
+  for (const FaceSide side : trial.kernel.crack_fan(broken.point, broken.sides)) {
+    answered.push_back(half_face_of(trial.twin, side).value);
+  }
+  std::sort(expected.begin(), expected.end());
+  std::sort(answered.begin(), answered.end());
+  if (same(trial.checks, expected, answered)) return;
+  differ(trial.checks, fmt::format("fan of labels at all copies of point {}", broken.point),
          fmt::format("half-faces {}", fmt::join(expected, " ")),
          fmt::format("half-faces {}", fmt::join(answered, " ")));
 }

@@ -78,6 +78,8 @@ bool glue(Trial& trial, HalfFaceId a, HalfFaceId b);
 void judge_whole(Trial& trial);
 /// The kernel's fan at a vertex for a normal, as a set, against `steps` (the suite's own).
 void judge_fan(Trial& trial, const SplitFan& fan, std::span<const Step> steps);
+/// The kernel's faces for a break, each from its positive side, against `steps`.
+void judge_break(Trial& trial, const BreakPoint& broken, std::span<const Step> steps);
 /// What the kernel has against itself.
 void judge_faults(Trial& trial);
 /// Homology of the body as it is, by the twin, against the kernel's counts, the formula for b1, the
