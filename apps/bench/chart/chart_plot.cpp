@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 
 #include "apps/bench/chart/chart_pareto.hpp"
 #include "apps/bench/chart/chart_report.hpp"
@@ -60,6 +61,24 @@ void add_series(Plot& plot, const Chart& chart) {
     plot.add(points,
              fmt::format("with linespoints lc rgb '{}' lw 1.2 pt {} ps 1.1",
                          chart_methods()[s.method].color, mark(s.mesh, windows && s.fraction == 0)),
+             "");
+  }
+}
+
+/// Of an ensemble the least and the largest error of one run, as a bar through that of the mean.
+void add_bands(Plot& plot, const Chart& chart) {
+  for (const ChartPoint& p : chart.points) {
+    if (p.outcome.values.size() < 2) continue;
+    double low = std::numeric_limits<double>::infinity(), high = 0;
+    for (const Vec3& value : p.outcome.values) {
+      const double error = (value - chart.reference.value).norm() / chart.reference.scale;
+      low = std::min(low, counted_error(chart.reference, error));
+      high = std::max(high, counted_error(chart.reference, error));
+    }
+    plot.add(fmt::format("{:.6g} {:.6g} {:.6g} {:.6g}\n", p.outcome.cost,
+                         counted_error(chart.reference, p.error), low, high),
+             fmt::format("with yerrorbars lc rgb '{}' pt 0",
+                         chart_methods()[p.setting.method].color),
              "");
   }
 }
@@ -147,6 +166,7 @@ std::string chart_script(const Chart& chart) {
   for (const std::size_t k : chart.front) front += point_line(chart, chart.points[k]);
   plot.add(front, "with steps lc rgb '#c8c8c8' lw 9", "Pareto front");
   add_series(plot, chart);
+  add_bands(plot, chart);
   add_legend(plot, chart);
   add_marked(plot, chart);
   const Extent extent = extent_of(chart);
