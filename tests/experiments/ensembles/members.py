@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Seeded meshes of one body: its surface is turned at random, filled by `sunder-mesh`, and the mesh turned back."""
+import itertools
 import math
 import pathlib
 import random
 import subprocess
+import sys
 import tempfile
 
 
@@ -81,12 +83,9 @@ def medit(points, tetrahedra):
     return "\n".join(lines + ["End\n"])
 
 
-def make_mesh(program, surface, size, sharp, seed, path):
-    """Fills a surface, turned as the seed says, with tetrahedra of circumradius `size` (m) at most, and writes the mesh
-    turned back to the path, MEDIT, coordinates rounded to 1e-9 m so that flat sides are flat. Leaves it where it is there."""
-    if path.is_file():
-        return
-    rows = rotation(random.Random(f"turn {seed}"))
+def filled(program, surface, size, sharp, rows):
+    """A surface turned, filled with tetrahedra of circumradius `size` (m) at most and turned back, as MEDIT; coordinates
+    are rounded to 1e-9 m so that flat sides are flat."""
     points, faces = surface
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
@@ -95,6 +94,18 @@ def make_mesh(program, surface, size, sharp, seed, path):
                         str(size), "--feature-angle", "60" if sharp else "0"], check=True, capture_output=True, timeout=120)
         points, tetrahedra = read_msh((folder / "mesh.msh").read_text())
     back = turned(list(zip(*rows)), points)
-    path.parent.mkdir(parents=True, exist_ok=True)
     # Adding 0 makes -0.0 of a rounding 0.0.
-    path.write_text(medit([tuple(round(x, 9) + 0.0 for x in p) for p in back], tetrahedra))
+    return medit([tuple(round(x, 9) + 0.0 for x in p) for p in back], tetrahedra)
+
+
+def make_mesh(build, surface, size, sharp, seed, path):
+    """Writes a mesh of the surface, turned as the seed says. One that `sunder check` refuses (the mesher leaves a tetrahedron
+    without volume now and then in thin bodies) is told and made anew from another turn."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    for attempt in itertools.count():
+        rows = rotation(random.Random(f"turn {seed}" + (f" again {attempt}" if attempt else "")))
+        path.write_text(filled(build / "apps/sunder-mesh/sunder-mesh", surface, size, sharp, rows))
+        if subprocess.run([build / "sunder", "check", path], capture_output=True).returncode == 0:
+            return
+        path.unlink()
+        print(f"{path.name}: refused, turned anew", file=sys.stderr)

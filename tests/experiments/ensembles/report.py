@@ -41,7 +41,6 @@ def group_of(records, mode, group, debris):
         found["distance"] = figures.mean_pairwise(runs)
         found["different"] = len({tuple(run) for run in runs})
         found["tetrahedra"] = figures.spread([r["tetrahedra"] for r in mine if r["volumes"]])
-        found["seconds"] = figures.spread([r["seconds"] for r in mine if r["volumes"]])["mean"]
     return found
 
 
@@ -75,7 +74,7 @@ def comparisons(records, groups, debris):
 
 
 def group_table(groups):
-    lines = ["| mode | runs | n | different | tetrahedra | pieces | largest piece | debris | distance of two runs | s a run |", "|---|---|---|---|---|---|---|---|---|---|"]
+    lines = ["| mode | runs | n | different | tetrahedra | pieces | largest piece | debris | distance of two runs |", "|---|---|---|---|---|---|---|---|---|"]
     for g in groups:
         cells = [g["mode"], TITLES[g["group"]], str(g["runs"] - len(g["without"]))]
         if g["without"]:
@@ -84,8 +83,8 @@ def group_table(groups):
             cells += [str(g["different"]), number(g["tetrahedra"]["mean"])]
             cells += [f"{number(s['mean'])} +- {number(s['deviation'])} [{number(s['least'])}, {number(s['most'])}]"
                       for s in (g[name] for name in NAMES)]
-            cells += [f"{g['distance']:.3f}", f"{g['seconds']:.1f}"]
-        lines.append("| " + " | ".join(cells + [""] * (10 - len(cells))) + " |")
+            cells.append(f"{g['distance']:.3f}")
+        lines.append("| " + " | ".join(cells + [""] * (9 - len(cells))) + " |")
     return lines
 
 
@@ -107,14 +106,14 @@ def comparison_table(found):
 def write_csv(path, by_scene):
     with open(path, "w", newline="") as table:
         out = csv.writer(table, lineterminator="\n")
-        out.writerow(["scene", "mode", "group", "member", "end", "tetrahedra", *NAMES, "seconds"])
+        out.writerow(["scene", "mode", "group", "member", "end", "tetrahedra", *NAMES])
         for scene, (records, debris) in by_scene.items():
             for r in sorted(records, key=lambda r: (MODES.index(r["mode"]), GROUPS.index(r["group"]), r["member"])):
                 said = [""] * 4
                 if r["volumes"]:
                     o = figures.outcomes(r["volumes"], debris)
                     said = [r["tetrahedra"], o["pieces"], f"{o['largest']:.6g}", f"{o['debris']:.6g}"]
-                out.writerow([scene, r["mode"], r["group"], r["member"], r["end"], *said, r["seconds"]])
+                out.writerow([scene, r["mode"], r["group"], r["member"], r["end"], *said])
 
 
 def curves(runs, grid):
