@@ -12,11 +12,13 @@ MODES = ("paper", "object")
 GROUPS = ("1x", "2x", "starts", "strengths")
 NAMES = ("pieces", "largest", "debris")
 NULL = ("starts", "strengths")
+# Two groups of five have 252 regroupings: nothing is rarer than 1 in 126.
+RARE = 0.02
 TITLES = {"1x": "meshes, 1x", "2x": "meshes, 2x", "starts": "one mesh, starts moved", "strengths": "one mesh, strengths moved"}
 
 
 def number(value):
-    return f"{value:.0f}" if abs(value) >= 100 else f"{value:.1f}" if abs(value) >= 10 else f"{value:.3f}"
+    return f"{value:.0f}" if abs(value) >= 100 else f"{value:.1f}" if abs(value) >= 1 else f"{value:.3f}"
 
 
 def debris_length(records):
@@ -73,10 +75,11 @@ def comparisons(records, groups, debris):
     return found
 
 
-def group_table(groups):
-    lines = ["| mode | runs | n | different | tetrahedra | pieces | largest piece | debris | distance of two runs |", "|---|---|---|---|---|---|---|---|---|"]
-    for g in groups:
-        cells = [g["mode"], TITLES[g["group"]], str(g["runs"] - len(g["without"]))]
+def group_table(said):
+    lines = ["| scene | mode | runs | n | different | tetrahedra | pieces | largest piece | debris | distance of two runs |",
+             "|---|---|---|---|---|---|---|---|---|---|"]
+    for scene, g in ((scene, g) for scene, found in said.items() for g in found["groups"]):
+        cells = [scene, g["mode"], TITLES[g["group"]], str(g["runs"] - len(g["without"]))]
         if g["without"]:
             cells[-1] += f" of {g['runs']} ({'; '.join(g['without'])})"
         if "pieces" in g:
@@ -84,19 +87,19 @@ def group_table(groups):
             cells += [f"{number(s['mean'])} +- {number(s['deviation'])} [{number(s['least'])}, {number(s['most'])}]"
                       for s in (g[name] for name in NAMES)]
             cells.append(f"{g['distance']:.3f}")
-        lines.append("| " + " | ".join(cells + [""] * (9 - len(cells))) + " |")
+        lines.append("| " + " | ".join(cells + [""] * (10 - len(cells))) + " |")
     return lines
 
 
-def comparison_table(found):
-    """Differences, with (null band; probability by chance); those beyond the band and rarer than one in a hundred are bold."""
-    lines = ["| compared | pieces | largest piece | debris | distance |", "|---|---|---|---|---|"]
-    for c in found:
-        cells = [c["title"]]
+def comparison_table(said):
+    """Differences, with (null band; probability by chance); those beyond the band and as rare as RARE are bold."""
+    lines = ["| scene | compared | pieces | largest piece | debris | distance |", "|---|---|---|---|---|---|"]
+    for scene, c in ((scene, c) for scene, found in said.items() for c in found["comparisons"]):
+        cells = [scene, c["title"]]
         for name in (*NAMES, "distance"):
             sign = "+" if name != "distance" and c[name]["difference"] > 0 else ""
             text = sign + number(c[name]["difference"])
-            if abs(c[name]["difference"]) > c["null_band"][name] and c[name]["by_chance"] <= 0.01:
+            if abs(c[name]["difference"]) > c["null_band"][name] and c[name]["by_chance"] <= RARE:
                 text = f"**{text}**"
             cells.append(f"{text} ({number(c['null_band'][name])}; {c[name]['by_chance']:.3f})")
         lines.append("| " + " | ".join(cells) + " |")
@@ -129,8 +132,8 @@ def picture(by_scene):
     """gnuplot's script: a panel a scene, share of mass in pieces up to a size, mean and band of each group."""
     data, panels = "", ""
     for k, (scene, (records, debris)) in enumerate(by_scene.items()):
-        every = [v for r in records for v in r["volumes"]]
-        low, high = 0.9 * min(every) ** (1 / 3), 1.02 * max(every) ** (1 / 3)
+        every = [r["volumes"] for r in records if r["volumes"]]
+        low, high = 0.6 * figures.thin_grid(every)[0], 1.02 * max(map(max, every)) ** (1 / 3)
         grid, drawn, lines = [low * (high / low) ** (i / 300) for i in range(301)], [], []
         for mode, color in zip(MODES, ("#d55e00", "#0072b2")):
             for groups, width, dash, fill in ((["1x"], 2, 1, 0.16), (["2x"], 2, 3, None), (NULL, 1, 2, 0.3)):
@@ -173,7 +176,8 @@ def write(out, records):
                   if any(r["mode"] == mode and r["group"] == group for r in mine)]
         found = comparisons(mine, groups, debris)
         said[scene] = {"debris_length": debris, "groups": groups, "comparisons": found}
-        print("\n".join([f"\n{scene}, debris below {1e3 * debris:.3g} mm\n", *group_table(groups), "", *comparison_table(found)]), flush=True)
+    lengths = ", ".join(f"{scene} {1e3 * found['debris_length']:.3g} mm" for scene, found in said.items())
+    print("\n".join([f"Debris is smaller than: {lengths}", "", *group_table(said), "", *comparison_table(said)]))
     write_csv(out / "runs.csv", by_scene)
     (out / "groups.json").write_text(json.dumps(said, indent=1) + "\n")
     if by_scene:
