@@ -52,8 +52,8 @@ Exit codes: 0 done, 1 no run is inside --within, 2 usage, 3 bad scene, mesh or r
 Examples:
   sunder chart meshes/scenes/charts/bar.json --quantity peak_stress --exact 4.5e6
   sunder chart meshes/scenes/monolith.json --quantity largest_piece --quick --levels 0
-  sunder chart meshes/scenes/ensembles/pane.json --quantity pieces --ensemble 5 --levels 0 \
-    --method floating_frame --steps 1e-4 --windows 0.25 --vary fracture.crack=paper,object
+  sunder chart meshes/scenes/ensembles/ball.json --quantity pieces --ensemble 4 --exact 520 --levels 0 \
+    --method floating_frame --steps 2e-4 --windows 0.25 --vary fracture.crack=paper,object
   sunder chart meshes/scenes/block.json --quantity largest_piece --vary contact.max_iterations=10,40,200
 )";
 }
@@ -173,9 +173,10 @@ void add_grid_options(CLI::App& command, ChartArguments& a) {
       ->take_all();
   command.add_flag("--quick", a.quick, "Half the steps, one window");
   command
-      .add_option("--ensemble", a.members,
-                  "Runs of every setting, moved by nothing; their mean and band instead of one value; "
-                  "default: 1")
+      .add_option(
+          "--ensemble", a.members,
+          "Runs of every setting, moved by nothing; their mean and band instead of one value; "
+          "default: 1")
       ->type_name("N")
       ->check(CLI::Range(1, 1000));
 }

@@ -13,9 +13,7 @@ namespace {
 constexpr double least_way = 1e-12, least_strength = 1e-6;
 
 /// In [-1, 1), the same on every machine.
-double even(std::mt19937_64& random) {
-  return static_cast<double>(random() >> 11) * 0x1p-52 - 1;
-}
+double even(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-52 - 1; }
 
 void multiply_strengths(BodySettings& body, double factor) {
   body.material.tensile_strength *= factor;

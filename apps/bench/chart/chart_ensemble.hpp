@@ -9,9 +9,9 @@
 
 namespace sunder {
 
-/// Moves every body and its velocity by up to 1e-12 (m, m/s; each axis by itself) and multiplies its
-/// strengths and toughnesses by one number within 1e-6 of 1. Depends on `member` alone; member 0 is
-/// left as it is.
+/// Moves every body and its velocity by up to 1e-12 (m, m/s; each axis by itself) and multiplies
+/// its strengths and toughnesses by one number within 1e-6 of 1. Depends on `member` alone; member
+/// 0 is left as it is.
 void move_by_nothing(Scene& scene, std::size_t member);
 
 /// What several runs of one setting came to.

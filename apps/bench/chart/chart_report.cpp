@@ -147,20 +147,21 @@ std::string chart_csv(const Chart& chart) {
       chart.reference.how, chart.reference.own_error);
   out +=
       "method,variant,window_fraction,time_step,mesh,tetrahedra,steps,sub_steps,given_up,fans,"
-      "value,deviation,low,high,error,lasting_error,below_reference,ms_per_ms,runs,on_front,end,reason\n";
+      "value,deviation,low,high,error,lasting_error,below_reference,ms_per_ms,runs,on_front,end,"
+      "reason\n";
   for (const ChartPoint& p : chart.points) {
     const ChartOutcome& o = p.outcome;
     const bool fine = o.end == ChartEnd::fine;
     const ChartBand band = fine ? band_of(o.values) : ChartBand{};
     fmt::format_to(
-        std::back_inserter(out), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+        std::back_inserter(out),
+        "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
         quoted(std::string(chart_methods()[p.setting.method].name)), quoted(p.setting.variant),
         p.setting.fraction, p.setting.step, p.setting.mesh, o.tetrahedra, o.steps, o.sub_steps,
         o.given_up, o.fans, fine ? value_text(chart, o.value, " ") : "",
         fine ? fmt::format("{:.5g}", band.deviation) : "",
         fine ? value_text(chart, band.low, " ") : "", fine ? value_text(chart, band.high, " ") : "",
-        number(p.error),
-        number(p.lasting_error),
+        number(p.error), number(p.lasting_error),
         fine ? fmt::format("{:d}", p.error < chart.reference.own_error) : "",
         fine ? fmt::format("{:.5g}", o.cost) : "", o.runs, p.on_front ? 1 : 0, word_of(o.end),
         quoted(o.reason));

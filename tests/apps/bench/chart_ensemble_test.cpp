@@ -16,16 +16,15 @@ namespace {
 
 /// A cube thrown at the floor, of which it breaks in part within a few steps.
 std::string thrown_cube(const test::Workplace& here) {
-  const json text = {
-      {"bodies",
-       {{{"mesh", test::sample_mesh("cube.msh")},
-         {"material", {{"young_modulus", 1e8}, {"tensile_strength", 1e4}}},
-         {"translation", {0, 0, 0.42}},
-         {"rotation", {{"axis", {1, 2, 3}}, {"angle", 20}}},
-         {"velocity", {0, 0, -20}}}}},
-      {"obstacles", {{{"plane", {{"normal", {0, 0, 1}}}}}}},
-      {"time_step", 1e-3},
-      {"duration", 0.008}};
+  const json text = {{"bodies",
+                      {{{"mesh", test::sample_mesh("cube.msh")},
+                        {"material", {{"young_modulus", 1e8}, {"tensile_strength", 1e4}}},
+                        {"translation", {0, 0, 0.42}},
+                        {"rotation", {{"axis", {1, 2, 3}}, {"angle", 20}}},
+                        {"velocity", {0, 0, -20}}}}},
+                     {"obstacles", {{{"plane", {{"normal", {0, 0, 1}}}}}}},
+                     {"time_step", 1e-3},
+                     {"duration", 0.008}};
   return here.write("scene.json", text.dump());
 }
 
@@ -102,12 +101,15 @@ TEST_CASE("an ensemble's first run is that of the scene, and its mean that of it
   REQUIRE(outcome.values.size() == 3);
   CHECK(outcome.values[0] == alone.points[0].outcome.value);
   CHECK(outcome.values[0][0] > 1);
-  CHECK(outcome.value[0] == Approx((outcome.values[0] + outcome.values[1] + outcome.values[2])[0] / 3));
+  CHECK(outcome.value[0] ==
+        Approx((outcome.values[0] + outcome.values[1] + outcome.values[2])[0] / 3));
   // One piece of 42 of the 48 equal tetrahedra is left; all others have less than eight.
   const double debris = chart_of(scene, "debris", 1).points[0].outcome.value[0];
   CHECK(chart_of(scene, "largest_piece", 1).points[0].outcome.value[0] == Approx(42. / 48));
   CHECK(debris == Approx(6. / 48));
   CHECK(chart_csv(three).find("value,deviation,low,high,error") != std::string::npos);
+  CHECK(chart_script(three).find("yerrorbars") != std::string::npos);
+  CHECK(chart_script(alone).find("yerrorbars") == std::string::npos);
   CHECK(chart_json(three)["points"][0]["runs_moved_by_nothing"] == 3);
 }
 
