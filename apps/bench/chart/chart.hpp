@@ -31,6 +31,8 @@ struct ChartArguments {
   std::vector<double> steps, fractions;
   /// Refinements of the scene's meshes; -1: one where that leaves at most 20 000 tetrahedra.
   int levels = -1;
+  /// Runs of each setting (chart_ensemble.hpp).
+  std::size_t members = 1;
   bool quick = false, quiet = false, json = false;
 };
 
@@ -40,7 +42,8 @@ struct ChartReference {
   /// What differences are divided by.
   double scale = 1;
   /// Error of the reference itself, as far as it is known: the largest difference to the runs
-  /// next to it in step and in mesh, over `scale`. 0: given as exact.
+  /// next to it in step and in mesh, over `scale`; of an ensemble no less than the deviation of its
+  /// mean. 0: given as exact.
   double own_error = 0;
   /// In words.
   std::string how;
@@ -66,6 +69,8 @@ struct Chart {
   ChartReference reference;
   /// Of each mesh.
   std::vector<std::size_t> tetrahedra;
+  /// Runs of each setting.
+  std::size_t members = 1;
   std::vector<ChartPoint> points;
   /// Rows of `points`, ascending in cost.
   std::vector<std::size_t> front;

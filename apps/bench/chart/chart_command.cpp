@@ -42,6 +42,9 @@ runs, without the time that other programs took of the processor: compare ratios
 given_up counts steps whose iterations did not converge and that were solved with the factor.
 Steps are whole fractions of the duration. Those of methods that are stable only below a bound are
 fractions of that bound on each mesh.
+With --ensemble N every setting and the reference run N times, with places and velocities moved by up
+to 1e-12 and strengths by up to 1e-6 of them: the error is that of the mean, and the table has
+deviation and band beside it. What differs within a band differs for no reason.
 
 Exit codes: 0 done, 1 no run is inside --within, 2 usage, 3 bad scene, mesh or reference,
 4 not written.
@@ -49,6 +52,8 @@ Exit codes: 0 done, 1 no run is inside --within, 2 usage, 3 bad scene, mesh or r
 Examples:
   sunder chart meshes/scenes/charts/bar.json --quantity peak_stress --exact 4.5e6
   sunder chart meshes/scenes/monolith.json --quantity largest_piece --quick --levels 0
+  sunder chart meshes/scenes/ensembles/ball.json --quantity pieces --ensemble 4 --exact 520 --levels 0 \
+    --method floating_frame --steps 2e-4 --windows 0.25 --vary fracture.crack=paper,object
   sunder chart meshes/scenes/block.json --quantity largest_piece --vary contact.max_iterations=10,40,200
 )";
 }
@@ -167,6 +172,13 @@ void add_grid_options(CLI::App& command, ChartArguments& a) {
       ->type_name("KEY=VALUE,...")
       ->take_all();
   command.add_flag("--quick", a.quick, "Half the steps, one window");
+  command
+      .add_option(
+          "--ensemble", a.members,
+          "Runs of every setting, moved by nothing; their mean and band instead of one value; "
+          "default: 1")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1000));
 }
 
 void add_options(CLI::App& command, ChartArguments& a) {

@@ -34,6 +34,10 @@ constexpr auto table = std::to_array<QuantityTraits>({
     {Quantity::fans, "fans", "", "number of cracks, a vertex each", false, of_the_value},
     {Quantity::largest_piece, "largest_piece", "",
      "mass of the largest piece at the end, as a share of all", false, of_the_value},
+    {Quantity::pieces, "pieces", "", "number of pieces at the end", false, of_the_value},
+    {Quantity::debris, "debris", "",
+     "mass of the pieces smaller than eight mean tetrahedra of the first mesh, as a share of all",
+     false, of_the_value},
 });
 
 /// Barycentric coordinates of a point in a tetrahedron at rest.
@@ -71,6 +75,18 @@ double largest_share(const MechanicsState& m) {
     all += c.mass;
   }
   return largest / all;
+}
+
+/// Mass of pieces below a volume at rest, as a share of all.
+double debris_share(const MechanicsState& m, double below) {
+  double debris = 0, all = 0;
+  for (const Component& c : m.components) {
+    double volume = 0;
+    for (const TetId t : c.tetrahedra) volume += m.elements.rest_volume[t.index()];
+    if (volume < below) debris += c.mass;
+    all += c.mass;
+  }
+  return debris / all;
 }
 
 double rest_extent(const VertexColumns& vertices) {
@@ -142,6 +158,10 @@ Vec3 Measure::state_value(const Simulation& now) const {
       return angular_momentum(m.vertices);
     case Quantity::largest_piece:
       return {largest_share(m), 0, 0};
+    case Quantity::pieces:
+      return {static_cast<double>(m.components.size()), 0, 0};
+    case Quantity::debris:
+      return {debris_share(m, probe_.debris_volume), 0, 0};
     case Quantity::peak_stress:
     case Quantity::first_fan_time:
     case Quantity::first_fan_place:

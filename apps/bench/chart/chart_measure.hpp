@@ -22,6 +22,8 @@ enum class Quantity {
   first_fan_place,
   fans,
   largest_piece,
+  pieces,
+  debris,
 };
 
 struct QuantityTraits {
@@ -42,6 +44,8 @@ struct Probe {
   Quantity quantity = Quantity::position;
   /// m, in the coordinates of the first body's mesh; `position` follows the material there.
   Vec3 point = Vec3::Zero();
+  /// m^3: pieces below it are `debris`.
+  double debris_volume = 0;
 };
 
 /// Follows one run. Call `see` before the first step, after each part of a step where

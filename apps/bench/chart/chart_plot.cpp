@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
+#include <limits>
 
 #include "apps/bench/chart/chart_pareto.hpp"
 #include "apps/bench/chart/chart_report.hpp"
@@ -64,6 +66,30 @@ void add_series(Plot& plot, const Chart& chart) {
   }
 }
 
+/// Least and largest error of one run of an ensemble, as counted.
+std::array<double, 2> error_band(const Chart& chart, const ChartPoint& p) {
+  std::array<double, 2> band{std::numeric_limits<double>::infinity(), 0};
+  for (const Vec3& value : p.outcome.values) {
+    const double error = counted_error(
+        chart.reference, (value - chart.reference.value).norm() / chart.reference.scale);
+    band = {std::min(band[0], error), std::max(band[1], error)};
+  }
+  return band;
+}
+
+/// Of ensembles, bars through the errors of the means.
+void add_bands(Plot& plot, const Chart& chart) {
+  for (const ChartPoint& p : chart.points) {
+    if (p.outcome.values.size() < 2) continue;
+    const auto [low, high] = error_band(chart, p);
+    const double middle = counted_error(chart.reference, p.error);
+    plot.add(
+        fmt::format("{:.6g} {:.6g} {:.6g} {:.6g}\n", p.outcome.cost, middle, low, high),
+        fmt::format("with yerrorbars lc rgb '{}' pt 0", chart_methods()[p.setting.method].color),
+        "");
+  }
+}
+
 /// One entry a method, whether it has points or not.
 void add_legend(Plot& plot, const Chart& chart) {
   std::vector<std::size_t> seen;
@@ -112,6 +138,9 @@ Extent extent_of(const Chart& chart) {
     const double error = counted_error(chart.reference, p.error);
     e.low = {std::min(e.low.cost, p.outcome.cost), std::min(e.low.error, error)};
     e.high = {std::max(e.high.cost, p.outcome.cost), std::max(e.high.error, error)};
+    const auto [least, most] = error_band(chart, p);
+    e.low.error = std::min(e.low.error, least);
+    e.high.error = std::max(e.high.error, most);
   }
   e.low.error = std::min(e.low.error, chart.within);
   e.high.error = std::max(e.high.error, chart.within);
@@ -146,6 +175,7 @@ std::string chart_script(const Chart& chart) {
   std::string front;
   for (const std::size_t k : chart.front) front += point_line(chart, chart.points[k]);
   plot.add(front, "with steps lc rgb '#c8c8c8' lw 9", "Pareto front");
+  add_bands(plot, chart);
   add_series(plot, chart);
   add_legend(plot, chart);
   add_marked(plot, chart);

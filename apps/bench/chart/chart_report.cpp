@@ -7,7 +7,7 @@
 #include <cmath>
 #include <iterator>
 
-#include "apps/bench/chart/chart_mesh.hpp"
+#include "apps/bench/chart/chart_ensemble.hpp"
 #include "apps/scene/scene_text.hpp"
 
 namespace sunder {
@@ -37,9 +37,19 @@ std::string error_text(const Chart& chart, double error) {
   return fmt::format("{:.2g}", error);
 }
 
+/// Mean and band of an ensemble; nothing of single runs.
+std::string band_text(const Chart& chart, const ChartPoint& p) {
+  if (chart.members == 1) return "";
+  const ChartBand band = band_of(p.outcome.values);
+  return fmt::format("mean {} +- {:.3g} [{} to {}]  ", value_text(chart, band.mean, " "),
+                     band.deviation, value_text(chart, band.low, " "),
+                     value_text(chart, band.high, " "));
+}
+
 std::string point_text(const Chart& chart, const ChartPoint& p) {
-  return fmt::format("{:>10.4g} ms/ms  error {:<10}  {}", p.outcome.cost,
-                     error_text(chart, p.error), setting_text(chart, p.setting));
+  return fmt::format("{:>10.4g} ms/ms  error {:<10}  {}{}", p.outcome.cost,
+                     error_text(chart, p.error), band_text(chart, p),
+                     setting_text(chart, p.setting));
 }
 
 /// How many runs ended in each other way than fine.
@@ -72,6 +82,11 @@ ordered_json point_json(const Chart& chart, const ChartPoint& p) {
   }
   json["given_up_steps"] = p.outcome.given_up;
   json["value"] = value_json(chart, p.outcome.value);
+  const ChartBand band = band_of(p.outcome.values);
+  json["runs_moved_by_nothing"] = chart.members;
+  json["deviation"] = band.deviation;
+  json["low"] = value_json(chart, band.low);
+  json["high"] = value_json(chart, band.high);
   json["error"] = p.error;
   json["lasting_error"] = p.lasting_error;
   json["ms_per_ms"] = p.outcome.cost;
@@ -132,16 +147,21 @@ std::string chart_csv(const Chart& chart) {
       chart.reference.how, chart.reference.own_error);
   out +=
       "method,variant,window_fraction,time_step,mesh,tetrahedra,steps,sub_steps,given_up,fans,"
-      "value,error,lasting_error,below_reference,ms_per_ms,runs,on_front,end,reason\n";
+      "value,deviation,low,high,error,lasting_error,below_reference,ms_per_ms,runs,on_front,end,"
+      "reason\n";
   for (const ChartPoint& p : chart.points) {
     const ChartOutcome& o = p.outcome;
     const bool fine = o.end == ChartEnd::fine;
+    const ChartBand band = fine ? band_of(o.values) : ChartBand{};
     fmt::format_to(
-        std::back_inserter(out), "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
+        std::back_inserter(out),
+        "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n",
         quoted(std::string(chart_methods()[p.setting.method].name)), quoted(p.setting.variant),
         p.setting.fraction, p.setting.step, p.setting.mesh, o.tetrahedra, o.steps, o.sub_steps,
-        o.given_up, o.fans, fine ? value_text(chart, o.value, " ") : "", number(p.error),
-        number(p.lasting_error),
+        o.given_up, o.fans, fine ? value_text(chart, o.value, " ") : "",
+        fine ? fmt::format("{:.5g}", band.deviation) : "",
+        fine ? value_text(chart, band.low, " ") : "", fine ? value_text(chart, band.high, " ") : "",
+        number(p.error), number(p.lasting_error),
         fine ? fmt::format("{:d}", p.error < chart.reference.own_error) : "",
         fine ? fmt::format("{:.5g}", o.cost) : "", o.runs, p.on_front ? 1 : 0, word_of(o.end),
         quoted(o.reason));

@@ -9,6 +9,7 @@
 #include <array>
 #include <numeric>
 
+#include "apps/bench/chart/chart_ensemble.hpp"
 #include "apps/bench/chart/chart_mesh.hpp"
 #include "apps/bench/clock.hpp"
 #include "apps/scene/scene_json.hpp"
@@ -119,6 +120,7 @@ Result<Simulation> chart_simulation(const ChartRunner& runner, std::span<const s
   for (BodySettings& body : file->scene.bodies) {
     for (std::size_t k = 0; k < runner.refinements[mesh]; ++k) body.mesh = refined(body.mesh);
   }
+  move_by_nothing(file->scene, runner.member);
   Result<Simulation> built = build_simulation(std::move(file->scene));
   for (Finding& f : built.findings) result.findings.push_back(std::move(f));
   result.value = std::move(built.value);

@@ -27,6 +27,8 @@ struct ChartOutcome {
   /// Why it is not fine; empty where it is.
   std::string reason;
   Vec3 value = Vec3::Zero();
+  /// Of an ensemble those of all its runs, whose mean `value` is; else empty.
+  std::vector<Vec3> values;
   /// Of the same quantity when the run began.
   Vec3 at_start = Vec3::Zero();
   /// What errors against `value` as the reference are divided by.
@@ -53,6 +55,8 @@ struct ChartRunner {
   /// body's; row = mesh.
   std::vector<std::size_t> refinements;
   std::vector<std::string> mesh_files;
+  /// Which of an ensemble it is (chart_ensemble.hpp); 0: the scene as it is.
+  std::size_t member = 0;
 };
 
 /// The scene with `changes` after the runner's own, on mesh `mesh`, ready to run. Errors: those of

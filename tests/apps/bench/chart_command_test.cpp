@@ -72,6 +72,7 @@ TEST_CASE("what a chart cannot do ends with its reason", "[apps][chart]") {
   fails({"--set", "nothing=1"}, 3, "unknown_key");
   fails({"--quantity", "first_fan_time", "--steps", "1e-3"}, 3, "no_reference");
   fails({"--limit", "0"}, 2, "--limit");
+  fails({"--ensemble", "0"}, 2, "--ensemble");
   CHECK(here.run({"chart", here.path("none.json")}).exit_code == 3);
   CHECK_FALSE(std::filesystem::exists(here.path("o")));
 }
