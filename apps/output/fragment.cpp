@@ -4,6 +4,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cmath>
 
 #include "fracture/simulation/simulation_state.hpp"
 #include "topology/base/assert.hpp"
@@ -39,6 +40,26 @@ void add_spin(Fragment& f, const Component& component, const VertexColumns& v) {
   f.spin = f.lumped_inertia.ldlt().solve(L);
 }
 
+/// |n . n_f| of a crack's face, n the mean normal of its crack's anchors around; 1 where there are
+/// none.
+double upright(const Cells& cells, HalfFaceId face) {
+  if (cells.cracks.of_face.empty()) return 1;
+  const CrackId crack = cells.cracks.of_face[face.index()];
+  if (crack.is_none()) return 1;
+  const TetId t = tetrahedron_of(face);
+  const Vec3 area = rest_area_vector(cells.map, face);
+  Vec3 centre = Vec3::Zero();
+  for (const int corner : dart_order::face_corners[static_cast<std::size_t>(place_of(face))]) {
+    const VertexId v = cells.map.corners(t)[static_cast<std::size_t>(corner)];
+    centre += Vec3(cells.map.point(v).data()) / 3;
+  }
+  const std::vector<ComponentId>& component = cells.labels.of_vertex;
+  const ComponentId own = component[cells.map.corners(t)[0].index()];
+  const double edge = std::sqrt(2 * area.norm());
+  const Vec3 normal = anchors_near(cells.cracks, crack, centre, edge, component, own).normal;
+  return normal.isZero(0) ? 1 : std::abs(area.dot(normal)) / (area.norm() * normal.norm());
+}
+
 /// Adds the boundary faces of one tetrahedron.
 void add_surface(Fragment& f, const Cells& cells, TetId t) {
   for (int place = 0; place < 4; ++place) {
@@ -46,7 +67,9 @@ void add_surface(Fragment& f, const Cells& cells, TetId t) {
     if (!cells.map.neighbour(face).is_none()) continue;
     const double area = rest_area_vector(cells.map, face).norm();
     f.surface += area;
-    if (is_crack_face(cells, face)) f.crack_area += area;
+    if (!is_crack_face(cells, face)) continue;
+    f.crack_area += area;
+    f.crack_projected += area * upright(cells, face);
   }
 }
 

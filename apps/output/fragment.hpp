@@ -25,6 +25,9 @@ struct Fragment {
   /// too) have made; the difference was the body's own surface.
   double surface = 0;
   double crack_area = 0;
+  /// m^2: `crack_area` with the faces of cracks that know their plane (`CrackMode::object`)
+  /// projected on it, which is the crack's own area whatever the mesh; others count whole.
+  double crack_projected = 0;
   /// What it came off, none() for what was there at the start, and the step in which it did.
   ComponentId parent;
   std::uint64_t birth_step = 0;

@@ -14,7 +14,8 @@ namespace sunder {
 std::string fragments_csv(std::vector<Fragment> fragments);
 
 /// What fans gave up (`StepReport::cracks` of all steps), as CSV in the order of the fans: fan
-/// (counted from 0 through the run), time (s), area (m^2), energy (J), energy_per_area (J/m^2).
+/// (counted from 0 through the run), time (s), area and projected_area (m^2), energy (J),
+/// energy_per_area (J/m^2, over the latter).
 std::string cracks_csv(std::vector<CrackEnergy> cracks);
 
 }  // namespace sunder

@@ -3,6 +3,7 @@
 #include "fracture/energy/crack_energy.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "mechanics/state/wave_travel.hpp"
 
@@ -56,7 +57,7 @@ std::vector<Vec3> forces_on(const std::vector<std::uint32_t>& group, const Mecha
 }  // namespace
 
 CrackEnergy energy_of(const OpenCrack& crack) {
-  CrackEnergy energy{crack.fan, crack.time, crack.area, 0};
+  CrackEnergy energy{crack.fan, crack.time, crack.area, crack.projected, 0};
   for (const CrackSide& side : crack.sides) energy.energy += 0.5 * side.force.dot(side.opening);
   return energy;
 }
@@ -69,7 +70,9 @@ void open_cracks(std::vector<OpenCrack>& cracks, const NewCracks& fresh,
     crack.fan = fresh.first_fan + k;
     crack.time = fresh.time;
     for (const FaceSplit& face : fresh.fans[k].faces) {
-      crack.area += rest_area_vector(cells.map, face.face).norm();
+      const Vec3 area = rest_area_vector(cells.map, face.face);
+      crack.area += area.norm();
+      crack.projected += std::abs(area.dot(fresh.fans[k].normal));
     }
   }
   std::vector<std::uint32_t> group(state.vertices.size(), 0);  // 1 + row of `parted`; 0: whole

@@ -22,9 +22,9 @@ struct CrackSide {
 
 /// A fan whose opening is still followed.
 struct OpenCrack {
-  std::uint64_t fan = 0;  ///< running number, from 0: `fan` in events.jsonl
-  double time = 0;        ///< s, of the fan
-  double area = 0;        ///< m^2, of its faces at rest
+  std::uint64_t fan = 0;           ///< running number, from 0: `fan` in events.jsonl
+  double time = 0;                 ///< s, of the fan
+  double area = 0, projected = 0;  ///< m^2, as in `CrackEnergy`
   std::vector<CrackSide> sides;
   double followed = 0;  ///< s
 };

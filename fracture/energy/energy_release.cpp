@@ -234,11 +234,14 @@ std::vector<Vec3> corner_forces(std::span<const CornerLoad> loads, const Mechani
   return force;
 }
 
-Result<EnergyRelease> energy_release(const ReleaseInput& input, std::span<const HalfFaceId> faces) {
+Result<EnergyRelease> energy_release(const ReleaseInput& input, std::span<const HalfFaceId> faces,
+                                     const Vec3& normal) {
   EnergyRelease release;
   for (const HalfFaceId face : faces) {
     if (input.cells.map.neighbour(face).is_none()) continue;
-    release.area += rest_area_vector(input.cells.map, face).norm();
+    const Vec3 area = rest_area_vector(input.cells.map, face);
+    release.area += area.norm();
+    release.projected += std::abs(area.dot(normal)) / normal.norm();
   }
   const std::vector<PartedVertex> parted = parted_vertices(input.cells.map, faces);
   if (parted.empty()) return release;

@@ -29,13 +29,14 @@ std::vector<Vec3> corner_forces(std::span<const CornerLoad> loads, const Mechani
 
 /// What splitting some faces would release.
 struct EnergyRelease {
-  double area = 0;         ///< m^2
+  double area = 0;         ///< m^2, of the faces
+  double projected = 0;    ///< m^2, of them on the crack's plane, as in `CrackEnergy`
   std::size_t copies = 0;  ///< rows that would be added
   /// J: fall of the potential energy, strain less work of the loads, from equilibrium to
   /// equilibrium. Infinite where a piece comes free that its loads carry away.
   double energy = 0;
   bool comes_free = false;  ///< a piece comes off, or can turn, without support
-  double per_area() const { return area > 0 ? energy / area : 0; }
+  double per_area() const { return projected > 0 ? energy / projected : 0; }
 };
 
 /// Potential energy that splitting `faces` (of one component) would release, through the factor of
@@ -48,7 +49,9 @@ struct EnergyRelease {
 /// copies, 0.2 ms at 6 000 tetrahedra, once K is factored; where a piece comes free, three whole
 /// ones a copy instead. Leaves that factor in the state, as `solve_static` and quasi-static steps
 /// do; a step of another kind factors anew.
-Result<EnergyRelease> energy_release(const ReleaseInput& input, std::span<const HalfFaceId> faces);
+/// `normal`: of the crack's plane, rest frame, of any length but 0.
+Result<EnergyRelease> energy_release(const ReleaseInput& input, std::span<const HalfFaceId> faces,
+                                     const Vec3& normal);
 
 /// G_c = K_Ic^2 (1 - nu^2) / E, J/m^2 [Irwin 1957, plane strain]; infinite without a toughness.
 double fracture_energy(const Material& material);

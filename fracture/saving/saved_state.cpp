@@ -75,7 +75,7 @@ constexpr int member_count(const ContactPoint*) { return 12; }
 constexpr int member_count(const ImpactWindow*) { return 2; }
 constexpr int member_count(const LadderState*) { return 1; }
 constexpr int member_count(const Pose*) { return 2; }
-constexpr int member_count(const OpenCrack*) { return 5; }
+constexpr int member_count(const OpenCrack*) { return 6; }
 constexpr int member_count(const CrackSide*) { return 3; }
 constexpr int member_count(const CornerLoad*) { return 4; }
 constexpr int member_count(const FanScript*) { return 3; }

@@ -116,15 +116,17 @@ ordered_json momentum_ledger(const RunStatistics& statistics, const Simulation& 
 
 /// What the fans whose energy was settled gave up together.
 ordered_json crack_ledger(std::span<const CrackEnergy> cracks) {
-  double area = 0, energy = 0;
+  double area = 0, projected = 0, energy = 0;
   for (const CrackEnergy& crack : cracks) {
     area += crack.area;
+    projected += crack.projected;
     energy += crack.energy;
   }
   return {{"measured", cracks.size()},
           {"area", area},
+          {"projected_area", projected},
           {"energy", energy},
-          {"energy_per_area", area > 0 ? energy / area : 0}};
+          {"energy_per_area", projected > 0 ? energy / projected : 0}};
 }
 
 ordered_json energy_ledger(const RunStatistics& statistics, const Simulation& now) {

@@ -34,8 +34,8 @@ std::vector<Finding> add_release(FanAnswer& answer, const LoadedBody& body, Vert
   const Cells& cells = body.sim.state->cells;
   MechanicsState& m = body.sim.state->mechanics;
   answer.faces = faces.size();
-  const auto release =
-      energy_release({cells, m, body.sim.scene.gravity.acceleration, body.force}, faces);
+  const auto release = energy_release({cells, m, body.sim.scene.gravity.acceleration, body.force},
+                                      faces, answer.normal);
   if (!release) return release.findings;
   answer.release = *release;
   const TetId t = cells.map.incident_tetrahedron(vertex);
@@ -109,6 +109,7 @@ nlohmann::ordered_json to_json(const FanAnswer& answer) {
           {"normal", {answer.normal[0], answer.normal[1], answer.normal[2]}},
           {"faces", answer.faces},
           {"area", answer.release.area},
+          {"projected_area", answer.release.projected},
           {"copies", answer.release.copies},
           {"comes_free", answer.release.comes_free},
           {"energy", number(answer.release.energy)},
@@ -118,9 +119,10 @@ nlohmann::ordered_json to_json(const FanAnswer& answer) {
 
 std::string to_table(const FanAnswer& answer) {
   std::string text = fmt::format(
-      "{:<18} at vertex {}, normal ({:.6g}, {:.6g}, {:.6g}): {} faces, {:.6g} m^2, {} copies{}\n",
+      "{:<18} at vertex {}, normal ({:.6g}, {:.6g}, {:.6g}): {} faces, {:.6g} m^2 ({:.6g} "
+      "projected), {} copies{}\n",
       "fan", answer.point, answer.normal[0], answer.normal[1], answer.normal[2], answer.faces,
-      answer.release.area, answer.release.copies,
+      answer.release.area, answer.release.projected, answer.release.copies,
       answer.release.comes_free ? "; a piece comes free" : "");
   text += fmt::format("{:<18} {:.6g} J, {:.6g} J/m^2", "energy released", answer.release.energy,
                       answer.release.per_area());

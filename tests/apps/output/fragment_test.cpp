@@ -41,11 +41,29 @@ TEST_CASE("fragments share mass and surface, and were parted by the faces that s
     mass += f.mass;
     surface += f.surface;
     cracks += f.crack_area;
+    CHECK(f.crack_projected == f.crack_area);  // no crack knows its plane
     if (!f.parent.is_none()) CHECK(f.parent < f.id);
   }
   CHECK(mass == Approx(whole.mass).epsilon(1e-12));
   CHECK(surface - cracks == Approx(whole.surface).epsilon(1e-12));
   CHECK(cracks == Approx(2 * split).epsilon(1e-12));
+}
+
+TEST_CASE("crack faces count on their crack's plane where they know it", "[output][fragments]") {
+  auto file = read_scene(std::string(SUNDER_SCENES "/monolith.json"));
+  REQUIRE(file);
+  file->scene.fracture.crack = CrackMode::object;
+  Simulation sim = std::move(*build_simulation(file->scene));
+  for (int i = 0; i < 240; ++i) advance(sim);
+  double raw = 0, projected = 0;
+  for (const Fragment& f : fragments(sim)) {
+    CHECK(f.crack_projected <= f.crack_area * (1 + 1e-12));
+    raw += f.crack_area;
+    projected += f.crack_projected;
+  }
+  REQUIRE(raw > 0);
+  CHECK(projected > 0.5 * raw);
+  CHECK(projected < 0.9 * raw);
 }
 
 TEST_CASE("fragments of an intact body have the solid's mass, volume and inertia",

@@ -137,8 +137,9 @@ CrackAnswer measured(const Case& c, int cells, double release, double K) {
   CrackAnswer answer{.cells = cells, .vertices = m.vertices.size()};
   const std::vector<Vec3> force = corner_forces(body.loads, m, 0);
   const ReleaseInput input{body.cells, body.state, Vec3::Zero(), force};
+  const Vec3 across = Vec3::Unit(c.normal);
   const auto front = faces_between(map, c, crack, crack + c.h);
-  const double G = energy_release(input, front)->per_area();
+  const double G = energy_release(input, front, across)->per_area();
   answer.front_release = G / release;
   answer.load_energy = std::sqrt(1 / answer.front_release);
 
@@ -152,7 +153,7 @@ CrackAnswer measured(const Case& c, int cells, double release, double K) {
     Point normal = {0, 0, 0};
     normal[std::size_t(c.normal)] = 1;
     const auto fan = fan_faces(map, VertexId{v}, normal);
-    answer.fan_release += energy_release(input, *fan)->per_area() / release;
+    answer.fan_release += energy_release(input, *fan, across)->per_area() / release;
     const Deformed deformed{m.vertices.displacement, m.elements.stress};
     const double G0 = K * K * (1 - c.nu * c.nu) / young;
     const auto energy = [&](TipDomain domain) {

@@ -118,7 +118,7 @@ GrowthAnswer pulled_apart(const NotchedBar& bar, int after) {
     answer.pieces = report.components;
     for (const CrackEnergy& crack : report.cracks) {
       energy += crack.energy;
-      area += crack.area;
+      area += crack.projected;
     }
     if (!report.fracture.fans.empty()) {
       if (answer.fans == 0) {

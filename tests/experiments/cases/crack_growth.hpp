@@ -34,10 +34,10 @@ struct GrowthAnswer {
   double area = 0;                              ///< of new crack over the section that the cut left
   double projected = 0;                         ///< the same of its projection along the bar
   double parted_area = 0, parted_projected = 0;  ///< both, right after the second piece
-  double energy = 0;                             ///< J/m^2: given up by the fans over their area
-  double farthest = 0;                           ///< of new crack from the cut's plane, over b
-  double smallest = 0;                           ///< mass of the smaller end over the bar's
-  double worst_ms = 0;                           ///< fracture stage of the slowest step
+  double energy = 0;    ///< J/m^2: given up by the fans over their projected area
+  double farthest = 0;  ///< of new crack from the cut's plane, over b
+  double smallest = 0;  ///< mass of the smaller end over the bar's
+  double worst_ms = 0;  ///< fracture stage of the slowest step
 };
 
 /// Runs until `after` steps after the second piece, or in vain for ten times the time to the

@@ -40,7 +40,8 @@ Simulation loaded_block(std::mt19937& random) {
 
 Loads full_loads(const Simulation& sim, const MechanicsState& m, std::span<const Corners> corners) {
   Loads loads{.gravity = sim.scene.gravity.acceleration};
-  add_corner_loads(loads.force, sim.state->loads, m, corners, std::numeric_limits<double>::infinity());
+  add_corner_loads(loads.force, sim.state->loads, m, corners,
+                   std::numeric_limits<double>::infinity());
   return loads;
 }
 
@@ -95,14 +96,16 @@ TEST_CASE("energy released by fans of random bodies is that of a copy split and 
     const ReleaseInput input{sim.state->cells, m, sim.scene.gravity.acceleration, force};
     for (int k = 0; k < 40; ++k) {
       const VertexId v{random() % m.vertices.size()};
-      const auto faces =
-          fan_faces(sim.state->cells.map, v, {normal(random), normal(random), normal(random)});
-      const auto release = energy_release(input, *faces);
+      const Vec3 across{normal(random), normal(random), normal(random)};
+      const auto faces = fan_faces(sim.state->cells.map, v, {across.x(), across.y(), across.z()});
+      const auto release = energy_release(input, *faces, across);
       REQUIRE(release);
       if (faces->empty()) continue;
       const std::optional<double> slow = slow_release(sim, *faces);
       CHECK(release->comes_free != slow.has_value());
       if (!slow || release->copies == 0) continue;
+      CHECK(release->projected > 0);
+      CHECK(release->projected <= release->area * (1 + 1e-12));
       CHECK(release->energy == Approx(*slow).epsilon(1e-6).margin(1e-9 * strain_energy(m)));
       ++compared;
     }
@@ -129,10 +132,15 @@ TEST_CASE("a section through a bar pulled between two grips releases sigma^2 L /
   const auto faces =
       plane_faces(sim.state->cells.map, CuttingPlane{.normal = {1, 0, 0}, .offset = 0.4});
   const std::vector<Mat3> stress = m.elements.stress;
-  const auto release = energy_release({sim.state->cells, m}, *faces);
+  const auto release = energy_release({sim.state->cells, m}, *faces, Vec3::UnitX());
   REQUIRE(release);
   const double sigma = young * pull / length;
   CHECK(release->area == Approx(0.04).epsilon(1e-12));
+  CHECK(release->projected == Approx(0.04).epsilon(1e-12));
+  const auto tilted = energy_release({sim.state->cells, m}, *faces, {3, 4, 0});
+  REQUIRE(tilted);
+  CHECK(tilted->projected == Approx(0.024).epsilon(1e-12));
+  CHECK(tilted->energy == release->energy);
   CHECK(release->per_area() == Approx(sigma * sigma * length / (2 * young)).epsilon(1e-9));
   CHECK(m.elements.stress == stress);
   CHECK(sim.state->cells.map.vertices() == m.vertices.size());
@@ -149,14 +157,14 @@ TEST_CASE("a piece that comes free releases what strained it, or without end wha
   MechanicsState& m = sim.state->mechanics;
   const auto section =
       plane_faces(sim.state->cells.map, CuttingPlane{.normal = {1, 0, 0}, .offset = 0.3});
-  const auto at_rest = energy_release({sim.state->cells, m}, *section);
+  const auto at_rest = energy_release({sim.state->cells, m}, *section, Vec3::UnitX());
   REQUIRE(at_rest);
   CHECK(at_rest->comes_free);
   CHECK(at_rest->energy == 0);
   const Vec3 gravity{0, 0, -9.81};
   const auto corners = sim.state->cells.map.corners();
   REQUIRE(solve_static(m, sim.scratch->mechanics, corners, {.gravity = gravity}).empty());
-  const auto loaded = energy_release({sim.state->cells, m, gravity}, *section);
+  const auto loaded = energy_release({sim.state->cells, m, gravity}, *section, Vec3::UnitX());
   REQUIRE(loaded);
   CHECK(std::isinf(loaded->energy));
 }
@@ -169,7 +177,8 @@ TEST_CASE("a free body has no energy release in statics", "[fracture][energy_rel
   Simulation sim = std::move(*build_simulation(std::move(scene)));
   const auto faces =
       plane_faces(sim.state->cells.map, CuttingPlane{.normal = {1, 0, 0}, .offset = 0.1});
-  const auto release = energy_release({sim.state->cells, sim.state->mechanics}, *faces);
+  const auto release =
+      energy_release({sim.state->cells, sim.state->mechanics}, *faces, Vec3::UnitX());
   REQUIRE(!release);
   CHECK(release.findings.front().code == "not_supported");
 }
