@@ -15,6 +15,7 @@
 #include "fracture/algorithms/stress_fit.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/statics/static_solve.hpp"
+#include "tests/experiments/cases/crack_growth.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
 namespace sunder::accuracy {
@@ -159,27 +160,42 @@ BendingTable bend_static(int layers) {
   return table;
 }
 
-BendingRun bend_slowly(int layers, NodeStress mode) {
-  constexpr double ramp = 10, most = 1.4;
+BendingRun bend_slowly(int layers, NodeStress mode, CrackMode crack) {
+  constexpr double ramp = 20, most = 2.8;
   Scene scene =
       bent_beam({.layers = layers, .force = most * beam_breaking_load(), .ramp_time = ramp});
   scene.fracture.node_stress = mode;
+  scene.fracture.crack = crack;
   Simulation sim = built(std::move(scene));
   BendingRun run;
   while (sim.state->mechanics.time < ramp * (1 - 1e-9)) {
     const StepReport report = advance(sim);
     if (report.status.outcome != StepOutcome::fine) throw std::runtime_error("the run failed");
-    ++run.steps;
-    run.quasi_static += report.ladder.components[static_cast<std::size_t>(Rung::quasi_static)] > 0;
-    if (report.fracture.fans.empty()) continue;
-    run.load = most * report.time / ramp;
-    run.fans = report.fracture.fans.size();
+    const bool is_first = run.all_fans == 0 && !report.fracture.fans.empty();
+    if (run.all_fans == 0) {
+      ++run.steps;
+      run.quasi_static +=
+          report.ladder.components[static_cast<std::size_t>(Rung::quasi_static)] > 0;
+    }
     for (const FanEvent& fan : report.fracture.fans) {
-      run.away = std::max(run.away, std::abs(fan.rest_position.x()) * layers / height);
+      const double away = std::abs(fan.rest_position.x());
+      run.farthest = std::max(run.farthest, away / height);
+      if (!is_first) continue;
+      run.away = std::max(run.away, away * layers / height);
       run.angle = std::max(run.angle, angle_with_axis(fan.normal));
     }
-    break;
+    if (is_first) {
+      run.load = most * report.time / ramp;
+      run.fans = report.fracture.fans.size();
+    }
+    run.all_fans += report.fracture.fans.size();
+    run.pieces = report.components;
+    run.parted = most * report.time / ramp;
+    if (run.pieces > 1) break;
   }
+  const CrackArea cracked = crack_area(sim.state->cells);
+  run.area = cracked.raw / (height * width);
+  run.projected = cracked.projected / (height * width);
   return run;
 }
 

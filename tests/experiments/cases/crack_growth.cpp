@@ -58,22 +58,6 @@ Scene scene_of(const NotchedBar& bar) {
   return scene;
 }
 
-/// Area of all crack faces, each counted once, and of their projections along the bar, m^2.
-struct CrackArea {
-  double raw = 0, projected = 0;
-};
-
-CrackArea crack_area(const Cells& cells) {
-  CrackArea sum;
-  for (std::size_t f = 0; f < 4 * cells.map.tetrahedra(); ++f) {
-    if (!is_crack_face(cells, HalfFaceId{f})) continue;
-    const Vec3 area = 0.5 * rest_area_vector(cells.map, HalfFaceId{f});
-    sum.raw += area.norm();
-    sum.projected += std::abs(area.x());
-  }
-  return sum;
-}
-
 /// How far from the cut's plane cracks reach, over b.
 double farthest_crack(const Cells& cells, const NotchedBar& bar) {
   double farthest = 0;
@@ -104,6 +88,17 @@ void add_cracks(GrowthAnswer& answer, const Simulation& sim, const NotchedBar& b
 }
 
 }  // namespace
+
+CrackArea crack_area(const Cells& cells) {
+  CrackArea sum;
+  for (std::size_t f = 0; f < 4 * cells.map.tetrahedra(); ++f) {
+    if (!is_crack_face(cells, HalfFaceId{f})) continue;
+    const Vec3 area = 0.5 * rest_area_vector(cells.map, HalfFaceId{f});
+    sum.raw += area.norm();
+    sum.projected += std::abs(area.x());
+  }
+  return sum;
+}
 
 GrowthAnswer pulled_apart(const NotchedBar& bar, int after) {
   auto built = build_simulation(scene_of(bar));

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "fracture/algorithms/cells.hpp"
 #include "fracture/scene/scene.hpp"
 
 namespace sunder::accuracy {
@@ -39,6 +40,12 @@ struct GrowthAnswer {
   double smallest = 0;  ///< mass of the smaller end over the bar's
   double worst_ms = 0;  ///< fracture stage of the slowest step
 };
+
+/// Area of all crack faces, each counted once, and of their projections along x, m^2.
+struct CrackArea {
+  double raw = 0, projected = 0;
+};
+CrackArea crack_area(const Cells& cells);
 
 /// Runs until `after` steps after the second piece, or in vain for ten times the time to the
 /// first fan.
