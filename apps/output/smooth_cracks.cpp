@@ -24,15 +24,15 @@ constexpr double sharp = 0.118;
 constexpr double well_conditioned = 0.25;
 
 /// What a bad tetrahedron leaves of the moves of its points, and how often before they are none.
-constexpr double shorter = 0.5;
-constexpr int most_shortenings = 10;
+constexpr double shorter = 0.9;
+constexpr int most_shortenings = 80;
 
 /// What surrounds a point on crack faces.
 struct CrackPoint {
   std::uint32_t point = 0;
-  std::vector<CrackId> cracks;                       ///< of its faces
-  std::vector<std::array<std::uint32_t, 2>> skin;    ///< other two points of its outer faces
-  double edges = 0;                                  ///< m, of its tetrahedra
+  std::vector<CrackId> cracks;                     ///< of its faces
+  std::vector<std::array<std::uint32_t, 2>> skin;  ///< other two points of its outer faces
+  double edges = 0;                                ///< m, of its tetrahedra
   std::size_t edge_count = 0;
 };
 
@@ -110,8 +110,8 @@ std::vector<CrackPoint> crack_points(const Body& body) {
 
 /// The outer surface at a point.
 struct SkinAtPoint {
-  Vec3 normal = Vec3::Zero();     ///< mean by angles, of any length
-  Mat3 free = Mat3::Identity();   ///< projection on the directions along the surface
+  Vec3 normal = Vec3::Zero();    ///< mean by angles, of any length
+  Mat3 free = Mat3::Identity();  ///< projection on the directions along the surface
 };
 
 SkinAtPoint skin_at(const Body& body, const CrackPoint& p) {
@@ -212,8 +212,8 @@ void keep_shapes(const Body& body, std::vector<Vec3>& moves) {
   for (std::size_t t = 0; t < body.cells.map.tetrahedra(); ++t) {
     const auto four = body.points(TetId{t});
     if (std::ranges::all_of(four, [&](std::uint32_t p) { return moves[p].isZero(0); })) continue;
-    moved.push_back({four, shape_of({body.at(four[0]), body.at(four[1]), body.at(four[2]),
-                                     body.at(four[3])})});
+    moved.push_back(
+        {four, shape_of({body.at(four[0]), body.at(four[1]), body.at(four[2]), body.at(four[3])})});
   }
   std::vector<int> shortened(moves.size(), 0);
   for (std::vector<std::uint32_t> bad;; bad.clear()) {

@@ -24,8 +24,8 @@ Vec3 direction(std::uint64_t seed) {
 }
 
 void print_row(const char* name, const TetMesh& mesh, CrackMode mode) {
-  double raw = 0, most_raw = 0, projected = 0, smooth = 0, smooth_projected = 0, pieces = 0, two = 0, least = 1, debris = 0,
-         cracks = 0;
+  double raw = 0, most_raw = 0, projected = 0, smooth = 0, smooth_projected = 0, pieces = 0,
+         two = 0, least = 1, debris = 0, cracks = 0;
   for (std::uint64_t seed = 1; seed <= planes; ++seed) {
     const TornBody torn = tear(mesh, {.axis = direction(seed), .seed = seed, .crack = mode});
     raw += torn.raw / planes;
@@ -41,8 +41,7 @@ void print_row(const char* name, const TetMesh& mesh, CrackMode mode) {
   }
   std::printf("%s,%s,%.3f,%.3f,%.3f,%.3f,%.3f,%.1f,%.4f,%.4f,%.1f,%.1f\n", name,
               mode == CrackMode::paper ? "paper" : "object", raw, most_raw, projected, smooth,
-              smooth_projected, pieces, two,
-              least, debris, cracks);
+              smooth_projected, pieces, two, least, debris, cracks);
   std::fflush(stdout);
 }
 
