@@ -19,6 +19,14 @@ enum class ShownShape {
   both,
 };
 
+/// Where pictures show the faces of cracks.
+enum class CrackSurface {
+  /// Where the mesh has them.
+  mesh,
+  /// Near the planes of their cracks (`smooth_crack_moves`). Needs `CrackMode::object`.
+  smooth,
+};
+
 /// A fixed camera.
 struct CameraSettings {
   Eigen::Vector3d eye = {1, -2, 1};
@@ -45,6 +53,7 @@ struct OutputSettings {
   std::uint32_t frames = 51;
   /// Time between frames, s; above 0 it is used instead of `frames`.
   double frame_interval = 0;
+  CrackSurface crack_surface = CrackSurface::mesh;
   PictureSettings pictures;
 };
 

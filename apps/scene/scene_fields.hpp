@@ -16,6 +16,12 @@ inline const Names<ShownShape>& names_of(ShownShape) {
   return names;
 }
 
+inline const Names<CrackSurface>& names_of(CrackSurface) {
+  static const Names<CrackSurface> names = {{CrackSurface::mesh, "mesh"},
+                                            {CrackSurface::smooth, "smooth"}};
+  return names;
+}
+
 template <class V>
 void describe(V& v, CameraSettings& c) {
   v.field(Key{"eye", "m", "Where the camera stands", {}, true}, c.eye);
@@ -48,6 +54,11 @@ void describe(V& v, OutputSettings& o) {
   v.field(Key{"frame_interval", "s", "Time between frames; above 0 it is used instead of frames",
               at_least(0)},
           o.frame_interval);
+  v.field(
+      Key{"crack_surface", "",
+          "Where pictures show cracks. mesh: on the faces of the mesh; smooth: near the plane of "
+          "each crack, as far as tetrahedra keep their shape; needs fracture.crack object"},
+      o.crack_surface);
   v.field(Key{"pictures", "", "Pictures drawn without a display"}, o.pictures);
 }
 

@@ -341,6 +341,15 @@ void add_findings(const Context& c, std::vector<SettingFinding> found) {
   }
 }
 
+/// What output asks for that the scene does not have.
+void check_output(const Context& c, const SceneFile& file) {
+  const bool has_planes = file.scene.fracture.crack == CrackMode::object;
+  if (has_planes || file.output.crack_surface == CrackSurface::mesh) return;
+  c.add("no_crack_planes", "/output/crack_surface",
+        "is smooth, but with fracture.crack paper cracks have no planes of their own",
+        "take mesh, or set fracture.crack to object");
+}
+
 }  // namespace
 
 Result<SceneFile> read_scene(const std::filesystem::path& path,
@@ -377,6 +386,7 @@ Result<SceneFile> read_scene(const std::filesystem::path& path,
     result.findings.push_back(std::move(f));
   }
   add_findings(context, check_scene(file.scene));
+  check_output(context, file);
   if (file.scene.name.empty()) file.scene.name = path.stem().string();
   if (has_error(result.findings)) return result;
   for (Finding& f : scene_notes(*text, file)) result.findings.push_back(std::move(f));

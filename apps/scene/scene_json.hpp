@@ -28,7 +28,8 @@ struct SceneFile {
 /// Errors, all of them at once, with file, line, place, value, what is allowed and a remedy:
 /// cannot_open, syntax_error, repeated_key, nested_too_deeply, bad_setting, unknown_key (naming the
 /// nearest known one), missing_key, wrong_type, unknown_name, zero_direction, the findings of
-/// `read_mesh` and `check_mesh`, and those of `check_scene`.
+/// `read_mesh` and `check_mesh`, and those of `check_scene`,
+/// no_crack_planes (`CrackSurface::smooth` with `CrackMode::paper`).
 Result<SceneFile> read_scene(const std::filesystem::path& path,
                              std::span<const std::string> settings = {});
 

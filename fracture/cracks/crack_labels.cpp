@@ -84,7 +84,8 @@ AnchorSums anchors_near(const CrackLabels& cracks, CrackId crack, const Vec3& pl
     const CrackAnchor& anchor = cracks.anchors[row - 1];
     row = anchor.before;
     const double squared = (anchor.at - place).squaredNorm();
-    if (squared > 9 * h * h || !is_in(component, own, anchor)) continue;
+    if (squared > 9 * h * h) continue;
+    if (!own.is_none() && !is_in(component, own, anchor)) continue;
     const double weight = std::exp(-squared / (2 * h * h));
     sums.normal += weight * anchor.normal;
     sums.at += weight * anchor.at;

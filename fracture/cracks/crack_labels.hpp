@@ -88,7 +88,7 @@ struct AnchorSums {
   double weight = 0;
 };
 
-/// Only anchors in the component `own` count (`is_in`).
+/// Only anchors in the component `own` count (`is_in`); all if that is none().
 /// O(anchors of the crack).
 AnchorSums anchors_near(const CrackLabels& cracks, CrackId crack, const Vec3& place, double h,
                         std::span<const ComponentId> component, ComponentId own);

@@ -24,22 +24,24 @@ Vec3 direction(std::uint64_t seed) {
 }
 
 void print_row(const char* name, const TetMesh& mesh, CrackMode mode) {
-  double raw = 0, most_raw = 0, projected = 0, pieces = 0, two = 0, least = 1, debris = 0,
-         cracks = 0;
+  double raw = 0, most_raw = 0, projected = 0, smooth = 0, smooth_projected = 0, pieces = 0,
+         two = 0, least = 1, debris = 0, cracks = 0;
   for (std::uint64_t seed = 1; seed <= planes; ++seed) {
     const TornBody torn = tear(mesh, {.axis = direction(seed), .seed = seed, .crack = mode});
     raw += torn.raw / planes;
     most_raw = std::max(most_raw, torn.raw);
     projected += torn.projected / planes;
+    smooth += torn.smooth_raw / planes;
+    smooth_projected += torn.smooth_projected / planes;
     pieces += double(torn.pieces) / planes;
     two += torn.two_largest / planes;
     least = std::min(least, torn.two_largest);
     debris += double(torn.debris) / planes;
     cracks += double(torn.cracks) / planes;
   }
-  std::printf("%s,%s,%.3f,%.3f,%.3f,%.1f,%.4f,%.4f,%.1f,%.1f\n", name,
-              mode == CrackMode::paper ? "paper" : "object", raw, most_raw, projected, pieces, two,
-              least, debris, cracks);
+  std::printf("%s,%s,%.3f,%.3f,%.3f,%.3f,%.3f,%.1f,%.4f,%.4f,%.1f,%.1f\n", name,
+              mode == CrackMode::paper ? "paper" : "object", raw, most_raw, projected, smooth,
+              smooth_projected, pieces, two, least, debris, cracks);
   std::fflush(stdout);
 }
 
@@ -47,7 +49,7 @@ void print_row(const char* name, const TetMesh& mesh, CrackMode mode) {
 
 int main(int argc, char** argv) {
   std::puts(
-      "mesh,mode,raw area / section,most,projected / section,pieces,two "
+      "mesh,mode,raw area / section,most,projected / section,drawn smooth,projected,pieces,two "
       "largest,least,debris,cracks");
   const auto print = [](const char* name, const TetMesh& mesh) {
     for (const CrackMode mode : {CrackMode::paper, CrackMode::object}) print_row(name, mesh, mode);

@@ -11,7 +11,7 @@ Pictures::Pictures(Pictures&&) noexcept = default;
 Pictures& Pictures::operator=(Pictures&&) noexcept = default;
 Pictures::~Pictures() = default;
 
-Result<Pictures> Pictures::open(const Simulation&, const PictureSettings&) {
+Result<Pictures> Pictures::open(const Simulation&, const OutputSettings&) {
   return Finding{.code = "no_renderer",
                  .text = "pictures are asked for, but this sunder was built without the renderer",
                  .remedy =

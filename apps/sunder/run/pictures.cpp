@@ -5,6 +5,7 @@
 #include <span>
 #include <variant>
 
+#include "apps/output/smooth_cracks.hpp"
 #include "apps/render/camera.hpp"
 #include "apps/render/drawn_surface.hpp"
 #include "apps/render/renderer.hpp"
@@ -23,8 +24,14 @@ struct RunView {
 /// How strongly pieces differ in hue: enough to tell them apart, too little to look painted.
 constexpr float piece_tint = 0.35f;
 
-/// |V| positions of the drawn rigid references.
-std::vector<Vec3> reference_positions(const SimulationState& state) {
+/// Moves of points at rest for drawing; zero where cracks are drawn as they are.
+std::vector<Vec3> drawn_moves(const SimulationState& state, CrackSurface cracks) {
+  if (cracks == CrackSurface::smooth) return smooth_crack_moves(state.cells);
+  return std::vector<Vec3>(state.cells.map.points().size(), Vec3::Zero());
+}
+
+/// |V| positions of the drawn rigid references. `moves`: row = point.
+std::vector<Vec3> reference_positions(const SimulationState& state, std::span<const Vec3> moves) {
   const MechanicsState& mechanics = state.mechanics;
   const VertexColumns& v = mechanics.vertices;
   std::vector<Vec3> positions(v.size());
@@ -32,7 +39,19 @@ std::vector<Vec3> reference_positions(const SimulationState& state) {
     const std::size_t piece = v.component[i].index();
     const Pose& drawn = state.display[piece];
     const Vec3& rest_centre = mechanics.components[piece].rest_centre;
-    positions[i] = drawn.orientation * (v.rest_position[i] - rest_centre) + drawn.centre;
+    const Vec3 rest = v.rest_position[i] + moves[state.cells.map.point_of_vertex(VertexId{i})];
+    positions[i] = drawn.orientation * (rest - rest_centre) + drawn.centre;
+  }
+  return positions;
+}
+
+/// |V| positions of the deformed mesh, its moves turned with the pieces.
+std::vector<Vec3> deformed_positions(const SimulationState& state, std::span<const Vec3> moves) {
+  const MechanicsState& mechanics = state.mechanics;
+  std::vector<Vec3> positions = mechanics.vertices.position;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const Component& piece = mechanics.components[mechanics.vertices.component[i].index()];
+    positions[i] += piece.orientation * moves[state.cells.map.point_of_vertex(VertexId{i})];
   }
   return positions;
 }
@@ -101,16 +120,18 @@ void add_shadow(render::Bounds& bounds, std::span<const Obstacle> obstacles, con
 
 /// Skin and crack faces of the shape asked for, obstacles, ground. `extent`: what all pictures of a
 /// run share.
-render::FrameScene picture_scene(const SimulationState& state, ShownShape show,
+render::FrameScene picture_scene(const SimulationState& state, const OutputSettings& output,
                                  const render::Bounds& extent) {
   render::FrameScene scene;
   scene.extent = extent;
+  const ShownShape show = output.pictures.show;
+  const std::vector<Vec3> moves = drawn_moves(state, output.crack_surface);
   const BoundaryColumns boundary = boundary_columns(state.cells);
   if (show != ShownShape::deformed) {
-    scene.surfaces.push_back(surface(state, boundary, reference_positions(state)));
+    scene.surfaces.push_back(surface(state, boundary, reference_positions(state, moves)));
   }
   if (show != ShownShape::reference) {
-    scene.surfaces.push_back(surface(state, boundary, state.mechanics.vertices.position));
+    scene.surfaces.push_back(surface(state, boundary, deformed_positions(state, moves)));
     if (show == ShownShape::both) {
       scene.surfaces.back().style = render::SurfaceStyle::wireframe;
     }
@@ -123,7 +144,7 @@ render::FrameScene picture_scene(const SimulationState& state, ShownShape show,
 RunView run_view(const SimulationState& start, const PictureSettings& settings,
                  const Vec3& gravity) {
   const Vec3 up = gravity.norm() > 0 ? Vec3(-gravity.normalized()) : Vec3::UnitZ();
-  render::FrameScene still = picture_scene(start, ShownShape::deformed, {});
+  render::FrameScene still = picture_scene(start, {.pictures = {.show = ShownShape::deformed}}, {});
   still.spheres.clear();
   still.boxes.clear();
   for (const Obstacle& obstacle : start.obstacles) {
@@ -150,7 +171,7 @@ RunView run_view(const SimulationState& start, const PictureSettings& settings,
 }  // namespace
 
 struct Pictures::Parts {
-  PictureSettings settings;
+  OutputSettings output;
   render::Renderer renderer;
   RunView view;
 };
@@ -160,20 +181,20 @@ Pictures::Pictures(Pictures&&) noexcept = default;
 Pictures& Pictures::operator=(Pictures&&) noexcept = default;
 Pictures::~Pictures() = default;
 
-Result<Pictures> Pictures::open(const Simulation& start, const PictureSettings& settings) {
+Result<Pictures> Pictures::open(const Simulation& start, const OutputSettings& output) {
   Result<Pictures> result;
   Result<render::Renderer> renderer = render::Renderer::offscreen();
   result.findings = std::move(renderer.findings);
   if (!renderer) return result;
   result.value = Pictures(std::make_unique<Parts>(
-      Parts{settings, std::move(*renderer),
-            run_view(*start.state, settings, start.scene.gravity.acceleration)}));
+      Parts{output, std::move(*renderer),
+            run_view(*start.state, output.pictures, start.scene.gravity.acceleration)}));
   return result;
 }
 
 std::vector<Finding> Pictures::draw(const std::filesystem::path& path, const Simulation& now) {
-  const PictureSettings& settings = parts_->settings;
-  const render::FrameScene scene = picture_scene(*now.state, settings.show, parts_->view.extent);
+  const PictureSettings& settings = parts_->output.pictures;
+  const render::FrameScene scene = picture_scene(*now.state, parts_->output, parts_->view.extent);
   Result<render::Image> image =
       parts_->renderer.render(scene, parts_->view.camera, static_cast<int>(settings.width),
                               static_cast<int>(settings.height));

@@ -17,14 +17,14 @@ class Pictures {
   /// The camera of the settings, or one that sees the bodies as they start, what is static, and the
   /// ground below; up is against gravity (z without any).
   /// Errors: those of the renderer; `no_renderer` where the program was built without it.
-  static Result<Pictures> open(const Simulation& start, const PictureSettings& settings);
+  static Result<Pictures> open(const Simulation& start, const OutputSettings& output);
   Pictures(Pictures&&) noexcept;
   Pictures& operator=(Pictures&&) noexcept;
   ~Pictures();
 
   /// Writes a PNG of the shape asked for: skin and crack faces (of `both` the deformed mesh as
-  /// wires over the filled reference), obstacles, ground. O(|V| + |T|). Errors: those of the
-  /// renderer.
+  /// wires over the filled reference), obstacles, ground; cracks on their planes where that is
+  /// asked for. O(|V| + |T|), and the cost of `smooth_crack_moves`. Errors: those of the renderer.
   std::vector<Finding> draw(const std::filesystem::path& path, const Simulation& now);
 
  private:

@@ -138,7 +138,7 @@ Result<Recorder> Recorder::open(const RecordedRun& run, const Simulation& start,
   parts->statistics = begin_statistics(start, std::move(warnings));
   Result<Recorder> result;
   if (!parts->picture_steps.empty()) {
-    Result<Pictures> drawn = Pictures::open(start, parts->output.pictures);
+    Result<Pictures> drawn = Pictures::open(start, parts->output);
     append(result.findings, std::move(drawn.findings));
     if (!drawn) return result;
     parts->drawn = std::move(*drawn);

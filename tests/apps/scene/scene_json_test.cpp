@@ -253,6 +253,20 @@ TEST_CASE("windows asked for with a method that has none are noted, defaults are
   CHECK(noted.findings[0].line > 0);
 }
 
+TEST_CASE("cracks are drawn smooth only where they have planes", "[run][scene]") {
+  const json scene = cube_scene();
+  CHECK(read(scene)->output.crack_surface == CrackSurface::mesh);
+  const Result<SceneFile> refused = read(scene, {"output.crack_surface=smooth"});
+  REQUIRE_FALSE(refused);
+  REQUIRE(refused.findings.size() == 1);
+  CHECK(refused.findings[0].code == "no_crack_planes");
+  CHECK(refused.findings[0].remedy.find("fracture.crack") != std::string::npos);
+  const Result<SceneFile> taken =
+      read(scene, {"output.crack_surface=smooth", "fracture.crack=object"});
+  REQUIRE(taken);
+  CHECK(taken->output.crack_surface == CrackSurface::smooth);
+}
+
 TEST_CASE("a painted field of the mesh's file is the strength of its points", "[run][scene]") {
   // Two tetrahedra; the numbers of the MSH file's nodes are not its rows.
   const std::vector<Point> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}};

@@ -9,8 +9,9 @@
 #include <optional>
 #include <random>
 
-#include "fracture/breaking/choose_crack.hpp"
+#include "apps/output/smooth_cracks.hpp"
 #include "fracture/algorithms/choose_fan.hpp"
+#include "fracture/breaking/choose_crack.hpp"
 #include "fracture/breaking/decide_sides.hpp"
 #include "tests/support/tension.hpp"
 #include "topology/base/sort_unique.hpp"
@@ -148,6 +149,27 @@ void measure_pieces(TornBody& torn, const Tearing& t) {
   }
 }
 
+/// Areas of the faces, as they are and as drawn, over `section`.
+void measure_faces(TornBody& torn, const Tearing& t, std::span<const HalfFaceId> faces,
+                   double section) {
+  const VolumeMap& map = t.body.cells.map;
+  const std::vector<Vec3> moves = smooth_crack_moves(t.body.cells);
+  for (const HalfFaceId face : faces) {
+    std::array<Vec3, 3> x;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int corner = dart_order::face_corners[static_cast<std::size_t>(place_of(face))][i];
+      const VertexId v = map.corners(tetrahedron_of(face))[static_cast<std::size_t>(corner)];
+      x[i] = rest(t, v) + moves[map.point_of_vertex(v)];
+    }
+    const Vec3 drawn = 0.5 * (x[1] - x[0]).cross(x[2] - x[0]);
+    const Vec3 area = rest_area_vector(map, face);
+    torn.raw += area.norm() / section;
+    torn.projected += std::abs(area.dot(t.tension.axis)) / section;
+    torn.smooth_raw += drawn.norm() / section;
+    torn.smooth_projected += std::abs(drawn.dot(t.tension.axis)) / section;
+  }
+}
+
 }  // namespace
 
 TornBody tear(const TetMesh& mesh, const EvenTension& tension) {
@@ -162,21 +184,19 @@ TornBody tear(const TetMesh& mesh, const EvenTension& tension) {
   }
   const double section = section_of(t, rest(t, first));
   TornBody torn;
+  std::vector<HalfFaceId> faces;
   for (t.queue.push_back(first); !t.queue.empty(); t.queue.pop_front()) {
     if (t.broken[t.queue.front().index()]) continue;
     const std::optional<PlannedFan> fan = plan(t, t.queue.front());
     if (!fan) continue;
     const FanEvent event = split_planned({t.body.cells, t.body.state}, *fan, {}, t.scratch);
     torn.fans += !event.faces.empty();
-    for (const FaceSplit& split : event.faces) {
-      const Vec3 area = rest_area_vector(t.body.cells.map, split.face);
-      torn.raw += area.norm() / section;
-      torn.projected += std::abs(area.dot(tension.axis)) / section;
-    }
+    for (const FaceSplit& split : event.faces) faces.push_back(split.face);
     enqueue(t, event);
   }
   torn.cracks = t.body.cells.cracks.cracks;
   measure_pieces(torn, t);
+  measure_faces(torn, t, faces, section);
   return torn;
 }
 

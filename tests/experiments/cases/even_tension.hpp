@@ -21,6 +21,8 @@ struct TornBody {
   /// Area of all faces that were unsewn, and of their projections along the axis, over that of the
   /// plane's section through the body.
   double raw = 0, projected = 0;
+  /// The same as drawn smooth (`smooth_crack_moves`).
+  double smooth_raw = 0, smooth_projected = 0;
   std::size_t pieces = 0, cracks = 0, fans = 0;
   double two_largest = 0;  ///< share of the volume
   std::size_t debris = 0;  ///< tetrahedra outside the two largest pieces
