@@ -144,6 +144,34 @@ TEST_CASE("two runs of a scene that breaks leave the same bytes", "[run]") {
   CHECK(std::abs(report["fragments"]["mass_error"].get<double>()) < 1e-12);
 }
 
+TEST_CASE("cracks drawn smooth change pictures and nothing else", "[run][smooth_cracks]") {
+  const Folder folder;
+  const std::string scene = write_scene(folder, struck_scene()).string();
+  const auto picture = [&](const std::string& cracks) {
+    const Outcome outcome = run(scene + " -o " + (folder.path() / cracks).string() +
+                                " --png 1 --set fracture.crack=object --set output.frames=1 "
+                                "--set output.pictures.show=both --set output.crack_surface=" +
+                                cracks);
+    if (outcome.exit_code == 0) return bytes_of(folder.path() / cracks / "picture_000.png");
+    INFO(outcome.text());
+    const bool cannot_draw = outcome.text().find("[no_gl_") != std::string::npos ||
+                             outcome.text().find("[no_headless_display]") != std::string::npos;
+    REQUIRE(cannot_draw);
+    WARN("skipped: OpenGL without a display is not installed");
+    return std::string();
+  };
+  const std::string mesh = picture("mesh"), smooth = picture("smooth");
+  if (mesh.empty()) return;
+  CHECK(mesh != smooth);
+  for (const char* file :
+       {"events.jsonl", "cracks.csv", "fragments.csv", "frames/frame_000000.vtu"}) {
+    INFO(file);
+    const std::string bytes = bytes_of(folder.path() / "mesh" / file);
+    CHECK(bytes.size() > 0);
+    CHECK(bytes == bytes_of(folder.path() / "smooth" / file));
+  }
+}
+
 TEST_CASE("bad scenes are told with place, value and remedy, exit code 3", "[run]") {
   const Folder folder;
   struct Case {
