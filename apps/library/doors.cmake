@@ -15,6 +15,7 @@ door(mesh "Tetrahedral meshes: cells, files in and out, checks."
 
 door(map "The 3-map of a body: faces split and glued, fans, components, invariants."
   topology/kernel/kernel.hpp
+  topology/kernel/dense_map.hpp
   topology/kernel/volume_map.hpp
   topology/mesh/build_map.hpp
   topology/kernel/split_face.hpp

@@ -343,7 +343,7 @@ void add_findings(const Context& c, std::vector<SettingFinding> found) {
 
 /// What output asks for that the scene does not have.
 void check_output(const Context& c, const SceneFile& file) {
-  const bool has_planes = file.scene.fracture.crack == CrackMode::object;
+  const bool has_planes = file.scene.fracture.crack != CrackMode::paper;
   if (has_planes || file.output.crack_surface == CrackSurface::mesh) return;
   c.add("no_crack_planes", "/output/crack_surface",
         "is smooth, but with fracture.crack paper cracks have no planes of their own",

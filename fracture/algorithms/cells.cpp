@@ -95,13 +95,16 @@ double vertex_strength(const Cells& cells, const MechanicsState& mechanics, Vert
   for (const TetId t : star) {
     const Material& m = mechanics.materials[mechanics.elements.material[t.index()].index()];
     strength = std::min(strength, m.tensile_strength);
-    if (m.toughness) toughness = std::min(toughness, *m.toughness);
+    const double of_cell = cells.pieces ? toughness_of(m) : m.toughness.value_or(toughness);
+    toughness = std::min(toughness, of_cell);
   }
   if (cells.painted[vertex.index()] > 0) strength = cells.painted[vertex.index()];
   strength *= cells.flaw[vertex.index()];
   if (std::isinf(toughness) || !is_crack_tip(cells, vertex, star)) return strength;
   const double h = mean_edge_length(mechanics.vertices, cells.map.corners(), star);
-  return crack_tip_factor * toughness / std::sqrt(h);
+  const double at_tip = crack_tip_factor * toughness / std::sqrt(h);
+  // Ties take the energy: at a tip they must not have less than the strength of the material.
+  return cells.pieces ? std::min(strength, at_tip) : at_tip;
 }
 
 Vec3 rest_area_vector(const VolumeMap& map, HalfFaceId face) {

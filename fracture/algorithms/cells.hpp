@@ -2,6 +2,7 @@
 // The cells of all bodies and what breaking knows about them: map, components, skin, strength.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,10 +21,18 @@ struct EmptyFan {
   Mat3 stress_direction;
 };
 
+/// What hangs together by ties too (`CrackMode::cohesive`): the same tetrahedra as in `Cells::map`,
+/// sewn wherever they are sewn there or tied. Its components are the pieces. A face that is sewn in
+/// the map is sewn here to the same face; a vertex there lies in one vertex here.
+struct Pieces {
+  DenseMap map;
+  Components labels;  ///< `of_vertex`: by the rows of this map
+};
+
 /// The topological half of a simulation's state.
 struct Cells {
   VolumeMap map;
-  Components labels;
+  Components labels;  ///< components are the pieces, where there are `pieces`
   /// 4 |T|, by half-face: 1 where the face was on the surface before anything broke. A boundary
   /// half-face that is not skin is a crack face.
   std::vector<char> skin;
@@ -39,8 +48,10 @@ struct Cells {
   std::vector<char> waits;
   /// Those that wait until their stress changes, each vertex once.
   std::vector<EmptyFan> empty_fans;
-  /// With `CrackMode::object`.
+  /// But for `CrackMode::paper`.
   CrackLabels cracks;
+  /// With `CrackMode::cohesive`.
+  std::optional<Pieces> pieces = {};
 };
 
 /// The bodies of a simulation as breaking changes them: their cells, and the columns of mechanics
@@ -71,6 +82,7 @@ inline constexpr double crack_tip_factor = 0.54;
 /// toughness K_Ic and the vertex is a crack tip (a cracked face lies in its star), 0.54 K_Ic /
 /// sqrt(h) alone, h the mean edge length of its star, because the stress there grows like
 /// 1 / sqrt(h) and a bare strength would depend on the mesh (docs/decisions.md).
+/// With `CrackMode::cohesive` the smaller of the two, K_Ic = sqrt(E G_c / (1 - nu^2)).
 /// `star`: every tetrahedron around `vertex`. Infinite for a material that never breaks.
 double vertex_strength(const Cells& cells, const MechanicsState& mechanics, VertexId vertex,
                        std::span<const TetId> star);

@@ -45,6 +45,9 @@ enum class CrackMode {
   paper,
   /// A surface with sides that grows along its front (docs/crack_objects.md).
   object,
+  /// The same, and what has come apart is tied until the crack has taken its fracture energy
+  /// (docs/cohesive.md).
+  cohesive,
 };
 
 /// How vertices are tested against their thresholds; the result is the same.

@@ -70,7 +70,9 @@ FanEvent split_fan(BreakableBody body, const VertexStar& v, const Vec3& u,
     event.faces.push_back(split);
   }
   // If the oracle predicts new connected components, identify them, from the faces it points at.
-  if (new_component || !asks_oracle(settings.detection)) {
+  // What is tied has not come off yet; that is found out as ties are released.
+  const bool is_tied = body.cells.pieces.has_value();
+  if (!is_tied && (new_component || !asks_oracle(settings.detection))) {
     event.components =
         update_components(map, event.faces, settings.detection, body.cells.labels, scratch);
   }

@@ -23,6 +23,8 @@ double inradius(const VolumeMap& map, TetId t) {
   return 3 * std::abs(tetrahedron_volume(at)) / area;
 }
 
+}  // namespace
+
 Partner partner_of(const VolumeMap& map, HalfFaceId face, HalfFaceId opposite) {
   const TetId a = tetrahedron_of(face), b = tetrahedron_of(opposite);
   Partner partner{.face = face,
@@ -40,8 +42,6 @@ Partner partner_of(const VolumeMap& map, HalfFaceId face, HalfFaceId opposite) {
   }
   return partner;
 }
-
-}  // namespace
 
 void add_partners(std::vector<Partner>& partners, const VolumeMap& map,
                   std::span<const FanEvent> fans) {

@@ -12,6 +12,9 @@
 
 namespace sunder {
 
+/// Both sides of a face that is unsewn, or about to be: which corners meet.
+Partner partner_of(const VolumeMap& map, HalfFaceId face, HalfFaceId opposite);
+
 /// Appends the faces that fans have split, in their order.
 void add_partners(std::vector<Partner>& partners, const VolumeMap& map,
                   std::span<const FanEvent> fans);

@@ -40,7 +40,7 @@ struct FractureWork {
   const Mat3& stress(VertexId v) const { return scratch.node_stress.value[v.index()]; }
   double strength(VertexId v) const { return body.cells.strength[v.index()]; }
   ThresholdAnswer test(VertexId v) const { return test_threshold(stress(v), strength(v)); }
-  bool has_objects() const { return settings.crack == CrackMode::object; }
+  bool has_objects() const { return settings.crack != CrackMode::paper; }
   void tell(VertexId v) const {
     if (watch) watch(v);
   }

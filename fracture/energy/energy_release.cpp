@@ -270,10 +270,4 @@ Result<EnergyRelease> energy_release(const ReleaseInput& input, std::span<const 
   return release;
 }
 
-double fracture_energy(const Material& material) {
-  if (!material.toughness) return std::numeric_limits<double>::infinity();
-  const double nu = material.poisson_ratio, K = *material.toughness;
-  return K * K * (1 - nu * nu) / material.young_modulus;
-}
-
 }  // namespace sunder

@@ -53,7 +53,4 @@ struct EnergyRelease {
 Result<EnergyRelease> energy_release(const ReleaseInput& input, std::span<const HalfFaceId> faces,
                                      const Vec3& normal);
 
-/// G_c = K_Ic^2 (1 - nu^2) / E, J/m^2 [Irwin 1957, plane strain]; infinite without a toughness.
-double fracture_energy(const Material& material);
-
 }  // namespace sunder

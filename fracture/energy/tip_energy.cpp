@@ -156,7 +156,7 @@ double tip_strength(const Cells& cells, const MechanicsState& mechanics, const D
   double needed = never;
   for (const TetId t : around) {
     const Material& m = mechanics.materials[mechanics.elements.material[t.index()].index()];
-    needed = std::min(needed, fracture_energy(m));
+    needed = std::min(needed, fracture_energy_of(m));
   }
   std::optional<double> released;
   if (needed < never) released = tip_energy(cells, mechanics.elements, deformed, at.vertex);

@@ -18,7 +18,7 @@ namespace sunder {
 constexpr int member_count(const Scene*) { return 12; }
 constexpr int member_count(const BodySettings*) { return 12; }
 constexpr int member_count(const TetMesh*) { return 6; }
-constexpr int member_count(const Material*) { return 5; }
+constexpr int member_count(const Material*) { return 6; }
 constexpr int member_count(const HeldBox*) { return 3; }
 constexpr int member_count(const LoadBox*) { return 5; }
 constexpr int member_count(const CutSettings*) { return 3; }
@@ -46,6 +46,7 @@ constexpr int member_count(const BodyRows*) { return 4; }
 // Of cells.
 constexpr int member_count(const MapRows*) { return 5; }
 constexpr int member_count(const Components*) { return 4; }
+constexpr int member_count(const Pieces*) { return 2; }
 constexpr int member_count(const EmptyFan*) { return 2; }
 constexpr int member_count(const CrackLabels*) { return 6; }
 constexpr int member_count(const CrackLabel*) { return 4; }
@@ -68,7 +69,9 @@ constexpr int member_count(const FactorBorder*) { return 2; }
 constexpr int member_count(const FactorBorder::Column*) { return 4; }
 constexpr int member_count(const BorderFactor::Block*) { return 3; }
 // Of all else that evolves.
-constexpr int member_count(const ContactMemory*) { return 2; }
+constexpr int member_count(const ContactMemory*) { return 3; }
+constexpr int member_count(const Tie*) { return 7; }
+constexpr int member_count(const TieCorner*) { return 4; }
 constexpr int member_count(const Partner*) { return 5; }
 constexpr int member_count(const ContactMemory::Remembered*) { return 2; }
 constexpr int member_count(const ContactPoint*) { return 12; }
@@ -163,26 +166,23 @@ bool fit_together(const MapRows& rows, std::span<const TetId> incident) {
   return true;
 }
 
+const DenseMap& dense_of(const VolumeMap& map) { return map.dense(); }
+const DenseMap& dense_of(const DenseMap& map) { return map; }
+
 template <class Archive, class Map>
 void archive_map(Archive& a, Map& map) {
   MapRows rows;
   std::vector<TetId> incident;
   if constexpr (!is_reader<Archive>) {
-    const auto copy = [](auto& to, const auto& from) { to.assign(from.begin(), from.end()); };
-    copy(rows.corners, map.corners());
-    copy(rows.neighbours, map.neighbours());
-    copy(rows.point_of_vertex, map.point_of_vertex());
-    copy(rows.points, map.points());
-    copy(rows.reoriented, map.reoriented());
-    for (std::size_t v = 0; v < map.vertices(); ++v) {
-      incident.push_back(map.incident_tetrahedron(VertexId{v}));
-    }
+    const DenseMap& dense = dense_of(map);
+    rows = dense.rows();
+    incident.assign(dense.incident_tetrahedra().begin(), dense.incident_tetrahedra().end());
   }
   archive(a, rows);
   archive(a, incident);
   if constexpr (is_reader<Archive>) {
     a.failed = a.failed || !fit_together(rows, incident);
-    if (!a.failed) map = VolumeMap(std::move(rows), std::move(incident));
+    if (!a.failed) map = Map(std::move(rows), std::move(incident));
   }
 }
 
@@ -232,6 +232,22 @@ bool fits_together(const CrackLabels& c, std::size_t vertices, std::size_t tetra
          std::ranges::all_of(c.of_face, [&](CrackId k) { return k.is_none() || is_crack(k); });
 }
 
+/// Whether ties name faces that the map has apart and the pieces have sewn.
+bool fits_together(const std::vector<Tie>& ties, const Cells& cells) {
+  if (!cells.pieces) return ties.empty();
+  const std::size_t faces = 4 * cells.map.tetrahedra();
+  return cells.pieces->map.tetrahedra() == cells.map.tetrahedra() &&
+         cells.pieces->labels.of_tetrahedron == cells.labels.of_tetrahedron &&
+         std::ranges::all_of(ties, [&](const Tie& tie) {
+           const auto is_place = [](std::uint8_t place) { return place < 4; };
+           return tie.face.index() < faces && tie.opposite.index() < faces &&
+                  cells.map.neighbour(tie.face).is_none() &&
+                  cells.pieces->map.neighbour(tie.face) == tie.opposite &&
+                  std::ranges::all_of(tie.corner, is_place) &&
+                  std::ranges::all_of(tie.opposite_corner, is_place);
+         });
+}
+
 /// Whether columns are as long as each other, as far as a step relies on it without a look.
 bool fits_together(const SimulationState& s) {
   const std::size_t vertices = s.cells.map.vertices(), tetrahedra = s.cells.map.tetrahedra();
@@ -252,19 +268,24 @@ bool fits_together(const SimulationState& s) {
   }
   return s.display.size() == components && s.display_target.size() == components &&
          s.cells.labels.size.size() == components && s.cells.skin.size() == 4 * tetrahedra &&
-         fits_together(s.cells.cracks, vertices, tetrahedra);
+         fits_together(s.cells.cracks, vertices, tetrahedra) &&
+         fits_together(s.contact.ties, s.cells);
 }
 
 }  // namespace
 
+template <class Archive, class M>
+requires std::is_same_v<std::remove_const_t<M>, DenseMap>
+void archive_struct(Archive& a, M& map) { archive_map(a, map); }
+
 template <class Archive, class C>
 requires std::is_same_v<std::remove_const_t<C>, Cells>
 void archive_struct(Archive& a, C& cells) {
-  auto& [map, labels, skin, strength, painted, flaw, unbreakable, waits, empty_fans, cracks] =
-      cells;
+  auto& [map, labels, skin, strength, painted, flaw, unbreakable, waits, empty_fans, cracks,
+         pieces] = cells;
   archive_map(a, map);
   const auto all = [&](auto&... member) { (archive(a, member), ...); };
-  all(labels, skin, strength, painted, flaw, unbreakable, waits, empty_fans, cracks);
+  all(labels, skin, strength, painted, flaw, unbreakable, waits, empty_fans, cracks, pieces);
 }
 
 namespace {

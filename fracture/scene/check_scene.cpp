@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "fracture/strength/draw_strength.hpp"
+#include "fracture/scene/cohesive_settings.hpp"
 
 namespace sunder {
 namespace {
@@ -81,6 +82,7 @@ void check_together(fields::SettingsCheck& check, const Scene& scene) {
   if (scene.bodies.empty()) {
     check.add("no_body", "bodies", "is empty", "give at least one body");
   }
+  check_cohesive(check, scene);
   constexpr double most_steps = 1e9;
   const double steps = scene.duration / scene.integrator.time_step;
   if (scene.integrator.time_step > 0 && steps > most_steps) {

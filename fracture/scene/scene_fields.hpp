@@ -20,7 +20,8 @@ inline const Names<FractureCriterion>& names_of(FractureCriterion) {
 }
 inline const Names<CrackMode>& names_of(CrackMode) {
   static const Names<CrackMode> names = {{CrackMode::paper, "paper"},
-                                         {CrackMode::object, "object"}};
+                                         {CrackMode::object, "object"},
+                                         {CrackMode::cohesive, "cohesive"}};
   return names;
 }
 inline const Names<NodeStress>& names_of(NodeStress) {
@@ -201,7 +202,9 @@ void describe(V& v, FractureSettings& f) {
           f.criterion);
   v.field(Key{"crack", "",
               "What a crack is: paper: each vertex is cut along its own plane; object: a surface "
-              "that keeps its sides and grows along its front (docs/crack_objects.md)"},
+              "that keeps its sides and grows along its front (docs/crack_objects.md); cohesive: "
+              "the same, tied until it has taken the material's fracture energy "
+              "(docs/cohesive.md)"},
           f.crack);
   v.field(Key{"relax", "",
               "Rings of tetrahedra around each fan whose stresses are solved for again within the "

@@ -5,12 +5,14 @@
 
 #include "fracture/breaking/break.hpp"
 #include "fracture/breaking/fan_clock.hpp"
+#include "fracture/simulation/attempt.hpp"
 #include "fracture/simulation/energy_ledger.hpp"
 #include "fracture/simulation/ladder.hpp"
 #include "fracture/simulation/part.hpp"
 #include "fracture/simulation/plan.hpp"
 #include "fracture/simulation/rebuild_pieces.hpp"
 #include "fracture/simulation/simulation_state.hpp"
+#include "fracture/ties/release_ties.hpp"
 #include "mechanics/element/energy.hpp"
 #include "mechanics/state/living.hpp"
 
@@ -66,6 +68,16 @@ void add_fracture(StepReport& sum, FractureReport&& part) {
   ++sum.parts;
 }
 
+/// What follows from pieces that are new: their energy, and rows like their ancestors' in the step.
+void note_pieces(StepReport& report, StepPlan& plan, std::vector<char>& touched,
+                 const RebuildReport& rebuilt, const SimulationState& s) {
+  report.energy_released += rebuilt.energy_released;
+  report.energy.strain -= rebuilt.strain_released;
+  inherit(touched, s.cells.labels);
+  inherit(plan.components, s.cells.labels);
+  inherit(plan.boundary.component, s.cells.labels);
+}
+
 /// Section 3.3: what is drawn follows the frames smoothly.
 void update_display(SimulationState& s, const Scene& scene) {
   for (const Component& c : s.mechanics.components) {
@@ -96,11 +108,17 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
     ContactStepResult taken;
     if (part->moves) {
       const StageTimer timer(report, Stage::mechanics);
-      taken = take_part(
-          report, s, {scene, *part, plan.members(), plan.gravity, sim.threads, sim.hurry}, scratch);
+      const PartInput input{scene,        *part,       plan.members(),
+                            plan.gravity, sim.threads, sim.hurry};
+      const std::optional<Attempt> attempt = begin_attempt(scene, *part, s, report);
+      taken = take_part(report, s, input, scratch);
+      const bool fails = taken.status.outcome != StepOutcome::fine;
+      if (attempt && taken.adopted && !fails)
+        take_back(*attempt, report, s, input, scratch.fracture, taken);
       if (taken.adopted) {
         add_status(report.status, taken.status);
         add_contact(report.contact, taken.report);
+        add_part(report.ties, taken.ties);
         note_touches(touched, s.mechanics, taken.contacts);
         report.time = s.mechanics.time;
         if (observe) observe(sim, {part->part.deformation, part->length, taken.report});
@@ -109,6 +127,14 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
     note_part(plan, *part, taken, scene, s);
     if (has_failed(report)) break;
     if (!taken.adopted) continue;
+    if (!s.contact.ties.empty()) {
+      const StageTimer timer(report, Stage::rebuild);
+      const TieRelease released = release_ties(s.cells, s.contact, scene.fracture.detection,
+                                               scratch.fracture.components);
+      report.released += released.faces.size();
+      if (released.components.created > 0)
+        note_pieces(report, plan, touched, rebuild_released(s, scratch.mechanics), s);
+    }
     untested += part->length;
     if (!part->breaks) continue;
 
@@ -126,12 +152,7 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
     for (const FanEvent& fan : found.fans) report.fan_us.push_back(clock.us(fan.vertex));
     if (!found.not_a_number && !found.fans.empty()) {
       const StageTimer timer(report, Stage::rebuild);
-      const RebuildReport rebuilt = rebuild_pieces(s, found.fans, scratch.mechanics);
-      report.energy_released += rebuilt.energy_released;
-      report.energy.strain -= rebuilt.strain_released;
-      inherit(touched, s.cells.labels);
-      inherit(plan.components, s.cells.labels);
-      inherit(plan.boundary.component, s.cells.labels);
+      note_pieces(report, plan, touched, rebuild_pieces(s, found.fans, scratch.mechanics), s);
       note_fans(plan, scene, s, found.fans);
     }
     add_fracture(report, std::move(found));

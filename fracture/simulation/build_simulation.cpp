@@ -11,6 +11,7 @@
 #include "fracture/simulation/simulation_state.hpp"
 #include "fracture/strength/draw_strength.hpp"
 #include "fracture/strength/make_cuts.hpp"
+#include "fracture/scene/cohesive_settings.hpp"
 #include "mechanics/rebuild.hpp"
 #include "mechanics/state/living.hpp"
 #include "topology/mesh/build_map.hpp"
@@ -191,7 +192,8 @@ Result<Simulation> build_simulation(Scene scene) {
   if (!mechanics) return result;
 
   Cells cells = make_cells(std::move(*map), *mechanics, std::move(skin));
-  if (scene.fracture.crack == CrackMode::object) label_cuts(cells, cuts);
+  if (scene.fracture.crack != CrackMode::paper) label_cuts(cells, cuts);
+  if (scene.fracture.crack == CrackMode::cohesive) cells.pieces = {cells.map.dense(), cells.labels};
   draw_strengths(cells, *mechanics, scene.bodies, bodies);
   Simulation sim;
   sim.scene = std::move(scene);
@@ -208,6 +210,7 @@ Result<Simulation> build_simulation(Scene scene) {
   rebuild(sim.state->mechanics, sim.state->cells.map.corners(), living, sim.scratch->mechanics);
   for (std::size_t b = 0; b < sim.bodies.size(); ++b) place_body(sim, b);
   warn_of_slender_bodies(result.findings, sim.state->mechanics);
+  if (sim.state->cells.pieces) append(result.findings, judge_materials(sim.state->mechanics));
   start_display(*sim.state);
   append(result.findings,
          check_integrator_bounds(sim.scene, sim.state->mechanics, sim.scratch->mechanics));

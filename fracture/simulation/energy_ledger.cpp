@@ -227,6 +227,7 @@ void add_part_energy(StepReport& report, const AdoptedPart& part, bool keeps_led
   EnergyLedger& ledger = report.energy;
   add_work(ledger, part);
   add_contact_work(ledger, part);
+  ledger.cracks += part.result.ties.work;
   const bool has_closed_forms = part.input.settings.integrator == Integrator::floating_frame;
   for_each_living(m, members, [&](const Component& component) {
     const StrainChange& change = component.strain_change;
@@ -241,8 +242,9 @@ void close_ledger(StepReport& report, double kinetic, double kinetic_now) {
   EnergyLedger& ledger = report.energy;
   ledger.kinetic = kinetic_now - kinetic;
   const double in[] = {ledger.gravity, ledger.loads, ledger.contact, ledger.supports};
-  const double out[] = {ledger.kinetic, ledger.strain, ledger.numerical, report.status.damping_work,
-                        report.energy_released};
+  const double out[] = {ledger.kinetic,   ledger.strain,
+                        ledger.cracks,    ledger.numerical,
+                        report.status.damping_work, report.energy_released};
   for (const double work_in : in) {
     ledger.residual += work_in;
     ledger.moved += std::abs(work_in);

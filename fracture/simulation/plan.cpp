@@ -39,12 +39,14 @@ std::vector<ComponentId> open_windows(const ImpactWindow& window) {
 }
 
 /// Opens windows for what is struck. The first one decides the sub-step: the step over a power of
-/// two, so that runs whose steps differ by such a power take the same sub-steps. In the midst of
-/// the members' step what is left of it is counted anew.
-void open(StepPlan& plan, ImpactWindow& window, const Blows& blows, double time_step) {
-  if (open_windows(window).empty()) {
-    const double halvings = std::ceil(std::log2(time_step / blows.sub_step));
-    double sub_step = time_step * std::exp2(-std::max(0.0, halvings));
+/// two, so that runs whose steps differ by such a power take the same sub-steps; ties may ask for a
+/// shorter one later. In the midst of the members' step what is left of it is counted anew.
+void open(StepPlan& plan, ImpactWindow& window, const Blows& blows, const Scene& scene) {
+  const double time_step = scene.integrator.time_step;
+  const bool refines = scene.fracture.crack == CrackMode::cohesive;
+  const double halvings = std::ceil(std::log2(time_step / blows.sub_step));
+  double sub_step = time_step * std::exp2(-std::max(0.0, halvings));
+  if (open_windows(window).empty() || (refines && sub_step < window.sub_step)) {
     if (plan.phase == StepPlan::Phase::members) {
       sub_step = std::min(sub_step, window.sub_step);
       plan.left *= static_cast<std::uint64_t>(std::round(window.sub_step / sub_step));
@@ -57,15 +59,17 @@ void open(StepPlan& plan, ImpactWindow& window, const Blows& blows, double time_
   }
 }
 
-/// What fans have cracked, as what a blow has struck.
-Blows cracked_by(std::span<const FanEvent> fans, const Scene& scene, const MechanicsState& m) {
-  Blows cracked;
-  const auto add = [&](VertexId v) {
-    const Component& c = m.components[m.vertices.component[v.index()].index()];
-    if (c.isolated) return;
-    cracked.struck.push_back(c.id);
-    cracked.sub_step = std::min(cracked.sub_step, wave_sub_step(m, c, scene.impact));
-  };
+/// s: as long as a blow allows, and while ties open no more than a wave's way through a cell.
+double crack_sub_step(const Scene& scene, const MechanicsState& m, const Component& c) {
+  const double struck = wave_sub_step(m, c, scene.impact);
+  if (scene.fracture.crack != CrackMode::cohesive) return struck;
+  return std::min(struck, cell_travel(m, c));
+}
+
+/// Whom fans have cracked.
+std::vector<ComponentId> cracked_by(std::span<const FanEvent> fans, const MechanicsState& m) {
+  std::vector<ComponentId> cracked;
+  const auto add = [&](VertexId v) { cracked.push_back(m.vertices.component[v.index()]); };
   for (const FanEvent& fan : fans) {
     add(fan.vertex);
     for (const FaceSplit& face : fan.faces) {
@@ -74,7 +78,7 @@ Blows cracked_by(std::span<const FanEvent> fans, const Scene& scene, const Mecha
       }
     }
   }
-  sort_unique(cracked.struck);
+  sort_unique(cracked);
   return cracked;
 }
 
@@ -239,7 +243,7 @@ void note_members(StepPlan& plan, const PlannedPart& part, const ContactStepResu
       if (result.adopted) {
         plan.left = 0;
       } else {
-        open(plan, s.impact, result.blows, scene.integrator.time_step);
+        open(plan, s.impact, result.blows, scene);
         plan.still = sub_steps_before(result.blows.time, plan.left, s.impact.sub_step);
       }
   }
@@ -270,6 +274,18 @@ void note_strengths(StepPlan& plan, const Scene& scene, const SimulationState& s
 }
 
 }  // namespace
+
+Blows struck_by_cracks(std::vector<ComponentId> components, const Scene& scene,
+                       const MechanicsState& m) {
+  Blows cracked;
+  for (const ComponentId id : components) {
+    const Component& c = m.components[id.index()];
+    if (c.isolated) continue;
+    cracked.struck.push_back(id);
+    cracked.sub_step = std::min(cracked.sub_step, crack_sub_step(scene, m, c));
+  }
+  return cracked;
+}
 
 StepPlan plan_step(const Scene& scene, SimulationState& s, SimulationScratch& scratch) {
   StepPlan plan{.strength = scratch.strength,
@@ -340,7 +356,7 @@ void note_part(StepPlan& plan, const PlannedPart& part, const ContactStepResult&
     return;
   }
   // The others go first, as long as no blow makes members of them.
-  open(plan, s.impact, result.blows, scene.integrator.time_step);
+  open(plan, s.impact, result.blows, scene);
   plan.blow =
       plan.phase == Phase::whole ? result.blows.time : std::min(plan.blow, result.blows.time);
   if (plan.phase == Phase::whole) begin_others(plan, s);
@@ -348,10 +364,10 @@ void note_part(StepPlan& plan, const PlannedPart& part, const ContactStepResult&
 
 void note_fans(StepPlan& plan, const Scene& scene, SimulationState& s,
                std::span<const FanEvent> fans) {
-  if (!has_windows(scene) || scene.fracture.crack != CrackMode::object) return;
+  if (!has_windows(scene) || scene.fracture.crack == CrackMode::paper) return;
   s.impact.quiet.resize(s.mechanics.components.size(), ImpactWindow::closed);
-  const Blows cracked = cracked_by(fans, scene, s.mechanics);
-  if (!cracked.struck.empty()) open(plan, s.impact, cracked, scene.integrator.time_step);
+  const Blows cracked = struck_by_cracks(cracked_by(fans, s.mechanics), scene, s.mechanics);
+  if (!cracked.struck.empty()) open(plan, s.impact, cracked, scene);
 }
 
 }  // namespace sunder

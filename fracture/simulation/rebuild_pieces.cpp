@@ -3,6 +3,7 @@
 #include "fracture/simulation/rebuild_pieces.hpp"
 
 #include "fracture/breaking/partners.hpp"
+#include "fracture/ties/insert_ties.hpp"
 #include "topology/base/sort_unique.hpp"
 
 namespace sunder {
@@ -27,20 +28,9 @@ std::vector<ComponentId> touched_components(const Components& labels,
   return touched;
 }
 
-}  // namespace
-
-ComponentId ancestor(const Components& labels, ComponentId id, std::size_t count) {
-  while (id.index() >= count) id = labels.parent[id.index()];
-  return id;
-}
-
-RebuildReport rebuild_pieces(SimulationState& s, std::span<const FanEvent> fans,
-                             MechanicsScratch& scratch) {
+RebuildReport rebuild_touched(SimulationState& s, std::span<const ComponentId> touched,
+                              MechanicsScratch& scratch) {
   const std::size_t before = s.display.size();
-  const auto touched = touched_components(s.cells.labels, fans, before);
-  open_cracks(s.cracks, {fans, s.fans, s.mechanics.time}, s.mechanics, s.cells);
-  s.fans += fans.size();
-  add_partners(s.contact.partners, s.cells.map, fans);
   std::vector<Vec3> old_rest_centre;
   for (std::size_t id = 0; id < before; ++id) {
     old_rest_centre.push_back(s.mechanics.components[id].rest_centre);
@@ -59,6 +49,32 @@ RebuildReport rebuild_pieces(SimulationState& s, std::span<const FanEvent> fans,
   }
   inherit(s.impact.quiet, s.cells.labels);
   return report;
+}
+
+}  // namespace
+
+ComponentId ancestor(const Components& labels, ComponentId id, std::size_t count) {
+  while (id.index() >= count) id = labels.parent[id.index()];
+  return id;
+}
+
+RebuildReport rebuild_pieces(SimulationState& s, std::span<const FanEvent> fans,
+                             MechanicsScratch& scratch) {
+  const auto touched = touched_components(s.cells.labels, fans, s.display.size());
+  s.fans += fans.size();
+  if (s.cells.pieces) {
+    add_ties(s.contact.ties, s.cells, s.mechanics, fans);
+    const RebuildReport report = rebuild_touched(s, touched, scratch);
+    begin_corners(s.contact.ties, s.cells, s.mechanics);
+    return report;
+  }
+  open_cracks(s.cracks, {fans, s.fans - fans.size(), s.mechanics.time}, s.mechanics, s.cells);
+  add_partners(s.contact.partners, s.cells.map, fans);
+  return rebuild_touched(s, touched, scratch);
+}
+
+RebuildReport rebuild_released(SimulationState& s, MechanicsScratch& scratch) {
+  return rebuild_touched(s, touched_components(s.cells.labels, {}, s.display.size()), scratch);
 }
 
 }  // namespace sunder

@@ -13,10 +13,13 @@ namespace sunder {
 /// The component that `id` was part of when there were `count` of them.
 ComponentId ancestor(const Components& labels, ComponentId id, std::size_t count);
 
-/// Brings mechanics, display, impact windows and open cracks up to date with fans that were just
-/// split. O(|T|).
+/// Brings mechanics, display, impact windows and open cracks or ties up to date with fans that were
+/// just split. O(|T|).
 RebuildReport rebuild_pieces(SimulationState& state, std::span<const FanEvent> fans,
                              MechanicsScratch& scratch);
+
+/// The same for pieces that came off as ties were released (`release_ties`).
+RebuildReport rebuild_released(SimulationState& state, MechanicsScratch& scratch);
 
 /// Appends the rows of components that came since `rows` was made: those of their ancestors. Empty
 /// `rows` stand for all and stay so.

@@ -70,7 +70,7 @@ constexpr auto counters_of(const LadderReport*) {
 
 /// Where the energy of the bodies went in a step, J: work in = what came of it + residual,
 ///   gravity + loads + contact + supports
-///     = kinetic + strain + damping work + numerical + energy released + residual.
+///     = kinetic + strain + cracks + damping work + numerical + energy released + residual.
 /// Every term is computed by itself, part by part of the step; none is the difference of others.
 struct EnergyLedger {
   double kinetic = 0, strain = 0;  ///< change over the step
@@ -82,6 +82,7 @@ struct EnergyLedger {
   double friction = 0;  ///< of that, what sliding turned into heat; free spheres' turning left out
   double push_out = 0;  ///< of that, given by contacts that began overlapped, as they came apart
   double supports = 0;  ///< of supports that move
+  double cracks = 0;    ///< done on ties: what cracks take, and what opens and shuts with them
   /// What the scheme took: of deformations by its closed form (`numerical_loss`, `wave_loss`), and
   /// of the frame of what is touched, which a blow stops without a bounce. Only of floating_frame;
   /// what other integrators take is in the residual.
@@ -96,6 +97,7 @@ constexpr auto counters_of(const EnergyLedger*) {
                     Counter{"load_work", &EnergyLedger::loads},
                     Counter{"contact_work", &EnergyLedger::contact},
                     Counter{"support_work", &EnergyLedger::supports},
+                    Counter{"crack_work", &EnergyLedger::cracks},
                     Counter{"friction_heat", &EnergyLedger::friction},
                     Counter{"push_out_work", &EnergyLedger::push_out},
                     Counter{"numerical_loss", &EnergyLedger::numerical},
@@ -143,6 +145,8 @@ struct StepReport {
   LadderReport ladder;
   MomentumLedger momentum;
   EnergyLedger energy;
+  TieReport ties;
+  std::size_t released = 0;  ///< faces whose ties were spent
   /// Fans whose energy was settled in this step; not of this step, and not in the ledger: what
   /// they give up goes into motion and from there into losses.
   std::vector<CrackEnergy> cracks;

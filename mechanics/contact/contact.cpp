@@ -10,6 +10,7 @@
 #include "mechanics/contact/contact_step.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/state/living.hpp"
+#include "topology/base/sort_unique.hpp"
 
 namespace sunder {
 
@@ -62,6 +63,10 @@ double measure_rows(ContactStep& step) {
   for (std::size_t k = 0; k < step.contacts.size(); ++k) {
     const ContactPoint& contact = step.contacts[k];
     ContactRow& row = step.scratch.bodies.rows[k];
+    if (k < step.tied_rows) {
+      worst = std::max(worst, measure_tie(row, step.ties[k], contact.impulse, paths, {}));
+      continue;
+    }
     const ContactPath path = path_of(contact, paths);
     row.gap = predicted_gap_error(step, contact, path);
     row.push = push_out(step, contact);
@@ -106,58 +111,6 @@ void solve_pass(ContactStep& step) {
   ++step.report.passes;
 }
 
-bool by_key(const ContactMemory::Remembered& a, const ContactMemory::Remembered& b) {
-  return key_of(a.contact) < key_of(b.contact);
-}
-
-/// Whether all that meets in a contact belongs to what the step moves, and not all of it is
-/// carried: contacts of those were solved as they took the step.
-bool concerns_step(const ContactStep& step, const ContactPoint& contact) {
-  const StepMembers& members = step.pass.input.members;
-  const MechanicsState& state = step.pass.state;
-  bool all = true, any = false;
-  const auto see = [&](ComponentId id) {
-    all = all && members.has(id);
-    any = any || state.components[id.index()].rung != Rung::carried;
-  };
-  const auto see_ball = [&](std::uint32_t row) {
-    all = all && members.has_ball(row);
-    any = true;
-  };
-  if (contact.ball != ContactPoint::none) see_ball(contact.ball);
-  if (!contact.vertex.is_none()) see(state.vertices.component[contact.vertex.index()]);
-  if (!contact.tetrahedron.is_none()) see(state.elements.component[contact.tetrahedron.index()]);
-  const bool meets_ball = contact.obstacle != ContactPoint::none &&
-                          step.pass.obstacles[contact.obstacle].mass.has_value();
-  if (meets_ball) see_ball(contact.obstacle);
-  return all && any;
-}
-
-/// Lets the first pass begin with the forces that the same contacts needed in the last step.
-void guess_from_last_step(ContactStep& step) {
-  const auto& last = step.memory.last_contacts;
-  for (std::size_t k = 0; k < step.contacts.size(); ++k) {
-    if (!concerns_step(step, step.contacts[k])) continue;
-    const ContactMemory::Remembered contact{step.contacts[k], step.h()};
-    const auto found = std::lower_bound(last.begin(), last.end(), contact, by_key);
-    if (found == last.end() || key_of(found->contact) != key_of(contact.contact)) continue;
-    // Turned with the normal, so that it stays inside the bounds and the circle.
-    const Eigen::Quaterniond turn =
-        Eigen::Quaterniond::FromTwoVectors(found->contact.normal, contact.contact.normal);
-    step.scratch.bodies.rows[k].guess = step.h() / found->step * (turn * found->contact.impulse);
-  }
-}
-
-/// Contacts of this step in place of those of the members' last one.
-void remember_contacts(ContactStep& step) {
-  auto& last = step.memory.last_contacts;
-  std::erase_if(last, [&](const auto& old) { return concerns_step(step, old.contact); });
-  for (const ContactPoint& contact : step.contacts) {
-    if (concerns_step(step, contact)) last.push_back({contact, step.h()});
-  }
-  std::sort(last.begin(), last.end(), by_key);
-}
-
 /// Further passes are for methods whose bodies answer as the response says: others turn what it is
 /// off by into impulses, the more the more passes there are.
 int most_passes(const ContactStep& step) {
@@ -172,18 +125,27 @@ int most_passes(const ContactStep& step) {
 /// nothing was done for the sake of a blow.
 bool resolve(ContactStep& step) {
   double deepest = 0;
-  const int most = most_passes(step);
+  int most = most_passes(step);
+  begin_ties(step);
+  // Bounds of ties follow the openings that a pass predicts.
+  constexpr int passes_of_ties = 8;
+  if (step.tied_rows > 0) most = std::max(most, passes_of_ties);
   for (int k = 0; k <= most; ++k) {
     const std::size_t before = step.contacts.size();
+    hold_ties(step);
     if (!meet(step, deepest) && k == 0) return false;
     deepest = find_new_contacts(step, deepest);
-    if (deepest == 0) return true;
+    if (deepest == 0 && step.tied_rows == 0) return true;
     // By default a ten thousandth of the depth that is never pushed out is as good as nothing, in
     // the many short sub-steps of a wave a thousandth: pieces that lie in a heap are not solved for
     // further. A finer tolerance, say 1e-8, gets its gaps.
     const double asked = step.settings.tolerance / 1e-5;
     const double nothing = (step.is_wave() ? 1e-3 : 1e-4) * step.settings.allowed_penetration;
     step.report.tolerated = std::max(step.settings.tolerance * deepest, asked * asked * nothing);
+    for (std::size_t tie = 0; tie < step.tied_rows; ++tie) {
+      const double fine = tie_tolerance * opening_end_of(step.ties[tie]);
+      step.report.tolerated = std::min(step.report.tolerated, fine);
+    }
     const bool is_last = k == most || (k > 0 && step.pass.input.is_hurried());
     if (is_last) {
       step.report.residual = std::max(measure_rows(step), leave_new_contacts(step));
@@ -364,12 +326,17 @@ ContactStepResult advance_with_contact(const ContactWorld& world, const StepInpu
     result.adopted = resolve(step);
   }
   if (result.adopted) {
+    result.ties = finish_ties(step);
     count_contacts(step);
     if (step.is_wave() && input.part.impact) feel_blows(step);
+    // Where ties open, waves run: as if it were struck.
+    const std::vector<ComponentId>& torn = result.ties.torn;
+    step.blows.struck.insert(step.blows.struck.end(), torn.begin(), torn.end());
+    sort_unique(step.blows.struck);
     result.moments = finish_contacts(step);
     result.status = adopt(world.state, scratch.mechanics, input);
     end_step(step, result.moments, result.status.outcome == StepOutcome::fine);
-    if (step.report.candidates > 0) {
+    if (step.report.candidates > 0 || !step.ties.empty()) {
       result.touched = step.scratch.blows.component_touched;
       result.ball_touched = step.scratch.blows.ball_touched;
     }

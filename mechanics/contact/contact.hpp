@@ -14,6 +14,7 @@
 #include "mechanics/contact/impact.hpp"
 #include "mechanics/contact/shapes/obstacle.hpp"
 #include "mechanics/contact/shapes/partner.hpp"
+#include "mechanics/ties/tie.hpp"
 #include "mechanics/step.hpp"
 
 namespace sunder {
@@ -54,6 +55,10 @@ struct ContactMemory {
   /// Crack faces that still face each other, in the order in which they came apart. Whoever unsews
   /// a face adds it.
   std::vector<Partner> partners;
+  /// Crack faces that still hold, within components, in the order in which they came apart. Whoever
+  /// unsews a face adds it, and takes it away once it is spent; the step notes how far corners have
+  /// opened.
+  std::vector<Tie> ties;
 };
 
 /// Scratch of one step, kept for the next; all of it may be thrown away between steps.
@@ -85,6 +90,7 @@ struct ContactStepResult {
   std::vector<ContactPoint> contacts;  ///< those with an impulse
   /// N m s, of each of them about the origin: what side A got.
   std::vector<Vec3> moments;
+  TieReport ties;
   /// Rows = ComponentId, obstacles: who got impulses, be they taken back; empty: nobody.
   std::vector<char> touched, ball_touched;
   Blows blows;  ///< only where `StepPart::impact` is given

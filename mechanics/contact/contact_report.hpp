@@ -8,6 +8,7 @@
 
 #include "mechanics/state/vec3.hpp"
 #include "topology/base/counters.hpp"
+#include "topology/base/ids.hpp"
 
 namespace sunder {
 
@@ -41,6 +42,30 @@ constexpr auto counters_of(const ContactReport*) {
                     Counter{"", &ContactReport::iterations},
                     Counter{"left_out", &ContactReport::left_out},
                     Counter{"deepest_overlap", &ContactReport::deepest, Adds::most}};
+}
+
+/// What ties did in a step.
+struct TieReport {
+  std::uint32_t pairs = 0;    ///< rows solved for
+  std::uint32_t opening = 0;  ///< of them, those that opened farther than ever
+  int iterations = 0;         ///< back-solves for them in sub-steps
+  /// Farthest a tie of a sub-step was from its law, over the opening that ends it.
+  double residual = 0;
+  double work = 0;            ///< J, done on ties
+  double dissipated = 0;      ///< J of it, by the law; for good
+  double stored = 0;          ///< J of it, by the law: in ties that would give it back
+  /// Whose ties opened by more than a hundredth of what ends them, ascending.
+  std::vector<ComponentId> torn;
+};
+
+constexpr auto counters_of(const TieReport*) {
+  return std::tuple{Counter{"most_ties", &TieReport::pairs, Adds::most},
+                    Counter{"most_opening", &TieReport::opening, Adds::most},
+                    Counter{"iterations", &TieReport::iterations},
+                    Counter{"residual", &TieReport::residual, Adds::most},
+                    Counter{"work", &TieReport::work},
+                    Counter{"dissipated", &TieReport::dissipated},
+                    Counter{"stored", &TieReport::stored}};
 }
 
 /// Adds the contact of another part of the same step.

@@ -8,6 +8,7 @@
 
 #include "mechanics/contact/contact_bodies.hpp"
 #include "mechanics/contact/contact_detect.hpp"
+#include "mechanics/contact/contact_ties.hpp"
 
 namespace sunder {
 
@@ -39,6 +40,11 @@ struct ContactStep {
   ContactReport report;
   Blows blows;
   std::vector<ContactPoint> contacts;
+  std::vector<TiePair> ties = {};
+  std::vector<ContactPoint> tied = {};  ///< the same as contacts, with their impulses
+  std::size_t tied_rows = 0;            ///< so many of `contacts`, the first ones, are ties
+  int tie_iterations = 0;
+  double tie_residual = 0;
 
   double h() const { return pass.input.settings.time_step; }
   Deformation deformation() const { return pass.input.part.deformation; }
@@ -97,6 +103,15 @@ double wave_gap_error(const ContactStep& step, const ContactPoint& contact);
 /// such contacts are forgotten.
 void wake_touched(ContactStep& step);
 
+/// N s that a contact had in the last step, for the length of this one; 0 if it was none.
+Vec3 last_impulse(const ContactStep& step, const ContactPoint& contact);
+
+/// Lets the first pass begin with the forces that the same contacts needed in the last step.
+void guess_from_last_step(ContactStep& step);
+
+/// Contacts of this step in place of those of the members' last one.
+void remember_contacts(ContactStep& step);
+
 /// Contact as the paper has it, for `ContactMethod::penalty`: finds the contacts of the step and
 /// gives their impulses.
 void push_by_penalty(ContactStep& step);
@@ -106,6 +121,24 @@ double measure_wave_rows(ContactStep& step);
 
 /// Hands changes of impulses on to what they act on, and predicts that again.
 void apply_wave_changes(ContactStep& step);
+
+/// Share of the opening that ends a tie to which it is solved: what ties take is exact for any
+/// force; this bounds by how much those creep that stick.
+inline constexpr double tie_tolerance = 1e-3;
+
+/// Predicts what has got impulses in a wave anew, with what it has got so far.
+void predict_struck(ContactStep& step);
+
+/// The ties of the step and what they had in the last one: in a wave for `hold_ties`, else as the
+/// first of its contacts.
+void begin_ties(ContactStep& step);
+
+/// In a wave: impulses of ties for the contacts as they are, by the law's bounds for the openings
+/// predicted, up to three times (`solve_ties`).
+void hold_ties(ContactStep& step);
+
+/// What ties are done with: they are no contacts. Corners note how far they have opened.
+TieReport finish_ties(ContactStep& step);
 
 /// Centres of free balls at the end of a wave's sub-step.
 void predict_wave_balls(ContactStep& step);

@@ -92,8 +92,6 @@ double measure_wave_rows(ContactStep& step) {
 }
 
 void apply_wave_changes(ContactStep& step) {
-  StepBlows& blows = step.scratch.blows;
-  const ContactPass& pass = step.pass;
   for (std::size_t k = 0; k < step.contacts.size(); ++k) {
     if (step.scratch.change[k].isZero(0)) continue;
     const ContactRow& row = step.scratch.bodies.rows[k];
@@ -101,6 +99,12 @@ void apply_wave_changes(ContactStep& step) {
       strike_end(step, row.ends[e], row.ends[e].weight * step.scratch.change[k]);
     }
   }
+  predict_struck(step);
+}
+
+void predict_struck(ContactStep& step) {
+  StepBlows& blows = step.scratch.blows;
+  const ContactPass& pass = step.pass;
   const StepInput& input = pass.input;
   blows.with_gravity = input.loads;
   blows.with_gravity.force.resize(pass.state.vertices.size(), Vec3::Zero());

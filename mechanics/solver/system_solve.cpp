@@ -78,9 +78,11 @@ void solve_extended(double* x, const ComponentSystem& system, const SystemFactor
 
 void factor_system(ComponentSystem& system, const SystemMatrix& matrix, FactorUse use) {
   SystemFactor& own = factor_of(system, use);
-  const bool has_border = !system.border.columns.empty();
+  // Copies, or rows of what came off: no order of elimination for the system as it is.
+  const bool is_extended =
+      !system.border.columns.empty() || factor_rows(system) != system.free_count;
   bool serves = own.factored && own.matrix == matrix;
-  if (has_border) {
+  if (is_extended) {
     serves = serves && ++system.border_age <= BorderLimits::age &&
              extend_border(own.border, bordered(system, own));
     if (!serves) renew_analysis(system);

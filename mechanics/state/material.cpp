@@ -3,6 +3,7 @@
 #include "mechanics/state/material.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace sunder {
 
@@ -19,6 +20,20 @@ double bar_wave_speed(const Material& material) {
 double compression_wave_speed(const Material& material) {
   const auto [lambda, mu] = lame(material);
   return std::sqrt((lambda + 2 * mu) / material.density);
+}
+
+double fracture_energy_of(const Material& material) {
+  if (material.fracture_energy) return *material.fracture_energy;
+  if (!material.toughness) return std::numeric_limits<double>::infinity();
+  const double nu = material.poisson_ratio, K = *material.toughness;
+  return K * K * (1 - nu * nu) / material.young_modulus;
+}
+
+double toughness_of(const Material& material) {
+  if (material.toughness) return *material.toughness;
+  if (!material.fracture_energy) return std::numeric_limits<double>::infinity();
+  const double nu = material.poisson_ratio;
+  return std::sqrt(material.young_modulus * *material.fracture_energy / (1 - nu * nu));
 }
 
 }  // namespace sunder

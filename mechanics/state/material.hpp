@@ -15,6 +15,9 @@ struct Material {
   double tensile_strength = 3e6;  ///< xi, Pa, > 0; infinite where it never breaks
   /// K_Ic, Pa sqrt(m), > 0. Where given it decides at crack tips in place of the strength.
   std::optional<double> toughness = std::nullopt;
+  /// G_c, J/m^2, > 0: what a crack takes for each square metre (`CrackMode::cohesive`); where only
+  /// a toughness is given, K_Ic^2 (1 - nu^2) / E.
+  std::optional<double> fracture_energy = std::nullopt;
 };
 
 /// Constants of sigma = lambda tr(eps) I + 2 mu eps, Pa.
@@ -32,5 +35,12 @@ double bar_wave_speed(const Material& material);
 /// Speed of a compression wave in the solid, sqrt((lambda + 2 mu) / rho), m/s: the fastest there
 /// is.
 double compression_wave_speed(const Material& material);
+
+/// J/m^2: `fracture_energy`, or G_c = K_Ic^2 (1 - nu^2) / E [Irwin 1957, plane strain]; infinite
+/// with neither.
+double fracture_energy_of(const Material& material);
+
+/// Pa sqrt(m): `toughness`, or K_Ic = sqrt(E G_c / (1 - nu^2)); infinite with neither.
+double toughness_of(const Material& material);
 
 }  // namespace sunder

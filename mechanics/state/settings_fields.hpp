@@ -74,6 +74,11 @@ void describe(V& v, Material& m) {
           "Fracture toughness K_Ic; where given it decides at crack tips in place of the strength",
           above(0), false, "leave it out or give about 1e6 for concrete"},
       m.toughness);
+  v.field(Key{"fracture_energy", "J/m^2",
+              "Fracture energy G_c that cracks take with fracture.crack cohesive; without it "
+              "K_Ic^2 (1 - nu^2) / E",
+              above(0), false, "leave it out or give about 33 for concrete"},
+          m.fracture_energy);
 }
 
 template <class V>

@@ -10,27 +10,11 @@
 #include <vector>
 
 #include "topology/base/finding.hpp"
-#include "topology/base/ids.hpp"
-#include "topology/base/tet_mesh.hpp"
-#include "topology/kernel/kernel.hpp"
+#include "topology/kernel/dense_map.hpp"
 
 namespace sunder {
 
 class DartMap;
-
-/// Dense rows from which a map is made, and which it keeps.
-struct MapRows {
-  /// Vertex rows of each tetrahedron, positively oriented wherever its volume is meaningful.
-  std::vector<std::array<VertexId, 4>> corners;
-  /// The half-face on the other side of each face (place p: opposite to corner p), or none().
-  std::vector<std::array<HalfFaceId, 4>> neighbours;
-  /// Row of the file's point of each vertex; several rows may share one (pinches, splits).
-  std::vector<std::uint32_t> point_of_vertex;
-  /// The file's points: rest positions, m. A vertex has that of its point.
-  std::vector<Point> points;
-  /// Tetrahedra whose last two corners were exchanged on reading, in rising order.
-  std::vector<TetId> reoriented;
-};
 
 /// Memory of the parts of a map, bytes, counted from their capacities.
 struct MapBytes {
@@ -71,34 +55,32 @@ class VolumeMap {
   VolumeMap& operator=(VolumeMap&&) noexcept;
   ~VolumeMap();
 
-  std::size_t tetrahedra() const { return rows_.corners.size(); }
+  std::size_t tetrahedra() const { return dense_.tetrahedra(); }
   /// Vertex rows, retired ones among them.
-  std::size_t vertices() const { return rows_.point_of_vertex.size(); }
-  const std::array<VertexId, 4>& corners(TetId t) const { return rows_.corners[t.index()]; }
-  HalfFaceId neighbour(HalfFaceId f) const {
-    return rows_.neighbours[f.index() / 4][f.index() % 4];
-  }
-  TetId incident_tetrahedron(VertexId v) const { return incident_[v.index()]; }
-  const Point& point(VertexId v) const { return rows_.points[point_of_vertex(v)]; }
-  std::uint32_t point_of_vertex(VertexId v) const { return rows_.point_of_vertex[v.index()]; }
+  std::size_t vertices() const { return dense_.vertices(); }
+  const std::array<VertexId, 4>& corners(TetId t) const { return dense_.corners(t); }
+  HalfFaceId neighbour(HalfFaceId f) const { return dense_.neighbour(f); }
+  TetId incident_tetrahedron(VertexId v) const { return dense_.incident_tetrahedron(v); }
+  const Point& point(VertexId v) const { return dense_.point(v); }
+  std::uint32_t point_of_vertex(VertexId v) const { return dense_.point_of_vertex(v); }
 
   /// The columns whole, for loops that stream them; valid until the next change of the map.
-  std::span<const std::array<VertexId, 4>> corners() const { return rows_.corners; }
-  std::span<const std::array<HalfFaceId, 4>> neighbours() const { return rows_.neighbours; }
-  std::span<const std::uint32_t> point_of_vertex() const { return rows_.point_of_vertex; }
+  std::span<const std::array<VertexId, 4>> corners() const { return dense_.rows().corners; }
+  std::span<const std::array<HalfFaceId, 4>> neighbours() const { return dense_.rows().neighbours; }
+  std::span<const std::uint32_t> point_of_vertex() const { return dense_.rows().point_of_vertex; }
   /// By the file's points, not by vertices.
-  std::span<const Point> points() const { return rows_.points; }
-  std::span<const TetId> reoriented() const { return rows_.reoriented; }
+  std::span<const Point> points() const { return dense_.rows().points; }
+  std::span<const TetId> reoriented() const { return dense_.rows().reoriented; }
 
-  DartId dart(HalfFaceId f, CornerId from) const;
+  DartId dart(HalfFaceId f, CornerId from) const { return dense_.dart(f, from); }
   DartId id(DartId d) const { return d; }
-  VertexId vertex(DartId d) const;
-  TetId tetrahedron(DartId d) const { return TetId{d.index() / 12}; }
-  DartId beta0(DartId d) const;
-  DartId beta1(DartId d) const;
-  DartId beta2(DartId d) const;
-  DartId beta3(DartId d) const;
-  bool is_free(DartId d) const;
+  VertexId vertex(DartId d) const { return dense_.vertex(d); }
+  TetId tetrahedron(DartId d) const { return dense_.tetrahedron(d); }
+  DartId beta0(DartId d) const { return dense_.beta0(d); }
+  DartId beta1(DartId d) const { return dense_.beta1(d); }
+  DartId beta2(DartId d) const { return dense_.beta2(d); }
+  DartId beta3(DartId d) const { return dense_.beta3(d); }
+  bool is_free(DartId d) const { return dense_.is_free(d); }
 
   void unsew(HalfFaceId face);
   void sew(DartId a, DartId b);
@@ -108,11 +90,12 @@ class VolumeMap {
   /// CGAL's darts behind the rows, for the few sources that include dart_map.hpp (of hosts:
   /// <sunder/cgal_map.hpp>).
   const DartMap& darts() const { return *darts_; }
+  /// The rows by themselves, a map of their own.
+  const DenseMap& dense() const { return dense_; }
   MapBytes bytes() const;
 
  private:
-  MapRows rows_;
-  std::vector<TetId> incident_;  // of each vertex row; none() when it is retired
+  DenseMap dense_;
   std::unique_ptr<DartMap> darts_;
 };
 

@@ -39,7 +39,7 @@ std::vector<Finding> add_release(FanAnswer& answer, const LoadedBody& body, Vert
   if (!release) return release.findings;
   answer.release = *release;
   const TetId t = cells.map.incident_tetrahedron(vertex);
-  answer.fracture_energy = fracture_energy(m.materials[m.elements.material[t.index()].index()]);
+  answer.fracture_energy = fracture_energy_of(m.materials[m.elements.material[t.index()].index()]);
   return {};
 }
 

@@ -74,7 +74,10 @@ struct ContactRow {
   double push = 0;     ///< m, >= 0: how much more it should be, if that takes little impulse
   Vec3 slip{0, 0, 0};  ///< m: relative displacement over the step with the impulse as it is
   double friction = 0;
-  double compliance = 0;  ///< m/(N s): give of the contact itself
+  double compliance = 0;  ///< m/(N s): give of the contact itself, of a tie that of its secant
+  /// N s: what a tie bears (`tie_kept`); negative: a contact, which pulls nothing. Of a tie `slip`
+  /// is all of its opening, and gap, push, friction and the bounds below mean nothing.
+  double tie_most = -1;
   double least = 0;       ///< N s: bounds of the normal impulse
   double most = std::numeric_limits<double>::infinity();
   Vec3 impulse{0, 0, 0};  ///< N s; in: what it is, out: what it should be
@@ -89,6 +92,9 @@ struct ContactRow {
   double disk = 0;                 ///< N s: what friction may be in the sweeps at hand
   double disk_change = 0;          ///< N s: by which it should have changed last
   double disk_share = 1;           ///< how much of such a change is made
+  double tie_response = 0;         ///< of ties: `tie_response_of`
+
+  bool is_tie() const { return tie_most >= 0; }
 };
 
 /// Sums up the ends of each row by body, and each body's E, given between its vertices, becomes

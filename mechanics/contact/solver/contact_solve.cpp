@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "mechanics/contact/solver/contact_subspace.hpp"
+#include "mechanics/contact/solver/tie_row.hpp"
 
 namespace sunder {
 namespace {
@@ -38,8 +39,17 @@ double wanted_normal(const ContactRow& row, double before, double gap) {
   return std::clamp(wanted, row.least, row.most);
 }
 
+double relax_tie(ContactRow& row, std::span<RespondingBody> bodies, double step) {
+  const Vec3 before = row.impulse;
+  row.impulse = tie_wanted(row, opening_of(row, relative_displacement(row, bodies, step)));
+  const Vec3 change = row.impulse - before;
+  if (!change.isZero(0)) add_impulse(row, bodies, change);
+  return change.norm() * row.tie_response;
+}
+
 /// One visit of a row: its new impulse, and by how far (m) it was from where it should be.
 double relax(ContactRow& row, std::span<RespondingBody> bodies, double step) {
+  if (row.is_tie()) return relax_tie(row, bodies, step);
   const double normal_response = row.normal_response;
   if (!(normal_response > 0)) return 0;
   const Vec3& n = row.normal;
@@ -100,6 +110,7 @@ void conjugate(Search& search, std::span<ContactRow> rows, std::span<RespondingB
 double follow_disks(std::span<ContactRow> rows) {
   double largest = 0;
   for (ContactRow& row : rows) {
+    if (row.is_tie()) continue;
     const double pressed = row.normal.dot(row.impulse);
     const double disk = row.friction * std::max(0.0, pressed);
     // What sticks inside both disks does not feel the change.
@@ -128,7 +139,7 @@ void keep_to_cones(std::span<ContactRow> rows, std::span<RespondingBody> bodies)
     const Vec3 tangential = row.impulse - pressed * row.normal;
     const double most = row.friction * std::max(0.0, pressed);
     const bool presses = pressed > rounding;
-    if (row.friction == 0 || (presses && tangential.norm() <= most)) continue;
+    if (row.is_tie() || row.friction == 0 || (presses && tangential.norm() <= most)) continue;
     const Vec3 kept =
         presses ? Vec3(pressed * row.normal + projected_on_disk(tangential, most)) : Vec3::Zero();
     const Vec3 change = kept - row.impulse;
@@ -149,8 +160,9 @@ Energy energy_of(std::span<const ContactRow> rows, std::span<RespondingBody> bod
   for (const ContactRow& row : rows) {
     const Vec3& n = row.normal;
     energy.earlier.push_back(relative_displacement(row, bodies, step));
-    energy.without.push_back((row.gap - row.push) * n + row.slip - n * n.dot(row.slip) -
-                             energy.earlier.back());
+    const Vec3 now = row.is_tie() ? row.slip
+                                  : Vec3((row.gap - row.push) * n + row.slip - n * n.dot(row.slip));
+    energy.without.push_back(now - energy.earlier.back());
   }
   return energy;
 }
@@ -246,6 +258,7 @@ SolveOutcome solve_contacts(std::span<ContactRow> rows, std::span<RespondingBody
     row.disk_share = 1;
     row.normal_response = row.normal.dot(row.response * row.normal) + row.compliance;
     row.tangential_response = tangential_response(row);
+    if (row.is_tie()) row.tie_response = tie_response_of(row);
     // A hundred times what would push the two sides apart were they free: it lifts what rests.
     row.push_most = row.normal_response > 0 ? 100 * row.push / row.normal_response : 0;
     add_impulse(row, bodies, row.guess);

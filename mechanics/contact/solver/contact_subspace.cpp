@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "mechanics/contact/solver/body_factor.hpp"
+#include "mechanics/contact/solver/tie_row.hpp"
 #include "mechanics/frame/rotation.hpp"
 
 namespace sunder {
@@ -49,6 +50,12 @@ double give_of(const ContactRow& row) {
   return row.compliance + (pushes ? row.push / row.push_most : 0);
 }
 
+/// m: by how much a row gives way to an impulse.
+Vec3 given_way(const ContactRow& row, const Vec3& impulse) {
+  if (row.is_tie()) return tie_give(row) * impulse;
+  return give_of(row) * row.normal.dot(impulse) * row.normal;
+}
+
 /// Bounds of the normal impulse, so that a push at work stays one, and what presses more does.
 std::array<double, 2> bounds_of(const ContactRow& row) {
   if (!(row.push > 0)) return {row.least, row.most};
@@ -65,6 +72,10 @@ struct Parts {
 /// Friction is free inside its disk, where a row slips not even along the rim: the next sweep turns
 /// it. The normal part is free off its bounds.
 Parts free_parts(const ContactRow& row, double rounding) {
+  if (row.is_tie()) {
+    const bool is_free = row.tie_response > 0 && tie_is_free(row);
+    return {is_free, is_free};
+  }
   const double pressed = row.normal.dot(row.impulse);
   return {row.normal_response > 0 && pressed > row.least + rounding &&
           pressed<row.most - rounding, row.disk> 0 && row.tangential_response > 0 &&
@@ -82,7 +93,8 @@ Free free_of(const ContactRow& row, const Parts& parts) {
   }
   if (free.basis.cols() == 0) return free;
   // Contacts of rigid bodies give a little for the preconditioner's sake.
-  Mat3 give = row.give + give_of(row) * n * n.transpose();
+  Mat3 give = row.give;
+  give += row.is_tie() ? tie_give(row) : Mat3(give_of(row) * n * n.transpose());
   give.diagonal().array() += 1e-4 * row.response.trace();
   const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 3, 3> on_basis =
       free.basis.transpose() * give * free.basis;
@@ -184,8 +196,8 @@ Impulses response_to(Subspace& s, const Impulses& impulses) {
   for (std::size_t k = 0; k < moved.size(); ++k) {
     if (!is_free(s.free[k])) continue;
     const ContactRow& row = s.rows[k];
-    moved[k] = relative_displacement(row, s.bodies, s.step) +
-               give_of(row) * row.normal.dot(impulses[k]) * row.normal;
+    moved[k] =
+        relative_displacement(row, s.bodies, s.step) + given_way(row, impulses[k]);
   }
   swap_motions();
   return moved;
@@ -197,6 +209,10 @@ Impulses gradient_of(const Subspace& s) {
   for (const ContactRow& row : s.rows) {
     const Vec3& n = row.normal;
     const Vec3 moved = relative_displacement(row, s.bodies, s.step);
+    if (row.is_tie()) {
+      gradient.push_back(opening_of(row, moved) + given_way(row, row.impulse));
+      continue;
+    }
     const double pressed = n.dot(row.impulse);
     const double push = row.push > 0 && pressed < row.push_most ? row.push : 0;
     const double gap = row.gap - push + n.dot(moved) + give_of(row) * pressed;
@@ -237,6 +253,7 @@ Impulses least_energy(Subspace& s, const Impulses& gradient, int most) {
 
 /// The impulse inside its bounds that is nearest.
 Vec3 inside_bounds(const ContactRow& row, const Vec3& impulse) {
+  if (row.is_tie()) return tie_kept(row, impulse);
   const auto [least, most] = bounds_of(row);
   const double pressed = row.normal.dot(impulse);
   Vec3 friction = impulse - pressed * row.normal;
@@ -261,6 +278,7 @@ void keep_bounds(const Subspace& s) {
 std::array<double, 2> way_to_bounds(const ContactRow& row, const Vec3& change) {
   std::array<double, 2> most{1, 1};
   if (change.isZero(0)) return most;
+  if (row.is_tie()) return {tie_way(row, change), 1};
   const double pressed = row.normal.dot(row.impulse), by = row.normal.dot(change);
   const auto [lowest, highest] = bounds_of(row);
   if (by < 0) most[0] = std::min(most[0], (lowest - pressed) / by);

@@ -1,10 +1,23 @@
 // SPDX-License-Identifier: MIT
-// Fans and sections for the map that everyone uses.
+// The kernel's algorithms for the maps that everyone uses.
+#include "topology/kernel/components_impl.hpp"
+#include "topology/kernel/dense_map.hpp"
 #include "topology/kernel/fan_impl.hpp"
+#include "topology/kernel/split_face_impl.hpp"
 #include "topology/kernel/volume_map.hpp"
 
 namespace sunder {
 
+template FaceSplit split_face<VolumeMap>(VolumeMap&, HalfFaceId);
+template FaceGlue glue_face<VolumeMap>(VolumeMap&, HalfFaceId, HalfFaceId);
+template FaceSplit split_face<DenseMap>(DenseMap&, HalfFaceId);
+template FaceGlue glue_face<DenseMap>(DenseMap&, HalfFaceId, HalfFaceId);
+template Components label_components<VolumeMap>(const VolumeMap&);
+template ComponentUpdate update_components<VolumeMap>(const VolumeMap&, std::span<const FaceSplit>,
+                                                      Detection, Components&, ComponentScratch&);
+template Components label_components<DenseMap>(const DenseMap&);
+template ComponentUpdate update_components<DenseMap>(const DenseMap&, std::span<const FaceSplit>,
+                                                     Detection, Components&, ComponentScratch&);
 template VertexStar vertex_star<VolumeMap>(const VolumeMap&, VertexId);
 template std::vector<TetId> star<VolumeMap>(const VolumeMap&, VertexId);
 template std::vector<char> plane_signs<VolumeMap>(const VolumeMap&, const VertexStar&,

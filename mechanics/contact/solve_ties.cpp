@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// Accelerated projected gradients over the ties of each component.
+#include "mechanics/contact/solve_ties.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "mechanics/contact/solver/tie_row.hpp"
+#include "mechanics/ties/tie_law.hpp"
+#include "mechanics/solver/component_system.hpp"
+
+namespace sunder {
+namespace {
+
+/// The ties of one component at work.
+struct TieProblem {
+  std::span<ContactRow> rows;
+  std::span<const TiePair> pairs;
+  std::vector<std::size_t> members;  ///< which of them
+  const ComponentSystem& system;
+  const MechanicsState& state;
+  Mat3 turn;  ///< from the body's frame to the world
+  Eigen::VectorXd field;
+};
+
+/// Adds an impulse, body frame, at a vertex; held ones take none.
+void strike(TieProblem& p, VertexId v, const Vec3& impulse) {
+  const std::size_t local = p.state.systems.local_row[v.index()];
+  if (local < p.system.free_count) p.field.segment<3>(static_cast<Eigen::Index>(3 * local)) += impulse;
+}
+
+Vec3 answer(const TieProblem& p, VertexId v) {
+  const std::size_t local = p.state.systems.local_row[v.index()];
+  if (local >= p.system.free_count) return Vec3::Zero();
+  return p.field.segment<3>(static_cast<Eigen::Index>(3 * local));
+}
+
+/// m/s by which impulses, one a member, open their ties.
+std::vector<Vec3> openings(TieProblem& p, const std::vector<Vec3>& impulses) {
+  p.field.setZero(static_cast<Eigen::Index>(3 * p.system.free_count));
+  for (std::size_t i = 0; i < p.members.size(); ++i) {
+    const TiePair& pair = p.pairs[p.members[i]];
+    const Vec3 own = p.turn.transpose() * impulses[i];
+    strike(p, pair.a, own);
+    strike(p, pair.b, -own);
+  }
+  solve_system(p.system, p.field, FactorUse::wave);
+  std::vector<Vec3> opened;
+  for (const std::size_t k : p.members) {
+    opened.push_back(p.turn * (answer(p, p.pairs[k].a) - answer(p, p.pairs[k].b)));
+  }
+  return opened;
+}
+
+/// Bounds of the response, m/s for N s: each vertex by its mass, shared by the ties at it.
+void set_responses(TieProblem& p) {
+  std::map<VertexId, int> ties_at;
+  for (const std::size_t k : p.members) {
+    ++ties_at[p.pairs[k].a];
+    ++ties_at[p.pairs[k].b];
+  }
+  const auto of = [&](VertexId v) {
+    const bool held = p.state.systems.local_row[v.index()] >= p.system.free_count;
+    return held ? 0 : ties_at[v] / p.state.vertices.mass[v.index()];
+  };
+  for (const std::size_t k : p.members) {
+    const double shear = std::max(1.0, shear_weight);
+    p.rows[k].tie_response =
+        shear * (of(p.pairs[k].a) + of(p.pairs[k].b)) + p.rows[k].compliance;
+  }
+}
+
+TieOutcome solve(TieProblem& p, double step, double tolerance, int most) {
+  const std::size_t n = p.members.size();
+  set_responses(p);
+  std::vector<Vec3> start(n), now(n), ahead(n), change(n);
+  for (std::size_t i = 0; i < n; ++i) start[i] = now[i] = ahead[i] = p.rows[p.members[i]].impulse;
+  TieOutcome outcome;
+  double inertia = 1;
+  while (outcome.iterations < most) {
+    ++outcome.iterations;
+    for (std::size_t i = 0; i < n; ++i) change[i] = ahead[i] - start[i];
+    const std::vector<Vec3> moved = openings(p, change);
+    double turn_back = 0;
+    outcome.residual = 0;
+    const double next_inertia = 0.5 * (1 + std::sqrt(1 + 4 * inertia * inertia));
+    const double share = (inertia - 1) / next_inertia;
+    for (std::size_t i = 0; i < n; ++i) {
+      ContactRow& row = p.rows[p.members[i]];
+      row.impulse = ahead[i];
+      const Vec3 next = tie_wanted(row, opening_of(row, moved[i]));
+      const double off = step * row.tie_response * (next - ahead[i]).norm();
+      outcome.residual = std::max(outcome.residual, off / opening_end_of(p.pairs[p.members[i]]));
+      turn_back += row.tie_response * (ahead[i] - next).dot(next - now[i]);
+      ahead[i] = next + share * (next - now[i]);
+      now[i] = next;
+    }
+    inertia = next_inertia;
+    if (turn_back > 0) {
+      inertia = 1;
+      ahead = now;
+    }
+    if (outcome.residual <= tolerance) break;
+  }
+  for (std::size_t i = 0; i < n; ++i) p.rows[p.members[i]].impulse = now[i];
+  return outcome;
+}
+
+}  // namespace
+
+TieOutcome solve_ties(std::span<ContactRow> rows, std::span<const TiePair> pairs,
+                      const ContactPass& pass, double tolerance, int most) {
+  std::map<ComponentId, std::vector<std::size_t>> by_component;
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    by_component[pass.state.vertices.component[pairs[k].a.index()]].push_back(k);
+  }
+  TieOutcome outcome;
+  for (auto& [id, members] : by_component) {
+    TieProblem problem{rows,
+                       pairs,
+                       std::move(members),
+                       *pass.state.systems.present[id.index()],
+                       pass.state,
+                       pass.state.components[id.index()].orientation.toRotationMatrix(),
+                       {}};
+    const TieOutcome own = solve(problem, pass.input.settings.time_step, tolerance, most);
+    outcome.iterations += own.iterations;
+    outcome.residual = std::max(outcome.residual, own.residual);
+  }
+  return outcome;
+}
+
+}  // namespace sunder

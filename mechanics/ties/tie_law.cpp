@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// Tractions and energies of a corner.
+#include "mechanics/ties/tie_law.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace sunder {
+namespace {
+
+/// J/m^2 under the softening line from 0 to `opening`.
+double area_under(const TieCorner& corner, double opening) {
+  const double to = std::min(opening, corner.opening_end);
+  return corner.strength * to * (1 - 0.5 * to / corner.opening_end);
+}
+
+}  // namespace
+
+double effective_opening(const Vec3& opening, const Vec3& normal) {
+  const double along = normal.dot(opening);
+  const double across = (opening - along * normal).squaredNorm();
+  return std::sqrt(std::pow(std::max(0.0, along), 2) + shear_weight * across);
+}
+
+double effective_traction(const Vec3& traction, const Vec3& normal) {
+  const double along = normal.dot(traction);
+  const double across = (traction - along * normal).squaredNorm();
+  return std::sqrt(std::pow(std::max(0.0, along), 2) + across / shear_weight);
+}
+
+double traction_at(const TieCorner& corner, double opening) {
+  return corner.strength * std::max(0.0, 1 - opening / corner.opening_end);
+}
+
+double mean_traction(const TieCorner& corner, double opening) {
+  const double from = corner.opened;
+  // Below that the mean is the traction itself, to rounding.
+  if (opening - from <= 1e-12 * corner.opening_end) return traction_at(corner, from);
+  return std::max(0.0, area_under(corner, opening) - area_under(corner, from)) / (opening - from);
+}
+
+double secant_stiffness(const TieCorner& corner) {
+  if (!(corner.opened > 0)) return std::numeric_limits<double>::infinity();
+  return corner.area * traction_at(corner, corner.opened) / corner.opened;
+}
+
+double dissipated_energy(const TieCorner& corner, double opening) {
+  const double stored = 0.5 * opening * traction_at(corner, opening);
+  return corner.area * (area_under(corner, opening) - stored);
+}
+
+double stored_energy(const TieCorner& corner, double opening) {
+  if (!(corner.opened > 0)) return 0;
+  return 0.5 * secant_stiffness(corner) * opening * opening;
+}
+
+}  // namespace sunder

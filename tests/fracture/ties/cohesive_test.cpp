@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: MIT
+// Cohesive cracks in whole simulations: their energy, their start, and two maps that are nested.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <set>
+
+#include "fracture/simulation/simulation_state.hpp"
+#include "fracture/ties/insert_ties.hpp"
+#include "fracture/algorithms/split_fan.hpp"
+#include "fracture/saving/saved_state.hpp"
+#include "fracture/simulation/rebuild_pieces.hpp"
+#include "fracture/ties/release_ties.hpp"
+#include "mechanics/ties/tie_law.hpp"
+#include "mechanics/state/living.hpp"
+#include "tests/support/simulation.hpp"
+#include "topology/suite/fixtures/shapes.hpp"
+
+using namespace sunder;
+using namespace sunder::test;
+using Catch::Detail::Approx;
+
+namespace {
+
+constexpr double height = 0.4;   // m
+constexpr double thick = 0.1;    // m
+constexpr double energy = 33;    // J/m^2
+
+/// A notched bar of concrete whose ends are pulled apart.
+Scene pulled_bar(double step, double speed = 0.05) {
+  constexpr double cell = height / 8, eps = 1e-3 * cell;
+  Scene scene;
+  BodySettings bar{.name = "bar", .mesh = suite::kuhn_box({16, 8, 2}, cell)};
+  bar.material.fracture_energy = energy;
+  bar.held = {{.minimum = {-1, -1, -1}, .maximum = {eps, 9, 9}},
+              {.minimum = {2 * height - eps, -1, -1},
+               .maximum = {9, 9, 9},
+               .velocity = {speed, 0, 0}}};
+  bar.cuts = {{.faces = CutPlane{.point = {height, 0, 0}, .normal = {1, 0, 0}},
+               .box = RestBox{{-1, -1, -1}, {9, 0.25 * height + eps, 9}},
+               .ball = {}}};
+  scene.bodies.push_back(std::move(bar));
+  scene.gravity.acceleration.setZero();
+  scene.integrator.time_step = step;
+  scene.fracture.crack = CrackMode::cohesive;
+  return scene;
+}
+
+/// What holds after every step: the map is the map of pieces but for what is tied.
+void check_nesting(const Simulation& sim) {
+  const Cells& cells = sim.state->cells;
+  const DenseMap& pieces = cells.pieces->map;
+  std::set<HalfFaceId> tied;
+  for (const Tie& tie : sim.state->contact.ties) {
+    REQUIRE(pieces.neighbour(tie.face) == tie.opposite);
+    tied.insert(tie.face);
+    tied.insert(tie.opposite);
+  }
+  REQUIRE(tied.size() == 2 * sim.state->contact.ties.size());
+  for (std::size_t f = 0; f < 4 * cells.map.tetrahedra(); ++f) {
+    const HalfFaceId face{f};
+    const HalfFaceId expected = tied.contains(face) ? HalfFaceId::none() : pieces.neighbour(face);
+    REQUIRE(cells.map.neighbour(face) == expected);
+  }
+  // A vertex of the finer map lies in one of the coarser.
+  std::map<VertexId, VertexId> of_fine;
+  for (std::size_t t = 0; t < cells.map.tetrahedra(); ++t) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      const VertexId fine = cells.map.corners(TetId{t})[k], coarse = pieces.corners(TetId{t})[k];
+      REQUIRE(of_fine.try_emplace(fine, coarse).first->second == coarse);
+    }
+  }
+  const Components anew = label_components(pieces);
+  REQUIRE(cells.labels.of_tetrahedron == cells.pieces->labels.of_tetrahedron);
+  for (std::size_t t = 0; t < cells.map.tetrahedra(); ++t) {
+    for (const HalfFaceId n : pieces.rows().neighbours[t]) {
+      if (n.is_none()) continue;
+      REQUIRE(cells.labels.of_tetrahedron[t] ==
+              cells.labels.of_tetrahedron[tetrahedron_of(n).index()]);
+    }
+    for (const VertexId v : cells.map.corners(TetId{t})) {
+      REQUIRE(cells.labels.of_vertex[v.index()] == cells.labels.of_tetrahedron[t]);
+    }
+  }
+  std::size_t living = 0;
+  for_each_living(sim.state->mechanics, {}, [&](const Component&) { ++living; });
+  REQUIRE(living == anew.size.size());
+}
+
+StepReport advance_fine(Simulation& sim) {
+  StepReport report = advance(sim);
+  REQUIRE(report.status.outcome == StepOutcome::fine);
+  return report;
+}
+
+/// Run until the bar is in two; what it took on the way.
+struct Taken {
+  TieReport ties;
+  double residual = 0, moved = 0;  // J
+};
+
+Taken part(Simulation& sim, double until, bool checks = false) {
+  Taken taken;
+  while (simulated_time(sim) < until) {
+    const StepReport report = advance_fine(sim);
+    add_part(taken.ties, report.ties);
+    taken.residual += std::abs(report.energy.residual);
+    taken.moved += report.energy.moved;
+    if (checks) check_nesting(sim);
+  }
+  return taken;
+}
+
+}  // namespace
+
+TEST_CASE("a crack takes G_c times its area, whatever the scene's step", "[ties]") {
+  const double step = GENERATE(1e-3, 1e-4, 2e-5);
+  Simulation sim = built(pulled_bar(step));
+  const Taken taken = part(sim, 2.5e-3);
+  const double section = 0.75 * height * thick;
+  CHECK(living_components(sim.state->mechanics).size() == 2);
+  CHECK(sim.state->contact.ties.empty());
+  // Normals of fans lie within a degree or two of the axis.
+  CHECK(taken.ties.dissipated == Approx(energy * section).epsilon(1e-3));
+  CHECK(taken.ties.work == Approx(energy * section).epsilon(0.01));
+  CHECK(taken.ties.stored == Approx(0).margin(1e-9 * energy * section));
+  CHECK(taken.residual < 1e-4 * energy * section);
+}
+
+TEST_CASE("what is sewn and what is tied are nested maps after every step", "[ties]") {
+  Scene scene = pulled_bar(1e-4, 1);
+  scene.bodies[0].cuts.clear();
+  scene.bodies[0].strength.weibull = WeibullSettings{};
+  Simulation sim = built(std::move(scene));
+  part(sim, 1.5e-3, true);
+  CHECK(sim.state->fans > 10);
+  CHECK(living_components(sim.state->mechanics).size() > 1);
+}
+
+TEST_CASE("copies that a fan made go on with the acceleration they had", "[ties]") {
+  Simulation sim = built(pulled_bar(1e-4));
+  // The step in which the first fan comes; the ties are those of that state.
+  while (sim.state->contact.ties.empty()) advance_fine(sim);
+  const Cells& cells = sim.state->cells;
+  const MechanicsState& m = sim.state->mechanics;
+  const auto elastic = [&](VertexId v) {
+    Vec3 force = Vec3::Zero();
+    for (const TetId t : star(cells.map, v)) {
+      const int place = place_of_vertex(cells.map.corners(t), v);
+      force -= m.elements.rest_volume[t.index()] * m.elements.stress[t.index()] *
+               m.elements.shape_gradient[t.index()].col(place);
+    }
+    return force;
+  };
+  std::map<std::pair<VertexId, VertexId>, std::pair<Vec3, double>> pulls;  // N at most, and along
+  for (const Tie& tie : sim.state->contact.ties) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const VertexId a = cells.map.corners(tetrahedron_of(tie.face))[tie.corner[k]];
+      const VertexId b = cells.map.corners(tetrahedron_of(tie.opposite))[tie.opposite_corner[k]];
+      REQUIRE(tie.corners[k].is_apart() == (a != b));
+      if (a == b) continue;
+      auto& [normal, most] = pulls.try_emplace({a, b}, Vec3::Zero(), 0).first->second;
+      normal += tie.normal;
+      most += tie.corners[k].area * tie.corners[k].strength;
+    }
+  }
+  REQUIRE_FALSE(pulls.empty());
+  for (const auto& [pair, pull] : pulls) {
+    const auto [a, b] = pair;
+    const double mass_a = m.vertices.mass[a.index()], mass_b = m.vertices.mass[b.index()];
+    const Vec3 needed = (mass_b * elastic(a) - mass_a * elastic(b)) / (mass_a + mass_b);
+    // The force that keeps the two together is one that their ties bear: to rounding.
+    CHECK(effective_traction(needed, pull.first.normalized()) <= pull.second * (1 + 1e-12));
+  }
+}
+
+TEST_CASE("ties of a body without load do nothing", "[ties]") {
+  Scene scene = pulled_bar(1e-4, 0);
+  Simulation sim = built(std::move(scene));
+  // A fan by hand across the middle, above the cut.
+  Cells& cells = sim.state->cells;
+  std::vector<FanEvent> fans;
+  ComponentScratch scratch;
+  const CrackId crack = add_crack(cells.cracks, cells.map.tetrahedra());
+  for (std::size_t row = 0; row < cells.map.vertices() && fans.size() < 5; ++row) {
+    const Point& p = cells.map.point(VertexId{row});
+    if (std::abs(p[0] - height) > 1e-6 || p[1] < 0.3 * height) continue;
+    const VertexStar around = vertex_star(cells.map, VertexId{row});
+    const std::vector<char> positive = plane_signs(cells.map, around, {1, 0, 0});
+    for (std::size_t i = 0; i < positive.size(); ++i) {
+      const TetId t = tetrahedron_of(around.corners[i]);
+      if (side_of(cells.cracks, crack, t) == Side::undecided) {
+        add_label(cells.cracks, crack, t, positive[i] != 0);
+      }
+    }
+    fans.push_back(split_fan({cells, sim.state->mechanics}, around, Vec3::UnitX(), positive,
+                             sim.scene.fracture, scratch));
+    fans.back().crack = crack;
+  }
+  rebuild_pieces(*sim.state, fans, sim.scratch->mechanics);
+  REQUIRE(sim.state->contact.ties.size() > 10);
+  check_nesting(sim);
+  for (int i = 0; i < 50; ++i) {
+    const StepReport report = advance_fine(sim);
+    CHECK(report.ties.opening == 0);
+    CHECK(report.fracture.fans.empty());
+  }
+  double fastest = 0;
+  for (const Vec3& v : sim.state->mechanics.vertices.velocity) {
+    fastest = std::max(fastest, v.norm());
+  }
+  CHECK(fastest == 0);
+}
+
+TEST_CASE("what does not go with ties is refused, and doubtful materials are told", "[ties]") {
+  const auto codes = [](const Scene& scene) {
+    std::multiset<std::string> found;
+    for (const Finding& f : build_simulation(scene).findings) found.insert(f.code);
+    return found;
+  };
+  Scene scene = pulled_bar(1e-4);
+  scene.bodies[0].material.fracture_energy = 60;
+  CHECK(codes(scene).empty());
+  scene.bodies[0].material.fracture_energy.reset();
+  CHECK(codes(scene) == std::multiset<std::string>{"no_fracture_energy"});
+  scene.bodies[0].material.toughness = 1.3e6;
+  CHECK(codes(scene).empty());
+  scene.bodies[0].material.fracture_energy = 60;
+  CHECK(codes(scene) == std::multiset<std::string>{"two_fracture_energies"});
+  scene.bodies[0].material.toughness.reset();
+  scene.bodies[0].material.fracture_energy = 8;
+  CHECK(codes(scene) == std::multiset<std::string>{"tip_not_resolved"});
+  const auto refused = std::multiset<std::string>{"cohesive_not_supported"};
+  const std::vector<std::function<void(Scene&)>> changes = {
+      [](Scene& s) { s.fracture.relax = 2; },
+      [](Scene& s) { s.fracture.criterion = FractureCriterion::energy; },
+      [](Scene& s) { s.fracture.smallest_piece = 1e-3; },
+      [](Scene& s) { s.fracture.max_pieces = 3; },
+      [](Scene& s) { s.impact.window = false; },
+      [](Scene& s) { s.integrator.integrator = Integrator::implicit_euler; }};
+  for (const auto& change : changes) {
+    Scene other = pulled_bar(1e-4);
+    other.bodies[0].material.fracture_energy = 60;
+    change(other);
+    CHECK(codes(other) == refused);
+  }
+}
+
+TEST_CASE("a run saved amid open ties goes on to the same bytes", "[ties]") {
+  Simulation sim = built(pulled_bar(1e-4));
+  while (sim.state->contact.ties.empty()) advance_fine(sim);
+  for (int i = 0; i < 2; ++i) advance_fine(sim);
+  REQUIRE_FALSE(sim.state->contact.ties.empty());
+  const std::string bytes = saved_state(sim);
+  Result<Simulation> loaded = restore(bytes);
+  REQUIRE(loaded);
+  check_nesting(*loaded);
+  for (int i = 0; i < 5; ++i) {
+    advance_fine(sim);
+    advance_fine(*loaded);
+  }
+  CHECK(saved_state(sim) == saved_state(*loaded));
+}

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// Darts that follow from rows, and changes of the rows.
+#include "topology/kernel/dense_map.hpp"
+
+#include "topology/base/append_row.hpp"
+#include "topology/base/assert.hpp"
+
+namespace sunder {
+namespace {
+
+DartId dart_in(TetId t, int k) { return DartId{12 * t.index() + static_cast<std::size_t>(k)}; }
+int place_of(DartId d) { return static_cast<int>(d.index() % 12); }
+HalfFaceId half_face_of(DartId d) { return HalfFaceId{d.index() / 3}; }
+
+std::vector<TetId> incident_of(const MapRows& rows) {
+  std::vector<TetId> incident(rows.point_of_vertex.size());
+  for (std::size_t t = rows.corners.size(); t-- > 0;) {
+    for (const VertexId v : rows.corners[t]) incident[v.index()] = TetId{t};
+  }
+  return incident;
+}
+
+}  // namespace
+
+DenseMap::DenseMap(MapRows rows) : rows_(std::move(rows)), incident_(incident_of(rows_)) {}
+
+DartId DenseMap::dart(HalfFaceId f, CornerId from) const {
+  return dart_in(tetrahedron_of(f),
+                 dart_order::dart_from(sunder::place_of(f), sunder::place_of(from)));
+}
+
+VertexId DenseMap::vertex(DartId d) const {
+  return corners(tetrahedron(d))[dart_order::origin(place_of(d))];
+}
+
+DartId DenseMap::beta0(DartId d) const {
+  return dart_in(tetrahedron(d), dart_order::beta0(place_of(d)));
+}
+DartId DenseMap::beta1(DartId d) const {
+  return dart_in(tetrahedron(d), dart_order::beta1(place_of(d)));
+}
+DartId DenseMap::beta2(DartId d) const {
+  return dart_in(tetrahedron(d), dart_order::beta2(place_of(d)));
+}
+bool DenseMap::is_free(DartId d) const { return neighbour(half_face_of(d)).is_none(); }
+
+DartId DenseMap::beta3(DartId d) const {
+  const HalfFaceId g = neighbour(half_face_of(d));
+  SUNDER_ASSERT(!g.is_none(), "beta3 of a dart on the boundary");
+  const int from = place_of_vertex(corners(tetrahedron_of(g)), vertex(beta1(d)));
+  return dart_in(tetrahedron_of(g), dart_order::dart_from(sunder::place_of(g), from));
+}
+
+void DenseMap::unsew(HalfFaceId face) {
+  const HalfFaceId across = neighbour(face);
+  SUNDER_ASSERT(!across.is_none(), "unsewing a boundary face");
+  rows_.neighbours[face.index() / 4][face.index() % 4] = HalfFaceId::none();
+  rows_.neighbours[across.index() / 4][across.index() % 4] = HalfFaceId::none();
+}
+
+void DenseMap::sew(DartId a, DartId b) {
+  SUNDER_ASSERT(is_free(a) && is_free(b), "sewing a face that has two sides already");
+  const HalfFaceId f = half_face_of(a), g = half_face_of(b);
+  rows_.neighbours[f.index() / 4][f.index() % 4] = g;
+  rows_.neighbours[g.index() / 4][g.index() % 4] = f;
+}
+
+VertexId DenseMap::split_vertex(const VertexSplit& split) {
+  const VertexId added{vertices()};
+  for (const CornerId c : split.leaving) rows_.corners[c.index() / 4][c.index() % 4] = added;
+  append_row(rows_.point_of_vertex, point_of_vertex(split.vertex));
+  incident_[split.vertex.index()] = tetrahedron_of(split.staying[0]);
+  append_row(incident_, tetrahedron_of(split.leaving[0]));
+  return added;
+}
+
+void DenseMap::merge_vertices(VertexId kept, VertexId retired, std::span<const CornerId> corners) {
+  for (const CornerId c : corners) rows_.corners[c.index() / 4][c.index() % 4] = kept;
+  incident_[retired.index()] = TetId::none();
+  while (!incident_.empty() && incident_.back().is_none()) {
+    incident_.pop_back();
+    rows_.point_of_vertex.pop_back();
+  }
+}
+
+}  // namespace sunder
