@@ -44,7 +44,7 @@ Cells make_cells(VolumeMap map, const MechanicsState& mechanics, std::vector<cha
   // Before anything is cracked the smallest strength around a vertex needs no star.
   cells.strength.assign(cells.map.vertices(), std::numeric_limits<double>::infinity());
   for (std::size_t t = 0; t < cells.map.tetrahedra(); ++t) {
-    const double xi = mechanics.materials[mechanics.elements.material[t].index()].tensile_strength;
+    const double xi = material_of(mechanics, TetId{t}).tensile_strength;
     for (const VertexId v : cells.map.corners(TetId{t})) {
       cells.strength[v.index()] = std::min(cells.strength[v.index()], xi);
     }
