@@ -49,8 +49,7 @@ double upright(const Cells& cells, HalfFaceId face) {
   const TetId t = tetrahedron_of(face);
   const Vec3 area = rest_area_vector(cells.map, face);
   Vec3 centre = Vec3::Zero();
-  for (const int corner : dart_order::face_corners[static_cast<std::size_t>(place_of(face))]) {
-    const VertexId v = cells.map.corners(t)[static_cast<std::size_t>(corner)];
+  for (const VertexId v : corners_of_face(cells.map.corners(t), face)) {
     centre += Vec3(cells.map.point(v).data()) / 3;
   }
   const std::vector<ComponentId>& component = cells.labels.of_vertex;
@@ -132,12 +131,8 @@ FragmentSurface fragment_surface(const Simulation& simulation, ComponentId id) {
     for (int place = 0; place < 4; ++place) {
       const HalfFaceId face = half_face(t, place);
       if (!s.cells.map.neighbour(face).is_none()) continue;
-      auto& corners = faces.emplace_back();
-      for (std::size_t i = 0; i < 3; ++i) {
-        const int corner = dart_order::face_corners[static_cast<std::size_t>(place)][i];
-        corners[i] = s.cells.map.corners(t)[static_cast<std::size_t>(corner)];
-        surface.vertex.push_back(corners[i]);
-      }
+      faces.push_back(corners_of_face(s.cells.map.corners(t), face));
+      surface.vertex.insert(surface.vertex.end(), faces.back().begin(), faces.back().end());
       surface.is_crack.push_back(is_crack_face(s.cells, face) ? 1 : 0);
     }
   }

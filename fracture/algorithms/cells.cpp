@@ -21,10 +21,8 @@ bool is_crack_tip(const Cells& cells, VertexId vertex, std::span<const TetId> st
 
 /// Whether a face has a vertex that never splits.
 bool touches_unbreakable(const Cells& cells, HalfFaceId face) {
-  const Corners& corners = cells.map.corners(tetrahedron_of(face));
-  return std::ranges::any_of(dart_order::face_corners[place_of(face)], [&](int place) {
-    return cells.unbreakable[corners[place].index()] != 0;
-  });
+  return std::ranges::any_of(corners_of_face(cells.map.corners(tetrahedron_of(face)), face),
+                             [&](VertexId v) { return cells.unbreakable[v.index()] != 0; });
 }
 
 }  // namespace
@@ -105,9 +103,8 @@ double vertex_strength(const Cells& cells, const MechanicsState& mechanics, Vert
 }
 
 Vec3 rest_area_vector(const VolumeMap& map, HalfFaceId face) {
-  const Corners& corners = map.corners(tetrahedron_of(face));
-  const auto& order = dart_order::face_corners[place_of(face)];
-  const auto x = [&](int k) { return Vec3(map.point(corners[order[k]]).data()); };
+  const auto corners = corners_of_face(map.corners(tetrahedron_of(face)), face);
+  const auto x = [&](int k) { return Vec3(map.point(corners[k]).data()); };
   const Vec3 a = x(0);
   return 0.5 * (x(1) - a).cross(x(2) - a);
 }
