@@ -311,8 +311,9 @@ FanEvent split_planned(BreakableBody body, const PlannedFan& fan, const Fracture
   event.stress = fan.stress;
   event.strength = fan.strength;
   // One whose faces are all gone leaves nothing, its crack's labels neither: no event tells of it.
-  if (!fan.crack.is_none() && !event.faces.empty())
+  if (!fan.crack.is_none() && !event.faces.empty()) {
     note_crack(body.cells, body.mechanics, fan, event);
+  }
   return event;
 }
 
