@@ -241,7 +241,7 @@ Result<EnergyRelease> energy_release(const ReleaseInput& input, std::span<const 
     if (input.cells.map.neighbour(face).is_none()) continue;
     const Vec3 area = rest_area_vector(input.cells.map, face);
     release.area += area.norm();
-    release.projected += std::abs(area.dot(normal)) / normal.norm();
+    release.projected += projected_area(area, normal.normalized());
   }
   const std::vector<PartedVertex> parted = parted_vertices(input.cells.map, faces);
   if (parted.empty()) return release;

@@ -95,7 +95,7 @@ CrackArea crack_area(const Cells& cells) {
     if (!is_crack_face(cells, HalfFaceId{f})) continue;
     const Vec3 area = 0.5 * rest_area_vector(cells.map, HalfFaceId{f});
     sum.raw += area.norm();
-    sum.projected += std::abs(area.x());
+    sum.projected += projected_area(area, Vec3::UnitX());
   }
   return sum;
 }

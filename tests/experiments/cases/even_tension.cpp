@@ -163,9 +163,9 @@ void measure_faces(TornBody& torn, const Tearing& t, std::span<const HalfFaceId>
     const Vec3 drawn = 0.5 * (x[1] - x[0]).cross(x[2] - x[0]);
     const Vec3 area = rest_area_vector(map, face);
     torn.raw += area.norm() / section;
-    torn.projected += std::abs(area.dot(t.tension.axis)) / section;
+    torn.projected += projected_area(area, t.tension.axis) / section;
     torn.smooth_raw += drawn.norm() / section;
-    torn.smooth_projected += std::abs(drawn.dot(t.tension.axis)) / section;
+    torn.smooth_projected += projected_area(drawn, t.tension.axis) / section;
   }
 }
 
