@@ -40,24 +40,22 @@ void add_spin(Fragment& f, const Component& component, const VertexColumns& v) {
   f.spin = f.lumped_inertia.ldlt().solve(L);
 }
 
-/// |n . n_f| of a crack's face, n the mean normal of its crack's anchors around; 1 where there are
-/// none.
-double upright(const Cells& cells, HalfFaceId face) {
-  if (cells.cracks.of_face.empty()) return 1;
+/// What a face counts of its crack, along the mean normal of the crack's anchors around; whole
+/// where there are none. `area`: its area vector.
+double area_of_crack(const Cells& cells, HalfFaceId face, const Vec3& area) {
+  if (cells.cracks.of_face.empty()) return area.norm();
   const CrackId crack = cells.cracks.of_face[face.index()];
-  if (crack.is_none()) return 1;
+  if (crack.is_none()) return area.norm();
   const TetId t = tetrahedron_of(face);
-  const Vec3 area = rest_area_vector(cells.map, face);
   Vec3 centre = Vec3::Zero();
-  for (const int corner : dart_order::face_corners[static_cast<std::size_t>(place_of(face))]) {
-    const VertexId v = cells.map.corners(t)[static_cast<std::size_t>(corner)];
+  for (const VertexId v : corners_of_face(cells.map.corners(t), face)) {
     centre += Vec3(cells.map.point(v).data()) / 3;
   }
   const std::vector<ComponentId>& component = cells.labels.of_vertex;
   const ComponentId own = component[cells.map.corners(t)[0].index()];
   const double edge = std::sqrt(2 * area.norm());
   const Vec3 normal = anchors_near(cells.cracks, crack, centre, edge, component, own).normal;
-  return normal.isZero(0) ? 1 : std::abs(area.dot(normal)) / (area.norm() * normal.norm());
+  return normal.isZero(0) ? area.norm() : projected_area(area, normal.normalized());
 }
 
 /// Adds the boundary faces of one tetrahedron.
@@ -65,11 +63,11 @@ void add_surface(Fragment& f, const Cells& cells, TetId t) {
   for (int place = 0; place < 4; ++place) {
     const HalfFaceId face = half_face(t, place);
     if (!cells.map.neighbour(face).is_none()) continue;
-    const double area = rest_area_vector(cells.map, face).norm();
-    f.surface += area;
+    const Vec3 area = rest_area_vector(cells.map, face);
+    f.surface += area.norm();
     if (!is_crack_face(cells, face)) continue;
-    f.crack_area += area;
-    f.crack_projected += area * upright(cells, face);
+    f.crack_area += area.norm();
+    f.crack_projected += area_of_crack(cells, face, area);
   }
 }
 
@@ -132,12 +130,8 @@ FragmentSurface fragment_surface(const Simulation& simulation, ComponentId id) {
     for (int place = 0; place < 4; ++place) {
       const HalfFaceId face = half_face(t, place);
       if (!s.cells.map.neighbour(face).is_none()) continue;
-      auto& corners = faces.emplace_back();
-      for (std::size_t i = 0; i < 3; ++i) {
-        const int corner = dart_order::face_corners[static_cast<std::size_t>(place)][i];
-        corners[i] = s.cells.map.corners(t)[static_cast<std::size_t>(corner)];
-        surface.vertex.push_back(corners[i]);
-      }
+      faces.push_back(corners_of_face(s.cells.map.corners(t), face));
+      surface.vertex.insert(surface.vertex.end(), faces.back().begin(), faces.back().end());
       surface.is_crack.push_back(is_crack_face(s.cells, face) ? 1 : 0);
     }
   }

@@ -55,13 +55,7 @@ void each_face(const Body& body, Wanted is_wanted, Visit visit) {
   for (std::size_t f = 0; f < 4 * body.cells.map.tetrahedra(); ++f) {
     const HalfFaceId face{f};
     if (!is_wanted(face)) continue;
-    const auto all = body.points(tetrahedron_of(face));
-    std::array<std::uint32_t, 3> three;
-    for (std::size_t i = 0; i < 3; ++i) {
-      three[i] = all[static_cast<std::size_t>(
-          dart_order::face_corners[static_cast<std::size_t>(place_of(face))][i])];
-    }
-    visit(face, three);
+    visit(face, corners_of_face(body.points(tetrahedron_of(face)), face));
   }
 }
 

@@ -155,8 +155,9 @@ class Builder {
 
   /// Lines are asked for in growing order: counted on from the last question.
   std::size_t place_of_byte_cached(std::size_t offset) {
-    for (; counted_ < std::min(offset, bytes_.size()); ++counted_)
+    for (; counted_ < std::min(offset, bytes_.size()); ++counted_) {
       line_ += bytes_[counted_] == '\n';
+    }
     return line_;
   }
 

@@ -21,10 +21,8 @@ bool is_crack_tip(const Cells& cells, VertexId vertex, std::span<const TetId> st
 
 /// Whether a face has a vertex that never splits.
 bool touches_unbreakable(const Cells& cells, HalfFaceId face) {
-  const Corners& corners = cells.map.corners(tetrahedron_of(face));
-  return std::ranges::any_of(dart_order::face_corners[place_of(face)], [&](int place) {
-    return cells.unbreakable[corners[place].index()] != 0;
-  });
+  return std::ranges::any_of(corners_of_face(cells.map.corners(tetrahedron_of(face)), face),
+                             [&](VertexId v) { return cells.unbreakable[v.index()] != 0; });
 }
 
 }  // namespace
@@ -44,7 +42,7 @@ Cells make_cells(VolumeMap map, const MechanicsState& mechanics, std::vector<cha
   // Before anything is cracked the smallest strength around a vertex needs no star.
   cells.strength.assign(cells.map.vertices(), std::numeric_limits<double>::infinity());
   for (std::size_t t = 0; t < cells.map.tetrahedra(); ++t) {
-    const double xi = mechanics.materials[mechanics.elements.material[t].index()].tensile_strength;
+    const double xi = material_of(mechanics, TetId{t}).tensile_strength;
     for (const VertexId v : cells.map.corners(TetId{t})) {
       cells.strength[v.index()] = std::min(cells.strength[v.index()], xi);
     }
@@ -108,9 +106,8 @@ double vertex_strength(const Cells& cells, const MechanicsState& mechanics, Vert
 }
 
 Vec3 rest_area_vector(const VolumeMap& map, HalfFaceId face) {
-  const Corners& corners = map.corners(tetrahedron_of(face));
-  const auto& order = dart_order::face_corners[place_of(face)];
-  const auto x = [&](int k) { return Vec3(map.point(corners[order[k]]).data()); };
+  const auto corners = corners_of_face(map.corners(tetrahedron_of(face)), face);
+  const auto x = [&](int k) { return Vec3(map.point(corners[k]).data()); };
   const Vec3 a = x(0);
   return 0.5 * (x(1) - a).cross(x(2) - a);
 }

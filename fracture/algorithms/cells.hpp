@@ -2,6 +2,7 @@
 // The cells of all bodies and what breaking knows about them: map, components, skin, strength.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <span>
 #include <vector>
@@ -95,6 +96,12 @@ double mean_edge_length(const VertexColumns& vertices, std::span<const Corners> 
 
 /// Area vector of a half-face at rest, m^2, out of its tetrahedron.
 Vec3 rest_area_vector(const VolumeMap& map, HalfFaceId face);
+
+/// A |n . n_f|, m^2: what a face counts of its crack, whose faces zigzag about its plane (see
+/// `CrackEnergy`). `area`: of the face, A n_f; `normal`: n of the plane, of length 1.
+inline double projected_area(const Vec3& area, const Vec3& normal) {
+  return std::abs(area.dot(normal));
+}
 
 /// The fan of a star's signs (`plane_signs`): `fan_faces`, but for those that touch an unbreakable
 /// vertex. A vertex splits by faces at it alone, so an unbreakable one never does.

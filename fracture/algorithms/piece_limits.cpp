@@ -33,10 +33,9 @@ struct MapWithoutFan {
 /// `parted`: by row.
 bool may_part(const VolumeMap& map, std::span<const PartedVertex> parted, HalfFaceId face) {
   const TetId own = tetrahedron_of(face), other = tetrahedron_of(map.neighbour(face));
-  const auto& corners = map.corners(own);
-  return std::ranges::all_of(dart_order::face_corners[place_of(face)], [&](int place) {
-    const auto at = std::ranges::lower_bound(parted, corners[place], {}, &PartedVertex::vertex);
-    if (at == parted.end() || at->vertex != corners[place]) return false;
+  return std::ranges::all_of(corners_of_face(map.corners(own), face), [&](VertexId v) {
+    const auto at = std::ranges::lower_bound(parted, v, {}, &PartedVertex::vertex);
+    if (at == parted.end() || at->vertex != v) return false;
     return std::ranges::none_of(at->sides, [&](const std::vector<TetId>& side) {
       return std::ranges::binary_search(side, own) && std::ranges::binary_search(side, other);
     });

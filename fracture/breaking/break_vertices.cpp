@@ -38,9 +38,11 @@ void look_at(std::vector<char>& rows, const MechanicsState& mechanics, const Ste
 void look_for_cracks(std::vector<char>& cracked, const Cells& cells) {
   cracked.assign(cells.map.vertices(), 0);
   for (std::size_t f = 0; f < 4 * cells.map.tetrahedra(); ++f) {
-    if (!is_crack_face(cells, HalfFaceId{f})) continue;
-    for (std::size_t k = 1; k < 4; ++k)
-      cracked[cells.map.corners(TetId{f / 4})[(f % 4 + k) % 4].index()] = 1;
+    const HalfFaceId face{f};
+    if (!is_crack_face(cells, face)) continue;
+    for (const VertexId v : corners_of_face(cells.map.corners(tetrahedron_of(face)), face)) {
+      cracked[v.index()] = 1;
+    }
   }
 }
 
@@ -309,8 +311,9 @@ FanEvent split_planned(BreakableBody body, const PlannedFan& fan, const Fracture
   event.stress = fan.stress;
   event.strength = fan.strength;
   // One whose faces are all gone leaves nothing, its crack's labels neither: no event tells of it.
-  if (!fan.crack.is_none() && !event.faces.empty())
+  if (!fan.crack.is_none() && !event.faces.empty()) {
     note_crack(body.cells, body.mechanics, fan, event);
+  }
   return event;
 }
 

@@ -105,10 +105,8 @@ void note_crack(Cells& cells, const MechanicsState& mechanics, const PlannedFan&
   event.anchor = fan.at;
   CrackAnchor anchor{fan.crack, fan.v.vertex, VertexId::none(), fan.at, fan.normal};
   const TetId first = tetrahedron_of(fan.v.corners.front());
-  const Material& material =
-      mechanics.materials[mechanics.elements.material[first.index()].index()];
   anchor.time = mechanics.time;
-  anchor.wave_speed = compression_wave_speed(material);
+  anchor.wave_speed = compression_wave_speed(material_of(mechanics, first));
   anchor.reach = std::max(3 * mean_edge_length(mechanics.vertices, cells.map.corners(), fan.v),
                           anchor.wave_speed * fan.untested);
   for (const FaceSplit& split : event.faces) {

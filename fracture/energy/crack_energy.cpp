@@ -72,7 +72,7 @@ void open_cracks(std::vector<OpenCrack>& cracks, const NewCracks& fresh,
     for (const FaceSplit& face : fresh.fans[k].faces) {
       const Vec3 area = rest_area_vector(cells.map, face.face);
       crack.area += area.norm();
-      crack.projected += std::abs(area.dot(fresh.fans[k].normal));
+      crack.projected += projected_area(area, fresh.fans[k].normal);
     }
   }
   std::vector<std::uint32_t> group(state.vertices.size(), 0);  // 1 + row of `parted`; 0: whole

@@ -78,7 +78,7 @@ void fill_column(Trial& trial, FactorBorder::Column& column, VertexId vertex,
     const Corners& corners = trial.input.cells.map.corners(t);
     const auto own = std::find(corners.begin(), corners.end(), vertex) - corners.begin();
     const ShapeGradient& G = m.elements.shape_gradient[t.index()];
-    const Lame constants = lame(m.materials[m.elements.material[t.index()].index()]);
+    const Lame constants = lame(material_of(m, t));
     for (std::size_t b = 0; b < 4; ++b) {
       const std::uint32_t row = row_after(trial, t, corners[b]);
       if (row == none) continue;
@@ -178,7 +178,7 @@ double energy_of_free_piece(const Trial& trial) {
         const Corners& corners = trial.input.cells.map.corners(t);
         const auto own = std::find(corners.begin(), corners.end(), p.vertex) - corners.begin();
         const ShapeGradient& G = m.elements.shape_gradient[t.index()];
-        const Lame constants = lame(m.materials[m.elements.material[t.index()].index()]);
+        const Lame constants = lame(material_of(m, t));
         for (std::size_t b = 0; b < 4; ++b) {
           const std::uint32_t row = trial.extended_row(corners[b]);
           if (row == none) continue;
@@ -241,7 +241,7 @@ Result<EnergyRelease> energy_release(const ReleaseInput& input, std::span<const 
     if (input.cells.map.neighbour(face).is_none()) continue;
     const Vec3 area = rest_area_vector(input.cells.map, face);
     release.area += area.norm();
-    release.projected += std::abs(area.dot(normal)) / normal.norm();
+    release.projected += projected_area(area, normal.normalized());
   }
   const std::vector<PartedVertex> parted = parted_vertices(input.cells.map, faces);
   if (parted.empty()) return release;

@@ -202,9 +202,8 @@ void relax_around(RelaxedState& relaxed, const Cells& cells, MechanicsState& m,
       const std::uint32_t row = relaxed.local_row[cells.map.corners(t)[a].index()];
       if (row < system.free_count) d.col(static_cast<Index>(a)) = answer.segment<3>(3 * Index{row});
     }
-    relaxed.stress[t.index()] +=
-        stress_of(displacement_gradient(m.elements.shape_gradient[t.index()], d),
-                  lame(m.materials[m.elements.material[t.index()].index()]));
+    relaxed.stress[t.index()] += stress_of(
+        displacement_gradient(m.elements.shape_gradient[t.index()], d), lame(material_of(m, t)));
   }
   relaxed.changed = patch.vertices;
 }

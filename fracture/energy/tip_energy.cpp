@@ -33,10 +33,8 @@ HalfFaceId far_side(const VolumeMap& map, DartId start) {
 }
 
 bool has_point(const VolumeMap& map, HalfFaceId face, std::uint32_t point) {
-  const auto& corners = map.corners(tetrahedron_of(face));
-  return std::ranges::any_of(dart_order::face_corners[place_of(face)], [&](int place) {
-    return map.point_of_vertex(corners[place]) == point;
-  });
+  return std::ranges::any_of(corners_of_face(map.corners(tetrahedron_of(face)), face),
+                             [&](VertexId v) { return map.point_of_vertex(v) == point; });
 }
 
 /// Appends the front edges of one half-face, where it is the lower side of a cracked face.

@@ -25,7 +25,7 @@ void note_break_energies(std::vector<double>& energy, const MechanicsState& m, c
   star.assign(m.vertices.size(), 0);
   for (std::size_t t = 0; t < m.elements.size(); ++t) {
     const std::size_t c = m.elements.component[t].index();
-    const Material& material = m.materials[m.elements.material[t].index()];
+    const Material& material = material_of(m, TetId{t});
     const auto [lambda, mu] = lame(material);
     modulus[c] = std::max(modulus[c], lambda + 2 * mu);
     density[c] = std::max(density[c], material.density);

@@ -135,8 +135,7 @@ double slenderness(const Component& component) {
 void warn_of_slender_bodies(std::vector<Finding>& findings, const MechanicsState& mechanics) {
   for (const Component& c : mechanics.components) {
     if (c.tetrahedra.size() < 2) continue;
-    const Material& material =
-        mechanics.materials[mechanics.elements.material[c.tetrahedra.front().index()].index()];
+    const Material& material = material_of(mechanics, c.tetrahedra.front());
     if (!(material.tensile_strength < std::numeric_limits<double>::infinity())) continue;
     const double ratio = slenderness(c);
     const double strain = material.tensile_strength / material.young_modulus;

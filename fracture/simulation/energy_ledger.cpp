@@ -232,8 +232,9 @@ void add_part_energy(StepReport& report, const AdoptedPart& part, bool keeps_led
   for_each_living(m, members, [&](const Component& component) {
     const StrainChange& change = component.strain_change;
     ledger.strain += change.after - change.before;
-    if (has_closed_forms && component.rung != Rung::carried)
+    if (has_closed_forms && component.rung != Rung::carried) {
       add_support_work(ledger, part, component);
+    }
   });
   if (has_closed_forms) add_losses(ledger, part);
 }

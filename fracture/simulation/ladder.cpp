@@ -20,14 +20,9 @@ namespace {
 /// swings once about where it would have been.
 constexpr double safe_part = 0.5;
 
-const Material& material_of(const MechanicsState& state, const Component& component) {
-  const TetId t = component.tetrahedra.front();
-  return state.materials[state.elements.material[t.index()].index()];
-}
-
 /// Pa. What cannot break is seen to move all the same: it counts as breaking at a strain of 1e-4.
 double lowest_strength(const SimulationState& s, const Component& component) {
-  double lowest = 1e-4 * material_of(s.mechanics, component).young_modulus;
+  double lowest = 1e-4 * material_of(s.mechanics, component.tetrahedra.front()).young_modulus;
   for (VertexId v : component.vertices) lowest = std::min(lowest, s.cells.strength[v.index()]);
   return lowest;
 }
@@ -62,7 +57,7 @@ double stop_deforming(MechanicsState& state, const Component& component) {
 /// Largest speed of a vertex in its component's frame over the critical speed xi / (rho c), whose
 /// wave would break it. An acceleration counts as the speed that it stands for in the slowest mode.
 double swing(const MechanicsState& state, const Component& component, double strength) {
-  const Material& material = material_of(state, component);
+  const Material& material = material_of(state, component.tetrahedra.front());
   const double period = extent_travel(state, component) / 3;
   double fastest = 0;
   for (VertexId v : component.vertices) {
@@ -210,7 +205,7 @@ double fall_asleep(MechanicsState& state, Component& component) {
 }  // namespace
 
 double flight_stress_bound(const MechanicsState& state, const Component& component) {
-  const Material& material = material_of(state, component);
+  const Material& material = material_of(state, component.tetrahedra.front());
   double energy = 0;
   for (TetId t : component.tetrahedra) energy += element_strain_energy(state, t);
   double lightest = std::numeric_limits<double>::infinity();

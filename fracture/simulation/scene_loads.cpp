@@ -14,14 +14,14 @@ bool contains(const LoadBox& box, const Vec3& p) {
 /// Pressure on every boundary face whose three vertices lie in the box; how many there are.
 std::size_t add_pressure(Simulation& sim, const BodyRows& rows, const LoadBox& box) {
   const MechanicsState& m = sim.state->mechanics;
+  const VolumeMap& map = sim.state->cells.map;
   std::size_t count = 0;
   for (std::size_t t = rows.first_tetrahedron; t < rows.end_tetrahedron; ++t) {
-    const Corners& corners = sim.state->cells.map.corners(TetId{t});
     for (int place = 0; place < 4; ++place) {
-      if (!sim.state->cells.map.neighbour(half_face(TetId{t}, place)).is_none()) continue;
+      const HalfFaceId face = half_face(TetId{t}, place);
+      if (!map.neighbour(face).is_none()) continue;
       bool inside = true;
-      for (int k = 1; k < 4; ++k) {
-        const VertexId v = corners[static_cast<std::size_t>((place + k) % 4)];
+      for (const VertexId v : corners_of_face(map.corners(TetId{t}), face)) {
         inside = inside && contains(box, m.vertices.rest_position[v.index()]);
       }
       if (!inside) continue;

@@ -20,9 +20,8 @@ bool contains(const CutSettings& cut, const Vec3& p) {
 
 /// Whether the three vertices of a face lie where the cut is allowed.
 bool contains(const CutSettings& cut, const VolumeMap& map, HalfFaceId face) {
-  const auto& corners = map.corners(tetrahedron_of(face));
-  for (const int place : dart_order::face_corners[place_of(face)]) {
-    const Point& p = map.point(corners[place]);
+  for (const VertexId v : corners_of_face(map.corners(tetrahedron_of(face)), face)) {
+    const Point& p = map.point(v);
     if (!contains(cut, Vec3(p[0], p[1], p[2]))) return false;
   }
   return true;
@@ -113,11 +112,11 @@ CutFaces both_sides(const CutSettings& settings, const VolumeMap& map,
 std::array<std::array<VertexId, 2>, 3> facing_rows(const VolumeMap& map, HalfFaceId face,
                                                    HalfFaceId opposite) {
   std::array<std::array<VertexId, 2>, 3> rows;
+  const auto own = corners_of_face(map.corners(tetrahedron_of(face)), face);
   for (std::size_t i = 0; i < 3; ++i) {
-    rows[i][0] = map.corners(tetrahedron_of(face))[(face.index() + 1 + i) % 4];
-    for (std::size_t k = 1; k < 4; ++k) {
-      const VertexId other = map.corners(tetrahedron_of(opposite))[(opposite.index() + k) % 4];
-      if (map.point_of_vertex(other) == map.point_of_vertex(rows[i][0])) rows[i][1] = other;
+    rows[i][0] = own[i];
+    for (const VertexId v : corners_of_face(map.corners(tetrahedron_of(opposite)), opposite)) {
+      if (map.point_of_vertex(v) == map.point_of_vertex(own[i])) rows[i][1] = v;
     }
   }
   return rows;

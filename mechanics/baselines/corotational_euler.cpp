@@ -108,7 +108,7 @@ void assemble(ReassembledSystem& system, const ComponentStep& step, std::span<co
   for (std::size_t e = 0; e < system.places.size(); ++e) {
     const TetId t = step.component.tetrahedra[e];
     const ShapeGradient G = (R.transpose() * turn[e]) * elements.shape_gradient[t.index()];
-    const Lame constants = lame(step.state.materials[elements.material[t.index()].index()]);
+    const Lame constants = lame(material_of(step.state, t));
     const double volume = elements.rest_volume[t.index()];
     for_each_block(system, step, t, [&](std::size_t k, int a, int b, std::uint32_t, std::uint32_t) {
       const std::uint32_t place = system.places[e][k];

@@ -22,7 +22,7 @@ void make_diagonal(const ComponentStep& step) {
   const ElementColumns& elements = step.state.elements;
   for (TetId t : step.component.tetrahedra) {
     const ShapeGradient& G = elements.shape_gradient[t.index()];
-    const Lame constants = lame(step.state.materials[elements.material[t.index()].index()]);
+    const Lame constants = lame(material_of(step.state, t));
     for (int a = 0; a < 4; ++a) {
       const std::size_t v = step.input.corners[t.index()][a].index();
       diagonal.middleCols<3>(3 * step.state.systems.local_row[v]) +=

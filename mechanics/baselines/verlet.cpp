@@ -35,7 +35,7 @@ void kick(const ComponentStep& step, std::span<const Vec3> position, const Pose&
 /// What one element stands, s.
 double element_bound(const MechanicsState& state, std::size_t t) {
   const ElementColumns& elements = state.elements;
-  const Lame constants = lame(state.materials[elements.material[t].index()]);
+  const Lame constants = lame(material_of(state, TetId{t}));
   const ElementStiffness K =
       element_stiffness(elements.shape_gradient[t], elements.rest_volume[t], constants);
   const Eigen::SelfAdjointEigenSolver<ElementStiffness> solver(K, Eigen::EigenvaluesOnly);

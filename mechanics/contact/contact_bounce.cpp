@@ -42,8 +42,9 @@ Vec3 coming_velocity(const Bounce& bounce, const ContactEnd& end) {
   const VertexColumns& vertices = bounce.pass.state.vertices;
   if (end.vertex.is_none()) {
     Vec3 mean = Vec3::Zero();
-    for (VertexId v : bounce.component_of(end).vertices)
+    for (VertexId v : bounce.component_of(end).vertices) {
       mean += 0.25 * vertices.velocity[v.index()];
+    }
     return mean;
   }
   const std::size_t v = end.vertex.index();

@@ -89,8 +89,9 @@ Vec3 relative_velocity(const ContactPoint& contact, const StepPaths& paths) {
   const std::vector<Vec3>& velocity = paths.state.vertices.velocity;
   Vec3 sum = contact.ball == ContactPoint::none ? velocity[contact.vertex.index()]
                                                 : paths.obstacles[contact.ball].velocity;
-  if (contact.obstacle != ContactPoint::none)
+  if (contact.obstacle != ContactPoint::none) {
     return sum - paths.obstacles[contact.obstacle].velocity;
+  }
   return sum - weighted_sum(paths.corners[contact.tetrahedron.index()], contact.weights, velocity);
 }
 

@@ -71,8 +71,9 @@ std::vector<Facing> facing_corners(const ContactMemory& memory, const StepPaths&
     for (std::size_t k = 0; k < 3; ++k) {
       const VertexId a = vertex_of(paths, p.face, p.corner[k]);
       const VertexId b = vertex_of(paths, p.opposite, p.opposite_corner[k]);
-      if (a < b)
+      if (a < b) {
         all.push_back({a, b, p.face, tetrahedron_of(p.opposite), p.opposite_corner[k], -area});
+      }
       if (b < a) all.push_back({b, a, p.opposite, tetrahedron_of(p.face), p.corner[k], area});
     }
   }

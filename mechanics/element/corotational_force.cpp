@@ -54,8 +54,7 @@ void corotational_forces(std::span<Vec3> force, const ElasticInput& input,
     const ShapeGradient& G = elements.shape_gradient[t.index()];
     const Mat3 F = deformation_gradient(G, at_corners(input.positions, corners));
     const Mat3 R = element_rotation(F, near);
-    const Mat3 sigma = corotational_stress(
-        R, F, lame(input.state.materials[elements.material[t.index()].index()]));
+    const Mat3 sigma = corotational_stress(R, F, lame(material_of(input.state, t)));
     const CornerVectors f = element_force(G, elements.rest_volume[t.index()], R * sigma);
     for (int a = 0; a < 4; ++a) force[corners[a].index()] -= f.col(a);
   }
@@ -83,8 +82,7 @@ void corotational_product(std::span<Vec3> product, const TurnedElements& element
     const ShapeGradient& G = columns.shape_gradient[t.index()];
     const Mat3& R = elements.rotation[e];
     const Mat3 turned = R.transpose() * deformation_gradient(G, at_corners(u, corners));
-    const Mat3 sigma =
-        stress_of(turned, lame(input.state.materials[columns.material[t.index()].index()]));
+    const Mat3 sigma = stress_of(turned, lame(material_of(input.state, t)));
     const CornerVectors f = element_force(G, columns.rest_volume[t.index()], R * sigma);
     for (int a = 0; a < 4; ++a) product[corners[a].index()] += f.col(a);
   }

@@ -28,8 +28,7 @@ void sum_element_forces(const ElasticOutput& output, const ElasticInput& input,
     const Corners& corners = input.corners[t.index()];
     const ShapeGradient& G = elements.shape_gradient[t.index()];
     const CornerVectors d = at_corners(output.displacement, corners);
-    const Mat3 sigma = stress_of(displacement_gradient(G, d),
-                                 lame(input.state.materials[elements.material[t.index()].index()]));
+    const Mat3 sigma = stress_of(displacement_gradient(G, d), lame(material_of(input.state, t)));
     const CornerVectors f = element_force(G, elements.rest_volume[t.index()], sigma);
     for (int a = 0; a < 4; ++a) output.force[corners[a].index()] += f.col(a);
   }
@@ -94,8 +93,7 @@ double elastic_energy(const ElasticInput& input, const Component& component,
   for (TetId t : component.tetrahedra) {
     const CornerVectors d = at_corners(displacement, input.corners[t.index()]);
     const Mat3 H = displacement_gradient(elements.shape_gradient[t.index()], d);
-    const Mat3 sigma =
-        stress_of(H, lame(input.state.materials[elements.material[t.index()].index()]));
+    const Mat3 sigma = stress_of(H, lame(material_of(input.state, t)));
     energy += 0.5 * elements.rest_volume[t.index()] * sigma.cwiseProduct(H).sum();
   }
   return energy;

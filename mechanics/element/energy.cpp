@@ -35,7 +35,7 @@ StressEnergy::StressEnergy(const Material& material)
 double element_strain_energy(const MechanicsState& state, TetId element) {
   const ElementColumns& elements = state.elements;
   const std::size_t t = element.index();
-  const StressEnergy energy(state.materials[elements.material[t].index()]);
+  const StressEnergy energy(material_of(state, TetId{t}));
   return elements.rest_volume[t] * energy.density(elements.stress[t]);
 }
 

@@ -115,7 +115,7 @@ void step_edge_framed(const ComponentStep& step) {
 
   const ElementStiffness K =
       element_stiffness(elements.shape_gradient[t.index()], elements.rest_volume[t.index()],
-                        lame(step.state.materials[elements.material[t.index()].index()]));
+                        lame(material_of(step.state, t)));
   // K feels no translation, but taken out it leaves no rounding of it.
   CornerVectors d = R.transpose() * (ahead.colwise() - ahead.col(0));
   d -= (rest.colwise() - rest.col(0)).eval();

@@ -2,8 +2,8 @@
 // A system after splits with the factors of the one before.
 #include <algorithm>
 
-#include "mechanics/solver/assemble_system.hpp"
 #include "mechanics/element/strain_displacement.hpp"
+#include "mechanics/solver/assemble_system.hpp"
 
 namespace sunder {
 namespace {
@@ -63,7 +63,7 @@ void fill_columns(ComponentSystem& old, const ExtendedRows& rows, std::size_t fi
       const std::uint32_t own = rows[corners[a].index()];
       if (own == none || own < old.border.base + first) continue;
       const ShapeGradient& G = elements.shape_gradient[t.index()];
-      const Lame constants = lame(input.state.materials[elements.material[t.index()].index()]);
+      const Lame constants = lame(material_of(input.state, t));
       for (std::size_t b = 0; b < 4; ++b) {
         const std::uint32_t row = rows[corners[b].index()];
         if (row == none) continue;

@@ -25,4 +25,9 @@ struct MechanicsState {
   ComponentSystems systems;
 };
 
+/// The material of a tetrahedron.
+inline const Material& material_of(const MechanicsState& state, TetId t) {
+  return state.materials[state.elements.material[t.index()].index()];
+}
+
 }  // namespace sunder

@@ -13,9 +13,4 @@ double cell_travel(const MechanicsState& state, const Component& component);
 /// L/c of a component, s.
 double extent_travel(const MechanicsState& state, const Component& component);
 
-/// The material of a tetrahedron.
-inline const Material& material_of(const MechanicsState& state, TetId t) {
-  return state.materials[state.elements.material[t.index()].index()];
-}
-
 }  // namespace sunder

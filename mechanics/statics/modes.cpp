@@ -213,8 +213,7 @@ Result<Modes> natural_modes(MechanicsState& state, std::span<const Corners> corn
   }
   if (rigid > 0) {
     // A fiftieth of the first axial frequency: far below it, and K + s M stays well conditioned.
-    const Material& material =
-        state.materials[state.elements.material[component.tetrahedra.front().index()].index()];
+    const Material& material = material_of(state, component.tetrahedra.front());
     const double slow = 0.02 * bar_wave_speed(material) / component.rest_radius;
     problem.shift = slow * slow;
   }

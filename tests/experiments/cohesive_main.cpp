@@ -1,83 +1,112 @@
 // SPDX-License-Identifier: MIT
-// `cohesive`: bars pulled apart through ties: what the crack takes against G_c times its area.
+// `cohesive [MESH...]`: notched bars pulled apart through ties: what the crack takes against G_c
+// times the section, at steps of any length; bars of cubes, and MESHes of the box 0.8 x 0.4 x 0.1 m.
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
 
 #include "fracture/simulation/simulation_state.hpp"
-#include "topology/suite/fixtures/shapes.hpp"
+#include "mechanics/state/living.hpp"
 #include "tests/experiments/cases/crack_growth.hpp"
+#include "topology/io/mesh_file.hpp"
+#include "topology/suite/fixtures/shapes.hpp"
 
 using namespace sunder;
 using namespace sunder::accuracy;
 
-int main(int argc, char** argv) {
-  const double speed = argc > 1 ? std::atof(argv[1]) : 0.05;
-  const double step = argc > 2 ? std::atof(argv[2]) : 1e-4;
-  const bool cut = argc > 3 ? std::atoi(argv[3]) != 0 : true;
-  const double Gc = argc > 4 ? std::atof(argv[4]) : 33;
-  const double until = argc > 5 ? std::atof(argv[5]) : 0.01;
-  const int verbose = argc > 6 ? std::atoi(argv[6]) : 1;
-  const double b = 0.4;
-  const int cells = 8;
-  const double cell = b / cells, eps = 1e-3 * cell;
-  Scene scene;
+namespace {
+
+constexpr double height = 0.4, thickness = 0.1, energy = 33;  // m, m, J/m^2
+
+struct Pull {
+  double speed = 0.05;      ///< m/s, of one end
+  double step = 1e-4;       ///< s
+  double fraction = 0.25;   ///< `impact.fraction`: sub-steps over L/c
+  CrackMode crack = CrackMode::cohesive;
+};
+
+Scene scene_of(const TetMesh& mesh, const Pull& pull) {
+  constexpr double eps = 1e-4;
   BodySettings body;
-  body.mesh = suite::kuhn_box({2 * cells, cells, 2}, cell);
-  body.material = {.young_modulus = 30e9, .poisson_ratio = 0.2, .density = 2400,
-                   .tensile_strength = 3e6};
-  body.material.fracture_energy = Gc;
+  body.mesh = mesh;
+  body.material.fracture_energy = energy;
   body.held = {{.minimum = {-1, -1, -1}, .maximum = {eps, 9, 9}},
-               {.minimum = {2 * b - eps, -1, -1}, .maximum = {9, 9, 9}, .velocity = {speed, 0, 0}}};
-  body.unbreakable = {{RestBox{{-1, -1, -1}, {0.25 * b, 9, 9}}},
-                      {RestBox{{2 * b - 0.25 * b, -1, -1}, {9, 9, 9}}}};
-  if (cut)
-    body.cuts = {{.faces = CutPlane{.point = {b, 0, 0}, .normal = {1, 0, 0}},
-                  .box = RestBox{{-1, -1, -1}, {9, 0.25 * b + eps, 9}},
-                  .ball = {}}};
+               {.minimum = {2 * height - eps, -1, -1},
+                .maximum = {9, 9, 9},
+                .velocity = {pull.speed, 0, 0}}};
+  body.cuts = {{.faces = CutPlane{.point = {height, 0, 0}, .normal = {1, 0, 0}},
+                .box = RestBox{{-1, -1, -1}, {9, 0.25 * height + eps, 9}},
+                .ball = {}}};
+  Scene scene;
   scene.bodies = {body};
   scene.gravity.acceleration.setZero();
-  scene.integrator.time_step = step;
-  scene.fracture.crack = CrackMode::cohesive;
-  auto built = build_simulation(scene);
-  for (const Finding& f : built.findings) std::printf("%s\n", f.text.c_str());
-  if (!built) return 1;
+  scene.integrator.time_step = pull.step;
+  scene.impact.fraction = pull.fraction;
+  scene.fracture.crack = pull.crack;
+  scene.energy_ledger = true;
+  return scene;
+}
+
+void print(const char* name, const TetMesh& mesh, const Pull& pull) {
+  auto built = build_simulation(scene_of(mesh, pull));
+  if (!built) throw std::runtime_error(built.findings.front().text);
   Simulation sim = std::move(*built);
-  TieReport all;
-  std::size_t released = 0, fans = 0;
-  EnergyLedger ledger;
+  const CrackArea cut = crack_area(sim.state->cells);
+  const double section = height * thickness - cut.projected;
+  TieReport ties;
+  std::size_t fans = 0, sub_steps = 0;
+  double residual = 0, moved = 0, shortest = pull.step;
   const auto start = std::chrono::steady_clock::now();
+  const double until = 2e-4 / pull.speed;
   while (simulated_time(sim) < until) {
-    const StepReport r = advance(sim);
-    if (r.status.outcome != StepOutcome::fine) {
-      std::printf("failed: outcome %d vertex %zu comp %zu disp %g\n", int(r.status.outcome), r.status.vertex.index(), r.status.component.index(), r.status.displacement);
-      return 1;
-    }
-    add_part(all, r.ties);
-    released += r.released;
-    fans += r.fracture.fans.size();
-    ledger.residual += r.energy.residual;
-    ledger.moved += r.energy.moved;
-    if (verbose && (r.ties.pairs || !r.fracture.fans.empty()))
-      std::printf("t %.6f fans %zu flank %zu ties %zu pairs %u opening %u rel %zu comps %zu sub %u dt %.3g "
-                  "it %d passes %d conv %d res %.2g tol %.2g work %.4g diss %.4g stored %.4g ledger %.2g\n",
-                  r.time, r.fracture.fans.size(), r.fracture.on_flanks, sim.state->contact.ties.size(), r.ties.pairs,
-                  r.ties.opening, r.released, r.components, r.impact.sub_steps,
-                  sim.state->impact.sub_step, r.contact.iterations, r.contact.passes,
-                  int(r.contact.converged), r.contact.residual, r.contact.tolerated, all.work,
-                  all.dissipated, all.stored, r.energy.residual);
+    const StepReport report = advance(sim);
+    if (report.status.outcome != StepOutcome::fine) throw std::runtime_error("the run failed");
+    add_part(ties, report.ties);
+    fans += report.fracture.fans.size();
+    sub_steps += report.impact.sub_steps;
+    residual += report.energy.residual;
+    moved += report.energy.moved;
+    if (report.impact.sub_steps > 0) shortest = std::min(shortest, sim.state->impact.sub_step);
   }
-  const double ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-  const CrackArea area = crack_area(sim.state->cells);
-  double open = 0, taken = 0;
-  for (const Tie& tie : sim.state->contact.ties)
-    for (const TieCorner& c : tie.corners) open += c.area;
-  static_cast<void>(taken);
-  const double section = b * cell * 2, left = section * (cut ? 0.75 : 1);
-  std::printf("speed %g step %g G_c %g: fans %zu released %zu, work/(Gc section) %.4f dissipated %.4f "
-              "crack raw %.3f proj %.3f tied %.3f ledger %.2e of %.2e, %.0f ms\n",
-              speed, step, Gc, fans, released, all.work / (Gc * left), all.dissipated / (Gc * left),
-              (area.raw - (cut ? 0.25 * section : 0)) / left,
-              (area.projected - (cut ? 0.25 * section : 0)) / left, open / left, ledger.residual,
-              ledger.moved, ms);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  const CrackArea all = crack_area(sim.state->cells);
+  std::printf("%-20s %8.3g %8.3g %5zu %6zu %7.3f %9.3f %8.4f %10.4f %8.1e %6zu %7.2f\n", name,
+              pull.step, shortest, fans, living_components(sim.state->mechanics).size(),
+              (all.raw - cut.raw) / section, (all.projected - cut.projected) / section,
+              ties.work / (energy * section), ties.dissipated / (energy * section),
+              std::abs(residual) / moved, sub_steps, seconds.count());
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::printf("%-20s %8s %8s %5s %6s %17s %19s %8s\n", "", "", "", "", "", "crack / section",
+              "over G_c section", "");
+  std::printf("%-20s %8s %8s %5s %6s %7s %9s %8s %10s %8s %6s %7s\n", "mesh", "step", "sub-step",
+              "fans", "pieces", "raw", "projected", "work", "dissipated", "residual", "subs", "s");
+  try {
+    for (int k = 1; k < argc; ++k) {
+      const Result<TetMesh> mesh = read_mesh(std::filesystem::path(argv[k]));
+      for (const Finding& f : mesh.findings) std::fprintf(stderr, "%s\n", f.text.c_str());
+      if (!mesh) return 3;
+      print(argv[k], *mesh, {});
+    }
+    if (argc > 1) return 0;
+    for (const int cells : {4, 8, 16}) {
+      const TetMesh mesh =
+          suite::kuhn_box({2 * cells, cells, cells / 4}, height / cells);
+      const std::string name = "cubes " + std::to_string(cells);
+      for (const double step : {1e-3, 1e-4, 1e-5}) print(name.c_str(), mesh, {.step = step});
+    }
+    const TetMesh mesh = suite::kuhn_box({16, 8, 2}, height / 8);
+    for (const double speed : {0.005, 0.5, 2.0}) {
+      print(("cubes 8, " + std::to_string(speed).substr(0, 5) + " m/s").c_str(), mesh,
+            {.speed = speed});
+    }
+  } catch (const std::runtime_error& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 5;
+  }
 }

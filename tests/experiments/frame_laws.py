@@ -34,6 +34,9 @@ import sys
 import time
 
 TREE = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(TREE / "meshes/scenes/charts"))
+from make_meshes import medit
+
 MOMENTUM, RISE, OVERLAP, STACK = 1e-9, 1e-6, 0.05, 0.01
 AT_REST = 0.1  # m/s
 # Warnings that name a law. `contact_not_converged` names gaps between balls, which say nothing of how deep
@@ -555,8 +558,8 @@ def least_distance(x, p, faces):
 def box_mesh(path, cells, size):
     """Kuhn's six tetrahedra a cell, centred on the origin, as MEDIT."""
     count = [n + 1 for n in cells]
-    at = lambda p: 1 + p[0] + count[0] * (p[1] + count[1] * p[2])
-    points = [[size[a] * ((i, j, k)[a] / cells[a] - 0.5) for a in range(3)]
+    at = lambda p: p[0] + count[0] * (p[1] + count[1] * p[2])
+    points = [tuple(size[a] * ((i, j, k)[a] / cells[a] - 0.5) for a in range(3))
               for k in range(count[2]) for j in range(count[1]) for i in range(count[0])]
     tets = []
     for cell in itertools.product(*map(range, cells)):
@@ -568,10 +571,7 @@ def box_mesh(path, cells, size):
             if order in ((0, 2, 1), (1, 0, 2), (2, 1, 0)):
                 way[1], way[2] = way[2], way[1]
             tets.append(way)
-    text = ["MeshVersionFormatted 2", "Dimension 3", f"Vertices\n{len(points)}"]
-    text += ["%r %r %r 0" % tuple(p) for p in points]
-    text += [f"Tetrahedra\n{len(tets)}"] + ["%d %d %d %d 0" % tuple(t) for t in tets]
-    path.write_text("\n".join(text + ["End\n"]))
+    path.write_text(medit(points, tets))
     return path.name
 
 

@@ -118,8 +118,9 @@ constexpr std::string_view cell_names[] = {"vertex", "edge", "triangle", "tetrah
 /// The first `n` numbers, a blank between them.
 std::string numbers_text(const FileCell& cell, std::size_t n) {
   std::string text;
-  for (std::size_t k = 0; k < n; ++k)
+  for (std::size_t k = 0; k < n; ++k) {
     text += fmt::format("{}{}", k == 0 ? "" : " ", cell.numbers[k]);
+  }
   return text;
 }
 

@@ -154,8 +154,9 @@ void lose_in_msh(Losses& losses, const FileMesh& mesh, std::string_view version)
     below = below || std::ranges::any_of(cells.region, [&](std::int32_t r) { return r < lowest; });
     std::map<std::int32_t, std::int32_t> group;
     for (std::size_t i = 0; i < cells.entity.size() && !cells.region.empty(); ++i) {
-      if (group.emplace(cells.entity[i], cells.region[i]).first->second == cells.region[i])
+      if (group.emplace(cells.entity[i], cells.region[i]).first->second == cells.region[i]) {
         continue;
+      }
       split += cells.entity.size();
       break;
     }

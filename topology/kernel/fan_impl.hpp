@@ -128,11 +128,9 @@ template <Kernel K>
 void order_faces(const K& map, FaceOrder order, std::vector<HalfFaceId>& faces) {
   if (order == FaceOrder::given) return;
   std::stable_partition(faces.begin(), faces.end(), [&map](HalfFaceId f) {
-    const auto corners = map.corners(tetrahedron_of(f));
-    const auto& places = dart_order::face_corners[place_of(f)];
+    const auto v = corners_of_face(map.corners(tetrahedron_of(f)), f);
     for (int i = 0; i < 3; ++i) {
-      const VertexId a = corners[places[i]], b = corners[places[(i + 1) % 3]];
-      if (detail::walk_round_edge(map, f, a, b).is_open) return true;
+      if (detail::walk_round_edge(map, f, v[i], v[(i + 1) % 3]).is_open) return true;
     }
     return false;
   });
@@ -145,13 +143,10 @@ std::vector<HalfFaceId> find_faces(const K& map, std::span<const detail::PointTr
   for (std::size_t i = 0; i < points.size(); ++i) wanted.push_back({detail::sorted(points[i]), i});
   std::sort(wanted.begin(), wanted.end());
   for (std::size_t t = 0; t < map.tetrahedra(); ++t) {
-    const auto corners = map.corners(TetId{t});
     for (int p = 0; p < 4; ++p) {
-      detail::PointTriple face;
-      for (int i = 0; i < 3; ++i) {
-        face[i] = map.point_of_vertex(corners[dart_order::face_corners[p][i]]);
-      }
-      face = detail::sorted(face);
+      const auto v = corners_of_face(map.corners(TetId{t}), half_face(TetId{t}, p));
+      const detail::PointTriple face = detail::sorted(
+          {map.point_of_vertex(v[0]), map.point_of_vertex(v[1]), map.point_of_vertex(v[2])});
       auto match = std::lower_bound(wanted.begin(), wanted.end(), std::pair{face, std::size_t{0}});
       for (; match != wanted.end() && match->first == face; ++match) {
         if (found[match->second].is_none()) found[match->second] = half_face(TetId{t}, p);

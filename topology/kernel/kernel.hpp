@@ -53,6 +53,14 @@ constexpr int beta2(int k) {
 
 }  // namespace dart_order
 
+/// Of what a tetrahedron has at its four corners (rows, points, places) that of the three of one
+/// face, in the order of its darts.
+template <class T>
+constexpr std::array<T, 3> corners_of_face(const std::array<T, 4>& corners, HalfFaceId face) {
+  const auto& [a, b, c] = dart_order::face_corners[place_of(face)];
+  return {corners[a], corners[b], corners[c]};
+}
+
 /// One vertex orbit that has come apart in two, as a kernel needs it to give the second a row.
 struct VertexSplit {
   VertexId vertex;

@@ -44,11 +44,7 @@ std::vector<HalfFaceId> unexpressed_cuts(const VolumeMap& map) {
   for (std::size_t i = 0; i < 4 * map.tetrahedra(); ++i) {
     const HalfFaceId f{i};
     if (!map.neighbour(f).is_none()) continue;
-    Side side{.face = f};
-    const auto& corners = map.corners(tetrahedron_of(f));
-    for (int k = 0; k < 3; ++k) {
-      side.vertices[k] = corners[dart_order::face_corners[place_of(f)][k]];
-    }
+    Side side{.vertices = corners_of_face(map.corners(tetrahedron_of(f)), f), .face = f};
     std::sort(side.vertices.begin(), side.vertices.end());
     boundary.push_back(side);
   }

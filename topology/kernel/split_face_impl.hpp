@@ -174,7 +174,7 @@ FaceSplit split_face(K& map, HalfFaceId face) {
   const auto corners = map.corners(tetrahedron_of(face));
   const auto opposite_corners = map.corners(tetrahedron_of(split.opposite));
   const auto& places = dart_order::face_corners[place_of(face)];
-  for (int i = 0; i < 3; ++i) split.vertices[i] = corners[places[i]];
+  split.vertices = corners_of_face(corners, face);
   for (int i = 0; i < 3; ++i) {
     const detail::EdgeWalk walk =
         detail::walk_round_edge(map, face, split.vertices[i], split.vertices[(i + 1) % 3]);

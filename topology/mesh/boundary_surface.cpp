@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "topology/kernel/kernel.hpp"
 #include "topology/mesh/face_table.hpp"
 
 namespace sunder {
@@ -14,10 +15,6 @@ namespace {
 using Corners = std::array<std::uint32_t, 3>;
 using Row = std::uint32_t;
 constexpr Row no_row = std::numeric_limits<Row>::max();
-
-/// The faces of a tetrahedron of positive volume, outward, by the corner left out.
-constexpr std::array<std::array<std::size_t, 3>, 4> faces_of_tetrahedron = {
-    {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
 struct Face {
   Corners sorted;
@@ -171,8 +168,7 @@ BoundarySurface boundary_surface(const FileMesh& mesh) {
   CellList<3>& triangles = surface.mesh.triangles;
   for (const Row face : order) {
     const auto& t = mesh.tetrahedra.corners[faces[face].place / 4];
-    const auto& [a, b, c] = faces_of_tetrahedron[faces[face].place % 4];
-    triangles.corners.push_back({t[a], t[b], t[c]});
+    triangles.corners.push_back(corners_of_face(t, HalfFaceId{faces[face].place}));
     if (is_inverted(mesh, t)) std::swap(triangles.corners.back()[1], triangles.corners.back()[2]);
     rows.push_back(own[face]);
   }

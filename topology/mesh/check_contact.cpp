@@ -58,9 +58,7 @@ struct Contact {
 };
 
 std::array<std::uint32_t, 3> points_of(const Contact& c, std::uint32_t face) {
-  const auto& t = c.survey.mesh.tetrahedra[face / 4];
-  const auto& places = dart_order::face_corners[face % 4];
-  return {t[places[0]], t[places[1]], t[places[2]]};
+  return corners_of_face(c.survey.mesh.tetrahedra[face / 4], HalfFaceId{face});
 }
 
 std::array<Point, 3> corners_of(const Contact& c, std::uint32_t face) {

@@ -2,6 +2,7 @@
 // Triangles of a file held against the faces of its tetrahedra.
 #include <algorithm>
 
+#include "topology/kernel/kernel.hpp"
 #include "topology/mesh/survey.hpp"
 
 namespace sunder {
@@ -68,7 +69,7 @@ void survey_triangles(Survey& s, const std::vector<Triangle>& triangles) {
   for (std::size_t t = 0; t < s.mesh.tetrahedra.size(); ++t) {
     const auto& c = s.mesh.tetrahedra[t];
     for (int p = 0; s.usable[t] && p < 4; ++p) {
-      const Triangle face = sorted({c[(p + 1) % 4], c[(p + 2) % 4], c[(p + 3) % 4]});
+      const Triangle face = sorted(corners_of_face(c, half_face(TetId{t}, p)));
       const auto begin =
           buckets.entries.begin() + static_cast<std::ptrdiff_t>(buckets.first[face[0]]);
       const auto end =

@@ -26,8 +26,7 @@ Stars stars_of(const FileMesh& mesh, const CutFaces& faces) {
   std::vector<std::uint32_t> place(mesh.points.size(), FaceLinks::none);
   Stars stars;
   for (const std::uint32_t face : faces) {
-    for (const int k : dart_order::face_corners[face % 4]) {
-      const std::uint32_t point = corners[face / 4][static_cast<std::size_t>(k)];
+    for (const std::uint32_t point : corners_of_face(corners[face / 4], HalfFaceId{face})) {
       if (place[point] == FaceLinks::none) stars.points.push_back(point);
       place[point] = 0;
     }
@@ -176,12 +175,7 @@ CrackFace crack_face(const FileMesh& mesh, const FaceLinks& links,
 std::size_t triangles_on(const FileMesh& mesh, const CutFaces& faces) {
   std::vector<std::array<std::uint32_t, 3>> cut;
   for (const std::uint32_t face : faces) {
-    std::array<std::uint32_t, 3> points;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto place = static_cast<std::size_t>(dart_order::face_corners[face % 4][k]);
-      points[k] = mesh.tetrahedra.corners[face / 4][place];
-    }
-    cut.push_back(sorted(points));
+    cut.push_back(sorted(corners_of_face(mesh.tetrahedra.corners[face / 4], HalfFaceId{face})));
   }
   std::ranges::sort(cut);
   return static_cast<std::size_t>(std::ranges::count_if(mesh.triangles.corners, [&](const auto& t) {

@@ -21,11 +21,7 @@ struct ListedFace {
 };
 
 std::array<std::uint32_t, 3> points_of(const FileMesh& mesh, std::uint32_t face) {
-  std::array<std::uint32_t, 3> points;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto place = static_cast<std::size_t>(dart_order::face_corners[face % 4][k]);
-    points[k] = mesh.tetrahedra.corners[face / 4][place];
-  }
+  auto points = corners_of_face(mesh.tetrahedra.corners[face / 4], HalfFaceId{face});
   std::ranges::sort(points);
   return points;
 }

@@ -118,8 +118,9 @@ struct PointGrid {
   }
   static std::uint64_t key(const std::array<std::int64_t, 3>& c) {
     std::uint64_t hash = 0;
-    for (const std::int64_t x : c)
+    for (const std::int64_t x : c) {
       hash = (hash ^ static_cast<std::uint64_t>(x)) * 0x9e3779b97f4a7c15;
+    }
     return hash;
   }
 };

@@ -101,6 +101,10 @@ void choose_variants(ChartWork& work) {
 /// Which meshes: files that are given, or refinements of the scene's.
 void choose_meshes(ChartWork& work, std::size_t tetrahedra) {
   const ChartArguments& a = work.arguments;
+  if (a.over_meshes && a.meshes.size() < 2) {
+    work.findings.push_back(bad("bad_setting", "--ensemble meshes without two meshes",
+                                "give two files or more: --mesh FILE --mesh FILE"));
+  }
   if (!a.meshes.empty()) {
     for (const std::string& file : a.meshes) {
       // A scene names meshes relative to its own folder.
@@ -136,8 +140,7 @@ void choose_steps(ChartWork& work, const Scene& scene) {
 
 /// The point of the scene to follow: given, or the farthest of the mesh's.
 void choose_probe(ChartWork& work, const Scene& scene) {
-  const Point p = farthest_point(scene.bodies.front().mesh);
-  work.runner.probe.point = {p[0], p[1], p[2]};
+  work.runner.probe.point = Vec3(farthest_point(scene.bodies.front().mesh).data());
   if (work.arguments.probe.empty()) return;
   if (const auto numbers = numbers_of(work.arguments.probe, 3)) {
     work.runner.probe.point = {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
@@ -145,6 +148,18 @@ void choose_probe(ChartWork& work, const Scene& scene) {
     work.findings.push_back(bad("bad_setting", fmt::format("--probe {}", work.arguments.probe),
                                 "give three numbers, m, as in --probe 1,0,0.05"));
   }
+}
+
+/// The runs of each setting. Meshes that are these are one row of the grid, with the least bound.
+void choose_members(ChartWork& work) {
+  Chart& chart = work.chart;
+  chart.over_meshes = work.runner.over_meshes = work.arguments.over_meshes;
+  chart.members = chart.over_meshes ? work.meshes() : work.arguments.members;
+  if (!chart.over_meshes) return;
+  const std::vector<std::size_t>& all = chart.tetrahedra;
+  chart.tetrahedra = {std::accumulate(all.begin(), all.end(), std::size_t{0}) / all.size()};
+  work.grid.bounds = {*std::ranges::min_element(work.grid.bounds)};
+  work.runner.refinements = {0};
 }
 
 /// Everything that follows from the arguments and the scene as it is.
@@ -163,7 +178,6 @@ void prepare(ChartWork& work) {
   choose_meshes(work, sim->state->cells.map.corners().size());
   choose_steps(work, sim->scene);
   choose_probe(work, sim->scene);
-  work.chart.members = work.arguments.members;
   for (std::size_t mesh = 0; mesh < work.meshes(); ++mesh) {
     sim = chart_simulation(work.runner, {}, mesh);
     if (!sim) {
@@ -179,12 +193,12 @@ void prepare(ChartWork& work) {
     }
     work.grid.bounds.push_back(explicit_step_bound(sim->state->mechanics));
   }
+  choose_members(work);
   // Windows go no finer than half a cell's travel: below that only a shorter step does.
   work.reference_step = *std::ranges::min_element(work.grid.steps);
   for (const Component& c : sim->state->mechanics.components) {
     if (work.grid.fractions.empty() || c.tetrahedra.empty()) continue;
-    const double cell = cell_travel(sim->state->mechanics, c);
-    work.reference_step = std::min(work.reference_step, cell / 2);
+    work.reference_step = std::min(work.reference_step, cell_travel(sim->state->mechanics, c) / 2);
   }
   work.chart.probe = work.runner.probe;
 }
@@ -206,8 +220,7 @@ ChartOutcome reference_run(ChartWork& work, double part, std::size_t mesh) {
                         work.chart.tetrahedra[mesh]));
   ChartRunner patient = work.runner;
   patient.limit *= reference_patience;
-  ChartOutcome outcome =
-      run_ensemble(patient, work.arguments.members, setting.changes, mesh, false);
+  ChartOutcome outcome = run_ensemble(patient, work.chart.members, setting.changes, mesh, false);
   if (outcome.end != ChartEnd::fine) {
     work.findings.push_back(
         bad("no_reference",
@@ -294,7 +307,7 @@ void run_all(ChartWork& work) {
       point.outcome.end = ChartEnd::skipped;
       point.outcome.reason = "a longer step was over the limit already";
     } else {
-      point.outcome = run_ensemble(work.runner, work.arguments.members, point.setting.changes,
+      point.outcome = run_ensemble(work.runner, work.chart.members, point.setting.changes,
                                    point.setting.mesh, true);
     }
     point.outcome.tetrahedra = work.chart.tetrahedra[point.setting.mesh];

@@ -33,6 +33,8 @@ struct ChartArguments {
   int levels = -1;
   /// Runs of each setting (chart_ensemble.hpp).
   std::size_t members = 1;
+  /// `meshes` are these runs: then `members` does not count.
+  bool over_meshes = false;
   bool quick = false, quiet = false, json = false;
 };
 
@@ -67,10 +69,11 @@ struct Chart {
   /// s.
   double duration = 0;
   ChartReference reference;
-  /// Of each mesh.
+  /// Of each mesh; of an ensemble over meshes their mean.
   std::vector<std::size_t> tetrahedra;
-  /// Runs of each setting.
+  /// Runs of each setting, moved by nothing or each on a mesh of its own.
   std::size_t members = 1;
+  bool over_meshes = false;
   std::vector<ChartPoint> points;
   /// Rows of `points`, ascending in cost.
   std::vector<std::size_t> front;

@@ -45,6 +45,9 @@ fractions of that bound on each mesh.
 With --ensemble N every setting and the reference run N times, with places and velocities moved by up
 to 1e-12 and strengths by up to 1e-6 of them: the error is that of the mean, and the table has
 deviation and band beside it. What differs within a band differs for no reason.
+With --ensemble meshes the files of --mesh are these runs, one each, instead of points of their own:
+meshes of one body and one size, of which none is the right one. The first is timed; steps that are
+fractions of a bound are so of the least.
 
 Exit codes: 0 done, 1 no run is inside --within, 2 usage, 3 bad scene, mesh or reference,
 4 not written.
@@ -54,6 +57,7 @@ Examples:
   sunder chart meshes/scenes/monolith.json --quantity largest_piece --quick --levels 0
   sunder chart meshes/scenes/ensembles/ball.json --quantity pieces --ensemble 4 --exact 520 --levels 0 \
     --method floating_frame --steps 2e-4 --windows 0.25 --vary fracture.crack=paper,object
+  sunder chart SCENE --quantity pieces --ensemble meshes --mesh a.mesh --mesh b.mesh --mesh c.mesh
   sunder chart meshes/scenes/block.json --quantity largest_piece --vary contact.max_iterations=10,40,200
 )";
 }
@@ -65,6 +69,7 @@ void print(const std::vector<Finding>& findings) {
 /// Writes the finer meshes that the answer needs, and says which.
 std::vector<Finding> write_meshes(const ChartArguments& arguments, const ChartPoint& point,
                                   std::string& said) {
+  if (arguments.over_meshes) return {};
   if (point.setting.mesh == 0 && arguments.meshes.empty()) return {};
   if (!arguments.meshes.empty()) {
     said += fmt::format("bodies.0.mesh: {}\n", arguments.meshes[point.setting.mesh]);
@@ -161,8 +166,10 @@ void add_grid_options(CLI::App& command, ChartArguments& a) {
           ->type_name("N")
           ->check(CLI::Range(0, 5));
   command
-      .add_option("--mesh", a.meshes,
-                  "Meshes of the first body instead, coarse to fine; may be given often")
+      .add_option(
+          "--mesh", a.meshes,
+          "Meshes of the first body instead, coarse to fine (with --ensemble meshes: of one "
+          "size); may be given often")
       ->type_name("FILE")
       ->take_all()
       ->excludes(levels);
@@ -173,12 +180,16 @@ void add_grid_options(CLI::App& command, ChartArguments& a) {
       ->take_all();
   command.add_flag("--quick", a.quick, "Half the steps, one window");
   command
-      .add_option(
-          "--ensemble", a.members,
-          "Runs of every setting, moved by nothing; their mean and band instead of one value; "
-          "default: 1")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1000));
+      .add_option_function<std::string>(
+          "--ensemble",
+          [&a](const std::string& runs) {
+            a.over_meshes = runs == "meshes";
+            if (!a.over_meshes) a.members = std::stoul(runs, nullptr, 0);
+          },
+          "Runs of every setting, N moved by nothing or one for each --mesh; their mean and band "
+          "instead of one value; default: 1")
+      ->type_name("N|meshes")
+      ->check(CLI::Range(1, 1000) | CLI::IsMember({"meshes"}));
 }
 
 void add_options(CLI::App& command, ChartArguments& a) {

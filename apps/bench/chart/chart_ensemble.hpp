@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs that differ by nothing, for charts: one run of a chaotic system is no result.
+// Runs that differ by nothing, or by the mesh: one run of a chaotic system is no result.
 #pragma once
 
 #include <span>
@@ -27,8 +27,8 @@ struct ChartBand {
 ChartBand band_of(std::span<const Vec3> values);
 
 /// `members` runs of a setting, the first as it is and (with `timed`) timed, the others moved by
-/// nothing: `value` is their mean and `values` are all of them. Where one ends otherwise than fine,
-/// so does the whole, and the reason names it.
+/// nothing or on the runner's other meshes: `value` is their mean and `values` are all of them.
+/// Where one ends otherwise than fine, so does the whole, and the reason names it.
 ChartOutcome run_ensemble(const ChartRunner& runner, std::size_t members,
                           std::span<const std::string> changes, std::size_t mesh, bool timed);
 

@@ -107,8 +107,9 @@ std::vector<ChartSetting> chart_settings(const ChartGrid& grid) {
       for (const std::string& variant : grid.variants.empty() ? as_it_is : grid.variants) {
         for (std::size_t mesh = 0; mesh < grid.bounds.size(); ++mesh) {
           ChartSetting s{method, variant, fraction, 0, mesh, 0, words(methods[method].changes), 0};
-          if (windows)
+          if (windows) {
             s.changes.push_back(fraction > 0 ? "impact.window=true" : "impact.window=false");
+          }
           if (fraction > 0) s.changes.push_back(change("impact.fraction", fraction));
           if (!variant.empty()) s.changes.push_back(variant);
           maker.make(s);

@@ -83,7 +83,7 @@ ordered_json point_json(const Chart& chart, const ChartPoint& p) {
   json["given_up_steps"] = p.outcome.given_up;
   json["value"] = value_json(chart, p.outcome.value);
   const ChartBand band = band_of(p.outcome.values);
-  json["runs_moved_by_nothing"] = chart.members;
+  json[chart.over_meshes ? "meshes" : "runs_moved_by_nothing"] = chart.members;
   json["deviation"] = band.deviation;
   json["low"] = value_json(chart, band.low);
   json["high"] = value_json(chart, band.high);

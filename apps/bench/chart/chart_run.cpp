@@ -111,7 +111,10 @@ std::string_view word_of(ChartEnd end) {
 Result<Simulation> chart_simulation(const ChartRunner& runner, std::span<const std::string> changes,
                                     std::size_t mesh) {
   std::vector<std::string> all = runner.changes;
-  if (!runner.mesh_files.empty()) all.push_back("bodies.0.mesh=" + runner.mesh_files[mesh]);
+  if (!runner.mesh_files.empty()) {
+    const std::size_t row = runner.over_meshes ? runner.member : mesh;
+    all.push_back("bodies.0.mesh=" + runner.mesh_files[row]);
+  }
   all.insert(all.end(), changes.begin(), changes.end());
   Result<SceneFile> file = read_scene(runner.scene, all);
   Result<Simulation> result;
@@ -120,7 +123,7 @@ Result<Simulation> chart_simulation(const ChartRunner& runner, std::span<const s
   for (BodySettings& body : file->scene.bodies) {
     for (std::size_t k = 0; k < runner.refinements[mesh]; ++k) body.mesh = refined(body.mesh);
   }
-  move_by_nothing(file->scene, runner.member);
+  if (!runner.over_meshes) move_by_nothing(file->scene, runner.member);
   Result<Simulation> built = build_simulation(std::move(file->scene));
   for (Finding& f : built.findings) result.findings.push_back(std::move(f));
   result.value = std::move(built.value);

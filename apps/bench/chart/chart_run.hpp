@@ -57,6 +57,8 @@ struct ChartRunner {
   std::vector<std::string> mesh_files;
   /// Which of an ensemble it is (chart_ensemble.hpp); 0: the scene as it is.
   std::size_t member = 0;
+  /// Members are the scene on one of `mesh_files` each (row = member), and not moved.
+  bool over_meshes = false;
 };
 
 /// The scene with `changes` after the runner's own, on mesh `mesh`, ready to run. Errors: those of

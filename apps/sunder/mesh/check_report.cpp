@@ -83,8 +83,9 @@ void print_quality(const Quality& q) {
              q.smallest_radius_ratio.value, q.mean_radius_ratio,
              q.smallest_radius_ratio.tetrahedron);
   print_range("volumes, m^3", q.smallest_volume, q.largest_volume);
-  if (std::isfinite(volume_ratio(q)))
+  if (std::isfinite(volume_ratio(q))) {
     fmt::print("volume ratio        {:>10.4g}\n", volume_ratio(q));
+  }
   print_range("edges, m", q.shortest_edge, q.longest_edge);
 }
 

@@ -25,11 +25,7 @@ std::string cuts_text(const TetMesh& cut, std::span<const HalfFaceId> faces) {
   std::string text{cuts_title};
   text += '\n';
   for (const HalfFaceId face : faces) {
-    std::array<std::uint32_t, 3> points;
-    for (int k = 0; k < 3; ++k) {
-      points[k] =
-          cut.tetrahedra[tetrahedron_of(face).index()][dart_order::face_corners[place_of(face)][k]];
-    }
+    auto points = corners_of_face(cut.tetrahedra[tetrahedron_of(face).index()], face);
     std::sort(points.begin(), points.end());
     fmt::format_to(std::back_inserter(text), "{} {} {}\n", points[0], points[1], points[2]);
   }

@@ -18,9 +18,7 @@ ordered_json numbers(const Vec3& v) { return {v[0], v[1], v[2]}; }
 ordered_json face_of(const FaceSplit& split, const VolumeMap& map) {
   ordered_json points = ordered_json::array(), copies = ordered_json::array(),
                edges = ordered_json::array();
-  for (const int corner :
-       dart_order::face_corners[static_cast<std::size_t>(place_of(split.face))]) {
-    const VertexId v = map.corners(tetrahedron_of(split.face))[static_cast<std::size_t>(corner)];
+  for (const VertexId v : corners_of_face(map.corners(tetrahedron_of(split.face)), split.face)) {
     points.push_back(map.point_of_vertex(v));
   }
   for (int i = 0; i < split.vertex_count; ++i) {

@@ -149,8 +149,9 @@ RunView run_view(const SimulationState& start, const PictureSettings& settings,
   still.boxes.clear();
   for (const Obstacle& obstacle : start.obstacles) {
     // What flies in is seen when it arrives.
-    if (obstacle.velocity.isZero() && !obstacle.mass)
+    if (obstacle.velocity.isZero() && !obstacle.mass) {
       std::visit(AddObstacle{still}, obstacle.shape);
+    }
   }
   RunView view;
   view.extent = render::scene_bounds(still);

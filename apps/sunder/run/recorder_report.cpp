@@ -85,6 +85,14 @@ ordered_json impact_report(const RunStatistics& s) {
   return report;
 }
 
+/// What ties took, with `CrackMode::cohesive`.
+ordered_json tie_report(const RunStatistics& s, const Simulation& now) {
+  ordered_json report = {{"released_faces", s.released},
+                         {"tied_faces", now.state->contact.ties.size()}};
+  report.update(counters_json(s.ties));
+  return report;
+}
+
 /// Steps of components, and of tetrahedra, on each rung.
 ordered_json ladder_report(const LadderReport& ladder) {
   ordered_json report;
@@ -210,6 +218,8 @@ void add_step(RunStatistics& statistics, const Simulation& now, const StepReport
   add_step(statistics.ladder, report.ladder);
   add_step(statistics.solve, report.status.solve);
   add_step(statistics.energy, report.energy);
+  add_step(statistics.ties, report.ties);
+  statistics.released += report.released;
   note_contact(statistics, report);
   statistics.impact_steps += report.impact.sub_steps > 0;
   statistics.stopped_steps += report.impact.stopped;
@@ -225,6 +235,16 @@ void add_step(RunStatistics& statistics, const Simulation& now, const StepReport
 std::vector<Finding> all_warnings(const RunStatistics& statistics, const Scene& scene) {
   std::vector<Finding> all = statistics.warnings;
   std::ranges::move(warnings_of(statistics.troubles, scene), std::back_inserter(all));
+  constexpr double most_residual = 0.05;
+  if (statistics.ties.residual > most_residual) {
+    all.push_back(
+        {.code = "ties_not_converged",
+         .severity = Severity::warning,
+         .text = fmt::format("ties of a sub-step were off their law by up to {:.2g} of the opening "
+                             "that ends them",
+                             statistics.ties.residual),
+         .remedy = "take a smaller impact.fraction"});
+  }
   return all;
 }
 
@@ -301,6 +321,7 @@ ordered_json run_report(const RunStatistics& s, const Simulation& now,
       {"energy", energy_ledger(s, now)},
       {"cracks", crack_ledger(s.cracks)},
       {"warnings", findings_json(all_warnings(s, now.scene))}};
+  if (now.state->cells.pieces) report["ties"] = tie_report(s, now);
   report.update(search);
   return report;
 }

@@ -90,8 +90,9 @@ std::vector<Vec3> shape_column(const Simulation& sim, const std::vector<PieceMod
 std::vector<Finding> write_shapes(const std::filesystem::path& path, const Simulation& sim,
                                   const std::vector<PieceModes>& pieces) {
   TetMesh mesh;
-  for (const Vec3& x : sim.state->mechanics.vertices.position)
+  for (const Vec3& x : sim.state->mechanics.vertices.position) {
     mesh.points.push_back({x[0], x[1], x[2]});
+  }
   for (const Corners& c : sim.state->cells.map.corners()) {
     mesh.tetrahedra.push_back({c[0].value, c[1].value, c[2].value, c[3].value});
   }

@@ -35,6 +35,7 @@ def box(cells, corner, size):
 
 
 def medit(points, tetrahedra):
+    """The text of a MEDIT file; `tests/experiments` write theirs with it too."""
     lines = ["MeshVersionFormatted 2", "Dimension 3", f"Vertices\n{len(points)}"]
     lines += ["%r %r %r 0" % p for p in points]
     lines.append(f"Tetrahedra\n{len(tetrahedra)}")

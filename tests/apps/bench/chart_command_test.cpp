@@ -2,6 +2,7 @@
 // `sunder chart` from outside: what it prints and writes, and how it ends.
 #include <stdlib.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
 
@@ -24,8 +25,7 @@ std::string scene(const Workplace& here) {
 
 }  // namespace
 
-TEST_CASE("a quick chart leaves a table of all runs and lines to paste",
-          "[apps][chart]") {
+TEST_CASE("a quick chart leaves a table of all runs and lines to paste", "[apps][chart]") {
   const Workplace here;
   const std::string out = here.path("out");
   const std::vector<std::string> words = {"chart",   scene(here), "--quick", "--levels", "0",
@@ -42,12 +42,34 @@ TEST_CASE("a quick chart leaves a table of all runs and lines to paste",
   CHECK(csv.find("floating_frame") != std::string::npos);
 }
 
+TEST_CASE("meshes are points of a chart, or with --ensemble meshes the runs of each",
+          "[apps][chart]") {
+  const Workplace here;
+  const auto rows = [&](std::vector<std::string> more) {
+    std::vector<std::string> words = {"chart",    scene(here),
+                                      "--method", "floating_frame",
+                                      "--steps",  "5e-3",
+                                      "--mesh",   sample_mesh("bar.msh"),
+                                      "--mesh",   sample_mesh("cube.msh"),
+                                      "--within", "10",
+                                      "--out",    here.path("out")};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome told = here.run(words);
+    INFO(told.err);
+    CHECK((told.out.find("mean ") != std::string::npos) == !more.empty());
+    const std::string csv = bytes_of(here.path("out") + "/position.csv");
+    return std::count(csv.begin(), csv.end(), '\n') - 4;  // three comments and the head
+  };
+  CHECK(rows({}) == 2);
+  CHECK(rows({"--ensemble", "meshes"}) == 1);
+}
+
 TEST_CASE("a chart is drawn", "[apps][chart]") {
   if (!has_program("gnuplot")) return;
   const Workplace here;
   const std::string out = here.path("out");
-  const Outcome told = here.run({"chart", scene(here), "--quick", "--levels", "0", "--steps", "5e-3",
-                                 "--limit", "5", "--out", out});
+  const Outcome told = here.run({"chart", scene(here), "--quick", "--levels", "0", "--steps",
+                                 "5e-3", "--limit", "5", "--out", out});
   INFO(told.err);
   CHECK(told.exit_code == 0);
   CHECK(bytes_of(out + "/position.png").starts_with("\x89PNG"));
@@ -73,6 +95,8 @@ TEST_CASE("what a chart cannot do ends with its reason", "[apps][chart]") {
   fails({"--quantity", "first_fan_time", "--steps", "1e-3"}, 3, "no_reference");
   fails({"--limit", "0"}, 2, "--limit");
   fails({"--ensemble", "0"}, 2, "--ensemble");
+  fails({"--ensemble", "several"}, 2, "--ensemble");
+  fails({"--ensemble", "meshes"}, 3, "--mesh FILE --mesh FILE");
   CHECK(here.run({"chart", here.path("none.json")}).exit_code == 3);
   CHECK_FALSE(std::filesystem::exists(here.path("o")));
 }

@@ -29,11 +29,7 @@ std::string thrown_cube(const test::Workplace& here) {
 }
 
 /// The chart of one setting.
-Chart chart_of(const std::string& scene, const std::string& quantity, std::size_t members) {
-  ChartArguments arguments;
-  arguments.scene = scene;
-  arguments.quantity = quantity;
-  arguments.members = members;
+Chart chart_of(ChartArguments arguments) {
   arguments.methods = {"floating_frame"};
   arguments.steps = {1e-3};
   arguments.fractions = {0.25};
@@ -44,6 +40,14 @@ Chart chart_of(const std::string& scene, const std::string& quantity, std::size_
   REQUIRE(chart);
   REQUIRE(chart->points.size() == 1);
   return *chart;
+}
+
+Chart chart_of(const std::string& scene, const std::string& quantity, std::size_t members) {
+  ChartArguments arguments;
+  arguments.scene = scene;
+  arguments.quantity = quantity;
+  arguments.members = members;
+  return chart_of(std::move(arguments));
 }
 
 }  // namespace
@@ -111,6 +115,31 @@ TEST_CASE("an ensemble's first run is that of the scene, and its mean that of it
   CHECK(chart_script(three).find("yerrorbars") != std::string::npos);
   CHECK(chart_script(alone).find("yerrorbars") == std::string::npos);
   CHECK(chart_json(three)["points"][0]["runs_moved_by_nothing"] == 3);
+}
+
+TEST_CASE("meshes that are an ensemble run once each, none of them moved", "[run][chart]") {
+  const test::Workplace here;
+  ChartArguments arguments;
+  arguments.scene = thrown_cube(here);
+  arguments.quantity = "pieces";
+  const auto on = [&](const std::vector<std::string>& meshes, bool over_meshes) {
+    arguments.meshes = meshes;
+    arguments.over_meshes = over_meshes;
+    return chart_of(arguments);
+  };
+  const std::string cube = test::sample_mesh("cube.msh"), bar = test::sample_mesh("bar.msh");
+  const Chart both = on({cube, bar}, true);
+  const Chart of_cube = on({cube}, false), of_bar = on({bar}, false);
+  CHECK(both.members == 2);
+  REQUIRE(both.tetrahedra.size() == 1);
+  CHECK(both.tetrahedra[0] == (of_cube.tetrahedra[0] + of_bar.tetrahedra[0]) / 2);
+  const ChartOutcome& outcome = both.points[0].outcome;
+  REQUIRE(outcome.values.size() == 2);
+  CHECK(outcome.values[0] == of_cube.points[0].outcome.value);
+  CHECK(outcome.values[1] == of_bar.points[0].outcome.value);
+  CHECK(outcome.values[0] != outcome.values[1]);
+  CHECK(outcome.value[0] == Approx((outcome.values[0] + outcome.values[1])[0] / 2));
+  CHECK(chart_json(both)["points"][0]["meshes"] == 2);
 }
 
 TEST_CASE("a position moved by nothing ends a nothing away", "[run][chart]") {

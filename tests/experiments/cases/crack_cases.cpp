@@ -76,9 +76,8 @@ std::vector<HalfFaceId> faces_between(const VolumeMap& map, const Case& c, doubl
     if (other.is_none() || other < face) continue;
     Vec3 centre = Vec3::Zero();
     bool flat = true;
-    for (int k = 1; k < 4; ++k) {
-      const Vec3 x =
-          rest(map, map.corners(tetrahedron_of(face))[std::size_t((place_of(face) + k) % 4)]);
+    for (const VertexId v : corners_of_face(map.corners(tetrahedron_of(face)), face)) {
+      const Vec3 x = rest(map, v);
       flat = flat && std::abs(x[c.normal]) < eps;
       centre += x / 3;
     }
@@ -114,8 +113,7 @@ Cracked solved(const Case& c) {
   for (std::size_t f = 0; f < 4 * corners.size(); ++f) {
     if (!body.cells.map.neighbour(HalfFaceId{f}).is_none()) continue;
     bool pulled = true;
-    for (std::size_t k = 1; k < 4; ++k) {
-      const VertexId v = corners[f / 4][(f % 4 + k) % 4];
+    for (const VertexId v : corners_of_face(corners[f / 4], HalfFaceId{f})) {
       pulled = pulled && m.vertices.rest_position[v.index()][c.normal] > c.end - eps;
     }
     if (!pulled) continue;

@@ -62,9 +62,9 @@ Scene scene_of(const NotchedBar& bar) {
 double farthest_crack(const Cells& cells, const NotchedBar& bar) {
   double farthest = 0;
   for (std::size_t f = 0; f < 4 * cells.map.tetrahedra(); ++f) {
-    if (!is_crack_face(cells, HalfFaceId{f})) continue;
-    for (std::size_t k = 1; k < 4; ++k) {
-      const VertexId v = cells.map.corners(TetId{f / 4})[(f % 4 + k) % 4];
+    const HalfFaceId face{f};
+    if (!is_crack_face(cells, face)) continue;
+    for (const VertexId v : corners_of_face(cells.map.corners(tetrahedron_of(face)), face)) {
       farthest = std::max(farthest, std::abs(cells.map.point(v)[0] - bar.height) / bar.height);
     }
   }
@@ -95,7 +95,7 @@ CrackArea crack_area(const Cells& cells) {
     if (!is_crack_face(cells, HalfFaceId{f})) continue;
     const Vec3 area = 0.5 * rest_area_vector(cells.map, HalfFaceId{f});
     sum.raw += area.norm();
-    sum.projected += std::abs(area.x());
+    sum.projected += projected_area(area, Vec3::UnitX());
   }
   return sum;
 }

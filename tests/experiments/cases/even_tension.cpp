@@ -156,17 +156,16 @@ void measure_faces(TornBody& torn, const Tearing& t, std::span<const HalfFaceId>
   const std::vector<Vec3> moves = smooth_crack_moves(t.body.cells);
   for (const HalfFaceId face : faces) {
     std::array<Vec3, 3> x;
+    const auto corners = corners_of_face(map.corners(tetrahedron_of(face)), face);
     for (std::size_t i = 0; i < 3; ++i) {
-      const int corner = dart_order::face_corners[static_cast<std::size_t>(place_of(face))][i];
-      const VertexId v = map.corners(tetrahedron_of(face))[static_cast<std::size_t>(corner)];
-      x[i] = rest(t, v) + moves[map.point_of_vertex(v)];
+      x[i] = rest(t, corners[i]) + moves[map.point_of_vertex(corners[i])];
     }
     const Vec3 drawn = 0.5 * (x[1] - x[0]).cross(x[2] - x[0]);
     const Vec3 area = rest_area_vector(map, face);
     torn.raw += area.norm() / section;
-    torn.projected += std::abs(area.dot(t.tension.axis)) / section;
+    torn.projected += projected_area(area, t.tension.axis) / section;
     torn.smooth_raw += drawn.norm() / section;
-    torn.smooth_projected += std::abs(drawn.dot(t.tension.axis)) / section;
+    torn.smooth_projected += projected_area(drawn, t.tension.axis) / section;
   }
 }
 

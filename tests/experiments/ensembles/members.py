@@ -8,6 +8,9 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "meshes/scenes/charts"))
+from make_meshes import medit
+
 
 def box(low, high):
     """Points and outward triangles of a box."""
@@ -73,14 +76,6 @@ def read_msh(text):
     count = int(nodes[0].split()[1])
     points = [tuple(map(float, line.split())) for line in nodes[2 + count:2 + 2 * count]]
     return points, [tuple(int(v) - 1 for v in line.split()[1:]) for line in elements[2:]]
-
-
-def medit(points, tetrahedra):
-    lines = ["MeshVersionFormatted 2", "Dimension 3", f"Vertices\n{len(points)}"]
-    lines += ["%r %r %r 0" % p for p in points]
-    lines.append(f"Tetrahedra\n{len(tetrahedra)}")
-    lines += [" ".join(str(v + 1) for v in t) + " 0" for t in tetrahedra]
-    return "\n".join(lines + ["End\n"])
 
 
 def filled(program, surface, size, sharp, rows):

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "topology/suite/fixtures/fixture.hpp"
+#include "topology/suite/fixtures/steps.hpp"
 #include "topology/suite/judge/judge_checks.hpp"
 #include "topology/suite/judge/judge_truth.hpp"
 #include "topology/suite/kernels/judged_kernel.hpp"
-#include "topology/suite/fixtures/steps.hpp"
 
 namespace sunder::suite {
 

@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <map>
 
-#include "topology/suite/homology/homology.hpp"
 #include "topology/suite/fixtures/steps.hpp"
+#include "topology/suite/homology/homology.hpp"
 
 namespace sunder::suite {
 namespace {

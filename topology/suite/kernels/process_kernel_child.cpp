@@ -155,7 +155,8 @@ std::string Child::how_it_ended() {
 std::string Child::ask(std::string_view text, const Limits& limits) {
   const std::string_view question = text;
   const auto lost = [&](const std::string& what) {
-    return KernelLost(fmt::format("kernel \"{}\", asked {}: {}", command_, in_quotes(question), what));
+    return KernelLost(
+        fmt::format("kernel \"{}\", asked {}: {}", command_, in_quotes(question), what));
   };
   std::string_view nothing;
   exchange(nothing, 0);

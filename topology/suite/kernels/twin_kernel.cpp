@@ -6,8 +6,8 @@
 #include <memory>
 #include <set>
 
-#include "topology/suite/judge/glue_twin.hpp"
 #include "topology/suite/homology/homology.hpp"
+#include "topology/suite/judge/glue_twin.hpp"
 #include "topology/suite/kernels/judged_kernel.hpp"
 
 namespace sunder::suite {

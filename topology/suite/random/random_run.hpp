@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "topology/suite/kernels/judged_kernel.hpp"
-#include "topology/suite/random/random_run_tear.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 #include "topology/suite/judge/shrink.hpp"
+#include "topology/suite/kernels/judged_kernel.hpp"
+#include "topology/suite/random/random_run_tear.hpp"
 
 namespace sunder::suite {
 

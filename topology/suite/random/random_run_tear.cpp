@@ -110,8 +110,8 @@ void part_all(TearRun& run, Tear& tear, Faces& faces) {
   }
 }
 
-/// Undoes the splits of `faces`, the latest, in any order; the map has to be what it was. Does them
-/// again as they stand now; the map has to be what it was before the undoing.
+/// Undoes the splits of `faces`, the latest, in any order, and does them again as they stand now:
+/// each time the map has to be what it was.
 void redo(TearRun& run, Tear& tear, const Faces& faces) {
   for (std::size_t left = faces.size(); left > 0; --left) {
     if (tear.trial.checks.first) return;
@@ -180,8 +180,8 @@ void tear_face(TearRun& run, Tear& tear) {
   judge_orders(run, tear, faces.size());
 }
 
-/// Glues up to four faces; mostly splits them again, which must restore the map (and lets a body
-/// come to its end).
+/// Glues up to four faces. Mostly splits them again, which has to restore the map, and lets the
+/// body come to its end.
 void rejoin_some(TearRun& run, Tear& tear) {
   if (tear.parted.empty() || !tear.trial.kernel.glue) return;
   const bool for_good = below(run.random, 4) == 0;
@@ -200,8 +200,7 @@ void rejoin_some(TearRun& run, Tear& tear) {
   for (const HalfFaceId f : faces) part(tear, f);
 }
 
-/// What cannot be done, and must change nothing: splitting a face of the boundary, gluing one that
-/// is whole.
+/// What cannot be done and has to change nothing: splitting a boundary face, gluing a whole one.
 void ask_in_vain(TearRun& run, Tear& tear) {
   ++run.counts.vain;
   const std::vector<HalfFaceId>& glued = tear.trial.twin.glued;
@@ -213,8 +212,8 @@ void ask_in_vain(TearRun& run, Tear& tear) {
   }
 }
 
-/// Does something on a second kernel from the beginning; what hangs together then is the same. The
-/// first `parted` faces are split before, in any order and from any sides.
+/// Does something on a second kernel from the beginning, after the first `parted` faces were split
+/// in any order and from any sides: what hangs together then is the same.
 template <class Act>
 void on_second(TearRun& run, Tear& tear, std::size_t parted, const Act& act) {
   Trial second = begin_trial(tear.trial.body, run.second);
@@ -254,8 +253,8 @@ Faces judged_break(Trial& trial, const BreakPoint& broken) {
   return faces;
 }
 
-/// Breaks by labels, on the body as it is: they split the union over them, whatever their order,
-/// and the faces of each in any order, too.
+/// Breaks by labels, on the body as it is: they split the union of their faces, in whatever order
+/// they and the faces of each are taken.
 void tear_cracks(TearRun& run, Tear& tear) {
   std::vector<BreakPoint> breaks = any_breaks(tear.trial.body, tear.trial.twin, run.random);
   const std::set<HalfFaceId> expected = crack_faces(tear.trial.twin, breaks);

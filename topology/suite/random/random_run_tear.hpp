@@ -17,8 +17,8 @@ struct TearCounts {
   std::size_t operations = 0;
   /// Fans with at least one face; those without one; sections of planes; single faces.
   std::size_t fans = 0, empty_fans = 0, planes = 0, single_faces = 0;
-  /// Breaks by labels with at least one face; those without one; and the groups that they come in:
-  /// one to three cracks with labels of their own, given beforehand.
+  /// Breaks by labels with at least one face; those without one; their groups, each of one to three
+  /// cracks with labels given beforehand.
   std::size_t labelled_fans = 0, empty_labelled_fans = 0, crack_groups = 0;
   /// Faces split by all of these, and what came apart there.
   std::size_t faces = 0, vertices = 0, edges = 0;
@@ -32,8 +32,7 @@ struct TearCounts {
   std::size_t orders = 0, all_orders = 0;
   /// Bodies taken apart from the beginning on a second kernel, in another order.
   std::size_t replays = 0;
-  /// Groups of breaks made again on a second kernel, in another order of the breaks; and the
-  /// labelled fans among them.
+  /// Groups of breaks made again on a second kernel, in another order; the labelled fans in them.
   std::size_t crack_orders = 0, fans_in_other_orders = 0;
 };
 
@@ -74,8 +73,8 @@ struct TearRun {
 };
 
 /// One operation drawn at random: mostly the fan of a vertex, sometimes breaks by labels, a single
-/// face, a plane, gluing some of what was split, or what has to be refused. Needs: a face that is
-/// whole.
+/// face, a plane, gluing some of what was split, or what has to be refused.
+/// Needs: a face that is whole.
 void tear_once(TearRun& run, Tear& tear);
 
 }  // namespace sunder::suite

@@ -90,6 +90,16 @@ void compare_partitions(Trial& trial, const std::string& what,
          wrong->together ? "together" : "apart", wrong->together ? "apart" : "together");
 }
 
+/// The kernel's fan against the suite's own, as sets of half-faces.
+void compare_fans(Trial& trial, const std::string& what, std::vector<std::uint32_t> expected,
+                  std::vector<std::uint32_t> answered) {
+  std::sort(expected.begin(), expected.end());
+  std::sort(answered.begin(), answered.end());
+  if (same(trial.checks, expected, answered)) return;
+  differ(trial.checks, what, fmt::format("half-faces {}", fmt::join(expected, " ")),
+         fmt::format("half-faces {}", fmt::join(answered, " ")));
+}
+
 /// Betti numbers over GF(2) that go with homology over Z: every even torsion coefficient adds one
 /// in its dimension and one in the next.
 BettiNumbers mod_2(const IntegerHomology& homology) {
@@ -201,15 +211,11 @@ void judge_fan(Trial& trial, const SplitFan& fan, std::span<const Step> steps) {
   for (const FaceSide side : trial.kernel.fan(std::get<CornerAt>(fan.vertex), fan.normal)) {
     answered.push_back(face(side));
   }
-  std::sort(expected.begin(), expected.end());
-  std::sort(answered.begin(), answered.end());
-  if (same(trial.checks, expected, answered)) return;
   const auto [tetrahedron, point] = std::get<CornerAt>(fan.vertex);
-  differ(trial.checks,
-         fmt::format("fan at point {} of tetrahedron {} for normal {:.17g}", point, tetrahedron,
-                     fmt::join(fan.normal, " ")),
-         fmt::format("half-faces {}", fmt::join(expected, " ")),
-         fmt::format("half-faces {}", fmt::join(answered, " ")));
+  compare_fans(trial,
+               fmt::format("fan at point {} of tetrahedron {} for normal {:.17g}", point,
+                           tetrahedron, fmt::join(fan.normal, " ")),
+               std::move(expected), std::move(answered));
 }
 
 void judge_break(Trial& trial, const BreakPoint& broken, std::span<const Step> steps) {
@@ -220,12 +226,8 @@ void judge_break(Trial& trial, const BreakPoint& broken, std::span<const Step> s
   for (const FaceSide side : trial.kernel.crack_fan(broken.point, broken.sides)) {
     answered.push_back(half_face_of(trial.twin, side).value);
   }
-  std::sort(expected.begin(), expected.end());
-  std::sort(answered.begin(), answered.end());
-  if (same(trial.checks, expected, answered)) return;
-  differ(trial.checks, fmt::format("fan of labels at all copies of point {}", broken.point),
-         fmt::format("half-faces {}", fmt::join(expected, " ")),
-         fmt::format("half-faces {}", fmt::join(answered, " ")));
+  compare_fans(trial, fmt::format("fan of labels at all copies of point {}", broken.point),
+               std::move(expected), std::move(answered));
 }
 
 void judge_faults(Trial& trial) {
