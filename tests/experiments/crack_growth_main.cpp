@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // `crack_growth [MESH...]`: what becomes of notched bars: one crack or many, by how stresses within
 // a step are found, and by what a crack is; bars of cubes, and MESHes of the box 0.8 x 0.4 x 0.1 m.
+// `crack_growth --ways [MESH...]`: plain bars at bare clamps, by what decides at a crack's edge.
 #include <cstdio>
 #include <stdexcept>
+#include <string_view>
 
 #include "tests/experiments/cases/crack_growth.hpp"
 #include "topology/io/mesh_file.hpp"
@@ -74,6 +76,72 @@ int print_modes(int count, char** files, const Material& concrete) {
   return 0;
 }
 
+/// A plain bar of concrete with each of them, cracks as objects.
+void print_ways(const char* mesh, const NotchedBar& plain) {
+  const auto print_way = [&](const char* way, const auto& change) {
+    NotchedBar bar = plain;
+    bar.fracture.crack = CrackMode::object;
+    change(bar);
+    std::printf("%-24s %-9s ", mesh, way);
+    try {
+      const GrowthAnswer a = pulled_apart(bar);
+      std::printf("%6zu %6zu %7.3f %7.2f %9.3f %7.2f %9.3f %7.3f\n", a.pieces, a.fans, a.load / 1e6,
+                  a.parted_area, a.parted_projected, a.area, a.projected, a.farthest);
+    } catch (const std::runtime_error& error) {
+      std::printf("%s\n", error.what());
+    }
+    std::fflush(stdout);
+  };
+  const auto tough = [](double toughness, auto further) {
+    return [=](NotchedBar& bar) {
+      bar.material.toughness = toughness;
+      further(bar);
+    };
+  };
+  const auto bare = [](auto further) {
+    return [=](NotchedBar& bar) {
+      bar.material.toughness.reset();
+      further(bar);
+    };
+  };
+  const auto nothing = [](NotchedBar&) {};
+  const auto energy = [](NotchedBar& bar) { bar.fracture.criterion = FractureCriterion::energy; };
+  const auto fit = [](NotchedBar& bar) { bar.fracture.node_stress = NodeStress::fit; };
+  const auto relax = [](NotchedBar& bar) { bar.fracture.relax = 2; };
+  const auto shorter = [](NotchedBar& bar) { bar.time_step /= 10; };
+  const auto damped = [](NotchedBar& bar) { bar.damping = 5e-6; };
+  print_way("bare", bare(nothing));
+  print_way("K 1.0", tough(1e6, nothing));
+  print_way("K 0.5", tough(5e5, nothing));
+  print_way("K 0.3", tough(3e5, nothing));
+  print_way("G 0.5", tough(5e5, energy));
+  print_way("fit", bare(fit));
+  print_way("relax", bare(relax));
+  print_way("relax 0.5", tough(5e5, relax));
+  print_way("step/10", bare(shorter));
+  print_way("damp", bare(damped));
+}
+
+int print_ways(int count, char** files, const Material& concrete) {
+  std::printf("%-24s %-9s %6s %6s %7s %17s %17s\n", "", "", "", "", "", "when parted",
+              "20 steps later");
+  std::printf("%-24s %-9s %6s %6s %7s %7s %9s %7s %9s %7s\n", "mesh", "way", "pieces", "fans",
+              "MPa", "area", "projected", "area", "projected", "far/b");
+  NotchedBar bar{.height = 0.4, .material = concrete, .stress_rate = 3e8, .shake = 0.15};
+  bar.cut = false;
+  bar.in_vain = 1.5;
+  for (int k = -1; k < count; ++k) {
+    if (k >= 0) {
+      Result<TetMesh> mesh = read_mesh(std::filesystem::path(files[k]));
+      for (const Finding& f : mesh.findings) std::fprintf(stderr, "%s\n", f.text.c_str());
+      if (!mesh) return 3;
+      bar.mesh = std::move(*mesh);
+    }
+    print_ways(k < 0 ? "cubes" : files[k], bar);
+  }
+  return 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -90,6 +158,9 @@ int main(int argc, char** argv) {
                                .tensile_strength = 3e6,
                                .toughness = 1e6}}};
   const Material& concrete = materials[1].material;
+  if (argc > 1 && std::string_view(argv[1]) == "--ways") {
+    return print_ways(argc - 2, argv + 2, concrete);
+  }
   if (argc > 1) return print_modes(argc - 1, argv + 1, concrete);
   std::printf("%-9s %4s %8s %-7s %5s %6s %6s %6s %7s %7s %8s %7s %7s\n", "material", "cut",
               "MPa/step", "breaks", "relax", "pieces", "fans", "steps", "MPa", "area", "J/m^2",

@@ -10,9 +10,11 @@
 #include <numbers>
 #include <numeric>
 #include <stdexcept>
+#include <string>
 
 #include "fracture/algorithms/choose_fan.hpp"
 #include "fracture/algorithms/stress_fit.hpp"
+#include "fracture/saving/saved_state.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/statics/static_solve.hpp"
 #include "tests/experiments/cases/crack_growth.hpp"
@@ -160,38 +162,71 @@ BendingTable bend_static(int layers) {
   return table;
 }
 
-BendingRun bend_slowly(int layers, NodeStress mode, CrackMode crack) {
+namespace {
+
+double largest_share(const Simulation& sim) {
+  double whole = 0, largest = 0;
+  for (const Component& c : sim.state->mechanics.components) {
+    if (c.tetrahedra.empty()) continue;
+    whole += c.mass;
+    largest = std::max(largest, c.mass);
+  }
+  return largest / whole;
+}
+
+struct LoadedStep {
+  int layers = 0;
+  double load = 0;  ///< over beam theory's, at its end
+};
+
+void add(BendingRun& run, const StepReport& report, const LoadedStep& step) {
+  const std::vector<FanEvent>& fans = report.fracture.fans;
+  const bool is_first = run.all_fans == 0 && !fans.empty();
+  if (run.all_fans == 0) {
+    ++run.steps;
+    run.quasi_static += report.ladder.components[static_cast<std::size_t>(Rung::quasi_static)] > 0;
+  }
+  for (const FanEvent& fan : fans) {
+    const double away = std::abs(fan.rest_position.x());
+    run.farthest = std::max(run.farthest, away / height);
+    if (!is_first) continue;
+    run.away = std::max(run.away, away * step.layers / height);
+    run.angle = std::max(run.angle, angle_with_axis(fan.normal));
+  }
+  if (is_first) {
+    run.load = step.load;
+    run.fans = fans.size();
+    run.overload = fans.front().stress / fans.front().strength - 1;
+  }
+  run.all_fans += fans.size();
+  run.pieces = report.components;
+  run.parted = step.load;
+}
+
+}  // namespace
+
+BendingRun bend_slowly(const SlowBend& bend) {
   constexpr double ramp = 20, most = 2.8;
   Scene scene =
-      bent_beam({.layers = layers, .force = most * beam_breaking_load(), .ramp_time = ramp});
-  scene.fracture.node_stress = mode;
-  scene.fracture.crack = crack;
+      bent_beam({.layers = bend.layers, .force = most * beam_breaking_load(), .ramp_time = ramp});
+  scene.fracture = bend.fracture;
+  scene.bodies.front().material.toughness = bend.toughness;
   Simulation sim = built(std::move(scene));
   BendingRun run;
+  int left = 0;  // short steps that a divided one still has
   while (sim.state->mechanics.time < ramp * (1 - 1e-9)) {
-    const StepReport report = advance(sim);
+    const std::string before = bend.divided > 1 && left == 0 ? saved_state(sim) : "";
+    StepReport report = advance(sim);
+    if (!before.empty() && !report.fracture.fans.empty()) {
+      sim = std::move(*restore(before));
+      sim.scene.integrator.time_step /= bend.divided;
+      left = bend.divided;
+      report = advance(sim);
+    }
+    if (left > 0 && --left == 0) sim.scene.integrator.time_step *= bend.divided;
     if (report.status.outcome != StepOutcome::fine) throw std::runtime_error("the run failed");
-    const bool is_first = run.all_fans == 0 && !report.fracture.fans.empty();
-    if (run.all_fans == 0) {
-      ++run.steps;
-      run.quasi_static +=
-          report.ladder.components[static_cast<std::size_t>(Rung::quasi_static)] > 0;
-    }
-    for (const FanEvent& fan : report.fracture.fans) {
-      const double away = std::abs(fan.rest_position.x());
-      run.farthest = std::max(run.farthest, away / height);
-      if (!is_first) continue;
-      run.away = std::max(run.away, away * layers / height);
-      run.angle = std::max(run.angle, angle_with_axis(fan.normal));
-    }
-    if (is_first) {
-      run.load = most * report.time / ramp;
-      run.fans = report.fracture.fans.size();
-    }
-    run.all_fans += report.fracture.fans.size();
-    run.pieces = report.components;
-    run.parted = most * report.time / ramp;
-    if (run.pieces > 1) break;
+    add(run, report, {bend.layers, most * report.time / ramp});
+    if (largest_share(sim) < 0.75) break;
   }
   const CrackArea cracked = crack_area(sim.state->cells);
   run.area = cracked.raw / (height * width);

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 #include "fracture/scene/scene.hpp"
 
@@ -46,7 +47,13 @@ struct BendingTable {
 };
 BendingTable bend_static(int layers);
 
-/// The same in time: the load raised by 0.0028 of the expected one in steps of 20 ms.
+/// A beam bent in time, the load raised by 0.0028 of the expected one in steps of 20 ms.
+struct SlowBend {
+  int layers = 4;
+  FractureSettings fracture = {};
+  std::optional<double> toughness = {};  ///< Pa sqrt(m)
+  int divided = 1;  ///< a step in which something breaks is taken again in as many
+};
 struct BendingRun {
   double load = 0;               ///< over beam theory's, when the first fan came
   double away = 0;               ///< as above, of the fan farthest from the middle in that step
@@ -54,12 +61,13 @@ struct BendingRun {
   std::size_t fans = 0;          ///< in that step
   std::size_t steps = 0;         ///< up to it
   std::size_t quasi_static = 0;  ///< of them on that rung
-  /// When it has come apart: its load over beam theory's, pieces, fans in all, crack over the
-  /// beam's section, projected along the beam too, and the farthest fan from the middle, in
-  /// heights.
+  /// When it has come apart, into pieces of less than three quarters of it: its load over beam
+  /// theory's, pieces, fans in all, crack over the beam's section, projected along the beam too,
+  /// and the farthest fan from the middle, in heights.
   std::size_t pieces = 0, all_fans = 0;
   double parted = 0, area = 0, projected = 0, farthest = 0;
+  double overload = 0;  ///< stress over strength of the first fan, less 1
 };
-BendingRun bend_slowly(int layers, NodeStress mode, CrackMode crack = CrackMode::paper);
+BendingRun bend_slowly(const SlowBend& bend);
 
 }  // namespace sunder::accuracy

@@ -131,7 +131,7 @@ GrowthAnswer pulled_apart(const NotchedBar& bar, int after) {
       answer.parted_projected = answer.projected;
     }
     left -= answer.pieces > 1;
-    if (first > 0 && report.time > 10 * first) break;
+    if (first > 0 && report.time > bar.in_vain * first) break;
     if (report.time * bar.stress_rate > 10 * bar.material.tensile_strength) break;
   }
   answer.energy = area > 0 ? energy / area : 0;

@@ -23,6 +23,7 @@ struct NotchedBar {
   bool cut = true;
   double grip = 0;  ///< over b: as far from the ends vertices never split, as in a tester's grips
   double damping = 0;  ///< Rayleigh's, of the stiffness, s
+  double in_vain = 10;
   FractureSettings fracture;
   /// In place of the cubes: a mesh of the box [0, 2 b] x [0, b] x [0, thickness b / cells].
   std::optional<TetMesh> mesh = {};
@@ -47,8 +48,8 @@ struct CrackArea {
 };
 CrackArea crack_area(const Cells& cells);
 
-/// Runs until `after` steps after the second piece, or in vain for ten times the time to the
-/// first fan.
+/// Runs until `after` steps after the second piece, or in vain for `NotchedBar::in_vain` times the
+/// time to the first fan.
 GrowthAnswer pulled_apart(const NotchedBar& bar, int after = 20);
 
 }  // namespace sunder::accuracy
