@@ -51,6 +51,14 @@ void print_ways(int layers) {
       }
     }
   }
+  // Toughness as a fracture energy.
+  for (const NodeStress mode : {NodeStress::volume, NodeStress::fit}) {
+    SlowBend bend{.layers = layers};
+    bend.toughness = 1e6;
+    bend.fracture.node_stress = mode;
+    bend.fracture.crack = CrackMode::cohesive;
+    print(bend);
+  }
 }
 
 }  // namespace

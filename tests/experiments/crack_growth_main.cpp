@@ -34,7 +34,9 @@ void print(const char* mesh, const NotchedBar& bar, CrackMode mode) {
   NotchedBar pulled = bar;
   pulled.fracture.crack = mode;
   std::printf("%-24s %4s %-7s ", mesh, bar.cut ? "yes" : "no",
-              mode == CrackMode::paper ? "paper" : "object");
+              mode == CrackMode::paper    ? "paper"
+              : mode == CrackMode::object ? "object"
+                                          : "cohesive");
   try {
     const GrowthAnswer a = pulled_apart(pulled);
     std::printf("%6zu %6zu %6zu %7.3f %7.2f %9.3f %7.2f %9.3f %7.3f %8.3f\n", a.pieces, a.fans,
@@ -71,6 +73,9 @@ int print_modes(int count, char** files, const Material& concrete) {
       // Bars that are no cubes turn to dust in mode `paper`, at seconds a step.
       if (k < 0) print("cubes", bar, CrackMode::paper);
       print(k < 0 ? "cubes" : files[k], bar, CrackMode::object);
+      // Ties need neither grips nor damping.
+      bar.grip = bar.damping = 0;
+      print(k < 0 ? "cubes" : files[k], bar, CrackMode::cohesive);
     }
   }
   return 0;

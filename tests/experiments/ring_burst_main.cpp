@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// `ring_burst`: fragments of a ring that flies apart, over the rate, and the slope of their size.
+// `ring_burst [--ties]`: fragments of a ring that flies apart, over the rate, and the slope of their size.
 #include <cmath>
 #include <cstdio>
 #include <initializer_list>
+#include <string_view>
 
 #include "tests/experiments/cases/ring_burst.hpp"
 
@@ -23,9 +24,32 @@ double slope(std::size_t few, std::size_t many, double rates) {
   return -std::log(double(many) / double(few)) / std::log(rates);
 }
 
+/// Rings whose sections are tied: fragments over cells, rate and seed.
+void print_ties() {
+  std::puts("cells,rate / (1/s),spread,step / (cell / c),seed,fragments,by Zhou,taken");
+  for (const double spread : {0.5, 3.0}) {
+    for (const double rate : {1.5, 6.0}) {
+      for (const int cells : {400, 800, 1600}) {
+        for (const std::uint32_t seed : {1u, 2u, 3u}) {
+          const RingBurst burst{.cells = cells, .rate = rate, .spread = spread, .seed = seed,
+                                .fracture_energy = 33};
+          const RingOutcome o = run_ring(burst);
+          std::printf("%d,%g,%g,%g,%u,%zu,%.1f,%.3f\n", cells, rate, spread, burst.step, seed,
+                      o.fragments, o.zhou_fragments, o.taken);
+          std::fflush(stdout);
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 
-int main() {
+int main(int count, char** words) {
+  if (count > 1 && std::string_view(words[1]) == "--ties") {
+    print_ties();
+    return 0;
+  }
   std::puts(
       "cells,rate / (1/s),spread,step / (cell / c),viscosity,K_Ic / (Pa sqrt m),fragments,by the "
       "rule,same sections,mean of the rule,by Grady,energy lost a crack area / (J/m^2)");

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// `spall`: layers that a pulse breaks off a flat bar, over its peak, cells, steps and viscosity.
+// `spall [--ties]`: layers that a pulse breaks off a flat bar, over its peak, cells, steps and viscosity.
 #include <cstdio>
 #include <initializer_list>
+#include <string_view>
 
 #include "tests/experiments/cases/spall.hpp"
 
@@ -19,9 +20,30 @@ void row(const Spall& spall) {
   std::fflush(stdout);
 }
 
+/// Layers through ties, for a rise of one length: they should not grow in number with the cells.
+void print_ties() {
+  std::puts("cells,s0 / xi,G_c / (J/m^2),layers,thickness / m,speed,momentum");
+  for (const double energy : {1.0, 3.0}) {
+    for (const double peak : {1.5, 2.5, 3.5}) {
+      for (const int cells : {150, 300, 600}) {
+        const SpallOutcome o = run_spall(
+            {.cells = cells, .peak = peak, .front_length = 0.05, .fracture_energy = energy});
+        std::printf("%d,%g,%g,%zu,", cells, peak, energy, o.thickness.size());
+        for (const double t : o.thickness) std::printf(" %.4f", t);
+        std::printf(",%.3f,%.12f\n", o.speed, o.momentum);
+        std::fflush(stdout);
+      }
+    }
+  }
+}
+
 }  // namespace
 
-int main() {
+int main(int count, char** words) {
+  if (count > 1 && std::string_view(words[1]) == "--ties") {
+    print_ties();
+    return 0;
+  }
   std::puts(
       "cells,s0 / xi,front / cells,step / (cell / c),viscosity,layers exact,layers,thickness exact "
       "/ m,thickness / m,speed,time,momentum");

@@ -210,6 +210,8 @@ BendingRun bend_slowly(const SlowBend& bend) {
   Scene scene =
       bent_beam({.layers = bend.layers, .force = most * beam_breaking_load(), .ramp_time = ramp});
   scene.fracture = bend.fracture;
+  // A crack is through in some thousand sub-steps, within one step of the load.
+  if (bend.fracture.crack == CrackMode::cohesive) scene.impact.max_sub_steps = 100000;
   scene.bodies.front().material.toughness = bend.toughness;
   Simulation sim = built(std::move(scene));
   BendingRun run;

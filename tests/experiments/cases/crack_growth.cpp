@@ -93,6 +93,7 @@ CrackArea crack_area(const Cells& cells) {
   CrackArea sum;
   for (std::size_t f = 0; f < 4 * cells.map.tetrahedra(); ++f) {
     if (!is_crack_face(cells, HalfFaceId{f})) continue;
+    if (cells.pieces && !cells.pieces->map.neighbour(HalfFaceId{f}).is_none()) continue;
     const Vec3 area = 0.5 * rest_area_vector(cells.map, HalfFaceId{f});
     sum.raw += area.norm();
     sum.projected += projected_area(area, Vec3::UnitX());

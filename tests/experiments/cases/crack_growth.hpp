@@ -42,7 +42,8 @@ struct GrowthAnswer {
   double worst_ms = 0;  ///< fracture stage of the slowest step
 };
 
-/// Area of all crack faces, each counted once, and of their projections along x, m^2.
+/// Area of all crack faces that nothing ties, each counted once, and of their projections along x,
+/// m^2.
 struct CrackArea {
   double raw = 0, projected = 0;
 };

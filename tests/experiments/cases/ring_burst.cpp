@@ -42,8 +42,11 @@ Ring ring_of(const RingBurst& burst) {
   // Not a distribution of the library's: those differ from one to the next.
   std::mt19937 random(burst.seed);
   const double xi = Material{}.tensile_strength;
-  for (std::size_t k = 0; k < around; ++k) {
-    ring.strength.push_back(xi * (1 + burst.spread * random() / 4294967296.0));
+  constexpr std::size_t places = 1600;
+  const std::size_t skipped = burst.fracture_energy ? places / around : 1;
+  for (std::size_t k = 0; k < around * skipped; ++k) {
+    const double drawn = xi * (1 + burst.spread * random() / 4294967296.0);
+    if (k % skipped == 0) ring.strength.push_back(drawn);
   }
   return ring;
 }
@@ -85,6 +88,8 @@ Scene scene_of(const Ring& ring, const RingBurst& burst) {
   body.mesh = ring.mesh;
   body.material.poisson_ratio = 0;
   body.material.toughness = burst.toughness;
+  body.material.fracture_energy = burst.fracture_energy;
+  if (burst.fracture_energy) scene.fracture.crack = CrackMode::cohesive;
   for (std::size_t k = 0; k < ring.mesh.points.size(); ++k) {
     body.strength.painted.push_back(ring.strength[k % ring.strength.size()]);
   }
@@ -104,6 +109,14 @@ double energy_of(const Simulation& sim) {
 
 }  // namespace
 
+double zhou_size(double rate, double fracture_energy) {
+  const Material material;
+  const double E = material.young_modulus, sigma = material.tensile_strength;
+  const double s0 = E * fracture_energy / (sigma * sigma);
+  const double e = rate * E * E * fracture_energy / (bar_wave_speed(material) * std::pow(sigma, 3));
+  return s0 * 4.5 / (1 + 4.5 * std::pow(e, 2.0 / 3));
+}
+
 RingOutcome run_ring(const RingBurst& burst) {
   const Ring ring = ring_of(burst);
   const Material material;
@@ -121,8 +134,11 @@ RingOutcome run_ring(const RingBurst& burst) {
   RingOutcome seen;
   const double before = energy_of(*sim);
   std::vector<char> broke(ring.strength.size(), 0);
-  while (sim->state->mechanics.time < last + sim->scene.integrator.time_step) {
+  const double more = burst.fracture_energy ? 5e-4 : sim->scene.integrator.time_step;
+  double work = 0;
+  while (sim->state->mechanics.time < last + more) {
     const StepReport report = advance(*sim);
+    work += report.ties.work;
     if (report.status.outcome != StepOutcome::fine) {
       throw std::runtime_error(to_finding(report.status).text);
     }
@@ -144,6 +160,10 @@ RingOutcome run_ring(const RingBurst& burst) {
   seen.mean_expected = 0.5 * burst.cells * std::sqrt(pi * ring.cell / (c * span));
   const double area = double(seen.fragments) * ring.cell * ring.cell;
   seen.energy_per_area = (before - energy_of(*sim)) / area;
+  if (burst.fracture_energy) {
+    seen.zhou_fragments = 2 * pi / zhou_size(burst.rate, *burst.fracture_energy);
+    seen.taken = work / (*burst.fracture_energy * area);
+  }
   if (burst.toughness) {
     const double size =
         std::pow(std::sqrt(24.0) * *burst.toughness / (material.density * c * burst.rate), 2.0 / 3);

@@ -24,6 +24,9 @@ struct RingBurst {
   double viscosity = 0.1;  ///< C = this (cell / c) K
   std::uint32_t seed = 1;
   std::optional<double> toughness = {};  ///< Pa sqrt(m)
+  /// G_c, J/m^2: where given cracks are cohesive, and strengths are a function of place, drawn at
+  /// 1600 places: cells divides that.
+  std::optional<double> fracture_energy = {};
 };
 
 struct RingOutcome {
@@ -31,11 +34,18 @@ struct RingOutcome {
   std::size_t expected = 0;       ///< by the rule, with these strengths
   double mean_expected = 0;       ///< by the mean over all draws, for small cells
   std::size_t same_sections = 0;  ///< sections that broke and should
+  double zhou_fragments = 0;      ///< `zhou_size`, G_c given
+  double taken = 0;               ///< work on ties / (G_c times the area of the sections apart)
   double grady_fragments = 0;     ///< 2 pi R / (sqrt(24) K_Ic / (rho c rate))^(2/3), K_Ic given
   double energy_per_area = 0;     ///< kinetic and strain energy lost / area of cracks, J/m^2
 };
 
-/// Runs until the strongest section would have broken.
+/// m, mean size of fragments of an expanding ring with cohesive sections of equal strength [Zhou,
+/// Molinari and Ramesh 2006]: s / s0 = 4.5 / (1 + 4.5 e^(2/3)), s0 = E G_c / sigma^2, e = rate E^2
+/// G_c / (c sigma^3).
+double zhou_size(double rate, double fracture_energy);
+
+/// Runs until the strongest section would have broken; with ties for half a millisecond more.
 RingOutcome run_ring(const RingBurst& burst);
 
 }  // namespace sunder::accuracy

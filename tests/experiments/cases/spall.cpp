@@ -40,6 +40,8 @@ Scene scene_of(const Spall& spall, double cell) {
   bar.name = "bar";
   bar.mesh = suite::kuhn_box({spall.cells, spall.across, spall.across}, cell);
   bar.material.poisson_ratio = 0;
+  bar.material.fracture_energy = spall.fracture_energy;
+  if (spall.fracture_energy) scene.fracture.crack = CrackMode::cohesive;
   const double travel = cell / bar_wave_speed(bar.material);
   scene.bodies = {bar};
   scene.gravity.acceleration.setZero();
@@ -96,12 +98,13 @@ SpallOutcome run_spall(const Spall& spall) {
   const double end = std::max_element(rest.begin(), rest.end(), [](const Vec3& a, const Vec3& b) {
                        return a.x() < b.x();
                      })->x();
-  const Pulse pulse{end - 3 * cell, spall.front * cell, spall.length, peak};
+  const double rise = spall.front_length > 0 ? spall.front_length : spall.front * cell;
+  const Pulse pulse{end - 3 * cell, rise, spall.length, peak};
   set_pulse(*sim, pulse);
   const double momentum_before = momentum(sim->state->mechanics.vertices).x();
 
   SpallOutcome seen;
-  seen.exact_thickness = (spall.length - spall.front * cell) / (2 * spall.peak);
+  seen.exact_thickness = (spall.length - rise) / (2 * spall.peak);
   seen.exact_layers = static_cast<std::size_t>(spall.peak);
   // What is reflected is the peak, a ramp behind the front.
   const double reflected = (end - pulse.front + pulse.ramp) / c;

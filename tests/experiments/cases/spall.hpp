@@ -2,6 +2,7 @@
 // A pressure pulse that meets the free end of a flat bar and breaks layers off it.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 namespace sunder::accuracy {
@@ -21,6 +22,8 @@ struct Spall {
   double front = 8;        ///< cells
   double step = 0.25;      ///< of a wave's way through a cell
   double viscosity = 0.1;  ///< C = this (cell / c) K
+  double front_length = 0;  ///< m: the rise where it is not to depend on the cells
+  std::optional<double> fracture_energy = {};  ///< G_c, J/m^2: cohesive cracks
 };
 
 struct SpallOutcome {
