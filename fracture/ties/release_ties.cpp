@@ -2,10 +2,32 @@
 // Spent ties, one face after the other.
 #include "fracture/ties/release_ties.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "fracture/breaking/partners.hpp"
 
 namespace sunder {
 namespace {
+
+/// rad: by so much the sides of a face may turn against each other while a corner of it still holds.
+/// A chip that hangs on a corner turns about it, and the frame of its piece, in which strain is
+/// linear, would stretch it by half the square of the angle, in concrete a tenth of what breaks it.
+constexpr double most_turn = 0.005;
+
+/// Whether nothing ties the sides any more, or all corners are apart and one of them so far that
+/// the sides have turned about those that hold.
+bool lets_go(const Tie& tie) {
+  double area = 0, largest = 0;
+  bool is_past = false;
+  for (const TieCorner& corner : tie.corners) {
+    if (!corner.is_apart()) return false;
+    area += corner.area;
+    largest = std::max(largest, corner.opened);
+    is_past = is_past || corner.is_spent();
+  }
+  return tie.is_spent() || (is_past && largest > most_turn * std::sqrt(2 * area));
+}
 
 /// Labels of tetrahedra are those of the pieces; vertices are of the finer map.
 void follow_pieces(Cells& cells) {
@@ -27,7 +49,7 @@ TieRelease release_ties(Cells& cells, ContactMemory& contact, Detection detectio
                         ComponentScratch& scratch) {
   TieRelease release;
   std::erase_if(contact.ties, [&](const Tie& tie) {
-    if (!tie.is_spent()) return false;
+    if (!lets_go(tie)) return false;
     release.faces.push_back(split_face(cells.pieces->map, tie.face));
     contact.partners.push_back(partner_of(cells.map, tie.face, tie.opposite));
     return true;
