@@ -126,13 +126,12 @@ int most_passes(const ContactStep& step) {
 bool resolve(ContactStep& step) {
   double deepest = 0;
   int most = most_passes(step);
-  begin_ties(step);
   // Bounds of ties follow the openings that a pass predicts.
   constexpr int passes_of_ties = 8;
   if (step.tied_rows > 0) most = std::max(most, passes_of_ties);
   for (int k = 0; k <= most; ++k) {
     const std::size_t before = step.contacts.size();
-    hold_ties(step);
+    hold_ties(step, k == 0);
     if (!meet(step, deepest) && k == 0) return false;
     deepest = find_new_contacts(step, deepest);
     if (deepest == 0 && step.tied_rows == 0) return true;
@@ -244,9 +243,12 @@ void begin_step(ContactStep& step) {
   note_loads(step);
   const StepInput& input = step.pass.input;
   prepare(state, input);
+  begin_ties(step);
   for_each_living(state, input.members, [&](const Component& component) {
+    if (scratch.blows.component_touched[component.id.index()]) return;
     predict(step.pass.mechanics, state, input, {&component.id, 1});
   });
+  if (step.is_wave() && !step.ties.empty()) predict_struck(step);
   if (input.members.component.empty()) return;
   // What keeps still is where it is; its rows are there also where no member lives.
   predict(step.pass.mechanics, state, input, {});

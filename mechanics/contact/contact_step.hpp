@@ -129,13 +129,13 @@ inline constexpr double tie_tolerance = 1e-3;
 /// Predicts what has got impulses in a wave anew, with what it has got so far.
 void predict_struck(ContactStep& step);
 
-/// The ties of the step and what they had in the last one: in a wave for `hold_ties`, else as the
-/// first of its contacts.
+/// The ties of the step and what they had in the last one: in a wave for `hold_ties`, as impulses
+/// that are still to be predicted, else as the first of its contacts.
 void begin_ties(ContactStep& step);
 
 /// In a wave: impulses of ties for the contacts as they are, by the law's bounds for the openings
-/// predicted, up to three times (`solve_ties`).
-void hold_ties(ContactStep& step);
+/// predicted (`solve_ties`). After the first pass only contacts have changed: fewer back-solves do.
+void hold_ties(ContactStep& step, bool is_first);
 
 /// What ties are done with: they are no contacts. Corners note how far they have opened.
 TieReport finish_ties(ContactStep& step);

@@ -69,19 +69,6 @@ Vec3 opening_at_start(const TiePair& pair, const StepPaths& paths) {
   return paths.at_start(pair.a) - paths.at_start(pair.b);
 }
 
-Vec3 opening_at_end(const TiePair& pair, const StepPaths& paths) {
-  return paths.predicted[pair.a.index()] - paths.predicted[pair.b.index()];
-}
-
-/// N: all corners together, on average over the openings up to `opening`.
-double force_bound(const TiePair& pair, double opening) {
-  double sum = 0;
-  for (const TieCorner* corner : pair.corners) {
-    sum += corner->area * mean_traction(*corner, opening);
-  }
-  return sum;
-}
-
 /// N/m; infinite where a corner has not opened.
 double stiffness_of(const TiePair& pair) {
   double sum = 0;
@@ -96,6 +83,10 @@ double give_of(const TiePair& pair, double h) {
 }
 
 }  // namespace
+
+Vec3 opening_at_end(const TiePair& pair, const StepPaths& paths) {
+  return paths.predicted[pair.a.index()] - paths.predicted[pair.b.index()];
+}
 
 std::vector<TiePair> gather_ties(ContactMemory& memory, const StepPaths& paths) {
   std::vector<TiePair> pairs;
@@ -116,6 +107,15 @@ std::vector<TiePair> gather_ties(ContactMemory& memory, const StepPaths& paths) 
     }
   }
   return pairs;
+}
+
+double tie_bound(const TiePair& pair, const Vec3& opening) {
+  const double effective = effective_opening(opening, pair.normal);
+  double sum = 0;
+  for (const TieCorner* corner : pair.corners) {
+    sum += corner->area * mean_traction(*corner, effective);
+  }
+  return sum;
 }
 
 double opening_end_of(const TiePair& pair) {
@@ -140,14 +140,14 @@ double measure_tie(ContactRow& row, const TiePair& pair, const Vec3& impulse,
   const double h = paths.time_step;
   const Vec3 end = opening_at_end(pair, paths);
   row.normal = pair.normal;
-  row.tie_most = h * force_bound(pair, effective_opening(end, pair.normal));
+  row.tie_most = h * tie_bound(pair, end);
   row.compliance = give_of(pair, h);
   row.impulse = impulse;
   row.friction = 0;
   row.slip = end;
   if (!velocity.empty()) {
-    row.slip = velocity[pair.a.index()] - velocity[pair.b.index()] +
-               opening_at_start(pair, paths) / h;
+    row.slip =
+        velocity[pair.a.index()] - velocity[pair.b.index()] + opening_at_start(pair, paths) / h;
     row.compliance /= h;
   }
   if (!(row.tie_response > 0)) return row.slip.norm();

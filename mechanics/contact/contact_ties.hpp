@@ -12,18 +12,25 @@ namespace sunder {
 
 /// Corners of ties between the same two vertices, one plane: they open alike and are one row.
 struct TiePair {
-  VertexId a, b;  ///< a < b
-  HalfFaceId face;        ///< of A: tells pairs of the same vertices apart
-  TetId tetrahedron;      ///< of B
-  std::uint8_t place = 0; ///< of B in it
-  Vec3 normal{0, 0, 1};   ///< of the crack, world, from B to A, as the step begins
-  double area = 0;        ///< m^2, of all corners
+  VertexId a, b;           ///< a < b
+  HalfFaceId face;         ///< of A: tells pairs of the same vertices apart
+  TetId tetrahedron;       ///< of B
+  std::uint8_t place = 0;  ///< of B in it
+  Vec3 normal{0, 0, 1};    ///< of the crack, world, from B to A, as the step begins
+  double area = 0;         ///< m^2, of all corners
   std::vector<TieCorner*> corners;
 };
 
 /// Pairs of living members that ties still hold or keep from overlapping, sorted by vertices.
 /// `memory` is changed by `settle_ties` alone.
 std::vector<TiePair> gather_ties(ContactMemory& memory, const StepPaths& paths);
+
+/// m: by how much A is off B, world, where the step is predicted to end.
+Vec3 opening_at_end(const TiePair& pair, const StepPaths& paths);
+
+/// N: what all corners of a pair bear together, on average over the openings from the largest so
+/// far to `opening` (m, world).
+double tie_bound(const TiePair& pair, const Vec3& opening);
 
 /// m: the smallest opening that ends a corner of a pair.
 double opening_end_of(const TiePair& pair);

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "mechanics/contact/solver/tie_row.hpp"
-#include "mechanics/ties/tie_law.hpp"
+#include "mechanics/integrators/coefficients.hpp"
 #include "mechanics/solver/component_system.hpp"
+#include "mechanics/ties/tie_law.hpp"
 
 namespace sunder {
 namespace {
@@ -20,14 +22,30 @@ struct TieProblem {
   std::vector<std::size_t> members;  ///< which of them
   const ComponentSystem& system;
   const MechanicsState& state;
-  Mat3 turn;  ///< from the body's frame to the world
+  std::span<const Vec3> ends;  ///< m, one a row: the opening that the step ends with as predicted
+  double time_step;            ///< s
+  Mat3 turn;                   ///< from the body's frame to the world
   Eigen::VectorXd field;
+  std::vector<char> needed;  ///< supernodes that tied vertices depend on
 };
+
+/// Free vertices of the ties, in the system's numbering.
+std::vector<std::uint32_t> tied_vertices(const TieProblem& p) {
+  std::vector<std::uint32_t> tied;
+  for (const std::size_t k : p.members) {
+    for (const VertexId v : {p.pairs[k].a, p.pairs[k].b}) {
+      const std::uint32_t local = p.state.systems.local_row[v.index()];
+      if (local < p.system.free_count) tied.push_back(local);
+    }
+  }
+  return tied;
+}
 
 /// Adds an impulse, body frame, at a vertex; held ones take none.
 void strike(TieProblem& p, VertexId v, const Vec3& impulse) {
   const std::size_t local = p.state.systems.local_row[v.index()];
-  if (local < p.system.free_count) p.field.segment<3>(static_cast<Eigen::Index>(3 * local)) += impulse;
+  if (local < p.system.free_count)
+    p.field.segment<3>(static_cast<Eigen::Index>(3 * local)) += impulse;
 }
 
 Vec3 answer(const TieProblem& p, VertexId v) {
@@ -45,7 +63,7 @@ std::vector<Vec3> openings(TieProblem& p, const std::vector<Vec3>& impulses) {
     strike(p, pair.a, own);
     strike(p, pair.b, -own);
   }
-  solve_system(p.system, p.field, FactorUse::wave);
+  solve_system(p.system, p.field, FactorUse::wave, p.needed);
   std::vector<Vec3> opened;
   for (const std::size_t k : p.members) {
     opened.push_back(p.turn * (answer(p, p.pairs[k].a) - answer(p, p.pairs[k].b)));
@@ -66,19 +84,47 @@ void set_responses(TieProblem& p) {
   };
   for (const std::size_t k : p.members) {
     const double shear = std::max(1.0, shear_weight);
-    p.rows[k].tie_response =
-        shear * (of(p.pairs[k].a) + of(p.pairs[k].b)) + p.rows[k].compliance;
+    p.rows[k].tie_response = shear * (of(p.pairs[k].a) + of(p.pairs[k].b)) + p.rows[k].compliance;
   }
 }
 
-TieOutcome solve(TieProblem& p, double step, double tolerance, int most) {
+/// Bounds for what has not opened any farther in the step: the most that a tie can bear.
+void raise_bounds(TieProblem& p) {
+  for (const std::size_t k : p.members) {
+    p.rows[k].tie_most = p.time_step * tie_bound(p.pairs[k], Vec3::Zero());
+  }
+}
+
+/// Bounds for the openings that changes of velocity lead to, where that is less. Gives the largest
+/// change, as a share.
+double lower_bounds(TieProblem& p, std::span<const Vec3> moved) {
+  double lowered = 0;
+  for (std::size_t i = 0; i < p.members.size(); ++i) {
+    const std::size_t k = p.members[i];
+    const Vec3 end = p.ends[k] + WaveScheme::theta * p.time_step * moved[i];
+    const double bound = p.time_step * tie_bound(p.pairs[k], end);
+    double& most = p.rows[k].tie_most;
+    if (bound >= most) continue;
+    lowered = std::max(lowered, 1 - bound / most);
+    most = bound;
+  }
+  return lowered;
+}
+
+/// Shares of openings from which on bounds follow (those on the way there would end ties), and
+/// beyond which the solve is given `far` times as many back-solves; both as multiples of the
+/// tolerance. Bounds that still fall by more than `settled` are not settled.
+constexpr double nearly = 100, coarse = 20, far = 4, settled = 1e-3;
+
+TieOutcome solve(TieProblem& p, double tolerance, int most) {
   const std::size_t n = p.members.size();
   set_responses(p);
+  raise_bounds(p);
   std::vector<Vec3> start(n), now(n), ahead(n), change(n);
   for (std::size_t i = 0; i < n; ++i) start[i] = now[i] = ahead[i] = p.rows[p.members[i]].impulse;
-  TieOutcome outcome;
+  TieOutcome outcome{.residual = std::numeric_limits<double>::infinity()};
   double inertia = 1;
-  while (outcome.iterations < most) {
+  while (outcome.iterations < (outcome.residual > coarse * tolerance ? far * most : most)) {
     ++outcome.iterations;
     for (std::size_t i = 0; i < n; ++i) change[i] = ahead[i] - start[i];
     const std::vector<Vec3> moved = openings(p, change);
@@ -90,7 +136,7 @@ TieOutcome solve(TieProblem& p, double step, double tolerance, int most) {
       ContactRow& row = p.rows[p.members[i]];
       row.impulse = ahead[i];
       const Vec3 next = tie_wanted(row, opening_of(row, moved[i]));
-      const double off = step * row.tie_response * (next - ahead[i]).norm();
+      const double off = p.time_step * row.tie_response * (next - ahead[i]).norm();
       outcome.residual = std::max(outcome.residual, off / opening_end_of(p.pairs[p.members[i]]));
       turn_back += row.tie_response * (ahead[i] - next).dot(next - now[i]);
       ahead[i] = next + share * (next - now[i]);
@@ -101,7 +147,13 @@ TieOutcome solve(TieProblem& p, double step, double tolerance, int most) {
       inertia = 1;
       ahead = now;
     }
-    if (outcome.residual <= tolerance) break;
+    if (outcome.residual > nearly * tolerance) continue;
+    if (lower_bounds(p, moved) > settled) {
+      inertia = 1;
+      ahead = now;
+    } else if (outcome.residual <= tolerance) {
+      break;
+    }
   }
   for (std::size_t i = 0; i < n; ++i) p.rows[p.members[i]].impulse = now[i];
   return outcome;
@@ -110,7 +162,8 @@ TieOutcome solve(TieProblem& p, double step, double tolerance, int most) {
 }  // namespace
 
 TieOutcome solve_ties(std::span<ContactRow> rows, std::span<const TiePair> pairs,
-                      const ContactPass& pass, double tolerance, int most) {
+                      std::span<const Vec3> ends, const ContactPass& pass, double tolerance,
+                      int most) {
   std::map<ComponentId, std::vector<std::size_t>> by_component;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     by_component[pass.state.vertices.component[pairs[k].a.index()]].push_back(k);
@@ -122,9 +175,13 @@ TieOutcome solve_ties(std::span<ContactRow> rows, std::span<const TiePair> pairs
                        std::move(members),
                        *pass.state.systems.present[id.index()],
                        pass.state,
+                       ends,
+                       pass.input.settings.time_step,
                        pass.state.components[id.index()].orientation.toRotationMatrix(),
+                       {},
                        {}};
-    const TieOutcome own = solve(problem, pass.input.settings.time_step, tolerance, most);
+    mark_supernodes(problem.needed, problem.system, tied_vertices(problem));
+    const TieOutcome own = solve(problem, tolerance, most);
     outcome.iterations += own.iterations;
     outcome.residual = std::max(outcome.residual, own.residual);
   }

@@ -41,15 +41,6 @@ void take_impulses(ContactStep& step, std::span<const ContactRow> rows) {
   predict_struck(step);
 }
 
-/// N s, of the bound that has changed most since the rows were solved.
-bool are_settled(std::span<const ContactRow> before, std::span<const ContactRow> now) {
-  constexpr double share = 1e-3;
-  for (std::size_t k = 0; k < now.size(); ++k) {
-    if (std::abs(now[k].tie_most - before[k].tie_most) > share * before[k].tie_most) return false;
-  }
-  return true;
-}
-
 }  // namespace
 
 void begin_ties(ContactStep& step) {
@@ -62,24 +53,22 @@ void begin_ties(ContactStep& step) {
     step.contacts = step.tied;
     return;
   }
-  std::vector<ContactRow> rows(step.ties.size());
-  for (std::size_t k = 0; k < rows.size(); ++k) rows[k].impulse = last_impulse(step, step.tied[k]);
-  take_impulses(step, rows);
+  for (std::size_t k = 0; k < step.ties.size(); ++k) {
+    step.tied[k].impulse = last_impulse(step, step.tied[k]);
+    strike_pair(step, step.ties[k], step.tied[k].impulse);
+  }
 }
 
-void hold_ties(ContactStep& step) {
+void hold_ties(ContactStep& step, bool is_first) {
   if (step.ties.empty() || !step.is_wave()) return;
-  constexpr int corrections = 3, most = 100;
+  const int most = is_first ? 100 : 20;
   std::vector<ContactRow> rows = measured(step);
-  for (int i = 0; i < corrections; ++i) {
-    const TieOutcome outcome = solve_ties(rows, step.ties, step.pass, tie_tolerance, most);
-    step.tie_iterations += outcome.iterations;
-    step.tie_residual = std::max(step.tie_residual, outcome.residual);
-    take_impulses(step, rows);
-    std::vector<ContactRow> after = measured(step);
-    if (are_settled(rows, after)) return;
-    rows = std::move(after);
-  }
+  std::vector<Vec3> ends;
+  for (const TiePair& pair : step.ties) ends.push_back(opening_at_end(pair, paths_of(step)));
+  const TieOutcome outcome = solve_ties(rows, step.ties, ends, step.pass, tie_tolerance, most);
+  step.tie_iterations += outcome.iterations;
+  step.tie_residual = outcome.residual;
+  take_impulses(step, rows);
 }
 
 TieReport finish_ties(ContactStep& step) {

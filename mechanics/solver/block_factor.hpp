@@ -36,16 +36,19 @@ struct FactorScratch {
 void factor(BlockFactor& factor, const BlockAnalysis& analysis, const ShiftedMatrix& A,
             FactorScratch& scratch);
 
-/// Halves of a solve: x <- L^-1 x, and x <- L^-T x.
-void solve_lower(double* x, const BlockFactor& factor, const BlockAnalysis& analysis);
-void solve_upper(double* x, const BlockFactor& factor, const BlockAnalysis& analysis);
+/// Halves of a solve: x <- L^-1 x, and x <- L^-T x. With `needed` (one a supernode) only rows of
+/// the supernodes that are, and all ancestors of a needed one must be. Right for L^-1 where x is
+/// zero elsewhere, and for L^-T everywhere; other rows are not touched.
+void solve_lower(double* x, const BlockFactor& factor, const BlockAnalysis& analysis,
+                 std::span<const char> needed = {});
+void solve_upper(double* x, const BlockFactor& factor, const BlockAnalysis& analysis,
+                 std::span<const char> needed = {});
 
 /// x <- A^-1 x, 3 n numbers. Needs a positive definite factor. 0.7 ms at 6 000 tetrahedra.
-void solve(double* x, const BlockFactor& factor, const BlockAnalysis& analysis);
+void solve(double* x, const BlockFactor& factor, const BlockAnalysis& analysis,
+           std::span<const char> needed = {});
 
-/// The same for twelve right-hand sides, X row by row, 3 n x 12. With `needed` (one a supernode)
-/// only rows of the supernodes that are, and all ancestors of a needed one must be. Right for L^-1
-/// where X is zero elsewhere, and for L^-T everywhere; other rows are not touched.
+/// The same for twelve right-hand sides, X row by row, 3 n x 12.
 void solve_lower_12(double* X, const BlockFactor& factor, const BlockAnalysis& analysis,
                     std::span<const char> needed = {});
 void solve_upper_12(double* X, const BlockFactor& factor, const BlockAnalysis& analysis,

@@ -8,10 +8,10 @@
 
 #include <Eigen/Dense>
 
-#include "mechanics/solver/block_factor.hpp"
-#include "mechanics/state/component.hpp"
-#include "mechanics/solver/factor_border.hpp"
 #include "mechanics/frame/mean_axis.hpp"
+#include "mechanics/solver/block_factor.hpp"
+#include "mechanics/solver/factor_border.hpp"
+#include "mechanics/state/component.hpp"
 #include "mechanics/state/mechanics_state.hpp"
 
 namespace sunder {
@@ -107,9 +107,15 @@ void factor_system(ComponentSystem& system, const SystemMatrix& matrix,
                    FactorUse use = FactorUse::step);
 
 /// x <- A^-1 x over the free vertices (3 free_count rows, any number of columns), in place. Becomes
-/// NaN where A was not positive definite, which only an overflow can bring about.
+/// NaN where A was not positive definite, which only an overflow can bring about. With `needed`
+/// (`mark_supernodes`) x is zero but at those vertices on entry and right at them alone on return:
+/// a share of the time.
 void solve_system(const ComponentSystem& system, Eigen::Ref<Eigen::MatrixXd> x,
-                  FactorUse use = FactorUse::step);
+                  FactorUse use = FactorUse::step, std::span<const char> needed = {});
+
+/// Marks what the rows of free vertices (local) depend on: their supernodes and all above.
+void mark_supernodes(std::vector<char>& marked, const ComponentSystem& system,
+                     std::span<const std::uint32_t> vertices);
 
 /// y = K x, all n vertices.
 void multiply_stiffness(Eigen::Ref<Eigen::VectorXd> y, const ComponentSystem& system,

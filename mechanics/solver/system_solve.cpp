@@ -58,16 +58,17 @@ void make_factor(ComponentSystem& system, SystemFactor& own) {
 }
 
 /// x <- A^-1 x by way of the rows of the factor.
-void solve_extended(double* x, const ComponentSystem& system, const SystemFactor& own) {
+void solve_extended(double* x, const ComponentSystem& system, const SystemFactor& own,
+                    std::span<const char> needed) {
   own.extended.assign(3 * factor_rows(system), 0.0);
   double* extended = own.extended.data();
   for (std::size_t i = 0; i < system.free_count; ++i) {
     std::copy_n(x + 3 * i, 3, extended + 3 * std::size_t{system.factor_row[i]});
   }
   if (system.border.columns.empty()) {
-    solve(extended, own.factor, system.analysis);
+    solve(extended, own.factor, system.analysis, needed);
   } else {
-    solve_bordered(extended, own.border, bordered(system, own));
+    solve_bordered(extended, own.border, bordered(system, own), needed);
   }
   for (std::size_t i = 0; i < system.free_count; ++i) {
     std::copy_n(extended + 3 * std::size_t{system.factor_row[i]}, 3, x + 3 * i);
@@ -94,7 +95,8 @@ void factor_system(ComponentSystem& system, const SystemMatrix& matrix, FactorUs
   own.factored = true;
 }
 
-void solve_system(const ComponentSystem& system, Eigen::Ref<Eigen::MatrixXd> x, FactorUse use) {
+void solve_system(const ComponentSystem& system, Eigen::Ref<Eigen::MatrixXd> x, FactorUse use,
+                  std::span<const char> needed) {
   const SystemFactor& own = use == FactorUse::step ? system.step : system.wave;
   SUNDER_ASSERT(own.factored, "solve_system: no factor");
   if (!own.factor.positive_definite) {
@@ -103,9 +105,9 @@ void solve_system(const ComponentSystem& system, Eigen::Ref<Eigen::MatrixXd> x, 
   }
   for (Eigen::Index j = 0; j < x.cols(); ++j) {
     if (system.factor_row.empty()) {
-      solve(x.col(j).data(), own.factor, system.analysis);
+      solve(x.col(j).data(), own.factor, system.analysis, needed);
     } else {
-      solve_extended(x.col(j).data(), system, own);
+      solve_extended(x.col(j).data(), system, own, needed);
     }
   }
 }
@@ -125,12 +127,15 @@ std::uint32_t origin_row(const ComponentSystem& system, std::uint32_t vertex) {
   return row;
 }
 
-/// Marks what the rows of the vertices depend on: their supernodes and all above.
+}  // namespace
+
 void mark_supernodes(std::vector<char>& marked, const ComponentSystem& system,
                      std::span<const std::uint32_t> vertices) {
   marked.assign(system.analysis.supernodes.size(), 0);
   for (std::uint32_t v : vertices) mark_needed(marked, system.analysis, origin_row(system, v));
 }
+
+namespace {
 
 /// Zeros where loads and answers will be.
 void clear_rows(AlignedDoubles& X, const ComponentSystem& system, std::span<const char> needed) {

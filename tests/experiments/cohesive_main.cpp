@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: MIT
-// `cohesive [MESH...]`: notched bars pulled apart through ties: what the crack takes against G_c
-// times the section, at steps of any length; bars of cubes, and MESHes of the box 0.8 x 0.4 x 0.1 m.
+// `cohesive [MESH... | --cost]`: notched bars pulled apart through ties: what the crack takes
+// against G_c times the section, at steps of any length; bars of cubes, and MESHes of the box 0.8 x
+// 0.4 x 0.1 m.
+// `--cost`: what a sub-step with a growing crack costs beside mode `object`.
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <stdexcept>
+#include <string_view>
 
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/state/living.hpp"
@@ -20,9 +27,9 @@ namespace {
 constexpr double height = 0.4, thickness = 0.1, energy = 33;  // m, m, J/m^2
 
 struct Pull {
-  double speed = 0.05;      ///< m/s, of one end
-  double step = 1e-4;       ///< s
-  double fraction = 0.25;   ///< `impact.fraction`: sub-steps over L/c
+  double speed = 0.05;     ///< m/s, of one end
+  double step = 1e-4;      ///< s
+  double fraction = 0.25;  ///< `impact.fraction`: sub-steps over L/c
   CrackMode crack = CrackMode::cohesive;
 };
 
@@ -79,14 +86,74 @@ void print(const char* name, const TetMesh& mesh, const Pull& pull) {
   std::fflush(stdout);
 }
 
+/// Sub-steps while a crack runs.
+struct CrackCost {
+  std::size_t sub_steps = 0, pairs = 0, fans = 0;
+  double median = 0, worst = 0, back_solves = 0;  ///< ms, ms, a sub-step
+};
+
+CrackCost cost_of(const TetMesh& mesh, const Pull& pull) {
+  auto built = build_simulation(scene_of(mesh, pull));
+  if (!built) throw std::runtime_error(built.findings.front().text);
+  Simulation sim = std::move(*built);
+  CrackCost cost;
+  std::vector<double> times;
+  const double until = 2e-4 / pull.speed;
+  while (simulated_time(sim) < until && living_components(sim.state->mechanics).size() < 2) {
+    const auto start = std::chrono::steady_clock::now();
+    const StepReport report = advance(sim);
+    const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - start;
+    cost.fans += report.fracture.fans.size();
+    if (cost.fans == 0 || report.impact.sub_steps == 0) continue;
+    const auto sub_steps = static_cast<double>(report.impact.sub_steps);
+    cost.sub_steps += report.impact.sub_steps;
+    cost.pairs = std::max<std::size_t>(cost.pairs, report.ties.pairs);
+    cost.back_solves += report.ties.iterations;
+    times.push_back(ms.count() / sub_steps);
+  }
+  if (times.empty()) return cost;
+  std::ranges::sort(times);
+  cost.median = times[times.size() / 2];
+  cost.worst = times.back();
+  cost.back_solves /= static_cast<double>(cost.sub_steps);
+  return cost;
+}
+
+/// MB that the process has held at most so far.
+double peak_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+void print_cost() {
+  std::printf("%-10s %-9s %6s %6s %6s %10s %10s %12s %9s\n", "tetrahedra", "crack", "subs", "fans",
+              "pairs", "median/ms", "worst/ms", "back-solves", "peak/MB");
+  for (const std::array<int, 3> cells : {std::array{26, 13, 3}, std::array{54, 27, 7}}) {
+    const TetMesh mesh = suite::kuhn_box(cells, height / cells[1]);
+    for (const CrackMode mode : {CrackMode::object, CrackMode::cohesive}) {
+      const CrackCost c = cost_of(mesh, {.step = height / cells[1] / 8000, .crack = mode});
+      std::printf("%-10zu %-9s %6zu %6zu %6zu %10.2f %10.2f %12.1f %9.0f\n", mesh.tetrahedra.size(),
+                  mode == CrackMode::object ? "object" : "cohesive", c.sub_steps, c.fans, c.pairs,
+                  c.median, c.worst, c.back_solves, peak_memory());
+      std::fflush(stdout);
+    }
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::printf("%-20s %8s %8s %5s %6s %17s %19s %8s\n", "", "", "", "", "", "crack / section",
-              "over G_c section", "");
-  std::printf("%-20s %8s %8s %5s %6s %7s %9s %8s %10s %8s %6s %7s\n", "mesh", "step", "sub-step",
-              "fans", "pieces", "raw", "projected", "work", "dissipated", "residual", "subs", "s");
   try {
+    if (argc == 2 && std::string_view(argv[1]) == "--cost") {
+      print_cost();
+      return 0;
+    }
+    std::printf("%-20s %8s %8s %5s %6s %17s %19s %8s\n", "", "", "", "", "", "crack / section",
+                "over G_c section", "");
+    std::printf("%-20s %8s %8s %5s %6s %7s %9s %8s %10s %8s %6s %7s\n", "mesh", "step", "sub-step",
+                "fans", "pieces", "raw", "projected", "work", "dissipated", "residual", "subs",
+                "s");
     for (int k = 1; k < argc; ++k) {
       const Result<TetMesh> mesh = read_mesh(std::filesystem::path(argv[k]));
       for (const Finding& f : mesh.findings) std::fprintf(stderr, "%s\n", f.text.c_str());
@@ -95,8 +162,7 @@ int main(int argc, char** argv) {
     }
     if (argc > 1) return 0;
     for (const int cells : {4, 8, 16}) {
-      const TetMesh mesh =
-          suite::kuhn_box({2 * cells, cells, cells / 4}, height / cells);
+      const TetMesh mesh = suite::kuhn_box({2 * cells, cells, cells / 4}, height / cells);
       const std::string name = "cubes " + std::to_string(cells);
       for (const double step : {1e-3, 1e-4, 1e-5}) print(name.c_str(), mesh, {.step = step});
     }
