@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <stdexcept>
@@ -84,6 +85,17 @@ void print(const char* name, const TetMesh& mesh, const Pull& pull) {
               ties.work / (energy * section), ties.dissipated / (energy * section),
               std::abs(residual) / moved, sub_steps, seconds.count());
   std::fflush(stdout);
+}
+
+/// The bar of cubes with its planes x = const inclined by `angle` (rad) in the middle and upright
+/// at both ends: a structured mesh that the crack, which wants to be upright, has to cross.
+TetMesh inclined(int cells, double angle) {
+  TetMesh mesh = suite::kuhn_box({2 * cells, cells, cells / 4}, height / cells);
+  for (Point& p : mesh.points) {
+    const double share = 1 - std::abs(p[0] - height) / height;
+    p[0] += share * std::tan(angle) * (p[1] - 0.5 * height);
+  }
+  return mesh;
 }
 
 /// Sub-steps while a crack runs.
@@ -165,6 +177,10 @@ int main(int argc, char** argv) {
       const TetMesh mesh = suite::kuhn_box({2 * cells, cells, cells / 4}, height / cells);
       const std::string name = "cubes " + std::to_string(cells);
       for (const double step : {1e-3, 1e-4, 1e-5}) print(name.c_str(), mesh, {.step = step});
+    }
+    for (const int degrees : {-45, -30, -15, 0, 15, 30, 45}) {
+      print(("inclined " + std::to_string(degrees)).c_str(), inclined(16, degrees * M_PI / 180),
+            {.speed = 0.01});
     }
     const TetMesh mesh = suite::kuhn_box({16, 8, 2}, height / 8);
     for (const double speed : {0.005, 0.5, 2.0}) {

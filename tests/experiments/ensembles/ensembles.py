@@ -86,20 +86,21 @@ def pieces_of(folder):
     return [float(row["volume"]) for row in rows], sum(int(row["tetrahedra"]) for row in rows)
 
 
-def run(said, name, mode, group, member):
-    """One run as a record; from its file where that was made by the same words."""
+def run(said, name, mode, group, member, more=(), called=""):
+    """One run as a record; from its file where that was made by the same words. `more`: further changes of the scene, and what
+    they are `called` in the file's name."""
     body, mesh = BODIES[name], mesh_of(said, name, group, member)
     changes = [f"bodies.0.mesh={mesh}", f"duration={body['duration']!r}", f"fracture.crack={mode}",
-               *nudged(body["scene"], group, member)]
+               *nudged(body["scene"], group, member), *more]
     key = hashlib.sha256("\n".join([body["scene"].read_text(), mesh.read_text(), *changes[1:]]).encode()).hexdigest()
-    path = said.out / "runs" / f"{name}_{mode}_{group}_{member}.json"
+    path = said.out / "runs" / f"{name}_{mode}_{group}{called}_{member}.json"
     if path.is_file():
         record = json.loads(path.read_text())
         if record["key"] == key:
             return record
     if said.table:
         return None
-    record = {"key": key, "scene": name, "mode": mode, "group": group, "member": member, "end": "finished", "volumes": []}
+    record = {"key": key, "scene": name, "mode": mode, "group": group + called, "member": member, "end": "finished", "volumes": []}
     with tempfile.TemporaryDirectory() as folder:
         words = [said.build / "sunder", "run", body["scene"], "--quiet", "--frames", "0", "-o", folder]
         before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime

@@ -1,0 +1,156 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""The fragmentation chart: how far an outcome is from that on finer meshes and shorter sub-steps, against the time it takes.
+
+    tests/experiments/ensembles/fragmentation.py [--build build/release] [--out out/fragmentation] [--limit 600] [--table]
+
+The ball of ensembles.py (falls at 10 m/s; 2.9, 5.8 and 11.6 thousand tetrahedra: ten, ten and five seeded meshes) in modes
+`paper`, `object` and `cohesive` (G_c 40 J/m^2, so that cracks soften over 40 mm), to 3 ms: 14 times the way of a wave through
+the ball after it touched the floor. Beside it ten runs of one mesh moved by nothing (the null band), and five meshes of 2x with
+sub-steps of at most 1/4, 1/16 and 1/64 of that way. Distances are Kolmogorov's, of mass-weighted distributions of the pieces'
+sizes, each the mean of its group. A run that is there already in OUT is kept; --table runs nothing. Written: the tables to
+stdout, fragmentation.csv (a row a run), and fragmentation.png (gnuplot)."""
+import argparse
+import csv
+import os
+import pathlib
+import statistics
+import sys
+
+import ensembles
+import figures
+import report
+
+MODES = {"paper": "#d55e00", "object": "#0072b2", "cohesive": "#009e73"}
+LEVELS = {"1x": 10, "2x": 10, "4x": 5}
+STEPS = {" 1/4": ["impact.fraction=0.25"], " 1/16": ["impact.fraction=0.0625"],
+         " 1/64": ["impact.fraction=0.015625", "time_step=3.125e-6"]}
+FRACTURE_ENERGY = 40  # J/m^2
+
+
+def plan():
+    """What is run: (level, member, changes, what they are called), the quickest first."""
+    for level, count in LEVELS.items():
+        yield from ((level, m, [], "") for m in range(count))
+        if level == "1x":
+            yield from (("starts", m, [], "") for m in range(10))
+    for called, changes in STEPS.items():
+        yield from (("2x", m, changes, called) for m in range(5))
+
+
+def group(records, mode, name):
+    return [r for r in records if r["mode"] == mode and r["group"] == name and r["volumes"]]
+
+
+def volumes(records, mode, name):
+    return [r["volumes"] for r in group(records, mode, name)]
+
+
+def distance(records, mode, one, other):
+    a, b = volumes(records, mode, one), volumes(records, mode, other)
+    return figures.kolmogorov(a, b) if a and b else None
+
+
+def null_distance(records, mode):
+    """Between halves of the runs of one mesh moved by nothing, and between halves of the ten meshes at 2x."""
+    halves = lambda runs: figures.kolmogorov(runs[::2], runs[1::2]) if len(runs) > 1 else None
+    return halves(volumes(records, mode, "starts")), halves(volumes(records, mode, "2x"))
+
+
+def row(records, mode, name, debris, reference):
+    mine = group(records, mode, name)
+    if not mine:
+        return None
+    each = [figures.outcomes(r["volumes"], debris) for r in mine]
+    large = [sum(v >= 0.01 * sum(r["volumes"]) for v in r["volumes"]) for r in mine]
+    mean = lambda key: statistics.fmean(o[key] for o in each)
+    return {"mode": mode, "group": name, "runs": len(mine), "seconds": statistics.median(r["seconds"] for r in mine),
+            "tetrahedra": statistics.fmean(r["tetrahedra"] for r in mine), "pieces": mean("pieces"),
+            "large": statistics.fmean(large), "largest": mean("largest"), "debris": mean("debris"),
+            "distance": None if name == reference else distance(records, mode, name, reference)}
+
+
+def rows_of(records, debris):
+    found = []
+    for mode in MODES:
+        found += [row(records, mode, name, debris, "4x") for name in (*LEVELS, "starts")]
+        found += [row(records, mode, "2x" + name, debris, "2x 1/64") for name in STEPS]
+    return [r for r in found if r]
+
+
+def table(rows, records):
+    shown = lambda x: "" if x is None else f"{x:.3f}"
+    lines = ["| mode | meshes, sub-steps | runs | tetrahedra | s a run | pieces | of 1 per cent or more | largest | debris | distance to the finest |",
+             "|---|---|---|---|---|---|---|---|---|---|"]
+    for r in rows:
+        lines.append(f"| {r['mode']} | {r['group']} | {r['runs']} | {r['tetrahedra']:.0f} | {r['seconds']:.1f} | {r['pieces']:.1f} | "
+                     f"{r['large']:.1f} | {r['largest']:.3f} | {r['debris']:.4f} | {shown(r['distance'])} |")
+    lines += ["", "| mode | 2x to 4x | one mesh, moved by nothing: halves | ten meshes at 2x: halves |", "|---|---|---|---|"]
+    for mode in MODES:
+        moved, meshes = null_distance(records, mode)
+        lines.append(f"| {mode} | {shown(distance(records, mode, '2x', '4x'))} | {shown(moved)} | {shown(meshes)} |")
+    return "\n".join(lines)
+
+
+def picture(rows, records):
+    """gnuplot's script: distance against time, and debris against time; lines join 1x, 2x and 4x of a mode."""
+    data, error, debris = "", [], []
+    for mode, color in MODES.items():
+        mine = [r for r in rows if r["mode"] == mode]
+        by_level = [r for r in mine if r["group"] in LEVELS]
+        by_step = [r for r in mine if r["group"].startswith("2x ")]
+        data += report.block(f"L{mode}", [(r["seconds"], r["distance"]) for r in by_level if r["distance"] is not None])
+        data += report.block(f"D{mode}", [(r["seconds"], 100 * r["debris"]) for r in by_level])
+        data += report.block(f"S{mode}", [(r["seconds"], r["distance"]) for r in by_step if r["distance"] is not None])
+        data += report.block(f"E{mode}", [(r["seconds"], 100 * r["debris"]) for r in by_step])
+        style = f"lc rgb '{color}' lw 2 pt 7 ps 1.4"
+        error += [f"$L{mode} using 1:2 with linespoints {style} title '{mode}: 1x, 2x to 4x'",
+                  f"$S{mode} using 1:2 with points lc rgb '{color}' lw 2 pt 4 ps 1.6 title '{mode}: sub-steps 1/4, 1/16 to 1/64'"]
+        debris += [f"$D{mode} using 1:2 with linespoints {style} title '{mode}: 1x, 2x, 4x'",
+                   f"$E{mode} using 1:2 with points lc rgb '{color}' lw 2 pt 4 ps 1.6 notitle"]
+    band = max((x for mode in MODES if (x := null_distance(records, mode)[1]) is not None), default=0)
+    return ("set terminal pngcairo noenhanced size 1300,560 font 'DejaVu Sans,11'\n" + data +
+            "set multiplot layout 1,2\nset logscale x\nset grid lc rgb '#e4e4e4'\nset key top right font ',9' samplen 2\n"
+            "set xlabel 's of one core a run'\nset ylabel 'distance of distributions of sizes to the finest'\nset yrange [0:*]\n"
+            f"set arrow 1 from graph 0,first {band:.4g} to graph 1,first {band:.4g} nohead lc rgb '#888888' dt 4\n"
+            f"set label 1 'two halves of ten meshes' at graph 0.02,first {band:.4g} offset 0,0.6 tc rgb '#666666' font ',9'\n"
+            f"plot {', '.join(error)}\nunset arrow 1\nunset label 1\nset ylabel 'per cent of the mass smaller than two coarse cells'\n"
+            f"plot {', '.join(debris)}\n")
+
+
+def main():
+    words = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    words.add_argument("--build", type=pathlib.Path, default=ensembles.TREE / "build/release")
+    words.add_argument("--out", type=pathlib.Path, default=pathlib.Path("out/fragmentation"))
+    words.add_argument("--limit", type=int, default=600, help="s of the processor a run may take")
+    words.add_argument("--table", action="store_true")
+    said = words.parse_args()
+    said.build, said.out = said.build.resolve(), said.out.resolve()
+    os.nice(10)
+    ensembles.BODIES["ball"]["duration"] = 0.003
+    ensembles.BODIES["ball"]["size"]["4x"] = 0.0115
+    records = []
+    for level, member, changes, called in plan():
+        for mode in MODES:
+            energy = [f"bodies.0.material.fracture_energy={FRACTURE_ENERGY}"] if mode == "cohesive" else []
+            record = ensembles.run(said, "ball", mode, level, member, [*energy, *changes], called)
+            if record is None:
+                continue
+            records.append(record)
+            if not said.table:
+                print(mode, record["group"], member, record["end"], f"{len(record['volumes'])} pieces", f"{record['seconds']} s",
+                      file=sys.stderr, flush=True)
+    debris = report.debris_length(records)
+    rows = rows_of(records, debris)
+    print(f"Debris is smaller than {1e3 * debris:.3g} mm\n\n{table(rows, records)}")
+    with open(said.out / "fragmentation.csv", "w", newline="") as file:
+        out = csv.writer(file, lineterminator="\n")
+        out.writerow(["mode", "group", "member", "end", "seconds", "tetrahedra", "pieces", "largest", "debris"])
+        for r in records:
+            o = figures.outcomes(r["volumes"], debris) if r["volumes"] else dict.fromkeys(("pieces", "largest", "debris"), "")
+            out.writerow([r["mode"], r["group"], r["member"], r["end"], r["seconds"], r.get("tetrahedra", ""), *o.values()])
+    report.draw(picture(rows, records), said.out / "fragmentation.png")
+
+
+if __name__ == "__main__":
+    sys.exit(main())
