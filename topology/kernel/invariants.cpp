@@ -98,5 +98,6 @@ std::vector<Finding> check_split_laws(const Counts& before, const Counts& after,
 
 template Counts count_cells<VolumeMap>(const VolumeMap&);
 template std::size_t count_boundary_sheets<VolumeMap>(const VolumeMap&);
+template Counts count_cells<DenseMap>(const DenseMap&);
 
 }  // namespace sunder

@@ -25,9 +25,10 @@ namespace {
 constexpr const char* footer = R"(
 Every fixture is a body, operations on it (face splits, glues, fans, planes, shatters) and what must
 come out. Each kernel runs it; each answer is compared with union-find and with the fixture.
-Kernels that come with Sunder: sunder (its own), cgal (CGAL's map with its managed unsew), twin
-(union-find). --kernel takes one of these names, or a shell command of a program that speaks the
-protocol of docs/suite.md on stdin and stdout; where given, only those are judged.
+Kernels that come with Sunder: sunder (its own), nested (its rows alone, as the coarser of the two
+nested maps of tied cracks), cgal (CGAL's map with its managed unsew), twin (union-find). --kernel
+takes one of these names, or a shell command of a program that speaks the protocol of docs/suite.md
+on stdin and stdout; where given, only those are judged.
 FILTER is a part of a fixture's name, or a pattern with * ? [ ] for the whole of it.
 Without --fixtures the folder is meshes/suite in the current directory, else that of the source tree
 the program was built from.
@@ -67,6 +68,7 @@ struct SuiteArguments {
 /// none.
 std::function<suite::JudgedKernel()> maker_of(const std::string& name) {
   if (name == "sunder") return suite::volume_map_kernel;
+  if (name == "nested") return suite::nested_kernel;
   if (name == "cgal") return suite::cgal_kernel;
   if (name == "twin") return suite::twin_kernel;
   return [name] { return suite::process_kernel(name); };
@@ -193,7 +195,7 @@ ExitCode run_suite(const SuiteArguments& arguments) {
   }
   if (!arguments.output.empty()) return export_all(*fixtures, arguments.output);
   std::vector<suite::JudgedKernel> kernels;
-  const std::vector<std::string> all = {"sunder", "cgal", "twin"};
+  const std::vector<std::string> all = {"sunder", "nested", "cgal", "twin"};
   try {
     for (const std::string& name : arguments.kernels.empty() ? all : arguments.kernels) {
       kernels.push_back(maker_of(name)());
@@ -216,7 +218,8 @@ void add_suite_command(CLI::App& program, ExitCode& exit_code) {
   CLI::Option* const fixtures =
       command->add_option("--fixtures", arguments->fixtures, "Folder of fixture files")
           ->type_name("DIR");
-  command->add_option("--kernel", arguments->kernels, "sunder, cgal, twin, or a shell command")
+  command
+      ->add_option("--kernel", arguments->kernels, "sunder, nested, cgal, twin, or a shell command")
       ->type_name("KERNEL")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

@@ -91,7 +91,7 @@ TEST_CASE("a right kernel passes breaks forwards and backwards", "[suite][cracks
   REQUIRE(truth.backwards.size() == 2);
   CHECK(truth.operations[0].steps.size() == 6);
   CHECK(truth.backwards[1].after == truth.operations[1].after);
-  for (JudgedKernel kernel : {twin_kernel(), volume_map_kernel(), cgal_kernel()}) {
+  for (JudgedKernel kernel : {twin_kernel(), volume_map_kernel(), nested_kernel(), cgal_kernel()}) {
     INFO(kernel.name);
     CHECK_FALSE(judge(fixture, kernel).mismatch);
   }

@@ -67,7 +67,7 @@ Mismatch mismatch_of(const Fixture& fixture, JudgedKernel kernel) {
 }  // namespace
 
 TEST_CASE("a right kernel has no mismatch, and every answer was compared", "[suite][judge]") {
-  for (JudgedKernel kernel : {twin_kernel(), volume_map_kernel(), cgal_kernel()}) {
+  for (JudgedKernel kernel : {twin_kernel(), volume_map_kernel(), nested_kernel(), cgal_kernel()}) {
     const Verdict verdict = judge(figure_5(), kernel);
     INFO(kernel.name);
     CHECK_FALSE(verdict.mismatch);
@@ -417,7 +417,7 @@ TEST_CASE("steps on a body are judged without a fixture", "[suite][judge]") {
                                    {Step::Kind::split, {1, 4}, {}},
                                    {Step::Kind::glue, {0, 3}, {1, 4}},
                                    {Step::Kind::glue, {0, 3}, {1, 4}}};
-  for (JudgedKernel kernel : {twin_kernel(), volume_map_kernel(), cgal_kernel()}) {
+  for (JudgedKernel kernel : {twin_kernel(), volume_map_kernel(), nested_kernel(), cgal_kernel()}) {
     INFO(kernel.name);
     CHECK_FALSE(first_mismatch(two_tetrahedra(), steps, kernel));
   }

@@ -10,7 +10,7 @@ using namespace sunder::test;
 
 TEST_CASE("the library's map and CGAL's answer random splits and glues as union-find does",
           "[suite][kernels]") {
-  JudgedKernel kernel = GENERATE(volume_map_kernel(), cgal_kernel());
+  JudgedKernel kernel = GENERATE(volume_map_kernel(), nested_kernel(), cgal_kernel());
   for (const NamedMesh& shape : all_shapes()) {
     INFO(shape.name);
     for (const std::uint64_t seed : {1U, 2U}) {
@@ -26,7 +26,7 @@ TEST_CASE("inverted tetrahedra are named by the file's points on every kernel",
   for (std::size_t t = 0; t < mesh.tetrahedra.size(); t += 3) {
     std::swap(mesh.tetrahedra[t][0], mesh.tetrahedra[t][2]);
   }
-  JudgedKernel kernel = GENERATE(volume_map_kernel(), cgal_kernel());
+  JudgedKernel kernel = GENERATE(volume_map_kernel(), nested_kernel(), cgal_kernel());
   walk_beside_twin(kernel, mesh, {.steps = 150, .every = 10, .seed = 3});
 }
 
@@ -127,6 +127,6 @@ TEST_CASE("CGAL takes defective bodies and makes something of them", "[suite][ke
 TEST_CASE("a tetrahedron with a point that is not there is refused by every kernel",
           "[suite][kernels]") {
   const TetMesh mesh = with(one_tetrahedron(), {0, 1, 2, 9});
-  JudgedKernel kernel = GENERATE(volume_map_kernel(), cgal_kernel(), twin_kernel());
+  JudgedKernel kernel = GENERATE(volume_map_kernel(), nested_kernel(), cgal_kernel(), twin_kernel());
   CHECK(has_error(kernel.load(mesh)));
 }

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+// Two nested maps under judgement: a `DenseMap` that answers, and a finer `VolumeMap` beside it, in
+// which faces are open before anybody asks, as faces are whose crack is still tied.
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "topology/kernel/components.hpp"
+#include "topology/kernel/dense_map.hpp"
+#include "topology/kernel/invariants.hpp"
+#include "topology/kernel/split_face.hpp"
+#include "topology/mesh/build_map.hpp"
+#include "topology/suite/kernels/judged_kernel.hpp"
+
+namespace sunder::suite {
+namespace {
+
+struct NestedMaps {
+  std::optional<VolumeMap> fine;
+  DenseMap coarse;
+  std::vector<std::array<std::uint32_t, 4>> file;
+  Components labels;
+  ComponentScratch scratch;
+  std::vector<std::string> faults;
+};
+
+/// Whether a face is open in the finer map from the beginning: about every third.
+bool is_ahead(HalfFaceId f, HalfFaceId across) {
+  return (std::min(f, across).index() * 2654435761U >> 7) % 3 == 0;
+}
+
+std::vector<Finding> load(NestedMaps& maps, const TetMesh& mesh) {
+  Result<VolumeMap> built = build_map(mesh, Severity::warning);
+  maps = {};
+  maps.file = mesh.tetrahedra;
+  maps.fine = std::move(built.value);
+  if (!maps.fine) return built.findings;
+  maps.coarse = maps.fine->dense();
+  maps.labels = label_components(maps.coarse);
+  for (std::size_t f = 0; f < 4 * maps.coarse.tetrahedra(); ++f) {
+    const HalfFaceId across = maps.coarse.neighbour(HalfFaceId{f});
+    if (!across.is_none() && is_ahead(HalfFaceId{f}, across)) split_face(*maps.fine, HalfFaceId{f});
+  }
+  return built.findings;
+}
+
+int place_of_point(const NestedMaps& maps, std::uint32_t t, std::uint32_t point) {
+  const auto& rows = maps.coarse.corners(TetId{t});
+  int place = 0;
+  while (maps.coarse.point_of_vertex(rows[place]) != point) ++place;
+  return place;
+}
+
+HalfFaceId half_face_at(const NestedMaps& maps, FaceSide side) {
+  return half_face(TetId{side.tetrahedron}, place_of_point(maps, side.tetrahedron, side.opposite));
+}
+
+SplitAnswer split(NestedMaps& maps, FaceSide side) {
+  const HalfFaceId face = half_face_at(maps, side);
+  split_face(*maps.fine, face);
+  const FaceSplit did = split_face(maps.coarse, face);
+  SplitAnswer answer;
+  answer.did = did.did;
+  if (!did.did) return answer;
+  const auto point = [&](VertexId v) { return maps.coarse.point_of_vertex(v); };
+  for (int i = 0; i < did.vertex_count; ++i) {
+    answer.vertices.push_back(point(did.split_vertices[i].old_row));
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    if ((did.split_edges >> i & 1) == 0) continue;
+    const std::uint32_t a = point(did.vertices[i]), b = point(did.vertices[(i + 1) % 3]);
+    answer.edges.push_back({std::min(a, b), std::max(a, b)});
+  }
+  std::ranges::sort(answer.vertices);
+  std::ranges::sort(answer.edges);
+  answer.separated = update_components(maps.coarse, std::span(&did, 1), Detection::exact,
+                                       maps.labels, maps.scratch)
+                         .created > 0;
+  return answer;
+}
+
+bool glue(NestedMaps& maps, FaceSide a, FaceSide b) {
+  const HalfFaceId f = half_face_at(maps, a), g = half_face_at(maps, b);
+  if (glue_face(maps.coarse, f, g).refusal != GlueRefusal::none) return false;
+  maps.labels = label_components(maps.coarse);
+  // What is glued is sewn in both, or tied: the finer map stays as it is.
+  const bool sewn = is_ahead(f, g) || glue_face(*maps.fine, f, g).refusal == GlueRefusal::none;
+  if (!sewn) maps.faults.emplace_back("the finer map refuses to be glued");
+  return true;
+}
+
+/// Sewn in the finer map is sewn in the coarser one to the same face, and each vertex of the finer
+/// lies in one of the coarser.
+void judge_nesting(NestedMaps& maps) {
+  std::vector<VertexId> lies_in(maps.fine->vertices(), VertexId::none());
+  for (std::size_t t = 0; t < maps.coarse.tetrahedra(); ++t) {
+    for (int p = 0; p < 4; ++p) {
+      const HalfFaceId f = half_face(TetId{t}, p);
+      const HalfFaceId across = maps.fine->neighbour(f);
+      if (!across.is_none() && across != maps.coarse.neighbour(f)) {
+        maps.faults.emplace_back("a face is sewn in the finer map, not in the coarser");
+      }
+      const VertexId within = maps.coarse.corners(TetId{t})[p];
+      VertexId& seen = lies_in[maps.fine->corners(TetId{t})[p].index()];
+      if (!seen.is_none() && seen != within) {
+        maps.faults.emplace_back("a vertex of the finer map lies in two of the coarser");
+      }
+      seen = within;
+    }
+  }
+}
+
+std::vector<std::string> own_faults(NestedMaps& maps) {
+  judge_nesting(maps);
+  for (const Finding& f : check(*maps.fine)) maps.faults.push_back(f.code + ": " + f.text);
+  for (std::size_t v = 0; v < maps.coarse.vertices(); ++v) {
+    const TetId t = maps.coarse.incident_tetrahedron(VertexId{v});
+    if (t.is_none()) continue;
+    const auto& rows = maps.coarse.corners(t);
+    if (std::ranges::find(rows, VertexId{v}) == rows.end()) {
+      maps.faults.emplace_back("a vertex is not in its incident tetrahedron");
+    }
+  }
+  return std::exchange(maps.faults, {});
+}
+
+CellCounts counts(const NestedMaps& maps) {
+  const Counts c = count_cells(maps.coarse);
+  return {c.vertices,   c.edges,          c.faces,          c.tetrahedra,
+          c.components, c.boundary_faces, c.boundary_sheets};
+}
+
+std::vector<std::uint32_t> vertex_of_corner(const NestedMaps& maps) {
+  std::vector<std::uint32_t> rows;
+  for (std::uint32_t t = 0; t < maps.file.size(); ++t) {
+    for (const std::uint32_t point : maps.file[t]) {
+      rows.push_back(maps.coarse.corners(TetId{t})[place_of_point(maps, t, point)].value);
+    }
+  }
+  return rows;
+}
+
+}  // namespace
+
+JudgedKernel nested_kernel() {
+  const auto maps = std::make_shared<NestedMaps>();
+  JudgedKernel kernel;
+  kernel.name = "nested";
+  kernel.names_findings = true;
+  kernel.load = [maps](const TetMesh& mesh) { return load(*maps, mesh); };
+  kernel.split = [maps](FaceSide side) { return split(*maps, side); };
+  kernel.glue = [maps](FaceSide a, FaceSide b) { return glue(*maps, a, b); };
+  kernel.counts = [maps] { return counts(*maps); };
+  kernel.vertex_of_corner = [maps] { return vertex_of_corner(*maps); };
+  kernel.component_of_tetrahedron = [maps] {
+    std::vector<std::uint32_t> labels;
+    for (const ComponentId c : maps->labels.of_tetrahedron) labels.push_back(c.value);
+    return labels;
+  };
+  kernel.own_faults = [maps] { return own_faults(*maps); };
+  return kernel;
+}
+
+}  // namespace sunder::suite
