@@ -23,7 +23,7 @@ struct ImpactSettings {
   /// L/c.
   bool by_energy = true;
   /// Sub-steps allowed in one step; the remainder of the step is then taken at once.
-  std::uint32_t max_sub_steps = 256;
+  std::uint32_t max_sub_steps = 10000;
 };
 
 }  // namespace sunder

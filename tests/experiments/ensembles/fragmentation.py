@@ -29,13 +29,12 @@ FRACTURE_ENERGY = 40  # J/m^2
 
 
 def plan():
-    """What is run: (level, member, changes, what they are called), the quickest first."""
-    for level, count in LEVELS.items():
-        yield from ((level, m, [], "") for m in range(count))
-        if level == "1x":
-            yield from (("starts", m, [], "") for m in range(10))
-    for called, changes in STEPS.items():
-        yield from (("2x", m, changes, called) for m in range(5))
+    """What is run: (level, member, changes, what they are called). All kinds of members in turn, so that what is there after any
+    time is even."""
+    kinds = [(level, count, [], "") for level, count in {**LEVELS, "starts": 10}.items()]
+    kinds += [("2x", 5, changes, called) for called, changes in STEPS.items()]
+    order = sorted((m / count, k) for k, (_, count, _, _) in enumerate(kinds) for m in range(count))
+    return [(kinds[k][0], round(share * kinds[k][1]), kinds[k][2], kinds[k][3]) for share, k in order]
 
 
 def group(records, mode, name):
@@ -126,7 +125,7 @@ def main():
     words.add_argument("--table", action="store_true")
     said = words.parse_args()
     said.build, said.out = said.build.resolve(), said.out.resolve()
-    os.nice(10)
+    os.nice(0)
     ensembles.BODIES["ball"]["duration"] = 0.003
     ensembles.BODIES["ball"]["size"]["4x"] = 0.0115
     records = []
