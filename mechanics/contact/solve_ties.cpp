@@ -65,7 +65,7 @@ void set_responses(TieProblem& p) {
     return held ? 0 : ties_at[v] / p.state.vertices.mass[v.index()];
   };
   for (const std::size_t k : p.members) {
-    const double shear = std::max(1.0, shear_weight);
+    const double shear = std::max(1.0, p.rows[k].sliding_stiffness);
     p.rows[k].tie_response =
         shear * (of(p.pairs[k].a) + of(p.pairs[k].b)) + p.rows[k].compliance;
   }
