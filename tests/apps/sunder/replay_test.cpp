@@ -162,7 +162,7 @@ TEST_CASE("a replay, and a run on a busy machine, leave the bytes of the run", "
 
 TEST_CASE("replays repeat limits, budgets, sub-steps and drawn strengths", "[run][replay]") {
   std::map<std::string, json> scenes;
-  for (const char* name : {"limits", "budget", "fit", "relax", "energy", "object", "sub_stepped"}) {
+  for (const char* name : {"limits", "budget", "fit", "relax", "energy", "object", "sub_stepped", "cohesive"}) {
     scenes[name] = struck_scene();
     scenes[name]["duration"] = 0.002;
   }
@@ -179,6 +179,10 @@ TEST_CASE("replays repeat limits, budgets, sub-steps and drawn strengths", "[run
   scenes["object"]["bodies"][0]["cuts"] = {
       {{"plane", {{"point", {0, 0, 1}}, {"normal", {0, 0, 1}}}},
        {"box", {{"minimum", {-1, -1, 0}}, {"maximum", {0, 1, 2}}}}}};
+  scenes["cohesive"]["fracture"] = {{"crack", "cohesive"}, {"smallest_piece", 2}};
+  scenes["cohesive"]["bodies"][0]["material"]["fracture_energy"] = 10;
+  scenes["cohesive"]["bodies"][0]["material"]["shear_energy_ratio"] = 2;
+  scenes["cohesive"]["duration"] = 0.001;
   scenes["sub_stepped"]["duration"] = 0.001;
   scenes["sub_stepped"]["integrator"] = {{"method", "sub_stepped"}};
   scenes["sub_stepped"]["bodies"][0]["material"]["tensile_strength"] = 1e6;
@@ -282,6 +286,45 @@ TEST_CASE("tampered and foreign logs are refused with line and reason", "[run][r
   CHECK(other.text().find("other_scene") != std::string::npos);
   CHECK(run(place, "b", log + " --png 0 --set name=renamed").exit_code == 0);
   CHECK(run(place, "a", log).exit_code == 3);
+}
+
+TEST_CASE("releases are held to their places, and to what the replay releases", "[run][replay]") {
+  json scene = struck_scene();
+  scene["duration"] = 0.001;
+  scene["fracture"] = {{"crack", "cohesive"}};
+  scene["bodies"][0]["material"]["fracture_energy"] = 3;
+  const Place place = place_of(scene);
+  REQUIRE(run(place, "a").exit_code == 0);
+  const fs::path log = place.path() / "a/events.jsonl", other = place.path() / "other.jsonl";
+  std::vector<std::size_t> releases;  // rows
+  const std::vector<std::string> good = lines_of(log);
+  for (std::size_t k = 1; k < good.size(); ++k) {
+    if (json::parse(good[k]).contains("release")) releases.push_back(k);
+  }
+  REQUIRE(releases.size() > 5);
+  CHECK(json::parse(good.back())["releases"] == releases.size());
+  const SceneFile file = *read_scene(place.scene);
+  const ReplayedScene told{scene_hash(file), step_count(file.scene)};
+  using Lines = std::vector<ordered_json>;
+  const auto refused = [&](const std::function<void(Lines&)>& change, const std::string& words) {
+    forge(log, other, change);
+    const Result<Replay> replay = read_replay(other, told);
+    REQUIRE(!replay);
+    INFO(replay.findings[0].text);
+    CHECK(replay.findings[0].code == "bad_event_log");
+    CHECK(replay.findings[0].text.find(words) != std::string::npos);
+  };
+  const std::size_t row = releases[3];
+  refused([&](Lines& l) { l.erase(l.begin() + static_cast<std::ptrdiff_t>(row)); }, "release 3 is due");
+  refused([&](Lines& l) { l.back()["releases"] = 1; }, "says 1 releases");
+  refused([&](Lines& l) { l[row].erase("part"); }, "\"part\"");
+  refused([&](Lines& l) { l[row]["step"] = 0; }, "comes before");
+  // What no reader can tell the replay finds, in its line.
+  forge(log, other, [&](Lines& l) { l[row]["faces"][0]["energy"] = 1; });
+  const Outcome o = run(place, "b", "--replay " + other.string());
+  INFO(o.text());
+  CHECK(o.exit_code == 6);
+  CHECK(o.text().find(":" + std::to_string(row + 1)) != std::string::npos);
 }
 
 TEST_CASE("a log of another version of the program is replayed with a warning", "[run][replay]") {
