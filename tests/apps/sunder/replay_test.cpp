@@ -18,7 +18,7 @@
 #include "apps/sunder/run/recorder.hpp"
 #include "apps/sunder/run/replay.hpp"
 #include "mechanics/rebuild.hpp"
-#include "tests/support/program.hpp"
+#include "tests/support/replay_log.hpp"
 
 namespace fs = std::filesystem;
 using namespace sunder;
@@ -26,42 +26,15 @@ using nlohmann::json;
 using nlohmann::ordered_json;
 using test::bytes_of;
 using test::Outcome;
-using test::run_program;
+using test::Place;
+using test::forge;
+using test::lines_of;
+using test::place_of;
+using test::run;
+using test::struck_scene;
+using test::write_lines;
 
 namespace {
-
-/// A folder with the scene that is run in it.
-struct Place : test::Folder {
-  fs::path scene;
-};
-
-/// `sunder run` on the scene into the folder `out`.
-Outcome run(const Place& place, const std::string& out, const std::string& words = "") {
-  return run_program("run " + place.scene.string() + " --quiet --frames 3 -o " +
-                     (place.path() / out).string() + " " + words);
-}
-
-/// The monolith struck by one ball: breaks in impact windows in its first step.
-json struck_scene() {
-  return {{"name", "struck"},
-          {"bodies",
-           {{{"mesh", SUNDER_MESHES "/monolith.msh"},
-             {"material", {{"young_modulus", 30e9}, {"tensile_strength", 2e6}}}}}},
-          {"obstacles",
-           {{{"plane", {{"normal", {0, 0, 1}}}}},
-            {{"sphere", {{"center", {0, -0.32, 1.3}}, {"radius", 0.2}}},
-             {"velocity", {0, 20, 0}},
-             {"mass", 120}}}},
-          {"time_step", 2.5e-4},
-          {"duration", 0.005}};
-}
-
-Place place_of(const json& scene) {
-  Place place;
-  place.scene = place.path() / "scene.json";
-  std::ofstream(place.scene) << scene.dump(1);
-  return place;
-}
 
 /// report.json without the wall times: all of a run that may differ.
 json without_times(const fs::path& report) {
@@ -86,39 +59,6 @@ void hold_same(const fs::path& a, const fs::path& b) {
   }
   for (const auto& entry : fs::recursive_directory_iterator(b)) others += entry.is_regular_file();
   CHECK(files == others);
-}
-
-std::vector<std::string> lines_of(const fs::path& log) {
-  std::ifstream in(log, std::ios::binary);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
-
-void write_lines(const fs::path& log, const std::vector<std::string>& lines) {
-  std::ofstream out(log, std::ios::binary);
-  for (const std::string& line : lines) out << line << "\n";
-}
-
-/// The log with one fan changed, and every check made anew: what only a run can tell.
-void forge(const fs::path& from, const fs::path& to,
-           const std::function<void(std::vector<ordered_json>&)>& change) {
-  std::vector<ordered_json> lines;
-  for (const std::string& line : lines_of(from)) {
-    lines.push_back(ordered_json::parse(line));
-    lines.back().erase("check");
-  }
-  change(lines);
-  std::vector<std::string> text;
-  std::string check;
-  for (std::size_t k = 0; k < lines.size(); ++k) {
-    std::string line = lines[k].dump();
-    check = line_check(line, check);
-    line.insert(line.size() - 1, ",\"check\":\"" + check + "\"");
-    text.push_back(line);
-    if (k == 0) check = lines[0]["scene_hash"].get<std::string>();
-  }
-  write_lines(to, text);
 }
 
 /// Child processes that keep every core busy, until the end of the scope.
@@ -286,45 +226,6 @@ TEST_CASE("tampered and foreign logs are refused with line and reason", "[run][r
   CHECK(other.text().find("other_scene") != std::string::npos);
   CHECK(run(place, "b", log + " --png 0 --set name=renamed").exit_code == 0);
   CHECK(run(place, "a", log).exit_code == 3);
-}
-
-TEST_CASE("releases are held to their places, and to what the replay releases", "[run][replay]") {
-  json scene = struck_scene();
-  scene["duration"] = 0.001;
-  scene["fracture"] = {{"crack", "cohesive"}};
-  scene["bodies"][0]["material"]["fracture_energy"] = 3;
-  const Place place = place_of(scene);
-  REQUIRE(run(place, "a").exit_code == 0);
-  const fs::path log = place.path() / "a/events.jsonl", other = place.path() / "other.jsonl";
-  std::vector<std::size_t> releases;  // rows
-  const std::vector<std::string> good = lines_of(log);
-  for (std::size_t k = 1; k < good.size(); ++k) {
-    if (json::parse(good[k]).contains("release")) releases.push_back(k);
-  }
-  REQUIRE(releases.size() > 5);
-  CHECK(json::parse(good.back())["releases"] == releases.size());
-  const SceneFile file = *read_scene(place.scene);
-  const ReplayedScene told{scene_hash(file), step_count(file.scene)};
-  using Lines = std::vector<ordered_json>;
-  const auto refused = [&](const std::function<void(Lines&)>& change, const std::string& words) {
-    forge(log, other, change);
-    const Result<Replay> replay = read_replay(other, told);
-    REQUIRE(!replay);
-    INFO(replay.findings[0].text);
-    CHECK(replay.findings[0].code == "bad_event_log");
-    CHECK(replay.findings[0].text.find(words) != std::string::npos);
-  };
-  const std::size_t row = releases[3];
-  refused([&](Lines& l) { l.erase(l.begin() + static_cast<std::ptrdiff_t>(row)); }, "release 3 is due");
-  refused([&](Lines& l) { l.back()["releases"] = 1; }, "says 1 releases");
-  refused([&](Lines& l) { l[row].erase("part"); }, "\"part\"");
-  refused([&](Lines& l) { l[row]["step"] = 0; }, "comes before");
-  // What no reader can tell the replay finds, in its line.
-  forge(log, other, [&](Lines& l) { l[row]["faces"][0]["energy"] = 1; });
-  const Outcome o = run(place, "b", "--replay " + other.string());
-  INFO(o.text());
-  CHECK(o.exit_code == 6);
-  CHECK(o.text().find(":" + std::to_string(row + 1)) != std::string::npos);
 }
 
 TEST_CASE("a log of another version of the program is replayed with a warning", "[run][replay]") {

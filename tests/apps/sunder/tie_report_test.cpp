@@ -22,8 +22,9 @@ TEST_CASE("releases are told once, after the fans that tied them, and add up by 
   Scene scene;
   BodySettings bar{.name = "bar", .mesh = suite::kuhn_box({16, 8, 2}, cell)};
   bar.material.fracture_energy = energy;
-  bar.held = {{.minimum = {-1, -1, -1}, .maximum = {1e-4, 9, 9}},
-              {.minimum = {16 * cell - 1e-4, -1, -1}, .maximum = {9, 9, 9}, .velocity = {0.05, 0, 0}}};
+  bar.held = {
+      {.minimum = {-1, -1, -1}, .maximum = {1e-4, 9, 9}},
+      {.minimum = {16 * cell - 1e-4, -1, -1}, .maximum = {9, 9, 9}, .velocity = {0.05, 0, 0}}};
   bar.cuts = {{.faces = CutPlane{.point = {8 * cell, 0, 0}, .normal = {1, 0, 0}},
                .box = RestBox{{-1, -1, -1}, {9, 2 * cell + 1e-4, 9}},
                .ball = {}}};
@@ -44,7 +45,8 @@ TEST_CASE("releases are told once, after the fans that tied them, and add up by 
     const std::uint64_t fans_before = fans, releases_before = releases;
     std::pair<std::uint64_t, std::uint64_t> place;
     std::size_t created = 0;
-    for (const ordered_json& line : events_of(report, fans_before, releases_before, sim.state->cells.map)) {
+    for (const ordered_json& line :
+         events_of(report, fans_before, releases_before, sim.state->cells.map)) {
       CHECK(line["step"] == report.step);
       const std::pair<std::uint64_t, std::uint64_t> now{line["part"], line.contains("fan")};
       CHECK(now >= place);  // releases of a part come first
@@ -96,5 +98,6 @@ TEST_CASE("releases are told once, after the fans that tied them, and add up by 
   REQUIRE(told["materials"].size() == 1);
   const ordered_json& material = told["materials"][0];
   CHECK(material["cell"].get<double>() == Approx(cell));
-  CHECK(material["softening_length_over_cell"].get<double>() == Approx(30e9 * energy / 9e12 / cell));
+  CHECK(material["softening_length_over_cell"].get<double>() ==
+        Approx(30e9 * energy / 9e12 / cell));
 }

@@ -236,15 +236,14 @@ TEST_CASE("a section pulled apart takes G_c, one that slides kappa G_c", "[ties]
   const double whole = energy * section, kappa = shear.energy_ratio;
   const Taken pulled = part_block(shear, {0.05, 0, 0}, step);
   CHECK(pulled.ties.dissipated == Approx(whole).epsilon(2e-3));
-  CHECK(pulled.ties.work == Approx(whole).epsilon(0.01));
+  CHECK(pulled.ties.work == Approx(whole).epsilon(2e-3));
   const Taken slid = part_block(shear, {0, 0.05, 0}, step);
-  CHECK(slid.ties.dissipated == Approx(kappa * whole).epsilon(0.01));
-  CHECK(slid.ties.work == Approx(kappa * whole).epsilon(0.01));
+  CHECK(slid.ties.dissipated == Approx(kappa * whole).epsilon(2e-3));
+  CHECK(slid.ties.work == Approx(kappa * whole).epsilon(2e-3));
   const Taken mixed = part_block(shear, {0.04, 0.03, 0}, step);
   CHECK(mixed.ties.dissipated > 0.99 * std::min(1.0, kappa) * whole);
   CHECK(mixed.ties.dissipated < 1.01 * std::max(1.0, kappa) * whole);
-  CHECK(mixed.ties.work == Approx(mixed.ties.dissipated).epsilon(0.02));
-  WARN("pulled " << pulled.ties.work / whole << " slid " << slid.ties.work / whole << " " << slid.ties.dissipated / whole << " mixed " << mixed.ties.work / whole << " " << mixed.ties.dissipated / whole << " residual " << slid.ties.residual);
+  CHECK(mixed.ties.work == Approx(mixed.ties.dissipated).epsilon(5e-3));
 }
 
 TEST_CASE("ties of a body without load do nothing", "[ties]") {

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "fracture/algorithms/split_fan.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 #include "fracture/ties/release_ties.hpp"
 #include "tests/support/simulation.hpp"
 #include "tests/support/tension.hpp"
@@ -41,12 +42,14 @@ std::vector<double> masses_without(const VolumeMap& map, const MechanicsState& m
 
 }  // namespace
 
-TEST_CASE("a fan is refused if spent ties would leave too light or too many pieces", "[ties][limits]") {
+TEST_CASE("a fan is refused if spent ties would leave too light or too many pieces",
+          "[ties][limits]") {
   std::mt19937 random(12);
   std::normal_distribution<double> normal;
   std::size_t refused = 0, parted = 0;
   for (int body = 0; body < 12; ++body) {
-    Tension made = uniform_tension(suite::jittered(suite::kuhn_box({3, 3, 2}, 0.1), 0.01, 3), Vec3::UnitZ(), 0);
+    Tension made = uniform_tension(suite::jittered(suite::kuhn_box({3, 3, 2}, 0.1), 0.01, 3),
+                                   Vec3::UnitZ(), 0);
     Cells& cells = made.cells;
     cells.pieces = Pieces{cells.map.dense(), cells.labels};
     FractureSettings settings;
@@ -65,16 +68,15 @@ TEST_CASE("a fan is refused if spent ties would leave too light or too many piec
       const std::size_t before = masses_without(cells.map, made.state, {}).size();
       const std::vector<double> after = masses_without(cells.map, made.state, faces);
       const bool parts = after.size() > before;
-      const bool too_light = settings.smallest_piece > 0 &&
-                             *std::ranges::min_element(after) < settings.smallest_piece;
+      const bool too_light =
+          settings.smallest_piece > 0 && *std::ranges::min_element(after) < settings.smallest_piece;
       const bool too_many = settings.max_pieces > 0 && after.size() > settings.max_pieces;
       const bool exceeds = exceeds_limits(cells, made.state, faces, settings, scratch);
       REQUIRE(exceeds == (parts && (too_light || too_many)));
       refused += exceeds;
       parted += parts && !exceeds;
       if (exceeds) continue;
-      const FanEvent event =
-          split_fan({cells, made.state}, around, u, positive, settings, scratch);
+      const FanEvent event = split_fan({cells, made.state}, around, u, positive, settings, scratch);
       for (const FaceSplit& split : event.faces) {
         Tie tie{.face = split.face, .opposite = split.opposite};
         for (TieCorner& corner : tie.corners) corner = {1, 1, 2, 1};
@@ -83,7 +85,9 @@ TEST_CASE("a fan is refused if spent ties would leave too light or too many piec
       // In whatever order ties are spent, no piece is ever below the limits.
       if (random() % 8 > 0) continue;
       std::ranges::shuffle(contact.ties, random);
-      std::vector<Tie> later(contact.ties.begin() + static_cast<std::ptrdiff_t>(contact.ties.size() / 2), contact.ties.end());
+      std::vector<Tie> later(
+          contact.ties.begin() + static_cast<std::ptrdiff_t>(contact.ties.size() / 2),
+          contact.ties.end());
       contact.ties.resize(contact.ties.size() / 2);
       release_ties(cells, contact, Detection::exact, scratch);
       contact.ties = std::move(later);
