@@ -49,6 +49,11 @@ double mass_of(std::uint32_t part, const ComponentScratch& scratch,
   return mass;
 }
 
+/// Components of the map: with ties there are more of them than pieces.
+std::size_t parts_sewn(const Cells& cells) {
+  return cells.pieces ? label_components(cells.map).size.size() : cells.labels.size.size();
+}
+
 }  // namespace
 
 bool exceeds_limits(const Cells& cells, const MechanicsState& mechanics,
@@ -67,9 +72,7 @@ bool exceeds_limits(const Cells& cells, const MechanicsState& mechanics,
   // One part, still growing or the last to close, is what is left of the piece.
   const std::size_t parts = scratch.closed.size() + search.growing();
   if (parts < 2) return false;
-  if (settings.max_pieces > 0 && cells.labels.size.size() + parts - 1 > settings.max_pieces) {
-    return true;
-  }
+  if (settings.max_pieces > 0 && parts_sewn(cells) + parts - 1 > settings.max_pieces) return true;
   const auto is_light = [&](std::uint32_t part) {
     return mass_of(part, scratch, mechanics) < settings.smallest_piece;
   };

@@ -19,8 +19,11 @@ inline bool limits_pieces(const FractureSettings& settings) {
 /// scene. Nothing is changed. Exact: a face can only part something if its sides are in different
 /// orbits at all three of its vertices once the whole fan is unsewn (the oracle, looking ahead);
 /// from such faces alone parts grow in lockstep, as `Detection::exact` does it.
+/// With `CrackMode::cohesive` a piece is what is sewn together in the map: what would be one were
+/// all ties spent, so that no release has to be refused, in whatever order ties are spent.
 /// Cost: nothing where both limits are 0; else the stars of the faces' vertices, and the smaller
-/// sides of what would come off (with a smallest piece, more of the rest where that is all light).
+/// sides of what would come off (with a smallest piece, more of the rest where that is all light);
+/// with ties and a number of pieces O(|T|) for fans that part something.
 bool exceeds_limits(const Cells& cells, const MechanicsState& mechanics,
                     std::span<const HalfFaceId> faces, const FractureSettings& settings,
                     ComponentScratch& scratch);

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A crack's name, and the side of it that a tetrahedron is on.
+// The side of a crack that a tetrahedron is on.
 #pragma once
 
 #include <cstdint>
 
-#include "topology/base/ids.hpp"
+#include "mechanics/ties/crack_id.hpp"
 
 namespace sunder {
-
-/// Row of a crack; ids grow and are never reused.
-using CrackId = Id<struct CrackTag>;
 
 /// The side of a crack that a tetrahedron is on, once decided for good.
 struct CrackLabel {

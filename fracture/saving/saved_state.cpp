@@ -18,7 +18,8 @@ namespace sunder {
 constexpr int member_count(const Scene*) { return 12; }
 constexpr int member_count(const BodySettings*) { return 12; }
 constexpr int member_count(const TetMesh*) { return 6; }
-constexpr int member_count(const Material*) { return 6; }
+constexpr int member_count(const Material*) { return 7; }
+constexpr int member_count(const ShearLaw*) { return 2; }
 constexpr int member_count(const HeldBox*) { return 3; }
 constexpr int member_count(const LoadBox*) { return 5; }
 constexpr int member_count(const CutSettings*) { return 3; }
@@ -70,8 +71,8 @@ constexpr int member_count(const FactorBorder::Column*) { return 4; }
 constexpr int member_count(const BorderFactor::Block*) { return 3; }
 // Of all else that evolves.
 constexpr int member_count(const ContactMemory*) { return 3; }
-constexpr int member_count(const Tie*) { return 7; }
-constexpr int member_count(const TieCorner*) { return 4; }
+constexpr int member_count(const Tie*) { return 9; }
+constexpr int member_count(const TieCorner*) { return 5; }
 constexpr int member_count(const Partner*) { return 5; }
 constexpr int member_count(const ContactMemory::Remembered*) { return 2; }
 constexpr int member_count(const ContactPoint*) { return 12; }
@@ -87,7 +88,6 @@ constexpr int member_count(const SearchPlace*) { return 2; }
 constexpr int member_count(const ScriptDeparture*) { return 2; }
 
 namespace {
-
 constexpr std::string_view magic = "SunderSt";
 
 /// The leading rows and columns that are in use; what lies beyond is capacity.

@@ -37,10 +37,6 @@ void check_settings_of(fields::SettingsCheck& check, const Scene& scene) {
     refuse(check, "fracture.criterion", "is energy",
            "leave it out: ties take the fracture energy themselves");
   }
-  if (f.smallest_piece > 0 || f.max_pieces > 0) {
-    refuse(check, f.smallest_piece > 0 ? "fracture.smallest_piece" : "fracture.max_pieces",
-           "limits pieces", "leave it out, or take fracture.crack object");
-  }
 }
 
 bool has_energy(const BodySettings& body) {
@@ -49,18 +45,17 @@ bool has_energy(const BodySettings& body) {
   return !breaks || fracture_energy_of(body.material) < infinite;
 }
 
-/// Mean size of the cells of a material, m.
-double cell_of(const MechanicsState& mechanics, std::size_t material) {
+}  // namespace
+
+double cell_of(const MechanicsState& mechanics, MaterialId material) {
   double volume = 0, count = 0;
   for (std::size_t t = 0; t < mechanics.elements.size(); ++t) {
-    if (mechanics.elements.material[t].index() != material) continue;
+    if (mechanics.elements.material[t] != material) continue;
     volume += mechanics.elements.rest_volume[t];
     ++count;
   }
   return count > 0 ? std::cbrt(6 * volume / count) : 0;
 }
-
-}  // namespace
 
 void check_cohesive(fields::SettingsCheck& check, const Scene& scene) {
   if (scene.fracture.crack != CrackMode::cohesive) return;
@@ -97,7 +92,7 @@ std::vector<Finding> judge_materials(const MechanicsState& mechanics) {
                                m, energy, other),
            .remedy = "leave one of them out"});
     }
-    const double cell = cell_of(mechanics, m), length = softening_length(material);
+    const double cell = cell_of(mechanics, MaterialId{m}), length = softening_length(material);
     if (cell > 0 && length < 3 * cell) {
       findings.push_back(
           {.code = "tip_not_resolved",

@@ -14,6 +14,10 @@ namespace sunder {
 /// modes.
 void check_cohesive(fields::SettingsCheck& check, const Scene& scene);
 
+/// m: mean size of the cells of a material, the cube root of six of their mean volumes; 0 without
+/// any.
+double cell_of(const MechanicsState& mechanics, MaterialId material);
+
 /// m: l_z = E G_c / sigma^2, over which the tip of a crack softens.
 double softening_length(const Material& material);
 

@@ -129,11 +129,15 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
     if (!taken.adopted) continue;
     if (!s.contact.ties.empty()) {
       const StageTimer timer(report, Stage::rebuild);
-      const TieRelease released = release_ties(s.cells, s.contact, scene.fracture.detection,
-                                               scratch.fracture.components);
-      report.released += released.faces.size();
+      TieRelease released = release_ties(s.cells, s.contact, scene.fracture.detection,
+                                         scratch.fracture.components);
       if (released.components.created > 0)
         note_pieces(report, plan, touched, rebuild_released(s, scratch.mechanics), s);
+      if (!released.faces.empty()) {
+        released.time = s.mechanics.time;
+        released.part = report.parts;
+        report.releases.push_back(std::move(released));
+      }
     }
     untested += part->length;
     if (!part->breaks) continue;

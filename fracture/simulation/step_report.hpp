@@ -9,6 +9,7 @@
 
 #include "fracture/algorithms/fracture_report.hpp"
 #include "fracture/energy/settled_crack.hpp"
+#include "fracture/ties/tie_release.hpp"
 #include "mechanics/contact/contact_report.hpp"
 #include "mechanics/state/impulse.hpp"
 #include "mechanics/state/rung.hpp"
@@ -146,7 +147,7 @@ struct StepReport {
   MomentumLedger momentum;
   EnergyLedger energy;
   TieReport ties;
-  std::size_t released = 0;  ///< faces whose ties were spent
+  std::vector<TieRelease> releases;  ///< in their order; those of a part come before its fans
   /// Fans whose energy was settled in this step; not of this step, and not in the ledger: what
   /// they give up goes into motion and from there into losses.
   std::vector<CrackEnergy> cracks;

@@ -17,13 +17,17 @@ Tie tie_of(const Cells& cells, const MechanicsState& mechanics, const FanEvent& 
   const Partner sides = partner_of(cells.map, split.face, split.opposite);
   Tie tie{.face = split.face,
           .opposite = split.opposite,
+          .crack = fan.crack,
           .corner = sides.corner,
           .opposite_corner = sides.opposite_corner};
   const TetId a = tetrahedron_of(split.face), b = tetrahedron_of(split.opposite);
   const bool is_positive = side_of(cells.cracks, fan.crack, a) == Side::positive;
   tie.normal = (is_positive ? 1 : -1) * fan.normal.normalized();
-  tie.fracture_energy = std::min(fracture_energy_of(material_of(mechanics, a)),
-                                 fracture_energy_of(material_of(mechanics, b)));
+  const Material& of_a = material_of(mechanics, a);
+  const Material& of_b = material_of(mechanics, b);
+  const Material& weaker = fracture_energy_of(of_b) < fracture_energy_of(of_a) ? of_b : of_a;
+  tie.fracture_energy = fracture_energy_of(weaker);
+  tie.shear = weaker.shear;
   const double area = std::abs(tie.normal.dot(rest_area_vector(cells.map, split.face)));
   for (TieCorner& corner : tie.corners) corner.area = area / 3;
   return tie;
@@ -52,17 +56,18 @@ struct Beginning {
   Vec3 normal = Vec3::Zero();  ///< times area, from b to a
 };
 
-/// Pa: effective traction of a on b that keeps both at the acceleration they have together.
-double traction_between(const Cells& cells, const MechanicsState& mechanics, VertexId a, VertexId b,
+/// Pa: traction between a and b, along the normal where it pulls them together, that keeps both at
+/// the acceleration they have together.
+Vec3 traction_between(const Cells& cells, const MechanicsState& mechanics, VertexId a, VertexId b,
                         const Beginning& beginning) {
   const double mass_a = mechanics.vertices.mass[a.index()];
   const double mass_b = mechanics.vertices.mass[b.index()];
   const Vec3 on_a = (mass_a * elastic_force(cells, mechanics, b) -
                      mass_b * elastic_force(cells, mechanics, a)) /
                     (mass_a + mass_b);
-  if (!(beginning.area > 0) || beginning.normal.isZero(0)) return 0;
   // What pulls a back towards b is tension.
-  return effective_traction(-on_a / beginning.area, beginning.normal.normalized());
+  if (!(beginning.area > 0)) return Vec3::Zero();
+  return -on_a / beginning.area;
 }
 
 }  // namespace
@@ -100,11 +105,14 @@ void begin_corners(std::vector<Tie>& ties, const Cells& cells, const MechanicsSt
   }
   for (auto& [pair, beginning] : beginnings) {
     const auto [a, b] = pair;
-    double strength = std::min(cells.strength[a.index()], cells.strength[b.index()]);
-    if (copies[a] == 1 && copies[b] == 1) {
-      strength = std::max(strength, traction_between(cells, mechanics, a, b, beginning));
-    }
+    const double threshold = std::min(cells.strength[a.index()], cells.strength[b.index()]);
+    const bool alone = copies[a] == 1 && copies[b] == 1 && !beginning.normal.isZero(0);
+    const Vec3 normal = beginning.normal.normalized();
+    Vec3 traction = Vec3::Zero();
+    if (alone) traction = traction_between(cells, mechanics, a, b, beginning);
     for (const auto& [tie, k] : beginning.corners) {
+      const double strength =
+          std::max(threshold, effective_traction(traction, normal, tie->shear));
       tie->corners[k].strength = strength;
       tie->corners[k].opening_end = 2 * tie->fracture_energy / strength;
     }

@@ -50,6 +50,7 @@ TieRelease release_ties(Cells& cells, ContactMemory& contact, Detection detectio
   TieRelease release;
   std::erase_if(contact.ties, [&](const Tie& tie) {
     if (!lets_go(tie)) return false;
+    release.ties.push_back(tie);
     release.faces.push_back(split_face(cells.pieces->map, tie.face));
     contact.partners.push_back(partner_of(cells.map, tie.face, tie.opposite));
     return true;

@@ -41,6 +41,7 @@ std::vector<TiePair> corners_apart(ContactMemory& memory, const StepPaths& paths
                    .place = tie.opposite_corner[k],
                    .normal = normal,
                    .area = tie.corners[k].area,
+                   .shear = tie.shear,
                    .corners = {&tie.corners[k]}};
       if (pair.b < pair.a) {
         std::swap(pair.a, pair.b);
@@ -61,7 +62,7 @@ std::vector<TiePair> corners_apart(ContactMemory& memory, const StepPaths& paths
 /// Whether a corner lies in the plane of a pair, within 45 degrees: a crack turns from fan to fan.
 bool is_of(const TiePair& corner, const TiePair& pair) {
   constexpr double cos_of_plane = 0.7;
-  return pair.a == corner.a && pair.b == corner.b &&
+  return pair.a == corner.a && pair.b == corner.b && pair.shear == corner.shear &&
          corner.normal.dot(pair.normal.normalized()) > cos_of_plane;
 }
 
@@ -83,6 +84,12 @@ double give_of(const TiePair& pair, double h) {
 }
 
 }  // namespace
+
+double mode_factor(const TiePair& pair, const Vec3& impulse, const Vec3& opening) {
+  // A tie has an impulse before it opens.
+  return std::sqrt(impulse.isZero(0) ? mode_ratio(opening, pair.normal, pair.shear)
+                                     : mode_ratio_of_traction(-impulse, pair.normal, pair.shear));
+}
 
 Vec3 opening_at_end(const TiePair& pair, const StepPaths& paths) {
   return paths.predicted[pair.a.index()] - paths.predicted[pair.b.index()];
@@ -110,7 +117,7 @@ std::vector<TiePair> gather_ties(ContactMemory& memory, const StepPaths& paths) 
 }
 
 double tie_bound(const TiePair& pair, const Vec3& opening) {
-  const double effective = effective_opening(opening, pair.normal);
+  const double effective = effective_opening(opening, pair.normal, pair.shear);
   double sum = 0;
   for (const TieCorner* corner : pair.corners) {
     sum += corner->area * mean_traction(*corner, effective);
@@ -140,7 +147,8 @@ double measure_tie(ContactRow& row, const TiePair& pair, const Vec3& impulse,
   const double h = paths.time_step;
   const Vec3 end = opening_at_end(pair, paths);
   row.normal = pair.normal;
-  row.tie_most = h * tie_bound(pair, end);
+  row.sliding_stiffness = sliding_stiffness(pair.shear);
+  row.tie_most = h * tie_bound(pair, end) * mode_factor(pair, impulse, end);
   row.compliance = give_of(pair, h);
   row.impulse = impulse;
   row.friction = 0;
@@ -161,19 +169,23 @@ TieReport settle_ties(std::span<TiePair> pairs, std::span<const Vec3> impulse,
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     TiePair& pair = pairs[k];
     const Vec3 start = opening_at_start(pair, paths), end = opening_at_end(pair, paths);
-    const double before = effective_opening(start, pair.normal);
-    const double now = effective_opening(end, pair.normal);
+    const double before = effective_opening(start, pair.normal, pair.shear);
+    const double now = effective_opening(end, pair.normal, pair.shear);
+    const double mode_before = mode_ratio(start, pair.normal, pair.shear);
+    const double mode = mode_ratio(end, pair.normal, pair.shear);
     ++report.pairs;
     report.work -= impulse[k].dot(end - start) / paths.time_step;
     bool opens = false, tears = false;
     for (TieCorner* corner : pair.corners) {
-      report.dissipated -= dissipated_energy(*corner, corner->opened);
-      report.stored -= stored_energy(*corner, std::min(before, corner->opened));
+      const double taken = dissipated_energy(*corner, corner->opened, mode);
+      report.stored -= stored_energy(*corner, std::min(before, corner->opened), mode_before);
       opens = opens || (now > corner->opened && !corner->is_spent());
       tears = tears || (now > corner->opened + tear * corner->opening_end && !corner->is_spent());
       corner->opened = std::max(corner->opened, now);
-      report.dissipated += dissipated_energy(*corner, corner->opened);
-      report.stored += stored_energy(*corner, now);
+      const double takes = dissipated_energy(*corner, corner->opened, mode) - taken;
+      corner->taken += takes;
+      report.dissipated += takes;
+      report.stored += stored_energy(*corner, now, mode);
     }
     report.opening += opens;
     if (tears) report.torn.push_back(paths.state.vertices.component[pair.a.index()]);

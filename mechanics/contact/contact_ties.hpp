@@ -18,6 +18,7 @@ struct TiePair {
   std::uint8_t place = 0;  ///< of B in it
   Vec3 normal{0, 0, 1};    ///< of the crack, world, from B to A, as the step begins
   double area = 0;         ///< m^2, of all corners
+  ShearLaw shear;          ///< of all of them
   std::vector<TieCorner*> corners;
 };
 

@@ -26,7 +26,8 @@ struct TieProblem {
   double time_step;            ///< s
   Mat3 turn;                   ///< from the body's frame to the world
   Eigen::VectorXd field;
-  std::vector<char> needed;  ///< supernodes that tied vertices depend on
+  std::vector<char> needed;          ///< supernodes that tied vertices depend on
+  std::vector<double> bearing = {};  ///< N, of each member: its `tie_bound`, which only falls
 };
 
 /// Free vertices of the ties, in the system's numbering.
@@ -83,7 +84,7 @@ void set_responses(TieProblem& p) {
     return held ? 0 : ties_at[v] / p.state.vertices.mass[v.index()];
   };
   for (const std::size_t k : p.members) {
-    const double shear = std::max(1.0, shear_weight);
+    const double shear = std::max(1.0, p.rows[k].sliding_stiffness);
     p.rows[k].tie_response = shear * (of(p.pairs[k].a) + of(p.pairs[k].b)) + p.rows[k].compliance;
   }
 }
@@ -91,7 +92,9 @@ void set_responses(TieProblem& p) {
 /// Bounds for what has not opened any farther in the step: the most that a tie can bear.
 void raise_bounds(TieProblem& p) {
   for (const std::size_t k : p.members) {
-    p.rows[k].tie_most = p.time_step * tie_bound(p.pairs[k], Vec3::Zero());
+    p.bearing.push_back(tie_bound(p.pairs[k], Vec3::Zero()));
+    p.rows[k].tie_most =
+        p.time_step * p.bearing.back() * mode_factor(p.pairs[k], p.rows[k].impulse, p.ends[k]);
   }
 }
 
@@ -102,11 +105,13 @@ double lower_bounds(TieProblem& p, std::span<const Vec3> moved) {
   for (std::size_t i = 0; i < p.members.size(); ++i) {
     const std::size_t k = p.members[i];
     const Vec3 end = p.ends[k] + WaveScheme::theta * p.time_step * moved[i];
-    const double bound = p.time_step * tie_bound(p.pairs[k], end);
-    double& most = p.rows[k].tie_most;
-    if (bound >= most) continue;
-    lowered = std::max(lowered, 1 - bound / most);
-    most = bound;
+    const double bearing = tie_bound(p.pairs[k], end);
+    if (bearing < p.bearing[i]) {
+      lowered = std::max(lowered, 1 - bearing / p.bearing[i]);
+      p.bearing[i] = bearing;
+    }
+    p.rows[k].tie_most =
+        p.time_step * p.bearing[i] * mode_factor(p.pairs[k], p.rows[k].impulse, end);
   }
   return lowered;
 }

@@ -6,6 +6,14 @@
 
 namespace sunder {
 
+/// What a crack bears and takes as its sides slide, beside what it does as they open
+/// (mechanics/ties/tie_law.hpp).
+struct ShearLaw {
+  double weight = 1;        ///< beta^2, > 0: of the strength in shear over that in tension, squared
+  double energy_ratio = 1;  ///< kappa, > 0: G_II / G_I, energy of sliding over that of opening
+  friend bool operator==(const ShearLaw&, const ShearLaw&) = default;
+};
+
 /// Isotropic, linear, brittle. The defaults are those of concrete. Poisson ratios above 0.49 are
 /// refused: linear tetrahedra lock there, and at 0.5 lambda is infinite.
 struct Material {
@@ -18,6 +26,7 @@ struct Material {
   /// G_c, J/m^2, > 0: what a crack takes for each square metre (`CrackMode::cohesive`); where only
   /// a toughness is given, K_Ic^2 (1 - nu^2) / E.
   std::optional<double> fracture_energy = std::nullopt;
+  ShearLaw shear = {};
 };
 
 /// Constants of sigma = lambda tr(eps) I + 2 mu eps, Pa.

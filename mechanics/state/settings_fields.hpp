@@ -79,6 +79,16 @@ void describe(V& v, Material& m) {
               "K_Ic^2 (1 - nu^2) / E",
               above(0), false, "leave it out or give about 33 for concrete"},
           m.fracture_energy);
+  v.field(Key{"shear_weight", "",
+              "beta^2, with fracture.crack cohesive: the strength of a crack in shear over that in "
+              "tension, squared",
+              above(0)},
+          m.shear.weight);
+  v.field(Key{"shear_energy_ratio", "",
+              "kappa, with fracture.crack cohesive: fracture energy in shear over that in opening, "
+              "G_II / G_I",
+              above(0)},
+          m.shear.energy_ratio);
 }
 
 template <class V>

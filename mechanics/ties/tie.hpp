@@ -5,7 +5,9 @@
 #include <array>
 #include <cstdint>
 
+#include "mechanics/state/material.hpp"
 #include "mechanics/state/vec3.hpp"
+#include "mechanics/ties/crack_id.hpp"
 #include "topology/base/ids.hpp"
 
 namespace sunder {
@@ -16,6 +18,7 @@ struct TieCorner {
   double strength = 0;  ///< Pa, sigma: what it bears before it opens; 0: not apart yet
   double opened = 0;    ///< m, delta_max: the largest effective opening so far
   double opening_end = 0;  ///< m, delta_c = 2 G_c / sigma: there it bears nothing any more
+  double taken = 0;        ///< J, dissipated so far
 
   bool is_apart() const { return strength > 0; }
   bool is_spent() const { return is_apart() && opened >= opening_end; }
@@ -25,10 +28,12 @@ struct TieCorner {
 /// law of traction against opening (tie_law.hpp).
 struct Tie {
   HalfFaceId face, opposite;
+  CrackId crack;  ///< that parted it
   /// Places of the corners in their tetrahedra, by the darts of `face`; k meets k.
   std::array<std::uint8_t, 3> corner{}, opposite_corner{};
   Vec3 normal = Vec3::UnitZ();  ///< of the crack, rest frame, unit length, from `opposite` to `face`
   double fracture_energy = 0;   ///< J/m^2, G_c
+  ShearLaw shear = {};
   std::array<TieCorner, 3> corners;
 
   /// Whether nothing ties the sides any more.
@@ -36,5 +41,15 @@ struct Tie {
     return corners[0].is_spent() && corners[1].is_spent() && corners[2].is_spent();
   }
 };
+
+/// m^2: of a tied face, projected on its crack.
+inline double area_of(const Tie& tie) {
+  return tie.corners[0].area + tie.corners[1].area + tie.corners[2].area;
+}
+
+/// J that a tie has dissipated so far.
+inline double taken_by(const Tie& tie) {
+  return tie.corners[0].taken + tie.corners[1].taken + tie.corners[2].taken;
+}
 
 }  // namespace sunder

@@ -3,6 +3,7 @@
 #include "mechanics/ties/tie_law.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -15,18 +16,37 @@ double area_under(const TieCorner& corner, double opening) {
   return corner.strength * to * (1 - 0.5 * to / corner.opening_end);
 }
 
-}  // namespace
-
-double effective_opening(const Vec3& opening, const Vec3& normal) {
-  const double along = normal.dot(opening);
-  const double across = (opening - along * normal).squaredNorm();
-  return std::sqrt(std::pow(std::max(0.0, along), 2) + shear_weight * across);
+/// Squared: along the normal, where it pulls, and across.
+std::array<double, 2> squared_parts(const Vec3& v, const Vec3& normal) {
+  const double along = normal.dot(v);
+  return {std::pow(std::max(0.0, along), 2), (v - along * normal).squaredNorm()};
 }
 
-double effective_traction(const Vec3& traction, const Vec3& normal) {
+}  // namespace
+
+double effective_opening(const Vec3& opening, const Vec3& normal, const ShearLaw& shear) {
+  const auto [along, across] = squared_parts(opening, normal);
+  return std::sqrt(along + sliding_stiffness(shear) / shear.energy_ratio * across);
+}
+
+double effective_traction(const Vec3& traction, const Vec3& normal, const ShearLaw& shear) {
+  const auto [along, across] = squared_parts(traction, normal);
+  return std::sqrt(along + across / shear.weight);
+}
+
+double sliding_stiffness(const ShearLaw& shear) { return shear.weight / shear.energy_ratio; }
+
+double mode_ratio(const Vec3& opening, const Vec3& normal, const ShearLaw& shear) {
+  const auto [along, across] = squared_parts(opening, normal);
+  const double stiffness = sliding_stiffness(shear);
+  const double squared = along + stiffness / shear.energy_ratio * across;
+  return squared > 0 ? (along + stiffness * across) / squared : 1;
+}
+
+double mode_ratio_of_traction(const Vec3& traction, const Vec3& normal, const ShearLaw& shear) {
   const double along = normal.dot(traction);
-  const double across = (traction - along * normal).squaredNorm();
-  return std::sqrt(std::pow(std::max(0.0, along), 2) + across / shear_weight);
+  const Vec3 across = traction - along * normal;
+  return mode_ratio(along * normal + across / sliding_stiffness(shear), normal, shear);
 }
 
 double traction_at(const TieCorner& corner, double opening) {
@@ -45,14 +65,14 @@ double secant_stiffness(const TieCorner& corner) {
   return corner.area * traction_at(corner, corner.opened) / corner.opened;
 }
 
-double dissipated_energy(const TieCorner& corner, double opening) {
+double dissipated_energy(const TieCorner& corner, double opening, double mode) {
   const double stored = 0.5 * opening * traction_at(corner, opening);
-  return corner.area * (area_under(corner, opening) - stored);
+  return mode * corner.area * (area_under(corner, opening) - stored);
 }
 
-double stored_energy(const TieCorner& corner, double opening) {
+double stored_energy(const TieCorner& corner, double opening, double mode) {
   if (!(corner.opened > 0)) return 0;
-  return 0.5 * secant_stiffness(corner) * opening * opening;
+  return mode * 0.5 * secant_stiffness(corner) * opening * opening;
 }
 
 }  // namespace sunder

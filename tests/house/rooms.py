@@ -52,7 +52,7 @@ ROOMS = (
       "mechanics/integrators", "mechanics", "mechanics/ties", "mechanics/contact/shapes",
       "mechanics/contact/solver")),
     ("fracture/cracks", "cracks as surfaces: sides of tetrahedra, anchors",
-     ("topology/base", "topology/kernel", "mechanics/state")),
+     ("topology/base", "topology/kernel", "mechanics/state", "mechanics/ties")),
     ("fracture/algorithms", "node stress, threshold, plane, fan, split: algorithms 3 and 4 of the paper",
      ("topology/base", "topology/kernel", "mechanics/state", "mechanics/frame", "mechanics/element",
       "fracture/cracks")),

@@ -34,6 +34,14 @@ ordered_json face_of(const FaceSplit& split, const VolumeMap& map) {
           {"oracle", oracle_says_new(split)}};
 }
 
+ordered_json created_by(const ComponentUpdate& components) {
+  ordered_json created = ordered_json::array();
+  for (std::size_t i = 0; i < components.created; ++i) {
+    created.push_back(components.first_new.value + i);
+  }
+  return created;
+}
+
 /// Tetrahedra that the crack decided on with a fan, on one of its sides.
 ordered_json labelled(const FanEvent& event, bool positive) {
   ordered_json rows = ordered_json::array();
@@ -51,12 +59,9 @@ std::string_view to_string(RunEnd end) {
 }
 
 ordered_json event_of(const FanEvent& event, const EventTime& when, const VolumeMap& map) {
-  ordered_json faces = ordered_json::array(), created = ordered_json::array();
+  ordered_json faces = ordered_json::array();
   for (const FaceSplit& split : event.faces) faces.push_back(face_of(split, map));
-  for (std::size_t i = 0; i < event.components.created; ++i) {
-    created.push_back(event.components.first_new.value + i);
-  }
-  ordered_json line = {{"fan", when.fan},
+  ordered_json line = {{"fan", when.number},
                        {"step", when.step},
                        {"part", when.part},
                        {"round", event.round},
@@ -69,7 +74,7 @@ ordered_json event_of(const FanEvent& event, const EventTime& when, const Volume
                        {"strength", event.strength},
                        {"faces", faces},
                        {"oracle", event.components.predicted},
-                       {"new_components", created}};
+                       {"new_components", created_by(event.components)}};
   if (!event.crack.is_none()) {
     line["crack"] = event.crack.value;
     line["anchor"] = numbers(event.anchor);
@@ -77,6 +82,43 @@ ordered_json event_of(const FanEvent& event, const EventTime& when, const Volume
     line["negative"] = labelled(event, false);
   }
   return line;
+}
+
+ordered_json event_of(const TieRelease& release, const EventTime& when, const VolumeMap& map) {
+  ordered_json faces = ordered_json::array();
+  for (std::size_t k = 0; k < release.faces.size(); ++k) {
+    const Tie& tie = release.ties[k];
+    faces.push_back(face_of(release.faces[k], map));
+    faces.back()["crack"] = tie.crack.value;
+    faces.back()["projected_area"] = area_of(tie);
+    faces.back()["energy"] = taken_by(tie);
+  }
+  return {{"release", when.number},
+          {"step", when.step},
+          {"part", when.part},
+          {"time", when.time},
+          {"faces", faces},
+          {"oracle", release.components.predicted},
+          {"new_components", created_by(release.components)}};
+}
+
+std::vector<ordered_json> events_of(const StepReport& report, std::uint64_t fans,
+                                    std::uint64_t releases, const VolumeMap& map) {
+  std::vector<ordered_json> lines;
+  auto release = report.releases.begin();
+  const auto add_releases = [&](std::uint32_t up_to) {
+    for (; release != report.releases.end() && release->part <= up_to; ++release) {
+      lines.push_back(
+          event_of(*release, {releases++, report.step, release->part, release->time}, map));
+    }
+  };
+  for (std::size_t k = 0; k < report.fracture.fans.size(); ++k) {
+    add_releases(report.fan_part[k]);
+    lines.push_back(event_of(report.fracture.fans[k],
+                             {fans++, report.step, report.fan_part[k], report.fan_time[k]}, map));
+  }
+  add_releases(report.parts);
+  return lines;
 }
 
 ordered_json event_log_head(const SceneFile& file, const std::string& hash) {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "apps/scene/scene_json.hpp"
 #include "apps/sunder/run/recorder_report.hpp"
@@ -14,15 +15,16 @@
 namespace sunder {
 
 /// What a reader must know to read the log; raised whenever a line's meaning changes.
-inline constexpr int event_log_format = 2;
+inline constexpr int event_log_format = 3;
 
 /// The words of `RunEnd`, as report and log have them.
 std::string_view to_string(RunEnd end);
 
-/// When a fan happened.
+/// When a fan or a release happened.
 struct EventTime {
-  /// Which fan of the run it is, from 0, its step, and which of the step's searches made it.
-  std::uint64_t fan = 0, step = 0;
+  /// Which fan (release) of the run it is, from 0, its step, and which of the step's searches for
+  /// fractures made it (came next).
+  std::uint64_t number = 0, step = 0;
   std::uint32_t part = 0;
   /// s, at the end of the sub-step.
   double time = 0;
@@ -34,8 +36,19 @@ struct EventTime {
 /// time; names the faces' points.
 nlohmann::ordered_json event_of(const FanEvent& event, const EventTime& when, const VolumeMap& map);
 
+/// One release of spent ties: release, step, part, time, faces (as of a fan, rows of the map of
+/// pieces, with their crack, projected_area (m^2) and the energy (J) they took), oracle and
+/// new_components. `map`: at any later time; names the faces' points.
+nlohmann::ordered_json event_of(const TieRelease& release, const EventTime& when,
+                                const VolumeMap& map);
+
+/// The lines of a step in their order: fans and releases by their parts, releases first. `fans` and
+/// `releases`: how many came before it. `map`: at the end of the step.
+std::vector<nlohmann::ordered_json> events_of(const StepReport& report, std::uint64_t fans,
+                                              std::uint64_t releases, const VolumeMap& map);
+
 /// The log as text, one JSON object a line. Its first line names format, program and scene; each
-/// other is a fan, the last says how the run ended. Guarded: every line ends with a `check` over
+/// other is a fan or a release, the last says how the run ended. Guarded: every line ends with a `check` over
 /// itself and the lines before it (the first over itself only: another program version may replay
 /// the log), seeded with the scene's hash.
 class EventLog {

@@ -181,11 +181,10 @@ std::vector<Finding> Recorder::Parts::write_due(const Simulation& now) {
 std::vector<Finding> Recorder::record(const Simulation& now, const StepReport& report,
                                       double step_ms) {
   add_step(parts_->statistics, now, report, step_ms);
-  for (std::size_t k = 0; k < report.fracture.fans.size(); ++k) {
-    const std::uint64_t fan = parts_->statistics.fans - report.fracture.fans.size() + k;
-    parts_->events.add(event_of(report.fracture.fans[k],
-                                {fan, report.step, report.fan_part[k], report.fan_time[k]},
-                                now.state->cells.map));
+  const std::uint64_t fans = parts_->statistics.fans - report.fracture.fans.size();
+  const std::uint64_t releases = parts_->statistics.ties.releases - report.releases.size();
+  for (const auto& line : events_of(report, fans, releases, now.state->cells.map)) {
+    parts_->events.add(line);
   }
   return parts_->write_due(now);
 }
@@ -201,6 +200,7 @@ std::vector<Finding> Recorder::finish(const Simulation& now, RunEnd end) {
   p.events.add({{"end", to_string(end)},
                 {"steps", now.state->step},
                 {"fans", p.statistics.fans},
+                {"releases", p.statistics.ties.releases},
                 {"search", counters_json(p.statistics.search)}});
   const std::vector<Fragment> pieces = fragments(now);
   p.report = run_report(p.statistics, now, pieces, end);

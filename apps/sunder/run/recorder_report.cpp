@@ -85,14 +85,6 @@ ordered_json impact_report(const RunStatistics& s) {
   return report;
 }
 
-/// What ties took, with `CrackMode::cohesive`.
-ordered_json tie_report(const RunStatistics& s, const Simulation& now) {
-  ordered_json report = {{"released_faces", s.released},
-                         {"tied_faces", now.state->contact.ties.size()}};
-  report.update(counters_json(s.ties));
-  return report;
-}
-
 /// Steps of components, and of tetrahedra, on each rung.
 ordered_json ladder_report(const LadderReport& ladder) {
   ordered_json report;
@@ -218,8 +210,7 @@ void add_step(RunStatistics& statistics, const Simulation& now, const StepReport
   add_step(statistics.ladder, report.ladder);
   add_step(statistics.solve, report.status.solve);
   add_step(statistics.energy, report.energy);
-  add_step(statistics.ties, report.ties);
-  statistics.released += report.released;
+  note_ties(statistics.ties, report);
   note_contact(statistics, report);
   statistics.impact_steps += report.impact.sub_steps > 0;
   statistics.stopped_steps += report.impact.stopped;
@@ -236,13 +227,13 @@ std::vector<Finding> all_warnings(const RunStatistics& statistics, const Scene& 
   std::vector<Finding> all = statistics.warnings;
   std::ranges::move(warnings_of(statistics.troubles, scene), std::back_inserter(all));
   constexpr double most_residual = 0.05;
-  if (statistics.ties.residual > most_residual) {
+  if (statistics.ties.sum.residual > most_residual) {
     all.push_back(
         {.code = "ties_not_converged",
          .severity = Severity::warning,
          .text = fmt::format("ties of a sub-step were off their law by up to {:.2g} of the opening "
                              "that ends them",
-                             statistics.ties.residual),
+                             statistics.ties.sum.residual),
          .remedy = "take a smaller impact.fraction"});
   }
   return all;
@@ -321,7 +312,7 @@ ordered_json run_report(const RunStatistics& s, const Simulation& now,
       {"energy", energy_ledger(s, now)},
       {"cracks", crack_ledger(s.cracks)},
       {"warnings", findings_json(all_warnings(s, now.scene))}};
-  if (now.state->cells.pieces) report["ties"] = tie_report(s, now);
+  if (now.state->cells.pieces) report["ties"] = tie_report(s.ties, now);
   report.update(search);
   return report;
 }
@@ -356,6 +347,13 @@ std::string summary_table(const ordered_json& r) {
                           r["faces_split"].get<std::uint64_t>()));
   row("pieces", fmt::format("{} ({} single tetrahedra)", r["components"].get<std::uint64_t>(),
                             r["fragments"]["single_tetrahedra"].get<std::uint64_t>()));
+  if (r.contains("ties")) {
+    row("cracks took", fmt::format("{:.4g} J of {:.4g} J due over {:.4g} m^2 released, {} faces tied",
+                                   number("/ties/dissipated"),
+                                   number("/ties/fracture_energy_of_released"),
+                                   number("/ties/released_projected_area"),
+                                   r["ties"]["tied_faces"].get<std::uint64_t>()));
+  }
   row("largest piece", fmt::format("{:.4g} kg of {:.4g} kg", number("/fragments/largest_mass"),
                                    number("/fragments/mass")));
   if (const auto missed = r["contact"]["not_converged"].get<std::uint64_t>(); missed > 0) {

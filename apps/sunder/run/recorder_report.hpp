@@ -9,6 +9,7 @@
 
 #include "apps/output/fragment.hpp"
 #include "apps/sunder/run/run_warnings.hpp"
+#include "apps/sunder/run/tie_report.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 
 namespace sunder {
@@ -34,8 +35,7 @@ struct RunStatistics {
   LadderReport ladder;
   SolveReport solve;
   EnergyLedger energy;
-  TieReport ties;
-  std::size_t released = 0;  ///< faces whose ties were spent
+  TieStatistics ties;
   /// Steps with contact, with contact that did not converge, with sub-steps, and those that reached
   /// `ImpactSettings::max_sub_steps`.
   std::size_t contact_steps = 0, unconverged_steps = 0, impact_steps = 0, stopped_steps = 0;

@@ -29,6 +29,7 @@ struct LogReader {
   Replay replay = {};
   std::string check = {};  ///< of the line before
   std::size_t line = 0;    ///< from 1
+  SearchPlace place = {};  ///< of the last fan or release
   bool ended = false;      ///< the last line has been read
   std::vector<Finding> findings = {};
 
@@ -135,6 +136,14 @@ std::string misfit(const ordered_json& fan) {
   return {};
 }
 
+bool comes_next(LogReader& reader, SearchPlace place) {
+  if (place < reader.place) {
+    return reader.refuse("bad_event_log", "comes before what is in the line above it");
+  }
+  reader.place = place;
+  return true;
+}
+
 bool read_fan(LogReader& reader, const ordered_json& fan, std::string_view text) {
   FanScript& script = reader.replay.script;
   if (const std::string wrong = misfit(fan); !wrong.empty()) {
@@ -163,22 +172,48 @@ bool read_fan(LogReader& reader, const ordered_json& fan, std::string_view text)
   }
   const auto strength = fan.find("strength");
   if (strength != fan.end() && strength->is_number()) wanted.strength = strength->get<double>();
-  if (!script.fans.empty() && wanted.place < script.fans.back().place) {
-    return reader.refuse("bad_event_log", "comes before the fan in the line above it");
-  }
+  if (!comes_next(reader, wanted.place)) return false;
   script.fans.push_back(wanted);
+  reader.replay.line_of_fan.push_back(reader.line);
   return true;
+}
+
+/// A replay finds releases out by itself: here a line has only to be in its place.
+bool read_release(LogReader& reader, const ordered_json& release, std::string_view text) {
+  for (const char* key : {"release", "step", "part"}) {
+    if (is_count(release, key)) continue;
+    return reader.refuse("bad_event_log", fmt::format("has no whole number \"{}\"", key));
+  }
+  if (release["part"] > ordered_json(0xfffffffeu)) {
+    return reader.refuse("bad_event_log", "has too large a \"part\"");
+  }
+  if (release["release"] != reader.replay.releases) {
+    return reader.refuse("bad_event_log",
+                         fmt::format("is release {} where release {} is due: a line is missing or "
+                                     "there twice",
+                                     release["release"].dump(), reader.replay.releases));
+  }
+  if (!holds_check(reader, text)) return false;
+  ++reader.replay.releases;
+  return comes_next(reader,
+                    {release["step"].get<std::uint64_t>(), release["part"].get<std::uint32_t>()});
 }
 
 bool read_end(LogReader& reader, const ordered_json& end, std::string_view text) {
   Replay& replay = reader.replay;
-  if (!is_count(end, "fans") || !is_count(end, "steps") || !end["end"].is_string()) {
-    return reader.refuse("bad_event_log", "is neither a fan nor the end of a log");
+  if (!is_count(end, "fans") || !is_count(end, "releases") || !is_count(end, "steps") ||
+      !end["end"].is_string()) {
+    return reader.refuse("bad_event_log", "is neither a fan, a release nor the end of a log");
   }
   if (end["fans"] != replay.script.fans.size()) {
     return reader.refuse("bad_event_log",
                          fmt::format("says {} fans, and there are {}: lines are missing",
                                      end["fans"].dump(), replay.script.fans.size()));
+  }
+  if (end["releases"] != replay.releases) {
+    return reader.refuse("bad_event_log",
+                         fmt::format("says {} releases, and there are {}: lines are missing",
+                                     end["releases"].dump(), replay.releases));
   }
   if (!holds_check(reader, text)) return false;
   const auto word = end["end"].get<std::string>();
@@ -211,6 +246,7 @@ bool read_line(LogReader& reader, std::string_view text) {
                          "is not a JSON object; the file was cut off or is no event log");
   }
   if (reader.line == 1) return read_head(reader, line, text);
+  if (line.contains("release")) return read_release(reader, line, text);
   return line.contains("end") ? read_end(reader, line, text) : read_fan(reader, line, text);
 }
 
@@ -294,13 +330,14 @@ std::optional<Finding> compare_logs(Replay& replay, std::string_view text, bool 
 }
 
 Finding departure(const Replay& replay, const ScriptDeparture& departure) {
-  // The first line is the head.
-  return departed(replay, departure.fan + 2, departure.reason);
+  return departed(replay, replay.line_of_fan[departure.fan], departure.reason);
 }
 
 Finding missed_failure(const Replay& replay) {
+  // The first line is the head.
+  const auto last = static_cast<std::size_t>(1 + std::ranges::count(replay.lines, '\n'));
   return departed(
-      replay, replay.script.fans.size() + 2,
+      replay, last,
       fmt::format("the run of the log failed in step {}, the replay did not", replay.steps));
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "apps/sunder/run/event_log.hpp"
 #include "fracture/breaking/fan_script.hpp"
@@ -17,6 +18,8 @@ namespace sunder {
 struct Replay {
   std::string file;
   FanScript script;
+  std::vector<std::size_t> line_of_fan;  ///< from 1
+  std::uint64_t releases = 0;
   /// The log's lines after its first, as they stand.
   std::string lines;
   std::size_t compared = 0;  ///< bytes of them that the replay has written too
@@ -36,7 +39,7 @@ struct ReplayedScene {
 /// Reads an event log for a scene, holding every line to its check and its place. Warning:
 /// other_program (a run of another version may depart). Errors, with file, line and remedy:
 /// cannot_open, other_log_format, other_scene, bad_event_log (not JSON, changed, missing or
-/// repeated lines, a fan out of order, cut off).
+/// repeated lines, a fan or a release out of order, cut off).
 Result<Replay> read_replay(const std::filesystem::path& path, const ReplayedScene& scene);
 
 /// Compares what the replay has logged so far (`EventLog::text`) with the log: the finding

@@ -17,7 +17,7 @@ Files in DIR (those of an earlier run are removed):
   picture_*.png             with --png or the scene's output.pictures
   report.json               counts, times, momentum and energy, warnings
   fragments.csv             one line a piece
-  events.jsonl              one line a crack; --replay repeats the run from it
+  events.jsonl              one line a fan and a release of ties; --replay repeats the run from it
   cracks.csv                area and energy of each crack
 
 Exit codes: 0 done, 2 usage, 3 bad scene or mesh, 4 not written, 5 the simulation failed, 6 a replay

@@ -78,6 +78,7 @@ struct ContactRow {
   /// N s: what a tie bears (`tie_kept`); negative: a contact, which pulls nothing. Of a tie `slip`
   /// is all of its opening, and gap, push, friction and the bounds below mean nothing.
   double tie_most = -1;
+  double sliding_stiffness = 1;  ///< of a tie, over that along the normal (tie_law.hpp)
   double least = 0;       ///< N s: bounds of the normal impulse
   double most = std::numeric_limits<double>::infinity();
   Vec3 impulse{0, 0, 0};  ///< N s; in: what it is, out: what it should be

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mechanics/ties/tie_law.hpp"
-
 namespace sunder {
 namespace {
 
@@ -18,7 +16,7 @@ Vec3 across(const ContactRow& row, const Vec3& v) { return v - row.normal.dot(v)
 /// Squared length in the metric of `tie_kept`, without what presses.
 double squared_pull(const ContactRow& row, const Vec3& impulse) {
   const double pull = std::max(0.0, pull_of(row, impulse));
-  return pull * pull + across(row, impulse).squaredNorm() / shear_weight;
+  return pull * pull + across(row, impulse).squaredNorm() / row.sliding_stiffness;
 }
 
 }  // namespace
@@ -26,7 +24,7 @@ double squared_pull(const ContactRow& row, const Vec3& impulse) {
 Mat3 tie_give(const ContactRow& row) {
   const Mat3 along = row.normal * row.normal.transpose();
   const double normal = pull_of(row, row.impulse) > 0 ? row.compliance : 0;
-  return normal * along + row.compliance / shear_weight * (Mat3::Identity() - along);
+  return normal * along + row.compliance / row.sliding_stiffness * (Mat3::Identity() - along);
 }
 
 Vec3 tie_kept(const ContactRow& row, const Vec3& impulse) {
@@ -62,9 +60,9 @@ double tie_way(const ContactRow& row, const Vec3& change) {
 
 double tie_response_of(const ContactRow& row) {
   const Vec3& n = row.normal;
-  const double beta = std::sqrt(shear_weight);
+  const double root = std::sqrt(row.sliding_stiffness);
   const Mat3 along = n * n.transpose();
-  const Mat3 scale = along + beta * (Mat3::Identity() - along);
+  const Mat3 scale = along + root * (Mat3::Identity() - along);
   const Mat3 scaled = scale * row.response * scale;
   Eigen::SelfAdjointEigenSolver<Mat3> solver;
   solver.computeDirect(scaled, Eigen::EigenvaluesOnly);
@@ -75,7 +73,7 @@ Vec3 tie_wanted(const ContactRow& row, const Vec3& opening) {
   if (!(row.tie_response > 0)) return row.impulse;
   const Vec3 left = opening + tie_give(row) * row.impulse;
   const double along = row.normal.dot(left);
-  const Vec3 step = along * row.normal + shear_weight * (left - along * row.normal);
+  const Vec3 step = along * row.normal + row.sliding_stiffness * (left - along * row.normal);
   return tie_kept(row, row.impulse - step / row.tie_response);
 }
 

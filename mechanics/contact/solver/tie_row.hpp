@@ -1,5 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Rows that tie two sides together: bounded pull, secant give, nothing but a gap when pressed.
+//
+// Which impulse a row takes is a convex problem because its bound is an ellipsoid and its give that
+// of the same metric: at the bound the opening is along the ellipsoid's normal, below it along the
+// secant. The metric is (1, beta^2 / kappa) of openings, (1, kappa / beta^2) of impulses. The law's
+// own bound, (1, 1 / beta^2), is another one where kappa is not 1, and the opening not along its
+// normal; but at one mode of opening both are the same up to the factor sqrt(m) (`mode_ratio`). So
+// `tie_most` has that factor for the mode predicted, and the passes correct it as they do the bound.
 #pragma once
 
 #include <span>
@@ -16,7 +23,8 @@ inline Vec3 opening_of(const ContactRow& row, const Vec3& moved) { return row.sl
 Mat3 tie_give(const ContactRow& row);
 
 /// The impulse nearest to `impulse` that a tie can bear: an ellipsoid of pull and shear where it
-/// pulls, the cylinder behind it where it is pressed. Nearest in the metric (1, 1 / beta^2).
+/// pulls, the cylinder behind it where it is pressed. Nearest in the metric
+/// of the file's first lines.
 Vec3 tie_kept(const ContactRow& row, const Vec3& impulse);
 
 /// Whether its impulse is short of all that it can bear.

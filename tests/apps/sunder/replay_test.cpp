@@ -18,7 +18,7 @@
 #include "apps/sunder/run/recorder.hpp"
 #include "apps/sunder/run/replay.hpp"
 #include "mechanics/rebuild.hpp"
-#include "tests/support/program.hpp"
+#include "tests/support/replay_log.hpp"
 
 namespace fs = std::filesystem;
 using namespace sunder;
@@ -26,42 +26,15 @@ using nlohmann::json;
 using nlohmann::ordered_json;
 using test::bytes_of;
 using test::Outcome;
-using test::run_program;
+using test::Place;
+using test::forge;
+using test::lines_of;
+using test::place_of;
+using test::run;
+using test::struck_scene;
+using test::write_lines;
 
 namespace {
-
-/// A folder with the scene that is run in it.
-struct Place : test::Folder {
-  fs::path scene;
-};
-
-/// `sunder run` on the scene into the folder `out`.
-Outcome run(const Place& place, const std::string& out, const std::string& words = "") {
-  return run_program("run " + place.scene.string() + " --quiet --frames 3 -o " +
-                     (place.path() / out).string() + " " + words);
-}
-
-/// The monolith struck by one ball: breaks in impact windows in its first step.
-json struck_scene() {
-  return {{"name", "struck"},
-          {"bodies",
-           {{{"mesh", SUNDER_MESHES "/monolith.msh"},
-             {"material", {{"young_modulus", 30e9}, {"tensile_strength", 2e6}}}}}},
-          {"obstacles",
-           {{{"plane", {{"normal", {0, 0, 1}}}}},
-            {{"sphere", {{"center", {0, -0.32, 1.3}}, {"radius", 0.2}}},
-             {"velocity", {0, 20, 0}},
-             {"mass", 120}}}},
-          {"time_step", 2.5e-4},
-          {"duration", 0.005}};
-}
-
-Place place_of(const json& scene) {
-  Place place;
-  place.scene = place.path() / "scene.json";
-  std::ofstream(place.scene) << scene.dump(1);
-  return place;
-}
 
 /// report.json without the wall times: all of a run that may differ.
 json without_times(const fs::path& report) {
@@ -86,39 +59,6 @@ void hold_same(const fs::path& a, const fs::path& b) {
   }
   for (const auto& entry : fs::recursive_directory_iterator(b)) others += entry.is_regular_file();
   CHECK(files == others);
-}
-
-std::vector<std::string> lines_of(const fs::path& log) {
-  std::ifstream in(log, std::ios::binary);
-  std::vector<std::string> lines;
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
-  return lines;
-}
-
-void write_lines(const fs::path& log, const std::vector<std::string>& lines) {
-  std::ofstream out(log, std::ios::binary);
-  for (const std::string& line : lines) out << line << "\n";
-}
-
-/// The log with one fan changed, and every check made anew: what only a run can tell.
-void forge(const fs::path& from, const fs::path& to,
-           const std::function<void(std::vector<ordered_json>&)>& change) {
-  std::vector<ordered_json> lines;
-  for (const std::string& line : lines_of(from)) {
-    lines.push_back(ordered_json::parse(line));
-    lines.back().erase("check");
-  }
-  change(lines);
-  std::vector<std::string> text;
-  std::string check;
-  for (std::size_t k = 0; k < lines.size(); ++k) {
-    std::string line = lines[k].dump();
-    check = line_check(line, check);
-    line.insert(line.size() - 1, ",\"check\":\"" + check + "\"");
-    text.push_back(line);
-    if (k == 0) check = lines[0]["scene_hash"].get<std::string>();
-  }
-  write_lines(to, text);
 }
 
 /// Child processes that keep every core busy, until the end of the scope.
@@ -162,7 +102,7 @@ TEST_CASE("a replay, and a run on a busy machine, leave the bytes of the run", "
 
 TEST_CASE("replays repeat limits, budgets, sub-steps and drawn strengths", "[run][replay]") {
   std::map<std::string, json> scenes;
-  for (const char* name : {"limits", "budget", "fit", "relax", "energy", "object", "sub_stepped"}) {
+  for (const char* name : {"limits", "budget", "fit", "relax", "energy", "object", "sub_stepped", "cohesive"}) {
     scenes[name] = struck_scene();
     scenes[name]["duration"] = 0.002;
   }
@@ -179,6 +119,10 @@ TEST_CASE("replays repeat limits, budgets, sub-steps and drawn strengths", "[run
   scenes["object"]["bodies"][0]["cuts"] = {
       {{"plane", {{"point", {0, 0, 1}}, {"normal", {0, 0, 1}}}},
        {"box", {{"minimum", {-1, -1, 0}}, {"maximum", {0, 1, 2}}}}}};
+  scenes["cohesive"]["fracture"] = {{"crack", "cohesive"}, {"smallest_piece", 2}};
+  scenes["cohesive"]["bodies"][0]["material"]["fracture_energy"] = 10;
+  scenes["cohesive"]["bodies"][0]["material"]["shear_energy_ratio"] = 2;
+  scenes["cohesive"]["duration"] = 0.001;
   scenes["sub_stepped"]["duration"] = 0.001;
   scenes["sub_stepped"]["integrator"] = {{"method", "sub_stepped"}};
   scenes["sub_stepped"]["bodies"][0]["material"]["tensile_strength"] = 1e6;

@@ -7,7 +7,6 @@
 #include <random>
 
 #include "mechanics/contact/solver/contact_solve.hpp"
-#include "mechanics/ties/tie_law.hpp"
 
 using namespace sunder;
 
@@ -22,13 +21,14 @@ Vec3 random_vector(std::mt19937& random) {
 double outside(const ContactRow& row, const Vec3& impulse) {
   const double pull = std::max(0.0, -row.normal.dot(impulse));
   const Vec3 shear = impulse - row.normal.dot(impulse) * row.normal;
-  return std::sqrt(pull * pull + shear.squaredNorm() / shear_weight) / row.tie_most - 1;
+  return std::sqrt(pull * pull + shear.squaredNorm() / row.sliding_stiffness) / row.tie_most - 1;
 }
 
 ContactRow some_tie(std::mt19937& random) {
   ContactRow row;
   row.normal = random_vector(random).normalized();
   row.tie_most = std::abs(random_vector(random).x()) + 0.1;
+  row.sliding_stiffness = std::exp(0.5 * random_vector(random).x());
   return row;
 }
 
@@ -52,7 +52,7 @@ TEST_CASE("what a tie keeps is what it bears, and nothing that it bears is neare
   std::mt19937 random(4);
   const auto distance = [](const ContactRow& row, const Vec3& a, const Vec3& b) {
     const double along = row.normal.dot(a - b);
-    return along * along + ((a - b).squaredNorm() - along * along) / shear_weight;
+    return along * along + ((a - b).squaredNorm() - along * along) / row.sliding_stiffness;
   };
   for (int i = 0; i < 200; ++i) {
     const ContactRow row = some_tie(random);
@@ -121,7 +121,7 @@ TEST_CASE("solved ties obey their law: stick, give along the secant, or pull all
       const Vec3 shear = row.impulse + pull * row.normal;
       if (pull > 1e-9) {
         CHECK(along >= -1e-9);
-        CHECK((across * pull + shear / shear_weight * along).norm() < 1e-7);
+        CHECK((across * pull + shear / row.sliding_stiffness * along).norm() < 1e-7);
       } else {
         CHECK(std::abs(along) < 1e-9);
       }

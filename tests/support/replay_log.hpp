@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// Scenes run by the program, and their event logs read and forged.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "apps/sunder/run/event_log.hpp"
+#include "tests/support/program.hpp"
+
+namespace sunder::test {
+
+/// A folder with the scene that is run in it.
+struct Place : Folder {
+  std::filesystem::path scene;
+};
+
+/// `sunder run` on the scene into the folder `out`.
+inline Outcome run(const Place& place, const std::string& out, const std::string& words = "") {
+  return run_program("run " + place.scene.string() + " --quiet --frames 3 -o " +
+                     (place.path() / out).string() + " " + words);
+}
+
+/// The monolith struck by one ball: breaks in impact windows in its first step.
+inline nlohmann::json struck_scene() {
+  return {{"name", "struck"},
+          {"bodies",
+           {{{"mesh", SUNDER_MESHES "/monolith.msh"},
+             {"material", {{"young_modulus", 30e9}, {"tensile_strength", 2e6}}}}}},
+          {"obstacles",
+           {{{"plane", {{"normal", {0, 0, 1}}}}},
+            {{"sphere", {{"center", {0, -0.32, 1.3}}, {"radius", 0.2}}},
+             {"velocity", {0, 20, 0}},
+             {"mass", 120}}}},
+          {"time_step", 2.5e-4},
+          {"duration", 0.005}};
+}
+
+inline Place place_of(const nlohmann::json& scene) {
+  Place place;
+  place.scene = place.path() / "scene.json";
+  std::ofstream(place.scene) << scene.dump(1);
+  return place;
+}
+
+inline std::vector<std::string> lines_of(const std::filesystem::path& log) {
+  std::ifstream in(log, std::ios::binary);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+inline void write_lines(const std::filesystem::path& log, const std::vector<std::string>& lines) {
+  std::ofstream out(log, std::ios::binary);
+  for (const std::string& line : lines) out << line << "\n";
+}
+
+/// The log with one fan changed, and every check made anew: what only a run can tell.
+inline void forge(const std::filesystem::path& from, const std::filesystem::path& to,
+                  const std::function<void(std::vector<nlohmann::ordered_json>&)>& change) {
+  std::vector<nlohmann::ordered_json> lines;
+  for (const std::string& line : lines_of(from)) {
+    lines.push_back(nlohmann::ordered_json::parse(line));
+    lines.back().erase("check");
+  }
+  change(lines);
+  std::vector<std::string> text;
+  std::string check;
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    std::string line = lines[k].dump();
+    check = line_check(line, check);
+    line.insert(line.size() - 1, ",\"check\":\"" + check + "\"");
+    text.push_back(line);
+    if (k == 0) check = lines[0]["scene_hash"].get<std::string>();
+  }
+  write_lines(to, text);
+}
+
+}  // namespace sunder::test
