@@ -43,9 +43,12 @@ door(simulation "Scenes, how to build, step, save and load them, and what a step
   fracture/algorithms/fracture_settings.hpp
   fracture/scene/ladder_settings.hpp
   fracture/scene/scene.hpp
+  mechanics/ties/crack_id.hpp
+  mechanics/ties/tie.hpp
   fracture/cracks/crack_label.hpp
   fracture/algorithms/fan_event.hpp
   fracture/algorithms/fracture_report.hpp
+  fracture/ties/tie_release.hpp
   fracture/energy/settled_crack.hpp
   fracture/simulation/step_report.hpp
   topology/base/owned.hpp
