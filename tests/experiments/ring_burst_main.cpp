@@ -2,7 +2,7 @@
 // Fragments of a ring that flies apart. `ring_burst`: cracks that open at once, over the rate, and
 // the slope of their size. `ring_burst --ties`: cracks that take energy, beside Zhou's law and the
 // one-dimensional program; `ring_burst --chain`: that program alone. Both take
-// `--seeds N` (10), --ties also `--cells N` and `--step S`.
+// `--seeds N` (10), `--spread S` and `--rate R`, --ties also `--cells N` and `--step S`.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -30,20 +30,27 @@ double slope(std::size_t few, std::size_t many, double rates) {
   return -std::log(double(many) / double(few)) / std::log(rates);
 }
 
-/// The rings with ties that docs/accuracy.md is about.
-constexpr double spreads[] = {0.5, 3}, rates[] = {1.5, 6};
+/// The rings with ties to run; as they stand, those of docs/accuracy.md.
+struct Plan {
+  std::vector<double> spreads = {0.5, 3}, rates = {1.5, 6};
+  std::vector<int> meshes = {400, 800, 1600};
+  unsigned seeds = 10;
+  double step = RingBurst{}.step;
+};
 
 struct Means {
   double fragments = 0, taken = 0, live = 0, contact = 0, residual = 0;
 };
 
-/// Over seeds 1, 2, ...
+/// Over seeds 1, 2, ...; each on the standard error as it comes.
 Means sunder_means(RingBurst burst, unsigned seeds) {
   Means mean;
   for (burst.seed = 1; burst.seed <= seeds; ++burst.seed) {
     const RingOutcome o = run_ring(burst);
     mean.fragments += double(o.fragments) / seeds;
     mean.taken += o.taken / seeds;
+    std::fprintf(stderr, "spread %g, rate %g, %d cells, seed %u: %zu\n", burst.spread, burst.rate,
+                 burst.cells, burst.seed, o.fragments);
   }
   return mean;
 }
@@ -62,17 +69,17 @@ Means chain_means(RingBurst burst, unsigned seeds, double step) {
 }
 
 /// The program by itself, as its cells and steps shrink.
-void print_chain(unsigned seeds) {
+void print_chain(const Plan& plan) {
   std::puts(
       "spread,rate / (1/s),cells,step / (cell / c),fragments,open by a tenth,taken,contact,"
       "residual,by Zhou,by Glenn");
-  for (const double spread : spreads) {
-    for (const double rate : rates) {
+  for (const double spread : plan.spreads) {
+    for (const double rate : plan.rates) {
       const RingBurst ring{.rate = rate, .spread = spread, .fracture_energy = 33};
       const auto row = [&](int cells, double step) {
         RingBurst burst = ring;
         burst.cells = cells;
-        const Means m = chain_means(burst, seeds, step);
+        const Means m = chain_means(burst, plan.seeds, step);
         std::printf("%g,%g,%d,%g,%.1f,%.1f,%.3f,%.3f,%.1e,%.1f,%.1f\n", spread, rate, cells, step,
                     m.fragments, m.live, m.taken, m.contact, m.residual, zhou_fragments(ring),
                     glenn_fragments(ring));
@@ -85,18 +92,18 @@ void print_chain(unsigned seeds) {
 }
 
 /// Rings whose sections are tied, beside Zhou's law and the program on its finest chain.
-void print_ties(unsigned seeds, const std::vector<int>& meshes, double step) {
+void print_ties(const Plan& plan) {
   std::puts(
       "spread,rate / (1/s),cells,step / (cell / c),fragments,taken,by Zhou,over Zhou,"
       "by the chain of 6400,over the chain");
-  for (const double spread : spreads) {
-    for (const double rate : rates) {
+  for (const double spread : plan.spreads) {
+    for (const double rate : plan.rates) {
       RingBurst burst{.cells = 6400, .rate = rate, .spread = spread, .fracture_energy = 33};
-      const double zhou = zhou_fragments(burst), fine = chain_means(burst, seeds, 0.1).fragments;
-      burst.step = step;
-      for (const int cells : meshes) {
+      const double zhou = zhou_fragments(burst), fine = chain_means(burst, plan.seeds, 0.1).fragments;
+      burst.step = plan.step;
+      for (const int cells : plan.meshes) {
         burst.cells = cells;
-        const Means m = sunder_means(burst, seeds);
+        const Means m = sunder_means(burst, plan.seeds);
         std::printf("%g,%g,%d,%g,%.1f,%.3f,%.1f,%.3f,%.1f,%.3f\n", spread, rate, cells, burst.step,
                     m.fragments, m.taken, zhou, m.fragments / zhou, fine, m.fragments / fine);
         std::fflush(stdout);
@@ -108,21 +115,26 @@ void print_ties(unsigned seeds, const std::vector<int>& meshes, double step) {
 }  // namespace
 
 int main(int count, char** words) {
-  unsigned seeds = 10;
-  std::vector<int> meshes = {400, 800, 1600};
-  double step = RingBurst{}.step;
+  Plan plan;
   bool ties = false, chain = false;
   for (int k = 1; k < count; ++k) {
     const std::string_view word = words[k];
-    const char* value = k + 1 < count ? words[k + 1] : "";
     ties |= word == "--ties";
     chain |= word == "--chain";
-    if (word == "--seeds") seeds = unsigned(std::max(1, std::atoi(value)));
-    if (word == "--cells") meshes = {std::max(3, std::atoi(value))};
-    if (word == "--step") step = std::atof(value);
+    if (word == "--ties" || word == "--chain") continue;
+    const double value = k + 1 < count ? std::atof(words[++k]) : 0;
+    if (!(value > 0)) {
+      std::fprintf(stderr, "%s wants a number > 0 after it\n", word.data());
+      return 2;
+    }
+    if (word == "--seeds") plan.seeds = unsigned(value);
+    if (word == "--cells") plan.meshes = {int(value)};
+    if (word == "--spread") plan.spreads = {value};
+    if (word == "--rate") plan.rates = {value};
+    if (word == "--step") plan.step = value;
   }
-  if (ties) print_ties(seeds, meshes, step);
-  if (chain) print_chain(seeds);
+  if (ties) print_ties(plan);
+  if (chain) print_chain(plan);
   if (ties || chain) return 0;
   std::puts(
       "cells,rate / (1/s),spread,step / (cell / c),viscosity,fragments,by the rule,same sections,"
@@ -135,6 +147,6 @@ int main(int count, char** words) {
                 slope(slow.fragments, fast.fragments, 4), slope(slow.expected, fast.expected, 4));
   }
   for (const double viscosity : {0.0, 0.3}) row({.viscosity = viscosity});
-  for (const double s : {0.0625, 1.0}) row({.step = s});
+  for (const double step : {0.0625, 1.0}) row({.step = step});
   for (const double spread : {0.1, 1.0}) row({.spread = spread});
 }
