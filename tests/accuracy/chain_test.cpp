@@ -21,7 +21,7 @@ namespace {
 const double pi = std::acos(-1.0);
 
 double sum_of(const ChainEnergy& e) {
-  return e.kinetic + e.strain + e.stored + e.dissipated + e.contact;
+  return e.kinetic + e.strain + e.stored + e.dissipated + e.contact + e.damped;
 }
 
 /// Two bars whose ends are pulled apart at `speed`.
@@ -63,6 +63,16 @@ TEST_CASE("chain: a node that is pulled too weakly holds, and no energy is made"
   CHECK(chain.broken().empty());
   CHECK(largest_share > 0.1);
   CHECK(chain.energy().stored >= 0);
+}
+
+TEST_CASE("chain: what viscosity takes is in the ledger", "[accuracy][chain]") {
+  Chain chain({.viscosity = 0.4, .strength = std::vector<double>(51, 3e6)});
+  for (std::size_t k = 0; k < 51; ++k) chain.set_along(k, 0, k < 25 ? -0.6 : 0.6);
+  for (int i = 0; i < 3000; ++i) chain.step();
+  const ChainEnergy e = chain.energy();
+  CHECK(!chain.broken().empty());
+  CHECK(e.damped > 0.01 * e.before);
+  CHECK(sum_of(e) == Approx(e.before).epsilon(1e-11));
 }
 
 TEST_CASE("chain: a free bar swings as masses and springs do", "[accuracy][chain]") {
@@ -113,7 +123,7 @@ TEST_CASE("chain: rings have nearly Zhou's number of fragments, and as many on t
           "[accuracy][chain][case13]") {
   double few = 0, many = 0;
   for (const std::uint32_t seed : {1u, 2u, 3u, 4u, 5u}) {
-    const RingBurst ring{.spread = 0.5, .seed = seed, .fracture_energy = 33};
+    const RingBurst ring{.rate = 1.5, .spread = 0.5, .seed = seed, .fracture_energy = 33};
     const auto coarse = run_ring_on_chain(ring, 400), fine = run_ring_on_chain(ring, 800);
     CHECK(fine.residual < 1e-10);
     few += double(coarse.fragments) / 5;
@@ -121,7 +131,7 @@ TEST_CASE("chain: rings have nearly Zhou's number of fragments, and as many on t
   }
   INFO(few << " and " << many);
   CHECK(many == Approx(few).epsilon(0.05));
-  CHECK(many == Approx(zhou_fragments({.fracture_energy = 33})).epsilon(0.2));
+  CHECK(many == Approx(zhou_fragments({.rate = 1.5, .fracture_energy = 33})).epsilon(0.2));
 }
 
 TEST_CASE("chain: strengths are the same function of place on every mesh", "[accuracy][chain]") {

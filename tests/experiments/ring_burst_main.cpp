@@ -2,7 +2,7 @@
 // Fragments of a ring that flies apart. `ring_burst`: cracks that open at once, over the rate, and
 // the slope of their size. `ring_burst --ties`: cracks that take energy, beside Zhou's law and the
 // one-dimensional program; `ring_burst --chain`: that program alone. Both take
-// `--seeds N` (10), `--spread S` and `--rate R`, --ties also `--cells N` and `--step S`.
+// `--seeds N` (10), `--places N`, `--spread S` and `--rate R`, --ties also `--cells N` and `--step S`.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -35,6 +35,7 @@ struct Plan {
   std::vector<double> spreads = {0.5, 3}, rates = {1.5, 6};
   std::vector<int> meshes = {400, 800, 1600};
   unsigned seeds = 10;
+  int places = RingBurst{}.places;
   double step = RingBurst{}.step;
 };
 
@@ -55,10 +56,10 @@ Means sunder_means(RingBurst burst, unsigned seeds) {
   return mean;
 }
 
-Means chain_means(RingBurst burst, unsigned seeds, double step) {
+Means chain_means(RingBurst burst, unsigned seeds, double step, double viscosity = 0) {
   Means mean;
   for (burst.seed = 1; burst.seed <= seeds; ++burst.seed) {
-    const ChainRingOutcome o = run_ring_on_chain(burst, burst.cells, step);
+    const ChainRingOutcome o = run_ring_on_chain(burst, burst.cells, step, viscosity);
     mean.fragments += double(o.fragments) / seeds;
     mean.taken += o.taken / seeds;
     mean.live += double(o.live) / seeds;
@@ -71,22 +72,25 @@ Means chain_means(RingBurst burst, unsigned seeds, double step) {
 /// The program by itself, as its cells and steps shrink.
 void print_chain(const Plan& plan) {
   std::puts(
-      "spread,rate / (1/s),cells,step / (cell / c),fragments,open by a tenth,taken,contact,"
+      "spread,rate / (1/s),cells,step / (cell / c),viscosity,fragments,open by a tenth,taken,contact,"
       "residual,by Zhou,by Glenn");
   for (const double spread : plan.spreads) {
     for (const double rate : plan.rates) {
-      const RingBurst ring{.rate = rate, .spread = spread, .fracture_energy = 33};
-      const auto row = [&](int cells, double step) {
+      const RingBurst ring{
+          .rate = rate, .spread = spread, .fracture_energy = 33, .places = plan.places};
+      const auto row = [&](int cells, double step, double viscosity) {
         RingBurst burst = ring;
         burst.cells = cells;
-        const Means m = chain_means(burst, plan.seeds, step);
-        std::printf("%g,%g,%d,%g,%.1f,%.1f,%.3f,%.3f,%.1e,%.1f,%.1f\n", spread, rate, cells, step,
-                    m.fragments, m.live, m.taken, m.contact, m.residual, zhou_fragments(ring),
+        const Means m = chain_means(burst, plan.seeds, step, viscosity);
+        std::printf("%g,%g,%d,%g,%g,%.1f,%.1f,%.3f,%.3f,%.1e,%.1f,%.1f\n", spread, rate, cells, step,
+                    viscosity, m.fragments, m.live, m.taken, m.contact, m.residual, zhou_fragments(ring),
                     glenn_fragments(ring));
         std::fflush(stdout);
       };
-      for (const int cells : {400, 800, 1600, 3200, 6400}) row(cells, 0.1);
-      for (const double step : {0.5, 0.025}) row(1600, step);
+      for (const int cells : {400, 800, 1600, 3200, 6400}) row(cells, 0.1, 0);
+      for (const double step : {0.5, 0.025}) row(1600, step, 0);
+      // What Sunder's sub-steps have, 0.3, and 0.1 of the scene.
+      for (const int cells : {400, 800, 1600}) row(cells, 0.1, 0.4);
     }
   }
 }
@@ -98,7 +102,8 @@ void print_ties(const Plan& plan) {
       "by the chain of 6400,over the chain");
   for (const double spread : plan.spreads) {
     for (const double rate : plan.rates) {
-      RingBurst burst{.cells = 6400, .rate = rate, .spread = spread, .fracture_energy = 33};
+      RingBurst burst{.cells = 6400, .rate = rate, .spread = spread, .fracture_energy = 33,
+                      .places = plan.places};
       const double zhou = zhou_fragments(burst), fine = chain_means(burst, plan.seeds, 0.1).fragments;
       burst.step = plan.step;
       for (const int cells : plan.meshes) {
@@ -128,6 +133,7 @@ int main(int count, char** words) {
       return 2;
     }
     if (word == "--seeds") plan.seeds = unsigned(value);
+    if (word == "--places") plan.places = int(value);
     if (word == "--cells") plan.meshes = {int(value)};
     if (word == "--spread") plan.spreads = {value};
     if (word == "--rate") plan.rates = {value};

@@ -166,7 +166,8 @@ RingOutcome run_ring(const RingBurst& burst) {
   return seen;
 }
 
-ChainRingOutcome run_ring_on_chain(const RingBurst& burst, int cells, double step) {
+ChainRingOutcome run_ring_on_chain(const RingBurst& burst, int cells, double step,
+                                   double viscosity) {
   const Material material;
   const double G = burst.fracture_energy.value();
   chain::Chain ring({.shape = chain::Shape::ring,
@@ -174,12 +175,13 @@ ChainRingOutcome run_ring_on_chain(const RingBurst& burst, int cells, double ste
                      .density = material.density,
                      .fracture_energy = G,
                      .step = step,
+                     .viscosity = viscosity,
                      .strength = strengths(burst, cells)});
   for (std::size_t k = 0; k < ring.nodes(); ++k) ring.set_outwards(k, 0, burst.rate);
   const double until = time_of(material.tensile_strength * (1 + burst.spread), burst) + burst.after;
   while (ring.time() < until) ring.step();
   const chain::ChainEnergy e = ring.energy();
-  const double now = e.kinetic + e.strain + e.stored + e.dissipated + e.contact;
+  const double now = e.kinetic + e.strain + e.stored + e.dissipated + e.contact + e.damped;
   const double parted = double(ring.broken().size());
   return {.fragments = ring.broken().size(),
           .live = ring.live(0.1),

@@ -147,7 +147,7 @@ ChainSpallOutcome run_spall_on_chain(const Spall& spall, int cells, double step)
     right = x;
   }
   const chain::ChainEnergy e = bar.energy();
-  const double now = e.kinetic + e.strain + e.stored + e.dissipated + e.contact;
+  const double now = e.kinetic + e.strain + e.stored + e.dissipated + e.contact + e.damped;
   seen.live = bar.live(0.1);
   seen.residual = std::abs(now - e.before) / e.before;
   seen.momentum = bar.momentum() / before;

@@ -65,7 +65,7 @@ std::pair<double, double> energy_of(const ChainTie& tie, double critical) {
 Chain::Chain(ChainSettings settings) : settings_(std::move(settings)) {
   const ChainSettings& s = settings_;
   const bool positive = s.young_modulus > 0 && s.density > 0 && s.fracture_energy > 0 &&
-                        s.length > 0 && s.step > 0 && s.step < 1;
+                        s.length > 0 && s.step > 0 && s.step < 1 && s.viscosity >= 0;
   if (!positive || s.strength.size() < 3) {
     throw std::invalid_argument("a chain wants three nodes, positive numbers and a step below 1");
   }
@@ -82,6 +82,7 @@ Chain::Chain(ChainSettings settings) : settings_(std::move(settings)) {
   if (!ring) left_.front().mass = right_.back().mass = 0;
   ties_.resize(n);
   stress_.assign(n, 0);
+  viscous_ = stress_;
 }
 
 void Chain::set_along(std::size_t node, double displacement, double speed) {
@@ -138,15 +139,25 @@ void Chain::move_tied(std::size_t node, double left_pull, double right_pull) {
 void Chain::step() {
   const std::size_t n = nodes();
   const bool ring = settings_.shape == Shape::ring;
-  for (std::size_t k = 0; k < n; ++k) stress_[k] = stress(k);
-  const double h = time_step_;
+  const double h = time_step_, share = time_ > 0 ? settings_.viscosity / settings_.step : 0;
   for (std::size_t k = 0; k < n; ++k) {
-    const double to_left = stress_[k > 0 ? k - 1 : n - 1], to_right = stress_[k];
+    const double now = stress(k);
+    damped_ += damped(k, now);
+    viscous_[k] = share * (now - stress_[k]);
+    stress_[k] = now;
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t before = k > 0 ? k - 1 : n - 1;
+    const double to_left = stress_[before] + viscous_[before];
+    const double to_right = stress_[k] + viscous_[k];
     ChainSide &left = left_[k], &right = right_[k];
     const bool is_end = !ring && (k == 0 || k + 1 == n);
     const double mean = (to_left + to_right) / 2;
     ChainTie& tie = ties_[k];
-    if (!is_end && tie.strength == 0 && mean >= settings_.strength[k]) tie.strength = mean;
+    const double elastic = (stress_[before] + stress_[k]) / 2;
+    if (!is_end && tie.strength == 0 && elastic >= settings_.strength[k]) {
+      tie.strength = std::max(mean, elastic);
+    }
     const bool apart = tie.strength > 0;
     if (apart) {
       move_tied(k, along_ * to_left, along_ * to_right);
@@ -166,7 +177,7 @@ void Chain::step() {
   }
   if (time_ == 0) {
     const ChainEnergy e = energy();
-    before_ = e.kinetic + e.strain + e.stored + e.dissipated + e.contact;
+    before_ = e.kinetic + e.strain + e.stored + e.dissipated + e.contact + e.damped;
   }
   time_ += h;
 }
@@ -187,8 +198,15 @@ std::size_t Chain::live(double share) const {
       }));
 }
 
+/// What the viscous stress of the last step has taken, the stress now being `now`.
+double Chain::damped(std::size_t bar, double now) const {
+  if (!(settings_.viscosity > 0)) return 0;
+  const double last = viscous_[bar] * settings_.step / settings_.viscosity;
+  return cell_ / settings_.young_modulus * viscous_[bar] * (now - stress_[bar] + last) / 2;
+}
+
 ChainEnergy Chain::energy() const {
-  ChainEnergy e{.before = before_, .contact = contact_};
+  ChainEnergy e{.before = before_, .contact = contact_, .damped = damped_};
   for (std::size_t k = 0; k < nodes(); ++k) {
     for (const ChainSide* side : {&left_[k], &right_[k]}) {
       const double squared = side->along_speed * side->along_speed +
@@ -196,6 +214,7 @@ ChainEnergy Chain::energy() const {
       e.kinetic += side->mass * squared / 2;
     }
     e.strain += cell_ / (2 * settings_.young_modulus) * stress_[k] * stress(k);
+    e.damped += damped(k, stress(k));
     if (ties_[k].strength == 0) continue;
     const auto [stored, lost] = energy_of(ties_[k], critical_opening(ties_[k]));
     e.stored += stored;

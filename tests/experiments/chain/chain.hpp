@@ -19,6 +19,9 @@ struct ChainSettings {
   double fracture_energy = 33;   ///< G_c, J/m^2
   double length = 1;             ///< m, of a bar; a ring has 2 pi
   double step = 0.1;             ///< of a wave's way through a cell, < 1
+  /// Bars bear E times this (cell / c) times the rate of strain beside E times the strain; strengths
+  /// are held against the latter. >= 0, and with the step: step^2 + 2 step viscosity < 1.
+  double viscosity = 0;
   /// Pa, of each node: `cells` of a ring, `cells` + 1 of a bar, whose ends do not split.
   std::vector<double> strength;
 };
@@ -44,6 +47,7 @@ struct ChainEnergy {
   double stored = 0;     ///< in ties that have opened in part
   double dissipated = 0; ///< by the law, up to the largest openings
   double contact = 0;    ///< in impacts of the two sides of a node, and of what shuts
+  double damped = 0;     ///< in bars, by viscosity
 };
 
 /// Masses between bars with central differences, strain linear in displacements. A node whose mean
@@ -86,6 +90,7 @@ class Chain {
   double momentum() const;
 
  private:
+  double damped(std::size_t bar, double now) const;
   void move_tied(std::size_t node, double left_pull, double right_pull);
 
   ChainSettings settings_;
@@ -94,7 +99,8 @@ class Chain {
   std::vector<ChainSide> left_, right_;
   std::vector<ChainTie> ties_;
   std::vector<double> stress_;  ///< Pa, of bars, where the masses were a step before
-  double before_ = 0, contact_ = 0;
+  std::vector<double> viscous_;  ///< Pa, of bars, in the last step
+  double before_ = 0, contact_ = 0, damped_ = 0;
 };
 
 }  // namespace sunder::chain
