@@ -33,13 +33,15 @@ TEST_CASE("case 13: fragments of a ring become smaller with the root of its rate
   CHECK(seen == Approx(0.5).margin(0.12));
 }
 
-TEST_CASE("case 13: a ring whose cracks take energy has as many fragments on twice the cells",
+TEST_CASE("case 13: a ring whose cracks take energy breaks as the one-dimensional program does",
           "[accuracy][case13]") {
-  const RingBurst burst{.cells = 400, .rate = 1.5, .spread = 0.5, .fracture_energy = 33};
-  RingBurst finer = burst;
-  finer.cells = 800;
-  const RingOutcome coarse = run_ring(burst), fine = run_ring(finer);
-  INFO(coarse.fragments << " and " << fine.fragments << ", by Zhou " << fine.zhou_fragments);
-  CHECK(double(fine.fragments) == Approx(double(coarse.fragments)).epsilon(0.15));
-  CHECK(double(fine.fragments) == Approx(fine.zhou_fragments).epsilon(0.25));
+  const double spread = GENERATE(0.5, 3.0);
+  const RingBurst burst{.cells = 400, .rate = 1.5, .spread = spread, .fracture_energy = 33};
+  const RingOutcome seen = run_ring(burst);
+  const ChainRingOutcome fine = run_ring_on_chain(burst, 1600);
+  INFO(seen.fragments << ", by the program " << fine.fragments << ", by Zhou "
+                      << zhou_fragments(burst));
+  // On 400 cells the viscosity of the sub-steps costs fragments: docs/accuracy.md.
+  CHECK(double(seen.fragments) == Approx(double(fine.fragments)).epsilon(spread < 1 ? 0.1 : 0.2));
+  if (spread < 1) CHECK(double(seen.fragments) == Approx(zhou_fragments(burst)).epsilon(0.25));
 }

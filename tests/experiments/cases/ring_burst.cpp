@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <random>
 #include <stdexcept>
 #include <vector>
 
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/element/energy.hpp"
+#include "tests/experiments/chain/chain.hpp"
+#include "tests/experiments/chain/loads.hpp"
 #include "tests/support/shapes.hpp"
 
 namespace sunder::accuracy {
@@ -22,6 +23,14 @@ struct Ring {
   std::vector<double> strength;  ///< Pa, of each section
   double cell = 0;               ///< m
 };
+
+std::vector<double> strengths(const RingBurst& burst, int cells) {
+  return chain::strengths_of({.least = Material{}.tensile_strength,
+                              .spread = burst.spread,
+                              .places = burst.fracture_energy ? burst.places : cells,
+                              .seed = burst.seed},
+                             cells);
+}
 
 Ring ring_of(const RingBurst& burst) {
   Ring ring;
@@ -39,15 +48,7 @@ Ring ring_of(const RingBurst& burst) {
   for (const Corners& c : body.corners) {
     ring.mesh.tetrahedra.push_back({c[0].value, c[1].value, c[2].value, c[3].value});
   }
-  // Not a distribution of the library's: those differ from one to the next.
-  std::mt19937 random(burst.seed);
-  const double xi = Material{}.tensile_strength;
-  constexpr std::size_t places = 1600;
-  const std::size_t skipped = burst.fracture_energy ? places / around : 1;
-  for (std::size_t k = 0; k < around * skipped; ++k) {
-    const double drawn = xi * (1 + burst.spread * random() / 4294967296.0);
-    if (k % skipped == 0) ring.strength.push_back(drawn);
-  }
+  ring.strength = strengths(burst, burst.cells);
   return ring;
 }
 
@@ -87,7 +88,6 @@ Scene scene_of(const Ring& ring, const RingBurst& burst) {
   body.name = "ring";
   body.mesh = ring.mesh;
   body.material.poisson_ratio = 0;
-  body.material.toughness = burst.toughness;
   body.material.fracture_energy = burst.fracture_energy;
   if (burst.fracture_energy) scene.fracture.crack = CrackMode::cohesive;
   for (std::size_t k = 0; k < ring.mesh.points.size(); ++k) {
@@ -107,15 +107,17 @@ double energy_of(const Simulation& sim) {
   return kinetic_energy(sim.state->mechanics.vertices) + strain_energy(sim.state->mechanics);
 }
 
+chain::RingLaw law_of(const RingBurst& burst) {
+  const Material material;
+  return {material.young_modulus, material.density, material.tensile_strength,
+          burst.fracture_energy.value(), burst.rate};
+}
+
 }  // namespace
 
-double zhou_size(double rate, double fracture_energy) {
-  const Material material;
-  const double E = material.young_modulus, sigma = material.tensile_strength;
-  const double s0 = E * fracture_energy / (sigma * sigma);
-  const double e = rate * E * E * fracture_energy / (bar_wave_speed(material) * std::pow(sigma, 3));
-  return s0 * 4.5 / (1 + 4.5 * std::pow(e, 2.0 / 3));
-}
+double zhou_fragments(const RingBurst& burst) { return 2 * pi / chain::zhou_size(law_of(burst)); }
+
+double glenn_fragments(const RingBurst& burst) { return 2 * pi / chain::glenn_size(law_of(burst)); }
 
 RingOutcome run_ring(const RingBurst& burst) {
   const Ring ring = ring_of(burst);
@@ -134,7 +136,7 @@ RingOutcome run_ring(const RingBurst& burst) {
   RingOutcome seen;
   const double before = energy_of(*sim);
   std::vector<char> broke(ring.strength.size(), 0);
-  const double more = burst.fracture_energy ? 5e-4 : sim->scene.integrator.time_step;
+  const double more = burst.fracture_energy ? burst.after : sim->scene.integrator.time_step;
   double work = 0;
   while (sim->state->mechanics.time < last + more) {
     const StepReport report = advance(*sim);
@@ -160,16 +162,32 @@ RingOutcome run_ring(const RingBurst& burst) {
   seen.mean_expected = 0.5 * burst.cells * std::sqrt(pi * ring.cell / (c * span));
   const double area = double(seen.fragments) * ring.cell * ring.cell;
   seen.energy_per_area = (before - energy_of(*sim)) / area;
-  if (burst.fracture_energy) {
-    seen.zhou_fragments = 2 * pi / zhou_size(burst.rate, *burst.fracture_energy);
-    seen.taken = work / (*burst.fracture_energy * area);
-  }
-  if (burst.toughness) {
-    const double size =
-        std::pow(std::sqrt(24.0) * *burst.toughness / (material.density * c * burst.rate), 2.0 / 3);
-    seen.grady_fragments = 2 * pi / size;
-  }
+  if (burst.fracture_energy) seen.taken = work / (*burst.fracture_energy * area);
   return seen;
+}
+
+ChainRingOutcome run_ring_on_chain(const RingBurst& burst, int cells, double step,
+                                   double viscosity) {
+  const Material material;
+  const double G = burst.fracture_energy.value();
+  chain::Chain ring({.shape = chain::Shape::ring,
+                     .young_modulus = material.young_modulus,
+                     .density = material.density,
+                     .fracture_energy = G,
+                     .step = step,
+                     .viscosity = viscosity,
+                     .strength = strengths(burst, cells)});
+  for (std::size_t k = 0; k < ring.nodes(); ++k) ring.set_outwards(k, 0, burst.rate);
+  const double until = time_of(material.tensile_strength * (1 + burst.spread), burst) + burst.after;
+  while (ring.time() < until) ring.step();
+  const chain::ChainEnergy e = ring.energy();
+  const double now = e.kinetic + e.strain + e.stored + e.dissipated + e.contact + e.damped;
+  const double parted = double(ring.broken().size());
+  return {.fragments = ring.broken().size(),
+          .live = ring.live(0.1),
+          .taken = e.dissipated / (G * parted),
+          .contact = e.contact / (G * parted),
+          .residual = std::abs(now - e.before) / e.dissipated};
 }
 
 }  // namespace sunder::accuracy

@@ -23,10 +23,11 @@ struct RingBurst {
   double step = 0.25;      ///< of a wave's way through a cell
   double viscosity = 0.1;  ///< C = this (cell / c) K
   std::uint32_t seed = 1;
-  std::optional<double> toughness = {};  ///< Pa sqrt(m)
   /// G_c, J/m^2: where given cracks are cohesive, and strengths are a function of place, drawn at
-  /// 1600 places: cells divides that.
+  /// `places` points and linear between them, the same on all meshes whose cells are a multiple.
   std::optional<double> fracture_energy = {};
+  int places = 400;
+  double after = 5e-4;  ///< s that a ring with ties runs on
 };
 
 struct RingOutcome {
@@ -34,18 +35,31 @@ struct RingOutcome {
   std::size_t expected = 0;       ///< by the rule, with these strengths
   double mean_expected = 0;       ///< by the mean over all draws, for small cells
   std::size_t same_sections = 0;  ///< sections that broke and should
-  double zhou_fragments = 0;      ///< `zhou_size`, G_c given
   double taken = 0;               ///< work on ties / (G_c times the area of the sections apart)
-  double grady_fragments = 0;     ///< 2 pi R / (sqrt(24) K_Ic / (rho c rate))^(2/3), K_Ic given
   double energy_per_area = 0;     ///< kinetic and strain energy lost / area of cracks, J/m^2
 };
 
-/// m, mean size of fragments of an expanding ring with cohesive sections of equal strength [Zhou,
-/// Molinari and Ramesh 2006]: s / s0 = 4.5 / (1 + 4.5 e^(2/3)), s0 = E G_c / sigma^2, e = rate E^2
-/// G_c / (c sigma^3).
-double zhou_size(double rate, double fracture_energy);
+/// Of sections that all have the least strength, by `chain::zhou_size` and `chain::glenn_size`. Need
+/// a fracture energy.
+double zhou_fragments(const RingBurst& burst);
+double glenn_fragments(const RingBurst& burst);
 
-/// Runs until the strongest section would have broken; with ties for half a millisecond more.
+/// Runs until the strongest section would have broken; with ties for `after` more. A fragment is a
+/// component of the map of pieces: what hangs on a tie is one.
 RingOutcome run_ring(const RingBurst& burst);
+
+/// What the one-dimensional program (`chain::Chain`) makes of the same ring.
+struct ChainRingOutcome {
+  std::size_t fragments = 0;  ///< sections that have opened by d_c
+  std::size_t live = 0;       ///< others, open by more than a tenth of that
+  double taken = 0;           ///< energy that the law says is gone / (G_c, sections apart)
+  double contact = 0;         ///< what impacts of sections took, by the same
+  double residual = 0;        ///< of the ledger / energy that the law says is gone
+};
+
+/// The same strengths, material, rate and end on `cells` bars, in steps of `step` of a wave's way
+/// through one, with a viscosity that is none of the program's own. Needs a fracture energy; the mesh, step and viscosity of `burst` do not count.
+ChainRingOutcome run_ring_on_chain(const RingBurst& burst, int cells, double step = 0.1,
+                                   double viscosity = 0);
 
 }  // namespace sunder::accuracy

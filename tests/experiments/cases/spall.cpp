@@ -9,30 +9,22 @@
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/element/energy.hpp"
 #include "mechanics/rebuild.hpp"
+#include "tests/experiments/chain/chain.hpp"
+#include "tests/experiments/chain/loads.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
 namespace sunder::accuracy {
 namespace {
 
-/// A sawtooth of compression: its front stands at `front`, m.
-struct Pulse {
-  double front, ramp, length, peak;  ///< m, m, m, Pa
+using chain::Pulse;
 
-  double stress(double x) const {
-    const double behind = front - x;
-    if (behind <= 0 || behind >= length) return 0;
-    return peak * std::min(behind / ramp, (length - behind) / (length - ramp));
-  }
-  /// Of the stress from x on, Pa m.
-  double integral(double x) const {
-    double sum = 0;
-    constexpr int parts = 400;
-    const double from = std::max(x, front - length), d = (front - from) / parts;
-    if (d <= 0) return 0;
-    for (int i = 0; i < parts; ++i) sum += d * stress(from + (i + 0.5) * d);
-    return sum;
-  }
-};
+/// m, from the front to the free end at the start: on every mesh the same where the rise is.
+double stand_off(const Spall& spall) {
+  return spall.front_length > 0 ? 0.02 : 3.0 / spall.cells;
+}
+
+/// s, that a run lasts: the pulse has gone.
+double duration(const Spall& spall, double c) { return 1.3 * spall.length / c; }
 
 Scene scene_of(const Spall& spall, double cell) {
   Scene scene;
@@ -99,7 +91,7 @@ SpallOutcome run_spall(const Spall& spall) {
                        return a.x() < b.x();
                      })->x();
   const double rise = spall.front_length > 0 ? spall.front_length : spall.front * cell;
-  const Pulse pulse{end - 3 * cell, rise, spall.length, peak};
+  const Pulse pulse{end - stand_off(spall), rise, spall.length, peak};
   set_pulse(*sim, pulse);
   const double momentum_before = momentum(sim->state->mechanics.vertices).x();
 
@@ -108,7 +100,7 @@ SpallOutcome run_spall(const Spall& spall) {
   seen.exact_layers = static_cast<std::size_t>(spall.peak);
   // What is reflected is the peak, a ramp behind the front.
   const double reflected = (end - pulse.front + pulse.ramp) / c;
-  const double until = 1.3 * spall.length / c;
+  const double until = duration(spall, c);
   double first = -1;
   while (sim->state->mechanics.time < until) {
     const StepReport report = advance(*sim);
@@ -126,6 +118,39 @@ SpallOutcome run_spall(const Spall& spall) {
     seen.speed = pieces.front().speed / ((2 * peak - xi) / (material.density * c));
   }
   seen.momentum = momentum(sim->state->mechanics.vertices).x() / momentum_before;
+  return seen;
+}
+
+ChainSpallOutcome run_spall_on_chain(const Spall& spall, int cells, double step) {
+  const Material material;
+  const double c = bar_wave_speed(material), xi = material.tensile_strength;
+  const double rise = spall.front_length > 0 ? spall.front_length : spall.front / spall.cells;
+  const Pulse pulse{1 - stand_off(spall), rise, spall.length, spall.peak * xi};
+  chain::Chain bar({.young_modulus = material.young_modulus,
+                    .density = material.density,
+                    .fracture_energy = spall.fracture_energy.value(),
+                    .step = step,
+                    .strength = std::vector<double>(static_cast<std::size_t>(cells) + 1, xi)});
+  for (std::size_t k = 0; k < bar.nodes(); ++k) {
+    const double x = double(k) * bar.cell();
+    bar.set_along(k, pulse.integral(x) / material.young_modulus,
+                  pulse.stress(x) / (material.density * c));
+  }
+  const double before = bar.momentum();
+  while (bar.time() < duration(spall, c)) bar.step();
+  ChainSpallOutcome seen;
+  double right = 1;
+  const std::vector<std::size_t> broken = bar.broken();
+  for (auto k = broken.rbegin(); k != broken.rend(); ++k) {
+    const double x = double(*k) * bar.cell();
+    seen.thickness.push_back(right - x);
+    right = x;
+  }
+  const chain::ChainEnergy e = bar.energy();
+  const double now = e.kinetic + e.strain + e.stored + e.dissipated + e.contact + e.damped;
+  seen.live = bar.live(0.1);
+  seen.residual = std::abs(now - e.before) / e.before;
+  seen.momentum = bar.momentum() / before;
   return seen;
 }
 

@@ -38,4 +38,16 @@ struct SpallOutcome {
 /// Runs until the pulse has gone.
 SpallOutcome run_spall(const Spall& spall);
 
+/// What the one-dimensional program (`chain::Chain`) makes of the same pulse.
+struct ChainSpallOutcome {
+  std::vector<double> thickness;  ///< m, of the layers, the first one first
+  std::size_t live = 0;           ///< nodes open by more than a tenth of what would part them
+  double residual = 0;            ///< of the ledger / energy of the pulse
+  double momentum = 0;            ///< at the end / that of the pulse
+};
+
+/// The same pulse, material and end on `cells` bars, in steps of `step` of a wave's way through
+/// one. Needs a fracture energy and a `front_length`; the step and viscosity of `spall` do not count.
+ChainSpallOutcome run_spall_on_chain(const Spall& spall, int cells, double step = 0.1);
+
 }  // namespace sunder::accuracy
