@@ -66,6 +66,12 @@ double crack_sub_step(const Scene& scene, const MechanicsState& m, const Compone
   return std::min(struck, cell_travel(m, c));
 }
 
+/// Where cracks take energy, not every peak of a wave front decides: a third of the viscosity that
+/// bare strengths need, which cost rings a tenth of their fragments (docs/accuracy.md).
+double wave_viscosity(const Scene& scene) {
+  return scene.fracture.crack == CrackMode::cohesive ? 0.1 : StepPart{}.viscosity;
+}
+
 /// Whom fans have cracked.
 std::vector<ComponentId> cracked_by(std::span<const FanEvent> fans, const MechanicsState& m) {
   std::vector<ComponentId> cracked;
@@ -185,7 +191,9 @@ PlannedPart next_of_members(StepPlan& plan, const Scene& scene, SimulationState&
   const bool fine = plan.throughout || !open_windows(s.impact).empty();
   const bool at_once = plan.impact.stopped || plan.hurried;
   if (fine && !at_once) {
-    return {{Deformation::wave, 0, &scene.impact, plan.strength, plan.threshold}, sub_step};
+    return {
+        {Deformation::wave, 0, &scene.impact, plan.strength, plan.threshold, wave_viscosity(scene)},
+        sub_step};
   }
   // What is left at once, or the way to the next blow.
   const ImpactSettings* impact = at_once ? nullptr : &scene.impact;

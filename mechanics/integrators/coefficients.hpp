@@ -5,6 +5,7 @@
 
 #include "mechanics/solver/component_system.hpp"
 #include "mechanics/state/settings.hpp"
+#include "mechanics/state/step_input.hpp"
 
 namespace sunder {
 
@@ -36,22 +37,22 @@ SystemMatrix system_matrix(const IntegratorSettings& settings);
 
 /// The scheme of the sub-steps of an impact: no memory of accelerations, forces balanced at
 /// (1 - theta) old + theta new, and a viscosity C_w = viscosity x (way of a wave through a cell) K
-/// that keeps wave fronts from overshooting on a mesh, as the linear bulk viscosity of explicit
-/// codes does [von Neumann and Richtmyer 1950]:
+/// (`StepPart::viscosity`) that keeps wave fronts from overshooting on a mesh, as the linear bulk
+/// viscosity of explicit codes does [von Neumann and Richtmyer 1950]:
 ///   M dv = h (b - C (d' + theta dv) - K (d + theta h d' + theta^2 h^2 dv)),  d += h (d' + theta
 ///   dv)
 /// Chosen by figures (docs/impact.md): with them the peak of a flat impact is within 8 per cent for
 /// sub-steps from 0.01 to 0.1 L/c on 20 to 100 cells.
 struct WaveScheme {
   static constexpr double theta = 0.65;
-  static constexpr double viscosity = 0.3;
 };
 
-/// C = a M + b K of a wave: the user's damping and C_w. `cell_travel`: of the component, s.
-RayleighDamping wave_damping(const IntegratorSettings& settings, double cell_travel);
+/// C = a M + b K of a wave: the user's damping and C_w with the viscosity of the part.
+/// `cell_travel`: of the component, s.
+RayleighDamping wave_damping(const StepInput& input, double cell_travel);
 
 /// A = M + theta h C + theta^2 h^2 K of a wave, for the change of velocity.
-SystemMatrix wave_matrix(const IntegratorSettings& settings, double cell_travel);
+SystemMatrix wave_matrix(const StepInput& input, double cell_travel);
 
 /// Displacement at the end of a step for a unit change of momentum at its start, elastic part:
 /// inverse A^-1 + mass M^-1 on deformations. From A da = -C dv - h (1-alpha_f) K dv and

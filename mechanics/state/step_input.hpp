@@ -46,6 +46,8 @@ struct StepPart {
   /// Beside `impact`: J that a component must hold before it can break, |C|. Blows that cannot
   /// bring it so far are none. Empty: every blow counts.
   std::span<const double> threshold = {};
+  /// Of a wave: C_w (`WaveScheme`) is this times a wave's way through a cell times K.
+  double viscosity = 0.3;
 };
 
 /// What a step moves, by rows of components and obstacles: 0 keeps still and meets nothing.
