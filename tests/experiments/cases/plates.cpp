@@ -33,6 +33,9 @@ PlateCase slab(PlateShape shape, const PlateLine& notch, const Material& materia
   body.cuts = {{.faces = CutPlane{.point = {0, notch.height, 0}, .normal = {0, 1, 0}},
                 .box = RestBox{{notch.from - eps, -wide, -wide}, {notch.to + eps, wide, wide}},
                 .ball = {}}};
+  if (choice.plane_strain) {
+    body.held = {{.minimum = {-wide, -wide, -wide}, .maximum = {wide, wide, wide}, .axes = {Axis::z}}};
+  }
   plate.scene.bodies = {body};
   plate.scene.gravity.acceleration.setZero();
   plate.scene.integrator.time_step = choice.step > 0 ? choice.step : 1e-6;
@@ -81,6 +84,14 @@ PlateCase kalthoff_plate(const PlateChoice& choice) {
                           .fracture_energy = 22130};
   const double height = notch_at(choice, 0.025, shape.cell);
   PlateCase plate = slab(shape, {0, 0.05, height}, material, choice);
+  std::vector<HeldBox>& held = plate.scene.bodies[0].held;
+  const double eps = 1e-6 * plate.shape.cell;
+  held.push_back({.minimum = {-wide, -wide, -wide}, .maximum = {wide, eps, wide}, .axes = {Axis::y}});
+  const double speed = choice.rate > 0 ? choice.rate : 16.5;
+  held.push_back({.minimum = {-wide, -wide, -wide},
+                  .maximum = {eps, height - eps, wide},
+                  .velocity = {speed, 0, 0},
+                  .axes = {Axis::x}});
   plate.duration = 90e-6;
   return plate;
 }
@@ -92,9 +103,42 @@ PlateCase compact_tension(const PlateChoice& choice) {
                           .density = 2400,
                           .tensile_strength = 3.8e6,
                           .fracture_energy = 65};
-  PlateCase plate = slab(shape, {0, 0.08, 0.1}, material, choice);
-  plate.duration = 1e-3;
+  PlateChoice own = choice;
+  own.plane_strain = false;
+  PlateCase plate = slab(shape, {0, 0.08, 0.1}, material, own);
+  // At the mouth of the notch, as by the specimen's steel frame: pulled up above it, held below.
+  const double eps = 1e-6 * plate.shape.cell, mouth = 0.02;
+  const double rate = choice.rate > 0 ? choice.rate : 0.035;
+  BodySettings& body = plate.scene.bodies[0];
+  body.held.push_back({.minimum = {-wide, 0.1 + eps, -wide},
+                       .maximum = {eps, 0.1 + mouth + eps, wide},
+                       .velocity = {0, rate, 0},
+                       .axes = {Axis::y}});
+  body.held.push_back({.minimum = {-wide, 0.1 - mouth - eps, -wide},
+                       .maximum = {eps, 0.1 - eps, wide},
+                       .axes = {Axis::x, Axis::y}});
+  body.unbreakable = {{RestBox{{-wide, 0.1 - mouth - eps, -wide}, {mouth, 0.1 + mouth + eps, wide}}}};
+  plate.duration = 150e-6 + 3e-4 / rate;
+  if (choice.step == 0) plate.scene.integrator.time_step = rate < 0.5 ? 2e-5 : 2e-6;
   return plate;
+}
+
+std::vector<CrackTrace> main_crack(const std::vector<CrackTrace>& traces, const PlateCase& plate) {
+  const double near = 2.5 * plate.shape.cell;
+  std::vector<CrackTrace> rest, crack;
+  for (const CrackTrace& t : traces) {
+    if (!t.released) continue;
+    (distance_of(t, plate) < near ? crack : rest).push_back(t);
+  }
+  for (std::size_t k = 0; k < crack.size(); ++k) {
+    const CrackTrace from = crack[k];
+    const auto out = std::partition(rest.begin(), rest.end(), [&](const CrackTrace& t) {
+      return std::hypot(t.x - from.x, t.y - from.y) >= near;
+    });
+    crack.insert(crack.end(), out, rest.end());
+    rest.erase(out, rest.end());
+  }
+  return crack;
 }
 
 std::vector<CrackTrace> crack_traces(const Simulation& sim, const PlateCase& plate) {
@@ -125,10 +169,9 @@ TipPlace tip_of(const std::vector<CrackTrace>& traces, const PlateCase& plate, d
   tip.time = time;
   const double cell = plate.shape.cell;
   std::vector<std::vector<double>> rings;  // angles about the notch's tip
-  for (const CrackTrace& trace : traces) {
+  for (const CrackTrace& trace : traces) tip.tied = std::max(tip.tied, distance_of(trace, plate));
+  for (const CrackTrace& trace : main_crack(traces, plate)) {
     const double distance = distance_of(trace, plate);
-    tip.tied = std::max(tip.tied, distance);
-    if (!trace.released) continue;
     if (distance > tip.reach) {
       tip.reach = distance;
       tip.x = trace.x;
@@ -175,23 +218,21 @@ std::vector<double> tip_speeds(const std::vector<TipPlace>& history) {
 
 double crack_angle(const std::vector<CrackTrace>& traces, const PlateCase& plate, double from,
                    double to) {
-  double n = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
-  for (const CrackTrace& trace : traces) {
+  double x = 0, y = 0, xx = 0, xy = 0, yy = 0;
+  for (const CrackTrace& trace : main_crack(traces, plate)) {
     const double distance = distance_of(trace, plate);
-    if (!trace.released || distance < from || distance > to) continue;
-    n += 1;
-    x += trace.x;
-    y += trace.y;
-    xx += trace.x * trace.x;
-    xy += trace.x * trace.y;
-    yy += trace.y * trace.y;
+    if (distance < from || distance > to) continue;
+    const double dx = trace.x - notch_tip(plate), dy = trace.y - plate.notch.height;
+    x += dx;
+    y += dy;
+    xx += dx * dx;
+    xy += dx * dy;
+    yy += dy * dy;
   }
-  if (n < 2) return 0;
-  const double a = xx - x * x / n, b = xy - x * y / n, c = yy - y * y / n;
-  double angle = 0.5 * std::atan2(2 * b, a - c);
-  if (y / n - plate.notch.height < 0 && angle > 0) angle -= std::numbers::pi;
-  if (y / n - plate.notch.height > 0 && angle < 0) angle += std::numbers::pi;
-  return angle * 180 / std::numbers::pi;
+  const double axis = 0.5 * std::atan2(2 * xy, xx - yy);
+  const double way = std::cos(axis) * x + std::sin(axis) * y;
+  return std::remainder(axis + (way < 0 ? std::numbers::pi : 0), 2 * std::numbers::pi) * 180 /
+         std::numbers::pi;
 }
 
 }  // namespace sunder::accuracy

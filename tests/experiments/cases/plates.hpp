@@ -28,7 +28,7 @@ struct PlateChoice {
   double strength = 0;  ///< Pa
   double rate = 0;      ///< m/s: speed of what strikes or pulls
   double step = 0;      ///< s
-  bool plane_strain = true;  ///< false: the slab's faces are free
+  bool plane_strain = true;  ///< false: the slab's faces are free, as they always are in tension
 };
 
 /// A plate 100 x 40 mm with a notch to its middle, pulled apart by 1 MPa on its long edges from the
@@ -54,6 +54,10 @@ struct CrackTrace {
 /// New crack faces (of each pair one), the notch's left out.
 std::vector<CrackTrace> crack_traces(const Simulation& sim, const PlateCase& plate);
 
+/// Released faces that hang together with the notch's tip: each no more than two and a half cells
+/// from the next.
+std::vector<CrackTrace> main_crack(const std::vector<CrackTrace>& traces, const PlateCase& plate);
+
 /// Where a crack's tip is, and how many branches there are behind it.
 struct TipPlace {
   double time = 0;        ///< s
@@ -64,15 +68,15 @@ struct TipPlace {
   double fork = 0;           ///< m, radius of the smallest circle with two groups or more; 0: none
 };
 
-/// The tip now. Two released faces on a ring two cells wide are of one group when no more than two
+/// The tip of the main crack now. Two of its faces on a ring two cells wide are of one group when no more than two
 /// and a half cells apart, over others between them.
 TipPlace tip_of(const std::vector<CrackTrace>& traces, const PlateCase& plate, double time);
 
 /// Speed of the tip about each place, m/s: slope of the line through those within 2.5 us.
 std::vector<double> tip_speeds(const std::vector<TipPlace>& history);
 
-/// Direction of the released crack by a line through its faces from `from` to `to` (m) away from the
-/// notch's tip: degrees from the notch's line, positive towards +y.
+/// Direction of the main crack by a line from the notch's tip through its faces that are `from` to
+/// `to` (m) away from there: degrees from the notch's line, positive towards +y.
 double crack_angle(const std::vector<CrackTrace>& traces, const PlateCase& plate, double from,
                    double to);
 
