@@ -184,8 +184,10 @@ void add_support_work(EnergyLedger& ledger, const AdoptedPart& part, const Compo
     given += pull.dot(led);
   }
   for (const ContactPoint& c : part.result.contacts) {
-    if (c.vertex.is_none() || m.vertices.component[c.vertex.index()] != component.id) continue;
-    outside += c.impulse;
+    const bool is_a = !c.vertex.is_none() && m.vertices.component[c.vertex.index()] == component.id;
+    const bool is_b =
+        !c.tetrahedron.is_none() && m.elements.component[c.tetrahedron.index()] == component.id;
+    outside += (int{is_a} - int{is_b}) * c.impulse;
   }
   const Vec3 momentum = component.momentum - before.momentum[component.id.index()];
   ledger.supports += given + component.frame_velocity.dot(momentum - outside);
