@@ -58,9 +58,14 @@ double deformation_loss(const AdoptedPart& part, const Component& component) {
   if (!deforms_now || !system) return 0;
   const PartStart& before = part.before;
   const VertexColumns& v = m.vertices;
-  const DeformationStep step{{before.displacement, before.rate, before.acceleration},
+  DeformationStep step{{before.displacement, before.rate, before.acceleration},
                              {v.displacement, v.displacement_rate, v.displacement_acceleration},
                              component.strain_change.difference};
+  if (component.partly_held) {
+    const Vec3 carried = input.settings.time_step * component.frame_velocity;
+    step.shift = component.orientation.conjugate() *
+                 (component.centre - before.centre[component.id.index()] - carried);
+  }
   // Equilibrium at the end under the loads of the whole way: they give what strain does not take.
   if (component.rung == Rung::quasi_static) return 0.5 * step.stiffness_difference;
   if (input.part.deformation == Deformation::wave) return wave_loss(*system, step);
