@@ -9,6 +9,7 @@
 #include "mechanics/integrators/baseline_system.hpp"
 #include "mechanics/integrators/scratch.hpp"
 #include "mechanics/solver/component_system.hpp"
+#include "mechanics/state/supports.hpp"
 #include "topology/base/assert.hpp"
 
 namespace sunder {
@@ -90,15 +91,19 @@ void set_members(MechanicsState& state, Component& component, std::vector<TetId>
   component.rest_inertia = rest_shape(vertices, component.vertices, component.rest_centre).inertia;
 }
 
-/// Whether held, and by what; held vertices take the velocity of their motion.
+/// Whether held, and by what; held vertices take the velocity of their motion. Needs: orientation.
 void set_supports(MechanicsState& state, Component& component) {
   MotionId lowest = MotionId::none();
+  component.partly_held = false;
   for (VertexId v : component.vertices) {
     const MotionId motion = state.vertices.support[v.index()];
     if (motion.is_none()) continue;
     SUNDER_ASSERT(motion.index() < state.motions.size(), "rebuild: a support without a motion");
-    state.vertices.velocity[v.index()] = state.motions[motion.index()].velocity;
-    state.vertices.displacement_acceleration[v.index()].setZero();
+    Vec3& velocity = state.vertices.velocity[v.index()];
+    velocity = with_support(state, v, velocity, component.orientation);
+    Vec3& acceleration = state.vertices.displacement_acceleration[v.index()];
+    acceleration = free_part(state, v, acceleration);
+    component.partly_held = component.partly_held || !is_held_whole(state, v);
     if (lowest.is_none() || motion < lowest) lowest = motion;
   }
   component.supported = !lowest.is_none();
@@ -232,8 +237,8 @@ RebuildReport rebuild(MechanicsState& state, std::span<const Corners> corners,
     }
     const Parent& parent = parents[i];
     set_members(state, component, std::move(members[i]), corners);
-    set_supports(state, component);
     component.orientation = parent.frame.orientation;
+    set_supports(state, component);
     component.rung = Rung::full;
     if (component.supported) seat_frame(state, component, parent);
     if (component.isolated) report.strain_released += present_strain(state, corners, component);
@@ -270,10 +275,8 @@ void place(MechanicsState& state, ComponentId id, const Placement& placement) {
   set_rigid_rows(state, component);
   if (!component.supported) return;
   for (VertexId v : component.vertices) {
-    const MotionId motion = state.vertices.support[v.index()];
-    if (!motion.is_none()) {
-      state.vertices.velocity[v.index()] = state.motions[motion.index()].velocity;
-    }
+    Vec3& velocity = state.vertices.velocity[v.index()];
+    velocity = with_support(state, v, velocity, component.orientation);
   }
   fit_component(state, component);
 }

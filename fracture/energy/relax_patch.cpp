@@ -99,14 +99,17 @@ ComponentSystem system_of(const Component& patch, std::span<const VertexId> inne
                           MechanicsState& m) {
   std::vector<MotionId>& support = m.vertices.support;
   std::vector<VertexId> rim;
+  const MotionId rim_motion{m.motions.size()};
+  m.motions.push_back({});
   for (const VertexId v : patch.vertices) {
     if (!support[v.index()].is_none() || std::ranges::binary_search(inner, v)) continue;
     rim.push_back(v);
-    support[v.index()] = MotionId{0};
+    support[v.index()] = rim_motion;
   }
   ComponentSystem system;
   build_system(system, local_row, m, cells.map.corners(), patch);
   for (const VertexId v : rim) support[v.index()] = MotionId::none();
+  m.motions.pop_back();
   return system;
 }
 

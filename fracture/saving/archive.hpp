@@ -28,7 +28,7 @@ namespace sunder {
 template <class T, class Visit>
 void for_each_member(T& x, Visit visit) {
   constexpr int n = member_count(static_cast<const T*>(nullptr));
-  static_assert(n >= 1 && n <= 17);
+  static_assert(n >= 1 && n <= 18);
   const auto all = [&](auto&... member) { (visit(member), ...); };
   if constexpr (n == 1) {
     auto& [a] = x;
@@ -78,9 +78,12 @@ void for_each_member(T& x, Visit visit) {
   } else if constexpr (n == 16) {
     auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q] = x;
     all(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q);
-  } else {
+  } else if constexpr (n == 17) {
     auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r] = x;
     all(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r);
+  } else {
+    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s] = x;
+    all(a, b, c, d, e, f, g, h, i, j, k, l, m, o, p, q, r, s);
   }
 }
 

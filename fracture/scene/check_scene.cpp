@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "fracture/strength/draw_strength.hpp"
+#include "fracture/strength/held_boxes.hpp"
 #include "fracture/scene/cohesive_settings.hpp"
 
 namespace sunder {
@@ -46,6 +48,39 @@ void check_boxes(fields::SettingsCheck& check, const TetMesh& mesh, const std::v
   }
 }
 
+/// What moves a vertex moves it along the axes on which it is held.
+void check_axes(fields::SettingsCheck& check, const BodySettings& body) {
+  for (std::size_t i = 0; i < body.held.size(); ++i) {
+    const Vec3 own = body.rotation.conjugate() * body.held[i].velocity;
+    const AxisSet axes = axes_of(body.held[i]);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double along = std::abs(own[static_cast<Eigen::Index>(axis)]);
+      if (axes[axis] || !(along > 1e-9 * own.norm())) continue;
+      check.add("velocity_not_held", fmt::format("held.{}.velocity", i),
+                fmt::format("moves vertices along {}, along which they are free", "xyz"[axis]),
+                "name the axis in \"axes\", or leave the velocity along it out");
+    }
+  }
+}
+
+/// Held along some axes only: what cannot do that.
+void check_partial(fields::SettingsCheck& check, const Scene& scene) {
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    if (std::ranges::none_of(scene.bodies[b].held, is_partial)) continue;
+    const auto refuse = [&](bool is_wrong, const char* what) {
+      if (!is_wrong) return;
+      check.add("axes_not_supported", fmt::format("bodies.{}.held", b),
+                fmt::format("holds vertices along some axes only, which {} cannot do", what),
+                "leave it out, or leave \"axes\" out of the boxes");
+    };
+    refuse(scene.integrator.integrator != Integrator::floating_frame,
+           "an integrator other than floating_frame");
+    refuse(scene.contact.method == ContactMethod::penalty, "contact.method penalty");
+    refuse(scene.fracture.relax > 0, "fracture.relax");
+    refuse(scene.fracture.criterion == FractureCriterion::energy, "fracture.criterion energy");
+  }
+}
+
 void check_unbreakable_boxes(fields::SettingsCheck& check, const BodySettings& body) {
   for (std::size_t i = 0; i < body.unbreakable.size(); ++i) {
     const auto* box = std::get_if<RestBox>(&body.unbreakable[i].where);
@@ -74,6 +109,7 @@ void check_together(fields::SettingsCheck& check, const BodySettings& body) {
   if (body.mesh.tetrahedra.empty()) return;
   check_boxes(check, body.mesh, body.held, "held", "nothing_held");
   check_boxes(check, body.mesh, body.loads, "loads", "nothing_loaded");
+  check_axes(check, body);
   check_unbreakable_boxes(check, body);
   check_strength(check, body);
 }
@@ -83,6 +119,7 @@ void check_together(fields::SettingsCheck& check, const Scene& scene) {
     check.add("no_body", "bodies", "is empty", "give at least one body");
   }
   check_cohesive(check, scene);
+  check_partial(check, scene);
   constexpr double most_steps = 1e9;
   const double steps = scene.duration / scene.integrator.time_step;
   if (scene.integrator.time_step > 0 && steps > most_steps) {

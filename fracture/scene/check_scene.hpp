@@ -18,10 +18,11 @@ std::vector<SettingFinding> check_scene(const Scene& scene);
 void check_together(fields::SettingsCheck& check, const HeldBox& box);
 void check_together(fields::SettingsCheck& check, const LoadBox& box);
 void check_together(fields::SettingsCheck& check, const RestBox& box);
-/// nothing_held, nothing_loaded, nothing_unbreakable: a box without a vertex of the mesh; and those
+/// nothing_held, nothing_loaded, nothing_unbreakable: a box without a vertex of the mesh;
+/// velocity_not_held: a velocity along an axis on which its vertices are free; and those
 /// of `check_strength`.
 void check_together(fields::SettingsCheck& check, const BodySettings& body);
-/// no_body; too_many_steps.
+/// no_body; too_many_steps; axes_not_supported: what cannot go with vertices held along some axes.
 void check_together(fields::SettingsCheck& check, const Scene& scene);
 
 }  // namespace sunder

@@ -48,6 +48,11 @@ inline const Names<FaceOrder>& names_of(FaceOrder) {
   return names;
 }
 
+inline const Names<Axis>& names_of(Axis) {
+  static const Names<Axis> names = {{Axis::x, "x"}, {Axis::y, "y"}, {Axis::z, "z"}};
+  return names;
+}
+
 template <class V>
 void describe(V& v, HeldBox& h) {
   v.field(Key{"minimum", "m", "Lower corner of the box, in the mesh's own coordinates", {}, true},
@@ -56,6 +61,11 @@ void describe(V& v, HeldBox& h) {
           h.maximum);
   v.field(Key{"velocity", "m/s", "Velocity at which the vertices are moved; zero holds them"},
           h.velocity);
+  v.field(Key{"axes", "",
+              "Axes of the mesh's own coordinates along which they are held; empty: all three. "
+              "With some of them only for floating_frame, and not with fracture.relax or criterion "
+              "energy"},
+          h.axes);
 }
 
 template <class V>

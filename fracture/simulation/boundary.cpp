@@ -190,6 +190,10 @@ void assign_roles(Boundary& boundary, const SimulationState& s, std::span<const 
   boundary.component.assign(s.mechanics.components.size(), Role::other);
   boundary.ball.assign(s.obstacles.size(), Role::other);
   for (ComponentId id : open) boundary.component[id.index()] = Role::member;
+  // A rigid body that is carried is free or stands; what slides along an axis is neither.
+  for (const Component& c : s.mechanics.components) {
+    if (!open.empty() && c.partly_held) boundary.component[c.id.index()] = Role::member;
+  }
   const std::vector<Body> bodies = bodies_of(s);
   take_balls(boundary, s, bodies, reach);
   surround(boundary, s, bodies, reach, Role::member);

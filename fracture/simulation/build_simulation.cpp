@@ -10,6 +10,7 @@
 #include "fracture/simulation/scene_loads.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "fracture/strength/draw_strength.hpp"
+#include "fracture/strength/held_boxes.hpp"
 #include "fracture/strength/make_cuts.hpp"
 #include "fracture/scene/cohesive_settings.hpp"
 #include "mechanics/rebuild.hpp"
@@ -77,22 +78,17 @@ Result<MechanicsState> make_columns(const Scene& scene, const std::vector<BodyRo
                      .materials = materials});
 }
 
-bool contains(const HeldBox& box, const Vec3& p) {
-  return (p.array() >= box.minimum.array()).all() && (p.array() <= box.maximum.array()).all();
-}
-
 /// Marks the held vertices of one body.
 void hold_vertices(Simulation& sim, std::size_t body) {
   MechanicsState& m = sim.state->mechanics;
-  for (const HeldBox& held : sim.scene.bodies[body].held) {
-    const MotionId motion{m.motions.size()};
-    for (std::size_t v = 0; v < m.vertices.size(); ++v) {
-      const std::uint32_t point = sim.state->cells.map.point_of_vertex(VertexId{v});
-      if (point < sim.bodies[body].first_point || point >= sim.bodies[body].end_point) continue;
-      if (contains(held, m.vertices.rest_position[v])) m.vertices.support[v] = motion;
-    }
-    m.motions.push_back({held.velocity});
+  std::vector<VertexId> vertices;
+  for (std::size_t v = 0; v < m.vertices.size(); ++v) {
+    const std::uint32_t point = sim.state->cells.map.point_of_vertex(VertexId{v});
+    if (point < sim.bodies[body].first_point || point >= sim.bodies[body].end_point) continue;
+    vertices.push_back(VertexId{v});
   }
+  const BodySettings& settings = sim.scene.bodies[body];
+  hold_vertices(m, vertices, settings.held, settings.rotation);
 }
 
 /// Places every component of a body, all of them as one rigid body.

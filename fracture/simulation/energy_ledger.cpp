@@ -9,6 +9,7 @@
 #include "mechanics/integrators/component_step.hpp"
 #include "mechanics/integrators/numerical_loss.hpp"
 #include "mechanics/state/living.hpp"
+#include "mechanics/state/supports.hpp"
 
 namespace sunder {
 namespace {
@@ -44,7 +45,7 @@ double balance_of(Deformation deformation, const IntegratorSettings& settings) {
 IntegratorSettings deformation_settings(const StepInput& input, const MechanicsState& state,
                                         const Component& component) {
   IntegratorSettings settings = settings_of(input, state, component);
-  settings.time_step = input.deformation_step();
+  settings.time_step = input.deformation_step(component);
   return settings;
 }
 
@@ -57,9 +58,14 @@ double deformation_loss(const AdoptedPart& part, const Component& component) {
   if (!deforms_now || !system) return 0;
   const PartStart& before = part.before;
   const VertexColumns& v = m.vertices;
-  const DeformationStep step{{before.displacement, before.rate, before.acceleration},
+  DeformationStep step{{before.displacement, before.rate, before.acceleration},
                              {v.displacement, v.displacement_rate, v.displacement_acceleration},
                              component.strain_change.difference};
+  if (component.partly_held) {
+    const Vec3 carried = input.settings.time_step * component.frame_velocity;
+    step.shift = component.orientation.conjugate() *
+                 (component.centre - before.centre[component.id.index()] - carried);
+  }
   // Equilibrium at the end under the loads of the whole way: they give what strain does not take.
   if (component.rung == Rung::quasi_static) return 0.5 * step.stiffness_difference;
   if (input.part.deformation == Deformation::wave) return wave_loss(*system, step);
@@ -141,12 +147,13 @@ void add_support_work(EnergyLedger& ledger, const AdoptedPart& part, const Compo
   if (!component.supported || !system) return;
   const std::size_t n = system->size();
   double fastest = component.frame_velocity.norm();
-  for (std::size_t i = system->free_count; i < n; ++i) {
-    fastest = std::max(fastest, m.vertices.displacement_rate[system->order[i].index()].norm());
+  for (const VertexId v : system->order) {
+    const Vec3& rate = m.vertices.displacement_rate[v.index()];
+    fastest = std::max(fastest, (rate - free_part(m, v, rate)).norm());
   }
   if (fastest == 0) return;
   const IntegratorSettings settings = deformation_settings(input, m, component);
-  const double balance = balance_of(input.part.deformation, settings);
+  const double balance = balance_of(deformation_of(input, m, component), settings);
   const RayleighDamping damping = input.part.deformation == Deformation::wave
                                       ? wave_damping(input, system->cell_travel)
                                       : settings.damping;
@@ -172,16 +179,20 @@ void add_support_work(EnergyLedger& ledger, const AdoptedPart& part, const Compo
     Vec3 f = m.vertices.mass[v] * input.loads.gravity;
     if (!input.loads.force.empty()) f += input.loads.force[v];
     outside += input.settings.time_step * f;
-    if (i < system->free_count) continue;
+    const Vec3 way = m.vertices.displacement[v] - before.displacement[v];
+    const Vec3 led = way - free_part(m, system->order[i], way);
+    if (led.isZero(0)) continue;
     const Vec3 pull = force.segment<3>(static_cast<Eigen::Index>(3 * i)) +
                       damping.mass_factor * m.vertices.mass[v] *
                           between(before.rate, m.vertices.displacement_rate, v) -
                       R.transpose() * f;
-    given += pull.dot(m.vertices.displacement[v] - before.displacement[v]);
+    given += pull.dot(led);
   }
   for (const ContactPoint& c : part.result.contacts) {
-    if (c.vertex.is_none() || m.vertices.component[c.vertex.index()] != component.id) continue;
-    outside += c.impulse;
+    const bool is_a = !c.vertex.is_none() && m.vertices.component[c.vertex.index()] == component.id;
+    const bool is_b =
+        !c.tetrahedron.is_none() && m.elements.component[c.tetrahedron.index()] == component.id;
+    outside += (int{is_a} - int{is_b}) * c.impulse;
   }
   const Vec3 momentum = component.momentum - before.momentum[component.id.index()];
   ledger.supports += given + component.frame_velocity.dot(momentum - outside);

@@ -12,6 +12,7 @@
 #include "mechanics/contact/impact.hpp"
 #include "mechanics/element/energy.hpp"
 #include "mechanics/integrators/impulse_response.hpp"
+#include "mechanics/state/supports.hpp"
 
 namespace sunder {
 namespace {
@@ -85,10 +86,12 @@ bool flies_safely(const SimulationState& s, const Component& component) {
          flight_stress_bound(s.mechanics, component) < safe_part * strength;
 }
 
-/// Whether three held vertices lie off one line: else the component turns about them freely, and K
+/// Whether three held vertices lie off one line, or single axes held do as much: else the component turns about them freely, and K
 /// alone has no factor.
-bool is_held_fast(const VertexColumns& vertices, const Component& component) {
+bool is_held_fast(const MechanicsState& state, const Component& component) {
+  if (component.partly_held) return is_fixed_by_axes(state, component);
   constexpr double off_line = 1e-3;
+  const VertexColumns& vertices = state.vertices;
   const auto is_held = [&](VertexId v) { return !vertices.support[v.index()].is_none(); };
   const auto first = std::ranges::find_if(component.vertices, is_held);
   if (first == component.vertices.end()) return false;
@@ -107,7 +110,7 @@ bool is_held_fast(const VertexColumns& vertices, const Component& component) {
 /// Whether the component may go from equilibrium to equilibrium.
 bool is_loaded_slowly(const SimulationState& s, const Component& component) {
   constexpr double slow = 1e-3;
-  return component.supported && is_held_fast(s.mechanics.vertices, component) &&
+  return component.supported && is_held_fast(s.mechanics, component) &&
          swing(s.mechanics, component, lowest_strength(s, component)) < slow;
 }
 

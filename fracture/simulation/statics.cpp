@@ -11,8 +11,10 @@
 #include "fracture/algorithms/find_fractures.hpp"
 #include "fracture/algorithms/fracture_plane.hpp"
 #include "fracture/simulation/simulation_state.hpp"
+#include "fracture/strength/held_boxes.hpp"
 #include "mechanics/element/energy.hpp"
 #include "mechanics/statics/modes.hpp"
+#include "mechanics/state/supports.hpp"
 #include "mechanics/statics/static_solve.hpp"
 
 namespace sunder {
@@ -56,7 +58,8 @@ void explain(const Simulation& sim, Finding& finding) {
   const auto id = static_cast<std::size_t>(finding.ids.front());
   const std::string body = body_name(sim, body_of(sim, sim.state->mechanics.components[id]));
   finding.text = fmt::format(
-      "{}: its piece {} has no three held vertices off one line, so it has no equilibrium{}", body,
+      "{}: its piece {} has no three held vertices off one line, nor axes held that fix it, so it has no equilibrium{}",
+      body,
       id, sim.scene.obstacles.empty() ? "" : "; obstacles that carry a body are not supports here");
   finding.remedy =
       "hold a face of it: \"held\": [{\"minimum\": [...], \"maximum\": [...]}] in the "
@@ -116,7 +119,6 @@ class Survey {
       ++answer.vertices;
       add_vertex(answer, v, centre);
     }
-    first_motion_ += answer.supports.size();
     return answer;
   }
 
@@ -153,14 +155,20 @@ class Survey {
     see(answer.strength_share, stress / sim_.state->cells.strength[v], v, answer);
     answer.load += m.vertices.mass[v] * loads_.gravity;
     if (!loads_.force.empty()) answer.load += loads_.force[v];
-    if (m.vertices.support[v].is_none()) {
-      answer.residual = std::max(answer.residual, missing_[v].norm());
-      return;
+    const BodySettings& settings = sim_.scene.bodies[body_of_[v]];
+    const Holders holders = holders_of(settings.held, m.vertices.rest_position[v]);
+    const Vec3 own = settings.rotation.conjugate() * missing_[v];
+    answer.residual = std::max(answer.residual, free_part(m, VertexId{v}, own).norm());
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (holders[axis] == no_holder) continue;
+      SupportReaction& support = answer.supports[holders[axis]];
+      const auto first = std::ranges::find(holders, holders[axis]) - holders.begin();
+      support.vertices += first == std::ptrdiff_t(axis);
+      const auto row = static_cast<Eigen::Index>(axis);
+      const Vec3 force = settings.rotation * Vec3(own[row] * Vec3::Unit(row));
+      support.force += force;
+      support.moment += (undeformed(v) - centre).cross(force);
     }
-    SupportReaction& support = answer.supports[m.vertices.support[v].index() - first_motion_];
-    ++support.vertices;
-    support.force += missing_[v];
-    support.moment += (undeformed(v) - centre).cross(missing_[v]);
   }
 
   const Simulation& sim_;
@@ -168,7 +176,6 @@ class Survey {
   std::span<const Vec3> missing_;
   std::span<const Mat3> stress_;
   std::vector<std::size_t> body_of_ = body_of_vertices(sim_);
-  std::size_t first_motion_ = 0;
 };
 
 Loads full_loads(const Simulation& sim) {

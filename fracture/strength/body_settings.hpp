@@ -86,13 +86,19 @@ struct UnbreakablePart {
   std::variant<RegionName, RestBox> where;
 };
 
-/// Vertices held by the outside world: those whose rest position lies in a box of the body.
+/// An axis of a mesh's own coordinates.
+enum class Axis { x, y, z };
+
+/// Vertices held by the outside world: those whose rest position lies in a box of the body. What
+/// several boxes hold along one axis the last of them holds.
 struct HeldBox {
   /// Corners of the box in the mesh's own coordinates, m; its surface belongs to it.
   Eigen::Vector3d minimum = Eigen::Vector3d::Zero();
   Eigen::Vector3d maximum = Eigen::Vector3d::Zero();
   /// Velocity the vertices are moved with, m/s; zero holds them fixed.
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
+  /// Axes, of the mesh's own coordinates, along which the vertices are held; empty: all three.
+  std::vector<Axis> axes = {};
 };
 
 /// What pushes or pulls a body from outside: on its surface inside a box, or on the vertices there.

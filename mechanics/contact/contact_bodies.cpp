@@ -10,6 +10,7 @@
 #include "mechanics/integrators/component_step.hpp"
 #include "mechanics/integrators/modal.hpp"
 #include "mechanics/solver/component_system.hpp"
+#include "mechanics/state/supports.hpp"
 
 namespace sunder {
 namespace {
@@ -21,7 +22,7 @@ const Sphere& sphere_of(const Obstacle& ball) { return std::get<Sphere>(ball.sha
 double response_scale(const ContactPass& pass, const Component& component) {
   const StepInput& input = pass.input;
   if (input.part.deformation == Deformation::wave) return 1;
-  const double h = input.deformation_step();
+  const double h = input.deformation_step(component);
   const double rho = settings_of(input, pass.state, component).rho_infinity;
   return generalised_alpha(rho).beta * h * (h / input.settings.time_step);
 }
@@ -40,7 +41,7 @@ struct FreeSlots {
 FreeSlots free_slots(const ContactPass& pass, std::span<const VertexId> slots) {
   FreeSlots free;
   for (std::size_t k = 0; k < slots.size(); ++k) {
-    if (!pass.state.vertices.support[slots[k].index()].is_none()) continue;
+    if (is_held_whole(pass.state, slots[k])) continue;
     free.local.push_back(pass.state.systems.local_row[slots[k].index()]);
     free.slot.push_back(static_cast<Eigen::Index>(k));
   }
@@ -50,7 +51,8 @@ FreeSlots free_slots(const ContactPass& pass, std::span<const VertexId> slots) {
 /// Whether the body responds by deforming, in floating_frame or modal.
 bool responds_elastically(const ContactPass& pass, const Component& component) {
   return takes_split_blow(pass, component) && !component.isolated &&
-         component.rung != Rung::carried && pass.input.part.deformation != Deformation::frozen;
+         component.rung != Rung::carried &&
+         (component.partly_held || pass.input.part.deformation != Deformation::frozen);
 }
 
 /// Elastic response of floating_frame at the end of a part of a step: `response_scale` A^-1 on
@@ -140,10 +142,13 @@ RespondingBody lumped_component(const ContactPass& pass, const Component& compon
   }
   for (std::size_t k = 0; k < slots.size(); ++k) {
     const std::size_t v = slots[k].index();
-    if (!pass.state.vertices.support[v].is_none()) continue;
-    body.elastic.diagonal()
-        .segment<3>(static_cast<Eigen::Index>(3 * k))
-        .setConstant(1 / pass.state.vertices.mass[v]);
+    const Mat3 R = component.orientation.toRotationMatrix();
+    const Vec3 free = free_part(pass.state, slots[k], Vec3::Ones());
+    const auto row = static_cast<Eigen::Index>(3 * k);
+    body.elastic.block<3, 3>(row, row) =
+        free == Vec3::Ones() ? Mat3(Mat3::Identity() / pass.state.vertices.mass[v])
+                             : Mat3(R * free.asDiagonal() * R.transpose() /
+                                    pass.state.vertices.mass[v]);
   }
   return body;
 }

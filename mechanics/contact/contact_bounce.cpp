@@ -7,6 +7,7 @@
 #include "mechanics/frame/mean_axis.hpp"
 #include "mechanics/integrators/coefficients.hpp"
 #include "mechanics/integrators/component_step.hpp"
+#include "mechanics/state/supports.hpp"
 
 namespace sunder {
 namespace {
@@ -28,7 +29,7 @@ struct Bounce {
   /// lambda h of the component at an end, s.
   double reach(const ContactEnd& end) const {
     const double rho = settings_of(pass.input, pass.state, component_of(end)).rho_infinity;
-    return pass.input.deformation_step() * velocity_to_come(rho);
+    return pass.input.deformation_step(component_of(end)) * velocity_to_come(rho);
   }
   bool is_ball(const ContactEnd& end) const { return bodies.ball[end.body] != ContactBodies::none; }
 };
@@ -65,9 +66,9 @@ void spend_acceleration(const Bounce& bounce, const ContactRow& row) {
     const ContactEnd& end = row.ends[e];
     if (bounce.is_ball(end) || bounce.component_of(end).isolated) continue;
     const std::size_t v = end.vertex.index();
-    if (!vertices.support[v].is_none()) continue;
     const Vec3 n = bounce.component_of(end).orientation.conjugate() * row.normal;
-    const Vec3 along = n * n.dot(vertices.displacement_acceleration[v]);
+    const Vec3 along = free_part(bounce.pass.state, end.vertex,
+                                 n * n.dot(vertices.displacement_acceleration[v]));
     vertices.displacement_acceleration[v] -= along;
     vertices.displacement_rate[v] += bounce.reach(end) * along;
   }
@@ -79,7 +80,7 @@ void settle_rates(MechanicsState& state, const Component& component) {
   const Mat3 R = component.orientation.toRotationMatrix();
   if (component.supported) {
     for (VertexId v : component.vertices) {
-      if (!vertices.support[v.index()].is_none()) continue;
+      if (is_held_whole(state, v)) continue;
       vertices.velocity[v.index()] =
           component.frame_velocity + R * vertices.displacement_rate[v.index()];
     }

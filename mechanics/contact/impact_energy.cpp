@@ -208,6 +208,8 @@ Verdict ImpactEnergy::judge(ComponentId id, double threshold) {
   const std::uint32_t node = id.value;
   if (nodes_[node].other == none) return Verdict::breaks;
   const Component& component = step_.pass.state.components[id.index()];
+  // What may slide along an axis is neither ground nor free: no bound stands for it.
+  if (component.partly_held) return Verdict::breaks;
   const double pair = pair_bound(node);
   if (pair < threshold) {
     const double own = deformation_energy(step_.pass.state, component);

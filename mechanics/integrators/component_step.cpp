@@ -33,15 +33,18 @@ ComponentSystem& built_system(MechanicsState& state, std::span<const Corners> co
 }
 
 bool is_pulled(const MechanicsState& state, const Component& component) {
-  return component.supported && std::ranges::any_of(component.vertices, [&](VertexId v) {
+  return component.partly_held ||
+         (component.supported && std::ranges::any_of(component.vertices, [&](VertexId v) {
            return !state.vertices.support[v.index()].is_none() &&
                   support_velocity(state, v) != component.frame_velocity;
-         });
+         }));
 }
 
 Deformation deformation_of(const StepInput& input, const MechanicsState& state,
                            const Component& component) {
   const Deformation asked = input.part.deformation;
+  // What may slide goes with time, never ahead of it.
+  if (component.partly_held) return asked == Deformation::wave ? asked : Deformation::whole;
   const bool must_move = asked == Deformation::frozen && is_pulled(state, component);
   return must_move ? Deformation::catch_up : asked;
 }
@@ -50,7 +53,7 @@ IntegratorSettings settings_of(const StepInput& input, const MechanicsState& sta
                                const Component& component) {
   IntegratorSettings settings = input.settings;
   if (settings.rho_infinity > 0 && !component.tetrahedra.empty()) {
-    settings.rho_infinity = followed_rho(settings.rho_infinity, input.deformation_step(),
+    settings.rho_infinity = followed_rho(settings.rho_infinity, input.deformation_step(component),
                                          extent_travel(state, component));
   }
   return settings;
@@ -72,7 +75,7 @@ ComponentSystem& prepared_system(MechanicsState& state, const StepInput& input,
     case Deformation::whole:
     case Deformation::catch_up: {
       IntegratorSettings settings = settings_of(input, state, component);
-      settings.time_step = input.deformation_step();
+      settings.time_step = input.deformation_step(component);
       factor_system(system, system_matrix(settings));
     }
   }

@@ -19,7 +19,7 @@ struct ComponentStep {
 };
 
 /// Whether supports move vertices of a component against its frame: frozen, it would be stretched
-/// at its supports alone.
+/// at its supports alone. Or leave it to slide.
 bool is_pulled(const MechanicsState& state, const Component& component);
 
 /// How a component's deformation goes through the part of a step.

@@ -6,6 +6,7 @@
 #include "mechanics/integrators/coefficients.hpp"
 #include "mechanics/integrators/modal.hpp"
 #include "mechanics/integrators/rigid_motion.hpp"
+#include "mechanics/state/supports.hpp"
 
 namespace sunder {
 namespace {
@@ -59,7 +60,7 @@ double advance_deformation(const ComponentStep& step, BodyDeformation& d, const 
   const IntegratorSettings settings = settings_of(step.input, step.state, step.component);
   const auto [alpha_m, alpha_f, beta, gamma] = generalised_alpha(settings.rho_infinity);
   const auto [a, b] = settings.damping;
-  const double h = step.input.deformation_step();
+  const double h = step.input.deformation_step(step.component);
   const std::size_t n = step.system->size();
   const auto free = static_cast<Eigen::Index>(step.system->free_count);
   const bool damped = a > 0 || b > 0;
@@ -272,6 +273,18 @@ void step_free(const ComponentStep& step) {
   write_rows(step, d, next, w, next.momentum / step.component.mass);
 }
 
+/// Along axes on which nothing holds it a body may go far: once that is its radius, the frame
+/// follows, and no vertex moves.
+void follow_sliding(const ComponentStep& step, BodyDeformation& d, PredictedFrame& next) {
+  if (!step.component.partly_held) return;
+  const RestShape& shape = step.system->shape;
+  Vec3 shift = d.displacement * shape.mass / shape.total_mass;
+  if (shift.norm() <= step.component.rest_radius) return;
+  for (VertexId v : step.component.vertices) shift = free_part(step.state, v, shift);
+  d.displacement.colwise() -= shift;
+  next.centre += next.orientation * shift;
+}
+
 void step_supported(const ComponentStep& step) {
   const Component& body = step.component;
   BodyDeformation d = gather_deformation(step);
@@ -283,6 +296,7 @@ void step_supported(const ComponentStep& step) {
   next.damping_work = advance_part(step, d, load);
   next.centre = body.centre + step.input.settings.time_step * body.frame_velocity;
   next.orientation = body.orientation;
+  follow_sliding(step, d, next);
   write_rows(step, d, next, Vec3::Zero(), body.frame_velocity);
 
   MechanicsScratch::Predicted& predicted = step.scratch.predicted;

@@ -8,6 +8,7 @@
 #include "mechanics/frame/rotation.hpp"
 #include "mechanics/integrators/coefficients.hpp"
 #include "mechanics/integrators/component_step.hpp"
+#include "mechanics/state/supports.hpp"
 #include "topology/base/assert.hpp"
 
 namespace sunder {
@@ -72,10 +73,11 @@ void apply_to_component(MechanicsState& state, const BodyBlow& blow) {
     const Mat3 back = component.orientation.toRotationMatrix().transpose();
     for (const VertexImpulse& hit : blow.impulses) {
       const std::size_t v = hit.vertex.index();
-      if (!state.vertices.support[v].is_none()) continue;
-      const Vec3 change = hit.impulse / state.vertices.mass[v];
-      state.vertices.velocity[v] += change;
-      state.vertices.displacement_rate[v] += back * change;
+      if (is_held_whole(state, hit.vertex)) continue;
+      const Vec3 change =
+          free_part(state, hit.vertex, back * hit.impulse / state.vertices.mass[v]);
+      state.vertices.velocity[v] += back.transpose() * change;
+      state.vertices.displacement_rate[v] += change;
     }
     return;
   }

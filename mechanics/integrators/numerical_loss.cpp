@@ -13,7 +13,7 @@ double numerical_loss(const ComponentSystem& system, const IntegratorSettings& s
   double turned = 0, lent = 0;  // Dd.M Da, and what a . M a holds
   for (std::size_t i = 0; i < system.size(); ++i) {
     const std::size_t v = system.order[i].index();
-    const Vec3 way = step.after.displacement[v] - step.before.displacement[v];
+    const Vec3 way = step.after.displacement[v] - step.before.displacement[v] + step.shift;
     const Vec3& old = step.before.acceleration[v];
     const Vec3& now = step.after.acceleration[v];
     const double mass = system.shape.mass[static_cast<Eigen::Index>(i)];

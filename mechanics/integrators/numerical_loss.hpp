@@ -20,6 +20,8 @@ struct DeformationRows {
 struct DeformationStep {
   DeformationRows before, after;
   double stiffness_difference = 0;
+  /// m, body frame: what of the displacements the frame took over, where a body slides far.
+  Vec3 shift = Vec3::Zero();
 };
 
 /// J lost in one step of `settings.time_step` with `settings.rho_infinity` (as the component took

@@ -19,11 +19,13 @@ Field equilibrium(const ComponentStep& step, const Field& before) {
   const Mat3 back = step.component.orientation.toRotationMatrix().transpose();
   Field d = scratch_field(step.scratch, ScratchField::rate, n);
   d.setZero();
-  for (Eigen::Index i = free; i < free + held; ++i) {
+  const auto moved_on = [&](Eigen::Index i) -> Vec3 {
     const VertexId v = system.order[static_cast<std::size_t>(i)];
     const Vec3 relative = support_velocity(step.state, v) - step.component.frame_velocity;
-    d.col(i) = before.col(i) + step.input.settings.time_step * (back * relative);
-  }
+    return before.col(i) + step.input.settings.time_step * (back * relative);
+  };
+  for (Eigen::Index i = free; i < free + held; ++i) d.col(i) = moved_on(i);
+  for (const Eigen::Index row : system.held_scalars) d(row % 3, row / 3) = moved_on(row / 3)[row % 3];
   Field load = scratch_field(step.scratch, ScratchField::load, n);
   load.setZero();
   add_body_load(load, step, back.transpose());
@@ -31,7 +33,7 @@ Field equilibrium(const ComponentStep& step, const Field& before) {
   multiply_stiffness(as_vector(product), system, as_vector(d));
   load -= product;
   solve_system(system, as_vector(load).head(3 * free));
-  d.leftCols(free) = load.leftCols(free);
+  d.leftCols(free) += load.leftCols(free);
   return d;
 }
 

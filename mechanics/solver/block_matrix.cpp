@@ -103,6 +103,30 @@ BlockMatrix renumbered(const BlockMatrix& A, std::span<const std::uint32_t> plac
   return B;
 }
 
+void leave_out(Eigen::Matrix3d& block, const std::array<bool, 3>& rows,
+               const std::array<bool, 3>& columns, bool on_diagonal) {
+  for (Eigen::Index c = 0; c < 3; ++c) {
+    for (Eigen::Index r = 0; r < 3; ++r) {
+      const bool held = rows[std::size_t(r)] || columns[std::size_t(c)];
+      if (held && !(on_diagonal && r == c)) block(r, c) = 0;
+    }
+  }
+}
+
+BlockMatrix without_scalars(BlockMatrix A, std::span<const std::uint32_t> held) {
+  std::vector<std::array<bool, 3>> axes(A.size(), std::array<bool, 3>{});
+  for (const std::uint32_t scalar : held) axes[scalar / 3][scalar % 3] = true;
+  for (std::size_t j = 0; j < A.size(); ++j) {
+    for (std::uint32_t e = A.start[j]; e < A.start[j + 1]; ++e) {
+      Eigen::Map<Eigen::Matrix3d> stored(A.value.data() + 9 * std::size_t{e});
+      Eigen::Matrix3d block = stored;
+      leave_out(block, axes[A.row[e]], axes[j], A.row[e] == j);
+      stored = block;
+    }
+  }
+  return A;
+}
+
 Eigen::SparseMatrix<double> leading_scalars(const BlockMatrix& A, std::size_t count) {
   const auto dofs = static_cast<Eigen::Index>(3 * count);
   Eigen::SparseMatrix<double> scalars(dofs, dofs);

@@ -2,6 +2,7 @@
 // Symmetric sparse matrices of 3 x 3 blocks, one row of blocks a vertex; and graphs of vertices.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -42,6 +43,14 @@ VertexGraph graph_of(const BlockMatrix& A, std::size_t count);
 
 /// The leading rows with row i as row `place[i]`. Rows of a column do not ascend.
 BlockMatrix renumbered(const BlockMatrix& A, std::span<const std::uint32_t> place);
+
+/// The block of two vertices in a factor: nothing in the rows and columns of held axes but, on the
+/// diagonal of the matrix, what stands on its own diagonal.
+void leave_out(Eigen::Matrix3d& block, const std::array<bool, 3>& rows,
+               const std::array<bool, 3>& columns, bool on_diagonal);
+
+/// The matrix with such blocks. `held`: scalar rows, ascending.
+BlockMatrix without_scalars(BlockMatrix A, std::span<const std::uint32_t> held);
 
 /// The lower triangle of the leading 3 `count` rows and columns, scalar by scalar, for libraries.
 Eigen::SparseMatrix<double> leading_scalars(const BlockMatrix& A, std::size_t count);

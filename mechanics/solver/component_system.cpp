@@ -8,6 +8,7 @@
 
 #include "mechanics/element/strain_displacement.hpp"
 #include "mechanics/solver/assemble_system.hpp"
+#include "mechanics/state/supports.hpp"
 #include "mechanics/state/wave_travel.hpp"
 
 namespace sunder {
@@ -76,7 +77,7 @@ void choose_order(ComponentSystem& system, std::span<std::uint32_t> local_row,
   const VertexStars stars = vertex_stars(local_row, input.corners, component);
   std::vector<VertexId> natural, held_vertices;
   for (const VertexId v : component.vertices) {
-    const bool is_free = input.state.vertices.support[v.index()].is_none();
+    const bool is_free = !is_held_whole(input.state, v);
     (is_free ? natural : held_vertices).push_back(v);
     local_row[v.index()] = is_free ? static_cast<std::uint32_t>(natural.size() - 1) : held;
   }
@@ -161,6 +162,13 @@ void assemble_system(ComponentSystem& system, std::span<std::uint32_t> local_row
                      const SystemInput& input) {
   for (std::size_t i = 0; i < system.order.size(); ++i) {
     local_row[system.order[i].index()] = static_cast<std::uint32_t>(i);
+  }
+  system.held_scalars.clear();
+  for (std::uint32_t i = 0; i < system.free_count; ++i) {
+    const AxisSet held = held_axes(input.state, system.order[i]);
+    for (std::uint32_t axis = 0; axis < 3; ++axis) {
+      if (held[axis]) system.held_scalars.push_back(3 * i + axis);
+    }
   }
   const Component& component = input.component;
   const VertexStars stars = vertex_stars(local_row, input.corners, component);

@@ -44,11 +44,14 @@ enum class FactorUse { step, wave };
 
 /// Everything constant between two changes of a component.
 struct ComponentSystem {
-  /// Its own numbering, n: free vertices in the order in which they are eliminated, then the held
-  /// ones. So the free dofs are the leading block of every matrix and the factor needs no
+  /// Its own numbering, n: free vertices in the order in which they are eliminated, then those held
+  /// along all axes. So the free dofs are the leading block of every matrix and the factor needs no
   /// permutation.
   std::vector<VertexId> order;
   std::size_t free_count = 0;
+  /// Scalar rows (3 i + axis) of free vertices that are held along some axes, ascending. In factors
+  /// they stand for themselves; `solve_system` takes nothing there and gives nothing.
+  std::vector<std::uint32_t> held_scalars;
   RestShape shape;         ///< in that order
   BlockMatrix stiffness;   ///< K, all n vertices, N/m
   BlockAnalysis analysis;  ///< of the free vertices, or of those that the factors were made for
@@ -106,10 +109,10 @@ bool extend_system(ComponentSystem& system, ComponentSystem& old,
 void factor_system(ComponentSystem& system, const SystemMatrix& matrix,
                    FactorUse use = FactorUse::step);
 
-/// x <- A^-1 x over the free vertices (3 free_count rows, any number of columns), in place. Becomes
-/// NaN where A was not positive definite, which only an overflow can bring about. With `needed`
-/// (`mark_supernodes`) x is zero but at those vertices on entry and right at them alone on return:
-/// a share of the time.
+/// x <- A^-1 x over the free vertices (3 free_count rows, any number of columns), in place; zero at
+/// `held_scalars`, whatever stood there. Becomes NaN where A was not positive definite, which only
+/// an overflow can bring about. With `needed` (`mark_supernodes`) x is zero but at those vertices on
+/// entry and right at them alone on return: a share of the time.
 void solve_system(const ComponentSystem& system, Eigen::Ref<Eigen::MatrixXd> x,
                   FactorUse use = FactorUse::step, std::span<const char> needed = {});
 

@@ -4,6 +4,7 @@
 
 #include "mechanics/element/strain_displacement.hpp"
 #include "mechanics/solver/assemble_system.hpp"
+#include "mechanics/state/supports.hpp"
 
 namespace sunder {
 namespace {
@@ -67,10 +68,12 @@ void fill_columns(ComponentSystem& old, const ExtendedRows& rows, std::size_t fi
       for (std::size_t b = 0; b < 4; ++b) {
         const std::uint32_t row = rows[corners[b].index()];
         if (row == none) continue;
-        add_block(old.border, old.border.columns[own - old.border.base], row,
-                  stiffness_block(G.col(static_cast<Eigen::Index>(b)),
-                                  G.col(static_cast<Eigen::Index>(a)),
-                                  elements.rest_volume[t.index()], constants));
+        Mat3 block = stiffness_block(G.col(static_cast<Eigen::Index>(b)),
+                                     G.col(static_cast<Eigen::Index>(a)),
+                                     elements.rest_volume[t.index()], constants);
+        leave_out(block, held_axes(input.state, corners[b]), held_axes(input.state, corners[a]),
+                  a == b);
+        add_block(old.border, old.border.columns[own - old.border.base], row, block);
       }
     }
   }
@@ -80,7 +83,7 @@ void fill_columns(ComponentSystem& old, const ExtendedRows& rows, std::size_t fi
 bool set_order(ComponentSystem& system, const ExtendedRows& rows, const SystemInput& input) {
   std::vector<VertexId> held;
   for (VertexId v : input.component.vertices) {
-    const bool is_free = input.state.vertices.support[v.index()].is_none();
+    const bool is_free = !is_held_whole(input.state, v);
     if (is_free != (rows[v.index()] != none)) return false;
     (is_free ? system.order : held).push_back(v);
   }

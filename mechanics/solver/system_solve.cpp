@@ -44,12 +44,15 @@ void renew_analysis(ComponentSystem& system) {
 
 void make_factor(ComponentSystem& system, SystemFactor& own) {
   FactorScratch scratch;
+  BlockMatrix left;
+  if (!system.held_scalars.empty()) left = without_scalars(system.stiffness, system.held_scalars);
+  const BlockMatrix& stiffness = system.held_scalars.empty() ? system.stiffness : left;
   if (system.factor_row.empty()) {
     factor(own.factor, system.analysis,
-           {system.stiffness, system.shape.mass, own.matrix.mass, own.matrix.stiffness}, scratch);
+           {stiffness, system.shape.mass, own.matrix.mass, own.matrix.stiffness}, scratch);
     return;
   }
-  const BlockMatrix K = renumbered(system.stiffness, system.factor_row);
+  const BlockMatrix K = renumbered(stiffness, system.factor_row);
   Eigen::VectorXd mass(static_cast<Eigen::Index>(system.free_count));
   for (std::size_t i = 0; i < system.free_count; ++i) {
     mass[system.factor_row[i]] = system.shape.mass[static_cast<Eigen::Index>(i)];
@@ -103,6 +106,7 @@ void solve_system(const ComponentSystem& system, Eigen::Ref<Eigen::MatrixXd> x, 
     x.setConstant(std::numeric_limits<double>::quiet_NaN());
     return;
   }
+  for (const std::uint32_t scalar : system.held_scalars) x.row(scalar).setZero();
   for (Eigen::Index j = 0; j < x.cols(); ++j) {
     if (system.factor_row.empty()) {
       solve(x.col(j).data(), own.factor, system.analysis, needed);
@@ -162,7 +166,14 @@ void fill_block(SystemFactor& own, const ComponentSystem& system, const ColumnBl
     return Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>, 0, Eigen::OuterStride<12>>(
         scratch.X.data() + 36 * std::size_t{factor_row(system, vertex)} + 3 * b);
   };
-  for (std::size_t b = 0; b < places.size(); ++b) block(vertices[b], b).setIdentity();
+  for (std::size_t b = 0; b < places.size(); ++b) {
+    block(vertices[b], b).setIdentity();
+    for (std::uint32_t axis = 0; axis < 3; ++axis) {
+      if (std::ranges::binary_search(system.held_scalars, 3 * vertices[b] + axis)) {
+        block(vertices[b], b)(axis, axis) = 0;
+      }
+    }
+  }
   if (system.border.columns.empty()) {
     solve_lower_12(scratch.X.data(), own.factor, system.analysis, scratch.loaded);
     solve_upper_12(scratch.X.data(), own.factor, system.analysis, own.needed);

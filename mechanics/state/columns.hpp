@@ -24,9 +24,13 @@ using MaterialId = Id<struct MaterialTag>;
 /// Row of a prescribed motion in `MechanicsState::motions`.
 using MotionId = Id<struct MotionTag>;
 
+/// Which of the axes of the body frame.
+using AxisSet = std::array<bool, 3>;
+
 /// What holds a vertex: it is fixed (zero velocity) or moves along a straight line.
 struct PrescribedMotion {
-  Vec3 velocity = Vec3::Zero();  ///< m/s, constant
+  Vec3 velocity = Vec3::Zero();  ///< m/s, constant, world; nothing along axes that are free
+  AxisSet axes = {true, true, true};  ///< along which it is held
 };
 
 /// |V| rows. They grow by appended copies at a split (`append_copy`); rows never move.

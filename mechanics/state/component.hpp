@@ -36,6 +36,7 @@ struct Component {
   Vec3 angular_momentum = Vec3::Zero();                             ///< L about c, kg m^2/s, world
 
   bool supported = false;              ///< holds a vertex with a prescribed motion
+  bool partly_held = false;            ///< holds one that is held along one or two axes only
   Vec3 frame_velocity = Vec3::Zero();  ///< m/s; the frame of a supported component moves with it
   bool isolated = false;  ///< one free tetrahedron: a true rigid body, no finite elements
   Rung rung = Rung::full;

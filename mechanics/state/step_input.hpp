@@ -79,11 +79,11 @@ struct StepInput {
   const std::atomic<bool>* hurry = nullptr;
 
   bool is_hurried() const { return hurry && hurry->load(std::memory_order_relaxed); }
-  /// s, over which the deformation goes by generalised-alpha.
-  double deformation_step() const {
+  /// s, over which the deformation of a component goes by generalised-alpha.
+  double deformation_step(const Component& component) const {
     const bool is_own =
         part.deformation == Deformation::catch_up || part.deformation == Deformation::frozen;
-    return is_own ? part.whole_step : settings.time_step;
+    return is_own && !component.partly_held ? part.whole_step : settings.time_step;
   }
 };
 

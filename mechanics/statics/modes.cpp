@@ -197,6 +197,14 @@ constexpr Index small_body = 200;
 Result<Modes> natural_modes(MechanicsState& state, std::span<const Corners> corners, ComponentId id,
                             std::size_t count) {
   const Component& component = state.components[id.index()];
+  if (component.partly_held) {
+    return Finding{.code = "axes_not_supported",
+                   .ids = {static_cast<std::int64_t>(id.value)},
+                   .text = "component " + std::to_string(id.value) +
+                           " is held along some axes only, and modes are found of bodies whose "
+                           "held vertices are held along all three",
+                   .remedy = "leave \"axes\" out of the held boxes"};
+  }
   ComponentSystem& system = built_system(state, corners, component);
   Problem problem{system, {}, 0, {}, {}};
   problem.root_mass.resize(static_cast<Index>(3 * system.free_count));

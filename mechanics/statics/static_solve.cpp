@@ -7,15 +7,18 @@
 #include "mechanics/element/strain_displacement.hpp"
 #include "mechanics/integrators/component_step.hpp"
 #include "mechanics/measure_elements.hpp"
+#include "mechanics/state/supports.hpp"
 
 namespace sunder {
 namespace {
 
-/// Whether three held vertices span a triangle that is not a line (to 1e-6 of the body's size).
+/// Whether three held vertices span a triangle that is not a line (to 1e-6 of the body's size), or
+/// single axes held do as much.
 bool is_fixed(const MechanicsState& state, const Component& component) {
+  if (is_fixed_by_axes(state, component)) return true;
   std::vector<Vec3> held;
   for (VertexId v : component.vertices) {
-    if (!state.vertices.support[v.index()].is_none()) {
+    if (is_held_whole(state, v)) {
       held.push_back(state.vertices.rest_position[v.index()]);
     }
   }
@@ -49,6 +52,9 @@ Eigen::VectorXd equilibrium(MechanicsScratch& scratch, const MechanicsState& sta
     d.segment<3>(static_cast<Eigen::Index>(3 * i)) =
         state.vertices.displacement[system.order[i].index()];
   }
+  for (const Eigen::Index row : system.held_scalars) {
+    d[row] = state.vertices.displacement[system.order[std::size_t(row / 3)].index()][row % 3];
+  }
   auto load = scratch_field(scratch, ScratchField::load, system.size());
   load.setZero();
   add_body_load(load, step, component.orientation.toRotationMatrix());
@@ -57,7 +63,7 @@ Eigen::VectorXd equilibrium(MechanicsScratch& scratch, const MechanicsState& sta
   Eigen::VectorXd answer = as_vector(load).head(free) - held_force.head(free);
   factor_system(system, {.mass = 0, .stiffness = 1});
   solve_system(system, answer);
-  d.head(free) = answer;
+  d.head(free) += answer;
   return d;
 }
 

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// What holds vertices, axis by axis of the body frame.
+#pragma once
+
+#include "mechanics/state/mechanics_state.hpp"
+
+namespace sunder {
+
+/// The axes of its body's frame along which a vertex is held.
+inline AxisSet held_axes(const MechanicsState& state, VertexId vertex) {
+  const MotionId motion = state.vertices.support[vertex.index()];
+  return motion.is_none() ? AxisSet{} : state.motions[motion.index()].axes;
+}
+
+/// Whether a vertex is held along all axes: it has no row in what is solved.
+inline bool is_held_whole(const MechanicsState& state, VertexId vertex) {
+  return held_axes(state, vertex) == AxisSet{true, true, true};
+}
+
+/// A vector of the body frame with nothing along the axes on which the vertex is held.
+inline Vec3 free_part(const MechanicsState& state, VertexId vertex, Vec3 vector) {
+  const AxisSet held = held_axes(state, vertex);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    if (held[axis]) vector[static_cast<Eigen::Index>(axis)] = 0;
+  }
+  return vector;
+}
+
+/// m/s, world: the velocity of a vertex, with that of its motion along the axes on which it is held.
+/// `orientation`: of its component.
+Vec3 with_support(const MechanicsState& state, VertexId vertex, const Vec3& velocity,
+                  const Eigen::Quaterniond& orientation);
+
+/// Whether supports leave a component no rigid motion, to 3e-5 of its size, where some of its
+/// vertices are held along some axes only; false where there are none such.
+bool is_fixed_by_axes(const MechanicsState& state, const Component& component);
+
+}  // namespace sunder
