@@ -95,7 +95,7 @@ Scene scene_of(const Ring& ring, const RingBurst& burst) {
   }
   const double travel = ring.cell / bar_wave_speed(body.material);
   scene.integrator.time_step = burst.step * travel;
-  scene.integrator.damping.stiffness_factor = burst.viscosity * travel;
+  if (!burst.fracture_energy) scene.integrator.damping.stiffness_factor = burst.viscosity * travel;
   scene.bodies = {std::move(body)};
   scene.gravity.acceleration.setZero();
   scene.contact.between_pieces = false;

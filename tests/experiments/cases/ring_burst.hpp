@@ -21,7 +21,7 @@ struct RingBurst {
   double rate = 3;         ///< 1/s
   double spread = 3;       ///< of strengths
   double step = 0.25;      ///< of a wave's way through a cell
-  double viscosity = 0.1;  ///< C = this (cell / c) K
+  double viscosity = 0.1;  ///< C = this (cell / c) K, without ties
   std::uint32_t seed = 1;
   /// G_c, J/m^2: where given cracks are cohesive, and strengths are a function of place, drawn at
   /// `places` points and linear between them, the same on all meshes whose cells are a multiple.

@@ -93,7 +93,7 @@ def run(said, name, mode, group, member, more=(), called=""):
     changes = [f"bodies.0.mesh={mesh}", f"duration={body['duration']!r}", f"fracture.crack={mode}",
                *nudged(body["scene"], group, member), *more]
     key = hashlib.sha256("\n".join([body["scene"].read_text(), mesh.read_text(), *changes[1:]]).encode()).hexdigest()
-    path = said.out / "runs" / f"{name}_{mode}_{group}{called}_{member}.json"
+    path = said.out / "runs" / f"{name}_{mode}_{group}{called.replace('/', '_')}_{member}.json"
     if path.is_file():
         record = json.loads(path.read_text())
         if record["key"] == key:

@@ -125,7 +125,7 @@ def main():
     words.add_argument("--table", action="store_true")
     said = words.parse_args()
     said.build, said.out = said.build.resolve(), said.out.resolve()
-    os.nice(0)
+    os.nice(5)
     ensembles.BODIES["ball"]["duration"] = 0.003
     ensembles.BODIES["ball"]["size"]["4x"] = 0.0115
     records = []
