@@ -2,6 +2,7 @@
 // The law of a corner: tractions, means and energies against sums over many small openings.
 #include "mechanics/ties/tie_law.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
@@ -100,8 +101,8 @@ TEST_CASE("the mean traction takes the energy that small openings take", "[ties]
     CHECK(std::abs(corner.area * mean_traction(corner, to) * (to - corner.opened) - work) <
           1e-8 * whole);
     // What was stored before and is stored after, and what is lost for good, is that work.
-    const double before = stored_energy(corner, corner.opened, 1) +
-                          dissipated_energy(corner, corner.opened, 1);
+    const double before =
+        stored_energy(corner, corner.opened, 1) + dissipated_energy(corner, corner.opened, 1);
     TieCorner later = corner;
     later.opened = to;
     const double after = stored_energy(later, to, 1) + dissipated_energy(later, to, 1);
@@ -142,7 +143,8 @@ TEST_CASE("openings and tractions count by what pulls, not by what presses", "[t
   }
 }
 
-TEST_CASE("opened a corner takes G_c, slid kappa G_c, however it gets there in one mode", "[ties]") {
+TEST_CASE("opened a corner takes G_c, slid kappa G_c, however it gets there in one mode",
+          "[ties]") {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> u(0.2, 3);
   for (int i = 0; i < 20; ++i) {
@@ -159,9 +161,10 @@ TEST_CASE("opened a corner takes G_c, slid kappa G_c, however it gets there in o
     CHECK(path_of(corner, back, shear).work == Approx(kappa * whole).epsilon(1e-3));
     // Along one direction the energy is that of its mode.
     const double mode = mode_ratio({1, 1, 0}, Vec3::UnitX(), shear);
-    CHECK(path_of(corner, {{0, 0}, {5 * slid + 5 * corner.opening_end,
-                                    5 * slid + 5 * corner.opening_end}}, shear).work ==
-          Approx(mode * whole).epsilon(1e-3));
+    CHECK(path_of(corner,
+                  {{0, 0}, {5 * slid + 5 * corner.opening_end, 5 * slid + 5 * corner.opening_end}},
+                  shear)
+              .work == Approx(mode * whole).epsilon(1e-3));
   }
 }
 
@@ -179,7 +182,8 @@ TEST_CASE("no path creates energy, and what it takes is what the law says", "[ti
     const Path seen = path_of(corner, path, shear);
     CHECK(std::abs(seen.work - seen.dissipated - seen.stored) < 2e-3 * whole);
     CHECK(seen.least_dissipation >= -1e-12 * whole);
-    const double least = std::min(1.0, shear.energy_ratio), most = std::max(1.0, shear.energy_ratio);
+    const double least = std::min(1.0, shear.energy_ratio),
+                 most = std::max(1.0, shear.energy_ratio);
     CHECK(seen.dissipated <= most * whole * (1 + 1e-9));
     CHECK(seen.dissipated >= least * whole * seen.opened / corner.opening_end * (1 - 1e-9));
     // Back to where it began: whatever was stored is given back, and what is left was dissipated.

@@ -137,8 +137,7 @@ TEST_CASE("our kernel makes no mistake in random fans on bodies of every family"
 
 TEST_CASE("the twin and CGAL's own map make no mistake either", "[suite][random]") {
   check_all_fine(run(twin_kernel, 500, 400));
-  check_all_fine(run(cgal_kernel, 300, 400));
-  check_all_fine(run(nested_kernel, 300, 400));
+  for (const auto& kernel : {cgal_kernel, nested_kernel}) check_all_fine(run(kernel, 300, 400));
 }
 
 TEST_CASE("the same seed gives the same run whatever the kernel, another seed another run",
