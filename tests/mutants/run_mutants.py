@@ -24,7 +24,7 @@ def run(command, number, seconds):
     """(fixture where it ended, how): how is None when the fault survived."""
     environment = dict(os.environ, SUNDER_FAULT=str(number))
     try:
-        done = subprocess.run(command, env=environment, capture_output=True, text=True,
+        done = subprocess.run(command, env=environment, capture_output=True, text=True, errors="replace",
                               timeout=seconds, check=False)
         lines, code = done.stdout.splitlines(), done.returncode
     except subprocess.TimeoutExpired as hung:

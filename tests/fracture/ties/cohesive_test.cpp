@@ -6,14 +6,14 @@
 #include <map>
 #include <set>
 
-#include "fracture/simulation/simulation_state.hpp"
-#include "fracture/ties/insert_ties.hpp"
 #include "fracture/algorithms/split_fan.hpp"
 #include "fracture/saving/saved_state.hpp"
 #include "fracture/simulation/rebuild_pieces.hpp"
+#include "fracture/simulation/simulation_state.hpp"
+#include "fracture/ties/insert_ties.hpp"
 #include "fracture/ties/release_ties.hpp"
-#include "mechanics/ties/tie_law.hpp"
 #include "mechanics/state/living.hpp"
+#include "mechanics/ties/tie_law.hpp"
 #include "tests/support/simulation.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
@@ -23,9 +23,9 @@ using Catch::Detail::Approx;
 
 namespace {
 
-constexpr double height = 0.4;   // m
-constexpr double thick = 0.1;    // m
-constexpr double energy = 33;    // J/m^2
+constexpr double height = 0.4;  // m
+constexpr double thick = 0.1;   // m
+constexpr double energy = 33;   // J/m^2
 
 /// A notched bar of concrete whose ends are pulled apart.
 Scene pulled_bar(double step, double speed = 0.05) {
@@ -33,10 +33,9 @@ Scene pulled_bar(double step, double speed = 0.05) {
   Scene scene;
   BodySettings bar{.name = "bar", .mesh = suite::kuhn_box({16, 8, 2}, cell)};
   bar.material.fracture_energy = energy;
-  bar.held = {{.minimum = {-1, -1, -1}, .maximum = {eps, 9, 9}},
-              {.minimum = {2 * height - eps, -1, -1},
-               .maximum = {9, 9, 9},
-               .velocity = {speed, 0, 0}}};
+  bar.held = {
+      {.minimum = {-1, -1, -1}, .maximum = {eps, 9, 9}},
+      {.minimum = {2 * height - eps, -1, -1}, .maximum = {9, 9, 9}, .velocity = {speed, 0, 0}}};
   bar.cuts = {{.faces = CutPlane{.point = {height, 0, 0}, .normal = {1, 0, 0}},
                .box = RestBox{{-1, -1, -1}, {9, 0.25 * height + eps, 9}},
                .ball = {}}};
@@ -244,6 +243,58 @@ TEST_CASE("a section pulled apart takes G_c, one that slides kappa G_c", "[ties]
   CHECK(mixed.ties.dissipated > 0.99 * std::min(1.0, kappa) * whole);
   CHECK(mixed.ties.dissipated < 1.01 * std::max(1.0, kappa) * whole);
   CHECK(mixed.ties.work == Approx(mixed.ties.dissipated).epsilon(5e-3));
+}
+
+TEST_CASE("halves that bounce on their ties never heal them", "[ties]") {
+  constexpr double cell = 0.05, section = 0.04, speed = 0.3;  // m, m^2, m/s
+  Scene scene;
+  BodySettings block{.name = "block", .mesh = suite::kuhn_box({2, 4, 4}, cell)};
+  block.material.fracture_energy = energy;
+  scene.bodies.push_back(std::move(block));
+  scene.gravity.acceleration.setZero();
+  scene.integrator.time_step = 1e-5;
+  scene.fracture.crack = CrackMode::cohesive;
+  Simulation sim = built(std::move(scene));
+  tie_plane(sim, cell, {-1, 99});
+  for (double& strength : sim.state->cells.strength) strength = 1e30;
+  // Apart with a third of what would part them.
+  MechanicsState& m = sim.state->mechanics;
+  for (const Component& c : m.components) {
+    for (const TetId t : c.tetrahedra) {
+      const double side = m.vertices.rest_position[sim.state->cells.map.corners(t)[0].index()].x() +
+                          m.vertices.rest_position[sim.state->cells.map.corners(t)[1].index()].x() +
+                          m.vertices.rest_position[sim.state->cells.map.corners(t)[2].index()].x() +
+                          m.vertices.rest_position[sim.state->cells.map.corners(t)[3].index()].x();
+      for (const VertexId v : sim.state->cells.map.corners(t)) {
+        const Vec3 apart(side > 4 * cell ? speed : -speed, 0, 0);
+        m.vertices.velocity[v.index()] = m.vertices.displacement_rate[v.index()] = apart;
+      }
+    }
+  }
+  std::map<std::pair<HalfFaceId, std::size_t>, double> opened;
+  double taken = 0;
+  bool shut_again = false;
+  for (int step = 0; step < 60; ++step) {
+    const StepReport report = advance_fine(sim);
+    taken += report.ties.dissipated;
+    shut_again = shut_again || (taken > 0 && report.ties.opening == 0);
+    for (const Tie& tie : sim.state->contact.ties) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        double& before = opened[{tie.face, k}];
+        CHECK(tie.corners[k].opened >= before);
+        before = tie.corners[k].opened;
+      }
+    }
+  }
+  CHECK(shut_again);
+  double by_law = 0;
+  for (const Tie& tie : sim.state->contact.ties) {
+    for (const TieCorner& corner : tie.corners)
+      by_law += dissipated_energy(corner, corner.opened, 1);
+  }
+  CHECK(sim.state->contact.ties.size() == 32);
+  CHECK(by_law > 0.05 * energy * section);
+  CHECK(taken == Approx(by_law).epsilon(1e-9));
 }
 
 TEST_CASE("ties of a body without load do nothing", "[ties]") {
