@@ -28,7 +28,7 @@ Tie tie_of(const Cells& cells, const MechanicsState& mechanics, const FanEvent& 
   const Material& weaker = fracture_energy_of(of_b) < fracture_energy_of(of_a) ? of_b : of_a;
   tie.fracture_energy = fracture_energy_of(weaker);
   tie.shear = weaker.shear;
-  const double area = std::abs(tie.normal.dot(rest_area_vector(cells.map, split.face)));
+  const double area = projected_area(rest_area_vector(cells.map, split.face), tie.normal);
   for (TieCorner& corner : tie.corners) corner.area = area / 3;
   return tie;
 }

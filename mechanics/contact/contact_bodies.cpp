@@ -140,9 +140,9 @@ RespondingBody lumped_component(const ContactPass& pass, const Component& compon
     body.inverse_inertia = world_inertia(pass.state, component).inverse();
     body.rigid_inertia = body.inverse_inertia;
   }
+  const Mat3 R = component.orientation.toRotationMatrix();
   for (std::size_t k = 0; k < slots.size(); ++k) {
     const std::size_t v = slots[k].index();
-    const Mat3 R = component.orientation.toRotationMatrix();
     const Vec3 free = free_part(pass.state, slots[k], Vec3::Ones());
     const auto row = static_cast<Eigen::Index>(3 * k);
     body.elastic.block<3, 3>(row, row) =

@@ -64,7 +64,8 @@ void hold_ties(ContactStep& step, bool is_first) {
   const int most = is_first ? 100 : 20;
   std::vector<ContactRow> rows = measured(step);
   std::vector<Vec3> ends;
-  for (const TiePair& pair : step.ties) ends.push_back(opening_at_end(pair, paths_of(step)));
+  const StepPaths paths = paths_of(step);
+  for (const TiePair& pair : step.ties) ends.push_back(opening_at_end(pair, paths));
   const TieOutcome outcome = solve_ties(rows, step.ties, ends, step.pass, tie_tolerance, most);
   step.tie_iterations += outcome.iterations;
   step.tie_residual = outcome.residual;

@@ -69,32 +69,39 @@ Means chain_means(RingBurst burst, unsigned seeds, double step, double viscosity
   return mean;
 }
 
+/// Calls `visit(ring)` for each spread and rate of a plan.
+template <class Visit>
+void for_rings(const Plan& plan, const Visit& visit) {
+  for (const double spread : plan.spreads) {
+    for (const double rate : plan.rates) {
+      visit(RingBurst{
+          .rate = rate, .spread = spread, .fracture_energy = 33, .places = plan.places});
+    }
+  }
+}
+
 /// The program by itself, as its cells and steps shrink.
 void print_chain(const Plan& plan) {
   std::puts(
       "spread,rate / (1/s),cells,step / (cell / c),viscosity,fragments,open by a tenth,taken,contact,"
       "residual,by Zhou,by Glenn");
-  for (const double spread : plan.spreads) {
-    for (const double rate : plan.rates) {
-      const RingBurst ring{
-          .rate = rate, .spread = spread, .fracture_energy = 33, .places = plan.places};
-      const auto row = [&](int cells, double step, double viscosity) {
-        RingBurst burst = ring;
-        burst.cells = cells;
-        const Means m = chain_means(burst, plan.seeds, step, viscosity);
-        std::printf("%g,%g,%d,%g,%g,%.1f,%.1f,%.3f,%.3f,%.1e,%.1f,%.1f\n", spread, rate, cells, step,
-                    viscosity, m.fragments, m.live, m.taken, m.contact, m.residual, zhou_fragments(ring),
-                    glenn_fragments(ring));
-        std::fflush(stdout);
-      };
-      for (const int cells : {400, 800, 1600, 3200, 6400}) row(cells, 0.1, 0);
-      for (const double step : {0.5, 0.025}) row(1600, step, 0);
-      // What Sunder's sub-steps have, and what they had with 0.1 of the scene's own.
-      for (const double viscosity : {0.1, 0.4}) {
-        for (const int cells : {400, 800, 1600}) row(cells, 0.1, viscosity);
-      }
+  for_rings(plan, [&](const RingBurst& ring) {
+    const auto row = [&](int cells, double step, double viscosity) {
+      RingBurst burst = ring;
+      burst.cells = cells;
+      const Means m = chain_means(burst, plan.seeds, step, viscosity);
+      std::printf("%g,%g,%d,%g,%g,%.1f,%.1f,%.3f,%.3f,%.1e,%.1f,%.1f\n", ring.spread, ring.rate,
+                  cells, step, viscosity, m.fragments, m.live, m.taken, m.contact, m.residual,
+                  zhou_fragments(ring), glenn_fragments(ring));
+      std::fflush(stdout);
+    };
+    for (const int cells : {400, 800, 1600, 3200, 6400}) row(cells, 0.1, 0);
+    for (const double step : {0.5, 0.025}) row(1600, step, 0);
+    // What Sunder's sub-steps have, and what they had with 0.1 of the scene's own.
+    for (const double viscosity : {0.1, 0.4}) {
+      for (const int cells : {400, 800, 1600}) row(cells, 0.1, viscosity);
     }
-  }
+  });
 }
 
 /// Rings whose sections are tied, beside Zhou's law and the program on its finest chain.
@@ -102,21 +109,19 @@ void print_ties(const Plan& plan) {
   std::puts(
       "spread,rate / (1/s),cells,step / (cell / c),fragments,taken,by Zhou,over Zhou,"
       "by the chain of 6400,over the chain");
-  for (const double spread : plan.spreads) {
-    for (const double rate : plan.rates) {
-      RingBurst burst{.cells = 6400, .rate = rate, .spread = spread, .fracture_energy = 33,
-                      .places = plan.places};
-      const double zhou = zhou_fragments(burst), fine = chain_means(burst, plan.seeds, 0.1).fragments;
-      burst.step = plan.step;
-      for (const int cells : plan.meshes) {
-        burst.cells = cells;
-        const Means m = sunder_means(burst, plan.seeds);
-        std::printf("%g,%g,%d,%g,%.1f,%.3f,%.1f,%.3f,%.1f,%.3f\n", spread, rate, cells, burst.step,
-                    m.fragments, m.taken, zhou, m.fragments / zhou, fine, m.fragments / fine);
-        std::fflush(stdout);
-      }
+  for_rings(plan, [&](RingBurst burst) {
+    burst.cells = 6400;
+    const double zhou = zhou_fragments(burst), fine = chain_means(burst, plan.seeds, 0.1).fragments;
+    burst.step = plan.step;
+    for (const int cells : plan.meshes) {
+      burst.cells = cells;
+      const Means m = sunder_means(burst, plan.seeds);
+      std::printf("%g,%g,%d,%g,%.1f,%.3f,%.1f,%.3f,%.1f,%.3f\n", burst.spread, burst.rate, cells,
+                  burst.step, m.fragments, m.taken, zhou, m.fragments / zhou, fine,
+                  m.fragments / fine);
+      std::fflush(stdout);
     }
-  }
+  });
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "apps/sunder/run/event_log.hpp"
 #include "tests/support/program.hpp"
+#include "tests/support/struck_scene.hpp"
 
 namespace sunder::test {
 
@@ -23,21 +24,6 @@ struct Place : Folder {
 inline Outcome run(const Place& place, const std::string& out, const std::string& words = "") {
   return run_program("run " + place.scene.string() + " --quiet --frames 3 -o " +
                      (place.path() / out).string() + " " + words);
-}
-
-/// The monolith struck by one ball: breaks in impact windows in its first step.
-inline nlohmann::json struck_scene() {
-  return {{"name", "struck"},
-          {"bodies",
-           {{{"mesh", SUNDER_MESHES "/monolith.msh"},
-             {"material", {{"young_modulus", 30e9}, {"tensile_strength", 2e6}}}}}},
-          {"obstacles",
-           {{{"plane", {{"normal", {0, 0, 1}}}}},
-            {{"sphere", {{"center", {0, -0.32, 1.3}}, {"radius", 0.2}}},
-             {"velocity", {0, 20, 0}},
-             {"mass", 120}}}},
-          {"time_step", 2.5e-4},
-          {"duration", 0.005}};
 }
 
 inline Place place_of(const nlohmann::json& scene) {

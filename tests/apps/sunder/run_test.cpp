@@ -11,6 +11,7 @@
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/state/living.hpp"
 #include "tests/support/program.hpp"
+#include "tests/support/struck_scene.hpp"
 #include "topology/kernel/invariants.hpp"
 
 namespace fs = std::filesystem;
@@ -25,21 +26,6 @@ Outcome run(const std::string& words) { return run_program("run " + words); }
 fs::path write_scene(const Folder& folder, const json& scene) {
   std::ofstream(folder.path() / "scene.json") << scene.dump(1);
   return folder.path() / "scene.json";
-}
-
-/// The monolith struck at once by one ball: breaks within 0.02 s.
-json struck_scene() {
-  return {{"name", "struck"},
-          {"bodies",
-           {{{"mesh", SUNDER_MESHES "/monolith.msh"},
-             {"material", {{"young_modulus", 30e9}, {"tensile_strength", 2e6}}}}}},
-          {"obstacles",
-           {{{"plane", {{"normal", {0, 0, 1}}}}},
-            {{"sphere", {{"center", {0, -0.4, 1.3}}, {"radius", 0.2}}},
-             {"velocity", {0, 20, 0}},
-             {"mass", 120}}}},
-          {"time_step", 2.5e-4},
-          {"duration", 0.02}};
 }
 
 /// Runs a shipped scene for `duration` (s) and holds what is left against the laws.
@@ -106,7 +92,7 @@ TEST_CASE("every scene that is shipped can be read", "[run]") {
 
 TEST_CASE("a scene with only what is required has the defaults of the C++ structs", "[run]") {
   const Folder folder;
-  json scene = struck_scene();
+  json scene = struck_scene(0.4, 0.02);
   scene["bodies"][0].erase("material");
   const auto file = sunder::read_scene(write_scene(folder, scene));
   REQUIRE(file);
@@ -117,7 +103,7 @@ TEST_CASE("a scene with only what is required has the defaults of the C++ struct
 
 TEST_CASE("two runs of a scene that breaks leave the same bytes", "[run]") {
   const Folder folder;
-  const fs::path scene = write_scene(folder, struck_scene());
+  const fs::path scene = write_scene(folder, struck_scene(0.4, 0.02));
   for (const char* out : {"a", "b"}) {
     const Outcome o =
         run(scene.string() + " --quiet --frames 3 -o " + (folder.path() / out).string());
@@ -146,7 +132,7 @@ TEST_CASE("two runs of a scene that breaks leave the same bytes", "[run]") {
 
 TEST_CASE("cracks drawn smooth change pictures and nothing else", "[run][smooth_cracks]") {
   const Folder folder;
-  const std::string scene = write_scene(folder, struck_scene()).string();
+  const std::string scene = write_scene(folder, struck_scene(0.4, 0.02)).string();
   const auto picture = [&](const std::string& cracks) {
     const Outcome outcome = run(scene + " -o " + (folder.path() / cracks).string() +
                                 " --png 1 --set fracture.crack=object --set output.frames=1 "
@@ -189,7 +175,7 @@ TEST_CASE("bad scenes are told with place, value and remedy, exit code 3", "[run
       {"/bodies/0/held/0/maximum", json::array({-9, -9, -9}), "held"},
   };
   for (const Case& c : cases) {
-    json scene = struck_scene();
+    json scene = struck_scene(0.4, 0.02);
     if (std::string(c.pointer).find("held") != std::string::npos) {
       scene["bodies"][0]["held"] = {{{"minimum", {-10, -10, -10}}, {"maximum", {0, 0, 0}}}};
     }
@@ -207,7 +193,7 @@ TEST_CASE("a cut mesh is named with its line, exit code 3", "[run]") {
   const Folder folder;
   std::ofstream(folder.path() / "cut.msh")
       << bytes_of(SUNDER_MESHES "/bunny.msh").substr(0, 100000);
-  json scene = struck_scene();
+  json scene = struck_scene(0.4, 0.02);
   scene["bodies"][0]["mesh"] = "cut.msh";
   const Outcome o =
       run(write_scene(folder, scene).string() + " --quiet -o " + (folder.path() / "out").string());
@@ -219,7 +205,7 @@ TEST_CASE("a cut mesh is named with its line, exit code 3", "[run]") {
 TEST_CASE("an explicit step that diverges says where and what to do, exit code 5", "[run]") {
   const Folder folder;
   const fs::path out = folder.path() / "out";
-  const Outcome o = run(write_scene(folder, struck_scene()).string() +
+  const Outcome o = run(write_scene(folder, struck_scene(0.4, 0.02)).string() +
                         " --quiet --set integrator.method=verlet"
                         " --set fracture.mode=off -o " +
                         out.string());
@@ -232,7 +218,7 @@ TEST_CASE("an explicit step that diverges says where and what to do, exit code 5
 
 TEST_CASE("an output that cannot be written is exit code 4, a wrong option 2", "[run]") {
   const Folder folder;
-  const std::string scene = write_scene(folder, struck_scene()).string();
+  const std::string scene = write_scene(folder, struck_scene(0.4, 0.02)).string();
   CHECK(run(scene + " --quiet -o /proc/nowhere/out").exit_code == 4);
   CHECK(run(scene + " --no-such-option").exit_code == 2);
   CHECK(run("").exit_code == 2);

@@ -120,15 +120,20 @@ def run(said, name, mode, group, member, more=(), called=""):
     return record
 
 
-def main():
-    words = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    words.add_argument("scenes", nargs="*", choices=[*BODIES, []], metavar="SCENE", help=", ".join(BODIES))
-    words.add_argument("--build", type=pathlib.Path, default=TREE / "build/release")
-    words.add_argument("--out", type=pathlib.Path, default=pathlib.Path("out/ensembles"))
-    words.add_argument("--limit", type=int, default=60, help="s of the processor a run may take")
+def options(about, out, limit):
+    """The command line that programs which run ensembles share."""
+    words = argparse.ArgumentParser(description=about, formatter_class=argparse.RawDescriptionHelpFormatter)
+    words.add_argument("--build", type=lambda word: pathlib.Path(word).resolve(), default=TREE / "build/release")
+    words.add_argument("--out", type=lambda word: pathlib.Path(word).resolve(), default=pathlib.Path(out).resolve())
+    words.add_argument("--limit", type=int, default=limit, help="s of the processor a run may take")
     words.add_argument("--table", action="store_true")
+    return words
+
+
+def main():
+    words = options(__doc__, "out/ensembles", 60)
+    words.add_argument("scenes", nargs="*", choices=[*BODIES, []], metavar="SCENE", help=", ".join(BODIES))
     said = words.parse_args()
-    said.build, said.out = said.build.resolve(), said.out.resolve()
     os.nice(10)
     records = []
     # All kinds of members in turn, so that what is there after any time is even.

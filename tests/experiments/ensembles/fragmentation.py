@@ -10,10 +10,8 @@ the ball after it touched the floor. Beside it ten runs of one mesh moved by not
 sub-steps of at most 1/4, 1/16 and 1/64 of that way. Distances are Kolmogorov's, of mass-weighted distributions of the pieces'
 sizes, each the mean of its group. A run that is there already in OUT is kept; --table runs nothing. Written: the tables to
 stdout, fragmentation.csv (a row a run), and fragmentation.png (gnuplot)."""
-import argparse
 import csv
 import os
-import pathlib
 import statistics
 import sys
 
@@ -118,13 +116,7 @@ def picture(rows, records):
 
 
 def main():
-    words = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    words.add_argument("--build", type=pathlib.Path, default=ensembles.TREE / "build/release")
-    words.add_argument("--out", type=pathlib.Path, default=pathlib.Path("out/fragmentation"))
-    words.add_argument("--limit", type=int, default=600, help="s of the processor a run may take")
-    words.add_argument("--table", action="store_true")
-    said = words.parse_args()
-    said.build, said.out = said.build.resolve(), said.out.resolve()
+    said = ensembles.options(__doc__, "out/fragmentation", 600).parse_args()
     os.nice(5)
     ensembles.BODIES["ball"]["duration"] = 0.003
     ensembles.BODIES["ball"]["size"]["4x"] = 0.0115

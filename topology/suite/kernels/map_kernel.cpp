@@ -14,7 +14,7 @@
 #include "topology/kernel/invariants.hpp"
 #include "topology/kernel/split_face.hpp"
 #include "topology/mesh/build_map.hpp"
-#include "topology/suite/kernels/judged_kernel.hpp"
+#include "topology/suite/kernels/map_answers.hpp"
 
 namespace sunder::suite {
 namespace {
@@ -43,13 +43,6 @@ struct Body {
   std::size_t splits = 0;
   std::vector<std::string> faults;
 };
-
-HalfFaceId half_face_at(const Body& body, FaceSide side) {
-  const auto& rows = body.map->corners(TetId{side.tetrahedron});
-  int place = 0;
-  while (body.map->point_of_vertex(rows[place]) != side.opposite) ++place;
-  return half_face(TetId{side.tetrahedron}, place);
-}
 
 FaceSide side_of(const Body& body, HalfFaceId f) {
   const VertexId v = body.map->corners(tetrahedron_of(f))[place_of(f)];
@@ -82,23 +75,6 @@ void note(Body& body, const std::vector<Finding>& findings) {
   }
 }
 
-SplitAnswer in_file_points(const Body& body, const FaceSplit& split) {
-  SplitAnswer answer;
-  answer.did = split.did;
-  const auto point = [&body](VertexId v) { return body.map->point_of_vertex(v); };
-  for (int i = 0; i < split.vertex_count; ++i) {
-    answer.vertices.push_back(point(split.split_vertices[i].old_row));
-  }
-  for (std::size_t i = 0; i < 3; ++i) {
-    if ((split.split_edges >> i & 1) == 0) continue;
-    const std::uint32_t a = point(split.vertices[i]), b = point(split.vertices[(i + 1) % 3]);
-    answer.edges.push_back({std::min(a, b), std::max(a, b)});
-  }
-  std::sort(answer.vertices.begin(), answer.vertices.end());
-  std::sort(answer.edges.begin(), answer.edges.end());
-  return answer;
-}
-
 /// The cells, for the laws; without Betti numbers where the body cannot lie in space, for there
 /// b2 = sheets - components does not hold: a product of circle and sphere has b2 = 1 and no sheet.
 Counts counted_for_laws(const Body& body) {
@@ -122,21 +98,14 @@ FaceSplit split_by_law(Body& body, HalfFaceId face) {
   return split;
 }
 
-VertexId row_at(const Body& body, TetId t, std::uint32_t point) {
-  for (const VertexId v : body.map->corners(t)) {
-    if (body.map->point_of_vertex(v) == point) return v;
-  }
-  return VertexId::none();
-}
-
 /// The contract of rows: the passed side keeps its own, the other has the copies; and the oracle
 /// says yes exactly when all three differ now.
 void judge_rows(Body& body, const FaceSplit& did) {
   int different = 0;
   for (const VertexId v : did.vertices) {
     const std::uint32_t point = body.map->point_of_vertex(v);
-    const VertexId kept = row_at(body, tetrahedron_of(did.face), point);
-    const VertexId other = row_at(body, tetrahedron_of(did.opposite), point);
+    const VertexId kept = row_at(*body.map, tetrahedron_of(did.face), point);
+    const VertexId other = row_at(*body.map, tetrahedron_of(did.opposite), point);
     different += kept != other ? 1 : 0;
     if (kept != v) body.faults.push_back("the side that was passed did not keep its row");
   }
@@ -146,8 +115,9 @@ void judge_rows(Body& body, const FaceSplit& did) {
 }
 
 SplitAnswer split(Body& body, FaceSide side) {
-  const HalfFaceId face = half_face_at(body, side);
-  if (body.map->neighbour(face).is_none()) return in_file_points(body, split_face(*body.map, face));
+  const HalfFaceId face = half_face_at(*body.map, side);
+  if (body.map->neighbour(face).is_none())
+    return in_file_points(*body.map, split_face(*body.map, face));
   label_anew(body);
   const FaceSplit did = split_by_law(body, face);
   judge_rows(body, did);
@@ -158,17 +128,17 @@ SplitAnswer split(Body& body, FaceSide side) {
     body.faults.push_back("the update does not predict what the oracle says");
   }
   body.batch.push_back(did);
-  SplitAnswer answer = in_file_points(body, did);
+  SplitAnswer answer = in_file_points(*body.map, did);
   answer.separated = update.created > 0;
   return answer;
 }
 
 bool glue(Body& body, FaceSide a, FaceSide b) {
-  const HalfFaceId f = half_face_at(body, a), g = half_face_at(body, b);
+  const HalfFaceId f = half_face_at(*body.map, a), g = half_face_at(*body.map, b);
   const auto before = body.map->corners(tetrahedron_of(f));
   std::array<VertexId, 4> lower = before;
   for (VertexId& row : lower) {
-    const VertexId other = row_at(body, tetrahedron_of(g), body.map->point_of_vertex(row));
+    const VertexId other = row_at(*body.map, tetrahedron_of(g), body.map->point_of_vertex(row));
     if (!other.is_none()) row = std::min(row, other);
   }
   lower[place_of(f)] = before[place_of(f)];
@@ -179,25 +149,6 @@ bool glue(Body& body, FaceSide a, FaceSide b) {
   body.labels_are_void = true;
   body.counts.reset();
   return true;
-}
-
-CellCounts counts(const Body& body) {
-  const Counts c = count_cells(*body.map);
-  return {c.vertices,   c.edges,          c.faces,          c.tetrahedra,
-          c.components, c.boundary_faces, c.boundary_sheets};
-}
-
-std::vector<std::uint32_t> vertex_of_corner(const Body& body) {
-  std::vector<std::uint32_t> rows;
-  for (std::size_t t = 0; t < body.file.size(); ++t) {
-    const auto& corners = body.map->corners(TetId{t});
-    for (const std::uint32_t point : body.file[t]) {
-      rows.push_back(std::find_if(corners.begin(), corners.end(), [&](VertexId v) {
-                       return body.map->point_of_vertex(v) == point;
-                     })->value);
-    }
-  }
-  return rows;
 }
 
 /// Whether two labellings part the same rows; none() beside none() only.
@@ -298,8 +249,8 @@ JudgedKernel volume_map_kernel() {
   kernel.load = [body](const TetMesh& mesh) { return load(*body, mesh); };
   kernel.split = [body](FaceSide side) { return split(*body, side); };
   kernel.glue = [body](FaceSide a, FaceSide b) { return glue(*body, a, b); };
-  kernel.counts = [body] { return counts(*body); };
-  kernel.vertex_of_corner = [body] { return vertex_of_corner(*body); };
+  kernel.counts = [body] { return cell_counts(*body->map); };
+  kernel.vertex_of_corner = [body] { return vertex_of_corner(*body->map, body->file); };
   kernel.component_of_tetrahedron = [body] {
     label_anew(*body);
     std::vector<std::uint32_t> labels;

@@ -13,7 +13,7 @@
 #include "topology/kernel/invariants.hpp"
 #include "topology/kernel/split_face.hpp"
 #include "topology/mesh/build_map.hpp"
-#include "topology/suite/kernels/judged_kernel.hpp"
+#include "topology/suite/kernels/map_answers.hpp"
 
 namespace sunder::suite {
 namespace {
@@ -47,35 +47,12 @@ std::vector<Finding> load(NestedMaps& maps, const TetMesh& mesh) {
   return built.findings;
 }
 
-int place_of_point(const NestedMaps& maps, std::uint32_t t, std::uint32_t point) {
-  const auto& rows = maps.coarse.corners(TetId{t});
-  int place = 0;
-  while (maps.coarse.point_of_vertex(rows[place]) != point) ++place;
-  return place;
-}
-
-HalfFaceId half_face_at(const NestedMaps& maps, FaceSide side) {
-  return half_face(TetId{side.tetrahedron}, place_of_point(maps, side.tetrahedron, side.opposite));
-}
-
 SplitAnswer split(NestedMaps& maps, FaceSide side) {
-  const HalfFaceId face = half_face_at(maps, side);
+  const HalfFaceId face = half_face_at(maps.coarse, side);
   split_face(*maps.fine, face);
   const FaceSplit did = split_face(maps.coarse, face);
-  SplitAnswer answer;
-  answer.did = did.did;
+  SplitAnswer answer = in_file_points(maps.coarse, did);
   if (!did.did) return answer;
-  const auto point = [&](VertexId v) { return maps.coarse.point_of_vertex(v); };
-  for (int i = 0; i < did.vertex_count; ++i) {
-    answer.vertices.push_back(point(did.split_vertices[i].old_row));
-  }
-  for (std::size_t i = 0; i < 3; ++i) {
-    if ((did.split_edges >> i & 1) == 0) continue;
-    const std::uint32_t a = point(did.vertices[i]), b = point(did.vertices[(i + 1) % 3]);
-    answer.edges.push_back({std::min(a, b), std::max(a, b)});
-  }
-  std::ranges::sort(answer.vertices);
-  std::ranges::sort(answer.edges);
   answer.separated = update_components(maps.coarse, std::span(&did, 1), Detection::exact,
                                        maps.labels, maps.scratch)
                          .created > 0;
@@ -83,7 +60,7 @@ SplitAnswer split(NestedMaps& maps, FaceSide side) {
 }
 
 bool glue(NestedMaps& maps, FaceSide a, FaceSide b) {
-  const HalfFaceId f = half_face_at(maps, a), g = half_face_at(maps, b);
+  const HalfFaceId f = half_face_at(maps.coarse, a), g = half_face_at(maps.coarse, b);
   if (glue_face(maps.coarse, f, g).refusal != GlueRefusal::none) return false;
   maps.labels = label_components(maps.coarse);
   // What is glued is sewn in both, or tied: the finer map stays as it is.
@@ -127,22 +104,6 @@ std::vector<std::string> own_faults(NestedMaps& maps) {
   return std::exchange(maps.faults, {});
 }
 
-CellCounts counts(const NestedMaps& maps) {
-  const Counts c = count_cells(maps.coarse);
-  return {c.vertices,   c.edges,          c.faces,          c.tetrahedra,
-          c.components, c.boundary_faces, c.boundary_sheets};
-}
-
-std::vector<std::uint32_t> vertex_of_corner(const NestedMaps& maps) {
-  std::vector<std::uint32_t> rows;
-  for (std::uint32_t t = 0; t < maps.file.size(); ++t) {
-    for (const std::uint32_t point : maps.file[t]) {
-      rows.push_back(maps.coarse.corners(TetId{t})[place_of_point(maps, t, point)].value);
-    }
-  }
-  return rows;
-}
-
 }  // namespace
 
 JudgedKernel nested_kernel() {
@@ -153,8 +114,8 @@ JudgedKernel nested_kernel() {
   kernel.load = [maps](const TetMesh& mesh) { return load(*maps, mesh); };
   kernel.split = [maps](FaceSide side) { return split(*maps, side); };
   kernel.glue = [maps](FaceSide a, FaceSide b) { return glue(*maps, a, b); };
-  kernel.counts = [maps] { return counts(*maps); };
-  kernel.vertex_of_corner = [maps] { return vertex_of_corner(*maps); };
+  kernel.counts = [maps] { return cell_counts(maps->coarse); };
+  kernel.vertex_of_corner = [maps] { return vertex_of_corner(maps->coarse, maps->file); };
   kernel.component_of_tetrahedron = [maps] {
     std::vector<std::uint32_t> labels;
     for (const ComponentId c : maps->labels.of_tetrahedron) labels.push_back(c.value);
