@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Where two convex solids touch: separating axes, and the patch between them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "mechanics/rubble/polytope.hpp"
+
+namespace sunder {
+
+/// A contact manifold: up to four points that span the patch between two solids.
+struct Manifold {
+  struct Point {
+    Vec3 on_a, on_b;              ///< m
+    double separation = 0;        ///< normal . (on_a - on_b), m; negative: overlap
+    std::uint32_t feature = 0;    ///< what tells the points of a pair apart from call to call
+  };
+  Vec3 normal{0, 0, 1};  ///< unit, from B to A
+  int count = 0;
+  std::array<Point, 4> point;
+};
+
+/// The axis by which a pair was decided last: tried first the next time.
+struct PairAxis {
+  enum class Kind : std::uint8_t { none, face_of_a, face_of_b, edges };
+  Kind kind = Kind::none;
+  std::uint8_t a = 0, b = 0;  ///< a face, or an edge of each
+};
+
+/// The patch between two solids that are nearer than `margin` (m, >= 0) by their separating axes:
+/// the normals of their faces and the products of edges whose arcs cross on the Gauss map
+/// [Gregorius 2013, GDC]. No point where they are farther apart, or where only faces and edges that
+/// are inside of their bodies are met. Of overlapping solids the normal is that of least overlap.
+Manifold collide(const Polytope& a, const Polytope& b, double margin, PairAxis& last);
+
+/// The same of a ball, whose side is A: one point at most.
+Manifold collide_ball(const Vec3& centre, double radius, const Polytope& b, double margin);
+
+/// Largest separation of two convex solids along any axis of their faces and pairs of edges, m:
+/// negative where they overlap, by as much as they would have to move. No pruning: the slow twin of
+/// `collide` for tests and for those who judge overlaps.
+double separation_by_all_axes(const Polytope& a, const Polytope& b);
+
+}  // namespace sunder

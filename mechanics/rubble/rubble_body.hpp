@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// Rigid bodies of the rubble solver, and what chooses how they are stepped.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "mechanics/rubble/manifold.hpp"
+#include "mechanics/state/vec3.hpp"
+
+namespace sunder {
+
+/// A rigid body, or what moves as it is told (`mass` 0).
+struct RubbleBody {
+  double mass = 0;                     ///< kg; 0: driven, at `velocity`
+  Mat3 inertia = Mat3::Zero();         ///< kg m^2, about `centre`, in the body's own axes
+  Vec3 centre = Vec3::Zero();          ///< m
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< its own axes to the world's
+  Vec3 momentum = Vec3::Zero();          ///< kg m/s
+  Vec3 angular_momentum = Vec3::Zero();  ///< kg m^2/s, about `centre`, world
+  Vec3 velocity = Vec3::Zero();          ///< m/s, of what is driven
+  double friction = 0.5;                 ///< Coulomb's coefficient; two bodies have the mean
+  double radius = 0;                     ///< m, of the farthest point of its shapes from `centre`
+  double still = 0;                      ///< s, for which it has lain still
+  bool asleep = false;
+};
+
+/// A convex part of a body, in its own axes about its centre.
+struct RubbleShape {
+  enum class Kind : std::uint8_t { tetrahedron, box, ball, half_space };
+  Kind kind = Kind::tetrahedron;
+  std::uint32_t body = 0;
+  /// Tells shapes apart from tick to tick, ascending with the row.
+  std::uint64_t key = 0;
+  std::array<Vec3, 4> corner{};      ///< of a tetrahedron, m
+  std::uint32_t outer_faces = 15;    ///< of a tetrahedron: bits of those outside of the body
+  Vec3 half_extent{0, 0, 0};         ///< of a box, m
+  double radius = 0;                 ///< of a ball, m
+  Vec3 normal{0, 0, 1};              ///< of a half-space, out of the solid, through the centre
+};
+
+/// What a pair of shapes keeps from tick to tick.
+struct RubbleMemory {
+  struct Pair {
+    std::uint64_t a = 0, b = 0;  ///< keys of shapes
+    int count = 0;
+    std::array<std::uint32_t, 4> feature{};
+    std::array<double, 4> impulse{};  ///< N s, of the last sub-step
+    Vec3 friction{0, 0, 0};           ///< N s, of the last sub-step, on A
+    double twist = 0;                 ///< N m s
+    double sub_step = 0;              ///< s
+  };
+  std::vector<Pair> pairs;  ///< sorted by keys
+};
+
+/// How a tick is taken.
+struct RubbleSettings {
+  double length = 1.0 / 240;  ///< s
+  int sub_steps = 4;
+  Vec3 gravity{0, 0, 0};      ///< m/s^2
+  double slop = 1e-5;         ///< m, overlap that is left alone
+  double still_speed = 1e-4;  ///< m/s, slower than which a point of the surface is still
+  double sleep_after = 0.1;   ///< s, after which what is still among what is still sleeps; 0: never
+  unsigned threads = 1;
+};
+
+/// What a tick did.
+struct RubbleReport {
+  std::uint32_t awake = 0, asleep = 0;       ///< bodies with a mass, at the end
+  std::uint32_t pairs = 0;                   ///< of shapes whose boxes overlap
+  std::uint32_t manifolds = 0, points = 0;   ///< of those that push
+  double deepest = 0;                        ///< m, overlap at the end of the tick
+  double gravity_work = 0;                   ///< J, sum m g . dx
+  double contact_work = 0;                   ///< J, each impulse times the mean velocity of its place
+  double numerical = 0;  ///< J, taken by the scheme: weight on bodies in contact falls a sub-step late
+  double sleep_energy = 0;                   ///< J, of what fell asleep
+  Vec3 sleep_momentum = Vec3::Zero(), sleep_angular = Vec3::Zero();  ///< about the origin
+  double narrow_ms = 0, broad_ms = 0, solve_ms = 0;  ///< wall time
+};
+
+}  // namespace sunder

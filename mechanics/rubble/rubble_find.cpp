@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: MIT
+// Boxes, pairs, manifolds, and what the same manifolds had in the last tick.
+#include "mechanics/rubble/rubble_find.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "mechanics/rubble/rubble.hpp"
+#include "mechanics/solver/parallel.hpp"
+
+namespace sunder {
+namespace {
+
+using Kind = RubbleShape::Kind;
+
+Vec3 centre_of(const RubbleShape& shape, const MovingBody& body) {
+  return body.centre + body.turned * shape.corner[0];
+}
+
+bool is_free(const RubbleBody& body) { return body.mass > 0 && !body.asleep; }
+
+/// m, of a body's centre in the time.
+Vec3 way_of(const FindInput& input, std::uint32_t body) {
+  Vec3 speed = input.moving[body].velocity;
+  if (is_free(input.bodies[body])) speed += input.time * input.settings.gravity;
+  return input.time * speed;
+}
+
+Bounds box_of(const RubbleShape& shape, const MovingBody& body, const Polytope& solid) {
+  if (shape.kind == Kind::half_space) {
+    const Vec3 all = Vec3::Constant(std::numeric_limits<double>::max());
+    return {-all, all};
+  }
+  if (shape.kind == Kind::ball) {
+    const Vec3 r = Vec3::Constant(shape.radius);
+    return {centre_of(shape, body) - r, centre_of(shape, body) + r};
+  }
+  Bounds bounds{solid.vertex[0], solid.vertex[0]};
+  for (std::size_t v = 1; v < solid.kind->vertices; ++v) {
+    bounds.low = bounds.low.cwiseMin(solid.vertex[v]);
+    bounds.high = bounds.high.cwiseMax(solid.vertex[v]);
+  }
+  return bounds;
+}
+
+/// A point of a solid against a half-space or ball, for both of which `normal` is out of B.
+void add_point(Manifold& m, const Vec3& on_a, const Vec3& on_b, double separation,
+               std::uint32_t feature) {
+  if (m.count == 4) {
+    // Of a box on a plane: the four deepest.
+    auto* highest = &m.point[0];
+    for (Manifold::Point& p : m.point) {
+      if (p.separation > highest->separation) highest = &p;
+    }
+    if (highest->separation > separation) *highest = {on_a, on_b, separation, feature};
+    return;
+  }
+  m.point[static_cast<std::size_t>(m.count++)] = {on_a, on_b, separation, feature};
+}
+
+Manifold on_half_space(const FindInput& input, std::uint32_t a, std::uint32_t plane,
+                       const Polytope& solid, double margin) {
+  const RubbleShape& shape = input.shapes[a];
+  const RubbleShape& half = input.shapes[plane];
+  const MovingBody& ground = input.moving[half.body];
+  Manifold m;
+  m.normal = ground.turned * half.normal;
+  const auto try_point = [&](const Vec3& at, std::uint32_t feature) {
+    const double separation = m.normal.dot(at - ground.centre);
+    if (separation <= margin) add_point(m, at, at - separation * m.normal, separation, feature);
+  };
+  if (shape.kind == Kind::ball) {
+    const Vec3 lowest = centre_of(shape, input.moving[shape.body]) - shape.radius * m.normal;
+    try_point(lowest, 0);
+    return m;
+  }
+  for (std::uint32_t v = 0; v < solid.kind->vertices; ++v) try_point(solid.vertex[v], v);
+  return m;
+}
+
+Manifold between_balls(const FindInput& input, std::uint32_t a, std::uint32_t b, double margin) {
+  const RubbleShape& p = input.shapes[a];
+  const RubbleShape& q = input.shapes[b];
+  const Vec3 from = centre_of(q, input.moving[q.body]), to = centre_of(p, input.moving[p.body]);
+  Manifold m;
+  const double distance = (to - from).norm();
+  m.normal = distance > 0 ? Vec3((to - from) / distance) : Vec3(0, 0, 1);
+  const double separation = distance - p.radius - q.radius;
+  if (separation <= margin) {
+    add_point(m, to - p.radius * m.normal, from + q.radius * m.normal, separation, 0);
+  }
+  return m;
+}
+
+Manifold turned_round(Manifold m) {
+  m.normal = -m.normal;
+  for (Manifold::Point& p : m.point) std::swap(p.on_a, p.on_b);
+  return m;
+}
+
+/// The manifold of a pair of shapes, A the first.
+Manifold manifold_of(const FindInput& input, const FindScratch& scratch, const RowPair& pair,
+                     double margin, PairAxis& axis) {
+  const auto [a, b] = pair;
+  const Kind p = input.shapes[a].kind, q = input.shapes[b].kind;
+  const auto& solids = scratch.solids;
+  if (q == Kind::half_space) {
+    return p == Kind::half_space ? Manifold{} : on_half_space(input, a, b, solids[a], margin);
+  }
+  if (p == Kind::half_space) return turned_round(on_half_space(input, b, a, solids[b], margin));
+  if (p == Kind::ball && q == Kind::ball) return between_balls(input, a, b, margin);
+  const auto ball = [&](std::uint32_t row, std::uint32_t other) {
+    const RubbleShape& shape = input.shapes[row];
+    return collide_ball(centre_of(shape, input.moving[shape.body]), shape.radius, solids[other],
+                        margin);
+  };
+  if (p == Kind::ball) return ball(a, b);
+  if (q == Kind::ball) return turned_round(ball(b, a));
+  return collide(solids[a], solids[b], margin, axis);
+}
+
+Vec3 any_across(const Vec3& n) {
+  const Vec3 axis = std::abs(n[0]) < 0.6 ? Vec3::UnitX() : Vec3::UnitY();
+  return n.cross(axis).normalized();
+}
+
+/// Walks rows sorted by the keys `a`, `b` along with pairs that are sorted by the same.
+template <class Row>
+class Walk {
+ public:
+  Walk(const std::vector<Row>& rows, std::uint64_t a, std::uint64_t b)
+      : at_(std::lower_bound(rows.begin(), rows.end(), std::pair(a, b), is_before)),
+        end_(rows.end()) {}
+  /// The row of the pair, or null. Needs: pairs in rising order.
+  const Row* find(std::uint64_t a, std::uint64_t b) {
+    while (at_ != end_ && is_before(*at_, std::pair(a, b))) ++at_;
+    return at_ != end_ && at_->a == a && at_->b == b ? &*at_ : nullptr;
+  }
+
+ private:
+  static bool is_before(const Row& row, const std::pair<std::uint64_t, std::uint64_t>& keys) {
+    return std::pair(row.a, row.b) < keys;
+  }
+  typename std::vector<Row>::const_iterator at_, end_;
+};
+
+void take_memory(RubblePatch& patch, const RubbleMemory::Pair& was, double sub_step) {
+  const double share = was.sub_step > 0 ? sub_step / was.sub_step : 0;
+  for (int k = 0; k < patch.count; ++k) {
+    RubblePatch::Point& p = patch.point[static_cast<std::size_t>(k)];
+    for (int old = 0; old < was.count; ++old) {
+      if (was.feature[static_cast<std::size_t>(old)] != p.feature) continue;
+      p.impulse = share * was.impulse[static_cast<std::size_t>(old)];
+    }
+  }
+  patch.slip_impulse = {share * was.friction.dot(patch.along), share * was.friction.dot(patch.across)};
+  patch.twist_impulse = share * was.twist;
+}
+
+RubblePatch patch_of(const FindInput& input, const RowPair& pair, const Manifold& m) {
+  RubblePatch patch;
+  patch.shape_a = pair.first;
+  patch.shape_b = pair.second;
+  patch.a = input.shapes[pair.first].body;
+  patch.b = input.shapes[pair.second].body;
+  patch.normal = m.normal;
+  patch.along = any_across(m.normal);
+  patch.across = m.normal.cross(patch.along);
+  patch.friction = 0.5 * (input.bodies[patch.a].friction + input.bodies[patch.b].friction);
+  patch.count = m.count;
+  const MovingBody& a = input.moving[patch.a];
+  const MovingBody& b = input.moving[patch.b];
+  for (std::size_t k = 0; k < static_cast<std::size_t>(m.count); ++k) {
+    RubblePatch::Point& point = patch.point[k];
+    point.local_a = a.turned.transpose() * (m.point[k].on_a - a.centre);
+    point.local_b = b.turned.transpose() * (m.point[k].on_b - b.centre);
+    point.feature = m.point[k].feature;
+  }
+  return patch;
+}
+
+}  // namespace
+
+void find_pairs(FindScratch& scratch, const FindInput& input) {
+  const std::size_t bodies = input.bodies.size(), shapes = input.shapes.size();
+  scratch.turning.resize(bodies);
+  scratch.moves.resize(bodies);
+  for (std::size_t k = 0; k < bodies; ++k) {
+    const RubbleBody& body = input.bodies[k];
+    scratch.moves[k] = is_free(body) || (body.mass == 0 && !body.velocity.isZero(0));
+    scratch.turning[k] =
+        std::min(2.0, input.moving[k].spin.norm() * input.time) * body.radius;
+  }
+  scratch.boxes.resize(shapes);
+  scratch.solids.resize(shapes);
+  scratch.body.resize(shapes);
+  for (std::size_t k = 0; k < shapes; ++k) {
+    const RubbleShape& shape = input.shapes[k];
+    const std::uint32_t body = shape.body;
+    scratch.body[k] = body;
+    if (shape.kind == Kind::tetrahedron || shape.kind == Kind::box) {
+      scratch.solids[k] = polytope_of(shape, input.moving[body].centre, input.moving[body].turned);
+    }
+    Bounds& box = scratch.boxes[k] = box_of(shape, input.moving[body], scratch.solids[k]);
+    if (shape.kind == Kind::half_space) continue;
+    const Vec3 way = way_of(input, body);
+    const Vec3 widen = Vec3::Constant(scratch.turning[body] + input.settings.slop);
+    box.low += way.cwiseMin(0) - widen;
+    box.high += way.cwiseMax(0) + widen;
+  }
+  find_box_pairs(scratch.pairs, scratch.grid, {scratch.boxes, scratch.body, scratch.moves});
+}
+
+void find_patches(std::vector<RubblePatch>& patches, FindScratch& scratch, const FindInput& input,
+                  const RubbleMemory& memory) {
+  const double sub_step = input.settings.length / input.settings.sub_steps;
+  constexpr std::size_t chunk = 512;
+  const std::size_t chunks = (scratch.pairs.size() + chunk - 1) / chunk;
+  if (scratch.found.size() < chunks) scratch.found.resize(chunks);
+  std::swap(scratch.axes, scratch.last_axes);
+  scratch.axes.resize(scratch.pairs.size());
+  parallel_for(input.settings.threads, chunks, [&](std::size_t c, unsigned) {
+    std::vector<RubblePatch>& found = scratch.found[c];
+    found.clear();
+    const RowPair& first = scratch.pairs[c * chunk];
+    const std::uint64_t key_a = input.shapes[first.first].key;
+    const std::uint64_t key_b = input.shapes[first.second].key;
+    Walk axes(scratch.last_axes, key_a, key_b);
+    Walk pairs(memory.pairs, key_a, key_b);
+    const std::size_t end = std::min(scratch.pairs.size(), (c + 1) * chunk);
+    for (std::size_t row = c * chunk; row < end; ++row) {
+      const auto [i, j] = scratch.pairs[row];
+      const RubbleShape& p = input.shapes[i];
+      const RubbleShape& q = input.shapes[j];
+      const FindScratch::Axis* last = axes.find(p.key, q.key);
+      FindScratch::Axis& axis = scratch.axes[row] = {p.key, q.key, last ? last->axis : PairAxis{}};
+      const double margin = (way_of(input, p.body) - way_of(input, q.body)).norm() +
+                            scratch.turning[p.body] + scratch.turning[q.body] + input.settings.slop;
+      const Manifold m = manifold_of(input, scratch, scratch.pairs[row], margin, axis.axis);
+      if (m.count == 0) continue;
+      found.push_back(patch_of(input, scratch.pairs[row], m));
+      if (const auto* was = pairs.find(p.key, q.key)) take_memory(found.back(), *was, sub_step);
+    }
+  });
+  patches.clear();
+  for (std::size_t c = 0; c < chunks; ++c) {
+    patches.insert(patches.end(), scratch.found[c].begin(), scratch.found[c].end());
+  }
+}
+
+}  // namespace sunder

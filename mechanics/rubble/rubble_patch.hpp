@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Patches as rows of the rubble solver. For the sources of this room only.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mechanics/rubble/rubble_body.hpp"
+
+namespace sunder {
+
+/// A body while a tick is solved.
+struct MovingBody {
+  Vec3 velocity{0, 0, 0}, spin{0, 0, 0};  ///< m/s, rad/s
+  double inverse_mass = 0;                ///< 1/kg
+  Mat3 inverse_inertia = Mat3::Zero();    ///< 1/(kg m^2), world
+  Vec3 centre{0, 0, 0};
+  Mat3 turned = Mat3::Identity();  ///< its own axes to the world's
+};
+
+/// A manifold between two bodies, with its impulses.
+struct RubblePatch {
+  struct Point {
+    Vec3 local_a, local_b;    ///< in the bodies' own axes, about their centres, m
+    Vec3 arm_a, arm_b;        ///< of the place at which both are pushed, world, m
+    Vec3 turn_a, turn_b;      ///< what a unit impulse does to the spins
+    double separation = 0;    ///< m
+    double response = 0;      ///< kg: over what a unit impulse does to the approach
+    double impulse = 0;       ///< N s, of this sub-step
+    std::uint32_t feature = 0;
+  };
+  std::uint32_t a = 0, b = 0;                ///< bodies
+  std::uint32_t shape_a = 0, shape_b = 0;
+  Vec3 normal{0, 0, 1}, along{1, 0, 0}, across{0, 1, 0};
+  double friction = 0;
+  int count = 0;
+  std::array<Point, 4> point;
+  Vec3 arm_a, arm_b;                  ///< of the middle of the patch
+  double friction_response = 0, twist_response = 0, reach = 0;
+  std::array<double, 2> slip_impulse{};  ///< N s, along and across, on A
+  double twist_impulse = 0;              ///< N m s, about the normal, on A
+};
+
+/// What the rows of a sweep ask for.
+struct SweepRule {
+  double over_step = 0;  ///< 1/s, over the length of a sub-step
+  double rate = 0;       ///< 1/s, at which overlap beyond `slop` goes away; 0: not at all
+  double slop = 0;       ///< m
+  double push = 0;       ///< m/s, at which it goes away at most
+};
+
+/// Arms and responses where the bodies are now.
+void prepare_patches(std::span<RubblePatch> patches, std::span<const MovingBody> bodies);
+
+/// Gives bodies the impulses that patches have.
+void warm_start(std::span<const RubblePatch> patches, std::span<MovingBody> bodies);
+
+/// One sweep of all rows, in their order.
+void sweep_patches(std::span<RubblePatch> patches, std::span<MovingBody> bodies,
+                   const SweepRule& rows);
+
+}  // namespace sunder
