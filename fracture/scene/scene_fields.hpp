@@ -18,6 +18,12 @@ inline const Names<FractureCriterion>& names_of(FractureCriterion) {
                                                  {FractureCriterion::energy, "energy"}};
   return names;
 }
+inline const Names<RubbleMode>& names_of(RubbleMode) {
+  static const Names<RubbleMode> names = {{RubbleMode::off, "off"},
+                                          {RubbleMode::certified, "certified"}};
+  return names;
+}
+
 inline const Names<CrackMode>& names_of(CrackMode) {
   static const Names<CrackMode> names = {{CrackMode::paper, "paper"},
                                          {CrackMode::object, "object"},
@@ -259,6 +265,17 @@ void describe(V& v, LadderSettings& l) {
       Key{"sleep", "", "Whether components at rest are not stepped until something touches them"},
       l.sleep);
   v.field(Key{"sleep_after", "s", "How long they must have been at rest", above(0)}, l.sleep_after);
+  v.field(Key{"rubble", "",
+              "Pieces that cannot break, with their contacts: off: like all others; certified: as "
+              "rigid bodies on a clock of about 1/240 s, where a bound says that nothing of them "
+              "can break before the next tick (docs/rubble.md); not for node_stress fit but single "
+              "tetrahedra"},
+          l.rubble);
+  v.field(Key{"declared_rubble", "",
+              "Pieces that came off with no more than this share of their body's mass never break "
+              "again: by your word, not by a bound",
+              between(0, 1)},
+          l.declared_rubble);
 }
 
 template <class V>

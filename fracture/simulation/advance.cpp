@@ -11,6 +11,7 @@
 #include "fracture/simulation/part.hpp"
 #include "fracture/simulation/plan.hpp"
 #include "fracture/simulation/rebuild_pieces.hpp"
+#include "fracture/simulation/rubble/rubble_tick.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "fracture/ties/release_ties.hpp"
 #include "mechanics/element/energy.hpp"
@@ -76,6 +77,19 @@ void note_pieces(StepReport& report, StepPlan& plan, std::vector<char>& touched,
   inherit(touched, s.cells.labels);
   inherit(plan.components, s.cells.labels);
   inherit(plan.boundary.component, s.cells.labels);
+  inherit(plan.boundary.apart, s.cells.labels);
+}
+
+/// The members of a part but those declared never to break; `rows` keeps them.
+StepMembers breakable(const StepPlan& plan, const SimulationState& s, std::vector<char>& rows) {
+  StepMembers members = plan.members();
+  if (std::ranges::find(plan.declared, char{1}) == plan.declared.end()) return members;
+  rows.assign(s.mechanics.components.size(), 0);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    rows[k] = members.has(ComponentId{k}) && !(k < plan.declared.size() && plan.declared[k]);
+  }
+  members.component = rows;
+  return members;
 }
 
 /// Section 3.3: what is drawn follows the frames smoothly.
@@ -101,6 +115,7 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
   std::vector<char>& touched = scratch.touched;
   touched.assign(s.mechanics.components.size(), 0);
 
+  begin_rubble(report, sim);
   StepPlan plan = plan_step(scene, s, scratch);
   double untested = 0;  // s
   while (const std::optional<PlannedPart> part = next_part(plan, scene, s)) {
@@ -146,10 +161,11 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
     FanClock clock;
     {
       const StageTimer timer(report, Stage::fracture);
+      std::vector<char> unbroken;
       found = break_members({s.cells, s.mechanics}, s.script,
                             with_fans_left(scene.fracture, report.fracture.fans.size()),
-                            {s.step + 1, report.parts}, plan.members(), scratch.fracture, untested,
-                            clock.watch());
+                            {s.step + 1, report.parts}, breakable(plan, s, unbroken), scratch.fracture,
+                            untested, clock.watch());
       untested = 0;
       report.departed = s.script && s.script->departure;
     }

@@ -27,6 +27,9 @@ enum class Role : char {
 /// with the very bytes of its whole step.
 struct Boundary {
   std::vector<Role> component, ball;  ///< rows = ComponentId, obstacles
+  /// Those on the clock of the rubble, who have no part in the step (`RubbleState::apart`); rows as
+  /// above, empty: none.
+  std::vector<char> apart, ball_apart;
   std::vector<char> pushed;           ///< row = ComponentId: a carried body got an impulse
   std::vector<char> spread;           ///< row = ComponentId: and what it may meet is carried too
   /// As the whole step ended: rungs, frames and rows of all.

@@ -178,7 +178,8 @@ void find_rested(LadderScratch& ladder, SimulationState& s, const Scene& scene) 
   std::vector<char>& rested = ladder.rested;
   s.ladder.still.resize(rested.size(), 0);
   for (const Component& c : s.mechanics.components) {
-    if (c.tetrahedra.empty()) continue;
+    // The rubble has a clock of its own.
+    if (c.tetrahedra.empty() || c.rung == Rung::rubble) continue;
     double& still = s.ladder.still[c.id.index()];
     const bool moves = !steady || is_carried(s.mechanics, c) ||
                        s.impact.quiet[c.id.index()] != ImpactWindow::closed ||
@@ -187,6 +188,11 @@ void find_rested(LadderScratch& ladder, SimulationState& s, const Scene& scene) 
     rested[c.id.index()] = c.rung == Rung::asleep || still >= settings.sleep_after;
   }
   keep_awake_with_neighbours(ladder, s);
+}
+
+void count(LadderReport& report, const Component& c) {
+  ++report.components[static_cast<std::size_t>(c.rung)];
+  report.tetrahedra[static_cast<std::size_t>(c.rung)] += c.tetrahedra.size();
 }
 
 /// Gives the kinetic energy that is lost, J.
@@ -250,6 +256,10 @@ LadderReport choose_rungs(GivenUp& given_up, SimulationState& s, const RungInput
   for (Component& c : s.mechanics.components) {
     if (c.tetrahedra.empty()) continue;
     const std::size_t row = c.id.index();
+    if (c.rung == Rung::rubble) {
+      count(report, c);
+      continue;
+    }
     const bool may_leave = climbs && is_left_alone(s, input.touched, c);
     if (scratch.rested[row]) {
       if (c.rung != Rung::asleep) {
@@ -264,8 +274,7 @@ LadderReport choose_rungs(GivenUp& given_up, SimulationState& s, const RungInput
     } else {
       c.rung = Rung::full;
     }
-    ++report.components[static_cast<std::size_t>(c.rung)];
-    report.tetrahedra[static_cast<std::size_t>(c.rung)] += c.tetrahedra.size();
+    count(report, c);
   }
   return report;
 }

@@ -8,6 +8,7 @@
 
 #include "fracture/simulation/break_energy.hpp"
 #include "fracture/simulation/integrator_bounds.hpp"
+#include "fracture/simulation/plan_members.hpp"
 #include "mechanics/baselines/verlet.hpp"
 #include "mechanics/contact/impact_energy.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
@@ -28,14 +29,6 @@ bool has_windows(const Scene& scene) {
 
 bool is_open(const ImpactWindow& window, std::size_t component) {
   return window.quiet[component] != ImpactWindow::closed;
-}
-
-std::vector<ComponentId> open_windows(const ImpactWindow& window) {
-  std::vector<ComponentId> open;
-  for (std::size_t c = 0; c < window.quiet.size(); ++c) {
-    if (is_open(window, c)) open.emplace_back(c);
-  }
-  return open;
 }
 
 /// Opens windows for what is struck. The first one decides the sub-step: the step over a power of
@@ -88,44 +81,6 @@ std::vector<ComponentId> cracked_by(std::span<const FanEvent> fans, const Mechan
   return cracked;
 }
 
-/// Makes members of those with open windows and of what they touch, and rigid bodies of what is
-/// round those.
-void gather_members(StepPlan& plan, const SimulationState& s, double h) {
-  plan.reach = reach_of_step(s, plan.gravity, h);
-  assign_roles(plan.boundary, s, open_windows(s.impact), plan.reach);
-}
-
-/// Everybody whose role `fits` becomes a member of the part to come.
-template <class Fits>
-void take_those(StepPlan& plan, Fits fits) {
-  plan.components.clear();
-  for (Role role : plan.boundary.component) plan.components.push_back(fits(role));
-  plan.balls.clear();
-  for (Role role : plan.boundary.ball) plan.balls.push_back(fits(role));
-}
-
-/// All but the members, for the whole step. True when there are any that could move.
-bool take_the_others(StepPlan& plan, const SimulationState& s) {
-  take_those(plan, [](Role role) { return role != Role::member; });
-  bool any = !living_components(s.mechanics, plan.members()).empty();
-  for (std::size_t k = 0; k < s.obstacles.size(); ++k) {
-    any = any || (s.obstacles[k].mass && plan.balls[k]);
-  }
-  return any;
-}
-
-/// The members, and the carried among which they are.
-void take_the_members(StepPlan& plan, const SimulationState& s) {
-  take_those(plan, [](Role role) { return role != Role::other; });
-  std::uint32_t members = 0, carried = 0;
-  for_each_living(s.mechanics, {}, [&](const Component& c) {
-    members += plan.boundary.component[c.id.index()] == Role::member;
-    carried += plan.boundary.component[c.id.index()] == Role::carried;
-  });
-  plan.impact.components = std::max(plan.impact.components, members);
-  plan.impact.carried = std::max(plan.impact.carried, carried);
-}
-
 double time_left(const StepPlan& plan, const SimulationState& s) {
   return static_cast<double>(plan.left) * s.impact.sub_step;
 }
@@ -143,6 +98,13 @@ void release_struck(StepPlan& plan, SimulationState& s) {
 std::uint64_t sub_steps_before(double blow, std::uint64_t left, double sub_step) {
   const double most = static_cast<double>(left - 1);
   return static_cast<std::uint64_t>(std::clamp(std::floor(blow / sub_step), 0.0, most));
+}
+
+/// Driven obstacles where they are as the step ends.
+void move_obstacles(const Scene& scene, std::vector<Obstacle>& obstacles) {
+  for (Obstacle& obstacle : obstacles) {
+    if (!obstacle.mass) translate(obstacle.shape, scene.integrator.time_step * obstacle.velocity);
+  }
 }
 
 /// Driven obstacles where they were when the step began.
@@ -262,18 +224,22 @@ void finish_members(StepPlan& plan, const Scene& scene, SimulationState& s) {
   end_boundary(plan.boundary, s);
   if (plan.impact.stopped) std::ranges::fill(s.impact.quiet, ImpactWindow::closed);
   put_back_obstacles(plan, s.obstacles);
-  for (Obstacle& obstacle : s.obstacles) {
-    if (!obstacle.mass) translate(obstacle.shape, scene.integrator.time_step * obstacle.velocity);
-  }
+  move_obstacles(scene, s.obstacles);
 }
 
 /// Pieces that came off take their vertices' strengths with them.
 void note_strengths(StepPlan& plan, const Scene& scene, const SimulationState& s) {
   note_lowest_strengths(plan.strength, s.mechanics, s.cells);
+  for (std::size_t k = 0; k < plan.declared.size(); ++k) {
+    if (plan.declared[k]) plan.strength[k] = std::numeric_limits<double>::infinity();
+  }
   plan.threshold.clear();
   if (!scene.impact.by_energy) return;
   note_break_energies(plan.threshold, s.mechanics, s.cells, scene.fracture.node_stress,
                       plan.break_energy);
+  for (std::size_t k = 0; k < plan.declared.size(); ++k) {
+    if (plan.declared[k]) plan.threshold[k] = std::numeric_limits<double>::infinity();
+  }
   // What loads can do to it is not bounded.
   for (const CornerLoad& load : s.loads) {
     const TetId t = tetrahedron_of(load.corner);
@@ -298,10 +264,12 @@ Blows struck_by_cracks(std::vector<ComponentId> components, const Scene& scene,
 StepPlan plan_step(const Scene& scene, SimulationState& s, SimulationScratch& scratch) {
   StepPlan plan{.strength = scratch.strength,
                 .threshold = scratch.threshold,
-                .break_energy = scratch.break_energy};
+                .break_energy = scratch.break_energy,
+                .declared = scratch.rubble.declared};
   plan.start = s.mechanics.time;
   plan.gravity = gravity_at(scene.gravity, s.mechanics.time + scene.integrator.time_step);
   s.impact.quiet.resize(s.mechanics.components.size(), ImpactWindow::closed);
+  begin_without_rubble(plan, s);
   if (scene.integrator.integrator == Integrator::sub_stepped) {
     plan.phase = StepPlan::Phase::equal;
     plan.parts = sub_step_count(scene.integrator.time_step,
@@ -315,7 +283,8 @@ StepPlan plan_step(const Scene& scene, SimulationState& s, SimulationScratch& sc
 std::optional<PlannedPart> next_part(StepPlan& plan, const Scene& scene, SimulationState& s) {
   using Phase = StepPlan::Phase;
   const double h = scene.integrator.time_step;
-  if (has_windows(scene)) note_strengths(plan, scene, s);
+  const bool goes_on = plan.phase != Phase::whole_done && plan.phase != Phase::equal;
+  if (has_windows(scene) && goes_on && anybody_moves(plan, s)) note_strengths(plan, scene, s);
   // Explicit parts cannot be longer; everybody is at the same time, so the step may end here.
   if (plan.hurried && plan.phase == Phase::equal) return std::nullopt;
   const StepPart whole{Deformation::whole, 0, has_windows(scene) ? &scene.impact : nullptr,
@@ -333,7 +302,9 @@ std::optional<PlannedPart> next_part(StepPlan& plan, const Scene& scene, Simulat
   }
   switch (plan.phase) {
     case Phase::whole:
-      return PlannedPart{whole, h};
+      return anybody_moves(plan, s)
+                 ? PlannedPart{whole, h}
+                 : PlannedPart{.part = whole, .length = h, .moves = false, .breaks = false};
     case Phase::equal:
       return PlannedPart{{}, h / plan.parts};
     case Phase::others:
@@ -359,6 +330,11 @@ void note_part(StepPlan& plan, const PlannedPart& part, const ContactStepResult&
     return release_struck(plan, s);
   }
   if (result.adopted) {
+    if (plan.phase == Phase::whole && !part.moves) {
+      // Nobody was there to take them along.
+      move_obstacles(scene, s.obstacles);
+      s.mechanics.time = plan.start + scene.integrator.time_step;
+    }
     if (plan.phase == Phase::whole) plan.phase = Phase::whole_done;
     if (plan.phase == Phase::others) plan.phase = Phase::others_done;
     return;

@@ -13,6 +13,7 @@
 #include "fracture/breaking/fan_script.hpp"
 #include "fracture/energy/crack_energy.hpp"
 #include "fracture/simulation/break_energy.hpp"
+#include "fracture/simulation/rubble/rubble_state.hpp"
 #include "mechanics/contact/contact.hpp"
 #include "mechanics/state/display_state.hpp"
 #include "mechanics/state/loads.hpp"
@@ -33,6 +34,7 @@ struct ImpactWindow {
 /// What decides on which rung components take their steps, beside their rows.
 struct LadderState {
   std::vector<double> still;  ///< row = ComponentId: s for which it has lain still
+  RubbleState rubble;
 };
 
 /// What evolves: all that `save` keeps beside the scene.
@@ -73,6 +75,14 @@ struct LadderScratch {
   std::vector<std::array<std::size_t, 2>> touching;
 };
 
+/// Of ticks of the rubble.
+struct RubbleTickScratch {
+  RubbleScratch solver;
+  std::vector<char> declared;     ///< row = ComponentId (`note_declared`)
+  std::vector<double> threshold;  ///< J, row = ComponentId
+  std::vector<double> body_mass;  ///< kg, row = body
+};
+
 /// Working memory of a step, and what follows from the state to the bit; can be thrown away between
 /// any two steps.
 struct SimulationScratch {
@@ -81,6 +91,7 @@ struct SimulationScratch {
   FractureScratch fracture;
   std::vector<char> touched;  ///< row = ComponentId: a contact pushed at it in this step
   LadderScratch ladder;
+  RubbleTickScratch rubble;
   PartStart before;
   Loads loads;
   std::vector<double> strength;   ///< |C|, Pa: `StepPlan::strength`

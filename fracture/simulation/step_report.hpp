@@ -69,6 +69,30 @@ constexpr auto counters_of(const LadderReport*) {
                     Counter{"tetrahedron_steps", &LadderReport::tetrahedra}};
 }
 
+/// What the rung `rubble` did in a step.
+struct RubbleStepReport {
+  std::uint32_t ticks = 0;
+  std::uint32_t awake = 0, asleep = 0;  ///< most bodies, free balls among them
+  std::uint32_t points = 0;             ///< most of contact
+  double deepest = 0;                   ///< m, overlap where patches were found
+  std::uint32_t refused = 0;  ///< islands whose certificate failed: they were stepped in full
+  std::uint32_t mixed = 0;    ///< islands of rubble and of what is none: stepped in full
+  std::uint32_t declared = 0;  ///< most components declared never to break again
+  double declared_share = 0;   ///< most of the mass of all bodies in them
+};
+
+constexpr auto counters_of(const RubbleStepReport*) {
+  return std::tuple{Counter{"ticks", &RubbleStepReport::ticks},
+                    Counter{"most_awake", &RubbleStepReport::awake, Adds::most},
+                    Counter{"most_asleep", &RubbleStepReport::asleep, Adds::most},
+                    Counter{"most_points", &RubbleStepReport::points, Adds::most},
+                    Counter{"deepest", &RubbleStepReport::deepest, Adds::most},
+                    Counter{"refused", &RubbleStepReport::refused},
+                    Counter{"mixed", &RubbleStepReport::mixed},
+                    Counter{"declared", &RubbleStepReport::declared, Adds::most},
+                    Counter{"declared_share", &RubbleStepReport::declared_share, Adds::most}};
+}
+
 /// Where the energy of the bodies went in a step, J: work in = what came of it + residual,
 ///   gravity + loads + contact + supports
 ///     = kinetic + strain + cracks + damping work + numerical + energy released + residual.
@@ -144,6 +168,7 @@ struct StepReport {
   bool departed = false;
   ImpactReport impact;
   LadderReport ladder;
+  RubbleStepReport rubble;
   MomentumLedger momentum;
   EnergyLedger energy;
   TieReport ties;

@@ -118,11 +118,16 @@ void find_box_pairs(std::vector<RowPair>& pairs, BoxScratch& scratch, const BoxQ
     });
   }
   for (std::size_t b = 0; b <= grid.mask; ++b) {
-    for (std::uint32_t i = scratch.first[b]; i < scratch.first[b + 1]; ++i) {
-      for (std::uint32_t j = scratch.first[b]; j < i; ++j) {
-        const std::uint32_t p = scratch.entries[i], q = scratch.entries[j];
-        if (p == q || !may_pair(query, p, q)) continue;
-        if (first_common_bucket(grid, query.boxes[p], query.boxes[q]) != b) continue;
+    const std::uint32_t begin = scratch.first[b], end = scratch.first[b + 1];
+    for (std::uint32_t i = begin; i < end; ++i) {
+      const std::uint32_t p = scratch.entries[i], body = query.body[p];
+      const bool moves = query.moves[body] != 0;
+      const Bounds& box = query.boxes[p];
+      for (std::uint32_t j = begin; j < i; ++j) {
+        const std::uint32_t q = scratch.entries[j], other = query.body[q];
+        if (body == other || (!moves && !query.moves[other])) continue;
+        if (!box.overlaps(query.boxes[q])) continue;
+        if (first_common_bucket(grid, box, query.boxes[q]) != b) continue;
         pairs.push_back(std::minmax(p, q));
       }
     }

@@ -15,7 +15,8 @@ namespace sunder {
 struct Bounds {
   Vec3 low{0, 0, 0}, high{0, 0, 0};
   bool overlaps(const Bounds& other) const {
-    return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
+    return low[0] <= other.high[0] && other.low[0] <= high[0] && low[1] <= other.high[1] &&
+           other.low[1] <= high[1] && low[2] <= other.high[2] && other.low[2] <= high[2];
   }
 };
 

@@ -46,47 +46,41 @@ EdgeAxis edge_axis(const Polytope& a, std::size_t i, const Polytope& b, std::siz
   return {true, normal.dot(b.vertex[f.from] - a.vertex[e.from]), normal};
 }
 
-double separation_of(const Polytope& a, const Polytope& b, const PairAxis& axis) {
+/// Whether an axis keeps two solids apart.
+bool parts(const Polytope& a, const Polytope& b, const Approach& approach, const PairAxis& axis) {
   switch (axis.kind) {
     case PairAxis::Kind::face_of_a:
-      return face_separation(a, axis.a, b);
+      return face_separation(a, axis.a, b) > approach.along(a.normal[axis.a]);
     case PairAxis::Kind::face_of_b:
-      return face_separation(b, axis.b, a);
-    case PairAxis::Kind::edges:
-      return edge_axis(a, axis.a, b, axis.b).separation;
+      return face_separation(b, axis.b, a) > approach.along(-b.normal[axis.b]);
+    case PairAxis::Kind::edges: {
+      const EdgeAxis edge = edge_axis(a, axis.a, b, axis.b);
+      return edge.crosses && edge.separation > approach.along(edge.normal);
+    }
     case PairAxis::Kind::none:
       break;
   }
-  return -infinite;
+  return false;
 }
-
-/// A corner of the patch while it is clipped.
-struct Corner {
-  Vec3 at;
-  std::uint32_t feature = 0;
-};
 
 /// A convex polygon of up to four corners, cut by up to four planes.
 struct Patch {
-  std::array<Corner, 12> corner;
+  std::array<Vec3, 12> corner;
   std::size_t count = 0;
-  void add(const Corner& c) {
+  void add(const Vec3& c) {
     if (count < corner.size()) corner[count++] = c;
   }
 };
 
 /// What of a patch lies behind the plane through `at` across `normal`.
-Patch cut(const Patch& patch, const Vec3& at, const Vec3& normal, std::uint32_t plane) {
+Patch cut(const Patch& patch, const Vec3& at, const Vec3& normal) {
   Patch kept;
   for (std::size_t i = 0; i < patch.count; ++i) {
-    const Corner& from = patch.corner[i];
-    const Corner& to = patch.corner[(i + 1) % patch.count];
-    const double d = normal.dot(from.at - at), e = normal.dot(to.at - at);
+    const Vec3& from = patch.corner[i];
+    const Vec3& to = patch.corner[(i + 1) % patch.count];
+    const double d = normal.dot(from - at), e = normal.dot(to - at);
     if (d <= 0) kept.add(from);
-    if ((d < 0 && e > 0) || (d > 0 && e < 0)) {
-      const std::uint32_t name = 16 + (from.feature & 15u) * 8 + plane + (d > 0 ? 128u : 0u);
-      kept.add({from.at + d / (d - e) * (to.at - from.at), name});
-    }
+    if ((d < 0 && e > 0) || (d > 0 && e < 0)) kept.add(from + d / (d - e) * (to - from));
   }
   return kept;
 }
@@ -113,8 +107,8 @@ void keep_four(std::array<Manifold::Point, 12>& points, int& count, const Vec3& 
 }
 
 /// The patch of a face and the face of the other solid that looks at it most.
-Manifold clip_faces(const Polytope& of, int face, const Polytope& other, double margin,
-                    bool face_is_of_a) {
+Manifold clip_faces(const Polytope& of, int face, const Polytope& other,
+                    const Approach& approach, bool face_is_of_a) {
   const auto f = static_cast<std::size_t>(face);
   const Vec3& n = of.normal[f];
   std::size_t incident = 0;
@@ -123,30 +117,28 @@ Manifold clip_faces(const Polytope& of, int face, const Polytope& other, double 
   }
   Patch patch;
   const PolytopeKind::Face& met = other.kind->face[incident];
-  for (std::size_t i = 0; i < met.count; ++i) patch.add({other.vertex[met.vertex[i]], met.vertex[i]});
+  for (std::size_t i = 0; i < met.count; ++i) patch.add(other.vertex[met.vertex[i]]);
   const PolytopeKind::Face& own = of.kind->face[f];
   for (std::size_t i = 0; i < own.count; ++i) {
     const Vec3& from = of.vertex[own.vertex[i]];
     const Vec3& to = of.vertex[own.vertex[(i + 1) % own.count]];
-    patch = cut(patch, from, (to - from).cross(n), static_cast<std::uint32_t>(i));
+    patch = cut(patch, from, (to - from).cross(n));
   }
   Manifold m;
   m.normal = face_is_of_a ? Vec3(-n) : n;
+  const double most = approach.along(-m.normal);
   std::array<Manifold::Point, 12> points;
   int count = 0;
   const Vec3& plane = of.vertex[own.vertex[0]];
-  const auto name = static_cast<std::uint32_t>((face_is_of_a ? 0u : 8u) + f) << 16 |
-                    static_cast<std::uint32_t>(incident) << 12;
   for (std::size_t i = 0; i < patch.count; ++i) {
-    const Vec3& at = patch.corner[i].at;
+    const Vec3& at = patch.corner[i];
     const double separation = n.dot(at - plane);
-    if (separation > margin) continue;
+    if (separation > most) continue;
     const Vec3 foot = at - separation * n;
     Manifold::Point& p = points[static_cast<std::size_t>(count++)];
     p.on_a = face_is_of_a ? foot : at;
     p.on_b = face_is_of_a ? at : foot;
     p.separation = separation;
-    p.feature = name | patch.corner[i].feature;
   }
   keep_four(points, count, n);
   m.count = count;
@@ -167,7 +159,7 @@ std::array<double, 2> nearest_shares(const Vec3& p, const Vec3& u, const Vec3& q
 }
 
 Manifold touch_of_edges(const Polytope& a, const Polytope& b, const PairAxis& axis,
-                        const Vec3& out_of_a, double margin) {
+                        const Vec3& out_of_a, const Approach& approach) {
   const PolytopeKind::Edge& e = a.kind->edge[axis.a];
   const PolytopeKind::Edge& f = b.kind->edge[axis.b];
   const Vec3 &u = a.edge[axis.a], &v = b.edge[axis.b];
@@ -178,47 +170,72 @@ Manifold touch_of_edges(const Polytope& a, const Polytope& b, const PairAxis& ax
   p.on_a = a.vertex[e.from] + s * u;
   p.on_b = b.vertex[f.from] + t * v;
   p.separation = m.normal.dot(p.on_a - p.on_b);
-  p.feature = 0x10000000u | static_cast<std::uint32_t>(axis.a) << 8 | axis.b;
-  m.count = p.separation <= margin ? 1 : 0;
+  m.count = p.separation <= approach.along(out_of_a) ? 1 : 0;
   return m;
 }
 
-/// The best axis so far among those that may push.
+/// The best axis so far among those that may push, and how far all others separate.
 struct Best {
   PairAxis axis;
   double separation = -infinite;
   Vec3 normal{0, 0, 0};
+  double inside = -infinite;  ///< m, by faces and edges inside of bodies
 };
 
 /// Faces of one of the two; true where one of them separates them.
-bool try_faces(Best& best, const Polytope& of, const Polytope& other, double margin, bool is_a,
-               PairAxis& last) {
+bool try_faces(Best& best, const Polytope& of, const Polytope& other, const Approach& approach,
+               bool is_a, PairAxis& last) {
   for (std::uint8_t f = 0; f < of.kind->faces; ++f) {
     const double separation = face_separation(of, f, other);
     const PairAxis axis = is_a ? PairAxis{PairAxis::Kind::face_of_a, f, 0}
                                : PairAxis{PairAxis::Kind::face_of_b, 0, f};
-    if (separation > margin) {
+    if (separation > approach.along(is_a ? of.normal[f] : Vec3(-of.normal[f]))) {
       last = axis;
       return true;
     }
-    if (of.is_outer_face(f) && separation > best.separation) best = {axis, separation, of.normal[f]};
+    if (!of.is_outer_face(f)) {
+      best.inside = std::max(best.inside, separation);
+    } else if (separation > best.separation) {
+      best = {axis, separation, of.normal[f], best.inside};
+    }
   }
   return false;
 }
 
-bool try_edges(Best& best, const Polytope& a, const Polytope& b, double margin, PairAxis& last) {
+/// On which side of each edge of `of` the normals of `other`'s faces lie: row = edge, column = face.
+using Sides = std::array<std::array<double, 6>, 12>;
+void find_sides(Sides& sides, const Polytope& of, const Polytope& other) {
+  for (std::size_t e = 0; e < of.kind->edges; ++e) {
+    for (std::size_t f = 0; f < other.kind->faces; ++f) {
+      sides[e][f] = of.edge[e].dot(other.normal[f]);
+    }
+  }
+}
+
+bool try_edges(Best& best, const Polytope& a, const Polytope& b, const Approach& approach,
+               PairAxis& last) {
+  Sides of_a, of_b;
+  find_sides(of_a, a, b);
+  find_sides(of_b, b, a);
   for (std::uint8_t e = 0; e < a.kind->edges; ++e) {
+    const PolytopeKind::Edge& i = a.kind->edge[e];
     for (std::uint8_t f = 0; f < b.kind->edges; ++f) {
+      const PolytopeKind::Edge& j = b.kind->edge[f];
+      // Most pairs of arcs do not cross.
+      if (of_a[e][j.left] * of_a[e][j.right] >= 0 || of_b[f][i.left] * of_b[f][i.right] >= 0) {
+        continue;
+      }
       const EdgeAxis found = edge_axis(a, e, b, f);
       if (!found.crosses) continue;
       const PairAxis axis{PairAxis::Kind::edges, e, f};
-      if (found.separation > margin) {
+      if (found.separation > approach.along(found.normal)) {
         last = axis;
         return true;
       }
-      const bool is_outer = a.is_outer_edge(e) && b.is_outer_edge(f);
-      if (is_outer && found.separation > best.separation) {
-        best = {axis, found.separation, found.normal};
+      if (!a.is_outer_edge(e) || !b.is_outer_edge(f)) {
+        best.inside = std::max(best.inside, found.separation);
+      } else if (found.separation > best.separation) {
+        best = {axis, found.separation, found.normal, best.inside};
       }
     }
   }
@@ -227,27 +244,31 @@ bool try_edges(Best& best, const Polytope& a, const Polytope& b, double margin, 
 
 }  // namespace
 
-Manifold collide(const Polytope& a, const Polytope& b, double margin, PairAxis& last) {
-  if (separation_of(a, b, last) > margin) return {};
+Manifold collide(const Polytope& a, const Polytope& b, const Approach& approach, PairAxis& last) {
+  if (parts(a, b, approach, last)) return {};
   Best face, edge;
-  if (try_faces(face, a, b, margin, true, last)) return {};
-  if (try_faces(face, b, a, margin, false, last)) return {};
-  if (try_edges(edge, a, b, margin, last)) return {};
+  if (try_faces(face, a, b, approach, true, last)) return {};
+  if (try_faces(face, b, a, approach, false, last)) return {};
+  if (try_edges(edge, a, b, approach, last)) return {};
   // Faces carry patches: an edge has to be better by more than rounding and a hair.
   const double hair = 1e-3 * (a.vertex[0] - a.centre).norm();
+  // Where what is inside of a body parts them better, its neighbours there meet the other.
+  const double best = std::max(face.separation, edge.separation);
+  if (std::max(face.inside, edge.inside) > best + hair) return {};
   if (edge.separation > face.separation + hair) {
     last = edge.axis;
-    return touch_of_edges(a, b, edge.axis, edge.normal, margin);
+    return touch_of_edges(a, b, edge.axis, edge.normal, approach);
   }
   last = face.axis;
   if (face.axis.kind == PairAxis::Kind::none) return {};
   if (face.axis.kind == PairAxis::Kind::face_of_a) {
-    return clip_faces(a, face.axis.a, b, margin, true);
+    return clip_faces(a, face.axis.a, b, approach, true);
   }
-  return clip_faces(b, face.axis.b, a, margin, false);
+  return clip_faces(b, face.axis.b, a, approach, false);
 }
 
-Manifold collide_ball(const Vec3& centre, double radius, const Polytope& b, double margin) {
+Manifold collide_ball(const Vec3& centre, double radius, const Polytope& b,
+                      const Approach& approach) {
   Manifold m;
   // Inside: the nearest outer face. Outside: the nearest point of all faces.
   double deepest = -infinite;
@@ -261,7 +282,7 @@ Manifold collide_ball(const Vec3& centre, double radius, const Polytope& b, doub
       nearest_face = f;
     }
   }
-  if (deepest > radius + margin) return m;
+  if (deepest > radius + approach.margin + approach.way.norm()) return m;
   Manifold::Point& p = m.point[0];
   if (inside) {
     m.normal = b.normal[nearest_face];
@@ -293,7 +314,7 @@ Manifold collide_ball(const Vec3& centre, double radius, const Polytope& b, doub
   }
   p.on_a = centre - radius * m.normal;
   p.separation = m.normal.dot(p.on_a - p.on_b);
-  m.count = p.separation <= margin ? 1 : 0;
+  m.count = p.separation <= approach.along(-m.normal) ? 1 : 0;
   return m;
 }
 

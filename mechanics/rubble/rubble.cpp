@@ -1,25 +1,17 @@
 // SPDX-License-Identifier: MIT
-// A tick: patches, sub-steps, memory, islands, sleep.
+// A tick: patches, sub-steps, memory.
 #include "mechanics/rubble/rubble.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "mechanics/integrators/rigid_motion.hpp"
-#include "mechanics/rubble/rubble_find.hpp"
-#include "mechanics/rubble/rubble_patch.hpp"
-#include "topology/base/union_find.hpp"
+#include "mechanics/rubble/rubble_tick.hpp"
 
 namespace sunder {
-
-struct RubbleScratch::Buffers {
-  FindScratch find;
-  std::vector<MovingBody> moving;
-  std::vector<RubblePatch> patches;
-  std::vector<char> pressed;  ///< row = body: in a patch
-  std::vector<Vec3> velocity, spin;  ///< before contact, row = body
-};
 
 RubbleScratch::RubbleScratch() : buffers(std::make_unique<Buffers>()) {}
 RubbleScratch::~RubbleScratch() = default;
@@ -34,103 +26,11 @@ double ms_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-bool is_awake(const RubbleBody& body) { return body.mass > 0 && !body.asleep; }
-
 void turn(MovingBody& m, const RubbleBody& body) {
   m.turned = body.orientation.toRotationMatrix();
   if (!is_awake(body)) return;
   m.inverse_inertia = m.turned * body.inertia.inverse() * m.turned.transpose();
   m.spin = m.inverse_inertia * body.angular_momentum;
-}
-
-MovingBody moving_of(const RubbleBody& body) {
-  MovingBody m;
-  m.centre = body.centre;
-  m.velocity = body.velocity;
-  if (is_awake(body)) {
-    m.inverse_mass = 1 / body.mass;
-    m.velocity = body.momentum / body.mass;
-  } else if (body.mass > 0) {
-    m.velocity.setZero();
-  }
-  turn(m, body);
-  return m;
-}
-
-/// One tick at work.
-struct Tick {
-  std::span<RubbleBody> bodies;
-  std::span<const RubbleShape> shapes;
-  RubbleMemory& memory;
-  const RubbleSettings& settings;
-  RubbleScratch::Buffers& scratch;
-  RubbleReport report;
-
-  double sub_step() const { return settings.length / settings.sub_steps; }
-};
-
-/// m/s, the fastest approach of a patch that touches within `time`; negative: none does.
-double approach(const Tick& tick, const RubblePatch& patch, double time) {
-  const MovingBody& a = tick.scratch.moving[patch.a];
-  const MovingBody& b = tick.scratch.moving[patch.b];
-  const double fall = time * tick.settings.gravity.norm();
-  double fastest = -1;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(patch.count); ++k) {
-    const Vec3 arm_a = a.turned * patch.point[k].local_a, arm_b = b.turned * patch.point[k].local_b;
-    const double speed = -patch.normal.dot(a.velocity + a.spin.cross(arm_a) - b.velocity -
-                                           b.spin.cross(arm_b));
-    const double gap = patch.normal.dot(a.centre + arm_a - b.centre - arm_b);
-    if (gap - time * (speed + fall) < tick.settings.slop) fastest = std::max({fastest, speed, 0.0});
-  }
-  return fastest;
-}
-
-void wake(Tick& tick, std::uint32_t row) {
-  tick.bodies[row].asleep = false;
-  // It wakes others once it moves.
-  tick.bodies[row].still = tick.settings.length;
-  tick.scratch.moving[row] = moving_of(tick.bodies[row]);
-}
-
-/// Wakes whatever hangs together with `from` by boxes that overlap: a blow goes through all of it.
-void wake_all_round(Tick& tick, std::vector<std::uint32_t> from) {
-  FindScratch& find = tick.scratch.find;
-  std::vector<RowPair> pairs;
-  const std::vector<char> all(tick.bodies.size(), 1);
-  find_box_pairs(pairs, find.grid, {find.boxes, find.body, all});
-  UnionFind joined(tick.bodies.size());
-  for (const auto& [i, j] : pairs) {
-    const std::uint32_t a = find.body[i], b = find.body[j];
-    if (tick.bodies[a].asleep && tick.bodies[b].asleep) joined.join(a, b);
-  }
-  for (std::uint32_t& row : from) row = joined.root(row);
-  std::sort(from.begin(), from.end());
-  for (std::uint32_t k = 0; k < tick.bodies.size(); ++k) {
-    if (!tick.bodies[k].asleep) continue;
-    if (std::binary_search(from.begin(), from.end(), joined.root(k))) wake(tick, k);
-  }
-}
-
-/// Wakes what is touched by what is not still; by a blow, all that hangs together. Whether any was.
-bool wake_touched(Tick& tick, double time) {
-  const auto disturbs = [&](const RubbleBody& body) {
-    return body.mass > 0 ? !body.asleep && body.still == 0 : !body.velocity.isZero(0);
-  };
-  std::vector<std::uint32_t> struck, touched;
-  for (const RubblePatch& patch : tick.scratch.patches) {
-    for (const auto& [sleeper, other] : {std::pair{patch.a, patch.b}, {patch.b, patch.a}}) {
-      if (!tick.bodies[sleeper].asleep || !disturbs(tick.bodies[other])) continue;
-      const double speed = approach(tick, patch, time);
-      if (speed < 0) continue;
-      const bool is_blow = tick.bodies[other].mass == 0 || speed > 10 * tick.settings.still_speed;
-      (is_blow ? struck : touched).push_back(sleeper);
-    }
-  }
-  if (!struck.empty()) wake_all_round(tick, struck);
-  for (const std::uint32_t row : touched) {
-    if (tick.bodies[row].asleep) wake(tick, row);
-  }
-  return !struck.empty() || !touched.empty();
 }
 
 /// Patches of what may touch within `time`.
@@ -148,6 +48,10 @@ void find(Tick& tick, double time) {
   tick.scratch.pressed.assign(tick.bodies.size(), 0);
   for (const RubblePatch& p : tick.scratch.patches) {
     tick.scratch.pressed[p.a] = tick.scratch.pressed[p.b] = 1;
+    for (int k = 0; k < p.count; ++k) {
+      tick.report.deepest =
+          std::max(tick.report.deepest, -p.point[static_cast<std::size_t>(k)].separation);
+    }
   }
 }
 
@@ -171,6 +75,9 @@ void take_impulses(Tick& tick) {
     const Vec3 turning = inertia * (m.spin - tick.scratch.spin[k]);
     body.momentum += impulse;
     body.angular_momentum += turning;
+    tick.report.contact += impulse_at(m.centre, impulse);
+    tick.report.contact.tail<3>() += turning;
+    if (!body.in_ledger) continue;
     tick.report.contact_work += 0.5 * (impulse.dot(m.velocity + tick.scratch.velocity[k]) +
                                        turning.dot(m.spin + tick.scratch.spin[k]));
   }
@@ -183,9 +90,12 @@ void fall(Tick& tick) {
     RubbleBody& body = tick.bodies[k];
     if (!is_awake(body)) continue;
     MovingBody& m = tick.scratch.moving[k];
-    tick.report.numerical -= body.mass * change.dot(m.velocity + 0.5 * change);
+    if (body.in_ledger) {
+      tick.report.numerical -= body.mass * change.dot(m.velocity + 0.5 * change);
+    }
     m.velocity += change;
     body.momentum += body.mass * change;
+    tick.report.gravity += impulse_at(m.centre, body.mass * change);
   }
 }
 
@@ -203,9 +113,13 @@ void move(Tick& tick) {
     Vec3 way = h * m.velocity;
     if (!tick.scratch.pressed[k]) way -= lag;
     const double work = body.mass * tick.settings.gravity.dot(way);
-    tick.report.gravity_work += work;
-    tick.report.numerical += work;
+    if (body.in_ledger) {
+      tick.report.gravity_work += work;
+      tick.report.numerical += work;
+    }
     m.centre = body.centre += way;
+    // A parabola: its weight acts half-way.
+    tick.report.gravity.tail<3>() += way.cross(body.momentum);
     if (m.spin.isZero(0)) continue;
     body.orientation =
         turn_through_step(body.orientation, {body.inertia, Vec3::Zero(), body.angular_momentum,
@@ -219,118 +133,144 @@ bool keeps_still(const Tick& tick, std::uint64_t key) {
   return at != tick.shapes.end() && at->key == key && !tick.scratch.find.moves[at->body];
 }
 
-RubbleMemory::Pair memory_of(const Tick& tick, const RubblePatch& patch) {
-  RubbleMemory::Pair pair;
-  pair.a = tick.shapes[patch.shape_a].key;
-  pair.b = tick.shapes[patch.shape_b].key;
-  pair.count = patch.count;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(patch.count); ++k) {
-    pair.feature[k] = patch.point[k].feature;
-    pair.impulse[k] = patch.point[k].impulse;
+void add_memory(std::vector<RubbleMemory::Point>& points, const Tick& tick,
+                const RubblePatch& patch) {
+  double pressed = 0;
+  for (int k = 0; k < patch.count; ++k) {
+    pressed += patch.point[static_cast<std::size_t>(k)].impulse;
   }
-  pair.friction = patch.slip_impulse[0] * patch.along + patch.slip_impulse[1] * patch.across;
-  pair.twist = patch.twist_impulse;
-  pair.sub_step = tick.sub_step();
-  return pair;
+  if (!(pressed > 0)) return;
+  const double over_step = 1 / tick.sub_step();
+  const Vec3 friction =
+      over_step * (patch.slip_impulse[0] * patch.along + patch.slip_impulse[1] * patch.across);
+  for (int k = 0; k < patch.count; ++k) {
+    const RubblePatch::Point& p = patch.point[static_cast<std::size_t>(k)];
+    const double share = p.impulse / pressed;
+    points.push_back({tick.shapes[p.shape_a].key, tick.shapes[p.shape_b].key, p.local_a,
+                      over_step * p.impulse, share * friction,
+                      over_step * share * patch.twist_impulse});
+  }
 }
 
-/// Patches as they are, and those of the last tick between what keeps still: what wakes goes on
+/// Points as they are, and those of the last tick between what keeps still: what wakes goes on
 /// with them.
 void remember(Tick& tick) {
-  std::vector<RubbleMemory::Pair>& pairs = tick.memory.pairs;
-  std::erase_if(pairs, [&](const RubbleMemory::Pair& p) {
+  std::vector<RubbleMemory::Point>& points = tick.memory.points;
+  std::erase_if(points, [&](const RubbleMemory::Point& p) {
     return !keeps_still(tick, p.a) || !keeps_still(tick, p.b);
   });
-  const auto kept = static_cast<std::ptrdiff_t>(pairs.size());
-  // Sorted, since shapes are sorted by key and patches by row.
-  for (const RubblePatch& patch : tick.scratch.patches) pairs.push_back(memory_of(tick, patch));
-  std::inplace_merge(pairs.begin(), pairs.begin() + kept, pairs.end(),
-                     [](const RubbleMemory::Pair& p, const RubbleMemory::Pair& q) {
-                       return std::pair(p.a, p.b) < std::pair(q.a, q.b);
-                     });
+  for (const RubblePatch& patch : tick.scratch.patches) add_memory(points, tick, patch);
+  std::ranges::stable_sort(points, {}, [](const RubbleMemory::Point& p) {
+    return std::pair(p.a, p.b);
+  });
 }
 
-double surface_speed(const MovingBody& m, const RubbleBody& body) {
-  return m.velocity.norm() + m.spin.norm() * body.radius;
-}
-
-void fall_asleep(Tick& tick, RubbleBody& body) {
-  tick.report.sleep_energy += kinetic_energy(body);
-  tick.report.sleep_momentum += body.momentum;
-  tick.report.sleep_angular += body.angular_momentum + body.centre.cross(body.momentum);
-  body.momentum.setZero();
-  body.angular_momentum.setZero();
-  body.asleep = true;
-}
-
-/// What lies still, and touches only what does, sleeps: one that spins keeps its neighbours awake
-/// and no others.
-void put_to_sleep(Tick& tick) {
-  if (!(tick.settings.sleep_after > 0)) return;
-  std::vector<char> restless(tick.bodies.size(), 0);
-  for (std::size_t k = 0; k < tick.bodies.size(); ++k) {
-    RubbleBody& body = tick.bodies[k];
-    if (!is_awake(body)) {
-      restless[k] = body.mass == 0 && !body.velocity.isZero(0);
-      continue;
-    }
-    const bool still = surface_speed(tick.scratch.moving[k], body) <= tick.settings.still_speed;
-    body.still = still ? body.still + tick.settings.length : 0;
-    restless[k] = body.still < tick.settings.sleep_after;
-  }
-  std::vector<char> stays = restless;
-  for (const RubblePatch& p : tick.scratch.patches) {
-    const bool pushes = std::any_of(p.point.begin(), p.point.begin() + p.count,
-                                    [](const RubblePatch::Point& point) { return point.impulse > 0; });
-    if (!pushes) continue;
-    stays[p.a] = stays[p.a] || restless[p.b];
-    stays[p.b] = stays[p.b] || restless[p.a];
-  }
-  for (std::size_t k = 0; k < tick.bodies.size(); ++k) {
-    const bool sleeps = is_awake(tick.bodies[k]) && tick.scratch.pressed[k] && !stays[k];
-    if (sleeps) fall_asleep(tick, tick.bodies[k]);
-  }
-}
-
-/// How often patches are found anew: while things fly far in a tick.
+/// How often patches are found anew: while most things fly farther in a tick than they are large.
 int rounds_of(const Tick& tick) {
   double way = 0, size = 0;
   std::size_t count = 0;
   for (std::size_t k = 0; k < tick.bodies.size(); ++k) {
     const RubbleBody& body = tick.bodies[k];
     if (!is_awake(body)) continue;
-    way = std::max(way, tick.settings.length * tick.scratch.moving[k].velocity.norm());
+    way += tick.settings.length * tick.scratch.moving[k].velocity.norm();
     size += body.radius;
     ++count;
   }
   if (count == 0) return 1;
-  const double far = way * static_cast<double>(count) / size;
+  const double far = way / size;
   int rounds = 1;
   while (rounds < far && 2 * rounds <= tick.settings.sub_steps) rounds *= 2;
   return rounds;
 }
 
-void take_round(Tick& tick, int sub_steps) {
-  find(tick, sub_steps * tick.sub_step());
+/// From what lies lowest up; without weight as they are.
+void sort_by_height(Tick& tick) {
+  std::vector<double> height;
+  for (const RubblePatch& p : tick.scratch.patches) {
+    height.push_back(-tick.settings.gravity.dot(tick.scratch.moving[p.a].centre + p.arm_a));
+  }
+  tick.scratch.order.resize(height.size());
+  std::iota(tick.scratch.order.begin(), tick.scratch.order.end(), 0u);
+  std::ranges::stable_sort(tick.scratch.order, {}, [&](std::uint32_t k) { return height[k]; });
+}
+
+/// How many bodies lie upon each other at most, from what is driven or asleep up, by the points that
+/// pushed in the last tick.
+std::uint32_t layers_of(const Tick& tick) {
+  constexpr std::uint32_t unknown = ~0u;
+  std::vector<std::uint32_t> layer(tick.bodies.size(), unknown), reached, next;
+  std::vector<std::vector<std::uint32_t>> on(tick.bodies.size());
+  for (const RubblePatch& p : tick.scratch.patches) {
+    if (!pushes(p)) continue;
+    on[p.a].push_back(p.b);
+    on[p.b].push_back(p.a);
+  }
+  for (std::uint32_t k = 0; k < tick.bodies.size(); ++k) {
+    if (is_awake(tick.bodies[k])) continue;
+    layer[k] = 0;
+    reached.push_back(k);
+  }
+  std::uint32_t most = 0;
+  while (!reached.empty()) {
+    next.clear();
+    for (const std::uint32_t k : reached) {
+      for (const std::uint32_t other : on[k]) {
+        if (layer[other] != unknown) continue;
+        layer[other] = most + 1;
+        next.push_back(other);
+      }
+    }
+    if (!next.empty()) ++most;
+    std::swap(reached, next);
+  }
+  return most;
+}
+
+/// Weight goes through a tower a body at a time: what is high needs more sub-steps.
+void choose_sub_steps(Tick& tick) {
+  const std::uint32_t layers = layers_of(tick);
+  tick.report.layers = std::max(tick.report.layers, layers);
+  int factor = 1;
+  while (factor < 32 && layers > static_cast<std::uint32_t>(10 * factor)) factor *= 2;
+  tick.sub_steps = std::max(tick.sub_steps, tick.settings.sub_steps * factor);
+}
+
+void forces_to_impulses(Tick& tick) {
+  const double h = tick.sub_step();
+  for (RubblePatch& p : tick.scratch.patches) {
+    for (RubblePatch::Point& point : p.point) point.impulse *= h;
+    for (double& slip : p.slip_impulse) slip *= h;
+    p.twist_impulse *= h;
+  }
+}
+
+/// The next of so many equal rounds.
+void take_round(Tick& tick, int rounds) {
+  find(tick, tick.settings.length / rounds);
+  choose_sub_steps(tick);
+  forces_to_impulses(tick);
+  const int sub_steps = tick.sub_steps / rounds;
+  tick.report.sub_steps += static_cast<std::uint32_t>(sub_steps);
   const auto start = Clock::now();
-  auto& [find, moving, patches, pressed, velocity, spin] = tick.scratch;
+  auto& [find, moving, patches, order, pressed, velocity, spin] = tick.scratch;
   double size = 0;
   for (const RubbleBody& body : tick.bodies) size = std::max(size, is_awake(body) ? body.radius : 0);
-  // A fifth of an overlap a sub-step: more rings, less lasts (docs/rubble.md).
-  const double over_step = 1 / tick.sub_step();
-  const SweepRule pushing{over_step, 0.2 * over_step, tick.settings.slop, 3 * size};
-  const SweepRule relaxing{over_step};
+  // As fast as what falls by its own size; a sweep without pushing takes that speed back.
+  const double push = std::max(3 * size, std::sqrt(tick.settings.gravity.norm() * size));
+  const SweepRule pushing = pushing_rule(tick.sub_step(), tick.settings.slop, push);
+  const SweepRule relaxing = relaxing_rule(tick.sub_step());
   prepare_patches(patches, moving);
+  sort_by_height(tick);
   for (int k = 0; k < sub_steps; ++k) {
     fall(tick);
     note_velocities(tick);
     warm_start(patches, moving);
-    sweep_patches(patches, moving, pushing);
+    sweep_patches(patches, order, moving, pushing);
     take_impulses(tick);
     move(tick);
     prepare_patches(patches, moving);
     note_velocities(tick);
-    sweep_patches(patches, moving, relaxing);
+    sweep_patches(patches, order, moving, relaxing);
     take_impulses(tick);
   }
   remember(tick);
@@ -349,6 +289,20 @@ void note_touches(std::vector<RubbleTouch>& touches, const Tick& tick) {
 
 }  // namespace
 
+MovingBody moving_of(const RubbleBody& body) {
+  MovingBody m;
+  m.centre = body.centre;
+  m.velocity = body.velocity;
+  if (is_awake(body)) {
+    m.inverse_mass = 1 / body.mass;
+    m.velocity = body.momentum / body.mass;
+  } else if (body.mass > 0) {
+    m.velocity.setZero();
+  }
+  turn(m, body);
+  return m;
+}
+
 double kinetic_energy(const RubbleBody& body) {
   if (body.mass == 0) return 0;
   const Vec3 l = body.orientation.conjugate() * body.angular_momentum;
@@ -365,7 +319,7 @@ Polytope polytope_of(const RubbleShape& shape, const Vec3& centre, const Mat3& t
 RubbleReport advance_rubble(std::span<RubbleBody> bodies, std::span<const RubbleShape> shapes,
                             RubbleMemory& memory, const RubbleSettings& settings,
                             RubbleScratch& scratch, std::vector<RubbleTouch>* touches) {
-  Tick tick{bodies, shapes, memory, settings, *scratch.buffers, {}};
+  Tick tick{bodies, shapes, memory, settings, *scratch.buffers, {}, settings.sub_steps};
   if (touches) touches->clear();
   const bool rests = std::ranges::all_of(bodies, [](const RubbleBody& body) {
     return body.mass > 0 ? body.asleep : body.velocity.isZero(0);
@@ -377,14 +331,10 @@ RubbleReport advance_rubble(std::span<RubbleBody> bodies, std::span<const Rubble
   tick.scratch.moving.clear();
   for (const RubbleBody& body : bodies) tick.scratch.moving.push_back(moving_of(body));
   const int rounds = rounds_of(tick);
-  for (int k = 0; k < rounds; ++k) take_round(tick, settings.sub_steps / rounds);
+  for (int k = 0; k < rounds; ++k) take_round(tick, rounds);
   for (const RubblePatch& p : tick.scratch.patches) {
     ++tick.report.manifolds;
     tick.report.points += static_cast<std::uint32_t>(p.count);
-    for (int k = 0; k < p.count; ++k) {
-      tick.report.deepest =
-          std::max(tick.report.deepest, -p.point[static_cast<std::size_t>(k)].separation);
-    }
   }
   if (touches) note_touches(*touches, tick);
   put_to_sleep(tick);

@@ -27,8 +27,8 @@ struct RubbleTouch {
 };
 
 /// One tick of rigid bodies with contact and friction. Patches are found once; sub-steps then
-/// follow them: velocities under gravity, warm start, one sweep that pushes overlaps out, places,
-/// one sweep without pushing [sub-steps that relax: Catto 2024, "Solver2D"]. Normal impulses by
+/// follow them: velocities under gravity, warm start, a sweep to and fro that pushes overlaps out,
+/// places, one without pushing [soft steps: Catto 2024, "Solver2D"]. Normal impulses by
 /// point, friction and its twist by patch. What approaches is stopped where it touches. Both sides
 /// of a patch are pushed at one place, so that momentum and angular momentum are kept to rounding;
 /// bodies turn with their angular momentum (`turn_through_step`).

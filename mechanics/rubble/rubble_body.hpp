@@ -8,7 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "mechanics/rubble/manifold.hpp"
-#include "mechanics/state/vec3.hpp"
+#include "mechanics/state/impulse.hpp"
 
 namespace sunder {
 
@@ -25,6 +25,7 @@ struct RubbleBody {
   double radius = 0;                     ///< m, of the farthest point of its shapes from `centre`
   double still = 0;                      ///< s, for which it has lain still
   bool asleep = false;
+  bool in_ledger = true;                 ///< whether the report's energies count it
 };
 
 /// A convex part of a body, in its own axes about its centre.
@@ -34,30 +35,31 @@ struct RubbleShape {
   std::uint32_t body = 0;
   /// Tells shapes apart from tick to tick, ascending with the row.
   std::uint64_t key = 0;
-  std::array<Vec3, 4> corner{};      ///< of a tetrahedron, m
+  /// Of a tetrahedron, m; the first is the centre of a ball.
+  std::array<Vec3, 4> corner = {Vec3(0, 0, 0), Vec3(0, 0, 0), Vec3(0, 0, 0), Vec3(0, 0, 0)};
   std::uint32_t outer_faces = 15;    ///< of a tetrahedron: bits of those outside of the body
   Vec3 half_extent{0, 0, 0};         ///< of a box, m
   double radius = 0;                 ///< of a ball, m
   Vec3 normal{0, 0, 1};              ///< of a half-space, out of the solid, through the centre
 };
 
-/// What a pair of shapes keeps from tick to tick.
+/// What points of contact keep from tick to tick.
 struct RubbleMemory {
-  struct Pair {
+  struct Point {
     std::uint64_t a = 0, b = 0;  ///< keys of shapes
-    int count = 0;
-    std::array<std::uint32_t, 4> feature{};
-    std::array<double, 4> impulse{};  ///< N s, of the last sub-step
-    Vec3 friction{0, 0, 0};           ///< N s, of the last sub-step, on A
-    double twist = 0;                 ///< N m s
-    double sub_step = 0;              ///< s
+    Vec3 at{0, 0, 0};            ///< m, in the axes of the first one's body
+    double force = 0;          ///< N, along the normal, in the last sub-step
+    Vec3 friction{0, 0, 0};    ///< N, its share of the patch's on A
+    double twist = 0;          ///< N m, likewise
   };
-  std::vector<Pair> pairs;  ///< sorted by keys
+  std::vector<Point> points;  ///< sorted by keys
 };
 
 /// How a tick is taken.
 struct RubbleSettings {
   double length = 1.0 / 240;  ///< s
+  /// At least; towers of more than ten bodies take twice as many, of more than twenty four times,
+  /// and so on to 32 times.
   int sub_steps = 4;
   Vec3 gravity{0, 0, 0};      ///< m/s^2
   double slop = 1e-5;         ///< m, overlap that is left alone
@@ -69,14 +71,17 @@ struct RubbleSettings {
 /// What a tick did.
 struct RubbleReport {
   std::uint32_t awake = 0, asleep = 0;       ///< bodies with a mass, at the end
+  std::uint32_t sub_steps = 0, layers = 0;   ///< taken; bodies upon each other, at most
   std::uint32_t pairs = 0;                   ///< of shapes whose boxes overlap
   std::uint32_t manifolds = 0, points = 0;   ///< of those that push
-  double deepest = 0;                        ///< m, overlap at the end of the tick
+  double deepest = 0;                        ///< m, overlap where patches were found
   double gravity_work = 0;                   ///< J, sum m g . dx
   double contact_work = 0;                   ///< J, each impulse times the mean velocity of its place
   double numerical = 0;  ///< J, taken by the scheme: weight on bodies in contact falls a sub-step late
   double sleep_energy = 0;                   ///< J, of what fell asleep
-  Vec3 sleep_momentum = Vec3::Zero(), sleep_angular = Vec3::Zero();  ///< about the origin
+  Impulse gravity = Impulse::Zero();         ///< of weight, about the origin
+  Impulse contact = Impulse::Zero();         ///< of all contact: what driven and sleeping bodies gave
+  Impulse sleep = Impulse::Zero();           ///< what bodies had that fell asleep
   double narrow_ms = 0, broad_ms = 0, solve_ms = 0;  ///< wall time
 };
 

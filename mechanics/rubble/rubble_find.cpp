@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "mechanics/rubble/merge_patches.hpp"
 #include "mechanics/rubble/rubble.hpp"
 #include "mechanics/solver/parallel.hpp"
 
@@ -45,41 +47,42 @@ Bounds box_of(const RubbleShape& shape, const MovingBody& body, const Polytope& 
 }
 
 /// A point of a solid against a half-space or ball, for both of which `normal` is out of B.
-void add_point(Manifold& m, const Vec3& on_a, const Vec3& on_b, double separation,
-               std::uint32_t feature) {
+void add_point(Manifold& m, const Vec3& on_a, const Vec3& on_b, double separation) {
   if (m.count == 4) {
     // Of a box on a plane: the four deepest.
     auto* highest = &m.point[0];
     for (Manifold::Point& p : m.point) {
       if (p.separation > highest->separation) highest = &p;
     }
-    if (highest->separation > separation) *highest = {on_a, on_b, separation, feature};
+    if (highest->separation > separation) *highest = {on_a, on_b, separation};
     return;
   }
-  m.point[static_cast<std::size_t>(m.count++)] = {on_a, on_b, separation, feature};
+  m.point[static_cast<std::size_t>(m.count++)] = {on_a, on_b, separation};
 }
 
 Manifold on_half_space(const FindInput& input, std::uint32_t a, std::uint32_t plane,
-                       const Polytope& solid, double margin) {
+                       const Polytope& solid, const Approach& approach) {
   const RubbleShape& shape = input.shapes[a];
   const RubbleShape& half = input.shapes[plane];
   const MovingBody& ground = input.moving[half.body];
   Manifold m;
   m.normal = ground.turned * half.normal;
-  const auto try_point = [&](const Vec3& at, std::uint32_t feature) {
+  const auto try_point = [&](const Vec3& at) {
     const double separation = m.normal.dot(at - ground.centre);
-    if (separation <= margin) add_point(m, at, at - separation * m.normal, separation, feature);
+    if (separation > approach.along(-m.normal)) return;
+    add_point(m, at, at - separation * m.normal, separation);
   };
   if (shape.kind == Kind::ball) {
     const Vec3 lowest = centre_of(shape, input.moving[shape.body]) - shape.radius * m.normal;
-    try_point(lowest, 0);
+    try_point(lowest);
     return m;
   }
-  for (std::uint32_t v = 0; v < solid.kind->vertices; ++v) try_point(solid.vertex[v], v);
+  for (std::uint32_t v = 0; v < solid.kind->vertices; ++v) try_point(solid.vertex[v]);
   return m;
 }
 
-Manifold between_balls(const FindInput& input, std::uint32_t a, std::uint32_t b, double margin) {
+Manifold between_balls(const FindInput& input, std::uint32_t a, std::uint32_t b,
+                       const Approach& approach) {
   const RubbleShape& p = input.shapes[a];
   const RubbleShape& q = input.shapes[b];
   const Vec3 from = centre_of(q, input.moving[q.body]), to = centre_of(p, input.moving[p.body]);
@@ -87,11 +90,13 @@ Manifold between_balls(const FindInput& input, std::uint32_t a, std::uint32_t b,
   const double distance = (to - from).norm();
   m.normal = distance > 0 ? Vec3((to - from) / distance) : Vec3(0, 0, 1);
   const double separation = distance - p.radius - q.radius;
-  if (separation <= margin) {
-    add_point(m, to - p.radius * m.normal, from + q.radius * m.normal, separation, 0);
+  if (separation <= approach.along(-m.normal)) {
+    add_point(m, to - p.radius * m.normal, from + q.radius * m.normal, separation);
   }
   return m;
 }
+
+Approach turned_round(const Approach& approach) { return {-approach.way, approach.margin}; }
 
 Manifold turned_round(Manifold m) {
   m.normal = -m.normal;
@@ -101,23 +106,23 @@ Manifold turned_round(Manifold m) {
 
 /// The manifold of a pair of shapes, A the first.
 Manifold manifold_of(const FindInput& input, const FindScratch& scratch, const RowPair& pair,
-                     double margin, PairAxis& axis) {
+                     const Approach& approach, PairAxis& axis) {
   const auto [a, b] = pair;
   const Kind p = input.shapes[a].kind, q = input.shapes[b].kind;
   const auto& solids = scratch.solids;
   if (q == Kind::half_space) {
-    return p == Kind::half_space ? Manifold{} : on_half_space(input, a, b, solids[a], margin);
+    return p == Kind::half_space ? Manifold{} : on_half_space(input, a, b, solids[a], approach);
   }
-  if (p == Kind::half_space) return turned_round(on_half_space(input, b, a, solids[b], margin));
-  if (p == Kind::ball && q == Kind::ball) return between_balls(input, a, b, margin);
-  const auto ball = [&](std::uint32_t row, std::uint32_t other) {
+  if (p == Kind::half_space) return turned_round(on_half_space(input, b, a, solids[b], turned_round(approach)));
+  if (p == Kind::ball && q == Kind::ball) return between_balls(input, a, b, approach);
+  const auto ball = [&](std::uint32_t row, std::uint32_t other, const Approach& its) {
     const RubbleShape& shape = input.shapes[row];
     return collide_ball(centre_of(shape, input.moving[shape.body]), shape.radius, solids[other],
-                        margin);
+                        its);
   };
-  if (p == Kind::ball) return ball(a, b);
-  if (q == Kind::ball) return turned_round(ball(b, a));
-  return collide(solids[a], solids[b], margin, axis);
+  if (p == Kind::ball) return ball(a, b, approach);
+  if (q == Kind::ball) return turned_round(ball(b, a, turned_round(approach)));
+  return collide(solids[a], solids[b], approach, axis);
 }
 
 Vec3 any_across(const Vec3& n) {
@@ -125,10 +130,10 @@ Vec3 any_across(const Vec3& n) {
   return n.cross(axis).normalized();
 }
 
-/// Walks rows sorted by the keys `a`, `b` along with pairs that are sorted by the same.
-template <class Row>
+/// Walks axes along with pairs that are sorted by the same keys.
 class Walk {
  public:
+  using Row = FindScratch::Axis;
   Walk(const std::vector<Row>& rows, std::uint64_t a, std::uint64_t b)
       : at_(std::lower_bound(rows.begin(), rows.end(), std::pair(a, b), is_before)),
         end_(rows.end()) {}
@@ -142,26 +147,42 @@ class Walk {
   static bool is_before(const Row& row, const std::pair<std::uint64_t, std::uint64_t>& keys) {
     return std::pair(row.a, row.b) < keys;
   }
-  typename std::vector<Row>::const_iterator at_, end_;
+  std::vector<Row>::const_iterator at_, end_;
 };
 
-void take_memory(RubblePatch& patch, const RubbleMemory::Pair& was, double sub_step) {
-  const double share = was.sub_step > 0 ? sub_step / was.sub_step : 0;
-  for (int k = 0; k < patch.count; ++k) {
-    RubblePatch::Point& p = patch.point[static_cast<std::size_t>(k)];
-    for (int old = 0; old < was.count; ++old) {
-      if (was.feature[static_cast<std::size_t>(old)] != p.feature) continue;
-      p.impulse = share * was.impulse[static_cast<std::size_t>(old)];
+/// m; of what has no mass as much as one likes.
+double radius_of(const FindInput& input, std::uint32_t body) {
+  const RubbleBody& b = input.bodies[body];
+  return b.mass > 0 ? b.radius : std::numeric_limits<double>::infinity();
+}
+
+/// What points had in the last tick: those of the same two shapes that are nearest, each once.
+void take_memory(RubblePatch& patch, const FindInput& input, const RubbleMemory& memory) {
+  const auto key_of = [](const RubbleMemory::Point& q) { return std::pair(q.a, q.b); };
+  std::vector<const RubbleMemory::Point*> used;
+  const double near = 0.2 * std::min(radius_of(input, patch.a), radius_of(input, patch.b));
+  for (std::size_t k = 0; k < static_cast<std::size_t>(patch.count); ++k) {
+    RubblePatch::Point& p = patch.point[k];
+    const std::pair key(input.shapes[p.shape_a].key, input.shapes[p.shape_b].key);
+    const RubbleMemory::Point* nearest = nullptr;
+    double least = near * near;
+    for (const auto& q : std::ranges::equal_range(memory.points, key, {}, key_of)) {
+      const double distance = (q.at - p.local_a).squaredNorm();
+      if (distance > least || std::ranges::find(used, &q) != used.end()) continue;
+      least = distance;
+      nearest = &q;
     }
+    if (!nearest) continue;
+    used.push_back(nearest);
+    p.impulse = nearest->force;
+    patch.slip_impulse[0] += nearest->friction.dot(patch.along);
+    patch.slip_impulse[1] += nearest->friction.dot(patch.across);
+    patch.twist_impulse += nearest->twist;
   }
-  patch.slip_impulse = {share * was.friction.dot(patch.along), share * was.friction.dot(patch.across)};
-  patch.twist_impulse = share * was.twist;
 }
 
 RubblePatch patch_of(const FindInput& input, const RowPair& pair, const Manifold& m) {
   RubblePatch patch;
-  patch.shape_a = pair.first;
-  patch.shape_b = pair.second;
   patch.a = input.shapes[pair.first].body;
   patch.b = input.shapes[pair.second].body;
   patch.normal = m.normal;
@@ -175,7 +196,9 @@ RubblePatch patch_of(const FindInput& input, const RowPair& pair, const Manifold
     RubblePatch::Point& point = patch.point[k];
     point.local_a = a.turned.transpose() * (m.point[k].on_a - a.centre);
     point.local_b = b.turned.transpose() * (m.point[k].on_b - b.centre);
-    point.feature = m.point[k].feature;
+    point.separation = m.point[k].separation;
+    point.shape_a = pair.first;
+    point.shape_b = pair.second;
   }
   return patch;
 }
@@ -190,7 +213,7 @@ void find_pairs(FindScratch& scratch, const FindInput& input) {
     const RubbleBody& body = input.bodies[k];
     scratch.moves[k] = is_free(body) || (body.mass == 0 && !body.velocity.isZero(0));
     scratch.turning[k] =
-        std::min(2.0, input.moving[k].spin.norm() * input.time) * body.radius;
+        std::min(0.5, input.moving[k].spin.norm() * input.time) * body.radius;
   }
   scratch.boxes.resize(shapes);
   scratch.solids.resize(shapes);
@@ -214,7 +237,6 @@ void find_pairs(FindScratch& scratch, const FindInput& input) {
 
 void find_patches(std::vector<RubblePatch>& patches, FindScratch& scratch, const FindInput& input,
                   const RubbleMemory& memory) {
-  const double sub_step = input.settings.length / input.settings.sub_steps;
   constexpr std::size_t chunk = 512;
   const std::size_t chunks = (scratch.pairs.size() + chunk - 1) / chunk;
   if (scratch.found.size() < chunks) scratch.found.resize(chunks);
@@ -227,7 +249,6 @@ void find_patches(std::vector<RubblePatch>& patches, FindScratch& scratch, const
     const std::uint64_t key_a = input.shapes[first.first].key;
     const std::uint64_t key_b = input.shapes[first.second].key;
     Walk axes(scratch.last_axes, key_a, key_b);
-    Walk pairs(memory.pairs, key_a, key_b);
     const std::size_t end = std::min(scratch.pairs.size(), (c + 1) * chunk);
     for (std::size_t row = c * chunk; row < end; ++row) {
       const auto [i, j] = scratch.pairs[row];
@@ -235,18 +256,20 @@ void find_patches(std::vector<RubblePatch>& patches, FindScratch& scratch, const
       const RubbleShape& q = input.shapes[j];
       const FindScratch::Axis* last = axes.find(p.key, q.key);
       FindScratch::Axis& axis = scratch.axes[row] = {p.key, q.key, last ? last->axis : PairAxis{}};
-      const double margin = (way_of(input, p.body) - way_of(input, q.body)).norm() +
-                            scratch.turning[p.body] + scratch.turning[q.body] + input.settings.slop;
-      const Manifold m = manifold_of(input, scratch, scratch.pairs[row], margin, axis.axis);
+      const Approach approach{
+          way_of(input, p.body) - way_of(input, q.body),
+          scratch.turning[p.body] + scratch.turning[q.body] + input.settings.slop};
+      const Manifold m = manifold_of(input, scratch, scratch.pairs[row], approach, axis.axis);
       if (m.count == 0) continue;
       found.push_back(patch_of(input, scratch.pairs[row], m));
-      if (const auto* was = pairs.find(p.key, q.key)) take_memory(found.back(), *was, sub_step);
     }
   });
   patches.clear();
   for (std::size_t c = 0; c < chunks; ++c) {
     patches.insert(patches.end(), scratch.found[c].begin(), scratch.found[c].end());
   }
+  merge_patches(patches, input.moving);
+  for (RubblePatch& patch : patches) take_memory(patch, input, memory);
 }
 
 }  // namespace sunder

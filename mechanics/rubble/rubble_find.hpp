@@ -40,8 +40,8 @@ struct FindInput {
 /// Pairs whose boxes, widened by the ways of their bodies, overlap: into `scratch.pairs`.
 void find_pairs(FindScratch& scratch, const FindInput& input);
 
-/// Patches of those pairs with at least one point, in their order, with the impulses that
-/// `memory` has of them.
+/// Patches of those pairs with at least one point, those of two bodies merged (`merge_patches`),
+/// with the forces that `memory` has of their points in place of impulses.
 void find_patches(std::vector<RubblePatch>& patches, FindScratch& scratch, const FindInput& input,
                   const RubbleMemory& memory);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace sunder {
 namespace {
@@ -64,7 +65,7 @@ void prepare(RubblePatch& patch, const MovingBody& a, const MovingBody& b) {
   patch.reach /= patch.count;
 }
 
-void sweep(RubblePatch& patch, MovingBody& a, MovingBody& b, const SweepRule& rows) {
+void sweep(RubblePatch& patch, MovingBody& a, MovingBody& b, const SweepRule& rule) {
   double pressed = 0;
   for (int k = 0; k < patch.count; ++k) {
     pressed += patch.point[static_cast<std::size_t>(k)].impulse;
@@ -95,17 +96,30 @@ void sweep(RubblePatch& patch, MovingBody& a, MovingBody& b, const SweepRule& ro
     const double speed = patch.normal.dot(a.velocity + a.spin.cross(p.arm_a) - b.velocity -
                                           b.spin.cross(p.arm_b));
     // Apart: it may come as near as the gap. Overlapped: it goes away by a share.
-    double wanted = -p.separation * rows.over_step;
+    double wanted = -p.separation * rule.over_step, share = 1, leak = 0;
     if (p.separation <= 0) {
-      wanted = std::min(rows.rate * std::max(0.0, -p.separation - rows.slop), rows.push);
+      wanted = std::min(rule.rate * std::max(0.0, -p.separation - rule.slop), rule.push);
+      share = rule.share;
+      leak = rule.leak;
     }
-    const double impulse = std::max(0.0, p.impulse + p.response * (wanted - speed));
+    const double change = p.response * share * (wanted - speed) - leak * p.impulse;
+    const double impulse = std::max(0.0, p.impulse + change);
     push(a, b, p, patch.normal, impulse - p.impulse);
     p.impulse = impulse;
   }
 }
 
 }  // namespace
+
+SweepRule pushing_rule(double sub_step, double slop, double push) {
+  // A quarter turn of the spring a sub-step, five times overdamped: stiffer ones make towers
+  // tremble, softer ones let them buckle (docs/rubble.md).
+  constexpr double turn = 0.5 * std::numbers::pi, damping = 5;
+  constexpr double a1 = 2 * damping + turn, a2 = turn * a1;
+  return {1 / sub_step, turn / a1 / sub_step, a2 / (1 + a2), 1 / (1 + a2), slop, push};
+}
+
+SweepRule relaxing_rule(double sub_step) { return {.over_step = 1 / sub_step}; }
 
 void prepare_patches(std::span<RubblePatch> patches, std::span<const MovingBody> bodies) {
   for (RubblePatch& patch : patches) prepare(patch, bodies[patch.a], bodies[patch.b]);
@@ -124,9 +138,13 @@ void warm_start(std::span<const RubblePatch> patches, std::span<MovingBody> bodi
   }
 }
 
-void sweep_patches(std::span<RubblePatch> patches, std::span<MovingBody> bodies,
-                   const SweepRule& rows) {
-  for (RubblePatch& patch : patches) sweep(patch, bodies[patch.a], bodies[patch.b], rows);
+void sweep_patches(std::span<RubblePatch> patches, std::span<const std::uint32_t> order,
+                   std::span<MovingBody> bodies, const SweepRule& rule) {
+  const auto take = [&](std::uint32_t row) {
+    sweep(patches[row], bodies[patches[row].a], bodies[patches[row].b], rule);
+  };
+  for (const std::uint32_t row : order) take(row);
+  for (std::size_t k = order.size(); k-- > 0;) take(order[k]);
 }
 
 }  // namespace sunder

@@ -29,10 +29,9 @@ struct RubblePatch {
     double separation = 0;    ///< m
     double response = 0;      ///< kg: over what a unit impulse does to the approach
     double impulse = 0;       ///< N s, of this sub-step
-    std::uint32_t feature = 0;
+    std::uint32_t shape_a = 0, shape_b = 0;  ///< whose it is
   };
-  std::uint32_t a = 0, b = 0;                ///< bodies
-  std::uint32_t shape_a = 0, shape_b = 0;
+  std::uint32_t a = 0, b = 0;  ///< bodies
   Vec3 normal{0, 0, 1}, along{1, 0, 0}, across{0, 1, 0};
   double friction = 0;
   int count = 0;
@@ -43,13 +42,21 @@ struct RubblePatch {
   double twist_impulse = 0;              ///< N m s, about the normal, on A
 };
 
-/// What the rows of a sweep ask for.
+/// What the rows of a sweep ask for. Overlap goes away like that of a damped spring, implicit over
+/// the sub-step: the stiffest that does not ring.
 struct SweepRule {
   double over_step = 0;  ///< 1/s, over the length of a sub-step
   double rate = 0;       ///< 1/s, at which overlap beyond `slop` goes away; 0: not at all
+  double share = 1;      ///< of the rigid response where there is overlap
+  double leak = 0;       ///< of the impulse that was there
   double slop = 0;       ///< m
   double push = 0;       ///< m/s, at which it goes away at most
 };
+
+/// Pushes out what overlaps.
+SweepRule pushing_rule(double sub_step, double slop, double push);
+/// Lets be what overlaps, and stops what comes nearer.
+SweepRule relaxing_rule(double sub_step);
 
 /// Arms and responses where the bodies are now.
 void prepare_patches(std::span<RubblePatch> patches, std::span<const MovingBody> bodies);
@@ -57,8 +64,8 @@ void prepare_patches(std::span<RubblePatch> patches, std::span<const MovingBody>
 /// Gives bodies the impulses that patches have.
 void warm_start(std::span<const RubblePatch> patches, std::span<MovingBody> bodies);
 
-/// One sweep of all rows, in their order.
-void sweep_patches(std::span<RubblePatch> patches, std::span<MovingBody> bodies,
-                   const SweepRule& rows);
+/// One sweep of all rows in `order`, and one back: what lies below bears what lies above.
+void sweep_patches(std::span<RubblePatch> patches, std::span<const std::uint32_t> order,
+                   std::span<MovingBody> bodies, const SweepRule& rule);
 
 }  // namespace sunder

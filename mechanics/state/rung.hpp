@@ -12,10 +12,11 @@ enum class Rung : unsigned char {
   quasi_static,  ///< the equilibrium under the present load; supported components only
   rigid,         ///< rigid motion; the deformation stays as it is
   asleep,        ///< nothing: the component is at rest
+  rubble,        ///< rigid motion and contact, on a clock of its own
   carried,       ///< inside a step only: what has taken it already meets what is sub-stepped
 };
 /// Those on which components are between steps.
-inline constexpr std::size_t rung_count = 4;
+inline constexpr std::size_t rung_count = 5;
 
 /// Whether displacements change on a rung.
 constexpr bool deforms(Rung rung) { return rung == Rung::full || rung == Rung::quasi_static; }

@@ -13,3 +13,10 @@ TEST_CASE("what breaks under random blows had an impact window by energy", "[acc
   CHECK(counts.spared_by_pair > 0);
   CHECK(counts.spared_by_island > 0);
 }
+
+TEST_CASE("what is certified as rubble does not break, stepped in full", "[accuracy][rubble]") {
+  const sunder::accuracy::CertificateCounts counts = sunder::accuracy::run_certificates(0, 150);
+  CHECK(counts.missed == 0);
+  CHECK(counts.certified > 15);
+  CHECK(counts.refused > 15);
+}

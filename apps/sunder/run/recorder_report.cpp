@@ -91,7 +91,8 @@ ordered_json ladder_report(const LadderReport& ladder) {
   for_each_counter<LadderReport>([&](const auto& counter) {
     const auto& steps = ladder.*counter.member;
     report[std::string(counter.name)] = {
-        {"full", steps[0]}, {"quasi_static", steps[1]}, {"rigid", steps[2]}, {"asleep", steps[3]}};
+        {"full", steps[0]}, {"quasi_static", steps[1]}, {"rigid", steps[2]}, {"asleep", steps[3]},
+        {"rubble", steps[4]}};
   });
   return report;
 }
@@ -208,6 +209,7 @@ void add_step(RunStatistics& statistics, const Simulation& now, const StepReport
   add_step(statistics.contact, report.contact);
   add_step(statistics.impact, report.impact);
   add_step(statistics.ladder, report.ladder);
+  add_step(statistics.rubble, report.rubble);
   add_step(statistics.solve, report.status.solve);
   add_step(statistics.energy, report.energy);
   note_ties(statistics.ties, report);
@@ -306,6 +308,7 @@ ordered_json run_report(const RunStatistics& s, const Simulation& now,
       {"contact", contact_report(s)},
       {"impact", impact_report(s)},
       {"ladder", ladder_report(s.ladder)},
+      {"rubble", counters_json(s.rubble)},
       {"integrator", integrator_report(s, now.state->step)},
       {"momentum", momentum_ledger(s, now, 0)},
       {"angular_momentum", momentum_ledger(s, now, 3)},

@@ -33,6 +33,7 @@ struct RunStatistics {
   ContactReport contact;
   ImpactReport impact;
   LadderReport ladder;
+  RubbleStepReport rubble;
   SolveReport solve;
   EnergyLedger energy;
   TieStatistics ties;

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "fracture/simulation/break_energy.hpp"
+#include "fracture/simulation/rubble/islands.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
@@ -164,6 +165,38 @@ BlowCounts run_blows(std::uint64_t first, std::uint64_t count) {
     sum.spared += o.opens_always && !o.opens_by_energy;
     sum.spared_by_pair += o.by_pair;
     sum.spared_by_island += o.by_island;
+  }
+  return sum;
+}
+
+CertificateCounts run_certificates(std::uint64_t first, std::uint64_t count) {
+  CertificateCounts sum;
+  for (std::uint64_t number = first; number < first + count; ++number) {
+    Random random(number);
+    Scene scene = scene_of(random);
+    set_energy(scene, std::pow(10, between(random, -3, 0.5)));
+    scene.integrator.time_step = rubble_clock(1).tick / 8;
+    scene.impact.by_energy = false;
+    const double tick = rubble_clock(scene.integrator.time_step).tick;
+    Simulation sim = built(scene);
+    std::vector<double> threshold;
+    BreakEnergyScratch scratch;
+    note_break_energies(threshold, sim.state->mechanics, sim.state->cells,
+                        scene.fracture.node_stress, scratch);
+    const std::vector<char> declared(threshold.size(), 0);
+    const RubbleChoice choice =
+        choose_rubble(sim, {threshold, declared, scene.gravity.acceleration, tick});
+    bool all = true;
+    for (const Component& c : sim.state->mechanics.components) {
+      all = all && (c.tetrahedra.empty() || choice.component[c.id.index()]);
+    }
+    const auto steps = static_cast<int>(std::lround(tick / scene.integrator.time_step));
+    const bool breaks = run(scene, false, steps).fans > 0;
+    ++sum.blows;
+    sum.certified += all;
+    sum.missed += all && breaks;
+    sum.refused += choice.refused > 0;
+    sum.needless += choice.refused > 0 && !breaks;
   }
   return sum;
 }

@@ -32,4 +32,15 @@ struct BlowCounts {
 /// Blows `first` to `first + count - 1`.
 BlowCounts run_blows(std::uint64_t first, std::uint64_t count);
 
+/// The certificate of the rung `rubble` under blows of the same kinds, whose energies are a
+/// thousandth to three times what the weakest star of a block needs.
+struct CertificateCounts {
+  std::uint64_t blows = 0;
+  std::uint64_t certified = 0;  ///< scenes all of whose blocks were rubble in the first tick
+  std::uint64_t missed = 0;     ///< of those: stepped in full something broke in it; must be 0
+  std::uint64_t refused = 0;    ///< scenes in which a certificate was refused
+  std::uint64_t needless = 0;   ///< of those: nothing broke in the tick
+};
+CertificateCounts run_certificates(std::uint64_t first, std::uint64_t count);
+
 }  // namespace sunder::accuracy

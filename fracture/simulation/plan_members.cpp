@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// Members by windows, reach and the clock of the rubble.
+#include "fracture/simulation/plan_members.hpp"
+
+#include <algorithm>
+
+#include "mechanics/state/living.hpp"
+
+namespace sunder {
+namespace {
+
+/// Takes out of the members who is on the clock of the rubble.
+void leave_out(std::vector<char>& members, const std::vector<char>& apart) {
+  for (std::size_t k = 0; k < apart.size(); ++k) members[k] = members[k] && !apart[k];
+}
+
+/// Everybody whose role `fits` becomes a member of the part to come.
+template <class Fits>
+void take_those(StepPlan& plan, Fits fits) {
+  plan.components.clear();
+  for (Role role : plan.boundary.component) plan.components.push_back(fits(role));
+  leave_out(plan.components, plan.boundary.apart);
+  plan.balls.clear();
+  for (Role role : plan.boundary.ball) plan.balls.push_back(fits(role));
+  leave_out(plan.balls, plan.boundary.ball_apart);
+}
+
+}  // namespace
+
+std::vector<ComponentId> open_windows(const ImpactWindow& window) {
+  std::vector<ComponentId> open;
+  for (std::size_t c = 0; c < window.quiet.size(); ++c) {
+    if (window.quiet[c] != ImpactWindow::closed) open.emplace_back(c);
+  }
+  return open;
+}
+
+void gather_members(StepPlan& plan, const SimulationState& s, double h) {
+  plan.reach = reach_of_step(s, plan.gravity, h);
+  assign_roles(plan.boundary, s, open_windows(s.impact), plan.reach);
+}
+
+void begin_without_rubble(StepPlan& plan, const SimulationState& s) {
+  const RubbleState& rubble = s.ladder.rubble;
+  if (rubble.apart.empty()) return;
+  plan.boundary.apart = rubble.apart;
+  plan.boundary.ball_apart = rubble.ball_apart;
+  plan.components.assign(s.mechanics.components.size(), 1);
+  leave_out(plan.components, rubble.apart);
+  plan.balls.assign(s.obstacles.size(), 1);
+  leave_out(plan.balls, rubble.ball_apart);
+}
+
+bool anybody_moves(const StepPlan& plan, const SimulationState& s) {
+  bool any = !living_components(s.mechanics, plan.members()).empty();
+  for (std::size_t k = 0; k < s.obstacles.size(); ++k) {
+    any = any || (s.obstacles[k].mass && plan.members().has_ball(k));
+  }
+  return any;
+}
+
+bool take_the_others(StepPlan& plan, const SimulationState& s) {
+  take_those(plan, [](Role role) { return role != Role::member; });
+  return anybody_moves(plan, s);
+}
+
+void take_the_members(StepPlan& plan, const SimulationState& s) {
+  take_those(plan, [](Role role) { return role != Role::other; });
+  std::uint32_t members = 0, carried = 0;
+  for_each_living(s.mechanics, {}, [&](const Component& c) {
+    members += plan.boundary.component[c.id.index()] == Role::member;
+    carried += plan.boundary.component[c.id.index()] == Role::carried;
+  });
+  plan.impact.components = std::max(plan.impact.components, members);
+  plan.impact.carried = std::max(plan.impact.carried, carried);
+}
+
+}  // namespace sunder

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Who takes the part of a step that comes next.
+#pragma once
+
+#include "fracture/simulation/step_plan.hpp"
+
+namespace sunder {
+
+/// The components whose windows are open, ascending.
+std::vector<ComponentId> open_windows(const ImpactWindow& window);
+
+/// Makes members of those with open windows and of what they touch, and rigid bodies of what is
+/// round those.
+void gather_members(StepPlan& plan, const SimulationState& state, double time_step);
+
+/// Everybody but the rubble takes the part.
+void begin_without_rubble(StepPlan& plan, const SimulationState& state);
+
+/// Whether a member of the part to come could move.
+bool anybody_moves(const StepPlan& plan, const SimulationState& state);
+
+/// All but the members, for the whole step. True when there are any that could move.
+bool take_the_others(StepPlan& plan, const SimulationState& state);
+
+/// The members, and the carried among which they are.
+void take_the_members(StepPlan& plan, const SimulationState& state);
+
+}  // namespace sunder

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: MIT
+// Candidates, islands, certificates.
+#include "fracture/simulation/rubble/islands.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "fracture/simulation/simulation_state.hpp"
+#include "mechanics/contact/impact_energy.hpp"
+#include "mechanics/contact/shapes/obstacle_geometry.hpp"
+#include "mechanics/rubble/box_pairs.hpp"
+#include "topology/base/union_find.hpp"
+
+namespace sunder {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// A node is a component, or a free ball behind all components.
+struct Nodes {
+  const SimulationState& s;
+  std::size_t components() const { return s.mechanics.components.size(); }
+  std::size_t count() const { return components() + s.obstacles.size(); }
+  bool is_ball(std::size_t node) const { return node >= components(); }
+  const Obstacle& ball(std::size_t node) const { return s.obstacles[node - components()]; }
+  const Component& component(std::size_t node) const { return s.mechanics.components[node]; }
+  bool lives(std::size_t node) const {
+    return is_ball(node) ? ball(node).mass.has_value() : !component(node).tetrahedra.empty();
+  }
+  bool sleeps(std::size_t node) const {
+    return !is_ball(node) && component(node).rung == Rung::asleep;
+  }
+  double mass(std::size_t node) const {
+    return is_ball(node) ? *ball(node).mass : component(node).mass;
+  }
+  Vec3 velocity(std::size_t node) const {
+    if (is_ball(node)) return ball(node).velocity;
+    const Component& c = component(node);
+    return c.supported ? c.frame_velocity : Vec3(c.momentum / c.mass);
+  }
+};
+
+/// What deforms may become faster in the tick than it is.
+constexpr double haste = 2;
+
+std::vector<char> find_candidates(const Simulation& sim, const Nodes& nodes,
+                                  const RubbleInput& input) {
+  const SimulationState& s = *sim.state;
+  std::vector<char> may(nodes.count(), 0);
+  const bool certifies = sim.scene.fracture.node_stress != NodeStress::fit;
+  for (std::size_t k = 0; k < nodes.count(); ++k) {
+    if (!nodes.lives(k)) continue;
+    if (nodes.is_ball(k)) {
+      may[k] = 1;
+      continue;
+    }
+    const Component& c = nodes.component(k);
+    const bool is_open = k < s.impact.quiet.size() && s.impact.quiet[k] != ImpactWindow::closed;
+    const bool cannot_break = input.threshold[k] == infinite || input.declared[k];
+    may[k] = !c.supported && (cannot_break || (certifies && !is_open));
+  }
+  for (const CornerLoad& load : s.loads) {
+    may[s.mechanics.elements.component[tetrahedron_of(load.corner).index()].index()] = 0;
+  }
+  for (const Tie& tie : s.contact.ties) {
+    may[s.mechanics.elements.component[tetrahedron_of(tie.face).index()].index()] = 0;
+  }
+  return may;
+}
+
+/// Boxes of what may meet, by node.
+struct Reach {
+  std::vector<Bounds> boxes;
+  std::vector<std::uint32_t> node;
+  void add(const Bounds& box, std::size_t of) {
+    boxes.push_back(box);
+    node.push_back(static_cast<std::uint32_t>(of));
+  }
+};
+
+Bounds swept(Bounds box, const Vec3& way, double widen) {
+  box.low += way.cwiseMin(0) - Vec3::Constant(widen);
+  box.high += way.cwiseMax(0) + Vec3::Constant(widen);
+  return box;
+}
+
+/// A ball round all that a node can reach in the tick, as a box.
+Bounds bounds_of(const Nodes& nodes, std::size_t node, const Vec3& gravity, double tick) {
+  const bool is_ball = nodes.is_ball(node);
+  const Vec3 centre = is_ball ? std::get<Sphere>(nodes.ball(node).shape).center
+                              : nodes.component(node).centre;
+  const double radius = is_ball ? std::get<Sphere>(nodes.ball(node).shape).radius
+                                : 1.1 * nodes.component(node).rest_radius;
+  const Vec3 way = nodes.sleeps(node)
+                       ? Vec3::Zero()
+                       : Vec3(haste * tick * (nodes.velocity(node) + tick * gravity));
+  return swept({centre, centre}, way, radius);
+}
+
+/// Surface tetrahedra of a component along their ways.
+void add_surface(Reach& reach, const SimulationState& s, const Component& c, const Vec3& gravity,
+                 double tick) {
+  const VertexColumns& vertices = s.mechanics.vertices;
+  const bool sleeps = c.rung == Rung::asleep;
+  for (TetId t : c.tetrahedra) {
+    const auto& neighbours = s.cells.map.neighbours()[t.index()];
+    if (std::ranges::none_of(neighbours, [](HalfFaceId f) { return f.is_none(); })) continue;
+    const Corners& corners = s.cells.map.corners()[t.index()];
+    Bounds box{Vec3::Constant(infinite), Vec3::Constant(-infinite)};
+    for (VertexId v : corners) {
+      const Vec3& x = vertices.position[v.index()];
+      const Vec3 way =
+          sleeps ? Vec3::Zero() : Vec3(haste * tick * (vertices.velocity[v.index()] + tick * gravity));
+      box.low = box.low.cwiseMin(x).cwiseMin(x + way);
+      box.high = box.high.cwiseMax(x).cwiseMax(x + way);
+    }
+    reach.add(box, c.id.index());
+  }
+}
+
+Reach reach_of(const SimulationState& s, const Nodes& nodes, const std::vector<char>& may,
+               const Vec3& gravity, double tick) {
+  // Surfaces of those alone whose boxes meet a candidate's.
+  Reach coarse;
+  for (std::size_t k = 0; k < nodes.count(); ++k) {
+    if (nodes.lives(k)) coarse.add(bounds_of(nodes, k, gravity, tick), k);
+  }
+  std::vector<RowPair> pairs;
+  BoxScratch scratch;
+  find_box_pairs(pairs, scratch, {coarse.boxes, coarse.node, may});
+  std::vector<char> concerns = may;
+  for (const auto& [i, j] : pairs) concerns[coarse.node[i]] = concerns[coarse.node[j]] = 1;
+  Reach fine;
+  for (std::size_t k = 0; k < nodes.count(); ++k) {
+    if (!nodes.lives(k) || !concerns[k]) continue;
+    if (nodes.is_ball(k)) {
+      fine.add(bounds_of(nodes, k, gravity, tick), k);
+    } else {
+      add_surface(fine, s, nodes.component(k), gravity, tick);
+    }
+  }
+  return fine;
+}
+
+/// All that is in an island.
+struct Island {
+  bool is_rubble = true;   ///< all in it may be
+  bool has_candidate = false, is_awake = false;
+  bool is_grounded = false, is_torn = false;
+  Vec3 ground = Vec3::Zero();      ///< m/s, of what is driven and near
+  Vec3 momentum = Vec3::Zero();
+  double mass = 0, kinetic = 0, strain = 0, fastest = 0;
+};
+
+/// J, of motion against `velocity`.
+double kinetic_against(const SimulationState& s, const Nodes& nodes, std::size_t k,
+                       const Vec3& velocity) {
+  if (nodes.sleeps(k)) return 0.5 * nodes.mass(k) * velocity.squaredNorm();
+  if (nodes.is_ball(k)) {
+    const Obstacle& ball = nodes.ball(k);
+    return 0.5 * (*ball.mass * (ball.velocity - velocity).squaredNorm() +
+                  moment_of_inertia(ball) * ball.spin.squaredNorm());
+  }
+  double energy = 0;
+  for (VertexId v : nodes.component(k).vertices) {
+    energy += 0.5 * s.mechanics.vertices.mass[v.index()] *
+              (s.mechanics.vertices.velocity[v.index()] - velocity).squaredNorm();
+  }
+  return energy;
+}
+
+double fastest_of(const SimulationState& s, const Nodes& nodes, std::size_t k, const Vec3& against) {
+  if (nodes.sleeps(k)) return against.norm();
+  if (nodes.is_ball(k)) {
+    const Obstacle& ball = nodes.ball(k);
+    return (ball.velocity - against).norm() +
+           ball.spin.norm() * std::get<Sphere>(ball.shape).radius;
+  }
+  double fastest = 0;
+  for (VertexId v : nodes.component(k).vertices) {
+    fastest = std::max(fastest, (s.mechanics.vertices.velocity[v.index()] - against).norm());
+  }
+  return fastest;
+}
+
+/// Whether a node could touch a driven obstacle in the tick.
+bool is_near(const Nodes& nodes, std::size_t k, const Obstacle& obstacle, const Vec3& gravity,
+             double tick) {
+  const Bounds bounds = bounds_of(nodes, k, gravity, tick);
+  const Vec3 centre = 0.5 * (bounds.low + bounds.high);
+  const double radius = 0.5 * (bounds.high - bounds.low).norm();
+  return surface_distance(obstacle.shape, centre).gap <=
+         radius + haste * tick * obstacle.velocity.norm();
+}
+
+/// Where nothing that lives can break or deforms for other reasons, no islands are needed.
+bool all_are_safe(RubbleChoice& choice, const Nodes& nodes, const std::vector<char>& may,
+                  const RubbleInput& input) {
+  for (std::size_t k = 0; k < nodes.count(); ++k) {
+    if (!nodes.lives(k) || nodes.is_ball(k)) continue;
+    if (!may[k] || (input.threshold[k] < infinite && !input.declared[k])) return false;
+  }
+  for (std::size_t k = 0; k < nodes.count(); ++k) {
+    if (!nodes.lives(k)) continue;
+    (nodes.is_ball(k) ? choice.ball[k - nodes.components()] : choice.component[k]) = 1;
+    choice.any_awake = choice.any_awake || (!nodes.is_ball(k) && !nodes.sleeps(k));
+  }
+  if (!choice.any_awake) return false;
+  return true;
+}
+
+}  // namespace
+
+void note_declared(std::vector<char>& declared, std::vector<double>& body_mass,
+                   const Simulation& sim) {
+  const SimulationState& s = *sim.state;
+  const LadderSettings& ladder = sim.scene.ladder;
+  declared.assign(s.mechanics.components.size(), 0);
+  if (ladder.rubble == RubbleMode::off || !(ladder.declared_rubble > 0)) return;
+  if (body_mass.empty()) {
+    for (const BodyRows& rows : sim.bodies) {
+      double& mass = body_mass.emplace_back(0);
+      for (std::size_t t = rows.first_tetrahedron; t < rows.end_tetrahedron; ++t) {
+        mass += s.mechanics.elements.mass[t];
+      }
+    }
+  }
+  for (const Component& c : s.mechanics.components) {
+    const std::size_t k = c.id.index();
+    if (c.tetrahedra.empty()) continue;
+    const double whole = body_mass[body_of(sim, c.tetrahedra.front())];
+    declared[k] = c.mass <= ladder.declared_rubble * whole && c.mass < (1 - 1e-9) * whole;
+  }
+}
+
+RubbleChoice choose_rubble(const Simulation& sim, const RubbleInput& input) {
+  const SimulationState& s = *sim.state;
+  const auto& [threshold, declared, gravity, tick] = input;
+  const Nodes nodes{s};
+  RubbleChoice choice;
+  choice.component.assign(nodes.components(), 0);
+  choice.ball.assign(s.obstacles.size(), 0);
+  const std::vector<char> may = find_candidates(sim, nodes, input);
+  if (all_are_safe(choice, nodes, may, input)) return choice;
+  const Reach reach = reach_of(s, nodes, may, gravity, tick);
+  // What keeps still is joined as well: a heap that sleeps is one island.
+  const std::vector<char> all(nodes.count(), 1);
+  std::vector<RowPair> pairs;
+  BoxScratch scratch;
+  find_box_pairs(pairs, scratch, {reach.boxes, reach.node, all});
+  UnionFind joined(nodes.count());
+  for (const auto& [i, j] : pairs) joined.join(reach.node[i], reach.node[j]);
+
+  std::vector<Island> islands(nodes.count());
+  std::vector<std::uint32_t> members;
+  for (const std::uint32_t node : reach.node) {
+    if (members.empty() || members.back() != node) members.push_back(node);
+  }
+  const auto island_of = [&](std::uint32_t k) -> Island& { return islands[joined.root(k)]; };
+  for (const std::uint32_t k : members) {
+    Island& island = island_of(k);
+    island.is_rubble = island.is_rubble && may[k];
+    island.has_candidate = island.has_candidate || (may[k] && !nodes.is_ball(k));
+    island.is_awake = island.is_awake || !nodes.sleeps(k);
+    if (!may[k]) continue;
+    island.mass += nodes.mass(k);
+    if (!nodes.sleeps(k)) island.momentum += nodes.mass(k) * nodes.velocity(k);
+    for (const Obstacle& o : s.obstacles) {
+      if (o.mass || !is_near(nodes, k, o, gravity, tick)) continue;
+      island.is_torn = island.is_torn || (island.is_grounded && o.velocity != island.ground);
+      island.is_grounded = true;
+      island.ground = o.velocity;
+    }
+  }
+  for (const std::uint32_t k : members) {
+    Island& island = island_of(k);
+    if (!island.is_rubble) continue;
+    const Vec3 against = island.is_grounded ? island.ground : Vec3(island.momentum / island.mass);
+    island.kinetic += kinetic_against(s, nodes, k, against);
+    island.fastest = std::max(island.fastest, fastest_of(s, nodes, k, against));
+    if (!nodes.is_ball(k)) island.strain += deformation_energy(s.mechanics, nodes.component(k));
+  }
+  const double fall = tick * gravity.norm();
+  // Then, whether each of its pieces is safe from all that is in it.
+  for (const std::uint32_t k : members) {
+    Island& island = island_of(k);
+    if (!island.is_rubble || nodes.is_ball(k)) continue;
+    if (threshold[k] == infinite || declared[k]) continue;
+    const double weight = island.is_grounded ? island.mass * fall * (island.fastest + fall) : 0;
+    const double spent = k < s.ladder.rubble.spent.size() ? s.ladder.rubble.spent[k] : 0;
+    const double bound = island.is_torn ? infinite : island.kinetic + island.strain + weight + spent;
+    if (bound < threshold[k]) continue;
+    island.is_rubble = false;
+    ++choice.refused;
+  }
+  std::vector<char> counted(nodes.count(), 0);
+  for (const std::uint32_t k : members) {
+    const Island& island = island_of(k);
+    if (!island.is_rubble) {
+      char& seen = counted[joined.root(k)];
+      choice.mixed += island.has_candidate && !seen;
+      seen = 1;
+      continue;
+    }
+    // A ball alone flies as it always has.
+    if (!island.has_candidate) continue;
+    (nodes.is_ball(k) ? choice.ball[k - nodes.components()] : choice.component[k]) = 1;
+    choice.any_awake = choice.any_awake || island.is_awake;
+  }
+  return choice;
+}
+
+}  // namespace sunder

@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: MIT
+// Components to rigid bodies, a tick, and back.
+#include "fracture/simulation/rubble/rubble_tick.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fracture/simulation/break_energy.hpp"
+#include "fracture/simulation/rubble/islands.hpp"
+#include "fracture/simulation/simulation_state.hpp"
+#include "mechanics/contact/impact_energy.hpp"
+#include "mechanics/contact/shapes/obstacle_geometry.hpp"
+#include "mechanics/integrators/rigid_motion.hpp"
+
+namespace sunder {
+namespace {
+
+constexpr std::uint32_t no_row = ~0u;
+
+/// Keys of shapes: tetrahedra by their rows, obstacles behind all of them.
+constexpr std::uint64_t first_obstacle_key = std::uint64_t{1} << 40;
+
+/// Who is which body.
+struct World {
+  std::vector<RubbleBody> bodies;
+  std::vector<RubbleShape> shapes;
+  std::vector<std::uint32_t> of_component, of_obstacle;  ///< rows of bodies
+};
+
+std::uint32_t outer_faces(const SimulationState& s, TetId t) {
+  std::uint32_t bits = 0;
+  for (std::size_t place = 0; place < 4; ++place) {
+    if (s.cells.map.neighbours()[t.index()][place].is_none()) bits |= 1u << place;
+  }
+  return bits;
+}
+
+RubbleBody body_of_component(const SimulationState& s, const Component& c, double friction) {
+  RubbleBody body;
+  body.mass = c.mass;
+  body.inertia = deformed_inertia(s.mechanics.vertices, c);
+  body.centre = c.centre;
+  body.orientation = c.orientation;
+  body.momentum = c.momentum;
+  body.angular_momentum = c.angular_momentum;
+  body.friction = friction;
+  body.radius = c.rest_radius;
+  body.asleep = c.rung == Rung::asleep;
+  body.still = c.id.index() < s.ladder.still.size() ? s.ladder.still[c.id.index()] : 0;
+  return body;
+}
+
+void add_components(World& world, const Simulation& sim, const std::vector<char>& members) {
+  const SimulationState& s = *sim.state;
+  const VertexColumns& vertices = s.mechanics.vertices;
+  world.of_component.assign(s.mechanics.components.size(), no_row);
+  for (const Component& c : s.mechanics.components) {
+    if (!members[c.id.index()]) continue;
+    world.of_component[c.id.index()] = static_cast<std::uint32_t>(world.bodies.size());
+    world.bodies.push_back(body_of_component(s, c, sim.scene.contact.friction));
+  }
+  // By rows of tetrahedra, so that keys ascend.
+  for (std::size_t t = 0; t < s.mechanics.elements.size(); ++t) {
+    const ComponentId id = s.mechanics.elements.component[t];
+    const std::uint32_t body = world.of_component[id.index()];
+    if (body == no_row) continue;
+    const std::uint32_t outer = outer_faces(s, TetId{t});
+    if (outer == 0) continue;
+    const Component& c = s.mechanics.components[id.index()];
+    RubbleShape& shape = world.shapes.emplace_back();
+    shape.body = body;
+    shape.key = t;
+    shape.outer_faces = outer;
+    const Corners& corners = s.cells.map.corners()[t];
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::size_t v = corners[k].index();
+      shape.corner[k] = vertices.rest_position[v] - c.rest_centre + vertices.displacement[v];
+    }
+  }
+}
+
+void add_obstacles(World& world, const SimulationState& s, const std::vector<char>& balls) {
+  world.of_obstacle.assign(s.obstacles.size(), no_row);
+  for (std::size_t k = 0; k < s.obstacles.size(); ++k) {
+    const Obstacle& o = s.obstacles[k];
+    if (o.mass && !balls[k]) continue;
+    RubbleBody body;
+    body.friction = o.friction;
+    body.in_ledger = false;
+    RubbleShape shape;
+    shape.body = static_cast<std::uint32_t>(world.bodies.size());
+    shape.key = first_obstacle_key + k;
+    if (const auto* plane = std::get_if<Plane>(&o.shape)) {
+      shape.kind = RubbleShape::Kind::half_space;
+      shape.normal = plane->normal;
+      body.centre = plane->offset * plane->normal;
+    } else if (const auto* ball = std::get_if<Sphere>(&o.shape)) {
+      shape.kind = RubbleShape::Kind::ball;
+      shape.radius = body.radius = ball->radius;
+        body.centre = ball->center;
+    } else {
+      const Box& box = std::get<Box>(o.shape);
+      shape.kind = RubbleShape::Kind::box;
+      shape.half_extent = box.half_extent;
+      body.centre = box.center;
+      body.orientation = box.orientation;
+      body.radius = box.half_extent.norm();
+    }
+    if (o.mass) {
+      body.mass = *o.mass;
+      body.inertia = moment_of_inertia(o) * Mat3::Identity();
+      body.momentum = *o.mass * o.velocity;
+      body.angular_momentum = moment_of_inertia(o) * o.spin;
+    } else {
+      body.velocity = o.velocity;
+    }
+    world.of_obstacle[k] = shape.body;
+    world.bodies.push_back(body);
+    world.shapes.push_back(shape);
+  }
+}
+
+void write_rows(MechanicsState& state, const Component& c, const RubbleBody& body) {
+  VertexColumns& vertices = state.vertices;
+  const Mat3 R = c.orientation.toRotationMatrix();
+  const Vec3 velocity = c.momentum / c.mass;
+  const Vec3 own = R.transpose() * c.angular_momentum;
+  const Vec3 spin = R * body.inertia.ldlt().solve(own);
+  for (VertexId v : c.vertices) {
+    const std::size_t i = v.index();
+    const Vec3 arm =
+        R * (vertices.rest_position[i] - c.rest_centre + vertices.displacement[i]);
+    vertices.position[i] = c.centre + arm;
+    vertices.velocity[i] = velocity + spin.cross(arm);
+  }
+}
+
+/// Takes the component on the rung: it gives up what swings in it, J.
+double stop_swinging(MechanicsState& state, Component& c) {
+  double energy = 0;
+  if (c.rung == Rung::asleep || c.rung == Rung::rubble) return energy;
+  VertexColumns& vertices = state.vertices;
+  for (VertexId v : c.vertices) {
+    energy += 0.5 * vertices.mass[v.index()] * vertices.velocity[v.index()].squaredNorm();
+    vertices.displacement_rate[v.index()].setZero();
+    vertices.displacement_acceleration[v.index()].setZero();
+  }
+  return energy;
+}
+
+/// Bodies back to components and balls.
+void take_back(SimulationState& s, const World& world) {
+  s.ladder.still.resize(s.mechanics.components.size(), 0);
+  for (Component& c : s.mechanics.components) {
+    const std::uint32_t row = world.of_component[c.id.index()];
+    if (row == no_row) continue;
+    const RubbleBody& body = world.bodies[row];
+    s.ladder.still[c.id.index()] = body.still;
+    if (body.asleep && c.rung == Rung::asleep) continue;
+    c.centre = body.centre;
+    c.orientation = body.orientation;
+    c.momentum = body.momentum;
+    c.angular_momentum = body.angular_momentum;
+    c.rung = body.asleep ? Rung::asleep : Rung::rubble;
+    write_rows(s.mechanics, c, body);
+  }
+  for (std::size_t k = 0; k < s.obstacles.size(); ++k) {
+    Obstacle& o = s.obstacles[k];
+    if (!o.mass || world.of_obstacle[k] == no_row) continue;
+    const RubbleBody& body = world.bodies[world.of_obstacle[k]];
+    std::get<Sphere>(o.shape).center = body.centre;
+    o.velocity = body.momentum / body.mass;
+    o.spin = body.angular_momentum / moment_of_inertia(o);
+  }
+}
+
+void add_tick(StepReport& report, const RubbleReport& tick) {
+  report.energy.gravity += tick.gravity_work;
+  report.energy.contact += tick.contact_work;
+  report.energy.numerical += tick.numerical;
+  report.energy_released += tick.sleep_energy;
+  report.momentum.gravity += tick.gravity;
+  report.momentum.obstacles += tick.contact;
+  report.momentum.sleep -= tick.sleep;
+  report.rubble.ticks += 1;
+  report.rubble.awake = std::max(report.rubble.awake, tick.awake);
+  report.rubble.asleep = std::max(report.rubble.asleep, tick.asleep);
+  report.rubble.points = std::max(report.rubble.points, tick.points);
+  report.rubble.deepest = std::max(report.rubble.deepest, tick.deepest);
+}
+
+/// m/s, slower than which chips of a heap are still: a hundredth of what falls by their own size.
+double still_speed(const World& world, const Scene& scene, const Vec3& gravity) {
+  double size = 0, count = 0;
+  for (const RubbleBody& body : world.bodies) {
+    if (body.mass == 0 || !body.in_ledger) continue;
+    size += body.radius;
+    ++count;
+  }
+  const double own = scene.contact.allowed_penetration / scene.ladder.sleep_after;
+  return std::max(own, 0.005 * std::sqrt(gravity.norm() * size / std::max(count, 1.0)));
+}
+
+/// Contacts that the elastic solver remembers of what it steps no more.
+void forget_contacts(SimulationState& s, const std::vector<char>& apart) {
+  std::erase_if(s.contact.last_contacts, [&](const ContactMemory::Remembered& last) {
+    const ContactPoint& c = last.contact;
+    const bool a = c.ball == ContactPoint::none &&
+                   apart[s.mechanics.vertices.component[c.vertex.index()].index()];
+    const bool b = c.obstacle == ContactPoint::none &&
+                   apart[s.mechanics.elements.component[c.tetrahedron.index()].index()];
+    return a || b;
+  });
+}
+
+/// Whoever was rubble and is not from here on; what it lost on the rung is lost.
+void leave_rung(SimulationState& s, const std::vector<char>& members) {
+  s.ladder.rubble.spent.resize(s.mechanics.components.size(), 0);
+  for (Component& c : s.mechanics.components) {
+    const std::size_t k = c.id.index();
+    if (k < members.size() && members[k]) continue;
+    s.ladder.rubble.spent[k] = 0;
+    if (c.rung == Rung::rubble) c.rung = Rung::full;
+  }
+}
+
+void note_declared_share(StepReport& report, const RubbleTickScratch& scratch,
+                         const SimulationState& s) {
+  double mass = 0, all = 0;
+  for (const Component& c : s.mechanics.components) {
+    all += c.mass;
+    if (!scratch.declared[c.id.index()]) continue;
+    ++report.rubble.declared;
+    mass += c.mass;
+  }
+  report.rubble.declared_share = mass / all;
+}
+
+double kinetic_of(const World& world) {
+  double sum = 0;
+  for (const RubbleBody& body : world.bodies) {
+    if (!body.asleep) sum += kinetic_energy(body);
+  }
+  return sum;
+}
+
+void take_ticks(StepReport& report, Simulation& sim, World& world, const RubbleClock& clock,
+                const Vec3& gravity) {
+  SimulationState& s = *sim.state;
+  RubbleSettings settings;
+  settings.length = clock.tick;
+  settings.gravity = gravity;
+  settings.slop = sim.scene.contact.allowed_penetration;
+  settings.still_speed = still_speed(world, sim.scene, gravity);
+  settings.sleep_after = sim.scene.ladder.sleep ? sim.scene.ladder.sleep_after : 0;
+  settings.threads = sim.threads;
+  for (std::uint64_t k = 0; k < clock.ticks; ++k) {
+    const double before = kinetic_of(world);
+    const RubbleReport tick = advance_rubble(world.bodies, world.shapes, s.ladder.rubble.memory,
+                                             settings, sim.scratch->rubble.solver);
+    // All that went anywhere counts for everybody: islands are not told apart.
+    const double lost = before + tick.gravity_work - kinetic_of(world);
+    for (std::size_t c = 0; c < world.of_component.size(); ++c) {
+      if (world.of_component[c] != no_row) s.ladder.rubble.spent[c] += std::max(0.0, lost);
+    }
+    add_tick(report, tick);
+  }
+}
+
+}  // namespace
+
+RubbleClock rubble_clock(double time_step) {
+  constexpr double wanted = 1.0 / 240;
+  RubbleClock clock;
+  clock.steps = static_cast<std::uint64_t>(std::max(1.0, std::round(wanted / time_step)));
+  if (clock.steps == 1) {
+    clock.ticks = static_cast<std::uint64_t>(std::max(1.0, std::round(time_step / wanted)));
+  }
+  clock.tick = time_step * static_cast<double>(clock.steps) / static_cast<double>(clock.ticks);
+  return clock;
+}
+
+void begin_rubble(StepReport& report, Simulation& sim) {
+  const Scene& scene = sim.scene;
+  SimulationState& s = *sim.state;
+  if (scene.ladder.rubble == RubbleMode::off) return;
+  const RubbleClock clock = rubble_clock(scene.integrator.time_step);
+  RubbleState& rubble = s.ladder.rubble;
+  RubbleTickScratch& scratch = sim.scratch->rubble;
+  note_declared(scratch.declared, scratch.body_mass, sim);
+  note_declared_share(report, scratch, s);
+  if (s.step % clock.steps != 0) return;
+  const double whole = clock.tick * static_cast<double>(clock.ticks);
+  const Vec3 gravity = gravity_at(scene.gravity, s.mechanics.time + whole);
+  note_break_energies(scratch.threshold, s.mechanics, s.cells, scene.fracture.node_stress,
+                      sim.scratch->break_energy);
+  RubbleChoice choice =
+      choose_rubble(sim, {scratch.threshold, scratch.declared, gravity, whole});
+  report.rubble.refused += choice.refused;
+  report.rubble.mixed += choice.mixed;
+  leave_rung(s, choice.component);
+  rubble.apart = std::move(choice.component);
+  rubble.ball_apart = std::move(choice.ball);
+  if (!choice.any_awake) {
+    if (std::ranges::find(rubble.apart, char{1}) == rubble.apart.end()) {
+      rubble.apart.clear();
+      rubble.ball_apart.clear();
+    }
+    return;
+  }
+  forget_contacts(s, rubble.apart);
+  World world;
+  double swinging = 0;
+  for (Component& c : s.mechanics.components) {
+    if (!rubble.apart[c.id.index()]) continue;
+    swinging += stop_swinging(s.mechanics, c);
+    // Nothing of what is declared breaks in a window.
+    if (c.id.index() < s.impact.quiet.size()) s.impact.quiet[c.id.index()] = ImpactWindow::closed;
+  }
+  add_components(world, sim, rubble.apart);
+  add_obstacles(world, s, rubble.ball_apart);
+  for (const Component& c : s.mechanics.components) {
+    const std::uint32_t row = world.of_component[c.id.index()];
+    if (row == no_row || c.rung == Rung::asleep || c.rung == Rung::rubble) continue;
+    swinging -= kinetic_energy(world.bodies[row]);
+  }
+  report.energy_released += swinging;
+  take_ticks(report, sim, world, clock, gravity);
+  take_back(s, world);
+}
+
+}  // namespace sunder

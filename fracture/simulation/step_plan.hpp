@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// The plan of a step: plain data.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "fracture/simulation/boundary.hpp"
+#include "fracture/simulation/state.hpp"
+#include "fracture/simulation/step_report.hpp"
+
+namespace sunder {
+
+/// The parts of one step as they come about; each depends on what the one before met.
+struct StepPlan {
+  enum class Phase {
+    whole,        ///< one part for everybody
+    whole_done,   ///< which was taken
+    equal,        ///< `parts` of one length, of an explicit integrator
+    others,       ///< those whom open windows do not concern, the whole step
+    others_done,  ///< which was taken
+    members,      ///< then those whom windows do concern, in sub-steps
+  };
+  Phase phase = Phase::whole;
+  double start = 0;             ///< s, when the step begins
+  Vec3 gravity = Vec3::Zero();  ///< m/s^2, over the step
+  std::uint32_t parts = 1;      ///< of `equal`
+  std::uint32_t taken = 0;      ///< parts so far
+
+  /// Members of the part at hand; rows of components and obstacles, empty: all.
+  std::vector<char> components, balls;
+  Boundary boundary;  ///< who is who once windows are open
+  double reach = 0;   ///< m, `reach_of_step` as the roles were given
+  /// |C|, Pa: of the weakest vertex, as the part at hand begins; kept in the scratch.
+  std::vector<double>& strength;
+  /// |C|, J: below it none of its vertices can break; kept in the scratch, empty: all can.
+  std::vector<double>& threshold;
+  BreakEnergyScratch& break_energy;
+  /// Row = ComponentId: declared never to break (`note_declared`); rows of pieces born since: not.
+  const std::vector<char>& declared;
+  ImpactReport impact;
+  double blow = 0;                  ///< s, when the first blow falls
+  std::uint64_t left = 0;           ///< sub-steps that the members have before them
+  std::uint64_t still = 0;          ///< how many of them they now go with frozen deformations
+  bool throughout = false;          ///< every sub-step is taken finely
+  bool hurried = false;             ///< what is left is taken at once (`Simulation::hurry`)
+  std::vector<Obstacle> obstacles;  ///< as they were at the start
+
+  StepMembers members() const { return {components, balls}; }
+};
+
+}  // namespace sunder
