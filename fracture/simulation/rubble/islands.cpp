@@ -201,12 +201,17 @@ bool all_are_safe(RubbleChoice& choice, const Nodes& nodes, const std::vector<ch
     if (!nodes.lives(k) || nodes.is_ball(k)) continue;
     if (!may[k] || (input.threshold[k] < infinite && !input.declared[k])) return false;
   }
+  bool any_awake = false;
+  for (std::size_t k = 0; k < nodes.count(); ++k) {
+    any_awake = any_awake || (nodes.lives(k) && !nodes.is_ball(k) && !nodes.sleeps(k));
+  }
+  // Where only balls are awake, islands tell whom they meet.
+  if (!any_awake) return false;
   for (std::size_t k = 0; k < nodes.count(); ++k) {
     if (!nodes.lives(k)) continue;
     (nodes.is_ball(k) ? choice.ball[k - nodes.components()] : choice.component[k]) = 1;
-    choice.any_awake = choice.any_awake || (!nodes.is_ball(k) && !nodes.sleeps(k));
   }
-  if (!choice.any_awake) return false;
+  choice.any_awake = true;
   return true;
 }
 
