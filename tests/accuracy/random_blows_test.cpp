@@ -19,4 +19,5 @@ TEST_CASE("what is certified as rubble does not break, stepped in full", "[accur
   CHECK(counts.missed == 0);
   CHECK(counts.certified > 15);
   CHECK(counts.refused > 15);
+  CHECK(counts.needless < counts.refused);
 }

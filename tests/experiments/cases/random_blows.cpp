@@ -174,7 +174,7 @@ CertificateCounts run_certificates(std::uint64_t first, std::uint64_t count) {
   for (std::uint64_t number = first; number < first + count; ++number) {
     Random random(number);
     Scene scene = scene_of(random);
-    set_energy(scene, std::pow(10, between(random, -3, 0.5)));
+    set_energy(scene, std::pow(10, between(random, -3, 3)));
     scene.integrator.time_step = rubble_clock(1).tick / 8;
     scene.impact.by_energy = false;
     const double tick = rubble_clock(scene.integrator.time_step).tick;

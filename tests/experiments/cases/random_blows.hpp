@@ -33,7 +33,7 @@ struct BlowCounts {
 BlowCounts run_blows(std::uint64_t first, std::uint64_t count);
 
 /// The certificate of the rung `rubble` under blows of the same kinds, whose energies are a
-/// thousandth to three times what the weakest star of a block needs.
+/// thousandth to a thousand times what the weakest star of a block needs.
 struct CertificateCounts {
   std::uint64_t blows = 0;
   std::uint64_t certified = 0;  ///< scenes all of whose blocks were rubble in the first tick
