@@ -14,7 +14,7 @@ constexpr int member_count(const BodySettings*) { return 12; }
 constexpr int member_count(const TetMesh*) { return 6; }
 constexpr int member_count(const Material*) { return 7; }
 constexpr int member_count(const ShearLaw*) { return 2; }
-constexpr int member_count(const HeldBox*) { return 4; }
+constexpr int member_count(const HeldBox*) { return 5; }
 constexpr int member_count(const LoadBox*) { return 5; }
 constexpr int member_count(const CutSettings*) { return 3; }
 constexpr int member_count(const CutPlane*) { return 2; }
@@ -50,7 +50,8 @@ constexpr int member_count(const CrackAnchor*) { return 9; }
 constexpr int member_count(const MechanicsState*) { return 7; }
 constexpr int member_count(const VertexColumns*) { return 9; }
 constexpr int member_count(const ElementColumns*) { return 6; }
-constexpr int member_count(const PrescribedMotion*) { return 2; }
+constexpr int member_count(const PrescribedMotion*) { return 3; }
+constexpr int member_count(const RaisedVelocity*) { return 2; }
 constexpr int member_count(const Component*) { return 18; }
 constexpr int member_count(const StrainChange*) { return 3; }
 constexpr int member_count(const ComponentSystem*) { return 15; }

@@ -72,6 +72,9 @@ void describe(V& v, HeldBox& h) {
               "With some of them only for floating_frame, and not with fracture.relax or criterion "
               "energy"},
           h.axes);
+  v.field(Key{"ramp_time", "s", "Time over which the velocity is raised linearly from 0; 0: at once",
+              at_least(0)},
+          h.ramp_time);
 }
 
 template <class V>

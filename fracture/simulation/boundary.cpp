@@ -8,6 +8,7 @@
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/frame/mean_axis.hpp"
 #include "mechanics/integrators/rigid_motion.hpp"
+#include "mechanics/state/supports.hpp"
 
 namespace sunder {
 namespace {
@@ -184,6 +185,10 @@ double reach_of_step(const SimulationState& s, const Vec3& gravity, double h) {
   double squared = 0;
   for (const Vec3& v : s.mechanics.vertices.velocity) squared = std::max(squared, v.squaredNorm());
   for (const Obstacle& o : s.obstacles) squared = std::max(squared, o.velocity.squaredNorm());
+  for (const PrescribedMotion& motion : s.mechanics.motions) {
+    const double time = s.mechanics.time + h;
+    squared = std::max(squared, mean_velocity(motion, time, time).squaredNorm());
+  }
   return 4 * h * (std::sqrt(squared) + h * gravity.norm());
 }
 
@@ -192,9 +197,10 @@ void assign_roles(Boundary& boundary, const SimulationState& s, std::span<const 
   boundary.component.assign(s.mechanics.components.size(), Role::other);
   boundary.ball.assign(s.obstacles.size(), Role::other);
   for (ComponentId id : open) boundary.component[id.index()] = Role::member;
-  // A rigid body that is carried is free or stands; what slides along an axis is neither.
+  // A rigid body that is carried is free or goes at one velocity; what slides along an axis, or is
+  // led at a velocity that is raised, does neither.
   for (const Component& c : s.mechanics.components) {
-    if (!open.empty() && c.partly_held) boundary.component[c.id.index()] = Role::member;
+    if (!open.empty() && (c.partly_held || is_raised(s.mechanics, c))) boundary.component[c.id.index()] = Role::member;
   }
   const std::vector<Body> bodies = bodies_of(s, boundary);
   take_balls(boundary, s, bodies, reach);

@@ -2,8 +2,12 @@
 // Loads, contact and mechanics of one part of a step.
 #include "fracture/simulation/part.hpp"
 
+#include <algorithm>
+
 #include "fracture/simulation/energy_ledger.hpp"
 #include "fracture/simulation/momentum_ledger.hpp"
+#include "mechanics/state/living.hpp"
+#include "mechanics/state/supports.hpp"
 
 namespace sunder {
 namespace {
@@ -25,6 +29,20 @@ void update_forces(Loads& loads, const SimulationState& s, double time) {
   }
 }
 
+/// Supports whose velocity is raised go on at its mean over the part.
+void raise_supports(StepReport& report, MechanicsState& m, const PartInput& part) {
+  const auto is_raised = [](const PrescribedMotion& motion) { return !motion.raised.empty(); };
+  if (std::ranges::none_of(m.motions, is_raised)) return;
+  sunder::raise_supports(m, m.time + part.plan.length);
+  for (const ComponentId id : living_components(m, part.members)) {
+    const Component& component = m.components[id.index()];
+    if (!component.supported || component.rung == Rung::carried) continue;
+    const Impulse before = momentum_of(component);
+    report.energy.supports += follow_supports(m, id);
+    report.momentum.supports += momentum_of(component) - before;
+  }
+}
+
 }  // namespace
 
 ContactStepResult take_part(StepReport& report, SimulationState& s, const PartInput& part,
@@ -42,6 +60,7 @@ ContactStepResult take_part(StepReport& report, SimulationState& s, const PartIn
                         .measures_strain = part.scene.energy_ledger,
                         .threads = part.threads,
                         .hurry = part.hurry};
+  raise_supports(report, s.mechanics, part);
   remember_start(scratch.before, s, part.scene.energy_ledger);
   ContactStepResult result =
       advance_with_contact({s.mechanics, s.obstacles, s.contact}, input, part.scene.contact,

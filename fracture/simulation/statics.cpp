@@ -25,7 +25,8 @@ void displace_held(Simulation& sim) {
   MechanicsState& m = sim.state->mechanics;
   for (std::size_t v = 0; v < m.vertices.size(); ++v) {
     if (m.vertices.support[v].is_none()) continue;
-    const Vec3 way = sim.scene.duration * m.motions[m.vertices.support[v].index()].velocity;
+    const PrescribedMotion& motion = m.motions[m.vertices.support[v].index()];
+    const Vec3 way = sim.scene.duration * mean_velocity(motion, 0, sim.scene.duration);
     const Component& component = m.components[m.vertices.component[v].index()];
     m.vertices.displacement[v] = component.orientation.conjugate() * way;
   }

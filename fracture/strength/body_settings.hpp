@@ -99,6 +99,8 @@ struct HeldBox {
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
   /// Axes, of the mesh's own coordinates, along which the vertices are held; empty: all three.
   std::vector<Axis> axes = {};
+  /// Time over which the velocity is raised linearly from zero, s; 0: at once.
+  double ramp_time = 0;
 };
 
 /// What pushes or pulls a body from outside: on its surface inside a box, or on the vertices there.

@@ -4,6 +4,8 @@
 
 #include <map>
 
+#include "mechanics/state/supports.hpp"
+
 namespace sunder {
 namespace {
 
@@ -28,15 +30,23 @@ PrescribedMotion motion_of(const Holders& holders, std::span<const HeldBox> boxe
     motion.axes[axis] = holders[axis] != no_holder;
     is_one = is_one && holders[axis] == holders[0];
   }
-  if (is_one) {
-    motion.velocity = boxes[holders[0]].velocity;
-    return motion;
-  }
-  for (int axis = 0; axis < 3; ++axis) {
+  bool is_raised = false;
+  const auto add = [&](std::size_t box, const Vec3& velocity) {
+    motion.velocity += velocity;
+    motion.raised.push_back({velocity, boxes[box].ramp_time});
+    is_raised = is_raised || boxes[box].ramp_time > 0;
+  };
+  if (is_one) add(holders[0], boxes[holders[0]].velocity);
+  for (int axis = 0; axis < 3 && !is_one; ++axis) {
     const std::size_t box = holders[static_cast<std::size_t>(axis)];
     if (box == no_holder) continue;
     const Vec3 along = rotation * Vec3::Unit(axis);
-    motion.velocity += along.dot(boxes[box].velocity) * along;
+    add(box, along.dot(boxes[box].velocity) * along);
+  }
+  if (is_raised) {
+    motion.velocity = mean_velocity(motion, 0, 0);
+  } else {
+    motion.raised.clear();
   }
   return motion;
 }

@@ -6,6 +6,7 @@
 
 #include "mechanics/integrators/coefficients.hpp"
 #include "mechanics/integrators/quasi_static.hpp"
+#include "mechanics/state/supports.hpp"
 #include "mechanics/state/wave_travel.hpp"
 
 namespace sunder {
@@ -37,7 +38,7 @@ bool is_pulled(const MechanicsState& state, const Component& component) {
          (component.supported && std::ranges::any_of(component.vertices, [&](VertexId v) {
            return !state.vertices.support[v.index()].is_none() &&
                   support_velocity(state, v) != component.frame_velocity;
-         }));
+         })) || is_raised(state, component);
 }
 
 Deformation deformation_of(const StepInput& input, const MechanicsState& state,

@@ -18,8 +18,8 @@ struct ComponentStep {
   ComponentSystem* system;  ///< built and factored; null for isolated tetrahedra and verlet
 };
 
-/// Whether supports move vertices of a component against its frame: frozen, it would be stretched
-/// at its supports alone. Or leave it to slide.
+/// Whether supports move vertices of a component against its frame, or lead that ever faster:
+/// frozen, it would be stretched at its supports alone. Or leave it to slide.
 bool is_pulled(const MechanicsState& state, const Component& component);
 
 /// How a component's deformation goes through the part of a step.

@@ -27,10 +27,20 @@ using MotionId = Id<struct MotionTag>;
 /// Which of the axes of the body frame.
 using AxisSet = std::array<bool, 3>;
 
+/// A velocity that is raised linearly from zero.
+struct RaisedVelocity {
+  Vec3 velocity = Vec3::Zero();  ///< m/s, world, once fully raised
+  double ramp_time = 0;          ///< s; 0: at once
+};
+
 /// What holds a vertex: it is fixed (zero velocity) or moves along a straight line.
 struct PrescribedMotion {
-  Vec3 velocity = Vec3::Zero();  ///< m/s, constant, world; nothing along axes that are free
+  /// m/s, world; nothing along axes that are free. While it is raised: its mean over the part of a
+  /// step at hand.
+  Vec3 velocity = Vec3::Zero();
   AxisSet axes = {true, true, true};  ///< along which it is held
+  /// What adds up to it, where some of that is raised; empty: constant.
+  std::vector<RaisedVelocity> raised = {};
 };
 
 /// |V| rows. They grow by appended copies at a split (`append_copy`); rows never move.

@@ -31,6 +31,21 @@ inline Vec3 free_part(const MechanicsState& state, VertexId vertex, Vec3 vector)
 Vec3 with_support(const MechanicsState& state, VertexId vertex, const Vec3& velocity,
                   const Eigen::Quaterniond& orientation);
 
+/// m/s, world: the mean velocity of a motion from `start` to `end`, s; where both are one, the
+/// velocity then.
+Vec3 mean_velocity(const PrescribedMotion& motion, double start, double end);
+
+/// Whether the velocity of some vertex of a component is still raised, at `state.time`.
+bool is_raised(const MechanicsState& state, const Component& component);
+
+/// For a part of a step from `state.time` to `end`: every velocity that is raised takes its mean
+/// over it. Those who are held follow with `follow_supports`.
+void raise_supports(MechanicsState& state, double end);
+
+/// Gives the held vertices of a component the velocities of their motions, and its frame that of
+/// the first of them: a blow, in which nothing else moves. J: what the supports did. O(vertices).
+double follow_supports(MechanicsState& state, ComponentId id);
+
 /// Whether supports leave a component no rigid motion, to 3e-5 of its size, where some of its
 /// vertices are held along some axes only; false where there are none such.
 bool is_fixed_by_axes(const MechanicsState& state, const Component& component);

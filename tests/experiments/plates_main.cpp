@@ -19,7 +19,8 @@ namespace {
 
 constexpr const char* usage =
     "plates branching|kalthoff|tension [--cell MM] [--cells kuhn|cross|delaunay] [--seed N]\n"
-    "       [--strength MPA] [--rate M/S] [--step US] [--until US] [--free] [--png FILE]\n"
+    "       [--strength MPA] [--rate M/S] [--ramp US] [--frame MM] [--step US]\n"
+    "       [--until US] [--free] [--png FILE]\n"
     "Prints the tip of the crack at 50 times: where the released face farthest from the notch is,\n"
     "its speed by a line through 5 us, and branches. --free: plane stress, the faces of the slab free.";
 
@@ -51,6 +52,8 @@ Job read(int argc, char** argv) {
     const double number = std::atof(value.c_str());
     if (key == "--cells") job.choice.cells = cells_of(value);
     else if (key == "--png") job.png = value;
+    else if (key == "--ramp") job.choice.ramp = 1e-6 * number;
+    else if (key == "--frame") job.choice.frame = 1e-3 * number;
     else if (!(number > 0)) throw std::invalid_argument(key + " " + value + ": a number above 0");
     else if (key == "--cell") job.choice.cell = 1e-3 * number;
     else if (key == "--seed") job.choice.seed = std::uint64_t(number);
@@ -158,8 +161,16 @@ void run(const Job& job) {
   std::printf("\n# fastest %.0f m/s", fastest);
   if (started != history.end()) std::printf("; first released face at %.1f us", 1e6 * started->time);
   if (forked != history.end()) {
-    std::printf("; first fork at %.1f us, %.1f mm from the notch", 1e6 * forked->time,
-                1e3 * forked->fork);
+    // Arms are told apart once they are 2.5 cells from each other: later than the tip was there.
+    const auto at_fork =
+        std::ranges::find_if(history, [&](const TipPlace& t) { return t.reach >= forked->fork; });
+    double before = 0;
+    for (auto at = history.begin(); at != at_fork; ++at) {
+      before = std::max(before, speeds[std::size_t(at - history.begin())]);
+    }
+    std::printf("; first fork at %.1f us, arms apart %.1f mm from the notch, where the tip was at "
+                "%.1f us, until then %.0f m/s at most",
+                1e6 * forked->time, 1e3 * forked->fork, 1e6 * at_fork->time, before);
   }
   const std::vector<CrackTrace> traces = crack_traces(sim, plate);
   const double reach = history.back().reach;

@@ -91,7 +91,8 @@ PlateCase kalthoff_plate(const PlateChoice& choice) {
   held.push_back({.minimum = {-wide, -wide, -wide},
                   .maximum = {eps, height - eps, wide},
                   .velocity = {speed, 0, 0},
-                  .axes = {Axis::x}});
+                  .axes = {Axis::x},
+                  .ramp_time = choice.ramp < 0 ? 1e-6 : choice.ramp});
   plate.duration = 90e-6;
   return plate;
 }
@@ -108,16 +109,18 @@ PlateCase compact_tension(const PlateChoice& choice) {
   PlateCase plate = slab(shape, {0, 0.08, 0.1}, material, own);
   // At the mouth of the notch, as by the specimen's steel frame: pulled up above it, held below.
   const double eps = 1e-6 * plate.shape.cell, mouth = 0.02;
+  const double deep = choice.frame < 0 ? 0.02 : choice.frame;
   const double rate = choice.rate > 0 ? choice.rate : 0.035;
   BodySettings& body = plate.scene.bodies[0];
   body.held.push_back({.minimum = {-wide, 0.1 + eps, -wide},
-                       .maximum = {eps, 0.1 + mouth + eps, wide},
+                       .maximum = {deep + eps, 0.1 + mouth + eps, wide},
                        .velocity = {0, rate, 0},
-                       .axes = {Axis::y}});
+                       .axes = {Axis::y},
+                       .ramp_time = choice.ramp < 0 ? 1e-4 : choice.ramp});
   body.held.push_back({.minimum = {-wide, 0.1 - mouth - eps, -wide},
-                       .maximum = {eps, 0.1 - eps, wide},
+                       .maximum = {deep + eps, 0.1 - eps, wide},
                        .axes = {Axis::x, Axis::y}});
-  // A velocity that is there at once would break the arms, which the frame stiffens.
+  // The arms would break beside the frame, which stiffens them.
   body.unbreakable = {{RestBox{{-wide, -wide, -wide}, {0.07, wide, wide}}}};
   plate.duration = 150e-6 + 3e-4 / rate;
   if (choice.step == 0) plate.scene.integrator.time_step = rate < 0.5 ? 2e-5 : 2e-6;

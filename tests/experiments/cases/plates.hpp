@@ -27,6 +27,8 @@ struct PlateChoice {
   std::uint64_t seed = 1;
   double strength = 0;  ///< Pa
   double rate = 0;      ///< m/s: speed of what strikes or pulls
+  double ramp = -1;     ///< s over which that speed is raised; negative: the case's
+  double frame = -1;    ///< m: how deep the arms of tension are held; negative: the case's
   double step = 0;      ///< s
   bool plane_strain = true;  ///< false: the slab's faces are free, as they always are in tension
 };
