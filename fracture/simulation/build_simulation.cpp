@@ -134,7 +134,6 @@ Result<Simulation> build_simulation(Scene scene) {
   Result<Simulation> result;
   result.findings = check_input(scene);
   if (has_error(result.findings)) return result;
-  for (SettingFinding& f : scene_doubts(scene)) result.findings.push_back(std::move(f.finding));
 
   std::vector<BodyRows> bodies;
   Result<VolumeMap> map = build_map(join_meshes(scene.bodies, bodies));
@@ -175,6 +174,7 @@ Result<Simulation> build_simulation(Scene scene) {
   append(result.findings,
          check_integrator_bounds(sim.scene, sim.state->mechanics, sim.scratch->mechanics));
   if (has_error(result.findings)) return result;
+  for (SettingFinding& f : scene_doubts(sim.scene)) result.findings.push_back(std::move(f.finding));
   result.value = std::move(sim);
   return result;
 }
