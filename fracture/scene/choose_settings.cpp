@@ -158,7 +158,7 @@ Chosen negligible(const Outlook& o) {
   return {by(o, 1, 0.1, 0.01), "of the strength: the stress below which a blow is no blow"};
 }
 
-// A key more is a line more; ladder.rubble belongs here once it is a key.
+// A key more is a line more, and `chosen` in its description. ladder.rubble is none yet: off.
 constexpr std::array<Rule, 8> rules = {{
     {"contact.max_iterations", [](Scene& s, double v) { s.contact.max_iterations = int(v); },
      iterations},
