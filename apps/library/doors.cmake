@@ -43,6 +43,7 @@ door(simulation "Scenes, how to build, step, save and load them, and what a step
   fracture/algorithms/fracture_settings.hpp
   fracture/scene/ladder_settings.hpp
   fracture/scene/scene.hpp
+  fracture/scene/choose_settings.hpp
   mechanics/ties/crack_id.hpp
   mechanics/ties/tie.hpp
   fracture/cracks/crack_label.hpp

@@ -68,6 +68,11 @@ void describe(V& v, SceneFile& s) {
   v.field(Key{"name", "", "What reports call the scene"}, s.scene.name);
   v.field(Key{"description", "", "What happens and why the numbers are what they are"},
           s.description);
+  v.field(Key{"accuracy", "",
+              "Chooses those keys of contact and impact that are left out, from mesh, material and "
+              "speeds: preview: what roughly happens, for the least time; good: what the charts "
+              "recommend; reference: what others are held against (docs/defaults.md)"},
+          s.accuracy);
   describe(v, s.scene);
   v.field(Key{"output", "", "What a run writes"}, s.output);
 }

@@ -22,8 +22,9 @@ class SceneHasher {
  public:
   template <class T>
   void field(const Key& key, T& member) {
-    constexpr std::array<std::string_view, 4> no_matter = {"$schema", "name", "description",
-                                                           "output"};
+    // What accuracy chose stands under the keys that it chose.
+    constexpr std::array<std::string_view, 5> no_matter = {"$schema", "name", "description",
+                                                           "accuracy", "output"};
     if (std::ranges::find(no_matter, key.name) != no_matter.end()) return;
     add(key.name);
     add(member);

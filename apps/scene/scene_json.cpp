@@ -389,6 +389,7 @@ Result<SceneFile> read_scene(const std::filesystem::path& path,
   check_output(context, file);
   if (file.scene.name.empty()) file.scene.name = path.stem().string();
   if (has_error(result.findings)) return result;
+  file.choices = choose_settings(file.scene, file.accuracy, given_keys(text->root));
   for (Finding& f : scene_notes(*text, file)) result.findings.push_back(std::move(f));
   result.value = std::move(file);
   return result;

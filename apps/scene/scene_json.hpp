@@ -5,8 +5,10 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "apps/scene/output_settings.hpp"
+#include "fracture/scene/choose_settings.hpp"
 #include "fracture/scene/scene.hpp"
 #include "topology/base/finding.hpp"
 
@@ -17,6 +19,9 @@ struct SceneFile {
   /// For editors only.
   std::string schema;
   std::string description;
+  Accuracy accuracy = Accuracy::good;
+  /// What `accuracy` chose of the scene below (`choose_settings`).
+  std::vector<Choice> choices;
   Scene scene;
   OutputSettings output;
 };
@@ -24,7 +29,8 @@ struct SceneFile {
 /// The scene in the JSON file `path` with its meshes, after `settings` (each `dotted.path=value`,
 /// such as "bodies.0.material.density=2000"). Mesh files are relative to the scene's folder.
 /// Rotations are
-/// `{"axis": [x, y, z], "angle": degrees}`. What is not said is the C++ structs' default.
+/// `{"axis": [x, y, z], "angle": degrees}`. What is not said `choose_settings`
+/// chooses, or is the C++ structs' default.
 /// Errors, all of them at once, with file, line, place, value, what is allowed and a remedy:
 /// cannot_open, syntax_error, repeated_key, nested_too_deeply, bad_setting, unknown_key (naming the
 /// nearest known one), missing_key, wrong_type, unknown_name, zero_direction, the findings of

@@ -71,14 +71,13 @@ class SchemaWriter {
 
  private:
   void put(const Key& key, ordered_json schema) {
-    ordered_json described = {
-        {"description", key.unit.empty() ? std::string(key.text)
-                                         : fmt::format("{}. Unit: {}", key.text, key.unit)}};
+    std::string text(key.text);
+    if (key.chosen) text += ". Left out: chosen by accuracy (docs/defaults.md)";
+    if (!key.unit.empty()) text += fmt::format(". Unit: {}", key.unit);
+    ordered_json described = {{"description", text}};
     described.update(schema);
-    if (key.required) {
-      described.erase("default");
-      required_.emplace_back(key.name);
-    }
+    if (key.required || key.chosen) described.erase("default");
+    if (key.required) required_.emplace_back(key.name);
     properties_[std::string(key.name)] = std::move(described);
   }
 

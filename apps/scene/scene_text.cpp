@@ -264,6 +264,16 @@ std::string pointer_token(const std::string& key) {
   return token;
 }
 
+std::vector<std::string> given_keys(const nlohmann::json& root) {
+  std::vector<std::string> keys;
+  if (!root.is_object()) return keys;
+  for (const auto& [key, value] : root.items()) {
+    keys.push_back(key);
+    for (const std::string& inner : given_keys(value)) keys.push_back(key + "." + inner);
+  }
+  return keys;
+}
+
 std::string dotted(const std::string& pointer) {
   std::string path = pointer.empty() ? pointer : pointer.substr(1);
   std::ranges::replace(path, '/', '.');

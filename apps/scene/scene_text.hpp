@@ -33,6 +33,10 @@ Result<SceneText> parse_scene_text(std::string_view bytes, const std::string& fi
 /// Errors: `bad_setting`. Whether the key is known is the reader's affair.
 std::vector<Finding> apply_setting(SceneText& text, const std::string& setting);
 
+/// Keys that a document gives, in and outside of objects, as `--set` takes them: "contact",
+/// "contact.friction". What stands in arrays is left out.
+std::vector<std::string> given_keys(const nlohmann::json& root);
+
 /// JSON pointer as people write it in `--set`: "/bodies/0/mesh" gives "bodies.0.mesh".
 std::string dotted(const std::string& pointer);
 

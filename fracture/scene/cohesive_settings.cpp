@@ -4,9 +4,11 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
+#include "fracture/strength/draw_strength.hpp"
 #include "mechanics/state/wave_travel.hpp"
 
 namespace sunder {
@@ -45,6 +47,46 @@ bool has_energy(const BodySettings& body) {
   return !breaks || fracture_energy_of(body.material) < infinite;
 }
 
+/// m, of the tetrahedra of one of a body's materials.
+double cell_of(const TetMesh& mesh, const BodyMaterials& own, std::size_t material) {
+  double volume = 0, count = 0;
+  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
+    if (own.of_tetrahedron[t] != material) continue;
+    std::array<Eigen::Vector3d, 4> x;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Point& p = mesh.points[mesh.tetrahedra[t][k]];
+      x[k] = {p[0], p[1], p[2]};
+    }
+    volume += (x[1] - x[0]).cross(x[2] - x[0]).dot(x[3] - x[0]) / 6;
+    ++count;
+  }
+  return count > 0 ? std::cbrt(6 * volume / count) : 0;
+}
+
+void judge_energies(fields::SettingsCheck& check, const std::string& place,
+                    const Material& material) {
+  Material by_toughness = material;
+  by_toughness.fracture_energy.reset();
+  const double energy = fracture_energy_of(material), other = fracture_energy_of(by_toughness);
+  if (!std::isfinite(other) || std::abs(energy - other) <= 0.05 * energy) return;
+  check.add("two_fracture_energies", place,
+            fmt::format("has a fracture energy of {:.4g} J/m^2, and a toughness that stands for "
+                        "{:.4g}: ties take the first, tips start by the second",
+                        energy, other),
+            "leave one of them out");
+}
+
+void judge_tip(fields::SettingsCheck& check, const std::string& place, const Material& material,
+               double cell) {
+  const double length = softening_length(material);
+  if (!(cell > 0) || length >= 3 * cell) return;
+  check.add("tip_not_resolved", place,
+            fmt::format("lets cracks soften over {:.3g} m, and its cells are {:.3g} m: they take "
+                        "the right energy, but how they start at a tip is an estimate",
+                        length, cell),
+            fmt::format("take cells of {:.2g} m, if when a crack goes on matters", length / 3));
+}
+
 }  // namespace
 
 double cell_of(const MechanicsState& mechanics, MaterialId material) {
@@ -73,39 +115,18 @@ double softening_length(const Material& material) {
          (material.tensile_strength * material.tensile_strength);
 }
 
-std::vector<Finding> judge_materials(const MechanicsState& mechanics) {
-  std::vector<Finding> findings;
-  for (std::size_t m = 0; m < mechanics.materials.size(); ++m) {
-    const Material& material = mechanics.materials[m];
-    if (!(material.tensile_strength < infinite)) continue;
-    Material by_toughness = material;
-    by_toughness.fracture_energy.reset();
-    const double energy = fracture_energy_of(material), other = fracture_energy_of(by_toughness);
-    if (std::isfinite(other) && std::abs(energy - other) > 0.05 * energy) {
-      findings.push_back(
-          {.code = "two_fracture_energies",
-           .severity = Severity::warning,
-           .ids = {static_cast<std::int64_t>(m)},
-           .text = fmt::format("material {} has a fracture energy of {:.4g} J/m^2, and a toughness "
-                               "that stands for {:.4g}: ties take the first, tips start by the "
-                               "second",
-                               m, energy, other),
-           .remedy = "leave one of them out"});
-    }
-    const double cell = cell_of(mechanics, MaterialId{m}), length = softening_length(material);
-    if (cell > 0 && length < 3 * cell) {
-      findings.push_back(
-          {.code = "tip_not_resolved",
-           .severity = Severity::warning,
-           .ids = {static_cast<std::int64_t>(m)},
-           .text = fmt::format("cracks in material {} soften over {:.3g} m, and its cells are "
-                               "{:.3g} m: they take the right energy, but how they start at a tip "
-                               "is an estimate",
-                               m, length, cell),
-           .remedy = "take cells a third as long as that, if when a crack goes on matters"});
+void judge_materials(fields::SettingsCheck& check, const Scene& scene) {
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const BodySettings& body = scene.bodies[b];
+    const BodyMaterials own = materials_of(body);
+    for (std::size_t m = 0; m < own.materials.size(); ++m) {
+      if (!(own.materials[m].tensile_strength < infinite)) continue;
+      const std::string place = m == 0 ? fmt::format("bodies.{}.material", b)
+                                       : fmt::format("bodies.{}.strength.regions.{}", b, m - 1);
+      judge_energies(check, place, own.materials[m]);
+      judge_tip(check, place, own.materials[m], cell_of(body.mesh, own, m));
     }
   }
-  return findings;
 }
 
 }  // namespace sunder

@@ -21,9 +21,10 @@ double cell_of(const MechanicsState& mechanics, MaterialId material);
 /// m: l_z = E G_c / sigma^2, over which the tip of a crack softens.
 double softening_length(const Material& material);
 
-/// Warnings, for materials whose strength is finite: two_fracture_energies (toughness and G_c are
-/// given and more than 5 per cent apart), tip_not_resolved (l_z is shorter than 3 cells: cracks take
-/// the right energy, and where they begin at a tip is decided by 0.54 K_Ic / sqrt(h)).
-std::vector<Finding> judge_materials(const MechanicsState& mechanics);
+/// Adds, for materials whose strength is finite: two_fracture_energies (toughness and G_c are given
+/// and more than 5 per cent apart), tip_not_resolved (l_z is shorter than 3 cells: cracks take the
+/// right energy, and where they begin at a tip is decided by 0.54 K_Ic / sqrt(h)).
+/// Needs: a scene and meshes without errors.
+void judge_materials(fields::SettingsCheck& check, const Scene& scene);
 
 }  // namespace sunder

@@ -3,11 +3,18 @@
 // several keys. Defaults are those of the structs.
 #pragma once
 
+#include "fracture/scene/choose_settings.hpp"
 #include "fracture/scene/scene.hpp"
 #include "mechanics/contact/contact_fields.hpp"
 
 namespace sunder::fields {
 
+inline const Names<Accuracy>& names_of(Accuracy) {
+  static const Names<Accuracy> names = {{Accuracy::preview, "preview"},
+                                        {Accuracy::good, "good"},
+                                        {Accuracy::reference, "reference"}};
+  return names;
+}
 inline const Names<FractureMode>& names_of(FractureMode) {
   static const Names<FractureMode> names = {
       {FractureMode::off, "off"}, {FractureMode::all, "all"}, {FractureMode::budget, "budget"}};

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: MIT
 // From a scene's settings to its state at the start: one map, one set of columns for all bodies.
-#include <limits>
-
 #include <fmt/format.h>
 
 #include "fracture/breaking/partners.hpp"
 #include "fracture/scene/check_scene.hpp"
+#include "fracture/scene/scene_doubts.hpp"
 #include "fracture/simulation/integrator_bounds.hpp"
 #include "fracture/simulation/scene_loads.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "fracture/strength/draw_strength.hpp"
 #include "fracture/strength/held_boxes.hpp"
 #include "fracture/strength/make_cuts.hpp"
-#include "fracture/scene/cohesive_settings.hpp"
 #include "mechanics/rebuild.hpp"
 #include "mechanics/state/living.hpp"
 #include "topology/mesh/build_map.hpp"
@@ -118,38 +116,6 @@ void place_body(Simulation& sim, std::size_t body) {
   }
 }
 
-/// Length over thickness of a body, from the second moments of its lumped masses: those of a box.
-double slenderness(const Component& component) {
-  const Mat3& J = component.rest_inertia;
-  const Mat3 second = 0.5 * J.trace() * Mat3::Identity() - J;
-  const Vec3 moments = Eigen::SelfAdjointEigenSolver<Mat3>(second).eigenvalues();
-  return std::sqrt(moments[2] / moments[0]);
-}
-
-/// One frame sees a false strain of eps (L/t)^2 / 2 where a slender body bends by the strain eps:
-/// a twentieth of the strain it breaks at is still nothing (docs/decisions.md, Validity).
-void warn_of_slender_bodies(std::vector<Finding>& findings, const MechanicsState& mechanics) {
-  for (const Component& c : mechanics.components) {
-    if (c.tetrahedra.size() < 2) continue;
-    const Material& material = material_of(mechanics, c.tetrahedra.front());
-    if (!(material.tensile_strength < std::numeric_limits<double>::infinity())) continue;
-    const double ratio = slenderness(c);
-    const double strain = material.tensile_strength / material.young_modulus;
-    if (!(strain * ratio * ratio > 0.1)) continue;
-    findings.push_back(
-        {.code = "slender_body",
-         .severity = Severity::warning,
-         .ids = {static_cast<std::int64_t>(c.id.index())},
-         .text =
-             fmt::format("component {} is {:.3g} times as long as thick and breaks at a strain "
-                         "of {:.3g}: bent so far, one rigid reference sees up to {:.0f} per cent "
-                         "of false strain in it",
-                         c.id.index(), ratio, strain, 50 * strain * ratio * ratio),
-         .remedy = "read its bending stresses as too high, or take a stiffer material or a "
-                   "shorter body"});
-  }
-}
-
 void start_display(SimulationState& state) {
   for (const Component& c : state.mechanics.components) {
     state.display.push_back({c.centre, c.orientation});
@@ -204,12 +170,11 @@ Result<Simulation> build_simulation(Scene scene) {
   const std::vector<ComponentId> living = living_components(sim.state->mechanics);
   rebuild(sim.state->mechanics, sim.state->cells.map.corners(), living, sim.scratch->mechanics);
   for (std::size_t b = 0; b < sim.bodies.size(); ++b) place_body(sim, b);
-  warn_of_slender_bodies(result.findings, sim.state->mechanics);
-  if (sim.state->cells.pieces) append(result.findings, judge_materials(sim.state->mechanics));
   start_display(*sim.state);
   append(result.findings,
          check_integrator_bounds(sim.scene, sim.state->mechanics, sim.scratch->mechanics));
   if (has_error(result.findings)) return result;
+  for (SettingFinding& f : scene_doubts(sim.scene)) result.findings.push_back(std::move(f.finding));
   result.value = std::move(sim);
   return result;
 }

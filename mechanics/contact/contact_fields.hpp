@@ -82,11 +82,11 @@ void describe(V& v, ContactSettings& c) {
   v.field(
       Key{"push_out_speed", "m/s",
           "impulses: largest speed at which contacts that start with an overlap are pushed apart",
-          at_least(0)},
+          at_least(0), false, "", true},
       c.push_out_speed);
-  v.field(
-      Key{"allowed_penetration", "m", "impulses: penetration that is not corrected", at_least(0)},
-      c.allowed_penetration);
+  v.field(Key{"allowed_penetration", "m", "impulses: penetration that is not corrected",
+              at_least(0), false, "", true},
+          c.allowed_penetration);
   v.field(Key{"between_pieces", "",
               "Whether pieces collide with each other; with obstacles they always do"},
           c.between_pieces);
@@ -98,22 +98,22 @@ void describe(V& v, ContactSettings& c) {
           {.low = 0, .high = 1, .without_low = true}},
       c.ball_share);
   v.field(Key{"max_iterations", "", "impulses: sweeps of projected Gauss-Seidel in a pass",
-              between(1, 1e6)},
+              between(1, 1e6), false, "", true},
           c.max_iterations);
   v.field(Key{"tolerance", "",
               "impulses: largest constraint violation of an end-of-step gap, relative to the "
               "deepest overlap "
               "that the step would have had without contact",
-              above(0)},
+              above(0), false, "", true},
           c.tolerance);
   v.field(Key{"max_passes", "",
               "impulses: how often a step may be predicted again with the impulses found; 3 at "
               "most but for floating_frame and modal with rigid isolated tetrahedra",
-              between(1, 100)},
+              between(1, 100), false, "", true},
           c.max_passes);
   v.field(Key{"max_contacts_per_pair", "",
               "Contacts between two bodies in a pass; of more, a set that spans the same patch",
-              between(2, 100000)},
+              between(2, 100000), false, "", true},
           c.max_contacts_per_pair);
 }
 
@@ -126,11 +126,11 @@ void describe(V& v, ImpactSettings& i) {
       i.window);
   v.field(Key{"fraction", "",
               "Largest sub-step over L/c, the time in which a wave crosses the component",
-              Range{.low = 0, .high = 1, .without_low = true}},
+              Range{.low = 0, .high = 1, .without_low = true}, false, "", true},
           i.fraction);
   v.field(Key{"negligible", "",
               "Part of the tensile strength below which the stress rho c v of an impact is ignored",
-              Range{.low = 0, .high = 1, .without_low = true}},
+              Range{.low = 0, .high = 1, .without_low = true}, false, "", true},
           i.negligible);
   v.field(Key{"by_energy", "",
               "Whether only such impacts count as bring enough energy with them to break the "

@@ -36,6 +36,8 @@ struct Key {
   bool required = false;
   /// Added to the remedy when the value is refused.
   std::string_view remedy = {};
+  /// Left out, a scene file's `accuracy` chooses it (fracture/scene/choose_settings.hpp).
+  bool chosen = false;
 };
 
 /// The values of an enum and their names in scene files.

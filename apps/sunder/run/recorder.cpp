@@ -12,6 +12,7 @@
 #include "apps/output/tables.hpp"
 #include "apps/sunder/run/counters_json.hpp"
 #include "apps/sunder/run/pictures.hpp"
+#include "apps/sunder/run/settings_report.hpp"
 #include "topology/io/output_file.hpp"
 #include "topology/io/vtu/vtu.hpp"
 
@@ -28,12 +29,13 @@ struct Recorder::Parts {
   std::uint32_t pictures = 0;
   std::optional<std::uint64_t> last_frame, last_picture;
   EventLog events;
-  nlohmann::ordered_json counts;
+  nlohmann::ordered_json counts, settings;
   std::optional<Pictures> drawn;
   nlohmann::ordered_json report;
 
   explicit Parts(const RecordedRun& run)
-      : folder(run.folder), output(run.file.output), events(run.file), counts(run.counts) {}
+      : folder(run.folder), output(run.file.output), events(run.file), counts(run.counts),
+        settings(settings_json(run.file)) {}
   std::vector<Finding> write_frame_of(const Simulation& now);
   std::vector<Finding> draw_picture(const Simulation& now);
   std::vector<Finding> write_due(const Simulation& now);
@@ -204,6 +206,7 @@ std::vector<Finding> Recorder::finish(const Simulation& now, RunEnd end) {
                 {"search", counters_json(p.statistics.search)}});
   const std::vector<Fragment> pieces = fragments(now);
   p.report = run_report(p.statistics, now, pieces, end);
+  p.report["settings"] = p.settings;
   const auto write = [&](const char* name, const std::string& text) {
     if (auto finding = write_file(p.folder / name, text)) findings.push_back(std::move(*finding));
   };

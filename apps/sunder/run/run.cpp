@@ -14,6 +14,7 @@
 #include "apps/sunder/run/progress.hpp"
 #include "apps/sunder/run/recorder.hpp"
 #include "apps/sunder/run/replay.hpp"
+#include "apps/sunder/run/settings_report.hpp"
 
 namespace sunder {
 namespace {
@@ -119,6 +120,7 @@ ExitCode run_scene(const RunArguments& arguments) {
       arguments.folder.empty() ? "out" / arguments.scene.stem() : arguments.folder;
   std::optional<Replay> replay;
   if (!read_log(replay, arguments, *file, folder)) return ExitCode::bad_input;
+  if (!arguments.quiet) fmt::print(stderr, "{}", settings_lines(*file));
   Result<Simulation> simulation = build_simulation(file->scene);
   print(simulation.findings);
   if (!simulation) return ExitCode::bad_input;

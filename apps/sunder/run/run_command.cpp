@@ -76,7 +76,8 @@ void add_options(CLI::App& command, RunArguments& arguments, std::vector<std::st
   command.add_flag("--strict", arguments.strict,
                    "End with exit code 7 when the run has a warning: contacts left out or not "
                    "converged, sub-steps that ran out, energy that does not add up");
-  command.add_flag("--quiet", arguments.quiet, "No progress on stderr");
+  command.add_flag("--quiet", arguments.quiet,
+                   "No progress, chosen settings and expected time on stderr");
   command.add_flag("--json", arguments.json, "Print report.json instead of a table");
 }
 

@@ -5,11 +5,13 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <map>
 #include <set>
 #include <string>
 
 #include "apps/scene/scene_json.hpp"
 #include "apps/scene/scene_schema.hpp"
+#include "fracture/scene/scene_doubts.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "topology/io/vtu/vtu.hpp"
 
@@ -148,6 +150,46 @@ TEST_CASE("the schema knows a key exactly when the reader does", "[run][schema]"
     for (const auto& [key, value] : object["properties"].items()) named.insert(key);
     CHECK(reader == named);
   });
+}
+
+TEST_CASE("accuracy chooses what a scene leaves out, and what it gives stays", "[run][scene]") {
+  json scene = cube_scene();
+  scene["contact"] = {{"tolerance", 0.25}};
+  scene["accuracy"] = "reference";
+  const Result<SceneFile> file = read(scene, {"impact.fraction=0.5"});
+  REQUIRE(file);
+  CHECK(file->accuracy == Accuracy::reference);
+  CHECK(file->scene.contact.tolerance == 0.25);
+  CHECK(file->scene.impact.fraction == 0.5);
+  CHECK(file->scene.impact.negligible == 0.01);
+  CHECK(file->choices.size() == chosen_keys().size() - 2);
+  const Result<SceneFile> plain = read(cube_scene());
+  REQUIRE(plain);
+  CHECK(plain->accuracy == Accuracy::good);
+  CHECK(plain->scene.impact.negligible == ImpactSettings{}.negligible);
+}
+
+TEST_CASE("of the scenes that are shipped those with coarse meshes are doubted, and no others",
+          "[run][scene]") {
+  std::map<std::string, std::string> doubted;
+  std::size_t scenes = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(SUNDER_SCENES)) {
+    const std::string name = std::filesystem::relative(entry.path(), SUNDER_SCENES).string();
+    if (entry.path().extension() != ".json" || name == "scene.schema.json") continue;
+    INFO(name);
+    const Result<SceneFile> file = read_scene(entry.path());
+    REQUIRE(file);
+    ++scenes;
+    for (const SettingFinding& f : scene_doubts(file->scene)) doubted[name] += f.finding.code;
+  }
+  CHECK(scenes > 10);
+  // Two layers of cells, and one in the pane: none of these measures bending.
+  CHECK(doubted == std::map<std::string, std::string>{{"bar.json", "few_layers"},
+                                                      {"block.json", "few_layers"},
+                                                      {"ensembles/pane.json", "few_layers"},
+                                                      {"monolith.json", "few_layers"},
+                                                      {"paper/block.json", "few_layers"},
+                                                      {"paper/monolith.json", "few_layers"}});
 }
 
 TEST_CASE("cuts and strengths are read, and what is wrong with them has its line", "[run][scene]") {

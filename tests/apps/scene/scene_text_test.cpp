@@ -18,6 +18,12 @@ SceneText text_of(const std::string& bytes) {
 
 }  // namespace
 
+TEST_CASE("keys that are given are listed as --set takes them", "[run][scene]") {
+  const auto text = parse_scene_text(R"({"a": {"b": 1, "c": {"d": 2}}, "e": [{"f": 3}]})", "");
+  REQUIRE(text);
+  CHECK(given_keys(text->root) == std::vector<std::string>{"a", "a.b", "a.c", "a.c.d", "e"});
+}
+
 TEST_CASE("every value knows its line", "[run][scene_text]") {
   const SceneText text = text_of("{\n \"a\": {\n\"b\": [1,\n2\n]},\n\n\"c/d\": 3\n}");
   CHECK(text.root == json({{"a", {{"b", {1, 2}}}}, {"c/d", 3}}));

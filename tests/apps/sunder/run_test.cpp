@@ -122,11 +122,19 @@ TEST_CASE("two runs of a scene that breaks leave the same bytes", "[run]") {
   CHECK(frames == 3);
   const json report = json::parse(bytes_of(folder.path() / "a/report.json"));
   for (const char* key : {"steps", "step_ms", "stage_ms", "fans", "faces_split", "components",
-                          "fragments", "gershgorin", "oracle", "momentum", "energy", "warnings"}) {
+                          "fragments", "gershgorin", "oracle", "momentum", "energy", "warnings",
+                          "settings"}) {
     INFO(key);
     CHECK(report.contains(key));
   }
   CHECK(report["fans"].get<int>() > 0);
+  const json& settings = report["settings"];
+  CHECK(settings["accuracy"] == "good");
+  REQUIRE(settings["chosen"].size() == sunder::chosen_keys().size());
+  CHECK(settings["chosen"][1]["key"] == "contact.max_passes");
+  CHECK(settings["chosen"][1]["value"] == 1);
+  CHECK(settings["expected"]["steps"] == report["steps"]);
+  CHECK(settings["expected"]["seconds"].get<double>() > 0);
   CHECK(std::abs(report["fragments"]["mass_error"].get<double>()) < 1e-12);
 }
 
@@ -156,6 +164,25 @@ TEST_CASE("cracks drawn smooth change pictures and nothing else", "[run][smooth_
     CHECK(bytes.size() > 0);
     CHECK(bytes == bytes_of(folder.path() / "smooth" / file));
   }
+}
+
+TEST_CASE("a run tells what was chosen and what is odd before it starts, unless it is quiet",
+          "[run]") {
+  const Folder folder;
+  json scene = struck_scene(0.4, 0.001);
+  scene["contact"] = {{"max_passes", 2}};
+  scene["bodies"][0]["material"]["density"] = 2.4;
+  const fs::path path = write_scene(folder, scene);
+  const std::string out = " --frames 0 -o " + (folder.path() / "a").string();
+  const std::string told = run(path.string() + " --set accuracy=preview" + out).text();
+  CHECK(told.find("accuracy preview: contact.max_iterations = 20 (") != std::string::npos);
+  CHECK(told.find("contact.max_passes") == std::string::npos);
+  CHECK(told.find("expected: 4 steps of 424 tetrahedra") != std::string::npos);
+  CHECK(told.find("bodies.0.material.density is 2.4 kg/m^3") != std::string::npos);
+  const Outcome quiet = run(path.string() + " --quiet --strict" + out);
+  CHECK(quiet.text().find("accuracy") == std::string::npos);
+  CHECK(quiet.text().find("odd_unit") != std::string::npos);
+  CHECK(quiet.exit_code == 7);
 }
 
 TEST_CASE("bad scenes are told with place, value and remedy, exit code 3", "[run]") {

@@ -29,6 +29,13 @@ Scene breaking_scene(const IntegratorSettings& integrator) {
   return scene;
 }
 
+/// The bar built, without the warning that it is two cells thick.
+Result<Simulation> built_bar(const Scene& scene) {
+  Result<Simulation> sim = build_simulation(scene);
+  std::erase_if(sim.findings, [](const Finding& f) { return f.code == "few_layers"; });
+  return sim;
+}
+
 }  // namespace
 
 TEST_CASE("every integrator and model takes a scene that falls and breaks",
@@ -59,7 +66,7 @@ TEST_CASE("contact by penalty breaks the bar without impact windows, and long st
           "[fracture][baselines]") {
   Scene scene = breaking_scene({});
   scene.contact.method = ContactMethod::penalty;
-  Result<Simulation> sim = build_simulation(scene);
+  Result<Simulation> sim = built_bar(scene);
   REQUIRE(sim);
   CHECK(sim.findings.empty());
   const double m = std::ranges::min(sim->state->mechanics.vertices.mass);
@@ -76,7 +83,7 @@ TEST_CASE("contact by penalty breaks the bar without impact windows, and long st
   scene.contact.penalty_damping = c;
   for (const double part : {0.999, 1.001}) {
     scene.contact.penalty_stiffness = part * (4 * m - 2 * c * h) / (h * h);
-    const Result<Simulation> again = build_simulation(scene);
+    const Result<Simulation> again = built_bar(scene);
     REQUIRE(again);
     const bool warned = !again.findings.empty();
     CHECK(warned == (part > 1));
@@ -103,7 +110,7 @@ TEST_CASE("counts and sizes beyond an integrator's bounds are refused, explicit 
   CHECK(refusal({.model = ElasticModel::corotational}) == "model_not_supported");
   CHECK(refusal({.integrator = Integrator::modal, .damping = {.mass_factor = 1}}) ==
         "damping_not_supported");
-  Result<Simulation> sim = build_simulation(breaking_scene({.integrator = Integrator::verlet}));
+  Result<Simulation> sim = built_bar(breaking_scene({.integrator = Integrator::verlet}));
   REQUIRE(sim);
   REQUIRE(sim.findings.size() == 1);
   CHECK(sim.findings[0].code == "explicit_step_too_long");

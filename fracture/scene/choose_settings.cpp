@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+// What a scene can come to is estimated once; each key has a rule that reads it.
+#include "fracture/scene/choose_settings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+#include "fracture/scene/body_measures.hpp"
+#include "mechanics/contact/shapes/obstacle_geometry.hpp"
+
+namespace sunder {
+namespace {
+
+/// What the rules go by.
+struct Outlook {
+  Accuracy accuracy = Accuracy::good;
+  /// m, the smallest mean cell of the bodies.
+  double cell = 0;
+  /// m/s, at which things may meet: speeds of bodies and obstacles, and what a fall adds.
+  double speed = 0;
+  /// Stress rho c v of such a blow over the strength, the largest of all bodies; 0 where nothing
+  /// can break.
+  double blow = 0;
+  /// Whether a body may lie on another at the start.
+  bool is_heap = false;
+
+  /// The blow breaks what it strikes.
+  bool breaks() const { return blow >= 1; }
+};
+
+/// m, how far something of the bodies may fall on to a plane in the duration of the run.
+double fall_of(const Scene& scene, std::span<const BodyMeasures> measures) {
+  const double g = scene.gravity.acceleration.norm();
+  if (!(g > 0)) return 0;
+  const Vec3 down = scene.gravity.acceleration / g;
+  double fall = 0;
+  for (const Obstacle& obstacle : scene.obstacles) {
+    const auto* plane = std::get_if<Plane>(&obstacle.shape);
+    if (plane == nullptr || !(plane->normal.dot(down) < 0)) continue;
+    for (const BodyMeasures& m : measures) {
+      for (int corner = 0; corner < 8; ++corner) {
+        const Vec3 x = m.box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner));
+        fall = std::max(fall, surface_distance(*plane, x).gap / -plane->normal.dot(down));
+      }
+    }
+  }
+  return std::min(fall, g * scene.duration * scene.duration / 2);
+}
+
+bool is_heap(const Scene& scene, std::span<const BodyMeasures> measures) {
+  for (std::size_t a = 0; a < scene.bodies.size(); ++a) {
+    for (std::size_t b = 0; b < a; ++b) {
+      const double near = 0.1 * std::min(measures[a].cell, measures[b].cell);
+      if (measures[a].box.exteriorDistance(measures[b].box) <= near) return true;
+    }
+  }
+  return false;
+}
+
+Outlook look_ahead(const Scene& scene, Accuracy accuracy) {
+  std::vector<BodyMeasures> measures;
+  for (const BodySettings& body : scene.bodies) measures.push_back(measure(body));
+  Outlook o;
+  o.accuracy = accuracy;
+  o.cell = std::numeric_limits<double>::infinity();
+  double of_bodies = 0, of_obstacles = 0;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const BodySettings& body = scene.bodies[b];
+    o.cell = std::min(o.cell, measures[b].cell);
+    of_bodies =
+        std::max(of_bodies, body.velocity.norm() + body.spin.norm() * measures[b].extent / 2);
+    for (const HeldBox& held : body.held) of_bodies = std::max(of_bodies, held.velocity.norm());
+  }
+  for (const Obstacle& k : scene.obstacles)
+    of_obstacles = std::max(of_obstacles, k.velocity.norm());
+  o.speed = std::hypot(of_bodies + of_obstacles,
+                       std::sqrt(2 * scene.gravity.acceleration.norm() * fall_of(scene, measures)));
+  o.is_heap = is_heap(scene, measures);
+  const bool can_meet = !scene.obstacles.empty() || scene.bodies.size() > 1;
+  if (scene.fracture.mode == FractureMode::off || !can_meet) return o;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const double stress = scene.bodies[b].material.density * measures[b].wave_speed * o.speed;
+    o.blow = std::max(o.blow, stress / measures[b].strength);
+  }
+  return o;
+}
+
+/// A value and its reason.
+struct Chosen {
+  double value = 0;
+  std::string reason;
+};
+
+struct Rule {
+  std::string_view key;
+  void (*set)(Scene&, double);
+  Chosen (*choose)(const Outlook&);
+};
+
+/// One of three, by accuracy.
+double by(const Outlook& o, double preview, double good, double reference) {
+  return std::array{preview, good, reference}[static_cast<std::size_t>(o.accuracy)];
+}
+
+std::string blow_of(const Outlook& o) {
+  return fmt::format("a blow at {:.2g} m/s is {:.2g} times the strength", o.speed, o.blow);
+}
+
+Chosen iterations(const Outlook& o) {
+  if (!o.breaks()) {
+    return {by(o, 100, 200, 1000), "nothing is struck so that it breaks: what rests needs them"};
+  }
+  return {by(o, 20, 40, 1000), blow_of(o) + ": 40 sweeps find the cracks of 200"};
+}
+
+Chosen passes(const Outlook& o) {
+  if (o.is_heap) {
+    return {by(o, 3, 10, 10), "bodies lie on each other: each pass finds what the last pressed"};
+  }
+  if (!o.breaks()) return {by(o, 3, 10, 10), "made as far as they are needed"};
+  return {by(o, 1, 1, 3),
+          blow_of(o) + ": one pass finds nearly the cracks of three, for a third of the time"};
+}
+
+Chosen tolerance(const Outlook& o) {
+  return {by(o, 1e-3, 1e-5, 1e-6), "of the deepest overlap of a step without contact"};
+}
+
+Chosen contacts(const Outlook& o) {
+  return {by(o, 64, 128, 512), "between two bodies: those that span the patch"};
+}
+
+Chosen penetration(const Outlook& o) {
+  return {std::clamp(1e-5, 1e-5 * o.cell, 2e-3 * o.cell),
+          fmt::format("1e-5 m, but from 1e-5 to 2e-3 of a cell ({:.2g} m)", o.cell)};
+}
+
+Chosen push_out(const Outlook& o) {
+  return {std::clamp(1e-3, 1e-3 * o.cell, 0.2 * o.cell),
+          fmt::format("1e-3 m/s, but from 1e-3 to 0.2 of a cell ({:.2g} m) a second", o.cell)};
+}
+
+Chosen fraction(const Outlook& o) {
+  if (!o.breaks()) {
+    return {by(o, 1.0 / 4, 1.0 / 16, 1.0 / 32),
+            "of L/c: 1/4, 1/16 and 1/32 find the peak of a blow to 7, 1.4 and 1 per cent"};
+  }
+  return {by(o, 1.0 / 4, 1.0 / 8, 1.0 / 32),
+          blow_of(o) + ": 1/8 of L/c counts cracks to a fifth, in half the time of 1/16"};
+}
+
+Chosen negligible(const Outlook& o) {
+  return {by(o, 1, 0.1, 0.01), "of the strength: the stress below which a blow is no blow"};
+}
+
+// A key more is a line more, and `chosen` in its description. ladder.rubble is none yet: off.
+constexpr std::array<Rule, 8> rules = {{
+    {"contact.max_iterations", [](Scene& s, double v) { s.contact.max_iterations = int(v); },
+     iterations},
+    {"contact.max_passes", [](Scene& s, double v) { s.contact.max_passes = int(v); }, passes},
+    {"contact.tolerance", [](Scene& s, double v) { s.contact.tolerance = v; }, tolerance},
+    {"contact.push_out_speed", [](Scene& s, double v) { s.contact.push_out_speed = v; }, push_out},
+    {"contact.allowed_penetration", [](Scene& s, double v) { s.contact.allowed_penetration = v; },
+     penetration},
+    {"contact.max_contacts_per_pair",
+     [](Scene& s, double v) { s.contact.max_contacts_per_pair = static_cast<std::uint32_t>(v); },
+     contacts},
+    {"impact.fraction", [](Scene& s, double v) { s.impact.fraction = v; }, fraction},
+    {"impact.negligible", [](Scene& s, double v) { s.impact.negligible = v; }, negligible},
+}};
+
+/// Whether a key means anything in the scene.
+bool is_used(const Scene& scene, std::string_view key) {
+  const bool impulses = scene.contact.method == ContactMethod::impulses;
+  if (key.starts_with("contact.")) return impulses || key == "contact.max_contacts_per_pair";
+  return scene.impact.window && impulses &&
+         scene.integrator.integrator == Integrator::floating_frame;
+}
+
+}  // namespace
+
+std::vector<std::string_view> chosen_keys() {
+  std::vector<std::string_view> keys;
+  for (const Rule& rule : rules) keys.push_back(rule.key);
+  return keys;
+}
+
+std::vector<Choice> choose_settings(Scene& scene, Accuracy accuracy,
+                                    std::span<const std::string> given) {
+  const Outlook outlook = look_ahead(scene, accuracy);
+  std::vector<Choice> choices;
+  for (const Rule& rule : rules) {
+    if (std::ranges::find(given, rule.key) != given.end() || !is_used(scene, rule.key)) continue;
+    Chosen chosen = rule.choose(outlook);
+    // Three digits at most, so that what is told is what is set.
+    const std::string value = fmt::format("{:.4g}", chosen.value);
+    rule.set(scene, std::strtod(value.c_str(), nullptr));
+    choices.push_back({std::string(rule.key), value, std::move(chosen.reason)});
+  }
+  return choices;
+}
+
+double flight_ms(const Scene& scene) {
+  double ms = 0;
+  for (const BodySettings& b : scene.bodies) {
+    const auto tetrahedra = static_cast<double>(b.mesh.tetrahedra.size());
+    // Large bodies' factors fill in.
+    ms += 1e-4 * tetrahedra * (1 + tetrahedra / 8000);
+  }
+  return ms;
+}
+
+}  // namespace sunder

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+// A list of checks, each of which says what it looks at.
+#include "fracture/scene/scene_doubts.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <span>
+
+#include "fracture/scene/body_measures.hpp"
+#include "fracture/scene/cohesive_settings.hpp"
+#include "fracture/scene/overlaps.hpp"
+
+namespace sunder {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// A scene as the checks see it.
+struct Looked {
+  const Scene& scene;
+  std::span<const BodyMeasures> measures;
+  fields::SettingsCheck& check;
+
+  void body(std::size_t b, const char* code, const char* key, const std::string& what,
+            const std::string& remedy) const {
+    check.add(code, fmt::format("bodies.{}.{}", b, key), what, remedy);
+  }
+};
+
+/// A number of a material, and between which values all solids lie.
+struct MaterialRange {
+  const char* key;
+  const char* unit;
+  double low, high;
+  const char* remedy;
+};
+constexpr std::array<MaterialRange, 5> material_ranges = {{
+    {"density", "kg/m^3", 10, 3e4, "give kg/m^3: 2400, not 2.4, for concrete"},
+    {"young_modulus", "Pa", 1e4, 2e12, "give Pa: 30e9, not 30, for concrete's 30 GPa"},
+    {"tensile_strength", "Pa", 100, infinite, "give Pa: 3e6, not 3, for concrete's 3 MPa"},
+    {"toughness", "Pa sqrt(m)", 100, 1e10, "give Pa sqrt(m): 1e6, not 1, for concrete"},
+    {"fracture_energy", "J/m^2", 0.1, 1e8, "give J/m^2: 33, not 0.033, for concrete's 33 N/m"},
+}};
+
+std::array<std::optional<double>, 5> numbers_of(const Material& m) {
+  return {m.density, m.young_modulus, m.tensile_strength, m.toughness, m.fracture_energy};
+}
+
+void look_at_material(const Looked& l, std::size_t b) {
+  const Material& material = l.scene.bodies[b].material;
+  const auto numbers = numbers_of(material);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const MaterialRange& range = material_ranges[i];
+    if (!numbers[i] || (*numbers[i] >= range.low && *numbers[i] <= range.high)) continue;
+    const bool is_low = *numbers[i] < range.low;
+    l.body(b, "odd_unit", fmt::format("material.{}", range.key).c_str(),
+           fmt::format("is {:.4g} {}, {} than {:g} {} and than that of any solid", *numbers[i],
+                       range.unit, is_low ? "less" : "more", is_low ? range.low : range.high,
+                       range.unit),
+           range.remedy);
+  }
+  const double strength = l.measures[b].strength, most = material.young_modulus / 10;
+  if (strength < infinite && strength > most) {
+    l.body(b, "odd_unit", "material.tensile_strength",
+           fmt::format("is {:.4g} Pa, more than a tenth of Young's modulus ({:.4g} Pa), which no "
+                       "solid bears",
+                       strength, material.young_modulus),
+           "give both in Pa; for a body that never breaks set fracture.mode to off");
+  }
+}
+
+void look_at_regions(const Looked& l, std::size_t b) {
+  const std::vector<RegionStrength>& regions = l.scene.bodies[b].strength.regions;
+  const MaterialRange& range = material_ranges[2];
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    if (!regions[r].tensile_strength || *regions[r].tensile_strength >= range.low) continue;
+    l.body(b, "odd_unit", fmt::format("strength.regions.{}.tensile_strength", r).c_str(),
+           fmt::format("is {:.4g} Pa, less than that of any solid", *regions[r].tensile_strength),
+           range.remedy);
+  }
+}
+
+void look_at_size(const Looked& l, std::size_t b) {
+  const BodyMeasures& m = l.measures[b];
+  const double way = m.extent / m.wave_speed;
+  if (m.extent > 100) {
+    l.body(b, "odd_unit", "mesh",
+           fmt::format("is {:.4g} m long: points in millimetres are read as metres", m.extent),
+           "scale the mesh's points to metres, in the program that made it");
+  }
+  if (l.scene.duration < way) {
+    l.check.add("run_too_short", "duration",
+                fmt::format("is {:.4g} s, and a wave needs {:.4g} s through bodies.{}, which is "
+                            "{:.4g} m long: what strikes one end is not known at the other",
+                            l.scene.duration, way, b, m.extent),
+                "take a longer duration, or look whether the mesh is in metres");
+  }
+}
+
+void look_at_speeds(const Looked& l, std::size_t b) {
+  const BodySettings& body = l.scene.bodies[b];
+  const double most = l.measures[b].wave_speed;
+  const auto look = [&](double speed, const std::string& key, const char* what) {
+    if (!(speed > most)) return;
+    l.body(b, "faster_than_waves", key.c_str(),
+           fmt::format("{} {:.4g} m/s, faster than the waves in the body ({:.4g} m/s): linear "
+                       "elasticity says nothing there",
+                       what, speed, most),
+           "give m/s and rad/s, or take it slower");
+  };
+  look(body.velocity.norm(), "velocity", "is");
+  look(body.spin.norm() * l.measures[b].extent / 2, "spin", "moves the outermost vertex at");
+  for (std::size_t k = 0; k < body.held.size(); ++k) {
+    look(body.held[k].velocity.norm(), fmt::format("held.{}.velocity", k), "is");
+  }
+}
+
+void look_at_layers(const Looked& l, std::size_t b) {
+  const BodySettings& body = l.scene.bodies[b];
+  if (l.scene.fracture.mode == FractureMode::off || !(l.measures[b].strength < infinite)) return;
+  const double layers = layers_through(body, l.measures[b]);
+  if (layers > 2.9) return;
+  l.body(b, "few_layers", "mesh",
+         fmt::format("has {:.1f} layers of cells through its thickness (median of 200 rays): "
+                     "linear tetrahedra show 22, 50, 79, 89 per cent of the deflection in bending "
+                     "with 1, 2, 4, 6, and what breaks in bending breaks late",
+                     layers),
+         "take a finer mesh, at least four layers where bending matters (docs/bending.md)");
+}
+
+/// One frame sees a false strain of eps (L/t)^2 / 2 where a slender body bends by the strain eps:
+/// a twentieth of the strain it breaks at is still nothing (docs/decisions.md, Validity).
+void look_at_slenderness(const Looked& l, std::size_t b) {
+  const BodyMeasures& m = l.measures[b];
+  const double strain = m.strength / l.scene.bodies[b].material.young_modulus;
+  const double share = strain * m.slenderness * m.slenderness / 2;
+  const bool is_rigid = l.scene.integrator.model == ElasticModel::rigid_reference;
+  if (!is_rigid || l.scene.bodies[b].mesh.tetrahedra.size() < 2) return;
+  // A strength that no solid has is told as such.
+  if (!(strain <= 0.1) || !(share > 0.05)) return;
+  const std::string false_strain =
+      share < 1 ? fmt::format("a false strain of up to {:.0f} per cent of it", 100 * share)
+                : "a false strain larger than the true one";
+  l.body(b, "slender_body", "mesh",
+         fmt::format("is {:.3g} times as long as thick and breaks at a strain of {:.3g}: bent so "
+                     "far, one rigid reference sees {}",
+                     m.slenderness, strain, false_strain),
+         "where bending breaks it take \"model\": \"corotational\" with \"integrator\": "
+         "{\"method\": \"implicit_euler\"} (slower, without impact windows), else read its bending "
+         "stresses as too high");
+}
+
+void look_at_obstacles(const Looked& l) {
+  double slowest = infinite;
+  for (const BodyMeasures& m : l.measures) slowest = std::min(slowest, m.wave_speed);
+  for (std::size_t k = 0; k < l.scene.obstacles.size(); ++k) {
+    const Obstacle& obstacle = l.scene.obstacles[k];
+    const std::string place = fmt::format("obstacles.{}", k);
+    const double speed = obstacle.velocity.norm();
+    if (speed > slowest) {
+      l.check.add("faster_than_waves", place + ".velocity",
+                  fmt::format("is {:.4g} m/s, faster than the waves in what it could strike "
+                              "({:.4g} m/s): linear elasticity says nothing there",
+                              speed, slowest),
+                  "give m/s, or take it slower");
+    }
+    const auto* ball = std::get_if<Sphere>(&obstacle.shape);
+    if (ball == nullptr || !obstacle.mass) continue;
+    const double density = *obstacle.mass / (4 * M_PI / 3 * std::pow(ball->radius, 3));
+    if (density >= material_ranges[0].low && density <= material_ranges[0].high) continue;
+    l.check.add("odd_unit", place + ".mass",
+                fmt::format("is {:.4g} kg in a ball of {:.4g} m radius: {:.4g} kg/m^3, which no "
+                            "solid has",
+                            *obstacle.mass, ball->radius, density),
+                "give kg and m: 1000 kg are a tonne; a steel ball has 33e3 kg times its radius "
+                "cubed");
+  }
+}
+
+void look_at_times(const Looked& l) {
+  const double step = l.scene.integrator.time_step;
+  if (step <= l.scene.duration) return;
+  l.check.add("step_over_duration", "time_step",
+              fmt::format("is {:.4g} s, longer than the whole run ({:.4g} s): its one step goes on "
+                          "beyond the end",
+                          step, l.scene.duration),
+              "take a shorter time_step or a longer duration");
+}
+
+void look_at_places(const Looked& l) {
+  double cell = infinite;
+  for (const BodyMeasures& m : l.measures) cell = std::min(cell, m.cell);
+  const double allowed = std::max(l.scene.contact.allowed_penetration, 1e-3 * cell);
+  for (const Overlap& o : overlaps_at_start(l.scene, l.measures, allowed)) {
+    const std::string other =
+        fmt::format("{}.{}", o.with_obstacle ? "obstacles" : "bodies", o.other);
+    l.body(o.body, "overlap_at_start", "translation",
+           fmt::format("puts the body {:.3g} m deep into {}: they are pushed apart at "
+                       "contact.push_out_speed ({:.3g} m/s) at most, and what lies deep stays",
+                       o.depth, other, l.scene.contact.push_out_speed),
+           fmt::format("move one of them by {:.3g} m or more", o.depth));
+  }
+}
+
+void look_at_materials(const Looked& l) {
+  if (l.scene.fracture.crack == CrackMode::cohesive) judge_materials(l.check, l.scene);
+}
+
+constexpr std::array<void (*)(const Looked&, std::size_t), 6> of_bodies = {
+    look_at_size,   look_at_material, look_at_regions,
+    look_at_speeds, look_at_layers,   look_at_slenderness};
+constexpr std::array<void (*)(const Looked&), 4> of_scenes = {look_at_obstacles, look_at_times,
+                                                              look_at_places, look_at_materials};
+
+}  // namespace
+
+std::vector<SettingFinding> scene_doubts(const Scene& scene) {
+  std::vector<BodyMeasures> measures;
+  for (const BodySettings& body : scene.bodies) measures.push_back(measure(body));
+  std::vector<SettingFinding> found;
+  fields::SettingsCheck check("", found);
+  const Looked looked{scene, measures, check};
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    for (const auto look : of_bodies) look(looked, b);
+  }
+  for (const auto look : of_scenes) look(looked);
+  for (SettingFinding& f : found) f.finding.severity = Severity::warning;
+  return found;
+}
+
+}  // namespace sunder

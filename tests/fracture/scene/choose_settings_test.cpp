@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+// What is chosen follows from the scene; what is given stays; what is told is what is set.
+#include "fracture/scene/choose_settings.hpp"
+
+#include <catch2/catch.hpp>
+#include <set>
+
+#include "fracture/scene/scene_fields.hpp"
+#include "topology/suite/fixtures/shapes.hpp"
+
+using namespace sunder;
+
+namespace {
+
+Scene falling(double speed) {
+  Scene scene;
+  scene.bodies.resize(1);
+  scene.bodies[0].mesh = suite::kuhn_box({4, 4, 4}, 0.05);
+  scene.bodies[0].velocity.z() = -speed;
+  scene.obstacles = {{Plane{}}};
+  scene.gravity.acceleration.setZero();
+  return scene;
+}
+
+Scene chosen(Scene scene, Accuracy accuracy = Accuracy::good) {
+  choose_settings(scene, accuracy, {});
+  return scene;
+}
+
+/// The keys that descriptions mark as chosen, with their values in a scene.
+class ChosenKeys {
+ public:
+  template <class T>
+  void field(const fields::Key& key, T& member) {
+    if constexpr (std::is_arithmetic_v<T>) {
+      if (key.chosen) values[in_ + std::string(key.name)] = static_cast<double>(member);
+    } else if constexpr (requires { fields::describe(*this, member); }) {
+      const std::string outer = in_;
+      in_ += std::string(key.name) + ".";
+      fields::describe(*this, member);
+      in_ = outer;
+    }
+  }
+  void direction(const fields::Key&, Eigen::Vector3d&) {}
+  template <class T, class Variant>
+  void alternative(const fields::Key&, const T&, Variant&) {}
+
+  std::map<std::string, double> values;
+
+ private:
+  std::string in_;
+};
+
+std::map<std::string, double> values_of(Scene scene) {
+  ChosenKeys keys;
+  fields::describe(keys, scene);
+  return keys.values;
+}
+
+}  // namespace
+
+TEST_CASE("keys that are described as chosen are those that are", "[fracture][settings]") {
+  std::set<std::string> described, looked_after;
+  for (const auto& [key, value] : values_of(Scene{})) described.insert(key);
+  for (const std::string_view key : chosen_keys()) looked_after.emplace(key);
+  CHECK(described == looked_after);
+}
+
+TEST_CASE("what is told is what is set, and what is given stays", "[fracture][settings]") {
+  for (const Accuracy accuracy : {Accuracy::preview, Accuracy::good, Accuracy::reference}) {
+    Scene scene = falling(5);
+    const std::vector<std::string> given = {"contact", "contact.max_passes", "impact.fraction"};
+    scene.contact.max_passes = 77;
+    scene.impact.fraction = 0.5;
+    const std::vector<Choice> choices = choose_settings(scene, accuracy, given);
+    CHECK(choices.size() == chosen_keys().size() - 2);
+    CHECK(scene.contact.max_passes == 77);
+    CHECK(scene.impact.fraction == 0.5);
+    const auto values = values_of(scene);
+    for (const Choice& c : choices) {
+      INFO(c.key);
+      CHECK(std::stod(c.value) == values.at(c.key));
+      CHECK_FALSE(c.reason.empty());
+    }
+    Scene again = scene;
+    choose_settings(again, accuracy, given);
+    CHECK(values_of(again) == values);
+  }
+}
+
+TEST_CASE("good has the structs' defaults where nothing breaks", "[fracture][settings]") {
+  const auto plain = values_of(Scene{});
+  CHECK(values_of(chosen(falling(0))) == plain);
+  Scene held = falling(5);
+  held.fracture.mode = FractureMode::off;
+  CHECK(values_of(chosen(held)) == plain);
+}
+
+TEST_CASE("speeds and the strength decide for how a blow is solved", "[fracture][settings]") {
+  // 3 MPa of concrete are 0.34 m/s.
+  CHECK(chosen(falling(0.3)).contact.max_passes == 10);
+  CHECK(chosen(falling(0.5)).contact.max_passes == 1);
+  CHECK(chosen(falling(0.3)).impact.fraction == 1.0 / 16);
+  CHECK(chosen(falling(0.5)).impact.fraction == 1.0 / 8);
+  // A fall counts, as far as the run lets it fall.
+  Scene fall = falling(0);
+  fall.gravity = {};
+  fall.bodies[0].translation.z() = 2;
+  CHECK(chosen(fall).contact.max_passes == 1);
+  fall.duration = 0.01;
+  CHECK(chosen(fall).contact.max_passes == 10);
+  // A ball that flies counts; bodies on each other keep their passes.
+  Scene struck = falling(0);
+  struck.obstacles.push_back({.shape = Sphere{{0, 0, 2}, 0.1}, .velocity = {0, 0, -9}});
+  CHECK(chosen(struck).contact.max_iterations == 40);
+  struck.bodies.push_back(struck.bodies[0]);
+  struck.bodies[1].translation.z() = 0.2;
+  CHECK(chosen(struck).contact.max_passes == 10);
+}
+
+TEST_CASE("lengths follow the cell beyond the range of everyday bodies", "[fracture][settings]") {
+  const auto of = [](double cell) {
+    Scene scene = falling(0);
+    scene.bodies[0].mesh = suite::kuhn_box({4, 4, 4}, cell);
+    return chosen(scene).contact;
+  };
+  CHECK(of(0.05).allowed_penetration == 1e-5);
+  CHECK(of(1e-3).allowed_penetration == 2e-6);
+  CHECK(of(1e-3).push_out_speed == 2e-4);
+  CHECK(of(10).allowed_penetration == 1e-4);
+  CHECK(of(10).push_out_speed == 1e-2);
+}
+
+TEST_CASE("more accuracy is finer in everything, and what a scene does not use is left alone",
+          "[fracture][settings]") {
+  const Scene preview = chosen(falling(5), Accuracy::preview), good = chosen(falling(5)),
+              reference = chosen(falling(5), Accuracy::reference);
+  CHECK(preview.impact.fraction > good.impact.fraction);
+  CHECK(good.impact.fraction > reference.impact.fraction);
+  CHECK(preview.contact.tolerance > good.contact.tolerance);
+  CHECK(good.contact.max_iterations < reference.contact.max_iterations);
+  CHECK(good.contact.max_passes < reference.contact.max_passes);
+  Scene penalty = falling(5);
+  penalty.contact.method = ContactMethod::penalty;
+  for (const Choice& c : choose_settings(penalty, Accuracy::good, {})) {
+    CHECK(c.key == "contact.max_contacts_per_pair");
+  }
+}
+
+TEST_CASE("a step in flight is expected to take time by its tetrahedra", "[fracture][settings]") {
+  Scene scene = falling(0);
+  const double one = flight_ms(scene);
+  CHECK(one > 0);
+  scene.bodies.push_back(scene.bodies[0]);
+  CHECK(flight_ms(scene) == Approx(2 * one).epsilon(0.2));
+}
