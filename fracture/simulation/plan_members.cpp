@@ -52,7 +52,8 @@ void begin_without_rubble(StepPlan& plan, const SimulationState& s) {
 }
 
 bool anybody_moves(const StepPlan& plan, const SimulationState& s) {
-  bool any = !living_components(s.mechanics, plan.members()).empty();
+  bool any = false;
+  for_each_living(s.mechanics, plan.members(), [&](const Component&) { any = true; });
   for (std::size_t k = 0; k < s.obstacles.size(); ++k) {
     any = any || (s.obstacles[k].mass && plan.members().has_ball(k));
   }

@@ -185,9 +185,10 @@ TEST_CASE("what sleeps, flies and creeps goes on to the same bytes", "[fracture]
                                      .ramp_time = 0.05}}});
   scene.obstacles.push_back({Plane{}});
   const Seen seen = run_paused(scene, 160, 11);
-  for (std::size_t k = 0; k < rung_count; ++k) {
-    INFO("rung " << k);
-    CHECK(seen.rungs[k] > 0);
+  // The rubble has a test of its own (simulation/rubble).
+  for (const Rung rung : {Rung::full, Rung::quasi_static, Rung::rigid, Rung::asleep}) {
+    INFO("rung " << static_cast<int>(rung));
+    CHECK(seen.rungs[static_cast<std::size_t>(rung)] > 0);
   }
 }
 
