@@ -247,7 +247,8 @@ void forces_to_impulses(Tick& tick) {
 /// The next of so many equal rounds.
 void take_round(Tick& tick, int rounds) {
   find(tick, tick.settings.length / rounds);
-  choose_sub_steps(tick);
+  // What flies far in a tick bears nothing yet.
+  if (rounds == 1) choose_sub_steps(tick);
   forces_to_impulses(tick);
   const int sub_steps = tick.sub_steps / rounds;
   tick.report.sub_steps += static_cast<std::uint32_t>(sub_steps);
