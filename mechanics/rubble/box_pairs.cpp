@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// A hashed grid of boxes.
+// A hashed grid of bodies, and sweeps between two of them.
 #include "mechanics/rubble/box_pairs.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace sunder {
 namespace {
@@ -14,7 +15,19 @@ constexpr std::int64_t most_cells = 4096;
 
 bool may_pair(const BoxQuery& query, std::uint32_t a, std::uint32_t b) {
   const std::uint32_t p = query.body[a], q = query.body[b];
-  return p != q && (query.moves[p] || query.moves[q]) && query.boxes[a].overlaps(query.boxes[b]);
+  if (p == q || (!query.moves[p] && !query.moves[q])) return false;
+  if (query.ways.empty()) return query.boxes[a].overlaps(query.boxes[b]);
+  return meet(query.boxes[a], query.boxes[b], query.ways[a] - query.ways[b]);
+}
+
+/// All that a box covers on its way.
+Bounds swept(const BoxQuery& query, std::uint32_t k) {
+  Bounds box = query.boxes[k];
+  if (query.ways.empty()) return box;
+  const Vec3& way = query.ways[k];
+  box.low += way.cwiseMin(0);
+  box.high += way.cwiseMax(0);
+  return box;
 }
 
 /// Of the grid in units of its cells.
@@ -84,28 +97,25 @@ Grid grid_of(std::span<const Bounds> boxes) {
   return grid;
 }
 
-}  // namespace
-
-void find_box_pairs(std::vector<RowPair>& pairs, BoxScratch& scratch, const BoxQuery& query) {
+/// All pairs of boxes that overlap, each once; none of boxes that are not finite.
+void find_overlaps(std::vector<RowPair>& pairs, BoxScratch& scratch, std::span<const Bounds> boxes) {
   pairs.clear();
-  const Grid grid = grid_of(query.boxes);
-  const auto boxes = static_cast<std::uint32_t>(query.boxes.size());
+  const Grid grid = grid_of(boxes);
   std::vector<std::uint32_t> large, small;
-  for (std::uint32_t k = 0; k < boxes; ++k) {
-    if (!is_finite(query.boxes[k])) continue;
-    (is_large(grid, query.boxes[k]) ? large : small).push_back(k);
+  for (std::uint32_t k = 0; k < boxes.size(); ++k) {
+    if (!is_finite(boxes[k])) continue;
+    (is_large(grid, boxes[k]) ? large : small).push_back(k);
   }
   for (std::size_t i = 0; i < large.size(); ++i) {
-    for (const std::uint32_t k : small) {
-      if (may_pair(query, large[i], k)) pairs.push_back(std::minmax(large[i], k));
-    }
-    for (std::size_t j = 0; j < i; ++j) {
-      if (may_pair(query, large[i], large[j])) pairs.push_back(std::minmax(large[i], large[j]));
-    }
+    const auto add = [&](std::uint32_t k) {
+      if (boxes[large[i]].overlaps(boxes[k])) pairs.push_back(std::minmax(large[i], k));
+    };
+    for (const std::uint32_t k : small) add(k);
+    for (std::size_t j = 0; j < i; ++j) add(large[j]);
   }
   scratch.first.assign(grid.mask + 2, 0);
   for (const std::uint32_t k : small) {
-    for_cells(range_of(grid, query.boxes[k]), [&](auto x, auto y, auto z) {
+    for_cells(range_of(grid, boxes[k]), [&](auto x, auto y, auto z) {
       ++scratch.first[grid.bucket_of(x, y, z) + 1];
     });
   }
@@ -113,27 +123,117 @@ void find_box_pairs(std::vector<RowPair>& pairs, BoxScratch& scratch, const BoxQ
   scratch.entries.resize(scratch.first.back());
   std::vector<std::uint32_t> next(scratch.first.begin(), scratch.first.end() - 1);
   for (const std::uint32_t k : small) {
-    for_cells(range_of(grid, query.boxes[k]), [&](auto x, auto y, auto z) {
+    for_cells(range_of(grid, boxes[k]), [&](auto x, auto y, auto z) {
       scratch.entries[next[grid.bucket_of(x, y, z)]++] = k;
     });
   }
   for (std::size_t b = 0; b <= grid.mask; ++b) {
     const std::uint32_t begin = scratch.first[b], end = scratch.first[b + 1];
     for (std::uint32_t i = begin; i < end; ++i) {
-      const std::uint32_t p = scratch.entries[i], body = query.body[p];
-      const bool moves = query.moves[body] != 0;
-      const Bounds& box = query.boxes[p];
+      const std::uint32_t p = scratch.entries[i];
       for (std::uint32_t j = begin; j < i; ++j) {
-        const std::uint32_t q = scratch.entries[j], other = query.body[q];
-        if (body == other || (!moves && !query.moves[other])) continue;
-        if (!box.overlaps(query.boxes[q])) continue;
-        if (first_common_bucket(grid, box, query.boxes[q]) != b) continue;
-        pairs.push_back(std::minmax(p, q));
+        const std::uint32_t q = scratch.entries[j];
+        if (!boxes[p].overlaps(boxes[q])) continue;
+        if (first_common_bucket(grid, boxes[p], boxes[q]) == b) pairs.push_back(std::minmax(p, q));
       }
     }
   }
   std::sort(pairs.begin(), pairs.end());
+  // A box may have cells of one bucket more than once.
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+}
+
+/// Bodies as the hulls of their boxes, and which boxes each has.
+void gather_bodies(BoxScratch& scratch, const BoxQuery& query) {
+  const std::size_t bodies = query.moves.size();
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  scratch.hull.assign(bodies, {Vec3::Constant(infinite), Vec3::Constant(-infinite)});
+  scratch.first_of.assign(bodies + 1, 0);
+  for (std::size_t k = 0; k < query.boxes.size(); ++k) {
+    const Bounds& box = scratch.covered[k];
+    if (!is_finite(box)) continue;
+    Bounds& hull = scratch.hull[query.body[k]];
+    hull.low = hull.low.cwiseMin(box.low);
+    hull.high = hull.high.cwiseMax(box.high);
+    ++scratch.first_of[query.body[k] + 1];
+  }
+  for (std::size_t b = 0; b < bodies; ++b) scratch.first_of[b + 1] += scratch.first_of[b];
+  scratch.of.resize(scratch.first_of.back());
+  std::vector<std::uint32_t> next(scratch.first_of.begin(), scratch.first_of.end() - 1);
+  for (std::uint32_t k = 0; k < query.boxes.size(); ++k) {
+    if (is_finite(scratch.covered[k])) scratch.of[next[query.body[k]]++] = k;
+  }
+}
+
+/// The boxes of one body that overlap another's hull, by where they begin along an axis.
+void gather_near(std::vector<std::uint32_t>& near, const BoxScratch& scratch, std::uint32_t body,
+                 const Bounds& hull, int axis) {
+  near.clear();
+  for (std::uint32_t i = scratch.first_of[body]; i < scratch.first_of[body + 1]; ++i) {
+    if (scratch.covered[scratch.of[i]].overlaps(hull)) near.push_back(scratch.of[i]);
+  }
+  std::sort(near.begin(), near.end(), [&](std::uint32_t p, std::uint32_t q) {
+    return scratch.covered[p].low[axis] < scratch.covered[q].low[axis];
+  });
+}
+
+/// Adds the pairs of boxes of two bodies: a sweep along the longest side of what both cover.
+void pair_bodies(std::vector<RowPair>& pairs, BoxScratch& scratch, const BoxQuery& query,
+                 const RowPair& bodies) {
+  const Bounds &a = scratch.hull[bodies.first], &b = scratch.hull[bodies.second];
+  int axis = 0;
+  (a.high.cwiseMin(b.high) - a.low.cwiseMax(b.low)).maxCoeff(&axis);
+  std::vector<std::uint32_t>&p = scratch.near_a, &q = scratch.near_b;
+  gather_near(p, scratch, bodies.first, b, axis);
+  gather_near(q, scratch, bodies.second, a, axis);
+  const std::vector<Bounds>& covered = scratch.covered;
+  const auto sweep = [&](std::uint32_t one, const std::vector<std::uint32_t>& others, std::size_t from) {
+    for (; from < others.size() && covered[others[from]].low[axis] <= covered[one].high[axis]; ++from) {
+      const std::uint32_t other = others[from];
+      if (covered[one].overlaps(covered[other]) && may_pair(query, one, other)) {
+        pairs.push_back(std::minmax(one, other));
+      }
+    }
+  };
+  std::size_t i = 0, j = 0;
+  while (i < p.size() && j < q.size()) {
+    if (covered[p[i]].low[axis] <= covered[q[j]].low[axis]) {
+      sweep(p[i++], q, j);
+    } else {
+      sweep(q[j++], p, i);
+    }
+  }
+}
+
+}  // namespace
+
+bool meet(const Bounds& a, const Bounds& b, const Vec3& way) {
+  double from = 0, to = 1;  // shares of the way on which they overlap along all axes
+  for (int i = 0; i < 3; ++i) {
+    const double behind = b.low[i] - a.high[i], ahead = b.high[i] - a.low[i];
+    if (way[i] == 0) {
+      if (behind > 0 || ahead < 0) return false;
+      continue;
+    }
+    const double over = 1 / way[i];
+    from = std::max(from, std::min(over * behind, over * ahead));
+    to = std::min(to, std::max(over * behind, over * ahead));
+  }
+  return from <= to;
+}
+
+void find_box_pairs(std::vector<RowPair>& pairs, BoxScratch& scratch, const BoxQuery& query) {
+  pairs.clear();
+  scratch.covered.resize(query.boxes.size());
+  for (std::uint32_t k = 0; k < query.boxes.size(); ++k) scratch.covered[k] = swept(query, k);
+  gather_bodies(scratch, query);
+  find_overlaps(scratch.bodies, scratch, scratch.hull);
+  for (const RowPair& both : scratch.bodies) {
+    if (query.moves[both.first] || query.moves[both.second]) {
+      pair_bodies(pairs, scratch, query, both);
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
 }
 
 void find_box_pairs_brute_force(std::vector<RowPair>& pairs, const BoxQuery& query) {

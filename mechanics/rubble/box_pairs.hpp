@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which boxes along the axes overlap: a uniform grid.
+// Which boxes along the axes overlap: a uniform grid of bodies.
 #pragma once
 
 #include <cstdint>
@@ -28,16 +28,26 @@ struct BoxQuery {
   std::span<const Bounds> boxes;
   std::span<const std::uint32_t> body;  ///< of each box; boxes of one body never pair
   std::span<const char> moves;          ///< row = body: two that keep still never pair
+  std::span<const Vec3> ways = {};      ///< m, row = box: how far it moves; empty: not at all
 };
+
+/// Whether two boxes overlap at some time while the first moves by `way` (m) against the second.
+bool meet(const Bounds& a, const Bounds& b, const Vec3& way);
 
 /// Room that `find_box_pairs` reuses.
 struct BoxScratch {
-  std::vector<std::uint32_t> first, entries;
+  std::vector<Bounds> covered;  ///< along their ways
+  std::vector<Bounds> hull;     ///< row = body
+  std::vector<std::uint32_t> first_of, of;  ///< boxes by bodies
+  std::vector<RowPair> bodies;
+  std::vector<std::uint32_t> near_a, near_b;
+  std::vector<std::uint32_t> first, entries;  ///< of the grid
 };
 
-/// All pairs of boxes that overlap, sorted, each once. Boxes that are not finite pair with nothing.
-/// O(boxes + pairs) while they are of similar size; one that covers more than 4 096 cells of the
-/// grid is compared with all.
+/// All pairs of boxes that meet on their ways, all at constant speeds over one time; sorted, each
+/// once. Boxes that are not finite pair with nothing. Bodies are found by a grid: O(bodies + pairs)
+/// while they are of similar size (one that covers more than 4 096 cells is compared with all); of
+/// two that are near, the boxes near the other are swept.
 void find_box_pairs(std::vector<RowPair>& pairs, BoxScratch& scratch, const BoxQuery& query);
 
 /// The same by comparing each with each: the slow twin for tests.

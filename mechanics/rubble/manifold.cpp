@@ -28,14 +28,12 @@ struct EdgeAxis {
   Vec3 normal{0, 0, 0};  ///< out of A
 };
 
-/// The axis of two edges, where their arcs cross on the Gauss map of A - B.
-EdgeAxis edge_axis(const Polytope& a, std::size_t i, const Polytope& b, std::size_t j) {
+/// The axis of two edges whose arcs on the Gauss map of A - B, each from the normal of one face to
+/// that of the other, have the other edge's plane between: where they cross.
+EdgeAxis crossing(const Polytope& a, std::size_t i, const Polytope& b, std::size_t j) {
   const PolytopeKind::Edge& e = a.kind->edge[i];
   const PolytopeKind::Edge& f = b.kind->edge[j];
   const Vec3 &u = a.edge[i], &v = b.edge[j];
-  // Each arc, from the normal of one face to that of the other, has the other edge's plane between.
-  if (b.normal[f.left].dot(u) * b.normal[f.right].dot(u) >= 0) return {};
-  if (a.normal[e.left].dot(v) * a.normal[e.right].dot(v) >= 0) return {};
   Vec3 normal = u.cross(v);
   const double squared = normal.squaredNorm();
   if (squared <= 1e-12 * u.squaredNorm() * v.squaredNorm()) return {};
@@ -44,6 +42,16 @@ EdgeAxis edge_axis(const Polytope& a, std::size_t i, const Polytope& b, std::siz
   if (side * normal.dot(b.normal[f.left] + b.normal[f.right]) >= 0) return {};
   normal *= (side > 0 ? 1 : -1) / std::sqrt(squared);
   return {true, normal.dot(b.vertex[f.from] - a.vertex[e.from]), normal};
+}
+
+/// The axis of two edges, if their arcs cross.
+EdgeAxis edge_axis(const Polytope& a, std::size_t i, const Polytope& b, std::size_t j) {
+  const PolytopeKind::Edge& e = a.kind->edge[i];
+  const PolytopeKind::Edge& f = b.kind->edge[j];
+  const Vec3 &u = a.edge[i], &v = b.edge[j];
+  if (b.normal[f.left].dot(u) * b.normal[f.right].dot(u) >= 0) return {};
+  if (a.normal[e.left].dot(v) * a.normal[e.right].dot(v) >= 0) return {};
+  return crossing(a, i, b, j);
 }
 
 /// Whether an axis keeps two solids apart.
@@ -225,7 +233,7 @@ bool try_edges(Best& best, const Polytope& a, const Polytope& b, const Approach&
       if (of_a[e][j.left] * of_a[e][j.right] >= 0 || of_b[f][i.left] * of_b[f][i.right] >= 0) {
         continue;
       }
-      const EdgeAxis found = edge_axis(a, e, b, f);
+      const EdgeAxis found = crossing(a, e, b, f);
       if (!found.crosses) continue;
       const PairAxis axis{PairAxis::Kind::edges, e, f};
       if (found.separation > approach.along(found.normal)) {

@@ -35,7 +35,8 @@ void turn(MovingBody& m, const RubbleBody& body) {
 
 /// Patches of what may touch within `time`.
 void find(Tick& tick, double time) {
-  const FindInput input{tick.bodies, tick.scratch.moving, tick.shapes, tick.settings, time};
+  const FindInput input{tick.bodies, tick.scratch.moving, tick.shapes, tick.partners,
+                        tick.settings,  time};
   do {
     const auto start = Clock::now();
     find_pairs(tick.scratch.find, input);
@@ -319,8 +320,9 @@ Polytope polytope_of(const RubbleShape& shape, const Vec3& centre, const Mat3& t
 
 RubbleReport advance_rubble(std::span<RubbleBody> bodies, std::span<const RubbleShape> shapes,
                             RubbleMemory& memory, const RubbleSettings& settings,
-                            RubbleScratch& scratch, std::vector<RubbleTouch>* touches) {
-  Tick tick{bodies, shapes, memory, settings, *scratch.buffers, {}, settings.sub_steps};
+                            RubbleScratch& scratch, std::vector<RubbleTouch>* touches,
+                            std::span<const RubblePartner> partners) {
+  Tick tick{bodies, shapes, partners, memory, settings, *scratch.buffers, {}, settings.sub_steps};
   if (touches) touches->clear();
   const bool rests = std::ranges::all_of(bodies, [](const RubbleBody& body) {
     return body.mass > 0 ? body.asleep : body.velocity.isZero(0);

@@ -37,10 +37,12 @@ struct RubbleTouch {
 /// that counts as still, with all that hangs together with it.
 /// `touches` gets the pairs of bodies that push, sorted. The result follows from bodies, shapes
 /// and memory alone, the same bytes on any number of threads.
+/// Faces of `partners` meet their partners while they face them, and nothing else near these.
 /// Needs: shapes sorted by key, half-spaces and boxes on driven bodies or boxes on any.
 RubbleReport advance_rubble(std::span<RubbleBody> bodies, std::span<const RubbleShape> shapes,
                             RubbleMemory& memory, const RubbleSettings& settings,
-                            RubbleScratch& scratch, std::vector<RubbleTouch>* touches = nullptr);
+                            RubbleScratch& scratch, std::vector<RubbleTouch>* touches = nullptr,
+                            std::span<const RubblePartner> partners = {});
 
 /// J, of motion.
 double kinetic_energy(const RubbleBody& body);

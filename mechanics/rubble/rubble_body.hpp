@@ -43,6 +43,15 @@ struct RubbleShape {
   Vec3 normal{0, 0, 1};              ///< of a half-space, out of the solid, through the centre
 };
 
+/// Two faces that were one, of tetrahedra of two bodies: their corners meet, without any search,
+/// until they have parted or slid by `reach`.
+struct RubblePartner {
+  std::uint32_t shape_a = 0, shape_b = 0;  ///< rows
+  std::array<std::uint8_t, 3> corner_a{}, corner_b{};  ///< of the shapes; k meets k
+  std::array<std::uint32_t, 3> point{};    ///< names of the corners, to tell faces that share one
+  double reach = 0;                        ///< m
+};
+
 /// What points of contact keep from tick to tick.
 struct RubbleMemory {
   struct Point {

@@ -9,6 +9,7 @@
 
 #include "mechanics/rubble/merge_patches.hpp"
 #include "mechanics/rubble/rubble.hpp"
+#include "mechanics/rubble/rubble_partners.hpp"
 #include "mechanics/solver/parallel.hpp"
 
 namespace sunder {
@@ -22,11 +23,27 @@ Vec3 centre_of(const RubbleShape& shape, const MovingBody& body) {
 
 bool is_free(const RubbleBody& body) { return body.mass > 0 && !body.asleep; }
 
-/// m, of a body's centre in the time.
-Vec3 way_of(const FindInput& input, std::uint32_t body) {
-  Vec3 speed = input.moving[body].velocity;
-  if (is_free(input.bodies[body])) speed += input.time * input.settings.gravity;
-  return input.time * speed;
+/// How a body goes on in the time.
+FindScratch::Turn turn_of(const FindInput& input, std::uint32_t row) {
+  const MovingBody& body = input.moving[row];
+  FindScratch::Turn turn;
+  turn.way = input.time * body.velocity;
+  if (!is_free(input.bodies[row])) return turn;
+  turn.way += input.time * input.time * input.settings.gravity;
+  turn.turn = input.time * body.spin;
+  const double angle = turn.turn.norm();
+  if (angle == 0) return turn;
+  turn.chord = Eigen::AngleAxisd(angle, turn.turn / angle).toRotationMatrix();
+  turn.chord -= Mat3::Identity();
+  return turn;
+}
+
+/// What turning adds to the way of a part with its centre at `arm`, and to what it may reach beside
+/// it: the height of the arc over its chord, and turning about its own centre.
+void add_turn(Vec3& way, double& beside, const FindScratch::Turn& turn, const Vec3& arm,
+              double radius) {
+  way += turn.chord * arm;
+  beside = 0.125 * turn.turn.squaredNorm() * arm.norm() + std::min(0.5, turn.turn.norm()) * radius;
 }
 
 Bounds box_of(const RubbleShape& shape, const MovingBody& body, const Polytope& solid) {
@@ -181,43 +198,70 @@ void take_memory(RubblePatch& patch, const FindInput& input, const RubbleMemory&
   }
 }
 
-RubblePatch patch_of(const FindInput& input, const RowPair& pair, const Manifold& m) {
+}  // namespace
+
+Approach approach_of(const FindScratch& scratch, const FindInput& input, const RowPair& pair) {
+  // Where the smaller one is: who turns with the other comes no nearer.
+  const auto [i, j] = pair;
+  const std::uint32_t small = scratch.radius[i] < scratch.radius[j] ? i : j;
+  const Vec3& at = scratch.centre[small];
+  const std::uint32_t a = scratch.body[i], b = scratch.body[j];
+  const auto way = [&](std::uint32_t body) -> Vec3 {
+    const FindScratch::Turn& turn = scratch.turns[body];
+    return turn.way + turn.chord * (at - input.moving[body].centre);
+  };
+  const auto bend = [&](std::uint32_t body) -> Vec3 {
+    const Vec3& spin = scratch.turns[body].turn;
+    return spin.cross(spin.cross(at - input.moving[body].centre));
+  };
+  const double turning = (scratch.turns[a].turn - scratch.turns[b].turn).norm();
+  // An arc is that high over its chord.
+  const double arc = 0.125 * (bend(a) - bend(b)).norm();
+  return {way(a) - way(b),
+          std::min(0.5, turning) * scratch.radius[small] + arc + 2 * input.settings.slop};
+}
+
+RubblePatch patch_of(const FindInput& input, const RowPair& pair, const Manifold& manifold) {
+  // One side for all patches of two bodies.
+  if (input.shapes[pair.first].body > input.shapes[pair.second].body) {
+    return patch_of(input, {pair.second, pair.first}, turned_round(manifold));
+  }
   RubblePatch patch;
   patch.a = input.shapes[pair.first].body;
   patch.b = input.shapes[pair.second].body;
-  patch.normal = m.normal;
-  patch.along = any_across(m.normal);
-  patch.across = m.normal.cross(patch.along);
+  patch.normal = manifold.normal;
+  patch.along = any_across(manifold.normal);
+  patch.across = manifold.normal.cross(patch.along);
   patch.friction = 0.5 * (input.bodies[patch.a].friction + input.bodies[patch.b].friction);
-  patch.count = m.count;
+  patch.count = manifold.count;
   const MovingBody& a = input.moving[patch.a];
   const MovingBody& b = input.moving[patch.b];
-  for (std::size_t k = 0; k < static_cast<std::size_t>(m.count); ++k) {
+  for (std::size_t k = 0; k < static_cast<std::size_t>(manifold.count); ++k) {
     RubblePatch::Point& point = patch.point[k];
-    point.local_a = a.turned.transpose() * (m.point[k].on_a - a.centre);
-    point.local_b = b.turned.transpose() * (m.point[k].on_b - b.centre);
-    point.separation = m.point[k].separation;
+    point.local_a = a.turned.transpose() * (manifold.point[k].on_a - a.centre);
+    point.local_b = b.turned.transpose() * (manifold.point[k].on_b - b.centre);
+    point.separation = manifold.point[k].separation;
     point.shape_a = pair.first;
     point.shape_b = pair.second;
   }
   return patch;
 }
 
-}  // namespace
-
 void find_pairs(FindScratch& scratch, const FindInput& input) {
   const std::size_t bodies = input.bodies.size(), shapes = input.shapes.size();
-  scratch.turning.resize(bodies);
   scratch.moves.resize(bodies);
+  scratch.turns.resize(bodies);
   for (std::size_t k = 0; k < bodies; ++k) {
     const RubbleBody& body = input.bodies[k];
     scratch.moves[k] = is_free(body) || (body.mass == 0 && !body.velocity.isZero(0));
-    scratch.turning[k] =
-        std::min(0.5, input.moving[k].spin.norm() * input.time) * body.radius;
+    scratch.turns[k] = turn_of(input, static_cast<std::uint32_t>(k));
   }
   scratch.boxes.resize(shapes);
   scratch.solids.resize(shapes);
   scratch.body.resize(shapes);
+  scratch.ways.resize(shapes);
+  scratch.centre.resize(shapes);
+  scratch.radius.resize(shapes);
   for (std::size_t k = 0; k < shapes; ++k) {
     const RubbleShape& shape = input.shapes[k];
     const std::uint32_t body = shape.body;
@@ -226,13 +270,21 @@ void find_pairs(FindScratch& scratch, const FindInput& input) {
       scratch.solids[k] = polytope_of(shape, input.moving[body].centre, input.moving[body].turned);
     }
     Bounds& box = scratch.boxes[k] = box_of(shape, input.moving[body], scratch.solids[k]);
+    scratch.ways[k] = scratch.turns[body].way;
+    scratch.radius[k] = std::numeric_limits<double>::infinity();
     if (shape.kind == Kind::half_space) continue;
-    const Vec3 way = way_of(input, body);
-    const Vec3 widen = Vec3::Constant(scratch.turning[body] + input.settings.slop);
-    box.low += way.cwiseMin(0) - widen;
-    box.high += way.cwiseMax(0) + widen;
+    scratch.centre[k] = 0.5 * (box.low + box.high);
+    scratch.radius[k] = 0.5 * (box.high - box.low).norm();
+    double beside = 0;
+    add_turn(scratch.ways[k], beside, scratch.turns[body],
+             scratch.centre[k] - input.moving[body].centre, scratch.radius[k]);
+    const Vec3 widen = Vec3::Constant(beside + input.settings.slop);
+    box.low -= widen;
+    box.high += widen;
   }
-  find_box_pairs(scratch.pairs, scratch.grid, {scratch.boxes, scratch.body, scratch.moves});
+  find_box_pairs(scratch.pairs, scratch.grid,
+                 {scratch.boxes, scratch.body, scratch.moves, scratch.ways});
+  find_facing(scratch, input);
 }
 
 void find_patches(std::vector<RubblePatch>& patches, FindScratch& scratch, const FindInput& input,
@@ -254,17 +306,20 @@ void find_patches(std::vector<RubblePatch>& patches, FindScratch& scratch, const
       const auto [i, j] = scratch.pairs[row];
       const RubbleShape& p = input.shapes[i];
       const RubbleShape& q = input.shapes[j];
+      if (touch_as_partners(scratch, input, scratch.pairs[row])) {
+        scratch.axes[row] = {p.key, q.key, {}};
+        continue;
+      }
       const FindScratch::Axis* last = axes.find(p.key, q.key);
       FindScratch::Axis& axis = scratch.axes[row] = {p.key, q.key, last ? last->axis : PairAxis{}};
-      const Approach approach{
-          way_of(input, p.body) - way_of(input, q.body),
-          scratch.turning[p.body] + scratch.turning[q.body] + input.settings.slop};
+      const Approach approach = approach_of(scratch, input, scratch.pairs[row]);
       const Manifold m = manifold_of(input, scratch, scratch.pairs[row], approach, axis.axis);
       if (m.count == 0) continue;
       found.push_back(patch_of(input, scratch.pairs[row], m));
     }
   });
   patches.clear();
+  add_partner_patches(patches, scratch, input);
   for (std::size_t c = 0; c < chunks; ++c) {
     patches.insert(patches.end(), scratch.found[c].begin(), scratch.found[c].end());
   }

@@ -11,13 +11,23 @@
 namespace sunder {
 
 struct FindScratch {
+  /// How a body goes on in the time.
+  struct Turn {
+    Vec3 way{0, 0, 0};           ///< m, of its centre
+    Vec3 turn{0, 0, 0};          ///< rad
+    Mat3 chord = Mat3::Zero();   ///< from an arm to where turning takes it, less the arm
+  };
+  std::vector<Turn> turns;       ///< row = body
   std::vector<Bounds> boxes;
   std::vector<Polytope> solids;  ///< row = shape; only of tetrahedra and boxes
-  std::vector<double> turning;   ///< m, row = body: how far its surface may come by turning
+  std::vector<Vec3> ways;        ///< m, row = shape: of its centre in the time
+  std::vector<Vec3> centre;      ///< m, row = shape: of its box
+  std::vector<double> radius;    ///< m, half the diagonal of that; infinite for half-spaces
   std::vector<std::uint32_t> body;
   std::vector<char> moves;
   std::vector<RowPair> pairs;
   BoxScratch grid;
+  std::vector<RowPair> facing;  ///< shape, partner: those that face each other; sorted
   std::vector<std::vector<RubblePatch>> found;  ///< row = chunk of pairs
   /// Axes of all pairs of the last call, sorted by the keys of their shapes. They save work and
   /// change no result.
@@ -33,9 +43,16 @@ struct FindInput {
   std::span<const RubbleBody> bodies;
   std::span<const MovingBody> moving;
   std::span<const RubbleShape> shapes;
+  std::span<const RubblePartner> partners;
   const RubbleSettings& settings;
   double time = 0;
 };
+
+/// How far two shapes may come nearer in the time. Needs: ways of `find_pairs`.
+Approach approach_of(const FindScratch& scratch, const FindInput& input, const RowPair& pair);
+
+/// A manifold of two shapes, A's side the first, as a patch: of the lower body against the other.
+RubblePatch patch_of(const FindInput& input, const RowPair& pair, const Manifold& manifold);
 
 /// Pairs whose boxes, widened by the ways of their bodies, overlap: into `scratch.pairs`.
 void find_pairs(FindScratch& scratch, const FindInput& input);

@@ -33,6 +33,7 @@ inline bool pushes(const RubblePatch& p) {
 struct Tick {
   std::span<RubbleBody> bodies;
   std::span<const RubbleShape> shapes;
+  std::span<const RubblePartner> partners;
   RubbleMemory& memory;
   const RubbleSettings& settings;
   RubbleScratch::Buffers& scratch;

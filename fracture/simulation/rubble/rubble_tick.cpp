@@ -24,13 +24,41 @@ constexpr std::uint64_t first_obstacle_key = std::uint64_t{1} << 40;
 struct World {
   std::vector<RubbleBody> bodies;
   std::vector<RubbleShape> shapes;
+  std::vector<RubblePartner> partners;
   std::vector<std::uint32_t> of_component, of_obstacle;  ///< rows of bodies
 };
 
-std::uint32_t outer_faces(const SimulationState& s, TetId t) {
-  std::uint32_t bits = 0;
-  for (std::size_t place = 0; place < 4; ++place) {
-    if (s.cells.map.neighbours()[t.index()][place].is_none()) bits |= 1u << place;
+/// Whether both sides of a face that came apart are in one piece, and as near as when they parted.
+bool is_shut(const SimulationState& s, const Partner& p) {
+  const TetId a = tetrahedron_of(p.face), b = tetrahedron_of(p.opposite);
+  const auto& component = s.mechanics.elements.component;
+  if (component[a.index()] != component[b.index()]) return false;
+  const auto& corners = s.cells.map.corners();
+  for (std::size_t k = 0; k < 3; ++k) {
+    const VertexId v = corners[a.index()][p.corner[k]];
+    const VertexId w = corners[b.index()][p.opposite_corner[k]];
+    const Vec3 apart = s.mechanics.vertices.position[v.index()] -
+                       s.mechanics.vertices.position[w.index()];
+    if (apart.norm() >= p.reach) return false;
+  }
+  return true;
+}
+
+/// Bits of the faces of each tetrahedron that something may meet: those on the boundary but for
+/// cracks that part nothing and are shut.
+std::vector<std::uint8_t> outer_faces(const SimulationState& s) {
+  const auto& neighbours = s.cells.map.neighbours();
+  std::vector<std::uint8_t> bits(neighbours.size(), 0);
+  for (std::size_t t = 0; t < bits.size(); ++t) {
+    for (std::size_t place = 0; place < 4; ++place) {
+      if (neighbours[t][place].is_none()) bits[t] |= static_cast<std::uint8_t>(1u << place);
+    }
+  }
+  for (const Partner& p : s.contact.partners) {
+    if (!is_shut(s, p)) continue;
+    for (const HalfFaceId f : {p.face, p.opposite}) {
+      bits[tetrahedron_of(f).index()] &= static_cast<std::uint8_t>(~(1u << place_of(f)));
+    }
   }
   return bits;
 }
@@ -59,23 +87,46 @@ void add_components(World& world, const Simulation& sim, const std::vector<char>
     world.of_component[c.id.index()] = static_cast<std::uint32_t>(world.bodies.size());
     world.bodies.push_back(body_of_component(s, c, sim.scene.contact.friction));
   }
+  const std::vector<std::uint8_t> outer = outer_faces(s);
   // By rows of tetrahedra, so that keys ascend.
   for (std::size_t t = 0; t < s.mechanics.elements.size(); ++t) {
     const ComponentId id = s.mechanics.elements.component[t];
     const std::uint32_t body = world.of_component[id.index()];
     if (body == no_row) continue;
-    const std::uint32_t outer = outer_faces(s, TetId{t});
-    if (outer == 0) continue;
+    if (outer[t] == 0) continue;
     const Component& c = s.mechanics.components[id.index()];
     RubbleShape& shape = world.shapes.emplace_back();
     shape.body = body;
     shape.key = t;
-    shape.outer_faces = outer;
+    shape.outer_faces = outer[t];
     const Corners& corners = s.cells.map.corners()[t];
     for (std::size_t k = 0; k < 4; ++k) {
       const std::size_t v = corners[k].index();
       shape.corner[k] = vertices.rest_position[v] - c.rest_centre + vertices.displacement[v];
     }
+  }
+}
+
+/// Faces that came apart, between bodies. Needs: shapes of all components.
+void add_partners(World& world, const SimulationState& s) {
+  const auto row_of = [&](HalfFaceId face) {
+    const std::uint64_t key = tetrahedron_of(face).index();
+    const auto at = std::ranges::lower_bound(world.shapes, key, {}, &RubbleShape::key);
+    return at != world.shapes.end() && at->key == key
+               ? static_cast<std::uint32_t>(at - world.shapes.begin())
+               : no_row;
+  };
+  for (const Partner& p : s.contact.partners) {
+    RubblePartner partner{row_of(p.face), row_of(p.opposite), p.corner, p.opposite_corner, {},
+                          p.reach};
+    if (partner.shape_a == no_row || partner.shape_b == no_row) continue;
+    if (world.shapes[partner.shape_a].body == world.shapes[partner.shape_b].body) continue;
+    const Corners& corners = s.cells.map.corners()[tetrahedron_of(p.face).index()];
+    for (std::size_t k = 0; k < 3; ++k) {
+      partner.point[k] =
+          s.cells.map.point_of_vertex(corners[p.corner[k]]);
+    }
+    world.partners.push_back(partner);
   }
 }
 
@@ -257,7 +308,8 @@ void take_ticks(StepReport& report, Simulation& sim, World& world, const RubbleC
   for (std::uint64_t k = 0; k < clock.ticks; ++k) {
     const double before = kinetic_of(world);
     const RubbleReport tick = advance_rubble(world.bodies, world.shapes, s.ladder.rubble.memory,
-                                             settings, sim.scratch->rubble.solver);
+                                             settings, sim.scratch->rubble.solver, nullptr,
+                                             world.partners);
     // All that went anywhere counts for everybody: islands are not told apart.
     const double lost = before + tick.gravity_work - kinetic_of(world);
     for (std::size_t c = 0; c < world.of_component.size(); ++c) {
@@ -318,6 +370,7 @@ void begin_rubble(StepReport& report, Simulation& sim) {
     if (c.id.index() < s.impact.quiet.size()) s.impact.quiet[c.id.index()] = ImpactWindow::closed;
   }
   add_components(world, sim, rubble.apart);
+  add_partners(world, s);
   add_obstacles(world, s, rubble.ball_apart);
   for (const Component& c : s.mechanics.components) {
     const std::uint32_t row = world.of_component[c.id.index()];

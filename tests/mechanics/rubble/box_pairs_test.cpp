@@ -30,9 +30,38 @@ TEST_CASE("the grid finds the pairs that comparing all finds", "[rubble]") {
       if (random() % 40 == 0) boxes.back() = {Vec3::Constant(-1e308), Vec3::Constant(1e308)};
       body.push_back(static_cast<std::uint32_t>(random() % 40));
     }
-    const BoxQuery query{boxes, body, moves};
-    find_box_pairs(fast, scratch, query);
-    find_box_pairs_brute_force(slow, query);
-    REQUIRE(fast == slow);
+    std::vector<Vec3> ways(count);
+    for (Vec3& way : ways) {
+      way = size * Vec3(any(random), any(random), random() % 3 == 0 ? 0 : any(random));
+    }
+    for (const BoxQuery& query : {BoxQuery{boxes, body, moves}, BoxQuery{boxes, body, moves, ways}}) {
+      find_box_pairs(fast, scratch, query);
+      find_box_pairs_brute_force(slow, query);
+      REQUIRE(fast == slow);
+    }
   }
+}
+
+TEST_CASE("boxes meet on their way when they overlap at one of its moments", "[rubble]") {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> any(-1, 1);
+  const auto some = [&](double size) { return Vec3(size * Vec3(any(random), any(random), any(random))); };
+  int met = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    const Vec3 p = some(1), q = some(1), half_p = some(0.4).cwiseAbs(), half_q = some(0.4).cwiseAbs();
+    const Bounds a{p - half_p, p + half_p}, b{q - half_q, q + half_q};
+    Vec3 way = some(1.5);
+    if (trial % 4 == 0) way[trial % 3] = 0;
+    const auto apart_at = [&](double share) {  // m, along the axis that parts them most
+      return ((p + share * way - q).cwiseAbs() - half_p - half_q).maxCoeff();
+    };
+    double nearest = apart_at(1);
+    for (int k = 0; k < 1000; ++k) nearest = std::min(nearest, apart_at(1e-3 * k));
+    const double between = 1e-3 * way.norm();
+    if (std::abs(nearest) < between) continue;
+    CAPTURE(trial, nearest);
+    CHECK(meet(a, b, way) == (nearest < 0));
+    met += nearest < 0;
+  }
+  CHECK(met > 100);
 }

@@ -6,6 +6,7 @@
 
 #include <cstring>
 #include <random>
+#include <vector>
 
 #include "tests/experiments/rubble/rubble_scenes.hpp"
 
@@ -230,4 +231,106 @@ TEST_CASE("a quarter of the tick gives the same heap", "[rubble]") {
   }
   CHECK(height[1] == Approx(height[0]).epsilon(0.1));
   CHECK(spread[1] == Approx(spread[0]).epsilon(0.1));
+}
+
+namespace {
+
+/// Faces that two chips of a block share, as partners.
+std::vector<RubblePartner> partners_of(const RubbleScene& scene, double reach) {
+  const auto place = [&](std::size_t shape, std::size_t k) -> Vec3 {
+    const RubbleBody& body = scene.bodies[scene.shapes[shape].body];
+    return body.centre + body.orientation * scene.shapes[shape].corner[k];
+  };
+  std::vector<Vec3> points;
+  const auto point_of = [&](const Vec3& at) {
+    for (std::uint32_t k = 0; k < points.size(); ++k) {
+      if ((points[k] - at).norm() < 1e-9) return k;
+    }
+    points.push_back(at);
+    return static_cast<std::uint32_t>(points.size() - 1);
+  };
+  std::vector<RubblePartner> partners;
+  for (std::uint32_t a = 1; a < scene.shapes.size(); ++a) {
+    for (std::uint32_t b = a + 1; b < scene.shapes.size(); ++b) {
+      RubblePartner p{a, b, {}, {}, {}, reach};
+      std::size_t shared = 0;
+      for (std::uint8_t i = 0; i < 4; ++i) {
+        for (std::uint8_t j = 0; j < 4; ++j) {
+          if ((place(a, i) - place(b, j)).norm() > 1e-9 || shared == 3) continue;
+          p.corner_a[shared] = i;
+          p.corner_b[shared] = j;
+          p.point[shared++] = point_of(place(a, i));
+        }
+      }
+      if (shared == 3) partners.push_back(p);
+    }
+  }
+  return partners;
+}
+
+/// Makes one body of all chips on each side of the plane x = 0.
+RubbleScene in_halves(const RubbleScene& chips) {
+  RubbleScene scene = ground();
+  scene.bodies.resize(3);
+  for (std::size_t k = 1; k < chips.bodies.size(); ++k) {
+    const RubbleBody& chip = chips.bodies[k];
+    RubbleBody& half = scene.bodies[chip.centre[0] < 0 ? 1 : 2];
+    half.mass += chip.mass;
+    half.centre += chip.mass * chip.centre;
+    half.momentum += chip.momentum;
+  }
+  for (std::size_t h : {1u, 2u}) scene.bodies[h].centre /= scene.bodies[h].mass;
+  for (std::size_t k = 1; k < chips.bodies.size(); ++k) {
+    const RubbleBody& chip = chips.bodies[k];
+    const std::uint32_t row = chip.centre[0] < 0 ? 1 : 2;
+    RubbleBody& half = scene.bodies[row];
+    const Vec3 arm = chip.centre - half.centre;
+    half.inertia += chip.inertia + chip.mass * (arm.squaredNorm() * Mat3::Identity() -
+                                                arm * arm.transpose());
+    RubbleShape shape = chips.shapes[k];
+    shape.body = row;
+    for (Vec3& corner : shape.corner) {
+      corner += arm;
+      half.radius = std::max(half.radius, corner.norm());
+    }
+    scene.shapes.push_back(shape);
+  }
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("faces that were one meet each other and nothing else near them", "[rubble]") {
+  RubbleScene with = in_halves(broken_block({2, 2, 2}, 0.01, {-0.01, 0, 0}, 0.1, 0));
+  RubbleScene without = with;
+  std::vector<RubblePartner> partners = partners_of(with, 0.5e-3);
+  const auto of_one = [&](const RubblePartner& p) {
+    return with.shapes[p.shape_a].body == with.shapes[p.shape_b].body;
+  };
+  std::erase_if(partners, of_one);
+  CHECK(partners.size() == 8);
+  // One turns against the other.
+  with.bodies[1].angular_momentum[1] = without.bodies[1].angular_momentum[1] =
+      2 * with.bodies[1].inertia(1, 1);
+  RubbleScratch scratch, plain;
+  RubbleSettings settings = earth();
+  std::uint32_t patches = 0, plain_patches = 0;
+  for (int k = 0; k < 720; ++k) {
+    const RubbleReport report = advance_rubble(with.bodies, with.shapes, with.memory, settings,
+                                               scratch, nullptr, partners);
+    const RubbleReport other =
+        advance_rubble(without.bodies, without.shapes, without.memory, settings, plain);
+    if (k == 0) {
+      patches = report.manifolds;
+      plain_patches = other.manifolds;
+    }
+    CHECK(report.deepest < 3e-4);
+  }
+  CHECK(patches <= plain_patches);
+  // They lie where they would lie without.
+  for (std::size_t row : {1u, 2u}) {
+    CHECK((with.bodies[row].centre - without.bodies[row].centre).norm() < 2e-3);
+    CHECK(with.bodies[row].asleep);
+  }
+  CHECK(overlaps_of(with).deepest < 1e-4);
 }
