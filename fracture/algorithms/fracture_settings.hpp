@@ -9,13 +9,14 @@
 
 namespace sunder {
 
-/// How many cracks a step may make.
+/// How many cracks may be made.
 enum class FractureMode {
   /// None: the threshold is never tested.
   off,
   /// Every vertex over its threshold breaks (the paper's shattering).
   all,
-  /// At most `max_fans` a step, the most overstressed first; the others wait.
+  /// At most `max_fans` and `max_new_pieces` a `budget_time`, the most overstressed first; the others
+  /// wait.
   budget,
 };
 
@@ -64,8 +65,12 @@ enum class ThresholdTest {
 
 struct FractureSettings {
   FractureMode mode = FractureMode::all;
-  /// Fans a step may make in the mode `budget`.
+  /// Fans that may be made in a `budget_time` in the mode `budget`.
   std::uint32_t max_fans = 64;
+  /// Pieces that may come off in that time: no fan follows the one that reaches it.
+  std::uint32_t max_new_pieces = 4294967295u;
+  /// s, rounded to whole steps: what a budget is for, such as a frame. 0: a step.
+  double budget_time = 0;
   NodeStress node_stress = NodeStress::volume;
   ThresholdTest test = ThresholdTest::chain;
   /// What breaks a crack tip of a material with a toughness.

@@ -290,6 +290,7 @@ FractureReport break_vertices(BreakableBody body, const FractureSettings& settin
   prepare(work, members);
   work.under_way = first_under_way(body.cells.cracks, body.mechanics.time);
   work.untested = untested;
+  work.pieces_before = body.cells.labels.size.size();
   find_fractures(work.report, scratch.node_stress, body.cells, work.elements, settings,
                  Candidates{work});
   forget_released(body.cells.empty_fans);

@@ -81,6 +81,18 @@ CrackChoice crack_of(const FractureWork& work, const VertexStar& v,
        mechanics.components[component.index()].rest_centre, mechanics.time, work.under_way});
 }
 
+namespace {
+
+/// Whether the budget allows no fan beside those made and planned.
+bool is_spent(const FractureWork& work, std::size_t planned) {
+  if (work.settings.mode != FractureMode::budget) return false;
+  const std::size_t pieces = work.body.cells.labels.size.size() - work.pieces_before;
+  return work.report.fans.size() + planned >= work.settings.max_fans ||
+         pieces >= work.settings.max_new_pieces;
+}
+
+}  // namespace
+
 std::vector<PlannedFan> plan_fans(FractureWork& work, std::span<const VertexId> tied) {
   FractureReport& report = work.report;
   std::vector<PlannedFan> plans;
@@ -90,8 +102,7 @@ std::vector<PlannedFan> plan_fans(FractureWork& work, std::span<const VertexId> 
       ++report.relieved;
       continue;
     }
-    if (work.settings.mode == FractureMode::budget &&
-        report.fans.size() + plans.size() >= work.settings.max_fans) {
+    if (is_spent(work, plans.size())) {
       work.body.cells.waits[v.index()] = 1;
       ++report.waiting;
       continue;

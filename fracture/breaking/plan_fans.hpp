@@ -35,6 +35,7 @@ struct FractureWork {
   FractureReport report = {};
   std::size_t under_way = 0;  // `first_under_way`
   double untested = 0;        // s
+  std::size_t pieces_before = 0;
   std::priority_queue<BreakCandidate> queue = {};
 
   const Mat3& stress(VertexId v) const { return scratch.node_stress.value[v.index()]; }

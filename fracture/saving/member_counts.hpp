@@ -31,7 +31,7 @@ constexpr int member_count(const IntegratorSettings*) { return 14; }
 constexpr int member_count(const RayleighDamping*) { return 2; }
 constexpr int member_count(const ContactSettings*) { return 13; }
 constexpr int member_count(const ImpactSettings*) { return 5; }
-constexpr int member_count(const FractureSettings*) { return 11; }
+constexpr int member_count(const FractureSettings*) { return 13; }
 constexpr int member_count(const LadderSettings*) { return 6; }
 constexpr int member_count(const Obstacle*) { return 5; }
 constexpr int member_count(const Plane*) { return 2; }

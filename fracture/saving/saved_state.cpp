@@ -221,7 +221,7 @@ template <class Archive, class S>
 void sections(Archive& a, S& sim) {
   section(a, "SCEN", sim.scene, sim.bodies);
   auto& [cells, mechanics, obstacles, contact, impact, ladder, display, display_target, cracks,
-         fans, step, birth_step, loads, script] = *sim.state;
+         fans, fans_before, pieces_before, step, birth_step, loads, script] = *sim.state;
   section(a, "CELL", cells);
   section(a, "MECH", mechanics);
   section(a, "OBST", obstacles);
@@ -232,7 +232,7 @@ void sections(Archive& a, S& sim) {
   section(a, "CRAC", cracks);
   section(a, "LOAD", loads);
   section(a, "SCRI", script);
-  section(a, "STEP", fans, step, birth_step);
+  section(a, "STEP", fans, fans_before, pieces_before, step, birth_step);
 }
 
 std::uint64_t checksum(std::string_view bytes) {

@@ -28,6 +28,8 @@ struct Outlook {
   double blow = 0;
   /// Whether a body may lie on another at the start.
   bool is_heap = false;
+  /// Node stress `fit` has no certificate.
+  bool fits = false;
 
   /// The blow breaks what it strikes.
   bool breaks() const { return blow >= 1; }
@@ -81,6 +83,7 @@ Outlook look_ahead(const Scene& scene, Accuracy accuracy) {
   o.speed = std::hypot(of_bodies + of_obstacles,
                        std::sqrt(2 * scene.gravity.acceleration.norm() * fall_of(scene, measures)));
   o.is_heap = is_heap(scene, measures);
+  o.fits = scene.fracture.node_stress == NodeStress::fit;
   const bool can_meet = !scene.obstacles.empty() || scene.bodies.size() > 1;
   if (scene.fracture.mode == FractureMode::off || !can_meet) return o;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
@@ -100,6 +103,8 @@ struct Rule {
   std::string_view key;
   void (*set)(Scene&, double);
   Chosen (*choose)(const Outlook&);
+  /// What the values 0, 1, ... are called; none: they are numbers.
+  std::span<const std::string_view> words = {};
 };
 
 /// One of three, by accuracy.
@@ -158,8 +163,21 @@ Chosen negligible(const Outlook& o) {
   return {by(o, 1, 0.1, 0.01), "of the strength: the stress below which a blow is no blow"};
 }
 
-// A key more is a line more, and `chosen` in its description. ladder.rubble is none yet: off.
-constexpr std::array<Rule, 8> rules = {{
+Chosen rubble(const Outlook& o) {
+  if (o.accuracy == Accuracy::preview && !o.fits) {
+    return {1, "chips as rigid bodies on a clock of 1/240 s: frames, for other cracks later on"};
+  }
+  return {0, "what breaks next depends on how chips strike as elastic bodies"};
+}
+
+Chosen declared(const Outlook& o) {
+  return {by(o, 0.02, 0, 0), "of a body's mass, and a piece never breaks again"};
+}
+
+constexpr std::array<std::string_view, 2> rubble_words = {"off", "certified"};
+
+// A key more is a line more, and `chosen` in its description.
+constexpr std::array<Rule, 10> rules = {{
     {"contact.max_iterations", [](Scene& s, double v) { s.contact.max_iterations = int(v); },
      iterations},
     {"contact.max_passes", [](Scene& s, double v) { s.contact.max_passes = int(v); }, passes},
@@ -172,11 +190,18 @@ constexpr std::array<Rule, 8> rules = {{
      contacts},
     {"impact.fraction", [](Scene& s, double v) { s.impact.fraction = v; }, fraction},
     {"impact.negligible", [](Scene& s, double v) { s.impact.negligible = v; }, negligible},
+    {"ladder.rubble",
+     [](Scene& s, double v) { s.ladder.rubble = v == 1 ? RubbleMode::certified : RubbleMode::off; },
+     rubble, rubble_words},
+    {"ladder.declared_rubble", [](Scene& s, double v) { s.ladder.declared_rubble = v; }, declared},
 }};
 
 /// Whether a key means anything in the scene.
 bool is_used(const Scene& scene, std::string_view key) {
   const bool impulses = scene.contact.method == ContactMethod::impulses;
+  if (key.starts_with("ladder.")) {
+    return impulses && scene.integrator.integrator == Integrator::floating_frame;
+  }
   if (key.starts_with("contact.")) return impulses || key == "contact.max_contacts_per_pair";
   return scene.impact.window && impulses &&
          scene.integrator.integrator == Integrator::floating_frame;
@@ -200,7 +225,11 @@ std::vector<Choice> choose_settings(Scene& scene, Accuracy accuracy,
     // Three digits at most, so that what is told is what is set.
     const std::string value = fmt::format("{:.4g}", chosen.value);
     rule.set(scene, std::strtod(value.c_str(), nullptr));
-    choices.push_back({std::string(rule.key), value, std::move(chosen.reason)});
+    const std::string word =
+        rule.words.empty()
+            ? value
+            : fmt::format("\"{}\"", rule.words[static_cast<std::size_t>(chosen.value)]);
+    choices.push_back({std::string(rule.key), word, std::move(chosen.reason)});
   }
   return choices;
 }

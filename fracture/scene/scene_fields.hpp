@@ -214,10 +214,20 @@ template <class V>
 void describe(V& v, FractureSettings& f) {
   v.field(Key{"mode", "",
               "off: nothing breaks; all: every vertex over its threshold breaks; budget: at most "
-              "max_fans a step, the most overstressed first"},
+              "max_fans and max_new_pieces a budget_time, the most overstressed first"},
           f.mode);
-  v.field(Key{"max_fans", "", "Cracks a step in mode budget", between(1, 4294967295.0)},
+  v.field(Key{"max_fans", "", "Cracks a budget_time in mode budget", between(1, 4294967295.0)},
           f.max_fans);
+  v.field(Key{"max_new_pieces", "",
+              "Pieces that may come off in a budget_time in mode budget; no crack follows the one "
+              "that reaches it",
+              between(1, 4294967295.0)},
+          f.max_new_pieces);
+  v.field(Key{"budget_time", "s",
+              "What a budget is for, such as a frame, in whole steps; what waits is tested again in "
+              "the next; 0: a step",
+              at_least(0)},
+          f.budget_time);
   v.field(Key{"node_stress", "",
               "Stress of a vertex: mean of the tetrahedra around it weighted by volume, or by mass "
               "(eq. 6, the paper's), or fit: linear fit over two rings, better at surfaces"},
@@ -279,12 +289,13 @@ void describe(V& v, LadderSettings& l) {
               "Pieces that cannot break, with their contacts: off: like all others; certified: as "
               "rigid bodies on a clock of about 1/240 s, where a bound says that nothing of them "
               "can break before the next tick (docs/rubble.md); not for node_stress fit but single "
-              "tetrahedra"},
+              "tetrahedra",
+              {}, false, "", true},
           l.rubble);
   v.field(Key{"declared_rubble", "",
               "Pieces that came off with no more than this share of their body's mass never break "
               "again: by your word, not by a bound",
-              between(0, 1)},
+              between(0, 1), false, "", true},
           l.declared_rubble);
 }
 

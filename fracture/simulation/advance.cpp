@@ -2,6 +2,7 @@
 // One step: plan, part, break, rebuild, for every part of it; then rungs, ledger, display.
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "fracture/breaking/break.hpp"
 #include "fracture/breaking/fan_clock.hpp"
@@ -42,8 +43,20 @@ bool has_failed(const StepReport& report) {
          report.departed;
 }
 
-FractureSettings with_fans_left(FractureSettings settings, std::size_t made) {
-  settings.max_fans -= std::min(settings.max_fans, static_cast<std::uint32_t>(made));
+std::uint64_t budget_steps(const Scene& scene) {
+  const double steps = std::round(scene.fracture.budget_time / scene.integrator.time_step);
+  return static_cast<std::uint64_t>(std::max(1.0, steps));
+}
+
+/// The settings with what is left of the budget at hand.
+FractureSettings with_budget_left(const Scene& scene, const SimulationState& s) {
+  FractureSettings settings = scene.fracture;
+  if (settings.mode != FractureMode::budget) return settings;
+  const auto less = [](std::uint32_t& left, std::uint64_t spent) {
+    left -= static_cast<std::uint32_t>(std::min<std::uint64_t>(left, spent));
+  };
+  less(settings.max_fans, s.fans - s.fans_before);
+  less(settings.max_new_pieces, s.cells.labels.size.size() - s.pieces_before);
   return settings;
 }
 
@@ -115,6 +128,10 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
   std::vector<char>& touched = scratch.touched;
   touched.assign(s.mechanics.components.size(), 0);
 
+  if (s.step % budget_steps(scene) == 0) {
+    s.fans_before = s.fans;
+    s.pieces_before = s.cells.labels.size.size();
+  }
   begin_rubble(report, sim);
   StepPlan plan = plan_step(scene, s, scratch);
   double untested = 0;  // s
@@ -163,7 +180,7 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
       const StageTimer timer(report, Stage::fracture);
       std::vector<char> unbroken;
       found = break_members({s.cells, s.mechanics}, s.script,
-                            with_fans_left(scene.fracture, report.fracture.fans.size()),
+                            with_budget_left(scene, s),
                             {s.step + 1, report.parts}, breakable(plan, s, unbroken), scratch.fracture,
                             untested, clock.watch());
       untested = 0;

@@ -51,6 +51,8 @@ struct SimulationState {
   std::vector<Pose> display, display_target;
   std::vector<OpenCrack> cracks;  ///< whose energy is still being measured
   std::uint64_t fans = 0;         ///< so far
+  /// Fans and pieces there were when the `budget_time` at hand began.
+  std::uint64_t fans_before = 0, pieces_before = 0;
   std::uint64_t step = 0;
   std::vector<std::uint64_t> birth_step;  ///< row = ComponentId: in which it came off; 0: the start
   /// Surface loads of all bodies (`BodySettings::loads`); corners keep them through every split.

@@ -28,6 +28,7 @@ std::string progress_line(const ProgressState& state, double elapsed, std::size_
   }
   line += fmt::format("step {}/{}  t = {:.4f} s  {} pieces  {} fans", state.step, state.steps,
                       state.time, state.pieces, state.fans);
+  if (state.behind > 0) line += fmt::format("  {:.2f} s behind", state.behind);
   if (state.step > 0) line += fmt::format("  {} left", wall_time(elapsed * (1 - part) / part));
   return line;
 }

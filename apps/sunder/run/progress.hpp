@@ -14,6 +14,8 @@ struct ProgressState {
   /// s, simulated.
   double time = 0;
   std::size_t pieces = 0, fans = 0;
+  /// s, behind the clock on the wall; 0: not, or not asked.
+  double behind = 0;
 };
 
 /// Writes to stderr, at most ten times a second on a terminal, every three seconds elsewhere; takes

@@ -12,6 +12,7 @@
 #include "apps/scene/scene_hash.hpp"
 #include "apps/scene/words.hpp"
 #include "apps/sunder/run/progress.hpp"
+#include "apps/sunder/run/realtime.hpp"
 #include "apps/sunder/run/recorder.hpp"
 #include "apps/sunder/run/replay.hpp"
 #include "apps/sunder/run/settings_report.hpp"
@@ -59,7 +60,7 @@ std::optional<Finding> departure_of(const RunWork& work, std::optional<ExitCode>
 
 /// Steps until the end, a failure, an interruption, a departure from the log, or an output that
 /// cannot be written.
-ExitCode step_to_end(const RunWork& work, bool quiet) {
+ExitCode step_to_end(const RunWork& work, bool quiet, FrameClock* clock) {
   Simulation& simulation = work.simulation;
   const std::uint64_t steps = work.steps();
   std::size_t fans = 0;
@@ -81,7 +82,9 @@ ExitCode step_to_end(const RunWork& work, bool quiet) {
     }
     if (interrupted) return ExitCode::interrupted;
     fans += report.fracture.fans.size();
-    progress.show({report.step, steps, report.time, report.components, fans});
+    if (clock) clock->keep_up(report.time);
+    progress.show({report.step, steps, report.time, report.components, fans,
+                   clock ? clock->behind() : 0});
   }
   return ExitCode::fine;
 }
@@ -116,6 +119,7 @@ ExitCode run_scene(const RunArguments& arguments) {
   Result<SceneFile> file = read_scene(arguments.scene, arguments.settings);
   print(file.findings);
   if (!file) return ExitCode::bad_input;
+  if (arguments.realtime) set_frame_budget(file->scene.fracture);
   const std::filesystem::path folder =
       arguments.folder.empty() ? "out" / arguments.scene.stem() : arguments.folder;
   std::optional<Replay> replay;
@@ -139,7 +143,9 @@ ExitCode run_scene(const RunArguments& arguments) {
   if (!recorder) return ExitCode::not_written;
 
   const RunWork work{*simulation, *recorder, replay};
-  ExitCode ended = step_to_end(work, arguments.quiet);
+  std::optional<FrameClock> clock;
+  if (arguments.realtime) clock.emplace();
+  ExitCode ended = step_to_end(work, arguments.quiet, clock ? &*clock : nullptr);
   const std::vector<Finding> unwritten = recorder->finish(*simulation, end_of(ended, replay));
   print(unwritten);
   if (ended == ExitCode::fine || ended == ExitCode::failed) {
@@ -153,6 +159,7 @@ ExitCode run_scene(const RunArguments& arguments) {
   if (ended == ExitCode::fine && arguments.strict && !warnings.empty()) ended = ExitCode::warned;
   const nlohmann::ordered_json& report = recorder->report();
   fmt::print("{}", arguments.json ? report.dump(2) + "\n" : summary_table(report));
+  if (clock) fmt::print(arguments.json ? stderr : stdout, "{}", frame_line(clock->report()));
   if (!arguments.json) fmt::print("{:<14} {}\n", "written to", folder.string());
   const bool reached_end = ended == ExitCode::fine || ended == ExitCode::warned;
   return reached_end && has_error(unwritten) ? ExitCode::not_written : ended;

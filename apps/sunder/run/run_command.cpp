@@ -73,6 +73,10 @@ void add_options(CLI::App& command, RunArguments& arguments, std::vector<std::st
                   "Threads for factors and contact of large pieces; results do not depend on it")
       ->capture_default_str()
       ->check(CLI::Range(1, 64));
+  command.add_flag("--realtime", arguments.realtime,
+                   "In step with the clock on the wall: frames of 1/60 s, each shown how late; what "
+                   "breaks has a budget of 32 fans and 16 new pieces a frame unless the scene has "
+                   "its own (fracture.mode budget)");
   command.add_flag("--strict", arguments.strict,
                    "End with exit code 7 when the run has a warning: contacts left out or not "
                    "converged, sub-steps that ran out, energy that does not add up");
