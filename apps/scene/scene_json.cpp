@@ -329,7 +329,7 @@ void add_findings(const Context& c, std::vector<SettingFinding> found) {
   for (SettingFinding& f : found) {
     // Where reading failed the setting is the default: of that nothing more is to be said.
     const auto is_of_place = [&](const Finding& said) {
-      return !f.place.empty() && said.text.starts_with(f.place + " ");
+      return !f.place.empty() && (said.text.starts_with(f.place + " ") || said.text.starts_with(f.place + "."));
     };
     if (std::any_of(c.findings.begin(), c.findings.begin() + static_cast<std::ptrdiff_t>(read),
                     is_of_place)) {

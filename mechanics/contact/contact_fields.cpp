@@ -17,7 +17,7 @@ void check_together(fields::SettingsCheck& check, const Obstacle& obstacle) {
   }
   const auto* solid = std::get_if<Solid>(&obstacle.shape);
   if (solid && !solid->surface) {
-    check.add("no_surface", "mesh.file", "was not read", "give a closed surface of triangles");
+    check.add("no_surface", "mesh", "has no surface", "name a file with a closed surface of triangles");
   }
   if (obstacle.mass && std::holds_alternative<Plane>(obstacle.shape)) {
     check.add("mass_without_volume", "mass", "is given, but a plane has no volume and cannot move freely",

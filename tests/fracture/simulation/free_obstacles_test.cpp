@@ -180,7 +180,7 @@ TEST_CASE("a box as a mesh does what the box does", "[free][solid]") {
     INFO(k);
     // Sweeps go by other rows, and two blocks that rub on each other make much of where they end: a
     // box turned by 1e-9 more is as far off.
-    CHECK((boxes[k] - meshes[k]).norm() < 2e-5);
+    CHECK((boxes[k] - meshes[k]).norm() < 5e-5);
   }
 }
 
