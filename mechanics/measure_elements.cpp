@@ -39,9 +39,10 @@ void measure_elements(MechanicsState& state, MechanicsScratch& scratch,
     scratch.lame.push_back(lame(material));
     scratch.stress_energy.emplace_back(material);
   }
-  // On lower rungs displacements stay what they were.
+  // On lower rungs displacements stay what they were; larger pieces that are rigid have none.
   const auto changes = [&](ComponentId id) {
-    return measure.members.has(id) && deforms(state.components[id.index()].rung);
+    const Component& c = state.components[id.index()];
+    return measure.members.has(id) && deforms(c.rung) && (!c.rigid || is_isolated(c));
   };
   for (Component& component : state.components) {
     component.strain_change = {};

@@ -109,7 +109,7 @@ void set_supports(MechanicsState& state, Component& component) {
   component.supported = !lowest.is_none();
   component.frame_velocity =
       component.supported ? state.motions[lowest.index()].velocity : Vec3::Zero();
-  component.isolated = !component.supported && component.tetrahedra.size() == 1;
+  component.rigid = !component.supported && component.tetrahedra.size() == 1;
 }
 
 void adopt_motion(Component& component, const FittedMotion& motion) {
@@ -171,7 +171,7 @@ double present_strain(const MechanicsState& state, std::span<const Corners> corn
 double make_rigid(MechanicsState& state, const Component& component) {
   const double before = kinetic_energy_of(state, component);
   set_rigid_rows(state, component);
-  state.elements.stress[component.tetrahedra.front().index()].setZero();
+  for (TetId t : component.tetrahedra) state.elements.stress[t.index()].setZero();
   return before - kinetic_energy_of(state, component);
 }
 
@@ -241,9 +241,9 @@ RebuildReport rebuild(MechanicsState& state, std::span<const Corners> corners,
     set_supports(state, component);
     component.rung = Rung::full;
     if (component.supported) seat_frame(state, component, parent);
-    if (component.isolated) report.strain_released += present_strain(state, corners, component);
+    if (component.rigid) report.strain_released += present_strain(state, corners, component);
     fit_component(state, component);
-    if (component.isolated) {
+    if (component.rigid) {
       report.energy_released += make_rigid(state, component);
     } else if (!component.supported) {
       carry_acceleration(state, component, parent.frame.orientation);
@@ -253,11 +253,26 @@ RebuildReport rebuild(MechanicsState& state, std::span<const Corners> corners,
   return report;
 }
 
+RebuildReport turn_rigid(MechanicsState& state, std::span<const Corners> corners, ComponentId id) {
+  SUNDER_ASSERT(id.index() < state.components.size(), "turn_rigid: no such component");
+  Component& component = state.components[id.index()];
+  SUNDER_ASSERT(!component.supported, "turn_rigid: a component that is held");
+  RebuildReport report;
+  report.strain_released = present_strain(state, corners, component);
+  fit_component(state, component);
+  component.rigid = true;
+  component.largest_turn = 0;
+  component.strain_change = {};
+  report.energy_released = report.strain_released + make_rigid(state, component);
+  retire_system(state.systems, id, true);
+  return report;
+}
+
 void reframe(MechanicsState& state, ComponentId id) {
   SUNDER_ASSERT(id.index() < state.components.size(), "reframe: no such component");
   Component& component = state.components[id.index()];
   fit_component(state, component);
-  if (component.isolated) {
+  if (component.rigid) {
     set_rigid_rows(state, component);
   } else if (!component.supported) {
     carry_acceleration(state, component, component.orientation);

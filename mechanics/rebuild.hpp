@@ -42,7 +42,7 @@ void place(MechanicsState& state, ComponentId component, const Placement& placem
 
 /// What a rebuild had to give up.
 struct RebuildReport {
-  /// J: strain and deformational kinetic energy of pieces that became isolated rigid tetrahedra.
+  /// J: strain and deformational kinetic energy of pieces that became rigid.
   double energy_released = 0;
   double strain_released = 0;  ///< J, the strain in it
 };
@@ -57,6 +57,12 @@ struct RebuildReport {
 /// step. Needs: vertex rows appended by `append_copy`. O(|T|) + the size of `touched`.
 RebuildReport rebuild(MechanicsState& state, std::span<const Corners> corners,
                       std::span<const ComponentId> touched, MechanicsScratch& scratch);
+
+/// Makes a rigid body of a free component: it takes its rest shape in the frame that fits it best,
+/// keeps P and L, and gives up its deformation; it stays so until it is rebuilt. Needs: not
+/// supported. O(size of the component).
+RebuildReport turn_rigid(MechanicsState& state, std::span<const Corners> corners,
+                         ComponentId component);
 
 /// Takes the frame (c, R), P, L, displacement and its rate of one component from its positions and
 /// velocities (algorithm 2): for vertices that were moved from outside. Positions and velocities

@@ -69,13 +69,13 @@ void predict_component(MechanicsScratch& scratch, MechanicsState& state, const S
     step_carried(step);
     return;
   }
-  if (component.isolated && input.settings.isolated == IsolatedTetrahedra::projection) {
+  if (is_isolated(component) && input.settings.isolated == IsolatedTetrahedra::projection) {
     return step_projected(step);
   }
-  if (component.isolated && input.settings.isolated == IsolatedTetrahedra::qr) {
+  if (is_isolated(component) && input.settings.isolated == IsolatedTetrahedra::qr) {
     return step_edge_framed(step);
   }
-  if (component.isolated || component.rung == Rung::rigid) {
+  if (component.rigid || component.rung == Rung::rigid) {
     step_rigid_body(step);
     return;
   }
@@ -182,7 +182,7 @@ void prepare(MechanicsState& state, const StepInput& input) {
   std::vector<const Component*> missing;
   std::size_t vertices = 0, most = 0;
   for_each_living(state, input.members, [&](const Component& component) {
-    if (component.isolated || !deforms(component.rung)) return;
+    if (component.rigid || !deforms(component.rung)) return;
     const ComponentSystem* system = state.systems.present[component.id.index()].get();
     const bool wave = input.part.deformation == Deformation::wave;
     if (system && (wave ? system->wave : system->step).factored) return;

@@ -7,6 +7,9 @@
 #include <algorithm>
 #include <functional>
 
+#include "fracture/simulation/simulation_state.hpp"
+#include "mechanics/contact/shapes/obstacle_geometry.hpp"
+
 namespace sunder {
 
 std::string fragments_csv(std::vector<Fragment> fragments) {
@@ -36,6 +39,32 @@ std::string cracks_csv(std::vector<CrackEnergy> cracks) {
   for (const CrackEnergy& c : cracks) {
     text += fmt::format("{},{},{},{},{},{}\r\n", c.fan, c.time, c.area, c.projected, c.energy,
                         c.per_area());
+  }
+  return text;
+}
+
+std::vector<ObstacleMotion> free_obstacles(const Simulation& simulation) {
+  const SimulationState& s = *simulation.state;
+  std::vector<ObstacleMotion> motions;
+  for (std::size_t k = 0; k < s.obstacles.size(); ++k) {
+    const Obstacle& o = s.obstacles[k];
+    if (o.mass) motions.push_back({s.mechanics.time, k, pose_of(o.shape), o.velocity, o.spin});
+  }
+  return motions;
+}
+
+std::string obstacles_csv(const std::vector<ObstacleMotion>& motions) {
+  std::string text =
+      "time,obstacle,center_x,center_y,center_z,orientation_w,orientation_x,orientation_y,"
+      "orientation_z,velocity_x,velocity_y,velocity_z,spin_x,spin_y,spin_z\r\n";
+  for (const ObstacleMotion& m : motions) {
+    const auto& [c, q] = m.pose;
+    text += fmt::format("{},{},{},{},{},{},{},{},{}", m.time, m.row, c[0], c[1], c[2], q.w(), q.x(),
+                        q.y(), q.z());
+    for (const Vec3* v : {&m.velocity, &m.spin}) {
+      text += fmt::format(",{},{},{}", (*v)[0], (*v)[1], (*v)[2]);
+    }
+    text += "\r\n";
   }
   return text;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "apps/output/fragment.hpp"
+#include "mechanics/state/pose.hpp"
 
 namespace sunder {
 
@@ -17,5 +18,20 @@ std::string fragments_csv(std::vector<Fragment> fragments);
 /// (counted from 0 through the run), time (s), area and projected_area (m^2), energy (J),
 /// energy_per_area (J/m^2, over the latter).
 std::string cracks_csv(std::vector<CrackEnergy> cracks);
+
+/// A free obstacle at a moment.
+struct ObstacleMotion {
+  double time = 0;        ///< s
+  std::size_t row = 0;    ///< in the scene
+  Pose pose;              ///< of its mass centre; a sphere's turn is not followed
+  Vec3 velocity{0, 0, 0}, spin{0, 0, 0};  ///< m/s, rad/s, world
+};
+
+/// Free obstacles of a simulation as they are now, by rows.
+std::vector<ObstacleMotion> free_obstacles(const Simulation& simulation);
+
+/// As CSV: time, obstacle, centre, orientation (unit quaternion w, x, y, z: the obstacle's own axes
+/// to the world's), velocity and spin.
+std::string obstacles_csv(const std::vector<ObstacleMotion>& motions);
 
 }  // namespace sunder

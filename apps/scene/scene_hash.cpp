@@ -12,6 +12,7 @@
 #include <variant>
 
 #include "apps/scene/scene_fields.hpp"
+#include "mechanics/contact/shapes/solid_surface.hpp"
 
 namespace sunder {
 namespace {
@@ -57,6 +58,11 @@ class SceneHasher {
   }
   void add(RegionName& region) { add(region.text); }
   void add(FaceList& faces) { add(faces.points); }
+  void add(std::shared_ptr<const SolidSurface>& surface) {
+    if (!surface) return;
+    for (Eigen::Vector3d x : surface->points) add(x);
+    for (std::array<std::uint32_t, 3> t : surface->triangles) add(t);
+  }
   void add(StrengthSettings& strength) {
     fields::describe(*this, strength);
     add(strength.painted);

@@ -12,13 +12,12 @@
 #include <type_traits>
 
 #include "apps/scene/scene_fields.hpp"
+#include "apps/scene/scene_meshes.hpp"
 #include "apps/scene/scene_notes.hpp"
 #include "apps/scene/scene_paint.hpp"
 #include "apps/scene/scene_text.hpp"
 #include "fracture/scene/check_scene.hpp"
 #include "topology/io/face_list.hpp"
-#include "topology/io/mesh_file.hpp"
-#include "topology/mesh/check.hpp"
 
 namespace sunder {
 namespace {
@@ -143,24 +142,29 @@ void read_direction(const Context& c, const Key& key, const json& value, const s
   }
 }
 
-void read(const Context& c, const Key&, const json& value, const std::string& at, TetMesh& member) {
-  if (!value.is_string()) return c.wrong_type(value, at, "the name of a mesh file");
-  Result<TetMesh> mesh = read_mesh(c.folder / value.get<std::string>());
-  std::vector<Finding> found = std::move(mesh.findings);
-  if (mesh) {
-    for (Finding& f : check_mesh(*mesh)) found.push_back(std::move(f));
-    member = std::move(*mesh);
-  }
+/// The errors of a file that a value names; without a line of its own each stands at the scene's.
+void add_of_file(const Context& c, std::vector<Finding> found, const std::string& at,
+                 const std::string& name) {
   for (Finding& f : found) {
     if (f.severity != Severity::error) continue;
-    f.text = fmt::format("{} ({}): {}", dotted(at), value.get<std::string>(), f.text);
-    // A finding without a line of the mesh's own stands at the scene's line that names the mesh.
+    f.text = fmt::format("{} ({}): {}", dotted(at), name, f.text);
     if (f.line == 0) {
       f.file = c.text.file;
       f.line = c.line_of(at);
     }
     c.findings.push_back(std::move(f));
   }
+}
+
+void read(const Context& c, const Key&, const json& value, const std::string& at, TetMesh& member) {
+  if (!value.is_string()) return c.wrong_type(value, at, "the name of a mesh file");
+  add_of_file(c, read_body_mesh(member, c.folder / value.get<std::string>()), at, value);
+}
+
+void read(const Context& c, const Key&, const json& value, const std::string& at,
+          std::shared_ptr<const SolidSurface>& member) {
+  if (!value.is_string()) return c.wrong_type(value, at, "the name of a surface file");
+  add_of_file(c, read_solid(member, c.folder / value.get<std::string>()), at, value);
 }
 
 void read(const Context& c, const Key&, const json& value, const std::string& at,
@@ -235,9 +239,7 @@ class ObjectReader {
   }
 
  private:
-  std::string at_name(std::string_view name) const {
-    return pointer_ + "/" + pointer_token(std::string(name));
-  }
+  std::string at_name(std::string_view n) const { return pointer_ + "/" + pointer_token(std::string(n)); }
   std::string at(const Key& key) const { return at_name(key.name); }
 
   const json* find(const Key& key) {
@@ -327,7 +329,7 @@ void add_findings(const Context& c, std::vector<SettingFinding> found) {
   for (SettingFinding& f : found) {
     // Where reading failed the setting is the default: of that nothing more is to be said.
     const auto is_of_place = [&](const Finding& said) {
-      return !f.place.empty() && said.text.starts_with(f.place + " ");
+      return !f.place.empty() && (said.text.starts_with(f.place + " ") || said.text.starts_with(f.place + "."));
     };
     if (std::any_of(c.findings.begin(), c.findings.begin() + static_cast<std::ptrdiff_t>(read),
                     is_of_place)) {

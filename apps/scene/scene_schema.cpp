@@ -116,6 +116,9 @@ class SchemaWriter {
   static ordered_json schema_of(const Key&, const TetMesh&) {
     return {{"type", "string"}, {"minLength", 1}};
   }
+  static ordered_json schema_of(const Key&, const std::shared_ptr<const SolidSurface>&) {
+    return {{"type", "string"}, {"minLength", 1}};
+  }
   static ordered_json schema_of(const Key&, const FaceList&) {
     return {{"type", "string"}, {"minLength", 1}};
   }

@@ -10,7 +10,7 @@ namespace sunder {
 
 // Of the scene.
 constexpr int member_count(const Scene*) { return 12; }
-constexpr int member_count(const BodySettings*) { return 12; }
+constexpr int member_count(const BodySettings*) { return 13; }
 constexpr int member_count(const TetMesh*) { return 6; }
 constexpr int member_count(const Material*) { return 7; }
 constexpr int member_count(const ShearLaw*) { return 2; }
@@ -70,7 +70,7 @@ constexpr int member_count(const Tie*) { return 9; }
 constexpr int member_count(const TieCorner*) { return 5; }
 constexpr int member_count(const Partner*) { return 5; }
 constexpr int member_count(const ContactMemory::Remembered*) { return 2; }
-constexpr int member_count(const ContactPoint*) { return 12; }
+constexpr int member_count(const ContactPoint*) { return 13; }
 constexpr int member_count(const ImpactWindow*) { return 2; }
 constexpr int member_count(const LadderState*) { return 2; }
 constexpr int member_count(const RubbleState*) { return 4; }

@@ -9,6 +9,7 @@
 
 #include "fracture/saving/archive.hpp"
 #include "fracture/saving/member_counts.hpp"
+#include "mechanics/contact/shapes/solid_surface.hpp"
 #include "topology/io/output_file.hpp"
 
 namespace sunder {
@@ -203,6 +204,32 @@ bool fits_together(const SimulationState& s) {
 template <class Archive, class M>
 requires std::is_same_v<std::remove_const_t<M>, DenseMap>
 void archive_struct(Archive& a, M& map) { archive_map(a, map); }
+
+/// A solid with its surface: that is made anew of its points and triangles.
+template <class Archive, class S>
+requires std::is_same_v<std::remove_const_t<S>, Solid>
+void archive_struct(Archive& a, S& solid) {
+  TriangleSurface triangles;
+  std::string file;
+  bool has = static_cast<bool>(solid.surface);
+  archive(a, has);
+  if (has) {
+    if constexpr (!is_reader<Archive>) {
+      triangles = {solid.surface->points, solid.surface->triangles};
+      file = solid.surface->file;
+    }
+    archive(a, triangles.points);
+    archive(a, triangles.triangles);
+    archive(a, file);
+    if constexpr (is_reader<Archive>) {
+      Result<SolidSurface> made = make_solid_surface(std::move(triangles), std::move(file));
+      a.failed = a.failed || !made;
+      if (made) solid.surface = std::make_shared<const SolidSurface>(std::move(*made));
+    }
+  }
+  archive(a, solid.translation);
+  archive(a, solid.orientation);
+}
 
 template <class Archive, class C>
 requires std::is_same_v<std::remove_const_t<C>, Cells>

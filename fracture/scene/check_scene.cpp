@@ -81,6 +81,18 @@ void check_partial(fields::SettingsCheck& check, const Scene& scene) {
   }
 }
 
+/// The paper's springs push at the centres of balls alone.
+void check_penalty_obstacles(fields::SettingsCheck& check, const Scene& scene) {
+  if (scene.contact.method != ContactMethod::penalty) return;
+  for (std::size_t k = 0; k < scene.obstacles.size(); ++k) {
+    const Obstacle& obstacle = scene.obstacles[k];
+    if (!obstacle.mass || std::holds_alternative<Sphere>(obstacle.shape)) continue;
+    check.add("free_not_supported", fmt::format("obstacles.{}.mass", k),
+              "is given, but with contact.method penalty only spheres move freely",
+              "leave the mass out, make it a sphere, or set contact.method to impulses");
+  }
+}
+
 void check_unbreakable_boxes(fields::SettingsCheck& check, const BodySettings& body) {
   for (std::size_t i = 0; i < body.unbreakable.size(); ++i) {
     const auto* box = std::get_if<RestBox>(&body.unbreakable[i].where);
@@ -106,6 +118,10 @@ void check_together(fields::SettingsCheck& check, const LoadBox& box) {
 }
 
 void check_together(fields::SettingsCheck& check, const BodySettings& body) {
+  if (body.rigid && !body.held.empty()) {
+    check.add("rigid_and_held", "rigid", "is true, but the body is held: a rigid body is free",
+              "leave rigid or held out; what shall move as it is told can be an obstacle");
+  }
   if (body.mesh.tetrahedra.empty()) return;
   check_boxes(check, body.mesh, body.held, "held", "nothing_held");
   check_boxes(check, body.mesh, body.loads, "loads", "nothing_loaded");
@@ -119,6 +135,7 @@ void check_together(fields::SettingsCheck& check, const Scene& scene) {
     check.add("no_body", "bodies", "is empty", "give at least one body");
   }
   check_cohesive(check, scene);
+  check_penalty_obstacles(check, scene);
   check_partial(check, scene);
   constexpr double most_steps = 1e9;
   const double steps = scene.duration / scene.integrator.time_step;

@@ -118,12 +118,10 @@ std::vector<Vec3> points_in(const BodySettings& body, const BodyMeasures& m,
   return points;
 }
 
-std::vector<Vec3> corners_of(const Box& box) {
+std::vector<Vec3> corners_of(const Shape& shape) {
   std::vector<Vec3> corners;
-  for (int i = 0; i < 8; ++i) {
-    const Vec3 sign((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
-    corners.emplace_back(box.center + box.orientation * sign.cwiseProduct(box.half_extent));
-  }
+  const auto count = static_cast<std::uint32_t>(corner_count(shape));
+  for (std::uint32_t k = 0; k < count; ++k) corners.push_back(corner_at(shape, k));
   return corners;
 }
 
@@ -141,11 +139,9 @@ double depth_in(const Shape& shape, const BodySettings& body, const BodyMeasures
     const bool within = TetGrid(body, m).contains(ball->center);
     depth = std::max(depth, ball->radius + (within ? to_surface : -to_surface));
   }
-  if (const auto* box = std::get_if<Box>(&shape)) {
-    std::vector<Vec3> corners = corners_of(*box);
-    std::erase_if(corners, [&](const Vec3& x) { return !m.box.contains(x); });
-    if (!corners.empty()) depth = std::max(depth, deepest_in(TetGrid(body, m), m, corners));
-  }
+  std::vector<Vec3> corners = corners_of(shape);
+  std::erase_if(corners, [&](const Vec3& x) { return !m.box.contains(x); });
+  if (!corners.empty()) depth = std::max(depth, deepest_in(TetGrid(body, m), m, corners));
   return depth;
 }
 

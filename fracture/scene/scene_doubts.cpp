@@ -13,6 +13,7 @@
 #include "fracture/scene/body_measures.hpp"
 #include "fracture/scene/cohesive_settings.hpp"
 #include "fracture/scene/overlaps.hpp"
+#include "mechanics/contact/shapes/obstacle_geometry.hpp"
 
 namespace sunder {
 namespace {
@@ -168,14 +169,13 @@ void look_at_obstacles(const Looked& l) {
                               speed, slowest),
                   "give m/s, or take it slower");
     }
-    const auto* ball = std::get_if<Sphere>(&obstacle.shape);
-    if (ball == nullptr || !obstacle.mass) continue;
-    const double density = *obstacle.mass / (4 * M_PI / 3 * std::pow(ball->radius, 3));
+    if (!obstacle.mass || !has_volume(obstacle.shape)) continue;
+    const double volume = volume_of(obstacle.shape);
+    const double density = *obstacle.mass / volume;
     if (density >= material_ranges[0].low && density <= material_ranges[0].high) continue;
     l.check.add("odd_unit", place + ".mass",
-                fmt::format("is {:.4g} kg in a ball of {:.4g} m radius: {:.4g} kg/m^3, which no "
-                            "solid has",
-                            *obstacle.mass, ball->radius, density),
+                fmt::format("is {:.4g} kg in {:.4g} m^3: {:.4g} kg/m^3, which no solid has",
+                            *obstacle.mass, volume, density),
                 "give kg and m: 1000 kg are a tonne; a steel ball has 33e3 kg times its radius "
                 "cubed");
   }

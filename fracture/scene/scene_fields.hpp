@@ -201,6 +201,10 @@ void describe(V& v, BodySettings& b) {
   v.field(Key{"strength", "", "Strengths other than the material's (docs/strength.md)"},
           b.strength);
   v.field(Key{"unbreakable", "", "Parts whose vertices never split"}, b.unbreakable);
+  v.field(Key{"rigid", "",
+              "Whether the body neither deforms nor breaks: a rigid body, with the inertia of its "
+              "lumped vertices; it cannot be held"},
+          b.rigid);
 }
 
 template <class V>

@@ -12,6 +12,7 @@
 #include "fracture/simulation/part.hpp"
 #include "fracture/simulation/plan.hpp"
 #include "fracture/simulation/rebuild_pieces.hpp"
+#include "fracture/simulation/rubble/rigid_pieces.hpp"
 #include "fracture/simulation/rubble/rubble_tick.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "fracture/ties/release_ties.hpp"
@@ -82,15 +83,18 @@ void add_fracture(StepReport& sum, FractureReport&& part) {
   ++sum.parts;
 }
 
-/// What follows from pieces that are new: their energy, and rows like their ancestors' in the step.
+/// What follows from pieces that are new: their energy, rows like their ancestors' in the step, and
+/// that those declared never to break are rigid.
 void note_pieces(StepReport& report, StepPlan& plan, std::vector<char>& touched,
-                 const RebuildReport& rebuilt, const SimulationState& s) {
+                 const RebuildReport& rebuilt, Simulation& sim) {
+  const SimulationState& s = *sim.state;
   report.energy_released += rebuilt.energy_released;
   report.energy.strain -= rebuilt.strain_released;
   inherit(touched, s.cells.labels);
   inherit(plan.components, s.cells.labels);
   inherit(plan.boundary.component, s.cells.labels);
   inherit(plan.boundary.apart, s.cells.labels);
+  harden_pieces(report, sim);
 }
 
 /// The members of a part but those declared never to break; `rows` keeps them.
@@ -164,7 +168,7 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
       TieRelease released = release_ties(s.cells, s.contact, scene.fracture.detection,
                                          scratch.fracture.components);
       if (released.components.created > 0)
-        note_pieces(report, plan, touched, rebuild_released(s, scratch.mechanics), s);
+        note_pieces(report, plan, touched, rebuild_released(s, scratch.mechanics), sim);
       if (!released.faces.empty()) {
         released.time = s.mechanics.time;
         released.part = report.parts;
@@ -189,7 +193,7 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
     for (const FanEvent& fan : found.fans) report.fan_us.push_back(clock.us(fan.vertex));
     if (!found.not_a_number && !found.fans.empty()) {
       const StageTimer timer(report, Stage::rebuild);
-      note_pieces(report, plan, touched, rebuild_pieces(s, found.fans, scratch.mechanics), s);
+      note_pieces(report, plan, touched, rebuild_pieces(s, found.fans, scratch.mechanics), sim);
       note_fans(plan, scene, s, found.fans);
     }
     add_fracture(report, std::move(found));

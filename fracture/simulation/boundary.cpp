@@ -51,8 +51,8 @@ std::vector<Body> bodies_of(const SimulationState& s, const Boundary& boundary) 
   for (std::size_t k = 0; k < s.obstacles.size(); ++k) {
     if (!s.obstacles[k].mass) continue;
     if (!boundary.ball_apart.empty() && boundary.ball_apart[k]) continue;
-    const Sphere& ball = std::get<Sphere>(s.obstacles[k].shape);
-    bodies.push_back({nullptr, k, ball.center, ball.radius, 0});
+    const Shape& shape = s.obstacles[k].shape;
+    bodies.push_back({nullptr, k, pose_of(shape).centre, radius_of(shape), 0});
   }
   return bodies;
 }

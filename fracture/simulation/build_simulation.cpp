@@ -6,6 +6,7 @@
 #include "fracture/scene/check_scene.hpp"
 #include "fracture/scene/scene_doubts.hpp"
 #include "fracture/simulation/integrator_bounds.hpp"
+#include "fracture/simulation/rubble/rigid_pieces.hpp"
 #include "fracture/simulation/scene_loads.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "fracture/strength/draw_strength.hpp"
@@ -170,6 +171,8 @@ Result<Simulation> build_simulation(Scene scene) {
   const std::vector<ComponentId> living = living_components(sim.state->mechanics);
   rebuild(sim.state->mechanics, sim.state->cells.map.corners(), living, sim.scratch->mechanics);
   for (std::size_t b = 0; b < sim.bodies.size(); ++b) place_body(sim, b);
+  StepReport nothing;
+  harden_pieces(nothing, sim);
   start_display(*sim.state);
   append(result.findings,
          check_integrator_bounds(sim.scene, sim.state->mechanics, sim.scratch->mechanics));

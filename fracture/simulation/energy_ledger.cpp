@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "mechanics/contact/contact_detect.hpp"
+#include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/integrators/coefficients.hpp"
 #include "mechanics/integrators/component_step.hpp"
 #include "mechanics/integrators/numerical_loss.hpp"
@@ -53,7 +54,7 @@ double deformation_loss(const AdoptedPart& part, const Component& component) {
   const StepInput& input = part.input;
   const MechanicsState& m = part.state.mechanics;
   const auto& system = m.systems.present[component.id.index()];
-  const bool deforms_now = deforms(component.rung) && !component.isolated &&
+  const bool deforms_now = deforms(component.rung) && !component.rigid &&
                            deformation_of(input, m, component) != Deformation::frozen;
   if (!deforms_now || !system) return 0;
   const PartStart& before = part.before;
@@ -97,11 +98,27 @@ void add_losses(EnergyLedger& ledger, const AdoptedPart& part) {
   });
 }
 
-/// Way of the point of side B: of a tetrahedron, or of an obstacle that moves as it is told.
-Vec3 way_of_other(const AdoptedPart& part, const ContactPoint& contact) {
-  if (contact.tetrahedron.is_none()) {
-    return part.input.settings.time_step * part.state.obstacles[contact.obstacle].velocity;
+/// Way of an obstacle's matter that is at `place` (m) as the part begins; spheres as if they did not
+/// turn.
+Vec3 way_of_obstacle(const AdoptedPart& part, std::uint32_t row, const Vec3& place) {
+  const Obstacle& obstacle = part.state.obstacles[row];
+  if (!obstacle.mass || is_sphere(obstacle)) {
+    return part.input.settings.time_step * obstacle.velocity;
   }
+  return carried_point(part.before.obstacles[row].shape, obstacle.shape, place) - place;
+}
+
+/// Where side A is as the part begins, m: a ball's centre.
+Vec3 start_of_side_a(const AdoptedPart& part, const ContactPoint& c) {
+  if (c.ball == ContactPoint::none) return part.before.position[c.vertex.index()];
+  const Shape& shape = part.before.obstacles[c.ball].shape;
+  return c.corner == ContactPoint::none ? pose_of(shape).centre : corner_at(shape, c.corner);
+}
+
+/// Way of the point of side B: of a tetrahedron, or of an obstacle.
+Vec3 way_of_other(const AdoptedPart& part, const ContactPoint& contact) {
+  const Vec3 place = start_of_side_a(part, contact);
+  if (contact.tetrahedron.is_none()) return way_of_obstacle(part, contact.obstacle, place);
   const VertexColumns& vertices = part.state.mechanics.vertices;
   Vec3 way = Vec3::Zero();
   const Corners& corners = part.input.corners[contact.tetrahedron.index()];
@@ -111,8 +128,8 @@ Vec3 way_of_other(const AdoptedPart& part, const ContactPoint& contact) {
   }
   const ComponentId id = part.state.mechanics.elements.component[contact.tetrahedron.index()];
   const Component& component = part.state.mechanics.components[id.index()];
-  if (component.isolated) return way;
-  const Vec3 lever = lever_of(contact, corners, part.before.position);
+  if (component.rigid) return way;
+  const Vec3 lever = lever_of(contact, place, corners, part.before.position);
   const Vec3 turned =
       component.orientation * (part.before.orientation[id.index()].conjugate() * lever);
   return way + turned - lever;
@@ -127,7 +144,7 @@ void add_contact_work(EnergyLedger& ledger, const AdoptedPart& part) {
     const Vec3 way =
         is_vertex
             ? Vec3(vertices.position[c.vertex.index()] - part.before.position[c.vertex.index()])
-            : Vec3(h * part.state.obstacles[c.ball].velocity);
+            : way_of_obstacle(part, c.ball, start_of_side_a(part, c));
     const Vec3 force = c.impulse / h;
     if (is_vertex) ledger.contact += force.dot(way);
     if (!c.tetrahedron.is_none()) ledger.contact -= force.dot(other);

@@ -80,7 +80,7 @@ void check_modal(std::vector<Finding>& findings, const MechanicsState& state) {
 double least_step_bound(MechanicsScratch& scratch, const MechanicsState& state) {
   double least = std::numeric_limits<double>::infinity();
   for (const Component& component : state.components) {
-    if (component.tetrahedra.empty() || component.isolated) continue;
+    if (component.tetrahedra.empty() || component.rigid) continue;
     least = std::min(least, component_step_bound(scratch, state, component));
   }
   return least;

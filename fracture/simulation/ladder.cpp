@@ -80,7 +80,7 @@ bool is_left_alone(const SimulationState& s, const std::vector<char>& touched,
 /// of many blows are chaotic, and a millionth of the critical speed was seen in them late.
 bool flies_safely(const SimulationState& s, const Component& component) {
   constexpr double nothing = 1e-7;
-  if (component.supported || component.isolated) return false;
+  if (component.supported || component.rigid) return false;
   const double strength = lowest_strength(s, component);
   return swing(s.mechanics, component, strength) < nothing &&
          flight_stress_bound(s.mechanics, component) < safe_part * strength;
@@ -146,13 +146,16 @@ void keep_awake_with_neighbours(LadderScratch& ladder, const SimulationState& s)
   for (const ContactMemory::Remembered& last : s.contact.last_contacts) {
     const ContactPoint& c = last.contact;
     Sides sides{outside, outside};
-    bool moved = c.ball != ContactPoint::none;
-    if (!moved) sides[0] = s.mechanics.vertices.component[c.vertex.index()].index();
+    const auto moves = [&](std::uint32_t row) {
+      return row != ContactPoint::none &&
+             (s.obstacles[row].mass || !s.obstacles[row].velocity.isZero(0));
+    };
+    const bool moved = moves(c.ball) || moves(c.obstacle);
+    if (c.ball == ContactPoint::none) {
+      sides[0] = s.mechanics.vertices.component[c.vertex.index()].index();
+    }
     if (c.obstacle == ContactPoint::none) {
       sides[1] = s.mechanics.elements.component[c.tetrahedron.index()].index();
-    } else {
-      const Obstacle& obstacle = s.obstacles[c.obstacle];
-      moved = moved || obstacle.mass || !obstacle.velocity.isZero(0);
     }
     for (const std::size_t side : sides) {
       if (moved && side != outside) rested[side] = 0;

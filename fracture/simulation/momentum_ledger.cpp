@@ -86,8 +86,11 @@ void add_loads(MomentumLedger& ledger, const AdoptedPart& part) {
 void add_obstacles(MomentumLedger& ledger, const AdoptedPart& part) {
   for (std::size_t k = 0; k < part.result.contacts.size(); ++k) {
     const ContactPoint& c = part.result.contacts[k];
-    if (c.obstacle == ContactPoint::none || part.state.obstacles[c.obstacle].mass) continue;
-    ledger.obstacles += impulse_of(part.result, k);
+    const auto is_driven = [&](std::uint32_t row) {
+      return row != ContactPoint::none && !part.state.obstacles[row].mass;
+    };
+    if (is_driven(c.obstacle)) ledger.obstacles += impulse_of(part.result, k);
+    if (is_driven(c.ball)) ledger.obstacles -= impulse_of(part.result, k);
   }
 }
 
@@ -97,12 +100,12 @@ void add_weight_of_balls(MomentumLedger& ledger, const AdoptedPart& part) {
     const Obstacle& ball = part.state.obstacles[k];
     if (!ball.mass || !part.input.members.has_ball(k)) continue;
     const Obstacle& before = part.before.obstacles[k];
-    const Vec3 start = std::get<Sphere>(before.shape).center;
+    const Vec3 start = pose_of(before.shape).centre;
     const std::vector<char>& touched = part.result.ball_touched;
     const double old_share = is_struck(touched, k) ? 1 - WaveScheme::theta : 0.5;
     const Vec3 way = is_wave(part) ? Vec3(old_share * h * before.velocity)
                                    : Vec3(moment_of_loads(part, touched, k) *
-                                          (std::get<Sphere>(ball.shape).center - start));
+                                          (pose_of(ball.shape).centre - start));
     ledger.gravity += impulse_at(start + way, h * *ball.mass * part.input.loads.gravity);
   }
 }
@@ -118,8 +121,8 @@ Impulse total_momentum(const SimulationState& state) {
   sum << momentum(state.mechanics.vertices), angular_momentum(state.mechanics.vertices);
   for (const Obstacle& ball : state.obstacles) {
     if (!ball.mass) continue;
-    sum += impulse_at(std::get<Sphere>(ball.shape).center, *ball.mass * ball.velocity);
-    sum.tail<3>() += moment_of_inertia(ball) * ball.spin;
+    sum += impulse_at(pose_of(ball.shape).centre, *ball.mass * ball.velocity);
+    sum.tail<3>() += angular_momentum_of(ball);
   }
   return sum;
 }

@@ -254,7 +254,7 @@ Blows struck_by_cracks(std::vector<ComponentId> components, const Scene& scene,
   Blows cracked;
   for (const ComponentId id : components) {
     const Component& c = m.components[id.index()];
-    if (c.isolated) continue;
+    if (c.rigid) continue;
     cracked.struck.push_back(id);
     cracked.sub_step = std::min(cracked.sub_step, crack_sub_step(scene, m, c));
   }

@@ -80,7 +80,8 @@ struct LadderScratch {
 /// Of ticks of the rubble.
 struct RubbleTickScratch {
   RubbleScratch solver;
-  std::vector<char> declared;     ///< row = ComponentId (`note_declared`)
+  std::vector<char> declared;     ///< row = ComponentId (`note_unbreakable`)
+  std::vector<char> tied;         ///< row = ComponentId: it has ties
   std::vector<double> threshold;  ///< J, row = ComponentId
   std::vector<double> body_mass;  ///< kg, row = body
 };

@@ -36,7 +36,7 @@ struct StepPlan {
   /// |C|, J: below it none of its vertices can break; kept in the scratch, empty: all can.
   std::vector<double>& threshold;
   BreakEnergyScratch& break_energy;
-  /// Row = ComponentId: declared never to break (`note_declared`); rows of pieces born since: not.
+  /// Row = ComponentId: declared never to break (`note_unbreakable`).
   const std::vector<char>& declared;
   ImpactReport impact;
   double blow = 0;                  ///< s, when the first blow falls

@@ -77,6 +77,8 @@ struct RubbleStepReport {
   double deepest = 0;                   ///< m, overlap where patches were found
   std::uint32_t refused = 0;  ///< islands whose certificate failed: they were stepped in full
   std::uint32_t mixed = 0;    ///< islands of rubble and of what is none: stepped in full
+  std::uint32_t solids = 0;   ///< islands near obstacles that are meshes: stepped in full
+  std::uint32_t rigid = 0;    ///< most rigid pieces at once, single tetrahedra left out
   std::uint32_t declared = 0;  ///< most components declared never to break again
   double declared_share = 0;   ///< most of the mass of all bodies in them
 };
@@ -89,6 +91,8 @@ constexpr auto counters_of(const RubbleStepReport*) {
                     Counter{"deepest", &RubbleStepReport::deepest, Adds::most},
                     Counter{"refused", &RubbleStepReport::refused},
                     Counter{"mixed", &RubbleStepReport::mixed},
+                    Counter{"solids", &RubbleStepReport::solids},
+                    Counter{"most_rigid", &RubbleStepReport::rigid, Adds::most},
                     Counter{"declared", &RubbleStepReport::declared, Adds::most},
                     Counter{"declared_share", &RubbleStepReport::declared_share, Adds::most}};
 }

@@ -133,6 +133,8 @@ struct BodySettings {
   std::vector<CutSettings> cuts;
   StrengthSettings strength;
   std::vector<UnbreakablePart> unbreakable;
+  /// Neither deforms nor breaks: a rigid body with the inertia of its lumped vertices.
+  bool rigid = false;
 };
 
 /// Rows of one body of the scene: its tetrahedra and the points of its mesh are consecutive.

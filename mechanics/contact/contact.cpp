@@ -43,14 +43,16 @@ namespace {
 
 void predict_balls(ContactStep& step) {
   const std::vector<Obstacle>& obstacles = step.pass.obstacles;
-  step.scratch.ball_end.resize(obstacles.size(), Vec3::Zero());
+  step.scratch.ball_end.resize(obstacles.size());
   if (step.is_wave()) return predict_wave_balls(step);
   const double h = step.h();
   for (std::size_t k = 0; k < obstacles.size(); ++k) {
     if (!obstacles[k].mass) continue;
     Vec3 motion = h * obstacles[k].velocity;
     if (!step.scratch.blows.ball_touched[k]) motion += 0.5 * h * h * step.pass.input.loads.gravity;
-    step.scratch.ball_end[k] = std::get<Sphere>(obstacles[k].shape).center + motion;
+    const Obstacle& free = obstacles[k];
+    step.scratch.ball_end[k] = {pose_of(free.shape).centre + motion,
+                                turned_obstacle(free, angular_momentum_of(free), h)};
   }
 }
 
@@ -76,7 +78,8 @@ double measure_rows(ContactStep& step) {
     row.slip = path.end - path.start + relative_shift(step, contact);
     for (std::uint32_t e = 0; e < row.end_count; ++e) {
       const std::uint32_t ball = step.scratch.bodies.ball[row.ends[e].body];
-      if (ball == ContactBodies::none) continue;
+      // Ways of what is no sphere have their turns in them.
+      if (ball == ContactBodies::none || !is_sphere(step.pass.obstacles[ball])) continue;
       row.slip +=
           step.h() * row.ends[e].weight * step.pass.obstacles[ball].spin.cross(row.ends[e].arm);
     }
@@ -173,7 +176,9 @@ void move_obstacles(ContactStep& step) {
     if (!obstacle.mass) {
       translate(obstacle.shape, step.h() * obstacle.velocity);
     } else if (step.pass.input.members.has_ball(k) && !step.is_wave()) {
-      std::get<Sphere>(obstacle.shape).center = step.scratch.ball_end[k];
+      const Vec3 momentum = angular_momentum_of(obstacle);
+      put(obstacle.shape, step.scratch.ball_end[k]);
+      if (!is_sphere(obstacle)) obstacle.spin = spin_of(obstacle, momentum);
       if (!step.scratch.blows.ball_touched[k]) obstacle.velocity += fall;
     }
   }
@@ -236,6 +241,7 @@ void begin_step(ContactStep& step) {
   scratch.blows.component_touched.assign(state.components.size(), 0);
   scratch.blows.ball_touched.assign(balls, 0);
   scratch.blows.component_twist.assign(state.components.size(), Vec3::Zero());
+  scratch.blows.component_push.assign(state.components.size(), Vec3::Zero());
   scratch.blows.vertex_impulse.assign(state.vertices.size(), Vec3::Zero());
   scratch.blows.ball_impulse.assign(balls, Vec3::Zero());
   scratch.blows.ball_twist.assign(balls, Vec3::Zero());

@@ -19,14 +19,15 @@
 
 namespace sunder {
 
-/// One unilateral contact with friction. Side A is a vertex or a ball; side B an obstacle (driven
-/// or a ball), a face of a tetrahedron (its ball for `penalty`), or the vertex of it that was one
-/// with A before a crack (`Partner`). What B gets acts at the place of A, so that no angular
+/// One unilateral contact with friction. Side A is a vertex, a free sphere, or a corner of another
+/// obstacle; side B an obstacle, a face of a tetrahedron (its ball for `penalty`), or the vertex of
+/// it that was one with A before a crack (`Partner`). What B gets acts at the place of A, so that no angular
 /// momentum is lost, and is shared among the corners by `weights`.
 struct ContactPoint {
   static constexpr std::uint32_t none = 0xffffffffu;
   VertexId vertex;                ///< A, or
-  std::uint32_t ball = none;      ///< A: row of a free sphere
+  std::uint32_t ball = none;      ///< A: row of a free sphere, or of an obstacle with corners,
+  std::uint32_t corner = none;    ///< and which of them (`corners_of`)
   TetId tetrahedron;              ///< B, or
   std::uint32_t obstacle = none;  ///< B: row of an obstacle
   /// Of partners: the lowest crack face of A's side that the contact stands for; none() otherwise.
@@ -36,7 +37,8 @@ struct ContactPoint {
   std::array<double, 4> weights = {0.25, 0.25, 0.25, 0.25};
   Vec3 normal{0, 0, 1};  ///< from B to A
   /// gap = normal . (point A - reference of B) + offset, m; the reference of B is its point of
-  /// `weights`, the centre of a free ball, or how far a driven obstacle has moved in the step.
+  /// `weights`, or how a driven obstacle has moved in the step; a free one is the frame itself, as
+  /// it is turned at the start.
   double offset = 0;
   double gap_start = 0;  ///< m, negative: overlapped already
   double friction = 0;

@@ -2,6 +2,7 @@
 // The way of contact impulses into frames, deformations and balls.
 #include "mechanics/contact/contact_bodies.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
+#include "mechanics/integrators/rigid_motion.hpp"
 #include "topology/base/assert.hpp"
 
 namespace sunder {
@@ -49,7 +50,7 @@ void strike_component(StepBlows& blows, Component& component, const ContactEnd& 
     apply_twist(pass.state, component.id, end.lever.cross(impulse));
     return;
   }
-  if (!component.isolated) blows.vertex_impulse[end.vertex.index()] += impulse;
+  if (!component.rigid) blows.vertex_impulse[end.vertex.index()] += impulse;
   if (component.supported) return;
   component.momentum += impulse;
   component.angular_momentum += end.arm.cross(impulse);
@@ -88,7 +89,13 @@ void deforming_forces(std::vector<Vec3>& force, const StepBlows& blows, const Co
 
 void strike_ball(Obstacle& ball, const Vec3& impulse, const Vec3& arm) {
   ball.velocity += impulse / *ball.mass;
-  ball.spin += arm.cross(impulse) / moment_of_inertia(ball);
+  ball.spin += spin_of(ball, arm.cross(impulse));
+}
+
+Eigen::Quaterniond turned_obstacle(const Obstacle& free, const Vec3& end, double h) {
+  const Eigen::Quaterniond R = pose_of(free.shape).orientation;
+  if (std::holds_alternative<Sphere>(free.shape)) return R;
+  return turn_through_step(R, {own_inertia(free), Vec3::Zero(), angular_momentum_of(free), end, h});
 }
 
 void apply_changes(StepBlows& blows, const ContactBodies& bodies, std::span<const Vec3> change,
@@ -127,7 +134,7 @@ void predict_touched(StepBlows& blows, const ContactPass& pass) {
     const bool split = takes_split_blow(pass, component);
     if (split && !component.supported) {
       free.push_back(component.id);
-      if (component.isolated || component.rung == Rung::carried) {
+      if (component.rigid || component.rung == Rung::carried) {
         for (VertexId v : component.vertices) force[v.index()].setZero();
         continue;
       }

@@ -15,7 +15,8 @@
 namespace sunder {
 namespace {
 
-const Sphere& sphere_of(const Obstacle& ball) { return std::get<Sphere>(ball.shape); }
+/// m: the mass centre of a free obstacle.
+Vec3 centre_of(const Obstacle& free) { return pose_of(free.shape).centre; }
 
 /// What A^-1 of a part of a step is multiplied by in the response to a unit impulse that is spread
 /// over the part as a force: displacement beta h^2 over the part's length, or velocity in a wave.
@@ -50,7 +51,7 @@ FreeSlots free_slots(const ContactPass& pass, std::span<const VertexId> slots) {
 
 /// Whether the body responds by deforming, in floating_frame or modal.
 bool responds_elastically(const ContactPass& pass, const Component& component) {
-  return takes_split_blow(pass, component) && !component.isolated &&
+  return takes_split_blow(pass, component) && !component.rigid &&
          component.rung != Rung::carried &&
          (component.partly_held || pass.input.part.deformation != Deformation::frozen);
 }
@@ -128,7 +129,7 @@ RespondingBody responding_component(const ContactPass& pass, const Component& co
 RespondingBody lumped_component(const ContactPass& pass, const Component& component,
                                 std::span<const VertexId> slots) {
   RespondingBody body;
-  if (component.isolated || component.rung == Rung::carried) {
+  if (component.rigid || component.rung == Rung::carried) {
     if (component.supported) return body;
     body.inverse_mass = 1 / component.mass;
     body.inverse_inertia = world_inertia(pass.state, component).inverse();
@@ -156,7 +157,7 @@ RespondingBody lumped_component(const ContactPass& pass, const Component& compon
 RespondingBody responding_ball(const Obstacle& ball) {
   RespondingBody body;
   body.inverse_mass = 1 / *ball.mass;
-  body.inverse_inertia = Mat3::Identity() / moment_of_inertia(ball);
+  body.inverse_inertia = inverse_inertia(ball);
   return body;
 }
 
@@ -242,7 +243,7 @@ void add_tetrahedron_ends(ContactRow& row, const ContactPoint& contact, const Ve
   const ComponentId id = pass.state.elements.component[contact.tetrahedron.index()];
   const Component& component = pass.state.components[id.index()];
   const Vec3 arm = place - component.centre;
-  if (component.isolated) {
+  if (component.rigid) {
     add_end(row,
             {.body = bodies.body_of_component[id.index()], .weight = -1, .arm = arm, .lever = arm});
     return;
@@ -264,8 +265,11 @@ ContactRow row_of(const ContactPoint& contact, const ContactBodies& bodies,
   row.impulse = contact.impulse;
   if (contact.ball == ContactPoint::none) {
     add_end(row, vertex_end(bodies, pass, contact.vertex, 1));
-  } else {
-    const Vec3 arm = -sphere_of(pass.obstacles[contact.ball]).radius * contact.normal;
+  } else if (pass.obstacles[contact.ball].mass) {
+    const Obstacle& ball = pass.obstacles[contact.ball];
+    const Vec3 arm = contact.corner == ContactPoint::none
+                         ? Vec3(-radius_of(ball.shape) * contact.normal)
+                         : Vec3(corner_at(ball.shape, contact.corner) - centre_of(ball));
     add_end(row,
             {bodies.body_of_ball[contact.ball], ContactEnd::no_slot, 1, arm, Vec3::Zero(), {}});
   }
@@ -275,7 +279,7 @@ ContactRow row_of(const ContactPoint& contact, const ContactBodies& bodies,
   } else if (pass.obstacles[contact.obstacle].mass) {
     // From the ball's centre to where side A is, not to its surface: both sides then feel the same
     // line of action, and angular momentum is conserved exactly.
-    const Vec3 arm = place - sphere_of(pass.obstacles[contact.obstacle]).center;
+    const Vec3 arm = place - centre_of(pass.obstacles[contact.obstacle]);
     add_end(
         row,
         {bodies.body_of_ball[contact.obstacle], ContactEnd::no_slot, -1, arm, Vec3::Zero(), {}});
@@ -315,15 +319,16 @@ void gather(ContactBodies& bodies, std::span<const ContactPoint> contacts, const
 }  // namespace
 
 bool takes_split_blow(const ContactPass& pass, const Component& component) {
-  return component.isolated || is_floating(pass.input.settings.integrator);
+  return component.rigid || is_floating(pass.input.settings.integrator);
 }
 
 Vec3 place_of_side_a(const ContactPass& pass, const ContactPoint& contact) {
   if (contact.ball == ContactPoint::none) {
     return pass.state.vertices.position[contact.vertex.index()];
   }
-  const Sphere& ball = sphere_of(pass.obstacles[contact.ball]);
-  return ball.center - ball.radius * contact.normal;
+  const Shape& ball = pass.obstacles[contact.ball].shape;
+  if (contact.corner != ContactPoint::none) return corner_at(ball, contact.corner);
+  return pose_of(ball).centre - radius_of(ball) * contact.normal;
 }
 
 Vec3 way_of_impulse(const ContactPass& pass, const ContactPoint& contact) {

@@ -30,6 +30,8 @@ struct StepBlows {
   /// Row = ComponentId, N m s, of waves only: what the moment of the contacts exceeds that of the
   /// vertices by that they act on.
   std::vector<Vec3> component_twist;
+  /// Row = ComponentId, N s, of waves only: what larger rigid pieces get at their mass centres.
+  std::vector<Vec3> component_push;
   std::vector<Vec3> ball_impulse;       ///< N s, of waves only, like the next
   std::vector<Vec3> ball_twist;         ///< N m s, about the ball's centre
   Loads without_gravity, with_gravity;  ///< `force` is filled by `predict_touched`
@@ -47,7 +49,7 @@ struct ContactPass {
 /// isolated tetrahedra. Other integrators take it as a jump of velocities at the start.
 bool takes_split_blow(const ContactPass& pass, const Component& component);
 
-/// m: a contact's vertex, or the point of its ball, in the state as it is.
+/// m: a contact's vertex, the point of its ball, or the corner, in the state as it is.
 Vec3 place_of_side_a(const ContactPass& pass, const ContactPoint& contact);
 
 /// m: from where side A of a contact is at the start to where its impulse acts; 0 but in a wave.
@@ -77,8 +79,12 @@ void gather_rows(ContactBodies& bodies, std::span<const ContactPoint> contacts,
 void apply_changes(StepBlows& blows, const ContactBodies& bodies, std::span<const Vec3> change,
                    const ContactPass& pass);
 
-/// Gives a free sphere an impulse (N s) at `arm` (m) from its centre.
+/// Gives a free obstacle an impulse (N s) at `arm` (m) from its mass centre.
 void strike_ball(Obstacle& ball, const Vec3& impulse, const Vec3& arm);
+
+/// How a free obstacle is turned after `h` s in which its angular momentum goes from what it is to
+/// `end` (`turn_through_step`). A sphere is not followed.
+Eigen::Quaterniond turned_obstacle(const Obstacle& free, const Vec3& end, double h);
 
 /// Predicts every touched component anew, with what it has got so far.
 void predict_touched(StepBlows& blows, const ContactPass& pass);

@@ -41,6 +41,11 @@ Vec3 coming_velocity(const Bounce& bounce, const ContactEnd& end) {
     return ball.velocity + ball.spin.cross(end.arm);
   }
   const VertexColumns& vertices = bounce.pass.state.vertices;
+  if (end.vertex.is_none() && !is_isolated(bounce.component_of(end))) {
+    const Component& c = bounce.component_of(end);
+    const Vec3 spin = bounce.bodies.bodies[end.body].inverse_inertia * c.angular_momentum;
+    return c.momentum / c.mass + spin.cross(end.lever);
+  }
   if (end.vertex.is_none()) {
     Vec3 mean = Vec3::Zero();
     for (VertexId v : bounce.component_of(end).vertices) {
@@ -64,7 +69,7 @@ void spend_acceleration(const Bounce& bounce, const ContactRow& row) {
   VertexColumns& vertices = bounce.pass.state.vertices;
   for (std::uint32_t e = 0; e < row.end_count; ++e) {
     const ContactEnd& end = row.ends[e];
-    if (bounce.is_ball(end) || bounce.component_of(end).isolated) continue;
+    if (bounce.is_ball(end) || bounce.component_of(end).rigid) continue;
     const std::size_t v = end.vertex.index();
     const Vec3 n = bounce.component_of(end).orientation.conjugate() * row.normal;
     const Vec3 along = free_part(bounce.pass.state, end.vertex,
@@ -119,10 +124,12 @@ double set_rows(const Bounce& bounce, std::span<const ContactPoint> contacts) {
     for (std::uint32_t e = 0; e < row.end_count; ++e) {
       parting += row.ends[e].weight * coming_velocity(bounce, row.ends[e]);
     }
-    const std::uint32_t obstacle = contacts[k].obstacle;
-    if (obstacle != ContactPoint::none && !bounce.pass.obstacles[obstacle].mass) {
-      parting -= bounce.pass.obstacles[obstacle].velocity;
-    }
+    const auto driven = [&](std::uint32_t obstacle) -> Vec3 {
+      const bool is_driven =
+          obstacle != ContactPoint::none && !bounce.pass.obstacles[obstacle].mass;
+      return is_driven ? bounce.pass.obstacles[obstacle].velocity : Vec3::Zero();
+    };
+    parting += driven(contacts[k].ball) - driven(contacts[k].obstacle);
     row.gap = row.normal.dot(parting);
     row.least = -std::max(0.0, row.normal.dot(contacts[k].impulse));
     row.most = 0;
@@ -148,12 +155,13 @@ void take_back_bounce(std::span<ContactPoint> contacts, ContactBodies& bodies,
     if (!row.impulse.isZero(0)) spend_acceleration(bounce, row);
   }
   for (const ComponentId id : bodies.component) {
-    if (!id.is_none() && !pass.state.components[id.index()].isolated) {
+    if (!id.is_none() && !pass.state.components[id.index()].rigid) {
       settle_rates(pass.state, pass.state.components[id.index()]);
     }
   }
   std::vector<VertexImpulse> hits;
   std::vector<Vec3> twist(bodies.bodies.size(), Vec3::Zero());
+  std::vector<Vec3> push(bodies.bodies.size(), Vec3::Zero());
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const ContactRow& row = bodies.rows[k];
     contacts[k].impulse += row.impulse;
@@ -165,7 +173,9 @@ void take_back_bounce(std::span<ContactPoint> contacts, ContactBodies& bodies,
         const ContactEnd& end = row.ends[e];
         const Component& component = bounce.component_of(end);
         twist[end.body] += end.lever.cross(impulse);
-        if (end.vertex.is_none()) {
+        if (end.vertex.is_none() && !is_isolated(component)) {
+          push[end.body] += impulse;
+        } else if (end.vertex.is_none()) {
           for (VertexId v : component.vertices) hits.push_back({v, 0.25 * impulse});
         } else {
           hits.push_back({end.vertex, impulse});
@@ -175,7 +185,9 @@ void take_back_bounce(std::span<ContactPoint> contacts, ContactBodies& bodies,
   }
   apply_impulses(pass.state, hits);
   for (std::size_t b = 0; b < twist.size(); ++b) {
-    if (!bodies.component[b].is_none()) apply_twist(pass.state, bodies.component[b], twist[b]);
+    if (bodies.component[b].is_none()) continue;
+    apply_push(pass.state, bodies.component[b], push[b]);
+    apply_twist(pass.state, bodies.component[b], twist[b]);
   }
 }
 

@@ -15,13 +15,12 @@
 namespace sunder {
 namespace {
 
-Vec3 ball_centre(const Obstacle& ball) { return std::get<Sphere>(ball.shape).center; }
-double ball_radius(const Obstacle& ball) { return std::get<Sphere>(ball.shape).radius; }
-
-/// The obstacle's shape about its own reference: balls about their centre, the rest as it stands.
+/// The obstacle's shape about its own reference: free ones about their mass centre, turned as they
+/// are at the start; the rest as it stands.
 Shape shape_about_reference(const Obstacle& obstacle) {
-  if (!obstacle.mass) return obstacle.shape;
-  return Sphere{Vec3::Zero(), ball_radius(obstacle)};
+  Shape shape = obstacle.shape;
+  if (obstacle.mass) put(shape, {Vec3::Zero(), pose_of(shape).orientation});
+  return shape;
 }
 
 /// Whether a path ends nearer to the plane that it meets than it is long.
@@ -61,20 +60,81 @@ void find_vertex_obstacle(DetectScratch& scratch, const StepPaths& paths, std::u
   }
 }
 
+/// Where side A of a contact is at the end, m: the centre of a ball.
+Vec3 end_of_side_a(const ContactPoint& contact, const StepPaths& paths) {
+  if (contact.ball == ContactPoint::none) return paths.predicted[contact.vertex.index()];
+  const Obstacle& obstacle = paths.obstacles[contact.ball];
+  const Pose& end = paths.ball_end[contact.ball];
+  if (contact.corner == ContactPoint::none) return end.centre;
+  const Vec3 corner = corner_at(obstacle.shape, contact.corner);
+  if (!obstacle.mass) return corner + paths.time_step * obstacle.velocity;
+  const Pose start = pose_of(obstacle.shape);
+  return end.centre +
+         end.orientation * (start.orientation.conjugate() * (corner - start.centre));
+}
+
+/// Adds a contact of side A, told by `contact`, with another obstacle.
+void find_between_obstacles(DetectScratch& scratch, const StepPaths& paths, ContactPoint contact,
+                            const Shape& about_reference, double radius) {
+  const ContactPath path = path_of(contact, paths);
+  add_if_near(scratch, contact, about_reference, {path.start, path.end, radius});
+}
+
+/// Free obstacles against all others: balls by themselves, the rest by corners, those of both.
 void find_balls(DetectScratch& scratch, const StepPaths& paths) {
-  for (std::uint32_t a = 0; a < paths.obstacles.size(); ++a) {
-    const Obstacle& ball = paths.obstacles[a];
-    if (!ball.mass || !paths.members.has_ball(a)) continue;
-    for (std::uint32_t b = 0; b < paths.obstacles.size(); ++b) {
+  const auto rows = static_cast<std::uint32_t>(paths.obstacles.size());
+  const auto moves = [&](std::uint32_t row) {
+    return !paths.obstacles[row].mass || paths.members.has_ball(row);
+  };
+  for (std::uint32_t a = 0; a < rows; ++a) {
+    const Obstacle& one = paths.obstacles[a];
+    if (!moves(a)) continue;
+    const bool is_ball = one.mass && is_sphere(one);
+    if (!is_ball && corner_count(one.shape) == 0) continue;
+    for (std::uint32_t b = 0; b < rows; ++b) {
       const Obstacle& other = paths.obstacles[b];
-      if (a == b || (other.mass && (b < a || !paths.members.has_ball(b)))) continue;
+      if (a == b || !moves(b) || (!one.mass && !other.mass)) continue;
+      // Of two balls the first is side A.
+      if (is_ball && other.mass && is_sphere(other) && b < a) continue;
       ContactPoint contact;
       contact.ball = a;
       contact.obstacle = b;
-      contact.friction = 0.5 * (ball.friction + other.friction);
-      const ContactPath path = path_of(contact, paths);
-      add_if_near(scratch, contact, shape_about_reference(other),
-                  {path.start, path.end, ball_radius(ball)});
+      contact.friction = 0.5 * (one.friction + other.friction);
+      const Shape shape = shape_about_reference(other);
+      if (is_ball) {
+        find_between_obstacles(scratch, paths, contact, shape, radius_of(one.shape));
+        continue;
+      }
+      for (contact.corner = 0; contact.corner < corner_count(one.shape); ++contact.corner) {
+        find_between_obstacles(scratch, paths, contact, shape, 0);
+      }
+    }
+  }
+}
+
+/// Corners of obstacles on their ways, those that come into the box of all pieces on theirs.
+void find_corners(std::vector<CornerPath>& corners, const StepPaths& paths) {
+  corners.clear();
+  const auto has_corners = [](const Obstacle& o) { return corner_count(o.shape) > 0; };
+  if (std::ranges::none_of(paths.obstacles, has_corners)) return;
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (std::size_t v = 0; v < paths.predicted.size(); ++v) {
+    if (!paths.members.has(paths.state.vertices.component[v])) continue;
+    const Vec3 &start = paths.state.vertices.position[v], &end = paths.predicted[v];
+    low = low.cwiseMin(start).cwiseMin(end);
+    high = high.cwiseMax(start).cwiseMax(end);
+  }
+  for (std::uint32_t row = 0; row < paths.obstacles.size(); ++row) {
+    const Obstacle& obstacle = paths.obstacles[row];
+    if (obstacle.mass && !paths.members.has_ball(row)) continue;
+    ContactPoint contact;
+    contact.ball = row;
+    for (contact.corner = 0; contact.corner < corner_count(obstacle.shape); ++contact.corner) {
+      const CornerPath path{row, contact.corner, start_of_side_a(contact, paths),
+                            end_of_side_a(contact, paths)};
+      const Vec3 least = path.start.cwiseMin(path.end), most = path.start.cwiseMax(path.end);
+      const bool meets = (least.array() <= high.array()).all() && (most.array() >= low.array()).all();
+      if (meets) corners.push_back(path);
     }
   }
 }
@@ -87,11 +147,14 @@ bool several_components(const StepPaths& paths) {
 /// Velocity of side A against side B at the start, m/s.
 Vec3 relative_velocity(const ContactPoint& contact, const StepPaths& paths) {
   const std::vector<Vec3>& velocity = paths.state.vertices.velocity;
-  Vec3 sum = contact.ball == ContactPoint::none ? velocity[contact.vertex.index()]
-                                                : paths.obstacles[contact.ball].velocity;
-  if (contact.obstacle != ContactPoint::none) {
-    return sum - paths.obstacles[contact.obstacle].velocity;
-  }
+  const Vec3 place = start_of_side_a(contact, paths);
+  const auto velocity_of = [&](std::uint32_t row) -> Vec3 {
+    const Obstacle& o = paths.obstacles[row];
+    return is_sphere(o) ? o.velocity : surface_velocity(o, place);
+  };
+  const Vec3 sum = contact.ball == ContactPoint::none ? velocity[contact.vertex.index()]
+                                                      : velocity_of(contact.ball);
+  if (contact.obstacle != ContactPoint::none) return sum - velocity_of(contact.obstacle);
   return sum - weighted_sum(paths.corners[contact.tetrahedron.index()], contact.weights, velocity);
 }
 
@@ -133,15 +196,26 @@ void measure_balls(DetectScratch& scratch, const StepPaths& paths, double share)
 /// contact.hpp.
 void pair_up(DetectScratch& scratch, const StepPaths& paths) {
   const std::vector<Vec3>& start = paths.state.vertices.position;
-  const std::size_t points = start.size();
+  const std::size_t points = start.size(), all = points + paths.corner.size();
   Vec3 mean = Vec3::Zero();
   for (std::size_t v = 0; v < points; ++v) mean += paths.predicted[v] - start[v];
   mean /= static_cast<double>(std::max<std::size_t>(points, 1));
   double largest = 0;
-  scratch.point_middle.resize(points);
+  scratch.point_middle.resize(all);
   for (std::size_t v = 0; v < points; ++v) {
     largest = std::max(largest, (paths.predicted[v] - start[v] - mean).norm());
     scratch.point_middle[v] = 0.5 * (start[v] + paths.predicted[v]);
+  }
+  std::span<const ComponentId> component = paths.state.vertices.component;
+  if (!paths.corner.empty()) {
+    scratch.point_component.assign(component.begin(), component.end());
+    scratch.point_component.resize(all, ComponentId::none());
+    component = scratch.point_component;
+  }
+  for (std::size_t k = 0; k < paths.corner.size(); ++k) {
+    const CornerPath& path = paths.corner[k];
+    largest = std::max(largest, (path.end - path.start - mean).norm());
+    scratch.point_middle[points + k] = 0.5 * (path.start + path.end);
   }
   const std::size_t count = paths.corners.size();
   scratch.reach.resize(count);
@@ -153,16 +227,16 @@ void pair_up(DetectScratch& scratch, const StepPaths& paths) {
     scratch.reach[t] = scratch.radius[t] + 0.5 * std::min(motion, 2 * scratch.radius[t]);
   }
   find_sphere_pairs(scratch.pairs, scratch.grid, scratch.cache,
-                    {scratch.point_middle, paths.state.vertices.component, scratch.centre_middle,
+                    {scratch.point_middle, component, scratch.centre_middle,
                      scratch.reach, paths.state.elements.component});
 }
 
 std::array<double, 4> weights_on(const ContactPoint& contact, const std::array<double, 4>& touched,
                                  const StepPaths& paths) {
   const ComponentId id = paths.state.elements.component[contact.tetrahedron.index()];
-  if (!paths.state.components[id.index()].isolated) return touched;
+  if (!paths.state.components[id.index()].rigid) return touched;
   return affine_weights(places_of(paths.corners[contact.tetrahedron.index()], paths),
-                        paths.state.vertices.position[contact.vertex.index()]);
+                        start_of_side_a(contact, paths));
 }
 
 Vec3 weighted_sum(const Corners& corners, const std::array<double, 4>& weights,
@@ -172,24 +246,34 @@ Vec3 weighted_sum(const Corners& corners, const std::array<double, 4>& weights,
   return sum;
 }
 
-Vec3 lever_of(const ContactPoint& contact, const Corners& corners, std::span<const Vec3> start) {
-  return start[contact.vertex.index()] - weighted_sum(corners, contact.weights, start);
+Vec3 start_of_side_a(const ContactPoint& contact, const StepPaths& paths) {
+  if (contact.ball == ContactPoint::none) {
+    return paths.state.vertices.position[contact.vertex.index()];
+  }
+  const Shape& shape = paths.obstacles[contact.ball].shape;
+  return contact.corner == ContactPoint::none ? pose_of(shape).centre
+                                              : corner_at(shape, contact.corner);
+}
+
+Vec3 lever_of(const ContactPoint& contact, const Vec3& place, const Corners& corners,
+              std::span<const Vec3> start) {
+  return place - weighted_sum(corners, contact.weights, start);
 }
 
 ContactPath path_of(const ContactPoint& contact, const StepPaths& paths) {
   ContactPath path;
-  if (contact.ball != ContactPoint::none) {
-    path = {ball_centre(paths.obstacles[contact.ball]), paths.ball_end[contact.ball]};
-  } else {
-    path = {paths.state.vertices.position[contact.vertex.index()],
-            paths.predicted[contact.vertex.index()]};
-  }
+  path.start = start_of_side_a(contact, paths);
+  path.end = end_of_side_a(contact, paths);
   path.size = path.start.norm() + path.end.norm();
   if (contact.obstacle != ContactPoint::none) {
     const Obstacle& obstacle = paths.obstacles[contact.obstacle];
     if (obstacle.mass) {
-      path.start -= ball_centre(obstacle);
-      path.end -= paths.ball_end[contact.obstacle];
+      const Pose start = pose_of(obstacle.shape), &end = paths.ball_end[contact.obstacle];
+      path.start -= start.centre;
+      path.end -= end.centre;
+      if (!is_sphere(obstacle)) {
+        path.end = start.orientation * (end.orientation.conjugate() * path.end);
+      }
     } else {
       path.end -= paths.time_step * obstacle.velocity;
     }
@@ -197,9 +281,9 @@ ContactPath path_of(const ContactPoint& contact, const StepPaths& paths) {
     const Corners& corners = paths.corners[contact.tetrahedron.index()];
     const ComponentId id = paths.state.elements.component[contact.tetrahedron.index()];
     const Component& component = paths.state.components[id.index()];
-    const Vec3 lever = lever_of(contact, corners, paths.state.vertices.position);
+    const Vec3 lever = lever_of(contact, path.start, corners, paths.state.vertices.position);
     path.end -= weighted_sum(corners, contact.weights, paths.predicted);
-    path.end -= component.isolated ? lever
+    path.end -= component.rigid ? lever
                                    : paths.frame[id.index()].orientation *
                                          (component.orientation.conjugate() * lever);
     path.start.setZero();
@@ -232,12 +316,16 @@ void find_contacts(DetectScratch& scratch, const ContactMemory& memory, const St
     find_vertex_obstacle(scratch, paths, row, settings.friction);
   }
   find_balls(scratch, paths);
-  if (!settings.between_pieces) return;
-  find_between_partners(scratch, memory, paths, settings);
-  if (several_components(paths)) {
-    measure_balls(scratch, paths, 1);
-    find_between_pieces(scratch, paths, settings);
+  if (settings.between_pieces) find_between_partners(scratch, memory, paths, settings);
+  StepPaths with_corners = paths;
+  if (!paths.neighbours.empty()) {
+    find_corners(scratch.corner, paths);
+    with_corners.corner = scratch.corner;
   }
+  const bool among_pieces = settings.between_pieces && several_components(paths);
+  if (!among_pieces && with_corners.corner.empty()) return;
+  measure_balls(scratch, paths, 1);
+  find_between_pieces(scratch, with_corners, settings, among_pieces);
 }
 
 }  // namespace sunder

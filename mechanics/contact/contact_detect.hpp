@@ -9,8 +9,15 @@
 #include "mechanics/contact/contact.hpp"
 #include "mechanics/contact/shapes/contact_pairs.hpp"
 #include "mechanics/contact/shapes/piece_surface.hpp"
+#include "mechanics/state/pose.hpp"
 
 namespace sunder {
+
+/// A corner of an obstacle on its way.
+struct CornerPath {
+  std::uint32_t obstacle = 0, corner = 0;
+  Vec3 start{0, 0, 0}, end{0, 0, 0};  ///< m
+};
 
 /// Buffers of detection, kept from step to step.
 struct DetectScratch {
@@ -21,7 +28,9 @@ struct DetectScratch {
   std::vector<Vec3> centre_start, centre_middle;
   std::vector<double> radius, reach;
   double ball_share = 0;           ///< what `radius` was measured with
-  std::vector<Vec3> point_middle;  ///< |V|
+  std::vector<Vec3> point_middle;  ///< |V|, and corners of obstacles
+  std::vector<ComponentId> point_component;  ///< of both; empty where there are no corners
+  std::vector<CornerPath> corner;
   PieceSurface surface;
   std::vector<std::pair<VertexId, VertexId>> facing;  ///< of partners, both ways, sorted
   std::vector<ContactPoint> found;
@@ -29,22 +38,30 @@ struct DetectScratch {
   std::vector<std::uint32_t> order, taken;
 };
 
-/// What detection looks at.
+/// What detection looks at. Corners of obstacles are numbered on as vertices behind those of bodies.
 struct StepPaths {
   const MechanicsState& state;
   std::span<const Corners> corners;
   std::span<const Vec3> predicted;        ///< |V|: end of the step, m
   std::span<const PredictedFrame> frame;  ///< row = ComponentId: there too
   std::span<const Obstacle> obstacles;
-  std::span<const Vec3> ball_end;  ///< row = obstacle: centre of a free sphere at the end
+  std::span<const Pose> ball_end;  ///< row = obstacle: of a free one's mass centre at the end
   double time_step;
   StepMembers members = {};                                    ///< only they meet
   std::span<const std::array<HalfFaceId, 4>> neighbours = {};  ///< `StepInput::neighbours`
+  std::span<const CornerPath> corner = {};  ///< that come near pieces
 
-  const Vec3& at_start(VertexId v) const { return state.vertices.position[v.index()]; }
+  bool is_corner(VertexId v) const { return v.index() >= predicted.size(); }
+  const CornerPath& corner_of(VertexId v) const { return corner[v.index() - predicted.size()]; }
+  const Vec3& at_start(VertexId v) const {
+    return is_corner(v) ? corner_of(v).start : state.vertices.position[v.index()];
+  }
+  const Vec3& at_end(VertexId v) const {
+    return is_corner(v) ? corner_of(v).end : predicted[v.index()];
+  }
   /// Where a vertex is when it has gone a part of its way, on a straight line, m.
   Vec3 at(VertexId v, double part) const {
-    return (1 - part) * state.vertices.position[v.index()] + part * predicted[v.index()];
+    return (1 - part) * at_start(v) + part * at_end(v);
   }
 };
 
@@ -57,7 +74,7 @@ std::array<Vec3, 4> places_of(const Corners& corners, const StepPaths& paths);
 /// Centres of the tetrahedra at the start, and their balls: `share` of the bounding balls at rest.
 void measure_balls(DetectScratch& scratch, const StepPaths& paths, double share);
 
-/// Every vertex whose path comes within a tetrahedron's ball of its centre's, into `scratch.pairs`.
+/// Every vertex, and corner of `paths`, whose path comes within a tetrahedron's ball of its centre's, into `scratch.pairs`.
 /// Needs: `measure_balls`.
 void pair_up(DetectScratch& scratch, const StepPaths& paths);
 
@@ -70,9 +87,13 @@ std::array<double, 4> weights_on(const ContactPoint& contact, const std::array<d
 Vec3 weighted_sum(const Corners& corners, const std::array<double, 4>& weights,
                   std::span<const Vec3> values);
 
-/// From the point of B, a tetrahedron, to where side A is, both at the start of a step, m. An
+/// Where side A of a contact is at the start, m: the centre of a ball.
+Vec3 start_of_side_a(const ContactPoint& contact, const StepPaths& paths);
+
+/// From the point of B, a tetrahedron, to where side A is (`place`), both at the start of a step, m. An
 /// impulse acts on B at the end of it, as if it were fast to B. `start`: positions there.
-Vec3 lever_of(const ContactPoint& contact, const Corners& corners, std::span<const Vec3> start);
+Vec3 lever_of(const ContactPoint& contact, const Vec3& place, const Corners& corners,
+              std::span<const Vec3> start);
 
 /// Where side A of a contact is, and the reference of side B, at the start and end of the step.
 struct ContactPath {

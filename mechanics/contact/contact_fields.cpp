@@ -15,14 +15,17 @@ void check_together(fields::SettingsCheck& check, const Obstacle& obstacle) {
                 "has the length " + fields::text_of(length) + "; allowed is 1", "normalise it");
     }
   }
-  const bool is_sphere = std::holds_alternative<Sphere>(obstacle.shape);
-  if (obstacle.mass && !is_sphere) {
-    check.add("mass_without_sphere", "mass", "is given, but only spheres can move freely",
-              "leave the mass out, or make the obstacle a sphere");
+  const auto* solid = std::get_if<Solid>(&obstacle.shape);
+  if (solid && !solid->surface) {
+    check.add("no_surface", "mesh", "has no surface", "name a file with a closed surface of triangles");
+  }
+  if (obstacle.mass && std::holds_alternative<Plane>(obstacle.shape)) {
+    check.add("mass_without_volume", "mass", "is given, but a plane has no volume and cannot move freely",
+              "leave the mass out, or make the obstacle a sphere, a box or a mesh");
   }
   if (!obstacle.mass && !obstacle.spin.isZero(0)) {
-    check.add("spin_without_mass", "spin", "is given, but only free spheres spin",
-              "leave the spin out, or give the sphere a mass");
+    check.add("spin_without_mass", "spin", "is given, but only obstacles with a mass spin",
+              "leave the spin out, or give the obstacle a mass");
   }
 }
 

@@ -10,7 +10,7 @@
 
 namespace sunder {
 
-/// not_a_unit_vector, mass_without_sphere, spin_without_mass.
+/// not_a_unit_vector, mass_without_volume, spin_without_mass, no_surface.
 void check_together(fields::SettingsCheck& check, const Obstacle& obstacle);
 
 namespace fields {
@@ -41,19 +41,35 @@ void describe(V& v, Box& b) {
 }
 
 template <class V>
+void describe(V& v, Solid& s) {
+  v.field(Key{"file",
+              "",
+              "Closed surface of triangles, relative to the scene file: STL, OBJ, OFF, PLY or "
+              "what else `sunder convert` reads; of a file with tetrahedra, their surface",
+              {},
+              true},
+          s.surface);
+  v.field(Key{"translation", "m", "Where the file's origin is put, after the rotation"},
+          s.translation);
+  v.field(Key{"rotation", "", "Turn of the surface about its origin, before the translation"},
+          s.orientation);
+}
+
+template <class V>
 void describe(V& v, Obstacle& o) {
   v.alternative(Key{"plane", "", "A half-space: ground, wall"}, Plane{}, o.shape);
   v.alternative(Key{"sphere", "", "A ball"}, Sphere{}, o.shape);
   v.alternative(Key{"box", "", "A box"}, Box{}, o.shape);
+  v.alternative(Key{"mesh", "", "A solid by its surface"}, Solid{}, o.shape);
   v.field(Key{"velocity", "m/s", "Velocity, kept whatever it hits unless there is a mass"},
           o.velocity);
-  v.field(Key{"spin", "rad/s", "Angular velocity of a free ball"}, o.spin);
+  v.field(Key{"spin", "rad/s", "Angular velocity of what has a mass"}, o.spin);
   v.field(
       Key{"friction", "", "Coulomb's coefficient; two surfaces in contact have the mean of theirs",
           at_least(0)},
       o.friction);
   v.field(
-      Key{"mass", "kg", "Makes a ball a free projectile that falls and is pushed back", above(0)},
+      Key{"mass", "kg", "Makes a ball, box or mesh a free rigid body that falls and is pushed back", above(0)},
       o.mass);
 }
 

@@ -16,7 +16,7 @@ namespace {
 /// yet, nothing for the rest.
 Vec3 weight_shift(const ContactStep& step, ComponentId id, const Vec3& place) {
   const Component& component = step.pass.state.components[id.index()];
-  const bool falls_later = component.isolated || !is_explicit(step.pass.input.settings.integrator);
+  const bool falls_later = component.rigid || !is_explicit(step.pass.input.settings.integrator);
   const bool shifts = falls_later && !component.supported && component.rung != Rung::asleep &&
                       component.rung != Rung::carried &&
                       !step.scratch.blows.component_touched[id.index()];
@@ -53,7 +53,9 @@ std::uint64_t pair_of(const ContactStep& step, const ContactPoint& contact) {
 }
 
 /// Spreads equal depths over a face instead of filling it from one side.
-std::uint32_t scattered(VertexId v) { return v.value * 2654435761u; }
+std::uint32_t scattered(const ContactPoint& c) {
+  return (c.corner == ContactPoint::none ? c.vertex.value : c.corner) * 2654435761u;
+}
 
 /// Takes what is in `order`, deepest first, into `taken`; of a pair of bodies with more than
 /// `max_contacts_per_pair` the deepest half of so many, and others spread over the rest: a set that
@@ -68,8 +70,8 @@ void take_spanning_sets(ContactStep& step) {
     if (contacts.size() > most) {
       const auto rest = contacts.begin() + static_cast<std::ptrdiff_t>(most / 2);
       std::sort(rest, contacts.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return std::tuple(scattered(found.found[a].vertex), a) <
-               std::tuple(scattered(found.found[b].vertex), b);
+        return std::tuple(scattered(found.found[a]), a) <
+               std::tuple(scattered(found.found[b]), b);
       });
       contacts.resize(most);
     }
@@ -93,13 +95,15 @@ bool on_lower_rung(const Component* side) {
 /// Whether neither side of a contact moves in this step.
 bool lie_still(const ContactStep& step, const ContactPoint& contact,
                const std::array<Component*, 2>& sides) {
-  if (contact.ball != ContactPoint::none) return false;
   for (const Component* side : sides) {
     if (side && side->rung != Rung::asleep) return false;
   }
-  if (contact.obstacle == ContactPoint::none) return true;
-  const Obstacle& obstacle = step.pass.obstacles[contact.obstacle];
-  return !obstacle.mass && obstacle.velocity.isZero(0);
+  const auto stands = [&](std::uint32_t row) {
+    if (row == ContactPoint::none) return true;
+    const Obstacle& obstacle = step.pass.obstacles[row];
+    return !obstacle.mass && obstacle.velocity.isZero(0);
+  };
+  return stands(contact.ball) && stands(contact.obstacle);
 }
 
 /// The same with what the contact should come out; negative: there is something to solve.
@@ -253,8 +257,8 @@ double find_new_contacts(ContactStep& step, double deepest) {
     return !(found.found_gap[k] <= (found.found[k].face.is_none() ? deepest : 0));
   });
   std::sort(found.order.begin(), found.order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return std::tuple(found.found_gap[a], scattered(found.found[a].vertex), a) <
-           std::tuple(found.found_gap[b], scattered(found.found[b].vertex), b);
+    return std::tuple(found.found_gap[a], scattered(found.found[a]), a) <
+           std::tuple(found.found_gap[b], scattered(found.found[b]), b);
   });
   return deepest;
 }

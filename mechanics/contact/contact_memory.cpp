@@ -22,15 +22,14 @@ bool concerns_step(const ContactStep& step, const ContactPoint& contact) {
     any = any || state.components[id.index()].rung != Rung::carried;
   };
   const auto see_ball = [&](std::uint32_t row) {
+    if (row == ContactPoint::none || !step.pass.obstacles[row].mass) return;
     all = all && members.has_ball(row);
     any = true;
   };
-  if (contact.ball != ContactPoint::none) see_ball(contact.ball);
+  see_ball(contact.ball);
+  see_ball(contact.obstacle);
   if (!contact.vertex.is_none()) see(state.vertices.component[contact.vertex.index()]);
   if (!contact.tetrahedron.is_none()) see(state.elements.component[contact.tetrahedron.index()]);
-  const bool meets_ball = contact.obstacle != ContactPoint::none &&
-                          step.pass.obstacles[contact.obstacle].mass.has_value();
-  if (meets_ball) see_ball(contact.obstacle);
   return all && any;
 }
 

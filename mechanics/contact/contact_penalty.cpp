@@ -35,7 +35,7 @@ void find_in_obstacles(ContactStep& step) {
 void find_balls(ContactStep& step) {
   const std::vector<Obstacle>& obstacles = step.pass.obstacles;
   for (std::uint32_t a = 0; a < obstacles.size(); ++a) {
-    if (!obstacles[a].mass) continue;
+    if (!obstacles[a].mass || !is_sphere(obstacles[a])) continue;
     const Sphere& ball = std::get<Sphere>(obstacles[a].shape);
     for (std::uint32_t b = 0; b < obstacles.size(); ++b) {
       if (a == b || (obstacles[b].mass && b < a)) continue;

@@ -9,135 +9,27 @@
 #include <tuple>
 
 #include "mechanics/contact/contact_partners.hpp"
-#include "mechanics/contact/shapes/nearest_point.hpp"
+#include "mechanics/contact/face_touch.hpp"
+#include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "topology/base/sort_unique.hpp"
 
 namespace sunder {
 namespace {
 
-/// Share of a tetrahedron, or of a face, within which a vertex beside it counts as on it: rounding.
-constexpr double rounding = 1e-9;
-
-/// The three corners of a face, by rows of vertices, from outside counter-clockwise.
-std::array<VertexId, 3> corners_of(const StepPaths& paths, HalfFaceId face) {
-  const Corners& c = paths.corners[tetrahedron_of(face).index()];
-  const auto& places = outward_face[static_cast<std::size_t>(place_of(face))];
-  return {c[places[0]], c[places[1]], c[places[2]]};
-}
-
-Vec3 normal_of(const std::array<Vec3, 3>& x) {
-  return (x[1] - x[0]).cross(x[2] - x[0]).normalized();
-}
-
-/// Shares of the corners in the foot of `point` in their plane; not numbers where they are in line.
-std::array<double, 3> foot_of(const std::array<Vec3, 3>& x, const Vec3& point) {
-  const Vec3 a = x[1] - x[0], b = x[2] - x[0], p = point - x[0], area = a.cross(b);
-  const double square = area.squaredNorm();
-  const double v = p.cross(b).dot(area) / square, w = a.cross(p).dot(area) / square;
-  return {1 - v - w, v, w};
-}
-
-std::array<Vec3, 3> places_at(const StepPaths& paths, const std::array<VertexId, 3>& vertices,
-                              double part) {
-  return {paths.at(vertices[0], part), paths.at(vertices[1], part), paths.at(vertices[2], part)};
-}
-
-/// A vertex against a face.
-struct Touch {
-  VertexId vertex;
-  ComponentId component;              ///< of the face
-  HalfFaceId face;                    ///< none(): only tells that the vertex begins inside
-  double gap_start = 0, gap_end = 0;  ///< m, from the plane of the face
-  double part = 0;                    ///< when they meet or are nearest; 0 to 1
-  Vec3 normal{0, 0, 1};               ///< then
-  std::array<double, 3> foot{};       ///< then
-  double size = 0;                    ///< m, of an edge of the face
-  bool is_swept = false;              ///< met on the way; else as the step begins
-  bool over_face = false;             ///< whether the foot lies in the face
-  bool are_partners = false;          ///< whose contact is met elsewhere
-};
-
-/// m, of a vertex from the plane of a face.
-double gap_at(const StepPaths& paths, VertexId v, HalfFaceId face, double part) {
-  const std::array<Vec3, 3> x = places_at(paths, corners_of(paths, face), part);
-  return normal_of(x).dot(paths.at(v, part) - x[0]);
-}
-
-/// As the step begins, without what it ends with.
-Touch touch_at_start(const StepPaths& paths, VertexId v, HalfFaceId face) {
-  return {.vertex = v,
-          .component = paths.state.elements.component[tetrahedron_of(face).index()],
-          .face = face,
-          .gap_start = gap_at(paths, v, face, 0)};
-}
-
-void set_foot(Touch& touch, const StepPaths& paths) {
-  const std::array<Vec3, 3> x = places_at(paths, corners_of(paths, touch.face), touch.part);
-  touch.normal = normal_of(x);
-  touch.size = (x[1] - x[0]).norm();
-  touch.foot = foot_of(x, paths.at(touch.vertex, touch.part));
-  touch.over_face = std::ranges::all_of(touch.foot, [](double w) { return w >= -rounding; });
-}
-
-/// Whether the vertex ends nearer to the face than they move against each other.
-bool is_near(const StepPaths& paths, const Touch& touch) {
-  const std::array<VertexId, 3> corners = corners_of(paths, touch.face);
-  Vec3 way = paths.at(touch.vertex, 1) - paths.at(touch.vertex, 0);
-  for (std::size_t k = 0; k < 3; ++k) {
-    way -= touch.foot[k] * (paths.at(corners[k], 1) - paths.at(corners[k], 0));
-  }
-  return touch.gap_end < way.norm();
-}
-
-/// On the way, from outside: where the vertex comes to the face itself.
-std::optional<Touch> swept_touch(const StepPaths& paths, VertexId v, HalfFaceId face) {
-  Touch touch = touch_at_start(paths, v, face);
-  touch.gap_end = gap_at(paths, v, face, 1);
-  touch.is_swept = true;
-  if (touch.gap_start > 0) {
-    touch.part = touch.gap_end < 0 ? touch.gap_start / (touch.gap_start - touch.gap_end)
-                                   : (touch.gap_end < touch.gap_start ? 1.0 : 0.0);
-  }
-  set_foot(touch, paths);
-  const bool counts =
-      touch.over_face && touch.gap_start >= -rounding * touch.size && is_near(paths, touch);
-  return counts ? std::optional(touch) : std::nullopt;
-}
-
-/// A vertex that begins on the surface or inside against the point of a face that it is nearest to:
-/// within `band` (m) of its border still the face itself, of one that is inside then its border, an
-/// edge where the surface turns inwards.
-std::optional<Touch> resting_touch(const StepPaths& paths, VertexId v, HalfFaceId face, double band,
-                                   bool is_inside) {
-  Touch touch = touch_at_start(paths, v, face);
-  if (touch.gap_start > band || (!is_inside && touch.gap_start < -band)) return std::nullopt;
-  touch.gap_end = gap_at(paths, v, face, 1);
-  set_foot(touch, paths);
-  if (touch.over_face) return touch;
-  const std::array<VertexId, 3> corners = corners_of(paths, face);
-  const std::array<Vec3, 3> x = places_at(paths, corners, 0);
-  touch.foot = nearest_on_triangle(x, paths.at_start(v));
-  const auto apart_at = [&](double part) -> Vec3 {
-    const std::array<Vec3, 3> there = places_at(paths, corners, part);
-    return paths.at(v, part) - touch.foot[0] * there[0] - touch.foot[1] * there[1] -
-           touch.foot[2] * there[2];
-  };
-  const Vec3 apart = apart_at(0);
-  const double beside = (apart - touch.gap_start * touch.normal).norm();
-  touch.over_face = beside <= band;
-  if (touch.over_face) return touch;
-  if (!is_inside || touch.gap_start > 0) return std::nullopt;
-  touch.gap_start = -apart.norm();
-  touch.normal = -apart.normalized();
-  touch.gap_end = touch.normal.dot(apart_at(1));
-  touch.over_face = true;
-  return touch;
-}
-
 /// By the Gauss map: whether a vertex can come to rest on a face with this normal.
-bool fits(const StepPaths& paths, const PieceSurface& surface, const Touch& touch) {
+bool fits(const StepPaths& paths, const PieceSurface& surface, const FaceTouch& touch) {
   constexpr double about = 0.05;
-  const Vec3& from = paths.state.vertices.position[touch.vertex.index()];
+  const Vec3& from = paths.at_start(touch.vertex);
+  if (paths.is_corner(touch.vertex)) {
+    const CornerPath& corner = paths.corner_of(touch.vertex);
+    const Shape& shape = paths.obstacles[corner.obstacle].shape;
+    bool all = true;
+    for_each_neighbour(shape, corner.corner, [&](std::uint32_t end) {
+      const Vec3 along = corner_at(shape, end) - from;
+      all = all && touch.normal.dot(along) >= -about * along.norm();
+    });
+    return all;
+  }
   for (VertexId end : surface.ring_of(touch.vertex)) {
     const Vec3 along = paths.state.vertices.position[end.index()] - from;
     if (touch.normal.dot(along) < -about * along.norm()) return false;
@@ -176,8 +68,12 @@ struct Resting {
   friend constexpr auto operator<=>(const Resting&, const Resting&) = default;
 };
 
+/// Pairs that may meet: corners of obstacles with all pieces, vertices with other pieces.
 bool move_against_each_other(const DetectScratch& scratch, const StepPaths& paths,
                              const SpherePair& pair) {
+  if (paths.is_corner(pair.vertex)) {
+    return paths.members.has(paths.state.elements.component[pair.tetrahedron.index()]);
+  }
   return !scratch.surface.ring_of(pair.vertex).empty() &&
          paths.members.has(paths.state.vertices.component[pair.vertex.index()]) &&
          paths.members.has(paths.state.elements.component[pair.tetrahedron.index()]);
@@ -186,12 +82,12 @@ bool move_against_each_other(const DetectScratch& scratch, const StepPaths& path
 /// Adds `make(face)` for every face of the pair's tetrahedron that is `near` and on the surface,
 /// where it gives a touch.
 template <class Make>
-void add_touches(std::vector<Touch>& touches, const DetectScratch& scratch, const StepPaths& paths,
+void add_touches(std::vector<FaceTouch>& touches, const DetectScratch& scratch, const StepPaths& paths,
                  const SpherePair& pair, const std::array<bool, 4>& near, Make make) {
   for (int place = 0; place < 4; ++place) {
     const auto i = static_cast<std::size_t>(place);
     if (!near[i] || !paths.neighbours[pair.tetrahedron.index()][i].is_none()) continue;
-    std::optional<Touch> touch = make(half_face(pair.tetrahedron, place));
+    std::optional<FaceTouch> touch = make(half_face(pair.tetrahedron, place));
     if (!touch) continue;
     touch->are_partners = faces(scratch, pair, paths.corners);
     touches.push_back(*touch);
@@ -201,7 +97,7 @@ void add_touches(std::vector<Touch>& touches, const DetectScratch& scratch, cons
 /// Vertices outside with every face of the tetrahedra that they could come to: whose start they are
 /// no farther from than twice their motion against each other. Gives who begins inside or within
 /// `band` (m) of the surface, sorted.
-std::vector<Resting> gather_swept(std::vector<Touch>& touches, const DetectScratch& scratch,
+std::vector<Resting> gather_swept(std::vector<FaceTouch>& touches, const DetectScratch& scratch,
                                   const StepPaths& paths, double band) {
   std::vector<Resting> resting;
   if (scratch.pairs.empty()) return {};
@@ -212,8 +108,8 @@ std::vector<Resting> gather_swept(std::vector<Touch>& touches, const DetectScrat
     if (t != last) hull = hull_of(paths, t);
     last = t;
     const Vec3& from = paths.at_start(v);
-    const double motion = (paths.predicted[v.index()] - from - hull.way).norm() + hull.spread;
-    const double reach = 2 * motion + rounding * scratch.radius[t.index()];
+    const double motion = (paths.at_end(v) - from - hull.way).norm() + hull.spread;
+    const double reach = 2 * motion + on_face * scratch.radius[t.index()];
     double gap = -std::numeric_limits<double>::infinity();
     std::array<bool, 4> near{};
     for (std::size_t i = 0; i < 4; ++i) {
@@ -233,10 +129,10 @@ std::vector<Resting> gather_swept(std::vector<Touch>& touches, const DetectScrat
 }
 
 /// Those with every face that is near them: they may lie behind another tetrahedron's.
-void gather_resting(std::vector<Touch>& touches, const DetectScratch& scratch,
+void gather_resting(std::vector<FaceTouch>& touches, const DetectScratch& scratch,
                     const StepPaths& paths, const std::vector<Resting>& resting, double band) {
   if (resting.empty()) return;
-  std::vector<char> any(paths.state.vertices.size());
+  std::vector<char> any(paths.state.vertices.size() + paths.corner.size());
   for (const Resting& r : resting) {
     any[r.vertex.index()] = 1;
     if (r.is_inside) touches.push_back({.vertex = r.vertex, .component = r.component});
@@ -253,8 +149,8 @@ void gather_resting(std::vector<Touch>& touches, const DetectScratch& scratch,
 }
 
 /// Of a vertex deep inside a component: the face of all its surface that it is nearest to.
-std::optional<Touch> way_out(const StepPaths& paths, VertexId v, ComponentId id) {
-  std::optional<Touch> nearest;
+std::optional<FaceTouch> way_out(const StepPaths& paths, VertexId v, ComponentId id) {
+  std::optional<FaceTouch> nearest;
   double least = std::numeric_limits<double>::infinity();
   const Vec3 from = paths.at(v, 0);
   for (TetId t : paths.state.components[id.index()].tetrahedra) {
@@ -264,7 +160,7 @@ std::optional<Touch> way_out(const StepPaths& paths, VertexId v, ComponentId id)
       const Vec3 middle = (paths.at(c[0], 0) + paths.at(c[1], 0) + paths.at(c[2], 0)) / 3;
       const double distance = (middle - from).squaredNorm();
       if (!(distance < least)) continue;
-      const std::optional<Touch> touch = resting_touch(paths, v, half_face(t, place), 0, true);
+      const std::optional<FaceTouch> touch = resting_touch(paths, v, half_face(t, place), 0, true);
       if (!touch) continue;
       least = distance;
       nearest = touch;
@@ -276,11 +172,11 @@ std::optional<Touch> way_out(const StepPaths& paths, VertexId v, ComponentId id)
 /// Of the touches of a vertex that begins on or in a component the nearest: one that does not fit
 /// must be clearly nearer. `band`, m: how far from a face is still on it; on several, as at a
 /// corner, that one counts from which the vertex ends farthest.
-const Touch* nearest_rest(std::span<const Touch> touches, const StepPaths& paths,
+const FaceTouch* nearest_rest(std::span<const FaceTouch> touches, const StepPaths& paths,
                           const PieceSurface& surface, double band) {
-  const Touch* best = nullptr;
+  const FaceTouch* best = nullptr;
   double least = std::numeric_limits<double>::infinity();
-  for (const Touch& touch : touches) {
+  for (const FaceTouch& touch : touches) {
     if (touch.is_swept || touch.face.is_none()) continue;
     const double depth = std::max(0.0, -touch.gap_start - band) +
                          (fits(paths, surface, touch) ? 0 : 0.01 * touch.size);
@@ -292,11 +188,11 @@ const Touch* nearest_rest(std::span<const Touch> touches, const StepPaths& paths
 }
 
 /// Of the touches of a vertex on its way the one that it ends deepest behind, those that fit first.
-const Touch* deepest_on_way(std::span<const Touch> touches, const StepPaths& paths,
+const FaceTouch* deepest_on_way(std::span<const FaceTouch> touches, const StepPaths& paths,
                             const PieceSurface& surface) {
-  const Touch* best = nullptr;
+  const FaceTouch* best = nullptr;
   bool best_fits = false;
-  for (const Touch& touch : touches) {
+  for (const FaceTouch& touch : touches) {
     if (!touch.is_swept || touch.are_partners) continue;
     const bool now = fits(paths, surface, touch);
     if (best && std::pair(!now, touch.gap_end) >= std::pair(!best_fits, best->gap_end)) continue;
@@ -307,13 +203,13 @@ const Touch* deepest_on_way(std::span<const Touch> touches, const StepPaths& pat
 }
 
 /// Of the touches of one vertex with one component the one that counts, if any.
-std::optional<Touch> choose(std::span<const Touch> touches, const StepPaths& paths,
+std::optional<FaceTouch> choose(std::span<const FaceTouch> touches, const StepPaths& paths,
                             const PieceSurface& surface, double band) {
-  const auto if_any = [](const Touch* touch) {
+  const auto if_any = [](const FaceTouch* touch) {
     return touch ? std::optional(*touch) : std::nullopt;
   };
   const bool is_inside = touches.front().face.is_none() || touches.back().face.is_none();
-  const Touch* rest = nearest_rest(touches, paths, surface, band);
+  const FaceTouch* rest = nearest_rest(touches, paths, surface, band);
   if (rest && rest->are_partners) return std::nullopt;
   // What stays together as it falls will press once the lowest is stopped.
   constexpr double together = 0.01;
@@ -324,12 +220,19 @@ std::optional<Touch> choose(std::span<const Touch> touches, const StepPaths& pat
   return way_out(paths, touches.front().vertex, touches.front().component);
 }
 
-void add(DetectScratch& scratch, const StepPaths& paths, const Touch& touch, double friction) {
+void add(DetectScratch& scratch, const StepPaths& paths, const FaceTouch& touch, double friction) {
   ContactPoint contact;
-  contact.vertex = touch.vertex;
+  contact.friction = friction;
+  if (paths.is_corner(touch.vertex)) {
+    const CornerPath& corner = paths.corner_of(touch.vertex);
+    contact.ball = corner.obstacle;
+    contact.corner = corner.corner;
+    contact.friction = 0.5 * (friction + paths.obstacles[corner.obstacle].friction);
+  } else {
+    contact.vertex = touch.vertex;
+  }
   contact.tetrahedron = tetrahedron_of(touch.face);
   contact.place = static_cast<std::uint8_t>(place_of(touch.face));
-  contact.friction = friction;
   contact.normal = touch.normal;
   contact.gap_start = touch.gap_start;
   std::array<double, 4> weights{};
@@ -347,7 +250,7 @@ void add(DetectScratch& scratch, const StepPaths& paths, const Touch& touch, dou
 }
 
 /// The vertex that the foot of a touch is, or none().
-VertexId foot_vertex(const Touch& touch, const StepPaths& paths) {
+VertexId foot_vertex(const FaceTouch& touch, const StepPaths& paths) {
   constexpr double all = 1 - 1e-6;
   const auto one = std::ranges::find_if(touch.foot, [](double share) { return share > all; });
   if (one == touch.foot.end()) return VertexId::none();
@@ -355,11 +258,11 @@ VertexId foot_vertex(const Touch& touch, const StepPaths& paths) {
 }
 
 /// Whether a vertex lies on a lower one that lies on it, face to face: the two touches are one.
-bool is_mirror(const Touch& touch, std::span<const Touch> all, const StepPaths& paths) {
+bool is_mirror(const FaceTouch& touch, std::span<const FaceTouch> all, const StepPaths& paths) {
   const VertexId other = foot_vertex(touch, paths);
   if (other.is_none() || touch.vertex < other) return false;
-  const auto of_other = std::ranges::equal_range(all, other, {}, &Touch::vertex);
-  return std::ranges::any_of(of_other, [&](const Touch& mirror) {
+  const auto of_other = std::ranges::equal_range(all, other, {}, &FaceTouch::vertex);
+  return std::ranges::any_of(of_other, [&](const FaceTouch& mirror) {
     return foot_vertex(mirror, paths) == touch.vertex && mirror.normal.dot(touch.normal) < -0.9;
   });
 }
@@ -367,13 +270,16 @@ bool is_mirror(const Touch& touch, std::span<const Touch> all, const StepPaths& 
 }  // namespace
 
 void find_between_pieces(DetectScratch& scratch, const StepPaths& paths,
-                         const ContactSettings& settings) {
+                         const ContactSettings& settings, bool among_pieces) {
   update_surface(scratch.surface, paths.corners, paths.neighbours, paths.state.vertices.size());
   pair_up(scratch, paths);
-  std::vector<Touch> touches, chosen;
+  if (!among_pieces) {
+    std::erase_if(scratch.pairs, [&](const SpherePair& p) { return !paths.is_corner(p.vertex); });
+  }
+  std::vector<FaceTouch> touches, chosen;
   const double band = settings.allowed_penetration;
   gather_resting(touches, scratch, paths, gather_swept(touches, scratch, paths, band), band);
-  const auto key = [](const Touch& t) {
+  const auto key = [](const FaceTouch& t) {
     return std::tuple(t.vertex, t.component, t.face, t.is_swept);
   };
   std::ranges::sort(touches, {}, key);
@@ -383,12 +289,12 @@ void find_between_pieces(DetectScratch& scratch, const StepPaths& paths,
            touches[end].component == touches[first].component) {
       ++end;
     }
-    const std::optional<Touch> best =
+    const std::optional<FaceTouch> best =
         choose(std::span(touches).subspan(first, end - first), paths, scratch.surface, band);
     if (best) chosen.push_back(*best);
     first = end;
   }
-  for (const Touch& touch : chosen) {
+  for (const FaceTouch& touch : chosen) {
     if (!is_mirror(touch, chosen, paths)) add(scratch, paths, touch, settings.friction);
   }
 }

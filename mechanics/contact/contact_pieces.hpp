@@ -12,9 +12,10 @@ namespace sunder {
 /// out by the nearest face. Faces on which the vertex could come to rest (by the Gauss map: no edge
 /// of it points into the face) are taken before others.
 /// Not found: edges that meet between their vertices. Then a vertex enters later.
-/// Partners are left out: `find_between_partners` has them. Needs: `StepPaths::neighbours`,
-/// `measure_balls` with share 1.
+/// Corners of obstacles (`StepPaths::corner`) are vertices like others, and the only ones unless
+/// `among_pieces`. Partners are left out: `find_between_partners` has them. Needs:
+/// `StepPaths::neighbours`, `measure_balls` with share 1.
 void find_between_pieces(DetectScratch& scratch, const StepPaths& paths,
-                         const ContactSettings& settings);
+                         const ContactSettings& settings, bool among_pieces);
 
 }  // namespace sunder

@@ -14,16 +14,17 @@ namespace sunder {
 
 /// What tells contacts apart.
 using ContactKey =
-    std::tuple<std::uint32_t, VertexId, std::uint32_t, TetId, HalfFaceId, std::uint8_t>;
+    std::tuple<std::uint32_t, std::uint32_t, VertexId, std::uint32_t, TetId, HalfFaceId,
+               std::uint8_t>;
 inline ContactKey key_of(const ContactPoint& c) {
-  return {c.ball, c.vertex, c.obstacle, c.tetrahedron, c.face, c.place};
+  return {c.ball, c.corner, c.vertex, c.obstacle, c.tetrahedron, c.face, c.place};
 }
 
 struct ContactScratch::Buffers {
   DetectScratch detect;
   ContactBodies bodies;
   StepBlows blows;
-  std::vector<Vec3> ball_end;
+  std::vector<Pose> ball_end;
   std::vector<Vec3> change;
   std::vector<ContactKey> known;
   /// Row = ComponentId, m/s^2 and rad/s^2 of free components; empty without surface loads.

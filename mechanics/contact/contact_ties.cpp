@@ -22,7 +22,7 @@ VertexId vertex_of(const StepPaths& paths, HalfFaceId face, std::uint8_t place) 
 bool is_at_work(const Tie& tie, const StepPaths& paths) {
   const ComponentId id = paths.state.elements.component[tetrahedron_of(tie.face).index()];
   const Component& component = paths.state.components[id.index()];
-  return paths.members.has(id) && deforms(component.rung) && !component.isolated;
+  return paths.members.has(id) && deforms(component.rung) && !component.rigid;
 }
 
 /// Every corner that has come apart as a pair of its own, sorted by vertices and face.

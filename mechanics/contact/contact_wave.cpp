@@ -17,21 +17,37 @@ Vec3 ball_velocity(const ContactStep& step, std::size_t row) {
          step.scratch.blows.ball_impulse[row] / *ball.mass;
 }
 
+/// Spin of a free obstacle at the end of the sub-step, rad/s, as it is turned at its start.
+Vec3 ball_spin(const ContactStep& step, std::size_t row) {
+  const Obstacle& ball = step.pass.obstacles[row];
+  return ball.spin + spin_of(ball, step.scratch.blows.ball_twist[row]);
+}
+
+/// Velocity of an obstacle at a place (m, of the start), spins of balls left out.
+Vec3 obstacle_velocity(const ContactStep& step, std::uint32_t row, const Vec3& place) {
+  const Obstacle& obstacle = step.pass.obstacles[row];
+  if (!obstacle.mass) return obstacle.velocity;
+  if (is_sphere(obstacle)) return ball_velocity(step, row);
+  return ball_velocity(step, row) +
+         ball_spin(step, row).cross(place - pose_of(obstacle.shape).centre);
+}
+
 /// Velocity of side A against side B at the end of the sub-step, spins of balls left out.
 Vec3 velocity_end(const ContactStep& step, const ContactPoint& contact) {
   const std::vector<Vec3>& velocity = step.pass.mechanics.predicted.velocity;
-  Vec3 sum = contact.ball == ContactPoint::none ? velocity[contact.vertex.index()]
-                                                : ball_velocity(step, contact.ball);
+  const Vec3 place = place_of_side_a(step.pass, contact);
+  Vec3 sum = contact.ball == ContactPoint::none
+                 ? velocity[contact.vertex.index()]
+                 : obstacle_velocity(step, contact.ball, place);
   if (contact.obstacle == ContactPoint::none) {
     const Corners& corners = step.pass.input.corners[contact.tetrahedron.index()];
     const ComponentId id = step.pass.state.elements.component[contact.tetrahedron.index()];
-    const Vec3 lever = lever_of(contact, corners, step.pass.state.vertices.position) +
+    const Vec3 lever = lever_of(contact, place, corners, step.pass.state.vertices.position) +
                        drift_of(step.pass, contact);
     const Vec3& spin = step.pass.mechanics.predicted.frame[id.index()].spin;
     return sum - weighted_sum(corners, contact.weights, velocity) - spin.cross(lever);
   }
-  const Obstacle& obstacle = step.pass.obstacles[contact.obstacle];
-  return sum - (obstacle.mass ? ball_velocity(step, contact.obstacle) : obstacle.velocity);
+  return sum - obstacle_velocity(step, contact.obstacle, place + drift_of(step.pass, contact));
 }
 
 /// Velocity that spinning balls add to a row at its contact point, m/s.
@@ -39,10 +55,8 @@ Vec3 spin_slip(const ContactStep& step, const ContactRow& row) {
   Vec3 slip = Vec3::Zero();
   for (std::uint32_t e = 0; e < row.end_count; ++e) {
     const std::uint32_t ball = step.scratch.bodies.ball[row.ends[e].body];
-    if (ball == ContactBodies::none) continue;
-    const Obstacle& sphere = step.pass.obstacles[ball];
-    const Vec3 spin = sphere.spin + step.scratch.blows.ball_twist[ball] / moment_of_inertia(sphere);
-    slip += row.ends[e].weight * spin.cross(row.ends[e].arm);
+    if (ball == ContactBodies::none || !is_sphere(step.pass.obstacles[ball])) continue;
+    slip += row.ends[e].weight * ball_spin(step, ball).cross(row.ends[e].arm);
   }
   return slip;
 }
@@ -62,6 +76,10 @@ void strike_end(ContactStep& step, const ContactEnd& end, const Vec3& impulse) {
   blows.component_twist[component.id.index()] += end.lever.cross(impulse);
   if (!end.vertex.is_none()) {
     blows.vertex_impulse[end.vertex.index()] += impulse;
+    return;
+  }
+  if (!is_isolated(component)) {
+    blows.component_push[component.id.index()] += impulse;
     return;
   }
   for (VertexId v : component.vertices) blows.vertex_impulse[v.index()] += 0.25 * impulse;
@@ -117,10 +135,11 @@ void predict_struck(ContactStep& step) {
     const Vec3 spin = component.supported || twist.isZero(0)
                           ? Vec3::Zero()
                           : Vec3(world_inertia(pass.state, component).ldlt().solve(twist));
+    const Vec3 push = blows.component_push[component.id.index()] / component.mass;
     for (VertexId v : component.vertices) {
       const std::size_t i = v.index();
       const Vec3 rigid = pass.state.vertices.mass[i] *
-                         spin.cross(pass.state.vertices.position[i] - component.centre);
+                         (push + spin.cross(pass.state.vertices.position[i] - component.centre));
       blows.with_gravity.force[i] += (blows.vertex_impulse[i] + rigid) / step.h();
     }
   }
@@ -135,8 +154,11 @@ void predict_wave_balls(ContactStep& step) {
     if (!ball.mass) continue;
     const bool touched = step.scratch.blows.ball_touched[k] != 0;
     const double share = touched ? WaveScheme::theta : 0.5;
-    step.scratch.ball_end[k] = std::get<Sphere>(ball.shape).center +
-                               h * ((1 - share) * ball.velocity + share * ball_velocity(step, k));
+    const Vec3 end = angular_momentum_of(ball) + step.scratch.blows.ball_twist[k];
+    step.scratch.ball_end[k] = {
+        pose_of(ball.shape).centre +
+            h * ((1 - share) * ball.velocity + share * ball_velocity(step, k)),
+        turned_obstacle(ball, end, h)};
   }
 }
 
@@ -145,8 +167,14 @@ void move_wave_balls(ContactStep& step) {
     Obstacle& ball = step.pass.obstacles[k];
     if (!ball.mass || !step.pass.input.members.has_ball(k)) continue;
     ball.velocity = ball_velocity(step, k);
-    ball.spin += step.scratch.blows.ball_twist[k] / moment_of_inertia(ball);
-    std::get<Sphere>(ball.shape).center = step.scratch.ball_end[k];
+    if (is_sphere(ball)) {
+      ball.spin = ball_spin(step, k);
+      put(ball.shape, step.scratch.ball_end[k]);
+      continue;
+    }
+    const Vec3 momentum = angular_momentum_of(ball) + step.scratch.blows.ball_twist[k];
+    put(ball.shape, step.scratch.ball_end[k]);
+    ball.spin = spin_of(ball, momentum);
   }
 }
 

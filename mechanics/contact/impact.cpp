@@ -15,7 +15,7 @@ double wave_sub_step(const MechanicsState& state, const Component& component,
 
 bool is_blow(const MechanicsState& state, const Component& component, double speed, double strength,
              const ImpactSettings& settings) {
-  if (component.isolated || component.tetrahedra.empty()) return false;
+  if (component.rigid || component.tetrahedra.empty()) return false;
   const Material& material = material_of(state, component.tetrahedra.front());
   return material.density * compression_wave_speed(material) * speed >=
          settings.negligible * strength;

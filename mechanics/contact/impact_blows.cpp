@@ -8,6 +8,7 @@
 
 #include "mechanics/contact/contact_step.hpp"
 #include "mechanics/contact/impact_energy.hpp"
+#include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "topology/base/sort_unique.hpp"
 
 namespace sunder {
@@ -64,14 +65,21 @@ struct Touch {
   Vec3 against = Vec3::Zero();  ///< m/s, velocity of the other side at the start
 };
 
+/// Of an obstacle where a contact is; a ball's turning brings nothing nearer.
+Vec3 velocity_of(const ContactStep& step, std::uint32_t row, const ContactPoint& contact) {
+  const Obstacle& obstacle = step.pass.obstacles[row];
+  if (!obstacle.mass || is_sphere(obstacle)) return obstacle.velocity;
+  return surface_velocity(obstacle, place_of_side_a(step.pass, contact));
+}
+
 Vec3 velocity_of_side_b(const ContactStep& step, const ContactPoint& contact) {
-  if (contact.obstacle != ContactPoint::none) return step.pass.obstacles[contact.obstacle].velocity;
+  if (contact.obstacle != ContactPoint::none) return velocity_of(step, contact.obstacle, contact);
   return weighted_sum(step.pass.input.corners[contact.tetrahedron.index()], contact.weights,
                       step.pass.state.vertices.velocity);
 }
 
 Vec3 velocity_of_side_a(const ContactStep& step, const ContactPoint& contact) {
-  if (contact.ball != ContactPoint::none) return step.pass.obstacles[contact.ball].velocity;
+  if (contact.ball != ContactPoint::none) return velocity_of(step, contact.ball, contact);
   return step.pass.state.vertices.velocity[contact.vertex.index()];
 }
 

@@ -16,7 +16,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 double strain_energy(const MechanicsState& state, const Component& component) {
   double energy = 0;
-  if (component.isolated) return energy;
+  if (component.rigid) return energy;
   for (TetId t : component.tetrahedra) energy += element_strain_energy(state, t);
   return energy;
 }
@@ -85,7 +85,7 @@ double ImpactEnergy::surface_speed_of(std::uint32_t node) const {
   if (is_driven(node)) return 0;
   if (node >= components_) {
     const Obstacle& ball = step_.pass.obstacles[node - components_];
-    return ball.spin.norm() * std::get<Sphere>(ball.shape).radius;
+    return ball.spin.norm() * radius_of(ball.shape);
   }
   const MechanicsState& state = step_.pass.state;
   const Vec3 velocity = velocity_of(node);
@@ -99,9 +99,7 @@ double ImpactEnergy::surface_speed_of(std::uint32_t node) const {
 double ImpactEnergy::kinetic_against(std::uint32_t node, const Vec3& velocity) const {
   if (is_driven(node)) return 0;
   if (node >= components_) {
-    const Obstacle& ball = step_.pass.obstacles[node - components_];
-    return 0.5 * (*ball.mass * (ball.velocity - velocity).squaredNorm() +
-                  moment_of_inertia(ball) * ball.spin.squaredNorm());
+    return kinetic_energy(step_.pass.obstacles[node - components_], velocity);
   }
   const MechanicsState& state = step_.pass.state;
   double energy = 0;

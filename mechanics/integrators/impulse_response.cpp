@@ -82,7 +82,7 @@ void apply_to_component(MechanicsState& state, const BodyBlow& blow) {
     return;
   }
   add_momenta(state, blow);
-  if (component.isolated) {
+  if (component.rigid) {
     set_rigid_velocities(state, component);
   } else {
     add_rates(state, blow);
@@ -182,11 +182,18 @@ Mat3 world_inertia(const MechanicsState& state, const Component& component) {
   return inertia;
 }
 
+void apply_push(MechanicsState& state, ComponentId id, const Vec3& impulse) {
+  if (impulse.isZero(0)) return;
+  Component& component = state.components[id.index()];
+  component.momentum += impulse;
+  set_rigid_velocities(state, component);
+}
+
 void apply_twist(MechanicsState& state, ComponentId id, const Vec3& twist) {
   Component& component = state.components[id.index()];
   if (component.supported || twist.isZero(0)) return;
   component.angular_momentum += twist;
-  if (component.isolated) return set_rigid_velocities(state, component);
+  if (component.rigid) return set_rigid_velocities(state, component);
   const Vec3 spin = world_inertia(state, component).ldlt().solve(twist);
   for (VertexId v : component.vertices) {
     state.vertices.velocity[v.index()] +=
@@ -199,7 +206,7 @@ Eigen::MatrixXd end_of_step_response(MechanicsState& state, const StepInput& inp
   const Component& component = state.components[struck.component.index()];
   const auto k = static_cast<Eigen::Index>(struck.vertices.size());
   const double h = input.settings.time_step;
-  if (component.isolated) return rigid_response(state, component, struck.vertices, h);
+  if (component.rigid) return rigid_response(state, component, struck.vertices, h);
   Eigen::MatrixXd Y = Eigen::MatrixXd::Zero(3 * k, 3 * k);
   if (is_explicit(input.settings.integrator)) {
     for (Eigen::Index i = 0; i < k; ++i) {

@@ -74,7 +74,7 @@ void move_rigidly(const ComponentStep& step, const RigidLoad& load) {
 }  // namespace
 
 Mat3 deformed_inertia(const VertexColumns& vertices, const Component& body) {
-  if (body.isolated) return body.rest_inertia;
+  if (body.rigid) return body.rest_inertia;
   Mat3 inertia = Mat3::Zero();
   for (VertexId v : body.vertices) {
     const Vec3 q =

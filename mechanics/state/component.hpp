@@ -38,12 +38,19 @@ struct Component {
   bool supported = false;              ///< holds a vertex with a prescribed motion
   bool partly_held = false;            ///< holds one that is held along one or two axes only
   Vec3 frame_velocity = Vec3::Zero();  ///< m/s; the frame of a supported component moves with it
-  bool isolated = false;  ///< one free tetrahedron: a true rigid body, no finite elements
+  /// A rigid body at all times, of its rest shape, with six degrees of freedom and no finite
+  /// elements: one free tetrahedron, or what `turn_rigid` made so.
+  bool rigid = false;
   Rung rung = Rung::full;
   /// rad: largest turn of a tetrahedron against the frame when its stress was last computed (size
   /// of the skew part of the displacement gradient).
   double largest_turn = 0;
   StrainChange strain_change;  ///< then, where asked for (`StepInput::measures_strain`); else 0
 };
+
+/// Whether a component is one free tetrahedron (`IntegratorSettings::isolated`).
+inline bool is_isolated(const Component& component) {
+  return component.rigid && component.tetrahedra.size() == 1;
+}
 
 }  // namespace sunder

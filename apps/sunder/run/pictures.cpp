@@ -10,6 +10,7 @@
 #include "apps/render/drawn_surface.hpp"
 #include "apps/render/renderer.hpp"
 #include "fracture/simulation/simulation_state.hpp"
+#include "mechanics/contact/shapes/solid_surface.hpp"
 
 namespace sunder {
 namespace {
@@ -99,6 +100,15 @@ struct AddObstacle {
     scene.boxes.push_back({.center = b.center.cast<float>(),
                            .half_extent = b.half_extent.cast<float>(),
                            .rotation = b.orientation.cast<float>()});
+  }
+  void operator()(const Solid& s) const {
+    render::Surface surface;
+    for (const Vec3& p : s.surface->points) {
+      surface.positions.push_back((s.orientation * p + s.translation).cast<float>());
+    }
+    surface.triangles = s.surface->triangles;
+    surface.colors.skin = render::Box().color;
+    scene.surfaces.push_back(std::move(surface));
   }
 };
 

@@ -26,6 +26,7 @@ struct Recorder::Parts {
   std::vector<std::uint64_t> frame_steps, picture_steps;
   RunStatistics statistics;
   std::vector<PvdFrame> frames;
+  std::vector<ObstacleMotion> obstacles;  ///< of every frame, and of the end
   std::uint32_t pictures = 0;
   std::optional<std::uint64_t> last_frame, last_picture;
   EventLog events;
@@ -43,8 +44,9 @@ struct Recorder::Parts {
 
 namespace {
 
-void append(std::vector<Finding>& all, std::vector<Finding> more) {
-  for (Finding& f : more) all.push_back(std::move(f));
+template <class T>
+void append(std::vector<T>& all, std::vector<T> more) {
+  for (T& one : more) all.push_back(std::move(one));
 }
 
 Finding cannot_write(const fs::path& path, const std::error_code& reason) {
@@ -66,7 +68,7 @@ bool is_ours(const std::string& name) {
   };
   return numbered("frame_", ".vtu") || numbered("picture_", ".png") || name == "frames.pvd" ||
          name == "events.jsonl" || name == "cracks.csv" || name == "fragments.csv" ||
-         name == "report.json";
+         name == "obstacles.csv" || name == "report.json";
 }
 
 /// Makes the folders and removes what an earlier run left: frames of two runs must not mix.
@@ -160,6 +162,7 @@ std::vector<Finding> Recorder::Parts::write_frame_of(const Simulation& now) {
   if (has_error(findings)) return findings;
   frames.push_back({now.state->mechanics.time, name});
   last_frame = now.state->step;
+  append(obstacles, free_obstacles(now));
   append(findings, write_pvd(folder / "frames.pvd", frames));
   return findings;
 }
@@ -213,6 +216,8 @@ std::vector<Finding> Recorder::finish(const Simulation& now, RunEnd end) {
   write("events.jsonl", p.events.text());
   write("cracks.csv", cracks_csv(p.statistics.cracks));
   write("fragments.csv", fragments_csv(pieces));
+  if (p.last_frame != now.state->step) append(p.obstacles, free_obstacles(now));
+  if (!p.obstacles.empty()) write("obstacles.csv", obstacles_csv(p.obstacles));
   write("report.json", p.report.dump(2) + "\n");
   return findings;
 }

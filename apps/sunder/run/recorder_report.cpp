@@ -156,7 +156,7 @@ double largest_valid_turn(const Material& material) {
 void check_turns(RunStatistics& statistics, const Simulation& now, const StepReport& report) {
   const MechanicsState& mechanics = now.state->mechanics;
   for (const Component& component : mechanics.components) {
-    if (component.tetrahedra.empty() || component.isolated) continue;
+    if (component.tetrahedra.empty() || component.rigid) continue;
     const MaterialId material = mechanics.elements.material[component.tetrahedra[0].index()];
     const double valid = largest_valid_turn(mechanics.materials[material.index()]);
     if (!(component.largest_turn > valid)) continue;

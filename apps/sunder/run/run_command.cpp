@@ -19,6 +19,7 @@ Files in DIR (those of an earlier run are removed):
   fragments.csv             one line a piece
   events.jsonl              one line a fan and a release of ties; --replay repeats the run from it
   cracks.csv                area and energy of each crack
+  obstacles.csv             free obstacles in each frame: place, turn, velocity, spin
 
 Exit codes: 0 done, 2 usage, 3 bad scene or mesh, 4 not written, 5 the simulation failed, 6 a replay
 departed from its log, 7 done, with warnings, and --strict was given, 130 interrupted by Ctrl-C.

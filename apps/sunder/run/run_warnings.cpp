@@ -42,8 +42,7 @@ double energy_of_balls(const std::vector<Obstacle>& obstacles) {
   double sum = 0;
   for (const Obstacle& ball : obstacles) {
     if (!ball.mass) continue;
-    sum += 0.5 * *ball.mass * ball.velocity.squaredNorm() +
-           0.5 * moment_of_inertia(ball) * ball.spin.squaredNorm();
+    sum += kinetic_energy(ball);
   }
   return sum;
 }
@@ -51,7 +50,7 @@ double energy_of_balls(const std::vector<Obstacle>& obstacles) {
 std::vector<Vec3> centres_of_balls(const std::vector<Obstacle>& obstacles) {
   std::vector<Vec3> centres(obstacles.size(), Vec3::Zero());
   for (std::size_t k = 0; k < obstacles.size(); ++k) {
-    if (obstacles[k].mass) centres[k] = std::get<Sphere>(obstacles[k].shape).center;
+    if (obstacles[k].mass) centres[k] = pose_of(obstacles[k].shape).centre;
   }
   return centres;
 }

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// A node is a component, or a free ball behind all components.
+/// A node is a component, or a free obstacle ("ball") behind all components.
 struct Nodes {
   const SimulationState& s;
   std::size_t components() const { return s.mechanics.components.size(); }
@@ -41,6 +41,9 @@ struct Nodes {
   }
 };
 
+/// Meshes are no convex parts: what is near one stays with the elastic solver.
+bool is_solid(const Obstacle& obstacle) { return std::holds_alternative<Solid>(obstacle.shape); }
+
 /// What deforms may become faster in the tick than it is.
 constexpr double haste = 2;
 
@@ -52,7 +55,7 @@ std::vector<char> find_candidates(const Simulation& sim, const Nodes& nodes,
   for (std::size_t k = 0; k < nodes.count(); ++k) {
     if (!nodes.lives(k)) continue;
     if (nodes.is_ball(k)) {
-      may[k] = 1;
+      may[k] = !is_solid(nodes.ball(k));
       continue;
     }
     const Component& c = nodes.component(k);
@@ -88,9 +91,9 @@ Bounds swept(Bounds box, const Vec3& way, double widen) {
 /// A ball round all that a node can reach in the tick, as a box.
 Bounds bounds_of(const Nodes& nodes, std::size_t node, const Vec3& gravity, double tick) {
   const bool is_ball = nodes.is_ball(node);
-  const Vec3 centre = is_ball ? std::get<Sphere>(nodes.ball(node).shape).center
+  const Vec3 centre = is_ball ? pose_of(nodes.ball(node).shape).centre
                               : nodes.component(node).centre;
-  const double radius = is_ball ? std::get<Sphere>(nodes.ball(node).shape).radius
+  const double radius = is_ball ? radius_of(nodes.ball(node).shape)
                                 : 1.1 * nodes.component(node).rest_radius;
   const Vec3 way = nodes.sleeps(node)
                        ? Vec3::Zero()
@@ -148,6 +151,7 @@ struct Island {
   bool is_rubble = true;   ///< all in it may be
   bool has_candidate = false, is_awake = false;
   bool is_grounded = false, is_torn = false;
+  bool meets_solid = false;
   Vec3 ground = Vec3::Zero();      ///< m/s, of what is driven and near
   Vec3 momentum = Vec3::Zero();
   double mass = 0, kinetic = 0, strain = 0, fastest = 0;
@@ -157,11 +161,7 @@ struct Island {
 double kinetic_against(const SimulationState& s, const Nodes& nodes, std::size_t k,
                        const Vec3& velocity) {
   if (nodes.sleeps(k)) return 0.5 * nodes.mass(k) * velocity.squaredNorm();
-  if (nodes.is_ball(k)) {
-    const Obstacle& ball = nodes.ball(k);
-    return 0.5 * (*ball.mass * (ball.velocity - velocity).squaredNorm() +
-                  moment_of_inertia(ball) * ball.spin.squaredNorm());
-  }
+  if (nodes.is_ball(k)) return kinetic_energy(nodes.ball(k), velocity);
   double energy = 0;
   for (VertexId v : nodes.component(k).vertices) {
     energy += 0.5 * s.mechanics.vertices.mass[v.index()] *
@@ -175,7 +175,7 @@ double fastest_of(const SimulationState& s, const Nodes& nodes, std::size_t k, c
   if (nodes.is_ball(k)) {
     const Obstacle& ball = nodes.ball(k);
     return (ball.velocity - against).norm() +
-           ball.spin.norm() * std::get<Sphere>(ball.shape).radius;
+           ball.spin.norm() * radius_of(ball.shape);
   }
   double fastest = 0;
   for (VertexId v : nodes.component(k).vertices) {
@@ -197,6 +197,7 @@ bool is_near(const Nodes& nodes, std::size_t k, const Obstacle& obstacle, const 
 /// Where nothing that lives can break or deforms for other reasons, no islands are needed.
 bool all_are_safe(RubbleChoice& choice, const Nodes& nodes, const std::vector<char>& may,
                   const RubbleInput& input) {
+  if (std::ranges::any_of(nodes.s.obstacles, is_solid)) return false;
   for (std::size_t k = 0; k < nodes.count(); ++k) {
     if (!nodes.lives(k) || nodes.is_ball(k)) continue;
     if (!may[k] || (input.threshold[k] < infinite && !input.declared[k])) return false;
@@ -216,28 +217,6 @@ bool all_are_safe(RubbleChoice& choice, const Nodes& nodes, const std::vector<ch
 }
 
 }  // namespace
-
-void note_declared(std::vector<char>& declared, std::vector<double>& body_mass,
-                   const Simulation& sim) {
-  const SimulationState& s = *sim.state;
-  const LadderSettings& ladder = sim.scene.ladder;
-  declared.assign(s.mechanics.components.size(), 0);
-  if (ladder.rubble == RubbleMode::off || !(ladder.declared_rubble > 0)) return;
-  if (body_mass.empty()) {
-    for (const BodyRows& rows : sim.bodies) {
-      double& mass = body_mass.emplace_back(0);
-      for (std::size_t t = rows.first_tetrahedron; t < rows.end_tetrahedron; ++t) {
-        mass += s.mechanics.elements.mass[t];
-      }
-    }
-  }
-  for (const Component& c : s.mechanics.components) {
-    const std::size_t k = c.id.index();
-    if (c.tetrahedra.empty()) continue;
-    const double whole = body_mass[body_of(sim, c.tetrahedra.front())];
-    declared[k] = c.mass <= ladder.declared_rubble * whole && c.mass < (1 - 1e-9) * whole;
-  }
-}
 
 RubbleChoice choose_rubble(const Simulation& sim, const RubbleInput& input) {
   const SimulationState& s = *sim.state;
@@ -268,11 +247,14 @@ RubbleChoice choose_rubble(const Simulation& sim, const RubbleInput& input) {
     island.is_rubble = island.is_rubble && may[k];
     island.has_candidate = island.has_candidate || (may[k] && !nodes.is_ball(k));
     island.is_awake = island.is_awake || !nodes.sleeps(k);
+    island.meets_solid = island.meets_solid || (nodes.is_ball(k) && is_solid(nodes.ball(k)));
     if (!may[k]) continue;
     island.mass += nodes.mass(k);
     if (!nodes.sleeps(k)) island.momentum += nodes.mass(k) * nodes.velocity(k);
     for (const Obstacle& o : s.obstacles) {
       if (o.mass || !is_near(nodes, k, o, gravity, tick)) continue;
+      island.meets_solid = island.meets_solid || is_solid(o);
+      island.is_rubble = island.is_rubble && !is_solid(o);
       island.is_torn = island.is_torn || (island.is_grounded && o.velocity != island.ground);
       island.is_grounded = true;
       island.ground = o.velocity;
@@ -304,7 +286,8 @@ RubbleChoice choose_rubble(const Simulation& sim, const RubbleInput& input) {
     const Island& island = island_of(k);
     if (!island.is_rubble) {
       char& seen = counted[joined.root(k)];
-      choice.mixed += island.has_candidate && !seen;
+      const bool is_new = island.has_candidate && !seen;
+      (island.meets_solid ? choice.solids : choice.mixed) += is_new;
       seen = 1;
       continue;
     }

@@ -10,16 +10,10 @@
 
 namespace sunder {
 
-/// Marks components that are declared never to break again: those with no more than `declared_rubble` of
-/// their body's mass, once it has lost some. None where rubble is off. `body_mass` (kg) is filled at
-/// the first call.
-void note_declared(std::vector<char>& declared, std::vector<double>& body_mass,
-                   const Simulation& sim);
-
 /// What a choice looks at, rows = ComponentId.
 struct RubbleInput {
   const std::vector<double>& threshold;  ///< J (`note_break_energies`)
-  const std::vector<char>& declared;
+  const std::vector<char>& declared;  ///< `note_unbreakable`
   Vec3 gravity = Vec3::Zero();  ///< m/s^2
   double tick = 0;              ///< s
 };
@@ -31,10 +25,12 @@ struct RubbleChoice {
   bool any_awake = false;
   std::uint32_t refused = 0;   ///< islands whose certificate failed
   std::uint32_t mixed = 0;     ///< islands of candidates and of what is none
+  std::uint32_t solids = 0;    ///< islands near obstacles that are meshes
 };
 
 /// Islands of what could meet in a tick, by the boxes of surface tetrahedra along the ways of their
-/// bodies, twice as far for what deforms; what is driven joins nobody. An island is rubble where
+/// bodies, twice as far for what deforms; what is driven joins nobody. Near obstacles that are meshes
+/// no island is rubble. An island is rubble where
 /// all in it can be (free, without loads, ties and windows; no vertex of theirs can break, or the
 /// certificate says so) and rubble is on.
 ///

@@ -7,6 +7,7 @@
 
 #include "fracture/simulation/break_energy.hpp"
 #include "fracture/simulation/rubble/islands.hpp"
+#include "fracture/simulation/rubble/rigid_pieces.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/contact/impact_energy.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
@@ -134,7 +135,7 @@ void add_obstacles(World& world, const SimulationState& s, const std::vector<cha
   world.of_obstacle.assign(s.obstacles.size(), no_row);
   for (std::size_t k = 0; k < s.obstacles.size(); ++k) {
     const Obstacle& o = s.obstacles[k];
-    if (o.mass && !balls[k]) continue;
+    if ((o.mass && !balls[k]) || std::holds_alternative<Solid>(o.shape)) continue;
     RubbleBody body;
     body.friction = o.friction;
     body.in_ledger = false;
@@ -148,7 +149,7 @@ void add_obstacles(World& world, const SimulationState& s, const std::vector<cha
     } else if (const auto* ball = std::get_if<Sphere>(&o.shape)) {
       shape.kind = RubbleShape::Kind::ball;
       shape.radius = body.radius = ball->radius;
-        body.centre = ball->center;
+      body.centre = ball->center;
     } else {
       const Box& box = std::get<Box>(o.shape);
       shape.kind = RubbleShape::Kind::box;
@@ -159,9 +160,9 @@ void add_obstacles(World& world, const SimulationState& s, const std::vector<cha
     }
     if (o.mass) {
       body.mass = *o.mass;
-      body.inertia = moment_of_inertia(o) * Mat3::Identity();
+      body.inertia = own_inertia(o);
       body.momentum = *o.mass * o.velocity;
-      body.angular_momentum = moment_of_inertia(o) * o.spin;
+      body.angular_momentum = angular_momentum_of(o);
     } else {
       body.velocity = o.velocity;
     }
@@ -219,9 +220,9 @@ void take_back(SimulationState& s, const World& world) {
     Obstacle& o = s.obstacles[k];
     if (!o.mass || world.of_obstacle[k] == no_row) continue;
     const RubbleBody& body = world.bodies[world.of_obstacle[k]];
-    std::get<Sphere>(o.shape).center = body.centre;
+    put(o.shape, {body.centre, body.orientation});
     o.velocity = body.momentum / body.mass;
-    o.spin = body.angular_momentum / moment_of_inertia(o);
+    o.spin = spin_of(o, body.angular_momentum);
   }
 }
 
@@ -280,7 +281,8 @@ void note_declared_share(StepReport& report, const RubbleTickScratch& scratch,
   double mass = 0, all = 0;
   for (const Component& c : s.mechanics.components) {
     all += c.mass;
-    if (!scratch.declared[c.id.index()]) continue;
+    report.rubble.rigid += c.rigid && !is_isolated(c);
+    if (scratch.declared[c.id.index()] != static_cast<char>(Unbreakable::declared)) continue;
     ++report.rubble.declared;
     mass += c.mass;
   }
@@ -335,12 +337,12 @@ RubbleClock rubble_clock(double time_step) {
 void begin_rubble(StepReport& report, Simulation& sim) {
   const Scene& scene = sim.scene;
   SimulationState& s = *sim.state;
+  RubbleTickScratch& scratch = sim.scratch->rubble;
+  harden_pieces(report, sim);
+  note_declared_share(report, scratch, s);
   if (scene.ladder.rubble == RubbleMode::off) return;
   const RubbleClock clock = rubble_clock(scene.integrator.time_step);
   RubbleState& rubble = s.ladder.rubble;
-  RubbleTickScratch& scratch = sim.scratch->rubble;
-  note_declared(scratch.declared, scratch.body_mass, sim);
-  note_declared_share(report, scratch, s);
   if (s.step % clock.steps != 0) return;
   const double whole = clock.tick * static_cast<double>(clock.ticks);
   const Vec3 gravity = gravity_at(scene.gravity, s.mechanics.time + whole);
@@ -350,6 +352,7 @@ void begin_rubble(StepReport& report, Simulation& sim) {
       choose_rubble(sim, {scratch.threshold, scratch.declared, gravity, whole});
   report.rubble.refused += choice.refused;
   report.rubble.mixed += choice.mixed;
+  report.rubble.solids += choice.solids;
   leave_rung(s, choice.component);
   rubble.apart = std::move(choice.component);
   rubble.ball_apart = std::move(choice.ball);

@@ -8,7 +8,8 @@
 
 namespace sunder {
 
-/// Where a tick begins with the step at hand: chooses who is rubble (`choose_rubble`), and takes
+/// Makes rigid bodies of pieces that never break by somebody's word (`turn_pieces_rigid`), be rubble
+/// on or off. Where a tick begins with the step at hand: chooses who is rubble (`choose_rubble`), and takes
 /// them through the whole tick with their contacts; whoever was rubble and is not goes to `full`.
 /// Until the tick ends their rows are those of its end, and nothing else moves them
 /// (`RubbleState::apart`). What it did with energy and momentum is added to the report.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Obstacles, which do not break: planes, spheres and boxes. No contact is solved here.
+// Obstacles, which do not break: planes, spheres, boxes, solids. No contact is solved here.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <variant>
 
@@ -35,20 +36,32 @@ struct Box {
   Vec3 half_extent{0.5, 0.5, 0.5};
 };
 
-using Shape = std::variant<Plane, Sphere, Box>;
+/// A closed surface of triangles, checked, with its measures (solid_surface.hpp).
+struct SolidSurface;
+
+/// What a closed surface of triangles bounds.
+struct Solid {
+  /// In coordinates of its own, m; shared by all copies.
+  std::shared_ptr<const SolidSurface> surface;
+  /// Where those are placed: x = orientation * X + translation, m.
+  Vec3 translation{0, 0, 0};
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+};
+
+using Shape = std::variant<Plane, Sphere, Box, Solid>;
 
 /// A shape with its motion. Without a mass it is driven: it keeps its velocity whatever it hits.
-/// With a mass it must be a sphere: a projectile that falls, is pushed back and hits other
-/// obstacles.
+/// With a mass it must have a volume: a free rigid body, of the same density everywhere, that
+/// falls, is pushed back and hits other obstacles.
 struct Obstacle {
   Shape shape = Plane{};
-  /// m/s; zero for a static obstacle.
+  /// m/s, of the mass centre; zero for a static obstacle.
   Vec3 velocity{0, 0, 0};
-  /// Angular velocity, rad/s; used by free spheres only.
+  /// Angular velocity, rad/s, world; used by free obstacles only.
   Vec3 spin{0, 0, 0};
   /// Coulomb's coefficient, >= 0. Two surfaces in contact have the mean of theirs.
   double friction = 0.5;
-  /// kg, > 0, of a free sphere; none for a driven obstacle.
+  /// kg, > 0, of a free obstacle; none for a driven one.
   std::optional<double> mass = {};
 };
 

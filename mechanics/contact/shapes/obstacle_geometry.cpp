@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Signed distances of planes, spheres and boxes, and sphere tracing.
+// Signed distances of obstacles, sphere tracing, and free obstacles as rigid bodies.
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "mechanics/contact/shapes/solid_surface.hpp"
 #include "topology/base/assert.hpp"
 
 namespace sunder {
@@ -38,6 +40,22 @@ SurfaceDistance distance_to(const Box& box, const Vec3& point) {
   return {gap, box.orientation * normal};
 }
 
+SurfaceDistance distance_to(const Solid& solid, const Vec3& point) {
+  const Vec3 own = solid.orientation.conjugate() * (point - solid.translation);
+  const SurfacePoint at = distance_to_surface(*solid.surface, own);
+  return {at.gap, solid.orientation * at.normal};
+}
+
+/// Whether a path is farther from the ball around a solid than twice its length: nothing of what it
+/// could meet is then worth a look.
+std::optional<FirstTouch> pass_by(const Solid& solid, const Path& path) {
+  const Vec3 arm = path.start - (solid.orientation * solid.surface->centre + solid.translation);
+  const double length = (path.end - path.start).norm();
+  const double gap = arm.norm() - solid.surface->radius - path.radius;
+  if (!(gap > 2 * length)) return std::nullopt;
+  return FirstTouch{arm.normalized(), gap, gap - length, 0};
+}
+
 FirstTouch touch_plane(const Plane& plane, const Path& path) {
   const double start = plane.normal.dot(path.start) - plane.offset - path.radius;
   const double end = plane.normal.dot(path.end) - plane.offset - path.radius;
@@ -53,6 +71,9 @@ SurfaceDistance surface_distance(const Shape& shape, const Vec3& point) {
 
 FirstTouch first_touch(const Shape& shape, const Path& path) {
   if (const auto* plane = std::get_if<Plane>(&shape)) return touch_plane(*plane, path);
+  if (const auto* solid = std::get_if<Solid>(&shape)) {
+    if (const std::optional<FirstTouch> far = pass_by(*solid, path)) return *far;
+  }
   const Vec3 motion = path.end - path.start;
   const double length = motion.norm();
   SurfaceDistance here = surface_distance(shape, path.start);
@@ -80,7 +101,7 @@ FirstTouch first_touch(const Shape& shape, const Path& path) {
 
 Vec3 surface_velocity(const Obstacle& obstacle, const Vec3& point) {
   if (!obstacle.mass) return obstacle.velocity;
-  return obstacle.velocity + obstacle.spin.cross(point - std::get<Sphere>(obstacle.shape).center);
+  return obstacle.velocity + obstacle.spin.cross(point - pose_of(obstacle.shape).centre);
 }
 
 void translate(Shape& shape, const Vec3& displacement) {
@@ -90,13 +111,120 @@ void translate(Shape& shape, const Vec3& displacement) {
     sphere->center += displacement;
   } else if (auto* box = std::get_if<Box>(&shape)) {
     box->center += displacement;
+  } else if (auto* solid = std::get_if<Solid>(&shape)) {
+    solid->translation += displacement;
   }
+}
+
+bool has_volume(const Shape& shape) {
+  const auto* solid = std::get_if<Solid>(&shape);
+  return !std::holds_alternative<Plane>(shape) && (!solid || solid->surface);
+}
+
+double volume_of(const Shape& shape) {
+  SUNDER_ASSERT(has_volume(shape), "a plane has no volume");
+  if (const auto* sphere = std::get_if<Sphere>(&shape)) {
+    return 4 * M_PI / 3 * std::pow(sphere->radius, 3);
+  }
+  if (const auto* box = std::get_if<Box>(&shape)) return 8 * box->half_extent.prod();
+  return std::get<Solid>(shape).surface->volume;
+}
+
+Pose pose_of(const Shape& shape) {
+  if (const auto* sphere = std::get_if<Sphere>(&shape)) return {.centre = sphere->center};
+  if (const auto* box = std::get_if<Box>(&shape)) return {box->center, box->orientation};
+  SUNDER_ASSERT(std::holds_alternative<Solid>(shape), "a plane has no mass centre");
+  const Solid& solid = std::get<Solid>(shape);
+  return {solid.translation + solid.orientation * solid.surface->centre, solid.orientation};
+}
+
+void put(Shape& shape, const Pose& pose) {
+  if (auto* sphere = std::get_if<Sphere>(&shape)) {
+    sphere->center = pose.centre;
+  } else if (auto* box = std::get_if<Box>(&shape)) {
+    box->center = pose.centre;
+    box->orientation = pose.orientation;
+  } else if (auto* solid = std::get_if<Solid>(&shape)) {
+    solid->orientation = pose.orientation;
+    solid->translation = pose.centre - pose.orientation * solid->surface->centre;
+  }
+}
+
+double radius_of(const Shape& shape) {
+  if (const auto* sphere = std::get_if<Sphere>(&shape)) return sphere->radius;
+  if (const auto* box = std::get_if<Box>(&shape)) return box->half_extent.norm();
+  SUNDER_ASSERT(std::holds_alternative<Solid>(shape), "a plane has no radius");
+  return std::get<Solid>(shape).surface->radius;
 }
 
 double moment_of_inertia(const Obstacle& free_sphere) {
   SUNDER_ASSERT(free_sphere.mass.has_value(), "only a free sphere has a moment of inertia");
   const double radius = std::get<Sphere>(free_sphere.shape).radius;
   return 0.4 * *free_sphere.mass * radius * radius;
+}
+
+Mat3 own_inertia(const Obstacle& free) {
+  SUNDER_ASSERT(free.mass.has_value(), "only a free obstacle has an inertia");
+  if (const auto* box = std::get_if<Box>(&free.shape)) {
+    const Vec3 square = box->half_extent.cwiseAbs2();
+    const Vec3 sums(square.y() + square.z(), square.z() + square.x(), square.x() + square.y());
+    return Mat3((*free.mass / 3 * sums).asDiagonal());
+  }
+  if (const auto* solid = std::get_if<Solid>(&free.shape)) {
+    return *free.mass / solid->surface->volume * solid->surface->inertia;
+  }
+  return moment_of_inertia(free) * Mat3::Identity();
+}
+
+Mat3 inverse_inertia(const Obstacle& free) {
+  if (std::holds_alternative<Sphere>(free.shape)) return Mat3::Identity() / moment_of_inertia(free);
+  const Mat3 R = pose_of(free.shape).orientation.toRotationMatrix();
+  return R * own_inertia(free).inverse() * R.transpose();
+}
+
+Vec3 angular_momentum_of(const Obstacle& free) {
+  if (std::holds_alternative<Sphere>(free.shape)) return moment_of_inertia(free) * free.spin;
+  const Eigen::Quaterniond R = pose_of(free.shape).orientation;
+  return R * Vec3(own_inertia(free) * (R.conjugate() * free.spin));
+}
+
+Vec3 spin_of(const Obstacle& free, const Vec3& angular_momentum) {
+  if (std::holds_alternative<Sphere>(free.shape)) return angular_momentum / moment_of_inertia(free);
+  const Eigen::Quaterniond R = pose_of(free.shape).orientation;
+  return R * Vec3(own_inertia(free).ldlt().solve(R.conjugate() * angular_momentum));
+}
+
+double kinetic_energy(const Obstacle& free, const Vec3& velocity) {
+  const double turning = std::holds_alternative<Sphere>(free.shape)
+                             ? moment_of_inertia(free) * free.spin.squaredNorm()
+                             : angular_momentum_of(free).dot(free.spin);
+  return 0.5 * (*free.mass * (free.velocity - velocity).squaredNorm() + turning);
+}
+
+Vec3 carried_point(const Shape& before, const Shape& after, const Vec3& point) {
+  const Pose from = pose_of(before), to = pose_of(after);
+  return to.centre + to.orientation * (from.orientation.conjugate() * (point - from.centre));
+}
+
+std::size_t corner_count(const Shape& shape) {
+  if (std::holds_alternative<Box>(shape)) return 8;
+  const auto* solid = std::get_if<Solid>(&shape);
+  return solid ? solid->surface->points.size() : 0;
+}
+
+Vec3 corner_at(const Shape& shape, std::uint32_t corner) {
+  if (const auto* box = std::get_if<Box>(&shape)) {
+    const Vec3 sign(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+    return box->center + box->orientation * sign.cwiseProduct(box->half_extent);
+  }
+  const Solid& solid = std::get<Solid>(shape);
+  return solid.translation + solid.orientation * solid.surface->points[corner];
+}
+
+std::span<const std::uint32_t> ring_of(const Solid& solid, std::uint32_t point) {
+  const SolidSurface& surface = *solid.surface;
+  const std::uint32_t first = surface.ring_first[point];
+  return std::span(surface.ring).subspan(first, surface.ring_first[point + 1] - first);
 }
 
 }  // namespace sunder

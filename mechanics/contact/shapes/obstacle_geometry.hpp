@@ -2,7 +2,11 @@
 // Where points and paths meet obstacles, and how obstacles move.
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include "mechanics/contact/shapes/obstacle.hpp"
+#include "mechanics/state/pose.hpp"
 
 namespace sunder {
 
@@ -49,8 +53,67 @@ Vec3 surface_velocity(const Obstacle& obstacle, const Vec3& point);
 /// Moves an obstacle by `displacement` (m); planes shift along their normal.
 void translate(Shape& shape, const Vec3& displacement);
 
+inline bool is_sphere(const Obstacle& obstacle) {
+  return std::holds_alternative<Sphere>(obstacle.shape);
+}
+
+/// Whether a shape has a volume: all but planes and meshes that were not read.
+bool has_volume(const Shape& shape);
+
+/// m^3. Needs: `has_volume`.
+double volume_of(const Shape& shape);
+
+/// Where a shape is: its mass centre and, but of a sphere, its turn. Needs: a shape with a volume,
+/// as what follows does.
+Pose pose_of(const Shape& shape);
+
+/// Puts it there.
+void put(Shape& shape, const Pose& pose);
+
+/// m, of the ball around the mass centre that holds the shape.
+double radius_of(const Shape& shape);
+
 /// Moment of inertia of a free sphere about its centre, 2/5 m r^2, kg m^2.
 /// Needs: a sphere with a mass.
 double moment_of_inertia(const Obstacle& free_sphere);
+
+/// Inertia of a free obstacle about its mass centre, of the same density everywhere: in its own
+/// axes (those of the mesh), kg m^2.
+Mat3 own_inertia(const Obstacle& free);
+
+/// The inverse of that in the world's axes.
+Mat3 inverse_inertia(const Obstacle& free);
+
+/// About the mass centre, world, kg m^2/s.
+Vec3 angular_momentum_of(const Obstacle& free);
+
+/// The spin (rad/s, world) that an angular momentum means for a free obstacle as it is turned.
+Vec3 spin_of(const Obstacle& free, const Vec3& angular_momentum);
+
+/// J, of motion against `velocity` (m/s).
+double kinetic_energy(const Obstacle& free, const Vec3& velocity = Vec3::Zero());
+
+/// Where `point` (m) of an obstacle's matter, fast to it in `before`, is in `after`.
+Vec3 carried_point(const Shape& before, const Shape& after, const Vec3& point);
+
+/// Number of corners: 8 of a box, the points of a mesh; 0 of planes and spheres.
+std::size_t corner_count(const Shape& shape);
+
+/// A corner, m; of a box number k has the sign of bit i of k along axis i.
+Vec3 corner_at(const Shape& shape, std::uint32_t corner);
+
+/// Points of a mesh that are joined to one by an edge.
+std::span<const std::uint32_t> ring_of(const Solid& solid, std::uint32_t point);
+
+/// The other ends of the edges at a corner: of a box three, of a mesh as many as there are.
+/// Calls `visit(corner)`.
+template <class Visit>
+void for_each_neighbour(const Shape& shape, std::uint32_t corner, Visit visit) {
+  if (std::holds_alternative<Box>(shape)) {
+    for (std::uint32_t bit = 1; bit < 8; bit <<= 1) visit(corner ^ bit);
+  } else if (const auto* solid = std::get_if<Solid>(&shape)) {
+    for (const std::uint32_t end : ring_of(*solid, corner)) visit(end);
+  }
+}
 
 }  // namespace sunder

@@ -13,6 +13,7 @@
 #include "apps/scene/scene_schema.hpp"
 #include "fracture/scene/scene_doubts.hpp"
 #include "fracture/simulation/simulation_state.hpp"
+#include "mechanics/contact/shapes/solid_surface.hpp"
 #include "topology/io/vtu/vtu.hpp"
 
 using namespace sunder;
@@ -220,6 +221,39 @@ TEST_CASE("cuts and strengths are read, and what is wrong with them has its line
         std::multiset<std::string>{"cannot_open", "missing_key", "out_of_range", "wrong_type"});
 }
 
+TEST_CASE("obstacles are read from surfaces and meshes, and what is wrong with them has its line",
+          "[run][scene][solid]") {
+  const std::filesystem::path folder = std::filesystem::temp_directory_path();
+  const auto name = "sunder_tetra_" + std::to_string(getpid()) + ".obj";
+  const auto write = [&](const std::string& last) {
+    std::ofstream(folder / name) << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+                                 << "f 1 3 2\nf 1 2 4\nf 2 3 4\n" << last;
+  };
+  json scene = cube_scene();
+  scene["obstacles"] = {{{"mesh", {{"file", name}, {"translation", {0, 0, -3}}}}, {"mass", 2}},
+                        {{"mesh", {{"file", SUNDER_MESHES "/cube.msh"}}}}};
+  write("f 1 4 3\n");
+  const Result<SceneFile> file = read(scene);
+  REQUIRE(file);
+  const auto& tetrahedron = std::get<Solid>(file->scene.obstacles[0].shape);
+  CHECK(tetrahedron.surface->volume == Approx(1.0 / 6));
+  CHECK(tetrahedron.translation.z() == -3);
+  CHECK(tetrahedron.surface->file == name);
+  // Of tetrahedra the boundary.
+  CHECK(std::get<Solid>(file->scene.obstacles[1].shape).surface->triangles.size() == 48);
+  write("");
+  const Result<SceneFile> open = read(scene);
+  REQUIRE(open.findings.size() == 1);
+  CHECK(open.findings[0].code == "open_surface");
+  CHECK(open.findings[0].text.find("obstacles.0.mesh.file (" + name + ")") == 0);
+  CHECK(open.findings[0].line > 0);
+  scene["obstacles"][0]["mesh"]["file"] = "there_is_none.stl";
+  CHECK(codes(read(scene).findings) == std::multiset<std::string>{"cannot_open"});
+  scene["obstacles"][0]["mesh"].erase("file");
+  CHECK(codes(read(scene).findings) == std::multiset<std::string>{"missing_key"});
+  std::filesystem::remove(folder / name);
+}
+
 TEST_CASE("all that is wrong is told at once, each at its line", "[run][scene]") {
   json scene = cube_scene();
   scene["bodies"][0]["material"] = {{"density", -1}, {"poisson_ratio", 0.5}, {"strenght", 1}};
@@ -259,7 +293,8 @@ TEST_CASE("the reader refuses what the rooms' own checks refuse", "[run][scene]"
                               "fracture.max_fans=0",
                               "bodies=[]",
                               "output.pictures.width=1e9",
-                              "obstacles=[{\"box\": {}, \"mass\": 1}]",
+                              "obstacles=[{\"plane\": {}, \"mass\": 1}]",
+                              "obstacles=[{\"mesh\": {}}]",
                               "obstacles=[{\"sphere\": {}, \"spin\": [1, 0, 0]}]",
                               "bodies.0.held=[{\"minimum\": [9, 9, 9], \"maximum\": [8, 8, 8]}]",
                               "bodies.0.held=[{\"minimum\": [8, 8, 8], \"maximum\": [9, 9, 9]}]"}) {

@@ -153,7 +153,7 @@ void hold_kinetic(const std::vector<double>& before, const Simulation& now, doub
   double kept = 0, kept_before = 0, rigid = 0, rigid_before = 0;
   for (std::size_t t = 0; t < after.size(); ++t) {
     const ComponentId id = now.state->mechanics.elements.component[t];
-    const bool isolated = now.state->mechanics.components[id.index()].isolated;
+    const bool isolated = now.state->mechanics.components[id.index()].rigid;
     (isolated ? rigid : kept) += after[t];
     (isolated ? rigid_before : kept_before) += before[t];
   }
@@ -180,7 +180,7 @@ TEST_CASE("random fans of random bodies keep mass, momentum and what pieces do n
       for (int round = 0; round < 6; ++round) {
         const Kept before = of_rows(body.state);
         const std::size_t old_rigid = static_cast<std::size_t>(
-            std::ranges::count(body.state.components, true, &Component::isolated));
+            std::ranges::count(body.state.components, true, &Component::rigid));
         const RebuildReport report = tear(body, 1 + below(random, 8), random, fans);
         const Kept rows = of_rows(body.state);
         hold_same(before, rows);
@@ -189,14 +189,14 @@ TEST_CASE("random fans of random bodies keep mass, momentum and what pieces do n
         CHECK(given_up >= -1e-12 * before.kinetic);
         CHECK(std::abs(before.kinetic - rows.kinetic - given_up) <= 1e-12 * before.kinetic);
         const std::size_t now_rigid = static_cast<std::size_t>(
-            std::ranges::count(body.state.components, true, &Component::isolated));
+            std::ranges::count(body.state.components, true, &Component::rigid));
         // Nothing is given up but by what became rigid.
         if (now_rigid == old_rigid)
           CHECK(std::abs(report.energy_released) <= 1e-12 * before.kinetic);
       }
       for (const Component& c : body.state.components) {
         pieces += !c.tetrahedra.empty();
-        rigid += c.isolated;
+        rigid += c.rigid;
       }
     }
   }

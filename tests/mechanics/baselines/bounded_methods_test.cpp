@@ -126,7 +126,7 @@ TEST_CASE("a projected tetrahedron turns by atan(sin phi / (2 - cos phi)) after 
           "[mechanics][baselines][isolated]") {
   const Body body = regular_tetrahedron(0.05);
   MechanicsState state = state_of(body, {});
-  REQUIRE(state.components[0].isolated);
+  REQUIRE(state.components[0].rigid);
   const double w = 50, h = 1e-2;
   const Vec3 velocity(1, 0, 2);
   place(state, ComponentId{0}, {.velocity = velocity, .spin = Vec3(0, 0, w)});

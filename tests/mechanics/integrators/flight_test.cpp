@@ -166,7 +166,7 @@ TEST_CASE("an isolated tetrahedron keeps its spin and its shape", "[mechanics][f
   const double h = GENERATE(1e-4, 1e-2);
   const Body body = single_tetrahedron(size);
   MechanicsState state = state_of(body, {});
-  REQUIRE(state.components[0].isolated);
+  REQUIRE(state.components[0].rigid);
   place(state, ComponentId{0}, {.velocity = Vec3(1, 0, 0), .spin = Vec3(30, 40, 5)});
   const Vec3 L = state.components[0].angular_momentum;
   const double energy = kinetic_energy(state.vertices);

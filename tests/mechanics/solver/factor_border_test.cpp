@@ -180,7 +180,7 @@ TEST_CASE("factors under a border answer as fresh ones, crack after crack", "[me
         const auto& vertices = c.state.components[0].vertices;
         split(c, vertices[random() % vertices.size()], random);
       }
-      if (c.state.components[0].isolated) break;
+      if (c.state.components[0].rigid) break;
       update_components(c);
     }
   }

@@ -123,7 +123,7 @@ TEST_CASE("what is wrong with an obstacle is said with its place and a remedy",
   };
   Obstacle wrong{Plane{}};
   wrong.mass = 1;
-  cases.push_back({wrong, "mass_without_sphere", "mass"});
+  cases.push_back({wrong, "mass_without_volume", "mass"});
   wrong = Obstacle{Sphere{}};
   wrong.mass = -1;
   cases.push_back({wrong, "out_of_range", "mass"});

@@ -99,7 +99,7 @@ TEST_CASE("a vertex that enters a piece meets the face through which it does",
     const Flight flight = flight_of(random);
     DetectScratch scratch;
     measure_balls(scratch, flight.paths(), 1);
-    find_between_pieces(scratch, flight.paths(), {});
+    find_between_pieces(scratch, flight.paths(), {}, true);
     for (std::size_t i = 0; i < 8; ++i) {
       const VertexId v{i};
       const std::size_t t = i < 4 ? 1 : 0;
