@@ -11,5 +11,5 @@ set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
 # No unwinding: Debian's libc++abi for wasm has none. What is thrown ends the instance, with its
 # words (apps/host/wasm/thrown.cpp).
 set(CMAKE_CXX_FLAGS_INIT "-msimd128 -fexceptions -Wno-deprecated")
-set(CMAKE_CXX_FLAGS_RELEASE_INIT "-O2 -DNDEBUG")
+set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG" CACHE STRING "")
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)

@@ -24,11 +24,11 @@ let scene = null;
 let picked = null;
 let largestBlock = 0; // ms, longest that the page's thread was busy between two pictures
 
+let dirty = true;
 const player = new Player(engine, {
   frame: () => (dirty = true),
   message: (text) => say(text),
 });
-let dirty = true;
 let shownShape = null;
 
 function say(text) {
@@ -178,10 +178,9 @@ function saves() {
   );
 }
 
-function draw(now) {
+function draw() {
   requestAnimationFrame(draw);
   const start = performance.now();
-  player.tick(now);
   if (dirty) {
     dirty = false;
     show();

@@ -17,17 +17,14 @@ export class Player {
     this.playing = false;
     this.pace = 60; // steps a second at most
     this.row = 0;
-    this.due = 0;
     this.busy = Promise.resolve();
-    this.waiting = 0;
     this.pull = null; // the newest place of the spring, not yet sent
   }
 
   /// One request after the other, in their order.
   ask(work, input) {
-    ++this.waiting;
     const answer = this.busy.then(() => this.engine.ask(work, input));
-    this.busy = answer.catch(() => {}).finally(() => --this.waiting);
+    this.busy = answer.catch(() => {});
     return answer;
   }
 
@@ -78,15 +75,18 @@ export class Player {
     if (answer.report.step % savesApart === 0) await this.save();
   }
 
-  /// Called for every picture: asks for a step when one is due.
-  tick(now) {
-    if (!this.playing || this.waiting > 0 || now < this.due) return;
-    this.due = Math.max(this.due + 1000 / this.pace, now - 1000 / this.pace);
-    if (!this.isAtEnd()) {
-      this.look(this.row + 1); // plays what is recorded
-      return;
+  /// Steps, or shows what is recorded, at the pace that is wanted, until it is paused.
+  async run() {
+    if (this.isRunning) return;
+    this.isRunning = true;
+    let due = performance.now();
+    while (this.playing) {
+      if (this.isAtEnd()) await this.attempt(() => this.step());
+      else this.look(this.row + 1);
+      due = Math.max(due + 1000 / this.pace, performance.now() - 1000 / this.pace);
+      await new Promise((next) => setTimeout(next, due - performance.now()));
     }
-    this.attempt(() => this.step());
+    this.isRunning = false;
   }
 
   attempt(work) {
@@ -100,10 +100,12 @@ export class Player {
   play() {
     this.playing = true;
     this.events.frame();
+    this.run();
   }
 
   toggle() {
-    this.playing = !this.playing;
+    if (!this.playing) return this.play();
+    this.playing = false;
     this.events.frame();
   }
 

@@ -8,7 +8,7 @@ export class Stage {
   constructor(canvas) {
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
     this.renderer.shadowMap.enabled = true;
-    this.renderer.shadowMap.type = THREE.PCFSoftShadowMap;
+    this.renderer.shadowMap.type = THREE.PCFShadowMap;
     this.renderer.toneMapping = THREE.ACESFilmicToneMapping;
     this.renderer.toneMappingExposure = 1.05;
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
@@ -93,9 +93,10 @@ export class Stage {
   frame(box) {
     const centre = box.getCenter(new THREE.Vector3());
     this.size = box.getSize(new THREE.Vector3()).length();
-    this.controls.target.copy(centre);
-    const away = new THREE.Vector3(0.62, -0.72, 0.34).multiplyScalar(1.65 * this.size);
-    this.camera.position.copy(centre).add(away);
+    const seen = centre.clone().add(new THREE.Vector3(0, 0, -0.07 * this.size)); // above the footer
+    this.controls.target.copy(seen);
+    const away = new THREE.Vector3(0.62, -0.72, 0.34).multiplyScalar(2.3 * this.size);
+    this.camera.position.copy(seen).add(away);
     this.camera.near = 0.01 * this.size;
     this.camera.far = 60 * this.size;
     this.camera.updateProjectionMatrix();
