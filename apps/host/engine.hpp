@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,6 +36,9 @@ struct sunder_engine {
 };
 
 namespace sunder {
+
+/// The engine of a simulation as it is.
+std::unique_ptr<sunder_engine> make_engine(Simulation simulation);
 
 /// Fills the bytes of one column. Needs: column < SUNDER_COLUMNS. O(|V| + |T|).
 void fill_column(std::vector<unsigned char>& bytes, const Simulation& simulation,

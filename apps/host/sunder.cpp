@@ -86,21 +86,6 @@ Result<SceneFile> read_scene_in_memory(const sunder_scene& scene) {
   return read_scene({{scene.text, scene.text_size}, scene.name}, readers, settings);
 }
 
-std::unique_ptr<sunder_engine> make_engine(Simulation simulation) {
-  auto engine = std::make_unique<sunder_engine>();
-  engine->simulation = std::move(simulation);
-  const Simulation& sim = engine->simulation;
-  engine->loads = sim.state->loads.size();
-  sunder_report& r = engine->report;
-  r.step = sim.state->step;
-  r.time = simulated_time(sim);
-  r.time_step = sim.scene.integrator.time_step;
-  r.duration = sim.scene.duration;
-  r.fans_total = sim.state->fans;
-  for (const Component& c : sim.state->mechanics.components) r.pieces += !c.tetrahedra.empty();
-  return engine;
-}
-
 void note_step(sunder_report& r, const StepReport& step) {
   r.step = step.step;
   r.time = step.time;
@@ -157,6 +142,21 @@ std::optional<Finding> do_action(sunder_engine& engine, const sunder_action& act
 }
 
 }  // namespace
+
+std::unique_ptr<sunder_engine> sunder::make_engine(Simulation simulation) {
+  auto engine = std::make_unique<sunder_engine>();
+  engine->simulation = std::move(simulation);
+  const Simulation& sim = engine->simulation;
+  engine->loads = sim.state->loads.size();
+  sunder_report& r = engine->report;
+  r.step = sim.state->step;
+  r.time = simulated_time(sim);
+  r.time_step = sim.scene.integrator.time_step;
+  r.duration = sim.scene.duration;
+  r.fans_total = sim.state->fans;
+  for (const Component& c : sim.state->mechanics.components) r.pieces += !c.tetrahedra.empty();
+  return engine;
+}
 
 uint32_t sunder_abi(void) { return SUNDER_ABI; }
 

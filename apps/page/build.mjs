@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Builds the page: node build.mjs [--out FOLDER] [--wasm sunder.wasm]. Without an engine the page
-// is that of `sunder view`, which brings its own.
+// Builds the page: node build.mjs [--out FOLDER] [--wasm sunder.wasm | --without-engine]. Without an
+// engine it is that of `sunder view`, which brings its own.
 import { build } from 'esbuild';
 import { copyFileSync, existsSync, mkdirSync, readFileSync, writeFileSync, statSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
@@ -13,7 +13,7 @@ const option = (name, otherwise) => {
   return at < 0 ? otherwise : resolve(process.argv[at + 1]);
 };
 const out = option('--out', join(here, '../../build/page'));
-const wasm = option('--wasm', join(here, '../../build/wasm/apps/host/sunder.wasm'));
+const wasm = process.argv.includes('--without-engine') ? '' : option('--wasm', join(here, '../../build/wasm/apps/host/sunder.wasm'));
 
 /// Scenes of the page, each with the folder of its file. The bunny's terms keep it out.
 const meshes = join(here, '../../meshes/scenes');

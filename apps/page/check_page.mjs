@@ -118,6 +118,7 @@ const branched = await page.evaluate(async () => {
 });
 expect(branched > 0 && branched <= 200, `went back to step ${branched}`);
 const again = await steps(400 - branched);
+await pause(500);
 expect(again.fansTotal === report.fansTotal && again.pieces === report.pieces, 'and came to the same fans and pieces again');
 
 // A vertex that is picked has the engine's stress.

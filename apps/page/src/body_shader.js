@@ -46,6 +46,7 @@ const fragmentHead = /* glsl */ `
   flat varying float vPiece, vCrack, vBirth, vBody;
   varying float vScalar;
   varying vec3 vRest, vWire;
+  vec3 sunderGlow; // numbers are read off their colour, so light matters less
   float hash(vec3 p) { return fract(sin(dot(p, vec3(127.1, 311.7, 74.7))) * 43758.5453); }
   float noise(vec3 p) {
     vec3 i = floor(p), f = fract(p);
@@ -81,7 +82,8 @@ const colourPart = /* glsl */ `
     vec3 edge = vWire / max(fwidth(vWire), vec3(1e-6));
     own = mix(own, vec3(.03), wires * .75 * (1. - smoothstep(.6, 1.4, min(edge.x, min(edge.y, edge.z)))));
   }
-  diffuseColor.rgb = own;
+  diffuseColor.rgb = colourBy > 0 ? .45 * own : own;
+  sunderGlow = colourBy > 0 ? .38 * own : vec3(0.);
 `;
 
 /// Makes `material` draw a BodyMesh. `hasColour`: false for shadows.
@@ -93,6 +95,7 @@ export function bodyShader(material, uniforms, hasColour) {
       .replace('#include <begin_vertex>', placePart);
     if (!hasColour) return;
     shader.fragmentShader = fragmentHead + shader.fragmentShader
+      .replace('#include <emissivemap_fragment>', '#include <emissivemap_fragment>\n  totalEmissiveRadiance += sunderGlow;')
       .replace('#include <color_fragment>', `#include <color_fragment>\n${colourPart}`);
   };
   material.customProgramCacheKey = () => `sunder-${hasColour}`;

@@ -36,7 +36,10 @@ export function drawGraph(canvas, frames, shown) {
   pen.stroke();
   pen.font = `${10 * ratio}px system-ui, sans-serif`;
   pen.fillStyle = '#22272b';
-  pen.fillText('16.7 ms', 2 * ratio, height - frameMs * scale - 3 * ratio);
+  pen.strokeStyle = '#ffffff';
+  pen.setLineDash([]);
+  pen.lineWidth = 3 * ratio;
+  for (const write of ['strokeText', 'fillText']) pen[write]('16.7 ms', 2 * ratio, height - frameMs * scale - 3 * ratio);
   let x = 56 * ratio;
   for (const [name, colour] of stages) {
     pen.fillStyle = colour;

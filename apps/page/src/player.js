@@ -139,8 +139,8 @@ export class Player {
     this.row = this.recording.frames.length - 1;
     // A restored engine counts its shapes anew.
     const { report, columns } = await this.ask('read', { columns: [...perStep, ...perShape] });
-    this.recording.frames.pop();
-    this.record({ report, columns });
+    const same = this.recording.frames.pop();
+    this.record({ report: { ...same.report, shape: report.shape }, columns });
   }
 
   /// Does something to the scene as it is computed last. Of many places of a spring the newest
