@@ -3,13 +3,29 @@
 #include "topology/kernel/volume_map.hpp"
 
 #include "topology/base/assert.hpp"
-#if defined(SUNDER_ROWS_ALONE)
-#include "topology/kernel/rows_alone.hpp"
-#else
+#if !defined(SUNDER_ROWS_ALONE)
 #include "topology/kernel/dart_map.hpp"
 #endif
 
 namespace sunder {
+
+#if defined(SUNDER_ROWS_ALONE)
+/// What stands for the darts in a build without CGAL, as for WebAssembly. Dense rows answer every
+/// query anyway: such a build keeps nothing beside them, needs a twentieth of the memory, and has no
+/// `check(const VolumeMap&)`, which compares the two.
+class DartMap {
+ public:
+  explicit DartMap(const MapRows&) {}
+  void prefetch(TetId) const {}
+  void unsew(HalfFaceId) {}
+  int dart_at(TetId, int) const { return 0; }
+  void sew(int, int) {}
+  VertexId split_vertex(const VertexSplit&) { return VertexId::none(); }
+  void merge_vertices(VertexId, VertexId, std::span<const CornerId>) {}
+  MapBytes bytes() const { return {}; }
+};
+#endif
+
 namespace {
 
 // Debug builds hold what a change touched against the darts at once; `check` holds everything.

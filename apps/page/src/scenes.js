@@ -48,10 +48,17 @@ function fallingMesh(mesh, files) {
       material: { young_modulus: 30e9, poisson_ratio: 0.2, density: 2400, tensile_strength: 3e6 },
       velocity: [0, 0, -6],
     }],
-    obstacles: [{ plane: { normal: [0, 0, 1], offset: 0 }, friction: 0.6 }],
     time_step: 2e-4,
     duration: 1,
     fracture: { crack: 'object' },
   };
-  return { name: `${mesh}.json`, text: JSON.stringify(scene, null, 2), files };
+  return { name: `${mesh}.json`, text: JSON.stringify(scene, null, 2), files, needsFloor: true };
+}
+
+/// The same scene with a floor a little below what is lowest.
+export function withFloor(scene, box) {
+  const content = JSON.parse(scene.text);
+  const offset = box.min.z - 0.02 * (box.max.z - box.min.z);
+  content.obstacles = [{ plane: { normal: [0, 0, 1], offset }, friction: 0.6 }];
+  return { ...scene, text: JSON.stringify(content, null, 2), needsFloor: false };
 }

@@ -67,7 +67,10 @@ export class Tools {
   shoot(event) {
     const ray = this.ray(event);
     const { radius, speed, mass } = this.host.ball();
-    const from = ray.origin.clone();
+    // Soon there: from a third of the body's size before what it is aimed at.
+    const { stage, body } = this.host;
+    const way = body.pick(ray)?.distance ?? ray.origin.distanceTo(stage.controls.target);
+    const from = ray.at(Math.max(stage.camera.near, way - radius - stage.size / 3), new THREE.Vector3());
     this.host.act({
       kind: 'shoot', point: from.toArray(), vector: ray.direction.clone().multiplyScalar(speed).toArray(), radius, mass,
     });
