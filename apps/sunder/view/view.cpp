@@ -3,7 +3,6 @@
 #include "apps/sunder/view/view.hpp"
 
 #include <fmt/format.h>
-#include <httplib.h>
 #include <sys/random.h>
 
 #include <atomic>
@@ -16,6 +15,9 @@
 #include "apps/scene/scene_json.hpp"
 #include "apps/scene/words.hpp"
 #include "apps/sunder/view/view_requests.hpp"
+
+// Last: it brings resolv.h, whose macro _res stands in the way of Eigen.
+#include <httplib.h>
 
 namespace sunder {
 namespace {
