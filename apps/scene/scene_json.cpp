@@ -7,8 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <concepts>
-#include <fstream>
-#include <iterator>
 #include <type_traits>
 
 #include "apps/scene/scene_fields.hpp"
@@ -17,7 +15,7 @@
 #include "apps/scene/scene_paint.hpp"
 #include "apps/scene/scene_text.hpp"
 #include "fracture/scene/check_scene.hpp"
-#include "topology/io/face_list.hpp"
+#include "mechanics/state/elementary.hpp"
 
 namespace sunder {
 namespace {
@@ -28,7 +26,7 @@ using nlohmann::json;
 /// What every value of a scene is read with.
 struct Context {
   const SceneText& text;
-  std::filesystem::path folder;
+  const SceneFiles& files;
   std::vector<Finding>& findings;
 
   /// Line of a value, or of the nearest one around it that the file has.
@@ -158,19 +156,19 @@ void add_of_file(const Context& c, std::vector<Finding> found, const std::string
 
 void read(const Context& c, const Key&, const json& value, const std::string& at, TetMesh& member) {
   if (!value.is_string()) return c.wrong_type(value, at, "the name of a mesh file");
-  add_of_file(c, read_body_mesh(member, c.folder / value.get<std::string>()), at, value);
+  add_of_file(c, read_body_mesh(member, c.files, value), at, value);
 }
 
 void read(const Context& c, const Key&, const json& value, const std::string& at,
           std::shared_ptr<const SolidSurface>& member) {
   if (!value.is_string()) return c.wrong_type(value, at, "the name of a surface file");
-  add_of_file(c, read_solid(member, c.folder / value.get<std::string>()), at, value);
+  add_of_file(c, read_solid(member, c.files, value), at, value);
 }
 
 void read(const Context& c, const Key&, const json& value, const std::string& at,
           FaceList& member) {
   if (!value.is_string()) return c.wrong_type(value, at, "the name of a file of faces");
-  auto faces = read_face_list(c.folder / value.get<std::string>());
+  auto faces = c.files.faces(value.get<std::string>());
   for (Finding& f : faces.findings) {
     f.text = fmt::format("{} ({}): {}", dotted(at), value.get<std::string>(), f.text);
     c.findings.push_back(std::move(f));
@@ -287,7 +285,9 @@ class ObjectReader {
     reader.direction(Key{"axis", "", "", {}, true}, turn.axis);
     reader.field(Key{"angle", "degrees", "", key.range, true}, turn.angle);
     reader.finish();
-    member = Eigen::AngleAxisd(turn.angle * EIGEN_PI / 180, turn.axis);
+    const double half = turn.angle * EIGEN_PI / 360;
+    member.w() = cosine(half);
+    member.vec() = sine(half) * turn.axis;
   }
 
   template <class T>
@@ -354,28 +354,16 @@ void check_output(const Context& c, const SceneFile& file) {
 
 }  // namespace
 
-Result<SceneFile> read_scene(const std::filesystem::path& path,
+Result<SceneFile> read_scene(const SceneBytes& scene, const SceneFiles& files,
                              std::span<const std::string> settings) {
-  std::ifstream in(path, std::ios::binary);
-  std::error_code not_a_folder;
-  if (!in || std::filesystem::is_directory(path, not_a_folder)) {
-    return Finding{.code = "cannot_open",
-                   .ids = {},
-                   .text = fmt::format("cannot open the scene file {}", path.string()),
-                   .remedy =
-                       "give the path of a scene's JSON file, such as "
-                       "meshes/scenes/bunny.json",
-                   .file = path.string()};
-  }
-  const std::string bytes(std::istreambuf_iterator<char>(in), {});
-  Result<SceneText> text = parse_scene_text(bytes, path.string());
+  Result<SceneText> text = parse_scene_text(scene.text, scene.name);
   Result<SceneFile> result;
   result.findings = std::move(text.findings);
   if (!text) return result;
   for (const std::string& setting : settings) {
     for (Finding& f : apply_setting(*text, setting)) result.findings.push_back(std::move(f));
   }
-  const Context context{*text, path.parent_path(), result.findings};
+  const Context context{*text, files, result.findings};
   if (!text->root.is_object()) {
     context.wrong_type(text->root, "", "an object {...}");
     return result;
@@ -384,12 +372,12 @@ Result<SceneFile> read_scene(const std::filesystem::path& path,
   ObjectReader reader(context, text->root, "");
   fields::describe(reader, file);
   reader.finish();
-  for (Finding& f : paint_strengths(file.scene, *text, context.folder)) {
+  for (Finding& f : paint_strengths(file.scene, *text, files)) {
     result.findings.push_back(std::move(f));
   }
   add_findings(context, check_scene(file.scene));
   check_output(context, file);
-  if (file.scene.name.empty()) file.scene.name = path.stem().string();
+  if (file.scene.name.empty()) file.scene.name = std::filesystem::path(scene.name).stem().string();
   if (has_error(result.findings)) return result;
   file.choices = choose_settings(file.scene, file.accuracy, given_keys(text->root));
   for (Finding& f : scene_notes(*text, file)) result.findings.push_back(std::move(f));

@@ -2,15 +2,20 @@
 // Scene files: JSON, SI units, every key checked.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "apps/scene/output_settings.hpp"
 #include "fracture/scene/choose_settings.hpp"
 #include "fracture/scene/scene.hpp"
 #include "topology/base/finding.hpp"
+#include "topology/mesh/file_mesh.hpp"
 
 namespace sunder {
 
@@ -37,6 +42,25 @@ struct SceneFile {
 /// `read_mesh` and `check_mesh`, and those of `check_scene`,
 /// no_crack_planes (`CrackSurface::smooth` with `CrackMode::paper`).
 Result<SceneFile> read_scene(const std::filesystem::path& path,
+                             std::span<const std::string> settings = {});
+
+/// What reads the files that a scene names, each by its name as it stands in the scene.
+struct SceneFiles {
+  std::function<Result<TetMesh>(const std::string& name)> mesh;
+  std::function<Result<FileMesh>(const std::string& name)> surface;
+  std::function<Result<std::vector<std::array<std::uint32_t, 3>>>(const std::string& name)> faces;
+  std::function<Result<std::vector<double>>(const std::string& name, const std::string& field)>
+      point_field;
+};
+
+/// The bytes of a scene in memory; `name` stands in the findings.
+struct SceneBytes {
+  std::string_view text;
+  std::string name;
+};
+
+/// The same for a scene in memory, whose other files `files` reads.
+Result<SceneFile> read_scene(const SceneBytes& scene, const SceneFiles& files,
                              std::span<const std::string> settings = {});
 
 }  // namespace sunder

@@ -66,8 +66,9 @@ TriangleSurface joined(const FileMesh& mesh,
 
 }  // namespace
 
-std::vector<Finding> read_body_mesh(TetMesh& mesh, const std::filesystem::path& path) {
-  Result<TetMesh> read = read_mesh(path);
+std::vector<Finding> read_body_mesh(TetMesh& mesh, const SceneFiles& files,
+                                    const std::string& name) {
+  Result<TetMesh> read = files.mesh(name);
   std::vector<Finding> found = std::move(read.findings);
   if (!read) return found;
   for (Finding& f : check_mesh(*read)) found.push_back(std::move(f));
@@ -76,12 +77,12 @@ std::vector<Finding> read_body_mesh(TetMesh& mesh, const std::filesystem::path& 
 }
 
 std::vector<Finding> read_solid(std::shared_ptr<const SolidSurface>& surface,
-                                const std::filesystem::path& path) {
-  Result<FileMesh> read = read_file_mesh(path);
+                                const SceneFiles& files, const std::string& name) {
+  Result<FileMesh> read = files.surface(name);
   if (!read) return std::move(read.findings);
   const bool has_volume = !read->tetrahedra.corners.empty();
   const auto triangles = has_volume ? boundary(*read) : read->triangles.corners;
-  Result<SolidSurface> made = make_solid_surface(joined(*read, triangles), path.filename().string());
+  Result<SolidSurface> made = make_solid_surface(joined(*read, triangles), name.substr(name.find_last_of('/') + 1));
   if (made) surface = std::make_shared<const SolidSurface>(std::move(*made));
   return std::move(made.findings);
 }

@@ -4,19 +4,17 @@
 
 #include <fmt/format.h>
 
-#include "topology/io/mesh_file.hpp"
-
 namespace sunder {
 
 std::vector<Finding> paint_strengths(Scene& scene, const SceneText& text,
-                                     const std::filesystem::path& folder) {
+                                     const SceneFiles& files) {
   std::vector<Finding> findings;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     BodySettings& body = scene.bodies[b];
     if (body.strength.field.empty() || body.mesh.points.empty()) continue;
     const std::string mesh = text.root["bodies"][b]["mesh"].get<std::string>();
     const std::string at = fmt::format("/bodies/{}/strength/field", b);
-    Result<std::vector<double>> field = read_point_field(folder / mesh, body.strength.field);
+    Result<std::vector<double>> field = files.point_field(mesh, body.strength.field);
     for (Finding& f : field.findings) {
       f.text = fmt::format("{} ({}): {}", dotted(at), mesh, f.text);
       if (const auto line = text.line.find(at); line != text.line.end()) {

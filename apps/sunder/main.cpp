@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "apps/sunder/export/export.hpp"
 #include "apps/sunder/fragments/fragments.hpp"
 #include "apps/sunder/mesh/check.hpp"
 #include "apps/sunder/mesh/convert.hpp"
@@ -15,6 +16,9 @@
 #include "apps/sunder/run/run.hpp"
 #include "apps/sunder/static/modes.hpp"
 #include "apps/sunder/static/static.hpp"
+#if defined(SUNDER_HAS_VIEW)
+#include "apps/sunder/view/view.hpp"
+#endif
 
 namespace {
 
@@ -36,6 +40,10 @@ std::filesystem::path bench_program() {
 void add_commands(CLI::App& program, sunder::ExitCode& exit_code) {
   sunder::add_run_command(program, exit_code);
   sunder::add_static_command(program, exit_code);
+  sunder::add_export_command(program, exit_code);
+#if defined(SUNDER_HAS_VIEW)
+  sunder::add_view_command(program, exit_code);
+#endif
   sunder::add_modes_command(program, exit_code);
   sunder::add_fragments_command(program, exit_code);
   sunder::add_check_command(program, exit_code);

@@ -148,7 +148,7 @@ Eigen::VectorXd missing_forces(const RelaxedState& relaxed, const ComponentSyste
       if (row >= system.free_count) continue;
       Mat3 stress = -relaxed.stress[t.index()];
       if (!has_share[row]) stress += m.elements.stress[t.index()];
-      missing.col(Index{row}) += volume * (stress * G.col(static_cast<Index>(a)));
+      missing.col(static_cast<Index>(row)) += volume * (stress * G.col(static_cast<Index>(a)));
     }
   }
   return missing.reshaped();
@@ -203,7 +203,8 @@ void relax_around(RelaxedState& relaxed, const Cells& cells, MechanicsState& m,
     CornerVectors d = CornerVectors::Zero();
     for (std::size_t a = 0; a < 4; ++a) {
       const std::uint32_t row = relaxed.local_row[cells.map.corners(t)[a].index()];
-      if (row < system.free_count) d.col(static_cast<Index>(a)) = answer.segment<3>(3 * Index{row});
+      if (row >= system.free_count) continue;
+      d.col(static_cast<Index>(a)) = answer.segment<3>(3 * static_cast<Index>(row));
     }
     relaxed.stress[t.index()] += stress_of(
         displacement_gradient(m.elements.shape_gradient[t.index()], d), lame(material_of(m, t)));

@@ -90,6 +90,11 @@ void for_each_member(T& x, Visit visit) {
 template <class T>
 concept Scalar = std::is_arithmetic_v<T> || std::is_enum_v<T>;
 
+/// What a number is in a file: `long`, and so sizes and indices, has 64 bits, whatever the machine.
+template <Scalar T>
+using Saved = std::conditional_t<std::is_same_v<T, unsigned long>, std::uint64_t,
+                                 std::conditional_t<std::is_same_v<T, long>, std::int64_t, T>>;
+
 /// A number as the bytes of a file, and back: the same call.
 template <Scalar T>
 T little_endian(T x) {
@@ -108,8 +113,8 @@ struct StateWriter {
   template <Scalar T>
   void numbers(const T* x, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
-      const T number = little_endian(x[i]);
-      bytes.append(reinterpret_cast<const char*>(&number), sizeof(T));
+      const auto number = little_endian(static_cast<Saved<T>>(x[i]));
+      bytes.append(reinterpret_cast<const char*>(&number), sizeof number);
     }
   }
   void count(const std::uint64_t& n) { numbers(&n, 1); }
@@ -123,20 +128,21 @@ struct StateReader {
 
   template <Scalar T>
   void numbers(T* x, std::size_t count) {
-    if (failed || count > bytes.size() / sizeof(T)) {
+    constexpr std::size_t size = sizeof(Saved<T>);
+    if (failed || count > bytes.size() / size) {
       failed = true;
       return;
     }
     for (std::size_t i = 0; i < count; ++i) {
-      std::array<char, sizeof(T)> raw;
-      std::memcpy(raw.data(), bytes.data() + i * sizeof(T), sizeof(T));
+      std::array<char, size> raw;
+      std::memcpy(raw.data(), bytes.data() + i * size, size);
       if constexpr (std::is_same_v<T, bool>) {
         x[i] = raw[0] != 0;
       } else {
-        x[i] = little_endian(std::bit_cast<T>(raw));
+        x[i] = static_cast<T>(little_endian(std::bit_cast<Saved<T>>(raw)));
       }
     }
-    bytes.remove_prefix(count * sizeof(T));
+    bytes.remove_prefix(count * size);
   }
   /// A number of things that take at least `least` bytes each.
   void count(std::uint64_t& n, std::size_t least = 1) {
@@ -159,7 +165,7 @@ void archive_all(Archive& a, T& container) {
   std::uint64_t n = container.size();
   if constexpr (Scalar<Value>) {
     if constexpr (is_reader<Archive>) {
-      a.count(n, sizeof(Value));
+      a.count(n, sizeof(Saved<Value>));
       container.resize(n);
     } else {
       a.count(n);

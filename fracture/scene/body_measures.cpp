@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "mechanics/state/elementary.hpp"
 #include "mechanics/state/material.hpp"
 
 namespace sunder {
@@ -112,7 +113,7 @@ BodyMeasures measure(const BodySettings& body) {
     }
   }
   m.centre = first / m.volume;
-  m.cell = std::cbrt(6 * m.volume / static_cast<double>(body.mesh.tetrahedra.size()));
+  m.cell = cube_root(6 * m.volume / static_cast<double>(body.mesh.tetrahedra.size()));
   Mat3 second = Mat3::Zero();
   for (const Tetrahedron& t : body.mesh.tetrahedra) {
     const double volume = (x[t[1]] - x[t[0]]).cross(x[t[2]] - x[t[0]]).dot(x[t[3]] - x[t[0]]) / 6;

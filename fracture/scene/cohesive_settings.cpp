@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "fracture/strength/draw_strength.hpp"
+#include "mechanics/state/elementary.hpp"
 #include "mechanics/state/wave_travel.hpp"
 
 namespace sunder {
@@ -60,7 +61,7 @@ double cell_of(const TetMesh& mesh, const BodyMaterials& own, std::size_t materi
     volume += (x[1] - x[0]).cross(x[2] - x[0]).dot(x[3] - x[0]) / 6;
     ++count;
   }
-  return count > 0 ? std::cbrt(6 * volume / count) : 0;
+  return count > 0 ? cube_root(6 * volume / count) : 0;
 }
 
 void judge_energies(fields::SettingsCheck& check, const std::string& place,
@@ -96,7 +97,7 @@ double cell_of(const MechanicsState& mechanics, MaterialId material) {
     volume += mechanics.elements.rest_volume[t];
     ++count;
   }
-  return count > 0 ? std::cbrt(6 * volume / count) : 0;
+  return count > 0 ? cube_root(6 * volume / count) : 0;
 }
 
 void check_cohesive(fields::SettingsCheck& check, const Scene& scene) {

@@ -9,6 +9,7 @@
 
 #include "mechanics/contact/shapes/nearest_point.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
+#include "mechanics/state/elementary.hpp"
 
 namespace sunder {
 namespace {
@@ -27,7 +28,7 @@ class TetGrid {
  public:
   TetGrid(const BodySettings& body, const BodyMeasures& m) : body_(body), measures_(m) {
     const std::size_t count = body.mesh.tetrahedra.size();
-    const double width = std::cbrt(m.box.volume() / static_cast<double>(count));
+    const double width = cube_root(m.box.volume() / static_cast<double>(count));
     for (int i = 0; i < 3; ++i) {
       const double cells = width > 0 ? std::ceil(m.box.sizes()[i] / width) : 1;
       counts_[i] = static_cast<int>(std::clamp(cells, 1.0, 200.0));

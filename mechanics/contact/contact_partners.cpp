@@ -7,6 +7,7 @@
 #include <numbers>
 #include <tuple>
 
+#include "mechanics/state/elementary.hpp"
 #include "topology/base/sort_unique.hpp"
 
 namespace sunder {
@@ -85,7 +86,7 @@ std::vector<Facing> facing_corners(const ContactMemory& memory, const StepPaths&
 
 /// Of corners with the same two vertices: one for all that lie in one plane, with their areas.
 void merge_planes(std::vector<Facing>& all) {
-  const double one_plane = std::cos(10 * std::numbers::pi / 180);
+  const double one_plane = cosine(10 * std::numbers::pi / 180);
   std::size_t kept = 0, first = 0;
   for (const Facing& corner : all) {
     if (kept > 0 && (all[kept - 1].a != corner.a || all[kept - 1].b != corner.b)) first = kept;

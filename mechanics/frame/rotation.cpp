@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "mechanics/state/elementary.hpp"
+
 namespace sunder {
 namespace {
 
@@ -26,9 +28,9 @@ Vec3 twice_axial(const Mat3& P) {
 Eigen::Quaterniond rotation_of(const Vec3& turn) {
   const double angle = turn.norm();
   // sin(x)/x by its series where the division would lose it: the next term is below rounding.
-  const double half_sinc = angle > 1e-4 ? std::sin(angle / 2) / angle : 0.5 - angle * angle / 48;
+  const double half_sinc = angle > 1e-4 ? sine(angle / 2) / angle : 0.5 - angle * angle / 48;
   Eigen::Quaterniond q;
-  q.w() = std::cos(angle / 2);
+  q.w() = cosine(angle / 2);
   q.vec() = half_sinc * turn;
   return q.normalized();
 }

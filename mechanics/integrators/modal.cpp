@@ -7,6 +7,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "mechanics/integrators/baseline_system.hpp"
+#include "mechanics/state/elementary.hpp"
 #include "topology/base/assert.hpp"
 
 namespace sunder {
@@ -61,8 +62,8 @@ Eigen::VectorXd force_on_free(const ComponentStep& step, const ModalDeformation&
 /// sin(wh) / w and (1 - cos wh) / w^2, right where w is 0 too.
 struct Oscillator {
   double cosine, sine, sine_over, versine_over;
-  Oscillator(double w, double h) : cosine(std::cos(w * h)), sine(std::sin(w * h)) {
-    const double half = std::sin(0.5 * w * h);
+  Oscillator(double w, double h) : cosine(sunder::cosine(w * h)), sine(sunder::sine(w * h)) {
+    const double half = sunder::sine(0.5 * w * h);
     sine_over = w > 0 ? sine / w : h;
     versine_over = w > 0 ? 2 * half * half / (w * w) : 0.5 * h * h;
   }

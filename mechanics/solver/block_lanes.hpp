@@ -8,7 +8,12 @@
 // passes four lanes through an ABI.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
+// The same bytes on every processor: AVX2 has more lanes a register, not other arithmetic.
+#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__)
 #define SUNDER_LANES __attribute__((target_clones("avx2", "default")))
+#else
+#define SUNDER_LANES
+#endif
 #define SUNDER_INLINE [[gnu::always_inline]] inline
 
 namespace sunder {

@@ -3,11 +3,14 @@
 #pragma once
 
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
+
+#if !defined(SUNDER_SERIAL)
+#include <atomic>
 #include <exception>
 #include <thread>
 #include <vector>
+#endif
 
 namespace sunder {
 
@@ -15,14 +18,21 @@ namespace sunder {
 /// caller's is worker 0, and items are handed out in rising order. The items must neither write
 /// what others read nor add to common sums: then results are the same bytes on any number of
 /// threads. Threads live for this call (up to 90 microseconds each), so it pays from a millisecond
-/// of work on. What an item throws is thrown on when all have stopped.
+/// of work on. What an item throws is thrown on when all have stopped. Where the build has no
+/// threads (SUNDER_SERIAL) the caller does all.
 template <class Work>
 void parallel_for(unsigned threads, std::size_t count, const Work& work) {
+#if defined(SUNDER_SERIAL)
+  const unsigned workers = 1;
+  static_cast<void>(threads);
+#else
   const auto workers = static_cast<unsigned>(std::min<std::size_t>(std::max(threads, 1u), count));
+#endif
   if (workers <= 1) {
     for (std::size_t item = 0; item < count; ++item) work(item, 0u);
     return;
   }
+#if !defined(SUNDER_SERIAL)
   std::atomic<std::size_t> next{0};
   std::vector<std::exception_ptr> thrown(workers);
   const auto run = [&](unsigned worker) {
@@ -41,6 +51,7 @@ void parallel_for(unsigned threads, std::size_t count, const Work& work) {
   for (const std::exception_ptr& exception : thrown) {
     if (exception) std::rethrow_exception(exception);
   }
+#endif
 }
 
 }  // namespace sunder

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "mechanics/state/elementary.hpp"
 #include "topology/base/assert.hpp"
 
 namespace sunder {
@@ -12,12 +13,12 @@ namespace {
 /// The rotation `q` with its angle (the short way, at most pi) multiplied by `factor`.
 Eigen::Quaterniond scaled_rotation(Eigen::Quaterniond q, double factor) {
   if (q.w() < 0) q.coeffs() = -q.coeffs();
-  const double sine = q.vec().norm();
-  if (sine == 0) return Eigen::Quaterniond::Identity();
-  const double half_angle = factor * std::atan2(sine, q.w());
+  const double length = q.vec().norm();
+  if (length == 0) return Eigen::Quaterniond::Identity();
+  const double half_angle = factor * std::atan2(length, q.w());
   Eigen::Quaterniond scaled;
-  scaled.w() = std::cos(half_angle);
-  scaled.vec() = std::sin(half_angle) / sine * q.vec();
+  scaled.w() = cosine(half_angle);
+  scaled.vec() = sine(half_angle) / length * q.vec();
   return scaled;
 }
 

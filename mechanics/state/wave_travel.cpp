@@ -2,14 +2,14 @@
 // Times of travel, from the mean size of cells and from the radius.
 #include "mechanics/state/wave_travel.hpp"
 
-#include <cmath>
+#include "mechanics/state/elementary.hpp"
 
 namespace sunder {
 
 double cell_travel(const MechanicsState& state, const Component& component) {
   double sum = 0;
   for (TetId t : component.tetrahedra) {
-    sum += std::cbrt(6 * state.elements.rest_volume[t.index()]) /
+    sum += cube_root(6 * state.elements.rest_volume[t.index()]) /
            compression_wave_speed(material_of(state, t));
   }
   return sum / static_cast<double>(component.tetrahedra.size());

@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
-#include <fstream>
 #include <string>
 
 #include "topology/io/scan.hpp"
@@ -14,7 +14,7 @@ namespace sunder {
 namespace {
 
 /// Three numbers and nothing else; false when the line holds something else.
-bool read_triple(const std::string& line, std::array<std::uint32_t, 3>& points) {
+bool read_triple(std::string_view line, std::array<std::uint32_t, 3>& points) {
   const char* at = line.data();
   const char* const end = at + line.size();
   const auto skip = [&] {
@@ -34,21 +34,16 @@ bool read_triple(const std::string& line, std::array<std::uint32_t, 3>& points) 
 
 }  // namespace
 
-Result<std::vector<std::array<std::uint32_t, 3>>> read_face_list(
-    const std::filesystem::path& path) {
-  std::ifstream in(path);
-  if (!in || std::filesystem::is_directory(path)) {
-    return Finding{.code = "cannot_open",
-                   .text = "the file cannot be read",
-                   .remedy = "name a file with three rows of points a line",
-                   .file = path.string()};
-  }
+Result<std::vector<std::array<std::uint32_t, 3>>> read_face_list(std::string_view bytes,
+                                                                  std::string_view name) {
   std::vector<std::array<std::uint32_t, 3>> triples;
   std::size_t number = 0;
-  for (std::string line; std::getline(in, line);) {
+  while (!bytes.empty()) {
     ++number;
-    const std::string content = line.substr(0, line.find('#'));
-    if (content.find_first_not_of(" \t\r") == std::string::npos) continue;
+    const std::string_view line = bytes.substr(0, bytes.find('\n'));
+    bytes.remove_prefix(std::min(bytes.size(), line.size() + 1));
+    const std::string_view content = line.substr(0, line.find('#'));
+    if (content.find_first_not_of(" \t\r") == std::string_view::npos) continue;
     std::array<std::uint32_t, 3> triple{};
     if (!read_triple(content, triple)) {
       return Finding{.code = "bad_face",
@@ -56,7 +51,7 @@ Result<std::vector<std::array<std::uint32_t, 3>>> read_face_list(
                                          "were expected",
                                          io::in_quotes(content)),
                      .remedy = "correct this line",
-                     .file = path.string(),
+                     .file = std::string(name),
                      .line = number};
     }
     triples.push_back(triple);

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The way from a file or its bytes to a mesh.
+// The way from the bytes of a file to a mesh.
 #include "topology/io/mesh_file.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <string>
-#include <system_error>
 
 #include "topology/io/format_traits.hpp"
 #include "topology/io/formats.hpp"
 #include "topology/io/gzip.hpp"
-#include "topology/io/input_file.hpp"
-#include "topology/io/named_regions.hpp"
-#include "topology/io/region_names.hpp"
+#include "topology/io/read_bytes.hpp"
 #include "topology/io/scan.hpp"
 #include "topology/io/tetgen/tetgen.hpp"
 
@@ -83,50 +80,10 @@ Finding empty_file(std::string_view bytes) {
           .remedy = "write it again"};
 }
 
-/// Takes what a ReadFailure ends into the findings.
-template <class Work>
-void guarded(std::vector<Finding>& findings, Work work) {
-  try {
-    work();
-  } catch (io::ReadFailure& failure) {
-    findings.push_back(std::move(failure.finding));
-  }
-}
-
-/// Names in the file beside, where the mesh's own format holds none or only words, and there is
-/// such a file.
-void take_names_beside(const std::filesystem::path& path, MeshFormat format,
-                       Result<FileMesh>& result) {
-  std::error_code unknown;
-  const std::filesystem::path beside = io::names_beside(path, format);
-  const bool has_words = traits_of(format).regions_are_words;
-  if (name_count(*result) > 0 && !has_words) return;
-  if (!std::filesystem::is_regular_file(beside, unknown)) return;
-  const Result<std::string> text = io::bytes_of_file(beside);
-  std::vector<Finding> findings = text.findings;
-  if (text) {
-    guarded(findings, [&] {
-      const io::RegionNames names = io::read_region_names(*text);
-      has_words ? io::match_names(*result, names) : void(result->region_name = names);
-    });
-  }
-  for (Finding& f : findings) f.file = beside.string();
-  if (has_error(findings)) result.value.reset();
-  result.findings.insert(result.findings.begin(), findings.begin(), findings.end());
-}
-
 }  // namespace
 
 namespace io {
-namespace {
 
-/// A mesh and the format that it was read as.
-struct ReadBytes {
-  Result<FileMesh> mesh;
-  std::optional<MeshFormat> format;
-};
-
-/// What read_file_mesh does once bytes are there, packed or not.
 ReadBytes read_bytes(FileSource source, const std::filesystem::path& path,
                      const ReadOptions& options) {
   ReadBytes read;
@@ -154,7 +111,6 @@ ReadBytes read_bytes(FileSource source, const std::filesystem::path& path,
   return read;
 }
 
-}  // namespace
 }  // namespace io
 
 Result<FileMesh> read_file_mesh(std::string_view bytes, std::string_view name,
@@ -166,24 +122,6 @@ Result<FileMesh> read_file_mesh(std::string_view bytes, std::string_view name,
                    .remedy = "read the mesh from its folder"};
   };
   return io::read_bytes({bytes, std::string(name), no_file}, name, options).mesh;
-}
-
-Result<FileMesh> read_file_mesh(const std::filesystem::path& path, const ReadOptions& options) {
-  io::ReadBytes read;
-  auto& [result, format] = read;
-  {
-    const Result<std::string> bytes = io::bytes_of_file(path);
-    if (!bytes) {
-      result.findings = bytes.findings;
-      return result;
-    }
-    const auto other_file = [&](const std::string& name) {
-      return io::bytes_beside(path.parent_path(), name);
-    };
-    read = io::read_bytes({*bytes, path.filename().string(), other_file}, path, options);
-  }
-  if (result) take_names_beside(path, *format, result);
-  return std::move(result);
 }
 
 namespace {
@@ -200,7 +138,9 @@ std::string lower_cells(const FileMesh& mesh) {
   return text;
 }
 
-Result<TetMesh> tetrahedra_of(Result<FileMesh>&& file, std::string_view name) {
+}  // namespace
+
+Result<TetMesh> io::tetrahedra_of(Result<FileMesh>&& file, std::string_view name) {
   Result<TetMesh> result;
   result.findings = std::move(file.findings);
   if (!file) return result;
@@ -231,19 +171,12 @@ Result<TetMesh> tetrahedra_of(Result<FileMesh>&& file, std::string_view name) {
   return result;
 }
 
-}  // namespace
-
 Result<TetMesh> read_mesh(std::string_view bytes, std::string_view name) {
-  return tetrahedra_of(read_file_mesh(bytes, name), name);
+  return io::tetrahedra_of(read_file_mesh(bytes, name), name);
 }
 
-Result<TetMesh> read_mesh(const std::filesystem::path& path) {
-  return tetrahedra_of(read_file_mesh(path), path.string());
-}
-
-Result<std::vector<double>> read_point_field(const std::filesystem::path& path,
-                                             std::string_view field) {
-  Result<FileMesh> mesh = read_file_mesh(path);
+Result<std::vector<double>> io::point_field_of(Result<FileMesh>&& mesh, std::string_view name,
+                                               std::string_view field) {
   Result<std::vector<double>> result;
   result.findings = std::move(mesh.findings);
   if (!mesh) return result;
@@ -251,7 +184,7 @@ Result<std::vector<double>> read_point_field(const std::filesystem::path& path,
     result.findings.insert(result.findings.begin(), {.code = std::string(code),
                                                      .text = std::move(text),
                                                      .remedy = std::move(remedy),
-                                                     .file = path.string()});
+                                                     .file = std::string(name)});
     return std::move(result);
   };
   DataColumn* column = nullptr;
@@ -276,6 +209,11 @@ Result<std::vector<double>> read_point_field(const std::filesystem::path& path,
       [](const auto& values) { return std::vector<double>(values.begin(), values.end()); },
       column->values);
   return result;
+}
+
+Result<std::vector<double>> read_point_field(std::string_view bytes, std::string_view name,
+                                             std::string_view field) {
+  return io::point_field_of(read_file_mesh(bytes, name), name, field);
 }
 
 }  // namespace sunder

@@ -60,6 +60,8 @@ Result<TetMesh> read_mesh(std::string_view bytes, std::string_view name);
 /// Errors: those of read_file_mesh, no_such_field, not_a_scalar. Cost: that of reading the mesh.
 Result<std::vector<double>> read_point_field(const std::filesystem::path& path,
                                              std::string_view field);
+Result<std::vector<double>> read_point_field(std::string_view bytes, std::string_view name,
+                                             std::string_view field);
 
 struct WriteOptions {
   /// The format that the name's ending says, if none is given.

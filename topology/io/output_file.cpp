@@ -93,4 +93,9 @@ std::optional<Finding> write_file(const std::filesystem::path& path, std::string
   return write_file(path, std::span(&text, 1));
 }
 
+bool file_exists(const std::filesystem::path& path) {
+  std::error_code unknown;
+  return std::filesystem::exists(path, unknown);
+}
+
 }  // namespace sunder

@@ -21,4 +21,7 @@ std::optional<Finding> write_file(const std::filesystem::path& path,
 /// The same for a single piece of text.
 std::optional<Finding> write_file(const std::filesystem::path& path, std::string_view text);
 
+/// Whether there is a file of that name; false where that cannot be known.
+bool file_exists(const std::filesystem::path& path);
+
 }  // namespace sunder

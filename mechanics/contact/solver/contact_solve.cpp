@@ -18,7 +18,7 @@ double tangential_response(const ContactRow& row) {
   const double uu = u.dot(row.response * u);
   const double ww = w.dot(row.response * w);
   const double uw = 0.5 * (u.dot(row.response * w) + w.dot(row.response * u));
-  return 0.5 * (uu + ww) + std::hypot(0.5 * (uu - ww), uw);
+  return 0.5 * (uu + ww) + std::sqrt(0.25 * (uu - ww) * (uu - ww) + uw * uw);
 }
 
 Vec3 projected_on_disk(const Vec3& v, double radius) {

@@ -144,9 +144,7 @@ std::optional<Finding> write_tetgen(const std::filesystem::path& path, const Fil
     return file += ending;
   };
   const auto is_there = [&](std::string_view ending) {
-    std::error_code unknown;
-    return std::filesystem::exists(named(ending), unknown) ||
-           std::filesystem::exists(named(std::string(ending) + ".gz"), unknown);
+    return file_exists(named(ending)) || file_exists(named(std::string(ending) + ".gz"));
   };
   if (auto error = write_file(named(".ele"), tetrahedra_text(mesh))) return error;
   if (!mesh.triangles.corners.empty() || is_there(".face")) {

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// What stands behind a `sunder_engine`, and what its functions are made of.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/host/sunder.h"
+#include "fracture/simulation/simulation.hpp"
+
+namespace sunder {
+
+/// A spring from a vertex to a place in the world.
+struct Spring {
+  VertexId vertex;
+  Vec3 end = Vec3::Zero();  ///< m
+};
+
+}  // namespace sunder
+
+/// A simulation with what a host does to it, and the memory of the columns it reads.
+struct sunder_engine {
+  sunder::Simulation simulation;
+  sunder_report report{};
+  std::string error;
+  std::optional<sunder::Spring> spring;
+  std::size_t loads = 0;  ///< those of the scene; the spring's come after them
+  bool failed = false;
+  std::array<std::vector<unsigned char>, SUNDER_COLUMNS> columns;
+  std::string saved;
+};
+
+namespace sunder {
+
+/// The engine of a simulation as it is.
+std::unique_ptr<sunder_engine> make_engine(Simulation simulation);
+
+/// Fills the bytes of one column. Needs: column < SUNDER_COLUMNS. O(|V| + |T|).
+void fill_column(std::vector<unsigned char>& bytes, const Simulation& simulation,
+                 sunder_column column);
+
+/// Stress, principal directions, threshold and fan of a vertex. Needs: vertex < |V|. O(|T|).
+void inspect_vertex(sunder_vertex& result, const Simulation& simulation, VertexId vertex);
+
+/// A free ball more. Errors: bad_action (radius or mass not above 0, a number that is none).
+std::optional<Finding> shoot(Simulation& simulation, const Sphere& ball, const Vec3& velocity,
+                             double mass);
+
+/// Parts every face between tetrahedra whose centres, where they are now, lie on different sides of
+/// the plane; what is tied (`CrackMode::cohesive`) is refused. Errors: bad_action, nothing_cut.
+std::optional<Finding> cut(Simulation& simulation, const Vec3& point, const Vec3& normal);
+
+/// The force of the spring on its vertex as loads behind the first `scene_loads`: critically damped,
+/// with a natural frequency of 5 Hz for the mass of the whole piece.
+void load_spring(Simulation& simulation, const std::optional<Spring>& spring,
+                 std::size_t scene_loads);
+
+}  // namespace sunder

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+// The C functions over the library's.
+#include "apps/host/sunder.h"
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+#include <memory>
+#include <string_view>
+
+#include "apps/host/engine.hpp"
+#include "apps/scene/scene_json.hpp"
+#include "apps/scene/words.hpp"
+#include "fracture/saving/saved_state.hpp"
+#include "fracture/simulation/simulation_state.hpp"
+#include "topology/io/face_list.hpp"
+#include "topology/io/mesh_file.hpp"
+
+namespace {
+
+using namespace sunder;
+
+std::string& creation_error() {
+  static thread_local std::string error;
+  return error;
+}
+
+/// Copies as much of a struct as the caller has room for.
+template <class T>
+void give(T* target, T source) {
+  if (target == nullptr) return;
+  const std::uint32_t size = std::min<std::uint32_t>(target->size, sizeof(T));
+  source.size = target->size;
+  std::memcpy(target, &source, size);
+}
+
+/// The files of a scene by name, in memory.
+struct MemoryFiles {
+  std::map<std::string, std::string_view, std::less<>> bytes;
+
+  Result<std::string_view> find(const std::string& name) const {
+    if (const auto file = bytes.find(name); file != bytes.end()) return file->second;
+    std::string known;
+    for (const auto& [other, content] : bytes) known += (known.empty() ? "" : ", ") + other;
+    return Finding{.code = "cannot_open",
+                   .text = "there is no file " + name,
+                   .remedy = known.empty() ? "give it with the scene" : "there are: " + known,
+                   .file = name};
+  }
+};
+
+template <class T, class Read>
+Result<T> read_found(const MemoryFiles& files, const std::string& name, const Read& read) {
+  const Result<std::string_view> bytes = files.find(name);
+  if (bytes) return read(*bytes);
+  Result<T> missing;
+  missing.findings = bytes.findings;
+  return missing;
+}
+
+Result<SceneFile> read_scene_in_memory(const sunder_scene& scene) {
+  MemoryFiles files;
+  for (std::uint32_t i = 0; i < scene.file_count; ++i) {
+    const sunder_file& file = scene.files[i];
+    files.bytes[file.name] = {static_cast<const char*>(file.bytes), file.size};
+  }
+  std::vector<std::string> settings(scene.settings, scene.settings + scene.setting_count);
+  const SceneFiles readers{
+      .mesh =
+          [&](const std::string& name) {
+            return read_found<TetMesh>(files, name,
+                                       [&](std::string_view b) { return read_mesh(b, name); });
+          },
+      .surface =
+          [&](const std::string& name) {
+            return read_found<FileMesh>(files, name,
+                                        [&](std::string_view b) { return read_file_mesh(b, name); });
+          },
+      .faces =
+          [&](const std::string& name) {
+            using Faces = std::vector<std::array<std::uint32_t, 3>>;
+            return read_found<Faces>(files, name,
+                                     [&](std::string_view b) { return read_face_list(b, name); });
+          },
+      .point_field =
+          [&](const std::string& name, const std::string& field) {
+            return read_found<std::vector<double>>(files, name, [&](std::string_view b) {
+              return read_point_field(b, name, field);
+            });
+          }};
+  return read_scene({{scene.text, scene.text_size}, scene.name}, readers, settings);
+}
+
+void note_step(sunder_report& r, const StepReport& step) {
+  r.step = step.step;
+  r.time = step.time;
+  std::copy(step.stage_ms.begin(), step.stage_ms.end(), r.stage_ms);
+  r.pieces = static_cast<std::uint32_t>(step.components);
+  r.new_pieces = static_cast<std::uint32_t>(step.new_components.size());
+  r.fans = static_cast<std::uint32_t>(step.fracture.fans.size());
+  r.parts = step.parts;
+  r.contacts = step.contact.contacts;
+  r.fans_total += step.fracture.fans.size();
+  if (r.fans > 0 || !step.releases.empty() || r.new_pieces > 0) ++r.shape;
+  r.tested = step.fracture.tested;
+  r.suspects = step.fracture.suspects;
+  r.reached = step.fracture.reached;
+  r.predicted = r.created = 0;
+  for (const FanEvent& fan : step.fracture.fans) {
+    r.predicted += fan.components.predicted;
+    r.created += fan.components.created;
+  }
+  r.kinetic = step.energy.kinetic;
+  r.strain = step.energy.strain;
+  r.cracks = step.energy.cracks;
+}
+
+Vec3 vector_of(const double (&v)[3]) { return {v[0], v[1], v[2]}; }
+
+std::optional<Finding> do_action(sunder_engine& engine, const sunder_action& action) {
+  const Vec3 point = vector_of(action.point), vector = vector_of(action.vector);
+  switch (action.kind) {
+    case SUNDER_SHOOT:
+      return shoot(engine.simulation, {point, action.radius}, vector, action.mass);
+    case SUNDER_PULL:
+      if (action.vertex >= engine.simulation.state->mechanics.vertices.size() ||
+          !point.allFinite()) {
+        return Finding{.code = "bad_action",
+                       .text = "there is no such vertex, or its place is none",
+                       .remedy = "give a row of SUNDER_POSITION and a finite point"};
+      }
+      engine.spring = Spring{VertexId{action.vertex}, point};
+      return std::nullopt;
+    case SUNDER_RELEASE:
+      engine.spring.reset();
+      return std::nullopt;
+    case SUNDER_CUT: {
+      std::optional<Finding> finding = cut(engine.simulation, point, vector);
+      if (!finding) ++engine.report.shape;
+      return finding;
+    }
+    default:
+      return Finding{.code = "bad_action",
+                     .text = "there is no such action",
+                     .remedy = "take one of sunder_action_kind"};
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<sunder_engine> sunder::make_engine(Simulation simulation) {
+  auto engine = std::make_unique<sunder_engine>();
+  engine->simulation = std::move(simulation);
+  const Simulation& sim = engine->simulation;
+  engine->loads = sim.state->loads.size();
+  sunder_report& r = engine->report;
+  r.step = sim.state->step;
+  r.time = simulated_time(sim);
+  r.time_step = sim.scene.integrator.time_step;
+  r.duration = sim.scene.duration;
+  r.fans_total = sim.state->fans;
+  for (const Component& c : sim.state->mechanics.components) r.pieces += !c.tetrahedra.empty();
+  return engine;
+}
+
+uint32_t sunder_abi(void) { return SUNDER_ABI; }
+
+sunder_engine* sunder_create(const sunder_scene* scene) {
+  Result<SceneFile> file = read_scene_in_memory(*scene);
+  creation_error() = finding_lines(file.findings);
+  if (!file) return nullptr;
+  Result<Simulation> simulation = build_simulation(std::move(file->scene));
+  creation_error() += finding_lines(simulation.findings);
+  if (!simulation) return nullptr;
+  return make_engine(std::move(*simulation)).release();
+}
+
+void sunder_destroy(sunder_engine* engine) { delete engine; }
+
+int sunder_step(sunder_engine* engine, sunder_report* report) {
+  if (!engine->failed) {
+    load_spring(engine->simulation, engine->spring, engine->loads);
+    const StepReport step = advance(engine->simulation);
+    note_step(engine->report, step);
+    engine->failed =
+        step.status.outcome != StepOutcome::fine || step.fracture.not_a_number.has_value();
+    if (step.status.outcome != StepOutcome::fine) {
+      engine->error = finding_lines({to_finding(step.status)});
+    } else if (engine->failed) {
+      engine->error = "the stress of a vertex is not a number\n";
+    }
+    engine->report.outcome = engine->failed;
+  }
+  give(report, engine->report);
+  return engine->failed;
+}
+
+void sunder_last_report(const sunder_engine* engine, sunder_report* report) {
+  give(report, engine->report);
+}
+
+int sunder_read(sunder_engine* engine, uint32_t column, sunder_span* span) {
+  if (column >= SUNDER_COLUMNS) return 1;
+  std::vector<unsigned char>& bytes = engine->columns[column];
+  fill_column(bytes, engine->simulation, static_cast<sunder_column>(column));
+  *span = {bytes.data(), bytes.size()};
+  return 0;
+}
+
+int sunder_inspect(sunder_engine* engine, uint32_t vertex, sunder_vertex* result) {
+  if (vertex >= engine->simulation.state->mechanics.vertices.size()) return 1;
+  sunder_vertex found{};
+  inspect_vertex(found, engine->simulation, VertexId{vertex});
+  give(result, found);
+  return 0;
+}
+
+int sunder_act(sunder_engine* engine, const sunder_action* action) {
+  const std::optional<Finding> finding = do_action(*engine, *action);
+  engine->error = finding ? finding_lines({*finding}) : "";
+  return finding.has_value();
+}
+
+void sunder_save(sunder_engine* engine, sunder_span* span) {
+  load_spring(engine->simulation, std::nullopt, engine->loads);
+  engine->saved = saved_state(engine->simulation);
+  *span = {engine->saved.data(), engine->saved.size()};
+}
+
+sunder_engine* sunder_restore(const void* bytes, size_t size) {
+  Result<Simulation> simulation = restore({static_cast<const char*>(bytes), size});
+  creation_error() = finding_lines(simulation.findings);
+  if (!simulation) return nullptr;
+  return make_engine(std::move(*simulation)).release();
+}
+
+const char* sunder_error(const sunder_engine* engine) {
+  return engine ? engine->error.c_str() : creation_error().c_str();
+}

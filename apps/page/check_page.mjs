@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+// Drives the page in headless Chromium and holds what it shows against the engine's own words:
+//   node check_page.mjs FOLDER_OF_THE_PAGE [--pictures FOLDER] [--url URL]
+// Chromium is Debian's; without a graphics card it draws by SwiftShader, slowly.
+import puppeteer from 'puppeteer-core';
+import { createServer } from 'node:http';
+import { readFileSync, existsSync, mkdirSync } from 'node:fs';
+import { extname, join, resolve } from 'node:path';
+
+const option = (name) => {
+  const at = process.argv.indexOf(name);
+  return at < 0 ? null : process.argv[at + 1];
+};
+const folder = resolve(process.argv[2]);
+const pictures = option('--pictures');
+if (pictures) mkdirSync(pictures, { recursive: true });
+const types = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.wasm': 'application/wasm', '.json': 'application/json' };
+
+function serve() {
+  const server = createServer((request, response) => {
+    const path = join(folder, request.url === '/' ? 'index.html' : request.url.split('?')[0]);
+    if (!path.startsWith(folder) || !existsSync(path)) return response.writeHead(404).end();
+    response.writeHead(200, { 'Content-Type': types[extname(path)] ?? 'application/octet-stream' });
+    response.end(readFileSync(path));
+  });
+  return new Promise((ready) => server.listen(0, '127.0.0.1', () => ready(server)));
+}
+
+const failures = [];
+function expect(holds, words) {
+  console.log(`${holds ? 'ok    ' : 'FAILED'} ${words}`);
+  if (!holds) failures.push(words);
+}
+
+const server = option('--url') ? null : await serve();
+const url = option('--url') ?? `http://127.0.0.1:${server.address().port}/`;
+const browser = await puppeteer.launch({
+  executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
+  args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'],
+  protocolTimeout: 300000,
+});
+const page = await browser.newPage();
+await page.setViewport({ width: 1100, height: 680 });
+const said = [];
+page.on('console', (m) => ['error', 'warn'].includes(m.type()) && said.push(m.text()));
+page.on('pageerror', (error) => said.push(error.message));
+
+const last = () => page.evaluate(() => ({ ...sunder.player.recording.last.report }));
+const steps = (count) => page.evaluate(async (n) => {
+  for (let i = 0; i < n; ++i) await sunder.player.step();
+  return { ...sunder.player.recording.last.report };
+}, count);
+async function picture(name) {
+  await page.evaluate(() => new Promise((drawn) => requestAnimationFrame(() => requestAnimationFrame(drawn))));
+  if (pictures) await page.screenshot({ path: join(pictures, `${name}.png`) });
+}
+const pause = (ms) => new Promise((done) => setTimeout(done, ms));
+
+const began = performance.now();
+await page.goto(url);
+await page.waitForFunction(() => window.sunder?.player.recording.frames.length > 0, { timeout: 120000 });
+await page.waitForFunction(() => sunder.stage.renderer.info.render.triangles > 0, { timeout: 120000 });
+console.log(`first picture after ${((performance.now() - began) / 1000).toFixed(1)} s`);
+await picture('start');
+
+await page.click('#play');
+await page.waitForFunction(() => sunder.player.recording.frames.length > 30, { timeout: 120000 });
+await page.click('#play');
+await pause(300);
+const paused = await last();
+await pause(300);
+expect((await last()).step === paused.step, `paused at step ${paused.step}`);
+await page.click('#once');
+await page.waitForFunction((n) => sunder.player.recording.last.report.step === n + 1, {}, paused.step);
+expect(true, 'one step more by the button');
+
+const report = await steps(400 - (await last()).step);
+console.log(`step ${report.step}: ${report.fansTotal} fans, ${report.pieces} pieces`);
+expect(report.fansTotal > 0 && report.pieces > 1, 'the body breaks');
+await picture('broken');
+const drawn = await page.evaluate(() => ({ ...sunder.stage.renderer.info.render }));
+expect(drawn.calls <= 20, `${drawn.calls} draw calls, ${drawn.triangles} triangles for ${report.pieces} pieces`);
+
+for (const by of ['stress', 'loadRatio', 'speed', 'piece', 'age']) {
+  await page.select('#colour', by);
+  await picture(`colour_${by}`);
+}
+await page.select('#colour', 'material');
+await page.evaluate(() => {
+  document.getElementById('explode').value = 0.5;
+  document.getElementById('wires').checked = true;
+  document.getElementById('wires').dispatchEvent(new Event('input'));
+});
+await picture('exploded');
+await page.evaluate(() => {
+  document.getElementById('explode').value = 0;
+  document.getElementById('wires').checked = false;
+  document.getElementById('clip').value = 0.5;
+  document.getElementById('clip').dispatchEvent(new Event('input'));
+});
+await picture('clipped');
+await page.evaluate(() => {
+  document.getElementById('clip').value = 0;
+  document.getElementById('clip').dispatchEvent(new Event('input'));
+});
+
+// Back along the timeline: nothing is computed, and the same frame is the same bytes.
+const back = await page.evaluate(() => {
+  sunder.player.look(100);
+  return { step: sunder.player.shown().report.step, pieces: sunder.player.shown().report.pieces };
+});
+await picture('scrubbed');
+expect(back.pieces === 1 && (await last()).step === report.step, `looked back at step ${back.step}`);
+const branched = await page.evaluate(async () => {
+  sunder.player.look(200);
+  await sunder.player.branch();
+  return sunder.player.recording.last.report.step;
+});
+expect(branched > 0 && branched <= 200, `went back to step ${branched}`);
+const again = await steps(400 - branched);
+await pause(500);
+expect(again.fansTotal === report.fansTotal && again.pieces === report.pieces, 'and came to the same fans and pieces again');
+
+// A vertex that is picked has the engine's stress.
+await page.click('[data-tool="pick"]');
+const place = await page.evaluate(() => {
+  const box = sunder.stage.renderer.domElement.getBoundingClientRect();
+  for (let k = 0; k < 400; ++k) {
+    const x = box.width * (0.3 + 0.4 * ((k * 0.618) % 1)), y = box.height * (0.2 + 0.5 * ((k * 0.381) % 1));
+    if (sunder.body().pick(sunder.stage.ray(x, y))) return { x, y };
+  }
+  return null;
+});
+await page.mouse.click(place.x, place.y);
+await page.waitForFunction(() => !document.getElementById('vertex').hidden, { timeout: 60000 });
+const seen = await page.evaluate(async () => {
+  const row = Number(document.querySelector('#vertex h2').textContent.match(/\d+/)[0]);
+  const asked = await sunder.player.inspect(row);
+  const columns = sunder.player.recording.last.columns;
+  return { row, principal: asked.principal[0], column: columns.stress[row], words: document.getElementById('vertex').innerText };
+});
+expect(Math.abs(seen.principal - seen.column) <= 1e-6 * Math.abs(seen.principal), `vertex ${seen.row}: ${seen.principal} Pa, the column says ${seen.column}`);
+await picture('vertex');
+
+// A ball at the cursor.
+await page.click('[data-tool="shoot"]');
+const balls = await page.evaluate(() => sunder.player.recording.last.columns.obstacle.length / 16);
+await page.mouse.click(place.x, place.y);
+await page.waitForFunction((n) => sunder.player.recording.last.columns.obstacle.length / 16 > n, { timeout: 60000 }, balls);
+expect(true, 'a ball flies');
+await page.evaluate(() => (sunder.player.playing = false));
+
+// A cut across.
+await page.click('[data-tool="cut"]');
+const before = (await last()).pieces;
+await page.mouse.move(place.x - 200, place.y - 20);
+await page.mouse.down();
+await page.mouse.move(place.x + 200, place.y + 20, { steps: 5 });
+await page.mouse.up();
+await page.waitForFunction((n) => sunder.player.recording.last.report.pieces > n, { timeout: 60000 }, before);
+await page.evaluate(() => (sunder.player.playing = false));
+expect(true, `cut: ${before} pieces became ${(await last()).pieces}`);
+await picture('cut');
+
+const longest = await page.evaluate(() => sunder.longest);
+
+// A mesh of one's own, dropped: two tetrahedra fall.
+if (!option('--url')) {
+  await page.evaluate(async (text) => {
+    const drop = new DataTransfer();
+    drop.items.add(new File([text], 'own.mesh'));
+    window.dispatchEvent(new DragEvent('drop', { dataTransfer: drop, cancelable: true }));
+  }, 'MeshVersionFormatted 2\nDimension 3\nVertices\n5\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n1 1 1 0\nTetrahedra\n2\n1 2 3 4 0\n2 3 4 5 0\nEnd\n');
+  await page.waitForFunction(() => document.getElementById('about').textContent.startsWith('own.mesh'), { timeout: 60000 });
+  await page.waitForFunction(() => sunder.player.recording.last.columns.obstacle.length === 16, { timeout: 60000 });
+  await steps(40);
+  expect((await last()).step === 40, 'a mesh dropped on the page falls');
+  await picture('dropped');
+}
+
+console.log(`page's thread, at most: ${longest.page.toFixed(1)} ms of ours, ${longest.drawing.toFixed(1)} ms of drawing (shaders compiled among it)`);
+expect(said.length === 0, `console without errors${said.length ? `: ${said.join(' | ')}` : ''}`);
+await browser.close();
+server?.close();
+process.exit(failures.length ? 1 : 0);

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+// All pieces as one mesh, drawn in one call: poses and positions are textures, so that a frame
+// uploads those alone and cracks alone upload faces.
+import * as THREE from 'three';
+
+import { bodyShader } from './body_shader.js';
+
+const width = 1024; // texels a row
+const crease = Math.cos((38 * Math.PI) / 180);
+
+/// A texture of so many RGBA floats, kept larger than needed.
+class FloatTexture {
+  constructor() {
+    this.resize(width);
+  }
+
+  resize(texels) {
+    const height = Math.ceil(texels / width);
+    if (this.texture?.image.height >= height) return;
+    this.texture?.dispose();
+    const rows = Math.ceil(1.25 * height);
+    this.data = new Float32Array(4 * width * rows);
+    this.texture = new THREE.DataTexture(
+      this.data, width, rows, THREE.RGBAFormat, THREE.FloatType,
+    );
+  }
+}
+
+/// Normals of corners: the mean over the faces around a vertex that are of the same kind and no
+/// sharp edge away. `corner`: position of each corner at rest.
+function cornerNormals(face, isCrack, rest) {
+  const count = face.length / 3;
+  const flat = new Float32Array(3 * count);
+  const area = new Float32Array(3 * count);
+  for (let f = 0; f < count; ++f) {
+    const [a, b, c] = [3 * face[3 * f], 3 * face[3 * f + 1], 3 * face[3 * f + 2]];
+    const ux = rest[b] - rest[a], uy = rest[b + 1] - rest[a + 1], uz = rest[b + 2] - rest[a + 2];
+    const vx = rest[c] - rest[a], vy = rest[c + 1] - rest[a + 1], vz = rest[c + 2] - rest[a + 2];
+    const n = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
+    const length = Math.hypot(...n) || 1;
+    for (let k = 0; k < 3; ++k) {
+      area[3 * f + k] = n[k];
+      flat[3 * f + k] = n[k] / length;
+    }
+  }
+  const first = new Uint32Array(rest.length / 3 + 1);
+  for (const v of face) ++first[v + 1];
+  for (let v = 1; v < first.length; ++v) first[v] += first[v - 1];
+  const around = new Uint32Array(face.length);
+  const next = first.slice();
+  face.forEach((v, k) => (around[next[v]++] = Math.floor(k / 3)));
+  const normal = new Float32Array(3 * face.length);
+  for (let k = 0; k < face.length; ++k) {
+    const f = Math.floor(k / 3);
+    let x = 0, y = 0, z = 0;
+    for (let j = first[face[k]]; j < first[face[k] + 1]; ++j) {
+      const g = around[j];
+      if (isCrack[g] !== isCrack[f]) continue;
+      const cosine = flat[3 * f] * flat[3 * g] + flat[3 * f + 1] * flat[3 * g + 1] +
+        flat[3 * f + 2] * flat[3 * g + 2];
+      if (cosine < crease) continue;
+      x += area[3 * g];
+      y += area[3 * g + 1];
+      z += area[3 * g + 2];
+    }
+    const length = Math.hypot(x, y, z) || 1;
+    normal.set([x / length, y / length, z / length], 3 * k);
+  }
+  return normal;
+}
+
+export class BodyMesh {
+  constructor(look) {
+    this.pieces = new FloatTexture();
+    this.vertices = new FloatTexture();
+    this.uniforms = {
+      pieces: { value: this.pieces.texture },
+      vertices: { value: this.vertices.texture },
+      explode: { value: 0 },
+      middle: { value: new THREE.Vector3() },
+      deformed: { value: 0 },
+      magnify: { value: 1 },
+      colourBy: { value: 0 },
+      range: { value: new THREE.Vector2(0, 1) },
+      wires: { value: 0 },
+      outside: { value: new THREE.Color(look.outside) },
+      inside: { value: new THREE.Color(look.inside) },
+      grain: { value: look.grain },
+      now: { value: 0 },
+    };
+    const material = new THREE.MeshStandardMaterial({
+      roughness: look.roughness, metalness: 0, side: THREE.DoubleSide, clipShadows: true,
+    });
+    bodyShader(material, this.uniforms, true);
+    const depth = new THREE.MeshDepthMaterial({
+      depthPacking: THREE.RGBADepthPacking, side: THREE.DoubleSide,
+    });
+    bodyShader(depth, this.uniforms, false);
+    this.mesh = new THREE.Mesh(new THREE.BufferGeometry(), material);
+    this.mesh.customDepthMaterial = depth;
+    this.mesh.castShadow = this.mesh.receiveShadow = true;
+    this.mesh.frustumCulled = false;
+  }
+
+  /// Faces, vertices and pieces as they are from now on.
+  setShape(shape) {
+    this.shape = shape;
+    const { face, faceIsCrack, rest, piece, restCentre } = shape;
+    const corners = face.length;
+    const at = new Float32Array(3 * corners);
+    const ids = new Float32Array(3 * corners); // vertex, piece, 1 on a crack
+    for (let k = 0; k < corners; ++k) {
+      const v = face[k], p = piece[v];
+      for (let i = 0; i < 3; ++i) at[3 * k + i] = rest[3 * v + i];
+      ids[3 * k] = v;
+      ids[3 * k + 1] = p;
+      ids[3 * k + 2] = faceIsCrack[Math.floor(k / 3)];
+    }
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute('position', new THREE.BufferAttribute(at, 3));
+    geometry.setAttribute('normal', new THREE.BufferAttribute(cornerNormals(face, faceIsCrack, rest), 3));
+    geometry.setAttribute('ids', new THREE.BufferAttribute(ids, 3));
+    this.mesh.geometry.dispose();
+    this.mesh.geometry = geometry;
+    this.pieces.resize((3 * restCentre.length) / 4);
+    this.vertices.resize(rest.length / 3);
+    this.uniforms.pieces.value = this.pieces.texture;
+    this.uniforms.vertices.value = this.vertices.texture;
+    const used = new Uint8Array(restCentre.length / 4);
+    for (let k = 0; k < corners; ++k) used[piece[face[k]]] = 1;
+    this.used = used;
+  }
+
+  /// Poses, positions and one number a vertex, for its colour. `birth`: of the pieces.
+  setState({ drawnPose, position, scalar }) {
+    const { restCentre, birth, body } = this.shape;
+    const data = this.pieces.data;
+    const middle = new THREE.Vector3();
+    let mass = 0;
+    for (let p = 0; p < drawnPose.length / 8; ++p) {
+      data.set(drawnPose.subarray(8 * p, 8 * p + 8), 12 * p);
+      data.set(restCentre.subarray(4 * p, 4 * p + 3), 12 * p + 8);
+      data[12 * p + 3] = birth[p];
+      data[12 * p + 11] = body[p];
+      if (!this.used[p]) continue;
+      const m = restCentre[4 * p + 3];
+      mass += m;
+      middle.x += m * drawnPose[8 * p];
+      middle.y += m * drawnPose[8 * p + 1];
+      middle.z += m * drawnPose[8 * p + 2];
+    }
+    if (mass > 0) middle.divideScalar(mass);
+    this.uniforms.middle.value.copy(middle);
+    for (let v = 0; v < position.length / 3; ++v) {
+      this.vertices.data[4 * v] = position[3 * v];
+      this.vertices.data[4 * v + 1] = position[3 * v + 1];
+      this.vertices.data[4 * v + 2] = position[3 * v + 2];
+      this.vertices.data[4 * v + 3] = scalar ? scalar[v] : 0;
+    }
+    this.pieces.texture.needsUpdate = true;
+    this.vertices.texture.needsUpdate = true;
+    this.state = { drawnPose, position };
+  }
+
+  /// Where a vertex is drawn; what the vertex shader does.
+  drawnPlace(v, target) {
+    const { rest, restCentre, piece } = this.shape;
+    const p = piece[v];
+    const { deformed, explode, middle } = this.uniforms;
+    const pose = this.state.drawnPose;
+    const centre = new THREE.Vector3().fromArray(pose, 8 * p);
+    const q = new THREE.Quaternion().fromArray(pose, 8 * p + 4);
+    target.set(
+      rest[3 * v] - restCentre[4 * p],
+      rest[3 * v + 1] - restCentre[4 * p + 1],
+      rest[3 * v + 2] - restCentre[4 * p + 2],
+    );
+    target.applyQuaternion(q).add(centre);
+    if (deformed.value > 0) {
+      const own = new THREE.Vector3().fromArray(this.state.position, 3 * v);
+      target.addScaledVector(own.sub(target.clone()), deformed.value * this.uniforms.magnify.value);
+    }
+    return target.addScaledVector(centre.sub(middle.value), explode.value);
+  }
+
+  /// The nearest face that a ray meets, and its vertex nearest to that place; null for none.
+  pick(ray) {
+    const { face } = this.shape;
+    const corner = [new THREE.Vector3(), new THREE.Vector3(), new THREE.Vector3()];
+    const meet = new THREE.Vector3();
+    let best = null;
+    for (let f = 0; f < face.length / 3; ++f) {
+      corner.forEach((c, i) => this.drawnPlace(face[3 * f + i], c));
+      if (!ray.intersectTriangle(...corner, false, meet)) continue;
+      const distance = meet.distanceTo(ray.origin);
+      if (best && best.distance <= distance) continue;
+      const gaps = corner.map((c) => c.distanceTo(meet));
+      const vertex = face[3 * f + gaps.indexOf(Math.min(...gaps))];
+      best = { distance, vertex, face: f, place: meet.clone(), at: this.drawnPlace(vertex, new THREE.Vector3()) };
+    }
+    return best;
+  }
+}

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// The two back ends behind one promise: `ask(work, input)`.
+import { columns as known, readReport, readVertex, actionSize, writeAction } from './layout.js';
+
+/// WebAssembly in a Worker, from static files.
+export class WorkerEngine {
+  constructor() {
+    this.worker = new Worker('engine_worker.js', { type: 'module' });
+    this.waiting = new Map();
+    this.last = 0;
+    this.worker.onmessage = ({ data }) => {
+      const { settle, refuse } = this.waiting.get(data.id);
+      this.waiting.delete(data.id);
+      if (data.error === undefined) settle(data.result);
+      else refuse(new Error(data.error));
+    };
+  }
+
+  ask(work, input = {}) {
+    return new Promise((settle, refuse) => {
+      this.waiting.set(++this.last, { settle, refuse });
+      this.worker.postMessage({ id: this.last, work, input });
+    });
+  }
+}
+
+/// `sunder view`: the native engine, which this page came from.
+export class ServerEngine {
+  constructor(token) {
+    this.token = token;
+  }
+
+  async ask(work, input = {}) {
+    const answer = await fetch(`api/${work}`, {
+      method: 'POST',
+      headers: { 'X-Sunder-Token': this.token, 'Content-Type': 'application/octet-stream' },
+      body: this.body(work, input),
+    }).catch(() => {
+      throw new Error('the program sunder view no longer answers: it was ended');
+    });
+    if (!answer.ok) throw new Error(await answer.text());
+    return this.result(work, await answer.arrayBuffer());
+  }
+
+  body(work, input) {
+    if (work === 'act') {
+      const bytes = new ArrayBuffer(actionSize);
+      writeAction(new DataView(bytes), 0, input.action);
+      return bytes;
+    }
+    const request = { ...input };
+    if (input.scene) request.scene = { settings: input.scene.settings };
+    for (const list of ['columns', 'shapeColumns']) {
+      if (input[list]) request[list] = input[list].map((name) => known[name].id);
+    }
+    return JSON.stringify(request);
+  }
+
+  /// "report" (168 bytes), then columns: id and size (4 bytes each), content, padded to 8 bytes.
+  result(work, bytes) {
+    const view = new DataView(bytes);
+    if (work === 'open' || work === 'forget') return {};
+    if (work === 'inspect') return readVertex(view, 0);
+    if (work === 'save') return { step: Number(view.getBigUint64(0, true)), size: Number(view.getBigUint64(8, true)) };
+    const result = { report: readReport(view, 0), columns: {} };
+    let at = view.getUint32(0, true);
+    const words = view.getUint32(at, true);
+    const text = new TextDecoder().decode(new Uint8Array(bytes, at + 8, words));
+    if (result.report.failed) result.report.error = text;
+    else result.warnings = text;
+    at += 8 + 8 * Math.ceil(words / 8);
+    while (at < bytes.byteLength) {
+      const id = view.getUint32(at, true);
+      const size = view.getUint32(at + 4, true);
+      const name = Object.keys(known).find((key) => known[key].id === id);
+      result.columns[name] = new known[name].array(bytes.slice(at + 8, at + 8 + size));
+      at += 8 + 8 * Math.ceil(size / 8);
+    }
+    return result;
+  }
+}

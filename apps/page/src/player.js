@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+// Steps the engine, keeps what it computed, and says which frame is shown. Pictures never wait for
+// a step nor steps for a picture: at most one request is on its way.
+import { Recording } from './recording.js';
+
+const perStep = ['position', 'drawnPose', 'obstacle', 'stress', 'loadRatio', 'speed'];
+const perShape = ['face', 'faceIsCrack', 'rest', 'piece', 'restCentre', 'birth', 'body'];
+const savesApart = 60; // steps
+const summed = ['tested', 'suspects', 'reached', 'predicted', 'created'];
+
+export class Player {
+  /// `events`: frame() when another frame is to be shown, message(text).
+  constructor(engine, events) {
+    this.engine = engine;
+    this.events = events;
+    this.recording = new Recording();
+    this.playing = false;
+    this.pace = 60; // steps a second at most
+    this.row = 0;
+    this.busy = Promise.resolve();
+    this.pull = null; // the newest place of the spring, not yet sent
+  }
+
+  /// One request after the other, in their order.
+  ask(work, input) {
+    const answer = this.busy.then(() => this.engine.ask(work, input));
+    this.busy = answer.catch(() => {});
+    return answer;
+  }
+
+  async open(scene) {
+    this.playing = false;
+    const { warnings } = await this.ask('load', { scene });
+    this.warnings = warnings;
+    this.recording.clear();
+    await this.record(await this.ask('read', { columns: [...perStep, ...perShape] }));
+    await this.save();
+  }
+
+  async save() {
+    const { step, size } = await this.ask('save');
+    this.savedSize = size;
+    const forgotten = this.recording.addSaved(step);
+    if (forgotten !== null) await this.ask('forget', { step: forgotten });
+  }
+
+  record({ report, columns }) {
+    const last = this.recording.last;
+    const shape = { ...last?.shape };
+    let isNew = false;
+    for (const name of perShape) {
+      if (!columns[name]) continue;
+      shape[name] = columns[name];
+      delete columns[name];
+      isNew = true;
+    }
+    const sums = Object.fromEntries(summed.map((key) => [key, (last?.sums[key] ?? 0) + report[key]]));
+    const follows = this.isAtEnd();
+    this.recording.add({ report, columns, sums, shape: isNew ? shape : last.shape });
+    if (follows) this.row = this.recording.frames.length - 1;
+    this.events.frame();
+    if (report.failed) {
+      this.playing = false;
+      this.events.message(report.error);
+    }
+  }
+
+  async step() {
+    const last = this.recording.last;
+    if (last.report.failed) return;
+    const answer = await this.ask('step', {
+      count: 1, columns: perStep, shape: last.report.shape, shapeColumns: perShape,
+    });
+    this.record(answer);
+    if (answer.report.step % savesApart === 0) await this.save();
+  }
+
+  /// Steps, or shows what is recorded, at the pace that is wanted, until it is paused.
+  async run() {
+    if (this.isRunning) return;
+    this.isRunning = true;
+    let due = performance.now();
+    while (this.playing) {
+      if (this.isAtEnd()) await this.attempt(() => this.step());
+      else this.look(this.row + 1);
+      due = Math.max(due + 1000 / this.pace, performance.now() - 1000 / this.pace);
+      await new Promise((next) => setTimeout(next, due - performance.now()));
+    }
+    this.isRunning = false;
+  }
+
+  attempt(work) {
+    return work().catch((error) => {
+      this.playing = false;
+      this.events.message(error.message);
+      this.events.frame();
+    });
+  }
+
+  play() {
+    this.playing = true;
+    this.events.frame();
+    this.run();
+  }
+
+  toggle() {
+    if (!this.playing) return this.play();
+    this.playing = false;
+    this.events.frame();
+  }
+
+  /// Pauses, and takes one step or shows one frame more.
+  once() {
+    this.playing = false;
+    if (!this.isAtEnd()) return this.look(this.row + 1);
+    return this.attempt(() => this.step());
+  }
+
+  /// Shows frame `row` of those recorded; nothing is computed.
+  look(row) {
+    this.row = Math.min(Math.max(0, row), this.recording.frames.length - 1);
+    this.events.frame();
+  }
+
+  shown() {
+    return this.recording.frames[this.row];
+  }
+
+  isAtEnd() {
+    return this.row >= this.recording.frames.length - 1;
+  }
+
+  /// Goes on from the saved state at or before the frame that is shown; what came after is
+  /// forgotten.
+  async branch() {
+    const step = this.recording.savedBefore(this.row);
+    await this.ask('restore', { step });
+    this.recording.cutAfter(step);
+    this.row = this.recording.frames.length - 1;
+    // A restored engine counts its shapes anew.
+    const { report, columns } = await this.ask('read', { columns: [...perStep, ...perShape] });
+    const same = this.recording.frames.pop();
+    this.record({ report: { ...same.report, shape: report.shape }, columns });
+  }
+
+  /// Does something to the scene as it is computed last. Of many places of a spring the newest
+  /// counts.
+  async act(action) {
+    if (action.kind === 'pull') {
+      const isOnItsWay = this.pull !== null;
+      this.pull = action;
+      if (isOnItsWay) return;
+    }
+    this.row = this.recording.frames.length - 1;
+    await this.attempt(async () => {
+      await this.busy;
+      const newest = action.kind === 'pull' ? this.pull : action;
+      if (action.kind === 'pull') this.pull = null;
+      await this.ask('act', { action: newest });
+    });
+  }
+
+  inspect(vertex) {
+    return this.ask('inspect', { vertex });
+  }
+}

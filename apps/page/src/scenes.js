@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Where scenes come from: the page's own, the server's, files dropped on the page.
+
+/// The scenes to choose from: {name, text, files: {name in the scene: file}}.
+export async function sceneList(token) {
+  if (token) {
+    const answer = await fetch('api/scene', { method: 'POST', headers: { 'X-Sunder-Token': token } });
+    return [{ ...(await answer.json()), files: {} }];
+  }
+  return (await fetch('scenes/scenes.json')).json();
+}
+
+/// A scene of the list with the bytes of its files.
+export async function listedScene(scene) {
+  const files = await Promise.all(
+    Object.entries(scene.files).map(async ([name, file]) => {
+      const answer = await fetch(`scenes/${file}`);
+      return [name, new Uint8Array(await answer.arrayBuffer())];
+    }),
+  );
+  return { name: `${scene.name}.json`, text: scene.text, files: Object.fromEntries(files) };
+}
+
+/// A scene in JSON with its meshes, or a mesh alone, which then falls on a floor.
+export async function droppedScene(dropped) {
+  const scene = dropped.find((file) => file.name.endsWith('.json'));
+  const contents = await Promise.all(
+    dropped.filter((file) => file !== scene).map(async (file) => [file.name, new Uint8Array(await file.arrayBuffer())]),
+  );
+  const files = Object.fromEntries(contents);
+  if (!scene) return fallingMesh(contents[0][0], files);
+  const text = await scene.text();
+  // A scene names its meshes with folders, a drop has none.
+  for (const body of JSON.parse(text).bodies ?? []) {
+    const bare = body.mesh?.split('/').at(-1);
+    if (bare in files) files[body.mesh] = files[bare];
+  }
+  return { name: scene.name, text, files };
+}
+
+function fallingMesh(mesh, files) {
+  const scene = {
+    name: mesh,
+    description: `${mesh} of concrete falls on a floor.`,
+    bodies: [{
+      name: mesh,
+      mesh,
+      material: { young_modulus: 30e9, poisson_ratio: 0.2, density: 2400, tensile_strength: 3e6 },
+      velocity: [0, 0, -6],
+    }],
+    time_step: 2e-4,
+    duration: 1,
+    fracture: { crack: 'object' },
+  };
+  return { name: `${mesh}.json`, text: JSON.stringify(scene, null, 2), files, needsFloor: true };
+}
+
+/// The same scene with a floor a little below what is lowest.
+export function withFloor(scene, box) {
+  const content = JSON.parse(scene.text);
+  const offset = box.min.z - 0.02 * (box.max.z - box.min.z);
+  content.obstacles = [{ plane: { normal: [0, 0, 1], offset }, friction: 0.6 }];
+  return { ...scene, text: JSON.stringify(content, null, 2), needsFloor: false };
+}

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// The frames that a run has left in its folder.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <vector>
+
+#include "mechanics/state/vec3.hpp"
+#include "topology/base/finding.hpp"
+
+namespace sunder {
+
+/// One VTU frame. Tetrahedra keep their rows and the order of their corners through a run; vertices
+/// that split are appended.
+struct ResultFrame {
+  double time = 0;               ///< s
+  std::vector<Vec3> position;    ///< m, a vertex
+  std::vector<Vec3> reference;   ///< m, a vertex: where its piece's rigid reference has it
+  std::vector<std::array<std::uint32_t, 4>> tetrahedra;
+  std::vector<std::int64_t> component;  ///< a tetrahedron
+};
+
+/// What fragments.csv says of a piece.
+struct ResultPiece {
+  double mass = 0;               ///< kg
+  std::int64_t birth_step = 0;   ///< in which it came off; 0: the start
+};
+
+struct RunResult {
+  std::vector<ResultFrame> frames;             ///< in their order, at least one
+  std::map<std::int64_t, ResultPiece> pieces;  ///< by component, at the end
+};
+
+/// Reads frames.pvd, the frames that it names and fragments.csv in `folder`, as `sunder run` leaves
+/// them. Errors: no_result (files or columns that are not there), those of `read_file_mesh`.
+Result<RunResult> read_run_result(const std::filesystem::path& folder);
+
+}  // namespace sunder

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+// The command line of `sunder view`, and its server on this machine's own address.
+#include "apps/sunder/view/view.hpp"
+
+#include <fmt/format.h>
+#include <sys/random.h>
+
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <thread>
+
+#include "apps/scene/scene_json.hpp"
+#include "apps/scene/words.hpp"
+#include "apps/sunder/view/view_requests.hpp"
+
+// Last: it brings resolv.h, whose macro _res stands in the way of Eigen.
+#include <httplib.h>
+
+namespace sunder {
+namespace {
+
+constexpr const char* footer = R"(
+The page shows the scene, runs it, looks back on what was recorded, and lets you shoot, pull, cut and
+inspect (docs/page.md). A restart on the page reads the scene's file again. Only this machine, and
+only the page whose address is printed, can reach the server. Ctrl-C ends it.
+
+Exit codes: 0 ended by Ctrl-C, 2 usage, 3 bad scene or mesh, 4 the port is taken or there is no page.
+
+Examples:
+  sunder view meshes/scenes/monolith.json
+  sunder view meshes/scenes/bunny.json --headless --port 8080
+)";
+
+struct ViewArguments {
+  std::filesystem::path scene;
+  std::filesystem::path page = SUNDER_PAGE;
+  int port = 0;
+  bool headless = false;
+};
+
+// A signal handler can reach nothing but a global.
+std::atomic<bool> ended = false;
+
+std::string random_token() {
+  std::array<unsigned char, 16> bytes{};
+  if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) std::abort();
+  return fmt::format("{:02x}", fmt::join(bytes, ""));
+}
+
+ExitCode refuse(const Finding& finding, ExitCode code) {
+  fmt::print(stderr, "{}", finding_lines({finding}));
+  return code;
+}
+
+ViewRequestHead head_of(const httplib::Request& request) {
+  return {request.get_header_value("Host"), request.get_header_value("Origin"),
+          request.get_header_value("X-Sunder-Token")};
+}
+
+/// The page's files by name, and requests to the engine.
+void add_routes(httplib::Server& server, ViewedScene& viewed, const ViewArguments& arguments,
+                const std::string& token, const int& port) {
+  server.set_pre_routing_handler([&](const httplib::Request& request,
+                                     httplib::Response& response) {
+    const bool needs_token = request.path.starts_with("/api/");
+    if (is_allowed(head_of(request), port, token, needs_token)) {
+      response.set_header("X-Content-Type-Options", "nosniff");
+      response.set_header("Cache-Control", "no-store");
+      return httplib::Server::HandlerResponse::Unhandled;
+    }
+    response.status = 403;
+    response.set_content("sunder view answers its own page only\n", "text/plain");
+    return httplib::Server::HandlerResponse::Handled;
+  });
+  server.Post(R"(/api/([a-z]+))", [&](const httplib::Request& request,
+                                      httplib::Response& response) {
+    const std::string work = request.matches[1];
+    const ViewAnswer answer = do_view_request(viewed, work, request.body);
+    response.status = answer.fine ? 200 : 400;
+    response.set_content(answer.bytes, answer.fine ? "application/octet-stream" : "text/plain");
+  });
+  server.set_mount_point("/", arguments.page.string());
+}
+
+void open_browser(const std::string& url) {
+  if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return;
+  // The address is ours: digits, letters and marks that no shell takes for its own but within ''.
+  if (std::system(fmt::format("xdg-open '{}' >/dev/null 2>&1 &", url).c_str()) != 0) {
+    fmt::print("no browser could be started: open the address yourself\n");
+  }
+}
+
+ExitCode view(const ViewArguments& arguments) {
+  const Result<SceneFile> file = read_scene(arguments.scene);
+  fmt::print(stderr, "{}", finding_lines(file.findings));
+  if (!file) return ExitCode::bad_input;
+  if (!std::filesystem::exists(arguments.page / "index.html")) {
+    return refuse({.code = "no_page",
+                   .text = fmt::format("there is no page in {}", arguments.page.string()),
+                   .remedy = "build it (needs npm): cmake --build build/release --target page; or "
+                             "name its folder with --page"},
+                  ExitCode::not_written);
+  }
+  ViewedScene viewed;
+  viewed.path = arguments.scene;
+  const std::string token = random_token();
+  httplib::Server server;
+  server.set_keep_alive_max_count(1u << 20);
+  server.set_tcp_nodelay(true);
+  // The library's default shares a port with whoever has it.
+  server.set_socket_options([](socket_t socket) {
+    const int yes = 1;
+    setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+  });
+  int port = arguments.port;
+  add_routes(server, viewed, arguments, token, port);
+  if (port == 0) {
+    port = server.bind_to_any_port("127.0.0.1");
+  } else if (!server.bind_to_port("127.0.0.1", port)) {
+    return refuse({.code = "port_taken",
+                   .text = fmt::format("port {} of 127.0.0.1 cannot be had", port),
+                   .remedy = "leave out --port: a free one is taken"},
+                  ExitCode::not_written);
+  }
+  const std::string url = fmt::format("http://127.0.0.1:{}/#token={}", port, token);
+  fmt::print("{}\n", url);
+  std::fflush(stdout);
+  if (!arguments.headless) open_browser(url);
+  ended = false;
+  std::signal(SIGINT, [](int) { ended = true; });
+  std::signal(SIGTERM, [](int) { ended = true; });
+  std::jthread watch([&](const std::stop_token& done) {
+    while (!ended && !done.stop_requested()) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+    server.stop();
+  });
+  server.listen_after_bind();
+  return ExitCode::fine;
+}
+
+}  // namespace
+
+void add_view_command(CLI::App& program, ExitCode& exit_code) {
+  const auto arguments = std::make_shared<ViewArguments>();
+  CLI::App* command = program.add_subcommand("view", "Shows a scene in the browser and runs it there");
+  command->add_option("SCENE", arguments->scene, "Scene file (JSON)")->required();
+  command->add_option("--port", arguments->port, "Port on 127.0.0.1; default: one that is free")
+      ->check(CLI::Range(1, 65535));
+  command->add_option("--page", arguments->page, "Folder of the built page")->type_name("DIR");
+  command->add_flag("--headless", arguments->headless,
+                    "Print the address and start no browser");
+  command->footer(footer);
+  command->callback([arguments, &exit_code] { exit_code = view(*arguments); });
+}
+
+}  // namespace sunder

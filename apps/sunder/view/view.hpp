@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// `sunder view`: a scene in the browser, computed here.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "apps/sunder/exit_code.hpp"
+
+namespace sunder {
+
+/// Adds the subcommand `view` to the program; `exit_code` is set when it has run.
+void add_view_command(CLI::App& program, ExitCode& exit_code);
+
+}  // namespace sunder

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+// The page's requests over the C functions' own room.
+#include "apps/sunder/view/view_requests.hpp"
+
+#include <fmt/format.h>
+
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "apps/scene/scene_json.hpp"
+#include "apps/scene/words.hpp"
+
+namespace sunder {
+namespace {
+
+using nlohmann::json;
+
+ViewAnswer refusal(std::string words) { return {false, std::move(words)}; }
+
+template <class T>
+void append(std::string& bytes, const T& value) {
+  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+void pad(std::string& bytes) { bytes.resize((bytes.size() + 7) / 8 * 8); }
+
+/// The report of the last step with its words, and columns by their ids.
+std::string answer_of(ViewedScene& viewed, const std::vector<std::uint32_t>& columns) {
+  std::string bytes;
+  sunder_report report{};
+  report.size = sizeof report;
+  sunder_last_report(viewed.engine.get(), &report);
+  append(bytes, report);
+  const std::string words = report.outcome != 0 ? sunder_error(viewed.engine.get()) : viewed.words;
+  append(bytes, static_cast<std::uint64_t>(words.size()));
+  bytes += words;
+  pad(bytes);
+  for (const std::uint32_t column : columns) {
+    sunder_span span{};
+    if (sunder_read(viewed.engine.get(), column, &span) != 0) continue;
+    append(bytes, column);
+    append(bytes, static_cast<std::uint32_t>(span.size));
+    bytes.append(static_cast<const char*>(span.bytes), span.size);
+    pad(bytes);
+  }
+  return bytes;
+}
+
+std::vector<std::uint32_t> ids(const json& request, const char* key) {
+  return request.value(key, std::vector<std::uint32_t>{});
+}
+
+/// Reads the file again: a restart has what was saved in the meantime.
+ViewAnswer load(ViewedScene& viewed, const json& request) {
+  const std::vector<std::string> settings = request.at("scene").at("settings");
+  Result<SceneFile> file = read_scene(viewed.path, settings);
+  viewed.words = finding_lines(file.findings);
+  if (!file) return refusal(viewed.words);
+  Result<Simulation> simulation = build_simulation(std::move(file->scene));
+  viewed.words += finding_lines(simulation.findings);
+  if (!simulation) return refusal(viewed.words);
+  viewed.engine = make_engine(std::move(*simulation));
+  viewed.saved.clear();
+  return {true, answer_of(viewed, {})};
+}
+
+ViewAnswer step(ViewedScene& viewed, const json& request) {
+  for (int left = request.value("count", 1); left > 0; --left) {
+    if (sunder_step(viewed.engine.get(), nullptr) != 0) break;
+  }
+  std::vector<std::uint32_t> columns = ids(request, "columns");
+  if (viewed.engine->report.shape != request.value("shape", 0u)) {
+    const std::vector<std::uint32_t> more = ids(request, "shapeColumns");
+    columns.insert(columns.end(), more.begin(), more.end());
+  }
+  return {true, answer_of(viewed, columns)};
+}
+
+ViewAnswer act(ViewedScene& viewed, std::string_view body) {
+  sunder_action action{};
+  if (body.size() != sizeof action) return refusal("an action has 80 bytes");
+  std::memcpy(&action, body.data(), sizeof action);
+  if (sunder_act(viewed.engine.get(), &action) != 0) {
+    return refusal(sunder_error(viewed.engine.get()));
+  }
+  return {true, answer_of(viewed, {})};
+}
+
+ViewAnswer inspect(ViewedScene& viewed, const json& request) {
+  sunder_vertex vertex{};
+  vertex.size = sizeof vertex;
+  const auto row = request.at("vertex").get<std::uint32_t>();
+  if (sunder_inspect(viewed.engine.get(), row, &vertex) != 0) {
+    return refusal(fmt::format("there is no vertex {}", row));
+  }
+  ViewAnswer answer;
+  append(answer.bytes, vertex);
+  return answer;
+}
+
+ViewAnswer save(ViewedScene& viewed) {
+  sunder_span span{};
+  sunder_save(viewed.engine.get(), &span);
+  const std::uint64_t at = viewed.engine->report.step;
+  viewed.saved[at].assign(static_cast<const char*>(span.bytes), span.size);
+  ViewAnswer answer;
+  append(answer.bytes, at);
+  append(answer.bytes, static_cast<std::uint64_t>(span.size));
+  return answer;
+}
+
+ViewAnswer restore_saved(ViewedScene& viewed, const json& request) {
+  const auto state = viewed.saved.find(request.at("step").get<std::uint64_t>());
+  if (state == viewed.saved.end()) return refusal("that step was not saved");
+  sunder_engine* engine = sunder_restore(state->second.data(), state->second.size());
+  if (engine == nullptr) return refusal(sunder_error(nullptr));
+  viewed.engine.reset(engine);
+  return {true, answer_of(viewed, {})};
+}
+
+ViewAnswer scene_text(const ViewedScene& viewed) {
+  std::ifstream in(viewed.path, std::ios::binary);
+  const std::string text(std::istreambuf_iterator<char>(in), {});
+  return {true, json{{"name", viewed.path.stem().string()}, {"text", text}}.dump()};
+}
+
+ViewAnswer do_work(ViewedScene& viewed, std::string_view work, std::string_view body) {
+  if (work == "open") return {};
+  if (work == "scene") return scene_text(viewed);
+  if (work != "load" && viewed.engine == nullptr) return refusal("no scene is loaded");
+  if (work == "act") return act(viewed, body);
+  const json request = json::parse(body);
+  if (work == "load") return load(viewed, request);
+  if (work == "step") return step(viewed, request);
+  if (work == "read") return {true, answer_of(viewed, ids(request, "columns"))};
+  if (work == "inspect") return inspect(viewed, request);
+  if (work == "save") return save(viewed);
+  if (work == "restore") return restore_saved(viewed, request);
+  if (work == "forget") {
+    viewed.saved.erase(request.at("step").get<std::uint64_t>());
+    return {};
+  }
+  return refusal(fmt::format("there is no request {}", work));
+}
+
+}  // namespace
+
+ViewAnswer do_view_request(ViewedScene& viewed, std::string_view work, std::string_view body) {
+  const std::lock_guard<std::mutex> alone(viewed.one_at_a_time);
+  try {
+    return do_work(viewed, work, body);
+  } catch (const json::exception& error) {
+    return refusal(fmt::format("the request cannot be read: {}", error.what()));
+  }
+}
+
+bool is_allowed(const ViewRequestHead& head, int port, std::string_view token, bool needs_token) {
+  const std::string own = fmt::format("127.0.0.1:{}", port);
+  const std::string named = fmt::format("localhost:{}", port);
+  if (head.host != own && head.host != named) return false;
+  if (!head.origin.empty() && head.origin != "http://" + own && head.origin != "http://" + named) {
+    return false;
+  }
+  return !needs_token || head.token == token;
+}
+
+}  // namespace sunder

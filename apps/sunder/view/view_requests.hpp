@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// What the page asks of the native engine, as bytes in and out; no socket here.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <string_view>
+
+#include "apps/host/engine.hpp"
+#include "topology/base/finding.hpp"
+
+namespace sunder {
+
+/// The scene that is viewed, its engine and the states to go back to. Requests come on any thread
+/// and are done one after the other.
+struct ViewedScene {
+  std::filesystem::path path;
+  std::unique_ptr<sunder_engine> engine;
+  std::string words;                           ///< warnings, or what failed
+  std::map<std::uint64_t, std::string> saved;  ///< by their step
+  std::mutex one_at_a_time;
+};
+
+/// What a request is answered with.
+struct ViewAnswer {
+  bool fine = true;
+  std::string bytes;  ///< the answer, or what is wrong in words
+};
+
+/// Does `work` ("load", "step", "read", "act", "inspect", "save", "restore", "forget", "scene",
+/// "open") with the `body` that apps/page/src/engines.js makes: a `sunder_action` for act, else
+/// JSON. Answers with a `sunder_report`, words, and columns (id, size, content padded to 8 bytes).
+ViewAnswer do_view_request(ViewedScene& viewed, std::string_view work, std::string_view body);
+
+/// Whether a request may be answered: its Host is this server, it comes from no other page, and
+/// (of requests to the engine) it has the token.
+struct ViewRequestHead {
+  std::string host, origin, token;
+};
+bool is_allowed(const ViewRequestHead& head, int port, std::string_view token, bool needs_token);
+
+}  // namespace sunder

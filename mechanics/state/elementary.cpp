@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// Reduction by pi/2 in three parts, Taylor series below pi/4, Newton's method for the root.
+#include "mechanics/state/elementary.hpp"
+
+#include <cmath>
+
+namespace sunder {
+namespace {
+
+/// pi/2 as a sum: the first two have 33 bits, so their products with a whole number below 2^20 are
+/// exact.
+constexpr double half_pi_1 = 1.57079632673412561417e+00;
+constexpr double half_pi_2 = 6.07710050630396597660e-11;
+constexpr double half_pi_3 = 2.02226624879595063154e-21;
+constexpr double two_over_pi = 6.36619772367581382433e-01;
+constexpr double two_pi = 6.28318530717958647693e+00;
+constexpr double most_quarters = 1048576;  // 2^20
+
+/// An angle as whole quarter turns and a rest of at most pi/4 = `rest` + `tail`.
+struct ReducedAngle {
+  int quarter;  ///< 0 to 3
+  double rest, tail;
+};
+
+ReducedAngle reduced(double x) {
+  if (std::abs(x) > most_quarters * half_pi_1) x = std::fmod(x, two_pi);  // exact in itself
+  const double n = std::floor(x * two_over_pi + 0.5);
+  const double w = x - n * half_pi_1;
+  const double shift = n * half_pi_2;
+  const double rest = w - shift;
+  const double tail = ((w - rest) - shift) - n * half_pi_3;
+  const int quarter = static_cast<int>(n - 4 * std::floor(n / 4));
+  return {quarter, rest, tail};
+}
+
+/// sin(x + tail), |x| <= pi/4: the first term left out is below 1e-19.
+double sine_series(double x, double tail) {
+  const double z = x * x;
+  const double v = z * x;
+  const double r =
+      1. / 120 +
+      z * (-1. / 5040 +
+           z * (1. / 362880 +
+                z * (-1. / 39916800 + z * (1. / 6227020800. + z * (-1. / 1307674368000.)))));
+  return x - ((z * (0.5 * tail - v * r) - tail) + v / 6);
+}
+
+/// cos(x + tail), |x| <= pi/4.
+double cosine_series(double x, double tail) {
+  const double z = x * x;
+  const double r =
+      1. / 24 +
+      z * (-1. / 720 +
+           z * (1. / 40320 +
+                z * (-1. / 3628800 +
+                     z * (1. / 479001600 +
+                          z * (-1. / 87178291200. + z * (1. / 20922789888000.))))));
+  const double half = 0.5 * z;
+  const double w = 1 - half;
+  return w + (((1 - w) - half) + (z * z * r - x * tail));
+}
+
+double quarter_wave(const ReducedAngle& a, int quarter) {
+  switch (quarter & 3) {
+    case 0: return sine_series(a.rest, a.tail);
+    case 1: return cosine_series(a.rest, a.tail);
+    case 2: return -sine_series(a.rest, a.tail);
+    default: return -cosine_series(a.rest, a.tail);
+  }
+}
+
+}  // namespace
+
+double sine(double angle) {
+  if (!std::isfinite(angle)) return angle - angle;
+  const ReducedAngle a = reduced(angle);
+  return quarter_wave(a, a.quarter);
+}
+
+double cosine(double angle) {
+  if (!std::isfinite(angle)) return angle - angle;
+  const ReducedAngle a = reduced(angle);
+  return quarter_wave(a, a.quarter + 1);
+}
+
+double cube_root(double x) {
+  if (x == 0 || !std::isfinite(x)) return x;
+  int exponent = 0;
+  double m = std::frexp(std::abs(x), &exponent);
+  const int rest = ((exponent % 3) + 3) % 3;
+  m = std::ldexp(m, rest);  // 0.5 to 4
+  double y = 0.65 + 0.35 * m;
+  for (int i = 0; i < 6; ++i) y -= (y * y * y - m) / (3 * y * y);
+  y = std::ldexp(y, (exponent - rest) / 3);
+  return x < 0 ? -y : y;
+}
+
+}  // namespace sunder

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Sine, cosine and cube root in plain arithmetic: the same bytes in every build.
+#pragma once
+
+namespace sunder {
+
+// Libraries of C differ in the last bit of these, some of them from one processor to the next; a
+// crack that a last bit decides would then be another one. These need additions, products and
+// divisions only, which IEEE 754 rounds alike everywhere.
+
+/// Sine of an angle, radians, within 1.1 units in the last place up to 1 000 radians and within two up
+/// to 1.6e6; beyond, that of the angle reduced by a rounded 2 pi. Not a number for what is not finite.
+double sine(double angle);
+
+/// Cosine, as `sine`.
+double cosine(double angle);
+
+/// Cube root within one unit in the last place; of a negative number the negative one.
+double cube_root(double x);
+
+}  // namespace sunder

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include <catch2/catch.hpp>
+
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "apps/sunder/export/glb.hpp"
+#include "apps/sunder/export/piece_tracks.hpp"
+#include "apps/sunder/export/result_frames.hpp"
+
+using namespace sunder;
+
+namespace {
+
+/// Two tetrahedra that share a face in the first frame; in the second they are apart, and the upper
+/// one, on rows of its own, has been turned and moved.
+std::vector<ResultFrame> two_pieces(const Eigen::Quaterniond& turn, const Vec3& way) {
+  ResultFrame first;
+  first.reference = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}};
+  first.position = first.reference;
+  first.tetrahedra = {{0, 1, 2, 3}, {0, 2, 1, 4}};
+  first.component = {0, 0};
+  ResultFrame second = first;
+  second.time = 0.5;
+  second.component = {1, 0};
+  second.tetrahedra[0] = {5, 6, 7, 3};
+  for (const std::size_t v : {0u, 1u, 2u}) second.reference.push_back(first.reference[v]);
+  for (const std::size_t v : {3u, 5u, 6u, 7u}) {
+    second.reference[v] = turn * second.reference[v] + way;
+  }
+  second.position = second.reference;
+  return {first, second};
+}
+
+nlohmann::json json_of(const std::string& glb) {
+  std::uint32_t size = 0;
+  std::memcpy(&size, glb.data() + 12, 4);
+  return nlohmann::json::parse(glb.substr(20, size));
+}
+
+}  // namespace
+
+TEST_CASE("tracks of pieces are their rigid motions", "[export]") {
+  const Eigen::Quaterniond turn(Eigen::AngleAxisd(2.5, Vec3(1, 2, -1).normalized()));
+  const Vec3 way(3, -1, 2);
+  const std::vector<PieceTrack> tracks = piece_tracks(two_pieces(turn, way));
+  REQUIRE(tracks.size() == 2);
+  CHECK(tracks[1].component == 1);
+  CHECK(tracks[1].departure < 1e-14);
+  CHECK(tracks[1].orientation[0].isApprox(Eigen::Quaterniond::Identity(), 1e-14));
+  CHECK(std::abs(tracks[1].orientation[1].dot(turn)) == Approx(1).epsilon(1e-14));
+  CHECK((tracks[1].centre[1] - (turn * tracks[1].centre[0] + way)).norm() < 1e-14);
+  CHECK((tracks[0].centre[1] - tracks[0].centre[0]).norm() < 1e-14);
+}
+
+TEST_CASE("faces that cracks made are told from the body's own", "[export]") {
+  for (const PieceTrack& track : piece_tracks(two_pieces(Eigen::Quaterniond::Identity(), {0, 0, 1}))) {
+    CHECK(track.outer.size() == 3);
+    CHECK(track.crack.size() == 1);
+    double volume = 0;
+    for (const auto* list : {&track.outer, &track.crack}) {
+      for (const auto& t : *list) {
+        volume += track.vertex[t[0]].dot(track.vertex[t[1]].cross(track.vertex[t[2]])) / 6;
+      }
+    }
+    CHECK(volume == Approx(1.0 / 6));  // all faces look outwards
+  }
+}
+
+TEST_CASE("a GLB file has a node a piece, its mass and its track", "[export]") {
+  const auto tracks = piece_tracks(two_pieces(Eigen::Quaterniond::Identity(), {0, 0, 1}));
+  const std::string glb = glb_bytes(tracks, {0, 0.5}, {{1, {2.5, 7}}});
+  std::uint32_t size = 0;
+  std::memcpy(&size, glb.data() + 8, 4);
+  CHECK(size == glb.size());
+  const nlohmann::json root = json_of(glb);
+  REQUIRE(root["nodes"].size() == 3);
+  CHECK(root["nodes"][1]["name"] == "piece_1");
+  CHECK(root["nodes"][1]["extras"]["mass"] == 2.5);
+  CHECK(root["nodes"][1]["extras"]["birth_step"] == 7);
+  CHECK(root["animations"][0]["channels"].size() == 4);
+  CHECK(root["materials"].size() == 2);
+}
+
+TEST_CASE("what is no result of a run is refused", "[export]") {
+  const Result<RunResult> run = read_run_result("/nonexistent");
+  CHECK_FALSE(run);
+  REQUIRE(run.findings.size() == 1);
+  CHECK(run.findings[0].code == "no_result");
+}

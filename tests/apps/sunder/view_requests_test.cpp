@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "apps/sunder/view/view_requests.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cstring>
+
+using namespace sunder;
+
+namespace {
+
+sunder_report report_of(const ViewAnswer& answer) {
+  sunder_report report{};
+  REQUIRE(answer.bytes.size() >= sizeof report);
+  std::memcpy(&report, answer.bytes.data(), sizeof report);
+  return report;
+}
+
+}  // namespace
+
+TEST_CASE("only the page itself is answered", "[view]") {
+  const std::string own = "127.0.0.1:8080";
+  CHECK(is_allowed({own, "", "secret"}, 8080, "secret", true));
+  CHECK(is_allowed({own, "http://127.0.0.1:8080", "secret"}, 8080, "secret", true));
+  CHECK(is_allowed({"localhost:8080", "http://localhost:8080", ""}, 8080, "secret", false));
+  CHECK_FALSE(is_allowed({own, "", "guess"}, 8080, "secret", true));
+  CHECK_FALSE(is_allowed({own, "", ""}, 8080, "secret", true));
+  CHECK_FALSE(is_allowed({"sunder.example:8080", "", "secret"}, 8080, "secret", true));
+  CHECK_FALSE(is_allowed({"127.0.0.1:8081", "", "secret"}, 8080, "secret", true));
+  CHECK_FALSE(is_allowed({own, "http://other.example", "secret"}, 8080, "secret", true));
+  CHECK_FALSE(is_allowed({own, "null", "secret"}, 8080, "secret", true));
+}
+
+TEST_CASE("a page's requests load, step, go back and come to the same again", "[view]") {
+  ViewedScene viewed;
+  viewed.path = SUNDER_SCENES "/monolith.json";
+  CHECK_FALSE(do_view_request(viewed, "step", "{}").fine);
+  REQUIRE(do_view_request(viewed, "load", R"({"scene": {"settings": []}})").fine);
+  REQUIRE(do_view_request(viewed, "step", R"({"count": 150})").fine);
+  REQUIRE(do_view_request(viewed, "save", "{}").fine);
+  const ViewAnswer first = do_view_request(viewed, "step", R"({"count": 60, "columns": [0]})");
+  REQUIRE(do_view_request(viewed, "restore", R"({"step": 150})").fine);
+  const ViewAnswer second = do_view_request(viewed, "step", R"({"count": 60, "columns": [0]})");
+  CHECK(report_of(first).step == 210);
+  CHECK(report_of(first).fans_total == report_of(second).fans_total);
+  CHECK(first.bytes.substr(sizeof(sunder_report)) == second.bytes.substr(sizeof(sunder_report)));
+  CHECK_FALSE(do_view_request(viewed, "restore", R"({"step": 3})").fine);
+  CHECK_FALSE(do_view_request(viewed, "act", "short").fine);
+  CHECK_FALSE(do_view_request(viewed, "step", "{").fine);
+  CHECK_FALSE(do_view_request(viewed, "nothing", "{}").fine);
+}

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// What reading and writing meshes is in a build that has neither files nor zlib nor Expat, as for
+// WebAssembly: refusals that say so. Meshes come from memory there, unpacked, in the other formats.
+#include "topology/io/gzip.hpp"
+#include "topology/io/output_file.hpp"
+#include "topology/io/scan.hpp"
+#include "topology/io/vtu/vtu_read.hpp"
+
+namespace sunder {
+namespace {
+
+Finding no_files(const std::filesystem::path& path) {
+  return {.code = "cannot_write",
+          .text = "this build of Sunder has no files",
+          .remedy = "run the program sunder for that",
+          .file = path.string()};
+}
+
+}  // namespace
+
+std::optional<Finding> write_file(const std::filesystem::path& path,
+                                  std::span<const std::string_view>) {
+  return no_files(path);
+}
+
+std::optional<Finding> write_file(const std::filesystem::path& path, std::string_view) {
+  return no_files(path);
+}
+
+bool io::is_gzip(std::string_view bytes) { return bytes.substr(0, 2) == "\x1f\x8b"; }
+
+std::string io::unpacked(std::string_view) {
+  throw ReadFailure{{.code = "bad_gzip",
+                     .text = "the file is packed, and this build of Sunder has no zlib",
+                     .remedy = "unpack it first: gunzip FILE"}};
+}
+
+bool io::is_vtu(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(" \t\r\n");
+  return begin != std::string_view::npos && text.substr(begin, 5) == "<?xml";
+}
+
+io::Draft io::read_vtu(std::string_view) {
+  throw ReadFailure{{.code = "unsupported_format",
+                     .text = "this build of Sunder reads no VTU: it has no XML parser",
+                     .remedy = "convert it: sunder convert FILE NEW.msh"}};
+}
+
+std::optional<Finding> io::write_vtu(const std::filesystem::path& path, const FileMesh&,
+                                     const FileEncoding&) {
+  return no_files(path);
+}
+
+bool file_exists(const std::filesystem::path&) { return false; }
+
+}  // namespace sunder
