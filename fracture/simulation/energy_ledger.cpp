@@ -85,8 +85,10 @@ double frame_loss(const AdoptedPart& part, const Component& component) {
     return (share_in_wave(part, component) - 0.5) * change.squaredNorm() / component.mass;
   }
   if (!is_struck(part.result.touched, row)) return 0;
-  const Vec3 turn = component.orientation.conjugate() *
-                    (component.angular_momentum - before.angular_momentum[row]);
+  // A rigid body takes its blows as it is turned at the start, and then turns freely.
+  const Eigen::Quaterniond& R = component.rigid ? before.orientation[row] : component.orientation;
+  const Vec3 turn =
+      R.conjugate() * (component.angular_momentum - before.angular_momentum[row]);
   return 0.5 * (change.squaredNorm() / component.mass +
                 turn.dot(component.rest_inertia.ldlt().solve(turn)));
 }
@@ -115,10 +117,36 @@ Vec3 start_of_side_a(const AdoptedPart& part, const ContactPoint& c) {
   return c.corner == ContactPoint::none ? pose_of(shape).centre : corner_at(shape, c.corner);
 }
 
+/// Way of a rigid body's matter at `place` (m) by its velocity after the blows that it takes as the
+/// part begins: along its true way, which is bent, impulses would seem to do another work.
+Vec3 way_after_blow(const AdoptedPart& part, const Component& c, const Vec3& place) {
+  const std::size_t row = c.id.index();
+  const Eigen::Quaterniond& R = part.before.orientation[row];
+  const Vec3 spin = R * Vec3(c.rest_inertia.ldlt().solve(R.conjugate() * c.angular_momentum));
+  return part.input.settings.time_step *
+         (c.momentum / c.mass + spin.cross(place - part.before.centre[row]));
+}
+
+bool takes_blows(const AdoptedPart& part, const Component& c) {
+  return c.rigid && !c.supported && part.input.part.deformation != Deformation::wave;
+}
+
+/// Way of a vertex over the part.
+Vec3 way_of_vertex(const AdoptedPart& part, VertexId v) {
+  const MechanicsState& m = part.state.mechanics;
+  const Component& c = m.components[m.vertices.component[v.index()].index()];
+  const Vec3& start = part.before.position[v.index()];
+  if (takes_blows(part, c)) return way_after_blow(part, c, start);
+  return m.vertices.position[v.index()] - start;
+}
+
 /// Way of the point of side B: of a tetrahedron, or of an obstacle.
 Vec3 way_of_other(const AdoptedPart& part, const ContactPoint& contact) {
   const Vec3 place = start_of_side_a(part, contact);
   if (contact.tetrahedron.is_none()) return way_of_obstacle(part, contact.obstacle, place);
+  const ComponentId id = part.state.mechanics.elements.component[contact.tetrahedron.index()];
+  const Component& component = part.state.mechanics.components[id.index()];
+  if (takes_blows(part, component)) return way_after_blow(part, component, place);
   const VertexColumns& vertices = part.state.mechanics.vertices;
   Vec3 way = Vec3::Zero();
   const Corners& corners = part.input.corners[contact.tetrahedron.index()];
@@ -126,8 +154,6 @@ Vec3 way_of_other(const AdoptedPart& part, const ContactPoint& contact) {
     const std::size_t v = corners[i].index();
     way += contact.weights[i] * (vertices.position[v] - part.before.position[v]);
   }
-  const ComponentId id = part.state.mechanics.elements.component[contact.tetrahedron.index()];
-  const Component& component = part.state.mechanics.components[id.index()];
   if (component.rigid) return way;
   const Vec3 lever = lever_of(contact, place, corners, part.before.position);
   const Vec3 turned =
@@ -136,15 +162,13 @@ Vec3 way_of_other(const AdoptedPart& part, const ContactPoint& contact) {
 }
 
 void add_contact_work(EnergyLedger& ledger, const AdoptedPart& part) {
-  const VertexColumns& vertices = part.state.mechanics.vertices;
   const double h = part.input.settings.time_step;
   for (const ContactPoint& c : part.result.contacts) {
     const bool is_vertex = c.ball == ContactPoint::none;
     const Vec3 other = way_of_other(part, c);
     const Vec3 way =
-        is_vertex
-            ? Vec3(vertices.position[c.vertex.index()] - part.before.position[c.vertex.index()])
-            : way_of_obstacle(part, c.ball, start_of_side_a(part, c));
+        is_vertex ? way_of_vertex(part, c.vertex)
+                  : way_of_obstacle(part, c.ball, start_of_side_a(part, c));
     const Vec3 force = c.impulse / h;
     if (is_vertex) ledger.contact += force.dot(way);
     if (!c.tetrahedron.is_none()) ledger.contact -= force.dot(other);
