@@ -98,19 +98,24 @@ PieceCount count_pieces(const Simulation& sim) {
   return count;
 }
 
-double below_planes(const Simulation& sim) {
-  double deepest = -std::numeric_limits<double>::infinity();
-  for (const Obstacle& obstacle : sim.state->obstacles) {
-    const auto* plane = std::get_if<Plane>(&obstacle.shape);
-    if (plane == nullptr) continue;
-    for (const Component& c : sim.state->mechanics.components) {
+BelowPlanes below_planes(const Simulation& sim, double allowed) {
+  BelowPlanes below{.depth = -std::numeric_limits<double>::infinity()};
+  for (const Component& c : sim.state->mechanics.components) {
+    double depth = -std::numeric_limits<double>::infinity();
+    for (const Obstacle& obstacle : sim.state->obstacles) {
+      const auto* plane = std::get_if<Plane>(&obstacle.shape);
+      if (plane == nullptr) continue;
       for (const VertexId v : c.vertices) {
         const Vec3& x = sim.state->mechanics.vertices.position[v.index()];
-        deepest = std::max(deepest, plane->offset - plane->normal.dot(x));
+        depth = std::max(depth, plane->offset - plane->normal.dot(x));
       }
     }
+    below.pieces += depth > allowed;
+    if (depth <= below.depth) continue;
+    below.depth = depth;
+    below.piece = static_cast<std::uint32_t>(c.id.index());
   }
-  return deepest;
+  return below;
 }
 
 bool all_finite(const Simulation& sim) {

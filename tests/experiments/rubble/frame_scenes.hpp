@@ -27,8 +27,13 @@ struct PieceCount {
 };
 PieceCount count_pieces(const Simulation& sim);
 
-/// m, of the deepest vertex behind any plane of the scene; negative: none is.
-double below_planes(const Simulation& sim);
+/// The deepest vertex behind any plane of the scene.
+struct BelowPlanes {
+  double depth = 0;         ///< m; negative: none is
+  std::size_t pieces = 0;   ///< with a vertex behind one by more than `allowed`
+  std::uint32_t piece = 0;  ///< of the deepest
+};
+BelowPlanes below_planes(const Simulation& sim, double allowed);
 
 /// Whether all places and velocities are numbers.
 bool all_finite(const Simulation& sim);
