@@ -30,7 +30,9 @@ door(mechanics "Materials, obstacles, and what a user chooses about integration,
   mechanics/state/impulse.hpp
   topology/base/counters.hpp
   mechanics/state/material.hpp
+  mechanics/state/pose.hpp
   mechanics/contact/shapes/obstacle.hpp
+  mechanics/contact/shapes/solid_surface.hpp
   mechanics/contact/contact_settings.hpp
   mechanics/contact/impact_settings.hpp
   mechanics/contact/contact_report.hpp

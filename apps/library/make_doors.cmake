@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Makes the public headers: cmake -D SOURCE=<sources> -D OUTPUT=<folder> -D ALIGN=<EIGEN_MAX_ALIGN_BYTES> -P make_doors.cmake
+# Makes the public headers: cmake -D SOURCE=<sources> -D OUTPUT=<folder> -D FLAGS=<how Eigen is to be compiled> -P make_doors.cmake
 # Each is its headers of the tree one after the other: includes of the outside once and sorted, those of the project
 # dropped or replaced by the door that shows them. What no door shows cannot stand behind one: that is an error.
 cmake_minimum_required(VERSION 3.25)
@@ -39,8 +39,10 @@ function(door name about)
     list(JOIN ${list} "\n" ${list})
   endforeach()
   if(outside MATCHES "Eigen")
-    string(PREPEND body "\nstatic_assert(EIGEN_MAX_ALIGN_BYTES == ${ALIGN},\n"
-           "              \"compile with -DEIGEN_MAX_ALIGN_BYTES=${ALIGN}, as sunder was (docs/library.md)\");\n")
+    string(PREPEND body "\n#ifndef EIGEN_DONT_VECTORIZE\n"
+           "#error \"compile with ${FLAGS}, as sunder was (docs/library.md)\"\n#endif\n"
+           "static_assert(EIGEN_MAX_ALIGN_BYTES == 16,\n"
+           "              \"compile with ${FLAGS}, as sunder was (docs/library.md)\");\n")
   endif()
   set(file ${OUTPUT}/sunder/${name}.hpp)
   file(WRITE ${file}.tmp "// SPDX-License-Identifier: MIT\n// ${about}\n#pragma once\n\n${outside}\n\n${doors}\n${body}")

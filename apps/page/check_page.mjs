@@ -150,6 +150,21 @@ await page.waitForFunction((n) => sunder.player.recording.last.columns.obstacle.
 expect(true, 'a ball flies');
 await page.evaluate(() => (sunder.player.playing = false));
 
+// A spring from a vertex to the pointer.
+await page.click('[data-tool="pull"]');
+const pulled = await page.evaluate(({ x, y }) => sunder.body().pick(sunder.stage.ray(x, y)).vertex, place);
+const speed = () => page.evaluate((v) => sunder.player.recording.last.columns.speed[v], pulled);
+const atRest = await speed();
+await page.mouse.move(place.x, place.y);
+await page.mouse.down();
+await page.mouse.move(place.x + 90, place.y - 90, { steps: 4 });
+const start = (await last()).step;
+await page.waitForFunction((n) => sunder.player.recording.last.report.step >= n, { timeout: 120000 }, start + 25);
+const moving = await speed();
+await page.mouse.up();
+await page.evaluate(() => (sunder.player.playing = false));
+expect(moving > atRest + 0.1, `vertex ${pulled} is pulled: ${atRest.toFixed(3)} m/s before, ${moving.toFixed(3)} m/s after 25 steps`);
+
 // A cut across.
 await page.click('[data-tool="cut"]');
 const before = (await last()).pieces;

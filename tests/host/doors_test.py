@@ -2,7 +2,7 @@
 """Holds the public headers to their word: each compiles alone, without a warning, and leads to no forbidden header.
 The C++ that README.md and docs/library.md show compiles as well.
 
-    python3 doors_test.py FOLDER_OF_DOORS EIGEN EIGEN_MAX_ALIGN_BYTES PROJECT COMPILER...
+    python3 doors_test.py FOLDER_OF_DOORS EIGEN "FLAG;FLAG" PROJECT COMPILER...
 
 What a header leads to is asked of the compiler (-MD). Compilers that are not installed are passed over, but one must be.
 """
@@ -88,7 +88,7 @@ class Doors(unittest.TestCase):
 
 if __name__ == "__main__":
     Doors.folder, Doors.eigen = sys.argv[1], str(pathlib.Path(sys.argv[2]).resolve())
-    FLAGS.append("-DEIGEN_MAX_ALIGN_BYTES=" + sys.argv[3])
+    FLAGS += sys.argv[3].split(";")
     Doors.project = sys.argv[4]
     Doors.compilers = [c for c in dict.fromkeys(sys.argv[5:]) if shutil.which(c)]
     if not Doors.compilers:

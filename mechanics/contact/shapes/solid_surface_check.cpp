@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "topology/base/sort_unique.hpp"
 #include "topology/base/union_find.hpp"
 
 namespace sunder {
@@ -86,6 +87,7 @@ std::vector<Finding> check_edges(const TriangleSurface& s) {
     if (all > 2) many.push_back(triangles[0]);
     if (all == 2 && triangles.size() == 2) turned.push_back(triangles[1]);
   }
+  for (std::vector<std::int64_t>* ids : {&open, &many, &turned}) sort_unique(*ids);
   std::vector<Finding> found;
   if (!open.empty()) {
     found.push_back(finding("open_surface", open, these(open, "triangle") + " with an edge where the surface is open",

@@ -31,7 +31,7 @@ struct Made {
 };
 
 Made run(Scene scene, std::uint64_t steps, std::uint64_t period) {
-  Simulation sim = build(std::move(scene));
+  Simulation sim = built(std::move(scene));
   Made most;
   std::size_t fans = 0, pieces = 0;
   for (std::uint64_t k = 0; k < steps; ++k) {
@@ -81,7 +81,7 @@ TEST_CASE("a budget that nothing reaches changes nothing", "[fracture][budget]")
   roomy.fracture.mode = FractureMode::budget;
   roomy.fracture.max_fans = 100000;
   roomy.fracture.budget_time = 0.02;
-  Simulation a = build(breaking_scene()), b = build(roomy);
+  Simulation a = built(breaking_scene()), b = built(roomy);
   for (int k = 0; k < 40; ++k) {
     advance(a);
     advance(b);
