@@ -108,39 +108,24 @@ RubbleScene broken_block(std::array<int, 3> cubes, double cell, const Vec3& low,
   return scene;
 }
 
-Overlaps overlaps_of(const RubbleScene& scene) {
-  std::vector<Polytope> solids;
-  std::vector<Bounds> boxes;
-  std::vector<std::uint32_t> body;
-  Overlaps seen;
+std::vector<SeenPart> parts_of(const RubbleScene& scene) {
+  std::vector<SeenPart> parts;
   for (const RubbleShape& shape : scene.shapes) {
     if (shape.kind == RubbleShape::Kind::half_space || shape.kind == RubbleShape::Kind::ball) continue;
     const RubbleBody& b = scene.bodies[shape.body];
-    const Polytope solid = polytope_of(shape, b.centre, b.orientation.toRotationMatrix());
-    Bounds bounds{solid.vertex[0], solid.vertex[0]};
-    for (std::size_t v = 0; v < solid.kind->vertices; ++v) {
-      bounds.low = bounds.low.cwiseMin(solid.vertex[v]);
-      bounds.high = bounds.high.cwiseMax(solid.vertex[v]);
+    parts.push_back({polytope_of(shape, b.centre, b.orientation.toRotationMatrix()), shape.body});
+  }
+  return parts;
+}
+
+double below_ground(std::span<const SeenPart> parts) {
+  double below = 0;
+  for (const SeenPart& part : parts) {
+    for (std::size_t v = 0; v < part.solid.kind->vertices; ++v) {
+      below = std::max(below, -part.solid.vertex[v].z());
     }
-    seen.below = std::max(seen.below, -bounds.low[2]);
-    solids.push_back(solid);
-    boxes.push_back(bounds);
-    body.push_back(shape.body);
   }
-  const std::vector<char> moves(scene.bodies.size(), 1);
-  std::vector<RowPair> pairs;
-  BoxScratch scratch;
-  find_box_pairs(pairs, scratch, {boxes, body, moves});
-  double sum = 0;
-  for (const auto& [a, b] : pairs) {
-    const double depth = -separation_by_all_axes(solids[a], solids[b]);
-    if (depth <= 0) continue;
-    ++seen.touching;
-    sum += depth;
-    seen.deepest = std::max(seen.deepest, depth);
-  }
-  if (seen.touching > 0) seen.mean = sum / static_cast<double>(seen.touching);
-  return seen;
+  return below;
 }
 
 Sums sums_of(const RubbleScene& scene, const Vec3& gravity) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mechanics/rubble/rubble.hpp"
+#include "tests/experiments/rubble/outside_judge.hpp"
 
 namespace sunder::test {
 
@@ -36,15 +37,11 @@ void add_ball(RubbleScene& scene, const Vec3& centre, double radius, double dens
 RubbleScene broken_block(std::array<int, 3> cubes, double cell, const Vec3& low, double speed,
                          unsigned seed = 0);
 
-/// What somebody sees who knows places alone.
-struct Overlaps {
-  double deepest = 0, mean = 0;  ///< m, over all pairs of solids that touch
-  double below = 0;              ///< m, deepest below z = 0
-  std::size_t touching = 0;
-};
+/// The tetrahedra and boxes as the outside judge knows them: a body's are one piece.
+std::vector<SeenPart> parts_of(const RubbleScene& scene);
 
-/// By exact separating axes of all pairs: of tetrahedra and boxes.
-Overlaps overlaps_of(const RubbleScene& scene);
+/// Deepest corner of a tetrahedron or box below z = 0, m; 0: none is.
+double below_ground(std::span<const SeenPart> parts);
 
 /// Momentum and angular momentum about the origin, energy of motion and height (about z = 0).
 struct Sums {

@@ -141,7 +141,7 @@ TEST_CASE("stacks of boxes stand", "[rubble]") {
     CHECK(top.centre.head<2>().norm() < 1e-3);
     CHECK(top.centre[2] == Approx(0.02 * count - 0.01).epsilon(0.01));
     CHECK(kinetic_energy(top) < 1e-8);
-    CHECK(overlaps_of(scene).deepest < 0.02 * 0.02);
+    CHECK(see_overlaps(parts_of(scene)).deepest < 0.02 * 0.02);
   }
 }
 
@@ -151,10 +151,11 @@ TEST_CASE("a heap comes to rest and sleeps; struck, it wakes; its overlaps are s
   const RubbleReport report = run(scene, settings, 960);
   CHECK(report.awake == 0);
   CHECK(report.asleep == 216);
-  const Overlaps seen = overlaps_of(scene);
+  const std::vector<SeenPart> parts = parts_of(scene);
+  const SeenOverlaps seen = see_overlaps(parts);
   CHECK(seen.deepest < 0.02 * 0.0125);
   CHECK(seen.mean < 0.002 * 0.0125);
-  CHECK(seen.below < 1e-4);
+  CHECK(below_ground(parts) < 1e-4);
   // A sleeper takes no time and no place.
   const Vec3 at = scene.bodies[7].centre;
   run(scene, settings, 10);
@@ -332,5 +333,5 @@ TEST_CASE("faces that were one meet each other and nothing else near them", "[ru
     CHECK((with.bodies[row].centre - without.bodies[row].centre).norm() < 2e-3);
     CHECK(with.bodies[row].asleep);
   }
-  CHECK(overlaps_of(with).deepest < 1e-4);
+  CHECK(see_overlaps(parts_of(with)).deepest < 1e-4);
 }

@@ -44,12 +44,13 @@ int main(int argc, char** argv) {
     solve += report.solve_ms;
     const int every = per_second / 10;
     if (k % every != 0) continue;
-    const Overlaps seen = overlaps_of(scene);
+    const std::vector<SeenPart> parts = parts_of(scene);
+    const SeenOverlaps seen = see_overlaps(parts);
     const Sums sums = sums_of(scene, settings.gravity);
     std::printf("%.3f,%.2f,%.2f,%.2f,%.2f,%u,%u,%u,%u,%.3g,%.3g,%.3g,%.3g\n", k * settings.length,
                 spent / every, broad / every, narrow / every, solve / every, report.awake,
                 report.pairs, report.manifolds, report.points, sums.kinetic, seen.deepest, seen.mean,
-                seen.below);
+                below_ground(parts));
     std::fflush(stdout);
     spent = broad = narrow = solve = 0;
   }
