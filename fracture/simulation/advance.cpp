@@ -109,11 +109,17 @@ StepMembers breakable(const StepPlan& plan, const SimulationState& s, std::vecto
   return members;
 }
 
+bool is_same(const Pose& a, const Pose& b) {
+  return a.centre == b.centre && a.orientation.coeffs() == b.orientation.coeffs();
+}
+
 /// Section 3.3: what is drawn follows the frames smoothly.
 void update_display(SimulationState& s, const Scene& scene) {
   for (const Component& c : s.mechanics.components) {
     const Pose target{c.centre, c.orientation};
     Pose& shown = s.display[c.id.index()];
+    const Pose& last = s.display_target[c.id.index()];
+    if (is_same(shown, target) && is_same(last, target)) continue;
     shown = approach(carry(shown, s.display_target[c.id.index()], target), target,
                      scene.integrator.time_step, scene.display_time_constant);
     s.display_target[c.id.index()] = target;
@@ -128,7 +134,10 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
   SimulationScratch& scratch = *sim.scratch;
   StepReport report;
   const std::size_t components_before = s.cells.labels.size.size();
-  const double kinetic = scene.energy_ledger ? kinetic_energy(s.mechanics.vertices) : 0;
+  const auto kinetic_now = [&] {
+    return scene.energy_ledger && !all_rest(s) ? kinetic_energy(s.mechanics.vertices) : 0;
+  };
+  const double kinetic = kinetic_now();
   std::vector<char>& touched = scratch.touched;
   touched.assign(s.mechanics.components.size(), 0);
 
@@ -216,7 +225,7 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
     report.momentum.sleep -= given_up.momentum;
   }
   if (scene.energy_ledger) {
-    close_ledger(report, kinetic, kinetic_energy(s.mechanics.vertices));
+    close_ledger(report, kinetic, kinetic_now());
   } else {
     report.energy = {};
   }

@@ -186,7 +186,7 @@ void find_rested(LadderScratch& ladder, SimulationState& s, const Scene& scene) 
     double& still = s.ladder.still[c.id.index()];
     const bool moves = !steady || is_carried(s.mechanics, c) ||
                        s.impact.quiet[c.id.index()] != ImpactWindow::closed ||
-                       fastest_vertex(s.mechanics, c) > still_speed;
+                       (c.rung != Rung::asleep && fastest_vertex(s.mechanics, c) > still_speed);
     still = moves ? 0 : still + scene.integrator.time_step;
     rested[c.id.index()] = c.rung == Rung::asleep || still >= settings.sleep_after;
   }
@@ -246,6 +246,16 @@ void note_touches(std::vector<char>& touched, const MechanicsState& m,
       touched[m.elements.component[c.tetrahedron.index()].index()] = 1;
     }
   }
+}
+
+bool all_rest(const SimulationState& state) {
+  return std::ranges::all_of(state.mechanics.components,
+                             [](const Component& c) {
+                               return c.tetrahedra.empty() || c.rung == Rung::asleep;
+                             }) &&
+         std::ranges::all_of(state.obstacles, [](const Obstacle& o) {
+           return !o.mass && o.velocity.isZero(0);
+         });
 }
 
 LadderReport choose_rungs(GivenUp& given_up, SimulationState& s, const RungInput& input,

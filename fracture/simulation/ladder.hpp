@@ -41,6 +41,9 @@ struct RungInput {
   const std::vector<char>& touched;  ///< row = ComponentId: a contact pushed at it in this step
 };
 
+/// Whether every piece sleeps and no obstacle moves or could: nothing will happen by itself.
+bool all_rest(const SimulationState& state);
+
 /// Chooses the rungs of the next step, after everything else in this one:
 /// - `rigid`: free, not touched in this step, in no impact window, without surface loads, and
 ///   `flight_stress_bound` below half of the lowest strength of its vertices, no vertex swinging at

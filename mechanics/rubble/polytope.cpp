@@ -5,27 +5,8 @@
 namespace sunder {
 namespace {
 
-/// Finds the edges of the faces.
 PolytopeKind with_edges(PolytopeKind kind) {
-  for (std::uint8_t f = 0; f < kind.faces; ++f) {
-    const PolytopeKind::Face& face = kind.face[f];
-    for (std::size_t i = 0; i < face.count; ++i) {
-      const std::uint8_t from = face.vertex[i], to = face.vertex[(i + 1) % face.count];
-      if (from < to) {
-        kind.edge[kind.edges++] = {from, to, f, f};
-        continue;
-      }
-    }
-  }
-  for (std::uint8_t f = 0; f < kind.faces; ++f) {
-    const PolytopeKind::Face& face = kind.face[f];
-    for (std::size_t i = 0; i < face.count; ++i) {
-      const std::uint8_t from = face.vertex[i], to = face.vertex[(i + 1) % face.count];
-      for (std::size_t e = 0; e < kind.edges; ++e) {
-        if (kind.edge[e].from == to && kind.edge[e].to == from) kind.edge[e].right = f;
-      }
-    }
-  }
+  find_edges(kind);
   return kind;
 }
 
@@ -45,6 +26,29 @@ void finish(Polytope& p) {
 }
 
 }  // namespace
+
+bool find_edges(PolytopeKind& kind) {
+  const auto for_each_side = [&](auto visit) {
+    for (std::uint8_t f = 0; f < kind.faces; ++f) {
+      const PolytopeKind::Face& face = kind.face[f];
+      for (std::size_t i = 0; i < face.count; ++i) {
+        visit(f, face.vertex[i], face.vertex[(i + 1) % face.count]);
+      }
+    }
+  };
+  bool fits = true;
+  for_each_side([&](std::uint8_t f, std::uint8_t from, std::uint8_t to) {
+    if (from > to) return;
+    fits = fits && kind.edges < kind.edge.size();
+    if (fits) kind.edge[kind.edges++] = {from, to, f, f};
+  });
+  for_each_side([&](std::uint8_t f, std::uint8_t from, std::uint8_t to) {
+    for (std::size_t e = 0; e < kind.edges; ++e) {
+      if (kind.edge[e].from == to && kind.edge[e].to == from) kind.edge[e].right = f;
+    }
+  });
+  return fits;
+}
 
 const PolytopeKind tetrahedron_kind = with_edges(
     {4,
@@ -72,6 +76,16 @@ Polytope make_tetrahedron(const std::array<Vec3, 4>& corners, std::uint32_t oute
   for (std::size_t e = 0; e < tetrahedron_kind.edges; ++e) {
     const PolytopeKind::Edge& edge = tetrahedron_kind.edge[e];
     if (p.is_outer_face(edge.left) || p.is_outer_face(edge.right)) p.outer_edges |= 1u << e;
+  }
+  finish(p);
+  return p;
+}
+
+Polytope make_polytope(const ConvexSolid& solid, const Vec3& centre, const Mat3& axes) {
+  Polytope p;
+  p.kind = &solid.kind;
+  for (std::size_t v = 0; v < solid.kind.vertices; ++v) {
+    p.vertex[v] = centre + axes * solid.corner[v];
   }
   finish(p);
   return p;

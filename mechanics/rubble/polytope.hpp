@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Small convex solids: tetrahedra and boxes, with the faces and edges that may be met.
+// Small convex solids: tetrahedra, boxes, others of up to six faces, with the faces and edges that may be met.
 #pragma once
 
 #include <array>
@@ -30,6 +30,16 @@ extern const PolytopeKind tetrahedron_kind;
 /// Vertex k has the sign of bit i of k along axis i; faces -x, +x, -y, +y, -z, +z.
 extern const PolytopeKind box_kind;
 
+/// Finds the edges of the faces; false, and too few, where there are more than a kind may have.
+bool find_edges(PolytopeKind& kind);
+
+/// A convex solid of its own kind, in the axes of its body.
+struct ConvexSolid {
+  static constexpr std::size_t most_faces = 6;
+  PolytopeKind kind;
+  std::array<Vec3, 8> corner;  ///< m
+};
+
 /// A convex solid in world coordinates. Faces and edges that are inside of the body it is a part of
 /// do not push anything.
 struct Polytope {
@@ -47,6 +57,10 @@ struct Polytope {
 /// A tetrahedron, positively oriented (m), with the bits of the faces that are outside of its body.
 /// An edge counts as outside where one of its two faces does.
 Polytope make_tetrahedron(const std::array<Vec3, 4>& corners, std::uint32_t outer_faces = ~0u);
+
+/// A solid whose own axes (columns, unit) have their origin at `centre`, m. Keeps the address of its
+/// kind.
+Polytope make_polytope(const ConvexSolid& solid, const Vec3& centre, const Mat3& axes);
 
 /// A box by its centre and axes (columns, unit) and half its sides, m.
 Polytope make_box(const Vec3& centre, const Mat3& axes, const Vec3& half_extent);

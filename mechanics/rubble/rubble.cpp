@@ -313,6 +313,7 @@ double kinetic_energy(const RubbleBody& body) {
 
 Polytope polytope_of(const RubbleShape& shape, const Vec3& centre, const Mat3& turned) {
   if (shape.kind == RubbleShape::Kind::box) return make_box(centre, turned, shape.half_extent);
+  if (shape.kind == RubbleShape::Kind::solid) return make_polytope(*shape.solid, centre, turned);
   std::array<Vec3, 4> corners;
   for (std::size_t k = 0; k < 4; ++k) corners[k] = centre + turned * shape.corner[k];
   return make_tetrahedron(corners, shape.outer_faces);

@@ -30,7 +30,7 @@ struct RubbleBody {
 
 /// A convex part of a body, in its own axes about its centre.
 struct RubbleShape {
-  enum class Kind : std::uint8_t { tetrahedron, box, ball, half_space };
+  enum class Kind : std::uint8_t { tetrahedron, box, solid, ball, half_space };
   Kind kind = Kind::tetrahedron;
   std::uint32_t body = 0;
   /// Tells shapes apart from tick to tick, ascending with the row.
@@ -39,6 +39,7 @@ struct RubbleShape {
   std::array<Vec3, 4> corner = {Vec3(0, 0, 0), Vec3(0, 0, 0), Vec3(0, 0, 0), Vec3(0, 0, 0)};
   std::uint32_t outer_faces = 15;    ///< of a tetrahedron: bits of those outside of the body
   Vec3 half_extent{0, 0, 0};         ///< of a box, m
+  const ConvexSolid* solid = nullptr;  ///< of a solid; the caller keeps it
   double radius = 0;                 ///< of a ball, m
   Vec3 normal{0, 0, 1};              ///< of a half-space, out of the solid, through the centre
 };

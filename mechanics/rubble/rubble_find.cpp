@@ -266,7 +266,7 @@ void find_pairs(FindScratch& scratch, const FindInput& input) {
     const RubbleShape& shape = input.shapes[k];
     const std::uint32_t body = shape.body;
     scratch.body[k] = body;
-    if (shape.kind == Kind::tetrahedron || shape.kind == Kind::box) {
+    if (shape.kind != Kind::ball && shape.kind != Kind::half_space) {
       scratch.solids[k] = polytope_of(shape, input.moving[body].centre, input.moving[body].turned);
     }
     Bounds& box = scratch.boxes[k] = box_of(shape, input.moving[body], scratch.solids[k]);

@@ -24,8 +24,8 @@ struct MovingBody {
 struct RubblePatch {
   struct Point {
     Vec3 local_a, local_b;    ///< in the bodies' own axes, about their centres, m
-    Vec3 arm_a, arm_b;        ///< of the place at which both are pushed, world, m
-    Vec3 turn_a, turn_b;      ///< what a unit impulse does to the spins
+    Vec3 arm_a{0, 0, 0}, arm_b{0, 0, 0};    ///< of the place at which both are pushed, world, m
+    Vec3 turn_a{0, 0, 0}, turn_b{0, 0, 0};  ///< what a unit impulse does to the spins
     double separation = 0;    ///< m
     double response = 0;      ///< kg: over what a unit impulse does to the approach
     double impulse = 0;       ///< N s, of this sub-step
@@ -36,7 +36,7 @@ struct RubblePatch {
   double friction = 0;
   int count = 0;
   std::array<Point, 4> point;
-  Vec3 arm_a, arm_b;                  ///< of the middle of the patch
+  Vec3 arm_a{0, 0, 0}, arm_b{0, 0, 0};  ///< of the middle of the patch
   double friction_response = 0, twist_response = 0, reach = 0;
   std::array<double, 2> slip_impulse{};  ///< N s, along and across, on A
   double twist_impulse = 0;              ///< N m s, about the normal, on A

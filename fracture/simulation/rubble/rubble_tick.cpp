@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Components to rigid bodies, a tick, and back.
+// Who is rubble, a tick, and back to components.
 #include "fracture/simulation/rubble/rubble_tick.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "fracture/simulation/break_energy.hpp"
+#include "fracture/simulation/ladder.hpp"
 #include "fracture/simulation/rubble/islands.hpp"
 #include "fracture/simulation/rubble/rigid_pieces.hpp"
+#include "fracture/simulation/rubble/rubble_world.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/contact/impact_energy.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
@@ -15,162 +17,6 @@
 
 namespace sunder {
 namespace {
-
-constexpr std::uint32_t no_row = ~0u;
-
-/// Keys of shapes: tetrahedra by their rows, obstacles behind all of them.
-constexpr std::uint64_t first_obstacle_key = std::uint64_t{1} << 40;
-
-/// Who is which body.
-struct World {
-  std::vector<RubbleBody> bodies;
-  std::vector<RubbleShape> shapes;
-  std::vector<RubblePartner> partners;
-  std::vector<std::uint32_t> of_component, of_obstacle;  ///< rows of bodies
-};
-
-/// Whether both sides of a face that came apart are in one piece, and as near as when they parted.
-bool is_shut(const SimulationState& s, const Partner& p) {
-  const TetId a = tetrahedron_of(p.face), b = tetrahedron_of(p.opposite);
-  const auto& component = s.mechanics.elements.component;
-  if (component[a.index()] != component[b.index()]) return false;
-  const auto& corners = s.cells.map.corners();
-  for (std::size_t k = 0; k < 3; ++k) {
-    const VertexId v = corners[a.index()][p.corner[k]];
-    const VertexId w = corners[b.index()][p.opposite_corner[k]];
-    const Vec3 apart = s.mechanics.vertices.position[v.index()] -
-                       s.mechanics.vertices.position[w.index()];
-    if (apart.norm() >= p.reach) return false;
-  }
-  return true;
-}
-
-/// Bits of the faces of each tetrahedron that something may meet: those on the boundary but for
-/// cracks that part nothing and are shut.
-std::vector<std::uint8_t> outer_faces(const SimulationState& s) {
-  const auto& neighbours = s.cells.map.neighbours();
-  std::vector<std::uint8_t> bits(neighbours.size(), 0);
-  for (std::size_t t = 0; t < bits.size(); ++t) {
-    for (std::size_t place = 0; place < 4; ++place) {
-      if (neighbours[t][place].is_none()) bits[t] |= static_cast<std::uint8_t>(1u << place);
-    }
-  }
-  for (const Partner& p : s.contact.partners) {
-    if (!is_shut(s, p)) continue;
-    for (const HalfFaceId f : {p.face, p.opposite}) {
-      bits[tetrahedron_of(f).index()] &= static_cast<std::uint8_t>(~(1u << place_of(f)));
-    }
-  }
-  return bits;
-}
-
-RubbleBody body_of_component(const SimulationState& s, const Component& c, double friction) {
-  RubbleBody body;
-  body.mass = c.mass;
-  body.inertia = deformed_inertia(s.mechanics.vertices, c);
-  body.centre = c.centre;
-  body.orientation = c.orientation;
-  body.momentum = c.momentum;
-  body.angular_momentum = c.angular_momentum;
-  body.friction = friction;
-  body.radius = c.rest_radius;
-  body.asleep = c.rung == Rung::asleep;
-  body.still = c.id.index() < s.ladder.still.size() ? s.ladder.still[c.id.index()] : 0;
-  return body;
-}
-
-void add_components(World& world, const Simulation& sim, const std::vector<char>& members) {
-  const SimulationState& s = *sim.state;
-  const VertexColumns& vertices = s.mechanics.vertices;
-  world.of_component.assign(s.mechanics.components.size(), no_row);
-  for (const Component& c : s.mechanics.components) {
-    if (!members[c.id.index()]) continue;
-    world.of_component[c.id.index()] = static_cast<std::uint32_t>(world.bodies.size());
-    world.bodies.push_back(body_of_component(s, c, sim.scene.contact.friction));
-  }
-  const std::vector<std::uint8_t> outer = outer_faces(s);
-  // By rows of tetrahedra, so that keys ascend.
-  for (std::size_t t = 0; t < s.mechanics.elements.size(); ++t) {
-    const ComponentId id = s.mechanics.elements.component[t];
-    const std::uint32_t body = world.of_component[id.index()];
-    if (body == no_row) continue;
-    if (outer[t] == 0) continue;
-    const Component& c = s.mechanics.components[id.index()];
-    RubbleShape& shape = world.shapes.emplace_back();
-    shape.body = body;
-    shape.key = t;
-    shape.outer_faces = outer[t];
-    const Corners& corners = s.cells.map.corners()[t];
-    for (std::size_t k = 0; k < 4; ++k) {
-      const std::size_t v = corners[k].index();
-      shape.corner[k] = vertices.rest_position[v] - c.rest_centre + vertices.displacement[v];
-    }
-  }
-}
-
-/// Faces that came apart, between bodies. Needs: shapes of all components.
-void add_partners(World& world, const SimulationState& s) {
-  const auto row_of = [&](HalfFaceId face) {
-    const std::uint64_t key = tetrahedron_of(face).index();
-    const auto at = std::ranges::lower_bound(world.shapes, key, {}, &RubbleShape::key);
-    return at != world.shapes.end() && at->key == key
-               ? static_cast<std::uint32_t>(at - world.shapes.begin())
-               : no_row;
-  };
-  for (const Partner& p : s.contact.partners) {
-    RubblePartner partner{row_of(p.face), row_of(p.opposite), p.corner, p.opposite_corner, {},
-                          p.reach};
-    if (partner.shape_a == no_row || partner.shape_b == no_row) continue;
-    if (world.shapes[partner.shape_a].body == world.shapes[partner.shape_b].body) continue;
-    const Corners& corners = s.cells.map.corners()[tetrahedron_of(p.face).index()];
-    for (std::size_t k = 0; k < 3; ++k) {
-      partner.point[k] =
-          s.cells.map.point_of_vertex(corners[p.corner[k]]);
-    }
-    world.partners.push_back(partner);
-  }
-}
-
-void add_obstacles(World& world, const SimulationState& s, const std::vector<char>& balls) {
-  world.of_obstacle.assign(s.obstacles.size(), no_row);
-  for (std::size_t k = 0; k < s.obstacles.size(); ++k) {
-    const Obstacle& o = s.obstacles[k];
-    if ((o.mass && !balls[k]) || std::holds_alternative<Solid>(o.shape)) continue;
-    RubbleBody body;
-    body.friction = o.friction;
-    body.in_ledger = false;
-    RubbleShape shape;
-    shape.body = static_cast<std::uint32_t>(world.bodies.size());
-    shape.key = first_obstacle_key + k;
-    if (const auto* plane = std::get_if<Plane>(&o.shape)) {
-      shape.kind = RubbleShape::Kind::half_space;
-      shape.normal = plane->normal;
-      body.centre = plane->offset * plane->normal;
-    } else if (const auto* ball = std::get_if<Sphere>(&o.shape)) {
-      shape.kind = RubbleShape::Kind::ball;
-      shape.radius = body.radius = ball->radius;
-      body.centre = ball->center;
-    } else {
-      const Box& box = std::get<Box>(o.shape);
-      shape.kind = RubbleShape::Kind::box;
-      shape.half_extent = box.half_extent;
-      body.centre = box.center;
-      body.orientation = box.orientation;
-      body.radius = box.half_extent.norm();
-    }
-    if (o.mass) {
-      body.mass = *o.mass;
-      body.inertia = own_inertia(o);
-      body.momentum = *o.mass * o.velocity;
-      body.angular_momentum = angular_momentum_of(o);
-    } else {
-      body.velocity = o.velocity;
-    }
-    world.of_obstacle[k] = shape.body;
-    world.bodies.push_back(body);
-    world.shapes.push_back(shape);
-  }
-}
 
 void write_rows(MechanicsState& state, const Component& c, const RubbleBody& body) {
   VertexColumns& vertices = state.vertices;
@@ -201,11 +47,11 @@ double stop_swinging(MechanicsState& state, Component& c) {
 }
 
 /// Bodies back to components and balls.
-void take_back(SimulationState& s, const World& world) {
+void take_back(SimulationState& s, const RubbleWorld& world) {
   s.ladder.still.resize(s.mechanics.components.size(), 0);
   for (Component& c : s.mechanics.components) {
     const std::uint32_t row = world.of_component[c.id.index()];
-    if (row == no_row) continue;
+    if (row == RubbleWorld::no_row) continue;
     const RubbleBody& body = world.bodies[row];
     s.ladder.still[c.id.index()] = body.still;
     if (body.asleep && c.rung == Rung::asleep) continue;
@@ -218,7 +64,7 @@ void take_back(SimulationState& s, const World& world) {
   }
   for (std::size_t k = 0; k < s.obstacles.size(); ++k) {
     Obstacle& o = s.obstacles[k];
-    if (!o.mass || world.of_obstacle[k] == no_row) continue;
+    if (!o.mass || world.of_obstacle[k] == RubbleWorld::no_row) continue;
     const RubbleBody& body = world.bodies[world.of_obstacle[k]];
     put(o.shape, {body.centre, body.orientation});
     o.velocity = body.momentum / body.mass;
@@ -242,7 +88,7 @@ void add_tick(StepReport& report, const RubbleReport& tick) {
 }
 
 /// m/s, slower than which chips of a heap are still: a hundredth of what falls by their own size.
-double still_speed(const World& world, const Scene& scene, const Vec3& gravity) {
+double still_speed(const RubbleWorld& world, const Scene& scene, const Vec3& gravity) {
   double size = 0, count = 0;
   for (const RubbleBody& body : world.bodies) {
     if (body.mass == 0 || !body.in_ledger) continue;
@@ -289,7 +135,7 @@ void note_declared_share(StepReport& report, const RubbleTickScratch& scratch,
   report.rubble.declared_share = mass / all;
 }
 
-double kinetic_of(const World& world) {
+double kinetic_of(const RubbleWorld& world) {
   double sum = 0;
   for (const RubbleBody& body : world.bodies) {
     if (!body.asleep) sum += kinetic_energy(body);
@@ -297,7 +143,7 @@ double kinetic_of(const World& world) {
   return sum;
 }
 
-void take_ticks(StepReport& report, Simulation& sim, World& world, const RubbleClock& clock,
+void take_ticks(StepReport& report, Simulation& sim, RubbleWorld& world, const RubbleClock& clock,
                 const Vec3& gravity) {
   SimulationState& s = *sim.state;
   RubbleSettings settings;
@@ -315,7 +161,7 @@ void take_ticks(StepReport& report, Simulation& sim, World& world, const RubbleC
     // All that went anywhere counts for everybody: islands are not told apart.
     const double lost = before + tick.gravity_work - kinetic_of(world);
     for (std::size_t c = 0; c < world.of_component.size(); ++c) {
-      if (world.of_component[c] != no_row) s.ladder.rubble.spent[c] += std::max(0.0, lost);
+      if (world.of_component[c] != RubbleWorld::no_row) s.ladder.rubble.spent[c] += std::max(0.0, lost);
     }
     add_tick(report, tick);
   }
@@ -344,6 +190,8 @@ void begin_rubble(StepReport& report, Simulation& sim) {
   const RubbleClock clock = rubble_clock(scene.integrator.time_step);
   RubbleState& rubble = s.ladder.rubble;
   if (s.step % clock.steps != 0) return;
+  // Who is rubble matters to nobody then; it is chosen anew when something moves.
+  if (all_rest(s)) return;
   const double whole = clock.tick * static_cast<double>(clock.ticks);
   const Vec3 gravity = gravity_at(scene.gravity, s.mechanics.time + whole);
   note_break_energies(scratch.threshold, s.mechanics, s.cells, scene.fracture.node_stress,
@@ -364,7 +212,6 @@ void begin_rubble(StepReport& report, Simulation& sim) {
     return;
   }
   forget_contacts(s, rubble.apart);
-  World world;
   double swinging = 0;
   for (Component& c : s.mechanics.components) {
     if (!rubble.apart[c.id.index()]) continue;
@@ -372,12 +219,10 @@ void begin_rubble(StepReport& report, Simulation& sim) {
     // Nothing of what is declared breaks in a window.
     if (c.id.index() < s.impact.quiet.size()) s.impact.quiet[c.id.index()] = ImpactWindow::closed;
   }
-  add_components(world, sim, rubble.apart);
-  add_partners(world, s);
-  add_obstacles(world, s, rubble.ball_apart);
+  RubbleWorld world = make_rubble_world(sim, rubble.apart, rubble.ball_apart);
   for (const Component& c : s.mechanics.components) {
     const std::uint32_t row = world.of_component[c.id.index()];
-    if (row == no_row || c.rung == Rung::asleep || c.rung == Rung::rubble) continue;
+    if (row == RubbleWorld::no_row || c.rung == Rung::asleep || c.rung == Rung::rubble) continue;
     swinging -= kinetic_energy(world.bodies[row]);
   }
   report.energy_released += swinging;

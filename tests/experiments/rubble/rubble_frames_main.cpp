@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,7 @@ struct Options {
   std::string scene;
   std::vector<std::string> settings;
   unsigned threads = 1, seed = 1;
-  double seconds = 5;
+  double seconds = 5, trace = 0;
 };
 
 Options read_options(int argc, char** argv) {
@@ -34,6 +35,7 @@ Options read_options(int argc, char** argv) {
       const char* value = argv[++i];
       if (word == "--threads") o.threads = static_cast<unsigned>(std::atoi(value));
       if (word == "--seed") o.seed = static_cast<unsigned>(std::atoi(value));
+      if (word == "--trace") o.trace = std::atof(value);
       if (word == "--seconds") o.seconds = std::atof(value);
     } else if (word.find('=') != std::string::npos) {
       o.settings.push_back(word);
@@ -117,6 +119,46 @@ void watch_floor(const Simulation& sim, double time, bool& told) {
               c.momentum.norm() / c.mass);
 }
 
+/// One line of what the judge sees, every tenth of a second.
+void print_trace(const Simulation& sim, double time) {
+  const std::vector<SeenPart> parts = seen_parts(sim);
+  const SeenOverlaps seen = see_overlaps(parts);
+  const PieceCount count = count_pieces(sim);
+  std::printf("%.3f s: %zu pieces, %zu asleep; overlaps %zu, mean %.3f %%, deepest %.2f %%", time,
+              count.pieces, count.asleep, seen.pairs, 100 * seen.mean / seen.edge,
+              100 * seen.deepest / seen.edge);
+  for (const std::uint32_t row : seen.where) {
+    if (seen.pairs == 0) break;
+    const Component& c = sim.state->mechanics.components[parts[row].piece];
+    std::printf("; piece %u: %zu tetrahedra, rung %d%s, %.2g m/s", parts[row].piece,
+                c.tetrahedra.size(), static_cast<int>(c.rung), c.rigid ? ", rigid" : "",
+                c.momentum.norm() / c.mass);
+  }
+  std::puts("");
+  std::fflush(stdout);
+}
+
+/// Who is awake at the end: a line for each of the largest.
+void print_awake(const Simulation& sim) {
+  std::vector<const Component*> awake;
+  for (const Component& c : sim.state->mechanics.components) {
+    if (!c.tetrahedra.empty() && c.rung != Rung::asleep) awake.push_back(&c);
+  }
+  std::ranges::sort(awake, std::greater{}, [](const Component* c) { return c->tetrahedra.size(); });
+  constexpr std::size_t most = 10;
+  for (std::size_t k = 0; k < std::min(most, awake.size()); ++k) {
+    const Component& c = *awake[k];
+    double fastest = 0;
+    for (const VertexId v : c.vertices) {
+      fastest = std::max(fastest, sim.state->mechanics.vertices.velocity[v.index()].norm());
+    }
+    std::printf("awake: piece %u, %zu tetrahedra, rung %d%s, %.3g m/s, fastest vertex %.3g m/s, window %d\n", unsigned(c.id.index()),
+                c.tetrahedra.size(), static_cast<int>(c.rung), c.rigid ? ", rigid" : "",
+                c.momentum.norm() / c.mass, fastest,
+                c.id.index() < sim.state->impact.quiet.size() ? int(sim.state->impact.quiet[c.id.index()]) : -1);
+  }
+}
+
 Result<Scene> scene_of(const Options& o) {
   if (o.scene == "boxes") return boxes_scene(o.seed);
   if (o.scene == "wall") return wall_scene();
@@ -169,6 +211,7 @@ int main(int argc, char** argv) {
     }
     before = time = report.time;
     watch_floor(*sim, time, told);
+    if (o.trace > 0 && std::floor(time / o.trace) > std::floor((time - sim->scene.integrator.time_step) / o.trace)) print_trace(*sim, time);
     if (rest >= 0) {
       asleep.add(time, thread_took, process_took);
       if (time > rest + 0.25) break;
@@ -193,5 +236,6 @@ int main(int argc, char** argv) {
   print_frames("thread", frames.thread, end - frames.start);
   print_frames("all threads", frames.process, end - frames.start);
   if (rest >= 0) print_frames("asleep, thread", asleep.thread, time - rest);
+  print_awake(*sim);
   print_judgement(*sim);
 }
