@@ -224,7 +224,10 @@ void pair_up(DetectScratch& scratch, const StepPaths& paths) {
     const Vec3 end = centre_of(paths.corners[t], paths.predicted);
     const double motion = (end - scratch.centre_start[t] - mean).norm() + largest;
     scratch.centre_middle[t] = 0.5 * (scratch.centre_start[t] + end);
-    scratch.reach[t] = scratch.radius[t] + 0.5 * std::min(motion, 2 * scratch.radius[t]);
+    // Nothing meets who is no member.
+    scratch.reach[t] = paths.members.has(paths.state.elements.component[t])
+                           ? scratch.radius[t] + 0.5 * std::min(motion, 2 * scratch.radius[t])
+                           : 0;
   }
   find_sphere_pairs(scratch.pairs, scratch.grid, scratch.cache,
                     {scratch.point_middle, component, scratch.centre_middle,

@@ -122,9 +122,9 @@ void add_surface(Reach& reach, const SimulationState& s, const Component& c, con
   }
 }
 
-Reach reach_of(const SimulationState& s, const Nodes& nodes, const std::vector<char>& may,
-               const Vec3& gravity, double tick) {
-  // Surfaces of those alone whose boxes meet a candidate's.
+/// Marks nodes that something awake could meet, be it through others that sleep.
+std::vector<char> near_awake(const Nodes& nodes, const std::vector<char>& may, const Vec3& gravity,
+                             double tick) {
   Reach coarse;
   for (std::size_t k = 0; k < nodes.count(); ++k) {
     if (nodes.lives(k)) coarse.add(bounds_of(nodes, k, gravity, tick), k);
@@ -132,11 +132,26 @@ Reach reach_of(const SimulationState& s, const Nodes& nodes, const std::vector<c
   std::vector<RowPair> pairs;
   BoxScratch scratch;
   find_box_pairs(pairs, scratch, {coarse.boxes, coarse.node, may});
-  std::vector<char> concerns = may;
-  for (const auto& [i, j] : pairs) concerns[coarse.node[i]] = concerns[coarse.node[j]] = 1;
+  UnionFind joined(nodes.count());
+  std::vector<char> meets = may;
+  for (const auto& [i, j] : pairs) {
+    joined.join(coarse.node[i], coarse.node[j]);
+    meets[coarse.node[i]] = meets[coarse.node[j]] = 1;
+  }
+  std::vector<char> awake(nodes.count(), 0), marked(nodes.count(), 0);
+  for (const std::uint32_t k : coarse.node) {
+    if (!nodes.sleeps(k)) awake[joined.root(k)] = 1;
+  }
+  for (const std::uint32_t k : coarse.node) marked[k] = meets[k] && awake[joined.root(k)];
+  return marked;
+}
+
+/// Surfaces of those that are marked.
+Reach reach_of(const SimulationState& s, const Nodes& nodes, const std::vector<char>& marked,
+               const Vec3& gravity, double tick) {
   Reach fine;
   for (std::size_t k = 0; k < nodes.count(); ++k) {
-    if (!nodes.lives(k) || !concerns[k]) continue;
+    if (!marked[k]) continue;
     if (nodes.is_ball(k)) {
       fine.add(bounds_of(nodes, k, gravity, tick), k);
     } else {
@@ -227,7 +242,8 @@ RubbleChoice choose_rubble(const Simulation& sim, const RubbleInput& input) {
   choice.ball.assign(s.obstacles.size(), 0);
   const std::vector<char> may = find_candidates(sim, nodes, input);
   if (all_are_safe(choice, nodes, may, input)) return choice;
-  const Reach reach = reach_of(s, nodes, may, gravity, tick);
+  const std::vector<char> marked = near_awake(nodes, may, gravity, tick);
+  const Reach reach = reach_of(s, nodes, marked, gravity, tick);
   // What keeps still is joined as well: a heap that sleeps is one island.
   const std::vector<char> all(nodes.count(), 1);
   std::vector<RowPair> pairs;
@@ -280,6 +296,11 @@ RubbleChoice choose_rubble(const Simulation& sim, const RubbleInput& input) {
     if (bound < threshold[k]) continue;
     island.is_rubble = false;
     ++choice.refused;
+  }
+  // What sleeps far from all that is awake stays what it is.
+  const std::vector<char>& last = s.ladder.rubble.apart;
+  for (std::size_t k = 0; k < std::min(last.size(), nodes.components()); ++k) {
+    choice.component[k] = last[k] && !marked[k] && nodes.lives(k) && nodes.sleeps(k);
   }
   std::vector<char> counted(nodes.count(), 0);
   for (const std::uint32_t k : members) {

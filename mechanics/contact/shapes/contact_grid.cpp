@@ -125,6 +125,7 @@ void find_sphere_pairs(std::vector<SpherePair>& pairs, GridScratch& scratch,
   const Grid grid = fill_grid(scratch, query);
   for (std::size_t t = 0; t < query.centres.size(); ++t) {
     if (!query.centres[t].allFinite() || !std::isfinite(query.radii[t])) continue;
+    if (query.radii[t] <= 0) continue;
     visit_cells(pairs, scratch, grid, query, t);
   }
 }
