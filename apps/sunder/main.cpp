@@ -16,6 +16,9 @@
 #include "apps/sunder/run/run.hpp"
 #include "apps/sunder/static/modes.hpp"
 #include "apps/sunder/static/static.hpp"
+#if defined(SUNDER_HAS_RENDERER)
+#include "apps/sunder/render/render.hpp"
+#endif
 #if defined(SUNDER_HAS_VIEW)
 #include "apps/sunder/view/view.hpp"
 #endif
@@ -41,6 +44,9 @@ void add_commands(CLI::App& program, sunder::ExitCode& exit_code) {
   sunder::add_run_command(program, exit_code);
   sunder::add_static_command(program, exit_code);
   sunder::add_export_command(program, exit_code);
+#if defined(SUNDER_HAS_RENDERER)
+  sunder::add_render_command(program, exit_code);
+#endif
 #if defined(SUNDER_HAS_VIEW)
   sunder::add_view_command(program, exit_code);
 #endif

@@ -4,38 +4,11 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
 namespace sunder {
 namespace {
 
 using Triple = std::array<std::uint32_t, 3>;
-
-/// Corners of the face opposite to corner `place` of a positive tetrahedron, from outside.
-Triple face_of(const std::array<std::uint32_t, 4>& t, int place) {
-  constexpr int corners[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
-  const auto& c = corners[place];
-  return {t[static_cast<std::size_t>(c[0])], t[static_cast<std::size_t>(c[1])],
-          t[static_cast<std::size_t>(c[2])]};
-}
-
-Triple sorted(Triple t) {
-  std::ranges::sort(t);
-  return t;
-}
-
-/// Half-faces 4 t + place with no other tetrahedron on the same three vertices.
-std::vector<char> boundary_of(const ResultFrame& frame) {
-  std::map<Triple, std::size_t> open;
-  std::vector<char> is_boundary(4 * frame.tetrahedra.size(), 1);
-  for (std::size_t f = 0; f < is_boundary.size(); ++f) {
-    const Triple key = sorted(face_of(frame.tetrahedra[f / 4], static_cast<int>(f % 4)));
-    const auto [place, is_new] = open.try_emplace(key, f);
-    if (is_new) continue;
-    is_boundary[f] = is_boundary[place->second] = 0;
-  }
-  return is_boundary;
-}
 
 /// A piece while its vertices are collected: rows of the last frame, and a corner (4 t + place) of
 /// each, by which other frames know it.

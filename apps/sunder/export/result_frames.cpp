@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Frames back from VTU, and two columns of fragments.csv.
+// Frames back from VTU, two columns of fragments.csv, obstacles.
 #include "apps/sunder/export/result_frames.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
@@ -12,6 +13,8 @@
 #include <string>
 #include <variant>
 
+#include "apps/sunder/run/obstacles_json.hpp"
+#include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "topology/io/mesh_file.hpp"
 
 namespace sunder {
@@ -85,27 +88,114 @@ std::vector<std::string> split_line(const std::string& line) {
   return cells;
 }
 
-std::map<std::int64_t, ResultPiece> read_pieces(const std::filesystem::path& path) {
-  std::map<std::int64_t, ResultPiece> pieces;
+/// A table by the names in its first line; empty where there is none.
+struct Table {
+  std::vector<std::string> names;
+  std::vector<std::vector<std::string>> rows;
+  /// A column as numbers; empty where it is not there.
+  std::vector<double> column(std::string_view name) const {
+    const auto place = static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
+    std::vector<double> values;
+    for (const std::vector<std::string>& row : rows) {
+      if (place >= row.size()) return {};
+      values.push_back(std::strtod(row[place].c_str(), nullptr));
+    }
+    return values;
+  }
+};
+
+Table read_table(const std::filesystem::path& path) {
+  Table table;
   std::ifstream in(path);
   std::string line;
-  if (!std::getline(in, line)) return pieces;
-  const std::vector<std::string> names = split_line(line);
-  const auto place = [&](std::string_view name) {
-    return static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
-  };
-  const std::size_t component = place("component"), mass = place("mass"),
-                    birth = place("birth_step");
-  while (std::getline(in, line)) {
-    const std::vector<std::string> cells = split_line(line);
-    if (component >= cells.size() || mass >= cells.size() || birth >= cells.size()) continue;
-    pieces[std::atoll(cells[component].c_str())] = {std::strtod(cells[mass].c_str(), nullptr),
-                                                    std::atoll(cells[birth].c_str())};
+  if (std::getline(in, line)) table.names = split_line(line);
+  while (std::getline(in, line)) table.rows.push_back(split_line(line));
+  return table;
+}
+
+std::map<std::int64_t, ResultPiece> read_pieces(const std::filesystem::path& path) {
+  const Table table = read_table(path);
+  const std::vector<double> component = table.column("component"), mass = table.column("mass"),
+                            birth = table.column("birth_step");
+  std::map<std::int64_t, ResultPiece> pieces;
+  if (mass.size() != component.size() || birth.size() != component.size()) return pieces;
+  for (std::size_t k = 0; k < component.size(); ++k) {
+    pieces[std::llround(component[k])] = {mass[k], std::llround(birth[k])};
   }
   return pieces;
 }
 
+/// Where free obstacles were at moments, rows of obstacles.csv.
+struct Places {
+  std::vector<double> time, row;
+  std::array<std::vector<double>, 7> pose;
+  bool is_whole() const {
+    return std::ranges::all_of(pose, [&](const auto& p) { return p.size() == time.size(); }) &&
+           row.size() == time.size();
+  }
+};
+
+Places read_places(const std::filesystem::path& path) {
+  const Table table = read_table(path);
+  Places places{table.column("time"), table.column("obstacle"), {}};
+  constexpr const char* names[] = {"center_x",      "center_y",      "center_z",     "orientation_w",
+                                   "orientation_x", "orientation_y", "orientation_z"};
+  for (std::size_t k = 0; k < 7; ++k) places.pose[k] = table.column(names[k]);
+  return places;
+}
+
+/// Driven obstacles go on as they began, free ones are where the table has them.
+std::vector<Obstacle> obstacles_at(double time, std::vector<Obstacle> obstacles, const Places& places) {
+  for (Obstacle& o : obstacles) {
+    if (!o.mass) translate(o.shape, time * o.velocity);
+  }
+  for (std::size_t k = 0; k < places.time.size(); ++k) {
+    const auto row = static_cast<std::size_t>(places.row[k]);
+    if (row >= obstacles.size() || std::abs(places.time[k] - time) > 1e-9) continue;
+    const auto& p = places.pose;
+    put(obstacles[row].shape, {Vec3(p[0][k], p[1][k], p[2][k]),
+                               Eigen::Quaterniond(p[3][k], p[4][k], p[5][k], p[6][k])});
+  }
+  return obstacles;
+}
+
+/// Gravity and obstacles of report.json, which older runs do not have.
+std::vector<Finding> add_world(RunResult& run, const std::filesystem::path& folder) {
+  std::ifstream in(folder / "report.json", std::ios::binary);
+  const nlohmann::json report = nlohmann::json::parse(in, nullptr, false);
+  if (!report.is_object() || !report.contains("obstacles") || !report.contains("gravity")) return {};
+  Result<std::vector<Obstacle>> obstacles = read_obstacles(report["obstacles"]);
+  if (!obstacles) return std::move(obstacles.findings);
+  const std::vector<double> gravity = report["gravity"].get<std::vector<double>>();
+  if (gravity.size() == 3) run.gravity = Vec3(gravity[0], gravity[1], gravity[2]);
+  const Places places = read_places(folder / "obstacles.csv");
+  for (ResultFrame& frame : run.frames) {
+    frame.obstacles = obstacles_at(frame.time, *obstacles, places.is_whole() ? places : Places{});
+  }
+  return {};
+}
+
 }  // namespace
+
+std::array<std::uint32_t, 3> face_of(const std::array<std::uint32_t, 4>& t, int place) {
+  constexpr int corners[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+  const auto& c = corners[place];
+  return {t[static_cast<std::size_t>(c[0])], t[static_cast<std::size_t>(c[1])],
+          t[static_cast<std::size_t>(c[2])]};
+}
+
+std::vector<char> boundary_of(const ResultFrame& frame) {
+  std::map<std::array<std::uint32_t, 3>, std::size_t> open;
+  std::vector<char> is_boundary(4 * frame.tetrahedra.size(), 1);
+  for (std::size_t f = 0; f < is_boundary.size(); ++f) {
+    std::array<std::uint32_t, 3> key = face_of(frame.tetrahedra[f / 4], static_cast<int>(f % 4));
+    std::ranges::sort(key);
+    const auto [place, is_new] = open.try_emplace(key, f);
+    if (is_new) continue;
+    is_boundary[f] = is_boundary[place->second] = 0;
+  }
+  return is_boundary;
+}
 
 Result<RunResult> read_run_result(const std::filesystem::path& folder) {
   std::ifstream in(folder / "frames.pvd", std::ios::binary);
@@ -121,6 +211,8 @@ Result<RunResult> read_run_result(const std::filesystem::path& folder) {
   }
   if (run.frames.empty()) return no_result(folder / "frames.pvd", "names no frame");
   run.pieces = read_pieces(folder / "fragments.csv");
+  for (Finding& f : add_world(run, folder)) result.findings.push_back(std::move(f));
+  if (has_error(result.findings)) return result;
   result.value = std::move(run);
   return result;
 }

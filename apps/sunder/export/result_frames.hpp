@@ -8,6 +8,7 @@
 #include <map>
 #include <vector>
 
+#include "mechanics/contact/shapes/obstacle.hpp"
 #include "mechanics/state/vec3.hpp"
 #include "topology/base/finding.hpp"
 
@@ -21,6 +22,7 @@ struct ResultFrame {
   std::vector<Vec3> reference;   ///< m, a vertex: where its piece's rigid reference has it
   std::vector<std::array<std::uint32_t, 4>> tetrahedra;
   std::vector<std::int64_t> component;  ///< a tetrahedron
+  std::vector<Obstacle> obstacles;      ///< where they are; none where the report has none
 };
 
 /// What fragments.csv says of a piece.
@@ -32,10 +34,18 @@ struct ResultPiece {
 struct RunResult {
   std::vector<ResultFrame> frames;             ///< in their order, at least one
   std::map<std::int64_t, ResultPiece> pieces;  ///< by component, at the end
+  Vec3 gravity{0, 0, 0};                       ///< m/s^2
 };
 
-/// Reads frames.pvd, the frames that it names and fragments.csv in `folder`, as `sunder run` leaves
-/// them. Errors: no_result (files or columns that are not there), those of `read_file_mesh`.
+/// Corners of the face opposite to corner `place` of a positive tetrahedron, from outside.
+std::array<std::uint32_t, 3> face_of(const std::array<std::uint32_t, 4>& t, int place);
+
+/// Half-faces 4 t + place with no other tetrahedron on the same three vertices. O(|T| log |T|).
+std::vector<char> boundary_of(const ResultFrame& frame);
+
+/// Reads frames.pvd, the frames that it names, fragments.csv, and gravity and obstacles of
+/// report.json and obstacles.csv in `folder`, as `sunder run` leaves them. Errors: no_result (files
+/// or columns that are not there), those of `read_file_mesh` and `read_obstacles`.
 Result<RunResult> read_run_result(const std::filesystem::path& folder);
 
 }  // namespace sunder

@@ -10,6 +10,7 @@
 
 #include "apps/scene/words.hpp"
 #include "apps/sunder/run/counters_json.hpp"
+#include "apps/sunder/run/obstacles_json.hpp"
 #include "apps/sunder/run/event_log.hpp"
 #include "fracture/simulation/momentum_ledger.hpp"
 #include "mechanics/element/energy.hpp"
@@ -315,6 +316,8 @@ ordered_json run_report(const RunStatistics& s, const Simulation& now,
       {"energy", energy_ledger(s, now)},
       {"cracks", crack_ledger(s.cracks)},
       {"warnings", findings_json(all_warnings(s, now.scene))}};
+  report["gravity"] = numbers(now.scene.gravity.acceleration);
+  report["obstacles"] = obstacles_json(now.scene.obstacles);
   if (now.state->cells.pieces) report["ties"] = tie_report(s.ties, now);
   report.update(search);
   return report;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// `rubble_frames SCENE.json|boxes|wall [KEY=VALUE...] [--threads N] [--seconds S] [--seed K]`: what
-// frames of 1/60 s cost from the first touch until all sleeps, or S s, and what an outside judge sees
-// of the last one.
+// `rubble_frames SCENE.json|boxes|wall [KEY=VALUE...] [--threads N] [--seconds S] [--seed K]
+// [--trace T]`: what frames of 1/60 s cost from the first touch until all sleeps, or S s, and what an
+// outside judge sees of the last one, and every T s.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -119,7 +120,7 @@ void watch_floor(const Simulation& sim, double time, bool& told) {
               c.momentum.norm() / c.mass);
 }
 
-/// One line of what the judge sees, every tenth of a second.
+/// One line of what the judge sees.
 void print_trace(const Simulation& sim, double time) {
   const std::vector<SeenPart> parts = seen_parts(sim);
   const SeenOverlaps seen = see_overlaps(parts);
@@ -148,14 +149,18 @@ void print_awake(const Simulation& sim) {
   constexpr std::size_t most = 10;
   for (std::size_t k = 0; k < std::min(most, awake.size()); ++k) {
     const Component& c = *awake[k];
+    const std::vector<double>& quiet = sim.state->impact.quiet;
+    const bool is_open =
+        c.id.index() < quiet.size() && quiet[c.id.index()] != ImpactWindow::closed;
     double fastest = 0;
     for (const VertexId v : c.vertices) {
       fastest = std::max(fastest, sim.state->mechanics.vertices.velocity[v.index()].norm());
     }
-    std::printf("awake: piece %u, %zu tetrahedra, rung %d%s, %.3g m/s, fastest vertex %.3g m/s, window %d\n", unsigned(c.id.index()),
+    std::printf("awake: piece %u, %zu tetrahedra, rung %d%s, %.3g m/s, fastest vertex %.3g m/s%s\n",
+                unsigned(c.id.index()),
                 c.tetrahedra.size(), static_cast<int>(c.rung), c.rigid ? ", rigid" : "",
                 c.momentum.norm() / c.mass, fastest,
-                c.id.index() < sim.state->impact.quiet.size() ? int(sim.state->impact.quiet[c.id.index()]) : -1);
+                is_open ? ", in a window" : "");
   }
 }
 
@@ -175,7 +180,7 @@ int main(int argc, char** argv) {
   const Options o = read_options(argc, argv);
   if (o.scene.empty()) {
     std::fputs("usage: rubble_frames SCENE.json|boxes|wall [KEY=VALUE...] [--threads N] "
-               "[--seconds S] [--seed K]\n",
+               "[--seconds S] [--seed K] [--trace T]\n",
                stderr);
     return 2;
   }
@@ -193,6 +198,7 @@ int main(int argc, char** argv) {
   std::size_t fans = 0, ticks = 0, mixed = 0, refused = 0, windows = 0;
   double before = 0, rest = -1;
   bool told = false;
+  double next_trace = o.trace > 0 ? o.trace : std::numeric_limits<double>::infinity();
   for (;;) {
     const double thread = thread_ms(), process = process_ms();
     const StepReport report = advance(*sim);
@@ -211,7 +217,10 @@ int main(int argc, char** argv) {
     }
     before = time = report.time;
     watch_floor(*sim, time, told);
-    if (o.trace > 0 && std::floor(time / o.trace) > std::floor((time - sim->scene.integrator.time_step) / o.trace)) print_trace(*sim, time);
+    if (time >= next_trace) {
+      print_trace(*sim, time);
+      next_trace += o.trace;
+    }
     if (rest >= 0) {
       asleep.add(time, thread_took, process_took);
       if (time > rest + 0.25) break;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// `rubble_spread [SEEDS] [SECONDS] [FASTER]`: height and radius of heaps of 1 200 chips by ticks of
-// 1/240 s and by ticks so many times shorter (4), a row a seed, means and their differences last.
+// `rubble_spread [SEEDS] [SECONDS] [FASTER] [SUB_STEPS]`: height and radius of heaps of 1 200 chips by
+// ticks of 1/240 s, of so many sub-steps at least (4), and by ticks so many times shorter (4), a row a seed, means and their differences last.
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -24,11 +24,12 @@ struct Outcome {
   double below = 0;  ///< m
 };
 
-Outcome heap_of(unsigned seed, double seconds, int per_second) {
+Outcome heap_of(unsigned seed, double seconds, int per_second, int sub_steps) {
   RubbleScene scene = broken_block({5, 5, 8}, 0.01, {0, 0, 0.02}, 2, seed);
   RubbleSettings settings;
   settings.gravity = {0, 0, -9.81};
   settings.length = 1.0 / per_second;
+  settings.sub_steps = sub_steps;
   RubbleScratch scratch;
   Outcome o;
   const double start = thread_ms();
@@ -53,13 +54,14 @@ int main(int argc, char** argv) {
   const int seeds = argc > 1 ? std::atoi(argv[1]) : 10;
   const double seconds = argc > 2 ? std::atof(argv[2]) : 2;
   const int faster = argc > 3 ? std::atoi(argv[3]) : 4;
+  const int sub_steps = argc > 4 ? std::atoi(argv[4]) : RubbleSettings{}.sub_steps;
   std::puts("seed,per second,height mm,radius mm,centre mm,awake,ms a second,deepest mm,mean mm,below mm");
   std::array<double, 3> sum{}, fast_sum{}, square{};
   for (int seed = 1; seed <= seeds; ++seed) {
     std::array<Outcome, 2> both;
     for (int k = 0; k < 2; ++k) {
       const int rate = k == 0 ? 240 : 240 * faster;
-      const Outcome o = both[std::size_t(k)] = heap_of(static_cast<unsigned>(seed), seconds, rate);
+      const Outcome o = both[std::size_t(k)] = heap_of(static_cast<unsigned>(seed), seconds, rate, k == 0 ? sub_steps : RubbleSettings{}.sub_steps);
       std::printf("%d,%d,%.2f,%.2f,%.2f,%u,%.0f,%.4f,%.4f,%.4f\n", seed, rate, 1e3 * o.shape.height,
                   1e3 * o.shape.radius, 1e3 * o.shape.centre, o.awake, o.ms, 1e3 * o.seen.deepest,
                   1e3 * o.seen.mean, 1e3 * o.below);

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Frames of a finished run as what a picture shows.
+#pragma once
+
+#include <vector>
+
+#include "apps/sunder/export/result_frames.hpp"
+#include "apps/sunder/run/picture_scene.hpp"
+
+namespace sunder {
+
+/// A frame with the columns that `bodies` looks at.
+struct FramePicture {
+  std::vector<std::array<VertexId, 4>> corners;
+  std::vector<ComponentId> component;
+  PictureBodies bodies;
+};
+
+/// Shows the faces that `boundary_of(first)` does not have as those of cracks. `explode`: each
+/// piece, away from the mean of all, by so many times its distance from it; none moves down, against
+/// `up` (unit). O(|T| log |T|).
+FramePicture frame_picture(const ResultFrame& frame, const std::vector<char>& first_boundary,
+                           double explode, const Vec3& up);
+
+}  // namespace sunder

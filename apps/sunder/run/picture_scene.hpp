@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// What a picture of bodies shows, from a state at hand or from a finished run: surfaces, obstacles,
+// ground, camera.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "apps/render/camera.hpp"
+#include "apps/render/frame_scene.hpp"
+#include "apps/scene/output_settings.hpp"
+#include "mechanics/contact/shapes/obstacle.hpp"
+#include "topology/base/ids.hpp"
+
+namespace sunder {
+
+/// Bodies as columns, and those of their faces that are seen.
+struct PictureBodies {
+  std::vector<Vec3> reference, deformed;  ///< |V| points, m
+  std::span<const std::array<VertexId, 4>> corners;
+  std::vector<HalfFaceId> half_faces;  ///< without a neighbour
+  std::vector<render::FaceClass> face_class;
+  std::span<const ComponentId> component;  ///< row = tetrahedron
+};
+
+/// What stays the same in all pictures of a run.
+struct RunView {
+  render::Camera camera;
+  /// The bodies as they start, what is static, and the ground below.
+  render::Bounds extent;
+};
+
+/// Skin and crack faces of the shape asked for (of `both` the deformed mesh as wires over the filled
+/// reference), obstacles. `extent`: what all pictures of a run share. O(|V| + |T|).
+render::FrameScene picture_scene(const PictureBodies& bodies, std::span<const Obstacle> obstacles,
+                                 ShownShape show, const render::Bounds& extent);
+
+/// The camera asked for, or one that sees the bodies at the start, what is static, and their shadow
+/// on the ground; up is against gravity (z without any).
+RunView run_view(const PictureBodies& start, std::span<const Obstacle> obstacles,
+                 const PictureSettings& settings, const Vec3& gravity);
+
+}  // namespace sunder
