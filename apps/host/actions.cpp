@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a host does to a scene between two steps.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -123,9 +124,15 @@ void load_spring(Simulation& simulation, const std::optional<Spring>& spring,
   if (!spring) return;
   const std::size_t row = spring->vertex.index();
   const VertexColumns& v = s.mechanics.vertices;
-  const double mass = s.mechanics.components[v.component[row].index()].mass;
+  const Component& piece = s.mechanics.components[v.component[row].index()];
   const double omega = 2 * std::numbers::pi * spring_frequency;
-  const Vec3 force = mass * omega * (omega * (spring->end - v.position[row]) - 2 * v.velocity[row]);
+  // However far the pointer is: a chip pulled from far off would be spun faster than a step follows.
+  const double lifts = 3 * simulation.scene.gravity.acceleration.norm() / (omega * omega);
+  const double longest = std::max(2 * piece.rest_radius, lifts);
+  Vec3 stretch = spring->end - v.position[row];
+  stretch *= std::min(1.0, longest / stretch.norm());
+  if (!stretch.allFinite()) stretch.setZero();
+  const Vec3 force = piece.mass * omega * (omega * stretch - 2 * v.velocity[row]);
   add_vertex_force(s.loads, s.mechanics, vertex_star(s.cells.map, spring->vertex).corners, force);
 }
 

@@ -53,6 +53,8 @@ struct OutputSettings {
   std::uint32_t frames = 51;
   /// Time between frames, s; above 0 it is used instead of `frames`.
   double frame_interval = 0;
+  /// A frame more at the end of steps in which a blow opens a window, no two within 1/240 s.
+  bool frames_at_impacts = false;
   CrackSurface crack_surface = CrackSurface::mesh;
   PictureSettings pictures;
 };

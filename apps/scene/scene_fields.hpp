@@ -54,6 +54,10 @@ void describe(V& v, OutputSettings& o) {
   v.field(Key{"frame_interval", "s", "Time between frames; above 0 it is used instead of frames",
               at_least(0)},
           o.frame_interval);
+  v.field(Key{"frames_at_impacts", "",
+              "A frame more after each step in which a blow opens a window, no two within 1/240 s: "
+              "films and exported tracks then turn where bodies are struck"},
+          o.frames_at_impacts);
   v.field(
       Key{"crack_surface", "",
           "Where pictures show cracks. mesh: on the faces of the mesh; smooth: near the plane of "

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "apps/sunder/demo/demo.hpp"
 #include "apps/sunder/export/export.hpp"
 #include "apps/sunder/fragments/fragments.hpp"
 #include "apps/sunder/mesh/check.hpp"
@@ -41,6 +42,7 @@ std::filesystem::path bench_program() {
 }
 
 void add_commands(CLI::App& program, sunder::ExitCode& exit_code) {
+  sunder::add_demo_command(program, exit_code);
   sunder::add_run_command(program, exit_code);
   sunder::add_static_command(program, exit_code);
   sunder::add_export_command(program, exit_code);

@@ -11,6 +11,8 @@
 
 #include "apps/scene/words.hpp"
 #include "apps/sunder/export/glb.hpp"
+#include "apps/sunder/export/obstacle_tracks.hpp"
+#include "topology/io/mesh_file.hpp"
 #include "topology/io/output_file.hpp"
 
 namespace sunder {
@@ -19,10 +21,13 @@ namespace {
 constexpr const char* footer = R"(
 OUT decides by its ending:
   .glb  glTF 2.0: a node a piece, moved by its rigid reference with a key a frame; materials for the
-        body's own surface and for cracks; mass (kg) and birth_step as extras of each node
+        body's own surface, cracks and obstacles; mass (kg) and birth_step as extras of each piece;
+        a node an obstacle, but for planes
   .obj  OUT_000000.obj and so on, one a frame: the pieces at the end of the run, an object each, where
         their rigid references are in that frame
-The run needs frames: --frames of `sunder run`, or output.frames of its scene.
+  .msh  Gmsh MSH 4.1: the broken bodies at the end, deformed, with the columns of the last frame
+The run needs frames: --frames of `sunder run`, or output.frames of its scene; with
+output.frames_at_impacts tracks have a key where bodies are struck.
 
 Exit codes: 0 done, 2 usage, 3 no result of a run, 4 not written.
 
@@ -30,6 +35,7 @@ Examples:
   sunder run meshes/scenes/monolith.json -o out/monolith
   sunder export out/monolith monolith.glb
   sunder export out/monolith film/monolith.obj
+  sunder export out/monolith broken.msh
 )";
 
 struct ExportArguments {
@@ -40,13 +46,14 @@ std::string obj_text(const std::vector<PieceTrack>& tracks, std::size_t frame) {
   std::string text = "# sunder export, m, z up\n";
   std::size_t first = 1;
   for (const PieceTrack& track : tracks) {
-    fmt::format_to(std::back_inserter(text), "o piece_{}\n", track.component);
+    fmt::format_to(std::back_inserter(text), "o {}\n", track.name);
     for (const Vec3& v : track.vertex) {
       const Vec3 x = track.orientation[frame] * v + track.centre[frame];
       fmt::format_to(std::back_inserter(text), "v {} {} {}\n", x[0], x[1], x[2]);
     }
     for (const auto& [triangles, material] :
-         {std::pair{&track.outer, "outside"}, std::pair{&track.crack, "crack"}}) {
+         {std::pair{&track.outer, track.is_obstacle ? "obstacle" : "outside"},
+          std::pair{&track.crack, "crack"}}) {
       if (!triangles->empty()) {
         fmt::format_to(std::back_inserter(text), "usemtl {}\n", material);
       }
@@ -69,17 +76,33 @@ std::optional<Finding> write_obj(const std::filesystem::path& out,
   return std::nullopt;
 }
 
+ExitCode write_broken(const std::filesystem::path& out, const ResultFrame& last) {
+  const Result<FileMesh> mesh = read_file_mesh(last.file);
+  std::vector<Finding> findings = mesh.findings;
+  if (mesh) {
+    for (Finding& f : write_file_mesh(out, *mesh)) findings.push_back(std::move(f));
+  }
+  fmt::print(stderr, "{}", finding_lines(findings));
+  if (has_error(findings)) return mesh ? ExitCode::not_written : ExitCode::bad_input;
+  fmt::print("{} tetrahedra, {} points at {:.6g} s\n", last.tetrahedra.size(),
+             last.position.size(), last.time);
+  return ExitCode::fine;
+}
+
 ExitCode export_result(const ExportArguments& arguments) {
   const std::string ending = arguments.out.extension().string();
-  if (ending != ".glb" && ending != ".obj") {
-    fmt::print(stderr, "sunder export: {} ends neither in .glb nor in .obj\n",
+  if (ending != ".glb" && ending != ".obj" && ending != ".msh") {
+    fmt::print(stderr, "sunder export: {} ends neither in .glb nor in .obj nor in .msh\n",
                arguments.out.string());
     return ExitCode::usage;
   }
   const Result<RunResult> run = read_run_result(arguments.result);
   fmt::print(stderr, "{}", finding_lines(run.findings));
   if (!run) return ExitCode::bad_input;
-  const std::vector<PieceTrack> tracks = piece_tracks(run->frames);
+  if (ending == ".msh") return write_broken(arguments.out, run->frames.back());
+  std::vector<PieceTrack> tracks = piece_tracks(run->frames);
+  const std::size_t pieces = tracks.size();
+  std::ranges::move(obstacle_tracks(run->frames), std::back_inserter(tracks));
   std::optional<Finding> finding;
   if (ending == ".glb") {
     std::vector<double> times;
@@ -95,7 +118,7 @@ ExitCode export_result(const ExportArguments& arguments) {
   double departure = 0;
   for (const PieceTrack& track : tracks) departure = std::max(departure, track.departure);
   fmt::print("{} pieces, {} frames; tracks within {:.1e} m of the rigid references\n",
-             tracks.size(), run->frames.size(), departure);
+             pieces, run->frames.size(), departure);
   return ExitCode::fine;
 }
 
@@ -104,9 +127,9 @@ ExitCode export_result(const ExportArguments& arguments) {
 void add_export_command(CLI::App& program, ExitCode& exit_code) {
   const auto arguments = std::make_shared<ExportArguments>();
   CLI::App* command =
-      program.add_subcommand("export", "Writes a finished run as GLB or as a sequence of OBJ");
+      program.add_subcommand("export", "Writes a finished run as GLB, as a sequence of OBJ, its end as MSH");
   command->add_option("RESULT", arguments->result, "Folder of a run")->required();
-  command->add_option("OUT", arguments->out, "File to write: *.glb or *.obj")->required();
+  command->add_option("OUT", arguments->out, "File to write: *.glb, *.obj or *.msh")->required();
   command->footer(footer);
   command->callback([arguments, &exit_code] { exit_code = export_result(*arguments); });
 }

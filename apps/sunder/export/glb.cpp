@@ -2,8 +2,6 @@
 // Buffers, accessors and nodes of a GLB file.
 #include "apps/sunder/export/glb.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <nlohmann/json.hpp>
@@ -101,9 +99,10 @@ void add_materials(GlbWriter& glb) {
   };
   add("outside", {0.46, 0.42, 0.36, 1});
   add("crack", {0.58, 0.24, 0.1, 1});
+  add("obstacle", {0.1, 0.15, 0.22, 1});
 }
 
-std::size_t add_mesh(GlbWriter& glb, const PieceTrack& track, const std::string& name) {
+std::size_t add_mesh(GlbWriter& glb, const PieceTrack& track) {
   std::vector<float> place;
   for (const Vec3& x : track.vertex) {
     for (int i = 0; i < 3; ++i) place.push_back(static_cast<float>(x[i]));
@@ -115,9 +114,9 @@ std::size_t add_mesh(GlbWriter& glb, const PieceTrack& track, const std::string&
     if (triangles.empty()) continue;
     primitives.push_back({{"attributes", {{"POSITION", position}}},
                           {"indices", glb.add_triangles(triangles)},
-                          {"material", material}});
+                          {"material", track.is_obstacle ? 2 : material}});
   }
-  return glb.add("meshes", {{"name", name}, {"primitives", primitives}});
+  return glb.add("meshes", {{"name", track.name}, {"primitives", primitives}});
 }
 
 /// A unit quaternion in floats, normalised as such: rounding alone takes it off by more than
@@ -163,13 +162,13 @@ std::string glb_bytes(const std::vector<PieceTrack>& tracks, const std::vector<d
   if (times.size() > 1) animation.times = glb.add_floats(seconds, 1, true);
   json children = json::array();
   for (const PieceTrack& track : tracks) {
-    const std::string name = fmt::format("piece_{}", track.component);
     const Vec3& c = track.centre.front();
-    json node = {{"name", name},
-                 {"mesh", add_mesh(glb, track, name)},
+    json node = {{"name", track.name},
+                 {"mesh", add_mesh(glb, track)},
                  {"translation", {c[0], c[1], c[2]}},
                  {"rotation", in_floats(track.orientation.front())}};
-    if (const auto piece = pieces.find(track.component); piece != pieces.end()) {
+    const auto piece = track.is_obstacle ? pieces.end() : pieces.find(track.component);
+    if (piece != pieces.end()) {
       node["extras"] = {{"mass", piece->second.mass}, {"birth_step", piece->second.birth_step}};
     }
     const std::size_t row = glb.add("nodes", std::move(node));

@@ -2,6 +2,8 @@
 // Boundary faces of the last frame by piece, and the least-squares rigid motion of each frame.
 #include "apps/sunder/export/piece_tracks.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 
@@ -67,6 +69,7 @@ std::vector<PieceTrack> piece_tracks(const std::vector<ResultFrame>& frames) {
   }
   std::vector<PieceTrack> tracks;
   for (auto& [component, draft] : drafts) {
+    draft.track.name = fmt::format("piece_{}", component);
     draft.track.component = component;
     Vec3 middle = Vec3::Zero();
     for (const std::size_t corner : draft.corner) middle += reference_of(first, corner);

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "apps/sunder/export/result_frames.hpp"
@@ -14,7 +15,9 @@ namespace sunder {
 /// A piece at the end of a run: its surface where it was in the first frame, about the mean of its
 /// vertices there, and its motion since. Before it came off it moved with what it came off.
 struct PieceTrack {
+  std::string name;           ///< "piece_7"
   std::int64_t component = 0;
+  bool is_obstacle = false;   ///< then there is no component
   std::vector<Vec3> vertex;  ///< m
   /// Rows of `vertex`, counterclockwise from outside: the body's own surface, and that of cracks.
   std::vector<std::array<std::uint32_t, 3>> outer, crack;

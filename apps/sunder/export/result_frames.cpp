@@ -70,6 +70,7 @@ Result<ResultFrame> read_frame(const std::filesystem::path& path, double time) {
   const auto& u = std::get<std::vector<double>>(displacement->values);
   ResultFrame frame;
   frame.time = time;
+  frame.file = path;
   for (std::size_t v = 0; v < mesh->points.size(); ++v) {
     const Vec3 x(mesh->points[v][0], mesh->points[v][1], mesh->points[v][2]);
     frame.position.push_back(x);

@@ -18,6 +18,7 @@ namespace sunder {
 /// that split are appended.
 struct ResultFrame {
   double time = 0;               ///< s
+  std::filesystem::path file;    ///< it was read from
   std::vector<Vec3> position;    ///< m, a vertex
   std::vector<Vec3> reference;   ///< m, a vertex: where its piece's rigid reference has it
   std::vector<std::array<std::uint32_t, 4>> tetrahedra;

@@ -40,6 +40,7 @@ struct Recorder::Parts {
   std::vector<Finding> write_frame_of(const Simulation& now);
   std::vector<Finding> draw_picture(const Simulation& now);
   std::vector<Finding> write_due(const Simulation& now);
+  bool is_time_for_impact(const Simulation& now) const;
 };
 
 namespace {
@@ -183,6 +184,12 @@ std::vector<Finding> Recorder::Parts::write_due(const Simulation& now) {
   return findings;
 }
 
+bool Recorder::Parts::is_time_for_impact(const Simulation& now) const {
+  constexpr double least = 1.0 / 240;
+  return output.frames_at_impacts &&
+         (frames.empty() || now.state->mechanics.time - frames.back().time >= least);
+}
+
 std::vector<Finding> Recorder::record(const Simulation& now, const StepReport& report,
                                       double step_ms) {
   add_step(parts_->statistics, now, report, step_ms);
@@ -191,7 +198,11 @@ std::vector<Finding> Recorder::record(const Simulation& now, const StepReport& r
   for (const auto& line : events_of(report, fans, releases, now.state->cells.map)) {
     parts_->events.add(line);
   }
-  return parts_->write_due(now);
+  std::vector<Finding> findings = parts_->write_due(now);
+  if (report.impact.opened > 0 && parts_->is_time_for_impact(now)) {
+    append(findings, parts_->write_frame_of(now));
+  }
+  return findings;
 }
 
 std::vector<Finding> Recorder::finish(const Simulation& now, RunEnd end) {

@@ -176,6 +176,32 @@ void check_turns(RunStatistics& statistics, const Simulation& now, const StepRep
   }
 }
 
+/// How far pieces are still drawn from their targets after this step.
+void note_drawn(RunStatistics& statistics, const Simulation& now) {
+  const SimulationState& s = *now.state;
+  for (const Component& c : s.mechanics.components) {
+    if (c.tetrahedra.empty()) continue;
+    const Pose& drawn = s.display[c.id.index()];
+    const Pose& target = s.display_target[c.id.index()];
+    const double turn = 2 * (drawn.orientation.conjugate() * target.orientation).vec().norm();
+    const double off = (drawn.centre - target.centre).norm() + turn * c.rest_radius;
+    if (off <= statistics.drawn_off) continue;
+    statistics.drawn_off = off;
+    statistics.drawn_off_step = s.step;
+  }
+}
+
+/// The largest jump of a drawn point (figure 2): a piece that comes off is drawn where it was, and
+/// goes the same share of the way to its target in every step. Without smoothing none is known.
+ordered_json display_report(const RunStatistics& s, const Scene& scene) {
+  const double time_constant = scene.display_time_constant;
+  if (time_constant == 0) return {};
+  const double stays = std::exp(-scene.integrator.time_step / time_constant);
+  const double whole = s.drawn_off / stays;
+  return {{"time_constant", time_constant},
+          {"largest_jump", {{"step", s.drawn_off_step}, {"as_it_is", whole}, {"smoothed", whole * (1 - stays)}}}};
+}
+
 }  // namespace
 
 RunStatistics begin_statistics(const Simulation& start, std::vector<Finding> warnings) {
@@ -223,6 +249,7 @@ void add_step(RunStatistics& statistics, const Simulation& now, const StepReport
   statistics.damping_work += report.status.damping_work;
   statistics.energy_released += report.energy_released;
   note_troubles(statistics.troubles, now, report);
+  note_drawn(statistics, now);
   if (!statistics.turned_too_far) check_turns(statistics, now, report);
 }
 
@@ -316,6 +343,7 @@ ordered_json run_report(const RunStatistics& s, const Simulation& now,
       {"energy", energy_ledger(s, now)},
       {"cracks", crack_ledger(s.cracks)},
       {"warnings", findings_json(all_warnings(s, now.scene))}};
+  report["display"] = display_report(s, now.scene);
   report["gravity"] = numbers(now.scene.gravity.acceleration);
   report["obstacles"] = obstacles_json(now.scene.obstacles);
   if (now.state->cells.pieces) report["ties"] = tie_report(s.ties, now);

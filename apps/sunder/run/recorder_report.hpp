@@ -61,6 +61,9 @@ struct RunStatistics {
   MomentumLedger momentum;
   /// kg.
   double mass_at_start = 0;
+  /// m: farthest that a point of a piece was drawn from where section 3.3's target has it, and when.
+  double drawn_off = 0;
+  std::uint64_t drawn_off_step = 0;
   std::vector<Finding> warnings;  ///< of the scene, and of the model where it was left
   RunTroubles troubles;
   /// Whether the small-displacement model was left once (docs/decisions.md, Validity).

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/sunder/export/glb.hpp"
+#include "apps/sunder/export/obstacle_tracks.hpp"
 #include "apps/sunder/export/piece_tracks.hpp"
 #include "apps/sunder/export/result_frames.hpp"
 
@@ -79,7 +80,32 @@ TEST_CASE("a GLB file has a node a piece, its mass and its track", "[export]") {
   CHECK(root["nodes"][1]["extras"]["mass"] == 2.5);
   CHECK(root["nodes"][1]["extras"]["birth_step"] == 7);
   CHECK(root["animations"][0]["channels"].size() == 4);
-  CHECK(root["materials"].size() == 2);
+  CHECK(root["materials"].size() == 3);
+}
+
+TEST_CASE("obstacles are tracks with closed surfaces that look outwards", "[export]") {
+  std::vector<ResultFrame> frames = two_pieces(Eigen::Quaterniond::Identity(), {0, 0, 1});
+  const Eigen::Quaterniond turn(Eigen::AngleAxisd(0.4, Vec3::UnitX()));
+  for (ResultFrame& f : frames) {
+    const Vec3 at(0, 0, f.time);
+    f.obstacles = {{.shape = Plane{}},
+                   {.shape = Sphere{at, 0.5}, .mass = 2.0},
+                   {.shape = Box{at, turn, {1, 2, 3}}}};
+  }
+  const std::vector<PieceTrack> tracks = obstacle_tracks(frames);
+  REQUIRE(tracks.size() == 2);
+  CHECK(tracks[0].name == "obstacle_1");
+  CHECK(tracks[0].centre[1] == Vec3(0, 0, 0.5));
+  CHECK(tracks[1].orientation[1].coeffs() == turn.coeffs());
+  const auto volume = [](const PieceTrack& track) {
+    double sum = 0;
+    for (const auto& t : track.outer) {
+      sum += track.vertex[t[0]].dot(track.vertex[t[1]].cross(track.vertex[t[2]])) / 6;
+    }
+    return sum;
+  };
+  CHECK(volume(tracks[0]) == Approx(4.0 / 3 * 3.14159265 * 0.125).epsilon(0.05));
+  CHECK(volume(tracks[1]) == Approx(48));
 }
 
 TEST_CASE("what is no result of a run is refused", "[export]") {

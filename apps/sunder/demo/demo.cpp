@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// Writes a scene with its mesh, runs it, says what there is to see and to do.
+#include "apps/sunder/demo/demo.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <string>
+
+#include "apps/scene/words.hpp"
+#include "apps/sunder/demo/demo_files.hpp"
+#include "apps/sunder/run/run.hpp"
+#include "topology/io/output_file.hpp"
+
+namespace sunder {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* footer = R"(
+The paper's figure 6: two balls of 120 kg strike a standing monolith of 424 tetrahedra at 14 m/s; its
+first sixth of a second.
+Files in DIR: the scene and its mesh, to be changed and run again, and in DIR/run what `sunder run`
+writes. A scene or mesh of that name that is there with other contents is not overwritten.
+
+Exit codes: 0 done, 2 usage, 4 not written, 5 the simulation failed, 130 interrupted by Ctrl-C.
+)";
+
+bool holds(const fs::path& path, std::string_view text) {
+  std::ifstream in(path, std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(in), {}) == text;
+}
+
+/// Writes a file of the demo; what a user has changed stays.
+std::optional<Finding> put(const fs::path& path, std::string_view text) {
+  if (!file_exists(path)) return write_file(path, text);
+  if (holds(path, text)) return std::nullopt;
+  return Finding{.code = "in_the_way",
+                 .text = fmt::format("{} is there and is not the demo's", path.string()),
+                 .remedy = "give another folder: sunder demo -o DIR",
+                 .file = path.string()};
+}
+
+ExitCode show_demo(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  const fs::path scene = folder / "monolith.json";
+  for (const auto& [path, text] :
+       {std::pair{scene, demo_scene}, std::pair{folder / demo_mesh_name, demo_mesh}}) {
+    if (const std::optional<Finding> finding = put(path, text)) {
+      fmt::print(stderr, "{}", finding_lines({*finding}));
+      return ExitCode::not_written;
+    }
+  }
+  RunArguments run;
+  run.scene = scene;
+  run.folder = folder / "run";
+  run.settings = {"duration=0.17", "output.frames=35"};
+#if defined(SUNDER_HAS_RENDERER)
+  run.settings.push_back("output.pictures.count=6");
+#endif
+  const ExitCode code = run_scene(run);
+  if (code != ExitCode::fine) return code;
+  const std::string here = folder.string();
+#if defined(SUNDER_HAS_RENDERER)
+  fmt::print("\nLook at   {0}/run/picture_005.png\n"
+             "Then      sunder render {0}/run pieces.png --explode 0.6\n",
+             here);
+#else
+  fmt::print("\nLook at   {}/run/frames.pvd with ParaView\n", here);
+#endif
+#if defined(SUNDER_HAS_VIEW)
+  fmt::print("and       sunder view {}/monolith.json    (in the browser: throw balls, pull, cut)\n", here);
+#endif
+  fmt::print("and       sunder run {0}/monolith.json --set bodies.0.material.tensile_strength=2e6\n",
+             here);
+  return ExitCode::fine;
+}
+
+}  // namespace
+
+void add_demo_command(CLI::App& program, ExitCode& exit_code) {
+  CLI::App* command =
+      program.add_subcommand("demo", "Breaks something within half a minute, without any file");
+  const auto folder = std::make_shared<fs::path>("sunder_demo");
+  command->add_option("-o,--output", *folder, "Folder for the files")
+      ->type_name("DIR")
+      ->capture_default_str();
+  command->footer(footer);
+  command->callback([folder, &exit_code] { exit_code = show_demo(*folder); });
+}
+
+}  // namespace sunder

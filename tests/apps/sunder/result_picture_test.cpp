@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+// Pictures of a finished run: which faces are seen, where pieces and obstacles are.
+#include "apps/sunder/render/result_picture.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include "apps/sunder/run/obstacles_json.hpp"
+#include "mechanics/contact/shapes/obstacle_geometry.hpp"
+#include "mechanics/contact/shapes/solid_surface.hpp"
+#include "tests/support/program.hpp"
+
+using namespace sunder;
+using namespace sunder::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Two tetrahedra that share a face, then each on rows of its own.
+std::vector<ResultFrame> two_pieces() {
+  ResultFrame whole;
+  whole.reference = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}};
+  whole.position = whole.reference;
+  whole.tetrahedra = {{0, 1, 2, 3}, {0, 2, 1, 4}};
+  whole.component = {0, 0};
+  ResultFrame broken = whole;
+  broken.component = {1, 0};
+  broken.tetrahedra[0] = {5, 6, 7, 3};
+  for (const std::size_t v : {0u, 1u, 2u}) broken.reference.push_back(whole.reference[v]);
+  broken.position = broken.reference;
+  return {whole, broken};
+}
+
+}  // namespace
+
+TEST_CASE("faces that were inside at first are those of cracks", "[render]") {
+  const std::vector<ResultFrame> frames = two_pieces();
+  const std::vector<char> first = boundary_of(frames[0]);
+  const FramePicture whole = frame_picture(frames[0], first, 0, Vec3::UnitZ());
+  CHECK(whole.bodies.half_faces.size() == 6);
+  CHECK(std::ranges::count(whole.bodies.face_class, render::FaceClass::crack) == 0);
+  const FramePicture broken = frame_picture(frames[1], first, 0, Vec3::UnitZ());
+  CHECK(broken.bodies.half_faces.size() == 8);
+  CHECK(std::ranges::count(broken.bodies.face_class, render::FaceClass::crack) == 2);
+  CHECK(broken.bodies.reference[3] == Vec3(0, 0, 1));
+}
+
+TEST_CASE("pieces drawn apart move from the middle, none of them down", "[render]") {
+  const std::vector<ResultFrame> frames = two_pieces();
+  const FramePicture apart = frame_picture(frames[1], boundary_of(frames[0]), 2, Vec3::UnitZ());
+  const auto way = [&](std::size_t v) -> Vec3 {
+    return apart.bodies.reference[v] - frames[1].reference[v];
+  };
+  CHECK((way(5) - way(3)).norm() < 1e-14);  // one piece
+  CHECK((way(0) - way(4)).norm() < 1e-14);
+  // Means of the two lie 1/2 apart along z.
+  CHECK((way(3) - way(4) - Vec3(0, 0, 1)).norm() < 1e-14);
+  CHECK(way(4).norm() < 1e-14);
+}
+
+TEST_CASE("obstacles of a report are read back", "[render]") {
+  TriangleSurface cone;
+  cone.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  cone.triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}};
+  const Eigen::Quaterniond turn(Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()));
+  const std::vector<Obstacle> all = {
+      {.shape = Plane{Vec3(0, 0.6, 0.8), 0.25}},
+      {.shape = Sphere{{1, 2, 3}, 0.5}, .velocity = {4, 5, 6}, .mass = 7.0},
+      {.shape = Box{{1, 2, 3}, turn, {0.1, 0.2, 0.3}}, .velocity = {1, 0, 0}},
+      {.shape = Solid{std::make_shared<const SolidSurface>(*make_solid_surface(cone)), {1, 1, 1}, turn}}};
+  const Result<std::vector<Obstacle>> read =
+      read_obstacles(nlohmann::json::parse(obstacles_json(all).dump()));
+  REQUIRE(read);
+  REQUIRE(read->size() == all.size());
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    CHECK((*read)[k].shape.index() == all[k].shape.index());
+    CHECK((*read)[k].velocity == all[k].velocity);
+    CHECK((*read)[k].mass == all[k].mass);
+    const Vec3 place(0.3, 0.4, 0.9);
+    CHECK(surface_distance((*read)[k].shape, place).gap == surface_distance(all[k].shape, place).gap);
+  }
+  const auto bad = read_obstacles(nlohmann::json::parse(R"([{"plane": {"normal": [0, 0]}}])"));
+  CHECK_FALSE(bad);
+  CHECK(bad.findings.at(0).code == "bad_obstacles");
+}
+
+TEST_CASE("a run is drawn, exported with keys where it is struck, and its end written as a mesh",
+          "[render]") {
+  const Workplace here;
+  const std::string out = here.path("out");
+  REQUIRE(here.run({"run", (fs::path(SUNDER_MESHES) / "scenes/monolith.json").string(), "-o", out,
+                    "--frames", "3", "--quiet", "--set", "duration=0.06", "--set",
+                    "output.frames_at_impacts=true"})
+              .exit_code == 0);
+  const Result<RunResult> run = read_run_result(out);
+  REQUIRE(run);
+  CHECK(run->frames.size() > 3);
+  REQUIRE(run->frames.back().obstacles.size() == 3);
+  const Vec3 ball = pose_of(run->frames.back().obstacles[1].shape).centre;
+  CHECK(ball.y() > pose_of(run->frames.front().obstacles[1].shape).centre.y() + 0.3);
+
+  const auto drawn = here.run({"render", out, here.path("end.png"), "--explode", "0.5", "--size", "320,200"});
+  CHECK(drawn.exit_code == 0);
+  CHECK(fs::file_size(here.path("end.png")) > 1000);
+  const auto film = here.run({"render", out, here.path("film.png"), "--all", "--size", "64,64"});
+  CHECK(film.exit_code == 0);
+  CHECK(fs::exists(here.path("film_000000.png")));
+  CHECK(here.run({"render", out, here.path("x.png"), "--eye", "1,2,3"}).exit_code == 2);
+  CHECK(here.run({"render", here.path("nowhere"), here.path("x.png")}).exit_code == 3);
+
+  CHECK(here.run({"export", out, here.path("broken.msh")}).exit_code == 0);
+  const auto checked = here.run({"check", here.path("broken.msh"), "--json"});
+  CHECK(checked.json()["counts"]["components"] == std::set(run->frames.back().component.begin(),
+                                                 run->frames.back().component.end())
+                                            .size());
+}
+
+TEST_CASE("the demo breaks something, and keeps its hands off other files", "[demo]") {
+  const Workplace here;
+  const auto shown = here.run({"demo", "-o", here.path("demo")});
+  CHECK(shown.exit_code == 0);
+  CHECK(shown.out.find("sunder render") != std::string::npos);
+  CHECK(fs::file_size(here.path("demo/run/picture_005.png")) > 10000);
+  std::ofstream(here.path("demo/monolith.json")) << "{}";
+  const auto refused = here.run({"demo", "-o", here.path("demo")});
+  CHECK(refused.exit_code == 4);
+  CHECK(refused.err.find("in_the_way") != std::string::npos);
+  CHECK(fs::file_size(here.path("demo/monolith.json")) == 2);
+}
