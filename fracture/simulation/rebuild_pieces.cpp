@@ -32,20 +32,26 @@ RebuildReport rebuild_touched(SimulationState& s, std::span<const ComponentId> t
                               MechanicsScratch& scratch) {
   const std::size_t before = s.display.size();
   std::vector<Vec3> old_rest_centre;
+  std::vector<Pose> old_pose;
   for (std::size_t id = 0; id < before; ++id) {
-    old_rest_centre.push_back(s.mechanics.components[id].rest_centre);
+    const Component& c = s.mechanics.components[id];
+    old_rest_centre.push_back(c.rest_centre);
+    old_pose.push_back({c.centre, c.orientation});
   }
   s.mechanics.elements.component = s.cells.labels.of_tetrahedron;
   const RebuildReport report = rebuild(s.mechanics, s.cells.map.corners(), touched, scratch);
 
   s.display.resize(s.cells.labels.size.size());
   s.display_target.resize(s.display.size());
-  // Fresh ids first: their display state comes from the parent's, which changes last.
+  // Drawn where they were, taken along to this moment; what their own references jump from there is
+  // left to be smoothed. Fresh ids first: their display state comes from the parent's, which changes
+  // last.
   for (auto id = touched.rbegin(); id != touched.rend(); ++id) {
     const std::size_t old = ancestor(s.cells.labels, *id, before).index();
-    const Vec3& centre = s.mechanics.components[id->index()].rest_centre;
-    s.display[id->index()] = split_off(s.display[old], old_rest_centre[old], centre);
-    s.display_target[id->index()] = split_off(s.display_target[old], old_rest_centre[old], centre);
+    const Component& c = s.mechanics.components[id->index()];
+    const Pose drawn = carry(s.display[old], s.display_target[old], old_pose[old]);
+    s.display[id->index()] = split_off(drawn, old_rest_centre[old], c.rest_centre);
+    s.display_target[id->index()] = {c.centre, c.orientation};
   }
   inherit(s.impact.quiet, s.cells.labels);
   return report;

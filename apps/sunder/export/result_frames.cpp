@@ -13,7 +13,7 @@
 #include <string>
 #include <variant>
 
-#include "apps/sunder/run/obstacles_json.hpp"
+#include "apps/scene/obstacles_json.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "topology/io/mesh_file.hpp"
 

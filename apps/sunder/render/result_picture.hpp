@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "apps/sunder/export/result_frames.hpp"
-#include "apps/sunder/run/picture_scene.hpp"
+#include "apps/sunder/render/picture_scene.hpp"
 
 namespace sunder {
 

@@ -6,7 +6,7 @@
 
 #include "apps/output/smooth_cracks.hpp"
 #include "apps/render/renderer.hpp"
-#include "apps/sunder/run/picture_scene.hpp"
+#include "apps/sunder/render/picture_scene.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 
 namespace sunder {

@@ -10,7 +10,7 @@
 
 #include "apps/scene/words.hpp"
 #include "apps/sunder/run/counters_json.hpp"
-#include "apps/sunder/run/obstacles_json.hpp"
+#include "apps/scene/obstacles_json.hpp"
 #include "apps/sunder/run/event_log.hpp"
 #include "fracture/simulation/momentum_ledger.hpp"
 #include "mechanics/element/energy.hpp"
@@ -196,8 +196,7 @@ void note_drawn(RunStatistics& statistics, const Simulation& now) {
 ordered_json display_report(const RunStatistics& s, const Scene& scene) {
   const double time_constant = scene.display_time_constant;
   if (time_constant == 0) return {};
-  const double stays = std::exp(-scene.integrator.time_step / time_constant);
-  const double whole = s.drawn_off / stays;
+  const double stays = std::exp(-scene.integrator.time_step / time_constant), whole = s.drawn_off / stays;
   return {{"time_constant", time_constant},
           {"largest_jump", {{"step", s.drawn_off_step}, {"as_it_is", whole}, {"smoothed", whole * (1 - stays)}}}};
 }

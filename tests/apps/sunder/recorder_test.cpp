@@ -54,6 +54,53 @@ TEST_CASE("every momentum is accounted for to rounding", "[run][recorder]") {
   }
 }
 
+namespace {
+
+/// Places at which vertices are drawn: of their rigid references, smoothed (section 3.3).
+std::vector<Vec3> drawn_places(const Simulation& sim) {
+  const SimulationState& s = *sim.state;
+  std::vector<Vec3> places;
+  for (std::size_t v = 0; v < s.mechanics.vertices.size(); ++v) {
+    const std::size_t piece = s.mechanics.vertices.component[v].index();
+    const Pose& drawn = s.display[piece];
+    const Vec3 arm = s.mechanics.vertices.rest_position[v] - s.mechanics.components[piece].rest_centre;
+    places.push_back(drawn.centre + drawn.orientation * arm);
+  }
+  return places;
+}
+
+}  // namespace
+
+TEST_CASE("references jump where a piece comes off, what is drawn does not", "[run][display]") {
+  Scene scene = shipped("block").scene;
+  scene.bodies[0].material.tensile_strength = 4e3;
+  Result<Simulation> built = build_simulation(scene);
+  REQUIRE(built);
+  Simulation& sim = *built;
+  const double h = sim.scene.integrator.time_step;
+  RunStatistics statistics = begin_statistics(sim, {});
+  std::vector<Vec3> before = drawn_places(sim);
+  std::size_t pieces = 1;
+  double most = 0;
+  for (int k = 0; k < 1500 && pieces < 2; ++k) {
+    const StepReport report = advance(sim);
+    add_step(statistics, sim, report, 1);
+    pieces = report.components;
+    double fastest = 0;
+    for (const Vec3& v : sim.state->mechanics.vertices.velocity) fastest = std::max(fastest, v.norm());
+    const std::vector<Vec3> now = drawn_places(sim);
+    for (std::size_t v = 0; v < before.size(); ++v) {
+      most = std::max(most, (now[v] - before[v]).norm() - 2 * h * fastest);
+    }
+    before = now;
+  }
+  REQUIRE(pieces > 1);
+  const auto jump = run_report(statistics, sim, fragments(sim), RunEnd::finished)["display"]["largest_jump"];
+  CHECK(jump["as_it_is"].get<double>() > 1e-3);
+  CHECK(jump["smoothed"].get<double>() < 0.02 * jump["as_it_is"].get<double>());
+  CHECK(most < 1.1 * jump["smoothed"].get<double>());
+}
+
 TEST_CASE("a line of progress tells step, time, pieces, fans and what is left", "[run][progress]") {
   const std::string line = progress_line({50, 200, 0.05, 3, 7}, 10, 8);
   CHECK(line == "[##------] step 50/200  t = 0.0500 s  3 pieces  7 fans  0:30 left");

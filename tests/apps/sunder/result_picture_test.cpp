@@ -8,7 +8,7 @@
 #include <fstream>
 #include <set>
 
-#include "apps/sunder/run/obstacles_json.hpp"
+#include "apps/scene/obstacles_json.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/contact/shapes/solid_surface.hpp"
 #include "tests/support/program.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "apps/sunder/run/obstacles_json.hpp"
+#include "apps/scene/obstacles_json.hpp"
 
 #include <memory>
 #include <variant>

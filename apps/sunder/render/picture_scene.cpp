@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "apps/sunder/run/picture_scene.hpp"
+#include "apps/sunder/render/picture_scene.hpp"
 
 #include <variant>
 
