@@ -15,7 +15,7 @@ TEST_CASE("what breaks under random blows had an impact window by energy", "[acc
 }
 
 TEST_CASE("what is certified as rubble does not break, stepped in full", "[accuracy][rubble]") {
-  const sunder::accuracy::CertificateCounts counts = sunder::accuracy::run_certificates(0, 150);
+  const sunder::accuracy::CertificateCounts counts = sunder::accuracy::run_certificates(0, 250);
   CHECK(counts.missed == 0);
   CHECK(counts.certified > 15);
   CHECK(counts.refused > 15);

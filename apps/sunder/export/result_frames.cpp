@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <sstream>
 #include <string>
 #include <variant>
@@ -82,7 +83,8 @@ Result<ResultFrame> read_frame(const std::filesystem::path& path, double time) {
   return result;
 }
 
-std::vector<std::string> split_line(const std::string& line) {
+std::vector<std::string> split_line(std::string line) {
+  if (line.ends_with('\r')) line.pop_back();
   std::vector<std::string> cells;
   std::istringstream in(line);
   for (std::string cell; std::getline(in, cell, ',');) cells.push_back(cell);
@@ -93,13 +95,15 @@ std::vector<std::string> split_line(const std::string& line) {
 struct Table {
   std::vector<std::string> names;
   std::vector<std::vector<std::string>> rows;
-  /// A column as numbers; empty where it is not there.
+  /// A column as numbers, NaN where a row has none; empty where it is not there.
   std::vector<double> column(std::string_view name) const {
     const auto place = static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
     std::vector<double> values;
+    if (place == names.size()) return values;
     for (const std::vector<std::string>& row : rows) {
-      if (place >= row.size()) return {};
-      values.push_back(std::strtod(row[place].c_str(), nullptr));
+      const bool is_there = place < row.size() && !row[place].empty();
+      values.push_back(is_there ? std::strtod(row[place].c_str(), nullptr)
+                                : std::numeric_limits<double>::quiet_NaN());
     }
     return values;
   }
@@ -121,7 +125,9 @@ std::map<std::int64_t, ResultPiece> read_pieces(const std::filesystem::path& pat
   std::map<std::int64_t, ResultPiece> pieces;
   if (mass.size() != component.size() || birth.size() != component.size()) return pieces;
   for (std::size_t k = 0; k < component.size(); ++k) {
-    pieces[std::llround(component[k])] = {mass[k], std::llround(birth[k])};
+    if (std::isnan(component[k]) || std::isnan(mass[k])) continue;
+    // Bodies as they began have no birth.
+    pieces[std::llround(component[k])] = {mass[k], std::isnan(birth[k]) ? 0 : std::llround(birth[k])};
   }
   return pieces;
 }
@@ -131,8 +137,11 @@ struct Places {
   std::vector<double> time, row;
   std::array<std::vector<double>, 7> pose;
   bool is_whole() const {
-    return std::ranges::all_of(pose, [&](const auto& p) { return p.size() == time.size(); }) &&
-           row.size() == time.size();
+    const auto fits = [&](const std::vector<double>& column) {
+      return column.size() == time.size() &&
+             std::ranges::none_of(column, [](double x) { return std::isnan(x); });
+    };
+    return std::ranges::all_of(pose, fits) && fits(row);
   }
 };
 

@@ -167,6 +167,7 @@ struct Island {
   bool has_candidate = false, is_awake = false;
   bool is_grounded = false, is_torn = false;
   bool meets_solid = false;
+  std::uint32_t members = 0;
   Vec3 ground = Vec3::Zero();      ///< m/s, of what is driven and near
   Vec3 momentum = Vec3::Zero();
   double mass = 0, kinetic = 0, strain = 0, fastest = 0;
@@ -260,6 +261,7 @@ RubbleChoice choose_rubble(const Simulation& sim, const RubbleInput& input) {
   const auto island_of = [&](std::uint32_t k) -> Island& { return islands[joined.root(k)]; };
   for (const std::uint32_t k : members) {
     Island& island = island_of(k);
+    ++island.members;
     island.is_rubble = island.is_rubble && may[k];
     island.has_candidate = island.has_candidate || (may[k] && !nodes.is_ball(k));
     island.is_awake = island.is_awake || !nodes.sleeps(k);
@@ -312,8 +314,12 @@ RubbleChoice choose_rubble(const Simulation& sim, const RubbleInput& input) {
       seen = 1;
       continue;
     }
-    // A ball alone flies as it always has.
-    if (!island.has_candidate) continue;
+    // A ball alone flies as it always has, and so does what could break.
+    const bool could_break =
+        !nodes.is_ball(k) && threshold[k] < infinite && !declared[k];
+    if (!island.has_candidate || (island.members == 1 && !island.is_grounded && could_break)) {
+      continue;
+    }
     (nodes.is_ball(k) ? choice.ball[k - nodes.components()] : choice.component[k]) = 1;
     choice.any_awake = choice.any_awake || island.is_awake;
   }

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <map>
 
 #include "tests/support/program.hpp"
 #include "topology/io/mesh_file.hpp"
@@ -238,6 +239,61 @@ TEST_CASE("a body that cannot lie in space has the Betti numbers of its homology
   const auto ring =
       here.run({"check", here.write("r.msh", sunder::suite::ring({3, 3, 1})), "--json"});
   CHECK_FALSE(ring.json().contains("homology"));
+}
+
+namespace {
+
+/// A hollow cube with a bar from the inside of its wall through the opposite wall and round to the
+/// outside: its cells lie over those of that wall, of which they share nothing.
+TetMesh bar_through_a_wall() {
+  TetMesh mesh;
+  std::map<std::array<int, 4>, std::uint32_t> rows;  // grid point; whether it is the bar's own
+  const auto add_cube = [&](int x, int y, int z, bool is_bar) {
+    const auto point = [&](std::array<int, 3> c) {
+      const bool own = is_bar && c[0] >= 2 && c[2] < 3;
+      const auto [at, is_new] =
+          rows.try_emplace({c[0], c[1], c[2], own}, static_cast<std::uint32_t>(mesh.points.size()));
+      if (is_new) mesh.points.push_back({c[0] + (own ? 0.2 : 0.0), double(c[1]), double(c[2])});
+      return at->second;
+    };
+    std::array<int, 3> order = {0, 1, 2};
+    do {
+      std::array<int, 3> c = {x, y, z};
+      std::array<std::uint32_t, 4> tet = {point(c), 0, 0, 0};
+      for (std::size_t k = 0; k < 3; ++k) {
+        ++c[std::size_t(order[k])];
+        tet[k + 1] = point(c);
+      }
+      const bool is_odd = (order[0] > order[1]) ^ (order[1] > order[2]) ^ (order[0] > order[2]);
+      if (is_odd) std::swap(tet[2], tet[3]);
+      mesh.tetrahedra.push_back(tet);
+    } while (std::next_permutation(order.begin(), order.end()));
+  };
+  for (int k = 0; k < 27; ++k) {
+    if (k != 13) add_cube(k % 3, k / 3 % 3, k / 9, false);
+  }
+  for (const auto& [x, z] : {std::pair{1, 1}, {2, 1}, {3, 1}, {3, 2}, {3, 3}, {2, 3}}) add_cube(x, 1, z, true);
+  return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("a body that overlaps itself is not valid, and its Betti numbers are its own",
+          "[apps][check]") {
+  const Workplace here;
+  const auto said = here.run({"check", here.write("bar.msh", bar_through_a_wall()), "--json"});
+  INFO(said.text());
+  CHECK(said.exit_code == 1);
+  const auto json = said.json();
+  CHECK(json["betti"] == nlohmann::json::array({1, 1, 1}));
+  CHECK(json["valid"] == false);
+  CHECK(std::ranges::any_of(json["findings"], [](const auto& f) { return f["code"] == "overlapping_body"; }));
+  // Without the bar the sheets tell them.
+  const auto shell = here.run({"check", here.write("s.msh", suite::shell({3, 3, 3})), "--json"});
+  CHECK(shell.exit_code == 0);
+  CHECK(shell.json()["betti"] == nlohmann::json::array({1, 0, 1}));
+  const auto asked = here.run({"check", here.path("s.msh"), "--json", "--homology"});
+  CHECK(asked.json()["homology"]["betti"] == nlohmann::json::array({1, 0, 1, 0}));
 }
 
 TEST_CASE("check measures the tetrahedra", "[apps][check]") {

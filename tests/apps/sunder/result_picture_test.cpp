@@ -99,6 +99,10 @@ TEST_CASE("a run is drawn, exported with keys where it is struck, and its end wr
   REQUIRE(run);
   CHECK(run->frames.size() > 3);
   REQUIRE(run->frames.back().obstacles.size() == 3);
+  CHECK(run->pieces.size() == std::set(run->frames.back().component.begin(),
+                                       run->frames.back().component.end())
+                                  .size());
+  for (const auto& [id, piece] : run->pieces) CHECK(piece.mass > 0);
   const Vec3 ball = pose_of(run->frames.back().obstacles[1].shape).centre;
   CHECK(ball.y() > pose_of(run->frames.front().obstacles[1].shape).centre.y() + 0.3);
 

@@ -37,17 +37,19 @@ Scene rubble_on_floor() {
 
 }  // namespace
 
-Scene boxes_scene(unsigned seed) {
+Scene boxes_scene(unsigned seed, double scale) {
   Scene scene = rubble_on_floor();
   scene.name = "boxes";
+  // What accuracy chooses for cells of that size.
+  scene.contact.allowed_penetration *= std::clamp(scale, 0.1, 10.0);
   std::mt19937_64 random(seed);
   const auto any = [&] { return suite::unit(random); };
   for (int k = 0; k < 200; ++k) {
-    BodySettings body = box_body(0.02 * Vec3(1 + any(), 1 + any(), 1 + any()));
+    BodySettings body = box_body(0.02 * scale * Vec3(1 + any(), 1 + any(), 1 + any()));
     const Eigen::Vector4d q(any() - 0.5, any() - 0.5, any() - 0.5, any() - 0.5);
     body.rotation = Eigen::Quaterniond(q).normalized();
-    body.translation = {0.075 * (k % 3 - 1), 0.075 * (k / 3 % 3 - 1), 0.05 + 0.075 * (k / 9)};
-    body.velocity = {0, 0, -1};
+    body.translation = scale * Vec3(0.075 * (k % 3 - 1), 0.075 * (k / 3 % 3 - 1), 0.05 + 0.075 * (k / 9));
+    body.velocity = {0, 0, -std::sqrt(scale)};
     scene.bodies.push_back(std::move(body));
   }
   return scene;

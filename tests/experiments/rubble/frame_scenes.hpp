@@ -10,8 +10,8 @@
 namespace sunder::test {
 
 /// 200 boxes of six tetrahedra, 2 cm and up to twice as long, that cannot break, turned at random,
-/// falling in a loose column on a floor.
-Scene boxes_scene(unsigned seed);
+/// falling in a loose column on a floor; lengths times `scale`, speeds times its root.
+Scene boxes_scene(unsigned seed, double scale);
 
 /// A wall in running bond, 40 bricks by 25 courses, each of six tetrahedra that cannot break, struck
 /// by a free ball of 2 kg at 6 m/s.

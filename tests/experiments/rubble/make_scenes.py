@@ -6,6 +6,7 @@
 
 table.json   the bunny falls 1 m from a table, as a new user writes it: steps of 1/240 s
 vase.json    a vase of 7 776 tetrahedra, two layers in its wall, falls on a floor at 4 m/s
+large.json   a block of 60 000 tetrahedra that floats; a ball strikes one of its corners every second
 play.json    two slabs on a floor for somebody to play with: 414 tetrahedra each, steps of 1/240 s
 """
 import json
@@ -60,6 +61,32 @@ def vase(around=36, layers=2, along=18, thickness=0.006):
     return points, oriented(points, tets)
 
 
+def block(counts, cell):
+    """Cubes, six tetrahedra each."""
+    row = {c: n for n, c in enumerate(itertools.product(*(range(n + 1) for n in counts)))}
+    points = [tuple(cell * k for k in c) for c in row]
+    tets = []
+    for cube in cells(counts):
+        for path in itertools.permutations(range(3)):
+            corner, tet = list(cube), []
+            for axis in (None, *path):
+                if axis is not None:
+                    corner[axis] += 1
+                tet.append(row[tuple(corner)])
+            tets.append(tuple(tet))
+    return points, oriented(points, tets)
+
+
+def balls(count, speed, sides):
+    """One a second, at corners of a box in turn, along its longest diagonals."""
+    for k in range(count):
+        sign = [1 if k >> a & 1 else -1 for a in range(3)]
+        at = [s / 2 + g * s / 2 * 0.9 for s, g in zip(sides, sign)]
+        way = [-g / math.sqrt(3) for g in sign]
+        start = [a - w * (speed * (k + 0.5) + 0.2) for a, w in zip(at, way)]
+        yield {"sphere": {"center": start, "radius": 0.05}, "velocity": [speed * w for w in way], "mass": 1}
+
+
 def medit(points, tets):
     lines = ["MeshVersionFormatted 2", "Dimension 3", "Vertices", str(len(points))]
     lines += [f"{x!r} {y!r} {z!r} 0" for x, y, z in points]
@@ -80,6 +107,9 @@ def scenes():
            "bodies": [{"mesh": "vase.mesh", "material": clay, "rotation": turn, "translation": [0, 0, 0.08],
                        "velocity": [0, 0, -4]}],
            "obstacles": FLOOR, "time_step": 1e-3, "duration": 5}
+    yield {"name": "large", "accuracy": "preview", "ladder": RUBBLE, "gravity": {"acceleration": [0, 0, 0]},
+           "bodies": [{"mesh": "block.mesh", "material": {**clay, "tensile_strength": 1e6}}],
+           "obstacles": list(balls(10, 8, (1, 1, 1.25))), "time_step": 1 / 240, "duration": 10.5}
     yield {"name": "play", "accuracy": "preview", "ladder": RUBBLE,
            "bodies": [{"mesh": "monolith.msh", "material": slab, "translation": [0, 0, 0.02]},
                       {"mesh": "monolith.msh", "material": slab, "translation": [3, 0, 0.02]}],
@@ -90,6 +120,7 @@ def main():
     folder = pathlib.Path(sys.argv[1])
     folder.mkdir(parents=True, exist_ok=True)
     (folder / "vase.mesh").write_text(medit(*vase()))
+    (folder / "block.mesh").write_text(medit(*block((20, 20, 25), 0.05)))
     for name in ("bunny.msh", "monolith.msh"):
         (folder / name).write_bytes((TREE / "meshes" / name).read_bytes())
     for scene in scenes():

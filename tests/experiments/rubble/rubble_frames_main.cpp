@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `rubble_frames SCENE.json|boxes|wall [KEY=VALUE...] [--threads N] [--seconds S] [--seed K]
-// [--trace T]`: what frames of 1/60 s cost from the first touch until all sleeps, or S s, and what an
-// outside judge sees of the last one, and every T s.
+// [--scale X] [--trace T]`: what frames of 1/60 s cost from the first touch until all sleeps, or S s,
+// and what an outside judge sees of the last one, and every T s.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -25,7 +25,7 @@ struct Options {
   std::string scene;
   std::vector<std::string> settings;
   unsigned threads = 1, seed = 1;
-  double seconds = 5, trace = 0;
+  double seconds = 5, trace = 0, scale = 1;
 };
 
 Options read_options(int argc, char** argv) {
@@ -36,6 +36,7 @@ Options read_options(int argc, char** argv) {
       const char* value = argv[++i];
       if (word == "--threads") o.threads = static_cast<unsigned>(std::atoi(value));
       if (word == "--seed") o.seed = static_cast<unsigned>(std::atoi(value));
+      if (word == "--scale") o.scale = std::atof(value);
       if (word == "--trace") o.trace = std::atof(value);
       if (word == "--seconds") o.seconds = std::atof(value);
     } else if (word.find('=') != std::string::npos) {
@@ -165,7 +166,7 @@ void print_awake(const Simulation& sim) {
 }
 
 Result<Scene> scene_of(const Options& o) {
-  if (o.scene == "boxes") return boxes_scene(o.seed);
+  if (o.scene == "boxes") return boxes_scene(o.seed, o.scale);
   if (o.scene == "wall") return wall_scene();
   Result<SceneFile> file = read_scene(o.scene, o.settings);
   Result<Scene> result;
@@ -180,7 +181,7 @@ int main(int argc, char** argv) {
   const Options o = read_options(argc, argv);
   if (o.scene.empty()) {
     std::fputs("usage: rubble_frames SCENE.json|boxes|wall [KEY=VALUE...] [--threads N] "
-               "[--seconds S] [--seed K] [--trace T]\n",
+               "[--seconds S] [--seed K] [--scale X] [--trace T]\n",
                stderr);
     return 2;
   }
