@@ -304,6 +304,10 @@ RubbleChoice choose_rubble(const Simulation& sim, const RubbleInput& input) {
   for (std::size_t k = 0; k < std::min(last.size(), nodes.components()); ++k) {
     choice.component[k] = last[k] && !marked[k] && nodes.lives(k) && nodes.sleeps(k);
   }
+  const auto is_calm = [&](std::uint32_t k) {
+    const Rung rung = nodes.component(k).rung;
+    return rung == Rung::rubble || rung == Rung::rigid;
+  };
   std::vector<char> counted(nodes.count(), 0);
   for (const std::uint32_t k : members) {
     const Island& island = island_of(k);
@@ -314,10 +318,10 @@ RubbleChoice choose_rubble(const Simulation& sim, const RubbleInput& input) {
       seen = 1;
       continue;
     }
-    // A ball alone flies as it always has, and so does what could break.
-    const bool could_break =
-        !nodes.is_ball(k) && threshold[k] < infinite && !declared[k];
-    if (!island.has_candidate || (island.members == 1 && !island.is_grounded && could_break)) {
+    // A ball alone flies as it always has, and so does what could break once it has calmed here.
+    const bool is_alone = island.members == 1 && !island.is_grounded;
+    if (!island.has_candidate || (is_alone && !nodes.is_ball(k) && is_calm(k) && threshold[k] < infinite &&
+                                  !declared[k])) {
       continue;
     }
     (nodes.is_ball(k) ? choice.ball[k - nodes.components()] : choice.component[k]) = 1;
