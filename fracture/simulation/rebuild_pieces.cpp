@@ -43,9 +43,10 @@ RebuildReport rebuild_touched(SimulationState& s, std::span<const ComponentId> t
   // Fresh ids first: their display state comes from the parent's, which changes last.
   for (auto id = touched.rbegin(); id != touched.rend(); ++id) {
     const std::size_t old = ancestor(s.cells.labels, *id, before).index();
-    const Vec3& centre = s.mechanics.components[id->index()].rest_centre;
-    s.display[id->index()] = split_off(s.display[old], old_rest_centre[old], centre);
-    s.display_target[id->index()] = split_off(s.display_target[old], old_rest_centre[old], centre);
+    const Component& c = s.mechanics.components[id->index()];
+    s.display[id->index()] = split_off(s.display[old], old_rest_centre[old], c.rest_centre);
+    // From the frame that the split gave it: what it jumped by is left to be smoothed.
+    s.display_target[id->index()] = {c.centre, c.orientation};
   }
   inherit(s.impact.quiet, s.cells.labels);
   return report;

@@ -27,7 +27,7 @@ const shader = /* glsl */ `
       float away = length(v);
       sum += max(0., dot(n, v) / max(away, 1e-9) - .12) * clamp(2. - 2. * away / reach, 0., 1.);
     }
-    return clamp(1. - 1.7 * sum / 20., 0., 1.);
+    return clamp(1. - 2.4 * sum / 20., 0., 1.);
   }
   void main() {
     gl_FragColor = texture2D(colour, at);

@@ -111,6 +111,7 @@ export class BodyMesh {
   makeGhost() {
     const material = new THREE.MeshStandardMaterial({
       roughness: 1, transparent: true, opacity: 0.4, depthWrite: false, side: THREE.DoubleSide, clipShadows: true,
+      polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -1,
     });
     const own = { deformed: { value: 1 }, ghost: { value: 1 }, wires: { value: 1 } };
     bodyShader(material, { ...this.uniforms, ...own }, true);

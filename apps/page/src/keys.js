@@ -58,9 +58,14 @@ export class KeyCursor {
     this.mark.hidden = true;
   }
 
-  /// True where the key was one of these; who came with a pointer needs no cursor.
+  /// True where the key was one of these. Who came with a pointer gets the cursor by Enter.
   key(event) {
-    if (this.byPointer) return false;
+    if (this.byPointer) {
+      if (event.key !== 'Enter') return false;
+      this.byPointer = false;
+      this.show();
+      return true;
+    }
     const step = event.shiftKey ? 0.05 : 0.0125;
     const known = {
       ArrowLeft: () => this.move(-step, 0),

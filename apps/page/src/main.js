@@ -217,7 +217,7 @@ function show() {
   showMarks(frame);
   showLists(frame);
   const mm = (jump) => (1000 * jump).toPrecision(2);
-  at('jump').textContent = `jump ${mm(frame.jump.drawn)} mm; without ${mm(frame.jump.target)}`;
+  at('jump').textContent = `Largest jump from the frame before: ${mm(frame.jump.drawn)} mm; without smoothing ${mm(frame.jump.target)} mm`;
   const clip = Number(at('clip').value);
   stage.renderer.clippingPlanes = [];
   stage.renderer.localClippingEnabled = true;
@@ -348,4 +348,4 @@ async function begin() {
 
 begin().catch((error) => say(error.message));
 /// For tests that drive the page.
-window.sunder = { player, stage, engine, body: () => body, longest, open, fanView };
+window.sunder = { player, stage, engine, body: () => body, longest, open, fanView, sliders, scene: () => scene };

@@ -203,7 +203,7 @@ export class Stage {
     this.renderer.shadowMap.needsUpdate = this.stale;
     this.stale = false;
     this.renderer.info.reset();
-    if (this.hasAmbient) this.ambient.draw(this.renderer, this.scene, this.camera, 0.05 * this.size);
+    if (this.hasAmbient) this.ambient.draw(this.renderer, this.scene, this.camera, 0.07 * this.size);
     else this.renderer.render(this.scene, this.camera);
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "apps/host/sunder.h"
 
+#include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -319,6 +320,35 @@ TEST_CASE("pieces tell where they came from; crack fronts are edges inside a bod
   CHECK(tetrahedra == 424);
   // Cracks of crack paper have no planes: nothing moves.
   CHECK(column<float>(engine, SUNDER_SMOOTH) == column<float>(engine, SUNDER_REST));
+}
+
+TEST_CASE("a piece that comes off is drawn where it was, and follows smoothly", "[host]") {
+  const Engine engine = create(bytes_of(SUNDER_SCENES "/block.json"), "../monolith.msh",
+                               bytes_of(SUNDER_MESHES "/monolith.msh"), {"gravity.ramp_time=0.3"});
+  REQUIRE(engine);
+  std::vector<float> old_centre;
+  std::map<sunder_column, std::vector<float>> old;
+  while (report_of(engine).pieces == 1) {
+    REQUIRE(report_of(engine).step < 600);
+    old_centre = column<float>(engine, SUNDER_REST_CENTRE);
+    for (const auto kind : {SUNDER_DRAWN_POSE, SUNDER_POSE}) old[kind] = column<float>(engine, kind);
+    REQUIRE(sunder_step(engine.get(), nullptr) == 0);
+  }
+  const auto centre = column<float>(engine, SUNDER_REST_CENTRE);
+  // m, from where the piece's rest centre was drawn as part of the body (hardly turned as yet).
+  const auto jump = [&](sunder_column kind) {
+    const auto now = column<float>(engine, kind);
+    double sum = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Eigen::Map<const Eigen::Quaternionf> turn(&old[kind][4]);
+      const Eigen::Map<const Eigen::Vector3f> from(&old_centre[0]), to(&centre[4]);
+      const Eigen::Vector3f before = Eigen::Map<Eigen::Vector3f>(&old[kind][0]) + turn * (to - from);
+      sum += std::pow(now[8 + i] - before[static_cast<Eigen::Index>(i)], 2);
+    }
+    return std::sqrt(sum);
+  };
+  CHECK(jump(SUNDER_POSE) > 1e-3);
+  CHECK(jump(SUNDER_DRAWN_POSE) < 0.1 * jump(SUNDER_POSE));
 }
 
 TEST_CASE("points on cracks that are surfaces are brought near them", "[host]") {
