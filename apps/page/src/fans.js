@@ -8,8 +8,8 @@ const darts = (halfFace) => `${3 * halfFace}, ${3 * halfFace + 1}, ${3 * halfFac
 
 /// What splitting one face did, in words. `row`: its place in the fan, from 0.
 export function faceWords(face, row, count) {
-  const head = `Face ${row + 1} of ${count}: half-face ${face.halfFace}`;
-  if (face.opposite === none) return `${head}. Another fan had split it already: nothing came apart.`;
+  const head = `Face ${row + 1} of ${count}`;
+  if (face.opposite === none) return `${head}, half-face ${face.halfFace}: another fan had split it already, nothing came apart.`;
   const names = face.vertices.map(String);
   const copies = face.copies.flatMap((copy, i) => (copy === none ? [] : [`${names[i]} (its copy is ${copy})`]));
   const edges = names.flatMap((name, i) => (face.edges & (1 << i) ? [`${name}–${names[(i + 1) % 3]}`] : []));
@@ -20,10 +20,9 @@ export function faceWords(face, row, count) {
   const word = face.oracle
     ? 'Oracle: yes, all three vertices came apart, so a piece may have come off.'
     : `Oracle: no, ${copies.length} of three vertices came apart, so its two sides still hang together.`;
-  return `${head} against ${face.opposite}, tetrahedra ${face.halfFace >> 2} and ${face.opposite >> 2}.
-Vertices ${names.join(', ')}. Three β3 links are taken away: of darts ${darts(face.halfFace)} with ${darts(face.opposite)}.
-Came apart: ${apart}.
-${word}`;
+  return `${head}. ${word}
+Vertices ${names.join(', ')}. Came apart: ${apart}.
+Half-face ${face.halfFace} against ${face.opposite}, of tetrahedra ${face.halfFace >> 2} and ${face.opposite >> 2}. Three β3 links are taken away: of darts ${darts(face.halfFace)} with ${darts(face.opposite)}.`;
 }
 
 /// What the whole fan was, in words.
