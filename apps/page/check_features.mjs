@@ -182,6 +182,44 @@ async function checkKeys({ page, expect, picture, steps }) {
   expect(named.length === 0, `everything to operate has a name${named.length ? `, but: ${named}` : ''}`);
 }
 
+/// Processor time of the page's own thread in one go, drawing calls and a breaking body among it;
+/// time on the wall would count what else runs on the machine.
+async function checkThread({ page, expect }) {
+  await page.evaluate(() => sunder.open(sunder.scene()));
+  await page.tracing.start({ categories: ['devtools.timeline', 'disabled-by-default-devtools.timeline'] });
+  await page.evaluate(async () => {
+    for (let i = 0; i < 200; ++i) {
+      await sunder.player.step();
+      if (i % 2 === 0) await new Promise((drawn) => requestAnimationFrame(drawn));
+    }
+  });
+  const { traceEvents } = JSON.parse(new TextDecoder().decode(await page.tracing.stop()));
+  const frame = traceEvents.find((e) => e.name === 'FireAnimationFrame');
+  const own = traceEvents.filter((e) => e.ph === 'X' && e.pid === frame.pid && e.tid === frame.tid);
+  const most = (name) => own.filter((e) => e.name === name).reduce((max, e) => Math.max(max, e.tdur ?? 0), 0) / 1000;
+  const [all, drawing] = [most('RunTask'), most('FireAnimationFrame')];
+  const { fansTotal, pieces } = await page.evaluate(() => ({ ...sunder.player.recording.last.report }));
+  expect(all > 0 && all < 50 && fansTotal > 0, `page's thread: at most ${all.toFixed(1)} ms of processor at once, ${drawing.toFixed(1)} ms in a picture (${fansTotal} fans, ${pieces} pieces)`);
+}
+
+/// A scene with cracks that are surfaces, drawn near them.
+async function checkSmooth({ page, expect, picture, steps }) {
+  await page.evaluate(() => {
+    const scene = sunder.scene();
+    const text = JSON.stringify({ ...JSON.parse(scene.text), fracture: { crack: 'object' }, output: { crack_surface: 'smooth' } });
+    return sunder.open({ ...scene, text });
+  });
+  const { pieces } = await steps(260);
+  await page.evaluate(() => (document.getElementById('explode').value = 0.4));
+  await picture('smooth');
+  const moved = await page.evaluate(() => {
+    document.getElementById('explode').value = 0;
+    const { rest, smooth } = sunder.player.shown().shape;
+    return rest.reduce((most, x, i) => Math.max(most, Math.abs(x - smooth[i])), 0);
+  });
+  expect(moved > 1e-3 && pieces > 1, `cracks as surfaces: points moved by up to ${(1000 * moved).toFixed(0)} mm, ${pieces} pieces`);
+}
+
 /// The engine ends: the page says so in words.
 export async function checkEnd({ page, expect, end }) {
   await end();
@@ -203,4 +241,6 @@ export async function checkFeatures(tools) {
 export async function checkAnew(tools) {
   await checkSliders(tools);
   await checkKeys(tools);
+  await checkThread(tools);
+  if (!tools.viewed) await checkSmooth(tools); // sunder view has the scene that is on the disk
 }

@@ -33,38 +33,41 @@ function cornerNormals(face, isCrack, rest) {
   const flat = new Float32Array(3 * count);
   const area = new Float32Array(3 * count);
   for (let f = 0; f < count; ++f) {
-    const [a, b, c] = [3 * face[3 * f], 3 * face[3 * f + 1], 3 * face[3 * f + 2]];
+    const a = 3 * face[3 * f], b = 3 * face[3 * f + 1], c = 3 * face[3 * f + 2];
     const ux = rest[b] - rest[a], uy = rest[b + 1] - rest[a + 1], uz = rest[b + 2] - rest[a + 2];
     const vx = rest[c] - rest[a], vy = rest[c + 1] - rest[a + 1], vz = rest[c + 2] - rest[a + 2];
-    const n = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
-    const length = Math.hypot(...n) || 1;
-    for (let k = 0; k < 3; ++k) {
-      area[3 * f + k] = n[k];
-      flat[3 * f + k] = n[k] / length;
-    }
+    const nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
+    const length = Math.sqrt(nx * nx + ny * ny + nz * nz) || 1;
+    area[3 * f] = nx;
+    area[3 * f + 1] = ny;
+    area[3 * f + 2] = nz;
+    flat[3 * f] = nx / length;
+    flat[3 * f + 1] = ny / length;
+    flat[3 * f + 2] = nz / length;
   }
   const first = new Uint32Array(rest.length / 3 + 1);
-  for (const v of face) ++first[v + 1];
+  for (let k = 0; k < face.length; ++k) ++first[face[k] + 1];
   for (let v = 1; v < first.length; ++v) first[v] += first[v - 1];
   const around = new Uint32Array(face.length);
   const next = first.slice();
-  face.forEach((v, k) => (around[next[v]++] = Math.floor(k / 3)));
+  for (let k = 0; k < face.length; ++k) around[next[face[k]]++] = Math.floor(k / 3);
   const normal = new Float32Array(3 * face.length);
   for (let k = 0; k < face.length; ++k) {
     const f = Math.floor(k / 3);
+    const fx = flat[3 * f], fy = flat[3 * f + 1], fz = flat[3 * f + 2];
     let x = 0, y = 0, z = 0;
     for (let j = first[face[k]]; j < first[face[k] + 1]; ++j) {
       const g = around[j];
       if (isCrack[g] !== isCrack[f]) continue;
-      const cosine = flat[3 * f] * flat[3 * g] + flat[3 * f + 1] * flat[3 * g + 1] +
-        flat[3 * f + 2] * flat[3 * g + 2];
-      if (cosine < crease) continue;
+      if (fx * flat[3 * g] + fy * flat[3 * g + 1] + fz * flat[3 * g + 2] < crease) continue;
       x += area[3 * g];
       y += area[3 * g + 1];
       z += area[3 * g + 2];
     }
-    const length = Math.hypot(x, y, z) || 1;
-    normal.set([x / length, y / length, z / length], 3 * k);
+    const length = Math.sqrt(x * x + y * y + z * z) || 1;
+    normal[3 * k] = x / length;
+    normal[3 * k + 1] = y / length;
+    normal[3 * k + 2] = z / length;
   }
   return normal;
 }

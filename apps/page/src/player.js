@@ -26,6 +26,7 @@ export class Player {
     this.row = 0;
     this.perShape = perShape;
     this.busy = Promise.resolve();
+    this.longest = 0; // ms: that a frame took to be recorded
     this.pull = null; // the newest place of the spring, not yet sent
   }
 
@@ -55,6 +56,7 @@ export class Player {
   }
 
   record({ report, columns }) {
+    const start = performance.now();
     const last = this.recording.last;
     const shape = { ...last?.shape };
     let isNew = false;
@@ -73,6 +75,7 @@ export class Player {
     frame.jump = last ? largestJump(last, frame) : { drawn: 0, target: 0 };
     this.recording.add(frame);
     if (follows) this.row = this.recording.frames.length - 1;
+    this.longest = Math.max(this.longest, performance.now() - start);
     this.events.frame();
     if (report.failed) {
       this.playing = false;
@@ -82,7 +85,7 @@ export class Player {
 
   async step() {
     const last = this.recording.last;
-    if (last.report.failed) return;
+    if (!last || last.report.failed) return; // nothing is loaded yet, or it cannot go on
     const answer = await this.ask('step', {
       count: 1, columns: perStep, shape: last.report.shape, shapeColumns: this.perShape,
     });
