@@ -87,7 +87,7 @@ std::optional<Finding> shoot(Simulation& simulation, const Sphere& ball, const V
   return std::nullopt;
 }
 
-std::optional<Finding> cut(Simulation& simulation, const Vec3& point, const Vec3& normal) {
+Result<FanEvent> cut(Simulation& simulation, const Vec3& point, const Vec3& normal) {
   SimulationState& s = *simulation.state;
   if (!point.allFinite() || !normal.allFinite() || normal.isZero(0)) {
     return bad_action("a cut needs a point and a normal that is not zero", "give both");
@@ -114,7 +114,7 @@ std::optional<Finding> cut(Simulation& simulation, const Vec3& point, const Vec3
       s.mechanics.components[piece.index()].orientation.conjugate() * normal.normalized();
   rebuild_pieces(s, std::span(&event, 1), scratch.mechanics);
   s.birth_step.resize(s.cells.labels.size.size(), s.step);
-  return std::nullopt;
+  return event;
 }
 
 void load_spring(Simulation& simulation, const std::optional<Spring>& spring,

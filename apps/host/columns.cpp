@@ -2,47 +2,21 @@
 // Columns of a simulation as bytes for hosts, and one vertex in full.
 #include <Eigen/Dense>
 #include <algorithm>
-#include <concepts>
-#include <cstring>
+#include <cstdint>
 #include <variant>
 
+#include "apps/host/column.hpp"
 #include "apps/host/engine.hpp"
+#include "apps/output/smooth_cracks.hpp"
 #include "fracture/algorithms/find_fractures.hpp"
 #include "fracture/algorithms/fracture_plane.hpp"
 #include "fracture/algorithms/split_fan.hpp"
 #include "fracture/algorithms/threshold_test.hpp"
 #include "fracture/simulation/simulation_state.hpp"
+#include "mechanics/contact/shapes/solid_surface.hpp"
 
 namespace sunder {
 namespace {
-
-/// Appends values to bytes.
-class Column {
- public:
-  explicit Column(std::vector<unsigned char>& bytes) : bytes_(bytes) { bytes_.clear(); }
-
-  template <class T>
-  void add(T value) {
-    const std::size_t at = bytes_.size();
-    bytes_.resize(at + sizeof(T));
-    std::memcpy(&bytes_[at], &value, sizeof(T));
-  }
-  template <class... T>
-  void add_floats(T... values) {
-    (add(static_cast<float>(values)), ...);
-  }
-  void add_floats(const Vec3& v) { add_floats(v[0], v[1], v[2]); }
-  void add_pose(const Vec3& centre, const Eigen::Quaterniond& q) {
-    add_floats(centre);
-    add_floats(0, q.x(), q.y(), q.z(), q.w());
-  }
-  void add_doubles(std::initializer_list<double> values) {
-    for (const double value : values) add(value);
-  }
-
- private:
-  std::vector<unsigned char>& bytes_;
-};
 
 void add_faces(Column& column, const Cells& cells, sunder_column kind) {
   for (std::size_t t = 0; t < cells.map.tetrahedra(); ++t) {
@@ -51,6 +25,8 @@ void add_faces(Column& column, const Cells& cells, sunder_column kind) {
       if (!cells.map.neighbour(face).is_none()) continue;
       if (kind == SUNDER_FACE_IS_CRACK) {
         column.add(std::uint32_t{is_crack_face(cells, face)});
+      } else if (kind == SUNDER_HALF_FACE) {
+        column.add(face.value);
       } else {
         for (const VertexId v : corners_of_face(cells.map.corners(TetId{t}), face)) {
           column.add(v.value);
@@ -83,8 +59,32 @@ void add_obstacle(Column& column, const Obstacle& obstacle) {
     const Vec3 &c = box->center, &h = box->half_extent;
     const Eigen::Quaterniond& q = box->orientation;
     column.add_doubles({2, c[0], c[1], c[2], 0, h[0], h[1], h[2], q.x(), q.y(), q.z(), q.w()});
+  } else if (const auto* solid = std::get_if<Solid>(&obstacle.shape)) {
+    const Vec3& x = solid->translation;
+    const Eigen::Quaterniond& q = solid->orientation;
+    column.add_doubles({3, x[0], x[1], x[2], 0, 0, 0, 0, q.x(), q.y(), q.z(), q.w()});
   }
   column.add_doubles({v[0], v[1], v[2], mass});
+}
+
+void add_solids(Column& column, const std::vector<Obstacle>& obstacles) {
+  for (std::size_t row = 0; row < obstacles.size(); ++row) {
+    const auto* solid = std::get_if<Solid>(&obstacles[row].shape);
+    if (solid == nullptr) continue;
+    for (const auto& triangle : solid->surface->triangles) {
+      column.add_floats(row);
+      for (const std::uint32_t point : triangle) column.add_floats(solid->surface->points[point]);
+    }
+  }
+}
+
+/// Rest positions with points on cracks near the planes of those.
+void add_smooth(Column& column, const SimulationState& s) {
+  const std::vector<Vec3> moves = smooth_crack_moves(s.cells);
+  const VertexColumns& v = s.mechanics.vertices;
+  for (std::size_t i = 0; i < v.size(); ++i) {
+    column.add_floats(Vec3(v.rest_position[i] + moves[s.cells.map.point_of_vertex(VertexId{i})]));
+  }
 }
 
 /// A column with a row a vertex.
@@ -93,6 +93,7 @@ void fill_vertices(Column& column, const Simulation& simulation, sunder_column k
   if (kind == SUNDER_STRESS || kind == SUNDER_LOAD_RATIO) {
     return add_stress(column, simulation, kind == SUNDER_LOAD_RATIO);
   }
+  if (kind == SUNDER_SMOOTH) return add_smooth(column, *simulation.state);
   for (std::size_t i = 0; i < v.size(); ++i) {
     if (kind == SUNDER_POSITION) column.add_floats(v.position[i]);
     if (kind == SUNDER_REST) column.add_floats(v.rest_position[i]);
@@ -115,6 +116,14 @@ void fill_pieces(Column& column, const Simulation& simulation, sunder_column kin
     if (kind == SUNDER_BIRTH) {
       column.add(static_cast<std::uint32_t>(id < s.birth_step.size() ? s.birth_step[id] : 0));
     }
+    if (kind == SUNDER_PARENT) column.add(s.cells.labels.parent[id].value);
+    if (kind == SUNDER_TETRAHEDRA) {
+      column.add(static_cast<std::uint32_t>(c.tetrahedra.size()));
+    }
+    if (kind == SUNDER_VELOCITY) {
+      const Vec3 moving = c.mass > 0 ? Vec3(c.momentum / c.mass) : Vec3(Vec3::Zero());
+      column.add_floats(c.supported ? c.frame_velocity : moving);
+    }
     if (kind == SUNDER_BODY) {
       column.add(static_cast<std::uint32_t>(
           c.tetrahedra.empty() ? 0 : body_of(simulation, c.tetrahedra.front())));
@@ -134,19 +143,31 @@ void fill_column(std::vector<unsigned char>& bytes, const Simulation& simulation
     case SUNDER_STRESS:
     case SUNDER_LOAD_RATIO:
     case SUNDER_SPEED:
+    case SUNDER_SMOOTH:
       return fill_vertices(column, simulation, kind);
     case SUNDER_FACE:
     case SUNDER_FACE_IS_CRACK:
+    case SUNDER_HALF_FACE:
       return add_faces(column, simulation.state->cells, kind);
     case SUNDER_DRAWN_POSE:
     case SUNDER_POSE:
     case SUNDER_REST_CENTRE:
     case SUNDER_BIRTH:
     case SUNDER_BODY:
+    case SUNDER_PARENT:
+    case SUNDER_TETRAHEDRA:
+    case SUNDER_VELOCITY:
       return fill_pieces(column, simulation, kind);
     case SUNDER_OBSTACLE:
       for (const Obstacle& obstacle : simulation.state->obstacles) add_obstacle(column, obstacle);
       return;
+    case SUNDER_SOLID:
+      return add_solids(column, simulation.state->obstacles);
+    case SUNDER_CONTACT:
+    case SUNDER_CRACK_FRONT:
+      return fill_marks(column, *simulation.state, kind);
+    case SUNDER_FAN:
+    case SUNDER_FAN_FACE:  // not of the state: fill_fans
     case SUNDER_COLUMNS:
       return;
   }

@@ -7,10 +7,12 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "apps/host/sunder.h"
+#include "fracture/algorithms/fan_event.hpp"
 #include "fracture/simulation/simulation.hpp"
 
 namespace sunder {
@@ -19,6 +21,13 @@ namespace sunder {
 struct Spring {
   VertexId vertex;
   Vec3 end = Vec3::Zero();  ///< m
+};
+
+/// A fan as it was made.
+struct MadeFan {
+  double number = -1;  ///< from 0 since the start, as in events.jsonl; -1: of a cut by hand
+  double time = 0;     ///< s, since the start
+  FanEvent event;
 };
 
 }  // namespace sunder
@@ -31,6 +40,8 @@ struct sunder_engine {
   std::optional<sunder::Spring> spring;
   std::size_t loads = 0;  ///< those of the scene; the spring's come after them
   bool failed = false;
+  /// Of the last step, and before them the cuts by hand that came before it; and cuts since then.
+  std::vector<sunder::MadeFan> fans, cuts;
   std::array<std::vector<unsigned char>, SUNDER_COLUMNS> columns;
   std::string saved;
 };
@@ -44,6 +55,15 @@ std::unique_ptr<sunder_engine> make_engine(Simulation simulation);
 void fill_column(std::vector<unsigned char>& bytes, const Simulation& simulation,
                  sunder_column column);
 
+class Column;
+
+/// The part of that for contacts and crack fronts. O(|T|).
+void fill_marks(Column& column, const SimulationState& state, sunder_column kind);
+
+/// The same for SUNDER_FAN and SUNDER_FAN_FACE.
+void fill_fans(std::vector<unsigned char>& bytes, std::span<const MadeFan> fans,
+               sunder_column kind);
+
 /// Stress, principal directions, threshold and fan of a vertex. Needs: vertex < |V|. O(|T|).
 void inspect_vertex(sunder_vertex& result, const Simulation& simulation, VertexId vertex);
 
@@ -53,7 +73,7 @@ std::optional<Finding> shoot(Simulation& simulation, const Sphere& ball, const V
 
 /// Parts every face between tetrahedra whose centres, where they are now, lie on different sides of
 /// the plane; what is tied (`CrackMode::cohesive`) is refused. Errors: bad_action, nothing_cut.
-std::optional<Finding> cut(Simulation& simulation, const Vec3& point, const Vec3& normal);
+Result<FanEvent> cut(Simulation& simulation, const Vec3& point, const Vec3& normal);
 
 /// The force of the spring on its vertex as loads behind the first `scene_loads`: critically damped,
 /// with a natural frequency of 5 Hz for the mass of the whole piece.

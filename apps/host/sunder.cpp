@@ -115,6 +115,16 @@ void note_step(sunder_report& r, const StepReport& step) {
   r.cracks = step.energy.cracks;
 }
 
+/// Keeps the fans of a step, behind the cuts that came before it.
+void keep_fans(sunder_engine& engine, StepReport& step) {
+  engine.fans = std::move(engine.cuts);
+  engine.cuts.clear();
+  double number = static_cast<double>(engine.report.fans_total - step.fracture.fans.size());
+  for (std::size_t i = 0; i < step.fracture.fans.size(); ++i) {
+    engine.fans.push_back({number++, step.fan_time[i], std::move(step.fracture.fans[i])});
+  }
+}
+
 Vec3 vector_of(const double (&v)[3]) { return {v[0], v[1], v[2]}; }
 
 std::optional<Finding> do_action(sunder_engine& engine, const sunder_action& action) {
@@ -135,9 +145,11 @@ std::optional<Finding> do_action(sunder_engine& engine, const sunder_action& act
       engine.spring.reset();
       return std::nullopt;
     case SUNDER_CUT: {
-      std::optional<Finding> finding = cut(engine.simulation, point, vector);
-      if (!finding) ++engine.report.shape;
-      return finding;
+      Result<FanEvent> made = cut(engine.simulation, point, vector);
+      if (!made) return made.findings.front();
+      ++engine.report.shape;
+      engine.cuts.push_back({-1, engine.report.time, std::move(*made)});
+      return std::nullopt;
     }
     default:
       return Finding{.code = "bad_action",
@@ -180,8 +192,9 @@ void sunder_destroy(sunder_engine* engine) { delete engine; }
 int sunder_step(sunder_engine* engine, sunder_report* report) {
   if (!engine->failed) {
     load_spring(engine->simulation, engine->spring, engine->loads);
-    const StepReport step = advance(engine->simulation);
+    StepReport step = advance(engine->simulation);
     note_step(engine->report, step);
+    keep_fans(*engine, step);
     engine->failed =
         step.status.outcome != StepOutcome::fine || step.fracture.not_a_number.has_value();
     if (step.status.outcome != StepOutcome::fine) {
@@ -202,7 +215,11 @@ void sunder_last_report(const sunder_engine* engine, sunder_report* report) {
 int sunder_read(sunder_engine* engine, uint32_t column, sunder_span* span) {
   if (column >= SUNDER_COLUMNS) return 1;
   std::vector<unsigned char>& bytes = engine->columns[column];
-  fill_column(bytes, engine->simulation, static_cast<sunder_column>(column));
+  if (column == SUNDER_FAN || column == SUNDER_FAN_FACE) {
+    fill_fans(bytes, engine->fans, static_cast<sunder_column>(column));
+  } else {
+    fill_column(bytes, engine->simulation, static_cast<sunder_column>(column));
+  }
   *span = {bytes.data(), bytes.size()};
   return 0;
 }

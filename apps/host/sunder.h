@@ -81,10 +81,37 @@ typedef enum sunder_column {
   SUNDER_SPEED = 10,      /**< float, a vertex: m/s */
   SUNDER_BIRTH = 11,      /**< uint32, a piece: the step in which it came off; 0: the start */
   SUNDER_BODY = 12,       /**< uint32, a piece: row of its body */
-  /** double 16, an obstacle: kind (0 plane, 1 ball, 2 box), normal and offset or centre and radius
-      (4), half extents (3), rotation x, y, z, w (4), velocity (3), mass or 0. */
+  /** double 16, an obstacle: kind (0 plane, 1 ball, 2 box, 3 mesh), normal and offset or centre and
+      radius (4), half extents (3), rotation x, y, z, w (4), velocity (3), mass or 0. Of a mesh its
+      corners are at centre + rotation * corner (SUNDER_SOLID). */
   SUNDER_OBSTACLE = 13,
-  SUNDER_COLUMNS = 14
+  SUNDER_HALF_FACE = 14, /**< uint32, a boundary face: 4 times its tetrahedron, plus its place */
+  SUNDER_PARENT = 15, /**< uint32, a piece: the one it came off; 0xffffffff: there at the start */
+  SUNDER_TETRAHEDRA = 16, /**< uint32, a piece: how many it has */
+  SUNDER_VELOCITY = 17,   /**< float 3, a piece: of its mass centre, m/s */
+  /** float 3, a vertex: as SUNDER_REST, with the points on cracks near the planes of those (the
+      scene's output.crack_surface: smooth); as SUNDER_REST where cracks have no planes. */
+  SUNDER_SMOOTH = 18,
+  SUNDER_SOLID = 19, /**< float 10, a triangle of a mesh: row of its obstacle, its corners, m */
+  /** float 8, a contact with an impulse, among resting rubble none: its place, m, the length of the
+      part of the step that it had the impulse in, s, the impulse on the vertex, ball or corner
+      there, N s, 0. */
+  SUNDER_CONTACT = 20,
+  /** uint32 2, an edge of a crack front, where a crack ends inside a body: its vertices. */
+  SUNDER_CRACK_FRONT = 21,
+  /** double 16, a fan of the last step, in order, and before them the cuts by hand since the step
+      before: number from 0 since the start (-1: a cut), time, s, the vertex that broke, how many
+      faces, after how many of them the oracle predicted a piece, pieces made, the first of them or
+      -1, stress and threshold, Pa, normal of the plane and rest position, m, both rest frame (6),
+      tetrahedra visited. Empty after sunder_restore until the next step. */
+  SUNDER_FAN = 22,
+  /** uint32 12, a face of those fans in order: the half-face passed and the one opposite, rows of
+      its vertices before, in the order of darts (3), the new rows of those that came apart or
+      0xffffffff (3), bit i: the edge from vertex i to the next came apart; 1 where the oracle says
+      that a piece may have come off, row of SUNDER_FAN, 0. All but the first 0xffffffff or 0 where
+      another fan had split the face already. */
+  SUNDER_FAN_FACE = 23,
+  SUNDER_COLUMNS = 24
 } sunder_column;
 
 /** Bytes that belong to the engine: valid until its next call. */

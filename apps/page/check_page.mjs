@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Drives the page in headless Chromium and holds what it shows against the engine's own words:
-//   node check_page.mjs FOLDER_OF_THE_PAGE [--pictures FOLDER] [--url URL]
-// Chromium is Debian's; without a graphics card it draws by SwiftShader, slowly.
+//   node check_page.mjs FOLDER_OF_THE_PAGE [--pictures FOLDER] [--program SUNDER]
+// With a program its command view serves the page and computes, else WebAssembly does. Chromium is Debian's; without a graphics card it draws by SwiftShader, slowly.
 import puppeteer from 'puppeteer-core';
+import { spawn } from 'node:child_process';
 import { createServer } from 'node:http';
-import { readFileSync, existsSync, mkdirSync } from 'node:fs';
-import { extname, join, resolve } from 'node:path';
+import { copyFileSync, readFileSync, writeFileSync, existsSync, mkdirSync, mkdtempSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, extname, join, resolve } from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+import { checkAnew, checkEnd, checkFeatures } from './check_features.mjs';
 
 const option = (name) => {
   const at = process.argv.indexOf(name);
@@ -26,14 +31,28 @@ function serve() {
   return new Promise((ready) => server.listen(0, '127.0.0.1', () => ready(server)));
 }
 
+/// `sunder view` on a copy of the monolith: {address, scene, child}.
+async function view(program) {
+  const home = mkdtempSync(join(tmpdir(), 'sunder_view_'));
+  const meshes = join(dirname(fileURLToPath(import.meta.url)), '../../meshes');
+  const scene = join(home, 'scenes/monolith.json');
+  mkdirSync(dirname(scene));
+  copyFileSync(join(meshes, 'scenes/monolith.json'), scene);
+  copyFileSync(join(meshes, 'monolith.msh'), join(home, 'monolith.msh'));
+  const child = spawn(program, ['view', scene, '--headless', '--page', folder], { stdio: ['ignore', 'pipe', 'inherit'] });
+  const address = await new Promise((ready) => child.stdout.once('data', (line) => ready(String(line).trim())));
+  return { address, scene, child };
+}
+
 const failures = [];
 function expect(holds, words) {
   console.log(`${holds ? 'ok    ' : 'FAILED'} ${words}`);
   if (!holds) failures.push(words);
 }
 
-const server = option('--url') ? null : await serve();
-const url = option('--url') ?? `http://127.0.0.1:${server.address().port}/`;
+const viewed = option('--program') ? await view(resolve(option('--program'))) : null;
+const server = viewed ? null : await serve();
+const url = viewed?.address ?? `http://127.0.0.1:${server.address().port}/`;
 const browser = await puppeteer.launch({
   executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
   args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'],
@@ -71,7 +90,7 @@ const paused = await last();
 await pause(300);
 expect((await last()).step === paused.step, `paused at step ${paused.step}`);
 await page.click('#once');
-await page.waitForFunction((n) => sunder.player.recording.last.report.step === n + 1, {}, paused.step);
+await page.waitForFunction((n) => sunder.player.recording.last?.report.step === n + 1, {}, paused.step);
 expect(true, 'one step more by the button');
 
 const report = await steps(400 - (await last()).step);
@@ -81,6 +100,8 @@ await picture('broken');
 const drawn = await page.evaluate(() => ({ ...sunder.stage.renderer.info.render }));
 expect(drawn.calls <= 20, `${drawn.calls} draw calls, ${drawn.triangles} triangles for ${report.pieces} pieces`);
 
+const tools = { page, expect, picture, last, steps, viewed };
+await checkFeatures(tools);
 for (const by of ['stress', 'loadRatio', 'speed', 'piece', 'age']) {
   await page.select('#colour', by);
   await picture(`colour_${by}`);
@@ -146,7 +167,7 @@ await picture('vertex');
 await page.click('[data-tool="shoot"]');
 const balls = await page.evaluate(() => sunder.player.recording.last.columns.obstacle.length / 16);
 await page.mouse.click(place.x, place.y);
-await page.waitForFunction((n) => sunder.player.recording.last.columns.obstacle.length / 16 > n, { timeout: 60000 }, balls);
+await page.waitForFunction((n) => sunder.player.recording.last?.columns.obstacle.length / 16 > n, { timeout: 60000 }, balls);
 expect(true, 'a ball flies');
 await page.evaluate(() => (sunder.player.playing = false));
 
@@ -159,7 +180,7 @@ await page.mouse.move(place.x, place.y);
 await page.mouse.down();
 await page.mouse.move(place.x + 90, place.y - 90, { steps: 4 });
 const start = (await last()).step;
-await page.waitForFunction((n) => sunder.player.recording.last.report.step >= n, { timeout: 120000 }, start + 25);
+await page.waitForFunction((n) => sunder.player.recording.last?.report.step >= n, { timeout: 120000 }, start + 25);
 const moving = await speed();
 await page.mouse.up();
 await page.evaluate(() => (sunder.player.playing = false));
@@ -172,29 +193,48 @@ await page.mouse.move(place.x - 200, place.y - 20);
 await page.mouse.down();
 await page.mouse.move(place.x + 200, place.y + 20, { steps: 5 });
 await page.mouse.up();
-await page.waitForFunction((n) => sunder.player.recording.last.report.pieces > n, { timeout: 60000 }, before);
+await page.waitForFunction((n) => sunder.player.recording.last?.report.pieces > n, { timeout: 60000 }, before);
 await page.evaluate(() => (sunder.player.playing = false));
 expect(true, `cut: ${before} pieces became ${(await last()).pieces}`);
 await picture('cut');
 
-const longest = await page.evaluate(() => sunder.longest);
+await checkAnew(tools);
+const longest = await page.evaluate(() => ({ ...sunder.longest, record: sunder.player.longest }));
+console.log(`on the wall, with all that runs here: ${longest.page.toFixed(1)} ms to show and ${longest.record.toFixed(1)} ms to record a frame, ${longest.drawing.toFixed(1)} ms of drawing (shaders compiled among it)`);
+
+// Saved files: the page offers to restart, and at the start it does so by itself.
+if (viewed) {
+  const save = (change) => writeFileSync(viewed.scene, JSON.stringify({ ...JSON.parse(readFileSync(viewed.scene)), ...change }));
+  await page.evaluate(() => sunder.player.busy);
+  save({ description: 'saved once' });
+  await page.waitForFunction(() => !document.getElementById('changed').hidden, { timeout: 20000 });
+  await picture('saved');
+  await page.click('#reload');
+  await page.waitForFunction(() => document.getElementById('about').textContent === 'saved once', { timeout: 20000 });
+  save({ description: 'saved twice' });
+  await page.waitForFunction(() => document.getElementById('about').textContent === 'saved twice', { timeout: 20000 });
+  expect((await last()).step === 0, 'a saved scene is offered, and taken at once at the start');
+}
 
 // A mesh of one's own, dropped: two tetrahedra fall.
-if (!option('--url')) {
+if (!viewed) {
   await page.evaluate(async (text) => {
     const drop = new DataTransfer();
     drop.items.add(new File([text], 'own.mesh'));
     window.dispatchEvent(new DragEvent('drop', { dataTransfer: drop, cancelable: true }));
   }, 'MeshVersionFormatted 2\nDimension 3\nVertices\n5\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n1 1 1 0\nTetrahedra\n2\n1 2 3 4 0\n2 3 4 5 0\nEnd\n');
   await page.waitForFunction(() => document.getElementById('about').textContent.startsWith('own.mesh'), { timeout: 60000 });
-  await page.waitForFunction(() => sunder.player.recording.last.columns.obstacle.length === 16, { timeout: 60000 });
+  await page.waitForFunction(() => sunder.player.recording.last?.columns.obstacle.length === 16, { timeout: 60000 });
   await steps(40);
   expect((await last()).step === 40, 'a mesh dropped on the page falls');
   await picture('dropped');
 }
 
-console.log(`page's thread, at most: ${longest.page.toFixed(1)} ms of ours, ${longest.drawing.toFixed(1)} ms of drawing (shaders compiled among it)`);
 expect(said.length === 0, `console without errors${said.length ? `: ${said.join(' | ')}` : ''}`);
+await checkEnd({ page, expect, end: viewed
+  ? () => new Promise((done) => viewed.child.once('exit', done).kill())
+  : () => page.evaluate(() => sunder.engine.worker.onerror({ preventDefault() {}, message: 'out of memory' })) });
+await picture('ended');
 await browser.close();
 server?.close();
 process.exit(failures.length ? 1 : 0);

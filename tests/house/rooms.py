@@ -87,7 +87,7 @@ ROOMS = (
      ("topology/base", "topology/kernel", "topology/mesh", "topology/io", "mechanics/*", "fracture/*")),
     ("apps/render", "pictures of triangles; knows no map and no mechanics", ("topology/base",)),
     ("apps/host", "C functions for hosts in any language, natively and as WebAssembly",
-     ("topology/*", "mechanics/*", "fracture/*", "apps/scene")),
+     ("topology/*", "mechanics/*", "fracture/*", "apps/scene", "apps/output")),
     ("apps/sunder", "the program, a folder a command",
      ("topology/*", "mechanics/*", "fracture/*", "apps/scene", "apps/output", "apps/render", "apps/host")),
     ("apps/bench", "sunder-bench: measurements, charts, kernels judged",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of formats: what each can carry, how it is known, which code reads and writes it.
+// The table of formats: what each can carry, how it is known, which code reads it.
 #include "topology/io/formats.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +12,6 @@
 #include "topology/io/format_traits.hpp"
 #include "topology/io/medit/medit.hpp"
 #include "topology/io/msh/msh.hpp"
-#include "topology/io/output_file.hpp"
 #include "topology/io/ovm/ovm.hpp"
 #include "topology/io/scan.hpp"
 #include "topology/io/surface/obj.hpp"
@@ -148,64 +147,22 @@ constexpr FormatTraits traits[] = {
      .regions_are_words = true},
 };
 
-using io::FileEncoding;
 using io::FileSource;
 using Path = std::filesystem::path;
 
-int msh_version(std::string_view version) {
-  if (version == "1") return 10;
-  return version == "2.2" ? 22 : version == "4.0" ? 40 : 41;
-}
-
-std::optional<Finding> write_stl(const Path& path, const FileMesh& mesh, const FileEncoding& how) {
-  const std::size_t too_big = how.is_binary() ? io::stl_points(mesh, true).too_big : 0;
-  if (too_big == 0) return write_file(path, io::write_stl(mesh, how.is_binary()));
-  return Finding{.code = "number_out_of_range",
-                 .count = too_big,
-                 .text = fmt::format(
-                     "{} points have coordinates beyond 3.4e38: binary STL has floats", too_big),
-                 .remedy = "write text (--text), which keeps every digit"};
-}
-
 /// In the order of `traits`.
 constexpr io::FormatCode codes[] = {
-    {&io::is_msh, [](const FileSource& source) { return io::read_msh(source.text); },
-     [](const Path& path, const FileMesh& mesh, const FileEncoding& how) {
-       return write_file(path, io::write_msh(mesh, msh_version(how.version), how.is_binary()));
-     }},
-    {&io::is_medit, [](const FileSource& source) { return io::read_medit(source.text); },
-     [](const Path& path, const FileMesh& mesh, const FileEncoding& how) {
-       return write_file(path, io::write_medit(mesh, how.is_binary()));
-     }},
-    {&io::is_vtu, [](const FileSource& source) { return io::read_vtu(source.text); },
-     &io::write_vtu},
-    {&io::is_vtk, [](const FileSource& source) { return io::read_vtk(source.text); },
-     [](const Path& path, const FileMesh& mesh, const FileEncoding& how) {
-       return write_file(path,
-                         io::write_vtk(mesh, how.version == "5.1" ? 51 : 42, how.is_binary()));
-     }},
-    {&io::is_tetgen, &io::read_tetgen, &io::write_tetgen},
-    {&io::is_abaqus, &io::read_abaqus,
-     [](const Path& path, const FileMesh& mesh, const FileEncoding&) {
-       return write_file(path, io::write_abaqus(mesh));
-     }},
-    {&io::is_ovm, [](const FileSource& source) { return io::read_ovm(source.text); },
-     [](const Path& path, const FileMesh& mesh, const FileEncoding&) {
-       return write_file(path, io::write_ovm(mesh));
-     }},
-    {&io::is_ply, [](const FileSource& source) { return io::read_ply(source.text); },
-     [](const Path& path, const FileMesh& mesh, const FileEncoding& how) {
-       return write_file(path, io::write_ply(mesh, how.is_binary()));
-     }},
-    {&io::is_off, [](const FileSource& source) { return io::read_off(source.text); },
-     [](const Path& path, const FileMesh& mesh, const FileEncoding&) {
-       return write_file(path, io::write_off(mesh));
-     }},
-    {&io::is_obj, [](const FileSource& source) { return io::read_obj(source.text); },
-     [](const Path& path, const FileMesh& mesh, const FileEncoding&) {
-       return write_file(path, io::write_obj(mesh));
-     }},
-    {&io::is_stl, [](const FileSource& source) { return io::read_stl(source.text); }, &write_stl},
+    {&io::is_msh, [](const FileSource& source) { return io::read_msh(source.text); }},
+    {&io::is_medit, [](const FileSource& source) { return io::read_medit(source.text); }},
+    {&io::is_vtu, [](const FileSource& source) { return io::read_vtu(source.text); }},
+    {&io::is_vtk, [](const FileSource& source) { return io::read_vtk(source.text); }},
+    {&io::is_tetgen, &io::read_tetgen},
+    {&io::is_abaqus, &io::read_abaqus},
+    {&io::is_ovm, [](const FileSource& source) { return io::read_ovm(source.text); }},
+    {&io::is_ply, [](const FileSource& source) { return io::read_ply(source.text); }},
+    {&io::is_off, [](const FileSource& source) { return io::read_off(source.text); }},
+    {&io::is_obj, [](const FileSource& source) { return io::read_obj(source.text); }},
+    {&io::is_stl, [](const FileSource& source) { return io::read_stl(source.text); }},
 };
 static_assert(std::size(codes) == std::size(traits));
 

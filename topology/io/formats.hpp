@@ -42,17 +42,18 @@ struct FileEncoding {
   bool is_binary() const { return encoding == Encoding::binary; }
 };
 
-/// What each format can do, beside its traits.
+/// How each format is known and read, beside its traits.
 struct FormatCode {
   /// Whether a file's first bytes are those of this format. `text` is the whole file.
   bool (*is_like)(std::string_view text);
   /// Throws ReadFailure.
   Draft (*read)(const FileSource& source);
-  /// Errors: cannot_write.
-  std::optional<Finding> (*write)(const std::filesystem::path& path, const FileMesh& mesh,
-                                  const FileEncoding& encoding);
 };
 const FormatCode& code_of(MeshFormat format);
+
+/// Writes a file of a format. Errors: cannot_write, number_out_of_range.
+std::optional<Finding> write_format(MeshFormat format, const std::filesystem::path& path,
+                                    const FileMesh& mesh, const FileEncoding& encoding);
 
 /// Reads a file of a known format: what `read_file_mesh` does once it knows it. Throws nothing;
 /// findings name no file but other files of the mesh.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What reading and writing meshes is in a build that has neither files nor zlib nor Expat, as for
+// What reading meshes is in a build that has neither files nor zlib nor Expat, as for
 // WebAssembly: refusals that say so. Meshes come from memory there, unpacked, in the other formats.
 #include "topology/io/gzip.hpp"
 #include "topology/io/output_file.hpp"
@@ -7,25 +7,6 @@
 #include "topology/io/vtu/vtu_read.hpp"
 
 namespace sunder {
-namespace {
-
-Finding no_files(const std::filesystem::path& path) {
-  return {.code = "cannot_write",
-          .text = "this build of Sunder has no files",
-          .remedy = "run the program sunder for that",
-          .file = path.string()};
-}
-
-}  // namespace
-
-std::optional<Finding> write_file(const std::filesystem::path& path,
-                                  std::span<const std::string_view>) {
-  return no_files(path);
-}
-
-std::optional<Finding> write_file(const std::filesystem::path& path, std::string_view) {
-  return no_files(path);
-}
 
 bool io::is_gzip(std::string_view bytes) { return bytes.substr(0, 2) == "\x1f\x8b"; }
 
@@ -44,11 +25,6 @@ io::Draft io::read_vtu(std::string_view) {
   throw ReadFailure{{.code = "unsupported_format",
                      .text = "this build of Sunder reads no VTU: it has no XML parser",
                      .remedy = "convert it: sunder convert FILE NEW.msh"}};
-}
-
-std::optional<Finding> io::write_vtu(const std::filesystem::path& path, const FileMesh&,
-                                     const FileEncoding&) {
-  return no_files(path);
 }
 
 bool file_exists(const std::filesystem::path&) { return false; }

@@ -356,7 +356,7 @@ std::vector<Finding> write_file_mesh(const std::filesystem::path& path, const Fi
     const FileMesh& written = surface ? surface->mesh : mesh;
     chosen.encoding = how.encoding;
     findings = losses_of(mesh, surface, chosen);
-    auto failure = io::code_of(t.format).write(path, written, how);
+    auto failure = io::write_format(t.format, path, written, how);
     if (failure) findings.insert(findings.begin(), std::move(*failure));
     if (!failure) {
       auto names = write_names_beside(path, written, t, version);

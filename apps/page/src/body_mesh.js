@@ -33,38 +33,41 @@ function cornerNormals(face, isCrack, rest) {
   const flat = new Float32Array(3 * count);
   const area = new Float32Array(3 * count);
   for (let f = 0; f < count; ++f) {
-    const [a, b, c] = [3 * face[3 * f], 3 * face[3 * f + 1], 3 * face[3 * f + 2]];
+    const a = 3 * face[3 * f], b = 3 * face[3 * f + 1], c = 3 * face[3 * f + 2];
     const ux = rest[b] - rest[a], uy = rest[b + 1] - rest[a + 1], uz = rest[b + 2] - rest[a + 2];
     const vx = rest[c] - rest[a], vy = rest[c + 1] - rest[a + 1], vz = rest[c + 2] - rest[a + 2];
-    const n = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
-    const length = Math.hypot(...n) || 1;
-    for (let k = 0; k < 3; ++k) {
-      area[3 * f + k] = n[k];
-      flat[3 * f + k] = n[k] / length;
-    }
+    const nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
+    const length = Math.sqrt(nx * nx + ny * ny + nz * nz) || 1;
+    area[3 * f] = nx;
+    area[3 * f + 1] = ny;
+    area[3 * f + 2] = nz;
+    flat[3 * f] = nx / length;
+    flat[3 * f + 1] = ny / length;
+    flat[3 * f + 2] = nz / length;
   }
   const first = new Uint32Array(rest.length / 3 + 1);
-  for (const v of face) ++first[v + 1];
+  for (let k = 0; k < face.length; ++k) ++first[face[k] + 1];
   for (let v = 1; v < first.length; ++v) first[v] += first[v - 1];
   const around = new Uint32Array(face.length);
   const next = first.slice();
-  face.forEach((v, k) => (around[next[v]++] = Math.floor(k / 3)));
+  for (let k = 0; k < face.length; ++k) around[next[face[k]]++] = Math.floor(k / 3);
   const normal = new Float32Array(3 * face.length);
   for (let k = 0; k < face.length; ++k) {
     const f = Math.floor(k / 3);
+    const fx = flat[3 * f], fy = flat[3 * f + 1], fz = flat[3 * f + 2];
     let x = 0, y = 0, z = 0;
     for (let j = first[face[k]]; j < first[face[k] + 1]; ++j) {
       const g = around[j];
       if (isCrack[g] !== isCrack[f]) continue;
-      const cosine = flat[3 * f] * flat[3 * g] + flat[3 * f + 1] * flat[3 * g + 1] +
-        flat[3 * f + 2] * flat[3 * g + 2];
-      if (cosine < crease) continue;
+      if (fx * flat[3 * g] + fy * flat[3 * g + 1] + fz * flat[3 * g + 2] < crease) continue;
       x += area[3 * g];
       y += area[3 * g + 1];
       z += area[3 * g + 2];
     }
-    const length = Math.hypot(x, y, z) || 1;
-    normal.set([x / length, y / length, z / length], 3 * k);
+    const length = Math.sqrt(x * x + y * y + z * z) || 1;
+    normal[3 * k] = x / length;
+    normal[3 * k + 1] = y / length;
+    normal[3 * k + 2] = z / length;
   }
   return normal;
 }
@@ -87,6 +90,8 @@ export class BodyMesh {
       inside: { value: new THREE.Color(look.inside) },
       grain: { value: look.grain },
       now: { value: 0 },
+      marked: { value: -1 },
+      ghost: { value: 0 },
     };
     const material = new THREE.MeshStandardMaterial({
       roughness: look.roughness, metalness: 0, side: THREE.DoubleSide, clipShadows: true,
@@ -100,28 +105,53 @@ export class BodyMesh {
     this.mesh.customDepthMaterial = depth;
     this.mesh.castShadow = this.mesh.receiveShadow = true;
     this.mesh.frustumCulled = false;
+    this.ghost = this.makeGhost();
+    this.group = new THREE.Group();
+    this.group.add(this.mesh, this.ghost);
   }
 
-  /// Faces, vertices and pieces as they are from now on.
-  setShape(shape) {
+  /// The deformed state over the rigid reference, as in figure 1: blue, with wires, seen through.
+  makeGhost() {
+    const material = new THREE.MeshStandardMaterial({
+      roughness: 1, transparent: true, opacity: 0.4, depthWrite: false, side: THREE.DoubleSide, clipShadows: true,
+      polygonOffset: true, polygonOffsetFactor: -1, polygonOffsetUnits: -1,
+    });
+    const own = { deformed: { value: 1 }, ghost: { value: 1 }, wires: { value: 1 } };
+    bodyShader(material, { ...this.uniforms, ...own }, true);
+    const ghost = new THREE.Mesh(this.mesh.geometry, material);
+    ghost.frustumCulled = false;
+    ghost.visible = false;
+    return ghost;
+  }
+
+  /// Faces, vertices and pieces as they are from now on. `opened`: by half-face, as a recording has
+  /// it.
+  setShape(shape, opened) {
     this.shape = shape;
-    const { face, faceIsCrack, rest, piece, restCentre } = shape;
+    const { face, faceIsCrack, halfFace, piece, restCentre } = shape;
+    const rest = (this.rest = shape.smooth ?? shape.rest);
     const corners = face.length;
     const at = new Float32Array(3 * corners);
     const ids = new Float32Array(3 * corners); // vertex, piece, 1 on a crack
+    const since = new Float32Array(2 * corners); // number of the fan from 1, s; 0: cut by hand or at the start
     for (let k = 0; k < corners; ++k) {
       const v = face[k], p = piece[v];
       for (let i = 0; i < 3; ++i) at[3 * k + i] = rest[3 * v + i];
       ids[3 * k] = v;
       ids[3 * k + 1] = p;
       ids[3 * k + 2] = faceIsCrack[Math.floor(k / 3)];
+      const fan = opened.get(halfFace[Math.floor(k / 3)]);
+      if (!fan) continue;
+      since[2 * k] = fan[0] + 1;
+      since[2 * k + 1] = fan[1];
     }
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute('position', new THREE.BufferAttribute(at, 3));
     geometry.setAttribute('normal', new THREE.BufferAttribute(cornerNormals(face, faceIsCrack, rest), 3));
     geometry.setAttribute('ids', new THREE.BufferAttribute(ids, 3));
+    geometry.setAttribute('opened', new THREE.BufferAttribute(since, 2));
     this.mesh.geometry.dispose();
-    this.mesh.geometry = geometry;
+    this.mesh.geometry = this.ghost.geometry = geometry;
     this.pieces.resize((3 * restCentre.length) / 4);
     this.vertices.resize(rest.length / 3);
     this.uniforms.pieces.value = this.pieces.texture;
@@ -131,9 +161,10 @@ export class BodyMesh {
     this.used = used;
   }
 
-  /// Poses, positions and one number a vertex, for its colour. `birth`: of the pieces.
-  setState({ drawnPose, position, scalar }) {
-    const { restCentre, birth, body } = this.shape;
+  /// Poses to draw by, the simulation's own, positions, and one number a vertex, for its colour.
+  setState({ drawnPose, pose, position, scalar }) {
+    const { restCentre, birth } = this.shape;
+    if (this.shape.smooth) position = this.smoothed(pose, position);
     const data = this.pieces.data;
     const middle = new THREE.Vector3();
     let mass = 0;
@@ -141,7 +172,6 @@ export class BodyMesh {
       data.set(drawnPose.subarray(8 * p, 8 * p + 8), 12 * p);
       data.set(restCentre.subarray(4 * p, 4 * p + 3), 12 * p + 8);
       data[12 * p + 3] = birth[p];
-      data[12 * p + 11] = body[p];
       if (!this.used[p]) continue;
       const m = restCentre[4 * p + 3];
       mass += m;
@@ -162,9 +192,27 @@ export class BodyMesh {
     this.state = { drawnPose, position };
   }
 
+  /// Positions with points on cracks moved as they are at rest.
+  smoothed(pose, position) {
+    const { rest, smooth, piece } = this.shape;
+    const move = new THREE.Vector3();
+    const turn = new THREE.Quaternion();
+    const moved = position.slice();
+    for (let v = 0; v < piece.length; ++v) {
+      move.set(smooth[3 * v] - rest[3 * v], smooth[3 * v + 1] - rest[3 * v + 1], smooth[3 * v + 2] - rest[3 * v + 2]);
+      if (move.x === 0 && move.y === 0 && move.z === 0) continue;
+      move.applyQuaternion(turn.fromArray(pose, 8 * piece[v] + 4));
+      moved[3 * v] += move.x;
+      moved[3 * v + 1] += move.y;
+      moved[3 * v + 2] += move.z;
+    }
+    return moved;
+  }
+
   /// Where a vertex is drawn; what the vertex shader does.
   drawnPlace(v, target) {
-    const { rest, restCentre, piece } = this.shape;
+    const { restCentre, piece } = this.shape;
+    const { rest } = this;
     const p = piece[v];
     const { deformed, explode, middle } = this.uniforms;
     const pose = this.state.drawnPose;

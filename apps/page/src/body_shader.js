@@ -7,7 +7,9 @@ const vertexHead = /* glsl */ `
   uniform float explode, deformed, magnify;
   uniform vec3 middle;
   attribute vec3 ids;
-  flat varying float vPiece, vCrack, vBirth, vBody;
+  attribute vec2 opened;
+  flat varying float vPiece, vCrack, vBirth;
+  flat varying vec2 vOpened;
   varying float vScalar;
   varying vec3 vRest, vWire;
   vec4 texel(highp sampler2D from, int row) { return texelFetch(from, ivec2(row % 1024, row / 1024), 0); }
@@ -31,7 +33,7 @@ const placePart = /* glsl */ `
   vPiece = ids.y;
   vCrack = ids.z;
   vBirth = centre.w;
-  vBody = restCentre.w;
+  vOpened = opened;
   vScalar = own.w;
   vRest = position;
   int corner = gl_VertexID % 3;
@@ -39,11 +41,12 @@ const placePart = /* glsl */ `
 `;
 
 const fragmentHead = /* glsl */ `
-  uniform int colourBy; // 0 material, 1 a number a vertex, 2 piece, 3 age
+  uniform int colourBy; // 0 material, 1 a number a vertex, 2 piece, 3 age, 4 order of fans, 5 age of a crack
   uniform vec2 range;
-  uniform float wires, grain, now;
+  uniform float wires, grain, now, marked, ghost;
   uniform vec3 outside, inside;
-  flat varying float vPiece, vCrack, vBirth, vBody;
+  flat varying float vPiece, vCrack, vBirth;
+  flat varying vec2 vOpened; // number of the fan, s
   varying float vScalar;
   varying vec3 vRest, vWire;
   vec3 sunderGlow; // numbers are read off their colour, so light matters less
@@ -77,6 +80,12 @@ const colourPart = /* glsl */ `
   if (colourBy == 1) own = pow(scale((vScalar - range.x) / max(range.y - range.x, 1e-30)), vec3(2.2));
   if (colourBy == 2) own = pow(hue(vPiece + 1.), vec3(2.2));
   if (colourBy == 3) own = vBirth < .5 ? vec3(.35) : pow(scale(vBirth / max(now, 1.)), vec3(2.2));
+  if (colourBy > 3) {
+    float t = colourBy == 4 ? vOpened.x / max(range.y, 1.) : (range.y - vOpened.y) / max(range.y, 1e-30);
+    own = vCrack < .5 ? vec3(.35) : pow(scale(t), vec3(2.2));
+  }
+  if (ghost > 0.) own = vec3(.05, .22, .6);
+  if (vPiece == marked) own = mix(own, vec3(1., .25, 0.), .7);
   if (colourBy > 0 && !gl_FrontFacing) own *= .4;
   if (wires > 0.) {
     vec3 edge = vWire / max(fwidth(vWire), vec3(1e-6));
@@ -84,6 +93,7 @@ const colourPart = /* glsl */ `
   }
   diffuseColor.rgb = colourBy > 0 ? .45 * own : own;
   sunderGlow = colourBy > 0 ? .38 * own : vec3(0.);
+  if (vPiece == marked) sunderGlow = max(sunderGlow, .3 * own);
 `;
 
 /// Makes `material` draw a BodyMesh. `hasColour`: false for shadows.

@@ -14,9 +14,16 @@ export class WorkerEngine {
       if (data.error === undefined) settle(data.result);
       else refuse(new Error(data.error));
     };
+    this.worker.onerror = (event) => {
+      event.preventDefault();
+      this.lost = new Error(`the engine has ended (${event.message ?? 'its program could not be loaded'}): load the page again`);
+      for (const { refuse } of this.waiting.values()) refuse(this.lost);
+      this.waiting.clear();
+    };
   }
 
   ask(work, input = {}) {
+    if (this.lost) return Promise.reject(this.lost);
     return new Promise((settle, refuse) => {
       this.waiting.set(++this.last, { settle, refuse });
       this.worker.postMessage({ id: this.last, work, input });
@@ -36,7 +43,7 @@ export class ServerEngine {
       headers: { 'X-Sunder-Token': this.token, 'Content-Type': 'application/octet-stream' },
       body: this.body(work, input),
     }).catch(() => {
-      throw new Error('the program sunder view no longer answers: it was ended');
+      throw new Error('the program sunder view no longer answers: it was ended. Start it again and open the address that it prints.');
     });
     if (!answer.ok) throw new Error(await answer.text());
     return this.result(work, await answer.arrayBuffer());
@@ -60,6 +67,7 @@ export class ServerEngine {
   result(work, bytes) {
     const view = new DataView(bytes);
     if (work === 'open' || work === 'forget') return {};
+    if (work === 'stamp') return { stamp: new TextDecoder().decode(bytes) };
     if (work === 'inspect') return readVertex(view, 0);
     if (work === 'save') return { step: Number(view.getBigUint64(0, true)), size: Number(view.getBigUint64(8, true)) };
     const result = { report: readReport(view, 0), columns: {} };

@@ -18,6 +18,16 @@ export const columns = {
   birth: { id: 11, array: Uint32Array },
   body: { id: 12, array: Uint32Array },
   obstacle: { id: 13, array: Float64Array },
+  halfFace: { id: 14, array: Uint32Array },
+  parent: { id: 15, array: Uint32Array },
+  tetrahedra: { id: 16, array: Uint32Array },
+  velocity: { id: 17, array: Float32Array },
+  smooth: { id: 18, array: Float32Array },
+  solid: { id: 19, array: Float32Array },
+  contact: { id: 20, array: Float32Array },
+  crackFront: { id: 21, array: Uint32Array },
+  fan: { id: 22, array: Float64Array },
+  fanFace: { id: 23, array: Uint32Array },
 };
 
 export const reportSize = 168;
@@ -86,4 +96,33 @@ export function readVertex(view, at) {
     position: f64(176, 3),
     speed: f64(200, 1)[0],
   };
+}
+
+/// No row: of a vertex that did not come apart, of a face that was split before.
+export const none = 0xffffffff;
+
+/// Fans of the columns `fan` and `fanFace`: plain objects, each with its faces in order.
+export function readFans(fan, fanFace) {
+  const fans = [];
+  for (let at = 0; at < fan.length; at += 16) {
+    const [number, time, vertex, , predicted, created, first, stress, threshold] = fan.subarray(at, at + 9);
+    fans.push({
+      number, time, vertex, predicted, created, first, stress, threshold,
+      normal: [...fan.subarray(at + 9, at + 12)],
+      rest: [...fan.subarray(at + 12, at + 15)],
+      faces: [],
+    });
+  }
+  for (let at = 0; at < fanFace.length; at += 12) {
+    const row = fanFace.subarray(at, at + 12);
+    fans[row[10]].faces.push({
+      halfFace: row[0],
+      opposite: row[1],
+      vertices: [...row.subarray(2, 5)],
+      copies: [...row.subarray(5, 8)],
+      edges: row[8],
+      oracle: row[9] === 1,
+    });
+  }
+  return fans;
 }

@@ -4,12 +4,17 @@ import * as THREE from 'three';
 
 import { BodyMesh } from './body_mesh.js';
 import { ServerEngine, WorkerEngine } from './engines.js';
+import { FanView, fanOfVertex } from './fans.js';
+import { fragmentRows, showFragments } from './fragments.js';
 import { drawGraph } from './graph.js';
+import { KeyCursor, turnCamera } from './keys.js';
+import { MaterialSliders } from './material.js';
 import { counterRows, pascals, showCounters, showVertex } from './panel.js';
 import { Player } from './player.js';
 import { droppedScene, listedScene, sceneList, withFloor } from './scenes.js';
 import { Stage } from './stage.js';
 import { Tools } from './tools.js';
+import { watchFiles } from './watch.js';
 
 const at = (id) => document.getElementById(id);
 const token = new URLSearchParams(location.hash.slice(1)).get('token');
@@ -26,6 +31,7 @@ let picked = null;
 const longest = { page: 0, drawing: 0 };
 
 let dirty = true;
+const sliders = new MaterialSliders(at);
 const player = new Player(engine, {
   frame: () => (dirty = true),
   message: (text) => say(text),
@@ -43,35 +49,24 @@ function lookOf(text) {
   return material.young_modulus >= 6e10 ? looks.glass : looks.concrete;
 }
 
-function settings() {
-  const list = [];
-  const material = JSON.parse(scene.text).bodies?.[0]?.material;
-  const factor = 10 ** Number(at('strength').value);
-  if (material?.tensile_strength && factor !== 1) {
-    list.push(`bodies.0.material.tensile_strength=${material.tensile_strength * factor}`);
-  }
-  const gravity = Number(at('gravity').value);
-  if (gravity !== 9.81) list.push(`gravity.acceleration=[0,0,${-gravity}]`);
-  return list;
-}
-
 async function open(next) {
   say('');
+  at('changed').hidden = true;
+  if (next !== scene) sliders.open(next.text);
   scene = next;
   at('about').textContent = JSON.parse(scene.text).description ?? '';
   picked = null;
   at('vertex').hidden = true;
-  await player.open({ ...scene, settings: settings() });
+  await player.open({ ...scene, settings: sliders.settings() });
   const box = new THREE.Box3().setFromArray(player.recording.last.columns.position);
   if (scene.needsFloor) return open(withFloor(scene, box));
   stage.clear();
-  if (body) stage.scene.remove(body.mesh);
+  if (body) stage.scene.remove(body.group);
   body = new BodyMesh(lookOf(scene.text));
-  stage.scene.add(body.mesh);
+  stage.scene.add(body.group);
   shownShape = null;
-  const { obstacle } = player.recording.last.columns;
   stage.frame(box);
-  stage.setObstacles(obstacle);
+  mark(-1);
   host.body = body;
   tools.host = host;
   labels();
@@ -101,6 +96,7 @@ const host = {
   },
 };
 const tools = new Tools(at('view'), host);
+const cursor = new KeyCursor(at('view'), at('cursor'), tools);
 
 /// The vertex that was picked, asked of the engine: only where what is shown is its present state.
 async function inspect() {
@@ -108,31 +104,96 @@ async function inspect() {
   const vertex = picked;
   const seen = await player.inspect(vertex);
   if (picked !== vertex) return;
+  if (at('vertex').dataset.row !== String(vertex)) {
+    at('vertex').dataset.row = vertex;
+    const { rest } = player.recording.last.shape;
+    const row = fanOfVertex(player.recording.fans, vertex, rest.subarray(3 * vertex, 3 * vertex + 3));
+    if (at('fans').open) fanView.choose(row);
+  }
   showVertex(at('vertex'), vertex, seen);
   stage.showVertex(body.drawnPlace(vertex, new THREE.Vector3()), seen);
 }
 
-const colours = { material: 0, stress: 1, loadRatio: 1, speed: 1, piece: 2, age: 3 };
+/// The fan that is stepped through: the frame after its step is looked at.
+function showFan(fan, face) {
+  if (!fan) stage.marks.hideFan();
+  if (fan) {
+    const row = player.recording.frames.findIndex((frame) => frame.report.step >= fan.step);
+    if (row >= 0 && fan !== shownFan?.fan) {
+      player.playing = false;
+      player.look(row);
+    }
+  }
+  shownFan = fan && { fan, face };
+  dirty = true;
+}
+let shownFan = null;
+const fanView = new FanView(
+  { section: at('fans'), number: at('fanNumber'), count: at('fanCount'), before: at('faceBefore'), after: at('faceAfter'), words: at('fanWords') },
+  showFan,
+);
+
+const colours = { material: 0, stress: 1, loadRatio: 1, speed: 1, piece: 2, age: 3, fanOrder: 4, crackAge: 5 };
+const ms = (time) => `${(1000 * time).toPrecision(3)} ms`;
+const legends = {
+  stress: pascals, loadRatio: (x) => x.toFixed(0), speed: (x) => `${x.toPrecision(2)} m/s`,
+  fanOrder: (x) => (x === 0 ? 'start' : `fan ${x - 1}`), crackAge: ms,
+};
 
 function colour(frame) {
   const by = at('colour').value;
   const u = body.uniforms;
   u.colourBy.value = colours[by];
   u.now.value = player.recording.last.report.step;
-  at('scale').hidden = colours[by] !== 1;
-  const scalar = frame.columns[by];
-  if (!scalar) return null;
+  at('scale').hidden = !legends[by];
+  if (!legends[by]) return null;
+  const scalar = frame.columns[by] ?? null;
   let low = Infinity, high = -Infinity;
-  for (const value of scalar) {
+  for (const value of scalar ?? []) {
     if (value < low) low = value;
     if (value > high) high = value;
   }
   if (by === 'loadRatio') [low, high] = [0, 1];
+  if (by === 'fanOrder') [low, high] = [0, frame.report.fansTotal];
+  if (by === 'crackAge') [low, high] = [0, frame.report.time];
   u.range.value.set(low, high);
-  const show = { stress: pascals, loadRatio: (x) => x.toFixed(0), speed: (x) => `${x.toPrecision(2)} m/s` }[by];
-  at('low').textContent = show(low);
-  at('high').textContent = show(high);
+  at('low').textContent = legends[by](low);
+  at('high').textContent = legends[by](high);
   return scalar;
+}
+
+/// What is drawn over the bodies, as it is asked for.
+function showMarks(frame) {
+  const place = (v) => body.drawnPlace(v, new THREE.Vector3()).toArray();
+  stage.marks.showContacts(at('contacts').checked ? frame.columns.contact : [], 0.15 * stage.size);
+  stage.marks.showFronts(at('fronts').checked ? frame.shape.crackFront : [], place);
+  if (shownFan) stage.marks.showFan(shownFan.fan.faces, shownFan.face, place);
+}
+
+let listed = 0; // when the fragments were listed last
+
+function showLists(frame) {
+  fanView.update(player.recording.fans);
+  if (!at('pieces').open || (player.playing && performance.now() - listed < 250)) return;
+  listed = performance.now();
+  showFragments(at('fragments'), fragmentRows(frame));
+}
+
+/// A fragment in another colour; -1: none.
+function mark(piece) {
+  if (body) body.uniforms.marked.value = piece;
+  if (piece < 0) at('fragments').selectedIndex = -1;
+  dirty = true;
+}
+
+function savePicture() {
+  stage.renderer.domElement.toBlob((blob) => {
+    const link = document.createElement('a');
+    link.href = URL.createObjectURL(blob);
+    link.download = `sunder_${at('clock').textContent.match(/\d+/)[0]}.png`;
+    link.click();
+    URL.revokeObjectURL(link.href);
+  });
 }
 
 function show() {
@@ -140,21 +201,29 @@ function show() {
   if (!frame || !body) return;
   if (frame.shape !== shownShape) {
     shownShape = frame.shape;
-    body.setShape(frame.shape);
+    body.setShape(frame.shape, player.recording.opened);
   }
   const u = body.uniforms;
   u.explode.value = Number(at('explode').value);
-  u.deformed.value = at('shape').value === 'drawn' ? 0 : 1;
-  u.magnify.value = at('shape').value === 'magnified' ? 100 : 1;
+  const shape = at('shape').value;
+  u.deformed.value = ['deformed', 'magnified'].includes(shape) ? 1 : 0;
+  u.magnify.value = shape === 'magnified' ? 100 : 1;
+  body.ghost.visible = shape === 'both';
+  stage.hasAmbient = at('shade').checked;
+  const drawnPose = frame.columns[at('smoothing').checked ? 'drawnPose' : 'pose'];
   u.wires.value = at('wires').checked ? 1 : 0;
-  body.setState({ ...frame.columns, scalar: colour(frame) });
-  stage.setObstacles(frame.columns.obstacle);
+  body.setState({ ...frame.columns, drawnPose, scalar: colour(frame) });
+  stage.setObstacles(frame.columns.obstacle, frame.shape.solid);
+  showMarks(frame);
+  showLists(frame);
+  const mm = (jump) => (1000 * jump).toPrecision(2);
+  at('jump').textContent = `Largest jump from the frame before: ${mm(frame.jump.drawn)} mm; without smoothing ${mm(frame.jump.target)} mm`;
   const clip = Number(at('clip').value);
   stage.renderer.clippingPlanes = [];
   stage.renderer.localClippingEnabled = true;
   const target = stage.controls.target;
   stage.plane.constant = -target.y + stage.size * (0.5 - clip);
-  body.mesh.material.clippingPlanes = clip > 0 ? [stage.plane] : [];
+  body.mesh.material.clippingPlanes = body.ghost.material.clippingPlanes = clip > 0 ? [stage.plane] : [];
   at('time').max = player.recording.frames.length - 1;
   at('time').value = player.row;
   at('clock').textContent = `step ${frame.report.step}, ${(1000 * frame.report.time).toFixed(2)} ms`;
@@ -185,6 +254,7 @@ function draw() {
   if (dirty) {
     dirty = false;
     show();
+    stage.stale = true;
     if (picked !== null) inspect();
   }
   longest.page = Math.max(longest.page, performance.now() - start);
@@ -194,8 +264,7 @@ function draw() {
 }
 
 function labels() {
-  const strength = JSON.parse(scene.text).bodies?.[0]?.material?.tensile_strength;
-  at('strengthValue').textContent = strength ? pascals(strength * 10 ** Number(at('strength').value)) : '';
+  sliders.labels();
   at('gravityValue').textContent = `${Number(at('gravity').value).toFixed(2)} m/s²`;
   const { radius, mass } = ball();
   at('radiusValue').textContent = `${(2000 * radius).toFixed(0)} mm, ${mass.toPrecision(2)} kg`;
@@ -205,10 +274,15 @@ function labels() {
 const attempt = (work) => Promise.resolve().then(work).catch((error) => say(error.message));
 
 function listen(known) {
-  for (const id of ['colour', 'explode', 'clip', 'wires', 'shape']) {
+  for (const id of ['colour', 'explode', 'clip', 'wires', 'shape', 'smoothing', 'shade', 'contacts', 'fronts']) {
     at(id).addEventListener('input', () => (dirty = true));
   }
-  for (const id of ['strength', 'gravity', 'radius', 'ballSpeed']) at(id).addEventListener('input', labels);
+  for (const id of ['gravity', 'radius', 'ballSpeed']) at(id).addEventListener('input', labels);
+  at('fragments').addEventListener('change', () => mark(Number(at('fragments').value)));
+  at('unmark').addEventListener('click', () => mark(-1));
+  at('pieces').addEventListener('toggle', () => (dirty = true));
+  at('picture').addEventListener('click', savePicture);
+  at('reload').addEventListener('click', () => attempt(reload));
   at('time').addEventListener('input', () => player.look(Number(at('time').value)));
   at('play').addEventListener('click', () => player.toggle());
   at('once').addEventListener('click', () => player.once());
@@ -224,8 +298,17 @@ function listen(known) {
   );
   addEventListener('resize', () => stage.resize());
   addEventListener('keydown', (event) => {
-    if (['SELECT', 'INPUT', 'BUTTON'].includes(event.target.tagName)) return;
-    const keys = { ' ': () => player.toggle(), '.': () => player.once(), r: () => attempt(() => open(scene)) };
+    if (['SELECT', 'INPUT', 'BUTTON', 'SUMMARY'].includes(event.target.tagName)) return;
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.target === at('view') && cursor.key(event)) return event.preventDefault();
+    const turn = (aside, up, nearer) => () => turnCamera(stage, aside, up, nearer);
+    const keys = {
+      ' ': () => player.toggle(), '.': () => player.once(), r: () => attempt(() => open(scene)),
+      b: () => at('branch').hidden || attempt(() => player.branch()), p: savePicture,
+      a: turn(-0.1, 0, 1), d: turn(0.1, 0, 1), w: turn(0, 0.1, 1), s: turn(0, -0.1, 1),
+      '+': turn(0, 0, 0.9), '-': turn(0, 0, 1 / 0.9),
+      '[': () => at('faceBefore').click(), ']': () => at('faceAfter').click(),
+    };
     ['shoot', 'pull', 'cut', 'pick'].forEach((tool, k) => (keys[k + 1] = () => tools.choose(tool)));
     if (event.key === 'ArrowLeft') keys[event.key] = () => player.look(player.row - 1);
     if (event.key === 'ArrowRight') keys[event.key] = () => player.look(player.row + 1);
@@ -240,15 +323,29 @@ function listen(known) {
   });
 }
 
+/// The scene as the server has it on the disk now.
+async function reload() {
+  const [known] = await sceneList(token);
+  await open(await listedScene(known));
+}
+
+/// Of what was saved the page makes nothing by itself but at the start, where nothing is lost.
+function saved() {
+  if (player.recording.last?.report.step > 0) at('changed').hidden = false;
+  else attempt(reload);
+}
+
 async function begin() {
   await engine.ask('open', { url: new URL('sunder.wasm', location.href).href });
   const known = await sceneList(token);
   at('scene').replaceChildren(...known.map((s) => new Option(s.name)));
   listen(known);
+  at('shade').checked = !stage.isSlow();
   await open(await listedScene(known[0]));
+  if (token) watchFiles(engine, { changed: saved, gone: say });
   requestAnimationFrame(draw);
 }
 
 begin().catch((error) => say(error.message));
 /// For tests that drive the page.
-window.sunder = { player, stage, engine, body: () => body, longest, open };
+window.sunder = { player, stage, engine, body: () => body, longest, open, fanView, sliders, scene: () => scene };

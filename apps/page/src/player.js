@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Steps the engine, keeps what it computed, and says which frame is shown. Pictures never wait for
 // a step nor steps for a picture: at most one request is on its way.
+import { largestJump } from './jump.js';
+import { readFans } from './layout.js';
 import { Recording } from './recording.js';
 
-const perStep = ['position', 'drawnPose', 'obstacle', 'stress', 'loadRatio', 'speed'];
-const perShape = ['face', 'faceIsCrack', 'rest', 'piece', 'restCentre', 'birth', 'body'];
+const perStep = [
+  'position', 'drawnPose', 'pose', 'velocity', 'obstacle', 'stress', 'loadRatio', 'speed', 'contact', 'fan', 'fanFace',
+];
+const perShape = [
+  'face', 'faceIsCrack', 'halfFace', 'rest', 'piece', 'restCentre', 'birth', 'body', 'parent', 'tetrahedra',
+  'crackFront', 'solid',
+];
 const savesApart = 60; // steps
 const summed = ['tested', 'suspects', 'reached', 'predicted', 'created'];
 
@@ -17,7 +24,9 @@ export class Player {
     this.playing = false;
     this.pace = 60; // steps a second at most
     this.row = 0;
+    this.perShape = perShape;
     this.busy = Promise.resolve();
+    this.longest = 0; // ms: that a frame took to be recorded
     this.pull = null; // the newest place of the spring, not yet sent
   }
 
@@ -30,10 +39,12 @@ export class Player {
 
   async open(scene) {
     this.playing = false;
+    const isSmooth = JSON.parse(scene.text).output?.crack_surface === 'smooth';
+    this.perShape = isSmooth ? [...perShape, 'smooth'] : perShape;
     const { warnings } = await this.ask('load', { scene });
     this.warnings = warnings;
     this.recording.clear();
-    await this.record(await this.ask('read', { columns: [...perStep, ...perShape] }));
+    await this.record(await this.ask('read', { columns: [...perStep, ...this.perShape] }));
     await this.save();
   }
 
@@ -45,10 +56,11 @@ export class Player {
   }
 
   record({ report, columns }) {
+    const start = performance.now();
     const last = this.recording.last;
     const shape = { ...last?.shape };
     let isNew = false;
-    for (const name of perShape) {
+    for (const name of this.perShape) {
       if (!columns[name]) continue;
       shape[name] = columns[name];
       delete columns[name];
@@ -56,8 +68,14 @@ export class Player {
     }
     const sums = Object.fromEntries(summed.map((key) => [key, (last?.sums[key] ?? 0) + report[key]]));
     const follows = this.isAtEnd();
-    this.recording.add({ report, columns, sums, shape: isNew ? shape : last.shape });
+    this.recording.addFans(report.step, readFans(columns.fan, columns.fanFace));
+    delete columns.fan;
+    delete columns.fanFace;
+    const frame = { report, columns, sums, shape: isNew ? shape : last.shape };
+    frame.jump = last ? largestJump(last, frame) : { drawn: 0, target: 0 };
+    this.recording.add(frame);
     if (follows) this.row = this.recording.frames.length - 1;
+    this.longest = Math.max(this.longest, performance.now() - start);
     this.events.frame();
     if (report.failed) {
       this.playing = false;
@@ -67,9 +85,9 @@ export class Player {
 
   async step() {
     const last = this.recording.last;
-    if (last.report.failed) return;
+    if (!last || last.report.failed) return; // nothing is loaded yet, or it cannot go on
     const answer = await this.ask('step', {
-      count: 1, columns: perStep, shape: last.report.shape, shapeColumns: perShape,
+      count: 1, columns: perStep, shape: last.report.shape, shapeColumns: this.perShape,
     });
     this.record(answer);
     if (answer.report.step % savesApart === 0) await this.save();
@@ -138,7 +156,7 @@ export class Player {
     this.recording.cutAfter(step);
     this.row = this.recording.frames.length - 1;
     // A restored engine counts its shapes anew.
-    const { report, columns } = await this.ask('read', { columns: [...perStep, ...perShape] });
+    const { report, columns } = await this.ask('read', { columns: [...perStep, ...this.perShape] });
     const same = this.recording.frames.pop();
     this.record({ report: { ...same.report, shape: report.shape }, columns });
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What has been computed: a frame a step, looked back on without computing anything again.
+import { none } from './layout.js';
 
 const mostBytes = 400e6;
 const mostSaved = 8;
@@ -18,6 +19,20 @@ export class Recording {
     this.frames = [];
     this.bytes = 0;
     this.saved = []; // steps that the engine can go back to, rising
+    this.fans = []; // all fans, in order, with the step that they are of
+    this.opened = new Map(); // by half-face on a crack: [number of its fan, s]
+  }
+
+  /// Notes fans of a step; a face was opened by the first that split it.
+  addFans(step, fans) {
+    for (const fan of fans) {
+      fan.step = step;
+      this.fans.push(fan);
+      for (const { halfFace, opposite } of fan.faces) {
+        if (opposite === none) continue;
+        this.opened.set(halfFace, [fan.number, fan.time]).set(opposite, [fan.number, fan.time]);
+      }
+    }
   }
 
   get last() {
@@ -58,6 +73,10 @@ export class Recording {
   cutAfter(step) {
     this.frames = this.frames.filter((f) => f.report.step <= step);
     this.saved = this.saved.filter((s) => s <= step);
+    const before = this.fans.filter((f) => f.step <= step);
+    this.fans = [];
+    this.opened.clear();
+    for (const fan of before) this.addFans(fan.step, [fan]);
     this.bytes = this.frames.reduce((sum, f) => sum + bytesOf(f), 0);
   }
 }

@@ -4,6 +4,9 @@ import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js';
 
+import { Ambient } from './ambient.js';
+import { Marks } from './marks.js';
+
 export class Stage {
   constructor(canvas) {
     this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
@@ -13,6 +16,10 @@ export class Stage {
     this.renderer.toneMappingExposure = 1.05;
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.renderer.info.autoReset = false;
+    this.renderer.shadowMap.autoUpdate = false;
+    this.ambient = new Ambient();
+    this.hasAmbient = false;
+    this.stale = true; // something is to be drawn otherwise than before, not the camera alone
     this.scene = new THREE.Scene();
     this.scene.background = new THREE.Color(0xdfe3e6);
     this.scene.fog = new THREE.Fog(0xdfe3e6, 10, 40);
@@ -33,6 +40,7 @@ export class Stage {
     this.arrow = null;
     this.mark = this.makeMark();
     this.scene.add(this.mark);
+    this.marks = new Marks(this.scene);
     this.resize();
   }
 
@@ -63,9 +71,16 @@ export class Stage {
     return mark;
   }
 
+  /// Whether the pictures are computed by the processor: then what costs much starts switched off.
+  isSlow() {
+    const gl = this.renderer.getContext();
+    const named = gl.getExtension('WEBGL_debug_renderer_info');
+    return /swiftshader|llvmpipe|software/i.test(named ? gl.getParameter(named.UNMASKED_RENDERER_WEBGL) : '');
+  }
+
   /// Shows a vertex: a ball, the plane of its largest stress, its principal axes by magnitude.
   showVertex(at, vertex) {
-    this.mark.visible = true;
+    this.mark.visible = this.stale = true;
     this.mark.position.copy(at);
     this.mark.scale.setScalar(this.size / 2);
     const normal = new THREE.Vector3(...vertex.direction[0]);
@@ -80,9 +95,11 @@ export class Stage {
 
   hideVertex() {
     this.mark.visible = false;
+    this.stale = true;
   }
 
   resize() {
+    this.stale = true;
     const { clientWidth, clientHeight } = this.renderer.domElement;
     this.renderer.setSize(clientWidth, clientHeight, false);
     this.camera.aspect = clientWidth / Math.max(1, clientHeight);
@@ -113,20 +130,21 @@ export class Stage {
     this.controls.update();
   }
 
-  /// Planes, balls and boxes as they are now; `rows`: the column `obstacle`.
-  setObstacles(rows) {
+  /// Obstacles as they are now; `rows`: the column `obstacle`, `solids`: triangles of those that are
+  /// meshes.
+  setObstacles(rows, solids) {
     for (let k = 0; k < rows.length / 16; ++k) {
       const row = rows.subarray(16 * k, 16 * k + 16);
-      const mesh = (this.obstacles[k] ??= this.makeObstacle(row));
+      const mesh = (this.obstacles[k] ??= this.makeObstacle(row, k, solids));
       mesh.visible = true;
       if (row[0] === 0) continue;
       mesh.position.set(row[1], row[2], row[3]);
-      if (row[0] === 2) mesh.quaternion.set(row[8], row[9], row[10], row[11]);
+      if (row[0] >= 2) mesh.quaternion.set(row[8], row[9], row[10], row[11]);
     }
     this.obstacles.forEach((mesh, k) => (mesh.visible = k < rows.length / 16));
   }
 
-  makeObstacle(row) {
+  makeObstacle(row, k, solids) {
     const isBall = row[0] === 1;
     const material = new THREE.MeshStandardMaterial({
       color: isBall ? 0x3b4148 : 0x9aa0a4, roughness: isBall ? 0.32 : 0.85, metalness: isBall ? 0.7 : 0,
@@ -140,6 +158,15 @@ export class Stage {
       mesh.position.copy(this.controls.target).projectOnPlane(normal).addScaledVector(normal, row[4] - 0.001 * this.size);
     } else if (isBall) {
       mesh = new THREE.Mesh(new THREE.SphereGeometry(row[4], 40, 24), material);
+    } else if (row[0] === 3) {
+      const corners = [];
+      for (let at = 0; at < solids.length; at += 10) {
+        if (solids[at] === k) corners.push(...solids.subarray(at + 1, at + 10));
+      }
+      const geometry = new THREE.BufferGeometry();
+      geometry.setAttribute('position', new THREE.Float32BufferAttribute(corners, 3));
+      geometry.computeVertexNormals();
+      mesh = new THREE.Mesh(geometry, material);
     } else {
       mesh = new THREE.Mesh(new THREE.BoxGeometry(2 * row[5], 2 * row[6], 2 * row[7]), material);
     }
@@ -170,9 +197,13 @@ export class Stage {
     return caster.ray;
   }
 
+  /// Draws, where anything is otherwise than in the picture before.
   draw() {
-    this.controls.update();
+    if (!this.controls.update() && !this.stale) return;
+    this.renderer.shadowMap.needsUpdate = this.stale;
+    this.stale = false;
     this.renderer.info.reset();
-    this.renderer.render(this.scene, this.camera);
+    if (this.hasAmbient) this.ambient.draw(this.renderer, this.scene, this.camera, 0.07 * this.size);
+    else this.renderer.render(this.scene, this.camera);
   }
 }

@@ -126,9 +126,33 @@ ViewAnswer scene_text(const ViewedScene& viewed) {
   return {true, json{{"name", viewed.path.stem().string()}, {"text", text}}.dump()};
 }
 
+/// Adds to `stamp` every string in a scene that is the name of a file beside it, and when that file
+/// was last written.
+void stamp_files(std::string& stamp, const std::filesystem::path& folder, const json& value) {
+  if (value.is_structured()) {
+    for (const json& part : value) stamp_files(stamp, folder, part);
+  } else if (value.is_string()) {
+    const std::filesystem::path file = folder / value.get<std::string>();
+    std::error_code none;
+    if (!std::filesystem::is_regular_file(file, none)) return;
+    const auto written = std::filesystem::last_write_time(file, none).time_since_epoch().count();
+    stamp += fmt::format("{} {}\n", file.string(), written);
+  }
+}
+
+/// Another text whenever the scene or a file that it names was saved.
+ViewAnswer stamp_of(const ViewedScene& viewed) {
+  std::ifstream in(viewed.path, std::ios::binary);
+  ViewAnswer answer{true, std::string(std::istreambuf_iterator<char>(in), {})};
+  const json scene = json::parse(answer.bytes, nullptr, false);
+  if (!scene.is_discarded()) stamp_files(answer.bytes, viewed.path.parent_path(), scene);
+  return answer;
+}
+
 ViewAnswer do_work(ViewedScene& viewed, std::string_view work, std::string_view body) {
   if (work == "open") return {};
   if (work == "scene") return scene_text(viewed);
+  if (work == "stamp") return stamp_of(viewed);
   if (work != "load" && viewed.engine == nullptr) return refusal("no scene is loaded");
   if (work == "act") return act(viewed, body);
   const json request = json::parse(body);

@@ -32,7 +32,7 @@ struct ViewAnswer {
 };
 
 /// Does `work` ("load", "step", "read", "act", "inspect", "save", "restore", "forget", "scene",
-/// "open") with the `body` that apps/page/src/engines.js makes: a `sunder_action` for act, else
+/// "stamp", "open") with the `body` that apps/page/src/engines.js makes: a `sunder_action` for act, else
 /// JSON. Answers with a `sunder_report`, words, and columns (id, size, content padded to 8 bytes).
 ViewAnswer do_view_request(ViewedScene& viewed, std::string_view work, std::string_view body);
 

@@ -2,6 +2,7 @@
 // Measures and normals of closed surfaces, the tree of their triangles, and distances to them.
 #include "mechanics/contact/shapes/solid_surface.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>

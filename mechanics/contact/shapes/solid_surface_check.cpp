@@ -2,6 +2,7 @@
 // Edges, points, shells, and triangles that meet.
 #include "mechanics/contact/shapes/solid_surface_check.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "apps/host/sunder.h"
 
+#include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -206,6 +208,11 @@ TEST_CASE("a host cuts a body by a plane", "[host]") {
   plane.vector[2] = 1;
   REQUIRE(sunder_act(engine.get(), &plane) == 0);
   CHECK(report_of(engine).shape == shape + 1);
+  REQUIRE(sunder_step(engine.get(), nullptr) == 0);
+  const auto fan = column<double>(engine, SUNDER_FAN);
+  REQUIRE(fan.size() >= 16);
+  CHECK(fan[0] == -1);
+  CHECK(fan[5] == 1);
   for (int i = 0; i < 20; ++i) REQUIRE(sunder_step(engine.get(), nullptr) == 0);
   CHECK(report_of(engine).pieces == 2);
   plane.point[2] = 50;
@@ -231,6 +238,129 @@ TEST_CASE("a spring pulls a body to its end, and lets go", "[host]") {
   CHECK(sunder_step(engine.get(), nullptr) == 0);
   pull.vertex = 1u << 30;
   CHECK(sunder_act(engine.get(), &pull) == 1);
+}
+
+TEST_CASE("the fans of a step tell every face, and what came apart there", "[host]") {
+  const Engine engine = monolith();
+  REQUIRE(engine);
+  constexpr std::uint32_t none = 0xffffffff;
+  std::uint64_t fans = 0, pieces = 1;
+  std::size_t contacts = 0, faces = 0;
+  std::map<std::uint32_t, std::uint32_t> opposite;
+  for (int i = 0; i < 300; ++i) {
+    const std::size_t rows_before = column<std::uint32_t>(engine, SUNDER_PIECE).size();
+    sunder_step(engine.get(), nullptr);
+    const auto fan = column<double>(engine, SUNDER_FAN);
+    const auto face = column<std::uint32_t>(engine, SUNDER_FAN_FACE);
+    REQUIRE(fan.size() % 16 == 0);
+    std::vector<double> oracle(fan.size() / 16), counted(fan.size() / 16);
+    std::size_t copies = 0;
+    for (std::size_t f = 0; f < face.size(); f += 12) {
+      oracle.at(face[f + 10]) += face[f + 9];
+      counted.at(face[f + 10]) += 1;
+      std::uint32_t apart = 0;
+      for (int k = 0; k < 3; ++k) apart += face[f + 5 + k] != none;
+      copies += apart;
+      CHECK((apart == 3) == (face[f + 9] == 1));
+      if (face[f + 1] != none) opposite[face[f]] = face[f + 1];
+      ++faces;
+    }
+    CHECK(rows_before + copies == column<std::uint32_t>(engine, SUNDER_PIECE).size());
+    for (std::size_t k = 0; k < fan.size() / 16; ++k) {
+      CHECK(fan[16 * k] == static_cast<double>(fans++));
+      CHECK(fan[16 * k + 3] == counted[k]);
+      CHECK(fan[16 * k + 4] == oracle[k]);
+      CHECK(fan[16 * k + 7] >= fan[16 * k + 8]);
+      pieces += static_cast<std::uint64_t>(fan[16 * k + 5]);
+    }
+    contacts += column<float>(engine, SUNDER_CONTACT).size() / 8;
+  }
+  const sunder_report report = report_of(engine);
+  CHECK(fans == report.fans_total);
+  CHECK(pieces == report.pieces);
+  CHECK(faces > fans);
+  CHECK(contacts > 0);
+  // Every crack face is one of those that fans opened, and so is the one that it lay against.
+  const auto half_face = column<std::uint32_t>(engine, SUNDER_HALF_FACE);
+  const auto is_crack = column<std::uint32_t>(engine, SUNDER_FACE_IS_CRACK);
+  REQUIRE(half_face.size() == is_crack.size());
+  std::set<std::uint32_t> cracks, opened;
+  for (std::size_t f = 0; f < is_crack.size(); ++f) {
+    if (is_crack[f]) cracks.insert(half_face[f]);
+  }
+  for (const auto& [one, other] : opposite) opened.insert({one, other});
+  CHECK(cracks == opened);
+}
+
+TEST_CASE("pieces tell where they came from; crack fronts are edges inside a body", "[host]") {
+  const Engine engine = monolith();
+  REQUIRE(engine);
+  CHECK(column<std::uint32_t>(engine, SUNDER_CRACK_FRONT).empty());
+  std::size_t fronts = 0;
+  for (int i = 0; i < 300; ++i) {
+    sunder_step(engine.get(), nullptr);
+    if (report_of(engine).fans == 0) continue;
+    const auto front = column<std::uint32_t>(engine, SUNDER_CRACK_FRONT);
+    const auto piece = column<std::uint32_t>(engine, SUNDER_PIECE);
+    for (std::size_t e = 0; e < front.size(); e += 2) CHECK(piece.at(front[e]) == piece.at(front[e + 1]));
+    fronts += front.size() / 2;
+  }
+  CHECK(fronts > 0);
+  const auto parent = column<std::uint32_t>(engine, SUNDER_PARENT);
+  const auto count = column<std::uint32_t>(engine, SUNDER_TETRAHEDRA);
+  const auto velocity = column<float>(engine, SUNDER_VELOCITY);
+  REQUIRE(parent.size() == count.size());
+  CHECK(velocity.size() == 3 * count.size());
+  CHECK(parent[0] == 0xffffffff);
+  std::uint32_t tetrahedra = 0;
+  for (std::size_t p = 0; p < count.size(); ++p) {
+    tetrahedra += count[p];
+    if (p > 0) CHECK(parent[p] < p);
+  }
+  CHECK(tetrahedra == 424);
+  // Cracks of crack paper have no planes: nothing moves.
+  CHECK(column<float>(engine, SUNDER_SMOOTH) == column<float>(engine, SUNDER_REST));
+}
+
+TEST_CASE("a piece that comes off is drawn where it was, and follows smoothly", "[host]") {
+  const Engine engine = create(bytes_of(SUNDER_SCENES "/block.json"), "../monolith.msh",
+                               bytes_of(SUNDER_MESHES "/monolith.msh"), {"gravity.ramp_time=0.3"});
+  REQUIRE(engine);
+  std::vector<float> old_centre;
+  std::map<sunder_column, std::vector<float>> old;
+  while (report_of(engine).pieces == 1) {
+    REQUIRE(report_of(engine).step < 600);
+    old_centre = column<float>(engine, SUNDER_REST_CENTRE);
+    for (const auto kind : {SUNDER_DRAWN_POSE, SUNDER_POSE}) old[kind] = column<float>(engine, kind);
+    REQUIRE(sunder_step(engine.get(), nullptr) == 0);
+  }
+  const auto centre = column<float>(engine, SUNDER_REST_CENTRE);
+  // m, from where the piece's rest centre was drawn as part of the body (hardly turned as yet).
+  const auto jump = [&](sunder_column kind) {
+    const auto now = column<float>(engine, kind);
+    double sum = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Eigen::Map<const Eigen::Quaternionf> turn(&old[kind][4]);
+      const Eigen::Map<const Eigen::Vector3f> from(&old_centre[0]), to(&centre[4]);
+      const Eigen::Vector3f before = Eigen::Map<Eigen::Vector3f>(&old[kind][0]) + turn * (to - from);
+      sum += std::pow(now[8 + i] - before[static_cast<Eigen::Index>(i)], 2);
+    }
+    return std::sqrt(sum);
+  };
+  CHECK(jump(SUNDER_POSE) > 1e-3);
+  CHECK(jump(SUNDER_DRAWN_POSE) < 0.1 * jump(SUNDER_POSE));
+}
+
+TEST_CASE("points on cracks that are surfaces are brought near them", "[host]") {
+  const Engine engine = monolith({"fracture.crack=object"});
+  REQUIRE(engine);
+  for (int i = 0; i < 300; ++i) sunder_step(engine.get(), nullptr);
+  const auto rest = column<float>(engine, SUNDER_REST), smooth = column<float>(engine, SUNDER_SMOOTH);
+  REQUIRE(rest.size() == smooth.size());
+  CHECK(rest != smooth);
+  float farthest = 0;
+  for (std::size_t i = 0; i < rest.size(); ++i) farthest = std::max(farthest, std::abs(rest[i] - smooth[i]));
+  CHECK(farthest < 0.3f);  // edges are about as long
 }
 
 TEST_CASE("a host is told what is wrong with a scene", "[host]") {

@@ -3,7 +3,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <chrono>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 
 using namespace sunder;
 
@@ -48,4 +51,22 @@ TEST_CASE("a page's requests load, step, go back and come to the same again", "[
   CHECK_FALSE(do_view_request(viewed, "act", "short").fine);
   CHECK_FALSE(do_view_request(viewed, "step", "{").fine);
   CHECK_FALSE(do_view_request(viewed, "nothing", "{}").fine);
+}
+
+TEST_CASE("a page learns that the scene or a mesh of it was saved", "[view]") {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::temp_directory_path() / "sunder_view_stamp";
+  fs::create_directories(folder);
+  std::ofstream(folder / "body.msh") << "one";
+  std::ofstream(folder / "scene.json") << R"({"bodies": [{"mesh": "body.msh"}]})";
+  ViewedScene viewed;
+  viewed.path = folder / "scene.json";
+  const std::string first = do_view_request(viewed, "stamp", "").bytes;
+  CHECK(do_view_request(viewed, "stamp", "").bytes == first);
+  fs::last_write_time(folder / "body.msh", fs::file_time_type::clock::now() + std::chrono::seconds(5));
+  const std::string second = do_view_request(viewed, "stamp", "").bytes;
+  CHECK(second != first);
+  std::ofstream(folder / "scene.json") << R"({"bodies": [{"mesh": "body.)";  // half saved
+  CHECK(do_view_request(viewed, "stamp", "").bytes != second);
+  fs::remove_all(folder);
 }

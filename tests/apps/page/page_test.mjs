@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// What of the page needs no browser: node --test tests/apps/page/page_test.mjs
+import assert from 'node:assert/strict';
+import test from 'node:test';
+
+const src = new URL('../../../apps/page/src/', import.meta.url);
+const { faceWords, fanOfVertex, fanWords } = await import(new URL('fans.js', src));
+const { fragmentRows } = await import(new URL('fragments.js', src));
+const { largestJump } = await import(new URL('jump.js', src));
+const { none, readFans } = await import(new URL('layout.js', src));
+const { Recording } = await import(new URL('recording.js', src));
+
+/// Two fans: one of two faces, the second of which parts all three vertices; then a cut of one face.
+const fan = new Float64Array([
+  4, 0.02, 7, 2, 1, 1, 3, 3.1e6, 3e6, 0, 0, 1, 0.5, 0.25, 1, 9,
+  -1, 0.03, 8, 1, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 2,
+]);
+const fanFace = new Uint32Array([
+  12, 21, 7, 8, 9, none, none, none, 1, 0, 0, 0,
+  13, 22, 7, 9, 10, 40, 41, 42, 7, 1, 0, 0,
+  12, none, none, none, none, none, none, none, 0, 0, 1, 0,
+]);
+
+test('fans are read with their faces', () => {
+  const [first, second] = readFans(fan, fanFace);
+  assert.equal(first.faces.length, 2);
+  assert.deepEqual(first.faces[1].copies, [40, 41, 42]);
+  assert.equal(first.faces[1].oracle, true);
+  assert.equal(second.number, -1);
+  assert.equal(second.faces[0].opposite, none);
+});
+
+test('words of a fan tell what came apart and what the oracle says', () => {
+  const [first, cut] = readFans(fan, fanFace);
+  first.step = cut.step = 5;
+  assert.match(fanWords(first), /Fan 4 of vertex 7: 3.10 MPa reached 3.00 MPa; .* after 1 of 2 faces; piece 3 came off/);
+  assert.match(fanWords(cut), /A cut by hand; .* no piece came off/);
+  assert.match(faceWords(first.faces[0], 0, 2), /Oracle: no, 0 of three[^]*edges 7–8; no vertex[^]*darts 36, 37, 38 with 63, 64, 65/);
+  assert.match(faceWords(first.faces[1], 1, 2), /Oracle: yes[^]*7 \(its copy is 40\), 9 \(its copy is 41\)/);
+  assert.match(faceWords(cut.faces[0], 0, 1), /another fan had split it already/);
+});
+
+test('a vertex finds its fan by its row, and a copy by its place', () => {
+  const fans = readFans(fan, fanFace);
+  assert.equal(fanOfVertex(fans, 7, [9, 9, 9]), 0);
+  assert.equal(fanOfVertex(fans, 40, [0.5, 0.25, 1]), 0);
+  assert.equal(fanOfVertex(fans, 40, [0.5, 0.3, 1]), -1);
+});
+
+test('going back forgets fans that came after, and what they opened', () => {
+  const recording = new Recording();
+  const [first, second] = readFans(fan, fanFace);
+  second.faces = [{ ...first.faces[0], halfFace: 30, opposite: 31 }];
+  for (const step of [0, 1, 2]) recording.add({ report: { step }, columns: {} });
+  recording.addFans(1, [first]);
+  recording.addFans(2, [second]);
+  assert.deepEqual(recording.opened.get(31), [-1, 0.03]);
+  recording.cutAfter(1);
+  assert.equal(recording.fans.length, 1);
+  assert.deepEqual([...recording.opened.keys()].sort((a, b) => a - b), [12, 13, 21, 22]);
+  assert.equal(recording.last.report.step, 1);
+});
+
+const identity = [0, 0, 0, 0, 0, 0, 0, 1];
+
+test('the jump of a piece that has come off is that from where its parent drew it', () => {
+  const before = {
+    columns: { drawnPose: new Float32Array(identity), pose: new Float32Array(identity) },
+    shape: { restCentre: new Float32Array([0, 0, 0, 2]) },
+  };
+  const place = (x, centre) => [centre + x, 0, 0, 0, 0, 0, 0, 1];
+  const after = {
+    columns: {
+      drawnPose: new Float32Array([...place(0.25, -1), ...place(0, 1)]),
+      pose: new Float32Array([...place(0.25, -1), ...place(0.5, 1)]),
+    },
+    shape: {
+      rest: new Float32Array([-1, 0, 0, 1, 0, 0]), piece: new Uint32Array([0, 1]), parent: new Uint32Array([none, 0]),
+      restCentre: new Float32Array([-1, 0, 0, 1, 1, 0, 0, 1]),
+    },
+  };
+  assert.deepEqual(largestJump(before, after), { drawn: 0.25, target: 0.5 });
+});
+
+test('fragments are those that have tetrahedra, the heaviest first', () => {
+  const rows = fragmentRows({
+    report: { timeStep: 0.5 },
+    columns: { velocity: new Float32Array([0, 0, 0, 3, 0, 4, 0, 0, 1]) },
+    shape: {
+      restCentre: new Float32Array([0, 0, 0, 1, 0, 0, 0, 5, 0, 0, 0, 9]),
+      tetrahedra: new Uint32Array([1, 2, 0]), birth: new Uint32Array([0, 6, 0]),
+    },
+  });
+  assert.deepEqual(rows, [
+    { id: 1, mass: 5, tetrahedra: 2, birth: 3, speed: 5 },
+    { id: 0, mass: 1, tetrahedra: 1, birth: 0, speed: 0 },
+  ]);
+});
