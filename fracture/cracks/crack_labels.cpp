@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mechanics/state/elementary.hpp"
 #include "topology/base/assert.hpp"
 
 namespace sunder {
@@ -86,7 +87,7 @@ AnchorSums anchors_near(const CrackLabels& cracks, CrackId crack, const Vec3& pl
     const double squared = (anchor.at - place).squaredNorm();
     if (squared > 9 * h * h) continue;
     if (!own.is_none() && !is_in(component, own, anchor)) continue;
-    const double weight = std::exp(-squared / (2 * h * h));
+    const double weight = exponential(-squared / (2 * h * h));
     sums.normal += weight * anchor.normal;
     sums.at += weight * anchor.at;
     sums.weight += weight;

@@ -15,7 +15,7 @@ Eigen::Quaterniond scaled_rotation(Eigen::Quaterniond q, double factor) {
   if (q.w() < 0) q.coeffs() = -q.coeffs();
   const double length = q.vec().norm();
   if (length == 0) return Eigen::Quaterniond::Identity();
-  const double half_angle = factor * std::atan2(length, q.w());
+  const double half_angle = factor * direction_angle(length, q.w());
   Eigen::Quaterniond scaled;
   scaled.w() = cosine(half_angle);
   scaled.vec() = sine(half_angle) / length * q.vec();
@@ -27,7 +27,7 @@ Eigen::Quaterniond scaled_rotation(Eigen::Quaterniond q, double factor) {
 Pose approach(const Pose& current, const Pose& target, double dt, double time_constant) {
   SUNDER_ASSERT(dt >= 0 && time_constant >= 0, "times cannot run backwards");
   if (time_constant == 0) return target;
-  const double alpha = -std::expm1(-dt / time_constant);
+  const double alpha = 1 - exponential(-dt / time_constant);
   const Eigen::Quaterniond to_target = target.orientation * current.orientation.conjugate();
   return {current.centre + alpha * (target.centre - current.centre),
           (scaled_rotation(to_target, alpha) * current.orientation).normalized()};

@@ -2,7 +2,9 @@
 // Reduction by pi/2 in three parts, Taylor series below pi/4, Newton's method for the root.
 #include "mechanics/state/elementary.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sunder {
 namespace {
@@ -81,6 +83,37 @@ double cosine(double angle) {
   if (!std::isfinite(angle)) return angle - angle;
   const ReducedAngle a = reduced(angle);
   return quarter_wave(a, a.quarter + 1);
+}
+
+double exponential(double x) {
+  if (!(std::abs(x) <= 700)) {
+    return x > 0 ? std::numeric_limits<double>::infinity() : x < 0 ? 0 : x;
+  }
+  // ln 2 as a sum: the first has 33 bits.
+  constexpr double ln2_1 = 6.93147180369123816490e-01, ln2_2 = 1.90821492927058770002e-10;
+  const double n = std::floor(x / (ln2_1 + ln2_2) + 0.5);
+  const double rest = (x - n * ln2_1) - n * ln2_2;  // at most 0.35
+  double sum = 1;
+  for (int k = 14; k > 0; --k) sum = 1 + rest * sum / k;
+  return std::ldexp(sum, static_cast<int>(n));
+}
+
+double direction_angle(double y, double x) {
+  if (std::isnan(x) || std::isnan(y)) return x + y;
+  const double largest = std::max(std::abs(x), std::abs(y));
+  if (largest == 0) return 0;
+  const double a = std::abs(x) / largest, b = std::abs(y) / largest;
+  const double length = std::sqrt(a * a + b * b);
+  const double s = std::min(a, b) / length, c = std::max(a, b) / length;
+  // Newton with the sine of what is missing, below pi/4; three steps square it below all bits.
+  double angle = s;
+  for (int k = 0; k < 4; ++k) {
+    const double missing = s * cosine(angle) - c * sine(angle);
+    angle += missing * (1 + missing * missing / 6);
+  }
+  if (b > a) angle = (half_pi_1 - angle) + half_pi_2;
+  if (x < 0) angle = 2 * (half_pi_1 + half_pi_2) - angle;
+  return y < 0 ? -angle : angle;
 }
 
 double cube_root(double x) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sine, cosine and cube root in plain arithmetic: the same bytes in every build.
+// Elementary functions in plain arithmetic: the same bytes in every build.
 #pragma once
 
 namespace sunder {
@@ -17,5 +17,12 @@ double cosine(double angle);
 
 /// Cube root within one unit in the last place; of a negative number the negative one.
 double cube_root(double x);
+
+/// e^x within two units in the last place; 0 below -700, infinite above 700.
+double exponential(double x);
+
+/// The angle in (-pi, pi] of the direction (x, y), radians, within three units in the last place; 0 of
+/// (0, 0).
+double direction_angle(double y, double x);
 
 }  // namespace sunder

@@ -11,6 +11,7 @@
 
 #include "mechanics/contact/shapes/nearest_point.hpp"
 #include "mechanics/contact/shapes/solid_surface_check.hpp"
+#include "mechanics/state/elementary.hpp"
 
 namespace sunder {
 namespace {
@@ -60,7 +61,7 @@ void find_normals(SolidSurface& s) {
     s.face_normal.push_back(normal);
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 a = x[(k + 1) % 3] - x[k], b = x[(k + 2) % 3] - x[k];
-      s.point_normal[s.triangles[t][k]] += std::atan2(a.cross(b).norm(), a.dot(b)) * normal;
+      s.point_normal[s.triangles[t][k]] += direction_angle(a.cross(b).norm(), a.dot(b)) * normal;
       triangle_of[{s.triangles[t][k], s.triangles[t][(k + 1) % 3]}] = t;
     }
   }

@@ -35,6 +35,37 @@ TEST_CASE("sine, cosine and cube root are right to about the last place", "[mech
   CHECK(worst <= (reach > 1000 ? 2 : 1.1));
 }
 
+TEST_CASE("exponentials and angles of directions are right to about the last place",
+          "[mechanics][elementary]") {
+  std::mt19937_64 random(23);
+  const double reach = GENERATE(1e-6, 0.1, 3.0, 690.0);
+  std::uniform_real_distribution<double> any(-reach, reach);
+  double worst_power = 0, worst_angle = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const double x = any(random), y = any(random);
+    worst_power = std::max(worst_power, in_last_places(exponential(x), std::exp(static_cast<long double>(x))));
+    worst_angle = std::max(
+        worst_angle, in_last_places(direction_angle(y, x),
+                                    std::atan2(static_cast<long double>(y), static_cast<long double>(x))));
+  }
+  INFO("up to " << reach);
+  CHECK(worst_power <= 2);
+  CHECK(worst_angle <= 3);
+}
+
+TEST_CASE("directions along axes, and what is beyond doubles", "[mechanics][elementary]") {
+  CHECK(direction_angle(0, 1) == 0);
+  CHECK(direction_angle(1, 0) == Approx(M_PI / 2).epsilon(1e-16));
+  CHECK(direction_angle(0, -1) == Approx(M_PI).epsilon(1e-16));
+  CHECK(direction_angle(-1, 0) == Approx(-M_PI / 2).epsilon(1e-16));
+  CHECK(direction_angle(1e300, 1e300) == Approx(M_PI / 4).epsilon(1e-16));
+  CHECK(direction_angle(1e-300, 1e300) == 0);
+  CHECK(direction_angle(0, 0) == 0);
+  CHECK(exponential(0) == 1);
+  CHECK(exponential(-800) == 0);
+  CHECK(std::isinf(exponential(800)));
+}
+
 TEST_CASE("sine, cosine and cube root are these bits in every build", "[mechanics][elementary]") {
   CHECK(sine(0.5) == 0x1.eaee8744b05fp-2);
   CHECK(cosine(0.5) == 0x1.c1528065b7d5p-1);
