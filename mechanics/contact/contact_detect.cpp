@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
+#include <variant>
 
 #include "mechanics/contact/contact_partners.hpp"
 #include "mechanics/contact/contact_pieces.hpp"
@@ -42,6 +44,37 @@ void add_if_near(DetectScratch& scratch, const ContactPoint& contact, const Shap
                  const Path& path) {
   const FirstTouch touch = first_touch(shape, path);
   if (is_near(touch, path)) add(scratch, contact, touch, path.end);
+}
+
+/// Where the vertices of the members are in the step, and how far the fastest goes, m.
+struct VertexReach {
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  double farthest = 0;
+};
+
+VertexReach reach_of_vertices(const StepPaths& paths) {
+  VertexReach reach;
+  double squared = 0;
+  for (std::size_t v = 0; v < paths.predicted.size(); ++v) {
+    if (!paths.members.has(paths.state.vertices.component[v])) continue;
+    const Vec3 &start = paths.state.vertices.position[v], &end = paths.predicted[v];
+    reach.low = reach.low.cwiseMin(start).cwiseMin(end);
+    reach.high = reach.high.cwiseMax(start).cwiseMax(end);
+    squared = std::max(squared, (end - start).squaredNorm());
+  }
+  reach.farthest = std::sqrt(squared);
+  return reach;
+}
+
+/// Whether no vertex comes near a ball (`is_near`): each would have to go half of the way between.
+bool is_far(const StepPaths& paths, std::uint32_t row, const VertexReach& reach) {
+  const Obstacle& obstacle = paths.obstacles[row];
+  const auto* ball = std::get_if<Sphere>(&obstacle.shape);
+  if (!ball) return false;
+  const double own = obstacle.mass ? (paths.ball_end[row].centre - ball->center).norm()
+                                   : paths.time_step * obstacle.velocity.norm();
+  const Vec3 apart = (reach.low - ball->center).cwiseMax(ball->center - reach.high).cwiseMax(0);
+  return apart.norm() - ball->radius > 2 * (reach.farthest + own);
 }
 
 void find_vertex_obstacle(DetectScratch& scratch, const StepPaths& paths, std::uint32_t row,
@@ -113,17 +146,9 @@ void find_balls(DetectScratch& scratch, const StepPaths& paths) {
 }
 
 /// Corners of obstacles on their ways, those that come into the box of all pieces on theirs.
-void find_corners(std::vector<CornerPath>& corners, const StepPaths& paths) {
+void find_corners(std::vector<CornerPath>& corners, const StepPaths& paths,
+                  const VertexReach& reach) {
   corners.clear();
-  const auto has_corners = [](const Obstacle& o) { return corner_count(o.shape) > 0; };
-  if (std::ranges::none_of(paths.obstacles, has_corners)) return;
-  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
-  for (std::size_t v = 0; v < paths.predicted.size(); ++v) {
-    if (!paths.members.has(paths.state.vertices.component[v])) continue;
-    const Vec3 &start = paths.state.vertices.position[v], &end = paths.predicted[v];
-    low = low.cwiseMin(start).cwiseMin(end);
-    high = high.cwiseMax(start).cwiseMax(end);
-  }
   for (std::uint32_t row = 0; row < paths.obstacles.size(); ++row) {
     const Obstacle& obstacle = paths.obstacles[row];
     if (obstacle.mass && !paths.members.has_ball(row)) continue;
@@ -133,7 +158,7 @@ void find_corners(std::vector<CornerPath>& corners, const StepPaths& paths) {
       const CornerPath path{row, contact.corner, start_of_side_a(contact, paths),
                             end_of_side_a(contact, paths)};
       const Vec3 least = path.start.cwiseMin(path.end), most = path.start.cwiseMax(path.end);
-      const bool meets = (least.array() <= high.array()).all() && (most.array() >= low.array()).all();
+      const bool meets = (least.array() <= reach.high.array()).all() && (most.array() >= reach.low.array()).all();
       if (meets) corners.push_back(path);
     }
   }
@@ -315,14 +340,15 @@ void find_contacts(DetectScratch& scratch, const ContactMemory& memory, const St
   SUNDER_ASSERT(paths.predicted.size() == paths.state.vertices.size(), "predict before contact");
   scratch.found.clear();
   scratch.found_gap.clear();
+  const VertexReach reach = reach_of_vertices(paths);
   for (std::uint32_t row = 0; row < paths.obstacles.size(); ++row) {
-    find_vertex_obstacle(scratch, paths, row, settings.friction);
+    if (!is_far(paths, row, reach)) find_vertex_obstacle(scratch, paths, row, settings.friction);
   }
   find_balls(scratch, paths);
   if (settings.between_pieces) find_between_partners(scratch, memory, paths, settings);
   StepPaths with_corners = paths;
   if (!paths.neighbours.empty()) {
-    find_corners(scratch.corner, paths);
+    find_corners(scratch.corner, paths, reach);
     with_corners.corner = scratch.corner;
   }
   const bool among_pieces = settings.between_pieces && several_components(paths);
