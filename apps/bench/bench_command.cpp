@@ -70,6 +70,13 @@ void add_kernel_command(CLI::App& bench, ExitCode& exit_code) {
   CLI::App* command = bench.add_subcommand(
       "kernel", "Memory, times and search costs of the 3-map, beside CGAL's managed unsew<3>");
   command->add_flag("--quick", arguments->settings.quick, "Only bodies of up to 6 000 tetrahedra");
+  command
+      ->add_option("--kernel", arguments->settings.kernel,
+                   "What answers for the maps: dense rows (default) or lcc, CGAL's darts")
+      ->type_name("dense|lcc")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, MapKernel>{{"dense", MapKernel::dense}, {"lcc", MapKernel::lcc}})
+                      .description(""));
   command->add_option("--runs", arguments->settings.runs, "Runs to take medians over (default 5)")
       ->type_name("N")
       ->check(CLI::Range(1, 1000).description(""));

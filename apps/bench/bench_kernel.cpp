@@ -25,7 +25,9 @@ double heap_in_use() {
 }
 
 /// The map of a body that is known to have one.
-VolumeMap map_of(const TetMesh& mesh) { return std::move(*build_map(mesh)); }
+VolumeMap map_of(const TetMesh& mesh, MapKernel kernel = MapKernel::dense) {
+  return std::move(*build_map(mesh, Severity::error, kernel));
+}
 
 void add_bytes(const std::string& when, const VolumeMap& map, double heap, const FigureSink& add) {
   const MapBytes b = map.bytes();
@@ -41,12 +43,12 @@ void add_bytes(const std::string& when, const VolumeMap& map, double heap, const
   add("heap_" + when, each(heap));
 }
 
-void measure_memory(const TetMesh& mesh, std::uint64_t seed, const FigureSink& add) {
+void measure_memory(const TetMesh& mesh, const KernelBenchSettings& settings, const FigureSink& add) {
   const double before = heap_in_use();
-  VolumeMap map = map_of(mesh);
+  VolumeMap map = map_of(mesh, settings.kernel);
   add_bytes("intact", map, heap_in_use() - before, add);
   {
-    const std::vector<HalfFaceId> faces = random_faces(map, seed);
+    const std::vector<HalfFaceId> faces = random_faces(map, settings.seed);
     for (const HalfFaceId f : faces) split_face(map, f);
   }
   add_bytes("shattered", map, heap_in_use() - before, add);
@@ -77,7 +79,7 @@ void measure_times(const VolumeMap& map, const TetMesh& mesh, const KernelBenchS
   std::vector<double> build, split, unsew, managed, all, components;
   for (int run = 0; run < settings.runs; ++run) {
     const double start = thread_us();
-    map_of(mesh);
+    map_of(mesh, settings.kernel);
     build.push_back((thread_us() - start) / static_cast<double>(map.tetrahedra()));
     split.push_back(each_face(map, first, [](VolumeMap& m, HalfFaceId f) { split_face(m, f); }));
     unsew.push_back(each_face(map, first, [](VolumeMap& m, HalfFaceId f) { m.unsew(f); }));
@@ -127,8 +129,8 @@ KernelBench bench_kernel(const KernelBenchSettings& settings,
     const FigureSink add = [&](const std::string& quantity, double value) {
       bench.figures.push_back({body.name, body.mesh.tetrahedra.size(), quantity, value});
     };
-    measure_memory(body.mesh, settings.seed, add);
-    const VolumeMap map = map_of(body.mesh);
+    measure_memory(body.mesh, settings, add);
+    const VolumeMap map = map_of(body.mesh, settings.kernel);
     measure_times(map, body.mesh, settings, add);
     if (body.cube_cells > 0) measure_quiet_fans(map, body.cube_cells, settings.seed, add);
     measure_searches(map, settings.runs, settings.seed, add);

@@ -8,6 +8,7 @@
 
 #include "apps/bench/bench_figures.hpp"
 #include "topology/base/tet_mesh.hpp"
+#include "topology/kernel/volume_map.hpp"
 
 namespace sunder {
 
@@ -17,6 +18,8 @@ struct KernelBenchSettings {
   /// Times are medians over this many runs; at least 1.
   int runs = 5;
   std::uint64_t seed = 1;
+  /// What answers for the maps.
+  MapKernel kernel = MapKernel::dense;
 };
 
 /// A body to measure.

@@ -23,9 +23,9 @@ class SceneHasher {
  public:
   template <class T>
   void field(const Key& key, T& member) {
-    // What accuracy chose stands under the keys that it chose.
-    constexpr std::array<std::string_view, 5> no_matter = {"$schema", "name", "description",
-                                                           "accuracy", "output"};
+    // What accuracy chose stands under the keys that it chose; both kernels give the same bytes.
+    constexpr std::array<std::string_view, 6> no_matter = {"$schema",  "name",   "description",
+                                                           "accuracy", "output", "topology"};
     if (std::ranges::find(no_matter, key.name) != no_matter.end()) return;
     add(key.name);
     add(member);

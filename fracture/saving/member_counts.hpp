@@ -9,7 +9,8 @@
 namespace sunder {
 
 // Of the scene.
-constexpr int member_count(const Scene*) { return 12; }
+constexpr int member_count(const Scene*) { return 13; }
+constexpr int member_count(const TopologySettings*) { return 1; }
 constexpr int member_count(const BodySettings*) { return 13; }
 constexpr int member_count(const TetMesh*) { return 6; }
 constexpr int member_count(const Material*) { return 7; }

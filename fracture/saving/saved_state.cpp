@@ -319,6 +319,7 @@ Result<Simulation> restore(std::string_view bytes) {
   if (reader.failed || !reader.bytes.empty() || !fits_together(*sim.state)) {
     return damaged("its sections do not fit together");
   }
+  sim.state->cells.map.set_kernel(sim.scene.topology.kernel);
   return sim;
 }
 

@@ -14,6 +14,7 @@
 #include "mechanics/contact/impact_settings.hpp"
 #include "mechanics/contact/shapes/obstacle.hpp"
 #include "mechanics/state/settings.hpp"
+#include "topology/kernel/volume_map.hpp"
 
 namespace sunder {
 
@@ -26,6 +27,11 @@ struct GravitySettings {
 };
 
 /// A whole scene, SI units.
+/// What holds the bodies' topology.
+struct TopologySettings {
+  MapKernel kernel = MapKernel::dense;
+};
+
 struct Scene {
   std::string name;
   std::vector<BodySettings> bodies;
@@ -38,6 +44,7 @@ struct Scene {
   ImpactSettings impact;
   FractureSettings fracture;
   LadderSettings ladder;
+  TopologySettings topology;
   /// Whether each step's energy ledger is kept (a tenth of a step in which nothing else happens).
   bool energy_ledger = true;
   /// How fast what is drawn follows the simulation after a split, s (section 3.3); 0: at once.

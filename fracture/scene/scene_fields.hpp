@@ -25,6 +25,10 @@ inline const Names<FractureCriterion>& names_of(FractureCriterion) {
                                                  {FractureCriterion::energy, "energy"}};
   return names;
 }
+inline const Names<MapKernel>& names_of(MapKernel) {
+  static const Names<MapKernel> names = {{MapKernel::dense, "dense"}, {MapKernel::lcc, "lcc"}};
+  return names;
+}
 inline const Names<RubbleMode>& names_of(RubbleMode) {
   static const Names<RubbleMode> names = {{RubbleMode::off, "off"},
                                           {RubbleMode::certified, "certified"}};
@@ -304,6 +308,14 @@ void describe(V& v, LadderSettings& l) {
 }
 
 template <class V>
+void describe(V& v, TopologySettings& t) {
+  v.field(Key{"kernel", "",
+              "What holds the topology and answers for it, with the same results: dense: rows of "
+              "corners and neighbours; lcc: CGAL's 3-map, ten times the memory"},
+          t.kernel);
+}
+
+template <class V>
 void describe(V& v, Scene& s) {
   v.field(Key{"bodies", "", "Breakable bodies, at least one", {}, true}, s.bodies);
   v.field(Key{"obstacles", "", "What bodies run into"}, s.obstacles);
@@ -335,6 +347,7 @@ void describe(V& v, Scene& s) {
   v.field(
       Key{"ladder", "", "Which components may be rigid, quasi-static or asleep (docs/ladder.md)"},
       s.ladder);
+  v.field(Key{"topology", "", "The bodies' map (docs/kernel.md)"}, s.topology);
   v.field(Key{"display_time_constant", "s",
               "Time constant with which the drawn reference of a new piece approaches its own "
               "(section 3.3); "

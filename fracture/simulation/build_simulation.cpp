@@ -137,7 +137,8 @@ Result<Simulation> build_simulation(Scene scene) {
   if (has_error(result.findings)) return result;
 
   std::vector<BodyRows> bodies;
-  Result<VolumeMap> map = build_map(join_meshes(scene.bodies, bodies));
+  Result<VolumeMap> map = build_map(join_meshes(scene.bodies, bodies), Severity::error,
+                                    scene.topology.kernel);
   if (!map) {
     append(result.findings, std::move(map.findings));
     return result;

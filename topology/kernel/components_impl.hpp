@@ -70,6 +70,9 @@ namespace sunder {
 
 template <Kernel K>
 Components label_components(const K& map) {
+  if constexpr (HasAnswers<K>) {
+    return answer(map, [&](auto& kernel) { return label_components(kernel); });
+  }
   Components labels;
   labels.of_tetrahedron.resize(map.tetrahedra());
   labels.of_vertex.resize(map.vertices());
@@ -103,6 +106,9 @@ template <Kernel K>
 ComponentUpdate update_components(const K& map, std::span<const FaceSplit> splits,
                                   Detection detection, Components& labels,
                                   ComponentScratch& scratch) {
+  if constexpr (HasAnswers<K>) {
+    return answer(map, [&](auto& kernel) { return update_components(kernel, splits, detection, labels, scratch); });
+  }
   ComponentUpdate update;
   update.first_new = ComponentId{labels.size.size()};
   for (const FaceSplit& split : splits) update.predicted += oracle_says_new(split) ? 1 : 0;

@@ -49,6 +49,9 @@ namespace sunder {
 
 template <Kernel K>
 VertexStar vertex_star(const K& map, VertexId vertex) {
+  if constexpr (HasAnswers<K>) {
+    return answer(map, [&](auto& kernel) { return vertex_star(kernel, vertex); });
+  }
   const TetId t = map.incident_tetrahedron(vertex);
   if (t.is_none()) return {vertex, {}};
   const CornerId start = corner(t, place_of_vertex(map.corners(t), vertex));
@@ -59,6 +62,9 @@ VertexStar vertex_star(const K& map, VertexId vertex) {
 
 template <Kernel K>
 std::vector<TetId> star(const K& map, VertexId vertex) {
+  if constexpr (HasAnswers<K>) {
+    return answer(map, [&](auto& kernel) { return star(kernel, vertex); });
+  }
   std::vector<TetId> tetrahedra;
   for (const CornerId c : vertex_star(map, vertex).corners) tetrahedra.push_back(tetrahedron_of(c));
   return tetrahedra;
@@ -66,6 +72,9 @@ std::vector<TetId> star(const K& map, VertexId vertex) {
 
 template <Kernel K>
 std::vector<char> plane_signs(const K& map, const VertexStar& around, const Point& normal) {
+  if constexpr (HasAnswers<K>) {
+    return answer(map, [&](auto& kernel) { return plane_signs(kernel, around, normal); });
+  }
   const PlaneThrough plane{map.point(around.vertex), normal};
   std::vector<char> positive;
   for (const CornerId c : around.corners) {
@@ -77,6 +86,9 @@ std::vector<char> plane_signs(const K& map, const VertexStar& around, const Poin
 template <Kernel K>
 std::vector<HalfFaceId> fan_faces(const K& map, const VertexStar& around,
                                   std::span<const char> positive) {
+  if constexpr (HasAnswers<K>) {
+    return answer(map, [&](auto& kernel) { return fan_faces(kernel, around, positive); });
+  }
   const std::vector<CornerId>& star = around.corners;
   SUNDER_ASSERT(star.size() == positive.size(), "one sign for each tetrahedron of the star");
   std::vector<HalfFaceId> fan;
@@ -96,6 +108,9 @@ std::vector<HalfFaceId> fan_faces(const K& map, const VertexStar& around,
 
 template <Kernel K>
 Result<std::vector<HalfFaceId>> fan_faces(const K& map, VertexId vertex, const Point& normal) {
+  if constexpr (HasAnswers<K>) {
+    return answer(map, [&](auto& kernel) { return fan_faces(kernel, vertex, normal); });
+  }
   const std::optional<Point> n = read_direction(normal);
   if (!n) return detail::not_a_direction();
   if (vertex.index() >= map.vertices() || map.incident_tetrahedron(vertex).is_none()) {
@@ -107,6 +122,9 @@ Result<std::vector<HalfFaceId>> fan_faces(const K& map, VertexId vertex, const P
 
 template <Kernel K>
 Result<std::vector<HalfFaceId>> plane_faces(const K& map, const CuttingPlane& plane) {
+  if constexpr (HasAnswers<K>) {
+    return answer(map, [&](auto& kernel) { return plane_faces(kernel, plane); });
+  }
   const std::optional<PlaneThrough> through = read_plane(plane);
   if (!through) return detail::not_a_direction();
   std::vector<char> positive(map.tetrahedra());
@@ -126,6 +144,9 @@ Result<std::vector<HalfFaceId>> plane_faces(const K& map, const CuttingPlane& pl
 
 template <Kernel K>
 void order_faces(const K& map, FaceOrder order, std::vector<HalfFaceId>& faces) {
+  if constexpr (HasAnswers<K>) {
+    return answer(map, [&](auto& kernel) { return order_faces(kernel, order, faces); });
+  }
   if (order == FaceOrder::given) return;
   std::stable_partition(faces.begin(), faces.end(), [&map](HalfFaceId f) {
     const auto v = corners_of_face(map.corners(tetrahedron_of(f)), f);
@@ -138,6 +159,9 @@ void order_faces(const K& map, FaceOrder order, std::vector<HalfFaceId>& faces) 
 
 template <Kernel K>
 std::vector<HalfFaceId> find_faces(const K& map, std::span<const detail::PointTriple> points) {
+  if constexpr (HasAnswers<K>) {
+    return answer(map, [&](auto& kernel) { return find_faces(kernel, points); });
+  }
   std::vector<HalfFaceId> found(points.size());
   std::vector<std::pair<detail::PointTriple, std::size_t>> wanted;
   for (std::size_t i = 0; i < points.size(); ++i) wanted.push_back({detail::sorted(points[i]), i});

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Counts for the map that everyone uses, and the table of what a face split can change.
+#include "topology/kernel/map_answers.hpp"
 #include "topology/kernel/invariants_impl.hpp"
 #include "topology/kernel/volume_map.hpp"
 

@@ -110,6 +110,9 @@ namespace sunder {
 
 template <Kernel K>
 std::size_t count_boundary_sheets(const K& map) {
+  if constexpr (HasAnswers<K>) {
+    return answer(map, [&](auto& kernel) { return count_boundary_sheets(kernel); });
+  }
   std::vector<char> met(4 * map.tetrahedra(), 0);
   std::vector<HalfFaceId> stack;
   std::size_t sheets = 0;
@@ -134,6 +137,9 @@ std::size_t count_boundary_sheets(const K& map) {
 
 template <Kernel K>
 Counts count_cells(const K& map) {
+  if constexpr (HasAnswers<K>) {
+    return answer(map, [&](auto& kernel) { return count_cells(kernel); });
+  }
   using Dart = typename K::Dart;
   Counts counts;
   counts.tetrahedra = map.tetrahedra();

@@ -105,6 +105,10 @@ concept Kernel = requires(const K& k, K& m, TetId t, HalfFaceId f, VertexId v, C
   m.merge_vertices(v, v, corners);  // `corners` (all of the second row) get the first row
 };
 
+/// A map for which others answer: algorithms ask `answer(map, ...)` (map_answers.hpp).
+template <class K>
+concept HasAnswers = requires { typename K::TwoAnswers; };
+
 /// Place (0 to 3) of row `v` among the corners of a tetrahedron; 4 when it is not there.
 constexpr int place_of_vertex(const std::array<VertexId, 4>& corners, VertexId v) {
   for (int i = 0; i < 4; ++i) {

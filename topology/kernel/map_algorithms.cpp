@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The kernel's algorithms for the maps that everyone uses.
+#include "topology/kernel/map_answers.hpp"
 #include "topology/kernel/components_impl.hpp"
 #include "topology/kernel/dense_map.hpp"
 #include "topology/kernel/fan_impl.hpp"

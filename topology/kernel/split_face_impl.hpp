@@ -165,6 +165,9 @@ namespace sunder {
 
 template <Kernel K>
 FaceSplit split_face(K& map, HalfFaceId face) {
+  if constexpr (HasAnswers<K>) {
+    return answer(map, [&](auto& kernel) { return split_face(kernel, face); });
+  }
   SUNDER_ASSERT(face.index() < 4 * map.tetrahedra(), "half-face out of range");
   FaceSplit split;
   split.face = face;
@@ -198,6 +201,9 @@ FaceSplit split_face(K& map, HalfFaceId face) {
 
 template <Kernel K>
 FaceGlue glue_face(K& map, HalfFaceId a, HalfFaceId b) {
+  if constexpr (HasAnswers<K>) {
+    return answer(map, [&](auto& kernel) { return glue_face(kernel, a, b); });
+  }
   SUNDER_ASSERT(a.index() < 4 * map.tetrahedra() && b.index() < 4 * map.tetrahedra(),
                 "half-face out of range");
   FaceGlue glue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The map of a body: every change goes to the darts and to the dense rows in one call.
+// The map of a body: every change goes to the dense rows and to the darts, if there are any.
 #include "topology/kernel/volume_map.hpp"
 
 #include "topology/base/assert.hpp"
@@ -10,12 +10,10 @@
 namespace sunder {
 
 #if defined(SUNDER_ROWS_ALONE)
-/// What stands for the darts in a build without CGAL, as for WebAssembly. Dense rows answer every
-/// query anyway: such a build keeps nothing beside them, needs a twentieth of the memory, and has no
-/// `check(const VolumeMap&)`, which compares the two.
+/// What stands for the darts in a build without CGAL, as for WebAssembly: none are ever made. Such a
+/// build has no `check(const VolumeMap&)`, which compares the two.
 class DartMap {
  public:
-  explicit DartMap(const MapRows&) {}
   void prefetch(TetId) const {}
   void unsew(HalfFaceId) {}
   int dart_at(TetId, int) const { return 0; }
@@ -31,6 +29,7 @@ namespace {
 // Debug builds hold what a change touched against the darts at once; `check` holds everything.
 #if !defined(SUNDER_ROWS_ALONE)
 [[maybe_unused]] bool agree(const VolumeMap& map, TetId t) {
+  if (map.kernel() == MapKernel::dense) return true;
   if (map.darts().corners(t) != map.corners(t)) return false;
   for (int p = 0; p < 4; ++p) {
     if (map.darts().neighbour(half_face(t, p)) != map.neighbour(half_face(t, p))) return false;
@@ -43,28 +42,37 @@ bool agree(const VolumeMap&, TetId) { return true; }  // there are no darts to d
 
 }  // namespace
 
-VolumeMap::VolumeMap(MapRows rows)
-    : dense_(std::move(rows)), darts_(std::make_unique<DartMap>(dense_.rows())) {}
+VolumeMap::VolumeMap(MapRows rows) : dense_(std::move(rows)) {}
 
 VolumeMap::VolumeMap(MapRows rows, std::vector<TetId> incident)
-    : dense_(std::move(rows), std::move(incident)),
-      darts_(std::make_unique<DartMap>(dense_.rows())) {}
+    : dense_(std::move(rows), std::move(incident)) {}
 
-VolumeMap::VolumeMap(const VolumeMap& other)
-    : dense_(other.dense_), darts_(std::make_unique<DartMap>(dense_.rows())) {}
+VolumeMap::VolumeMap(const VolumeMap& other) : dense_(other.dense_) { set_kernel(other.kernel()); }
 
 VolumeMap& VolumeMap::operator=(const VolumeMap& other) { return *this = VolumeMap(other); }
 VolumeMap::VolumeMap(VolumeMap&&) noexcept = default;
 VolumeMap& VolumeMap::operator=(VolumeMap&&) noexcept = default;
 VolumeMap::~VolumeMap() = default;
 
+void VolumeMap::set_kernel([[maybe_unused]] MapKernel kernel) {
+#if !defined(SUNDER_ROWS_ALONE)
+  if (kernel == MapKernel::dense) {
+    darts_.reset();
+  } else if (!darts_) {
+    darts_ = std::make_unique<DartMap>(dense_.rows());
+  }
+#endif
+}
+
 void VolumeMap::unsew(HalfFaceId face) {
   const HalfFaceId across = neighbour(face);
   SUNDER_ASSERT(!across.is_none(), "unsewing a boundary face");
-  // A third of the time of a fan in a body of 384 000 tetrahedra (docs/kernel.md).
-  darts_->prefetch(tetrahedron_of(face));
-  darts_->prefetch(tetrahedron_of(across));
-  darts_->unsew(face);
+  if (darts_) {
+    // A third of the time of a fan in a body of 384 000 tetrahedra (docs/kernel.md).
+    darts_->prefetch(tetrahedron_of(face));
+    darts_->prefetch(tetrahedron_of(across));
+    darts_->unsew(face);
+  }
   dense_.unsew(face);
   SUNDER_ASSERT(agree(*this, tetrahedron_of(face)), "the darts are unsewn as the rows are");
   SUNDER_ASSERT(agree(*this, tetrahedron_of(across)), "the darts are unsewn as the rows are");
@@ -72,17 +80,20 @@ void VolumeMap::unsew(HalfFaceId face) {
 
 void VolumeMap::sew(DartId a, DartId b) {
   const auto place = [](DartId d) { return static_cast<int>(d.index() % 12); };
-  darts_->sew(darts_->dart_at(tetrahedron(a), place(a)),
-              darts_->dart_at(tetrahedron(b), place(b)));
+  if (darts_) {
+    darts_->sew(darts_->dart_at(tetrahedron(a), place(a)),
+                darts_->dart_at(tetrahedron(b), place(b)));
+  }
   dense_.sew(a, b);
   SUNDER_ASSERT(agree(*this, tetrahedron(a)), "the darts are sewn as the rows are");
   SUNDER_ASSERT(agree(*this, tetrahedron(b)), "the darts are sewn as the rows are");
 }
 
 VertexId VolumeMap::split_vertex(const VertexSplit& split) {
-  [[maybe_unused]] const VertexId added = darts_->split_vertex(split);
+  const VertexId added = darts_ ? darts_->split_vertex(split) : VertexId::none();
   const VertexId row = dense_.split_vertex(split);
-  SUNDER_ASSERT(row == added, "the darts and the rows append the same vertex");
+  SUNDER_ASSERT(!darts_ || row == added, "the darts and the rows append the same vertex");
+  static_cast<void>(added);
   for ([[maybe_unused]] const CornerId c : split.leaving) {
     SUNDER_ASSERT(agree(*this, tetrahedron_of(c)), "the darts have the new row");
   }
@@ -93,7 +104,7 @@ VertexId VolumeMap::split_vertex(const VertexSplit& split) {
 }
 
 void VolumeMap::merge_vertices(VertexId kept, VertexId retired, std::span<const CornerId> corners) {
-  darts_->merge_vertices(kept, retired, corners);
+  if (darts_) darts_->merge_vertices(kept, retired, corners);
   dense_.merge_vertices(kept, retired, corners);
   for ([[maybe_unused]] const CornerId c : corners) {
     SUNDER_ASSERT(agree(*this, tetrahedron_of(c)), "the darts have the kept row");
@@ -105,7 +116,7 @@ MapBytes VolumeMap::bytes() const {
     return v.capacity() * sizeof(typename std::decay_t<decltype(v)>::value_type);
   };
   const MapRows& rows = dense_.rows();
-  MapBytes bytes = darts_->bytes();
+  MapBytes bytes = darts_ ? darts_->bytes() : MapBytes{};
   bytes.adjacency = held(rows.corners) + held(rows.neighbours) + held(rows.reoriented);
   bytes.vertex_columns =
       held(rows.points) + held(rows.point_of_vertex) + dense_.vertices() * sizeof(TetId);

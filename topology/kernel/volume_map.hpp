@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The 3-map of a body: CGAL's darts and, kept equal to them, dense rows. CGAL stays behind a
-// pointer.
+// The 3-map of a body: dense rows and, where they are asked for, CGAL's darts kept equal to them.
+// CGAL stays behind a pointer.
 #pragma once
 
 #include <array>
@@ -34,17 +34,30 @@ constexpr std::size_t total(const MapBytes& b) {
   return b.darts + b.attributes + b.adjacency + b.handles + b.vertex_columns;
 }
 
-/// A 3-map of tetrahedra; a model of `Kernel` that answers queries from its dense rows.
+/// What holds a body's topology and answers for it. Both give the same answers in the same order.
+enum class MapKernel : std::uint8_t {
+  /// Rows of corners and neighbours, 80 bytes a tetrahedron.
+  dense,
+  /// CGAL's Linear_cell_complex: the algorithms (split, glue, star, fan, components, counts) walk and
+  /// change its darts; rows are its attributes, in columns that mechanics streams. 850 bytes a
+  /// tetrahedron.
+  lcc,
+};
+
+/// A 3-map of tetrahedra; a model of `Kernel` whose own queries come from its dense rows.
 ///
-/// Guarded: the dense rows equal the darts after every call; rows of vertices are exactly the
-/// vertex orbits between calls of split_face and glue_face (the primitives `unsew`, `sew`,
+/// Guarded: the dense rows equal the darts, if there are any, after every call; rows of vertices are
+/// exactly the vertex orbits between calls of split_face and glue_face (the primitives `unsew`, `sew`,
 /// `split_vertex`, `merge_vertices` are theirs; use those functions instead).
 /// Not thread-safe for writers; const calls may run side by side.
 class VolumeMap {
  public:
   using Dart = DartId;
 
-  /// Needs: rows that agree with each other, as `build_map` makes them. O(|T|), about 1 us each.
+  /// Tells the algorithms that two maps answer for this one (map_answers.hpp).
+  using TwoAnswers = void;
+
+  /// Needs: rows that agree with each other, as `build_map` makes them. No darts. O(|T|).
   explicit VolumeMap(MapRows rows);
   /// The same with the incident tetrahedron of each vertex as splits have left it: walks begin
   /// there.
@@ -54,6 +67,11 @@ class VolumeMap {
   VolumeMap(VolumeMap&&) noexcept;
   VolumeMap& operator=(VolumeMap&&) noexcept;
   ~VolumeMap();
+
+  MapKernel kernel() const { return darts_ ? MapKernel::lcc : MapKernel::dense; }
+  /// Makes darts of the rows, about 1 us a tetrahedron, or lets them go. A build without CGAL has
+  /// none to make and stays dense.
+  void set_kernel(MapKernel kernel);
 
   std::size_t tetrahedra() const { return dense_.tetrahedra(); }
   /// Vertex rows, retired ones among them.
@@ -88,7 +106,7 @@ class VolumeMap {
   void merge_vertices(VertexId kept, VertexId retired, std::span<const CornerId> corners);
 
   /// CGAL's darts behind the rows, for the few sources that include dart_map.hpp (of hosts:
-  /// <sunder/cgal_map.hpp>).
+  /// <sunder/cgal_map.hpp>). Needs: the kernel `lcc`.
   const DartMap& darts() const { return *darts_; }
   /// The rows by themselves, a map of their own.
   const DenseMap& dense() const { return dense_; }
@@ -104,7 +122,7 @@ static_assert(Kernel<VolumeMap>);
 /// Everything that is wrong with a map; empty for every map that the library's calls leave behind.
 /// beta rules and one attribute a vertex orbit (CGAL's own check), dense rows equal to the darts,
 /// rows equal to vertex orbits, different points at the corners of each tetrahedron, retired rows.
-/// O(|T|), about 5 us a tetrahedron.
+/// A dense map is held against darts made of its rows. O(|T|), about 5 us a tetrahedron.
 std::vector<Finding> check(const VolumeMap& map);
 
 }  // namespace sunder

@@ -214,7 +214,7 @@ Finding split_nonmanifold(FileMesh& mesh) {
   TetMesh tetrahedra;
   tetrahedra.points = mesh.points;
   tetrahedra.tetrahedra = mesh.tetrahedra.corners;
-  Result<VolumeMap> map = build_map(tetrahedra, Severity::warning);
+  Result<VolumeMap> map = build_map(tetrahedra, Severity::warning, MapKernel::dense);
   if (!map) {
     Finding refused = map.findings.front();
     refused.text =

@@ -25,8 +25,8 @@ namespace {
 constexpr const char* footer = R"(
 Every fixture is a body, operations on it (face splits, glues, fans, planes, shatters) and what must
 come out. Each kernel runs it; each answer is compared with union-find and with the fixture.
-Kernels that come with Sunder: sunder (its own), nested (its rows alone, as the coarser of the two
-nested maps of tied cracks), cgal (CGAL's map with its managed unsew), twin (union-find). --kernel
+Kernels that come with Sunder: sunder (its own, answered by CGAL's darts), dense (its rows alone),
+nested (rows as the coarser of the two nested maps of tied cracks), cgal (CGAL's map with its managed unsew), twin (union-find). --kernel
 takes one of these names, or a shell command of a program that speaks the protocol of docs/suite.md
 on stdin and stdout; where given, only those are judged.
 FILTER is a part of a fixture's name, or a pattern with * ? [ ] for the whole of it.
@@ -68,6 +68,7 @@ struct SuiteArguments {
 /// none.
 std::function<suite::JudgedKernel()> maker_of(const std::string& name) {
   if (name == "sunder") return suite::volume_map_kernel;
+  if (name == "dense") return suite::dense_map_kernel;
   if (name == "nested") return suite::nested_kernel;
   if (name == "cgal") return suite::cgal_kernel;
   if (name == "twin") return suite::twin_kernel;
@@ -195,7 +196,7 @@ ExitCode run_suite(const SuiteArguments& arguments) {
   }
   if (!arguments.output.empty()) return export_all(*fixtures, arguments.output);
   std::vector<suite::JudgedKernel> kernels;
-  const std::vector<std::string> all = {"sunder", "nested", "cgal", "twin"};
+  const std::vector<std::string> all = {"sunder", "dense", "nested", "cgal", "twin"};
   try {
     for (const std::string& name : arguments.kernels.empty() ? all : arguments.kernels) {
       kernels.push_back(maker_of(name)());
@@ -219,7 +220,7 @@ void add_suite_command(CLI::App& program, ExitCode& exit_code) {
       command->add_option("--fixtures", arguments->fixtures, "Folder of fixture files")
           ->type_name("DIR");
   command
-      ->add_option("--kernel", arguments->kernels, "sunder, nested, cgal, twin, or a shell command")
+      ->add_option("--kernel", arguments->kernels, "sunder, dense, nested, cgal, twin, or a shell command")
       ->type_name("KERNEL")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);

@@ -57,6 +57,7 @@ struct SplitArguments {
   std::filesystem::path output;
   FaceOrder order = FaceOrder::given;
   Detection oracle = Detection::exact;
+  MapKernel kernel = MapKernel::dense;
   bool json = false;
 };
 
@@ -217,7 +218,7 @@ ExitCode refuse(const SplitArguments& arguments, const std::vector<Finding>& fin
 ExitCode run_split(const SplitArguments& arguments) {
   Result<TetMesh> mesh = read_mesh(arguments.mesh);
   if (!mesh) return refuse(arguments, mesh.findings, ExitCode::bad_input);
-  Result<VolumeMap> map = build_map(*mesh, Severity::warning);
+  Result<VolumeMap> map = build_map(*mesh, Severity::warning, arguments.kernel);
   std::vector<Finding> findings = std::move(mesh.findings);
   for (Finding& f : map.findings) {
     f.file = arguments.mesh.string();
@@ -274,6 +275,13 @@ void add_options(CLI::App& command, SplitArguments& arguments) {
           CLI::CheckedTransformer(std::map<std::string, FaceOrder>{{"given", FaceOrder::given},
                                                                    {"paper", FaceOrder::paper}})
               .description(""));
+  command
+      .add_option("--kernel", arguments.kernel,
+                  "What answers for the map: dense rows (default) or lcc, CGAL's darts; same result")
+      ->type_name("dense|lcc")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, MapKernel>{{"dense", MapKernel::dense}, {"lcc", MapKernel::lcc}})
+                      .description(""));
   command
       .add_option("--oracle", arguments.oracle,
                   "How components are found: exact (default), paper, walk; same result")

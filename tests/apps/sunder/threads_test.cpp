@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Results do not depend on the number of threads.
+// Results do not depend on the number of threads, nor on what holds the topology.
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <cstring>
@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "apps/scene/scene_json.hpp"
+#include "fracture/saving/saved_state.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/solver/parallel.hpp"
 
@@ -51,6 +52,29 @@ TEST_CASE("A shattering body takes the same bytes on one, two and three threads"
     CHECK(same_bytes(alone.state->mechanics.elements.stress,
                      together.state->mechanics.elements.stress));
   }
+}
+
+TEST_CASE("A scene takes the same bytes by rows and by CGAL's darts", "[run][kernel]") {
+  const auto [scene, steps] = GENERATE(std::pair<const char*, std::uint64_t>("monolith", 330),
+                                       std::pair<const char*, std::uint64_t>("bar", 300));
+  INFO(scene);
+  std::vector<Simulation> by;
+  for (const char* kernel : {"dense", "lcc"}) {
+    const std::vector<std::string> settings = {std::string("topology.kernel=") + kernel};
+    Result<SceneFile> file = read_scene(std::string(SUNDER_SCENES "/") + scene + ".json", settings);
+    REQUIRE(file);
+    Result<Simulation> sim = build_simulation(std::move(file->scene));
+    REQUIRE(sim);
+    while (sim->state->step < steps) REQUIRE(advance(*sim).status.outcome == StepOutcome::fine);
+    CHECK(check(sim->state->cells.map).empty());
+    by.push_back(std::move(*sim));
+  }
+  CHECK(by[0].state->cells.map.kernel() == MapKernel::dense);
+  CHECK(by[1].state->cells.map.kernel() == MapKernel::lcc);
+  CHECK(by[0].state->fans > 10);
+  // All that is saved but the word that told them apart.
+  for (Simulation& sim : by) sim.scene.topology = {};
+  CHECK(saved_state(by[0]) == saved_state(by[1]));
 }
 
 TEST_CASE("Work in parallel is done once each, and what it throws arrives", "[run][threads]") {

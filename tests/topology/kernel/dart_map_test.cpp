@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "tests/support/built.hpp"
+#include "topology/kernel/map_answers.hpp"
 #include "topology/kernel/components_impl.hpp"
 #include "topology/kernel/fan_impl.hpp"
 #include "topology/kernel/invariants_impl.hpp"

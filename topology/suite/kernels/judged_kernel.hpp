@@ -54,8 +54,10 @@ struct JudgedKernel {
   std::function<std::optional<bool>()> orientable;
 };
 
-/// `VolumeMap`: map and dense rows, the library's own kernel ("sunder").
+/// `VolumeMap` answered by CGAL's darts, rows kept equal to them ("sunder").
 JudgedKernel volume_map_kernel();
+/// `VolumeMap` of rows alone ("dense").
+JudgedKernel dense_map_kernel();
 /// `DenseMap`, rows alone, as the coarser of two nested maps ("nested"): the finer one, a
 /// `VolumeMap`, has a third of the faces open from the beginning, as cohesive cracks have; that they
 /// stay nested is among its own faults.

@@ -57,8 +57,8 @@ void label_anew(Body& body) {
   body.labels_are_void = false;
 }
 
-std::vector<Finding> load(Body& body, const TetMesh& mesh) {
-  Result<VolumeMap> built = build_map(mesh, Severity::warning);
+std::vector<Finding> load(Body& body, const TetMesh& mesh, MapKernel kernel) {
+  Result<VolumeMap> built = build_map(mesh, Severity::warning, kernel);
   body = {};
   body.file = mesh.tetrahedra;
   body.map = std::move(built.value);
@@ -239,14 +239,12 @@ std::vector<FaceSide> crack_fan(Body& body, std::uint32_t point, const CrackSide
   return faces;
 }
 
-}  // namespace
-
-JudgedKernel volume_map_kernel() {
+JudgedKernel judged(MapKernel answers, const char* name) {
   const auto body = std::make_shared<Body>();
   JudgedKernel kernel;
-  kernel.name = "sunder";
+  kernel.name = name;
   kernel.names_findings = true;
-  kernel.load = [body](const TetMesh& mesh) { return load(*body, mesh); };
+  kernel.load = [body, answers](const TetMesh& mesh) { return load(*body, mesh, answers); };
   kernel.split = [body](FaceSide side) { return split(*body, side); };
   kernel.glue = [body](FaceSide a, FaceSide b) { return glue(*body, a, b); };
   kernel.counts = [body] { return cell_counts(*body->map); };
@@ -264,5 +262,10 @@ JudgedKernel volume_map_kernel() {
   };
   return kernel;
 }
+
+}  // namespace
+
+JudgedKernel volume_map_kernel() { return judged(MapKernel::lcc, "sunder"); }
+JudgedKernel dense_map_kernel() { return judged(MapKernel::dense, "dense"); }
 
 }  // namespace sunder::suite
