@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "topology/base/sort_unique.hpp"
+#include "topology/base/star_parts.hpp"
 #include "topology/kernel/fan.hpp"
-#include "topology/kernel/star_parts.hpp"
 
 namespace sunder {
 namespace {

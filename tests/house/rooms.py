@@ -64,7 +64,7 @@ ROOMS = (
     ("fracture/energy", "energy that a crack releases, and what it leaves in motion",
      ("topology/base", "topology/kernel", "mechanics/*", "fracture/algorithms")),
     ("fracture/scene", "bodies and all that a user chooses of a simulation; every key once",
-     ("topology/base", "mechanics/state", "mechanics/contact",
+     ("topology/base", "topology/kernel", "mechanics/state", "mechanics/contact",
       "mechanics/contact/shapes", "fracture/algorithms", "fracture/strength")),
     ("fracture/breaking", "which vertices break in a run and in what order; or the fans of a script",
      ("topology/base", "topology/kernel", "mechanics/state", "mechanics/element", "mechanics/contact",

@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "topology/base/assert.hpp"
+#include "topology/base/star_parts.hpp"
 #include "topology/kernel/kernel.hpp"
-#include "topology/kernel/star_parts.hpp"
 
 namespace sunder {
 namespace {

@@ -57,13 +57,13 @@ TEST_CASE("the JSON tells every verdict and the totals", "[suite][command]") {
   const Outcome outcome = here.run({"suite", "small/t*", "--fixtures", data + "/good", "--json"});
   CHECK(outcome.exit_code == 0);
   const auto json = outcome.json();
-  CHECK(json["kernels"] == nlohmann::json({"sunder", "nested", "cgal", "twin"}));
+  CHECK(json["kernels"] == nlohmann::json({"sunder", "dense", "nested", "cgal", "twin"}));
   REQUIRE(json["fixtures"].size() == 1);
   const auto& fixture = json["fixtures"][0];
   CHECK(fixture["fixture"] == "small/two-tetrahedra");
   CHECK(fixture["operations"] == 7);
   CHECK(fixture["steps"] == 6);
-  REQUIRE(fixture["verdicts"].size() == 4);
+  REQUIRE(fixture["verdicts"].size() == 5);
   for (const auto& verdict : fixture["verdicts"]) {
     CHECK(verdict["result"] == "same");
     CHECK(verdict["checks"] > 100);

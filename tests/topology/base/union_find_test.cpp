@@ -7,7 +7,7 @@
 #include <random>
 
 #include "tests/support/built.hpp"
-#include "topology/kernel/star_parts.hpp"
+#include "topology/base/star_parts.hpp"
 
 using namespace sunder;
 using namespace sunder::suite;
