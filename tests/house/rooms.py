@@ -20,6 +20,8 @@ ROOMS = (
      ("topology/base",)),
     ("topology/mesh", "meshes as files hold them: check, survey, repair, crack, boundary; a map made of one",
      ("topology/base", "topology/kernel")),
+    ("topology/cells", "operations that change cells: edges divided, refinement, plane cuts; columns, a journal",
+     ("topology/base", "topology/kernel", "topology/mesh")),
     ("topology/io", "mesh files, a folder a format", ("topology/base", "topology/kernel", "topology/mesh")),
     ("topology/suite", "what judges a kernel: fixtures, slow twins, homology, random runs",
      ("topology/base", "topology/kernel", "topology/mesh", "topology/io")),

@@ -6,6 +6,7 @@
 
 #include "topology/base/append_row.hpp"
 #include "topology/base/assert.hpp"
+#include "topology/base/sort_unique.hpp"
 
 namespace sunder {
 namespace {
@@ -182,6 +183,80 @@ void DartMap::merge_vertices(VertexId kept, VertexId retired, std::span<const Co
   complex_.erase_attribute<0>(gone);
   corner_[retired.index()] = CornerId::none();
   while (!corner_.empty() && corner_.back().is_none()) corner_.pop_back();
+}
+
+void DartMap::remove_tetrahedron(TetId t) {
+  const auto volume = complex_.attribute<3>(first_dart_[t.index()]);
+  std::array<Dart, 12> darts;
+  for (int k = 0; k < 12; ++k) darts[k] = dart_at(t, k);
+  for (const Dart d : darts) complex_.erase_dart(d);
+  complex_.erase_attribute<3>(volume);
+}
+
+void DartMap::apply(const CellChange& change, const MapRows& rows) {
+  // Attributes by rows, before the corners change that lead to them.
+  std::vector<VertexId> used;
+  for (const CellChange::Cell& cell : change.cells) {
+    used.insert(used.end(), cell.corners.begin(), cell.corners.end());
+  }
+  for (std::size_t v = change.kept_vertices; v < corner_.size(); ++v) used.emplace_back(v);
+  sort_unique(used);
+  std::vector<VertexAttributeDescriptor> attributes(used.size());
+  std::vector<VertexAttributeDescriptor> dropped;
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    const std::size_t v = used[i].index();
+    const bool is_there = v < corner_.size() && !corner_[v].is_none();
+    if (is_there && v < change.kept_vertices) {
+      attributes[i] = attribute_of(used[i]);
+      continue;
+    }
+    if (is_there) dropped.push_back(attribute_of(used[i]));
+    if (v >= rows.point_of_vertex.size()) continue;  // it goes and nothing comes in its place
+    const std::uint32_t point = rows.point_of_vertex[v];
+    attributes[i] = complex_.create_attribute<0>(to_cgal(rows.points[point]),
+                                                 VertexInfo{used[i], point});
+  }
+  const auto attribute = [&](VertexId v) {
+    return attributes[static_cast<std::size_t>(std::ranges::lower_bound(used, v) - used.begin())];
+  };
+
+  const auto open = [&](TetId t) {
+    for (int p = 0; p < 4; ++p) {
+      if (!is_free(dart_at(t, 3 * p))) unsew(half_face(t, p));
+    }
+  };
+  for (const CellChange::Cell& cell : change.cells) {
+    if (cell.row.index() < std::min(change.kept_tetrahedra, first_dart_.size())) open(cell.row);
+  }
+  for (std::size_t t = change.kept_tetrahedra; t < first_dart_.size(); ++t) {
+    open(TetId{t});
+    remove_tetrahedron(TetId{t});
+  }
+  first_dart_.resize(change.kept_tetrahedra);
+  corner_.resize(rows.point_of_vertex.size());
+  for (const auto& [row, corners, neighbours] : change.cells) {
+    if (row.index() == first_dart_.size()) {
+      add_tetrahedron(row, {attribute(corners[0]), attribute(corners[1]), attribute(corners[2]),
+                            attribute(corners[3])});
+    }
+    for (int i = 0; i < 4; ++i) {
+      const CornerId c = corner(row, i);
+      const VertexAttributeDescriptor at = attribute(corners[i]);
+      rename(c, at);
+      complex_.set_dart_of_attribute<0>(at, dart_at(row, some_dart_from[i]));
+      corner_[corners[i].index()] = c;
+    }
+  }
+  for (const VertexAttributeDescriptor gone : dropped) complex_.erase_attribute<0>(gone);
+  for (const auto& [row, corners, neighbours] : change.cells) {
+    for (int p = 0; p < 4; ++p) {
+      const Dart d = dart_at(row, 3 * p);
+      if (neighbours[p].is_none() || !is_free(d)) continue;
+      const TetId u = tetrahedron_of(neighbours[p]);
+      const int from = place_of_vertex(rows.corners[u.index()], vertex(beta1(d)));
+      sew(d, dart_at(u, dart_order::dart_from(place_of(neighbours[p]), from)));
+    }
+  }
 }
 
 MapBytes DartMap::bytes() const {

@@ -86,6 +86,8 @@ class DartMap {
   void sew(Dart a, Dart b);
   VertexId split_vertex(const VertexSplit& split);
   void merge_vertices(VertexId kept, VertexId retired, std::span<const CornerId> corners);
+  /// `rows`: as the change leaves them. O(cells of the change log).
+  void apply(const CellChange& change, const MapRows& rows);
 
   const DartComplex& complex() const { return complex_; }
   /// For measurements and tests that let CGAL manage attributes; rows are not kept right then.
@@ -103,6 +105,7 @@ class DartMap {
   Dart beta(Dart d) const {
     return const_cast<DartComplex&>(complex_).template beta<i>(d);
   }
+  void remove_tetrahedron(TetId t);
   void add_tetrahedron(TetId t, const std::array<VertexAttributeDescriptor, 4>& corners);
   void rename(CornerId c, VertexAttributeDescriptor to);
   /// Needs: v is not retired.

@@ -83,4 +83,52 @@ void DenseMap::merge_vertices(VertexId kept, VertexId retired, std::span<const C
   }
 }
 
+CellChange DenseMap::apply(const CellChange& change) {
+  const std::size_t cells = tetrahedra();
+  SUNDER_ASSERT(change.kept_points <= rows_.points.size() && change.kept_vertices <= vertices() &&
+                    change.kept_tetrahedra <= cells,
+                "rows are kept that are there");
+  const auto from = [](const auto& column, std::size_t first) {
+    return std::vector(column.begin() + static_cast<std::ptrdiff_t>(first), column.end());
+  };
+  CellChange back{change.kept_points, change.kept_vertices, change.kept_tetrahedra};
+  back.points = from(rows_.points, change.kept_points);
+  back.vertices = from(rows_.point_of_vertex, change.kept_vertices);
+  const auto keep = [&](std::size_t t) {
+    back.cells.push_back({TetId{t}, rows_.corners[t], rows_.neighbours[t]});
+  };
+  for (const CellChange::Cell& cell : change.cells) {
+    if (cell.row.index() < change.kept_tetrahedra) keep(cell.row.index());
+  }
+  for (std::size_t t = change.kept_tetrahedra; t < cells; ++t) keep(t);
+  for (const auto& [vertex, tetrahedron] : change.begins) {
+    if (vertex.index() < change.kept_vertices) {
+      back.begins.push_back({vertex, incident_[vertex.index()]});
+    }
+  }
+  for (std::size_t v = change.kept_vertices; v < vertices(); ++v) {
+    back.begins.push_back({VertexId{v}, incident_[v]});
+  }
+
+  rows_.points.resize(change.kept_points);
+  for (const Point& x : change.points) append_row(rows_.points, x);
+  rows_.point_of_vertex.resize(change.kept_vertices);
+  for (const std::uint32_t p : change.vertices) append_row(rows_.point_of_vertex, p);
+  incident_.resize(rows_.point_of_vertex.size());
+  rows_.corners.resize(change.kept_tetrahedra);
+  rows_.neighbours.resize(change.kept_tetrahedra);
+  for (const auto& [row, corners, neighbours] : change.cells) {
+    if (row.index() < rows_.corners.size()) {
+      rows_.corners[row.index()] = corners;
+      rows_.neighbours[row.index()] = neighbours;
+    } else {
+      SUNDER_ASSERT(row.index() == rows_.corners.size(), "rows are appended in rising order");
+      append_row(rows_.corners, corners);
+      append_row(rows_.neighbours, neighbours);
+    }
+  }
+  for (const auto& [vertex, tetrahedron] : change.begins) incident_[vertex.index()] = tetrahedron;
+  return back;
+}
+
 }  // namespace sunder

@@ -55,6 +55,8 @@ class DenseMap {
   const Point& point(VertexId v) const { return rows_.points[point_of_vertex(v)]; }
   std::uint32_t point_of_vertex(VertexId v) const { return rows_.point_of_vertex[v.index()]; }
 
+  /// By the file's points, not by vertices.
+  std::span<const Point> points() const { return rows_.points; }
   const MapRows& rows() const { return rows_; }
   std::span<const TetId> incident_tetrahedra() const { return incident_; }
 
@@ -72,12 +74,13 @@ class DenseMap {
   void sew(DartId a, DartId b);
   VertexId split_vertex(const VertexSplit& split);
   void merge_vertices(VertexId kept, VertexId retired, std::span<const CornerId> corners);
+  CellChange apply(const CellChange& change);
 
  private:
   MapRows rows_;
   std::vector<TetId> incident_;  // of each vertex row; none() when it is retired
 };
 
-static_assert(Kernel<DenseMap>);
+static_assert(CellKernel<DenseMap>);
 
 }  // namespace sunder

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <span>
 
+#include "topology/base/cell_change.hpp"
 #include "topology/base/ids.hpp"
 #include "topology/base/tet_mesh.hpp"
 
@@ -103,6 +104,14 @@ concept Kernel = requires(const K& k, K& m, TetId t, HalfFaceId f, VertexId v, C
   m.sew(d, d);  // two boundary faces, so that beta3 of the first dart is the second
   { m.split_vertex(split) } -> std::same_as<VertexId>;  // appends a row, gives it to `leaving`
   m.merge_vertices(v, v, corners);  // `corners` (all of the second row) get the first row
+};
+
+/// A kernel whose cells can change: rows are rewritten, appended and dropped. `apply` gives the change
+/// that takes this one back, to the same bytes of all rows.
+template <class K>
+concept CellKernel = Kernel<K> && requires(const K& k, K& m, const CellChange& change) {
+  { k.points() } -> std::convertible_to<std::span<const Point>>;  // the file's, m
+  { m.apply(change) } -> std::same_as<CellChange>;
 };
 
 /// A map for which others answer: algorithms ask `answer(map, ...)` (map_answers.hpp).

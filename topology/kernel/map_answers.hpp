@@ -38,11 +38,13 @@ class RowAnswers {
   void merge_vertices(VertexId kept, VertexId retired, std::span<const CornerId> corners) {
     map_->merge_vertices(kept, retired, corners);
   }
+  std::span<const Point> points() const { return map_->points(); }
+  CellChange apply(const CellChange& change) { return map_->apply(change); }
 
  private:
   VolumeMap* map_;
 };
-static_assert(Kernel<RowAnswers>);
+static_assert(CellKernel<RowAnswers>);
 
 #if !defined(SUNDER_ROWS_ALONE)
 /// A VolumeMap by its darts: all but where walks round a vertex begin, which is a row, so that
@@ -74,12 +76,14 @@ class DartAnswers {
   void merge_vertices(VertexId kept, VertexId retired, std::span<const CornerId> corners) {
     map_->merge_vertices(kept, retired, corners);
   }
+  std::span<const Point> points() const { return map_->points(); }
+  CellChange apply(const CellChange& change) { return map_->apply(change); }
 
  private:
   VolumeMap* map_;
   const DartMap* darts_;
 };
-static_assert(Kernel<DartAnswers>);
+static_assert(CellKernel<DartAnswers>);
 #endif
 
 /// Gives `ask(kernel)`, the kernel being what answers for the map.

@@ -20,6 +20,7 @@ class DartMap {
   void sew(int, int) {}
   VertexId split_vertex(const VertexSplit&) { return VertexId::none(); }
   void merge_vertices(VertexId, VertexId, std::span<const CornerId>) {}
+  void apply(const CellChange&, const MapRows&) {}
   MapBytes bytes() const { return {}; }
 };
 #endif
@@ -109,6 +110,15 @@ void VolumeMap::merge_vertices(VertexId kept, VertexId retired, std::span<const 
   for ([[maybe_unused]] const CornerId c : corners) {
     SUNDER_ASSERT(agree(*this, tetrahedron_of(c)), "the darts have the kept row");
   }
+}
+
+CellChange VolumeMap::apply(const CellChange& change) {
+  CellChange back = dense_.apply(change);
+  if (darts_) darts_->apply(change, dense_.rows());
+  for ([[maybe_unused]] const CellChange::Cell& cell : change.cells) {
+    SUNDER_ASSERT(agree(*this, cell.row), "the darts are changed as the rows are");
+  }
+  return back;
 }
 
 MapBytes VolumeMap::bytes() const {

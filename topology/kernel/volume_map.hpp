@@ -87,7 +87,7 @@ class VolumeMap {
   std::span<const std::array<HalfFaceId, 4>> neighbours() const { return dense_.rows().neighbours; }
   std::span<const std::uint32_t> point_of_vertex() const { return dense_.rows().point_of_vertex; }
   /// By the file's points, not by vertices.
-  std::span<const Point> points() const { return dense_.rows().points; }
+  std::span<const Point> points() const { return dense_.points(); }
   std::span<const TetId> reoriented() const { return dense_.rows().reoriented; }
 
   DartId dart(HalfFaceId f, CornerId from) const { return dense_.dart(f, from); }
@@ -104,6 +104,7 @@ class VolumeMap {
   void sew(DartId a, DartId b);
   VertexId split_vertex(const VertexSplit& split);
   void merge_vertices(VertexId kept, VertexId retired, std::span<const CornerId> corners);
+  CellChange apply(const CellChange& change);
 
   /// CGAL's darts behind the rows, for the few sources that include dart_map.hpp (of hosts:
   /// <sunder/cgal_map.hpp>). Needs: the kernel `lcc`.
@@ -117,7 +118,7 @@ class VolumeMap {
   std::unique_ptr<DartMap> darts_;
 };
 
-static_assert(Kernel<VolumeMap>);
+static_assert(CellKernel<VolumeMap>);
 
 /// Everything that is wrong with a map; empty for every map that the library's calls leave behind.
 /// beta rules and one attribute a vertex orbit (CGAL's own check), dense rows equal to the darts,

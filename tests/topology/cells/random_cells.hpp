@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Random operations on cells of random bodies, on both kernels, each held against the laws and the twin.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace sunder::test {
+
+struct RandomCells {
+  /// What was wrong first, empty when nothing was.
+  std::string failure;
+  std::size_t inserted = 0, refined = 0, cut = 0, splits = 0, undone = 0, redone = 0;
+  std::size_t comparisons = 0;
+};
+
+/// About `operations` over ten bodies. After each: rows of both kernels equal, darts equal to rows,
+/// the tetrahedra and all cells as the twin has them, Euler characteristic and Betti numbers as before
+/// (but of splits), volumes, columns by every rule, and rows as they were after undoing.
+RandomCells random_cells(std::size_t operations, std::uint64_t seed);
+
+}  // namespace sunder::test

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+// Refinement: counts as theory has them, shapes as Bey promises, levels taken back.
+#include "topology/cells/refine.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <set>
+
+#include "tests/support/built.hpp"
+#include "topology/cells/cell_templates.hpp"
+
+using namespace sunder;
+using namespace sunder::suite;
+using namespace sunder::test;
+
+namespace {
+
+using Corners = std::array<Point, 4>;
+
+Corners corners_of(const VolumeMap& map, TetId t) {
+  Corners x;
+  for (std::size_t i = 0; i < 4; ++i) x[i] = map.point(map.corners(t)[i]);
+  return x;
+}
+
+/// What a tetrahedron's shape is told by, whatever its size, place and turn: its six squared edges
+/// over the longest, by corners in all orders the least, rounded.
+std::vector<long> shape_of(const Corners& x) {
+  std::array<std::size_t, 4> order = {0, 1, 2, 3};
+  std::vector<long> least;
+  std::array<std::array<double, 4>, 4> square{};
+  double longest = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      for (std::size_t j = 0; j < 3; ++j) square[i][k] += (x[i][j] - x[k][j]) * (x[i][j] - x[k][j]);
+      longest = std::max(longest, square[i][k]);
+    }
+  }
+  do {
+    std::vector<long> key;
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t k = i + 1; k < 4; ++k) {
+        key.push_back(std::lround(1e5 * square[order[i]][order[k]] / longest));
+      }
+    }
+    if (least.empty() || key < least) least = key;
+  } while (std::next_permutation(order.begin(), order.end()));
+  return least;
+}
+
+std::set<std::vector<long>> shapes(const VolumeMap& map) {
+  std::set<std::vector<long>> all;
+  for (std::size_t t = 0; t < map.tetrahedra(); ++t) all.insert(shape_of(corners_of(map, TetId{t})));
+  return all;
+}
+
+/// The shapes of a tetrahedron's parts when one or two of its edges or those of a face are divided, in
+/// either order.
+void add_green_shapes(const Corners& x, std::set<std::vector<long>>& all) {
+  for (unsigned edges = 1; edges < 63; ++edges) {
+    const bool is_face = edges == edges_of_face(0) || edges == edges_of_face(1) ||
+                         edges == edges_of_face(2) || edges == edges_of_face(3);
+    if (std::popcount(edges) > 2 && !is_face) continue;
+    for (const bool up : {true, false}) {
+      const std::array<std::uint32_t, 6> order =
+          up ? std::array<std::uint32_t, 6>{0, 1, 2, 3, 4, 5}
+             : std::array<std::uint32_t, 6>{5, 4, 3, 2, 1, 0};
+      for (const CellPart& part : parts_of_cell(edges, order)) {
+        Corners y;
+        for (std::size_t i = 0; i < 4; ++i) {
+          const auto node = static_cast<std::size_t>(part[i]);
+          if (node < 4) {
+            y[i] = x[node];
+            continue;
+          }
+          const auto& [a, b] = edge_ends[node - 4];
+          for (std::size_t k = 0; k < 3; ++k) {
+            y[i][k] = (x[static_cast<std::size_t>(a)][k] + x[static_cast<std::size_t>(b)][k]) / 2;
+          }
+        }
+        all.insert(shape_of(y));
+      }
+    }
+  }
+}
+
+bool everywhere(const VolumeMap&, TetId) { return true; }
+
+}  // namespace
+
+TEST_CASE("uniform refinement: counts by the formula", "[topology][cells]") {
+  for (const NamedMesh& named : all_shapes()) {
+    INFO(named.name);
+    VolumeMap map = built(named.mesh);
+    const Counts before = count_cells(map);
+    const auto levels = refine(map, 1, everywhere);
+    const Counts after = count_cells(map);
+    CHECK(after.tetrahedra == 8 * before.tetrahedra);
+    CHECK(after.vertices == before.vertices + before.edges);
+    CHECK(after.edges == 2 * before.edges + 3 * before.faces + before.tetrahedra);
+    CHECK(after.faces == 4 * before.faces + 8 * before.tetrahedra);
+    CHECK(after.boundary_faces == 4 * before.boundary_faces);
+    CHECK(after.boundary_sheets == before.boundary_sheets);
+    CHECK(after.betti == before.betti);
+    CHECK(levels[0].red == before.tetrahedra);
+    CHECK(levels[0].green == 0);
+    CHECK(check(map).empty());
+  }
+}
+
+TEST_CASE("a tetrahedron refined again and again has three shapes (Bey)", "[topology][cells]") {
+  TetMesh mesh = one_tetrahedron();
+  mesh.points = {{0, 0, 0}, {1.1, 0.1, 0.2}, {0.3, 0.9, 0.1}, {0.2, 0.25, 0.8}};
+  VolumeMap map = built(mesh);
+  map.set_kernel(MapKernel::dense);
+  refine(map, 4, everywhere);
+  CHECK(map.tetrahedra() == 4096);
+  CHECK(shapes(map).size() <= 3);
+}
+
+TEST_CASE("refined here and there: no green one is divided, shapes stay few", "[topology][cells]") {
+  TetMesh mesh = kuhn_box({2, 2, 2});
+  for (Point& x : mesh.points) x = {x[0] + 0.3 * x[1], x[1] - 0.1 * x[2], 1.2 * x[2]};
+  // All that may come: the red shapes of three levels, and their green parts.
+  VolumeMap red = built(mesh);
+  red.set_kernel(MapKernel::dense);
+  std::set<std::vector<long>> allowed = shapes(red);
+  for (int level = 0; level < 2; ++level) {
+    refine(red, 1, everywhere);
+    allowed.merge(shapes(red));
+  }
+  for (std::size_t t = 0; t < red.tetrahedra(); ++t) {
+    add_green_shapes(corners_of(red, TetId{t}), allowed);
+  }
+  for (std::size_t levels = 1; levels <= 5; ++levels) {
+    VolumeMap map = built(mesh);
+    map.set_kernel(MapKernel::dense);
+    const auto near_corner = [](const VolumeMap& m, TetId t) {
+      for (const VertexId v : m.corners(t)) {
+        const Point x = m.point(v);
+        if (x[0] * x[0] + x[1] * x[1] + x[2] * x[2] < 0.01) return true;
+      }
+      return false;
+    };
+    const Counts before = count_cells(map);
+    const auto done = refine(map, levels, near_corner);
+    REQUIRE(done.size() == levels);
+    CHECK(check(map).empty());
+    const Counts after = count_cells(map);
+    CHECK(after.betti == before.betti);
+    CHECK(after.boundary_sheets == before.boundary_sheets);
+    CHECK(std::abs(after.volume - before.volume) < 1e-12);
+    for (const auto& shape : shapes(map)) CHECK(allowed.contains(shape));
+    for (std::size_t i = done.size(); i-- > 0;) map.apply(done[i].edit.undo);
+    CHECK(cells(count_cells(map)) == cells(before));
+  }
+}

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// Edges divided: what comes of known bodies, and what the operation promises.
+#include "topology/cells/subdivide.hpp"
+
+#include <algorithm>
+
+#include "tests/support/built.hpp"
+#include "topology/cells/cell_templates.hpp"
+
+using namespace sunder;
+using namespace sunder::suite;
+using namespace sunder::test;
+
+namespace {
+
+/// An edge of the map between two of the file's points.
+CellEdge edge_on(const VolumeMap& map, std::uint32_t a, std::uint32_t b) {
+  for (std::size_t t = 0; t < map.tetrahedra(); ++t) {
+    for (int e = 0; e < 6; ++e) {
+      const auto corners = map.corners(TetId{t});
+      const auto& [i, j] = edge_ends[static_cast<std::size_t>(e)];
+      const std::uint32_t p = map.point_of_vertex(corners[i]), q = map.point_of_vertex(corners[j]);
+      if (std::minmax(p, q) == std::minmax(a, b)) return {TetId{t}, e};
+    }
+  }
+  FAIL("no such edge");
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("a vertex in an edge: known counts", "[topology][cells]") {
+  // Body, edge, cells after: V E F T CC, worked out by hand.
+  struct Case {
+    TetMesh mesh;
+    std::array<std::uint32_t, 2> edge;
+    Cells5 after;
+  };
+  const std::vector<Case> cases = {
+      {one_tetrahedron(), {0, 1}, {5, 9, 7, 2, 1}},
+      {two_tetrahedra(), {0, 1}, {6, 13, 12, 4, 1}},   // in the common face
+      {two_tetrahedra(), {0, 3}, {6, 12, 10, 3, 1}},   // of one of them
+      {closed_fan(5), {0, 1}, {8, 22, 25, 10, 1}},     // the axis
+      {octahedron_star(), {0, 1}, {8, 23, 28, 12, 1}}  // four round a spoke
+  };
+  for (const Case& c : cases) {
+    for (const MapKernel kernel : {MapKernel::dense, MapKernel::lcc}) {
+      VolumeMap map = built(c.mesh);
+      map.set_kernel(kernel);
+      const CellEdit edit = insert_vertex(map, edge_on(map, c.edge[0], c.edge[1]), 0.25);
+      CHECK(cells(map) == c.after);
+      CHECK(check(map).empty());
+      REQUIRE(edit.vertices.size() == 1);
+      const Point a = map.point(edit.vertices[0].ends[0]), b = map.point(edit.vertices[0].ends[1]);
+      for (std::size_t i = 0; i < 3; ++i) {
+        CHECK(map.point(edit.vertices[0].vertex)[i] == 0.75 * a[i] + 0.25 * b[i]);
+      }
+    }
+  }
+}
+
+TEST_CASE("a ring of tetrahedra, closed and open", "[topology][cells]") {
+  const VolumeMap fan = built(closed_fan(6));
+  CHECK(edge_ring(fan, edge_on(fan, 0, 1)).size() == 6);
+  VolumeMap open = built(open_fan(6));
+  for (std::size_t t = 0; t < 6; ++t) {  // from every one of its tetrahedra all are found
+    int place = 0;
+    const auto corners = open.corners(TetId{t});
+    for (int e = 0; e < 6; ++e) {
+      const auto& [i, j] = edge_ends[static_cast<std::size_t>(e)];
+      if (open.point_of_vertex(corners[i]) + open.point_of_vertex(corners[j]) == 1) place = e;
+    }
+    CHECK(edge_ring(open, {TetId{t}, place}).size() == 6);
+  }
+  const EdgeRows rows = edge_rows(fan);
+  CHECK(rows.first.size() == count_cells(fan).edges);
+}
+
+TEST_CASE("which sets of edges a tetrahedron can be divided at", "[topology][cells]") {
+  int divisible = 0;
+  for (unsigned edges = 0; edges < 64; ++edges) {
+    if (!is_divisible(edges)) continue;
+    ++divisible;
+    const auto parts = parts_of_cell(edges, {0, 1, 2, 3, 4, 5});
+    // Parts are oriented as the whole and fill it: determinants of their corners' weights.
+    double volume = 0;
+    for (const CellPart& part : parts) {
+      std::array<std::array<double, 3>, 4> x{};
+      for (std::size_t i = 0; i < 4; ++i) {
+        const auto add = [&](int corner, double w) {
+          if (corner > 0) x[i][static_cast<std::size_t>(corner - 1)] += w;
+        };
+        if (part[i] < 4) {
+          add(part[i], 1);
+        } else {
+          add(edge_ends[static_cast<std::size_t>(part[i] - 4)][0], 0.5);
+          add(edge_ends[static_cast<std::size_t>(part[i] - 4)][1], 0.5);
+        }
+      }
+      std::array<std::array<double, 3>, 3> d{};
+      for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t k = 0; k < 3; ++k) d[i][k] = x[i + 1][k] - x[0][k];
+      }
+      const double det = d[0][0] * (d[1][1] * d[2][2] - d[1][2] * d[2][1]) -
+                         d[0][1] * (d[1][0] * d[2][2] - d[1][2] * d[2][0]) +
+                         d[0][2] * (d[1][0] * d[2][1] - d[1][1] * d[2][0]);
+      CHECK(det > 0);
+      volume += det;
+    }
+    CHECK(volume == 1);  // sums of powers of two
+  }
+  // Without a full face: 1 of none, 6 of one, 15 of two, 16 of three, 3 of four; 4 faces; all.
+  CHECK(divisible == 1 + 6 + 15 + 16 + 3 + 4 + 1);
+}
+
+TEST_CASE("both sides of a crack get one point, and can be glued after", "[topology][cells]") {
+  VolumeMap map = built(two_tetrahedra());
+  const HalfFaceId face = face_on(map, {0, 1, 2});
+  const HalfFaceId other = map.neighbour(face);
+  REQUIRE(split_face(map, face).vertex_count == 3);
+  const std::vector<EdgeMark> marks = {{edge_on(map, 0, 1), 0.3},
+                                       {{TetId{1}, 0}, 0.3}};  // 1 0 2 4: the same edge
+  const CellEdit edit = divide_edges(map, marks);
+  REQUIRE(edit.vertices.size() == 2);
+  CHECK(map.point_of_vertex(edit.vertices[0].vertex) ==
+        map.point_of_vertex(edit.vertices[1].vertex));
+  CHECK(count_cells(map).components == 2);
+  static_cast<void>(other);
+  std::size_t glued = 0;
+  for (std::size_t a = 0; a < 4 * map.tetrahedra(); ++a) {
+    for (std::size_t b = a + 1; b < 4 * map.tetrahedra(); ++b) {
+      glued += glue_face(map, HalfFaceId{a}, HalfFaceId{b}).refusal == GlueRefusal::none;
+    }
+  }
+  CHECK(glued == 2);
+  CHECK(cells(map) == Cells5{6, 13, 12, 4, 1});
+}

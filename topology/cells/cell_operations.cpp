@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// The operations on cells for the maps that everyone uses.
+#include "topology/cells/edges_impl.hpp"
+#include "topology/cells/journal_impl.hpp"
+#include "topology/cells/plane_cut_impl.hpp"
+#include "topology/cells/refine_impl.hpp"
+#include "topology/cells/subdivide_impl.hpp"
+#include "topology/kernel/map_answers.hpp"
+
+namespace sunder {
+
+template std::vector<CellEdge> edge_ring<VolumeMap>(const VolumeMap&, CellEdge);
+template std::vector<CellEdge> edge_ring<DenseMap>(const DenseMap&, CellEdge);
+template EdgeRows edge_rows<VolumeMap>(const VolumeMap&);
+template EdgeRows edge_rows<DenseMap>(const DenseMap&);
+template CellEdit divide_edges<VolumeMap>(VolumeMap&, std::span<const EdgeMark>);
+template CellEdit divide_edges<DenseMap>(DenseMap&, std::span<const EdgeMark>);
+template CellEdit insert_vertex<VolumeMap>(VolumeMap&, CellEdge, double);
+template CellEdit insert_vertex<DenseMap>(DenseMap&, CellEdge, double);
+template RefinedLevel refine_marked<VolumeMap>(VolumeMap&, std::span<const TetId>);
+template RefinedLevel refine_marked<DenseMap>(DenseMap&, std::span<const TetId>);
+template Result<PlaneCut> cut_cells<VolumeMap>(VolumeMap&, const CuttingPlane&);
+template Result<PlaneCut> cut_cells<DenseMap>(DenseMap&, const CuttingPlane&);
+template FaceSplit split_face<VolumeMap>(VolumeMap&, HalfFaceId, Journal&);
+template FaceSplit split_face<DenseMap>(DenseMap&, HalfFaceId, Journal&);
+
+}  // namespace sunder

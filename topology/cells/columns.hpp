@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// Columns beside the rows of a map go along with operations on cells, by named rules.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <vector>
+
+#include "topology/cells/subdivide.hpp"
+
+namespace sunder {
+
+/// What the children of a tetrahedron get.
+enum class CellRule {
+  /// What their parent had: regions, materials, component labels, densities, stresses.
+  copy,
+  /// Their part of it by volume: masses, volumes, energies. For numbers.
+  share
+};
+
+/// What a vertex on an edge gets.
+enum class VertexRule {
+  /// Between the values of the edge's ends, as it lies between them: displacements, temperatures. For
+  /// numbers and arrays of them.
+  interpolate,
+  /// The value of the nearer end, of the first one at the middle: labels, strengths.
+  nearest
+};
+
+/// What a column was before it went along, to take that back to the same bytes.
+template <class T>
+struct ColumnBefore {
+  std::size_t rows = 0;
+  std::vector<std::pair<std::size_t, T>> values;
+};
+
+template <class T>
+void take_back(std::vector<T>& column, const ColumnBefore<T>& before) {
+  column.resize(before.rows);
+  for (const auto& [row, value] : before.values) column[row] = value;
+}
+
+/// A column with a row for each tetrahedron. Needs: a row for each of before the operation.
+template <class T>
+ColumnBefore<T> extend_cells(std::vector<T>& column, const CellEdit& edit, CellRule rule) {
+  ColumnBefore<T> before{column.size(), {}};
+  for (std::size_t i = 0, end = 0; i < edit.cells.size(); i = end) {
+    const std::size_t parent = edit.cells[i].parent.index();
+    const T value = column[parent];
+    before.values.emplace_back(parent, value);
+    for (; end < edit.cells.size() && edit.cells[end].parent.index() == parent; ++end) {
+      const auto& [child, of, share, face] = edit.cells[end];
+      if (child.index() >= column.size()) column.resize(child.index() + 1);
+      column[child.index()] = value;
+      if constexpr (std::floating_point<T>) {
+        if (rule == CellRule::share) column[child.index()] = share * value;
+      }
+    }
+  }
+  return before;
+}
+
+/// A column with a row for each face of each tetrahedron (4 t + p): parts of a face get what it had,
+/// faces inside the parent get `inside`. Crack labels and sets of faces go along so.
+template <class T>
+ColumnBefore<T> extend_faces(std::vector<T>& column, const CellEdit& edit, const T& inside = {}) {
+  ColumnBefore<T> before{column.size(), {}};
+  for (std::size_t i = 0, end = 0; i < edit.cells.size(); i = end) {
+    const std::size_t parent = edit.cells[i].parent.index();
+    std::array<T, 4> values;
+    for (std::size_t p = 0; p < 4; ++p) {
+      values[p] = column[4 * parent + p];
+      before.values.emplace_back(4 * parent + p, values[p]);
+    }
+    for (; end < edit.cells.size() && edit.cells[end].parent.index() == parent; ++end) {
+      const ChildCell& child = edit.cells[end];
+      const std::size_t first = 4 * child.tetrahedron.index();
+      if (first >= column.size()) column.resize(first + 4);
+      for (std::size_t q = 0; q < 4; ++q) {
+        column[first + q] = child.face[q] < 4 ? values[child.face[q]] : inside;
+      }
+    }
+  }
+  return before;
+}
+
+namespace detail {
+
+template <class T>
+T between(const T& a, const T& b, double weight) {
+  if constexpr (std::floating_point<T>) {
+    return static_cast<T>((1 - weight) * a + weight * b);
+  } else {
+    T value = a;
+    for (std::size_t i = 0; i < value.size(); ++i) value[i] = between(a[i], b[i], weight);
+    return value;
+  }
+}
+
+template <class T>
+concept Interpolated = std::floating_point<T> || requires(const T& a, double w) {
+  between(a[0], a[0], w);
+  a.size();
+};
+
+}  // namespace detail
+
+/// A column with a row for each vertex. Needs: a row for each of before the operation.
+template <class T>
+ColumnBefore<T> extend_vertices(std::vector<T>& column, const CellEdit& edit, VertexRule rule) {
+  ColumnBefore<T> before{column.size(), {}};
+  for (const auto& [vertex, ends, weight] : edit.vertices) {
+    const T a = column[ends[0].index()], b = column[ends[1].index()];
+    T value = weight <= 0.5 ? a : b;
+    if constexpr (detail::Interpolated<T>) {
+      if (rule == VertexRule::interpolate) value = detail::between(a, b, weight);
+    }
+    if (vertex.index() >= column.size()) column.resize(vertex.index() + 1);
+    column[vertex.index()] = value;
+  }
+  return before;
+}
+
+}  // namespace sunder

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// Levels of refinement, in which green tetrahedra are made again rather than divided.
+#include "topology/cells/refine.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace sunder {
+namespace {
+
+constexpr std::size_t red = static_cast<std::size_t>(-1);
+
+/// Where a tetrahedron comes from: for a green one the level that made it and its parent's row before.
+struct Origin {
+  std::size_t level = red;
+  TetId parent;
+};
+
+/// Tetrahedra that divided into other than eight gave their children the origin `level`.
+void note_origins(std::vector<Origin>& origins, const CellEdit& edit, std::size_t level) {
+  for (std::size_t i = 0, end = 0; i < edit.cells.size(); i = end) {
+    while (end < edit.cells.size() && edit.cells[end].parent == edit.cells[i].parent) ++end;
+    const Origin origin = end - i == 8 ? Origin{} : Origin{level, edit.cells[i].parent};
+    for (std::size_t k = i; k < end; ++k) {
+      const std::size_t row = edit.cells[k].tetrahedron.index();
+      if (row >= origins.size()) origins.resize(row + 1);
+      origins[row] = origin;
+    }
+  }
+}
+
+class Levels {
+ public:
+  Levels(VolumeMap& map, std::size_t levels,
+         const std::function<bool(const VolumeMap&, TetId)>& wanted)
+      : map_(map), wanted_(wanted), forced_(levels), origins_{std::vector<Origin>(map.tetrahedra())} {
+    while (done_.size() < levels) make_next();
+  }
+
+  std::vector<RefinedLevel> done() && { return std::move(done_); }
+
+ private:
+  void make_next() {
+    const std::size_t level = done_.size();
+    std::set<TetId> marked = forced_[level];
+    for (std::size_t t = 0; t < map_.tetrahedra(); ++t) {
+      if (wanted_(map_, TetId{t})) marked.insert(TetId{t});
+    }
+    const std::vector<TetId> list(marked.begin(), marked.end());
+    RefinedLevel made = refine_marked(map_, list);
+    std::size_t back = red;  // the lowest level on which a green one was divided
+    for (const ChildCell& cell : made.edit.cells) {
+      back = std::min(back, origins_[level][cell.parent.index()].level);
+    }
+    if (back == red) {
+      origins_.push_back(origins_[level]);
+      note_origins(origins_.back(), made.edit, level);
+      done_.push_back(std::move(made));
+      return;
+    }
+    for (const ChildCell& cell : made.edit.cells) {
+      const Origin& from = origins_[level][cell.parent.index()];
+      if (from.level == back) forced_[back].insert(from.parent);
+    }
+    map_.apply(made.edit.undo);
+    while (done_.size() > back) {
+      map_.apply(done_.back().edit.undo);
+      done_.pop_back();
+      origins_.pop_back();
+    }
+    for (std::size_t k = back + 1; k < forced_.size(); ++k) forced_[k].clear();
+  }
+
+  VolumeMap& map_;
+  const std::function<bool(const VolumeMap&, TetId)>& wanted_;
+  std::vector<std::set<TetId>> forced_;       // of each level: parents of green ones to be divided
+  std::vector<std::vector<Origin>> origins_;  // before each level
+  std::vector<RefinedLevel> done_;
+};
+
+}  // namespace
+
+std::vector<RefinedLevel> refine(VolumeMap& map, std::size_t levels,
+                                 const std::function<bool(const VolumeMap&, TetId)>& wanted) {
+  return Levels(map, levels, wanted).done();
+}
+
+}  // namespace sunder

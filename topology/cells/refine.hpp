@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Red refinement: marked tetrahedra become eight each, their neighbours are closed.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "topology/cells/subdivide.hpp"
+#include "topology/kernel/volume_map.hpp"
+
+namespace sunder {
+
+/// One level of a refinement.
+struct RefinedLevel {
+  CellEdit edit;
+  /// Tetrahedra that became eight (red), and those divided to meet them (green).
+  std::size_t red = 0, green = 0;
+};
+
+/// Divides each of `marked` into eight, and others as they have to be so that faces fit: into two or
+/// four where one edge, two edges or one face of theirs is divided, else into eight as well
+/// [Bey 1995, sections 3 and 4]. O(|T|).
+template <CellKernel K>
+RefinedLevel refine_marked(K& map, std::span<const TetId> marked);
+
+/// Refines `levels` times what `wanted` asks for, asked anew on each level.
+///
+/// Green tetrahedra are never divided again: where one would have to be, its parent becomes eight
+/// instead, and the levels from there on are made anew. So every tetrahedron is red or a green child
+/// of a red one, and of the three shapes (Bey) and their green parts of its tetrahedron of before:
+/// quality does not fall with levels.
+/// Gives the levels in their order; to take all back, apply their undos from the last to the first.
+/// O(levels x |T|) times how often levels are made anew, of which there are few.
+std::vector<RefinedLevel> refine(VolumeMap& map, std::size_t levels,
+                                 const std::function<bool(const VolumeMap&, TetId)>& wanted);
+
+}  // namespace sunder
