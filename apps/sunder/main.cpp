@@ -12,6 +12,8 @@
 #include "apps/sunder/fragments/fragments.hpp"
 #include "apps/sunder/mesh/check.hpp"
 #include "apps/sunder/mesh/convert.hpp"
+#include "apps/sunder/mesh/cut.hpp"
+#include "apps/sunder/mesh/refine.hpp"
 #include "apps/sunder/mesh/split.hpp"
 #include "apps/sunder/program.hpp"
 #include "apps/sunder/run/run.hpp"
@@ -57,6 +59,8 @@ void add_commands(CLI::App& program, sunder::ExitCode& exit_code) {
   sunder::add_check_command(program, exit_code);
   sunder::add_convert_command(program, exit_code);
   sunder::add_split_command(program, exit_code);
+  sunder::add_cut_command(program, exit_code);
+  sunder::add_refine_command(program, exit_code);
   if (!std::filesystem::exists(bench_program())) return;
   for (const auto& [name, purpose] : bench_commands) {
     program.add_subcommand(std::string(name), std::string(purpose));

@@ -10,17 +10,21 @@ namespace {
 
 constexpr std::size_t red = static_cast<std::size_t>(-1);
 
-/// Where a tetrahedron comes from: for a green one the level that made it and its parent's row before.
+/// Where a tetrahedron comes from: for a green one the level that made it and its parent's row before;
+/// and the tetrahedron of the beginning.
 struct Origin {
   std::size_t level = red;
   TetId parent;
+  TetId root;
 };
 
 /// Tetrahedra that divided into other than eight gave their children the origin `level`.
 void note_origins(std::vector<Origin>& origins, const CellEdit& edit, std::size_t level) {
   for (std::size_t i = 0, end = 0; i < edit.cells.size(); i = end) {
     while (end < edit.cells.size() && edit.cells[end].parent == edit.cells[i].parent) ++end;
-    const Origin origin = end - i == 8 ? Origin{} : Origin{level, edit.cells[i].parent};
+    const TetId root = origins[edit.cells[i].parent.index()].root;
+    const Origin origin =
+        end - i == 8 ? Origin{red, {}, root} : Origin{level, edit.cells[i].parent, root};
     for (std::size_t k = i; k < end; ++k) {
       const std::size_t row = edit.cells[k].tetrahedron.index();
       if (row >= origins.size()) origins.resize(row + 1);
@@ -31,9 +35,10 @@ void note_origins(std::vector<Origin>& origins, const CellEdit& edit, std::size_
 
 class Levels {
  public:
-  Levels(VolumeMap& map, std::size_t levels,
-         const std::function<bool(const VolumeMap&, TetId)>& wanted)
-      : map_(map), wanted_(wanted), forced_(levels), origins_{std::vector<Origin>(map.tetrahedra())} {
+  Levels(VolumeMap& map, std::size_t levels, const WantedCells& wanted)
+      : map_(map), wanted_(wanted), forced_(levels) {
+    origins_.emplace_back();
+    for (std::size_t t = 0; t < map.tetrahedra(); ++t) origins_[0].push_back({red, {}, TetId{t}});
     while (done_.size() < levels) make_next();
   }
 
@@ -44,7 +49,7 @@ class Levels {
     const std::size_t level = done_.size();
     std::set<TetId> marked = forced_[level];
     for (std::size_t t = 0; t < map_.tetrahedra(); ++t) {
-      if (wanted_(map_, TetId{t})) marked.insert(TetId{t});
+      if (wanted_(map_, TetId{t}, origins_[level][t].root)) marked.insert(TetId{t});
     }
     const std::vector<TetId> list(marked.begin(), marked.end());
     RefinedLevel made = refine_marked(map_, list);
@@ -72,7 +77,7 @@ class Levels {
   }
 
   VolumeMap& map_;
-  const std::function<bool(const VolumeMap&, TetId)>& wanted_;
+  const WantedCells& wanted_;
   std::vector<std::set<TetId>> forced_;       // of each level: parents of green ones to be divided
   std::vector<std::vector<Origin>> origins_;  // before each level
   std::vector<RefinedLevel> done_;
@@ -80,8 +85,7 @@ class Levels {
 
 }  // namespace
 
-std::vector<RefinedLevel> refine(VolumeMap& map, std::size_t levels,
-                                 const std::function<bool(const VolumeMap&, TetId)>& wanted) {
+std::vector<RefinedLevel> refine(VolumeMap& map, std::size_t levels, const WantedCells& wanted) {
   return Levels(map, levels, wanted).done();
 }
 

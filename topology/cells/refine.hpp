@@ -24,6 +24,9 @@ struct RefinedLevel {
 template <CellKernel K>
 RefinedLevel refine_marked(K& map, std::span<const TetId> marked);
 
+/// Whether a tetrahedron shall be divided; `of` is the one of the beginning that it is a part of.
+using WantedCells = std::function<bool(const VolumeMap& map, TetId cell, TetId of)>;
+
 /// Refines `levels` times what `wanted` asks for, asked anew on each level.
 ///
 /// Green tetrahedra are never divided again: where one would have to be, its parent becomes eight
@@ -32,7 +35,6 @@ RefinedLevel refine_marked(K& map, std::span<const TetId> marked);
 /// quality does not fall with levels.
 /// Gives the levels in their order; to take all back, apply their undos from the last to the first.
 /// O(levels x |T|) times how often levels are made anew, of which there are few.
-std::vector<RefinedLevel> refine(VolumeMap& map, std::size_t levels,
-                                 const std::function<bool(const VolumeMap&, TetId)>& wanted);
+std::vector<RefinedLevel> refine(VolumeMap& map, std::size_t levels, const WantedCells& wanted);
 
 }  // namespace sunder

@@ -14,6 +14,10 @@
 
 namespace sunder {
 
+/// The number of a region that tetrahedra are in: its name's, or the word itself.
+/// Errors: unknown_region, which lists those there are.
+Result<std::int32_t> region_called(const FileMesh& mesh, std::string_view word);
+
 /// What lies across each face of each tetrahedron. Face p is opposite to corner p.
 struct FaceLinks {
   static constexpr std::uint32_t none = 0xffffffffU;

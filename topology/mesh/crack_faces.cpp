@@ -6,6 +6,7 @@
 #include <charconv>
 #include <optional>
 
+#include "topology/base/sort_unique.hpp"
 #include "topology/kernel/kernel.hpp"
 #include "topology/mesh/crack.hpp"
 #include "topology/mesh/face_table.hpp"
@@ -47,8 +48,9 @@ Result<CutFaces> some(CutFaces faces, std::string text) {
                  .remedy = "name faces inside the body: `sunder check` tells its regions and size"};
 }
 
-/// The number of a region that tetrahedra are in: its name's, or the word itself.
-std::optional<std::int32_t> region_called(const FileMesh& mesh, std::string_view word) {
+}  // namespace
+
+Result<std::int32_t> region_called(const FileMesh& mesh, std::string_view word) {
   std::int32_t number = 0;
   const auto [end, reason] = std::from_chars(word.data(), word.data() + word.size(), number);
   bool is_known = reason == std::errc{} && end == word.data() + word.size();
@@ -57,15 +59,9 @@ std::optional<std::int32_t> region_called(const FileMesh& mesh, std::string_view
     number = region;
     is_known = true;
   }
-  const auto& labels = label_of(mesh.tetrahedra);
-  if (!is_known || std::ranges::find(labels, number) == labels.end()) return std::nullopt;
-  return number;
-}
-
-Finding unknown_region(const FileMesh& mesh, std::string_view word) {
   std::vector<std::int32_t> known = label_of(mesh.tetrahedra);
-  std::ranges::sort(known);
-  known.erase(std::unique(known.begin(), known.end()), known.end());
+  if (is_known && std::ranges::find(known, number) != known.end()) return number;
+  sort_unique(known);
   std::string list;
   constexpr std::size_t most = 12;
   for (std::size_t i = 0; i < std::min(known.size(), most); ++i) {
@@ -73,14 +69,12 @@ Finding unknown_region(const FileMesh& mesh, std::string_view word) {
     list += fmt::format("{}{}{}", i == 0 ? "" : ", ", known[i],
                         name == mesh.region_name[3].end() ? "" : " (" + name->second + ")");
   }
-  return {.code = "unknown_region",
-          .text = fmt::format("no tetrahedron is in a region '{}'", word),
-          .remedy = known.empty() ? "the tetrahedra have no regions: name the faces otherwise"
-                                  : fmt::format("give two of {}{}", list,
-                                                known.size() > most ? ", ..." : "")};
+  return Finding{.code = "unknown_region",
+                 .text = fmt::format("no tetrahedron is in a region '{}'", word),
+                 .remedy = known.empty() ? "the tetrahedra have no regions: choose otherwise"
+                                         : fmt::format("the regions are {}{}", list,
+                                                       known.size() > most ? ", ..." : "")};
 }
-
-}  // namespace
 
 Result<FaceLinks> face_links(const FileMesh& mesh) {
   const std::size_t n = mesh.tetrahedra.corners.size();
@@ -165,8 +159,8 @@ Result<CutFaces> interface_faces(const FileMesh& mesh, const FaceLinks& links,
                                  std::array<std::string_view, 2> regions) {
   std::array<std::int32_t, 2> numbers;
   for (std::size_t i = 0; i < 2; ++i) {
-    const std::optional<std::int32_t> number = region_called(mesh, regions[i]);
-    if (!number) return unknown_region(mesh, regions[i]);
+    const Result<std::int32_t> number = region_called(mesh, regions[i]);
+    if (!number) return number.findings.front();
     numbers[i] = *number;
   }
   const auto& label = label_of(mesh.tetrahedra);

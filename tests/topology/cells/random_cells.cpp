@@ -355,8 +355,7 @@ RandomCells random_cells(std::size_t operations, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   const std::vector<suite::NamedMesh> bodies = ten_bodies();
   const auto done = [&] {
-    return report.inserted + report.refined + report.cut + report.splits + report.undone +
-           report.redone;
+    return report.inserted + report.refined + report.cut + report.splits;
   };
   for (std::size_t body = 0; done() < operations; ++body) {
     const suite::NamedMesh& named = bodies[body % bodies.size()];

@@ -14,7 +14,7 @@ struct RandomCells {
   std::size_t comparisons = 0;
 };
 
-/// About `operations` over ten bodies. After each: rows of both kernels equal, darts equal to rows,
+/// At least `operations`, what is undone and done again not counted, over ten bodies. After each: rows of both kernels equal, darts equal to rows,
 /// the tetrahedra and all cells as the twin has them, Euler characteristic and Betti numbers as before
 /// (but of splits), volumes, columns by every rule, and rows as they were after undoing.
 RandomCells random_cells(std::size_t operations, std::uint64_t seed);

@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 
 TEST_CASE("random operations on cells of ten bodies do as the twin says", "[topology][cells]") {
-  const auto run = sunder::test::random_cells(1500, 20261123);
+  const auto run = sunder::test::random_cells(800, 20261123);
   INFO(run.failure);
   CHECK(run.failure.empty());
   CHECK(run.inserted > 50);

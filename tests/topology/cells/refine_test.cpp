@@ -85,7 +85,7 @@ void add_green_shapes(const Corners& x, std::set<std::vector<long>>& all) {
   }
 }
 
-bool everywhere(const VolumeMap&, TetId) { return true; }
+bool everywhere(const VolumeMap&, TetId, TetId) { return true; }
 
 }  // namespace
 
@@ -136,7 +136,7 @@ TEST_CASE("refined here and there: no green one is divided, shapes stay few", "[
   for (std::size_t levels = 1; levels <= 5; ++levels) {
     VolumeMap map = built(mesh);
     map.set_kernel(MapKernel::dense);
-    const auto near_corner = [](const VolumeMap& m, TetId t) {
+    const auto near_corner = [](const VolumeMap& m, TetId t, TetId) {
       for (const VertexId v : m.corners(t)) {
         const Point x = m.point(v);
         if (x[0] * x[0] + x[1] * x[1] + x[2] * x[2] < 0.01) return true;

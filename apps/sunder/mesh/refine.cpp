@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+// `sunder refine`: the command line, and which tetrahedra it makes finer.
+#include "apps/sunder/mesh/refine.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <memory>
+#include <optional>
+
+#include "apps/scene/words.hpp"
+#include "apps/sunder/mesh/divided_mesh.hpp"
+#include "apps/sunder/mesh/near_crack.hpp"
+#include "topology/cells/refine.hpp"
+#include "topology/kernel/plane_side.hpp"
+#include "topology/mesh/crack.hpp"
+
+namespace sunder {
+namespace {
+
+constexpr const char* footer = R"(
+Each level divides every chosen tetrahedron into eight (red refinement, Bey 1995) and its neighbours
+into two or four so that faces fit; what was divided to fit is never divided again, so shapes do not
+get worse with levels. Without --region, --plane and --crack all tetrahedra are chosen; with several
+of them, those that any chooses. Chosen is asked anew on each level.
+Triangles, edges, regions, entities and data go along: points on edges get numbers between their
+ends' (whole numbers: the nearer end's), parts get what their parent had (--share: by volume).
+Points of before keep their rows; both sides of a crack are divided alike.
+
+Exit codes: 0 written, 2 usage, 3 the mesh cannot be read or has no map, 4 OUT not written.
+
+Examples:
+  sunder refine body.msh fine.msh
+  sunder refine body.msh fine.vtu --region inclusion --levels 2
+  sunder refine body.msh fine.msh --plane 1,0,0,0.5 --within 0.02 --levels 3
+  sunder refine cracked.vtu fine.vtu --crack --within 0.01
+)";
+
+struct RefineArguments : DivideArguments {
+  std::size_t levels = 1;
+  std::vector<std::string> regions;
+  std::string plane;
+  bool crack = false;
+  double within = 0;
+};
+
+/// Whether the tetrahedron comes nearer to the plane than `within`, m, or meets it.
+WantedCells near_plane(const PlaneThrough& plane, double within) {
+  const double length = std::sqrt(plane.normal[0] * plane.normal[0] +
+                                  plane.normal[1] * plane.normal[1] +
+                                  plane.normal[2] * plane.normal[2]);
+  return [=](const VolumeMap& map, TetId t, TetId) {
+    double low = INFINITY, high = -INFINITY;
+    for (const VertexId v : map.corners(t)) {
+      const Point& x = map.point(v);
+      double d = 0;
+      for (std::size_t i = 0; i < 3; ++i) d += plane.normal[i] * (x[i] - plane.at[i]) / length;
+      low = std::min(low, d), high = std::max(high, d);
+    }
+    return low <= within && high >= -within;
+  };
+}
+
+/// The choices of the arguments; none chooses all.
+Result<std::vector<WantedCells>> choices(const RefineArguments& arguments, const DividedMesh& body) {
+  std::vector<WantedCells> wanted;
+  if (!arguments.plane.empty()) {
+    const std::vector<double> x = *numbers_of(arguments.plane, 4);
+    const auto plane = read_plane({{x[0], x[1], x[2]}, x[3]});
+    if (!plane) {
+      return Finding{.code = "not_a_direction",
+                     .text = "the plane's normal is zero or a number of it is not finite",
+                     .remedy = "give a normal of three finite numbers, not all zero"};
+    }
+    wanted.push_back(near_plane(*plane, arguments.within));
+  }
+  if (arguments.crack) {
+    auto crack = std::make_shared<CrackFaces>(crack_faces(body.map, arguments.within));
+    if (crack->triangles.empty()) {
+      return Finding{.code = "no_crack",
+                     .text = "no two boundary faces of the mesh lie on each other",
+                     .remedy = "open a crack first (sunder convert --crack-plane), or leave --crack "
+                               "out"};
+    }
+    wanted.emplace_back([crack, within = arguments.within](const VolumeMap& map, TetId t,
+                                                                   TetId) {
+      return is_near(*crack, map, t, within);
+    });
+  }
+  if (!arguments.regions.empty()) {
+    std::set<std::int32_t> numbers;
+    for (const std::string& word : arguments.regions) {
+      const Result<std::int32_t> number = region_called(body.mesh, word);
+      if (!number) return number.findings.front();
+      numbers.insert(*number);
+    }
+    const std::vector<std::int32_t> labels = label_of(body.mesh.tetrahedra);
+    wanted.emplace_back([labels, numbers](const VolumeMap&, TetId, TetId of) {
+      return numbers.contains(labels[of.index()]);
+    });
+  }
+  return wanted;
+}
+
+/// What each level did, as lines and as JSON.
+void tell(const std::vector<RefinedLevel>& levels, const DividedFile& file, std::string& lines,
+          nlohmann::ordered_json& json) {
+  json["levels"] = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const RefinedLevel& level = levels[i];
+    lines += fmt::format("level {}: {} tetrahedra into eight, {} divided to fit, {} new vertices\n",
+                         i + 1, level.red, level.green, level.edit.vertices.size());
+    json["levels"].push_back({{"red", level.red},
+                              {"green", level.green},
+                              {"new_vertices", level.edit.vertices.size()}});
+  }
+  if (file.numbers_added > 0) {
+    lines += fmt::format("{} new points and cells have numbers behind the file's highest\n",
+                         file.numbers_added);
+  }
+  json["numbers_added"] = file.numbers_added;
+}
+
+ExitCode run_refine(const RefineArguments& arguments) {
+  Result<DividedMesh> body = read_to_divide(arguments.in, arguments.kernel);
+  if (!body) return refuse(arguments, body.findings, ExitCode::bad_input);
+  const auto shared = shared_columns(arguments, body->mesh);
+  if (!shared) return refuse(arguments, shared.findings, ExitCode::usage);
+  const auto wanted = choices(arguments, *body);
+  if (!wanted) return refuse(arguments, wanted.findings, ExitCode::usage);
+  const std::vector<RefinedLevel> levels =
+      refine(body->map, arguments.levels, [&](const VolumeMap& map, TetId t, TetId of) {
+        return wanted->empty() ||
+               std::ranges::any_of(*wanted, [&](const auto& is_wanted) {
+                 return is_wanted(map, t, of);
+               });
+      });
+  std::vector<CellEdit> edits;
+  for (const RefinedLevel& level : levels) edits.push_back(level.edit);
+  const DividedFile file = divide_file(body->mesh, body->map, edits, *shared);
+  std::string lines;
+  nlohmann::ordered_json json;
+  tell(levels, file, lines, json);
+  return finish(arguments, *body, lines, json);
+}
+
+std::string check_plane(const std::string& list) {
+  return numbers_of(list, 4) ? "" : "'" + list + "' is not NX,NY,NZ,D: four numbers";
+}
+
+}  // namespace
+
+void add_refine_command(CLI::App& program, ExitCode& exit_code) {
+  const auto arguments = std::make_shared<RefineArguments>();
+  CLI::App* command =
+      program.add_subcommand("refine", "Make the tetrahedra of a mesh finer, all or some");
+  add_divide_arguments(*command, *arguments);
+  command->add_option("--levels", arguments->levels, "How many times (default 1)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 12));
+  command
+      ->add_option("--region", arguments->regions,
+                   "Tetrahedra of this region, by number or name; may be given several times")
+      ->type_name("R");
+  CLI::Option* plane =
+      command
+          ->add_option("--plane", arguments->plane,
+                       "Tetrahedra that the plane NX x + NY y + NZ z = D meets or nearly meets")
+          ->type_name("NX,NY,NZ,D")
+          ->check(CLI::Validator(check_plane, "", "plane"));
+  CLI::Option* crack = command->add_flag(
+      "--crack", arguments->crack, "Tetrahedra at cracks: boundary faces that lie on each other");
+  command
+      ->add_option("--within", arguments->within,
+                   "How near is near to the plane or crack, m (default 0: those that meet it)")
+      ->type_name("DISTANCE")
+      ->check(CLI::NonNegativeNumber)
+      ->check(CLI::Validator(
+          [plane, crack](const std::string&) {
+            return plane->count() + crack->count() > 0
+                       ? std::string()
+                       : "there is nothing to be near to: give --plane or --crack first";
+          },
+          "", "near"));
+  command->footer(footer);
+  command->callback([=, &exit_code] { exit_code = run_refine(*arguments); });
+}
+
+}  // namespace sunder
