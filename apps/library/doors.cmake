@@ -14,6 +14,7 @@ door(mesh "Tetrahedral meshes: cells, files in and out, checks."
   topology/mesh/check.hpp)
 
 door(map "The 3-map of a body: faces split and glued, fans, components, invariants."
+  topology/base/cell_change.hpp
   topology/kernel/kernel.hpp
   topology/kernel/dense_map.hpp
   topology/kernel/volume_map.hpp
@@ -24,6 +25,14 @@ door(map "The 3-map of a body: faces split and glued, fans, components, invarian
   topology/kernel/components.hpp
   topology/kernel/invariants.hpp
   topology/kernel/map_mesh.hpp)
+
+door(cells "Operations that change cells: edges divided, red refinement, exact plane cuts, a journal that undoes them."
+  topology/cells/edges.hpp
+  topology/cells/subdivide.hpp
+  topology/cells/refine.hpp
+  topology/cells/plane_cut.hpp
+  topology/cells/columns.hpp
+  topology/cells/journal.hpp)
 
 door(mechanics "Materials, obstacles, and what a user chooses about integration, contact and impacts."
   mechanics/state/vec3.hpp
@@ -57,6 +66,9 @@ door(simulation "Scenes, how to build, step, save and load them, and what a step
   topology/base/owned.hpp
   fracture/simulation/simulation.hpp
   fracture/saving/saved_state.hpp)
+
+door(rows "For researchers: the map and the columns of a running simulation, faces split by a law of one's own."
+  fracture/simulation/rows.hpp)
 
 door(scene "Scene files: JSON, every key checked."
   apps/scene/output_settings.hpp

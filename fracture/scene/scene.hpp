@@ -26,12 +26,12 @@ struct GravitySettings {
   double ramp_time = 0;
 };
 
-/// A whole scene, SI units.
 /// What holds the bodies' topology.
 struct TopologySettings {
   MapKernel kernel = MapKernel::dense;
 };
 
+/// A whole scene, SI units.
 struct Scene {
   std::string name;
   std::vector<BodySettings> bodies;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The operations on cells for the maps that everyone uses.
+#include "topology/cells/columns_impl.hpp"
 #include "topology/cells/edges_impl.hpp"
 #include "topology/cells/journal_impl.hpp"
 #include "topology/cells/plane_cut_impl.hpp"
@@ -21,6 +22,8 @@ template RefinedLevel refine_marked<VolumeMap>(VolumeMap&, std::span<const TetId
 template RefinedLevel refine_marked<DenseMap>(DenseMap&, std::span<const TetId>);
 template Result<PlaneCut> cut_cells<VolumeMap>(VolumeMap&, const CuttingPlane&);
 template Result<PlaneCut> cut_cells<DenseMap>(DenseMap&, const CuttingPlane&);
+template std::array<double, 3> parted_shares<VolumeMap>(const VolumeMap&, const FaceSplit&);
+template std::array<double, 3> parted_shares<DenseMap>(const DenseMap&, const FaceSplit&);
 template FaceSplit split_face<VolumeMap>(VolumeMap&, HalfFaceId, Journal&);
 template FaceSplit split_face<DenseMap>(DenseMap&, HalfFaceId, Journal&);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Columns beside the rows of a map go along with operations on cells, by named rules.
+// Columns beside the rows of a map go along with operations on cells and with split faces, by named
+// rules.
 #pragma once
 
 #include <array>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "topology/cells/subdivide.hpp"
+#include "topology/kernel/split_face.hpp"
 
 namespace sunder {
 
@@ -20,7 +22,8 @@ enum class CellRule {
 
 /// What a vertex on an edge gets.
 enum class VertexRule {
-  /// Between the values of the edge's ends, as it lies between them: displacements, temperatures. For
+  /// Between the values of the edge's ends, as it lies between them: displacements, temperatures.
+  /// For
   /// numbers and arrays of them.
   interpolate,
   /// The value of the nearer end, of the first one at the middle: labels, strengths.
@@ -60,8 +63,8 @@ ColumnBefore<T> extend_cells(std::vector<T>& column, const CellEdit& edit, CellR
   return before;
 }
 
-/// A column with a row for each face of each tetrahedron (4 t + p): parts of a face get what it had,
-/// faces inside the parent get `inside`. Crack labels and sets of faces go along so.
+/// A column with a row for each face of each tetrahedron (4 t + p): parts of a face get what it
+/// had, faces inside the parent get `inside`. Crack labels and sets of faces go along so.
 template <class T>
 ColumnBefore<T> extend_faces(std::vector<T>& column, const CellEdit& edit, const T& inside = {}) {
   ColumnBefore<T> before{column.size(), {}};
@@ -117,6 +120,41 @@ ColumnBefore<T> extend_vertices(std::vector<T>& column, const CellEdit& edit, Ve
     }
     if (vertex.index() >= column.size()) column.resize(vertex.index() + 1);
     column[vertex.index()] = value;
+  }
+  return before;
+}
+
+/// A column with a row for each vertex, after a face was split: each vertex that came apart has its
+/// value on both sides (the rule copy). Columns of tetrahedra and of their faces stay as they are.
+template <class T>
+ColumnBefore<T> extend_vertices(std::vector<T>& column, const FaceSplit& split) {
+  const ColumnBefore<T> before{column.size(), {}};
+  for (int i = 0; i < split.vertex_count; ++i) {
+    const VertexCopy& copy = split.split_vertices[static_cast<std::size_t>(i)];
+    const T value = column[copy.old_row.index()];
+    if (copy.new_row.index() >= column.size()) column.resize(copy.new_row.index() + 1);
+    column[copy.new_row.index()] = value;
+  }
+  return before;
+}
+
+/// For each of `split.split_vertices` the part of the rest volume of its star that the new row has.
+/// Needs: the map as this split has left it. O(stars).
+template <Kernel K>
+std::array<double, 3> parted_shares(const K& map, const FaceSplit& split);
+
+/// The same by the rule share: each side gets its part by volume, as masses do. `shares`: see
+/// `parted_shares`.
+template <std::floating_point T>
+ColumnBefore<T> share_vertices(std::vector<T>& column, const FaceSplit& split,
+                               const std::array<double, 3>& shares) {
+  ColumnBefore<T> before = extend_vertices(column, split);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(split.vertex_count); ++i) {
+    const auto& [old_row, new_row] = split.split_vertices[i];
+    const T value = column[old_row.index()];
+    before.values.emplace_back(old_row.index(), value);
+    column[new_row.index()] = static_cast<T>(shares[i] * value);
+    column[old_row.index()] = static_cast<T>((1 - shares[i]) * value);
   }
   return before;
 }

@@ -122,6 +122,17 @@ DartMap::Dart DartMap::dart(HalfFaceId f, CornerId from) const {
   return dart_at(tetrahedron_of(f), dart_order::dart_from(place_of(f), place_of(from)));
 }
 
+DartMap::Dart DartMap::dart(ConstDart d) const {
+  // CGAL gives back const handles from a const complex; the same darts, hence the casts.
+  return const_cast<DartComplex&>(complex_).darts().iterator_to(const_cast<DartComplex::Dart&>(*d));
+}
+
+CornerId DartMap::corner_of(Dart d) const {
+  const DartId row = id(d);
+  return corner(TetId{row.index() / 12},
+                        dart_order::origin(static_cast<int>(row.index() % 12)));
+}
+
 DartId DartMap::id(Dart d) const {
   const TetId t = tetrahedron(d);
   for (int k = 0; k < 12; ++k) {
@@ -213,8 +224,8 @@ void DartMap::apply(const CellChange& change, const MapRows& rows) {
     if (is_there) dropped.push_back(attribute_of(used[i]));
     if (v >= rows.point_of_vertex.size()) continue;  // it goes and nothing comes in its place
     const std::uint32_t point = rows.point_of_vertex[v];
-    attributes[i] = complex_.create_attribute<0>(to_cgal(rows.points[point]),
-                                                 VertexInfo{used[i], point});
+    attributes[i] =
+        complex_.create_attribute<0>(to_cgal(rows.points[point]), VertexInfo{used[i], point});
   }
   const auto attribute = [&](VertexId v) {
     return attributes[static_cast<std::size_t>(std::ranges::lower_bound(used, v) - used.begin())];

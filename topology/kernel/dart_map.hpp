@@ -46,9 +46,11 @@ using DartComplex = CGAL::Linear_cell_complex_for_combinatorial_map<3, 3, DartTr
 // CGAL 5.6 renamed handles to descriptors.
 #if CGAL_VERSION_NR >= 1050600000
 using DartDescriptor = DartComplex::Dart_descriptor;
+using ConstDartDescriptor = DartComplex::Dart_const_descriptor;
 using VertexAttributeDescriptor = DartComplex::Attribute_descriptor<0>::type;
 #else
 using DartDescriptor = DartComplex::Dart_handle;
+using ConstDartDescriptor = DartComplex::Dart_const_handle;
 using VertexAttributeDescriptor = DartComplex::Attribute_handle<0>::type;
 #endif
 
@@ -57,6 +59,7 @@ using VertexAttributeDescriptor = DartComplex::Attribute_handle<0>::type;
 class DartMap {
  public:
   using Dart = DartDescriptor;
+  using ConstDart = ConstDartDescriptor;
 
   /// Needs: rows that agree with each other; corners of one vertex row form one orbit.
   explicit DartMap(const MapRows& rows);
@@ -72,6 +75,12 @@ class DartMap {
   std::uint32_t point_of_vertex(VertexId v) const;
 
   Dart dart(HalfFaceId f, CornerId from) const;
+  /// A dart met in an iteration of `complex()`, such as `one_dart_per_incident_cell<2, 0>(d)`,
+  /// which CGAL gives as const: the same one for the functions here.
+  Dart dart(ConstDart d) const;
+  /// The half-face along which a dart runs, and the corner at which it starts.
+  HalfFaceId half_face_of(Dart d) const { return HalfFaceId{id(d).index() / 3}; }
+  CornerId corner_of(Dart d) const;
   DartId id(Dart d) const;
   VertexId vertex(Dart d) const { return complex_.info<0>(d).row; }
   TetId tetrahedron(Dart d) const { return complex_.info<3>(d); }

@@ -16,9 +16,16 @@
 #include "apps/sunder/run/recorder.hpp"
 #include "apps/sunder/run/replay.hpp"
 #include "apps/sunder/run/settings_report.hpp"
+#include "fracture/simulation/rows.hpp"
 
 namespace sunder {
 namespace {
+
+#ifdef NDEBUG
+constexpr bool is_debug_build = false;
+#else
+constexpr bool is_debug_build = true;
+#endif
 
 // A signal handler can reach nothing but a global.
 std::atomic<bool> interrupted = false;
@@ -60,11 +67,11 @@ std::optional<Finding> departure_of(const RunWork& work, std::optional<ExitCode>
 
 /// Steps until the end, a failure, an interruption, a departure from the log, or an output that
 /// cannot be written.
-ExitCode step_to_end(const RunWork& work, bool quiet, FrameClock* clock) {
+ExitCode step_to_end(const RunWork& work, const RunArguments& arguments, FrameClock* clock) {
   Simulation& simulation = work.simulation;
   const std::uint64_t steps = work.steps();
   std::size_t fans = 0;
-  Progress progress(quiet);
+  Progress progress(arguments.quiet);
   while (simulation.state->step < steps) {
     const auto start = std::chrono::steady_clock::now();
     const StepReport report = advance(simulation);
@@ -80,11 +87,16 @@ ExitCode step_to_end(const RunWork& work, bool quiet, FrameClock* clock) {
       print({*failure});
       return ExitCode::failed;
     }
+    if (arguments.check_map || (is_debug_build && !report.fracture.fans.empty())) {
+      const std::vector<Finding> damage = check_map(simulation);
+      print(damage);
+      if (!damage.empty()) return ExitCode::failed;
+    }
     if (interrupted) return ExitCode::interrupted;
     fans += report.fracture.fans.size();
     if (clock) clock->keep_up(report.time);
-    progress.show({report.step, steps, report.time, report.components, fans,
-                   clock ? clock->behind() : 0});
+    progress.show(
+        {report.step, steps, report.time, report.components, fans, clock ? clock->behind() : 0});
   }
   return ExitCode::fine;
 }
@@ -145,7 +157,7 @@ ExitCode run_scene(const RunArguments& arguments) {
   const RunWork work{*simulation, *recorder, replay};
   std::optional<FrameClock> clock;
   if (arguments.realtime) clock.emplace();
-  ExitCode ended = step_to_end(work, arguments.quiet, clock ? &*clock : nullptr);
+  ExitCode ended = step_to_end(work, arguments, clock ? &*clock : nullptr);
   const std::vector<Finding> unwritten = recorder->finish(*simulation, end_of(ended, replay));
   print(unwritten);
   if (ended == ExitCode::fine || ended == ExitCode::failed) {

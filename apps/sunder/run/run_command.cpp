@@ -74,13 +74,18 @@ void add_options(CLI::App& command, RunArguments& arguments, std::vector<std::st
                   "Threads for factors and contact of large pieces; results do not depend on it")
       ->capture_default_str()
       ->check(CLI::Range(1, 64));
-  command.add_flag("--realtime", arguments.realtime,
-                   "In step with the clock on the wall: frames of 1/60 s, each shown how late; what "
-                   "breaks has a budget of 32 fans and 16 new pieces a frame unless the scene has "
-                   "its own (fracture.mode budget)");
+  command.add_flag(
+      "--realtime", arguments.realtime,
+      "In step with the clock on the wall: frames of 1/60 s, each shown how late; what "
+      "breaks has a budget of 32 fans and 16 new pieces a frame unless the scene has "
+      "its own (fracture.mode budget)");
   command.add_flag("--strict", arguments.strict,
                    "End with exit code 7 when the run has a warning: contacts left out or not "
                    "converged, sub-steps that ran out, energy that does not add up");
+  command.add_flag(
+      "--check-map", arguments.check_map,
+      "Check the map, its darts and the labels of pieces after every step; the run fails "
+      "(exit code 5) at the first step that damages them");
   command.add_flag("--quiet", arguments.quiet,
                    "No progress, chosen settings and expected time on stderr");
   command.add_flag("--json", arguments.json, "Print report.json instead of a table");
