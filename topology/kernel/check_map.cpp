@@ -40,6 +40,7 @@ void check_darts(const VolumeMap& map, TetId t, Damage& damage) {
     const DartId id{12 * t.index() + static_cast<std::size_t>(k)};
     const auto d = to_dart(id);
     const std::size_t row = id.index();
+    damage.unless(darts.id(d) == id, "a dart carries its own row", row);
     damage.unless(darts.beta1(d) == to_dart(map.beta1(id)), "beta1 is the next of the face", row);
     damage.unless(darts.beta0(d) == to_dart(map.beta0(id)), "beta0 is the inverse of beta1", row);
     damage.unless(darts.beta2(d) == to_dart(map.beta2(id)), "beta2 crosses the edge", row);

@@ -107,7 +107,9 @@ ComponentUpdate update_components(const K& map, std::span<const FaceSplit> split
                                   Detection detection, Components& labels,
                                   ComponentScratch& scratch) {
   if constexpr (HasAnswers<K>) {
-    return answer(map, [&](auto& kernel) { return update_components(kernel, splits, detection, labels, scratch); });
+    return answer(map, [&](auto& kernel) {
+      return update_components(kernel, splits, detection, labels, scratch);
+    });
   }
   ComponentUpdate update;
   update.first_new = ComponentId{labels.size.size()};

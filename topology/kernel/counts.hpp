@@ -28,6 +28,7 @@ struct Counts {
   std::optional<std::array<std::ptrdiff_t, 3>> betti;
   /// Sum of the rest volumes, m^3; a tetrahedron with a negative one counts negative.
   double volume = 0;
+  friend bool operator==(const Counts&, const Counts&) = default;
 };
 
 }  // namespace sunder

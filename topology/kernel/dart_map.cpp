@@ -64,7 +64,7 @@ void DartMap::add_tetrahedron(TetId t, const std::array<VertexAttributeDescripto
   const auto volume = complex_.create_attribute<3>(t);
   std::array<Dart, 12> d;
   for (int k = 0; k < 12; ++k) {
-    d[k] = complex_.create_dart();
+    d[k] = complex_.create_dart(DartId{12 * t.index() + static_cast<std::size_t>(k)});
     complex_.set_dart_attribute<0>(d[k], corners[dart_order::origin(k)]);
     complex_.set_dart_attribute<3>(d[k], volume);
   }
@@ -122,6 +122,11 @@ DartMap::Dart DartMap::dart(HalfFaceId f, CornerId from) const {
   return dart_at(tetrahedron_of(f), dart_order::dart_from(place_of(f), place_of(from)));
 }
 
+DartMap::Dart DartMap::dart(VertexId v) const {
+  const CornerId c = corner_[v.index()];
+  return dart_at(tetrahedron_of(c), some_dart_from[place_of(c)]);
+}
+
 DartMap::Dart DartMap::dart(ConstDart d) const {
   // CGAL gives back const handles from a const complex; the same darts, hence the casts.
   return const_cast<DartComplex&>(complex_).darts().iterator_to(const_cast<DartComplex::Dart&>(*d));
@@ -129,17 +134,7 @@ DartMap::Dart DartMap::dart(ConstDart d) const {
 
 CornerId DartMap::corner_of(Dart d) const {
   const DartId row = id(d);
-  return corner(TetId{row.index() / 12},
-                        dart_order::origin(static_cast<int>(row.index() % 12)));
-}
-
-DartId DartMap::id(Dart d) const {
-  const TetId t = tetrahedron(d);
-  for (int k = 0; k < 12; ++k) {
-    if (dart_at(t, k) == d) return DartId{12 * t.index() + static_cast<std::size_t>(k)};
-  }
-  SUNDER_ASSERT(false, "a dart belongs to the tetrahedron its attribute names");
-  return DartId::none();
+  return corner(TetId{row.index() / 12}, dart_order::origin(static_cast<int>(row.index() % 12)));
 }
 
 void DartMap::unsew(HalfFaceId face) {
@@ -156,9 +151,7 @@ void DartMap::sew(Dart a, Dart b) {
 }
 
 VertexAttributeDescriptor DartMap::attribute_of(VertexId v) const {
-  const CornerId c = corner_[v.index()];
-  const Dart d = dart_at(tetrahedron_of(c), some_dart_from[place_of(c)]);
-  return const_cast<DartComplex&>(complex_).attribute<0>(d);
+  return const_cast<DartComplex&>(complex_).attribute<0>(dart(v));
 }
 
 void DartMap::rename(CornerId c, VertexAttributeDescriptor to) {

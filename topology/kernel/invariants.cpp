@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Counts for the map that everyone uses, and the table of what a face split can change.
-#include "topology/kernel/map_answers.hpp"
 #include "topology/kernel/invariants_impl.hpp"
+#include "topology/kernel/map_answers.hpp"
 #include "topology/kernel/volume_map.hpp"
 
 namespace sunder {
@@ -95,6 +95,24 @@ std::vector<Finding> check_split_laws(const Counts& before, const Counts& after,
          separated == 0 || (separated == 1 && s_v == 3) ? 1 : 0, 1);
   if (before.betti && after.betti) expect_betti(findings, before, after, split);
   return findings;
+}
+
+Counts counts_after(const Counts& before, const VolumeMap& map, std::span<const FaceSplit> splits,
+                    std::size_t created) {
+  // Which of several components had a boundary is not told by counts.
+  if (!before.betti) return count_cells(map);
+  Counts after = before;
+  after.components += created;
+  for (const FaceSplit& split : splits) {
+    if (!split.did) continue;
+    after.vertices += static_cast<std::size_t>(split.vertex_count);
+    after.edges += static_cast<std::size_t>(edge_count(split));
+    after.faces += 1;
+    after.boundary_faces += 2;
+  }
+  after.boundary_sheets = count_boundary_sheets(map);
+  detail::derive_invariants(after, 0);
+  return after;
 }
 
 template Counts count_cells<VolumeMap>(const VolumeMap&);

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "topology/base/finding.hpp"
 #include "topology/kernel/counts.hpp"
 #include "topology/kernel/kernel.hpp"
 #include "topology/kernel/split_face.hpp"
+#include "topology/kernel/volume_map.hpp"
 
 namespace sunder {
 
@@ -20,6 +22,13 @@ Counts count_cells(const K& map);
 /// The `boundary_sheets` of `count_cells` alone. O(|T|) with a small factor.
 template <Kernel K>
 std::size_t count_boundary_sheets(const K& map);
+
+/// What `count_cells` gives of the map after these splits, from what they report: each adds its
+/// split vertices and edges, a face and two boundary faces. Boundary sheets alone are counted anew.
+/// `created`: the components that came off. Needs: `before` counted ahead of the first split.
+/// O(|T|), a fifth of the time of `count_cells`.
+Counts counts_after(const Counts& before, const VolumeMap& map, std::span<const FaceSplit> splits,
+                    std::size_t created);
 
 /// Holds one split against the laws of a face split: with s_v vertices and s_e edges split,
 /// dV = s_v, dE = s_e, dF = 1, dT = 0, dchi = s_v - s_e + 1; s_v = 1 implies s_e >= 2, s_v >= 2

@@ -2,35 +2,73 @@
 // Bodies of invariants.hpp, for the sources that instantiate them for a kernel.
 #pragma once
 
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "topology/kernel/invariants.hpp"
 
 namespace sunder::detail {
 
-/// Counts the orbits of darts under `spread`, which calls its second argument on every dart next
-/// to a dart. `start`: the darts to begin from, as (half-face, corner) of every dart or of a few.
-template <Kernel K, class Spread>
-std::size_t count_dart_orbits(const K& map, const Spread& spread) {
-  std::vector<char> met(12 * map.tetrahedra(), 0);
+/// Orbits of corners: those of vertices. A corner stands for the three darts that begin there.
+template <Kernel K>
+std::size_t count_vertices(const K& map) {
+  std::vector<char> met(4 * map.tetrahedra(), 0);
   std::vector<typename K::Dart> stack;
-  std::size_t orbits = 0;
   const auto meet = [&](typename K::Dart d) {
-    char& mark = met[map.id(d).index()];
+    const std::size_t row = map.id(d).index();
+    char& mark =
+        met[corner(TetId{row / 12}, dart_order::origin(static_cast<int>(row % 12))).index()];
     if (mark) return;
     mark = 1;
     stack.push_back(d);
   };
-  for (std::size_t k = 0; k < met.size(); ++k) {
-    if (met[k]) continue;
+  std::size_t orbits = 0;
+  for (std::size_t c = 0; c < met.size(); ++c) {
+    if (met[c]) continue;
+    const int place = place_of(CornerId{c});
     ++orbits;
-    const TetId t{k / 12};
-    const int place = static_cast<int>(k % 12);
-    meet(map.dart(half_face(t, place / 3), corner(t, dart_order::origin(place))));
+    meet(map.dart(half_face(tetrahedron_of(CornerId{c}), (place + 1) % 4), CornerId{c}));
     while (!stack.empty()) {
-      const typename K::Dart d = stack.back();
+      typename K::Dart d = stack.back();
       stack.pop_back();
-      spread(d, meet);
+      // beta2 beta0 turns through the three faces at the corner, beta1 beta3 crosses each of them.
+      for (int j = 0; j < 3; ++j, d = map.beta2(map.beta0(d))) {
+        if (!map.is_free(d)) meet(map.beta1(map.beta3(d)));
+      }
+    }
+  }
+  return orbits;
+}
+
+/// Rings of tetrahedra: orbits of edges. Of the two darts of a tetrahedron along an edge the one
+/// with the lower row carries the mark.
+template <Kernel K>
+std::size_t count_edges(const K& map) {
+  std::vector<char> met(12 * map.tetrahedra(), 0);
+  const auto meet = [&](typename K::Dart d) {
+    const std::size_t row = map.id(d).index();
+    const int k = static_cast<int>(row % 12);
+    char& mark = met[row - k + std::min(k, dart_order::beta2(k))];
+    return !std::exchange(mark, 1);
+  };
+  std::size_t orbits = 0;
+  for (std::size_t row = 0; row < met.size(); ++row) {
+    const int k = static_cast<int>(row % 12);
+    if (k > dart_order::beta2(k) || met[row]) continue;
+    ++orbits;
+    const TetId t{row / 12};
+    const auto start = map.dart(half_face(t, k / 3), corner(t, dart_order::origin(k)));
+    meet(start);
+    // One way round, to the start again or to the boundary; then the other way.
+    bool open = false;
+    for (auto d = start; !(open = map.is_free(d));) {
+      d = map.beta2(map.beta3(d));
+      if (!meet(d)) break;
+    }
+    for (auto d = map.beta2(start); open && !map.is_free(d);) {
+      d = map.beta2(map.beta3(d));
+      if (!meet(d)) break;
     }
   }
   return orbits;
@@ -140,29 +178,18 @@ Counts count_cells(const K& map) {
   if constexpr (HasAnswers<K>) {
     return answer(map, [&](auto& kernel) { return count_cells(kernel); });
   }
-  using Dart = typename K::Dart;
   Counts counts;
   counts.tetrahedra = map.tetrahedra();
-  counts.vertices = detail::count_dart_orbits(map, [&map](Dart d, const auto& meet) {
-    // beta2 beta0 turns through the three faces at the corner, beta3 beta0 crosses each of them.
-    const Dart before = map.beta0(d);
-    meet(map.beta2(before));
-    if (!map.is_free(before)) meet(map.beta3(before));
-  });
-  counts.edges = detail::count_dart_orbits(map, [&map](Dart d, const auto& meet) {
-    meet(map.beta2(d));
-    if (!map.is_free(d)) meet(map.beta3(d));
-  });
-  counts.faces = detail::count_dart_orbits(map, [&map](Dart d, const auto& meet) {
-    meet(map.beta1(d));
-    if (!map.is_free(d)) meet(map.beta3(d));
-  });
+  counts.vertices = detail::count_vertices(map);
+  counts.edges = detail::count_edges(map);
   for (std::size_t t = 0; t < map.tetrahedra(); ++t) {
     const auto v = map.corners(TetId{t});
     counts.volume += detail::tetrahedron_volume(map.point(v[0]), map.point(v[1]), map.point(v[2]),
                                                 map.point(v[3]));
     for (int p = 0; p < 4; ++p) {
-      counts.boundary_faces += map.neighbour(half_face(TetId{t}, p)).is_none() ? 1 : 0;
+      const HalfFaceId f = half_face(TetId{t}, p), across = map.neighbour(f);
+      counts.boundary_faces += across.is_none() ? 1 : 0;
+      counts.faces += across.is_none() || f < across ? 1 : 0;
     }
   }
   counts.boundary_sheets = count_boundary_sheets(map);

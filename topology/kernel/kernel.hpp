@@ -106,8 +106,8 @@ concept Kernel = requires(const K& k, K& m, TetId t, HalfFaceId f, VertexId v, C
   m.merge_vertices(v, v, corners);  // `corners` (all of the second row) get the first row
 };
 
-/// A kernel whose cells can change: rows are rewritten, appended and dropped. `apply` gives the change
-/// that takes this one back, to the same bytes of all rows.
+/// A kernel whose cells can change: rows are rewritten, appended and dropped. `apply` gives the
+/// change that takes this one back, to the same bytes of all rows.
 template <class K>
 concept CellKernel = Kernel<K> && requires(const K& k, K& m, const CellChange& change) {
   { k.points() } -> std::convertible_to<std::span<const Point>>;  // the file's, m
@@ -116,7 +116,9 @@ concept CellKernel = Kernel<K> && requires(const K& k, K& m, const CellChange& c
 
 /// A map for which others answer: algorithms ask `answer(map, ...)` (map_answers.hpp).
 template <class K>
-concept HasAnswers = requires { typename K::TwoAnswers; };
+concept HasAnswers = requires {
+  typename K::TwoAnswers;
+};
 
 /// Place (0 to 3) of row `v` among the corners of a tetrahedron; 4 when it is not there.
 constexpr int place_of_vertex(const std::array<VertexId, 4>& corners, VertexId v) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The kernel's algorithms for the maps that everyone uses.
-#include "topology/kernel/map_answers.hpp"
 #include "topology/kernel/components_impl.hpp"
 #include "topology/kernel/dense_map.hpp"
 #include "topology/kernel/fan_impl.hpp"
+#include "topology/kernel/map_answers.hpp"
 #include "topology/kernel/split_face_impl.hpp"
 #include "topology/kernel/volume_map.hpp"
 

@@ -10,8 +10,8 @@
 namespace sunder {
 
 #if defined(SUNDER_ROWS_ALONE)
-/// What stands for the darts in a build without CGAL, as for WebAssembly: none are ever made. Such a
-/// build has no `check(const VolumeMap&)`, which compares the two.
+/// What stands for the darts in a build without CGAL, as for WebAssembly: none are ever made. Such
+/// a build has no `check(const VolumeMap&)`, which compares the two.
 class DartMap {
  public:
   void prefetch(TetId) const {}

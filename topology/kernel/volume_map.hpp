@@ -38,7 +38,8 @@ constexpr std::size_t total(const MapBytes& b) {
 enum class MapKernel : std::uint8_t {
   /// Rows of corners and neighbours, 80 bytes a tetrahedron.
   dense,
-  /// CGAL's Linear_cell_complex: the algorithms (split, glue, star, fan, components, counts) walk and
+  /// CGAL's Linear_cell_complex: the algorithms (split, glue, star, fan, components, counts) walk
+  /// and
   /// change its darts; rows are its attributes, in columns that mechanics streams. 850 bytes a
   /// tetrahedron.
   lcc,
@@ -46,10 +47,10 @@ enum class MapKernel : std::uint8_t {
 
 /// A 3-map of tetrahedra; a model of `Kernel` whose own queries come from its dense rows.
 ///
-/// Guarded: the dense rows equal the darts, if there are any, after every call; rows of vertices are
-/// exactly the vertex orbits between calls of split_face and glue_face (the primitives `unsew`, `sew`,
-/// `split_vertex`, `merge_vertices` are theirs; use those functions instead).
-/// Not thread-safe for writers; const calls may run side by side.
+/// Guarded: the dense rows equal the darts, if there are any, after every call; rows of vertices
+/// are exactly the vertex orbits between calls of split_face and glue_face (the primitives `unsew`,
+/// `sew`, `split_vertex`, `merge_vertices` are theirs; use those functions instead). Not
+/// thread-safe for writers; const calls may run side by side.
 class VolumeMap {
  public:
   using Dart = DartId;

@@ -103,11 +103,14 @@ SplitRow row_of(const VolumeMap& map, const FaceRequest& request, const FaceSpli
   return row;
 }
 
-/// Splits the faces one after the other; `components` follows.
-std::vector<SplitRow> split_all(VolumeMap& map, const std::vector<FaceRequest>& requests,
-                                Detection detection, Components& components) {
+/// Splits the faces one after the other; `components` follows. Fills the rows and both counts.
+void split_all(VolumeMap& map, const std::vector<FaceRequest>& requests, Detection detection,
+               Components& components, SplitAnswer& answer) {
   ComponentScratch scratch;
-  std::vector<SplitRow> rows;
+  std::vector<FaceSplit> splits;
+  std::vector<SplitRow>& rows = answer.rows;
+  answer.before = count_cells(map);
+  const std::size_t pieces = components.size.size();
   for (const FaceRequest& request : requests) {
     if (std::string error = refusal_of(map, request); !error.empty()) {
       rows.push_back({.request = request, .error = std::move(error)});
@@ -119,8 +122,9 @@ std::vector<SplitRow> split_all(VolumeMap& map, const std::vector<FaceRequest>& 
     rows.push_back(row_of(map, request, split));
     rows.back().new_component = update.created > 0;
     rows.back().visited = update.visited;
+    splits.push_back(split);
   }
-  return rows;
+  answer.after = counts_after(answer.before, map, splits, components.size.size() - pieces);
 }
 
 nlohmann::ordered_json counts_json(std::size_t file_vertices, const Counts& counts) {
@@ -232,10 +236,9 @@ ExitCode run_split(const SplitArguments& arguments) {
   }
   order_requests(*map, arguments.order, *requests);
 
-  SplitAnswer answer{.file_vertices = mesh->points.size(), .before = count_cells(*map)};
+  SplitAnswer answer{.file_vertices = mesh->points.size()};
   Components components = label_components(*map);
-  answer.rows = split_all(*map, *requests, arguments.oracle, components);
-  answer.after = count_cells(*map);
+  split_all(*map, *requests, arguments.oracle, components, answer);
   if (!arguments.output.empty()) {
     const auto written = write_cut_body(arguments.output, {*mesh, *map, components});
     findings.insert(findings.end(), written.begin(), written.end());
@@ -276,11 +279,12 @@ void add_options(CLI::App& command, SplitArguments& arguments) {
                                                                    {"paper", FaceOrder::paper}})
               .description(""));
   command
-      .add_option("--kernel", arguments.kernel,
-                  "What answers for the map: dense rows (default) or lcc, CGAL's darts; same result")
+      .add_option(
+          "--kernel", arguments.kernel,
+          "What answers for the map: dense rows (default) or lcc, CGAL's darts; same result")
       ->type_name("dense|lcc")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, MapKernel>{{"dense", MapKernel::dense}, {"lcc", MapKernel::lcc}})
+      ->transform(CLI::CheckedTransformer(std::map<std::string, MapKernel>{
+                                              {"dense", MapKernel::dense}, {"lcc", MapKernel::lcc}})
                       .description(""));
   command
       .add_option("--oracle", arguments.oracle,

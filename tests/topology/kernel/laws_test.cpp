@@ -54,6 +54,8 @@ TEST_CASE("every split of every shape obeys the laws, until nothing is left to s
       REQUIRE(check_split_laws(before, after, split).empty());
       // The volume is summed over tetrahedra that no split moves.
       REQUIRE(after.volume == before.volume);
+      REQUIRE(counts_after(before, map, std::span(&split, 1),
+                           after.components - before.components) == after);
       kinds.insert(split_count(split));
       before = after;
     }
