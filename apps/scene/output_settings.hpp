@@ -48,6 +48,16 @@ struct PictureSettings {
   std::optional<CameraSettings> camera;
 };
 
+/// When a run is saved on its way, so that it can go on after an end that nobody wanted.
+struct CheckpointSettings {
+  /// After every so many steps; 0: not by steps.
+  std::uint64_t steps = 0;
+  /// After every so many minutes on the wall; 0: not by time. With both 0 nothing is saved.
+  double minutes = 10;
+  /// The latest so many stay; 0: all.
+  std::uint32_t keep = 2;
+};
+
 struct OutputSettings {
   /// VTU frames, spread evenly over the run with its start and its end; 0 writes none.
   std::uint32_t frames = 51;
@@ -57,6 +67,7 @@ struct OutputSettings {
   bool frames_at_impacts = false;
   CrackSurface crack_surface = CrackSurface::mesh;
   PictureSettings pictures;
+  CheckpointSettings checkpoint;
 };
 
 }  // namespace sunder

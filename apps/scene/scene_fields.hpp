@@ -47,6 +47,20 @@ void describe(V& v, PictureSettings& p) {
 }
 
 template <class V>
+void describe(V& v, CheckpointSettings& c) {
+  v.field(Key{"steps", "", "A checkpoint after every so many steps; 0: not by steps",
+              between(0, 1000000000)},
+          c.steps);
+  v.field(Key{"minutes", "min",
+              "A checkpoint after every so many minutes of computing; 0: not by time. With both 0 "
+              "nothing is saved, else a last one at the end, for --until",
+              at_least(0)},
+          c.minutes);
+  v.field(Key{"keep", "", "The latest so many stay; 0: all, for --from", between(0, 1000000)},
+          c.keep);
+}
+
+template <class V>
 void describe(V& v, OutputSettings& o) {
   v.field(Key{"frames", "", "VTU frames spread evenly over the run with start and end; 0: none",
               between(0, 1000000)},
@@ -64,6 +78,7 @@ void describe(V& v, OutputSettings& o) {
           "each crack, as far as tetrahedra keep their shape; needs fracture.crack object"},
       o.crack_surface);
   v.field(Key{"pictures", "", "Pictures drawn without a display"}, o.pictures);
+  v.field(Key{"checkpoint", "", "What `sunder run --resume` goes on from"}, o.checkpoint);
 }
 
 template <class V>

@@ -14,7 +14,7 @@ mkdir -p "$out"
 run() { # scene, name of the result, then settings
   scene=$1 name=$2
   shift 2
-  "$sunder" run "$meshes/scenes/$scene.json" -o "$work/$name" --quiet "$@" >/dev/null 2>"$work/$name.txt" || {
+  "$sunder" run "$meshes/scenes/$scene.json" -o "$work/$name" --force --quiet "$@" >/dev/null 2>"$work/$name.txt" || {
     cat "$work/$name.txt"
     exit 1
   }

@@ -111,7 +111,7 @@ def main():
             mesh.write_text(cubes(points, said.cubes))
             points, tetrahedra = mesh_of(sunder, mesh, folder)
             changes.append(f"bodies.0.mesh={mesh}")
-        run = [sunder, "run", said.scene, "--quiet", "--frames", "0", "-o", folder / "run"]
+        run = [sunder, "run", said.scene, "--quiet", "--frames", "0", "--force", "-o", folder / "run"]
         subprocess.run([*run, *(w for c in changes for w in ("--set", c))], check=True, capture_output=True)
         events = [json.loads(line) for line in (folder / "run/events.jsonl").read_text().splitlines()]
     fans = [e for e in events if "fan" in e]

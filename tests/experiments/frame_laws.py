@@ -692,7 +692,7 @@ def run_case(said, name, step):
     folder.mkdir(parents=True, exist_ok=True)
     scene, begun = write_scene(name, step, folder), time.time()
     if not (said.keep and (folder / "out/report.json").exists()):
-        done = subprocess.run([said.sunder, "run", scene, "-o", folder / "out", "--quiet"], capture_output=True, text=True)
+        done = subprocess.run([said.sunder, "run", scene, "-o", folder / "out", "--force", "--quiet"], capture_output=True, text=True)
         if done.returncode:
             return {"case": name, "step_ms": 1e3 * step, "broken": f"exit code {done.returncode}", "silent": "failed",
                     "warnings": done.stderr.strip().splitlines()[-1] if done.stderr else ""}

@@ -10,7 +10,7 @@ the meshes and scenes of that tree. Compared are
     frames at start and end (--quick: the first steps of each);
   - the answers of all fixtures of the suite (`suite --export`), and what `split` says of a fan and a plane;
   - meshes/bar.msh through each of the formats, and `check --json` of the sample meshes.
-Pictures and report.json are left out: the one depends on drivers, the other holds wall times.
+Pictures and report.json and checkpoints are left out: those depend on drivers, these hold wall times.
 A line a case; the exit code is 1 when anything differs."""
 import argparse
 import hashlib
@@ -28,7 +28,7 @@ ENDINGS = ["msh", "mesh", "meshb", "vtu", "vtk", "node", "inp", "ovm", "ply", "o
 def digests(folder):
     files = (p for p in sorted(folder.rglob("*")) if p.is_file())
     return {p.relative_to(folder).as_posix(): hashlib.sha256(p.read_bytes()).hexdigest()
-            for p in files if p.name != "report.json" and p.suffix != ".png"}
+            for p in files if p.name != "report.json" and p.suffix not in (".png", ".checkpoint")}
 
 
 def run(program, *words):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Holds the public headers to their word: each compiles alone, without a warning, and leads to no forbidden header.
-The C++ that README.md and docs/library.md show compiles as well.
+The C++ that README.md and docs/library.md show compiles as well; that of docs/operations.md is tests/host/tear.
 
     python3 doors_test.py FOLDER_OF_DOORS EIGEN "FLAG;FLAG" PROJECT COMPILER...
 
@@ -68,6 +68,14 @@ class Doors(unittest.TestCase):
                 said, _ = compile_text(block, self.compilers[0], self.folder, self.eigen,
                                        "-Wno-unused-variable")
                 self.assertEqual(said, "", f"{page}\n{block}")
+
+    def test_the_lines_of_the_tutorial_are_of_a_program(self):
+        text = pathlib.Path(self.project, "docs/operations.md").read_text(encoding="utf-8")
+        program = pathlib.Path(self.project, "tests/host/tear/main.cpp").read_text(encoding="utf-8")
+        blocks = re.findall(r"^```cpp\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
+        self.assertEqual(len(blocks), 3)
+        for block in blocks:
+            self.assertIn(block, program)
 
     def test_a_bad_header_is_seen(self):
         """The test itself: a header that needs another, one that warns, one that leads to fmt by a detour."""

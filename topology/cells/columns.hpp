@@ -23,8 +23,8 @@ enum class CellRule {
 /// What a vertex on an edge gets.
 enum class VertexRule {
   /// Between the values of the edge's ends, as it lies between them: displacements, temperatures.
-  /// For
-  /// numbers and arrays of them.
+  ///
+  /// For numbers and arrays of them.
   interpolate,
   /// The value of the nearer end, of the first one at the middle: labels, strengths.
   nearest

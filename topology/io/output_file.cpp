@@ -66,7 +66,7 @@ std::filesystem::path target_of(const std::filesystem::path& path) {
 }  // namespace
 
 std::optional<Finding> write_file(const std::filesystem::path& path,
-                                  std::span<const std::string_view> parts) {
+                                  std::span<const std::string_view> parts, Durable durable) {
   const std::filesystem::path target = target_of(path);
   std::error_code error;
   const auto status = std::filesystem::status(target, error);
@@ -82,15 +82,58 @@ std::optional<Finding> write_file(const std::filesystem::path& path,
   const int file = ::open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (file < 0) return cannot_write(path, errno, remedy_for(errno));
   int failure = write_all(file, parts);
+  if (durable == Durable::yes && failure == 0 && ::fsync(file) != 0) failure = errno;
   if (::close(file) != 0 && failure == 0) failure = errno;
   if (failure == 0 && ::rename(beside.c_str(), target.c_str()) != 0) failure = errno;
-  if (failure == 0) return std::nullopt;
+  if (failure == 0) {
+    return durable == Durable::yes ? sync_file(target.has_parent_path() ? target.parent_path() : ".")
+                                   : std::nullopt;
+  }
   ::unlink(beside.c_str());
   return cannot_write(path, failure, remedy_for(failure));
 }
 
 std::optional<Finding> write_file(const std::filesystem::path& path, std::string_view text) {
   return write_file(path, std::span(&text, 1));
+}
+
+Result<AppendedFile> AppendedFile::open(const std::filesystem::path& path, std::uint64_t bytes) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  if (file < 0) return cannot_write(path, errno, remedy_for(errno));
+  AppendedFile opened(path, file);
+  if (::ftruncate(file, static_cast<off_t>(bytes)) != 0) {
+    return cannot_write(path, errno, remedy_for(errno));
+  }
+  return opened;
+}
+
+AppendedFile::AppendedFile(AppendedFile&& other) noexcept
+    : path_(std::move(other.path_)), file_(std::exchange(other.file_, -1)) {}
+
+AppendedFile& AppendedFile::operator=(AppendedFile&& other) noexcept {
+  std::swap(path_, other.path_);
+  std::swap(file_, other.file_);
+  return *this;
+}
+
+AppendedFile::~AppendedFile() {
+  if (file_ >= 0) ::close(file_);
+}
+
+std::optional<Finding> AppendedFile::append(std::string_view text) {
+  const int failure = write_all(file_, std::span(&text, 1));
+  if (failure == 0) return std::nullopt;
+  return cannot_write(path_, failure, remedy_for(failure));
+}
+
+std::optional<Finding> sync_file(const std::filesystem::path& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  int failure = file < 0 || ::fsync(file) != 0 ? errno : 0;
+  if (file >= 0) ::close(file);
+  // File systems that cannot sync say so; there is nothing to do about that.
+  if (failure == EINVAL || failure == EROFS) failure = 0;
+  if (failure == 0) return std::nullopt;
+  return cannot_write(path, failure, remedy_for(failure));
 }
 
 bool file_exists(const std::filesystem::path& path) {

@@ -39,9 +39,9 @@ enum class MapKernel : std::uint8_t {
   /// Rows of corners and neighbours, 80 bytes a tetrahedron.
   dense,
   /// CGAL's Linear_cell_complex: the algorithms (split, glue, star, fan, components, counts) walk
-  /// and
-  /// change its darts; rows are its attributes, in columns that mechanics streams. 850 bytes a
-  /// tetrahedron.
+  /// and change its darts; rows are its attributes, in columns that mechanics streams.
+  ///
+  /// About 900 bytes a tetrahedron (docs/kernel.md).
   lcc,
 };
 

@@ -59,6 +59,7 @@ ExitCode show_demo(const fs::path& folder) {
   RunArguments run;
   run.scene = scene;
   run.folder = folder / "run";
+  run.force = true;
   run.settings = {"duration=0.17", "output.frames=35"};
 #if defined(SUNDER_HAS_RENDERER)
   run.settings.push_back("output.pictures.count=6");

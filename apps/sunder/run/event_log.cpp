@@ -54,7 +54,7 @@ ordered_json labelled(const FanEvent& event, bool positive) {
 }  // namespace
 
 std::string_view to_string(RunEnd end) {
-  constexpr std::array<std::string_view, 3> ends = {"finished", "interrupted", "failed"};
+  constexpr std::array<std::string_view, 4> ends = {"finished", "interrupted", "failed", "running"};
   return ends[static_cast<std::size_t>(end)];
 }
 
@@ -136,14 +136,46 @@ std::string line_check(std::string_view line, std::string_view before) {
   return hex_digits(hash.value);
 }
 
-EventLog::EventLog(const SceneFile& file) {
-  const std::string hash = scene_hash(file);
-  add(event_log_head(file, hash));
-  check_ = hash;
+EventLog::EventLog(const ordered_json& head, std::string hash) {
+  add(head);
+  check_ = std::move(hash);
 }
 
-void EventLog::add(const ordered_json& line) {
-  std::string text = line.dump();
+EventLog::EventLog(const SceneFile& file)
+    : EventLog(event_log_head(file, scene_hash(file)), scene_hash(file)) {}
+
+void EventLog::add(const ordered_json& line) { add_line(line.dump()); }
+
+std::optional<EventLog> EventLog::of(const SceneFile& file, std::string_view text,
+                                     std::optional<std::uint64_t> branched_at) {
+  std::optional<EventLog> log;
+  std::string before;  // the check before a line, as it was written
+  while (!text.empty()) {
+    const std::size_t end = text.find('\n');
+    if (end == text.npos || end < check_length) return std::nullopt;
+    std::string line = std::string(text.substr(0, end - check_length)) + "}";
+    const std::string check(text.substr(end - 18, 16));
+    if (line_check(line, before) != check) return std::nullopt;
+    text.remove_prefix(end + 1);
+    before = check;
+    if (log) {
+      log->add_line(std::move(line));
+      continue;
+    }
+    ordered_json head = ordered_json::parse(line, nullptr, false);
+    if (!head.is_object() || !head.value("scene_hash", ordered_json()).is_string()) {
+      return std::nullopt;
+    }
+    before = head["scene_hash"].get<std::string>();
+    const std::string hash = scene_hash(file);
+    head["scene_hash"] = hash;
+    if (branched_at) head["branched_at"] = *branched_at;
+    log = EventLog(head, hash);
+  }
+  return log;
+}
+
+void EventLog::add_line(std::string text) {
   check_ = line_check(text, check_);
   text.insert(text.size() - 1, ",\"check\":\"" + check_ + "\"");
   text_ += text + "\n";

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -56,14 +57,25 @@ class EventLog {
   explicit EventLog(const SceneFile& file);
   void add(const nlohmann::ordered_json& line);
   const std::string& text() const { return text_; }
+  /// The log of which `text` is what has been written so far, with the checks of the scene of
+  /// `file`, which may be longer than the one it was written for. `branched_at`: the step from
+  /// which on its settings are others; the head keeps the last such step. Nothing where a line is
+  /// not the one that was written.
+  static std::optional<EventLog> of(const SceneFile& file, std::string_view text,
+                                    std::optional<std::uint64_t> branched_at = {});
 
  private:
+  EventLog(const nlohmann::ordered_json& head, std::string hash);
+  void add_line(std::string text);
   std::string text_;
   std::string check_;
 };
 
 /// The log's first line for a scene, without its check.
 nlohmann::ordered_json event_log_head(const SceneFile& file, const std::string& hash);
+
+/// Length of a line's `,"check":"0123456789abcdef"}`.
+inline constexpr std::size_t check_length = 28;
 
 /// The check of a line (its text without check) after a line with the check `before`.
 std::string line_check(std::string_view line, std::string_view before);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <optional>
 
@@ -12,6 +13,7 @@
 #include "apps/output/tables.hpp"
 #include "apps/sunder/run/counters_json.hpp"
 #include "apps/sunder/run/pictures.hpp"
+#include "apps/sunder/run/saved/run_folder.hpp"
 #include "apps/sunder/run/settings_report.hpp"
 #include "topology/io/output_file.hpp"
 #include "topology/io/vtu/vtu.hpp"
@@ -22,25 +24,28 @@ namespace fs = std::filesystem;
 
 struct Recorder::Parts {
   fs::path folder;
-  OutputSettings output;
+  SceneFile file;  ///< without its scene, which the simulation has
   std::vector<std::uint64_t> frame_steps, picture_steps;
-  RunStatistics statistics;
-  std::vector<PvdFrame> frames;
-  std::vector<ObstacleMotion> obstacles;  ///< of every frame, and of the end
-  std::uint32_t pictures = 0;
-  std::optional<std::uint64_t> last_frame, last_picture;
+  RunRecord done;
   EventLog events;
+  std::optional<AppendedFile> log;
   nlohmann::ordered_json counts, settings;
   std::optional<Pictures> drawn;
   nlohmann::ordered_json report;
+  /// Of the last checkpoint: when it was, and the frames and pictures that are on the disk.
+  std::chrono::steady_clock::time_point saved_at = std::chrono::steady_clock::now();
+  std::uint64_t frames_on_disk = 0, pictures_on_disk = 0;
 
-  explicit Parts(const RecordedRun& run)
-      : folder(run.folder), output(run.file.output), events(run.file), counts(run.counts),
-        settings(settings_json(run.file)) {}
+  Parts(const RecordedRun& run, EventLog so_far);
+  std::vector<Finding> open_log(Durable durable);
+  std::vector<Finding> write_log();
+  std::vector<Finding> write_tables(const Simulation& now, RunEnd end);
   std::vector<Finding> write_frame_of(const Simulation& now);
   std::vector<Finding> draw_picture(const Simulation& now);
   std::vector<Finding> write_due(const Simulation& now);
+  std::vector<Finding> save(const Simulation& now);
   bool is_time_for_impact(const Simulation& now) const;
+  bool is_time_to_save(const Simulation& now) const;
 };
 
 namespace {
@@ -50,43 +55,17 @@ void append(std::vector<T>& all, std::vector<T> more) {
   for (T& one : more) all.push_back(std::move(one));
 }
 
-Finding cannot_write(const fs::path& path, const std::error_code& reason) {
-  Finding finding;
-  finding.code = "cannot_write";
-  finding.text = fmt::format("cannot write {}: {}", path.string(), reason.message());
-  finding.remedy = "give another folder with -o, or make this one writable";
-  finding.file = path.string();
-  return finding;
+void append(std::vector<Finding>& all, std::optional<Finding> one) {
+  if (one) all.push_back(std::move(*one));
 }
 
-bool is_ours(const std::string& name) {
-  const auto numbered = [&](std::string_view before, std::string_view after) {
-    return name.size() > before.size() + after.size() && name.starts_with(before) &&
-           name.ends_with(after) &&
-           std::all_of(name.begin() + static_cast<std::ptrdiff_t>(before.size()),
-                       name.end() - static_cast<std::ptrdiff_t>(after.size()),
-                       [](char c) { return c >= '0' && c <= '9'; });
-  };
-  return numbered("frame_", ".vtu") || numbered("picture_", ".png") || name == "frames.pvd" ||
-         name == "events.jsonl" || name == "cracks.csv" || name == "fragments.csv" ||
-         name == "obstacles.csv" || name == "report.json";
-}
-
-/// Makes the folders and removes what an earlier run left: frames of two runs must not mix.
-std::error_code prepare_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder / "frames", error);
-  for (const fs::path& place : {folder, folder / "frames"}) {
-    if (error) return error;
-    std::vector<fs::path> old;
-    for (const fs::directory_entry& entry : fs::directory_iterator(place, error)) {
-      if (is_ours(entry.path().filename().string())) old.push_back(entry.path());
-    }
-    for (const fs::path& path : old) {
-      if (!error) fs::remove(path, error);
-    }
-  }
-  return error;
+std::optional<Finding> cannot_write(const fs::path& path, const std::error_code& reason) {
+  if (!reason) return std::nullopt;
+  return Finding{
+      .code = "cannot_write",
+      .text = fmt::format("cannot write {}: {}", path.string(), reason.message()),
+      .remedy = "give another folder with -o, or make this one writable",
+      .file = path.string()};
 }
 
 std::vector<std::uint64_t> due_frames(const SceneFile& file) {
@@ -135,43 +114,92 @@ Recorder::Recorder(Recorder&&) noexcept = default;
 Recorder& Recorder::operator=(Recorder&&) noexcept = default;
 Recorder::~Recorder() = default;
 
+Recorder::Parts::Parts(const RecordedRun& run, EventLog so_far)
+    : folder(run.folder), file(run.file), frame_steps(due_frames(run.file)),
+      picture_steps(due_pictures(run.file)), events(std::move(so_far)), counts(run.counts),
+      settings(settings_json(run.file)) {
+  file.scene = {};
+}
+
 Result<Recorder> Recorder::open(const RecordedRun& run, const Simulation& start,
                                 std::vector<Finding> warnings) {
-  auto parts = std::make_unique<Parts>(run);
-  parts->frame_steps = due_frames(run.file);
-  parts->picture_steps = due_pictures(run.file);
-  parts->statistics = begin_statistics(start, std::move(warnings));
+  auto parts = std::make_unique<Parts>(run, EventLog(run.file));
+  parts->done.statistics = begin_statistics(start, std::move(warnings));
   Result<Recorder> result;
   if (!parts->picture_steps.empty()) {
-    Result<Pictures> drawn = Pictures::open(start, parts->output);
+    Result<Pictures> drawn = Pictures::open(start, run.file.output);
     append(result.findings, std::move(drawn.findings));
     if (!drawn) return result;
     parts->drawn = std::move(*drawn);
   }
-  if (const std::error_code error = prepare_folder(run.folder)) {
-    result.findings.push_back(cannot_write(run.folder, error));
-    return result;
-  }
-  append(result.findings, parts->write_due(start));
+  append(result.findings, cannot_write(run.folder, empty_run_folder(run.folder)));
+  if (!has_error(result.findings)) append(result.findings, parts->open_log(Durable::no));
+  if (!has_error(result.findings)) append(result.findings, parts->write_due(start));
   if (!has_error(result.findings)) result.value = Recorder(std::move(parts));
   return result;
 }
 
+Result<Recorder> Recorder::go_on(const RecordedRun& run, RunRecord record, EventLog log) {
+  auto parts = std::make_unique<Parts>(run, std::move(log));
+  parts->done = std::move(record);
+  Result<Recorder> result;
+  if (!parts->picture_steps.empty()) {
+    // The camera is where it was: it was found from the start.
+    const Result<Simulation> start = build_simulation(run.file.scene);
+    if (!start) return start.findings.front();
+    Result<Pictures> drawn = Pictures::open(*start, run.file.output);
+    append(result.findings, std::move(drawn.findings));
+    if (!drawn) return result;
+    parts->drawn = std::move(*drawn);
+  }
+  const RunRecord& done = parts->done;
+  append(result.findings,
+         cannot_write(run.folder, remove_later(run.folder, done.frames.size(), done.pictures)));
+  if (!has_error(result.findings)) append(result.findings, parts->open_log(Durable::yes));
+  if (!has_error(result.findings) && !done.frames.empty()) {
+    append(result.findings, write_pvd(run.folder / "frames.pvd", done.frames));
+  }
+  if (!has_error(result.findings)) result.value = Recorder(std::move(parts));
+  return result;
+}
+
+/// The log's file as it stands now, open at its end. An older one stays until it is whole.
+std::vector<Finding> Recorder::Parts::open_log(Durable durable) {
+  const fs::path path = folder / "events.jsonl";
+  const std::string_view text = events.text();
+  std::vector<Finding> findings;
+  append(findings, write_file(path, std::span(&text, 1), durable));
+  if (!findings.empty()) return findings;
+  Result<AppendedFile> opened = AppendedFile::open(path, text.size());
+  if (!opened) return std::move(opened.findings);
+  log = std::move(*opened);
+  done.log_bytes = text.size();
+  return {};
+}
+
+std::vector<Finding> Recorder::Parts::write_log() {
+  const std::string_view fresh = std::string_view(events.text()).substr(done.log_bytes);
+  if (fresh.empty()) return {};
+  std::vector<Finding> findings;
+  append(findings, log->append(fresh));
+  if (findings.empty()) done.log_bytes = events.text().size();
+  return findings;
+}
+
 std::vector<Finding> Recorder::Parts::write_frame_of(const Simulation& now) {
-  const std::string name = fmt::format("frames/frame_{:06}.vtu", frames.size());
+  const std::string name = frame_name(done.frames.size());
   std::vector<Finding> findings = write_frame(folder / name, now);
   if (has_error(findings)) return findings;
-  frames.push_back({now.state->mechanics.time, name});
-  last_frame = now.state->step;
-  append(obstacles, free_obstacles(now));
-  append(findings, write_pvd(folder / "frames.pvd", frames));
+  done.frames.push_back({now.state->mechanics.time, name});
+  done.last_frame = now.state->step;
+  append(done.obstacles, free_obstacles(now));
+  append(findings, write_pvd(folder / "frames.pvd", done.frames));
   return findings;
 }
 
 std::vector<Finding> Recorder::Parts::draw_picture(const Simulation& now) {
-  std::vector<Finding> findings =
-      drawn->draw(folder / fmt::format("picture_{:03}.png", pictures++), now);
-  if (!has_error(findings)) last_picture = now.state->step;
+  std::vector<Finding> findings = drawn->draw(folder / picture_name(done.pictures++), now);
+  if (!has_error(findings)) done.last_picture = now.state->step;
   return findings;
 }
 
@@ -186,22 +214,78 @@ std::vector<Finding> Recorder::Parts::write_due(const Simulation& now) {
 
 bool Recorder::Parts::is_time_for_impact(const Simulation& now) const {
   constexpr double least = 1.0 / 240;
-  return output.frames_at_impacts &&
-         (frames.empty() || now.state->mechanics.time - frames.back().time >= least);
+  return file.output.frames_at_impacts &&
+         (done.frames.empty() || now.state->mechanics.time - done.frames.back().time >= least);
+}
+
+bool Recorder::Parts::is_time_to_save(const Simulation& now) const {
+  const CheckpointSettings& when = file.output.checkpoint;
+  if (!counts.is_null()) return false;
+  if (when.steps > 0 && now.state->step % when.steps == 0) return true;
+  const std::chrono::duration<double> since = std::chrono::steady_clock::now() - saved_at;
+  return when.minutes > 0 && since.count() >= 60 * when.minutes;
 }
 
 std::vector<Finding> Recorder::record(const Simulation& now, const StepReport& report,
                                       double step_ms) {
-  add_step(parts_->statistics, now, report, step_ms);
-  const std::uint64_t fans = parts_->statistics.fans - report.fracture.fans.size();
-  const std::uint64_t releases = parts_->statistics.ties.releases - report.releases.size();
+  Parts& p = *parts_;
+  RunStatistics& statistics = p.done.statistics;
+  add_step(statistics, now, report, step_ms);
+  const std::uint64_t fans = statistics.fans - report.fracture.fans.size();
+  const std::uint64_t releases = statistics.ties.releases - report.releases.size();
   for (const auto& line : events_of(report, fans, releases, now.state->cells.map)) {
-    parts_->events.add(line);
+    p.events.add(line);
   }
-  std::vector<Finding> findings = parts_->write_due(now);
-  if (report.impact.opened > 0 && parts_->is_time_for_impact(now)) {
-    append(findings, parts_->write_frame_of(now));
+  std::vector<Finding> findings = p.write_log();
+  append(findings, p.write_due(now));
+  if (report.impact.opened > 0 && p.is_time_for_impact(now)) {
+    append(findings, p.write_frame_of(now));
   }
+  // A step that failed or was cut short is nothing to go on from.
+  const bool is_whole = report.status.outcome == StepOutcome::fine && !(now.hurry && *now.hurry);
+  if (is_whole && p.is_time_to_save(now)) {
+    append(findings, p.write_tables(now, RunEnd::running));
+    append(findings, p.save(now));
+  }
+  return findings;
+}
+
+/// Everything of the run so far on the disk, then the checkpoint that speaks of it.
+std::vector<Finding> Recorder::Parts::save(const Simulation& now) {
+  std::vector<Finding> findings;
+  std::error_code error;
+  fs::create_directories(folder / "checkpoints", error);
+  append(findings, cannot_write(folder / "checkpoints", error));
+  for (; frames_on_disk < done.frames.size(); ++frames_on_disk) {
+    append(findings, sync_file(folder / done.frames[frames_on_disk].file));
+  }
+  for (; pictures_on_disk < done.pictures; ++pictures_on_disk) {
+    append(findings, sync_file(folder / picture_name(pictures_on_disk)));
+  }
+  for (const char* place : {"events.jsonl", "frames", ""}) {
+    append(findings, sync_file(folder / place));
+  }
+  if (findings.empty()) findings = write_checkpoint(folder, file, done, now);
+  saved_at = std::chrono::steady_clock::now();
+  return findings;
+}
+
+std::vector<Finding> Recorder::save(const Simulation& now) { return parts_->save(now); }
+
+std::vector<Finding> Recorder::Parts::write_tables(const Simulation& now, RunEnd end) {
+  const std::vector<Fragment> pieces = fragments(now);
+  report = run_report(done.statistics, now, pieces, end);
+  report["settings"] = settings;
+  std::vector<Finding> findings;
+  const auto write = [&](const char* name, const std::string& text) {
+    append(findings, write_file(folder / name, text));
+  };
+  write("cracks.csv", cracks_csv(done.statistics.cracks));
+  write("fragments.csv", fragments_csv(pieces));
+  std::vector<ObstacleMotion> obstacles = done.obstacles;
+  if (done.last_frame != now.state->step) append(obstacles, free_obstacles(now));
+  if (!obstacles.empty()) write("obstacles.csv", obstacles_csv(obstacles));
+  write("report.json", report.dump(2) + "\n");
   return findings;
 }
 
@@ -209,31 +293,27 @@ std::vector<Finding> Recorder::finish(const Simulation& now, RunEnd end) {
   Parts& p = *parts_;
   std::vector<Finding> findings;
   if (end != RunEnd::finished) {
-    if (!p.frame_steps.empty() && p.last_frame != now.state->step) findings = p.write_frame_of(now);
-    if (p.drawn && p.last_picture != now.state->step) append(findings, p.draw_picture(now));
+    if (!p.frame_steps.empty() && p.done.last_frame != now.state->step) {
+      findings = p.write_frame_of(now);
+    }
+    if (p.drawn && p.done.last_picture != now.state->step) append(findings, p.draw_picture(now));
   }
-  if (!p.counts.is_null()) read_counters(p.statistics.search, p.counts);
+  const CheckpointSettings& saves = p.file.output.checkpoint;
+  if (end == RunEnd::finished && p.counts.is_null() && (saves.steps > 0 || saves.minutes > 0)) {
+    append(findings, p.save(now));
+  }
+  if (!p.counts.is_null()) read_counters(p.done.statistics.search, p.counts);
   p.events.add({{"end", to_string(end)},
                 {"steps", now.state->step},
-                {"fans", p.statistics.fans},
-                {"releases", p.statistics.ties.releases},
-                {"search", counters_json(p.statistics.search)}});
-  const std::vector<Fragment> pieces = fragments(now);
-  p.report = run_report(p.statistics, now, pieces, end);
-  p.report["settings"] = p.settings;
-  const auto write = [&](const char* name, const std::string& text) {
-    if (auto finding = write_file(p.folder / name, text)) findings.push_back(std::move(*finding));
-  };
-  write("events.jsonl", p.events.text());
-  write("cracks.csv", cracks_csv(p.statistics.cracks));
-  write("fragments.csv", fragments_csv(pieces));
-  if (p.last_frame != now.state->step) append(p.obstacles, free_obstacles(now));
-  if (!p.obstacles.empty()) write("obstacles.csv", obstacles_csv(p.obstacles));
-  write("report.json", p.report.dump(2) + "\n");
+                {"fans", p.done.statistics.fans},
+                {"releases", p.done.statistics.ties.releases},
+                {"search", counters_json(p.done.statistics.search)}});
+  append(findings, p.write_log());
+  append(findings, p.write_tables(now, end));
   return findings;
 }
 
-const RunStatistics& Recorder::statistics() const { return parts_->statistics; }
+const RunStatistics& Recorder::statistics() const { return parts_->done.statistics; }
 const EventLog& Recorder::events() const { return parts_->events; }
 const nlohmann::ordered_json& Recorder::report() const { return parts_->report; }
 

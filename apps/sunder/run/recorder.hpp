@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "apps/scene/scene_json.hpp"
+#include "apps/sunder/run/saved/checkpoint.hpp"
 #include "apps/sunder/run/event_log.hpp"
 #include "apps/sunder/run/recorder_report.hpp"
 #include "fracture/simulation/simulation_state.hpp"
@@ -25,17 +26,20 @@ std::vector<std::uint64_t> interval_steps(const Scene& scene, double interval);
 struct RecordedRun {
   std::filesystem::path folder;
   const SceneFile& file;
-  /// Of a replay: what the searches of the run it repeats counted (`SearchCounts`).
+  /// Of a replay: what the searches of the run it repeats counted (`SearchCounts`). A replay writes
+  /// no checkpoints.
   nlohmann::ordered_json counts = nullptr;
 };
 
 /// Keeps the files of a run. Guarded: `frames.pvd` lists exactly the frames that are there, and a
-/// picture's number is its place in time. All files are written beside and renamed.
+/// picture's number is its place in time. The log grows with the run; all other files are written
+/// beside and renamed. A checkpoint stands on the disk only after all files that it speaks of.
 ///
 ///     folder/frames.pvd  frames/frame_000000.vtu ...   picture_000.png ...
-///            events.jsonl  cracks.csv  fragments.csv  report.json
+///            events.jsonl  cracks.csv  fragments.csv  obstacles.csv  report.json
+///            checkpoints/step_0000000120.checkpoint ...
 ///
-/// The same scene gives the same bytes but in report.json, which holds the only wall times.
+/// The same scene gives the same bytes but in report.json and checkpoints, which hold wall times.
 class Recorder {
  public:
   /// Makes the folder, takes away what an earlier run left there under these names, and records the
@@ -43,16 +47,24 @@ class Recorder {
   /// Errors: cannot_write; those of the renderer where pictures are asked for.
   static Result<Recorder> open(const RecordedRun& run, const Simulation& start,
                                std::vector<Finding> warnings);
+
+  /// Goes on where `record` left off: what the folder holds beyond it is taken away. `log`: its
+  /// events.jsonl up to there. Errors: as `open`.
+  static Result<Recorder> go_on(const RecordedRun& run, RunRecord record, EventLog log);
+
   Recorder(Recorder&&) noexcept;
   Recorder& operator=(Recorder&&) noexcept;
   ~Recorder();
 
-  /// Adds one step, and writes the frame or picture that is due. Errors: cannot_write and those of
-  /// the renderer.
+  /// Adds one step, writes its events and the frame or picture that is due, and where a checkpoint
+  /// is due the tables, the report and that. Errors: cannot_write and those of the renderer.
   std::vector<Finding> record(const Simulation& now, const StepReport& report, double step_ms);
 
-  /// Writes what is only known at the end; a run that ended early gets its last state as a frame.
-  /// Errors: cannot_write.
+  /// Writes a checkpoint now, whatever the settings say. Errors: cannot_write.
+  std::vector<Finding> save(const Simulation& now);
+
+  /// Writes what is only known at the end; a run that ended early gets its last state as a frame,
+  /// one that came to its end a checkpoint. Errors: cannot_write.
   std::vector<Finding> finish(const Simulation& now, RunEnd end);
 
   const RunStatistics& statistics() const;

@@ -14,8 +14,8 @@
 
 namespace sunder {
 
-/// How a run ended.
-enum class RunEnd { finished, interrupted, failed };
+/// How a run ended; or it goes on.
+enum class RunEnd { finished, interrupted, failed, running };
 
 /// The energies of a state, J.
 struct Energies {

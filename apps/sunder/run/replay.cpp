@@ -18,9 +18,6 @@ namespace {
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-/// Length of `,"check":"0123456789abcdef"}`.
-constexpr std::size_t check_length = 28;
-
 constexpr const char* mend = "replay the log as the run wrote it; edited logs are refused";
 
 /// A log while it is read.
@@ -93,6 +90,14 @@ bool read_head(LogReader& reader, const ordered_json& head, std::string_view tex
                     theirs.dump()),
         "if it departs, replay it with the version that wrote it");
     reader.findings.back().severity = Severity::warning;
+  }
+  if (head.contains("branched_at")) {
+    return reader.refuse(
+        "branched_log",
+        fmt::format("is of a run whose settings changed after step {}: no scene describes it from "
+                    "its start",
+                    head["branched_at"].dump()),
+        "replay the log of the run that it branched from");
   }
   reader.check = reader.scene.hash;
   return true;

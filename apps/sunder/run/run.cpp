@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <csignal>
@@ -15,6 +16,8 @@
 #include "apps/sunder/run/realtime.hpp"
 #include "apps/sunder/run/recorder.hpp"
 #include "apps/sunder/run/replay.hpp"
+#include "apps/sunder/run/saved/resume.hpp"
+#include "apps/sunder/run/saved/run_folder.hpp"
 #include "apps/sunder/run/settings_report.hpp"
 #include "fracture/simulation/rows.hpp"
 
@@ -31,27 +34,36 @@ constexpr bool is_debug_build = true;
 std::atomic<bool> interrupted = false;
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-/// Ctrl-C ends the step at hand as soon as it can, and the run after it; a second one ends the
-/// program at once.
+/// Ctrl-C, and what ends programs politely, ends the step at hand as soon as it can, and the run
+/// after it; a second one of the same kind ends the program at once.
 void watch_for_interrupt() {
   interrupted = false;
   struct sigaction action = {};
   action.sa_handler = [](int) { interrupted = true; };
   action.sa_flags = static_cast<int>(SA_RESETHAND);
-  sigaction(SIGINT, &action, nullptr);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction before = {};
+    sigaction(signal, nullptr, &before);
+    // nohup has SIGHUP ignored, and wants it to stay so.
+    if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
+  }
 }
 
 void print(const std::vector<Finding>& findings) {
   fmt::print(stderr, "{}", finding_lines(findings));
 }
 
-/// A run on its way; `replay` where it repeats another.
+/// A run on its way; `replay` where it repeats another; `last_step` where it ends before its scene
+/// does.
 struct RunWork {
   Simulation& simulation;
   Recorder& recorder;
   std::optional<Replay>& replay;
+  std::optional<std::uint64_t> last_step = {};
 
-  std::uint64_t steps() const { return replay ? replay->steps : step_count(simulation.scene); }
+  std::uint64_t steps() const {
+    return last_step ? *last_step : replay ? replay->steps : step_count(simulation.scene);
+  }
 };
 
 /// Where a replay is no longer the run of its log. `ended`: nothing while it goes on.
@@ -125,9 +137,128 @@ bool read_log(std::optional<Replay>& replay, const RunArguments& arguments, cons
   return replay.has_value();
 }
 
+/// The folder for one run, or why not: somebody writes there, or an earlier run lies there.
+std::optional<FolderLock> take_folder(const std::filesystem::path& folder, bool may_replace) {
+  Result<FolderLock> lock = FolderLock::take(folder);
+  print(lock.findings);
+  if (!lock) return std::nullopt;
+  if (!may_replace && holds_a_run(folder)) {
+    print({{.code = "folder_holds_a_run",
+            .text = fmt::format("an earlier run lies in {}", folder.string()),
+            .remedy = fmt::format("give another folder with -o, replace it with --force, or go on "
+                                  "with it: sunder run --resume {}",
+                                  folder.string())}});
+    return std::nullopt;
+  }
+  return std::move(*lock);
+}
+
+/// Steps a run to its end and writes what is only known there.
+ExitCode end_run(const RunWork& work, const RunArguments& arguments,
+                 const std::filesystem::path& folder) {
+  const Simulation& simulation = work.simulation;
+  Recorder& recorder = work.recorder;
+  std::optional<FrameClock> clock;
+  if (arguments.realtime) clock.emplace();
+  ExitCode ended = step_to_end(work, arguments, clock ? &*clock : nullptr);
+  const std::vector<Finding> unwritten = recorder.finish(simulation, end_of(ended, work.replay));
+  print(unwritten);
+  if (ended == ExitCode::fine || ended == ExitCode::failed) {
+    if (const std::optional<Finding> departed = departure_of(work, ended)) {
+      print({*departed});
+      ended = ExitCode::departed;
+    }
+  }
+  const std::vector<Finding> warnings = all_warnings(recorder.statistics(), simulation.scene);
+  print(warnings_of(recorder.statistics().troubles, simulation.scene));
+  if (ended == ExitCode::fine && arguments.strict && !warnings.empty()) ended = ExitCode::warned;
+  const nlohmann::ordered_json& report = recorder.report();
+  fmt::print("{}", arguments.json ? report.dump(2) + "\n" : summary_table(report));
+  if (clock) fmt::print(arguments.json ? stderr : stdout, "{}", frame_line(clock->report()));
+  if (!arguments.json) fmt::print("{:<14} {}\n", "written to", folder.string());
+  const bool reached_end = ended == ExitCode::fine || ended == ExitCode::warned;
+  return reached_end && has_error(unwritten) ? ExitCode::not_written : ended;
+}
+
+/// A run that goes on, or the exit code of why it does not.
+struct Resumed {
+  std::optional<RunOnItsWay> run;
+  ExitCode refused = ExitCode::bad_input;
+};
+
+Resumed taken_up(Result<RunOnItsWay> run, const RunArguments& arguments) {
+  print(run.findings);
+  const auto is_about_writing = [](const Finding& f) { return f.code == "cannot_write"; };
+  if (!run) {
+    return {{}, std::ranges::any_of(run.findings, is_about_writing) ? ExitCode::not_written
+                                                                    : ExitCode::bad_input};
+  }
+  run->simulation.threads = arguments.threads;
+  run->simulation.hurry = &interrupted;
+  return {std::move(*run)};
+}
+
+/// The run of a folder at step `from` in another one; by the scene's settings from there on, if a
+/// scene is given.
+Resumed branch_off(const RunArguments& arguments) {
+  std::optional<SceneFile> changed;
+  if (!arguments.scene.empty()) {
+    Result<SceneFile> file = read_scene(arguments.scene, arguments.settings);
+    print(file.findings);
+    if (!file) return {};
+    changed = std::move(*file);
+  }
+  Resumed start =
+      taken_up(copy_run(arguments.resume, *arguments.from, arguments.folder), arguments);
+  if (!start.run) return start;
+  if (const std::uint64_t steps = step_count(start.run->simulation.scene);
+      *arguments.from > steps) {
+    print({{.code = "step_after_end",
+            .text = fmt::format("the run has {} steps; there is no step {}", steps,
+                                *arguments.from),
+            .remedy = "give an earlier step; --until extends a run"}});
+    return {};
+  }
+  std::optional<Replay> none;
+  const RunWork work{start.run->simulation, start.run->recorder, none, arguments.from};
+  if (const ExitCode ended = step_to_end(work, arguments, nullptr); ended != ExitCode::fine) {
+    return {{}, ended};
+  }
+  std::vector<Finding> unwritten = start.run->recorder.save(start.run->simulation);
+  if (unwritten.empty() && changed) {
+    start = taken_up(change_settings(arguments.folder, *changed), arguments);
+    if (start.run) unwritten = start.run->recorder.save(start.run->simulation);
+  }
+  print(unwritten);
+  if (has_error(unwritten)) return {{}, ExitCode::not_written};
+  return start;
+}
+
+/// Goes on with the run of a folder, in it or (`from`) in another.
+ExitCode go_on_with(const RunArguments& arguments) {
+  if (!holds_a_run(arguments.resume)) {
+    print(read_checkpoint(arguments.resume).findings);
+    return ExitCode::bad_input;
+  }
+  const std::filesystem::path folder = arguments.from ? arguments.folder : arguments.resume;
+  const std::optional<FolderLock> lock = take_folder(folder, !arguments.from || arguments.force);
+  if (!lock) return ExitCode::not_written;
+  watch_for_interrupt();
+  Resumed resumed = arguments.from ? branch_off(arguments)
+                                   : taken_up(resume_run(folder, arguments.until), arguments);
+  if (!resumed.run) return resumed.refused;
+  if (!arguments.quiet) {
+    fmt::print(stderr, "goes on from step {} (t = {:.6g} s)\n",
+               steps_taken(resumed.run->simulation), simulated_time(resumed.run->simulation));
+  }
+  std::optional<Replay> none;
+  return end_run({resumed.run->simulation, resumed.run->recorder, none}, arguments, folder);
+}
+
 }  // namespace
 
 ExitCode run_scene(const RunArguments& arguments) {
+  if (!arguments.resume.empty()) return go_on_with(arguments);
   Result<SceneFile> file = read_scene(arguments.scene, arguments.settings);
   print(file.findings);
   if (!file) return ExitCode::bad_input;
@@ -148,33 +279,14 @@ ExitCode run_scene(const RunArguments& arguments) {
 
   watch_for_interrupt();
   simulation->hurry = &interrupted;
+  const std::optional<FolderLock> lock = take_folder(folder, arguments.force);
+  if (!lock) return ExitCode::not_written;
   Result<Recorder> recorder =
       Recorder::open({folder, *file, replay ? replay->counts : nlohmann::ordered_json()},
                      *simulation, std::move(simulation.findings));
   print(recorder.findings);
   if (!recorder) return ExitCode::not_written;
-
-  const RunWork work{*simulation, *recorder, replay};
-  std::optional<FrameClock> clock;
-  if (arguments.realtime) clock.emplace();
-  ExitCode ended = step_to_end(work, arguments, clock ? &*clock : nullptr);
-  const std::vector<Finding> unwritten = recorder->finish(*simulation, end_of(ended, replay));
-  print(unwritten);
-  if (ended == ExitCode::fine || ended == ExitCode::failed) {
-    if (const std::optional<Finding> departed = departure_of(work, ended)) {
-      print({*departed});
-      ended = ExitCode::departed;
-    }
-  }
-  const std::vector<Finding> warnings = all_warnings(recorder->statistics(), simulation->scene);
-  print(warnings_of(recorder->statistics().troubles, simulation->scene));
-  if (ended == ExitCode::fine && arguments.strict && !warnings.empty()) ended = ExitCode::warned;
-  const nlohmann::ordered_json& report = recorder->report();
-  fmt::print("{}", arguments.json ? report.dump(2) + "\n" : summary_table(report));
-  if (clock) fmt::print(arguments.json ? stderr : stdout, "{}", frame_line(clock->report()));
-  if (!arguments.json) fmt::print("{:<14} {}\n", "written to", folder.string());
-  const bool reached_end = ended == ExitCode::fine || ended == ExitCode::warned;
-  return reached_end && has_error(unwritten) ? ExitCode::not_written : ended;
+  return end_run({*simulation, *recorder, replay}, arguments, folder);
 }
 
 }  // namespace sunder

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,14 @@ struct RunArguments {
   bool quiet = false;
   /// Event log of an earlier run to repeat; empty: none.
   std::filesystem::path replay;
+  /// Folder of a run to go on with; empty: none. It says all that the scene file said.
+  std::filesystem::path resume;
+  /// With `resume`: to this time, s; 0: to the run's own end.
+  double until = 0;
+  /// With `resume`: from this step on, in `folder`, by the scene's settings if one is given.
+  std::optional<std::uint64_t> from;
+  /// Whether files of an earlier run in the folder may be replaced.
+  bool force = false;
   /// Threads for factors; the result is the same for any number.
   unsigned threads = 1;
   /// A run with warnings ends with an exit code of its own.
@@ -33,8 +42,9 @@ struct RunArguments {
   bool json = false;
 };
 
-/// Reads the scene, steps it to its end, to a failure or to Ctrl-C, and writes its files; a replay
-/// stops where it departs from its log. Findings go to stderr, the result to stdout.
+/// Reads the scene, or goes on with an earlier run, steps it to its end, to a failure or to a signal
+/// (SIGINT, SIGTERM, SIGHUP), and writes its files; a replay stops where it departs from its log.
+/// Findings go to stderr, the result to stdout.
 ExitCode run_scene(const RunArguments& arguments);
 
 /// Adds the subcommand `run` to the program; `exit_code` is set when it has run.

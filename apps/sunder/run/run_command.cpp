@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* footer = R"(
 The scene is a JSON file in SI units: docs/scene.md explains it, --schema prints every key.
-Files in DIR (those of an earlier run are removed):
+Files in DIR (where an earlier run lies there, --force replaces it):
   frames.pvd, frames/*.vtu  the deformed bodies, for ParaView
   picture_*.png             with --png or the scene's output.pictures
   report.json               counts, times, momentum and energy, warnings
@@ -20,16 +20,25 @@ Files in DIR (those of an earlier run are removed):
   events.jsonl              one line a fan and a release of ties; --replay repeats the run from it
   cracks.csv                area and energy of each crack
   obstacles.csv             free obstacles in each frame: place, turn, velocity, spin
+  checkpoints/*.checkpoint  what --resume goes on from: every ten minutes and at the end, or as the
+                            scene's output.checkpoint says
+One run at a time writes to a folder. Events are written as they come, tables and report with every
+checkpoint too.
 
 Exit codes: 0 done, 2 usage, 3 bad scene or mesh, 4 not written, 5 the simulation failed, 6 a replay
-departed from its log, 7 done, with warnings, and --strict was given, 130 interrupted by Ctrl-C.
-After 5, 6 and 130 the files hold the run up to that moment; the step that Ctrl-C met is cut short.
+departed from its log, 7 done, with warnings, and --strict was given, 130 interrupted by Ctrl-C
+(SIGINT), SIGTERM or SIGHUP. After 5, 6 and 130 the files hold the run up to that moment; the step
+that the signal met is cut short. --resume goes on from the last checkpoint, also after a crash.
 
 Examples:
   sunder run meshes/scenes/bunny.json -o out/bunny --png 6
   sunder run meshes/scenes/block.json --set gravity.ramp_time=2 \
     --set bodies.0.material.tensile_strength=3e6 --frame-interval 0.01
   sunder run meshes/scenes/bunny.json -o out/again --replay out/bunny/events.jsonl
+  sunder run --resume out/bunny                # as if it had never stopped: the same bytes
+  sunder run --resume out/bunny --until 2      # a finished run, extended to 2 s
+  sunder run meshes/scenes/bunny.json --set gravity.acceleration=[0,0,0] \
+    --resume out/bunny --from 120 -o out/branch
 )";
 
 /// `--frames 10` is `--set output.frames=10`: one way in, one place that checks.
@@ -64,11 +73,32 @@ void add_options(CLI::App& command, RunArguments& arguments, std::vector<std::st
       ->type_name("SECONDS")
       ->description("Simulated time between VTU frames, instead of --frames")
       ->excludes(frames);
+  CLI::Option* replay =
+      command
+          .add_option("--replay", arguments.replay,
+                      "Make the cracks of this event log instead of testing for any; same scene, "
+                      "same --set")
+          ->type_name("EVENTS");
+  CLI::Option* resume =
+      command
+          .add_option("--resume", arguments.resume,
+                      "Go on with the run of this folder from its last checkpoint")
+          ->type_name("DIR")
+          ->excludes(replay);
+  CLI::Option* until = command
+                           .add_option("--until", arguments.until,
+                                       "With --resume: to this time of the simulation, s")
+                           ->type_name("SECONDS")
+                           ->check(CLI::PositiveNumber)
+                           ->needs(resume);
   command
-      .add_option("--replay", arguments.replay,
-                  "Make the cracks of this event log instead of testing for any; same scene, same "
-                  "--set")
-      ->type_name("EVENTS");
+      .add_option("--from", arguments.from,
+                  "With --resume and -o: go on from this step in another folder; with SCENE by its "
+                  "settings from there on (not meshes, materials, obstacles, time_step)")
+      ->type_name("STEP")
+      ->needs(resume)
+      ->excludes(until);
+  command.add_flag("--force", arguments.force, "Replace an earlier run in the folder");
   command
       .add_option("--threads", arguments.threads,
                   "Threads for factors and contact of large pieces; results do not depend on it")
@@ -106,7 +136,17 @@ void add_run_command(CLI::App& program, ExitCode& exit_code) {
       fmt::print("{}\n", scene_schema().dump(2));
       return;
     }
-    if (arguments->scene.empty()) throw CLI::RequiredError("SCENE");
+    const bool is_new = arguments->resume.empty(), branches = arguments->from.has_value();
+    if (is_new && arguments->scene.empty()) throw CLI::RequiredError("SCENE");
+    if (branches && arguments->folder.empty()) throw CLI::RequiredError("--from: -o DIR");
+    if (!is_new && !branches && (!arguments->scene.empty() || !arguments->folder.empty())) {
+      throw CLI::ValidationError("--resume", "goes on in its own folder by the settings it has; "
+                                             "SCENE and -o belong to --from");
+    }
+    if (!is_new && arguments->scene.empty() && !(arguments->settings.empty() && shortcuts->empty())) {
+      throw CLI::ValidationError("--set", "a run that goes on keeps its settings; --from with SCENE "
+                                          "changes them");
+    }
     // An explicit --frames stands above a frame_interval of the scene.
     for (const std::string& setting : *shortcuts) {
       if (setting.starts_with("output.frames=")) {

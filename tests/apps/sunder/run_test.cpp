@@ -173,7 +173,7 @@ TEST_CASE("a run tells what was chosen and what is odd before it starts, unless 
   scene["contact"] = {{"max_passes", 2}};
   scene["bodies"][0]["material"]["density"] = 2.4;
   const fs::path path = write_scene(folder, scene);
-  const std::string out = " --frames 0 -o " + (folder.path() / "a").string();
+  const std::string out = " --force --frames 0 -o " + (folder.path() / "a").string();
   const std::string told = run(path.string() + " --set accuracy=preview" + out).text();
   CHECK(told.find("accuracy preview: contact.max_iterations = 20 (") != std::string::npos);
   CHECK(told.find("contact.max_passes") == std::string::npos);

@@ -102,7 +102,7 @@ def run(said, name, mode, group, member, more=(), called=""):
         return None
     record = {"key": key, "scene": name, "mode": mode, "group": group + called, "member": member, "end": "finished", "volumes": []}
     with tempfile.TemporaryDirectory() as folder:
-        words = [said.build / "sunder", "run", body["scene"], "--quiet", "--frames", "0", "-o", folder]
+        words = [said.build / "sunder", "run", body["scene"], "--quiet", "--frames", "0", "--force", "-o", folder]
         before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
         # Of processor time, so that a busy machine drops no run.
         limit = lambda: resource.setrlimit(resource.RLIMIT_CPU, (said.limit, said.limit + 5))

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <sunder/cells.hpp>
 #include <sunder/cgal_map.hpp>
 #include <sunder/rows.hpp>
@@ -31,41 +32,47 @@ HalfFaceId face_across(const Simulation& sim, VertexId v, const Vec3& pull) {
   return best;
 }
 
-/// Tears the vertex with the largest stress beside its strength; false when none passes it.
-/// `torn` is a column of one's own: how often the vertex, or the one it was once, has been torn.
+/// Tears the vertex with the largest stress beside its strength of those that can be; false when
+/// none passes it. `torn` is a column of one's own: how often the vertex, or the one it was once, has
+/// been torn.
 bool tear(Simulation& sim, std::vector<int>& torn) {
+  struct Candidate {
+    double ratio;
+    VertexId vertex;
+    Vec3 pull;
+  };
+  std::vector<Candidate> over;
   const std::vector<Mat3> stress = vertex_stress(sim);
   const auto strength = rows_of(sim).strength;
-  std::size_t worst = 0;
-  double most = 1;
-  Vec3 pull = Vec3::Zero();
   for (std::size_t v = 0; v < stress.size(); ++v) {
     const Eigen::SelfAdjointEigenSolver<Mat3> principal(stress[v]);
-    if (const double ratio = principal.eigenvalues()[2] / strength[v]; ratio > most) {
-      most = ratio, worst = v, pull = principal.eigenvectors().col(2);
-    }
+    const double ratio = principal.eigenvalues()[2] / strength[v];
+    if (ratio > 1) over.push_back({ratio, VertexId{v}, principal.eigenvectors().col(2)});
   }
-  if (pull.isZero()) return false;
-  ++torn[worst];
-  for (bool apart = false; !apart;) {
-    const HalfFaceId face = face_across(sim, VertexId{worst}, pull);
-    if (face.is_none()) return false;
-    const Result<FanEvent> event = split_faces(sim, std::span(&face, 1));
-    for (const FaceSplit& split : event->faces) {
-      extend_vertices(torn, split);  // by the rule copy
-      for (int i = 0; i < split.vertex_count; ++i) {
-        apart |= split.split_vertices[i].old_row == VertexId{worst};
+  std::ranges::sort(over, std::greater<>(), &Candidate::ratio);
+  for (const auto& [ratio, vertex, pull] : over) {
+    HalfFaceId face = face_across(sim, vertex, pull);
+    if (face.is_none()) continue;
+    ++torn[vertex.index()];
+    for (bool apart = false; !apart && !face.is_none(); face = face_across(sim, vertex, pull)) {
+      const Result<FanEvent> event = split_faces(sim, std::span(&face, 1));
+      for (const FaceSplit& split : event->faces) {
+        extend_vertices(torn, split);  // by the rule copy
+        for (int i = 0; i < split.vertex_count; ++i) {
+          apart |= split.split_vertices[i].old_row == vertex;
+        }
       }
     }
+    return true;
   }
-  return true;
+  return false;
 }
 
 int main(int argc, char** argv) {
   if (argc != 2) return std::puts("usage: tear SCENE.json"), 2;
   auto file = read_scene(argv[1]);
   if (!file) return std::puts(file.findings.front().text.c_str()), 3;
-  file->scene.duration = 0.05;
+  file->scene.duration = 0.1;
   file->scene.topology.kernel = MapKernel::lcc;   // CGAL's darts answer
   file->scene.fracture.mode = FractureMode::off;  // and nobody breaks but we
   auto sim = build_simulation(file->scene);
@@ -73,9 +80,9 @@ int main(int argc, char** argv) {
   std::vector<int> torn(map_of(*sim).vertices());
   std::size_t pieces = 0;
   for (const auto n = step_count(sim->scene); steps_taken(*sim) < n;) {
-    pieces = advance(*sim).components;
     for (int i = 0; i < 20 && tear(*sim, torn); ++i) {
     }
+    pieces = advance(*sim).components;
     const std::vector<Finding> damage = check_map(*sim);
     if (!damage.empty()) return std::puts(damage.front().text.c_str()), 1;
   }

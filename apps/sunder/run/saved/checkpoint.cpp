@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+// Checkpoints as bytes and files.
+#include "apps/sunder/run/saved/checkpoint.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <iterator>
+
+#include "fracture/saving/archive.hpp"
+#include "fracture/saving/saved_state.hpp"
+#include "topology/io/output_file.hpp"
+
+namespace sunder {
+
+namespace fs = std::filesystem;
+
+// One that gains or loses a member does not compile until this and `checkpoint_format` are looked
+// at.
+constexpr int member_count(const RunRecord*) { return 7; }
+constexpr int member_count(const PvdFrame*) { return 2; }
+constexpr int member_count(const ObstacleMotion*) { return 5; }
+constexpr int member_count(const Pose*) { return 2; }
+constexpr int member_count(const SearchCounts*) { return 10; }
+constexpr int member_count(const ContactReport*) { return 10; }
+constexpr int member_count(const ImpactReport*) { return 11; }
+constexpr int member_count(const LadderReport*) { return 2; }
+constexpr int member_count(const RubbleStepReport*) { return 11; }
+constexpr int member_count(const SolveReport*) { return 4; }
+constexpr int member_count(const EnergyLedger*) { return 12; }
+constexpr int member_count(const TieStatistics*) { return 3; }
+constexpr int member_count(const TieReport*) { return 8; }
+constexpr int member_count(const TiesOfCrack*) { return 5; }
+constexpr int member_count(const CrackEnergy*) { return 5; }
+constexpr int member_count(const Energies*) { return 3; }
+constexpr int member_count(const MomentumLedger*) { return 5; }
+constexpr int member_count(const Finding*) { return 8; }
+constexpr int member_count(const RunTroubles*) { return 11; }
+constexpr int member_count(const Trouble*) { return 4; }
+constexpr int member_count(const EnergyBalance*) { return 7; }
+constexpr int member_count(const Choice*) { return 3; }
+constexpr int member_count(const OutputSettings*) { return 6; }
+constexpr int member_count(const PictureSettings*) { return 6; }
+constexpr int member_count(const CameraSettings*) { return 3; }
+constexpr int member_count(const CheckpointSettings*) { return 3; }
+
+template <class Archive, class S>
+requires std::is_same_v<std::remove_const_t<S>, RunStatistics>
+void archive_struct(Archive& a, S& statistics) {
+  auto& [step_ms, stage_ms, fans, faces_split, search, contact, impact, ladder, rubble, solve,
+         energy, ties, contact_steps, unconverged_steps, impact_steps, stopped_steps,
+         worst_residual, worst_step, most_iterations, predicted, predicted_rightly, separated,
+         fan_us, searched, damping_work, energy_released, cracks, energy_at_start,
+         momentum_at_start, momentum, mass_at_start, drawn_off, drawn_off_step, warnings, troubles,
+         turned_too_far] = statistics;
+  const auto all = [&](auto&... member) { (archive(a, member), ...); };
+  all(step_ms, stage_ms, fans, faces_split, search, contact, impact, ladder, rubble, solve, energy,
+      ties, contact_steps, unconverged_steps, impact_steps, stopped_steps, worst_residual,
+      worst_step, most_iterations, predicted, predicted_rightly, separated, fan_us, searched,
+      damping_work, energy_released, cracks, energy_at_start, momentum_at_start, momentum,
+      mass_at_start, drawn_off, drawn_off_step, warnings, troubles, turned_too_far);
+}
+
+/// All but the scene, which the saved state has.
+template <class Archive, class S>
+requires std::is_same_v<std::remove_const_t<S>, SceneFile>
+void archive_struct(Archive& a, S& file) {
+  auto& [schema, description, accuracy, choices, scene, output] = file;
+  const auto all = [&](auto&... member) { (archive(a, member), ...); };
+  all(schema, description, accuracy, choices, output);
+}
+
+namespace {
+
+constexpr std::string_view magic = "SunderCp";
+constexpr std::string_view ending = ".checkpoint";
+
+std::uint64_t checksum(std::string_view bytes, std::uint64_t hash = 0xcbf29ce484222325u) {
+  for (const char byte : bytes) {
+    hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
+  }
+  return hash;
+}
+
+fs::path place_of(const fs::path& folder) { return folder / "checkpoints"; }
+
+/// Steps and files of the checkpoints of a folder, the latest first.
+std::vector<std::pair<std::uint64_t, fs::path>> checkpoints_of(const fs::path& folder) {
+  std::vector<std::pair<std::uint64_t, fs::path>> found;
+  std::error_code none;
+  for (const fs::directory_entry& entry : fs::directory_iterator(place_of(folder), none)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with("step_") || !name.ends_with(ending)) continue;
+    const char* const end = name.data() + name.size() - ending.size();
+    std::uint64_t step = 0;
+    if (std::from_chars(name.data() + 5, end, step).ptr == end) found.emplace_back(step, entry);
+  }
+  std::ranges::sort(found, std::greater<>());
+  return found;
+}
+
+Finding unusable(const char* code, const fs::path& path, std::string text) {
+  return {.code = code,
+          .text = std::move(text),
+          .remedy = "go on from an earlier one (--from), or run the scene from its start",
+          .file = path.string()};
+}
+
+Result<Checkpoint> read_one(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  if (!in) return unusable("cannot_open", path, "it cannot be read");
+  if (!bytes.starts_with(magic)) return unusable("damaged", path, "it does not begin as one");
+  StateReader head{std::string_view(bytes).substr(magic.size())};
+  std::uint32_t format = 0;
+  std::uint64_t sum = 0, length = 0;
+  archive(head, format);
+  if (!head.failed && format != checkpoint_format) {
+    return unusable("other_version", path,
+                    fmt::format("its format is {}; this version reads {}", format,
+                                checkpoint_format));
+  }
+  archive(head, sum);
+  const std::string_view summed = head.bytes;
+  archive(head, length);
+  if (head.failed || length > head.bytes.size() || checksum(summed) != sum) {
+    return unusable("damaged", path, "some of its bytes are missing or changed");
+  }
+  Checkpoint checkpoint;
+  StateReader reader{head.bytes.substr(0, length)};
+  archive(reader, checkpoint.file);
+  archive(reader, checkpoint.record);
+  Result<Simulation> simulation = restore(head.bytes.substr(length));
+  for (Finding& f : simulation.findings) f.file = path.string();
+  if (!simulation) return std::move(simulation.findings.front());
+  if (reader.failed || !reader.bytes.empty()) {
+    return unusable("damaged", path, "what it holds does not fit together");
+  }
+  checkpoint.simulation = std::move(*simulation);
+  checkpoint.file.scene = checkpoint.simulation.scene;
+  return checkpoint;
+}
+
+}  // namespace
+
+std::vector<Finding> write_checkpoint(const fs::path& folder, const SceneFile& file,
+                                      const RunRecord& record, const Simulation& simulation) {
+  StateWriter recorded;
+  archive(recorded, file);
+  archive(recorded, record);
+  const std::string state = saved_state(simulation);
+  StateWriter length, head;
+  const std::uint64_t bytes = recorded.bytes.size();
+  archive(length, bytes);
+  const std::uint64_t sum =
+      checksum(state, checksum(recorded.bytes, checksum(length.bytes)));
+  head.bytes = magic;
+  archive(head, checkpoint_format);
+  archive(head, sum);
+  const fs::path path =
+      place_of(folder) / fmt::format("step_{:010}{}", steps_taken(simulation), ending);
+  const std::array<std::string_view, 4> parts = {head.bytes, length.bytes, recorded.bytes, state};
+  if (auto finding = write_file(path, parts, Durable::yes)) return {std::move(*finding)};
+  const std::uint32_t keep = file.output.checkpoint.keep;
+  const auto old = checkpoints_of(folder);
+  std::error_code error;  // one more than wanted does no harm
+  for (std::size_t i = keep; keep > 0 && i < old.size(); ++i) fs::remove(old[i].second, error);
+  return {};
+}
+
+Result<Checkpoint> read_checkpoint(const fs::path& folder, std::optional<std::uint64_t> until) {
+  std::vector<Finding> passed_over;
+  for (const auto& [step, path] : checkpoints_of(folder)) {
+    if (until && step > *until) continue;
+    Result<Checkpoint> checkpoint = read_one(path);
+    if (checkpoint || checkpoint.findings.front().code != "damaged") {
+      checkpoint.findings.insert(checkpoint.findings.end(), passed_over.begin(), passed_over.end());
+      return checkpoint;
+    }
+    passed_over.push_back(std::move(checkpoint.findings.front()));
+    passed_over.back().severity = Severity::warning;
+  }
+  Result<Checkpoint> none = Finding{
+      .code = "no_checkpoint",
+      .text = fmt::format("{} holds no checkpoint{} to go on from", folder.string(),
+                          until ? fmt::format(" up to step {}", *until) : ""),
+      .remedy = "run the scene again; output.checkpoint says when a run is saved on its way",
+      .file = folder.string()};
+  none.findings.insert(none.findings.end(), passed_over.begin(), passed_over.end());
+  return none;
+}
+
+}  // namespace sunder

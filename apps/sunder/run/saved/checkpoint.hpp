@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// A run as a file: all that it needs to go on as if it had never stopped.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "apps/output/tables.hpp"
+#include "apps/scene/scene_json.hpp"
+#include "apps/sunder/run/recorder_report.hpp"
+#include "topology/io/vtu/vtu.hpp"
+
+namespace sunder {
+
+/// Of the files below; raised whenever what they hold beside the saved state changes.
+inline constexpr std::uint32_t checkpoint_format = 1;
+
+/// What has been recorded of a run so far.
+struct RunRecord {
+  RunStatistics statistics;
+  std::vector<PvdFrame> frames;
+  std::vector<ObstacleMotion> obstacles;  ///< of every frame
+  std::uint64_t pictures = 0;
+  std::optional<std::uint64_t> last_frame, last_picture;  ///< their steps
+  /// Bytes of events.jsonl.
+  std::uint64_t log_bytes = 0;
+};
+
+/// A run between two steps.
+struct Checkpoint {
+  /// What the scene file said. Its `scene` stands in the simulation alone.
+  SceneFile file;
+  RunRecord record;
+  Simulation simulation;
+};
+
+/// Writes a run as checkpoints/step_0000000120.checkpoint in its folder: "SunderCp", format (4
+/// bytes), checksum (FNV-1a, 8) of all that follows, length (8) and bytes of what was recorded, and
+/// the saved state (saved_state.hpp). The file is on the disk when this returns; older ones beyond
+/// `output.checkpoint.keep` are removed then. Needs: the folder checkpoints. Errors: cannot_write.
+std::vector<Finding> write_checkpoint(const std::filesystem::path& folder, const SceneFile& file,
+                                      const RunRecord& record, const Simulation& simulation);
+
+/// The latest whole checkpoint of a folder, of those not after step `until`. Warnings: one that is
+/// damaged and passed over. Errors: no_checkpoint, other_version, cannot_open.
+Result<Checkpoint> read_checkpoint(const std::filesystem::path& folder,
+                                   std::optional<std::uint64_t> until = {});
+
+}  // namespace sunder
