@@ -28,7 +28,7 @@ import threading
 import time
 
 TREE = pathlib.Path(__file__).resolve().parents[3]
-SCENES = {"bar": 0.06, "block": 1.2, "monolith": 0.3, "bunny": 0.03}  # s
+SCENES = {"bar": 1.0, "block": 2.5, "monolith": 0.12, "bunny": 0.012}  # s
 LONG = ("bunny", ["--set", "duration=0.5", "--set", "output.checkpoint.minutes=0.5"])
 
 
