@@ -17,6 +17,7 @@
 #include "apps/sunder/mesh/split.hpp"
 #include "apps/sunder/program.hpp"
 #include "apps/sunder/run/run.hpp"
+#include "apps/sunder/shell/shell_files.hpp"
 #include "apps/sunder/static/modes.hpp"
 #include "apps/sunder/static/static.hpp"
 #if defined(SUNDER_HAS_RENDERER)
@@ -61,6 +62,7 @@ void add_commands(CLI::App& program, sunder::ExitCode& exit_code) {
   sunder::add_split_command(program, exit_code);
   sunder::add_cut_command(program, exit_code);
   sunder::add_refine_command(program, exit_code);
+  sunder::add_shell_commands(program, exit_code);
   if (!std::filesystem::exists(bench_program())) return;
   for (const auto& [name, purpose] : bench_commands) {
     program.add_subcommand(std::string(name), std::string(purpose));

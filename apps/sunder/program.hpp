@@ -4,8 +4,10 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <vector>
 
 #include "apps/sunder/exit_code.hpp"
+#include "topology/base/finding.hpp"
 
 namespace sunder {
 
@@ -15,5 +17,12 @@ using AddCommands = std::function<void(CLI::App& program, ExitCode& exit_code)>;
 /// Runs the command that the arguments name, and gives what the program ends with: mistakes on the
 /// command line are told and end with `usage`, exceptions with `failed`.
 int run_program(int argc, char** argv, const AddCommands& add_commands);
+
+/// The options of a command, those of its groups among them.
+std::vector<const CLI::Option*> all_options(const CLI::App& command);
+
+/// Tells findings on standard error; where an error among them leaves a command without a result and
+/// `json` is asked for, on standard output as `{"findings": [...]}` too.
+void tell(const std::vector<Finding>& findings, bool json);
 
 }  // namespace sunder

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Unpacking gzip through zlib, member by member.
+// Packing and unpacking gzip through zlib, member by member.
 #include "topology/io/gzip.hpp"
 
 #include <fmt/format.h>
@@ -54,6 +54,41 @@ std::string unpacked(std::string_view bytes) {
                                         stream.msg == nullptr ? zError(status) : stream.msg));
     }
   }
+  out.resize(filled);
+  return out;
+}
+
+std::string packed(std::span<const std::string_view> parts) {
+  z_stream stream{};
+  constexpr int gzip = 16 + MAX_WBITS, memory = 8;
+  if (deflateInit2(&stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, gzip, memory, Z_DEFAULT_STRATEGY) !=
+      Z_OK) {
+    throw std::bad_alloc();
+  }
+  const std::unique_ptr<z_stream, int (*)(z_stream*)> owner(&stream, &deflateEnd);
+  std::string out;
+  std::size_t filled = 0;
+  constexpr std::size_t most = std::size_t{1} << 30;  // zlib counts in 32 bits
+  // Takes all input, and with Z_FINISH gives all output.
+  const auto push = [&](std::string_view text, int flush) {
+    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
+    stream.avail_in = static_cast<uInt>(text.size());
+    int status = Z_OK;
+    do {
+      if (filled == out.size()) out.resize(std::max<std::size_t>(4096, 2 * filled));
+      const std::size_t room = std::min(most, out.size() - filled);
+      stream.next_out = reinterpret_cast<Bytef*>(out.data() + filled);
+      stream.avail_out = static_cast<uInt>(room);
+      status = deflate(&stream, flush);
+      filled += room - stream.avail_out;
+    } while (flush == Z_FINISH ? status != Z_STREAM_END : stream.avail_in > 0);
+  };
+  for (std::string_view part : parts) {
+    for (; !part.empty(); part.remove_prefix(std::min(most, part.size()))) {
+      push(part.substr(0, most), Z_NO_FLUSH);
+    }
+  }
+  push({}, Z_FINISH);
   out.resize(filled);
   return out;
 }

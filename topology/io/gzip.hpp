@@ -2,6 +2,7 @@
 // Internal to topology/io: files packed by gzip.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -13,5 +14,8 @@ bool is_gzip(std::string_view bytes);
 /// What was packed, all members of the file one after the other. Throws ReadFailure (bad_gzip,
 /// truncated_file). Allocates at most twice what it unfolds to.
 std::string unpacked(std::string_view bytes);
+
+/// The parts as one member of a gzip file, without name or time: the same bytes whenever it is made.
+std::string packed(std::span<const std::string_view> parts);
 
 }  // namespace sunder::io

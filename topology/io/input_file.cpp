@@ -33,12 +33,12 @@ bool is_below(const std::filesystem::path& path, const std::filesystem::path& fo
 }  // namespace
 
 Result<std::string> bytes_of_file(const std::filesystem::path& path) {
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
-                                                             &std::fclose);
+  const char* const name = path == "-" ? "/dev/stdin" : path.c_str();
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(name, "rb"), &std::fclose);
   if (!file) return cannot_open(path, errno);
   std::string bytes;
   std::error_code unknown;
-  const auto size = std::filesystem::file_size(path, unknown);
+  const auto size = std::filesystem::file_size(name, unknown);
   // One byte more than the file has, so that the first read already meets its end.
   std::size_t filled = 0;
   bytes.resize(unknown ? 1 << 16 : size + 1);

@@ -9,7 +9,7 @@
 
 namespace sunder::io {
 
-/// The file's bytes. Errors: cannot_open, with the system's reason.
+/// The file's bytes; `-` is standard input. Errors: cannot_open, with the system's reason.
 Result<std::string> bytes_of_file(const std::filesystem::path& path);
 
 /// The unpacked bytes of `name` (or `name`.gz) in `folder` or below it; links are followed first.

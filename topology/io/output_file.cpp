@@ -8,7 +8,10 @@
 
 #include <atomic>
 #include <cerrno>
+#include <string>
 #include <system_error>
+
+#include "topology/io/gzip.hpp"
 
 namespace sunder {
 namespace {
@@ -67,6 +70,16 @@ std::filesystem::path target_of(const std::filesystem::path& path) {
 
 std::optional<Finding> write_file(const std::filesystem::path& path,
                                   std::span<const std::string_view> parts, Durable durable) {
+  std::string whole;
+  std::string_view gzip;
+  if (path.extension() == ".gz") {
+    gzip = whole = io::packed(parts);
+    parts = std::span(&gzip, 1);
+  }
+  if (path == "-") {
+    const int failure = write_all(STDOUT_FILENO, parts);
+    return failure == 0 ? std::nullopt : std::optional(cannot_write(path, failure, remedy_for(failure)));
+  }
   const std::filesystem::path target = target_of(path);
   std::error_code error;
   const auto status = std::filesystem::status(target, error);

@@ -345,10 +345,12 @@ std::vector<Finding> write_file_mesh(const std::filesystem::path& path, const Fi
       version, chosen.encoding.value_or(is_binary_name(path) ? Encoding::binary : t.encodings[0]),
       chosen.pack};
   std::vector<Finding> findings;
-  if (path.extension() == ".gz") {
+  const bool is_plain = path.extension() != ".gz" && path != "-";
+  if (!is_plain && t.format == MeshFormat::tetgen) {
     findings.push_back({.code = "unknown_format",
-                        .text = "the name ends with .gz: packed files are read, not written",
-                        .remedy = "leave out .gz, and pack the file with gzip"});
+                        .text = "TetGen's meshes are several files: they are not packed, nor written "
+                                "to standard output",
+                        .remedy = "name STEM.node, or another format"});
   } else if (auto reason = refused(t, how)) {
     findings.push_back(std::move(*reason));
   } else {
@@ -356,10 +358,20 @@ std::vector<Finding> write_file_mesh(const std::filesystem::path& path, const Fi
     const FileMesh& written = surface ? surface->mesh : mesh;
     chosen.encoding = how.encoding;
     findings = losses_of(mesh, surface, chosen);
+    if (const std::size_t names = name_count(written);
+        path == "-" && names > 0 && !holds_names(t, version)) {
+      findings.push_back({.code = "names_lost",
+                          .severity = Severity::warning,
+                          .count = names,
+                          .text = fmt::format("{} holds no names of regions, and nothing lies beside "
+                                              "standard output",
+                                              t.name),
+                          .remedy = "write to a file: they are put beside it"});
+    }
     auto failure = io::write_format(t.format, path, written, how);
     if (failure) findings.insert(findings.begin(), std::move(*failure));
     if (!failure) {
-      auto names = write_names_beside(path, written, t, version);
+      auto names = path == "-" ? std::nullopt : write_names_beside(path, written, t, version);
       if (names) findings.insert(has_error({*names}) ? findings.begin() : findings.end(), *names);
     }
   }

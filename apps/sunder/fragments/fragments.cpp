@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "apps/scene/words.hpp"
+#include "apps/sunder/program.hpp"
 #include "apps/sunder/fragments/fragments_report.hpp"
 #include "apps/sunder/gnuplot.hpp"
 
@@ -41,21 +42,17 @@ struct FragmentsArguments {
   bool json = false;
 };
 
-void print(const std::vector<Finding>& findings) {
-  fmt::print(stderr, "{}", finding_lines(findings));
-}
-
 ExitCode measure_folder(FragmentsArguments arguments) {
   std::error_code error;
   fs::path csv = arguments.folder;
   if (fs::is_directory(csv, error)) csv /= "fragments.csv";
   const Result<PieceColumns> pieces = read_fragments(csv);
-  print(pieces.findings);
+  tell(pieces.findings, arguments.json);
   if (!pieces) return ExitCode::bad_input;
   const fs::path frame = csv.parent_path() / "frames" / "frame_000000.vtu";
   if (arguments.meshes.empty() && fs::exists(frame, error)) arguments.meshes = {frame};
   const Result<std::vector<double>> elements = element_volumes(arguments.meshes);
-  print(elements.findings);
+  tell(elements.findings, arguments.json);
   if (!elements) return ExitCode::bad_input;
   const FragmentSizes sizes = measure_fragments(*pieces, *elements, arguments.measure);
   if (arguments.json) {
@@ -68,7 +65,7 @@ ExitCode measure_folder(FragmentsArguments arguments) {
   if (const auto missing =
           draw_png(fragments_script(sizes, fmt::format("Pieces of {}", folder.filename().string())),
                    arguments.png)) {
-    print({*missing});
+    tell({*missing}, arguments.json);
     return ExitCode::not_written;
   }
   return ExitCode::fine;

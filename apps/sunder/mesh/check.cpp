@@ -19,6 +19,8 @@ namespace sunder {
 namespace {
 
 constexpr const char* footer = R"(
+Of several meshes each is told one after the other, with --json as a list; the exit code is the
+highest of theirs.
 MESH is any mesh file that sunder convert reads (sunder convert --formats lists them), packed by
 gzip or not; its content decides which, not its name.
 Coordinates are taken as metres, volumes are m^3. Vertices, edges and faces are counted as orbits
@@ -37,10 +39,13 @@ can be read from the file, 4 FILE of --write-findings cannot be written.
 Examples:
   sunder check meshes/ring.msh
   sunder check body.vtu --json | jq .counts
+  sunder check meshes/*.msh --json | jq '.[] | select(.valid | not) | .file'
   sunder check body.inp --write-findings look.vtu
 )";
 
 struct Arguments {
+  /// One after the other; of each its answer is printed.
+  std::vector<std::filesystem::path> meshes;
   std::filesystem::path mesh;
   std::filesystem::path findings;
   bool json = false;
@@ -113,8 +118,8 @@ ExitCode write_findings(CheckReport& report, const FileMesh& mesh, const MeshChe
   return ExitCode::fine;
 }
 
-ExitCode run_check(const Arguments& arguments) {
-  CheckReport report;
+/// Checks one mesh; the report is to be printed.
+ExitCode run_check(const Arguments& arguments, CheckReport& report) {
   report.findings_file = arguments.findings;
   ExitCode exit_code = ExitCode::bad_input;
   Result<FileMesh> mesh = read_file_mesh(arguments.mesh);
@@ -141,8 +146,29 @@ ExitCode run_check(const Arguments& arguments) {
     }
   }
   std::ranges::stable_sort(report.findings, std::ranges::greater{}, &Finding::severity);
-  arguments.json ? print_json(report) : print_table(report);
   return exit_code;
+}
+
+/// Checks all; the exit code is the highest.
+ExitCode run_checks(Arguments arguments) {
+  ExitCode worst = ExitCode::fine;
+  const bool several = arguments.meshes.size() > 1;
+  auto all = nlohmann::ordered_json::array();
+  for (const std::filesystem::path& mesh : arguments.meshes) {
+    arguments.mesh = mesh;
+    CheckReport report;
+    worst = std::max(worst, run_check(arguments, report));
+    if (arguments.json) {
+      nlohmann::ordered_json json = {{"file", mesh.string()}};
+      json.update(report_json(report));
+      all.push_back(std::move(json));
+      continue;
+    }
+    if (several) fmt::print("{}{}:\n", &mesh == arguments.meshes.data() ? "" : "\n", mesh.string());
+    print_table(report);
+  }
+  if (arguments.json) fmt::print("{}\n", (several ? all : all.front()).dump(2));
+  return worst;
 }
 
 }  // namespace
@@ -151,7 +177,9 @@ void add_check_command(CLI::App& program, ExitCode& exit_code) {
   const auto arguments = std::make_shared<Arguments>();
   CLI::App* command =
       program.add_subcommand("check", "Count and measure the cells of a mesh, list what is wrong");
-  command->add_option("MESH", arguments->mesh, "Mesh file")->type_name("FILE")->required();
+  command->add_option("MESH", arguments->meshes, "Mesh files; - for standard input")
+      ->type_name("FILE")
+      ->required();
   command
       ->add_option("--write-findings", arguments->findings,
                    "Write every cell and point that a finding names as a mesh to look at; its "
@@ -167,10 +195,13 @@ void add_check_command(CLI::App& program, ExitCode& exit_code) {
   command->footer(footer);
   command->callback([=, &exit_code] {
     std::error_code cannot_compare;
-    if (std::filesystem::equivalent(arguments->mesh, arguments->findings, cannot_compare)) {
+    if (!arguments->findings.empty() && arguments->meshes.size() > 1) {
+      throw CLI::ValidationError("--write-findings", "goes with one MESH");
+    }
+    if (std::filesystem::equivalent(arguments->meshes[0], arguments->findings, cannot_compare)) {
       throw CLI::ValidationError("--write-findings", "FILE is MESH itself");
     }
-    exit_code = run_check(*arguments);
+    exit_code = run_checks(*arguments);
   });
 }
 

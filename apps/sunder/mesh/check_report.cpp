@@ -91,7 +91,7 @@ void print_quality(const Quality& q) {
 
 }  // namespace
 
-void print_json(const CheckReport& report) {
+Json report_json(const CheckReport& report) {
   Json json;
   Counts unknown;
   unknown.tetrahedra = report.tetrahedra;
@@ -115,7 +115,7 @@ void print_json(const CheckReport& report) {
   }
   json["findings"] = findings_json(report.findings);
   json["valid"] = !has_error(report.findings);
-  fmt::print("{}\n", json.dump(2));
+  return json;
 }
 
 void print_table(const CheckReport& report) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
 
@@ -29,7 +30,8 @@ struct CheckReport {
   std::size_t cells_written = 0;
 };
 
-void print_json(const CheckReport& report);
+/// What `--json` prints of a mesh, keys as docs/checks.md has them.
+nlohmann::ordered_json report_json(const CheckReport& report);
 void print_table(const CheckReport& report);
 
 }  // namespace sunder

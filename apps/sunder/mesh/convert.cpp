@@ -24,6 +24,7 @@ namespace {
 constexpr const char* footer = R"(
 IN is recognised by its content, not by its name (TetGen's files by their names, any of which may be
 given: STEM.node, .ele, .face and .edge are read and written together); it may be packed by gzip.
+IN - is standard input; OUT - is standard output, with --to; OUT.gz is packed.
 OUT's ending names the format, or --to does. `sunder convert --formats` lists the formats, their
 endings, versions and encodings (defaults first), and what each can hold. Points and cells keep
 their order; numbers, regions, entities and data are kept where the format holds them. Names of
@@ -40,6 +41,7 @@ Examples:
   sunder convert body.msh body.vtu
   sunder convert body.msh clean.msh --merge-points 1e-6 --drop-duplicates --fix-orientation
   sunder convert body.vtu body.msh --format-version 2.2 --binary --strict
+  gunzip -c body.msh.gz | sunder convert - - --to vtu > body.vtu
   sunder convert body.msh cracked.vtu --crack-regions matrix,inclusion --crack-pairs pairs.csv
 )";
 
@@ -133,15 +135,17 @@ void print(const Arguments& arguments, const Conversion& result) {
     json["written"] = result.is_written;
     json["lossless"] = result.is_written && !result.has_losses;
     json["findings"] = findings_json(result.findings);
-    fmt::print("{}\n", json.dump(2));
+    fmt::print(arguments.out == "-" ? stderr : stdout, "{}\n", json.dump(2));
     return;
   }
-  fmt::print("{}", finding_lines(result.findings));
+  // Where the mesh itself goes to standard output, what is said of it goes beside.
+  std::FILE* const words = arguments.out == "-" ? stderr : stdout;
+  fmt::print(stderr, "{}", finding_lines(result.findings));
   if (!result.is_written) {
-    fmt::print("nothing is written\n");
+    fmt::print(words, "nothing is written\n");
     return;
   }
-  fmt::print("{}: written from {} points, {} tetrahedra, {} triangles, {} edges, {} vertices{}\n",
+  fmt::print(words, "{}: written from {} points, {} tetrahedra, {} triangles, {} edges, {} vertices{}\n",
              arguments.out.string(), result.mesh.points.size(),
              result.mesh.tetrahedra.corners.size(), result.mesh.triangles.corners.size(),
              result.mesh.edges.corners.size(), result.mesh.vertices.corners.size(),

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "apps/scene/words.hpp"
+#include "apps/sunder/program.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/mesh/build_map.hpp"
 
@@ -141,8 +142,7 @@ Result<std::set<std::string>> shared_columns(const DivideArguments& arguments,
 
 ExitCode refuse(const DivideArguments& arguments, const std::vector<Finding>& findings,
                 ExitCode code) {
-  fmt::print(stderr, "{}", finding_lines(findings));
-  if (arguments.json) fmt::print("{}\n", Json{{"findings", findings_json(findings)}}.dump(2));
+  tell(findings, arguments.json);
   return code;
 }
 

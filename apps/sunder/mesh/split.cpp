@@ -12,6 +12,7 @@
 #include "apps/scene/words.hpp"
 #include "apps/sunder/mesh/split_faces.hpp"
 #include "apps/sunder/mesh/split_output.hpp"
+#include "apps/sunder/program.hpp"
 #include "apps/sunder/static/static_fan.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/kernel/invariants.hpp"
@@ -209,13 +210,9 @@ Result<std::vector<FaceRequest>> requested_faces(const VolumeMap& map,
   return faces_of_file(map, arguments.faces);
 }
 
-/// With --json the answer always is JSON, also when it is a refusal.
 ExitCode refuse(const SplitArguments& arguments, const std::vector<Finding>& findings,
                 ExitCode exit_code) {
-  fmt::print(stderr, "{}", finding_lines(findings));
-  if (arguments.json) {
-    fmt::print("{}\n", nlohmann::ordered_json{{"findings", findings_json(findings)}}.dump(2));
-  }
+  tell(findings, arguments.json);
   return exit_code;
 }
 

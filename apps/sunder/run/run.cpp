@@ -12,6 +12,7 @@
 
 #include "apps/scene/scene_hash.hpp"
 #include "apps/scene/words.hpp"
+#include "apps/sunder/program.hpp"
 #include "apps/sunder/run/progress.hpp"
 #include "apps/sunder/run/realtime.hpp"
 #include "apps/sunder/run/recorder.hpp"
@@ -132,22 +133,24 @@ bool read_log(std::optional<Replay>& replay, const RunArguments& arguments, cons
     return false;
   }
   Result<Replay> log = read_replay(arguments.replay, {scene_hash(file), step_count(file.scene)});
-  print(log.findings);
+  tell(log.findings, arguments.json);
   replay = std::move(log.value);
   return replay.has_value();
 }
 
 /// The folder for one run, or why not: somebody writes there, or an earlier run lies there.
-std::optional<FolderLock> take_folder(const std::filesystem::path& folder, bool may_replace) {
+std::optional<FolderLock> take_folder(const std::filesystem::path& folder, bool may_replace,
+                                      bool json) {
   Result<FolderLock> lock = FolderLock::take(folder);
-  print(lock.findings);
+  tell(lock.findings, json);
   if (!lock) return std::nullopt;
   if (!may_replace && holds_a_run(folder)) {
-    print({{.code = "folder_holds_a_run",
+    tell({{.code = "folder_holds_a_run",
             .text = fmt::format("an earlier run lies in {}", folder.string()),
             .remedy = fmt::format("give another folder with -o, replace it with --force, or go on "
                                   "with it: sunder run --resume {}",
-                                  folder.string())}});
+                                  folder.string())}},
+         json);
     return std::nullopt;
   }
   return std::move(*lock);
@@ -187,7 +190,7 @@ struct Resumed {
 };
 
 Resumed taken_up(Result<RunOnItsWay> run, const RunArguments& arguments) {
-  print(run.findings);
+  tell(run.findings, arguments.json);
   const auto is_about_writing = [](const Finding& f) { return f.code == "cannot_write"; };
   if (!run) {
     return {{}, std::ranges::any_of(run.findings, is_about_writing) ? ExitCode::not_written
@@ -204,7 +207,7 @@ Resumed branch_off(const RunArguments& arguments) {
   std::optional<SceneFile> changed;
   if (!arguments.scene.empty()) {
     Result<SceneFile> file = read_scene(arguments.scene, arguments.settings);
-    print(file.findings);
+    tell(file.findings, arguments.json);
     if (!file) return {};
     changed = std::move(*file);
   }
@@ -237,11 +240,11 @@ Resumed branch_off(const RunArguments& arguments) {
 /// Goes on with the run of a folder, in it or (`from`) in another.
 ExitCode go_on_with(const RunArguments& arguments) {
   if (!holds_a_run(arguments.resume)) {
-    print(read_checkpoint(arguments.resume).findings);
+    tell(read_checkpoint(arguments.resume).findings, arguments.json);
     return ExitCode::bad_input;
   }
   const std::filesystem::path folder = arguments.from ? arguments.folder : arguments.resume;
-  const std::optional<FolderLock> lock = take_folder(folder, !arguments.from || arguments.force);
+  const std::optional<FolderLock> lock = take_folder(folder, !arguments.from || arguments.force, arguments.json);
   if (!lock) return ExitCode::not_written;
   watch_for_interrupt();
   Resumed resumed = arguments.from ? branch_off(arguments)
@@ -260,7 +263,7 @@ ExitCode go_on_with(const RunArguments& arguments) {
 ExitCode run_scene(const RunArguments& arguments) {
   if (!arguments.resume.empty()) return go_on_with(arguments);
   Result<SceneFile> file = read_scene(arguments.scene, arguments.settings);
-  print(file.findings);
+  tell(file.findings, arguments.json);
   if (!file) return ExitCode::bad_input;
   if (arguments.realtime) set_frame_budget(file->scene.fracture);
   const std::filesystem::path folder =
@@ -269,7 +272,7 @@ ExitCode run_scene(const RunArguments& arguments) {
   if (!read_log(replay, arguments, *file, folder)) return ExitCode::bad_input;
   if (!arguments.quiet) fmt::print(stderr, "{}", settings_lines(*file));
   Result<Simulation> simulation = build_simulation(file->scene);
-  print(simulation.findings);
+  tell(simulation.findings, arguments.json);
   if (!simulation) return ExitCode::bad_input;
   simulation->threads = arguments.threads;
   // With the criterion `energy` strengths come from the search: it is made, and held to the log.
@@ -279,12 +282,12 @@ ExitCode run_scene(const RunArguments& arguments) {
 
   watch_for_interrupt();
   simulation->hurry = &interrupted;
-  const std::optional<FolderLock> lock = take_folder(folder, arguments.force);
+  const std::optional<FolderLock> lock = take_folder(folder, arguments.force, arguments.json);
   if (!lock) return ExitCode::not_written;
   Result<Recorder> recorder =
       Recorder::open({folder, *file, replay ? replay->counts : nlohmann::ordered_json()},
                      *simulation, std::move(simulation.findings));
-  print(recorder.findings);
+  tell(recorder.findings, arguments.json);
   if (!recorder) return ExitCode::not_written;
   return end_run({*simulation, *recorder, replay}, arguments, folder);
 }

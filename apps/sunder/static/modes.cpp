@@ -14,6 +14,7 @@
 
 #include "apps/scene/scene_json.hpp"
 #include "apps/scene/words.hpp"
+#include "apps/sunder/program.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "fracture/simulation/statics.hpp"
 #include "topology/io/vtu/vtu.hpp"
@@ -109,23 +110,19 @@ std::vector<Finding> write_shapes(const std::filesystem::path& path, const Simul
   return write_vtu(path, mesh, data);
 }
 
-void print(const std::vector<Finding>& findings) {
-  fmt::print(stderr, "{}", finding_lines(findings));
-}
-
 ExitCode run_modes(const ModesArguments& arguments) {
   Result<SceneFile> file = read_scene(arguments.scene, arguments.settings);
-  print(file.findings);
+  tell(file.findings, arguments.json);
   if (!file) return ExitCode::bad_input;
   Result<Simulation> sim = build_simulation(file->scene);
-  print(sim.findings);
+  tell(sim.findings, arguments.json);
   if (!sim) return ExitCode::bad_input;
   const Result<std::vector<PieceModes>> pieces = scene_modes(*sim, arguments.count);
-  print(pieces.findings);
+  tell(pieces.findings, arguments.json);
   if (!pieces) return ExitCode::failed;
   if (!arguments.output.empty()) {
     const std::vector<Finding> unwritten = write_shapes(arguments.output, *sim, *pieces);
-    print(unwritten);
+    tell(unwritten, arguments.json);
     if (has_error(unwritten)) return ExitCode::not_written;
   }
   if (arguments.json) {

@@ -15,6 +15,7 @@
 #include "apps/output/frame.hpp"
 #include "apps/scene/scene_json.hpp"
 #include "apps/scene/words.hpp"
+#include "apps/sunder/program.hpp"
 #include "apps/sunder/static/static_fan.hpp"
 #include "fracture/simulation/statics.hpp"
 #include "mechanics/rebuild.hpp"
@@ -137,31 +138,27 @@ void print_table(const Equilibrium& answer) {
   }
 }
 
-void print(const std::vector<Finding>& findings) {
-  fmt::print(stderr, "{}", finding_lines(findings));
-}
-
 ExitCode run_static(const StaticArguments& arguments) {
   Result<SceneFile> file = read_scene(arguments.scene, arguments.settings);
-  print(file.findings);
+  tell(file.findings, arguments.json);
   if (!file) return ExitCode::bad_input;
   Result<Simulation> sim = build_simulation(file->scene);
-  print(sim.findings);
+  tell(sim.findings, arguments.json);
   if (!sim) return ExitCode::bad_input;
   const Result<Equilibrium> answer = solve_scene(*sim);
-  print(answer.findings);
+  tell(answer.findings, arguments.json);
   if (!answer) {
     return answer.findings.back().code == "not_a_number" ? ExitCode::failed : ExitCode::bad_input;
   }
   if (!arguments.output.empty()) {
     const std::vector<Finding> unwritten = write_frame(arguments.output, *sim);
-    print(unwritten);
+    tell(unwritten, arguments.json);
     if (has_error(unwritten)) return ExitCode::not_written;
   }
   std::optional<FanAnswer> fan;
   if (!arguments.fan.empty()) {
     const Result<FanAnswer> released = fan_answer(*sim, arguments.fan);
-    print(released.findings);
+    tell(released.findings, arguments.json);
     if (!released) return ExitCode::usage;
     fan = *released;
   }
@@ -169,7 +166,7 @@ ExitCode run_static(const StaticArguments& arguments) {
   if (arguments.fans) {
     Result<std::vector<FanCandidate>> found =
         fan_candidates(*sim, answer->node_stress, *arguments.fans);
-    print(found.findings);
+    tell(found.findings, arguments.json);
     if (!found) return ExitCode::failed;
     candidates = std::move(*found);
   }

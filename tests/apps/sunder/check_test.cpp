@@ -92,7 +92,7 @@ TEST_CASE("check tells the counts of the sample meshes as JSON", "[apps][check]"
   CHECK(json["volume"].get<double>() == Approx(8).epsilon(1e-12));  // sum of 48 sixths
   CHECK(json["findings"].empty());
   CHECK(json["valid"] == true);
-  CHECK(json.size() == 7);
+  CHECK(json.size() == 8);
 }
 
 TEST_CASE("check prints a table without --json", "[apps][check]") {

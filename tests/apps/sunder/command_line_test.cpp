@@ -103,7 +103,6 @@ TEST_CASE("mistakes on the command line end with 2 and are told on stderr",
            {"brake", cube},
            {"check"},
            {"check", cube, "--jason"},
-           {"check", cube, cube},
            {"static"},
            {"modes"},
            {"modes", cube, "--count", "0"},
@@ -129,4 +128,114 @@ TEST_CASE("mistakes on the command line end with 2 and are told on stderr",
     CHECK(outcome.out.empty());
     CHECK(outcome.err.size() > 20);
   }
+}
+
+TEST_CASE("mistyped commands and options get the nearest name", "[apps][command_line]") {
+  const Workplace here;
+  const Outcome command = here.run({"chekc", "x.msh"});
+  CHECK(command.exit_code == 2);
+  CHECK(command.out.empty());
+  CHECK(command.err.find("did you mean check?") != std::string::npos);
+  const Outcome option = here.run({"split", "x.msh", "--plane=1,0,0,0", "--orcale=exact"});
+  CHECK(option.exit_code == 2);
+  CHECK(option.err.find("there is no option --orcale; did you mean --oracle?") != std::string::npos);
+  CHECK(here.run({"check", "x.msh", "--zzzzzzzz"}).err.find("did you mean") == std::string::npos);
+  const Outcome nothing = here.run({});
+  CHECK(nothing.exit_code == 2);
+  CHECK(nothing.out.empty());
+  CHECK(nothing.err == here.run({"--help"}).out + "\n");
+}
+
+TEST_CASE("a full device is an error", "[apps][command_line]") {
+  const Workplace here;
+  for (const std::string& words :
+       {std::string("--help"), "check " + sample_mesh("cube.msh"),
+        "convert " + sample_mesh("cube.msh") + " - --to vtk"}) {
+    const std::string command =
+        std::string(SUNDER_PROGRAM) + " " + words + " >/dev/full 2>" + here.path("err");
+    INFO(words);
+    CHECK(WEXITSTATUS(std::system(command.c_str())) == 4);
+    CHECK(bytes_of(here.path("err")).find("No space left on device") != std::string::npos);
+  }
+}
+
+TEST_CASE("meshes come from standard input, go to standard output, and are packed",
+          "[apps][command_line]") {
+  const Workplace here;
+  const std::string mesh = sample_mesh("cube.msh"), program = SUNDER_PROGRAM;
+  REQUIRE(here.run({"convert", mesh, here.path("plain.vtu")}).exit_code == 0);
+  const std::string through = program + " convert - - --to vtu <" + mesh + " 2>" +
+                              here.path("words") + " >" + here.path("piped.vtu");
+  CHECK(WEXITSTATUS(std::system(through.c_str())) == 0);
+  CHECK(bytes_of(here.path("piped.vtu")) == bytes_of(here.path("plain.vtu")));
+  CHECK(bytes_of(here.path("words")).find("written from 27 points") != std::string::npos);
+  CHECK(bytes_of(here.path("words")).find("names_lost") != std::string::npos);
+
+  REQUIRE(here.run({"convert", mesh, here.path("a.vtu.gz")}).exit_code == 0);
+  const std::string unpack = "gunzip -c " + here.path("a.vtu.gz") + " >" + here.path("a.vtu");
+  CHECK(WEXITSTATUS(std::system(unpack.c_str())) == 0);
+  CHECK(bytes_of(here.path("a.vtu")) == bytes_of(here.path("plain.vtu")));
+  CHECK(here.run({"check", here.path("a.vtu.gz")}).exit_code == 0);
+  CHECK(here.run({"convert", mesh, here.path("a.node.gz")}).exit_code == 2);
+}
+
+TEST_CASE("several meshes are checked one after the other", "[apps][command_line]") {
+  const Workplace here;
+  const std::string cube = sample_mesh("cube.msh"), none = here.path("none.msh");
+  const nlohmann::json all = here.run({"check", cube, none, cube, "--json"}).json();
+  REQUIRE(all.size() == 3);
+  CHECK(all[0]["valid"] == true);
+  CHECK(all[1]["file"] == none);
+  CHECK(all[1]["valid"] == false);
+  CHECK(all[2]["counts"] == all[0]["counts"]);
+  CHECK(here.run({"check", cube, none}).exit_code == 3);
+  CHECK(here.run({"check", cube, cube, "--write-findings", here.path("f.vtu")}).exit_code == 2);
+}
+
+TEST_CASE("refusals are an object where JSON is asked for", "[apps][command_line]") {
+  const Workplace here;
+  const std::string none = here.path("none");
+  for (const std::vector<std::string>& words :
+       {std::vector<std::string>{"run", none}, {"run", "--resume", none}, {"static", none},
+        {"modes", none}, {"fragments", none}, {"check", none}, {"convert", none, "x.vtu"},
+        {"split", none, "--plane", "1,0,0,0"}, {"refine", none, "x.vtu"},
+        {"cut", none, "x.vtu", "--plane", "1,0,0,0"}}) {
+    std::vector<std::string> all = words;
+    all.push_back("--json");
+    const Outcome o = here.run(all);
+    INFO(words[0]);
+    CHECK(o.exit_code == 3);
+    const nlohmann::json json = o.json();
+    REQUIRE(json.contains("findings"));
+    CHECK(json["findings"][0]["severity"] == "error");
+  }
+}
+
+TEST_CASE("shells complete and man reads what the command line has", "[apps][command_line]") {
+  const Workplace here;
+  for (const char* shell : {"bash", "zsh", "fish"}) {
+    const Outcome script = here.run({"completion", shell});
+    CHECK(script.exit_code == 0);
+    INFO(shell);
+    for (const char* word : {"refine", "oracle", "exact", "paper", "resume"}) {
+      CHECK(script.out.find(word) != std::string::npos);
+    }
+    // Where the shell is here, it has to understand it.
+    const std::string path = here.write(shell, script.out);
+    const std::string known = std::string("command -v ") + shell + " >/dev/null || exit 0; " +
+                              shell + " -n " + path;
+    CHECK(WEXITSTATUS(std::system(known.c_str())) == 0);
+  }
+  const std::string page = here.run({"completion", "bash"}).out;
+  const std::string asks = "bash -c 'source " + here.write("b", page) +
+                           "; COMP_WORDS=(sunder split --oracle p); COMP_CWORD=3; _sunder; "
+                           "echo ${COMPREPLY[@]}' >" + here.path("answer");
+  CHECK(std::system(asks.c_str()) == 0);
+  CHECK(bytes_of(here.path("answer")) == "paper\n");
+  const Outcome man = here.run({"man", "run"});
+  CHECK(man.out.starts_with(".TH sunder\\-run 1"));
+  CHECK(man.out.find("Exit codes") != std::string::npos);
+  CHECK(here.run({"man"}).out.find("\n.B refine\n") != std::string::npos);
+  CHECK(here.run({"man", "nothing"}).exit_code == 2);
+  CHECK(here.run({"completion", "csh"}).exit_code == 2);
 }

@@ -62,7 +62,7 @@ TEST_CASE("with --strict nothing is written where something would be lost", "[ap
   CHECK(here.names() == std::vector<std::string>{"a.vtu", "a.vtu.regions"});
   const Outcome kept = here.run({"convert", io_sample("gmsh_41_all.msh"), here.path("a.mesh")});
   CHECK(kept.exit_code == 0);
-  CHECK(kept.out.find("entities_lost") != std::string::npos);
+  CHECK(kept.err.find("entities_lost") != std::string::npos);
 }
 
 TEST_CASE("versions, encodings and --to decide what is written", "[apps][convert]") {
@@ -110,7 +110,7 @@ TEST_CASE("volume cells that are no tetrahedra are refused, or left out on reque
   const std::string mixed = here.write("mixed.msh", text);
   const Outcome refused = here.run({"convert", mixed, here.path("a.vtu")});
   CHECK(refused.exit_code == 3);
-  CHECK(refused.out.find("1 hexahedra") != std::string::npos);
+  CHECK(refused.err.find("1 hexahedra") != std::string::npos);
   CHECK(here.run({"convert", mixed, here.path("a.vtu"), "--tetrahedra-only"}).exit_code == 0);
   const Outcome strict =
       here.run({"convert", mixed, here.path("b.vtu"), "--tetrahedra-only", "--strict"});

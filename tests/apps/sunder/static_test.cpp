@@ -248,7 +248,8 @@ TEST_CASE("sunder static answers in JSON, writes VTU and ends as it says", "[run
   free["bodies"][0].erase("held");
   const test::Outcome refused = here.run(free, "--json");
   CHECK(refused.exit_code == 3);
-  CHECK(refused.out.empty());
+  CHECK(refused.json().size() == 1);  // the findings, no answer
+  CHECK(refused.json()["findings"][0]["code"] == "not_supported");
   CHECK(refused.err.find("[not_supported: 0]") != std::string::npos);
   CHECK(here.run(cube_scene(), "--jason").exit_code == 2);
   CHECK(here.run(cube_scene(), "-o /nowhere/at/all.vtu").exit_code == 4);
@@ -259,7 +260,8 @@ TEST_CASE("sunder static answers in JSON, writes VTU and ends as it says", "[run
         here.run(cube_scene(), std::string("--json --set '") + far + "'");
     INFO(far << ": " << overflow.err);
     CHECK(overflow.exit_code == 5);
-    CHECK(overflow.out.empty());
+    CHECK(overflow.json().size() == 1);
+    CHECK(overflow.json().contains("findings"));
     CHECK(overflow.err.find("not_a_number") != std::string::npos);
   }
   json empty_box = cube_scene();

@@ -28,7 +28,7 @@ import threading
 import time
 
 TREE = pathlib.Path(__file__).resolve().parents[3]
-SCENES = {"bar": 1.0, "block": 2.5, "monolith": 0.12, "bunny": 0.012}  # s
+SCENES = {"bar": 1.0, "block": 2.5, "monolith": 0.12, "bunny": 0.02}  # s
 LONG = ("bunny", ["--set", "duration=0.5", "--set", "output.checkpoint.minutes=0.5"])
 
 
@@ -92,7 +92,10 @@ def listen(ear, disk):
         while b"\n" in said:
             path, said = said.split(b"\n", 1)
             disk.saw(path.decode())
-            ear.sendall(b".")
+            try:
+                ear.sendall(b".")
+            except BrokenPipeError:
+                return  # killed while it waited
 
 
 def run(words, shim, kill_after=None, how=None, folder=None, chance=None):
