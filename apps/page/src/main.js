@@ -104,13 +104,15 @@ async function inspect() {
   const vertex = picked;
   const seen = await player.inspect(vertex);
   if (picked !== vertex) return;
-  if (at('vertex').dataset.row !== String(vertex)) {
+  const isNew = at('vertex').hidden || at('vertex').dataset.row !== String(vertex);
+  if (isNew) {
     at('vertex').dataset.row = vertex;
     const { rest } = player.recording.last.shape;
     const row = fanOfVertex(player.recording.fans, vertex, rest.subarray(3 * vertex, 3 * vertex + 3));
     if (at('fans').open) fanView.choose(row);
   }
   showVertex(at('vertex'), vertex, seen);
+  if (isNew) at('vertex').scrollIntoView({ block: 'nearest' });
   stage.showVertex(body.drawnPlace(vertex, new THREE.Vector3()), seen);
 }
 

@@ -28,13 +28,14 @@ void require(bool holds, const std::string& words) {
 }
 
 /// Rows of `width` floats that an accessor covers.
-std::vector<std::vector<double>> rows_of(const tinygltf::Model& model, int accessor, std::size_t width) {
+std::vector<std::vector<double>> rows_of(const tinygltf::Model& model, int accessor,
+                                         std::size_t width) {
   const tinygltf::Accessor& a = model.accessors.at(static_cast<std::size_t>(accessor));
   require(a.componentType == TINYGLTF_COMPONENT_TYPE_FLOAT, "an accessor holds no floats");
   const tinygltf::BufferView& view = model.bufferViews.at(static_cast<std::size_t>(a.bufferView));
   const auto stride = static_cast<std::size_t>(a.ByteStride(view));
-  const unsigned char* bytes =
-      model.buffers.at(static_cast<std::size_t>(view.buffer)).data.data() + view.byteOffset + a.byteOffset;
+  const unsigned char* bytes = model.buffers.at(static_cast<std::size_t>(view.buffer)).data.data() +
+                               view.byteOffset + a.byteOffset;
   std::vector<std::vector<double>> rows(a.count, std::vector<double>(width));
   for (std::size_t k = 0; k < a.count; ++k) {
     for (std::size_t i = 0; i < width; ++i) {
@@ -47,7 +48,8 @@ std::vector<std::vector<double>> rows_of(const tinygltf::Model& model, int acces
 }
 
 Eigen::Quaterniond rotation_of(const std::vector<double>& q) {
-  return q.size() == 4 ? Eigen::Quaterniond(q[3], q[0], q[1], q[2]) : Eigen::Quaterniond::Identity();
+  return q.size() == 4 ? Eigen::Quaterniond(q[3], q[0], q[1], q[2])
+                       : Eigen::Quaterniond::Identity();
 }
 
 /// What the animation says of a node, a row a key.
@@ -103,7 +105,9 @@ std::vector<std::size_t> nearest(const std::vector<Vec3>& places, const ResultFr
                                  const std::vector<std::size_t>& corners) {
   std::vector<std::size_t> found;
   for (const Vec3& place : places) {
-    const auto gap = [&](std::size_t corner) { return (reference_of(frame, corner) - place).norm(); };
+    const auto gap = [&](std::size_t corner) {
+      return (reference_of(frame, corner) - place).norm();
+    };
     std::size_t best = corners.front();
     for (const std::size_t corner : corners) {
       if (gap(corner) < gap(best)) best = corner;
@@ -158,13 +162,15 @@ void check(const std::string& result, const std::string& path) {
     const tinygltf::Node& node = model.nodes.at(static_cast<std::size_t>(row));
     if (!node.name.starts_with("piece_")) continue;
     ++pieces;
-    most = std::max(most, departure_of(model, node, tracks.at(row), rotation_of(above.rotation), *run));
+    most = std::max(most,
+                    departure_of(model, node, tracks.at(row), rotation_of(above.rotation), *run));
   }
   require(pieces == run->pieces.size(),
           fmt::format("{} pieces, fragments.csv has {}", pieces, run->pieces.size()));
   require(most <= allowed, fmt::format("a piece is {:.2e} m from its rigid reference", most));
-  fmt::print("{}: TinyGLTF reads {} pieces with {} keys, at most {:.1e} m from their rigid references\n",
-             path, pieces, run->frames.size(), most);
+  fmt::print(
+      "{}: TinyGLTF reads {} pieces with {} keys, at most {:.1e} m from their rigid references\n",
+      path, pieces, run->frames.size(), most);
 }
 
 }  // namespace

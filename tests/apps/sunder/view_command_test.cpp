@@ -49,7 +49,8 @@ class Server {
   }
 
   /// The status of a request to the engine with these headers in place of the page's own.
-  int status(const char* work, const httplib::Headers& other, const std::string& body = "{}") const {
+  int status(const char* work, const httplib::Headers& other,
+             const std::string& body = "{}") const {
     httplib::Headers headers = other;
     if (!headers.contains("X-Sunder-Token")) headers.emplace("X-Sunder-Token", token);
     httplib::Client client("127.0.0.1", port);
@@ -89,10 +90,11 @@ void ask_and_leave(const Server& server, const std::string& body) {
   place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
   REQUIRE(::connect(socket, reinterpret_cast<const sockaddr*>(&place), sizeof place) == 0);
   const std::string host = "127.0.0.1:" + std::to_string(server.port);
-  const std::string request = "POST /api/step HTTP/1.1\r\nHost: " + host + "\r\nX-Sunder-Token: " +
-                              server.token + "\r\nContent-Length: " + std::to_string(body.size()) +
-                              "\r\n\r\n" + body;
-  REQUIRE(::send(socket, request.data(), request.size(), 0) == static_cast<ssize_t>(request.size()));
+  const std::string request =
+      "POST /api/step HTTP/1.1\r\nHost: " + host + "\r\nX-Sunder-Token: " + server.token +
+      "\r\nContent-Length: " + std::to_string(body.size()) + "\r\n\r\n" + body;
+  REQUIRE(::send(socket, request.data(), request.size(), 0) ==
+          static_cast<ssize_t>(request.size()));
   ::close(socket);
 }
 
@@ -121,7 +123,8 @@ TEST_CASE("sunder view answers its own page alone, on this machine's own address
   CHECK(server.status("open", {{"Origin", "null"}}) == 403);
   CHECK_FALSE(httplib::Client("127.0.0.2", server.port).Get("/"));  // bound to 127.0.0.1 alone
   CHECK(server.end(SIGINT) == 0);
-  CHECK(bytes_of(here.path("said")).find("ssh -L " + std::to_string(server.port)) != std::string::npos);
+  CHECK(bytes_of(here.path("said")).find("ssh -L " + std::to_string(server.port)) !=
+        std::string::npos);
 }
 
 TEST_CASE("sunder view outlives a page that is closed while it waits", "[view]") {
