@@ -3,7 +3,7 @@
 import puppeteer from 'puppeteer-core';
 import { spawn } from 'node:child_process';
 import { createServer } from 'node:http';
-import { copyFileSync, existsSync, mkdirSync, mkdtempSync, readFileSync } from 'node:fs';
+import { copyFileSync, existsSync, mkdirSync, mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { basename, dirname, extname, join, resolve } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -30,15 +30,26 @@ export async function serve(folder) {
   return { address: `http://127.0.0.1:${server.address().port}/`, close: () => server.close() };
 }
 
+/// Every `--set dotted.path=value` of the command line done to a scene.
+function changed(scene) {
+  process.argv.forEach((word, k) => {
+    if (process.argv[k - 1] !== '--set') return;
+    const [path, value] = word.split('=');
+    const keys = path.split('.');
+    const last = keys.pop();
+    keys.reduce((part, key) => (part[key] ??= {}), scene)[last] = JSON.parse(value);
+  });
+  return scene;
+}
+
 /// `sunder view` on a copy of a scene that may be saved anew: {address, scene, child, close()}.
-export async function view(program, folder, name = 'monolith') {
+export async function view(program, folder, path = join(scenes, 'monolith.json')) {
   const home = mkdtempSync(join(tmpdir(), 'sunder_view_'));
-  const scene = join(home, 'scenes', `${name}.json`);
+  const scene = join(home, 'scenes', basename(path));
   mkdirSync(dirname(scene));
-  copyFileSync(join(scenes, `${name}.json`), scene);
-  for (const { mesh } of JSON.parse(readFileSync(scene)).bodies) {
-    copyFileSync(join(scenes, mesh), join(home, basename(mesh)));
-  }
+  const content = changed(JSON.parse(readFileSync(path)));
+  writeFileSync(scene, JSON.stringify(content));
+  for (const { mesh } of content.bodies) copyFileSync(join(dirname(path), mesh), join(dirname(scene), mesh));
   const child = spawn(resolve(program), ['view', scene, '--headless', '--page', folder], { stdio: ['ignore', 'pipe', 'inherit'] });
   process.on('exit', () => child.kill());
   const address = await new Promise((ready, fail) => {

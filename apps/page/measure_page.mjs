@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// What the page costs for one scene of its list, in headless Chromium:
-//   node measure_page.mjs FOLDER_OF_THE_PAGE SCENE STEPS [--program SUNDER] [--picture FILE.png]
-// With a program its command view computes, and SCENE is one of meshes/scenes; else WebAssembly does.
+// What the page costs for one scene, in headless Chromium:
+//   node measure_page.mjs FOLDER_OF_THE_PAGE SCENE STEPS [--picture FILE.png]
+//   node measure_page.mjs FOLDER_OF_THE_PAGE SCENE.json STEPS --program SUNDER [--set KEY=VALUE]... [--picture FILE.png]
+// The first by WebAssembly, SCENE being one of the page's list; the second with `sunder view` behind the page.
 import { readFileSync } from 'node:fs';
 import { resolve } from 'node:path';
 

@@ -281,7 +281,7 @@ function listen(known) {
     const own = await droppedScene(files);
     await open(own);
     known.push(own);
-    at('scene').add(new Option(own.name, '', true, true));
+    at('scene').add(new Option(own.name.replace(/\.json$/, ''), '', true, true));
   });
   for (const id of ['colour', 'explode', 'clip', 'wires', 'shape', 'smoothing', 'shade', 'contacts', 'fronts']) {
     at(id).addEventListener('input', () => (dirty = true));
