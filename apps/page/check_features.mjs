@@ -4,9 +4,9 @@ import { mkdtempSync, readdirSync, readFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
-/// Waits in node until `holds()` gives something, at most 30 s.
+/// Waits in node until `holds()` gives something, at most five minutes.
 async function until(holds) {
-  for (let k = 0; k < 300; ++k) {
+  for (let k = 0; k < 3000; ++k) {
     const found = await holds();
     if (found) return found;
     await new Promise((done) => setTimeout(done, 100));
@@ -129,7 +129,7 @@ async function checkSliders({ page, expect, last }) {
   }, id, value);
   const restarted = async () => {
     await click(page, 'restart');
-    await page.waitForFunction(() => sunder.player.recording.frames.length === 1, { timeout: 60000 });
+    await page.waitForFunction(() => sunder.player.recording.frames.length === 1);
     return page.evaluate(() => sunder.player.busy.then(() => document.getElementById('message').textContent));
   };
   await restarted();
@@ -165,7 +165,7 @@ async function checkKeys({ page, expect, picture, steps }) {
   await page.keyboard.press('ArrowRight');
   await page.keyboard.press('ArrowLeft');
   await page.keyboard.press('Enter');
-  await page.waitForFunction(() => !document.getElementById('vertex').hidden, { timeout: 60000 });
+  await page.waitForFunction(() => !document.getElementById('vertex').hidden);
   await picture('key_cursor');
   expect(true, 'a vertex is inspected by keys alone');
   await page.keyboard.press('1');
@@ -263,7 +263,7 @@ export async function checkHands({ page, expect, picture, last }, place) {
   await page.mouse.down();
   await page.mouse.move(place.x + 90, place.y - 90, { steps: 4 });
   const start = (await last()).step;
-  await page.waitForFunction((n) => sunder.player.recording.last?.report.step >= n, { timeout: 120000 }, start + 25);
+  await page.waitForFunction((n) => sunder.player.recording.last?.report.step >= n, {}, start + 25);
   const moving = await speed();
   await page.mouse.up();
   await page.evaluate(() => (sunder.player.playing = false));
@@ -276,7 +276,7 @@ export async function checkHands({ page, expect, picture, last }, place) {
   await page.mouse.down();
   await page.mouse.move(place.x + 200, place.y + 20, { steps: 5 });
   await page.mouse.up();
-  await page.waitForFunction((n) => sunder.player.recording.last?.report.pieces > n, { timeout: 60000 }, before);
+  await page.waitForFunction((n) => sunder.player.recording.last?.report.pieces > n, {}, before);
   await page.evaluate(() => (sunder.player.playing = false));
   expect(true, `cut: ${before} pieces became ${(await last()).pieces}`);
   await picture('cut');

@@ -53,9 +53,9 @@ console.log(`first picture after ${(await openPage(page, server.address)).toFixe
 await picture('start');
 
 await page.click('#play');
-await page.waitForFunction(() => sunder.player.recording.frames.length > 30, { timeout: 120000 });
+await page.waitForFunction(() => sunder.player.recording.frames.length > 30);
 await page.click('#play');
-await pause(300);
+await page.waitForFunction(() => !sunder.player.isRunning); // a step that was on its way has come
 const paused = await last();
 await pause(300);
 expect((await last()).step === paused.step, `paused at step ${paused.step}`);
@@ -109,7 +109,7 @@ const place = await page.evaluate(() => {
   return null;
 });
 await page.mouse.click(place.x, place.y);
-await page.waitForFunction(() => !document.getElementById('vertex').hidden, { timeout: 60000 });
+await page.waitForFunction(() => !document.getElementById('vertex').hidden);
 const seen = await page.evaluate(async () => {
   const row = Number(document.querySelector('#vertex h2').textContent.match(/\d+/)[0]);
   const asked = await sunder.player.inspect(row);
@@ -128,7 +128,7 @@ await picture('vertex');
 await page.click('[data-tool="shoot"]');
 const balls = await page.evaluate(() => sunder.player.recording.last.columns.obstacle.length / 16);
 await page.mouse.click(place.x, place.y);
-await page.waitForFunction((n) => sunder.player.recording.last?.columns.obstacle.length / 16 > n, { timeout: 60000 }, balls);
+await page.waitForFunction((n) => sunder.player.recording.last?.columns.obstacle.length / 16 > n, {}, balls);
 expect(true, 'a ball flies');
 await page.evaluate(() => (sunder.player.playing = false));
 
@@ -144,12 +144,12 @@ if (viewed && !short) {
   const save = (change) => writeFileSync(viewed.scene, JSON.stringify({ ...JSON.parse(readFileSync(viewed.scene)), ...change }));
   await page.evaluate(() => sunder.player.busy);
   save({ description: 'saved once' });
-  await page.waitForFunction(() => !document.getElementById('changed').hidden, { timeout: 20000 });
+  await page.waitForFunction(() => !document.getElementById('changed').hidden);
   await picture('saved');
   await page.click('#reload');
-  await page.waitForFunction(() => document.getElementById('about').textContent === 'saved once', { timeout: 20000 });
+  await page.waitForFunction(() => document.getElementById('about').textContent === 'saved once');
   save({ description: 'saved twice' });
-  await page.waitForFunction(() => document.getElementById('about').textContent === 'saved twice', { timeout: 20000 });
+  await page.waitForFunction(() => document.getElementById('about').textContent === 'saved twice');
   expect((await last()).step === 0, 'a saved scene is offered, and taken at once at the start');
 }
 
@@ -160,8 +160,8 @@ await page.evaluate((bytes) => {
   drop.items.add(new File([new Uint8Array(bytes)], 'own.mesh.gz'));
   window.dispatchEvent(new DragEvent('drop', { dataTransfer: drop, cancelable: true }));
 }, [...gzipSync(own)]);
-await page.waitForFunction(() => document.getElementById('about').textContent.startsWith('own.mesh'), { timeout: 60000 });
-await page.waitForFunction(() => sunder.player.recording.last?.columns.obstacle.length === 16, { timeout: 60000 });
+await page.waitForFunction(() => document.getElementById('about').textContent.startsWith('own.mesh'));
+await page.waitForFunction(() => sunder.player.recording.last?.columns.obstacle.length === 16);
 await steps(40);
 expect((await last()).step === 40, 'a mesh dropped on the page falls');
 await picture('dropped');

@@ -17,7 +17,7 @@ await page.setViewport({ width: 1100, height: 680 });
 const first = await openPage(page, server.address);
 if (!program) {
   await page.select('#scene', scene);
-  await page.waitForFunction((name) => sunder.scene().name === `${name}.json`, { timeout: 60000 }, scene);
+  await page.waitForFunction((name) => sunder.scene().name === `${name}.json`, {}, scene);
   await page.evaluate(() => sunder.player.busy);
 }
 
