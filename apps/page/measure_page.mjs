@@ -62,11 +62,10 @@ const click = await page.evaluate(async () => {
   const box = sunder.stage.renderer.domElement.getBoundingClientRect();
   const at = { clientX: box.width / 2, clientY: box.height / 2, button: 0, bubbles: true };
   for (const kind of ['pointerdown', 'pointerup']) sunder.stage.renderer.domElement.dispatchEvent(new PointerEvent(kind, at));
-  for (let pictures = 1; pictures < 600; ++pictures) {
+  for (let pictures = 1; ; ++pictures) {
     await new Promise((next) => requestAnimationFrame(next));
     if (balls() > before) return pictures;
   }
-  return null;
 });
 
 const { pieces, fansTotal } = ran.report;
