@@ -73,7 +73,7 @@ export function launch() {
     executablePath,
     headless: executablePath.includes('headless-shell') ? 'shell' : true,
     args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist'],
-    protocolTimeout: 300000,
+    protocolTimeout: 0,
   });
 }
 
