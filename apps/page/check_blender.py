@@ -39,8 +39,8 @@ def main():
     if not all("mass" in o for o in pieces):
         fail("a piece has no mass")
     scene = bpy.context.scene
-    scene.frame_end = max(int(a.frame_range[1]) for a in bpy.data.actions)
-    scene.frame_set(scene.frame_end)
+    end = max(a.frame_range[1] for a in bpy.data.actions)
+    scene.frame_set(int(end), subframe=end % 1)
     low, high = mathutils.Vector((math.inf,) * 3), mathutils.Vector((-math.inf,) * 3)
     for o in pieces:
         for corner in o.bound_box:
@@ -48,7 +48,7 @@ def main():
             low, high = (mathutils.Vector(map(f, w, x)) for f, w in ((min, low), (max, high)))
     middle, size = (low + high) / 2, (high - low).length
     camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
-    camera.location = middle + mathutils.Vector((0.6, -1.1, 0.7)) * size
+    camera.location = middle + mathutils.Vector((0.95, -1.75, 1.1)) * size
     camera.rotation_euler = (middle - camera.location).to_track_quat("-Z", "Y").to_euler()
     sun = bpy.data.objects.new("sun", bpy.data.lights.new("sun", "SUN"))
     sun.data.energy = 3
@@ -63,7 +63,7 @@ def main():
     scene.render.resolution_x, scene.render.resolution_y = 640, 400
     scene.render.filepath = picture
     bpy.ops.render.render(write_still=True)
-    print(f"check_blender: {len(pieces)} pieces, {len(bpy.data.objects)} objects, {scene.frame_end} frames")
+    print(f"check_blender: {len(pieces)} pieces, {len(bpy.data.objects)} objects, {end:.2f} frames")
 
 
 if __name__ == "__main__":

@@ -4,9 +4,9 @@ import { mkdtempSync, readdirSync, readFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 
-/// Waits in node until `holds()` gives something, at most 30 s.
+/// Waits in node until `holds()` gives something, at most five minutes.
 async function until(holds) {
-  for (let k = 0; k < 300; ++k) {
+  for (let k = 0; k < 3000; ++k) {
     const found = await holds();
     if (found) return found;
     await new Promise((done) => setTimeout(done, 100));
@@ -129,7 +129,7 @@ async function checkSliders({ page, expect, last }) {
   }, id, value);
   const restarted = async () => {
     await click(page, 'restart');
-    await page.waitForFunction(() => sunder.player.recording.frames.length === 1, { timeout: 60000 });
+    await page.waitForFunction(() => sunder.player.recording.frames.length === 1);
     return page.evaluate(() => sunder.player.busy.then(() => document.getElementById('message').textContent));
   };
   await restarted();
@@ -165,7 +165,7 @@ async function checkKeys({ page, expect, picture, steps }) {
   await page.keyboard.press('ArrowRight');
   await page.keyboard.press('ArrowLeft');
   await page.keyboard.press('Enter');
-  await page.waitForFunction(() => !document.getElementById('vertex').hidden, { timeout: 60000 });
+  await page.waitForFunction(() => !document.getElementById('vertex').hidden);
   await picture('key_cursor');
   expect(true, 'a vertex is inspected by keys alone');
   await page.keyboard.press('1');
@@ -228,6 +228,60 @@ export async function checkEnd({ page, expect, end }) {
   expect(/ended/.test(words), `when the engine goes away: "${words}"`);
 }
 
+async function checkLooks({ page, picture }) {
+  for (const by of ['stress', 'loadRatio', 'speed', 'piece', 'age']) {
+    await page.select('#colour', by);
+    await picture(`colour_${by}`);
+  }
+  await page.select('#colour', 'material');
+  await page.evaluate(() => {
+    document.getElementById('explode').value = 0.5;
+    document.getElementById('wires').checked = true;
+    document.getElementById('wires').dispatchEvent(new Event('input'));
+  });
+  await picture('exploded');
+  await page.evaluate(() => {
+    document.getElementById('explode').value = 0;
+    document.getElementById('wires').checked = false;
+    document.getElementById('clip').value = 0.5;
+    document.getElementById('clip').dispatchEvent(new Event('input'));
+  });
+  await picture('clipped');
+  await page.evaluate(() => {
+    document.getElementById('clip').value = 0;
+    document.getElementById('clip').dispatchEvent(new Event('input'));
+  });
+}
+
+/// A spring from a vertex to the pointer, and a cut across the body at `place`.
+export async function checkHands({ page, expect, picture, last }, place) {
+  await page.click('[data-tool="pull"]');
+  const pulled = await page.evaluate(({ x, y }) => sunder.body().pick(sunder.stage.ray(x, y)).vertex, place);
+  const speed = () => page.evaluate((v) => sunder.player.recording.last.columns.speed[v], pulled);
+  const atRest = await speed();
+  await page.mouse.move(place.x, place.y);
+  await page.mouse.down();
+  await page.mouse.move(place.x + 90, place.y - 90, { steps: 4 });
+  const start = (await last()).step;
+  await page.waitForFunction((n) => sunder.player.recording.last?.report.step >= n, {}, start + 25);
+  const moving = await speed();
+  await page.mouse.up();
+  await page.evaluate(() => (sunder.player.playing = false));
+  expect(moving > atRest + 0.1, `vertex ${pulled} is pulled: ${atRest.toFixed(3)} m/s before, ${moving.toFixed(3)} m/s after 25 steps`);
+
+  // A cut across.
+  await page.click('[data-tool="cut"]');
+  const before = (await last()).pieces;
+  await page.mouse.move(place.x - 200, place.y - 20);
+  await page.mouse.down();
+  await page.mouse.move(place.x + 200, place.y + 20, { steps: 5 });
+  await page.mouse.up();
+  await page.waitForFunction((n) => sunder.player.recording.last?.report.pieces > n, {}, before);
+  await page.evaluate(() => (sunder.player.playing = false));
+  expect(true, `cut: ${before} pieces became ${(await last()).pieces}`);
+  await picture('cut');
+}
+
 /// Needs: a recording in which the body has broken, shown at its end.
 export async function checkFeatures(tools) {
   await checkMarks(tools);
@@ -235,6 +289,7 @@ export async function checkFeatures(tools) {
   await checkPicture(tools);
   await checkFans(tools);
   await checkStates(tools);
+  await checkLooks(tools);
 }
 
 /// These begin the scene anew.

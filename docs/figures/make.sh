@@ -27,7 +27,7 @@ draw() { # result, picture, then options
 
 # Figures 1, 2, 7: the block sags on its supports, then breaks under its own weight.
 run block block --frame-interval 0.01 --set bodies.0.material.tensile_strength=6e3 --set fracture.crack=object
-draw block figure_1 --show both --time "$(python3 "$here/moment.py" "$work/block" first_fan -0.004)" --eye 0.5,-3.2,1.5 --target 0,0,0.65 --fov 32
+draw block figure_1 --show both --magnify 50 --time "$(python3 "$here/moment.py" "$work/block" first_fan -0.004)" --eye 0.5,-3.2,1.5 --target 0,0,0.65 --fov 32
 for part in a b c d; do
   case $part in a) at=1.1 ;; b) at=1.6 ;; c) at=2.0 ;; d) at=2.5 ;; esac
   draw block figure_7$part --time $at --eye 0.9,-3.2,1.6 --target 0,0,0.45 --fov 34

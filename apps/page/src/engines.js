@@ -31,6 +31,15 @@ export class WorkerEngine {
   }
 }
 
+/// The size of a JSON text, the text, and of a scene that was dropped the files: the server has its own.
+function loadBody({ settings, isDropped, text, name, files }) {
+  const names = isDropped ? Object.keys(files) : [];
+  const contents = names.map((file) => files[file]);
+  const request = { settings, ...(isDropped && { text, name, files: names, sizes: contents.map((c) => c.length) }) };
+  const words = new TextEncoder().encode(JSON.stringify(request));
+  return new Blob([new BigUint64Array([BigInt(words.length)]), words, ...contents]);
+}
+
 /// `sunder view`: the native engine, which this page came from.
 export class ServerEngine {
   constructor(token) {
@@ -55,8 +64,8 @@ export class ServerEngine {
       writeAction(new DataView(bytes), 0, input.action);
       return bytes;
     }
+    if (work === 'load') return loadBody(input.scene);
     const request = { ...input };
-    if (input.scene) request.scene = { settings: input.scene.settings };
     for (const list of ['columns', 'shapeColumns']) {
       if (input[list]) request[list] = input[list].map((name) => known[name].id);
     }

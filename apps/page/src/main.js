@@ -104,13 +104,15 @@ async function inspect() {
   const vertex = picked;
   const seen = await player.inspect(vertex);
   if (picked !== vertex) return;
-  if (at('vertex').dataset.row !== String(vertex)) {
+  const isNew = at('vertex').hidden || at('vertex').dataset.row !== String(vertex);
+  if (isNew) {
     at('vertex').dataset.row = vertex;
     const { rest } = player.recording.last.shape;
     const row = fanOfVertex(player.recording.fans, vertex, rest.subarray(3 * vertex, 3 * vertex + 3));
     if (at('fans').open) fanView.choose(row);
   }
   showVertex(at('vertex'), vertex, seen);
+  if (isNew) at('vertex').scrollIntoView({ block: 'nearest' });
   stage.showVertex(body.drawnPlace(vertex, new THREE.Vector3()), seen);
 }
 
@@ -274,6 +276,13 @@ function labels() {
 const attempt = (work) => Promise.resolve().then(work).catch((error) => say(error.message));
 
 function listen(known) {
+  /// Files of one's own: a scene with its meshes or a mesh, in the list from now on.
+  const openOwn = (files) => files.length > 0 && attempt(async () => {
+    const own = await droppedScene(files);
+    await open(own);
+    known.push(own);
+    at('scene').add(new Option(own.name.replace(/\.json$/, ''), '', true, true));
+  });
   for (const id of ['colour', 'explode', 'clip', 'wires', 'shape', 'smoothing', 'shade', 'contacts', 'fronts']) {
     at(id).addEventListener('input', () => (dirty = true));
   }
@@ -294,7 +303,10 @@ function listen(known) {
     button.addEventListener('click', () => tools.choose(button.dataset.tool));
   }
   at('scene').addEventListener('change', () =>
-    attempt(async () => open(await listedScene(known[at('scene').selectedIndex]))),
+    attempt(async () => {
+      const chosen = known[at('scene').selectedIndex];
+      await open(chosen.isDropped ? chosen : await listedScene(chosen));
+    }),
   );
   addEventListener('resize', () => stage.resize());
   addEventListener('keydown', (event) => {
@@ -319,19 +331,22 @@ function listen(known) {
   addEventListener('dragover', (event) => event.preventDefault());
   addEventListener('drop', (event) => {
     event.preventDefault();
-    if (!token) attempt(async () => open(await droppedScene([...event.dataTransfer.files])));
+    openOwn([...event.dataTransfer.files]);
   });
+  at('own').addEventListener('click', () => at('files').click());
+  at('files').addEventListener('change', () => openOwn([...at('files').files]));
 }
 
 /// The scene as the server has it on the disk now.
 async function reload() {
   const [known] = await sceneList(token);
+  at('scene').selectedIndex = 0;
   await open(await listedScene(known));
 }
 
 /// Of what was saved the page makes nothing by itself but at the start, where nothing is lost.
 function saved() {
-  if (player.recording.last?.report.step > 0) at('changed').hidden = false;
+  if (scene.isDropped || player.recording.last?.report.step > 0) at('changed').hidden = false;
   else attempt(reload);
 }
 

@@ -89,6 +89,9 @@ export class Player {
     const answer = await this.ask('step', {
       count: 1, columns: perStep, shape: last.report.shape, shapeColumns: this.perShape,
     });
+    if (!answer.report.failed && answer.report.step !== last.report.step + 1) {
+      throw new Error('another page has started the scene anew: the program serves one page at a time. Restart takes it back.');
+    }
     this.record(answer);
     if (answer.report.step % savesApart === 0) await this.save();
   }

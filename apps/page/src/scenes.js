@@ -21,21 +21,43 @@ export async function listedScene(scene) {
   return { name: `${scene.name}.json`, text: scene.text, files: Object.fromEntries(files) };
 }
 
-/// A scene in JSON with its meshes, or a mesh alone, which then falls on a floor.
+/// A file's bytes, unpacked where it is packed: the engine of the page has no zlib.
+async function bytesOf(file) {
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  if (bytes[0] !== 0x1f || bytes[1] !== 0x8b) return bytes;
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+/// Calls `found(text)` for every text in a scene that has the bare name of a file.
+function eachName(value, files, found) {
+  if (typeof value === 'string') {
+    if (value.split('/').at(-1) in files) found(value);
+  } else if (value && typeof value === 'object') {
+    for (const part of Object.values(value)) eachName(part, files, found);
+  }
+}
+
+function parsed(name, text) {
+  try {
+    return JSON.parse(text);
+  } catch (error) {
+    throw new Error(`${name} is no JSON: ${error.message}`);
+  }
+}
+
+/// A scene in JSON with the files that it names, or a mesh alone, which then falls on a floor.
 export async function droppedScene(dropped) {
   const scene = dropped.find((file) => file.name.endsWith('.json'));
-  const contents = await Promise.all(
-    dropped.filter((file) => file !== scene).map(async (file) => [file.name, new Uint8Array(await file.arrayBuffer())]),
-  );
-  const files = Object.fromEntries(contents);
-  if (!scene) return fallingMesh(contents[0][0], files);
-  const text = await scene.text();
-  // A scene names its meshes with folders, a drop has none.
-  for (const body of JSON.parse(text).bodies ?? []) {
-    const bare = body.mesh?.split('/').at(-1);
-    if (bare in files) files[body.mesh] = files[bare];
+  const files = {};
+  for (const file of dropped) {
+    if (file !== scene) files[file.name] = await bytesOf(file);
   }
-  return { name: scene.name, text, files };
+  if (!scene) return fallingMesh(Object.keys(files)[0], files);
+  const text = await scene.text();
+  // A scene names its files with folders, a drop has none.
+  eachName(parsed(scene.name, text), files, (name) => (files[name] = files[name.split('/').at(-1)]));
+  return { name: scene.name, text, files, isDropped: true };
 }
 
 function fallingMesh(mesh, files) {
@@ -52,7 +74,7 @@ function fallingMesh(mesh, files) {
     duration: 1,
     fracture: { crack: 'object' },
   };
-  return { name: `${mesh}.json`, text: JSON.stringify(scene, null, 2), files, needsFloor: true };
+  return { name: `${mesh}.json`, text: JSON.stringify(scene, null, 2), files, isDropped: true, needsFloor: true };
 }
 
 /// The same scene with a floor a little below what is lowest.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 namespace sunder {
 namespace {
@@ -89,32 +90,43 @@ class GlbWriter {
   std::string binary_;
 };
 
-void add_materials(GlbWriter& glb) {
-  const auto add = [&](const char* name, std::array<double, 4> colour) {
-    glb.add("materials", {{"name", name},
-                          {"pbrMetallicRoughness",
-                           {{"baseColorFactor", colour},
-                            {"metallicFactor", 0.0},
-                            {"roughnessFactor", 0.9}}}});
-  };
-  add("outside", {0.46, 0.42, 0.36, 1});
-  add("crack", {0.58, 0.24, 0.1, 1});
-  add("obstacle", {0.1, 0.15, 0.22, 1});
-}
+enum Material { outside, crack, obstacle };
 
-std::size_t add_mesh(GlbWriter& glb, const PieceTrack& track) {
+/// The materials that a file has, each where it is used for the first time.
+class Materials {
+ public:
+  std::size_t row(GlbWriter& glb, Material material) {
+    constexpr const char* names[] = {"outside", "crack", "obstacle"};
+    constexpr std::array<double, 4> colours[] = {
+        {0.46, 0.42, 0.36, 1}, {0.58, 0.24, 0.1, 1}, {0.1, 0.15, 0.22, 1}};
+    std::optional<std::size_t>& known = rows_[material];
+    if (!known) {
+      known = glb.add("materials", {{"name", names[material]},
+                                  {"pbrMetallicRoughness",
+                                   {{"baseColorFactor", colours[material]},
+                                    {"metallicFactor", 0.0},
+                                    {"roughnessFactor", 0.9}}}});
+    }
+    return *known;
+  }
+
+ private:
+  std::array<std::optional<std::size_t>, 3> rows_;
+};
+
+std::size_t add_mesh(GlbWriter& glb, Materials& materials, const PieceTrack& track) {
   std::vector<float> place;
   for (const Vec3& x : track.vertex) {
     for (int i = 0; i < 3; ++i) place.push_back(static_cast<float>(x[i]));
   }
   const std::size_t position = glb.add_floats(place, 3, true, vertex_target);
   json primitives = json::array();
-  for (const int material : {0, 1}) {
-    const auto& triangles = material == 0 ? track.outer : track.crack;
+  for (const Material material : {outside, crack}) {
+    const auto& triangles = material == outside ? track.outer : track.crack;
     if (triangles.empty()) continue;
     primitives.push_back({{"attributes", {{"POSITION", position}}},
                           {"indices", glb.add_triangles(triangles)},
-                          {"material", track.is_obstacle ? 2 : material}});
+                          {"material", materials.row(glb, track.is_obstacle ? obstacle : material)}});
   }
   return glb.add("meshes", {{"name", track.name}, {"primitives", primitives}});
 }
@@ -155,7 +167,7 @@ void add_track(GlbWriter& glb, Animation& animation, const PieceTrack& track, st
 std::string glb_bytes(const std::vector<PieceTrack>& tracks, const std::vector<double>& times,
                       const std::map<std::int64_t, ResultPiece>& pieces) {
   GlbWriter glb;
-  add_materials(glb);
+  Materials materials;
   std::vector<float> seconds;
   for (const double t : times) seconds.push_back(static_cast<float>(t - times.front()));
   Animation animation;
@@ -164,7 +176,7 @@ std::string glb_bytes(const std::vector<PieceTrack>& tracks, const std::vector<d
   for (const PieceTrack& track : tracks) {
     const Vec3& c = track.centre.front();
     json node = {{"name", track.name},
-                 {"mesh", add_mesh(glb, track)},
+                 {"mesh", add_mesh(glb, materials, track)},
                  {"translation", {c[0], c[1], c[2]}},
                  {"rotation", in_floats(track.orientation.front())}};
     const auto piece = track.is_obstacle ? pieces.end() : pieces.find(track.component);

@@ -28,6 +28,7 @@ Examples:
   sunder run meshes/scenes/monolith.json -o out/monolith
   sunder render out/monolith end.png
   sunder render out/monolith pieces.png --explode 0.6
+  sunder render out/monolith bent.png --show both --magnify 100
   sunder render out/monolith close.png --time 0.05 --eye 1,-2,1.5 --target 0,0,0.8 --fov 40
   sunder render out/monolith film/monolith.png --all
 )";
@@ -35,7 +36,7 @@ Examples:
 struct RenderArguments {
   std::filesystem::path result, out;
   double time = std::numeric_limits<double>::quiet_NaN();
-  double explode = 0, field_of_view = 35;
+  double explode = 0, magnify = 1, field_of_view = 35;
   std::vector<double> eye, target;
   std::vector<std::uint32_t> size = {1280, 720};
   ShownShape show = ShownShape::reference;
@@ -64,6 +65,13 @@ PictureSettings settings_of(const RenderArguments& a) {
   return settings;
 }
 
+/// Deformations as many times as large.
+void magnify(PictureBodies& bodies, double factor) {
+  for (std::size_t v = 0; v < bodies.deformed.size(); ++v) {
+    bodies.deformed[v] = bodies.reference[v] + factor * (bodies.deformed[v] - bodies.reference[v]);
+  }
+}
+
 /// Draws the frames from `first` to before `end`.
 std::vector<Finding> draw(const RenderArguments& a, const RunResult& run, render::Renderer& renderer,
                           std::size_t first, std::size_t end) {
@@ -75,7 +83,8 @@ std::vector<Finding> draw(const RenderArguments& a, const RunResult& run, render
   const FramePicture start = frame_picture(seen, boundary, a.explode, up);
   const RunView view = run_view(start.bodies, seen.obstacles, settings, run.gravity);
   for (std::size_t k = first; k < end; ++k) {
-    const FramePicture picture = frame_picture(run.frames[k], boundary, a.explode, up);
+    FramePicture picture = frame_picture(run.frames[k], boundary, a.explode, up);
+    magnify(picture.bodies, a.magnify);
     const render::FrameScene scene =
         picture_scene(picture.bodies, run.frames[k].obstacles, a.show, view.extent);
     Result<render::Image> image = renderer.render(scene, view.camera, static_cast<int>(a.size[0]),
@@ -131,6 +140,8 @@ void add_render_command(CLI::App& program, ExitCode& exit_code) {
       ->add_option("--explode", a->explode,
                    "Pieces apart: each by so many times its distance from the middle")
       ->check(CLI::Range(0.0, 100.0));
+  command->add_option("--magnify", a->magnify, "Deformations so many times as large")
+      ->check(CLI::Range(0.0, 1e6));
   command->add_option("--eye", a->eye, "Place of the camera, m: X,Y,Z")->expected(3)->delimiter(',');
   command->add_option("--target", a->target, "What it looks at, m: X,Y,Z")
       ->expected(3)

@@ -85,12 +85,13 @@ void add_routes(httplib::Server& server, ViewedScene& viewed, const ViewArgument
   server.set_mount_point("/", arguments.page.string());
 }
 
-void open_browser(const std::string& url) {
-  if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return;
+/// Starts a browser where there is a display and one to start.
+bool open_browser(const std::string& url) {
+  if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return false;
   // The address is ours: digits, letters and marks that no shell takes for its own but within ''.
-  if (std::system(fmt::format("xdg-open '{}' >/dev/null 2>&1 &", url).c_str()) != 0) {
-    fmt::print("no browser could be started: open the address yourself\n");
-  }
+  const std::string command = fmt::format(
+      "command -v xdg-open >/dev/null && {{ xdg-open '{}' >/dev/null 2>&1 & }}", url);
+  return std::system(command.c_str()) == 0;
 }
 
 ExitCode view(const ViewArguments& arguments) {
@@ -128,7 +129,12 @@ ExitCode view(const ViewArguments& arguments) {
   const std::string url = fmt::format("http://127.0.0.1:{}/#token={}", port, token);
   fmt::print("{}\n", url);
   std::fflush(stdout);
-  if (!arguments.headless) open_browser(url);
+  if (arguments.headless || !open_browser(url)) {
+    fmt::print(stderr,
+               "Open this address in a browser of this machine; of another one after: ssh -L "
+               "{0}:127.0.0.1:{0} HOST\nCtrl-C ends it.\n",
+               port);
+  }
   ended = false;
   std::signal(SIGINT, [](int) { ended = true; });
   std::signal(SIGTERM, [](int) { ended = true; });

@@ -4,10 +4,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "apps/scene/scene_json.hpp"
 #include "apps/scene/words.hpp"
@@ -53,15 +55,59 @@ std::vector<std::uint32_t> ids(const json& request, const char* key) {
 }
 
 /// Reads the file again: a restart has what was saved in the meantime.
-ViewAnswer load(ViewedScene& viewed, const json& request) {
-  const std::vector<std::string> settings = request.at("scene").at("settings");
+std::unique_ptr<sunder_engine> engine_of_file(ViewedScene& viewed,
+                                              const std::vector<std::string>& settings) {
   Result<SceneFile> file = read_scene(viewed.path, settings);
   viewed.words = finding_lines(file.findings);
-  if (!file) return refusal(viewed.words);
+  if (!file) return nullptr;
   Result<Simulation> simulation = build_simulation(std::move(file->scene));
   viewed.words += finding_lines(simulation.findings);
-  if (!simulation) return refusal(viewed.words);
-  viewed.engine = make_engine(std::move(*simulation));
+  return simulation ? make_engine(std::move(*simulation)) : nullptr;
+}
+
+/// A scene that was dropped on the page: its text, and the `bytes` of its files one after the other.
+std::unique_ptr<sunder_engine> engine_of_drop(ViewedScene& viewed, const json& dropped,
+                                              const std::vector<std::string>& settings,
+                                              std::string_view bytes) {
+  const std::string text = dropped.at("text"), name = dropped.at("name");
+  const std::vector<std::string> names = dropped.at("files");
+  const std::vector<std::size_t> sizes = dropped.at("sizes");
+  std::vector<sunder_file> files;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string_view file = bytes.substr(0, sizes.at(i));
+    files.push_back({names[i].c_str(), file.data(), file.size()});
+    bytes.remove_prefix(file.size());
+  }
+  std::vector<const char*> changes;
+  for (const std::string& setting : settings) changes.push_back(setting.c_str());
+  sunder_scene scene{};
+  scene.size = sizeof scene;
+  scene.text = text.data();
+  scene.text_size = text.size();
+  scene.name = name.c_str();
+  scene.files = files.data();
+  scene.file_count = static_cast<std::uint32_t>(files.size());
+  scene.settings = changes.data();
+  scene.setting_count = static_cast<std::uint32_t>(changes.size());
+  std::unique_ptr<sunder_engine> engine(sunder_create(&scene));
+  viewed.words = sunder_error(nullptr);
+  return engine;
+}
+
+/// The body: the size of a JSON text in 8 bytes, the text, the bytes of files that were dropped.
+ViewAnswer load(ViewedScene& viewed, std::string_view body) {
+  std::uint64_t size = 0;
+  if (body.size() < sizeof size) return refusal("a scene to load begins with 8 bytes");
+  std::memcpy(&size, body.data(), sizeof size);
+  body.remove_prefix(sizeof size);
+  const json request = json::parse(body.substr(0, size));
+  body.remove_prefix(std::min<std::size_t>(size, body.size()));
+  const std::vector<std::string> settings = request.at("settings");
+  std::unique_ptr<sunder_engine> engine = request.contains("text")
+                                              ? engine_of_drop(viewed, request, settings, body)
+                                              : engine_of_file(viewed, settings);
+  if (engine == nullptr) return refusal(viewed.words);
+  viewed.engine = std::move(engine);
   viewed.saved.clear();
   return {true, answer_of(viewed, {})};
 }
@@ -155,8 +201,8 @@ ViewAnswer do_work(ViewedScene& viewed, std::string_view work, std::string_view 
   if (work == "stamp") return stamp_of(viewed);
   if (work != "load" && viewed.engine == nullptr) return refusal("no scene is loaded");
   if (work == "act") return act(viewed, body);
+  if (work == "load") return load(viewed, body);
   const json request = json::parse(body);
-  if (work == "load") return load(viewed, request);
   if (work == "step") return step(viewed, request);
   if (work == "read") return {true, answer_of(viewed, ids(request, "columns"))};
   if (work == "inspect") return inspect(viewed, request);
@@ -177,6 +223,8 @@ ViewAnswer do_view_request(ViewedScene& viewed, std::string_view work, std::stri
     return do_work(viewed, work, body);
   } catch (const json::exception& error) {
     return refusal(fmt::format("the request cannot be read: {}", error.what()));
+  } catch (const std::out_of_range&) {
+    return refusal("the request cannot be read: it has fewer sizes than files");
   }
 }
 

@@ -2,6 +2,7 @@
 // What of the page needs no browser: node --test tests/apps/page/page_test.mjs
 import assert from 'node:assert/strict';
 import test from 'node:test';
+import { gzipSync } from 'node:zlib';
 
 const src = new URL('../../../apps/page/src/', import.meta.url);
 const { faceWords, fanOfVertex, fanWords } = await import(new URL('fans.js', src));
@@ -9,6 +10,9 @@ const { fragmentRows } = await import(new URL('fragments.js', src));
 const { largestJump } = await import(new URL('jump.js', src));
 const { none, readFans } = await import(new URL('layout.js', src));
 const { Recording } = await import(new URL('recording.js', src));
+const { ServerEngine } = await import(new URL('engines.js', src));
+const { droppedScene } = await import(new URL('scenes.js', src));
+const { Player } = await import(new URL('player.js', src));
 
 /// Two fans: one of two faces, the second of which parts all three vertices; then a cut of one face.
 const fan = new Float64Array([
@@ -95,4 +99,43 @@ test('fragments are those that have tetrahedra, the heaviest first', () => {
     { id: 1, mass: 5, tetrahedra: 2, birth: 3, speed: 5 },
     { id: 0, mass: 1, tetrahedra: 1, birth: 0, speed: 0 },
   ]);
+});
+
+test('a dropped scene finds its files by their bare names, and packed files are unpacked', async () => {
+  const text = JSON.stringify({ bodies: [{ mesh: '../meshes/own.mesh' }], obstacles: [{ mesh: 'in/die.stl' }], name: 'none.stl' });
+  const own = await droppedScene([
+    new File([gzipSync('tetrahedra')], 'own.mesh'), new File([text], 'own.json'), new File(['solid'], 'die.stl'),
+  ]);
+  const words = (name) => new TextDecoder().decode(own.files[name]);
+  assert.equal(own.name, 'own.json');
+  assert.equal(words('../meshes/own.mesh'), 'tetrahedra');
+  assert.equal(words('in/die.stl'), 'solid');
+  assert.equal('none.stl' in own.files, false);
+  await assert.rejects(droppedScene([new File(['{'], 'broken.json')]), /broken\.json is no JSON/);
+});
+
+test('a mesh alone is dropped on a floor', async () => {
+  const own = await droppedScene([new File(['tetrahedra'], 'own.mesh')]);
+  assert.equal(own.needsFloor, true);
+  assert.equal(JSON.parse(own.text).bodies[0].mesh, 'own.mesh');
+});
+
+test('a dropped scene goes to the server with its files, the own scene without', async () => {
+  const engine = new ServerEngine('secret');
+  const scene = { settings: ['a=1'], text: '{}', name: 'x.json', files: { 'a.msh': new Uint8Array([7, 8]) } };
+  const parts = async (body) => {
+    const bytes = await body.arrayBuffer();
+    const size = Number(new DataView(bytes).getBigUint64(0, true));
+    return [JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 8, size))), [...new Uint8Array(bytes, 8 + size)]];
+  };
+  assert.deepEqual(await parts(engine.body('load', { scene })), [{ settings: ['a=1'] }, []]);
+  assert.deepEqual(await parts(engine.body('load', { scene: { ...scene, isDropped: true } })), [
+    { settings: ['a=1'], text: '{}', name: 'x.json', files: ['a.msh'], sizes: [2] }, [7, 8],
+  ]);
+});
+
+test('a page learns that another has started the scene anew', async () => {
+  const player = new Player({ ask: async () => ({ report: { step: 1 }, columns: {} }) }, {});
+  player.recording.add({ report: { step: 40 }, columns: {} });
+  await assert.rejects(player.step(), /another page/);
 });

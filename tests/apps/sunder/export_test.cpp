@@ -80,7 +80,10 @@ TEST_CASE("a GLB file has a node a piece, its mass and its track", "[export]") {
   CHECK(root["nodes"][1]["extras"]["mass"] == 2.5);
   CHECK(root["nodes"][1]["extras"]["birth_step"] == 7);
   CHECK(root["animations"][0]["channels"].size() == 4);
-  CHECK(root["materials"].size() == 3);
+  REQUIRE(root["materials"].size() == 2);  // none for obstacles, which are not there
+  const auto& primitives = root["meshes"][0]["primitives"];
+  CHECK(root["materials"][primitives[0]["material"].get<std::size_t>()]["name"] == "outside");
+  CHECK(root["materials"][primitives[1]["material"].get<std::size_t>()]["name"] == "crack");
 }
 
 TEST_CASE("obstacles are tracks with closed surfaces that look outwards", "[export]") {

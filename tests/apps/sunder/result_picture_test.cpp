@@ -109,6 +109,15 @@ TEST_CASE("a run is drawn, exported with keys where it is struck, and its end wr
   const auto drawn = here.run({"render", out, here.path("end.png"), "--explode", "0.5", "--size", "320,200"});
   CHECK(drawn.exit_code == 0);
   CHECK(fs::file_size(here.path("end.png")) > 1000);
+  // What is bent is drawn elsewhere where it is bent more, and the rigid reference is not.
+  const auto bent = [&](const char* shape, const char* factor) {
+    const std::string picture = here.path("bent.png");
+    CHECK(here.run({"render", out, picture, "--show", shape, "--magnify", factor, "--size", "320,200"})
+              .exit_code == 0);
+    return bytes_of(picture);
+  };
+  CHECK(bent("both", "1") != bent("both", "500"));
+  CHECK(bent("reference", "1") == bent("reference", "500"));
   const auto film = here.run({"render", out, here.path("film.png"), "--all", "--size", "64,64"});
   CHECK(film.exit_code == 0);
   CHECK(fs::exists(here.path("film_000000.png")));

@@ -7,6 +7,9 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/folder.hpp"
 
 using namespace sunder;
 
@@ -18,6 +21,16 @@ sunder_report report_of(const ViewAnswer& answer) {
   std::memcpy(&report, answer.bytes.data(), sizeof report);
   return report;
 }
+
+/// A body of `load`: JSON behind its size, then files.
+std::string load_body(const std::string& text, const std::string& files = {}) {
+  std::string body(8, '\0');
+  const std::uint64_t size = text.size();
+  std::memcpy(body.data(), &size, sizeof size);
+  return body + text + files;
+}
+
+const std::string own_scene = load_body(R"({"settings": []})");
 
 }  // namespace
 
@@ -38,7 +51,7 @@ TEST_CASE("a page's requests load, step, go back and come to the same again", "[
   ViewedScene viewed;
   viewed.path = SUNDER_SCENES "/monolith.json";
   CHECK_FALSE(do_view_request(viewed, "step", "{}").fine);
-  REQUIRE(do_view_request(viewed, "load", R"({"scene": {"settings": []}})").fine);
+  REQUIRE(do_view_request(viewed, "load", own_scene).fine);
   REQUIRE(do_view_request(viewed, "step", R"({"count": 150})").fine);
   REQUIRE(do_view_request(viewed, "save", "{}").fine);
   const ViewAnswer first = do_view_request(viewed, "step", R"({"count": 60, "columns": [0]})");
@@ -51,6 +64,42 @@ TEST_CASE("a page's requests load, step, go back and come to the same again", "[
   CHECK_FALSE(do_view_request(viewed, "act", "short").fine);
   CHECK_FALSE(do_view_request(viewed, "step", "{").fine);
   CHECK_FALSE(do_view_request(viewed, "nothing", "{}").fine);
+}
+
+TEST_CASE("a scene dropped on the page comes with its files", "[view]") {
+  const std::string mesh = test::bytes_of(SUNDER_IO_DATA "/meshio_zlib.vtu");
+  const nlohmann::json scene = {{"bodies",
+                                 {{{"mesh", "meshes/own.vtu"},
+                                   {"material",
+                                    {{"young_modulus", 1e9}, {"poisson_ratio", 0.2}, {"density", 1000},
+                                     {"tensile_strength", 1e6}}}}}}};
+  nlohmann::json request = {{"settings", {"time_step=5e-4"}},
+                            {"text", scene.dump()},
+                            {"name", "own.json"},
+                            {"files", {"meshes/own.vtu"}},
+                            {"sizes", {mesh.size()}}};
+  ViewedScene viewed;
+  viewed.path = SUNDER_SCENES "/monolith.json";
+  const ViewAnswer loaded = do_view_request(viewed, "load", load_body(request.dump(), mesh));
+  REQUIRE(loaded.fine);
+  CHECK(report_of(loaded).pieces == 1);
+  CHECK(report_of(loaded).time_step == 5e-4);
+  // Cut short in any of its parts: words, and what is loaded stays.
+  const std::string whole = load_body(request.dump(), mesh);
+  for (const std::size_t size : {std::size_t{3}, std::size_t{20}, whole.size() - 50}) {
+    const ViewAnswer cut = do_view_request(viewed, "load", whole.substr(0, size));
+    CHECK_FALSE(cut.fine);
+    CHECK(cut.bytes.size() > 10);
+  }
+  request["sizes"] = nlohmann::json::array();
+  CHECK_FALSE(do_view_request(viewed, "load", load_body(request.dump(), mesh)).fine);
+  request["sizes"] = {mesh.size()};
+  request["files"] = {"other.vtu"};
+  const ViewAnswer missing = do_view_request(viewed, "load", load_body(request.dump(), mesh));
+  CHECK_FALSE(missing.fine);
+  CHECK(missing.bytes.find("meshes/own.vtu") != std::string::npos);
+  CHECK(do_view_request(viewed, "step", "{}").fine);
+  REQUIRE(do_view_request(viewed, "load", own_scene).fine);
 }
 
 TEST_CASE("a page learns that the scene or a mesh of it was saved", "[view]") {

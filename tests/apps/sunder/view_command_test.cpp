@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// `sunder view` from outside: who is answered, what it says where it cannot start, how it ends.
+#include <catch2/catch.hpp>
+
+#include <signal.h>
+#include <stdio.h>
+#include <sys/wait.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "tests/support/program.hpp"
+
+// Last: it brings resolv.h, whose macro _res stands in the way of Eigen.
+#include <httplib.h>
+
+using namespace sunder::test;
+
+namespace {
+
+/// A server of the monolith with a page of one line.
+class Server {
+ public:
+  explicit Server(const Workplace& here) {
+    std::filesystem::create_directories(here.path("page"));
+    here.write("page/index.html", "the page");
+    const std::string command = "echo $$; exec '" SUNDER_PROGRAM "' view '" SUNDER_SCENES
+                                "/monolith.json' --headless --page '" +
+                                here.path("page") + "' 2>'" + here.path("said") + "'";
+    pipe_ = popen(command.c_str(), "r");
+    process_ = std::stoi(line());
+    const std::string address = line();
+    port = std::stoi(address.substr(address.rfind(':') + 1));
+    token = address.substr(address.rfind('=') + 1);
+  }
+  ~Server() {
+    if (pipe_ != nullptr) end(SIGKILL);
+  }
+  Server(const Server&) = delete;
+  Server& operator=(const Server&) = delete;
+
+  /// Ends it by a signal and gives its exit code.
+  int end(int signal) {
+    kill(process_, signal);
+    const int status = pclose(pipe_);
+    pipe_ = nullptr;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+  /// The status of a request to the engine with these headers in place of the page's own.
+  int status(const char* work, const httplib::Headers& other,
+             const std::string& body = "{}") const {
+    httplib::Headers headers = other;
+    if (!headers.contains("X-Sunder-Token")) headers.emplace("X-Sunder-Token", token);
+    httplib::Client client("127.0.0.1", port);
+    const httplib::Result answer =
+        client.Post("/api/" + std::string(work), headers, body, "application/octet-stream");
+    return answer ? answer->status : 0;
+  }
+
+  int port = 0;
+  std::string token;
+
+ private:
+  std::string line() const {
+    char text[256] = "";
+    if (fgets(text, sizeof text, pipe_) == nullptr) return "-1";
+    std::string words = text;
+    while (!words.empty() && words.back() == '\n') words.pop_back();
+    return words;
+  }
+
+  FILE* pipe_ = nullptr;
+  pid_t process_ = 0;
+};
+
+std::string body_of_load() {
+  const std::string text = R"({"settings": []})";
+  const std::uint64_t size = text.size();
+  return std::string(reinterpret_cast<const char*>(&size), sizeof size) + text;
+}
+
+/// Sends a request and goes away before it is answered, as a page does that is closed.
+void ask_and_leave(const Server& server, const std::string& body) {
+  const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
+  sockaddr_in place{};
+  place.sin_family = AF_INET;
+  place.sin_port = htons(static_cast<std::uint16_t>(server.port));
+  place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  REQUIRE(::connect(socket, reinterpret_cast<const sockaddr*>(&place), sizeof place) == 0);
+  const std::string host = "127.0.0.1:" + std::to_string(server.port);
+  const std::string request =
+      "POST /api/step HTTP/1.1\r\nHost: " + host + "\r\nX-Sunder-Token: " + server.token +
+      "\r\nContent-Length: " + std::to_string(body.size()) + "\r\n\r\n" + body;
+  REQUIRE(::send(socket, request.data(), request.size(), 0) ==
+          static_cast<ssize_t>(request.size()));
+  ::close(socket);
+}
+
+}  // namespace
+
+TEST_CASE("sunder view answers its own page alone, on this machine's own address", "[view]") {
+  const Workplace here;
+  Server server(here);
+  REQUIRE(server.port > 0);
+  REQUIRE(server.token.size() == 32);
+  const std::string own = "127.0.0.1:" + std::to_string(server.port);
+  httplib::Client page("127.0.0.1", server.port);
+  const httplib::Result index = page.Get("/");
+  REQUIRE(index);
+  CHECK(index->status == 200);
+  CHECK(index->body == "the page");
+  CHECK(page.Get("/", {{"Host", "sunder.example"}})->status == 403);
+  CHECK(page.Get("/../said")->status == 404);
+  CHECK(server.status("open", {}) == 200);
+  CHECK(server.status("open", {{"Origin", "http://" + own}}) == 200);
+  CHECK(server.status("open", {{"X-Sunder-Token", "guess"}}) == 403);
+  CHECK(server.status("open", {{"X-Sunder-Token", ""}}) == 403);
+  CHECK(server.status("open", {{"Host", "sunder.example"}}) == 403);
+  CHECK(server.status("open", {{"Host", "127.0.0.1:1"}}) == 403);
+  CHECK(server.status("open", {{"Origin", "http://other.example"}}) == 403);
+  CHECK(server.status("open", {{"Origin", "null"}}) == 403);
+  CHECK_FALSE(httplib::Client("127.0.0.2", server.port).Get("/"));  // bound to 127.0.0.1 alone
+  CHECK(server.end(SIGINT) == 0);
+  CHECK(bytes_of(here.path("said")).find("ssh -L " + std::to_string(server.port)) !=
+        std::string::npos);
+}
+
+TEST_CASE("sunder view outlives a page that is closed while it waits", "[view]") {
+  const Workplace here;
+  Server server(here);
+  REQUIRE(server.status("load", {}, body_of_load()) == 200);
+  for (int k = 0; k < 3; ++k) ask_and_leave(server, R"({"count": 20, "columns": [0, 1, 2, 3]})");
+  CHECK(server.status("step", {}) == 200);
+  CHECK(server.end(SIGTERM) == 0);
+}
+
+TEST_CASE("sunder view says what is wrong with a scene, a port and a page", "[view]") {
+  const Workplace here;
+  const Server server(here);
+  const std::string scene = SUNDER_SCENES "/monolith.json";
+  const auto taken = here.run({"view", scene, "--headless", "--page", here.path("page"), "--port",
+                               std::to_string(server.port)});
+  CHECK(taken.exit_code == 4);
+  CHECK(taken.err.find("port_taken") != std::string::npos);
+  CHECK(taken.err.find("leave out --port") != std::string::npos);
+  const auto no_page = here.run({"view", scene, "--headless", "--page", here.path("nowhere")});
+  CHECK(no_page.exit_code == 4);
+  CHECK(no_page.err.find("--target page") != std::string::npos);
+  const std::string broken = here.write("broken.json", "{\n  \"bodies\": [}\n");
+  const auto refused = here.run({"view", broken, "--headless", "--page", here.path("page")});
+  CHECK(refused.exit_code == 3);
+  CHECK(refused.err.find("broken.json:2") != std::string::npos);
+  CHECK(here.run({"view", here.path("none.json"), "--headless"}).exit_code == 3);
+  CHECK(here.run({"view", scene, "--port", "0"}).exit_code == 2);
+}
