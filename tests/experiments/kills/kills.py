@@ -28,7 +28,7 @@ import threading
 import time
 
 TREE = pathlib.Path(__file__).resolve().parents[3]
-SCENES = {"bar": 1.0, "block": 2.5, "monolith": 0.12, "bunny": 0.02}  # s
+SCENES = {"bar": 1.0, "block": 2.5, "monolith": 0.12, "bunny": 0.024}  # s
 LONG = ("bunny", ["--set", "duration=0.5", "--set", "output.checkpoint.minutes=0.5"])
 
 
