@@ -89,14 +89,16 @@ static_assert(CellKernel<DartAnswers>);
 /// Gives `ask(kernel)`, the kernel being what answers for the map.
 template <class Ask>
 auto answer(VolumeMap& map, Ask ask) {
-#if !defined(SUNDER_ROWS_ALONE)
+#if defined(SUNDER_ROWS_ALONE)
+  return ask(const_cast<DenseMap&>(map.dense()));  // nothing else is kept
+#else
   if (map.kernel() == MapKernel::lcc) {
     DartAnswers darts(map);
     return ask(darts);
   }
-#endif
   RowAnswers rows(map);
   return ask(rows);
+#endif
 }
 
 /// The same for questions that change nothing: `ask` gets a const kernel.
