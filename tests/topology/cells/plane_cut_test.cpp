@@ -98,3 +98,46 @@ TEST_CASE("a plane that is none is refused", "[topology][cells]") {
   CHECK_FALSE(cut_cells(map, {{0, 0, 1}, std::nan("")}));
   CHECK(cut_cells(map, {{0, 0, 0}, 1}).findings[0].code == "not_a_direction");
 }
+
+TEST_CASE("a plane through points but for rounding passes through them", "[topology][cells]") {
+  // 0.1, 0.2, 0.30000000000000004, ...: the sums of most are off the plane by a few units in the last place.
+  VolumeMap map = built(kuhn_box({4, 4, 4}, 0.1));
+  std::size_t expected = 0;
+  for (int i = 0; i <= 4; ++i) {
+    for (int j = 0; j <= 4; ++j) expected += i + j <= 7 && i + j >= 3;
+  }
+  const auto cut = cut_cells(map, {{1, 1, 1}, 0.1 * 7});
+  REQUIRE(cut);
+  CHECK(cut->on_plane == expected);
+  // A plane that only touches: no edge crosses it, the tolerance alone finds the corner.
+  VolumeMap corner = built(kuhn_box({3, 3, 3}, 0.1));
+  const auto touch = cut_cells(corner, {{1, 1, 1}, 0.9});
+  REQUIRE(touch);
+  CHECK(touch->on_plane == 1);
+  CHECK(touch->edit.vertices.empty());
+}
+
+TEST_CASE("an edge is not divided at its end", "[topology][cells]") {
+  for (const double offset : {1e-14, -1e-14}) {
+    VolumeMap map = built(kuhn_box({2, 2, 2}, 0.5));
+    const Cells5 before = cells(map);
+    const auto cut = cut_cells(map, {{0, 1, 0}, 0.5 + offset});
+    REQUIRE(cut);
+    CHECK(cut->on_plane == 9);
+    CHECK(cut->faces.size() == 8);
+    CHECK(cells(map) == before);
+  }
+}
+
+TEST_CASE("vertices that were glued together lie in the plane once", "[topology][cells]") {
+  VolumeMap map = built(two_tetrahedra());
+  const HalfFaceId face = face_on(map, {0, 1, 2});
+  const HalfFaceId other = map.neighbour(face);
+  REQUIRE(split_face(map, face).vertex_count == 3);
+  REQUIRE(glue_face(map, face, other).refusal == GlueRefusal::none);
+  REQUIRE(map.vertices() == 8);  // three of them retired
+  const auto cut = cut_cells(map, {{0, 0, 1}, 0});
+  REQUIRE(cut);
+  CHECK(cut->on_plane == 3);
+  CHECK(cut->faces.size() == 1);
+}

@@ -156,3 +156,21 @@ TEST_CASE("refined here and there: no green one is divided, shapes stay few", "[
     CHECK(cells(count_cells(map)) == cells(before));
   }
 }
+
+TEST_CASE("what is wanted is asked by the tetrahedron of the beginning", "[topology][cells]") {
+  VolumeMap map = built(kuhn_box({2, 1, 1}));
+  const auto levels = refine(map, 3, [](const VolumeMap&, TetId, TetId of) { return of == TetId{11}; });
+  REQUIRE(levels.size() == 3);
+  // By hand: all that was tetrahedron 11 became eight on each level.
+  std::vector<TetId> root(12);
+  for (std::size_t t = 0; t < 12; ++t) root[t] = TetId{t};
+  for (const RefinedLevel& level : levels) {
+    for (const ChildCell& cell : level.edit.cells) {
+      if (cell.tetrahedron.index() >= root.size()) root.resize(cell.tetrahedron.index() + 1);
+      root[cell.tetrahedron.index()] = root[cell.parent.index()];
+    }
+  }
+  REQUIRE(root.size() == map.tetrahedra());
+  CHECK(std::ranges::count(root, TetId{11}) == 512);
+  CHECK(map.tetrahedra() < 512 + 12 * 64);
+}
