@@ -16,6 +16,8 @@ struct Origin {
   std::size_t level = red;
   TetId parent;
   TetId root;
+  /// One of eight, whose corners stand so that its shapes stay few.
+  bool is_one_of_eight = false;
 };
 
 /// Tetrahedra that divided into other than eight gave their children the origin `level`.
@@ -24,7 +26,7 @@ void note_origins(std::vector<Origin>& origins, const CellEdit& edit, std::size_
     while (end < edit.cells.size() && edit.cells[end].parent == edit.cells[i].parent) ++end;
     const TetId root = origins[edit.cells[i].parent.index()].root;
     const Origin origin =
-        end - i == 8 ? Origin{red, {}, root} : Origin{level, edit.cells[i].parent, root};
+        end - i == 8 ? Origin{red, {}, root, true} : Origin{level, edit.cells[i].parent, root};
     for (std::size_t k = i; k < end; ++k) {
       const std::size_t row = edit.cells[k].tetrahedron.index();
       if (row >= origins.size()) origins.resize(row + 1);
@@ -52,7 +54,9 @@ class Levels {
       if (wanted_(map_, TetId{t}, origins_[level][t].root)) marked.insert(TetId{t});
     }
     const std::vector<TetId> list(marked.begin(), marked.end());
-    RefinedLevel made = refine_marked(map_, list);
+    std::vector<char> as_they_stand;
+    for (const Origin& from : origins_[level]) as_they_stand.push_back(from.is_one_of_eight);
+    RefinedLevel made = refine_marked(map_, list, as_they_stand);
     std::size_t back = red;  // the lowest level on which a green one was divided
     for (const ChildCell& cell : made.edit.cells) {
       back = std::min(back, origins_[level][cell.parent.index()].level);

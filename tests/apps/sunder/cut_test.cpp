@@ -149,6 +149,23 @@ TEST_CASE("cut: exactly and along faces", "[apps][cells]") {
   CHECK(along.json()["points_copied"] == 39);
 }
 
+TEST_CASE("cut: a plane that nearly passes through points, and the tolerance", "[apps][cells]") {
+  const Workplace here;
+  const std::string out = here.path("out.vtu"), plane = "1,0,0,0.500000001";
+  const Outcome thin = here.run({"cut", bar, out, "--plane", plane, "--exact", "--json"});
+  REQUIRE(thin.exit_code == 0);
+  CHECK(thin.json()["nearest_to_an_end"].get<double>() < 1e-6);
+  CHECK(thin.json()["on_plane"] == 0);
+  const Outcome told = here.run({"cut", bar, out, "--plane", plane, "--exact"});
+  CHECK(told.out.find("--tolerance 1e-6") != std::string::npos);
+  const Outcome clean =
+      here.run({"cut", bar, out, "--plane", plane, "--exact", "--tolerance", "1e-6", "--json"});
+  REQUIRE(clean.exit_code == 0);
+  CHECK(clean.json()["on_plane"].get<int>() > 0);
+  CHECK(clean.json()["after"]["components"] == 2);
+  CHECK(here.run({"check", out}).exit_code == 0);
+}
+
 TEST_CASE("refine and cut: what cannot be is refused in words", "[apps][cells]") {
   const Workplace here;
   const std::string out = here.path("out.msh");
@@ -169,5 +186,7 @@ TEST_CASE("refine and cut: what cannot be is refused in words", "[apps][cells]")
   refused({"cut", bar, out, "--plane", "1,0,0,77", "--exact"}, 2, "offset");
   refused({"cut", bar, out, "--plane", "1,0,0", "--exact"}, 2, "four numbers");
   refused({"cut", bar, out}, 2, "--plane");
+  refused({"cut", bar, out, "--plane", "1,0,0,0.5", "--exact", "--tolerance", "0.3"}, 2, "0.01");
+  refused({"cut", bar, out, "--plane", "1,0,0,0.5", "--tolerance", "1e-6"}, 2, "--exact");
   CHECK(here.run({"cut", bar, "/nowhere/out.msh", "--plane", "1,0,0,0.5"}).exit_code == 4);
 }

@@ -134,7 +134,7 @@ class Body:
                 pair = frozenset(edge)
                 if c.find((t, pair)) in marked:
                     middles[pair] = self.middle(pair, weights)
-            parts = divided(cell, middles)
+            parts = divided(cell, middles, self.points)
             on = {m: pair for pair, m in middles.items()}
             for whole in itertools.combinations(cell, 3):
                 if frozenset(whole) not in self.cut:
@@ -233,15 +233,48 @@ class Body:
         return rows
 
 
-def divided(cell, middles):
-    """Parts of a cell; of eight the inner ones round the middles of its points 0 2 and 1 3."""
+def radius_ratio(x):
+    """3 r / R: r = 3 V / S, and R by Crelle's formula."""
+    sub = lambda a, b: [p - q for p, q in zip(a, b)]
+    cross = lambda a, b: [a[i - 2] * b[i - 1] - a[i - 1] * b[i - 2] for i in range(3)]
+    size = lambda a: math.hypot(*a)
+    volume = abs(sum(p * q for p, q in zip(sub(x[1], x[0]),
+                                           cross(sub(x[2], x[0]), sub(x[3], x[0]))))) / 6
+    surface = sum(size(cross(sub(q, p), sub(r, p))) / 2
+                  for p, q, r in itertools.combinations(x, 3))
+    a, b, c = (math.dist(x[i], x[j]) * math.dist(x[k], x[l])
+               for i, j, k, l in ((0, 1, 2, 3), (0, 2, 1, 3), (0, 3, 1, 2)))
+    q = (a + b + c) * (a + b - c) * (a - b + c) * (b + c - a)
+    return 216 * volume ** 2 / (surface * math.sqrt(q)) if q > 0 and surface > 0 else 0
+
+
+# Bey's list as he writes it.
+BEY = [(0, "01", "02", "03"), ("01", 1, "12", "13"), ("02", "12", 2, "23"), ("03", "13", "23", 3),
+       ("01", "02", "03", "13"), ("01", "02", "12", "13"), ("02", "03", "13", "23"),
+       ("02", "12", "13", "23")]
+
+
+def eight(cell, middles, points):
+    """Of the three edges inside the one with the best least radius ratio, that of 0 2 and 1 3 when
+    none is better by 1e-9."""
+    def parts(order):
+        at = lambda n: order[n] if isinstance(n, int) else middles[frozenset(order[int(c)] for c in n)]
+        return [tuple(map(at, part)) for part in BEY]
+    choices = [parts([cell[i] for i in order]) for order in ((0, 1, 2, 3), (0, 2, 3, 1), (0, 3, 1, 2))]
+    least = [min(radius_ratio([points[p] for p in part]) for part in choice[4:]) for choice in choices]
+    best = 0
+    for i in (1, 2):
+        ratio = abs(least[i] / max(least[best], 1e-300) - 1)
+        assert not 1e-12 < ratio < 1e-8, f"too near to tell: {least}"
+        if least[i] > least[best] * (1 + 1e-9):
+            best = i
+    return choices[best]
+
+
+def divided(cell, middles, points):
+    """Parts of a cell."""
     if len(middles) == 6:
-        m = {frozenset((i, j)): middles[frozenset((cell[i], cell[j]))]
-             for i, j in itertools.combinations(range(4), 2)}
-        parts = [[cell[i]] + [m[frozenset((i, j))] for j in range(4) if j != i] for i in range(4)]
-        a, b = m[frozenset((0, 2))], m[frozenset((1, 3))]
-        ring = [m[frozenset(e)] for e in ((0, 1), (1, 2), (2, 3), (3, 0))]
-        return [tuple(p) for p in parts] + [(a, b, ring[i], ring[(i + 1) % 4]) for i in range(4)]
+        return eight(cell, middles, points)
     for face in itertools.combinations(cell, 3):
         pairs = [frozenset(e) for e in itertools.combinations(face, 2)]
         if len(middles) == 3 and all(p in middles for p in pairs):

@@ -127,11 +127,23 @@ class Trial {
     return names;
   }
 
+  std::set<std::pair<std::uint32_t, std::uint32_t>> edges_of_points() const {
+    std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+    for (const auto& corners : darts_.corners()) {
+      for (const auto& [i, j] : edge_ends) {
+        edges.insert(std::minmax(darts_.point_of_vertex(corners[static_cast<std::size_t>(i)]),
+                                 darts_.point_of_vertex(corners[static_cast<std::size_t>(j)])));
+      }
+    }
+    return edges;
+  }
+
   /// After an operation that divided `edges` (the twin's classes) on both kernels.
   void compare_division(const CellEdit& edit, const CellEdit& other,
                         const std::set<std::uint32_t>& edges) {
     require(edit.vertices.size() == edges.size(), "as many new vertices as edges divided");
-    require(divide(twin_, edges, names_of(edit)), "every divided edge has a name");
+    require(divide(twin_, edges, names_of(edit), edges_of_points()),
+            "every divided edge has a name");
     const Counts before = counts_;
     compare(CellMoment::After::division);
     require(counts_.euler_characteristic == before.euler_characteristic &&

@@ -9,6 +9,7 @@
 
 #include "tests/support/built.hpp"
 #include "topology/cells/cell_templates.hpp"
+#include "topology/mesh/radius_ratio.hpp"
 
 using namespace sunder;
 using namespace sunder::suite;
@@ -119,6 +120,44 @@ TEST_CASE("a tetrahedron refined again and again has three shapes (Bey)", "[topo
   CHECK(shapes(map).size() <= 3);
 }
 
+TEST_CASE("of three edges inside the one with the best least radius ratio, and never worse again",
+          "[topology][cells]") {
+  std::mt19937_64 random(17);
+  for (int trial = 0; trial < 50; ++trial) {
+    TetMesh mesh = one_tetrahedron();
+    for (Point& x : mesh.points) x = {unit(random), unit(random), unit(random)};
+    VolumeMap map = built(mesh);
+    map.set_kernel(MapKernel::dense);
+    const Corners whole = corners_of(map, TetId{0});
+    double expected = 0;  // by hand: the four round each edge inside
+    for (const auto& [a, b, c, d] : {std::array<std::size_t, 4>{0, 1, 2, 3}, {0, 1, 3, 2}, {0, 2, 1, 3}}) {
+      const auto m = [&](std::size_t i, std::size_t j) {
+        Point x;
+        for (std::size_t k = 0; k < 3; ++k) x[k] = (whole[i][k] + whole[j][k]) / 2;
+        return x;
+      };
+      // The edge from the middle of a b to that of c d; round it the middles of a c, a d, b d, b c.
+      const std::array<Point, 4> ring = {m(a, c), m(a, d), m(b, d), m(b, c)};
+      double least = 1;
+      for (std::size_t i = 0; i < 4; ++i) {
+        least = std::min(least, radius_ratio({m(a, b), m(c, d), ring[i], ring[(i + 1) % 4]}));
+      }
+      expected = std::max(expected, least);
+    }
+    expected = std::min(expected, radius_ratio(whole));
+    for (const std::size_t levels : {1U, 2U, 3U}) {
+      VolumeMap fine = map;
+      refine(fine, levels, everywhere);
+      double least = 1;
+      for (std::size_t t = 0; t < fine.tetrahedra(); ++t) {
+        least = std::min(least, radius_ratio(corners_of(fine, TetId{t})));
+      }
+      CHECK(least == Approx(expected).epsilon(1e-9));
+      CHECK(shapes(fine).size() <= 3);
+    }
+  }
+}
+
 TEST_CASE("refined here and there: no green one is divided, shapes stay few", "[topology][cells]") {
   TetMesh mesh = kuhn_box({2, 2, 2});
   for (Point& x : mesh.points) x = {x[0] + 0.3 * x[1], x[1] - 0.1 * x[2], 1.2 * x[2]};
@@ -126,10 +165,11 @@ TEST_CASE("refined here and there: no green one is divided, shapes stay few", "[
   VolumeMap red = built(mesh);
   red.set_kernel(MapKernel::dense);
   std::set<std::vector<long>> allowed = shapes(red);
-  for (int level = 0; level < 2; ++level) {
-    refine(red, 1, everywhere);
-    allowed.merge(shapes(red));
-  }
+  VolumeMap once = red;
+  refine(once, 1, everywhere);
+  allowed.merge(shapes(once));
+  refine(red, 2, everywhere);
+  allowed.merge(shapes(red));
   for (std::size_t t = 0; t < red.tetrahedra(); ++t) {
     add_green_shapes(corners_of(red, TetId{t}), allowed);
   }
