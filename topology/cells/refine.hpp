@@ -25,6 +25,9 @@ template <CellKernel K>
 RefinedLevel refine_marked(K& map, std::span<const TetId> marked,
                            std::span<const char> as_they_stand = {});
 
+/// Beyond this `refine` makes no further level: some ten GiB of map.
+inline constexpr std::size_t most_refined = std::size_t{1} << 27;
+
 /// Whether a tetrahedron shall be divided; `of` is the one of the beginning that it is a part of.
 using WantedCells = std::function<bool(const VolumeMap& map, TetId cell, TetId of)>;
 
@@ -34,7 +37,8 @@ using WantedCells = std::function<bool(const VolumeMap& map, TetId cell, TetId o
 /// instead, and the levels from there on are made anew. So every tetrahedron is red or a green child
 /// of a red one, and of the three shapes (Bey) and their green parts of its tetrahedron of before, of
 /// three threes the one with the best least radius ratio: quality does not fall with levels.
-/// Gives the levels in their order; to take all back, apply their undos from the last to the first.
+/// Gives the levels in their order, fewer than asked for where the next one would leave more than
+/// `most_refined` tetrahedra; to take all back, apply their undos from the last to the first.
 /// O(levels x |T|) times how often levels are made anew, of which there are few.
 std::vector<RefinedLevel> refine(VolumeMap& map, std::size_t levels, const WantedCells& wanted);
 

@@ -181,6 +181,9 @@ TEST_CASE("refine and cut: what cannot be is refused in words", "[apps][cells]")
   refused({"refine", bar, out, "--within", "1"}, 2, "nothing to be near to");
   refused({"refine", bar, out, "--levels", "0"}, 2, "levels");
   refused({"refine", bar, out, "--crack"}, 2, "no two boundary faces");
+  refused({"refine", bar, out, "--levels", "12"}, 2, "more than 134217728");
+  refused({"refine", bar, out, "--plane", "1,0,0,77"}, 2, "no tetrahedron is near");
+  refused({"refine", bar, out, "--plane", "1,0,0,0.5", "--within", "-1"}, 2, "0 or more");
   refused({"refine", bar, out, "--share", "mass"}, 2, "mass");
   refused({"cut", bar, out, "--plane", "0,0,0,1", "--exact"}, 2, "normal");
   refused({"cut", bar, out, "--plane", "1,0,0,77", "--exact"}, 2, "offset");
