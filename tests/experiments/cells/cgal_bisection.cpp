@@ -42,7 +42,7 @@ void build(Complex& complex, const TetMesh& mesh) {
   for (const auto& t : mesh.tetrahedra) {
     const Dart<Complex> first =
         complex.make_tetrahedron(vertices[t[0]], vertices[t[1]], vertices[t[2]], vertices[t[3]]);
-    if constexpr (!std::is_void_v<typename Complex::template Attribute_type<3>::type>) {
+    if constexpr (std::is_same_v<Complex, DartComplex>) {
       complex.template set_attribute<3>(first, complex.template create_attribute<3>());
     }
   }

@@ -364,8 +364,9 @@ def fixtures():
                                ([1, 2, 3], 4.3), ([0, 0, 1], third), ([1, -1, 0], 0),
                                ([0, 0, 1], 0), ([0, 1, 0], 77)):
             yield name, [plane(normal, offset)]
-        yield name, [plane([1, 0, 0], 1.5), plane([0, 1, 0], 1.25), plane([1, 1, 0], 2.7),
-                     {"undo": 3}, plane([0, 1, 0], 1.25), near([0, 0, 0], 0.3)]
+        # Where a second plane meets parts of a first, its count depends on their diagonals: not here.
+        yield name, [plane([1, 0, 0], 1.5), ALL, {"undo": 2}, plane([0, 1, 0], 1.25),
+                     plane([0, 1, 0], 2.75)]
     # Cracks: both sides are divided by planes and by refinement of all, one side by an edge of it.
     for name, faces in (("02-two-tetrahedra/split-and-glue", [[0, 1, 2]]),
                         ("07-octahedron-star/round", [[0, 1, 5], [0, 3, 5]]),

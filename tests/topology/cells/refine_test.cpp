@@ -130,7 +130,7 @@ TEST_CASE("of three edges inside the one with the best least radius ratio, and n
     map.set_kernel(MapKernel::dense);
     const Corners whole = corners_of(map, TetId{0});
     double expected = 0;  // by hand: the four round each edge inside
-    for (const auto& [a, b, c, d] : {std::array<std::size_t, 4>{0, 1, 2, 3}, {0, 1, 3, 2}, {0, 2, 1, 3}}) {
+    for (const auto& [a, b, c, d] : {std::array<std::size_t, 4>{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}}) {
       const auto m = [&](std::size_t i, std::size_t j) {
         Point x;
         for (std::size_t k = 0; k < 3; ++k) x[k] = (whole[i][k] + whole[j][k]) / 2;
