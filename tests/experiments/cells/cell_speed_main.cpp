@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <map>
 
 #include "apps/bench/clock.hpp"
 #include "tests/experiments/cells/cgal_bisection.hpp"
@@ -21,9 +22,8 @@ using namespace sunder::test;
 
 namespace {
 
-/// Edges of one round.
+/// Edges of one round, by places: rows differ by the way in which edges were divided before.
 struct Round {
-  std::vector<EdgeMark> marks;
   std::vector<DividedEdge> places;
   std::size_t tetrahedra = 0;  // round them
 };
@@ -47,7 +47,6 @@ Round draw(const VolumeMap& map, std::mt19937_64& random) {
     for (std::size_t i = 0; i < 3; ++i) {
       place.middle[i] = (1 - 0.5) * place.ends[0][i] + 0.5 * place.ends[1][i];
     }
-    round.marks.push_back({edge, 0.5});
     round.places.push_back(place);
     round.tetrahedra += ring.size();
   }
@@ -72,15 +71,28 @@ struct Way {
   double us = 0;
 };
 
-double one_by_one(VolumeMap& map, const Round& round) {
-  const double start = thread_us();
-  for (const EdgeMark& mark : round.marks) insert_vertex(map, mark.edge, mark.weight);
-  return thread_us() - start;
+std::vector<EdgeMark> marks_of(const VolumeMap& map, const Round& round) {
+  std::map<std::pair<Point, Point>, CellEdge> known;
+  for (const CellEdge& edge : edge_rows(map).first) {
+    const auto ends = edge_ends[static_cast<std::size_t>(edge.place)];
+    const auto corners = map.corners(edge.tetrahedron);
+    known[std::minmax(map.point(corners[ends[0]]), map.point(corners[ends[1]]))] = edge;
+  }
+  std::vector<EdgeMark> marks;
+  for (const DividedEdge& place : round.places) {
+    marks.push_back({known.at(std::minmax(place.ends[0], place.ends[1])), 0.5});
+  }
+  return marks;
 }
 
-double at_once(VolumeMap& map, const Round& round) {
+double divide(VolumeMap& map, const Round& round, bool at_once) {
+  const std::vector<EdgeMark> marks = marks_of(map, round);
   const double start = thread_us();
-  divide_edges(map, round.marks);
+  if (at_once) {
+    divide_edges(map, marks);
+  } else {
+    for (const EdgeMark& mark : marks) insert_vertex(map, mark.edge, mark.weight);
+  }
   return thread_us() - start;
 }
 
@@ -115,9 +127,9 @@ int main(int argc, char** argv) {
   std::size_t edges = 0, divided = 0;
   for (std::size_t r = 0; r < rounds; ++r) {
     const Round round = draw(maps[0], random);
-    edges += round.marks.size(), divided += round.tetrahedra;
+    edges += round.places.size(), divided += round.tetrahedra;
     for (std::size_t i = 0; i < 4; ++i) {
-      ways[i].us += i % 2 == 0 ? one_by_one(maps[i], round) : at_once(maps[i], round);
+      ways[i].us += divide(maps[i], round, i % 2 == 1);
     }
     for (std::size_t i = 0; i < 2; ++i) ways[4 + i].us += cgal[i].divide(round.places);
   }

@@ -151,3 +151,21 @@ TEST_CASE("vertices that were glued together lie in the plane once", "[topology]
   REQUIRE(cut);
   CHECK(cut->on_plane == expected);
 }
+
+TEST_CASE("a flat tetrahedron that lies in the plane goes with what is beneath", "[topology][cells]") {
+  TetMesh mesh;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 1}, {0.5, 0.5, -1}};
+  mesh.tetrahedra = {{0, 1, 2, 3}, {0, 1, 2, 4}, {0, 2, 3, 4}, {1, 0, 3, 5}, {2, 1, 3, 5}};
+  for (const double up : {1.0, -1.0}) {
+    VolumeMap map = built(mesh);
+    const auto cut = cut_cells(map, {{0, 0, up}, 0});
+    REQUIRE(cut);
+    CHECK(cut->edit.vertices.empty());
+    REQUIRE(cut->faces.size() == 2);
+    for (const HalfFaceId f : cut->faces) {
+      CHECK(tetrahedron_of(map.neighbour(f)) == TetId{0});
+      split_face(map, f);
+    }
+    CHECK(count_cells(map).components == 2);
+  }
+}

@@ -9,6 +9,7 @@
 
 #include "tests/support/built.hpp"
 #include "topology/cells/cell_templates.hpp"
+#include "topology/cells/refine_impl.hpp"
 #include "topology/mesh/radius_ratio.hpp"
 
 using namespace sunder;
@@ -107,6 +108,19 @@ TEST_CASE("uniform refinement: counts by the formula", "[topology][cells]") {
     CHECK(levels[0].red == before.tetrahedra);
     CHECK(levels[0].green == 0);
     CHECK(check(map).empty());
+  }
+}
+
+TEST_CASE("green are one edge, two, and the three of a face", "[topology][cells]") {
+  for (unsigned edges = 1; edges < 64; ++edges) {
+    bool is_face = false;  // by the corners that three edges touch
+    unsigned corners = 0;
+    for (std::size_t e = 0; e < 6; ++e) {
+      if ((edges >> e & 1) == 0) continue;
+      corners |= 1U << edge_ends[e][0] | 1U << edge_ends[e][1];
+    }
+    is_face = std::popcount(edges) == 3 && std::popcount(corners) == 3;
+    CHECK(detail::is_green(edges) == (std::popcount(edges) <= 2 || is_face));
   }
 }
 
