@@ -228,3 +228,27 @@ TEST_CASE("what is wanted is asked by the tetrahedron of the beginning", "[topol
   CHECK(std::ranges::count(root, TetId{11}) == 512);
   CHECK(map.tetrahedra() < 512 + 12 * 64);
 }
+
+TEST_CASE("levels made anew leave nothing of what was tried", "[topology][cells]") {
+  VolumeMap map = built(jittered(kuhn_box({3, 3, 3}), 0.15, 3));
+  const Cells5 before = cells(map);
+  const auto done = refine(map, 3, [](const VolumeMap& m, TetId t, TetId) {
+    for (const VertexId v : m.corners(t)) {
+      const Point x = m.point(v);
+      double square = 0;
+      for (std::size_t i = 0; i < 3; ++i) square += (x[i] - 1.3) * (x[i] - 1.3);
+      if (square < 0.15) return true;
+    }
+    return false;
+  });
+  REQUIRE(done.size() == 3);
+  CHECK(check(map).empty());
+  std::size_t appended = before[3];  // what the levels say is what is there
+  for (const RefinedLevel& level : done) {
+    for (const ChildCell& cell : level.edit.cells) appended += cell.tetrahedron != cell.parent;
+  }
+  CHECK(map.tetrahedra() == appended);
+  for (std::size_t i = done.size(); i-- > 0;) map.apply(done[i].edit.undo);
+  CHECK(check(map).empty());
+  CHECK(cells(map) == before);
+}

@@ -89,6 +89,14 @@ TEST_CASE("columns through a vertex in an edge, by hand", "[topology][cells][col
   CHECK(all.pair[4][0] == 0.75 * all.pair[0][0] + 0.25 * all.pair[1][0]);
 }
 
+TEST_CASE("numbers are copied where they are no shares", "[topology][cells][columns]") {
+  VolumeMap map = built(one_tetrahedron());
+  std::vector<double> density = {7.5};
+  const CellEdit edit = insert_vertex(map, {TetId{0}, 0}, 0.25);
+  extend_cells(density, edit, CellRule::copy);
+  CHECK(density == std::vector<double>{7.5, 7.5});
+}
+
 TEST_CASE("the nearer end, the first one at the middle", "[topology][cells][columns]") {
   for (const auto& [weight, expected] :
        {std::pair{0.25, 0}, std::pair{0.5, 0}, std::pair{0.75, 1}}) {
