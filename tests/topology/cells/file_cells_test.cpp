@@ -28,7 +28,7 @@ FileMesh small() {
   mesh.point_data = {{"heat", 2, NumberType::float64, Doubles{0, 1, 10, 2, 20, 3, 30, 4, 40, 5}},
                      {"mark", 1, NumberType::int32, Whole{7, 8, 9, 10, 11}}};
   mesh.tetrahedra.corners = {{0, 1, 2, 3}, {1, 0, 2, 4}};
-  mesh.tetrahedra.source_id = {5, 9};
+  mesh.tetrahedra.source_id = {9, 5};
   mesh.tetrahedra.region = {7, 8};
   mesh.tetrahedra.entity = {1, 2};
   mesh.tetrahedra.data = {{"mass", 1, NumberType::float64, Doubles{8, 16}},
@@ -97,7 +97,7 @@ TEST_CASE("a vertex in an edge of a file: every column by its rule", "[topology]
 
   CHECK(mesh.tetrahedra.region == std::vector<std::int32_t>{7, 8, 7, 8});
   CHECK(mesh.tetrahedra.entity == std::vector<std::int32_t>{1, 2, 1, 2});
-  CHECK(mesh.tetrahedra.source_id == std::vector<std::int64_t>{5, 9, 10, 11});
+  CHECK(mesh.tetrahedra.source_id == std::vector<std::int64_t>{9, 5, 10, 11});
   CHECK(column<Doubles>(mesh.tetrahedra.data, "density") == Doubles{3, 4, 3, 4});
   CHECK(column<Doubles>(mesh.tetrahedra.data, "axis") ==
         Doubles{1, 2, 3, 4, 5, 6, 1, 2, 3, 4, 5, 6});
