@@ -54,7 +54,7 @@ def main():
     parser.add_argument("--only", type=int, help="number of one fault")
     arguments = parser.parse_args()
     entries = json.loads(arguments.list.read_text(encoding="utf-8"))
-    command = [arguments.program] + (["-r", "compact"] if arguments.test
+    command = [arguments.program] + (["-r", "compact", "-a"] if arguments.test
                                      else [arguments.fixtures])
     faults = {0: ("-", "none: the kernel as it is")}
     for entry in entries:

@@ -14,14 +14,18 @@ template std::vector<CellEdge> edge_ring<VolumeMap>(const VolumeMap&, CellEdge);
 template std::vector<CellEdge> edge_ring<DenseMap>(const DenseMap&, CellEdge);
 template EdgeRows edge_rows<VolumeMap>(const VolumeMap&);
 template EdgeRows edge_rows<DenseMap>(const DenseMap&);
-template CellEdit divide_edges<VolumeMap>(VolumeMap&, std::span<const EdgeMark>);
-template CellEdit divide_edges<DenseMap>(DenseMap&, std::span<const EdgeMark>);
+template CellEdit divide_edges<VolumeMap>(VolumeMap&, std::span<const EdgeMark>,
+                                          std::span<const char>);
+template CellEdit divide_edges<DenseMap>(DenseMap&, std::span<const EdgeMark>,
+                                         std::span<const char>);
 template CellEdit insert_vertex<VolumeMap>(VolumeMap&, CellEdge, double);
 template CellEdit insert_vertex<DenseMap>(DenseMap&, CellEdge, double);
-template RefinedLevel refine_marked<VolumeMap>(VolumeMap&, std::span<const TetId>);
-template RefinedLevel refine_marked<DenseMap>(DenseMap&, std::span<const TetId>);
-template Result<PlaneCut> cut_cells<VolumeMap>(VolumeMap&, const CuttingPlane&);
-template Result<PlaneCut> cut_cells<DenseMap>(DenseMap&, const CuttingPlane&);
+template RefinedLevel refine_marked<VolumeMap>(VolumeMap&, std::span<const TetId>,
+                                               std::span<const char>);
+template RefinedLevel refine_marked<DenseMap>(DenseMap&, std::span<const TetId>,
+                                              std::span<const char>);
+template Result<PlaneCut> cut_cells<VolumeMap>(VolumeMap&, const CuttingPlane&, double);
+template Result<PlaneCut> cut_cells<DenseMap>(DenseMap&, const CuttingPlane&, double);
 template std::array<double, 3> parted_shares<VolumeMap>(const VolumeMap&, const FaceSplit&);
 template std::array<double, 3> parted_shares<DenseMap>(const DenseMap&, const FaceSplit&);
 template FaceSplit split_face<VolumeMap>(VolumeMap&, HalfFaceId, Journal&);

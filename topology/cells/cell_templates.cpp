@@ -24,6 +24,23 @@ constexpr std::array<CellPart, 8> red = {{{0, 4, 5, 6},
                                           {5, 6, 8, 9},
                                           {5, 9, 8, 7}}};
 
+/// Even orders of the corners: Bey's edge inside joins the middles of the first and third, and of the
+/// second and fourth.
+constexpr std::array<std::array<int, 4>, 3> turns_of_corners = {
+    {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}}};
+
+constexpr std::array<CellPart, 8> turned(const std::array<int, 4>& corners) {
+  std::array<CellPart, 8> parts = red;
+  for (CellPart& part : parts) {
+    for (int& node : part) {
+      node = node < 4 ? corners[node]
+                      : 4 + edge_between(corners[edge_ends[node - 4][0]],
+                                         corners[edge_ends[node - 4][1]]);
+    }
+  }
+  return parts;
+}
+
 /// The face whose three edges are divided; 4 where there is none.
 int full_face(unsigned edges) {
   for (int p = 0; p < 4; ++p) {
@@ -72,6 +89,12 @@ std::vector<CellPart> edge_parts(unsigned edges, const std::array<std::uint32_t,
 bool is_divisible(unsigned edges) {
   const int face = full_face(edges);
   return face == 4 || edges == all_edges || edges == edges_of_face(face);
+}
+
+const std::array<CellPart, 8>& parts_by_eight(int turn) {
+  static constexpr std::array<std::array<CellPart, 8>, 3> all = {
+      turned(turns_of_corners[0]), turned(turns_of_corners[1]), turned(turns_of_corners[2])};
+  return all[static_cast<std::size_t>(turn)];
 }
 
 std::vector<CellPart> parts_of_cell(unsigned edges, const std::array<std::uint32_t, 6>& order) {

@@ -15,9 +15,14 @@ using CellPart = std::array<int, 4>;
 
 /// The parts of a tetrahedron, oriented as it is. `edges`: bit e for each edge divided, a divisible
 /// set; `order`: the numbers by which divided edges take their turn, different from each other.
-/// All six edges: the eight tetrahedra of Bey (Computing 55, 1995), in an order of corners that keeps
-/// to three classes of shapes however often it is done again.
+/// All six edges: `parts_by_eight(0)`.
 std::vector<CellPart> parts_of_cell(unsigned edges, const std::array<std::uint32_t, 6>& order);
+
+/// The eight tetrahedra of Bey (Computing 55, 1995) of one whose corners are taken in another order:
+/// 0 as they stand, so that the edge inside joins the middles of 0 2 and 1 3; 1 those of 0 3 and 1 2;
+/// 2 those of 0 1 and 2 3. First the four at the corners, then those round the edge inside. Their own
+/// corners stand so that all of it done again, as they stand, keeps to three classes of shapes.
+const std::array<CellPart, 8>& parts_by_eight(int turn);
 
 /// Bits of the three edges of the face opposite to corner p.
 constexpr unsigned edges_of_face(int p) {
@@ -28,16 +33,17 @@ constexpr unsigned edges_of_face(int p) {
   return bits;
 }
 
+/// Bits of the six nodes in the face opposite to each corner.
+inline constexpr std::array<unsigned, 4> nodes_of_face = {
+    edges_of_face(0) << 4 | 0b1110U, edges_of_face(1) << 4 | 0b1101U,
+    edges_of_face(2) << 4 | 0b1011U, edges_of_face(3) << 4 | 0b0111U};
+
 /// The face (0 to 3) of the tetrahedron that three of its nodes lie in; 4 where there is none.
-constexpr int face_of_nodes(const std::array<int, 3>& nodes) {
-  for (int p = 0; p < 4; ++p) {
-    bool lies_in_it = true;
-    for (const int n : nodes) {
-      lies_in_it = lies_in_it && (n < 4 ? n != p : (edges_of_face(p) >> (n - 4) & 1) != 0);
-    }
-    if (lies_in_it) return p;
-  }
-  return 4;
+inline int face_of_nodes(const std::array<int, 3>& nodes) {
+  const unsigned bits = 1U << nodes[0] | 1U << nodes[1] | 1U << nodes[2];
+  int p = 0;
+  while (p < 4 && (bits & ~nodes_of_face[static_cast<std::size_t>(p)]) != 0) ++p;
+  return p;
 }
 
 }  // namespace sunder

@@ -23,10 +23,12 @@ struct PlaneCut {
 /// afterwards, and the section is made of whole faces. They stay sewn: `split_face` parts them.
 ///
 /// A vertex lies in the plane when it is within rounding of it (8 units in the last place of the
-/// terms of its distance) or nearer than 1e-12 of an edge that would be divided, which no number could
-/// tell from its end. Volumes are kept to rounding.
+/// terms of its distance) or nearer than `tolerance` times an edge that would be divided; 1e-12 is what
+/// hardly a number could tell from its end. The volume of the whole is kept to rounding at any
+/// tolerance, that of each side as far as the section goes through points beside the plane.
+/// Needs: `tolerance` from 0 to below a half.
 /// Errors: `not_a_direction`, also for an offset that is not finite. O(|T|).
 template <CellKernel K>
-Result<PlaneCut> cut_cells(K& map, const CuttingPlane& plane);
+Result<PlaneCut> cut_cells(K& map, const CuttingPlane& plane, double tolerance = 1e-12);
 
 }  // namespace sunder

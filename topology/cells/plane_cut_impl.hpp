@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "topology/base/assert.hpp"
 #include "topology/base/point_math.hpp"
 #include "topology/cells/plane_cut.hpp"
 #include "topology/cells/subdivide_impl.hpp"
@@ -31,10 +32,11 @@ inline std::vector<double> distances(std::span<const Point> points, const Cuttin
 namespace sunder {
 
 template <CellKernel K>
-Result<PlaneCut> cut_cells(K& map, const CuttingPlane& plane) {
+Result<PlaneCut> cut_cells(K& map, const CuttingPlane& plane, double tolerance) {
   if constexpr (HasAnswers<K>) {
-    return answer(map, [&](auto& kernel) { return cut_cells(kernel, plane); });
+    return answer(map, [&](auto& kernel) { return cut_cells(kernel, plane, tolerance); });
   } else {
+    SUNDER_ASSERT(tolerance >= 0 && tolerance < 0.5, "a part of an edge that leaves its middle");
     if (!read_plane(plane)) return detail::not_a_direction();
     std::vector<double> distance = detail::distances(map.points(), plane);
     const auto at = [&](VertexId v) -> double& { return distance[map.point_of_vertex(v)]; };
@@ -48,13 +50,15 @@ Result<PlaneCut> cut_cells(K& map, const CuttingPlane& plane) {
     };
     const EdgeRows edges = edge_rows(map);
     // First the ends that an edge would be divided at, then the edges that still cross.
+    std::vector<VertexId> near;
     for (const auto& [t, e] : edges.first) {
       const auto rows = ends(t, e);
       if (!crosses(rows)) continue;
       const double a = std::abs(at(rows[0])), b = std::abs(at(rows[1]));
-      if (a <= 1e-12 * (a + b)) at(rows[0]) = 0;
-      if (b <= 1e-12 * (a + b)) at(rows[1]) = 0;
+      if (a <= tolerance * (a + b)) near.push_back(rows[0]);
+      if (b <= tolerance * (a + b)) near.push_back(rows[1]);
     }
+    for (const VertexId v : near) at(v) = 0;
     PlaneCut cut;
     for (std::size_t v = 0; v < map.vertices(); ++v) {
       cut.on_plane += !map.incident_tetrahedron(VertexId{v}).is_none() && at(VertexId{v}) == 0;
@@ -82,7 +86,7 @@ Result<PlaneCut> cut_cells(K& map, const CuttingPlane& plane) {
       if (other.is_none() || side(t) <= 0) continue;
       const auto rows = corners_of_face(map.corners(t), face);
       const bool lies_in_it = at(rows[0]) == 0 && at(rows[1]) == 0 && at(rows[2]) == 0;
-      if (lies_in_it && side(tetrahedron_of(other)) < 0) cut.faces.push_back(face);
+      if (lies_in_it && side(tetrahedron_of(other)) <= 0) cut.faces.push_back(face);
     }
     return cut;
   }

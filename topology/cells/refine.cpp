@@ -16,6 +16,8 @@ struct Origin {
   std::size_t level = red;
   TetId parent;
   TetId root;
+  /// One of eight, whose corners stand so that its shapes stay few.
+  bool is_one_of_eight = false;
 };
 
 /// Tetrahedra that divided into other than eight gave their children the origin `level`.
@@ -24,7 +26,7 @@ void note_origins(std::vector<Origin>& origins, const CellEdit& edit, std::size_
     while (end < edit.cells.size() && edit.cells[end].parent == edit.cells[i].parent) ++end;
     const TetId root = origins[edit.cells[i].parent.index()].root;
     const Origin origin =
-        end - i == 8 ? Origin{red, {}, root} : Origin{level, edit.cells[i].parent, root};
+        end - i == 8 ? Origin{red, {}, root, true} : Origin{level, edit.cells[i].parent, root};
     for (std::size_t k = i; k < end; ++k) {
       const std::size_t row = edit.cells[k].tetrahedron.index();
       if (row >= origins.size()) origins.resize(row + 1);
@@ -39,20 +41,25 @@ class Levels {
       : map_(map), wanted_(wanted), forced_(levels) {
     origins_.emplace_back();
     for (std::size_t t = 0; t < map.tetrahedra(); ++t) origins_[0].push_back({red, {}, TetId{t}});
-    while (done_.size() < levels) make_next();
+    while (done_.size() < levels && make_next()) {
+    }
   }
 
   std::vector<RefinedLevel> done() && { return std::move(done_); }
 
  private:
-  void make_next() {
+  /// False: it would be too many tetrahedra.
+  bool make_next() {
     const std::size_t level = done_.size();
     std::set<TetId> marked = forced_[level];
     for (std::size_t t = 0; t < map_.tetrahedra(); ++t) {
       if (wanted_(map_, TetId{t}, origins_[level][t].root)) marked.insert(TetId{t});
     }
     const std::vector<TetId> list(marked.begin(), marked.end());
-    RefinedLevel made = refine_marked(map_, list);
+    if (map_.tetrahedra() + 7 * list.size() > most_refined) return false;
+    std::vector<char> as_they_stand;
+    for (const Origin& from : origins_[level]) as_they_stand.push_back(from.is_one_of_eight);
+    RefinedLevel made = refine_marked(map_, list, as_they_stand);
     std::size_t back = red;  // the lowest level on which a green one was divided
     for (const ChildCell& cell : made.edit.cells) {
       back = std::min(back, origins_[level][cell.parent.index()].level);
@@ -61,7 +68,7 @@ class Levels {
       origins_.push_back(origins_[level]);
       note_origins(origins_.back(), made.edit, level);
       done_.push_back(std::move(made));
-      return;
+      return true;
     }
     for (const ChildCell& cell : made.edit.cells) {
       const Origin& from = origins_[level][cell.parent.index()];
@@ -74,6 +81,7 @@ class Levels {
       origins_.pop_back();
     }
     for (std::size_t k = back + 1; k < forced_.size(); ++k) forced_[k].clear();
+    return true;
   }
 
   VolumeMap& map_;

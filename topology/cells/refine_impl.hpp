@@ -9,8 +9,6 @@
 
 namespace sunder::detail {
 
-inline constexpr unsigned all_edges = 63;
-
 /// Sets of edges that a green tetrahedron may have: one, two, or the three of a face.
 inline bool is_green(unsigned edges) {
   for (int p = 0; p < 4; ++p) {
@@ -49,9 +47,10 @@ struct Closure {
 namespace sunder {
 
 template <CellKernel K>
-RefinedLevel refine_marked(K& map, std::span<const TetId> marked) {
+RefinedLevel refine_marked(K& map, std::span<const TetId> marked,
+                           std::span<const char> as_they_stand) {
   if constexpr (HasAnswers<K>) {
-    return answer(map, [&](auto& kernel) { return refine_marked(kernel, marked); });
+    return answer(map, [&](auto& kernel) { return refine_marked(kernel, marked, as_they_stand); });
   } else {
     const EdgeRows edges = edge_rows(map);
     const detail::Closure closure(map, edges, marked);
@@ -64,7 +63,7 @@ RefinedLevel refine_marked(K& map, std::span<const TetId> marked) {
     for (std::size_t row = 0; row < edges.first.size(); ++row) {
       if (closure.is_marked[row] != 0) marks.push_back({edges.first[row], 0.5});
     }
-    level.edit = divide_edges(map, marks);
+    level.edit = divide_edges(map, marks, as_they_stand);
     return level;
   }
 }

@@ -57,16 +57,22 @@ bool is_divisible(unsigned edges);
 /// sides, those of a crack as well when both sides are marked: their new vertices have one point.
 ///
 ///     one edge          two edges               a face             all (Bey 1995)
-///        /|\          /|\  the lower point     /\                 4 corners, and 4 round the
+///        /|\          /|\  the lower point     /\                 4 corners, and 4 round an
 ///       / | \        / |_\ first               /__\               edge between the middles of
-///      /  |  \      /__|/ \                   /\  /\              0 2 and 1 3
+///      /  |  \      /__|/ \                   /\  /\              two opposite ones
 ///
+/// The edge inside one divided into eight is the one of three that gives the best least radius ratio
+/// inside, the one that its corners tell (cell_templates.hpp) unless another is better by 1e-9; with a 1
+/// in `as_they_stand`, by rows of tetrahedra, the one that they tell. Parts of eight that are divided
+/// again as they stand have three shapes at most with their parent (Bey).
 /// New vertices are appended in the order of `marks`, points likewise; the first child of a tetrahedron
 /// keeps its row, the others are appended in the order of parents. Children are oriented as parents.
-/// Needs: each edge marked once, sets that `is_divisible`, weights inside (0, 1).
+/// Needs: each edge marked once, sets that `is_divisible`, weights inside (0, 1); `as_they_stand` for
+/// all tetrahedra or for none.
 /// O(tetrahedra round the edges).
 template <CellKernel K>
-CellEdit divide_edges(K& map, std::span<const EdgeMark> marks);
+CellEdit divide_edges(K& map, std::span<const EdgeMark> marks,
+                      std::span<const char> as_they_stand = {});
 
 /// One vertex in one edge: every tetrahedron round it is bisected. `weight` as in `EdgeMark`.
 template <CellKernel K>

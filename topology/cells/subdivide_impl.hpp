@@ -11,8 +11,11 @@
 #include "topology/cells/cell_templates.hpp"
 #include "topology/cells/edges_impl.hpp"
 #include "topology/cells/subdivide.hpp"
+#include "topology/mesh/radius_ratio.hpp"
 
 namespace sunder::detail {
+
+inline constexpr unsigned all_edges = 63;
 
 /// A tetrahedron that is divided.
 struct DividedCell {
@@ -34,8 +37,10 @@ struct DividedPart {
 template <CellKernel K>
 class Division {
  public:
-  Division(const K& map, std::span<const EdgeMark> marks)
-      : map_(map), change_{map.points().size(), map.vertices(), map.tetrahedra(), {}, {}, {}, {}} {
+  Division(const K& map, std::span<const EdgeMark> marks, std::span<const char> as_they_stand)
+      : map_(map),
+        as_they_stand_(as_they_stand),
+        change_{map.points().size(), map.vertices(), map.tetrahedra(), {}, {}, {}, {}} {
     add_vertices(marks);
     make_parts();
     for (std::uint32_t i = 0; i < parts_.size(); ++i) write(parts_[i]);
@@ -107,11 +112,43 @@ class Division {
         order[e] = change_.vertices[cell.middles[e].index() - change_.kept_vertices];
       }
       cell.first = parts_.size();
-      for (const CellPart& nodes : parts_of_cell(edges, order)) {
+      const auto add = [&](const CellPart& nodes) {
         const bool is_first = parts_.size() == cell.first;
         parts_.push_back({nodes, is_first ? cell.row : TetId{appended++}, i});
+      };
+      if (edges == all_edges) {
+        std::ranges::for_each(parts_by_eight(turn_of(cell)), add);
+      } else {
+        std::ranges::for_each(parts_of_cell(edges, order), add);
       }
     }
+  }
+
+  /// Which edge inside one that becomes eight: see divide_edges.
+  int turn_of(const DividedCell& cell) const {
+    if (!as_they_stand_.empty() && as_they_stand_[cell.row.index()] != 0) return 0;
+    std::array<Point, 10> nodes;
+    for (int i = 0; i < 10; ++i) {
+      const VertexId v = row_of(cell, i);
+      nodes[static_cast<std::size_t>(i)] =
+          i < 4 ? map_.point(v)
+                : change_.points[change_.vertices[v.index() - change_.kept_vertices] -
+                                 change_.kept_points];
+    }
+    int best = 0;
+    double least = 0;
+    for (int turn = 0; turn < 3; ++turn) {
+      double here = 1;
+      for (std::size_t part = 4; part < 8; ++part) {
+        std::array<Point, 4> x;
+        for (std::size_t i = 0; i < 4; ++i) {
+          x[i] = nodes[static_cast<std::size_t>(parts_by_eight(turn)[part][i])];
+        }
+        here = std::min(here, radius_ratio(x));
+      }
+      if (turn == 0 || here > least * (1 + 1e-9)) best = turn, least = here;
+    }
+    return best;
   }
 
   std::span<const DividedPart> parts_of(const DividedCell& cell) const {
@@ -226,6 +263,7 @@ class Division {
   }
 
   const K& map_;
+  std::span<const char> as_they_stand_;
   CellChange change_;
   CellEdit edit_;
   std::vector<DividedCell> cells_;  // by rising rows
@@ -238,11 +276,12 @@ class Division {
 namespace sunder {
 
 template <CellKernel K>
-CellEdit divide_edges(K& map, std::span<const EdgeMark> marks) {
+CellEdit divide_edges(K& map, std::span<const EdgeMark> marks,
+                      std::span<const char> as_they_stand) {
   if constexpr (HasAnswers<K>) {
-    return answer(map, [&](auto& kernel) { return divide_edges(kernel, marks); });
+    return answer(map, [&](auto& kernel) { return divide_edges(kernel, marks, as_they_stand); });
   } else {
-    return detail::Division<K>(map, marks).carry_out(map);
+    return detail::Division<K>(map, marks, as_they_stand).carry_out(map);
   }
 }
 

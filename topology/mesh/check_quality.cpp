@@ -6,6 +6,7 @@
 
 #include "topology/base/point_math.hpp"
 #include "topology/kernel/kernel.hpp"
+#include "topology/mesh/radius_ratio.hpp"
 #include "topology/mesh/survey.hpp"
 
 namespace sunder {
@@ -26,12 +27,12 @@ struct Shape {
   double volume = 0;                 // six times, without sign
 };
 
-Shape shape_of(const TetMesh& mesh, const std::array<std::uint32_t, 4>& t) {
+Shape shape_of(const std::array<Point, 4>& corners) {
   Shape s;
   std::array<Point, 4> x;
   double widest = 0;
   for (int i = 0; i < 4; ++i) {
-    x[i] = difference(mesh.points[t[i]], mesh.points[t[0]]);
+    x[i] = difference(corners[i], corners[0]);
     for (const double v : x[i]) widest = std::max(widest, std::abs(v));
   }
   int exponent = 0;
@@ -52,6 +53,12 @@ Shape shape_of(const TetMesh& mesh, const std::array<std::uint32_t, 4>& t) {
   }
   s.volume = std::abs(dot(s.normal[0], difference(x[0], x[1])));
   return s;
+}
+
+std::array<Point, 4> corners_of(const TetMesh& mesh, std::uint32_t t) {
+  std::array<Point, 4> x;
+  for (int i = 0; i < 4; ++i) x[i] = mesh.points[mesh.tetrahedra[t][i]];
+  return x;
 }
 
 /// 3 r / R: with r = 3 V / S and R = sqrt(q) / (24 V), where S is the surface and q the product
@@ -106,6 +113,8 @@ void measure_angles(const Shape& s, std::uint32_t t, Angles& smallest, Angles& l
 
 }  // namespace
 
+double radius_ratio(const std::array<Point, 4>& corners) { return radius_ratio(shape_of(corners)); }
+
 std::optional<Quality> quality_of(const Survey& survey) {
   constexpr double none = std::numeric_limits<double>::infinity();
   Quality q;
@@ -116,7 +125,7 @@ std::optional<Quality> quality_of(const Survey& survey) {
   const TetMesh& mesh = survey.mesh;
   for (std::uint32_t t = 0; t < mesh.tetrahedra.size(); ++t) {
     if (!survey.usable[t]) continue;
-    const Shape s = shape_of(mesh, mesh.tetrahedra[t]);
+    const Shape s = shape_of(corners_of(mesh, t));
     if (!std::isfinite(s.unit) || !std::isfinite(s.edge[0])) continue;
     ++measured;
     const double ratio = radius_ratio(s);
@@ -133,7 +142,7 @@ std::optional<Quality> quality_of(const Survey& survey) {
   if (measured == 0) return std::nullopt;
   q.mean_radius_ratio /= static_cast<double>(measured);
   const auto angle_at = [&](const Angles& a) {
-    const Shape s = shape_of(mesh, mesh.tetrahedra[a.tetrahedron]);
+    const Shape s = shape_of(corners_of(mesh, a.tetrahedron));
     return Extreme{angle(s, a.i, a.j), a.tetrahedron};
   };
   // No face with an area at all: every angle is one of a flat tetrahedron.

@@ -18,8 +18,11 @@ namespace {
 constexpr const char* footer = R"(
 With --exact the tetrahedra that the plane passes through are divided by it: the section is flat, and
 each side keeps its volume to rounding. A plane that nearly passes through a point leaves thin
-tetrahedra there (the table tells the least radius ratio); a point is taken to lie in the plane when
-no edge's middle could be told from it. Without --exact the cut follows the faces between tetrahedra
+tetrahedra there (the table tells the least radius ratio). A point is taken to lie in the plane when
+an edge would be divided nearer to it than --tolerance times that edge: at the default, 1e-12, only
+where hardly a number could tell both apart; at 1e-6 nothing is left that `sunder check` calls flat or
+close, the section is flat to a millionth of an edge, and the sides' volumes are out by as much
+there. Without --exact the cut follows the faces between tetrahedra
 with their centres on different sides, and no tetrahedron changes.
 Points of the section are copied where the sides come apart; each side has its own. Triangles, edges,
 regions, entities and data go along as in `sunder refine`.
@@ -30,18 +33,29 @@ has no map, 4 OUT not written.
 Examples:
   sunder cut body.msh halves.msh --plane 1,0,0,0.5 --exact
   sunder cut body.msh halves.vtu --plane 0,0,1,0 --exact --share mass --json
+  sunder cut body.msh halves.msh --plane 0,1,0,0.2 --exact --tolerance 1e-6
 )";
 
 struct CutArguments : DivideArguments {
   std::string plane;
   bool exact = false;
+  double tolerance = 1e-12;
 };
 
+/// How near to an end of its edge a new vertex lies, as a part of the edge; 1/2 when there is none.
+double nearest_to_an_end(const CellEdit& edit) {
+  double nearest = 0.5;
+  for (const MiddleVertex& v : edit.vertices) {
+    nearest = std::min({nearest, v.weight, 1 - v.weight});
+  }
+  return nearest;
+}
+
 /// Divides the tetrahedra by the plane; gives the faces to cut, by the rows of the mesh.
-Result<CutFaces> exact_faces(const CuttingPlane& plane, DividedMesh& body,
+Result<CutFaces> exact_faces(const CuttingPlane& plane, double tolerance, DividedMesh& body,
                              const std::set<std::string>& shared, std::string& lines,
                              nlohmann::ordered_json& json) {
-  const auto cut = cut_cells(body.map, plane);
+  const auto cut = cut_cells(body.map, plane, tolerance);
   if (!cut) return cut.findings.front();
   const DividedFile file = divide_file(body.mesh, body.map, std::span(&cut->edit, 1), shared);
   CutFaces faces;
@@ -55,6 +69,14 @@ Result<CutFaces> exact_faces(const CuttingPlane& plane, DividedMesh& body,
   json["divided"] = file.divided[3];
   json["new_vertices"] = cut->edit.vertices.size();
   json["on_plane"] = cut->on_plane;
+  const double nearest = nearest_to_an_end(cut->edit);
+  json["nearest_to_an_end"] = nearest;
+  if (nearest < 1e-6) {
+    lines += fmt::format(
+        "an edge was divided at {:.1e} of its length: --tolerance 1e-6 takes its end for a point in the "
+        "plane\n",
+        nearest);
+  }
   return faces;
 }
 
@@ -69,7 +91,7 @@ ExitCode run_cut(const CutArguments& arguments) {
   nlohmann::ordered_json json;
   Result<CutFaces> faces;
   if (arguments.exact) {
-    faces = exact_faces(plane, *body, *shared, lines, json);
+    faces = exact_faces(plane, arguments.tolerance, *body, *shared, lines, json);
   }
   const Result<FaceLinks> links = face_links(body->mesh);
   if (!links) return refuse(arguments, links.findings, ExitCode::bad_input);
@@ -109,7 +131,14 @@ void add_cut_command(CLI::App& program, ExitCode& exit_code) {
       ->type_name("NX,NY,NZ,D")
       ->check(CLI::Validator(check_plane, "", "plane"))
       ->required();
-  command->add_flag("--exact", arguments->exact, "Divide the tetrahedra that the plane meets");
+  CLI::Option* exact =
+      command->add_flag("--exact", arguments->exact, "Divide the tetrahedra that the plane meets");
+  command
+      ->add_option("--tolerance", arguments->tolerance,
+                   "Part of an edge: no edge is divided nearer to its end (default 1e-12)")
+      ->type_name("PART")
+      ->check(CLI::Range(0.0, 0.01))
+      ->needs(exact);
   command->footer(footer);
   command->callback([=, &exit_code] { exit_code = run_cut(*arguments); });
 }

@@ -29,7 +29,7 @@ Triangles, edges, regions, entities and data go along: points on edges get numbe
 ends' (whole numbers: the nearer end's), parts get what their parent had (--share: by volume).
 Points of before keep their rows; both sides of a crack are divided alike.
 
-Exit codes: 0 written, 2 usage, 3 the mesh cannot be read or has no map, 4 OUT not written.
+Exit codes: 0 written, 2 usage (also a choice of no tetrahedron), 3 the mesh cannot be read or has no map, 4 OUT not written.
 
 Examples:
   sunder refine body.msh fine.msh
@@ -123,6 +123,13 @@ void tell(const std::vector<RefinedLevel>& levels, const DividedFile& file, std:
   json["numbers_added"] = file.numbers_added;
 }
 
+Finding too_many(std::size_t levels) {
+  return {.code = "too_many_tetrahedra",
+          .text = fmt::format("the levels make more than {} tetrahedra", most_refined),
+          .remedy = levels == 0 ? std::string("each level of all makes eight times as many: give fewer")
+                                : fmt::format("{} levels are within that", levels)};
+}
+
 ExitCode run_refine(const RefineArguments& arguments) {
   Result<DividedMesh> body = read_to_divide(arguments.in, arguments.kernel);
   if (!body) return refuse(arguments, body.findings, ExitCode::bad_input);
@@ -130,6 +137,11 @@ ExitCode run_refine(const RefineArguments& arguments) {
   if (!shared) return refuse(arguments, shared.findings, ExitCode::usage);
   const auto wanted = choices(arguments, *body);
   if (!wanted) return refuse(arguments, wanted.findings, ExitCode::usage);
+  const double uniform = std::pow(8.0, static_cast<double>(arguments.levels));
+  if (wanted->empty() &&
+      uniform * static_cast<double>(body->map.tetrahedra()) > static_cast<double>(most_refined)) {
+    return refuse(arguments, {too_many(0)}, ExitCode::usage);
+  }
   const std::vector<RefinedLevel> levels =
       refine(body->map, arguments.levels, [&](const VolumeMap& map, TetId t, TetId of) {
         return wanted->empty() ||
@@ -137,6 +149,15 @@ ExitCode run_refine(const RefineArguments& arguments) {
                  return is_wanted(map, t, of);
                });
       });
+  if (levels.size() < arguments.levels) return refuse(arguments, {too_many(levels.size())}, ExitCode::usage);
+  if (std::ranges::none_of(levels, [](const RefinedLevel& l) { return l.red > 0; })) {
+    return refuse(arguments,
+                  {{.code = "nothing_chosen",
+                    .text = "no tetrahedron is near what was named",
+                    .remedy = "`sunder check` tells where the body lies; give another plane, or a larger "
+                              "--within"}},
+                  ExitCode::usage);
+  }
   std::vector<CellEdit> edits;
   for (const RefinedLevel& level : levels) edits.push_back(level.edit);
   const DividedFile file = divide_file(body->mesh, body->map, edits, *shared);
@@ -148,6 +169,13 @@ ExitCode run_refine(const RefineArguments& arguments) {
 
 std::string check_plane(const std::string& list) {
   return numbers_of(list, 4) ? "" : "'" + list + "' is not NX,NY,NZ,D: four numbers";
+}
+
+std::string check_distance(const std::string& word) {
+  const auto number = numbers_of(word, 1);
+  return number && number->front() >= 0 && std::isfinite(number->front())
+             ? ""
+             : "'" + word + "' is no distance: a number of metres, 0 or more";
 }
 
 }  // namespace
@@ -176,7 +204,7 @@ void add_refine_command(CLI::App& program, ExitCode& exit_code) {
       ->add_option("--within", arguments->within,
                    "How near is near to the plane or crack, m (default 0: those that meet it)")
       ->type_name("DISTANCE")
-      ->check(CLI::NonNegativeNumber)
+      ->check(CLI::Validator(check_distance, "", "distance"))
       ->check(CLI::Validator(
           [plane, crack](const std::string&) {
             return plane->count() + crack->count() > 0

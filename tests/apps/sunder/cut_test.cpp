@@ -149,6 +149,23 @@ TEST_CASE("cut: exactly and along faces", "[apps][cells]") {
   CHECK(along.json()["points_copied"] == 39);
 }
 
+TEST_CASE("cut: a plane that nearly passes through points, and the tolerance", "[apps][cells]") {
+  const Workplace here;
+  const std::string out = here.path("out.vtu"), plane = "1,0,0,0.500000001";
+  const Outcome thin = here.run({"cut", bar, out, "--plane", plane, "--exact", "--json"});
+  REQUIRE(thin.exit_code == 0);
+  CHECK(thin.json()["nearest_to_an_end"].get<double>() < 1e-6);
+  CHECK(thin.json()["on_plane"] == 0);
+  const Outcome told = here.run({"cut", bar, out, "--plane", plane, "--exact"});
+  CHECK(told.out.find("--tolerance 1e-6") != std::string::npos);
+  const Outcome clean =
+      here.run({"cut", bar, out, "--plane", plane, "--exact", "--tolerance", "1e-6", "--json"});
+  REQUIRE(clean.exit_code == 0);
+  CHECK(clean.json()["on_plane"].get<int>() > 0);
+  CHECK(clean.json()["after"]["components"] == 2);
+  CHECK(here.run({"check", out}).exit_code == 0);
+}
+
 TEST_CASE("refine and cut: what cannot be is refused in words", "[apps][cells]") {
   const Workplace here;
   const std::string out = here.path("out.msh");
@@ -164,10 +181,15 @@ TEST_CASE("refine and cut: what cannot be is refused in words", "[apps][cells]")
   refused({"refine", bar, out, "--within", "1"}, 2, "nothing to be near to");
   refused({"refine", bar, out, "--levels", "0"}, 2, "levels");
   refused({"refine", bar, out, "--crack"}, 2, "no two boundary faces");
+  refused({"refine", bar, out, "--levels", "12"}, 2, "more than 134217728");
+  refused({"refine", bar, out, "--plane", "1,0,0,77"}, 2, "no tetrahedron is near");
+  refused({"refine", bar, out, "--plane", "1,0,0,0.5", "--within", "-1"}, 2, "0 or more");
   refused({"refine", bar, out, "--share", "mass"}, 2, "mass");
   refused({"cut", bar, out, "--plane", "0,0,0,1", "--exact"}, 2, "normal");
   refused({"cut", bar, out, "--plane", "1,0,0,77", "--exact"}, 2, "offset");
   refused({"cut", bar, out, "--plane", "1,0,0", "--exact"}, 2, "four numbers");
   refused({"cut", bar, out}, 2, "--plane");
+  refused({"cut", bar, out, "--plane", "1,0,0,0.5", "--exact", "--tolerance", "0.3"}, 2, "0.01");
+  refused({"cut", bar, out, "--plane", "1,0,0,0.5", "--tolerance", "1e-6"}, 2, "--exact");
   CHECK(here.run({"cut", bar, "/nowhere/out.msh", "--plane", "1,0,0,0.5"}).exit_code == 4);
 }

@@ -27,10 +27,15 @@ bool lies_on(const Triple& whole, std::uint32_t point, const std::map<std::uint3
   return m == middle.end() ? has(point) : has(m->second.first) && has(m->second.second);
 }
 
-std::vector<Tet> parts(const Tet& t, const std::map<Pair, std::uint32_t>& middles) {
+std::vector<Tet> parts(Tet t, const std::map<Pair, std::uint32_t>& middles,
+                       const std::set<Pair>& inner) {
   const auto m = [&](std::size_t a, std::size_t b) {
     return middles.at(std::minmax(t[a], t[b]));
   };
+  for (int turn = 0; middles.size() == 6 && turn < 3; ++turn) {
+    if (inner.contains(std::minmax(m(0, 2), m(1, 3)))) break;
+    std::rotate(t.begin() + 1, t.begin() + 2, t.end());
+  }
   if (middles.size() == 6) {  // Bey's list as he writes it
     return {{t[0], m(0, 1), m(0, 2), m(0, 3)},       {m(0, 1), t[1], m(1, 2), m(1, 3)},
             {m(0, 2), m(1, 2), t[2], m(2, 3)},       {m(0, 3), m(1, 3), m(2, 3), t[3]},
@@ -137,7 +142,8 @@ std::set<std::uint32_t> closed_edges(const std::vector<std::array<std::uint32_t,
   return edges;
 }
 
-bool divide(CellTwin& twin, const std::set<std::uint32_t>& edges, const MiddleNames& names) {
+bool divide(CellTwin& twin, const std::set<std::uint32_t>& edges, const MiddleNames& names,
+            const std::set<Pair>& inner) {
   const auto classes = edge_classes(twin);
   std::vector<Tet> after;
   for (std::size_t t = 0; t < twin.tetrahedra.size(); ++t) {
@@ -151,7 +157,7 @@ bool divide(CellTwin& twin, const std::set<std::uint32_t>& edges, const MiddleNa
       middles[pair] = name->second;
       ends_of[name->second] = pair;
     }
-    const std::vector<Tet> made = parts(twin.tetrahedra[t], middles);
+    const std::vector<Tet> made = parts(twin.tetrahedra[t], middles, inner);
     for (std::size_t p = 0; p < 4; ++p) {
       Triple whole;
       for (std::size_t i = 0, n = 0; i < 4; ++i) {

@@ -34,8 +34,10 @@ std::set<std::uint32_t> closed_edges(const std::vector<std::array<std::uint32_t,
 /// Names of new points by the two points that they lie between.
 using MiddleNames = std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>;
 
-/// Divides the classes `edges`; false when a name is missing.
-bool divide(CellTwin& twin, const std::set<std::uint32_t>& edges, const MiddleNames& names);
+/// Divides the classes `edges`; false when a name is missing. `inner`: edges that the map has now, which
+/// tell the one of three inside each tetrahedron that becomes eight.
+bool divide(CellTwin& twin, const std::set<std::uint32_t>& edges, const MiddleNames& names,
+            const std::set<std::pair<std::uint32_t, std::uint32_t>>& inner);
 
 /// The tetrahedra, each with its points sorted, sorted: equal for equal complexes.
 std::vector<std::array<std::uint32_t, 4>> as_set(

@@ -3,6 +3,7 @@
 #include "topology/cells/plane_cut.hpp"
 
 #include <cmath>
+#include <optional>
 
 #include "tests/support/built.hpp"
 
@@ -97,4 +98,74 @@ TEST_CASE("a plane that is none is refused", "[topology][cells]") {
   CHECK_FALSE(cut_cells(map, {{0, 0, 0}, 1}));
   CHECK_FALSE(cut_cells(map, {{0, 0, 1}, std::nan("")}));
   CHECK(cut_cells(map, {{0, 0, 0}, 1}).findings[0].code == "not_a_direction");
+}
+
+TEST_CASE("a plane through points but for rounding passes through them", "[topology][cells]") {
+  // 0.1, 0.2, 0.30000000000000004, ...: the sums of most are off the plane by a few units in the last place.
+  VolumeMap map = built(kuhn_box({4, 4, 4}, 0.1));
+  std::size_t expected = 0;
+  for (int i = 0; i <= 4; ++i) {
+    for (int j = 0; j <= 4; ++j) expected += i + j <= 7 && i + j >= 3;
+  }
+  const auto cut = cut_cells(map, {{1, 1, 1}, 0.1 * 7});
+  REQUIRE(cut);
+  CHECK(cut->on_plane == expected);
+  // A plane that only touches: no edge crosses it, the tolerance alone finds the corner.
+  VolumeMap corner = built(kuhn_box({3, 3, 3}, 0.1));
+  const auto touch = cut_cells(corner, {{1, 1, 1}, 0.9 + 5e-16});
+  REQUIRE(touch);
+  CHECK(touch->on_plane == 1);
+  CHECK(touch->edit.vertices.empty());
+}
+
+TEST_CASE("an edge is not divided at its end", "[topology][cells]") {
+  for (const double offset : {1e-14, -1e-14}) {
+    VolumeMap map = built(kuhn_box({2, 2, 2}, 0.5));
+    const Cells5 before = cells(map);
+    const auto cut = cut_cells(map, {{0, 1, 0}, 0.5 + offset});
+    REQUIRE(cut);
+    CHECK(cut->on_plane == 9);
+    CHECK(cut->faces.size() == 8);
+    CHECK(cells(map) == before);
+  }
+}
+
+TEST_CASE("vertices that were glued together lie in the plane once", "[topology][cells]") {
+  VolumeMap map = built(open_fan(3));
+  std::vector<std::array<HalfFaceId, 2>> sides;
+  for (const HalfFaceId f : interior_faces(map)) sides.push_back({f, map.neighbour(f)});
+  for (const auto& [f, g] : sides) REQUIRE(split_face(map, f).did);
+  REQUIRE(glue_face(map, sides[0][0], sides[0][1]).refusal == GlueRefusal::none);
+  // A plane through a row that is retired now.
+  std::optional<double> height;
+  for (std::size_t v = 0; v < map.vertices(); ++v) {
+    if (map.incident_tetrahedron(VertexId{v}).is_none()) height = map.point(VertexId{v})[2];
+  }
+  REQUIRE(height);
+  std::size_t expected = 0;
+  for (std::size_t v = 0; v < map.vertices(); ++v) {
+    expected += !map.incident_tetrahedron(VertexId{v}).is_none() &&
+                map.point(VertexId{v})[2] == *height;
+  }
+  const auto cut = cut_cells(map, {{0, 0, 1}, *height});
+  REQUIRE(cut);
+  CHECK(cut->on_plane == expected);
+}
+
+TEST_CASE("a flat tetrahedron that lies in the plane goes with what is beneath", "[topology][cells]") {
+  TetMesh mesh;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 1}, {0.5, 0.5, -1}};
+  mesh.tetrahedra = {{0, 1, 2, 3}, {0, 1, 2, 4}, {0, 2, 3, 4}, {1, 0, 3, 5}, {2, 1, 3, 5}};
+  for (const double up : {1.0, -1.0}) {
+    VolumeMap map = built(mesh);
+    const auto cut = cut_cells(map, {{0, 0, up}, 0});
+    REQUIRE(cut);
+    CHECK(cut->edit.vertices.empty());
+    REQUIRE(cut->faces.size() == 2);
+    for (const HalfFaceId f : cut->faces) {
+      CHECK(tetrahedron_of(map.neighbour(f)) == TetId{0});
+      split_face(map, f);
+    }
+    CHECK(count_cells(map).components == 2);
+  }
 }

@@ -72,8 +72,8 @@ struct Before {
 
 class Trial {
  public:
-  Trial(const TetMesh& mesh, std::mt19937_64& random, RandomCells& report)
-      : random_(random), report_(report),
+  Trial(const TetMesh& mesh, std::mt19937_64& random, RandomCells& report, const CellWatch& watch)
+      : random_(random), report_(report), watch_(watch),
         darts_(*build_map(mesh, Severity::warning, MapKernel::lcc).value),
         dense_(*build_map(mesh, Severity::warning, MapKernel::dense).value) {
     follow_rows();
@@ -89,7 +89,7 @@ class Trial {
       columns_.nearest.push_back(static_cast<std::uint32_t>(v));
     }
     start_ = columns_;
-    counts_ = count_cells(darts_);
+    compare(CellMoment::After::beginning);
   }
 
   void step() {
@@ -127,13 +127,25 @@ class Trial {
     return names;
   }
 
+  std::set<std::pair<std::uint32_t, std::uint32_t>> edges_of_points() const {
+    std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+    for (const auto& corners : darts_.corners()) {
+      for (const auto& [i, j] : edge_ends) {
+        edges.insert(std::minmax(darts_.point_of_vertex(corners[static_cast<std::size_t>(i)]),
+                                 darts_.point_of_vertex(corners[static_cast<std::size_t>(j)])));
+      }
+    }
+    return edges;
+  }
+
   /// After an operation that divided `edges` (the twin's classes) on both kernels.
   void compare_division(const CellEdit& edit, const CellEdit& other,
                         const std::set<std::uint32_t>& edges) {
     require(edit.vertices.size() == edges.size(), "as many new vertices as edges divided");
-    require(divide(twin_, edges, names_of(edit)), "every divided edge has a name");
+    require(divide(twin_, edges, names_of(edit), edges_of_points()),
+            "every divided edge has a name");
     const Counts before = counts_;
-    compare();
+    compare(CellMoment::After::division);
     require(counts_.euler_characteristic == before.euler_characteristic &&
                 counts_.betti == before.betti && counts_.components == before.components &&
                 counts_.boundary_sheets == before.boundary_sheets &&
@@ -178,7 +190,7 @@ class Trial {
   }
 
   /// Kernels against each other and against the twin.
-  void compare() {
+  void compare(CellMoment::After after) {
     require(rows_of(darts_) == rows_of(dense_), "both kernels have the same rows");
     const std::vector<Finding> damage = check(darts_);
     require(damage.empty(), damage.empty() ? "" : damage.front().text);
@@ -195,6 +207,9 @@ class Trial {
                                   c.boundary_faces, c.boundary_sheets},
             "as many cells as the twin");
     counts_ = c;
+    if (!watch_) return;
+    const std::string wrong = watch_({after, glue, counts_});
+    require(wrong.empty(), wrong);
   }
 
   void insert() {
@@ -295,7 +310,7 @@ class Trial {
       columns_.place.push_back(columns_.place[copy.old_row.index()]);
       columns_.nearest.push_back(columns_.nearest[copy.old_row.index()]);
     }
-    compare();
+    compare(CellMoment::After::split);
     ++report_.splits;
   }
 
@@ -308,7 +323,7 @@ class Trial {
       twin_ = before_.back().twin;
       columns_ = before_.back().columns;
       require(rows_of(darts_) == before_.back().rows, "undone to the same bytes");
-      compare();
+      compare(CellMoment::After::undo);
       before_.pop_back();
       ++report_.undone;
     }
@@ -320,13 +335,14 @@ class Trial {
       twin_ = after.back().twin;
       columns_ = after.back().columns;
       require(rows_of(darts_) == after.back().rows, "done again to the same bytes");
-      compare();
+      compare(CellMoment::After::undo);
       ++report_.redone;
     }
   }
 
   std::mt19937_64& random_;
   RandomCells& report_;
+  const CellWatch& watch_;
   VolumeMap darts_, dense_;
   CellTwin twin_;
   Columns columns_, start_;
@@ -350,7 +366,7 @@ std::vector<suite::NamedMesh> ten_bodies() {
 
 }  // namespace
 
-RandomCells random_cells(std::size_t operations, std::uint64_t seed) {
+RandomCells random_cells(std::size_t operations, std::uint64_t seed, const CellWatch& watch) {
   RandomCells report;
   std::mt19937_64 random(seed);
   const std::vector<suite::NamedMesh> bodies = ten_bodies();
@@ -361,7 +377,7 @@ RandomCells random_cells(std::size_t operations, std::uint64_t seed) {
     const suite::NamedMesh& named = bodies[body % bodies.size()];
     const std::size_t begin = done();
     try {
-      Trial trial(named.mesh, random, report);
+      Trial trial(named.mesh, random, report, watch);
       for (int i = 0; i < 60; ++i) trial.step();
     } catch (const std::runtime_error& error) {
       report.failure = fmt::format("{}, operation {} of body {} ({}): {}", seed, done() - begin, body,

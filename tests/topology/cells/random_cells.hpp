@@ -3,9 +3,25 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 
+#include "topology/kernel/counts.hpp"
+#include "topology/suite/judge/glue_twin.hpp"
+
 namespace sunder::test {
+
+/// A body as an operation has left it.
+struct CellMoment {
+  enum class After { beginning, division, split, undo };
+  After after;
+  /// As the twin has it, and as the map counts it.
+  const suite::GlueTwin& body;
+  const Counts& counts;
+};
+
+/// Looks at a moment; gives what is wrong, nothing when all is well.
+using CellWatch = std::function<std::string(const CellMoment&)>;
 
 struct RandomCells {
   /// What was wrong first, empty when nothing was.
@@ -16,7 +32,8 @@ struct RandomCells {
 
 /// At least `operations`, what is undone and done again not counted, over ten bodies. After each: rows of both kernels equal, darts equal to rows,
 /// the tetrahedra and all cells as the twin has them, Euler characteristic and Betti numbers as before
-/// (but of splits), volumes, columns by every rule, and rows as they were after undoing.
-RandomCells random_cells(std::size_t operations, std::uint64_t seed);
+/// (but of splits), volumes, columns by every rule, and rows as they were after undoing; and what
+/// `watch` says of it.
+RandomCells random_cells(std::size_t operations, std::uint64_t seed, const CellWatch& watch = {});
 
 }  // namespace sunder::test

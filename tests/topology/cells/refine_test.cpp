@@ -9,6 +9,8 @@
 
 #include "tests/support/built.hpp"
 #include "topology/cells/cell_templates.hpp"
+#include "topology/cells/refine_impl.hpp"
+#include "topology/mesh/radius_ratio.hpp"
 
 using namespace sunder;
 using namespace sunder::suite;
@@ -109,6 +111,19 @@ TEST_CASE("uniform refinement: counts by the formula", "[topology][cells]") {
   }
 }
 
+TEST_CASE("green are one edge, two, and the three of a face", "[topology][cells]") {
+  for (unsigned edges = 1; edges < 64; ++edges) {
+    bool is_face = false;  // by the corners that three edges touch
+    unsigned corners = 0;
+    for (std::size_t e = 0; e < 6; ++e) {
+      if ((edges >> e & 1) == 0) continue;
+      corners |= 1U << edge_ends[e][0] | 1U << edge_ends[e][1];
+    }
+    is_face = std::popcount(edges) == 3 && std::popcount(corners) == 3;
+    CHECK(detail::is_green(edges) == (std::popcount(edges) <= 2 || is_face));
+  }
+}
+
 TEST_CASE("a tetrahedron refined again and again has three shapes (Bey)", "[topology][cells]") {
   TetMesh mesh = one_tetrahedron();
   mesh.points = {{0, 0, 0}, {1.1, 0.1, 0.2}, {0.3, 0.9, 0.1}, {0.2, 0.25, 0.8}};
@@ -119,6 +134,44 @@ TEST_CASE("a tetrahedron refined again and again has three shapes (Bey)", "[topo
   CHECK(shapes(map).size() <= 3);
 }
 
+TEST_CASE("of three edges inside the one with the best least radius ratio, and never worse again",
+          "[topology][cells]") {
+  std::mt19937_64 random(17);
+  for (int trial = 0; trial < 50; ++trial) {
+    TetMesh mesh = one_tetrahedron();
+    for (Point& x : mesh.points) x = {unit(random), unit(random), unit(random)};
+    VolumeMap map = built(mesh);
+    map.set_kernel(MapKernel::dense);
+    const Corners whole = corners_of(map, TetId{0});
+    double expected = 0;  // by hand: the four round each edge inside
+    for (const auto& [a, b, c, d] : {std::array<std::size_t, 4>{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}}) {
+      const auto m = [&](std::size_t i, std::size_t j) {
+        Point x;
+        for (std::size_t k = 0; k < 3; ++k) x[k] = (whole[i][k] + whole[j][k]) / 2;
+        return x;
+      };
+      // The edge from the middle of a b to that of c d; round it the middles of a c, a d, b d, b c.
+      const std::array<Point, 4> ring = {m(a, c), m(a, d), m(b, d), m(b, c)};
+      double least = 1;
+      for (std::size_t i = 0; i < 4; ++i) {
+        least = std::min(least, radius_ratio({m(a, b), m(c, d), ring[i], ring[(i + 1) % 4]}));
+      }
+      expected = std::max(expected, least);
+    }
+    expected = std::min(expected, radius_ratio(whole));
+    for (const std::size_t levels : {1U, 2U, 3U}) {
+      VolumeMap fine = map;
+      refine(fine, levels, everywhere);
+      double least = 1;
+      for (std::size_t t = 0; t < fine.tetrahedra(); ++t) {
+        least = std::min(least, radius_ratio(corners_of(fine, TetId{t})));
+      }
+      CHECK(least == Approx(expected).epsilon(1e-9));
+      CHECK(shapes(fine).size() <= 3);
+    }
+  }
+}
+
 TEST_CASE("refined here and there: no green one is divided, shapes stay few", "[topology][cells]") {
   TetMesh mesh = kuhn_box({2, 2, 2});
   for (Point& x : mesh.points) x = {x[0] + 0.3 * x[1], x[1] - 0.1 * x[2], 1.2 * x[2]};
@@ -126,10 +179,11 @@ TEST_CASE("refined here and there: no green one is divided, shapes stay few", "[
   VolumeMap red = built(mesh);
   red.set_kernel(MapKernel::dense);
   std::set<std::vector<long>> allowed = shapes(red);
-  for (int level = 0; level < 2; ++level) {
-    refine(red, 1, everywhere);
-    allowed.merge(shapes(red));
-  }
+  VolumeMap once = red;
+  refine(once, 1, everywhere);
+  allowed.merge(shapes(once));
+  refine(red, 2, everywhere);
+  allowed.merge(shapes(red));
   for (std::size_t t = 0; t < red.tetrahedra(); ++t) {
     add_green_shapes(corners_of(red, TetId{t}), allowed);
   }
@@ -155,4 +209,46 @@ TEST_CASE("refined here and there: no green one is divided, shapes stay few", "[
     for (std::size_t i = done.size(); i-- > 0;) map.apply(done[i].edit.undo);
     CHECK(cells(count_cells(map)) == cells(before));
   }
+}
+
+TEST_CASE("what is wanted is asked by the tetrahedron of the beginning", "[topology][cells]") {
+  VolumeMap map = built(kuhn_box({2, 1, 1}));
+  const auto levels = refine(map, 3, [](const VolumeMap&, TetId, TetId of) { return of == TetId{11}; });
+  REQUIRE(levels.size() == 3);
+  // By hand: all that was tetrahedron 11 became eight on each level.
+  std::vector<TetId> root(12);
+  for (std::size_t t = 0; t < 12; ++t) root[t] = TetId{t};
+  for (const RefinedLevel& level : levels) {
+    for (const ChildCell& cell : level.edit.cells) {
+      if (cell.tetrahedron.index() >= root.size()) root.resize(cell.tetrahedron.index() + 1);
+      root[cell.tetrahedron.index()] = root[cell.parent.index()];
+    }
+  }
+  REQUIRE(root.size() == map.tetrahedra());
+  CHECK(std::ranges::count(root, TetId{11}) == 512);
+  CHECK(map.tetrahedra() < 512 + 12 * 64);
+}
+
+TEST_CASE("levels made anew leave nothing of what was tried", "[topology][cells]") {
+  VolumeMap map = built(jittered(kuhn_box({3, 3, 3}), 0.15, 3));
+  const Cells5 before = cells(map);
+  const auto done = refine(map, 3, [](const VolumeMap& m, TetId t, TetId) {
+    for (const VertexId v : m.corners(t)) {
+      const Point x = m.point(v);
+      double square = 0;
+      for (std::size_t i = 0; i < 3; ++i) square += (x[i] - 1.3) * (x[i] - 1.3);
+      if (square < 0.15) return true;
+    }
+    return false;
+  });
+  REQUIRE(done.size() == 3);
+  CHECK(check(map).empty());
+  std::size_t appended = before[3];  // what the levels say is what is there
+  for (const RefinedLevel& level : done) {
+    for (const ChildCell& cell : level.edit.cells) appended += cell.tetrahedron != cell.parent;
+  }
+  CHECK(map.tetrahedra() == appended);
+  for (std::size_t i = done.size(); i-- > 0;) map.apply(done[i].edit.undo);
+  CHECK(check(map).empty());
+  CHECK(cells(map) == before);
 }
