@@ -103,7 +103,7 @@ void change_splits(JudgedKernel& kernel, Change change) {
 TEST_CASE("our kernel makes no mistake in random fans on bodies of every family",
           "[suite][random]") {
   const RandomReport report = run(volume_map_kernel, 700, 1300);
-  CHECK(report.families.size() == 11);
+  CHECK(report.families.size() == 12);
   check_all_fine(report);
   std::size_t fans = 0;
   TearCounts done;
@@ -197,7 +197,7 @@ TEST_CASE("families draw the bodies they promise, all of which can be built", "[
     }
     CHECK(sizes.size() > 2);
   }
-  CHECK(body_families(6000).size() == 13);
+  CHECK(body_families(10000).size() == 15);
 }
 
 TEST_CASE("a mesh that is given becomes a family of its own", "[suite][random]") {

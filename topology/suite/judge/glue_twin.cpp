@@ -59,7 +59,9 @@ std::uint32_t edge_of(const GlueTwin& twin, std::uint32_t t, std::uint32_t a, st
 /// Whether tetrahedra a and b hang together through glued faces that contain all `points`.
 bool joined_around(const GlueTwin& twin, std::uint32_t a, std::uint32_t b,
                    const std::vector<std::uint32_t>& points) {
-  const std::vector<std::uint32_t>& star = twin.around[points[0]];
+  // All tetrahedra that have the points; those of any one of them do, the fewest are fastest.
+  const std::vector<std::uint32_t>& star = *std::ranges::min_element(
+      points, {}, [&twin](std::uint32_t p) { return twin.around[p].size(); });
   UnionFind sets(star.size());
   const auto local = [&star](std::uint32_t t) {
     return static_cast<std::uint32_t>(std::lower_bound(star.begin(), star.end(), t) - star.begin());

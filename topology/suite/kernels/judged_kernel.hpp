@@ -12,6 +12,7 @@
 
 #include "topology/base/finding.hpp"
 #include "topology/base/tet_mesh.hpp"
+#include "topology/kernel/plane_side.hpp"
 #include "topology/suite/kernels/operation.hpp"
 
 namespace sunder::suite {
@@ -47,6 +48,9 @@ struct JudgedKernel {
   /// The faces, at all copies of a point, between a positive and a negative tetrahedron of a crack,
   /// each once from its positive side, in any order. May be empty.
   std::function<std::vector<FaceSide>(std::uint32_t point, const CrackSides&)> crack_fan;
+  /// The faces of the section of a plane through the whole body as it is now, each once from its
+  /// positive side, in any order. May be empty.
+  std::function<std::vector<FaceSide>(const CuttingPlane&)> plane;
   /// Homology over Z of the body as it is now; nothing when it is too large for the kernel. May be
   /// empty.
   std::function<std::optional<IntegerHomology>()> homology;

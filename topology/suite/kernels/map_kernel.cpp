@@ -239,6 +239,18 @@ std::vector<FaceSide> crack_fan(Body& body, std::uint32_t point, const CrackSide
   return faces;
 }
 
+std::vector<FaceSide> plane(Body& body, const CuttingPlane& plane) {
+  const Result<std::vector<HalfFaceId>> faces = plane_faces(*body.map, plane);
+  note(body, faces.findings);
+  std::vector<FaceSide> sides;
+  if (!faces) return sides;
+  if (!std::is_sorted(faces->begin(), faces->end())) {
+    body.faults.push_back("the faces of a section are not in rising order");
+  }
+  for (const HalfFaceId f : *faces) sides.push_back(side_of(body, f));
+  return sides;
+}
+
 JudgedKernel judged(MapKernel answers, const char* name) {
   const auto body = std::make_shared<Body>();
   JudgedKernel kernel;
@@ -260,6 +272,7 @@ JudgedKernel judged(MapKernel answers, const char* name) {
   kernel.crack_fan = [body](std::uint32_t point, const CrackSides& sides) {
     return crack_fan(*body, point, sides);
   };
+  kernel.plane = [body](const CuttingPlane& section) { return plane(*body, section); };
   return kernel;
 }
 
