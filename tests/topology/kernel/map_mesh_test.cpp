@@ -153,7 +153,8 @@ TEST_CASE("regions and numbers of tetrahedra stay with their rows, those of poin
     CHECK(written.region_name == mesh.region_name);
     CHECK(written.source_tetrahedron_id == mesh.source_tetrahedron_id);
     const bool has_numbers = points == MeshPoints::source;
-    CHECK(written.source_point_id == (has_numbers ? mesh.source_point_id : decltype(written.source_point_id){}));
+    CHECK(written.source_point_id ==
+          (has_numbers ? mesh.source_point_id : decltype(written.source_point_id){}));
     for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
       for (std::size_t i = 0; i < 4; ++i) {
         CHECK(written.points[written.tetrahedra[t][i]] == mesh.points[mesh.tetrahedra[t][i]]);

@@ -30,8 +30,9 @@ std::vector<TetId> exchanged(const VolumeMap& map, const TetMesh& file) {
 
 }  // namespace
 
-TEST_CASE("reoriented names just the tetrahedra with two corners exchanged, whatever is done to the map",
-          "[topology][build_map]") {
+TEST_CASE(
+    "reoriented names just the tetrahedra with two corners exchanged, whatever is done to the map",
+    "[topology][build_map]") {
   const std::uint64_t seed = 77;
   INFO("seed " << seed);
   std::mt19937_64 random(seed);

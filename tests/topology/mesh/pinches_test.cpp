@@ -117,7 +117,8 @@ std::size_t hold_split(const TetMesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("every kind of pinch is split into the vertices that union-find has", "[topology][pinch]") {
+TEST_CASE("every kind of pinch is split into the vertices that union-find has",
+          "[topology][pinch]") {
   for (const std::uint32_t parts : {2U, 3U, 5U}) {
     INFO(parts << " parts");
     CHECK(hold_split(round_a_vertex(parts)) == parts - 1);
@@ -189,8 +190,8 @@ TEST_CASE("a vertex whose link is a closed surface but no sphere is told", "[top
   CHECK(told(cone) == std::vector<std::int64_t>{7});
   CHECK(told(suspended) == std::vector<std::int64_t>{7, 8});
   // Nothing is told of vertices round which there is a ball, or half of one.
-  for (const TetMesh& ball : {octahedron_star(), vertex_star(64), edge_ring(64), kuhn_box({2, 2, 2}),
-                              closed_simplex_boundary()}) {
+  for (const TetMesh& ball : {octahedron_star(), vertex_star(64), edge_ring(64),
+                              kuhn_box({2, 2, 2}), closed_simplex_boundary()}) {
     const std::vector<std::string> found = codes(check_file_mesh(file_mesh_of(ball)).findings);
     CHECK(std::ranges::count(found, "nonmanifold_vertex") == 0);
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which tetrahedra count as flat: the tolerance from both sides, wherever they lie and however large.
+// Which tetrahedra count as flat: the tolerance from both sides, wherever they lie and however
+// large.
 #include <cmath>
 
 #include "tests/support/built.hpp"
@@ -24,7 +25,8 @@ bool is_flat(const TetMesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("flat is what 18 roundings of the largest coordinate can have made", "[topology][findings]") {
+TEST_CASE("flat is what 18 roundings of the largest coordinate can have made",
+          "[topology][findings]") {
   // Six times the volume is length^2 height, and rounding makes up to 18 eps |x| length^2 of it.
   for (const double far : {0.0, 1.0, 0x1p10, -0x1p20, 0x1p30}) {
     for (const double length : {0x1p-10, 1.0, 0x1p12}) {

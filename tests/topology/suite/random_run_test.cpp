@@ -122,6 +122,7 @@ TEST_CASE("our kernel makes no mistake in random fans on bodies of every family"
     checks.betti_changes += family.checks.betti_changes;
     checks.faults += family.checks.faults;
     checks.fans += family.checks.fans;
+    checks.sections += family.checks.sections;
     checks.homologies += family.checks.homologies;
     CHECK(family.checks.wholes > family.bodies);
   }
@@ -130,7 +131,7 @@ TEST_CASE("our kernel makes no mistake in random fans on bodies of every family"
   for (const std::size_t n :
        {done.labelled_fans, done.empty_labelled_fans, done.fans_in_other_orders, done.planes,
         done.single_faces, done.glues, done.vain, done.orders, done.replays, checks.betti_changes,
-        checks.faults, checks.fans, checks.homologies}) {
+        checks.faults, checks.fans, checks.sections, checks.homologies}) {
     CHECK(n > 0);
   }
 }
@@ -330,6 +331,10 @@ TEST_CASE("wrong answers that no single step shows are caught too", "[suite][ran
          kernel.crack_fan = [](std::uint32_t, const CrackSides&) {
            return std::vector<FaceSide>{};
          };
+       }},
+      {"section",
+       [](JudgedKernel& kernel) {
+         kernel.plane = [](const CuttingPlane&) { return std::vector<FaceSide>{}; };
        }},
       {"torsion",
        [](JudgedKernel& kernel) {

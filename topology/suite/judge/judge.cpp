@@ -134,7 +134,8 @@ struct Trial {
       ++not_asked;
       return;
     }
-    compare_faces("section of a plane", sides_of(steps), timed([&] { return kernel.plane(plane); }));
+    compare_faces("section of a plane", sides_of(steps),
+                  timed([&] { return kernel.plane(plane); }));
   }
 
   static std::vector<FaceSide> sides_of(const std::vector<TrueStep>& steps) {

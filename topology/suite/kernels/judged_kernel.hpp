@@ -63,8 +63,8 @@ JudgedKernel volume_map_kernel();
 /// `VolumeMap` of rows alone ("dense").
 JudgedKernel dense_map_kernel();
 /// `DenseMap`, rows alone, as the coarser of two nested maps ("nested"): the finer one, a
-/// `VolumeMap`, has a third of the faces open from the beginning, as cohesive cracks have; that they
-/// stay nested is among its own faults.
+/// `VolumeMap`, has a third of the faces open from the beginning, as cohesive cracks have; that
+/// they stay nested is among its own faults.
 JudgedKernel nested_kernel();
 /// CGAL's map left to itself ("cgal"): cells sewn and unsewn by its managed `sew<3>` and
 /// `unsew<3>`, splits counted by its attribute functors on 0- and 1-attributes.

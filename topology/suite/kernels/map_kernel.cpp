@@ -70,7 +70,7 @@ std::vector<Finding> load(Body& body, const TetMesh& mesh, MapKernel kernel) {
 
 void note(Body& body, const std::vector<Finding>& findings) {
   for (const Finding& f : findings) {
-    body.faults.push_back("after split " + std::to_string(body.splits) + ": " + f.code + ": " +
+    body.faults.emplace_back("after split " + std::to_string(body.splits) + ": " + f.code + ": " +
                           f.text);
   }
 }
@@ -107,10 +107,14 @@ void judge_rows(Body& body, const FaceSplit& did) {
     const VertexId kept = row_at(*body.map, tetrahedron_of(did.face), point);
     const VertexId other = row_at(*body.map, tetrahedron_of(did.opposite), point);
     different += kept != other ? 1 : 0;
-    if (kept != v) body.faults.push_back("the side that was passed did not keep its row");
+    if (kept != v) body.faults.emplace_back("the side that was passed did not keep its row");
+    // Whatever leaves has been searched whole.
+    if (kept != other && did.visited < star(*body.map, other).size()) {
+      body.faults.emplace_back("a split tells of fewer tetrahedra visited than it gave a new row");
+    }
   }
   if (oracle_says_new(did) != (different == 3)) {
-    body.faults.push_back("the oracle does not say whether all three vertices split");
+    body.faults.emplace_back("the oracle does not say whether all three vertices split");
   }
 }
 
@@ -123,9 +127,9 @@ SplitAnswer split(Body& body, FaceSide side) {
   judge_rows(body, did);
   const ComponentUpdate update =
       update_components(*body.map, std::span(&did, 1), Detection::exact, body.labels, body.scratch);
-  if (update.created > 1) body.faults.push_back("one split made several components");
+  if (update.created > 1) body.faults.emplace_back("one split made several components");
   if (update.predicted != (oracle_says_new(did) ? 1U : 0U)) {
-    body.faults.push_back("the update does not predict what the oracle says");
+    body.faults.emplace_back("the update does not predict what the oracle says");
   }
   body.batch.push_back(did);
   SplitAnswer answer = in_file_points(*body.map, did);
@@ -144,7 +148,7 @@ bool glue(Body& body, FaceSide a, FaceSide b) {
   lower[place_of(f)] = before[place_of(f)];
   if (glue_face(*body.map, f, g).refusal != GlueRefusal::none) return false;
   if (body.map->corners(tetrahedron_of(f)) != lower) {
-    body.faults.push_back("gluing did not keep the lower rows");
+    body.faults.emplace_back("gluing did not keep the lower rows");
   }
   body.labels_are_void = true;
   body.counts.reset();
@@ -166,7 +170,7 @@ bool same_partition(const std::vector<Row>& a, const std::vector<Row>& b) {
 
 void judge_labels(Body& body) {
   const auto expect = [&body](bool holds, const std::string& what) {
-    if (!holds) body.faults.push_back("after split " + std::to_string(body.splits) + ": " + what);
+    if (!holds) body.faults.emplace_back("after split " + std::to_string(body.splits) + ": " + what);
   };
   label_anew(body);
   for (std::size_t i = 0; i < all_detections.size(); ++i) {
@@ -222,7 +226,7 @@ std::vector<HalfFaceId> crack_fan(Body& body, const VertexStar& star, const Crac
   const std::vector<HalfFaceId> with = fan_faces(*body.map, star, not_negative);
   std::vector<HalfFaceId> fan = fan_faces(*body.map, star, positive);
   if (!std::is_sorted(fan.begin(), fan.end())) {
-    body.faults.push_back("the faces of a fan are not in rising order");
+    body.faults.emplace_back("the faces of a fan are not in rising order");
   }
   std::erase_if(
       fan, [&with](HalfFaceId f) { return std::find(with.begin(), with.end(), f) == with.end(); });
@@ -245,7 +249,7 @@ std::vector<FaceSide> plane(Body& body, const CuttingPlane& plane) {
   std::vector<FaceSide> sides;
   if (!faces) return sides;
   if (!std::is_sorted(faces->begin(), faces->end())) {
-    body.faults.push_back("the faces of a section are not in rising order");
+    body.faults.emplace_back("the faces of a section are not in rising order");
   }
   for (const HalfFaceId f : *faces) sides.push_back(side_of(body, f));
   return sides;

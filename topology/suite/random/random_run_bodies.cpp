@@ -114,8 +114,8 @@ TetMesh any_ring(Random& random) {
 }
 
 /// Rings round an edge and stars round a vertex, half of them with some tetrahedra gone: then the
-/// edge or the vertex parts, or its link has holes. From `low` tetrahedra to `low` 2^`doublings`, at
-/// most `high`, each doubling as often as any other.
+/// edge or the vertex parts, or its link has holes. From `low` tetrahedra to `low` 2^`doublings`,
+/// at most `high`, each doubling as often as any other.
 TetMesh round_one_cell(Random& random, int low, int doublings, int high) {
   const int first = low << below(random, static_cast<std::size_t>(doublings));
   const int k = between(random, first, std::min(2 * first, high));
