@@ -19,7 +19,7 @@ import time
 HERE = pathlib.Path(__file__).resolve().parent
 PROJECT = HERE.parent.parent
 # A table that forgets makes a search grow for ever: it shall find no memory before others do not.
-LIMITED = ["sh", "-c", 'ulimit -v 4000000; exec "$0" "$@"']
+LIMITED = ["sh", "-c", 'ulimit -v 1500000; exec "$0" "$@"']
 
 
 def run(command, number, seconds):

@@ -156,16 +156,21 @@ TEST_CASE("merging agrees with comparing all pairs", "[io][repair]") {
   };
   for (int i = 0; i < 400; ++i) mesh.points.push_back({random(), random(), random()});
   std::vector<Point> kept;
-  for (const Point& p : mesh.points) {
-    const bool near = std::ranges::any_of(kept, [&](const Point& q) {
+  std::vector<std::array<std::uint32_t, 1>> row;  // of each point, once all are merged
+  for (std::uint32_t i = 0; i < 400; ++i) {
+    const Point& p = mesh.points[i];
+    const auto near = std::ranges::find_if(kept, [&](const Point& q) {
       double sum = 0;
       for (int k = 0; k < 3; ++k) sum += (p[k] - q[k]) * (p[k] - q[k]);
       return sum <= 0.01;
     });
-    if (!near) kept.push_back(p);
+    row.push_back({static_cast<std::uint32_t>(near - kept.begin())});
+    if (near == kept.end()) kept.push_back(p);
+    mesh.vertices.corners.push_back({i});
   }
   CHECK(merge_points(mesh, 0.1).count == 400 - kept.size());
   CHECK(mesh.points == kept);
+  CHECK(mesh.vertices.corners == row);
 }
 
 TEST_CASE("of equal tetrahedra the first stays, with its data", "[io][repair]") {

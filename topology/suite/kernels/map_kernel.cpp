@@ -70,7 +70,7 @@ std::vector<Finding> load(Body& body, const TetMesh& mesh, MapKernel kernel) {
 
 void note(Body& body, const std::vector<Finding>& findings) {
   for (const Finding& f : findings) {
-    body.faults.emplace_back("after split " + std::to_string(body.splits) + ": " + f.code + ": " +
+    body.faults.push_back("after split " + std::to_string(body.splits) + ": " + f.code + ": " +
                           f.text);
   }
 }
