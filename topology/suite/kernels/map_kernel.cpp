@@ -98,20 +98,27 @@ FaceSplit split_by_law(Body& body, HalfFaceId face) {
   return split;
 }
 
-/// The contract of rows: the passed side keeps its own, the other has the copies; and the oracle
-/// says yes exactly when all three differ now.
+/// The contract of rows: the passed side keeps its own, the other has the copies; the oracle says
+/// yes exactly when all three differ now; and what the split tells of its cost can be.
 void judge_rows(Body& body, const FaceSplit& did) {
   int different = 0;
+  std::size_t least = 0;
+  std::vector<std::size_t> stars;  // of the three vertices before the split
   for (const VertexId v : did.vertices) {
     const std::uint32_t point = body.map->point_of_vertex(v);
     const VertexId kept = row_at(*body.map, tetrahedron_of(did.face), point);
     const VertexId other = row_at(*body.map, tetrahedron_of(did.opposite), point);
     different += kept != other ? 1 : 0;
     if (kept != v) body.faults.emplace_back("the side that was passed did not keep its row");
-    // Whatever leaves has been searched whole.
-    if (kept != other && did.visited < star(*body.map, other).size()) {
-      body.faults.emplace_back("a split tells of fewer tetrahedra visited than it gave a new row");
-    }
+    const std::size_t stays = star(*body.map, kept).size();
+    const std::size_t leaves = kept != other ? star(*body.map, other).size() : 0;
+    least = std::max(least, leaves);
+    stars.push_back(stays + leaves);
+  }
+  // What leaves is searched whole; no walk round an edge and no search of a star meets any twice.
+  std::sort(stars.begin(), stars.end());
+  if (did.visited < least || did.visited > 3 * stars[0] + 2 * stars[1] + stars[2]) {
+    body.faults.emplace_back("a split tells of fewer or more tetrahedra visited than it had to");
   }
   if (oracle_says_new(did) != (different == 3)) {
     body.faults.emplace_back("the oracle does not say whether all three vertices split");
@@ -170,7 +177,7 @@ bool same_partition(const std::vector<Row>& a, const std::vector<Row>& b) {
 
 void judge_labels(Body& body) {
   const auto expect = [&body](bool holds, const std::string& what) {
-    if (!holds) body.faults.emplace_back("after split " + std::to_string(body.splits) + ": " + what);
+    if (!holds) body.faults.push_back("after split " + std::to_string(body.splits) + ": " + what);
   };
   label_anew(body);
   for (std::size_t i = 0; i < all_detections.size(); ++i) {
