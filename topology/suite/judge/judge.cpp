@@ -303,7 +303,7 @@ void narrow_down(Mismatch& mismatch, const Fixture& fixture,
     return first_mismatch(body, steps, kernel).has_value();
   };
   // Some seconds for a kernel that talks through a pipe.
-  const ShrinkLimits limits{.body = false, .work = 600000};
+  const ShrinkLimits limits{.body = false, .work = 1500000};
   mismatch.steps = shrink(fixture.body, mismatch.steps, fails, limits).steps;
 }
 
@@ -328,7 +328,7 @@ Verdict judge(const Fixture& fixture, JudgedKernel& kernel) {
   return judge(fixture, truth_of(fixture), kernel);
 }
 
-Verdict judge(const Fixture& fixture, const Truth& truth, JudgedKernel& kernel) {
+Verdict judge(const Fixture& fixture, const Truth& truth, JudgedKernel& kernel, bool narrows) {
   Verdict verdict{.fixture = fixture.name,
                   .kernel = kernel.name,
                   .tetrahedra = fixture.body.tetrahedra.size(),
@@ -349,7 +349,7 @@ Verdict judge(const Fixture& fixture, const Truth& truth, JudgedKernel& kernel) 
   if (verdict.mismatch) {
     verdict.mismatch->steps = steps_until(*trial.running, verdict.mismatch->step);
     // A kernel that hangs would do so in every trial.
-    if (!verdict.lost) narrow_down(*verdict.mismatch, fixture, *trial.running, kernel);
+    if (narrows && !verdict.lost) narrow_down(*verdict.mismatch, fixture, *trial.running, kernel);
   } else if (truth.checks.first) {
     verdict.mismatch = truth.checks.first;
     verdict.mismatch->what += " (the fixture against union-find)";

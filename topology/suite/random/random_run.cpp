@@ -57,7 +57,7 @@ RandomFailure failure_of(Trial& trial, JudgedKernel& kernel, const std::string& 
       return !body.tetrahedra.empty() && seen(body, steps).has_value();
     };
     // Some seconds for a kernel that talks through a pipe.
-    const ShrinkLimits limits{.work = 1000000};
+    const ShrinkLimits limits{.work = 2500000};
     failure.shrunk = shrink(failure.found.body, failure.found.steps, fails, limits);
     failure.last = seen(failure.shrunk.body, failure.shrunk.steps);
   }
