@@ -34,11 +34,7 @@ std::function<JudgedKernel()> lying(const Lie& lie) {
 
 RandomReport run(const std::function<JudgedKernel()>& kernel, std::size_t fans,
                  std::size_t largest) {
-  RandomOptions options;
-  options.fans = fans;
-  options.seed = 20261121;
-  options.largest = largest;
-  return run_random(options, kernel);
+  return run_random({.fans = fans, .seed = 20261121, .largest = largest}, kernel);
 }
 
 /// The first failure of a run.
@@ -153,11 +149,7 @@ TEST_CASE("the same seed gives the same run whatever the kernel, another seed an
   };
   const auto first = faces(run(twin_kernel, 100, 100));
   CHECK(faces(run(twin_kernel, 100, 100)) == first);
-  RandomOptions other;
-  other.fans = 100;
-  other.seed = 1;
-  other.largest = 100;
-  CHECK(faces(run_random(other, twin_kernel)) != first);
+  CHECK(faces(run_random({.fans = 100, .seed = 1, .largest = 100}, twin_kernel)) != first);
 }
 
 TEST_CASE("labels are of many kinds, and most breaks drawn by them cut faces", "[suite][random]") {
