@@ -20,7 +20,7 @@ constexpr std::size_t most_idle_bodies = 1000;
 
 /// As it is the first time, then now and then in disguise.
 BodyFamily family_of(const NamedMesh& named) {
-  return {named.name, 2, [mesh = named.mesh, first = true](std::mt19937_64& random) mutable {
+  return {named.name, 8, [mesh = named.mesh, first = true](std::mt19937_64& random) mutable {
             const bool plain = std::exchange(first, false) || below(random, 2) == 0;
             return plain ? mesh : disguised(mesh, random);
           }};
