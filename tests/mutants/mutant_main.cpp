@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
     // Before the fixture is run: a fault may end the process or never come back.
     std::printf("%s\n", fixture.name.c_str());
     std::fflush(stdout);
-    const Verdict verdict = judge(fixture, kernel);
+    const Verdict verdict = judge(fixture, truth_of(fixture), kernel, false);
     if (!verdict.mismatch) continue;
     const Mismatch& m = *verdict.mismatch;
     std::printf("killed: %s: %s, not %s\n", m.what.c_str(), m.answered.c_str(), m.expected.c_str());

@@ -158,6 +158,7 @@ void print_checks(const FamilyReport& total) {
   line(c.glues, "glues");
   line(c.refusals, "splits and glues that had to be refused");
   line(c.fans, "faces of fans (empty ones too) against the suite's own geometry");
+  line(c.sections, "sections of planes likewise");
   line(c.wholes, "whole bodies: counts, vertices and components against union-find");
   line(c.faults, "whole bodies: what the kernel finds wrong with itself");
   line(c.homologies, "whole bodies: homology over GF(2) and Z (every hundredth operation)");

@@ -95,6 +95,31 @@ def open_fan(k):
     return fan(k, k + 1, 0.75)
 
 
+def rim(k):
+    """The k points with whole x and y of the square |x| + |y| = k / 4, from (k / 4, 0) over
+    (0, k / 4)."""
+    side = k // 4
+    assert k == 4 * side > 0
+    corner = [(side - i, i, 0) for i in range(side)]
+    return [turned for x, y in ((1, 0), (0, 1), (-1, 0), (0, -1))
+            for turned in ((x * a - y * b, y * a + x * b, 0) for a, b, _ in corner)]
+
+
+def edge_ring(k):
+    """k tetrahedra round the edge 0-1; rim points 2, 3, ... Whole numbers at any size."""
+    points = [(0, 0, -k // 4), (0, 0, k // 4)] + rim(k)
+    return points, [(0, 1, 2 + i, 2 + (i + 1) % k) for i in range(k)]
+
+
+def vertex_star(k):
+    """k tetrahedra round the point 0: from each edge of the rim (points 3, 4, ...) one to the pole
+    above (point 2), then from each one to the pole below (point 1)."""
+    half = k // 2
+    points = [(0, 0, 0), (0, 0, -half // 4), (0, 0, half // 4)] + rim(half)
+    edges = [(3 + i, 3 + (i + 1) % half) for i in range(half)]
+    return points, [(0, 2, a, b) for a, b in edges] + [(0, 1, b, a) for a, b in edges]
+
+
 def octahedron_star():
     points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (-1, 0, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)]
     tets = [(0, 1 + i, 1 + (i + 1) % 4, pole) for pole in (5, 6) for i in range(4)]

@@ -62,7 +62,7 @@ class Glued:
 
     def joined_around(self, a, b, points):
         """Whether tetrahedra a and b hang together through glued faces that contain `points`."""
-        star = self.around[points[0]]
+        star = min((self.around[x] for x in points), key=len)
         local = {t: i for i, t in enumerate(star)}
         sets = UnionFind(len(star))
         for t in star:

@@ -40,7 +40,7 @@ TEST_CASE("the JSON of a random run has the same numbers each time", "[suite][ra
   CHECK(run["kernel"] == "twin");
   CHECK(run["mismatches"] == 0);
   CHECK(run["total"]["done"]["fans"] == 40);
-  CHECK(run["families"].size() == 14);
+  CHECK(run["families"].size() == 16);
   CHECK(run["families"].back()["family"] == "ring.msh");
   CHECK(run["families"].back()["done"]["fans"] > 0);
   CHECK(run["total"]["done"]["missed"] == 0);

@@ -92,6 +92,26 @@ TEST_CASE("splitting a boundary face changes nothing", "[topology][split_face]")
   CHECK(snapshot(map) == before);
 }
 
+TEST_CASE("a face is not glued to the wrong face of the right neighbour", "[topology][glue_face]") {
+  for (const MapKernel kernel : {MapKernel::dense, MapKernel::lcc}) {
+    VolumeMap map = built(two_tetrahedra());
+    map.set_kernel(kernel);
+    const FaceSplit split = split_on(map, {0, 1, 2});
+    const Snapshot before = snapshot(map);
+    for (int p = 0; p < 4; ++p) {
+      // It has the three points as corners, but one of them is not on the face.
+      const HalfFaceId wrong = half_face(tetrahedron_of(split.opposite), p);
+      if (wrong == split.opposite) continue;
+      CHECK(glue_face(map, split.face, wrong).refusal == GlueRefusal::different_points);
+      CHECK(glue_face(map, wrong, split.face).refusal == GlueRefusal::different_points);
+      CHECK(snapshot(map) == before);
+      CHECK(check(map).empty());
+    }
+    CHECK(glue_face(map, split.face, split.opposite).refusal == GlueRefusal::none);
+    CHECK(cells(map) == Cells5{5, 9, 7, 2, 1});
+  }
+}
+
 TEST_CASE("gluing in the opposite order restores the very same rows", "[topology][glue_face]") {
   const std::uint64_t seed = 11;
   INFO("seed " << seed);

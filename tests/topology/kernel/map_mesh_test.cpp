@@ -132,6 +132,37 @@ TEST_CASE("with the source's points pinches are as they were and splits are gone
   CHECK(written.region_name == mesh.region_name);
 }
 
+TEST_CASE("regions and numbers of tetrahedra stay with their rows, those of points with the points",
+          "[topology][map_mesh]") {
+  TetMesh mesh = bent_bar(4, {{0, 0}});
+  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
+    mesh.region.push_back(static_cast<std::int32_t>(3 * t) - 7);
+    mesh.source_tetrahedron_id.push_back(static_cast<std::int64_t>(1000 - t));
+  }
+  for (std::size_t p = 0; p < mesh.points.size(); ++p) {
+    mesh.source_point_id.push_back(static_cast<std::int64_t>(500 - p));
+  }
+  mesh.region_name = {{-7, "first"}, {2, "fourth"}};
+  VolumeMap map = built(mesh);
+  for (const HalfFaceId f : interior_faces(map)) {
+    if (f.index() % 3 == 0) split_face(map, f);
+  }
+  for (const MeshPoints points : {MeshPoints::source, MeshPoints::vertices}) {
+    const TetMesh written = mesh_of_map(map, mesh, points);
+    CHECK(written.region == mesh.region);
+    CHECK(written.region_name == mesh.region_name);
+    CHECK(written.source_tetrahedron_id == mesh.source_tetrahedron_id);
+    const bool has_numbers = points == MeshPoints::source;
+    CHECK(written.source_point_id ==
+          (has_numbers ? mesh.source_point_id : decltype(written.source_point_id){}));
+    for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
+      for (std::size_t i = 0; i < 4; ++i) {
+        CHECK(written.points[written.tetrahedra[t][i]] == mesh.points[mesh.tetrahedra[t][i]]);
+      }
+    }
+  }
+}
+
 TEST_CASE("rows retired by gluing leave no point behind", "[topology][map_mesh]") {
   const TetMesh mesh = kuhn_box({2, 1, 1});
   VolumeMap map = built(mesh);

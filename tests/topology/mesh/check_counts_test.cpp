@@ -4,6 +4,7 @@
 #include <set>
 
 #include "tests/support/built.hpp"
+#include "topology/mesh/survey.hpp"
 
 using namespace sunder;
 using namespace sunder::suite;
@@ -120,6 +121,28 @@ TEST_CASE("counts from adjacency are the map's where points are joined at random
     counted += check_file_mesh(file_mesh_of(mesh)).counts ? 1 : 0;
   }
   CHECK(counted > 100);
+}
+
+TEST_CASE("there are no Betti numbers while any part is closed, wherever it stands in the file",
+          "[topology][check]") {
+  const TetMesh closed = closed_simplex_boundary(), open = one_tetrahedron();
+  const auto betti_of = [](const TetMesh& mesh) {
+    const auto betti = count_cells(built(mesh)).betti;
+    CHECK(count_cells(survey_mesh(mesh, Severity::warning)).betti == betti);
+    return betti;
+  };
+  CHECK_FALSE(betti_of(side_by_side(closed, open)));
+  CHECK_FALSE(betti_of(side_by_side(open, closed)));
+  CHECK_FALSE(betti_of(side_by_side(closed, closed)));
+  CHECK_FALSE(betti_of(side_by_side(side_by_side(open, closed), open)));
+  CHECK(betti_of(side_by_side(open, open)) == Betti{2, 0, 0});
+  // The first cut of the closed part gives it a boundary, and both parts their numbers.
+  const TetMesh mesh = side_by_side(open, closed);
+  VolumeMap map = built(mesh);
+  const Counts before = count_cells(map);
+  const FaceSplit split = split_face(map, half_face(TetId{1}, 0));
+  CHECK(*count_cells(map).betti == Betti{2, 0, 0});
+  CHECK(counts_after(before, map, std::span(&split, 1), 0) == count_cells(map));
 }
 
 TEST_CASE("a surface that touches itself in a vertex is told", "[topology][check]") {

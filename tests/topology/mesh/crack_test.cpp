@@ -49,6 +49,15 @@ FileMesh grid(std::uint32_t n) {
   std::vector<double> heights;
   for (const Point& p : mesh.points) heights.push_back(p[2] + 0.25);
   mesh.point_data.push_back({"height", 1, NumberType::float64, heights});
+  std::vector<double> vectors;
+  std::vector<std::int64_t> pairs;
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    const auto row = static_cast<std::int64_t>(i);
+    for (const double part : {0.25, 0.5, 0.75}) vectors.push_back(static_cast<double>(i) + part);
+    pairs.insert(pairs.end(), {row, -row});
+  }
+  mesh.point_data.push_back({"vector", 3, NumberType::float64, vectors});
+  mesh.point_data.push_back({"pair", 2, NumberType::int64, pairs});
   return mesh;
 }
 
@@ -115,6 +124,21 @@ VolumeMap map_of(const FileMesh& mesh) {
   return built(tetrahedra);
 }
 
+/// The numbers of one row of a column; doubles hold all that stand in the columns here.
+std::vector<double> row_of(const DataColumn& column, std::size_t row) {
+  return std::visit(
+      [&](const auto& values) {
+        const auto first = values.begin() + static_cast<std::ptrdiff_t>(row * column.components);
+        return std::vector<double>(first, first + static_cast<std::ptrdiff_t>(column.components));
+      },
+      column.values);
+}
+
+std::size_t row_count(const DataColumn& column) {
+  return std::visit([](const auto& values) { return values.size(); }, column.values) /
+         column.components;
+}
+
 /// Opens the crack and holds it against the map's split faces and the laws.
 Crack checked(FileMesh& mesh, const FaceLinks& links, const CutFaces& faces) {
   const FileMesh before = mesh;
@@ -131,8 +155,17 @@ Crack checked(FileMesh& mesh, const FaceLinks& links, const CutFaces& faces) {
     CHECK(mesh.points[copy] == mesh.points[point]);
     CHECK(mesh.point_region[copy] == mesh.point_region[point]);
     CHECK(mesh.source_point_id[copy] == mesh.source_point_id[point]);
-    const auto& heights = std::get<0>(mesh.point_data[0].values);
-    CHECK(heights[copy] == heights[point]);
+    for (const DataColumn& column : mesh.point_data) {
+      INFO(column.name);
+      CHECK(row_of(column, copy) == row_of(column, point));
+    }
+  }
+  for (std::size_t i = 0; i < mesh.point_data.size(); ++i) {
+    const DataColumn &now = mesh.point_data[i], &then = before.point_data[i];
+    REQUIRE(row_count(now) == mesh.points.size());
+    for (std::size_t p = 0; p < before.points.size(); ++p) {
+      REQUIRE(row_of(now, p) == row_of(then, p));
+    }
   }
   for (const CrackFace& face : crack.faces) {
     for (std::size_t k = 0; k < 3; ++k) {

@@ -119,6 +119,34 @@ TEST_CASE("near points are merged and tetrahedra without volume dropped", "[io][
   CHECK(gone.triangles.corners.empty());
 }
 
+TEST_CASE("points merge with points of every cube around theirs, and the rows behind move up",
+          "[io][repair]") {
+  // Pairs that lie in cubes of the merging distance in each of the 27 ways to each other; cubes of
+  // negative numbers and of 0 among them. Each point that goes moves the rows behind it.
+  FileMesh mesh;
+  std::vector<Point> kept;
+  for (int way = 0; way < 27; ++way) {
+    const std::array<int, 3> to = {way % 3 - 1, way / 3 % 3 - 1, way / 9 - 1};
+    Point first, second;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double cube = k == 0 ? 4.0 * way - 50 : -1;
+      first[k] = cube + 0.5 + 0.4 * to[k];
+      second[k] = cube + 0.5 + 0.6 * to[k];
+    }
+    mesh.points.insert(mesh.points.end(), {first, second});
+    kept.push_back(first);
+  }
+  for (std::uint32_t i = 0; i + 3 < 27; ++i) {
+    mesh.tetrahedra.corners.push_back({2 * i + 1, 2 * i + 2, 2 * i + 5, 2 * i + 6});
+  }
+  CHECK(merge_points(mesh, 1).count == 27);
+  CHECK(mesh.points == kept);
+  REQUIRE(mesh.tetrahedra.corners.size() == 24);
+  for (std::uint32_t i = 0; i < 24; ++i) {
+    CHECK(mesh.tetrahedra.corners[i] == std::array<std::uint32_t, 4>{i, i + 1, i + 2, i + 3});
+  }
+}
+
 TEST_CASE("merging agrees with comparing all pairs", "[io][repair]") {
   FileMesh mesh;
   std::uint64_t state = 7;
@@ -128,16 +156,21 @@ TEST_CASE("merging agrees with comparing all pairs", "[io][repair]") {
   };
   for (int i = 0; i < 400; ++i) mesh.points.push_back({random(), random(), random()});
   std::vector<Point> kept;
-  for (const Point& p : mesh.points) {
-    const bool near = std::ranges::any_of(kept, [&](const Point& q) {
+  std::vector<std::array<std::uint32_t, 1>> row;  // of each point, once all are merged
+  for (std::uint32_t i = 0; i < 400; ++i) {
+    const Point& p = mesh.points[i];
+    const auto near = std::ranges::find_if(kept, [&](const Point& q) {
       double sum = 0;
       for (int k = 0; k < 3; ++k) sum += (p[k] - q[k]) * (p[k] - q[k]);
       return sum <= 0.01;
     });
-    if (!near) kept.push_back(p);
+    row.push_back({static_cast<std::uint32_t>(near - kept.begin())});
+    if (near == kept.end()) kept.push_back(p);
+    mesh.vertices.corners.push_back({i});
   }
   CHECK(merge_points(mesh, 0.1).count == 400 - kept.size());
   CHECK(mesh.points == kept);
+  CHECK(mesh.vertices.corners == row);
 }
 
 TEST_CASE("of equal tetrahedra the first stays, with its data", "[io][repair]") {
@@ -163,6 +196,27 @@ TEST_CASE("the largest component stays, with its surfaces", "[io][repair]") {
   CHECK(mesh.tetrahedra.corners.size() == 2);
   CHECK(mesh.triangles.corners == std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}});
   CHECK(drop_unused_points(mesh).count == 10);
+}
+
+TEST_CASE("of what touches the largest component only its own surfaces, edges and vertices stay",
+          "[io][repair]") {
+  // Two tetrahedra on a face; others touch them in an edge, in a vertex and in three points that
+  // have no face in common.
+  FileMesh mesh;
+  mesh.points.resize(11);
+  mesh.tetrahedra.corners = {{0, 1, 5, 6}, {0, 1, 2, 3}, {1, 0, 2, 4}, {2, 7, 8, 9}, {0, 3, 4, 10}};
+  mesh.triangles.corners = {{0, 1, 5}, {0, 1, 3}, {2, 7, 8}, {7, 8, 9}, {0, 3, 4}, {1, 2, 4}};
+  mesh.triangles.region = {1, 2, 3, 4, 5, 6};
+  mesh.edges.corners = {{0, 1}, {0, 5}, {7, 8}};
+  mesh.vertices.corners = {{7}, {2}};
+  CHECK(keep_largest_component(mesh).count == 3);
+  CHECK(mesh.tetrahedra.corners ==
+        std::vector<std::array<std::uint32_t, 4>>{{0, 1, 2, 3}, {1, 0, 2, 4}});
+  CHECK(mesh.triangles.corners ==
+        std::vector<std::array<std::uint32_t, 3>>{{0, 1, 3}, {0, 3, 4}, {1, 2, 4}});
+  CHECK(mesh.triangles.region == std::vector<std::int32_t>{2, 5, 6});
+  CHECK(mesh.edges.corners == std::vector<std::array<std::uint32_t, 2>>{{0, 1}});
+  CHECK(mesh.vertices.corners == std::vector<std::array<std::uint32_t, 1>>{{2}});
 }
 
 TEST_CASE("vertices that only touch are split into copies", "[io][repair]") {

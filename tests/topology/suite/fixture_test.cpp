@@ -79,7 +79,7 @@ bool has(const std::vector<std::string>& texts, const std::string& part) {
 TEST_CASE("a fixture file gives its cases with bodies, operations and expectations",
           "[suite][fixture]") {
   const std::vector<Fixture> fixtures = good();
-  REQUIRE(fixtures.size() == 7);
+  REQUIRE(fixtures.size() == 9);
   const Fixture& two = fixtures[0];
   CHECK(two.name == "small/two-tetrahedra");
   CHECK(two.shows == "one face, cut, glued, cut again");
@@ -120,6 +120,11 @@ TEST_CASE("a fixture file gives its cases with bodies, operations and expectatio
   CHECK(fixtures[6].cracks[0] ==
         CrackSides{positive, negative, positive, negative, none, negative});
   CHECK(std::get<BreakPoint>(fixtures[6].operations[1].operation).sides == fixtures[6].cracks[1]);
+  CHECK(fixtures[7].body.tetrahedra[63] == std::array<std::uint32_t, 4>{0, 1, 65, 2});
+  CHECK(fixtures[7].body.points[2 + 17] == Point{-1, 15, 0});
+  CHECK(fixtures[8].body.points.size() == 39);
+  CHECK(fixtures[8].body.tetrahedra[71] == std::array<std::uint32_t, 4>{0, 1, 3, 38});
+  CHECK(fixtures[8].body.points[2] == Point{0, 0, 9});
 }
 
 TEST_CASE("a wrong value is refused with its place and what was expected", "[suite][fixture]") {
@@ -143,6 +148,11 @@ TEST_CASE("a wrong value is refused with its place and what was expected", "[sui
       {"/cases/0/body/tetrahedra/1/0", 1.5, "is 1.5; a row counted from 0"},
       {"/cases/0/body/regions", 1, "/cases/0/body/regions is not a known key"},
       {"/cases/1/body/kuhn_box", json::array({0, 1, 1}), "three numbers of cells from 1 to 200"},
+      {"/cases/7/body/edge_ring", 66, "edge_ring is 66; a multiple of 4 up to 1000000"},
+      {"/cases/7/body/edge_ring", 0, "edge_ring is 0; a multiple of 4 up to 1000000"},
+      {"/cases/8/body/vertex_star", 68, "vertex_star is 68; a multiple of 8 up to 1000000"},
+      {"/cases/8/body/vertex_star", 1000008, "is 1000008; a multiple of 8 up to 1000000"},
+      {"/cases/8/body/edge_ring", 64, "/cases/8/body/vertex_star is not a known key"},
       {"/cases/4/body/mesh", "nothing.msh", "/cases/4/body/mesh names a mesh that cannot be read"},
       {"/cases/0/findings/0", 1, "/cases/0/findings/0 is 1; a text"},
       {"/cases/0/refused", 1, "/cases/0/refused is 1; true or false"},
@@ -224,9 +234,9 @@ TEST_CASE("a folder gives its files in order; the schema is none of them", "[sui
   std::filesystem::remove(file.path);
   const auto fixtures = read_fixture_folder(file.folder);
   REQUIRE(fixtures);
-  REQUIRE(fixtures->size() == 14);
+  REQUIRE(fixtures->size() == 18);
   CHECK(fixtures->front().name == "first/two-tetrahedra");
-  CHECK(fixtures->back().name == "second/labelled");
+  CHECK(fixtures->back().name == "second/star");
   std::ofstream(file.folder / "3.json") << second.dump();
   CHECK(code_of(file.folder) == "bad_fixture");
   CHECK(code_of(file.folder / "none") == "cannot_open");

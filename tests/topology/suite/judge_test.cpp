@@ -7,8 +7,8 @@
 #include <memory>
 #include <stdexcept>
 
-#include "topology/suite/judge/judge.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
+#include "topology/suite/judge/judge.hpp"
 
 using namespace sunder;
 using namespace sunder::suite;
@@ -301,6 +301,39 @@ TEST_CASE("fans, glues, faults, homology and orientability are judged where a ke
     k.orientable = [] { return std::optional<bool>(false); };
   };
   CHECK(mismatch_of(fixture, changed(twisted)).what == "orientable");
+}
+
+TEST_CASE("the section of a plane is judged, each face from its positive side", "[suite][judge]") {
+  Fixture fixture{.name = "box", .body = kuhn_box({2, 2, 2})};
+  fixture.operations = {{SplitPlane{{{0, 0, 1}, 1}}, {}}};
+  using Lie = std::function<void(std::vector<FaceSide>&)>;
+  const auto planes = [&fixture](const Lie& lie) {
+    return changed([&fixture, lie](JudgedKernel& k, const Asked&) {
+      JudgedKernel honest = volume_map_kernel();
+      honest.load(fixture.body);
+      k.plane = [honest, lie](const CuttingPlane& plane) {
+        std::vector<FaceSide> faces = honest.plane(plane);
+        lie(faces);
+        return faces;
+      };
+    });
+  };
+  JudgedKernel honest = planes([](std::vector<FaceSide>& faces) { CHECK(faces.size() == 8); });
+  const Verdict verdict = judge(fixture, honest);
+  CHECK_FALSE(verdict.mismatch);
+  JudgedKernel silent = changed([](JudgedKernel&, const Asked&) {});
+  CHECK(judge(fixture, silent).not_asked == verdict.not_asked + 1);
+  const GlueTwin intact = glue_twin(fixture.body.tetrahedra, fixture.body.points.size());
+  for (const Lie& lie : {Lie([](auto& faces) { faces.pop_back(); }),
+                         Lie([](auto& faces) { faces.push_back(faces[0]); }), Lie([&](auto& faces) {
+                           const HalfFaceId f = half_face_of(intact, faces[0]);
+                           faces[0] = side_of(intact, intact.glued[f.index()]);
+                         })}) {
+    const Mismatch m = mismatch_of(fixture, planes(lie));
+    CHECK(m.what == "section of a plane");
+    CHECK(m.operation == 1);
+    CHECK(m.step == 0);
+  }
 }
 
 TEST_CASE("a kernel that throws has a mismatch, and the steps up to there", "[suite][judge]") {

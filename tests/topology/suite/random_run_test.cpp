@@ -34,11 +34,7 @@ std::function<JudgedKernel()> lying(const Lie& lie) {
 
 RandomReport run(const std::function<JudgedKernel()>& kernel, std::size_t fans,
                  std::size_t largest) {
-  RandomOptions options;
-  options.fans = fans;
-  options.seed = 20261121;
-  options.largest = largest;
-  return run_random(options, kernel);
+  return run_random({.fans = fans, .seed = 20261121, .largest = largest}, kernel);
 }
 
 /// The first failure of a run.
@@ -103,7 +99,7 @@ void change_splits(JudgedKernel& kernel, Change change) {
 TEST_CASE("our kernel makes no mistake in random fans on bodies of every family",
           "[suite][random]") {
   const RandomReport report = run(volume_map_kernel, 700, 1300);
-  CHECK(report.families.size() == 11);
+  CHECK(report.families.size() == 12);
   check_all_fine(report);
   std::size_t fans = 0;
   TearCounts done;
@@ -122,6 +118,7 @@ TEST_CASE("our kernel makes no mistake in random fans on bodies of every family"
     checks.betti_changes += family.checks.betti_changes;
     checks.faults += family.checks.faults;
     checks.fans += family.checks.fans;
+    checks.sections += family.checks.sections;
     checks.homologies += family.checks.homologies;
     CHECK(family.checks.wholes > family.bodies);
   }
@@ -130,7 +127,7 @@ TEST_CASE("our kernel makes no mistake in random fans on bodies of every family"
   for (const std::size_t n :
        {done.labelled_fans, done.empty_labelled_fans, done.fans_in_other_orders, done.planes,
         done.single_faces, done.glues, done.vain, done.orders, done.replays, checks.betti_changes,
-        checks.faults, checks.fans, checks.homologies}) {
+        checks.faults, checks.fans, checks.sections, checks.homologies}) {
     CHECK(n > 0);
   }
 }
@@ -152,11 +149,7 @@ TEST_CASE("the same seed gives the same run whatever the kernel, another seed an
   };
   const auto first = faces(run(twin_kernel, 100, 100));
   CHECK(faces(run(twin_kernel, 100, 100)) == first);
-  RandomOptions other;
-  other.fans = 100;
-  other.seed = 1;
-  other.largest = 100;
-  CHECK(faces(run_random(other, twin_kernel)) != first);
+  CHECK(faces(run_random({.fans = 100, .seed = 1, .largest = 100}, twin_kernel)) != first);
 }
 
 TEST_CASE("labels are of many kinds, and most breaks drawn by them cut faces", "[suite][random]") {
@@ -197,7 +190,7 @@ TEST_CASE("families draw the bodies they promise, all of which can be built", "[
     }
     CHECK(sizes.size() > 2);
   }
-  CHECK(body_families(6000).size() == 13);
+  CHECK(body_families(10000).size() == 15);
 }
 
 TEST_CASE("a mesh that is given becomes a family of its own", "[suite][random]") {
@@ -330,6 +323,10 @@ TEST_CASE("wrong answers that no single step shows are caught too", "[suite][ran
          kernel.crack_fan = [](std::uint32_t, const CrackSides&) {
            return std::vector<FaceSide>{};
          };
+       }},
+      {"section",
+       [](JudgedKernel& kernel) {
+         kernel.plane = [](const CuttingPlane&) { return std::vector<FaceSide>{}; };
        }},
       {"torsion",
        [](JudgedKernel& kernel) {

@@ -59,7 +59,10 @@ std::uint32_t edge_of(const GlueTwin& twin, std::uint32_t t, std::uint32_t a, st
 /// Whether tetrahedra a and b hang together through glued faces that contain all `points`.
 bool joined_around(const GlueTwin& twin, std::uint32_t a, std::uint32_t b,
                    const std::vector<std::uint32_t>& points) {
-  const std::vector<std::uint32_t>& star = twin.around[points[0]];
+  // Those at any of the points hold all that have them all.
+  const std::uint32_t fewest = *std::ranges::min_element(
+      points, {}, [&twin](std::uint32_t p) { return twin.around[p].size(); });
+  const std::vector<std::uint32_t>& star = twin.around[fewest];
   UnionFind sets(star.size());
   const auto local = [&star](std::uint32_t t) {
     return static_cast<std::uint32_t>(std::lower_bound(star.begin(), star.end(), t) - star.begin());

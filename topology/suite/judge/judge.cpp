@@ -114,7 +114,8 @@ struct Trial {
       const auto found = from_positive.find(side);
       answered.push_back(found == from_positive.end() ? side : found->second);
     }
-    compare_fans(corner.point, std::move(expected), std::move(answered));
+    compare_faces(fmt::format("fan at point {}", corner.point), std::move(expected),
+                  std::move(answered));
   }
 
   /// The same for a break; its faces have to be seen from their positive sides.
@@ -123,14 +124,28 @@ struct Trial {
       ++not_asked;
       return;
     }
-    std::vector<FaceSide> expected;
-    for (const TrueStep& s : steps) expected.push_back(s.step.a);
-    compare_fans(broken.point, std::move(expected),
-                 timed([&] { return kernel.crack_fan(broken.point, broken.sides); }));
+    compare_faces(fmt::format("fan at point {}", broken.point), sides_of(steps),
+                  timed([&] { return kernel.crack_fan(broken.point, broken.sides); }));
   }
 
-  void compare_fans(std::uint32_t point, std::vector<FaceSide> expected,
-                    std::vector<FaceSide> answered) {
+  /// And for the section of a plane.
+  void check_plane(const CuttingPlane& plane, const std::vector<TrueStep>& steps) {
+    if (!kernel.plane) {
+      ++not_asked;
+      return;
+    }
+    compare_faces("section of a plane", sides_of(steps),
+                  timed([&] { return kernel.plane(plane); }));
+  }
+
+  static std::vector<FaceSide> sides_of(const std::vector<TrueStep>& steps) {
+    std::vector<FaceSide> sides;
+    for (const TrueStep& s : steps) sides.push_back(s.step.a);
+    return sides;
+  }
+
+  void compare_faces(const std::string& what, std::vector<FaceSide> expected,
+                     std::vector<FaceSide> answered) {
     std::sort(expected.begin(), expected.end());
     std::sort(answered.begin(), answered.end());
     if (same(checks, expected, answered)) return;
@@ -142,7 +157,7 @@ struct Trial {
       }
       return out.empty() ? "no face" : out;
     };
-    differ(checks, fmt::format("fan at point {}", point), text(expected), text(answered));
+    differ(checks, what, text(expected), text(answered));
   }
 
   /// False when the kernel cannot go on.
@@ -237,6 +252,8 @@ struct Trial {
       check_fan(*fan, operation.steps);
     } else if (const auto* broken = std::get_if<BreakPoint>(&asked.operation)) {
       check_break(*broken, operation.steps);
+    } else if (const auto* section = std::get_if<SplitPlane>(&asked.operation)) {
+      check_plane(section->plane, operation.steps);
     }
     if (failed()) return true;
     for (const TrueStep& step : operation.steps) {
@@ -286,7 +303,7 @@ void narrow_down(Mismatch& mismatch, const Fixture& fixture,
     return first_mismatch(body, steps, kernel).has_value();
   };
   // Some seconds for a kernel that talks through a pipe.
-  const ShrinkLimits limits{.body = false, .work = 600000};
+  const ShrinkLimits limits{.body = false, .work = 1500000};
   mismatch.steps = shrink(fixture.body, mismatch.steps, fails, limits).steps;
 }
 
@@ -311,7 +328,7 @@ Verdict judge(const Fixture& fixture, JudgedKernel& kernel) {
   return judge(fixture, truth_of(fixture), kernel);
 }
 
-Verdict judge(const Fixture& fixture, const Truth& truth, JudgedKernel& kernel) {
+Verdict judge(const Fixture& fixture, const Truth& truth, JudgedKernel& kernel, bool narrows) {
   Verdict verdict{.fixture = fixture.name,
                   .kernel = kernel.name,
                   .tetrahedra = fixture.body.tetrahedra.size(),
@@ -332,7 +349,7 @@ Verdict judge(const Fixture& fixture, const Truth& truth, JudgedKernel& kernel) 
   if (verdict.mismatch) {
     verdict.mismatch->steps = steps_until(*trial.running, verdict.mismatch->step);
     // A kernel that hangs would do so in every trial.
-    if (!verdict.lost) narrow_down(*verdict.mismatch, fixture, *trial.running, kernel);
+    if (narrows && !verdict.lost) narrow_down(*verdict.mismatch, fixture, *trial.running, kernel);
   } else if (truth.checks.first) {
     verdict.mismatch = truth.checks.first;
     verdict.mismatch->what += " (the fixture against union-find)";

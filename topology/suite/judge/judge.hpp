@@ -38,9 +38,11 @@ struct Verdict {
 /// the fixture says. Bodies up to 64 tetrahedra: that after every step, too; those above 1 000:
 /// at most 64 times a fixture and where it says counts, and at its end.
 /// `truth`: truth_of(fixture), which all kernels can share.
-/// A mismatch comes with the shortest sequence of steps found that shows one (`shrink`).
+/// A mismatch comes with the shortest sequence of steps found that shows one (`shrink`); with
+/// `narrows` false with all steps up to there, at once.
 /// A kernel that throws, as one in another process does when it is lost, is a mismatch too.
-Verdict judge(const Fixture& fixture, const Truth& truth, JudgedKernel& kernel);
+Verdict judge(const Fixture& fixture, const Truth& truth, JudgedKernel& kernel,
+              bool narrows = true);
 Verdict judge(const Fixture& fixture, JudgedKernel& kernel);
 
 /// The first wrong answer of a kernel to `steps` on a body, looked at as `judge` does, each step an

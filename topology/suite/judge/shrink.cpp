@@ -65,7 +65,9 @@ struct Shrinking {
 
   /// Takes a candidate when it fails, too.
   bool take(StepsOnBody candidate) {
-    const std::size_t work = candidate.body.tetrahedra.size() + 16 * candidate.steps.size() + 16;
+    const std::size_t steps = candidate.steps.size();
+    const std::size_t looks = 1 + std::min<std::size_t>(steps, 64);
+    const std::size_t work = looks * candidate.body.tetrahedra.size() + 16 * steps + 16;
     if (work > work_left) return false;
     work_left -= work;
     if (!fails(candidate.body, candidate.steps)) return false;

@@ -12,6 +12,7 @@
 
 #include "topology/base/finding.hpp"
 #include "topology/base/tet_mesh.hpp"
+#include "topology/kernel/plane_side.hpp"
 #include "topology/suite/kernels/operation.hpp"
 
 namespace sunder::suite {
@@ -47,6 +48,9 @@ struct JudgedKernel {
   /// The faces, at all copies of a point, between a positive and a negative tetrahedron of a crack,
   /// each once from its positive side, in any order. May be empty.
   std::function<std::vector<FaceSide>(std::uint32_t point, const CrackSides&)> crack_fan;
+  /// The faces of the section of a plane through the whole body as it is now, each once from its
+  /// positive side, in any order. May be empty.
+  std::function<std::vector<FaceSide>(const CuttingPlane&)> plane;
   /// Homology over Z of the body as it is now; nothing when it is too large for the kernel. May be
   /// empty.
   std::function<std::optional<IntegerHomology>()> homology;
@@ -59,8 +63,8 @@ JudgedKernel volume_map_kernel();
 /// `VolumeMap` of rows alone ("dense").
 JudgedKernel dense_map_kernel();
 /// `DenseMap`, rows alone, as the coarser of two nested maps ("nested"): the finer one, a
-/// `VolumeMap`, has a third of the faces open from the beginning, as cohesive cracks have; that they
-/// stay nested is among its own faults.
+/// `VolumeMap`, has a third of the faces open from the beginning, as cohesive cracks have; that
+/// they stay nested is among its own faults.
 JudgedKernel nested_kernel();
 /// CGAL's map left to itself ("cgal"): cells sewn and unsewn by its managed `sew<3>` and
 /// `unsew<3>`, splits counted by its attribute functors on 0- and 1-attributes.

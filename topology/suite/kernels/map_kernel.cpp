@@ -98,19 +98,30 @@ FaceSplit split_by_law(Body& body, HalfFaceId face) {
   return split;
 }
 
-/// The contract of rows: the passed side keeps its own, the other has the copies; and the oracle
-/// says yes exactly when all three differ now.
+/// The contract of rows: the passed side keeps its own, the other has the copies; the oracle says
+/// yes exactly when all three differ now; and what the split tells of its cost can be.
 void judge_rows(Body& body, const FaceSplit& did) {
   int different = 0;
+  std::size_t least = 0;
+  std::vector<std::size_t> stars;  // of the three vertices before the split
   for (const VertexId v : did.vertices) {
     const std::uint32_t point = body.map->point_of_vertex(v);
     const VertexId kept = row_at(*body.map, tetrahedron_of(did.face), point);
     const VertexId other = row_at(*body.map, tetrahedron_of(did.opposite), point);
     different += kept != other ? 1 : 0;
-    if (kept != v) body.faults.push_back("the side that was passed did not keep its row");
+    if (kept != v) body.faults.emplace_back("the side that was passed did not keep its row");
+    const std::size_t stays = star(*body.map, kept).size();
+    const std::size_t leaves = kept != other ? star(*body.map, other).size() : 0;
+    least = std::max(least, leaves);
+    stars.push_back(stays + leaves);
+  }
+  // What leaves is searched whole; no walk round an edge and no search of a star meets any twice.
+  std::sort(stars.begin(), stars.end());
+  if (did.visited < least || did.visited > 3 * stars[0] + 2 * stars[1] + stars[2]) {
+    body.faults.emplace_back("a split tells of fewer or more tetrahedra visited than it had to");
   }
   if (oracle_says_new(did) != (different == 3)) {
-    body.faults.push_back("the oracle does not say whether all three vertices split");
+    body.faults.emplace_back("the oracle does not say whether all three vertices split");
   }
 }
 
@@ -123,9 +134,9 @@ SplitAnswer split(Body& body, FaceSide side) {
   judge_rows(body, did);
   const ComponentUpdate update =
       update_components(*body.map, std::span(&did, 1), Detection::exact, body.labels, body.scratch);
-  if (update.created > 1) body.faults.push_back("one split made several components");
+  if (update.created > 1) body.faults.emplace_back("one split made several components");
   if (update.predicted != (oracle_says_new(did) ? 1U : 0U)) {
-    body.faults.push_back("the update does not predict what the oracle says");
+    body.faults.emplace_back("the update does not predict what the oracle says");
   }
   body.batch.push_back(did);
   SplitAnswer answer = in_file_points(*body.map, did);
@@ -144,7 +155,7 @@ bool glue(Body& body, FaceSide a, FaceSide b) {
   lower[place_of(f)] = before[place_of(f)];
   if (glue_face(*body.map, f, g).refusal != GlueRefusal::none) return false;
   if (body.map->corners(tetrahedron_of(f)) != lower) {
-    body.faults.push_back("gluing did not keep the lower rows");
+    body.faults.emplace_back("gluing did not keep the lower rows");
   }
   body.labels_are_void = true;
   body.counts.reset();
@@ -222,7 +233,7 @@ std::vector<HalfFaceId> crack_fan(Body& body, const VertexStar& star, const Crac
   const std::vector<HalfFaceId> with = fan_faces(*body.map, star, not_negative);
   std::vector<HalfFaceId> fan = fan_faces(*body.map, star, positive);
   if (!std::is_sorted(fan.begin(), fan.end())) {
-    body.faults.push_back("the faces of a fan are not in rising order");
+    body.faults.emplace_back("the faces of a fan are not in rising order");
   }
   std::erase_if(
       fan, [&with](HalfFaceId f) { return std::find(with.begin(), with.end(), f) == with.end(); });
@@ -237,6 +248,18 @@ std::vector<FaceSide> crack_fan(Body& body, std::uint32_t point, const CrackSide
     for (const HalfFaceId f : crack_fan(body, star, sides)) faces.push_back(side_of(body, f));
   }
   return faces;
+}
+
+std::vector<FaceSide> plane(Body& body, const CuttingPlane& plane) {
+  const Result<std::vector<HalfFaceId>> faces = plane_faces(*body.map, plane);
+  note(body, faces.findings);
+  std::vector<FaceSide> sides;
+  if (!faces) return sides;
+  if (!std::is_sorted(faces->begin(), faces->end())) {
+    body.faults.emplace_back("the faces of a section are not in rising order");
+  }
+  for (const HalfFaceId f : *faces) sides.push_back(side_of(body, f));
+  return sides;
 }
 
 JudgedKernel judged(MapKernel answers, const char* name) {
@@ -260,6 +283,7 @@ JudgedKernel judged(MapKernel answers, const char* name) {
   kernel.crack_fan = [body](std::uint32_t point, const CrackSides& sides) {
     return crack_fan(*body, point, sides);
   };
+  kernel.plane = [body](const CuttingPlane& section) { return plane(*body, section); };
   return kernel;
 }
 

@@ -20,7 +20,7 @@ constexpr std::size_t most_idle_bodies = 1000;
 
 /// As it is the first time, then now and then in disguise.
 BodyFamily family_of(const NamedMesh& named) {
-  return {named.name, 2, [mesh = named.mesh, first = true](std::mt19937_64& random) mutable {
+  return {named.name, 8, [mesh = named.mesh, first = true](std::mt19937_64& random) mutable {
             const bool plain = std::exchange(first, false) || below(random, 2) == 0;
             return plain ? mesh : disguised(mesh, random);
           }};
@@ -57,7 +57,7 @@ RandomFailure failure_of(Trial& trial, JudgedKernel& kernel, const std::string& 
       return !body.tetrahedra.empty() && seen(body, steps).has_value();
     };
     // Some seconds for a kernel that talks through a pipe.
-    const ShrinkLimits limits{.work = 1000000};
+    const ShrinkLimits limits{.work = 2500000};
     failure.shrunk = shrink(failure.found.body, failure.found.steps, fails, limits);
     failure.last = seen(failure.shrunk.body, failure.shrunk.steps);
   }

@@ -24,7 +24,7 @@ struct RandomOptions {
   /// Bodies beside the generated ones, a family each. Needs: the kernel can take them.
   std::vector<NamedMesh> meshes;
   /// Families whose bodies can have more tetrahedra than this are left out (`meshes` are not).
-  std::size_t largest = 6000;
+  std::size_t largest = 10000;
   /// Called after every operation with the number of fans done. May be empty.
   std::function<void(std::size_t)> progress;
 };

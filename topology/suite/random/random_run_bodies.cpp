@@ -113,6 +113,20 @@ TetMesh any_ring(Random& random) {
   return ring({between(random, 3, 6), between(random, 3, 6), between(random, 1, 2)});
 }
 
+/// Rings round an edge and stars round a vertex, half of them with some tetrahedra gone: then the
+/// edge or the vertex parts, or its link has holes. From `low` tetrahedra to `low` 2^`doublings`,
+/// at most `high`, each doubling as often as any other.
+TetMesh round_one_cell(Random& random, int low, int doublings, int high) {
+  const int first = low << below(random, static_cast<std::size_t>(doublings));
+  const int k = between(random, first, std::min(2 * first, high));
+  TetMesh mesh = below(random, 2) == 0 ? edge_ring(k / 4 * 4) : vertex_star(k / 8 * 8);
+  for (std::size_t gone = below(random, 2) * (1 + below(random, 8)); gone > 0; --gone) {
+    const std::size_t t = below(random, mesh.tetrahedra.size());
+    mesh.tetrahedra.erase(mesh.tetrahedra.begin() + static_cast<std::ptrdiff_t>(t));
+  }
+  return mesh;
+}
+
 TetMesh large(Random& random) {
   switch (below(random, 3)) {
     case 0:
@@ -145,20 +159,25 @@ std::vector<BodyFamily> body_families(std::size_t largest) {
   const auto box = [](int low, int high) {
     return [low, high](Random& random) { return kuhn_box(cells_between(random, low, high)); };
   };
+  const auto round = [](int low, int doublings, int high) {
+    return [=](Random& random) { return round_one_cell(random, low, doublings, high); };
+  };
   std::vector<Bounded> all = {
-      {60, {"fans of 3 to 60", 3, any_fan}},
-      {8, {"up to 8 tetrahedra", 2, any_small}},
-      {38, {"closed spheres", 3, closed_sphere}},
-      {96, {"pinched bars and rings", 4, pinched_bar}},
-      {162, {"scattered tetrahedra", 4, scattered}},
-      {162, {"boxes up to 3^3", 4, box(1, 3)}},
-      {384, {"polycubes", 4, polycube}},
-      {240, {"rings", 3, any_ring}},
-      {384, {"shells and channels", 3, any_shell}},
-      {540, {"several bodies", 3, several}},
-      {1296, {"boxes 4^3 to 6^3", 3, box(4, 6)}},
-      {3072, {"large boxes, rings, shells", 2, large}},
-      {6000, {"box 10^3", 1, box(10, 10)}},
+      {60, {"fans of 3 to 60", 12, any_fan}},
+      {8, {"up to 8 tetrahedra", 8, any_small}},
+      {38, {"closed spheres", 12, closed_sphere}},
+      {96, {"pinched bars and rings", 16, pinched_bar}},
+      {162, {"scattered tetrahedra", 16, scattered}},
+      {162, {"boxes up to 3^3", 16, box(1, 3)}},
+      {384, {"polycubes", 16, polycube}},
+      {240, {"rings", 12, any_ring}},
+      {384, {"shells and channels", 12, any_shell}},
+      {540, {"several bodies", 12, several}},
+      {1296, {"boxes 4^3 to 6^3", 12, box(4, 6)}},
+      {3072, {"large boxes, rings, shells", 8, large}},
+      {6000, {"box 10^3", 4, box(10, 10)}},
+      {1000, {"stars and rings to 1000", 12, round(64, 4, 1000)}},
+      {10000, {"stars and rings to 10000", 1, round(1024, 4, 10000)}},
   };
   std::vector<BodyFamily> families;
   for (Bounded& b : all) {

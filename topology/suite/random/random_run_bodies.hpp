@@ -21,9 +21,10 @@ struct BodyFamily {
 };
 
 /// Fans, stars, boxes, polycubes, rings, shells, channels, pinched bars, closed spheres, scattered
-/// tetrahedra, several bodies at once; 1 to 6 000 tetrahedra, most of them below 400. All can be
-/// built; many are pinched, some are closed or disconnected. `largest` leaves families out whose
-/// bodies may have more tetrahedra than that.
+/// tetrahedra, several bodies at once; 1 to 6 000 tetrahedra, most of them below 400. Rings and
+/// stars of 64 to 10 000 tetrahedra round one edge or vertex. All can be built; many are pinched,
+/// some are closed or disconnected. `largest` leaves families out whose bodies may have more
+/// tetrahedra than that.
 std::vector<BodyFamily> body_families(std::size_t largest);
 
 /// The same body in another guise, at random: points moved, all names and corners permuted, some

@@ -41,7 +41,7 @@ inline constexpr std::array<NamedNumber<TearCounts>, 21> tear_numbers = {
      {"fans_in_other_orders", &TearCounts::fans_in_other_orders}}};
 
 /// Every number of `CheckCounts`.
-inline constexpr std::array<NamedNumber<CheckCounts>, 9> check_numbers = {
+inline constexpr std::array<NamedNumber<CheckCounts>, 10> check_numbers = {
     {{"splits", &CheckCounts::splits},
      {"glues", &CheckCounts::glues},
      {"refusals", &CheckCounts::refusals},
@@ -49,6 +49,7 @@ inline constexpr std::array<NamedNumber<CheckCounts>, 9> check_numbers = {
      {"betti_changes", &CheckCounts::betti_changes},
      {"wholes", &CheckCounts::wholes},
      {"fans", &CheckCounts::fans},
+     {"sections", &CheckCounts::sections},
      {"faults", &CheckCounts::faults},
      {"homologies", &CheckCounts::homologies}}};
 

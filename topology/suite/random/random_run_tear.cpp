@@ -169,7 +169,9 @@ void tear_plane(TearRun& run, Tear& tear) {
   const SplitPlane section{{.normal = n, .offset = n[0] * x[0] + n[1] * x[1] + n[2] * x[2]}};
   const GlueTwin& twin = tear.trial.twin;
   ++run.counts.planes;
-  Faces faces = faces_of(tear, steps_of(section, twin, twin, body));
+  const std::vector<Step> steps = steps_of(section, twin, twin, body);
+  judge_plane(tear.trial, section.plane, steps);
+  Faces faces = faces_of(tear, steps);
   part_all(run, tear, faces);
 }
 

@@ -100,6 +100,15 @@ void compare_fans(Trial& trial, const std::string& what, std::vector<std::uint32
          fmt::format("half-faces {}", fmt::join(answered, " ")));
 }
 
+/// The kernel's faces against the sides that the suite is about to split.
+void compare_sides(Trial& trial, const std::string& what, std::span<const Step> steps,
+                   const std::vector<FaceSide>& sides) {
+  std::vector<std::uint32_t> expected, answered;
+  for (const Step& step : steps) expected.push_back(half_face_of(trial.twin, step.a).value);
+  for (const FaceSide side : sides) answered.push_back(half_face_of(trial.twin, side).value);
+  compare_fans(trial, what, std::move(expected), std::move(answered));
+}
+
 /// Betti numbers over GF(2) that go with homology over Z: every even torsion coefficient adds one
 /// in its dimension and one in the next.
 BettiNumbers mod_2(const IntegerHomology& homology) {
@@ -221,13 +230,17 @@ void judge_fan(Trial& trial, const SplitFan& fan, std::span<const Step> steps) {
 void judge_break(Trial& trial, const BreakPoint& broken, std::span<const Step> steps) {
   if (trial.checks.first || !trial.kernel.crack_fan) return;
   ++trial.times.fans;
-  std::vector<std::uint32_t> expected, answered;
-  for (const Step& step : steps) expected.push_back(half_face_of(trial.twin, step.a).value);
-  for (const FaceSide side : trial.kernel.crack_fan(broken.point, broken.sides)) {
-    answered.push_back(half_face_of(trial.twin, side).value);
-  }
-  compare_fans(trial, fmt::format("fan of labels at all copies of point {}", broken.point),
-               std::move(expected), std::move(answered));
+  compare_sides(trial, fmt::format("fan of labels at all copies of point {}", broken.point), steps,
+                trial.kernel.crack_fan(broken.point, broken.sides));
+}
+
+void judge_plane(Trial& trial, const CuttingPlane& plane, std::span<const Step> steps) {
+  if (trial.checks.first || !trial.kernel.plane) return;
+  ++trial.times.sections;
+  compare_sides(trial,
+                fmt::format("section of the plane of normal {:.17g}, offset {:.17g}",
+                            fmt::join(plane.normal, " "), plane.offset),
+                steps, trial.kernel.plane(plane));
 }
 
 void judge_faults(Trial& trial) {

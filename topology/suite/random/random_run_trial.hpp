@@ -37,6 +37,8 @@ struct CheckCounts {
   std::size_t wholes = 0;
   /// The kernel's fans against the suite's own.
   std::size_t fans = 0;
+  /// The kernel's sections of planes likewise.
+  std::size_t sections = 0;
   /// The kernel's own faults asked for.
   std::size_t faults = 0;
   /// Homology of the whole body over GF(2) and Z.
@@ -80,6 +82,8 @@ void judge_whole(Trial& trial);
 void judge_fan(Trial& trial, const SplitFan& fan, std::span<const Step> steps);
 /// The kernel's faces for a break, each from its positive side, against `steps`.
 void judge_break(Trial& trial, const BreakPoint& broken, std::span<const Step> steps);
+/// And for the section of a plane.
+void judge_plane(Trial& trial, const CuttingPlane& plane, std::span<const Step> steps);
 /// What the kernel has against itself.
 void judge_faults(Trial& trial);
 /// Homology of the body as it is, by the twin, against the kernel's counts, the formula for b1, the
