@@ -43,14 +43,18 @@ struct Trial {
 
   bool failed() const { return checks.first.has_value(); }
 
-  /// Calls the kernel and takes the time.
+  /// Calls the kernel and takes the time, also that until it was lost.
   template <class Call>
   auto timed(const Call& call) {
-    const auto start = std::chrono::steady_clock::now();
-    auto answer = call();
-    const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - start;
-    kernel_us += time.count();
-    return answer;
+    struct Watch {
+      double& us;
+      std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+      ~Watch() {
+        us += std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start)
+                  .count();
+      }
+    } const watch{kernel_us};
+    return call();
   }
 
   void check_partition(const std::string& what, const std::vector<std::uint32_t>& expected,
