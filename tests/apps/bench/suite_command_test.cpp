@@ -2,12 +2,11 @@
 // `sunder suite` from outside: tables, JSON, exit codes, kernels in other processes, exports.
 #include <catch2/catch.hpp>
 
-#include <filesystem>
+#include <algorithm>
 #include <fstream>
+#include <iterator>
 
 #include "tests/support/program.hpp"
-#include "topology/io/mesh_file.hpp"
-#include "topology/suite/fixtures/shapes.hpp"
 
 using namespace sunder::test;
 
@@ -98,7 +97,11 @@ TEST_CASE("mistakes on the command line end with 2", "[suite][command]") {
   const Workplace here;
   CHECK(here.run({"suite", "--kernels"}).exit_code == 2);
   CHECK(here.run({"suite", "a", "b"}).exit_code == 2);
-  CHECK(here.run({"suite", "--export", here.path("x"), "--json"}).exit_code == 2);
+  for (const char* other : {"--json", "--fail-fast"}) {
+    CHECK(here.run({"suite", "--export", here.path("x.tar.gz"), other}).exit_code == 2);
+  }
+  CHECK(here.run({"suite", "--random", "10", "--fail-fast"}).exit_code == 2);
+  CHECK(here.run({"suite", "--random", "10", "--junit", here.path("x.xml")}).exit_code == 2);
   const Outcome none = here.run({"suite", "--fixtures", data + "/good", "--kernel", "exit 7"});
   CHECK(none.exit_code == 2);
   CHECK(none.err.find("exit 7") != std::string::npos);
@@ -128,19 +131,104 @@ TEST_CASE("a kernel in another process is judged; a liar is caught, and the run 
   }
 }
 
-TEST_CASE("exported fixtures are meshes and files that judge the same", "[suite][command]") {
+TEST_CASE("--fail-fast ends after the first fixture with a mismatch, and says what is left",
+          "[suite][command]") {
   const Workplace here;
-  const std::string out = here.path("out");
-  const Outcome written = here.run({"suite", "--fixtures", data + "/good", "--export", out});
+  const std::string liar = python("liar.py forgets-a-vertex 0");
+  const Outcome table = here.run({"suite", "--fixtures", data + "/good", "--kernel", liar, "--fail-fast"});
+  CHECK(table.exit_code == 1);
+  CHECK(table.out.find("ended at a mismatch, 6 fixtures not judged; 1 fixtures") != std::string::npos);
+  const auto json =
+      here.run({"suite", "--fixtures", data + "/good", "--kernel", liar, "--fail-fast", "--json"}).json();
+  CHECK(json["fixtures"].size() == 1);
+  CHECK(json["totals"]["not_judged"] == 6);
+  const Outcome right =
+      here.run({"suite", "--fixtures", data + "/good", "--kernel", "twin", "--fail-fast", "--json"});
+  CHECK(right.exit_code == 0);
+  CHECK(right.json()["totals"]["not_judged"] == 0);
+}
+
+TEST_CASE("a kernel that is always silent has --timeout three times and is asked no more",
+          "[suite][command]") {
+  const Workplace here;
+  const auto judged = [&here](const std::string& kernel) {
+    return here.run({"suite", "--fixtures", data + "/good", "--kernel", kernel, "--timeout", "0.2", "--json"});
+  };
+  const Outcome silent = judged("read q; echo hello 1 stub; sleep 1000");
+  CHECK(silent.exit_code == 1);
+  const auto fixtures = silent.json()["fixtures"];
+  REQUIRE(fixtures.size() == 7);
+  const auto answered = [&fixtures](std::size_t row) {
+    return fixtures[row]["verdicts"][0]["mismatch"]["answered"].get<std::string>();
+  };
+  for (std::size_t row = 0; row < 3; ++row) {
+    CHECK(answered(row).find("no answer within 0.2 s") != std::string::npos);
+    CHECK(fixtures[row]["verdicts"][0]["microseconds"] > 190000);  // the time it was waited for
+  }
+  for (std::size_t row = 3; row < 7; ++row) CHECK(answered(row).find("not asked") == 0);
+  // Dying costs no time: it is asked about every fixture.
+  for (const auto& fixture : judged("read q; echo hello 1 stub; exit 3").json()["fixtures"]) {
+    const std::string text = fixture["verdicts"][0]["mismatch"]["answered"];
+    CHECK(text.find("ended with exit code 3") != std::string::npos);
+  }
+  // And one that hangs now and then keeps being asked.
+  const Outcome hangs = judged(python("liar.py hangs 1"));
+  for (const auto& fixture : hangs.json()["fixtures"]) {
+    CHECK(fixture["verdicts"][0].dump().find("not asked:") == std::string::npos);
+  }
+  CHECK(here.run({"suite", "--kernel", "read q; sleep 1000", "--timeout", "0.2"}).exit_code == 2);
+  for (const char* bad : {"0", "-1", "nan", "inf", "soon", "1e9"}) {
+    CHECK(here.run({"suite", "--timeout", bad}).exit_code == 2);
+  }
+}
+
+TEST_CASE("--junit has a testsuite a kernel and a testcase a fixture", "[suite][command]") {
+  const Workplace here;
+  const auto junit = [&here](const std::vector<std::string>& more, int exit_code) {
+    std::vector<std::string> words = {"suite", "--junit", here.path("suite.xml"), "--fixtures"};
+    words.insert(words.end(), more.begin(), more.end());
+    CHECK(here.run(words).exit_code == exit_code);
+    std::ifstream file(here.path("suite.xml"));
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  const auto count = [](const std::string& text, const std::string& part) {
+    std::size_t n = 0;
+    for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; ++at) ++n;
+    return n;
+  };
+  const std::string right = junit({data + "/good", "--kernel", "sunder", "--kernel", "cgal"}, 0);
+  CHECK(count(right, "<testsuite ") == 2);
+  CHECK(count(right, "<testcase ") == 14);
+  CHECK(count(right, " tests=\"7\" failures=\"0\" errors=\"0\" ") == 2);
+  CHECK(count(right, "<testcase classname=\"sunder.small\" name=\"two-tetrahedra\"") == 1);
+  CHECK(count(right, "<skipped message=\"known difference: ") ==
+        count(right, "known difference"));
+  const std::string wrong = junit({data + "/wrong", "--kernel", "twin"}, 1);
+  CHECK(count(wrong, " failures=\"1\" errors=\"0\"") == 1);
+  CHECK(count(wrong, "<failure type=\"mismatch\" message=\"splits of kind (3, 3)") == 1);
+  CHECK(count(wrong, "split 0 1 3 from tetrahedron 0") == 1);
+  const std::string lost =
+      junit({data + "/good", "--kernel", "read q; echo hello 1 a\\<b\\&c; printf '<\\001\"&>\\377\\n'; exit 3"}, 1);
+  CHECK(count(lost, "<error type=\"lost\"") == 7);
+  CHECK(count(lost, "<testsuite name=\"a&lt;b&amp;c\"") == 1);
+  CHECK(std::all_of(lost.begin(), lost.end(), [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); }));
+  CHECK(here.run({"suite", "01-*", "--kernel", "twin", "--junit", here.path("no/x.xml")}).exit_code == 4);
+}
+
+TEST_CASE("--export writes one archive; mistakes write none", "[suite][command]") {
+  const Workplace here;
+  const std::string archive = here.path("suite.tar.gz");
+  const Outcome written = here.run({"suite", "--fixtures", data + "/good", "--export", archive});
   CHECK(written.exit_code == 0);
-  CHECK(written.out.find("small.two-tetrahedra\n") != std::string::npos);
-  const auto mesh = sunder::read_mesh(std::filesystem::path(out) / "small.figure-5-abc.msh");
-  REQUIRE(mesh);
-  CHECK(mesh->tetrahedra == sunder::suite::kuhn_box({2, 2, 2}).tetrahedra);
-  CHECK(here.run({"suite", "--fixtures", out, "--kernel", "sunder"}).exit_code == 0);
-  here.write("file", "not a folder");
-  CHECK(here.run({"suite", "--fixtures", data + "/good", "--export", here.path("file/x")})
+  CHECK(written.out.find("suite.tar.gz: 7 fixtures\n") != std::string::npos);
+  CHECK(here.run({"suite", "--fixtures", data + "/good", "--export", here.path("folder")}).exit_code == 2);
+  CHECK(here.run({"suite", "--fixtures", data + "/good", "--export", here.path("no/x.tar.gz")})
             .exit_code == 4);
+  const Outcome untrue =
+      here.run({"suite", "--fixtures", data + "/wrong", "--export", here.path("wrong.tar.gz")});
+  CHECK(untrue.exit_code == 1);
+  CHECK(untrue.err.find("is not true of its body") != std::string::npos);
+  CHECK(here.names() == std::vector<std::string>{"suite.tar.gz"});
 }
 
 TEST_CASE("without --fixtures the current folder's are taken, else the source tree's",
