@@ -122,16 +122,16 @@ TEST_CASE("a process that hangs is given up after its time and killed with its c
 }
 
 TEST_CASE("the time for an answer grows with the body", "[suite][process_kernel]") {
-  // 6 000 tetrahedra: 1.6 times 0.5 s; the name has the plain time.
-  JudgedKernel kernel = process_kernel(after_hello("sleep 1000"), 0.5);
+  // 6 000 tetrahedra: 1.6 times as long; the name has the plain time.
+  JudgedKernel kernel = process_kernel(after_hello("sleep 1000"), 1);
   const std::string message = lost_message([&] { kernel.load(kuhn_box({10, 10, 10})); });
-  CHECK(contains(message, "no answer within 0.8 s"));
+  CHECK(contains(message, "no answer within 1.6 s"));
   CHECK(contains(lost_message([] { process_kernel("sleep 1000", 0.2); }),
                  "asked \"hello 1\": no answer within 0.2 s"));
 }
 
 TEST_CASE("silence is told from other losses", "[suite][process_kernel]") {
-  JudgedKernel kernel = process_kernel(after_hello("sleep 1000"), 0.2);
+  JudgedKernel kernel = process_kernel(after_hello("sleep 1000"), 1);
   CHECK_THROWS_AS(kernel.load(two_tetrahedra()), KernelSilent);
   JudgedKernel gone = process_kernel(after_hello("read q; exit 3"));
   bool silent = false;
@@ -146,10 +146,10 @@ TEST_CASE("silence is told from other losses", "[suite][process_kernel]") {
 
 TEST_CASE("a process that stops itself, or reads no more and says nothing, is given up",
           "[suite][process_kernel]") {
-  CHECK(contains(load_message("kill -STOP $$", 0.3), "no answer within 0.3 s"));
-  CHECK(contains(load_message("exec 0<&-; exec sleep 1000", 0.3), "no answer within 0.3 s"));
-  CHECK(contains(load_message("trap '' TERM HUP INT; while :; do sleep 1; done", 0.3),
-                 "no answer within 0.3 s"));
+  CHECK(contains(load_message("kill -STOP $$", 1), "no answer within 1 s"));
+  CHECK(contains(load_message("exec 0<&-; exec sleep 1000", 1), "no answer within 1 s"));
+  CHECK(contains(load_message("trap '' TERM HUP INT; while :; do sleep 1; done", 1),
+                 "no answer within 1 s"));
 }
 
 TEST_CASE("a process that leaves its output to another one is not waited for",
@@ -170,9 +170,9 @@ TEST_CASE("an answer that a process gave before it ended counts", "[suite][proce
 
 TEST_CASE("two lines where one was asked for are no answer, however they come",
           "[suite][process_kernel]") {
-  CHECK(contains(load_message("read q; echo ok; echo ok; cat > /dev/null"), "ok"));
+  CHECK(contains(load_message("read q; printf 'ok\\nok\\n'; cat > /dev/null"), "another line, \"ok\""));
   CHECK(contains(load_message("read q; printf 'ok\\nand more'; cat > /dev/null"), "and more"));
-  CHECK(contains(load_message("read q; yes ok"), "ok"));
+  CHECK(contains(load_message("read q; yes ok"), "another line"));
   // Said late: the next question finds it.
   JudgedKernel kernel = process_kernel(
       after_hello("for i in 1 2 3 4 5 6 7 8; do read q; done; echo ok; sleep 0.1; echo so; read q; read q"));

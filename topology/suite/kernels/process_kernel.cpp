@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The suite's side of the protocol of docs/suite.md: questions as lines, answers parsed strictly.
+// The suite's side of the protocol of docs/judge_your_kernel.md: questions as lines, answers parsed
+// strictly.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -122,6 +123,7 @@ struct Speaker {
       answer.end();
       return parsed;
     } catch (const KernelLost&) {
+      if (child != nullptr) child->give_up();
       child.reset();
       throw;
     }

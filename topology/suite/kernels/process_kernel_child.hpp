@@ -24,8 +24,10 @@ class Child {
   explicit Child(const std::string& command);
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
-  /// Says `quit`, waits a second for an end in peace, then kills.
+  /// Says `quit` and waits a second for an end in peace, unless it was given up; then kills.
   ~Child();
+  /// There is no more to say to it.
+  void give_up() { ended_ = true; }
 
   struct Limits {
     double seconds = 10;
@@ -47,7 +49,7 @@ class Child {
   pid_t process_ = -1;
   int to_ = -1, from_ = -1;
   std::string received_;
-  bool ended_ = false;
+  bool ended_ = false;  // its output, or all talk with it
 };
 
 }  // namespace sunder::suite

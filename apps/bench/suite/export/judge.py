@@ -112,9 +112,9 @@ class Child:
                 if not happened:
                     raise Lost(f"it {self.how_it_ended()} and left its output to another process")
 
-    def close(self):
-        """Says quit, waits a second for an end in peace, then kills all of the process group."""
-        to_send, deadline = b"quit\n", time.monotonic() + 1
+    def close(self, in_peace):
+        """Kills all of the process group; in peace after a quit and a second to follow it."""
+        to_send, deadline = b"quit\n", time.monotonic() + (1 if in_peace else 0)
         while not self.ended and time.monotonic() < deadline:
             to_send, _ = self.exchange(to_send, 0.02)
             self.received = b""
@@ -202,12 +202,12 @@ class Kernel:
             words.end()
             return answer
         except Lost as lost:
-            self.stop()
+            self.stop(in_peace=False)
             raise type(lost)(f"asked {quoted(text)}: {lost}") from None
 
-    def stop(self):
+    def stop(self, in_peace=True):
         if self.child:
-            self.child.close()
+            self.child.close(in_peace)
             self.child = None
 
     def load(self, points, tetrahedra):
