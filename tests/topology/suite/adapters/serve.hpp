@@ -184,20 +184,20 @@ inline Body read_body(std::size_t points, std::size_t tetrahedra) {
 }
 
 template <class List>
-void say_list(const char* word, const List& list) {
-  std::cout << word;
-  for (const auto& x : list) std::cout << ' ' << x;
+void say_list(std::ostream& out, const std::string& word, const List& list) {
+  out << word;
+  for (const auto& x : list) out << ' ' << x;
 }
 
-inline void say(const std::optional<Parted>& parted) {
+inline void say(std::ostream& out, const std::optional<Parted>& parted) {
   if (!parted) {
-    std::cout << "boundary";
+    out << "boundary";
     return;
   }
-  say_list(("split " + std::to_string(parted->vertices.size())).c_str(), parted->vertices);
-  std::cout << ' ' << parted->edges.size();
-  for (const auto& [a, b] : parted->edges) std::cout << ' ' << a << ' ' << b;
-  std::cout << (parted->separated ? " 1" : " 0");
+  say_list(out, "split " + std::to_string(parted->vertices.size()), parted->vertices);
+  out << ' ' << parted->edges.size();
+  for (const auto& [a, b] : parted->edges) out << ' ' << a << ' ' << b;
+  out << (parted->separated ? " 1" : " 0");
 }
 
 /// Answers questions until there are no more. A kernel has load(Body), an empty text or why it
@@ -207,11 +207,14 @@ inline void say(const std::optional<Parted>& parted) {
 template <class Kernel>
 int serve(Kernel&& kernel, const std::string& name) {
   std::ios::sync_with_stdio(false);
+  // Some libraries tell things on std::cout, where only answers belong.
+  std::ostream out(std::cout.rdbuf());
+  std::cout.rdbuf(std::cerr.rdbuf());
   std::string word;
   while (std::cin >> word && word != "quit") {
     if (word == "hello") {
       std::cin >> word;
-      std::cout << "hello 1 " << name << " glue";
+      out << "hello 1 " << name << " glue";
     } else if (word == "mesh") {
       std::size_t points = 0, tetrahedra = 0;
       std::cin >> points >> tetrahedra;
@@ -221,25 +224,25 @@ int serve(Kernel&& kernel, const std::string& name) {
             return *std::max_element(t.begin(), t.end()) < points;
           });
       const std::string why = there ? kernel.load(body) : "a point that is not there";
-      std::cout << (why.empty() ? "ok" : "refused " + why);
+      out << (why.empty() ? "ok" : "refused " + why);
     } else if (word == "split") {
       Side side;
       std::cin >> side.tetrahedron >> side.opposite;
-      say(kernel.split(side));
+      say(out, kernel.split(side));
     } else if (word == "glue") {
       Side a, b;
       std::cin >> a.tetrahedron >> a.opposite >> b.tetrahedron >> b.opposite;
-      std::cout << (kernel.glue(a, b) ? "ok" : "refused");
+      out << (kernel.glue(a, b) ? "ok" : "refused");
     } else if (word == "counts") {
-      say_list("counts", kernel.counts());
+      say_list(out, "counts", kernel.counts());
     } else if (word == "vertices") {
-      say_list("vertices", kernel.vertices());
+      say_list(out, "vertices", kernel.vertices());
     } else if (word == "components") {
-      say_list("components", kernel.components());
+      say_list(out, "components", kernel.components());
     } else {
-      std::cout << "unknown";
+      out << "unknown";
     }
-    std::cout << std::endl;
+    out << std::endl;
   }
   return 0;
 }
