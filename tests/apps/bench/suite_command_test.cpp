@@ -107,7 +107,7 @@ TEST_CASE("mistakes on the command line end with 2", "[suite][command]") {
   CHECK(none.err.find("exit 7") != std::string::npos);
 }
 
-TEST_CASE("a kernel in another process is judged; a liar is caught, and the run goes on",
+TEST_CASE("a kernel in another process is judged, a liar is caught, and the run goes on",
           "[suite][command]") {
   const Workplace here;
   const auto judged = [&here](const std::string& kernel) {
@@ -131,7 +131,7 @@ TEST_CASE("a kernel in another process is judged; a liar is caught, and the run 
   }
 }
 
-TEST_CASE("--fail-fast ends after the first fixture with a mismatch, and says what is left",
+TEST_CASE("a run with --fail-fast ends after the first fixture with a mismatch, and says what is left",
           "[suite][command]") {
   const Workplace here;
   const std::string liar = python("liar.py forgets-a-vertex 0");
@@ -180,7 +180,7 @@ TEST_CASE("a kernel that is always silent has its time three times and is asked 
   CHECK(said(now_and_then[6], "ended with exit code 3"));
 }
 
-TEST_CASE("a program that says no hello is no kernel; --timeout is a time", "[suite][command]") {
+TEST_CASE("a program that says no hello is no kernel, and --timeout is a time", "[suite][command]") {
   const Workplace here;
   CHECK(here.run({"suite", "--kernel", "read q; sleep 1000", "--timeout", "0.2"}).exit_code == 2);
   for (const char* bad : {"0", "-1", "nan", "inf", "soon", "1e9"}) {
@@ -188,7 +188,7 @@ TEST_CASE("a program that says no hello is no kernel; --timeout is a time", "[su
   }
 }
 
-TEST_CASE("--junit has a testsuite a kernel and a testcase a fixture", "[suite][command]") {
+TEST_CASE("a JUnit file has a testsuite a kernel and a testcase a fixture", "[suite][command]") {
   const Workplace here;
   const auto junit = [&here](const std::vector<std::string>& more, int exit_code) {
     std::vector<std::string> words = {"suite", "--junit", here.path("suite.xml"), "--fixtures"};
@@ -222,7 +222,7 @@ TEST_CASE("--junit has a testsuite a kernel and a testcase a fixture", "[suite][
   CHECK(here.run({"suite", "01-*", "--kernel", "twin", "--junit", here.path("no/x.xml")}).exit_code == 4);
 }
 
-TEST_CASE("--export writes one archive; mistakes write none", "[suite][command]") {
+TEST_CASE("an export is one archive, and mistakes write none", "[suite][command]") {
   const Workplace here;
   const std::string archive = here.path("suite.tar.gz");
   const Outcome written = here.run({"suite", "--fixtures", data + "/good", "--export", archive});
