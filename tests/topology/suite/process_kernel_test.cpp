@@ -99,7 +99,7 @@ TEST_CASE("a process that dies is reported with the question and how it ended",
   const std::string message = load_message("read q; exit 3");
   CHECK(contains(message, "asked \"mesh 5 2\""));
   CHECK(contains(message, "ended with exit code 3"));
-  CHECK(contains(load_message("exec 1>&-; sleep 5"), "closed its output"));
+  CHECK(contains(load_message("exec 1>&-; sleep 1000"), "closed its output"));
 }
 
 TEST_CASE("a process that reads no more does not end ours", "[suite][process_kernel]") {

@@ -156,7 +156,8 @@ bool Child::is_gone() const {
 std::string Child::how_it_ended() const {
   // Its output is closed; if it lives on none the less, it is of no more use. Dying takes a while
   // where a core is dumped.
-  for (int i = 0; i < 250 && !is_gone(); ++i) usleep(10000);
+  const auto deadline = Clock::now() + std::chrono::seconds(2);
+  while (!is_gone() && Clock::now() < deadline) usleep(10000);
   siginfo_t info = {};
   waitid(P_PID, static_cast<id_t>(process_), &info, WEXITED | WNOWAIT | WNOHANG);
   if (info.si_pid == 0) return "closed its output";

@@ -76,7 +76,7 @@ class Child:
 
     def how_it_ended(self):
         try:
-            code = self.process.wait(2.5)  # dying takes a while where a core is dumped
+            code = self.process.wait(2)  # dying takes a while where a core is dumped
         except subprocess.TimeoutExpired:
             return "closed its output"
         if code < 0:
