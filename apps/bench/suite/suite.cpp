@@ -128,11 +128,12 @@ suite::Verdict judge_or_give_up(const suite::Fixture& fixture, const suite::Trut
   }
   const std::string why =
       fmt::format("not asked: it gave none in {} fixtures one after the other", most_silent);
-  return {.fixture = fixture.name,
-          .kernel = defendant.kernel.name,
-          .mismatch = suite::Mismatch{.what = "the kernel", .expected = "an answer", .answered = why},
-          .lost = true,
-          .silent = true};
+  return {
+      .fixture = fixture.name,
+      .kernel = defendant.kernel.name,
+      .mismatch = suite::Mismatch{.what = "the kernel", .expected = "an answer", .answered = why},
+      .lost = true,
+      .silent = true};
 }
 
 SuiteRow judge_fixture(const suite::Fixture& fixture, std::vector<Defendant>& defendants) {
@@ -189,7 +190,8 @@ ExitCode judge_all(const std::vector<suite::Fixture>& fixtures, std::vector<Defe
 
 ExitCode run_random(const SuiteArguments& arguments) {
   std::vector<std::function<suite::JudgedKernel()>> kernels;
-  for (const std::string& name : arguments.kernels) kernels.push_back(maker_of(name, arguments.timeout));
+  for (const std::string& name : arguments.kernels)
+    kernels.push_back(maker_of(name, arguments.timeout));
   if (kernels.empty()) kernels.emplace_back(suite::volume_map_kernel);
   return run_random_suite(arguments.random, kernels, arguments.json);
 }
@@ -244,11 +246,13 @@ void add_suite_command(CLI::App& program, ExitCode& exit_code) {
   CLI::Option* const fixtures =
       command->add_option("--fixtures", arguments->fixtures, "Folder of fixture files")
           ->type_name("DIR");
-  command
-      ->add_option("--kernel", arguments->kernels, "sunder, dense, nested, cgal, twin, or a shell command")
-      ->type_name("KERNEL")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  CLI::Option* const kernel =
+      command
+          ->add_option("--kernel", arguments->kernels,
+                       "sunder, dense, nested, cgal, twin, or a shell command")
+          ->type_name("KERNEL")
+          ->expected(1)
+          ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   CLI::Option* const timeout =
       command
           ->add_option("--timeout", arguments->timeout,
@@ -256,8 +260,8 @@ void add_suite_command(CLI::App& program, ExitCode& exit_code) {
           ->type_name("SECONDS")
           ->capture_default_str()
           ->check(CLI::Validator(check_timeout, "", "timeout"));
-  CLI::Option* const fail_fast = command->add_flag(
-      "--fail-fast", arguments->fail_fast, "End after the first fixture with a mismatch");
+  CLI::Option* const fail_fast = command->add_flag("--fail-fast", arguments->fail_fast,
+                                                   "End after the first fixture with a mismatch");
   CLI::Option* const junit =
       command->add_option("--junit", arguments->junit, "Write the results as JUnit XML, too")
           ->type_name("FILE");
@@ -270,7 +274,8 @@ void add_suite_command(CLI::App& program, ExitCode& exit_code) {
           ->check(CLI::Validator(check_archive_name, "", "archive"));
   CLI::Option* const json =
       command->add_flag("--json", arguments->json, "Print JSON instead of a table");
-  for (CLI::Option* const other : {timeout, fail_fast, junit, json}) archive->excludes(other);
+  for (CLI::Option* const other : {kernel, timeout, fail_fast, junit, json})
+    archive->excludes(other);
   add_random_options(*command, {filter, fixtures, fail_fast, junit, archive}, arguments->random);
   command->footer(footer);
   command->callback([=, &exit_code] { exit_code = run_suite(*arguments); });

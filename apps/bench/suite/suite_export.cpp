@@ -76,8 +76,10 @@ ExitCode export_suite(const std::vector<suite::Fixture>& fixtures,
     const std::filesystem::path path = std::filesystem::path(SUNDER_SOURCE_DIR) / source.in_tree;
     const std::optional<std::string> bytes = bytes_of(path);
     if (!bytes) {
-      fmt::print(stderr, "sunder suite: {} cannot be read: --export needs the source tree that the "
-                 "program was built from\n", path.string());
+      fmt::print(stderr,
+                 "sunder suite: {} cannot be read: --export needs the source tree that the "
+                 "program was built from\n",
+                 path.string());
       return ExitCode::bad_input;
     }
     files.push_back({folder + source.in_archive, *bytes, source.executable});
@@ -86,12 +88,14 @@ ExitCode export_suite(const std::vector<suite::Fixture>& fixtures,
     const suite::Truth truth = suite::truth_of(fixture);
     if (truth.checks.first) {
       const suite::Mismatch& m = *truth.checks.first;
-      fmt::print(stderr, "sunder suite: {} is not true of its body: operation {}: {}: expected {}, "
-                 "union-find has {}; nothing was written\n", fixture.name, m.operation, m.what,
-                 m.expected, m.answered);
+      fmt::print(stderr,
+                 "sunder suite: {} is not true of its body: operation {}: {}: expected {}, "
+                 "union-find has {}; nothing was written\n",
+                 fixture.name, m.operation, m.what, m.expected, m.answered);
       return ExitCode::problems;
     }
-    files.push_back({folder + "fixtures/" + file_name(fixture), suite::fixture_json(fixture, truth)});
+    files.push_back(
+        {folder + "fixtures/" + file_name(fixture), suite::fixture_json(fixture, truth)});
   }
   std::sort(files.begin(), files.end(),
             [](const PackedFile& a, const PackedFile& b) { return a.name < b.name; });

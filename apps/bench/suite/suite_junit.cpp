@@ -20,12 +20,23 @@ std::string in_xml(std::string_view text) {
   std::string out;
   for (const char c : text) {
     switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      case '\n': out += '\n'; break;
-      default: out += c >= ' ' && c <= '~' ? c : '?';
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      case '\n':
+        out += '\n';
+        break;
+      default:
+        out += c >= ' ' && c <= '~' ? c : '?';
     }
   }
   return out;
@@ -39,7 +50,8 @@ std::string host_name() {
 /// What stands inside a testcase; nothing when all is as expected.
 std::string outcome(const Verdict& v, const std::vector<std::string>& steps) {
   if (!v.known_difference.empty()) {
-    return fmt::format("<skipped message=\"{}\"/>", in_xml("known difference: " + v.known_difference));
+    return fmt::format("<skipped message=\"{}\"/>",
+                       in_xml("known difference: " + v.known_difference));
   }
   if (!v.mismatch) return "";
   const char* const kind = v.lost ? "error" : "failure";
@@ -54,10 +66,11 @@ std::string outcome(const Verdict& v, const std::vector<std::string>& steps) {
 std::string testcase(const std::string& kernel, const SuiteRow& row, std::size_t k) {
   const std::size_t slash = row.fixture.find('/');
   const Verdict& v = row.verdicts[k];
-  return fmt::format("    <testcase classname=\"{}.{}\" name=\"{}\" time=\"{:.6f}\">{}</testcase>\n",
-                     in_xml(kernel), in_xml(row.fixture.substr(0, slash)),
-                     in_xml(row.fixture.substr(slash == std::string::npos ? 0 : slash + 1)),
-                     v.kernel_us * 1e-6, outcome(v, row.steps_in_words[k]));
+  return fmt::format(
+      "    <testcase classname=\"{}.{}\" name=\"{}\" time=\"{:.6f}\">{}</testcase>\n",
+      in_xml(kernel), in_xml(row.fixture.substr(0, slash)),
+      in_xml(row.fixture.substr(slash == std::string::npos ? 0 : slash + 1)), v.kernel_us * 1e-6,
+      outcome(v, row.steps_in_words[k]));
 }
 
 std::string testsuite(const SuiteTable& table, const std::vector<SuiteRow>& rows, std::size_t k) {
@@ -73,7 +86,8 @@ std::string testsuite(const SuiteTable& table, const std::vector<SuiteRow>& rows
     cases += testcase(table.kernels[k], row, k);
   }
   return fmt::format(
-      "  <testsuite name=\"{}\" package=\"sunder.suite\" id=\"{}\" timestamp=\"{:%Y-%m-%dT%H:%M:%S}\" "
+      "  <testsuite name=\"{}\" package=\"sunder.suite\" id=\"{}\" "
+      "timestamp=\"{:%Y-%m-%dT%H:%M:%S}\" "
       "hostname=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"{}\" time=\"{:.3f}\">\n"
       "    <properties/>\n{}    <system-out/>\n    <system-err/>\n  </testsuite>\n",
       in_xml(table.kernels[k]), k, fmt::gmtime(std::chrono::system_clock::to_time_t(table.started)),

@@ -18,8 +18,16 @@ constexpr std::size_t block = 512;
 
 /// Fields of a ustar header: where they begin.
 enum : std::size_t {
-  at_name = 0, at_mode = 100, at_owner = 108, at_group = 116, at_size = 124, at_time = 136,
-  at_sum = 148, at_type = 156, at_magic = 257, at_prefix = 345
+  at_name = 0,
+  at_mode = 100,
+  at_owner = 108,
+  at_group = 116,
+  at_size = 124,
+  at_time = 136,
+  at_sum = 148,
+  at_type = 156,
+  at_magic = 257,
+  at_prefix = 345
 };
 
 std::string header_of(const PackedFile& file) {

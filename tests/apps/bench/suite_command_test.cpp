@@ -131,19 +131,23 @@ TEST_CASE("a kernel in another process is judged, a liar is caught, and the run 
   }
 }
 
-TEST_CASE("a run with --fail-fast ends after the first fixture with a mismatch, and says what is left",
-          "[suite][command]") {
+TEST_CASE(
+    "a run with --fail-fast ends after the first fixture with a mismatch, and says what is left",
+    "[suite][command]") {
   const Workplace here;
   const std::string liar = python("liar.py forgets-a-vertex 0");
-  const Outcome table = here.run({"suite", "--fixtures", data + "/good", "--kernel", liar, "--fail-fast"});
+  const Outcome table =
+      here.run({"suite", "--fixtures", data + "/good", "--kernel", liar, "--fail-fast"});
   CHECK(table.exit_code == 1);
-  CHECK(table.out.find("ended at a mismatch, 6 fixtures not judged; 1 fixtures") != std::string::npos);
+  CHECK(table.out.find("ended at a mismatch, 6 fixtures not judged; 1 fixtures") !=
+        std::string::npos);
   const auto json =
-      here.run({"suite", "--fixtures", data + "/good", "--kernel", liar, "--fail-fast", "--json"}).json();
+      here.run({"suite", "--fixtures", data + "/good", "--kernel", liar, "--fail-fast", "--json"})
+          .json();
   CHECK(json["fixtures"].size() == 1);
   CHECK(json["totals"]["not_judged"] == 6);
-  const Outcome right =
-      here.run({"suite", "--fixtures", data + "/good", "--kernel", "twin", "--fail-fast", "--json"});
+  const Outcome right = here.run(
+      {"suite", "--fixtures", data + "/good", "--kernel", "twin", "--fail-fast", "--json"});
   CHECK(right.exit_code == 0);
   CHECK(right.json()["totals"]["not_judged"] == 0);
 }
@@ -152,8 +156,9 @@ TEST_CASE("a kernel that is always silent has its time three times and is asked 
           "[suite][command]") {
   const Workplace here;
   const auto answers = [&here](const std::string& kernel) {
-    const Outcome outcome = here.run({"suite", "--fixtures", data + "/good", "--kernel",
-                                      "read q; echo hello 1 stub; " + kernel, "--timeout", "1", "--json"});
+    const Outcome outcome =
+        here.run({"suite", "--fixtures", data + "/good", "--kernel",
+                  "read q; echo hello 1 stub; " + kernel, "--timeout", "1", "--json"});
     CHECK(outcome.exit_code == 1);
     std::vector<std::string> texts;
     const auto json = outcome.json();
@@ -180,7 +185,8 @@ TEST_CASE("a kernel that is always silent has its time three times and is asked 
   CHECK(said(now_and_then[6], "ended with exit code 3"));
 }
 
-TEST_CASE("a program that says no hello is no kernel, and --timeout is a time", "[suite][command]") {
+TEST_CASE("a program that says no hello is no kernel, and --timeout is a time",
+          "[suite][command]") {
   const Workplace here;
   CHECK(here.run({"suite", "--kernel", "read q; sleep 1000", "--timeout", "0.2"}).exit_code == 2);
   for (const char* bad : {"0", "-1", "nan", "inf", "soon", "1e9"}) {
@@ -215,11 +221,16 @@ TEST_CASE("a JUnit file has a testsuite a kernel and a testcase a fixture", "[su
   CHECK(count(wrong, "<failure type=\"mismatch\" message=\"splits of kind (3, 3)") == 1);
   CHECK(count(wrong, "split 0 1 3 from tetrahedron 0") == 1);
   const std::string lost =
-      junit({data + "/good", "--kernel", "read q; echo hello 1 a\\<b\\&c; read q; printf '<\\001\"&>\\377\\n'; exit 3"}, 1);
+      junit({data + "/good", "--kernel",
+             "read q; echo hello 1 a\\<b\\&c; read q; printf '<\\001\"&>\\377\\n'; exit 3"},
+            1);
   CHECK(count(lost, "<error type=\"lost\"") == 7);
   CHECK(count(lost, "<testsuite name=\"a&lt;b&amp;c\"") == 1);
-  CHECK(std::all_of(lost.begin(), lost.end(), [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); }));
-  CHECK(here.run({"suite", "01-*", "--kernel", "twin", "--junit", here.path("no/x.xml")}).exit_code == 4);
+  CHECK(std::all_of(lost.begin(), lost.end(),
+                    [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); }));
+  CHECK(
+      here.run({"suite", "01-*", "--kernel", "twin", "--junit", here.path("no/x.xml")}).exit_code ==
+      4);
 }
 
 TEST_CASE("an export is one archive, and mistakes write none", "[suite][command]") {
@@ -228,7 +239,8 @@ TEST_CASE("an export is one archive, and mistakes write none", "[suite][command]
   const Outcome written = here.run({"suite", "--fixtures", data + "/good", "--export", archive});
   CHECK(written.exit_code == 0);
   CHECK(written.out.find("suite.tar.gz: 7 fixtures\n") != std::string::npos);
-  CHECK(here.run({"suite", "--fixtures", data + "/good", "--export", here.path("folder")}).exit_code == 2);
+  CHECK(here.run({"suite", "--fixtures", data + "/good", "--export", here.path("folder")})
+            .exit_code == 2);
   CHECK(here.run({"suite", "--fixtures", data + "/good", "--export", here.path("no/x.tar.gz")})
             .exit_code == 4);
   const Outcome untrue =

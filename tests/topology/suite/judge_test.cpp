@@ -7,8 +7,8 @@
 #include <memory>
 #include <stdexcept>
 
-#include "topology/suite/judge/judge.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
+#include "topology/suite/judge/judge.hpp"
 
 using namespace sunder;
 using namespace sunder::suite;

@@ -161,21 +161,22 @@ TEST_CASE("a process that leaves its output to another one is not waited for",
 }
 
 TEST_CASE("an answer that a process gave before it ended counts", "[suite][process_kernel]") {
-  JudgedKernel kernel =
-      process_kernel(after_hello("cat > /dev/null & while read q; do case $q in '1 0'*) break;; esac; "
-                                 "done; echo ok; sleep 1000 & exit 0"));
+  JudgedKernel kernel = process_kernel(
+      after_hello("cat > /dev/null & while read q; do case $q in '1 0'*) break;; esac; "
+                  "done; echo ok; sleep 1000 & exit 0"));
   CHECK(kernel.load(two_tetrahedra()).empty());
   CHECK(contains(lost_message([&] { kernel.counts(); }), "ended with exit code 0"));
 }
 
 TEST_CASE("two lines where one was asked for are no answer, however they come",
           "[suite][process_kernel]") {
-  CHECK(contains(load_message("read q; printf 'ok\\nok\\n'; cat > /dev/null"), "another line, \"ok\""));
+  CHECK(contains(load_message("read q; printf 'ok\\nok\\n'; cat > /dev/null"),
+                 "another line, \"ok\""));
   CHECK(contains(load_message("read q; printf 'ok\\nand more'; cat > /dev/null"), "and more"));
   CHECK(contains(load_message("read q; yes ok"), "another line"));
   // Said late: the next question finds it.
-  JudgedKernel kernel = process_kernel(
-      after_hello("for i in 1 2 3 4 5 6 7 8; do read q; done; echo ok; sleep 0.1; echo so; read q; read q"));
+  JudgedKernel kernel = process_kernel(after_hello(
+      "for i in 1 2 3 4 5 6 7 8; do read q; done; echo ok; sleep 0.1; echo so; read q; read q"));
   try {
     kernel.load(two_tetrahedra());
     CHECK_THROWS_AS(kernel.counts(), KernelLost);

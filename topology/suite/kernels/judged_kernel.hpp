@@ -59,8 +59,8 @@ JudgedKernel volume_map_kernel();
 /// `VolumeMap` of rows alone ("dense").
 JudgedKernel dense_map_kernel();
 /// `DenseMap`, rows alone, as the coarser of two nested maps ("nested"): the finer one, a
-/// `VolumeMap`, has a third of the faces open from the beginning, as cohesive cracks have; that they
-/// stay nested is among its own faults.
+/// `VolumeMap`, has a third of the faces open from the beginning, as cohesive cracks have; that
+/// they stay nested is among its own faults.
 JudgedKernel nested_kernel();
 /// CGAL's map left to itself ("cgal"): cells sewn and unsewn by its managed `sew<3>` and
 /// `unsew<3>`, splits counted by its attribute functors on 0- and 1-attributes.
@@ -73,10 +73,10 @@ JudgedKernel twin_kernel();
 constexpr double default_answer_seconds = 10;
 
 /// A kernel in another process that speaks the protocol of docs/judge_your_kernel.md on its stdin
-/// and stdout. `command` goes to /bin/sh. It has `seconds` (> 0) to say hello, and (1 + T / 10 000) times as
-/// long for an answer about T tetrahedra: kernels in slow languages take some 0.1 ms a tetrahedron
-/// to count cells. An answer that is not one, or none within that time, ends the process and throws
-/// `KernelLost`.
+/// and stdout. `command` goes to /bin/sh. It has `seconds` (> 0) to say hello, and (1 + T / 10 000)
+/// times as long for an answer about T tetrahedra: kernels in slow languages take some 0.1 ms a
+/// tetrahedron to count cells. An answer that is not one, or none within that time, ends the
+/// process and throws `KernelLost`.
 JudgedKernel process_kernel(const std::string& command, double seconds = default_answer_seconds);
 
 /// Another process died, hung or spoke nonsense; `what()` says which question it was.

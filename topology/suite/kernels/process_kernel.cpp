@@ -115,9 +115,8 @@ struct Speaker {
     const std::string question = text.substr(0, text.find('\n'));
     try {
       if (child == nullptr) throw KernelLost(fmt::format("kernel \"{}\" is gone", command));
-      const Child::Limits limits{
-          .seconds = seconds * (1 + static_cast<double>(tetrahedra) / 10000),
-          .longest_answer = 65536 + 64 * tetrahedra};
+      const Child::Limits limits{.seconds = seconds * (1 + static_cast<double>(tetrahedra) / 10000),
+                                 .longest_answer = 65536 + 64 * tetrahedra};
       Answer answer(child->ask(text + "\n", limits), {command, question, expected});
       auto parsed = parse(answer);
       answer.end();

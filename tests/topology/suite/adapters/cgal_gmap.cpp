@@ -58,7 +58,8 @@ class Kernel {
     told_.separated = !search_.connected(side.tetrahedron, u, dart_.size(),
                                          [this](std::uint32_t t, const auto& visit) {
                                            for (const Dart f : faces(dart_[t])) {
-                                             if (!complex_.is_free<3>(f)) visit(row(complex_.alpha<3>(f)));
+                                             if (!complex_.is_free<3>(f))
+                                               visit(row(complex_.alpha<3>(f)));
                                            }
                                          });
     return told_;
@@ -140,9 +141,7 @@ class Kernel {
   std::array<Dart, 4> faces(Dart d) {
     return {d, complex_.alpha<2>(d), complex_.alpha<1, 2>(d), complex_.alpha<0, 1, 2>(d)};
   }
-  std::array<Dart, 3> edges(Dart d) {
-    return {d, complex_.alpha<1>(d), complex_.alpha<0, 1>(d)};
-  }
+  std::array<Dart, 3> edges(Dart d) { return {d, complex_.alpha<1>(d), complex_.alpha<0, 1>(d)}; }
   Dart face(Side side) {
     for (const Dart f : faces(dart_[side.tetrahedron])) {
       if (point(apex(f)) == side.opposite) return f;

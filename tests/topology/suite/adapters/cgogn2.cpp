@@ -51,13 +51,13 @@ class Kernel {
         parted.edges.push_back({point(a), point(map_->phi1(a))});
       }
     }
-    parted.separated =
-        !search_.connected(side.tetrahedron, u, base_.size(), [this](std::uint32_t t, const auto& visit) {
-          for (const Dart f : faces(base_[t])) {
-            const Dart across = map_->phi3(f);
-            if (!map_->is_boundary(across)) visit(row(across));
-          }
-        });
+    parted.separated = !search_.connected(side.tetrahedron, u, base_.size(),
+                                          [this](std::uint32_t t, const auto& visit) {
+                                            for (const Dart f : faces(base_[t])) {
+                                              const Dart across = map_->phi3(f);
+                                              if (!map_->is_boundary(across)) visit(row(across));
+                                            }
+                                          });
     return parted;
   }
 
@@ -75,11 +75,11 @@ class Kernel {
 
   Counts counts() {
     std::size_t boundary = 0;
-    map_->foreach_cell(
-        [&](Map::Face f) { boundary += map_->is_incident_to_boundary(f) ? 1 : 0; });
-    return {map_->nb_cells<Map::Vertex>(), map_->nb_cells<Map::Edge>(),
-            map_->nb_cells<Map::Face>(),   map_->nb_cells<Map::Volume>(),
-            map_->nb_connected_components(), boundary, map_->nb_boundaries()};
+    map_->foreach_cell([&](Map::Face f) { boundary += map_->is_incident_to_boundary(f) ? 1 : 0; });
+    return {
+        map_->nb_cells<Map::Vertex>(), map_->nb_cells<Map::Edge>(),     map_->nb_cells<Map::Face>(),
+        map_->nb_cells<Map::Volume>(), map_->nb_connected_components(), boundary,
+        map_->nb_boundaries()};
   }
 
   std::vector<std::uint32_t> vertices() {
@@ -152,8 +152,8 @@ class Kernel {
 
   Body body_;
   std::unique_ptr<Map> map_;
-  std::vector<Dart> base_;                            // one of each tetrahedron
-  std::vector<std::array<std::uint32_t, 2>> point_;   // and row, of each dart inside
+  std::vector<Dart> base_;                           // one of each tetrahedron
+  std::vector<std::array<std::uint32_t, 2>> point_;  // and row, of each dart inside
   Search search_;
 };
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // CGoGN_3's CMap3 as a kernel under judgement. It has no unsewing of volumes: the boundary is
-// mended here, by the six links that differ, and everything else is CGoGN's: what came apart is told
-// by its orbits, cells are counted by its traversals over the indices it keeps.
+// mended here, by the six links that differ, and everything else is CGoGN's: what came apart is
+// told by its orbits, cells are counted by its traversals over the indices it keeps.
 // clang-format off: its headers need this order.
-#include <cgogn/core/types/maps/cmap/cmap3.h>
-#include <cgogn/core/types/cell_marker.h>
 #include <cgogn/core/functions/attributes.h>
 #include <cgogn/core/functions/mesh_info.h>
+#include <cgogn/core/types/cell_marker.h>
+#include <cgogn/core/types/maps/cmap/cmap3.h>
 // clang-format on
 
 #include <memory>
@@ -53,13 +53,13 @@ class Kernel {
         parted.edges.push_back({point(a), point(phi1(m, a))});
       }
     }
-    parted.separated =
-        !search_.connected(side.tetrahedron, u, base_.size(), [&](std::uint32_t t, const auto& visit) {
-          for (const Dart f : faces(base_[t])) {
-            const Dart across = phi3(m, f);
-            if (!is_boundary(m, across)) visit(row(across));
-          }
-        });
+    parted.separated = !search_.connected(side.tetrahedron, u, base_.size(),
+                                          [&](std::uint32_t t, const auto& visit) {
+                                            for (const Dart f : faces(base_[t])) {
+                                              const Dart across = phi3(m, f);
+                                              if (!is_boundary(m, across)) visit(row(across));
+                                            }
+                                          });
     return parted;
   }
 
@@ -89,9 +89,13 @@ class Kernel {
       boundary += is_incident_to_boundary(m, f) ? 1 : 0;
       return true;
     });
-    return {cgogn::nb_cells<Map::Vertex>(m), cgogn::nb_cells<Map::Edge>(m),
-            cgogn::nb_cells<Map::Face>(m),   cgogn::nb_cells<Map::Volume>(m),
-            number_components().second,      boundary, sheets()};
+    return {cgogn::nb_cells<Map::Vertex>(m),
+            cgogn::nb_cells<Map::Edge>(m),
+            cgogn::nb_cells<Map::Face>(m),
+            cgogn::nb_cells<Map::Volume>(m),
+            number_components().second,
+            boundary,
+            sheets()};
   }
 
   std::vector<std::uint32_t> vertices() {
@@ -160,8 +164,8 @@ class Kernel {
     for (int i = 0; i < 3; ++i, d = phi1(*map_, d), e = phi_1(*map_, e)) phi3_sew(*map_, d, e);
   }
 
-  /// Takes the face of d apart and closes both sides by a boundary face each. At an edge that was on
-  /// the boundary already the new faces go between the two there; else they meet each other.
+  /// Takes the face of d apart and closes both sides by a boundary face each. At an edge that was
+  /// on the boundary already the new faces go between the two there; else they meet each other.
   void unsew(Dart d) {
     Map& m = *map_;
     struct Edge {

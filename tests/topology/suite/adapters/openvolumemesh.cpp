@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // OpenVolumeMesh as a kernel under judgement. It has no sewing: two cells are neighbours because
 // they hold the two halves of one face, and vertices, edges and faces are entities of their own.
-// Splitting and gluing are made here of its set_cell, set_face and set_edge; whether two cells still
-// meet round a vertex or an edge is asked of its incidences, and the numbers of cells are its own.
+// Splitting and gluing are made here of its set_cell, set_face and set_edge; whether two cells
+// still meet round a vertex or an edge is asked of its incidences, and the numbers of cells are its
+// own.
 #include <OpenVolumeMesh/Mesh/TetrahedralMeshTopologyKernel.hh>
 
 #include <set>
@@ -45,7 +46,8 @@ class Kernel {
     for (const HalfEdgeHandle h : rim) {
       const EdgeHandle e = mesh_.edge_handle(h);
       if (const auto part = parted_at(a, b, [&](HalfFaceHandle f) { return has(f, e); })) {
-        parted.edges.push_back({point_of(mesh_.from_vertex_handle(h)), point_of(mesh_.to_vertex_handle(h))});
+        parted.edges.push_back(
+            {point_of(mesh_.from_vertex_handle(h)), point_of(mesh_.to_vertex_handle(h))});
         move_to_new_edge(e, *part);
       }
     }
@@ -82,15 +84,20 @@ class Kernel {
     for (const FaceHandle f : mesh_.faces()) boundary += mesh_.is_boundary(f) ? 1 : 0;
     const auto of = components();
     const std::size_t components = std::set<std::uint32_t>(of.begin(), of.end()).size();
-    return {mesh_.n_logical_vertices(), mesh_.n_logical_edges(), mesh_.n_logical_faces(),
-            mesh_.n_logical_cells(),    components,              boundary,
+    return {mesh_.n_logical_vertices(),
+            mesh_.n_logical_edges(),
+            mesh_.n_logical_faces(),
+            mesh_.n_logical_cells(),
+            components,
+            boundary,
             sheets()};
   }
 
   std::vector<std::uint32_t> vertices() {
     std::vector<std::uint32_t> of;
     for (std::size_t t = 0; t < body_.tetrahedra.size(); ++t) {
-      const std::vector<VertexHandle> cell = mesh_.get_cell_vertices(CellHandle(static_cast<int>(t)));
+      const std::vector<VertexHandle> cell =
+          mesh_.get_cell_vertices(CellHandle(static_cast<int>(t)));
       for (const std::uint32_t p : body_.tetrahedra[t]) {
         const auto at = std::find_if(cell.begin(), cell.end(),
                                      [&](VertexHandle v) { return point_of(v) == p; });
@@ -204,7 +211,8 @@ class Kernel {
   }
 
   void move_to_new_edge(EdgeHandle e, const std::vector<CellHandle>& part) {
-    const EdgeHandle fresh = mesh_.add_edge(mesh_.edge(e).from_vertex(), mesh_.edge(e).to_vertex(), true);
+    const EdgeHandle fresh =
+        mesh_.add_edge(mesh_.edge(e).from_vertex(), mesh_.edge(e).to_vertex(), true);
     for (const FaceHandle f : faces_of(part)) {
       if (has(mesh_.halfface_handle(f, 0), e)) replace(f, e, fresh);
     }

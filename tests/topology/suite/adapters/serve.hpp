@@ -219,10 +219,10 @@ int serve(Kernel&& kernel, const std::string& name) {
       std::size_t points = 0, tetrahedra = 0;
       std::cin >> points >> tetrahedra;
       const Body body = read_body(points, tetrahedra);
-      const bool there = std::all_of(
-          body.tetrahedra.begin(), body.tetrahedra.end(), [points](const Tetrahedron& t) {
-            return *std::max_element(t.begin(), t.end()) < points;
-          });
+      const bool there = std::all_of(body.tetrahedra.begin(), body.tetrahedra.end(),
+                                     [points](const Tetrahedron& t) {
+                                       return *std::max_element(t.begin(), t.end()) < points;
+                                     });
       const std::string why = there ? kernel.load(body) : "a point that is not there";
       out << (why.empty() ? "ok" : "refused " + why);
     } else if (word == "split") {
