@@ -12,7 +12,7 @@
 #include <optional>
 #include <string>
 
-#include "apps/bench/suite/tar_gz.hpp"
+#include "apps/bench/suite/tar.hpp"
 #include "apps/scene/words.hpp"
 #include "topology/io/output_file.hpp"
 #include "topology/suite/fixtures/fixture_json_write.hpp"
@@ -100,7 +100,8 @@ ExitCode export_suite(const std::vector<suite::Fixture>& fixtures,
   std::sort(files.begin(), files.end(),
             [](const PackedFile& a, const PackedFile& b) { return a.name < b.name; });
   files.push_back(checksums(files));
-  if (const auto failure = write_file(archive, tar_gz(files))) {
+  // It packs what is named .gz.
+  if (const auto failure = write_file(archive, tar_of(files))) {
     fmt::print(stderr, "{}", finding_lines({*failure}));
     return ExitCode::not_written;
   }

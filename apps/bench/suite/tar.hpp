@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files packed into one .tar.gz whose bytes follow from theirs alone.
+// Files in one .tar whose bytes follow from theirs alone.
 #pragma once
 
 #include <span>
@@ -14,8 +14,8 @@ struct PackedFile {
   bool executable = false;
 };
 
-/// A POSIX ustar archive (IEEE Std 1003.1, pax), packed by gzip. Owners and times are all 0: the
-/// same files give the same bytes, with the same zlib.
-std::string tar_gz(std::span<const PackedFile> files);
+/// A POSIX ustar archive (IEEE Std 1003.1, pax). Owners and times are all 0: the same files give the
+/// same bytes. Throws std::length_error for a name that is too long.
+std::string tar_of(std::span<const PackedFile> files);
 
 }  // namespace sunder

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Headers of ustar, and zlib's gzip.
-#include "apps/bench/suite/tar_gz.hpp"
+// Headers of ustar.
+#include "apps/bench/suite/tar.hpp"
 
 #include <fmt/format.h>
-#include <zlib.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <stdexcept>
 #include <string_view>
@@ -57,36 +55,9 @@ std::string header_of(const PackedFile& file) {
   return header;
 }
 
-std::string gzip(std::string& bytes) {
-  z_stream stream = {};
-  constexpr int with_gzip_header = 16;
-  if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, MAX_WBITS + with_gzip_header, 8,
-                   Z_DEFAULT_STRATEGY) != Z_OK) {
-    throw std::bad_alloc();
-  }
-  std::string packed;
-  std::array<char, 1 << 16> buffer;
-  // avail_in has 32 bits.
-  constexpr std::size_t most = 1 << 30;
-  std::size_t at = 0;
-  for (int status = Z_OK; status != Z_STREAM_END;) {
-    if (stream.avail_in == 0 && at < bytes.size()) {
-      stream.next_in = reinterpret_cast<Bytef*>(bytes.data() + at);
-      stream.avail_in = static_cast<uInt>(std::min(most, bytes.size() - at));
-      at += stream.avail_in;
-    }
-    stream.next_out = reinterpret_cast<Bytef*>(buffer.data());
-    stream.avail_out = buffer.size();
-    status = deflate(&stream, at == bytes.size() ? Z_FINISH : Z_NO_FLUSH);
-    packed.append(buffer.data(), buffer.size() - stream.avail_out);
-  }
-  deflateEnd(&stream);
-  return packed;
-}
-
 }  // namespace
 
-std::string tar_gz(std::span<const PackedFile> files) {
+std::string tar_of(std::span<const PackedFile> files) {
   std::string tar;
   for (const PackedFile& file : files) {
     tar += header_of(file);
@@ -94,7 +65,7 @@ std::string tar_gz(std::span<const PackedFile> files) {
     tar.resize((tar.size() + block - 1) / block * block);
   }
   tar.resize(tar.size() + 2 * block);
-  return gzip(tar);
+  return tar;
 }
 
 }  // namespace sunder
