@@ -2,11 +2,12 @@
 // CGoGN_3's CMap3 as a kernel under judgement. It has no unsewing of volumes: the boundary is
 // mended here, by the six links that differ, and everything else is CGoGN's: what came apart is
 // told by its orbits, cells are counted by its traversals over the indices it keeps.
-// clang-format off: its headers need this order.
+// CGoGN's headers need this order.
+// clang-format off
+#include <cgogn/core/types/maps/cmap/cmap3.h>
+#include <cgogn/core/types/cell_marker.h>
 #include <cgogn/core/functions/attributes.h>
 #include <cgogn/core/functions/mesh_info.h>
-#include <cgogn/core/types/cell_marker.h>
-#include <cgogn/core/types/maps/cmap/cmap3.h>
 // clang-format on
 
 #include <memory>
