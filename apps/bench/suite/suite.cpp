@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `sunder suite`: the command line, the kernels, the run over fixtures, and the export.
+// `sunder suite`: the command line, the kernels, and the run over fixtures.
 #include "apps/bench/suite/suite.hpp"
 
 #include <fmt/format.h>
@@ -11,12 +11,12 @@
 #include <functional>
 #include <memory>
 
+#include "apps/bench/suite/suite_export.hpp"
+#include "apps/bench/suite/suite_junit.hpp"
 #include "apps/bench/suite/suite_random.hpp"
 #include "apps/bench/suite/suite_report.hpp"
 #include "apps/scene/words.hpp"
-#include "topology/io/mesh_file.hpp"
 #include "topology/io/output_file.hpp"
-#include "topology/suite/fixtures/fixture_json_write.hpp"
 #include "topology/suite/judge/judge.hpp"
 
 namespace sunder {
@@ -27,15 +27,23 @@ Every fixture is a body, operations on it (face splits, glues, fans, planes, sha
 come out. Each kernel runs it; each answer is compared with union-find and with the fixture.
 Kernels that come with Sunder: sunder (its own, answered by CGAL's darts), dense (its rows alone),
 nested (rows as the coarser of the two nested maps of tied cracks), cgal (CGAL's map with its managed unsew), twin (union-find). --kernel
-takes one of these names, or a shell command of a program that speaks the protocol of docs/suite.md
-on stdin and stdout; where given, only those are judged.
+takes one of these names, or a shell command of a program that speaks the protocol of
+docs/judge_your_kernel.md on stdin and stdout; where given, only those are judged.
 FILTER is a part of a fixture's name, or a pattern with * ? [ ] for the whole of it.
 Without --fixtures the folder is meshes/suite in the current directory, else that of the source tree
 the program was built from.
 
+A program may take --timeout seconds to say hello, and 1 + T / 10 000 times as long for an answer
+about T tetrahedra. One that gives none, or speaks nonsense, is killed: the fixture is a mismatch
+and the next one starts it anew; after three fixtures without an answer it is asked no more.
+
 Table: result of each kernel (same; known: a difference that the fixture explains; DIFFERS), number
 of single comparisons, and the time inside all kernels, microseconds. Of a mismatch: the first wrong
-number and the smallest sequence of steps found that shows one.
+number and the smallest sequence of steps found that shows one. --junit: the same as JUnit XML, a
+testsuite for each kernel: failure is a wrong answer, error a kernel lost, skipped a known difference.
+
+--export judges nothing: it packs the fixtures with every step and answer, a judge in plain Python, a
+kernel to start from and a page that says how into one archive that needs nothing of Sunder.
 
 With --random no fixture is run: bodies of a dozen families (and those of --mesh) are torn apart at
 random, fan by fan, with faces, planes, breaks by labels and glues in between, and every answer is
@@ -45,13 +53,15 @@ how many of them separated a component (true %), separations it missed, and mism
 ends at its first mismatch; what is left of it after shrinking is printed as a fixture file.
 
 Exit codes: 0 no mismatch, 1 mismatches, 2 usage (also a FILTER that no fixture has, or a command
-that is no kernel), 3 fixtures or meshes unreadable or invalid, 4 an exported file not written.
+that is no kernel), 3 fixtures or meshes unreadable or invalid, 4 a file not written.
 
 Examples:
   sunder suite
   sunder suite figure
   sunder suite '09-*' --kernel sunder --json
   sunder suite --kernel 'python3 tests/topology/suite/adapters/minimal.py'
+  sunder suite --kernel ./my_adapter --timeout 2 --fail-fast --junit suite.xml
+  sunder suite --export sunder-suite.tar.gz
   sunder suite --random 10000 --seed 7 --mesh meshes/bunny.msh
 )";
 
@@ -59,20 +69,22 @@ struct SuiteArguments {
   std::string filter;
   std::filesystem::path fixtures;
   std::vector<std::string> kernels;
-  std::filesystem::path output;
+  double timeout = suite::default_answer_seconds;
+  bool fail_fast = false;
+  std::filesystem::path junit, archive;
   bool json = false;
   RandomArguments random;
 };
 
 /// What makes the kernel that --kernel names; for a command it throws `KernelLost` when that is
 /// none.
-std::function<suite::JudgedKernel()> maker_of(const std::string& name) {
+std::function<suite::JudgedKernel()> maker_of(const std::string& name, double timeout) {
   if (name == "sunder") return suite::volume_map_kernel;
   if (name == "dense") return suite::dense_map_kernel;
   if (name == "nested") return suite::nested_kernel;
   if (name == "cgal") return suite::cgal_kernel;
   if (name == "twin") return suite::twin_kernel;
-  return [name] { return suite::process_kernel(name); };
+  return [name, timeout] { return suite::process_kernel(name, timeout); };
 }
 
 std::filesystem::path fixture_folder(const SuiteArguments& arguments) {
@@ -97,7 +109,34 @@ std::vector<std::string> in_words(const suite::Truth& truth, const suite::Verdic
   return words;
 }
 
-SuiteRow judge_fixture(const suite::Fixture& fixture, std::vector<suite::JudgedKernel>& kernels) {
+/// A kernel on trial.
+struct Defendant {
+  suite::JudgedKernel kernel;
+  /// Fixtures in a row, up to the last one, in which it gave no answer in its time.
+  std::size_t silent = 0;
+};
+
+/// After so many it is asked no more: every fixture would take its whole time.
+constexpr std::size_t most_silent = 3;
+
+suite::Verdict judge_or_give_up(const suite::Fixture& fixture, const suite::Truth& truth,
+                                Defendant& defendant) {
+  if (defendant.silent < most_silent) {
+    suite::Verdict verdict = suite::judge(fixture, truth, defendant.kernel);
+    defendant.silent = verdict.silent ? defendant.silent + 1 : 0;
+    return verdict;
+  }
+  const std::string why =
+      fmt::format("not asked: it gave none in {} fixtures one after the other", most_silent);
+  return {
+      .fixture = fixture.name,
+      .kernel = defendant.kernel.name,
+      .mismatch = suite::Mismatch{.what = "the kernel", .expected = "an answer", .answered = why},
+      .lost = true,
+      .silent = true};
+}
+
+SuiteRow judge_fixture(const suite::Fixture& fixture, std::vector<Defendant>& defendants) {
   SuiteRow row{.fixture = fixture.name,
                .tetrahedra = fixture.body.tetrahedra.size(),
                .operations = fixture.operations.size()};
@@ -109,73 +148,50 @@ SuiteRow judge_fixture(const suite::Fixture& fixture, std::vector<suite::JudgedK
   for (const suite::TrueOperation& operation : truth.operations) {
     row.steps += operation.steps.size();
   }
-  for (suite::JudgedKernel& kernel : kernels) {
-    row.verdicts.push_back(suite::judge(fixture, truth, kernel));
+  for (Defendant& defendant : defendants) {
+    row.verdicts.push_back(judge_or_give_up(fixture, truth, defendant));
     row.steps_in_words.push_back(in_words(truth, row.verdicts.back()));
   }
   return row;
 }
 
-/// Judges the fixtures, printing rows as they come.
-ExitCode judge_all(const std::vector<suite::Fixture>& fixtures,
-                   std::vector<suite::JudgedKernel> kernels, bool as_json) {
-  SuiteTable table;
-  for (const suite::JudgedKernel& kernel : kernels) table.kernels.push_back(kernel.name);
+/// Judges the fixtures, up to the first with a mismatch where that is enough; prints rows as they
+/// come, and writes the JUnit file.
+ExitCode judge_all(const std::vector<suite::Fixture>& fixtures, std::vector<Defendant> defendants,
+                   const SuiteArguments& arguments) {
+  SuiteTable table{.fixtures = fixtures.size(), .started = std::chrono::system_clock::now()};
+  for (const Defendant& d : defendants) table.kernels.push_back(d.kernel.name);
   for (const suite::Fixture& f : fixtures) {
     table.name_width = std::max(table.name_width, f.name.size());
   }
   std::vector<SuiteRow> rows;
   bool wrong = false;
-  if (!as_json) fmt::print("{}", suite_heading(table));
+  if (!arguments.json) fmt::print("{}", suite_heading(table));
   for (const suite::Fixture& fixture : fixtures) {
-    rows.push_back(judge_fixture(fixture, kernels));
-    for (const suite::Verdict& v : rows.back().verdicts) wrong = wrong || is_wrong(v);
-    if (!as_json) fmt::print("{}{}", suite_line(table, rows.back()), suite_details(rows.back()));
+    rows.push_back(judge_fixture(fixture, defendants));
+    const SuiteRow& row = rows.back();
+    if (!arguments.json) fmt::print("{}{}", suite_line(table, row), suite_details(row));
     std::fflush(stdout);
+    wrong = wrong || any_wrong(row);
+    if (wrong && arguments.fail_fast) break;
   }
-  if (as_json) {
-    fmt::print("{}\n", suite_json(table, rows).dump(2));
-  } else {
-    fmt::print("{}", suite_totals(table, rows));
+  // What a kernel's command is called need not be UTF-8.
+  constexpr auto as_is = nlohmann::ordered_json::error_handler_t::replace;
+  fmt::print("{}", arguments.json ? suite_json(table, rows).dump(2, ' ', false, as_is) + "\n"
+                                  : suite_totals(table, rows));
+  if (!arguments.junit.empty()) {
+    if (const auto failure = write_file(arguments.junit, suite_junit(table, rows))) {
+      fmt::print(stderr, "{}", finding_lines({*failure}));
+      return ExitCode::not_written;
+    }
   }
   return wrong ? ExitCode::problems : ExitCode::fine;
 }
 
-std::string exported_name(const suite::Fixture& fixture) {
-  std::string name = fixture.name;
-  std::replace(name.begin(), name.end(), '/', '.');
-  return name;
-}
-
-/// Writes the fixture FAMILY/CASE as FAMILY.CASE.msh and FAMILY.CASE.json.
-std::vector<Finding> export_fixture(const suite::Fixture& fixture,
-                                    const std::filesystem::path& folder) {
-  const std::string path = (folder / exported_name(fixture)).string();
-  const std::string text = suite::fixture_json(fixture, suite::truth_of(fixture));
-  std::vector<Finding> findings;
-  if (const auto failure = write_file(path + ".json", text)) findings.push_back(*failure);
-  for (Finding& f : write_mesh(path + ".msh", fixture.body)) {
-    findings.push_back(std::move(f));
-  }
-  return findings;
-}
-
-ExitCode export_all(const std::vector<suite::Fixture>& fixtures,
-                    const std::filesystem::path& folder) {
-  std::error_code ignored;  // files that cannot be written say so themselves
-  std::filesystem::create_directories(folder, ignored);
-  for (const suite::Fixture& fixture : fixtures) {
-    const std::vector<Finding> findings = export_fixture(fixture, folder);
-    fmt::print(stderr, "{}", finding_lines(findings));
-    if (has_error(findings)) return ExitCode::not_written;
-    fmt::print("{}\n", (folder / exported_name(fixture)).string());
-  }
-  return ExitCode::fine;
-}
-
 ExitCode run_random(const SuiteArguments& arguments) {
   std::vector<std::function<suite::JudgedKernel()>> kernels;
-  for (const std::string& name : arguments.kernels) kernels.push_back(maker_of(name));
+  for (const std::string& name : arguments.kernels)
+    kernels.push_back(maker_of(name, arguments.timeout));
   if (kernels.empty()) kernels.emplace_back(suite::volume_map_kernel);
   return run_random_suite(arguments.random, kernels, arguments.json);
 }
@@ -194,18 +210,29 @@ ExitCode run_suite(const SuiteArguments& arguments) {
                arguments.filter);
     return ExitCode::usage;
   }
-  if (!arguments.output.empty()) return export_all(*fixtures, arguments.output);
-  std::vector<suite::JudgedKernel> kernels;
+  if (!arguments.archive.empty()) return export_suite(*fixtures, arguments.archive);
+  std::vector<Defendant> defendants;
   const std::vector<std::string> all = {"sunder", "dense", "nested", "cgal", "twin"};
   try {
     for (const std::string& name : arguments.kernels.empty() ? all : arguments.kernels) {
-      kernels.push_back(maker_of(name)());
+      defendants.push_back({maker_of(name, arguments.timeout)()});
     }
   } catch (const suite::KernelLost& lost) {
     fmt::print(stderr, "sunder suite: {}\n", lost.what());
     return ExitCode::usage;
   }
-  return judge_all(*fixtures, std::move(kernels), arguments.json);
+  return judge_all(*fixtures, std::move(defendants), arguments);
+}
+
+std::string check_timeout(const std::string& text) {
+  double seconds = 0;
+  constexpr double day = 86400;
+  const bool number = CLI::detail::lexical_cast(text, seconds);
+  return number && seconds > 0 && seconds <= day ? "" : "seconds above 0, a day at most";
+}
+
+std::string check_archive_name(const std::string& name) {
+  return name.ends_with(".tar.gz") ? "" : "the archive's name has to end in .tar.gz";
 }
 
 }  // namespace
@@ -219,19 +246,37 @@ void add_suite_command(CLI::App& program, ExitCode& exit_code) {
   CLI::Option* const fixtures =
       command->add_option("--fixtures", arguments->fixtures, "Folder of fixture files")
           ->type_name("DIR");
-  command
-      ->add_option("--kernel", arguments->kernels, "sunder, dense, nested, cgal, twin, or a shell command")
-      ->type_name("KERNEL")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  CLI::Option* const output =
+  CLI::Option* const kernel =
       command
-          ->add_option(
-              "--export", arguments->output,
-              "Judge nothing; write each fixture as MSH and JSON with every step and answer")
-          ->type_name("DIR");
-  command->add_flag("--json", arguments->json, "Print JSON instead of a table")->excludes(output);
-  add_random_options(*command, {filter, fixtures, output}, arguments->random);
+          ->add_option("--kernel", arguments->kernels,
+                       "sunder, dense, nested, cgal, twin, or a shell command")
+          ->type_name("KERNEL")
+          ->expected(1)
+          ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  CLI::Option* const timeout =
+      command
+          ->add_option("--timeout", arguments->timeout,
+                       "Seconds a program may take for an answer about a small body")
+          ->type_name("SECONDS")
+          ->capture_default_str()
+          ->check(CLI::Validator(check_timeout, "", "timeout"));
+  CLI::Option* const fail_fast = command->add_flag("--fail-fast", arguments->fail_fast,
+                                                   "End after the first fixture with a mismatch");
+  CLI::Option* const junit =
+      command->add_option("--junit", arguments->junit, "Write the results as JUnit XML, too")
+          ->type_name("FILE");
+  CLI::Option* const archive =
+      command
+          ->add_option("--export", arguments->archive,
+                       "Judge nothing; write the fixtures with every step and answer, and a judge "
+                       "that needs nothing but Python, as one archive")
+          ->type_name("FILE.tar.gz")
+          ->check(CLI::Validator(check_archive_name, "", "archive"));
+  CLI::Option* const json =
+      command->add_flag("--json", arguments->json, "Print JSON instead of a table");
+  for (CLI::Option* const other : {kernel, timeout, fail_fast, junit, json})
+    archive->excludes(other);
+  add_random_options(*command, {filter, fixtures, fail_fast, junit, archive}, arguments->random);
   command->footer(footer);
   command->callback([=, &exit_code] { exit_code = run_suite(*arguments); });
 }

@@ -24,11 +24,6 @@ std::size_t checks_of(const SuiteRow& row) {
   return checks;
 }
 
-bool any_wrong(const SuiteRow& row) {
-  return std::any_of(row.verdicts.begin(), row.verdicts.end(),
-                     [](const Verdict& v) { return is_wrong(v); });
-}
-
 double kernel_us(const SuiteRow& row) {
   double sum = 0;
   for (const Verdict& v : row.verdicts) sum += v.kernel_us;
@@ -88,8 +83,30 @@ nlohmann::ordered_json verdict_json(const Verdict& v) {
   return json;
 }
 
-/// What is to be said of a verdict beside its row; empty when nothing.
-std::string details_of(const Verdict& v, const std::vector<std::string>& steps) {
+}  // namespace
+
+bool is_wrong(const Verdict& verdict) { return verdict.mismatch.has_value(); }
+
+bool any_wrong(const SuiteRow& row) {
+  return std::any_of(row.verdicts.begin(), row.verdicts.end(), is_wrong);
+}
+
+std::string suite_heading(const SuiteTable& table) {
+  std::string line =
+      fmt::format("{:<{}}{:>12}{:>11}", "fixture", table.name_width, "tetrahedra", "operations");
+  for (const std::string& kernel : table.kernels) line += fmt::format("{:>10.9}", kernel);
+  return line + fmt::format("{:>10}{:>10}{:>14}\n", "checks", "result", "microseconds");
+}
+
+std::string suite_line(const SuiteTable& table, const SuiteRow& row) {
+  std::string line = fmt::format("{:<{}}{:>12}{:>11}", row.fixture, table.name_width,
+                                 row.tetrahedra, row.operations);
+  for (const Verdict& v : row.verdicts) line += fmt::format("{:>10}", result_of(v));
+  const char* result = any_wrong(row) ? "DIFFERS" : "fine";
+  return line + fmt::format("{:>10}{:>10}{:>14.0f}\n", checks_of(row), result, kernel_us(row));
+}
+
+std::string verdict_details(const Verdict& v, const std::vector<std::string>& steps) {
   std::string text;
   if (!v.known_difference.empty()) text += fmt::format("known: {}\n", v.known_difference);
   if (!v.mismatch) return text;
@@ -108,29 +125,10 @@ std::string details_of(const Verdict& v, const std::vector<std::string>& steps) 
   return text;
 }
 
-}  // namespace
-
-bool is_wrong(const Verdict& verdict) { return verdict.mismatch.has_value(); }
-
-std::string suite_heading(const SuiteTable& table) {
-  std::string line =
-      fmt::format("{:<{}}{:>12}{:>11}", "fixture", table.name_width, "tetrahedra", "operations");
-  for (const std::string& kernel : table.kernels) line += fmt::format("{:>10.9}", kernel);
-  return line + fmt::format("{:>10}{:>10}{:>14}\n", "checks", "result", "microseconds");
-}
-
-std::string suite_line(const SuiteTable& table, const SuiteRow& row) {
-  std::string line = fmt::format("{:<{}}{:>12}{:>11}", row.fixture, table.name_width,
-                                 row.tetrahedra, row.operations);
-  for (const Verdict& v : row.verdicts) line += fmt::format("{:>10}", result_of(v));
-  const char* result = any_wrong(row) ? "DIFFERS" : "fine";
-  return line + fmt::format("{:>10}{:>10}{:>14.0f}\n", checks_of(row), result, kernel_us(row));
-}
-
 std::string suite_details(const SuiteRow& row) {
   std::vector<std::pair<std::string, std::string>> said;  // what, of whom
   for (std::size_t k = 0; k < row.verdicts.size(); ++k) {
-    const std::string text = details_of(row.verdicts[k], row.steps_in_words[k]);
+    const std::string text = verdict_details(row.verdicts[k], row.steps_in_words[k]);
     if (text.empty()) continue;
     const auto same = std::find_if(said.begin(), said.end(),
                                    [&text](const auto& entry) { return entry.first == text; });
@@ -151,10 +149,13 @@ std::string suite_totals(const SuiteTable& table, const std::vector<SuiteRow>& r
   for (std::size_t k = 0; k < table.kernels.size(); ++k) {
     times += fmt::format("{} {:.2f} s, ", table.kernels[k], t.kernel_us[k] * 1e-6);
   }
+  const std::size_t left = table.fixtures - rows.size();
+  const std::string ended =
+      left == 0 ? "" : fmt::format("ended at a mismatch, {} fixtures not judged; ", left);
   return fmt::format(
-      "{} fixtures, {} kernels: {} operations, {} steps, {} checks, {} not asked, {} known "
+      "{}{} fixtures, {} kernels: {} operations, {} steps, {} checks, {} not asked, {} known "
       "differences, {} mismatches; {}truth {:.2f} s\n",
-      t.fixtures, table.kernels.size(), t.operations, t.steps, t.checks, t.not_asked,
+      ended, t.fixtures, table.kernels.size(), t.operations, t.steps, t.checks, t.not_asked,
       t.known_differences, t.mismatches, times, t.truth_us * 1e-6);
 }
 
@@ -176,6 +177,7 @@ nlohmann::ordered_json suite_json(const SuiteTable& table, const std::vector<Sui
           {"fixtures", list},
           {"totals",
            {{"fixtures", t.fixtures},
+            {"not_judged", table.fixtures - rows.size()},
             {"operations", t.operations},
             {"steps", t.steps},
             {"checks", t.checks},

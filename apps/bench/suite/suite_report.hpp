@@ -2,6 +2,7 @@
 // What `sunder suite` prints: a row for each fixture, what went wrong in full, totals; and JSON.
 #pragma once
 
+#include <chrono>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -24,20 +25,28 @@ struct SuiteRow {
   double truth_us = 0;
 };
 
-/// Whether a verdict is neither as expected nor a known difference.
+/// Whether a verdict is neither as expected nor a known difference; whether one of a row is.
 bool is_wrong(const suite::Verdict& verdict);
+bool any_wrong(const SuiteRow& row);
 
 /// What all lines of a table share.
 struct SuiteTable {
   /// Names of the kernels, and length of the longest fixture's name.
-  std::vector<std::string> kernels;
+  std::vector<std::string> kernels = {};
   std::size_t name_width = 7;
+  /// How many were to be judged: with --fail-fast there may be fewer rows.
+  std::size_t fixtures = 0;
+  std::chrono::system_clock::time_point started = {};
 };
 
 /// Heading, one row, and totals of the table.
 std::string suite_heading(const SuiteTable& table);
 std::string suite_line(const SuiteTable& table, const SuiteRow& row);
 std::string suite_totals(const SuiteTable& table, const std::vector<SuiteRow>& rows);
+
+/// What is to be said of a verdict beside its row, empty when nothing; `steps`: its mismatch's, in
+/// words.
+std::string verdict_details(const suite::Verdict& verdict, const std::vector<std::string>& steps);
 
 /// Every mismatch of a row, and every known difference with its reason, as lines of text; kernels
 /// of which the same is to be said share them.

@@ -2,12 +2,11 @@
 // `sunder suite` from outside: tables, JSON, exit codes, kernels in other processes, exports.
 #include <catch2/catch.hpp>
 
-#include <filesystem>
+#include <algorithm>
 #include <fstream>
+#include <iterator>
 
 #include "tests/support/program.hpp"
-#include "topology/io/mesh_file.hpp"
-#include "topology/suite/fixtures/shapes.hpp"
 
 using namespace sunder::test;
 
@@ -98,13 +97,17 @@ TEST_CASE("mistakes on the command line end with 2", "[suite][command]") {
   const Workplace here;
   CHECK(here.run({"suite", "--kernels"}).exit_code == 2);
   CHECK(here.run({"suite", "a", "b"}).exit_code == 2);
-  CHECK(here.run({"suite", "--export", here.path("x"), "--json"}).exit_code == 2);
+  for (const char* other : {"--json", "--fail-fast"}) {
+    CHECK(here.run({"suite", "--export", here.path("x.tar.gz"), other}).exit_code == 2);
+  }
+  CHECK(here.run({"suite", "--random", "10", "--fail-fast"}).exit_code == 2);
+  CHECK(here.run({"suite", "--random", "10", "--junit", here.path("x.xml")}).exit_code == 2);
   const Outcome none = here.run({"suite", "--fixtures", data + "/good", "--kernel", "exit 7"});
   CHECK(none.exit_code == 2);
   CHECK(none.err.find("exit 7") != std::string::npos);
 }
 
-TEST_CASE("a kernel in another process is judged; a liar is caught, and the run goes on",
+TEST_CASE("a kernel in another process is judged, a liar is caught, and the run goes on",
           "[suite][command]") {
   const Workplace here;
   const auto judged = [&here](const std::string& kernel) {
@@ -128,19 +131,123 @@ TEST_CASE("a kernel in another process is judged; a liar is caught, and the run 
   }
 }
 
-TEST_CASE("exported fixtures are meshes and files that judge the same", "[suite][command]") {
+TEST_CASE(
+    "a run with --fail-fast ends after the first fixture with a mismatch, and says what is left",
+    "[suite][command]") {
   const Workplace here;
-  const std::string out = here.path("out");
-  const Outcome written = here.run({"suite", "--fixtures", data + "/good", "--export", out});
+  const std::string liar = python("liar.py forgets-a-vertex 0");
+  const Outcome table =
+      here.run({"suite", "--fixtures", data + "/good", "--kernel", liar, "--fail-fast"});
+  CHECK(table.exit_code == 1);
+  CHECK(table.out.find("ended at a mismatch, 6 fixtures not judged; 1 fixtures") !=
+        std::string::npos);
+  const auto json =
+      here.run({"suite", "--fixtures", data + "/good", "--kernel", liar, "--fail-fast", "--json"})
+          .json();
+  CHECK(json["fixtures"].size() == 1);
+  CHECK(json["totals"]["not_judged"] == 6);
+  const Outcome right = here.run(
+      {"suite", "--fixtures", data + "/good", "--kernel", "twin", "--fail-fast", "--json"});
+  CHECK(right.exit_code == 0);
+  CHECK(right.json()["totals"]["not_judged"] == 0);
+}
+
+TEST_CASE("a kernel that is always silent has its time three times and is asked no more",
+          "[suite][command]") {
+  const Workplace here;
+  const auto answers = [&here](const std::string& kernel) {
+    const Outcome outcome =
+        here.run({"suite", "--fixtures", data + "/good", "--kernel",
+                  "read q; echo hello 1 stub; " + kernel, "--timeout", "1", "--json"});
+    CHECK(outcome.exit_code == 1);
+    std::vector<std::string> texts;
+    const auto json = outcome.json();
+    for (const auto& fixture : json["fixtures"]) {
+      texts.push_back(fixture["verdicts"][0]["mismatch"]["answered"]);
+      if (texts.back().find("no answer within 1 s") == std::string::npos) continue;
+      CHECK(fixture["verdicts"][0]["microseconds"] > 900000);  // the time it was waited for
+    }
+    REQUIRE(texts.size() == 7);
+    return texts;
+  };
+  const auto said = [](const std::string& text, const std::string& part) {
+    INFO(text);
+    return text.find(part) != std::string::npos;
+  };
+  const std::vector<std::string> silent = answers("sleep 1000");
+  for (std::size_t row = 0; row < 3; ++row) CHECK(said(silent[row], "no answer within 1 s"));
+  for (std::size_t row = 3; row < 7; ++row) CHECK(said(silent[row], "not asked: "));
+  // One that dies between is asked about every fixture; dying costs no time.
+  const std::vector<std::string> now_and_then =
+      answers("read a b c; [ $c = 48 ] && sleep 1000; exit 3");
+  CHECK(said(now_and_then[0], "ended with exit code 3"));
+  CHECK(said(now_and_then[1], "no answer within 1 s"));
+  CHECK(said(now_and_then[6], "ended with exit code 3"));
+}
+
+TEST_CASE("a program that says no hello is no kernel, and --timeout is a time",
+          "[suite][command]") {
+  const Workplace here;
+  CHECK(here.run({"suite", "--kernel", "read q; sleep 1000", "--timeout", "0.2"}).exit_code == 2);
+  for (const char* bad : {"0", "-1", "nan", "inf", "soon", "1e9"}) {
+    CHECK(here.run({"suite", "--timeout", bad}).exit_code == 2);
+  }
+}
+
+TEST_CASE("a JUnit file has a testsuite a kernel and a testcase a fixture", "[suite][command]") {
+  const Workplace here;
+  const auto junit = [&here](const std::vector<std::string>& more, int exit_code) {
+    std::vector<std::string> words = {"suite", "--junit", here.path("suite.xml"), "--fixtures"};
+    words.insert(words.end(), more.begin(), more.end());
+    CHECK(here.run(words).exit_code == exit_code);
+    std::ifstream file(here.path("suite.xml"));
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  const auto count = [](const std::string& text, const std::string& part) {
+    std::size_t n = 0;
+    for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; ++at) ++n;
+    return n;
+  };
+  const std::string right = junit({data + "/good", "--kernel", "sunder", "--kernel", "twin"}, 0);
+  CHECK(count(right, "<testsuite ") == 2);
+  CHECK(count(right, "<testcase ") == 14);
+  CHECK(count(right, " tests=\"7\" failures=\"0\" errors=\"0\" ") == 2);
+  CHECK(count(right, "<testcase classname=\"sunder.small\" name=\"two-tetrahedra\"") == 1);
+  const std::string known = junit({SUNDER_SUITE_FIXTURES, "19-*", "--kernel", "cgal"}, 0);
+  CHECK(count(known, " failures=\"0\" errors=\"0\" skipped=\"1\"") == 1);
+  CHECK(count(known, "<skipped message=\"known difference: CGAL's map") == 1);
+  const std::string wrong = junit({data + "/wrong", "--kernel", "twin"}, 1);
+  CHECK(count(wrong, " failures=\"1\" errors=\"0\"") == 1);
+  CHECK(count(wrong, "<failure type=\"mismatch\" message=\"splits of kind (3, 3)") == 1);
+  CHECK(count(wrong, "split 0 1 3 from tetrahedron 0") == 1);
+  const std::string lost =
+      junit({data + "/good", "--kernel",
+             "read q; echo hello 1 a\\<b\\&c; read q; printf '<\\001\"&>\\377\\n'; exit 3"},
+            1);
+  CHECK(count(lost, "<error type=\"lost\"") == 7);
+  CHECK(count(lost, "<testsuite name=\"a&lt;b&amp;c\"") == 1);
+  CHECK(std::all_of(lost.begin(), lost.end(),
+                    [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); }));
+  CHECK(
+      here.run({"suite", "01-*", "--kernel", "twin", "--junit", here.path("no/x.xml")}).exit_code ==
+      4);
+}
+
+TEST_CASE("an export is one archive, and mistakes write none", "[suite][command]") {
+  const Workplace here;
+  const std::string archive = here.path("suite.tar.gz");
+  const Outcome written = here.run({"suite", "--fixtures", data + "/good", "--export", archive});
   CHECK(written.exit_code == 0);
-  CHECK(written.out.find("small.two-tetrahedra\n") != std::string::npos);
-  const auto mesh = sunder::read_mesh(std::filesystem::path(out) / "small.figure-5-abc.msh");
-  REQUIRE(mesh);
-  CHECK(mesh->tetrahedra == sunder::suite::kuhn_box({2, 2, 2}).tetrahedra);
-  CHECK(here.run({"suite", "--fixtures", out, "--kernel", "sunder"}).exit_code == 0);
-  here.write("file", "not a folder");
-  CHECK(here.run({"suite", "--fixtures", data + "/good", "--export", here.path("file/x")})
+  CHECK(written.out.find("suite.tar.gz: 7 fixtures\n") != std::string::npos);
+  CHECK(here.run({"suite", "--fixtures", data + "/good", "--export", here.path("folder")})
+            .exit_code == 2);
+  CHECK(here.run({"suite", "--fixtures", data + "/good", "--export", here.path("no/x.tar.gz")})
             .exit_code == 4);
+  const Outcome untrue =
+      here.run({"suite", "--fixtures", data + "/wrong", "--export", here.path("wrong.tar.gz")});
+  CHECK(untrue.exit_code == 1);
+  CHECK(untrue.err.find("is not true of its body") != std::string::npos);
+  CHECK(here.names() == std::vector<std::string>{"suite.tar.gz"});
 }
 
 TEST_CASE("without --fixtures the current folder's are taken, else the source tree's",

@@ -217,7 +217,7 @@ TEST_CASE("all complaints of a file come at once", "[suite][fixture]") {
   CHECK(has(texts, "/cases/1/wrong"));
 }
 
-TEST_CASE("a folder gives its files in order; the schema is none of them", "[suite][fixture]") {
+TEST_CASE("a folder gives its files in order, and the schema is none of them", "[suite][fixture]") {
   const FileOfOwn file(good_json().dump());
   const auto code_of = [](const std::filesystem::path& folder) {
     const auto fixtures = read_fixture_folder(folder);

@@ -351,6 +351,51 @@ TEST_CASE("a kernel that throws has a mismatch, and the steps up to there", "[su
   CHECK(verdict.mismatch->steps.size() == 4);
 }
 
+TEST_CASE("a kernel that gives no answer in its time is told from one that is lost otherwise",
+          "[suite][judge]") {
+  const auto silent = [](JudgedKernel& k, const Asked& asked) {
+    k.counts = [honest = k.counts, &asked] {
+      if (asked.splits == 4) throw KernelSilent("asleep");
+      return honest();
+    };
+  };
+  JudgedKernel kernel = changed(silent);
+  const Verdict verdict = judge(figure_5(), kernel);
+  REQUIRE(verdict.mismatch);
+  CHECK(verdict.lost);
+  CHECK(verdict.silent);
+  CHECK(verdict.mismatch->answered == "asleep");
+  // Where a mismatch is only narrowed down, silence is one more way to fail.
+  std::vector<Step> four = verdict.mismatch->steps;
+  const auto again = first_mismatch(figure_5().body, four, kernel);
+  REQUIRE(again);
+  CHECK(again->answered == "asleep");
+}
+
+TEST_CASE("a wrong kernel that falls silent while its steps are shrunk is asked no more",
+          "[suite][judge]") {
+  const auto loads = std::make_shared<int>(0);
+  const auto lie = [loads](JudgedKernel& k, const Asked& asked) {
+    k.load = [loads, honest = k.load](const TetMesh& mesh) {
+      ++*loads;
+      return honest(mesh);
+    };
+    k.counts = [loads, honest = k.counts, &asked] {
+      if (*loads > 1) throw KernelSilent("asleep");
+      CellCounts c = honest();
+      c.edges += asked.splits >= 3 ? 1 : 0;
+      return c;
+    };
+  };
+  JudgedKernel kernel = changed(lie);
+  const Verdict verdict = judge(figure_5(), kernel);
+  REQUIRE(verdict.mismatch);
+  CHECK_FALSE(verdict.lost);
+  CHECK(verdict.mismatch->what == "edges");
+  CHECK(verdict.mismatch->steps.size() == 3);
+  CHECK(*loads == 2);
+}
+
 TEST_CASE("refusals and findings are judged", "[suite][judge]") {
   Fixture bad{.name = "bad", .body = two_tetrahedra(), .findings = {"repeated_vertex"}};
   bad.refused = true;

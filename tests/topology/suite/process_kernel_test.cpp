@@ -99,7 +99,7 @@ TEST_CASE("a process that dies is reported with the question and how it ended",
   const std::string message = load_message("read q; exit 3");
   CHECK(contains(message, "asked \"mesh 5 2\""));
   CHECK(contains(message, "ended with exit code 3"));
-  CHECK(contains(load_message("exec 1>&-; sleep 5"), "closed its output"));
+  CHECK(contains(load_message("exec 1>&-; sleep 1000"), "closed its output"));
 }
 
 TEST_CASE("a process that reads no more does not end ours", "[suite][process_kernel]") {
@@ -119,6 +119,77 @@ TEST_CASE("a process that hangs is given up after its time and killed with its c
   // Nothing is left to be reaped, nor running.
   CHECK(waitpid(-1, nullptr, WNOHANG) == -1);
   CHECK(errno == ECHILD);
+}
+
+TEST_CASE("the time for an answer grows with the body", "[suite][process_kernel]") {
+  // 6 000 tetrahedra: 1.6 times as long; the name has the plain time.
+  JudgedKernel kernel = process_kernel(after_hello("sleep 1000"), 1);
+  const std::string message = lost_message([&] { kernel.load(kuhn_box({10, 10, 10})); });
+  CHECK(contains(message, "no answer within 1.6 s"));
+  CHECK(contains(lost_message([] { process_kernel("sleep 1000", 0.2); }),
+                 "asked \"hello 1\": no answer within 0.2 s"));
+}
+
+TEST_CASE("silence is told from other losses", "[suite][process_kernel]") {
+  JudgedKernel kernel = process_kernel(after_hello("sleep 1000"), 1);
+  CHECK_THROWS_AS(kernel.load(two_tetrahedra()), KernelSilent);
+  JudgedKernel gone = process_kernel(after_hello("read q; exit 3"));
+  bool silent = false;
+  try {
+    gone.load(two_tetrahedra());
+  } catch (const KernelSilent&) {
+    silent = true;
+  } catch (const KernelLost&) {
+  }
+  CHECK_FALSE(silent);
+}
+
+TEST_CASE("a process that stops itself, or reads no more and says nothing, is given up",
+          "[suite][process_kernel]") {
+  CHECK(contains(load_message("kill -STOP $$", 1), "no answer within 1 s"));
+  CHECK(contains(load_message("exec 0<&-; exec sleep 1000", 1), "no answer within 1 s"));
+  CHECK(contains(load_message("trap '' TERM HUP INT; while :; do sleep 1; done", 1),
+                 "no answer within 1 s"));
+}
+
+TEST_CASE("a process that leaves its output to another one is not waited for",
+          "[suite][process_kernel]") {
+  std::string message;
+  const double seconds = seconds_of([&] { message = load_message("sleep 1000 & exit 3"); });
+  CHECK(contains(message, "it ended with exit code 3 and left its output to another process"));
+  CHECK(seconds < 60);
+}
+
+TEST_CASE("an answer that a process gave before it ended counts", "[suite][process_kernel]") {
+  JudgedKernel kernel = process_kernel(
+      after_hello("cat > /dev/null & while read q; do case $q in '1 0'*) break;; esac; "
+                  "done; echo ok; sleep 1000 & exit 0"));
+  CHECK(kernel.load(two_tetrahedra()).empty());
+  CHECK(contains(lost_message([&] { kernel.counts(); }), "ended with exit code 0"));
+}
+
+TEST_CASE("two lines where one was asked for are no answer, however they come",
+          "[suite][process_kernel]") {
+  CHECK(contains(load_message("read q; printf 'ok\\nok\\n'; cat > /dev/null"),
+                 "another line, \"ok\""));
+  CHECK(contains(load_message("read q; printf 'ok\\nand more'; cat > /dev/null"), "and more"));
+  CHECK(contains(load_message("read q; yes ok"), "another line"));
+  // Said late: the next question finds it.
+  JudgedKernel kernel = process_kernel(after_hello(
+      "for i in 1 2 3 4 5 6 7 8; do read q; done; echo ok; sleep 0.1; echo so; read q; read q"));
+  try {
+    kernel.load(two_tetrahedra());
+    CHECK_THROWS_AS(kernel.counts(), KernelLost);
+  } catch (const KernelLost&) {  // or this one did, on a slow machine
+  }
+}
+
+TEST_CASE("what a process says is quoted in printable ASCII", "[suite][process_kernel]") {
+  const std::string message =
+      load_message("read q; printf '\\033[2J\\377\\000 hi\\n'; cat > /dev/null");
+  CHECK(contains(message, "got \"\\x1b[2J\\xff\\x00 hi\""));
+  CHECK(contains(lost_message([] { process_kernel("read q; printf 'hello 1 n\\351e\\n'"); }),
+                 "got \"hello 1 n\\xe9e\""));
 }
 
 TEST_CASE("nonsense is reported with what was expected", "[suite][process_kernel]") {
@@ -155,8 +226,12 @@ TEST_CASE("each question's answer is parsed to its last word", "[suite][process_
   CHECK(asked("counts 5 9 7 2 1 6 1", counts).empty());
   CHECK_FALSE(asked("counts 5 9 7 2 1 6", counts).empty());
   CHECK_FALSE(asked("counts 5 9 7 2 1 6 1 1", counts).empty());
+  CHECK_FALSE(asked("counts 5 9 7 2 1 6 18446744073709551616", counts).empty());
+  CHECK_FALSE(asked("counts 5 9 7 2 1 6 -1", counts).empty());
+  CHECK_FALSE(asked("counts 5 9 7 2 1 6 1e0", counts).empty());
   CHECK(asked("vertices 0 1 2 3 1 0 2 4", vertices).empty());
   CHECK_FALSE(asked("vertices 0 1 2 3 1 0 2", vertices).empty());
+  CHECK_FALSE(asked("vertices 0 1 2 3 1 0 2 4294967296", vertices).empty());
   CHECK(asked("components 0 0", components).empty());
   CHECK_FALSE(asked("components 0 0 0", components).empty());
 }

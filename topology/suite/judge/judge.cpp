@@ -43,14 +43,18 @@ struct Trial {
 
   bool failed() const { return checks.first.has_value(); }
 
-  /// Calls the kernel and takes the time.
+  /// Calls the kernel and takes the time, also that until it was lost.
   template <class Call>
   auto timed(const Call& call) {
-    const auto start = std::chrono::steady_clock::now();
-    auto answer = call();
-    const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - start;
-    kernel_us += time.count();
-    return answer;
+    struct Watch {
+      double& us;
+      std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+      ~Watch() {
+        us += std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start)
+                  .count();
+      }
+    } const watch{kernel_us};
+    return call();
   }
 
   void check_partition(const std::string& what, const std::vector<std::uint32_t>& expected,
@@ -286,11 +290,30 @@ std::size_t operation_of_step(const std::vector<TrueOperation>& operations, std:
   return operation;
 }
 
+/// As `first_mismatch`, but throws KernelSilent: what waits for its time to be over is not asked
+/// again and again.
+std::optional<Mismatch> mismatch_of(const TetMesh& body, std::span<const Step> steps,
+                                    JudgedKernel& kernel) {
+  Fixture fixture{.name = "steps", .body = body};
+  for (const Step& step : steps) fixture.operations.push_back({operation_of(step), {}});
+  const Truth truth = truth_of(fixture);
+  if (!truth.is_body) return std::nullopt;
+  Trial trial{fixture, truth, kernel};
+  try {
+    trial.run(false);
+  } catch (const KernelSilent&) {
+    throw;
+  } catch (const std::exception& error) {
+    differ(trial.checks, "the kernel", "an answer", error.what());
+  }
+  return std::move(trial.checks.first);
+}
+
 /// Takes the fixture's operations apart into steps, to see at which one the mismatch really begins
-/// and which of them it needs.
+/// and which of them it needs. Throws KernelSilent.
 void narrow_down(Mismatch& mismatch, const Fixture& fixture,
                  const std::vector<TrueOperation>& operations, JudgedKernel& kernel) {
-  const auto begins = first_mismatch(fixture.body, mismatch.steps, kernel);
+  const auto begins = mismatch_of(fixture.body, mismatch.steps, kernel);
   if (!begins) return;
   if (begins->step < mismatch.step) {
     std::vector<Step> steps = std::move(mismatch.steps);
@@ -300,7 +323,7 @@ void narrow_down(Mismatch& mismatch, const Fixture& fixture,
     mismatch.steps = std::move(steps);
   }
   const auto fails = [&kernel](const TetMesh& body, std::span<const Step> steps) {
-    return first_mismatch(body, steps, kernel).has_value();
+    return mismatch_of(body, steps, kernel).has_value();
   };
   // Some seconds for a kernel that talks through a pipe.
   const ShrinkLimits limits{.body = false, .work = 1500000};
@@ -311,17 +334,11 @@ void narrow_down(Mismatch& mismatch, const Fixture& fixture,
 
 std::optional<Mismatch> first_mismatch(const TetMesh& body, std::span<const Step> steps,
                                        JudgedKernel& kernel) {
-  Fixture fixture{.name = "steps", .body = body};
-  for (const Step& step : steps) fixture.operations.push_back({operation_of(step), {}});
-  const Truth truth = truth_of(fixture);
-  if (!truth.is_body) return std::nullopt;
-  Trial trial{fixture, truth, kernel};
   try {
-    trial.run(false);
-  } catch (const std::exception& error) {
-    differ(trial.checks, "the kernel", "an answer", error.what());
+    return mismatch_of(body, steps, kernel);
+  } catch (const KernelSilent& silent) {
+    return Mismatch{.what = "the kernel", .expected = "an answer", .answered = silent.what()};
   }
-  return std::move(trial.checks.first);
 }
 
 Verdict judge(const Fixture& fixture, JudgedKernel& kernel) {
@@ -339,6 +356,7 @@ Verdict judge(const Fixture& fixture, const Truth& truth, JudgedKernel& kernel, 
     trial.run(true);
   } catch (const std::exception& error) {
     verdict.lost = true;
+    verdict.silent = dynamic_cast<const KernelSilent*>(&error) != nullptr;
     differ(trial.checks, "the kernel", "an answer", error.what());
   }
   verdict.checks = trial.checks.made;
@@ -349,7 +367,10 @@ Verdict judge(const Fixture& fixture, const Truth& truth, JudgedKernel& kernel, 
   if (verdict.mismatch) {
     verdict.mismatch->steps = steps_until(*trial.running, verdict.mismatch->step);
     // A kernel that hangs would do so in every trial.
-    if (narrows && !verdict.lost) narrow_down(*verdict.mismatch, fixture, *trial.running, kernel);
+    try {
+      if (narrows && !verdict.lost) narrow_down(*verdict.mismatch, fixture, *trial.running, kernel);
+    } catch (const KernelSilent&) {
+    }
   } else if (truth.checks.first) {
     verdict.mismatch = truth.checks.first;
     verdict.mismatch->what += " (the fixture against union-find)";

@@ -29,6 +29,8 @@ struct Verdict {
   std::string known_difference;
   /// Whether the kernel threw: it may be in no state to go on.
   bool lost = false;
+  /// Whether that was because it gave no answer in its time (`KernelSilent`).
+  bool silent = false;
   /// Time inside the kernel, microseconds.
   double kernel_us = 0;
 };

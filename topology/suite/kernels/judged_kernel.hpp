@@ -72,14 +72,24 @@ JudgedKernel cgal_kernel();
 /// Union-find over corners, edges and tetrahedra ("twin"): no dart, no walk.
 JudgedKernel twin_kernel();
 
-/// A kernel in another process that speaks the protocol of docs/suite.md on its stdin and stdout.
-/// `command` goes to /bin/sh. An answer that is not one, or none within `seconds`, ends the process
-/// and throws `KernelLost`.
-JudgedKernel process_kernel(const std::string& command, double seconds = 60);
+/// How long a kernel in another process may take for its name, s, and for an answer about a small
+/// body.
+constexpr double default_answer_seconds = 10;
+
+/// A kernel in another process that speaks the protocol of docs/judge_your_kernel.md on its stdin
+/// and stdout. `command` goes to /bin/sh. It has `seconds` (> 0) to say hello, and (1 + T / 10 000)
+/// times as long for an answer about T tetrahedra: kernels in slow languages take some 0.1 ms a
+/// tetrahedron to count cells. An answer that is not one, or none within that time, ends the
+/// process and throws `KernelLost`.
+JudgedKernel process_kernel(const std::string& command, double seconds = default_answer_seconds);
 
 /// Another process died, hung or spoke nonsense; `what()` says which question it was.
 struct KernelLost : std::runtime_error {
   using std::runtime_error::runtime_error;
+};
+/// It gave no answer in its time.
+struct KernelSilent : KernelLost {
+  using KernelLost::KernelLost;
 };
 
 }  // namespace sunder::suite

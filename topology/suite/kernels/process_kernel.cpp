@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The suite's side of the protocol of docs/suite.md: questions as lines, answers parsed strictly.
+// The suite's side of the protocol of docs/judge_your_kernel.md: questions as lines, answers parsed
+// strictly.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -43,6 +44,14 @@ class Answer {
     if (at_ == words_.size()) refuse();
     return words_[at_++];
   }
+  /// A word of printable ASCII: it stands in tables, JSON and XML.
+  std::string name() {
+    const std::string_view w = word();
+    for (const char c : w) {
+      if (c < '!' || c > '~') refuse();
+    }
+    return std::string(w);
+  }
   std::uint64_t number() {
     const std::string_view w = word();
     std::uint64_t value = 0;
@@ -80,10 +89,9 @@ class Answer {
 
  private:
   [[noreturn]] void refuse() const {
-    constexpr std::size_t enough = 120;
-    throw KernelLost(fmt::format("kernel \"{}\", asked \"{}\": expected \"{}\", got \"{}{}\"",
+    throw KernelLost(fmt::format("kernel \"{}\", asked \"{}\": expected \"{}\", got {}",
                                  context_.command, context_.question, context_.expected,
-                                 line_.substr(0, enough), line_.size() > enough ? "..." : ""));
+                                 in_quotes(line_)));
   }
 
   std::string line_;
@@ -94,7 +102,7 @@ class Answer {
 
 struct Speaker {
   std::string command;
-  double seconds = 60;
+  double seconds = default_answer_seconds;
   std::string name;
   bool glues = false, has_homology = false, tells_orientable = false;
   std::unique_ptr<Child> child;
@@ -107,12 +115,14 @@ struct Speaker {
     const std::string question = text.substr(0, text.find('\n'));
     try {
       if (child == nullptr) throw KernelLost(fmt::format("kernel \"{}\" is gone", command));
-      const std::size_t longest = 65536 + 64 * tetrahedra;
-      Answer answer(child->ask(text + "\n", {seconds, longest}), {command, question, expected});
+      const Child::Limits limits{.seconds = seconds * (1 + static_cast<double>(tetrahedra) / 10000),
+                                 .longest_answer = 65536 + 64 * tetrahedra};
+      Answer answer(child->ask(text + "\n", limits), {command, question, expected});
       auto parsed = parse(answer);
       answer.end();
       return parsed;
     } catch (const KernelLost&) {
+      if (child != nullptr) child->give_up();
       child.reset();
       throw;
     }
@@ -124,7 +134,7 @@ struct Speaker {
     ask("hello 1", "hello 1 NAME [glue] [homology] [orientable]", [this](Answer& a) {
       a.keyword("hello");
       a.keyword("1");
-      name = a.word();
+      name = a.name();
       glues = has_homology = tells_orientable = false;
       for (bool known = true; known && !a.at_end();) {
         known = false;

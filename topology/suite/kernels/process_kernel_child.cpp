@@ -60,15 +60,21 @@ void close_all(std::initializer_list<int> files) {
   }
 }
 
-/// The start of a line, as a message quotes it.
+/// How often a process that says nothing is looked at.
+constexpr int look_every = 100;  // ms
+
+}  // namespace
+
 std::string in_quotes(std::string_view text) {
   const std::string_view line = text.substr(0, text.find('\n'));
   constexpr std::size_t enough = 80;
-  return line.size() <= enough ? fmt::format("\"{}\"", line)
-                               : fmt::format("\"{}...\"", line.substr(0, enough));
+  std::string quoted = "\"";
+  for (const char c : line.substr(0, enough)) {
+    const auto byte = static_cast<unsigned char>(c);
+    quoted += byte >= ' ' && byte <= '~' ? std::string(1, c) : fmt::format("\\x{:02x}", byte);
+  }
+  return quoted + (line.size() > enough ? "...\"" : "\"");
 }
-
-}  // namespace
 
 Child::Child(const std::string& command) : command_(command) {
   std::array<int, 2> in = {-1, -1}, out = {-1, -1};
@@ -140,13 +146,20 @@ bool Child::exchange(std::string_view& to_send, int milliseconds) {
   return true;
 }
 
-std::string Child::how_it_ended() {
-  // Its output is closed; if it lives on none the less, it is of no more use.
+/// Whether the process has ended; its output may still be held open by one that it started.
+bool Child::is_gone() const {
   siginfo_t info = {};
-  for (int i = 0; i < 100 && info.si_pid == 0; ++i) {
-    if (waitid(P_PID, static_cast<id_t>(process_), &info, WEXITED | WNOWAIT | WNOHANG) != 0) break;
-    if (info.si_pid == 0) usleep(10000);
-  }
+  return waitid(P_PID, static_cast<id_t>(process_), &info, WEXITED | WNOWAIT | WNOHANG) == 0 &&
+         info.si_pid != 0;
+}
+
+std::string Child::how_it_ended() const {
+  // Its output is closed; if it lives on none the less, it is of no more use. Dying takes a while
+  // where a core is dumped.
+  const auto deadline = Clock::now() + std::chrono::seconds(2);
+  while (!is_gone() && Clock::now() < deadline) usleep(10000);
+  siginfo_t info = {};
+  waitid(P_PID, static_cast<id_t>(process_), &info, WEXITED | WNOWAIT | WNOHANG);
   if (info.si_pid == 0) return "closed its output";
   if (info.si_code == CLD_EXITED) return fmt::format("ended with exit code {}", info.si_status);
   return fmt::format("was ended by signal {} ({})", info.si_status, strsignal(info.si_status));
@@ -154,14 +167,13 @@ std::string Child::how_it_ended() {
 
 std::string Child::ask(std::string_view text, const Limits& limits) {
   const std::string_view question = text;
-  const auto lost = [&](const std::string& what) {
-    return KernelLost(
-        fmt::format("kernel \"{}\", asked {}: {}", command_, in_quotes(question), what));
+  const auto why = [&](const std::string& what) {
+    return fmt::format("kernel \"{}\", asked {}: {}", command_, in_quotes(question), what);
   };
   std::string_view nothing;
   exchange(nothing, 0);
   if (!received_.empty()) {
-    throw lost(fmt::format("it had said {} without being asked", in_quotes(received_)));
+    throw KernelLost(why(fmt::format("it had said {} without being asked", in_quotes(received_))));
   }
   const auto deadline = Clock::now() + std::chrono::duration<double>(limits.seconds);
   for (;;) {
@@ -169,17 +181,27 @@ std::string Child::ask(std::string_view text, const Limits& limits) {
     if (end != std::string::npos && text.empty()) {
       std::string answer = received_.substr(0, end);
       received_.erase(0, end + 1);
+      if (!received_.empty()) {
+        throw KernelLost(why(fmt::format("its answer {} has another line, {}", in_quotes(answer),
+                                         in_quotes(received_))));
+      }
       if (!answer.empty() && answer.back() == '\r') answer.pop_back();
       return answer;
     }
-    if (ended_) throw lost("it " + how_it_ended());
+    if (ended_) throw KernelLost(why("it " + how_it_ended()));
     if (received_.size() > limits.longest_answer) {
-      throw lost(fmt::format("its answer is longer than {} bytes and begins {}",
-                             limits.longest_answer, in_quotes(received_)));
+      throw KernelLost(why(fmt::format("its answer is longer than {} bytes and begins {}",
+                                       limits.longest_answer, in_quotes(received_))));
     }
     const std::chrono::duration<double, std::milli> left = deadline - Clock::now();
-    if (left.count() <= 0) throw lost(fmt::format("no answer within {} s", limits.seconds));
-    exchange(text, static_cast<int>(std::clamp(std::ceil(left.count()), 1.0, 1e6)));
+    if (left.count() <= 0) {
+      throw KernelSilent(why(fmt::format("no answer within {:.3g} s", limits.seconds)));
+    }
+    const double wait = std::min<double>(std::ceil(left.count()), look_every);
+    if (exchange(text, static_cast<int>(wait)) || !is_gone()) continue;
+    // What it said last may have come between the two looks.
+    if (exchange(text, 0)) continue;
+    throw KernelLost(why("it " + how_it_ended() + " and left its output to another process"));
   }
 }
 
