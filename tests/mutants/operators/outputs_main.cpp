@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // All that topology/{kernel,cells,mesh} answers about random bodies, damaged meshes and operations,
 // as one number an area: `sunder_operator_outputs ROUNDS SEED`. A mutant that is said to change
-// nothing has to print what the program prints without it.
+// nothing has to print what the program prints without it. `SUNDER_REACHED`: a file that gets the
+// numbers of the mutants asked for.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -10,6 +11,7 @@
 #include <limits>
 #include <map>
 
+#include "sunder_fault.hpp"
 #include "topology/cells/columns.hpp"
 #include "topology/cells/file_cells.hpp"
 #include "topology/cells/journal.hpp"
@@ -139,7 +141,7 @@ using Random = std::mt19937_64;
 TetMesh body(Random& random) {
   static const std::vector<suite::NamedMesh> shapes = suite::all_shapes();
   TetMesh mesh = shapes[below(random, shapes.size())].mesh;
-  if (below(random, 4) == 0) mesh = side_by_side(mesh, shapes[below(random, shapes.size())].mesh);
+  if (below(random, 4) == 0) mesh = suite::side_by_side(mesh, shapes[below(random, shapes.size())].mesh);
   if (below(random, 2) == 0) mesh = suite::jittered(mesh, 0.2 * unit(random), random());
   if (below(random, 2) == 0) mesh = suite::shuffled(mesh, random());
   if (below(random, 3) == 0) {
@@ -470,5 +472,12 @@ int main(int argc, char** argv) {
     }
     fmt::print("{} {:016x}\n", name, out.value);
     std::fflush(stdout);
+  }
+  if (const char* path = std::getenv("SUNDER_REACHED")) {
+    std::FILE* reached = std::fopen(path, "w");
+    for (std::size_t n = 0; n < sizeof sunder_reached_faults; ++n) {
+      if (sunder_reached_faults[n] != 0) fmt::print(reached, "{} ", n);
+    }
+    std::fclose(reached);
   }
 }

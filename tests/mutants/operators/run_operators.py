@@ -23,6 +23,8 @@ import threading
 import time
 
 HERE = pathlib.Path(__file__).resolve().parent
+PROJECT = HERE.parent.parent.parent
+BEGIN, END = "<!-- score: begin -->", "<!-- score: end -->"
 ORDER = ["topology/kernel", "topology/cells", "topology/mesh", "topology/base"]
 MEMORY = 4 << 30  # bytes of a run: a mutant may allocate without end
 
@@ -127,6 +129,26 @@ def judge(tests, mutant, most):
     return result
 
 
+def run_all(tests, mutants, results, arguments):
+    """Judges what has no result yet."""
+    settled = ("killed",) if arguments.again else ("killed", "survived", "unreached")
+    todo = [m for m in mutants
+            if results.known.get(key_of(m), {"status": ""})["status"] not in settled]
+    done = 0
+
+    def one(mutant):
+        nonlocal done
+        if arguments.until and time.time() > arguments.until:
+            return
+        results.add(judge(tests, mutant, arguments.most))
+        done += 1
+        if done % 50 == 0:
+            print(f"{done} of {len(todo)}", flush=True)
+
+    with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
+        list(pool.map(one, todo))
+
+
 def proofs_of(mutants, known):
     """survivors.json by the key of each mutant; an entry that fits no survivor is an error."""
     entries = json.loads((HERE / "survivors.json").read_text(encoding="utf-8"))
@@ -164,6 +186,26 @@ def table(mutants, known, proved):
     return lines
 
 
+def publish(listed, known, proved):
+    """Writes score and proofs into docs/mutation.md, and what is not yet looked at beside this."""
+    mutants = listed["mutants"]
+    lines = ["", *table(mutants, known, proved), "", "Left out: " + ", ".join(
+        f"{n} x {why}" for why, n in sorted(listed["left_out"].items())) + ".", "",
+        "### Proved to change nothing", ""]
+    for entry in {id(e): e for e in proved.values()}.values():
+        count = sum(e is entry for e in proved.values())
+        lines.append(f"- `{entry['file']}`, `{entry['function']}`: `{entry['original']}` as `{entry['mutant']}`"
+                     + (f" ({count} places)" if count > 1 else "") + ". " + " ".join(entry["proof"]))
+    page = PROJECT / "docs/mutation.md"
+    head, rest = page.read_text(encoding="utf-8").split(BEGIN)
+    page.write_text(head + BEGIN + "\n".join(lines) + "\n" + END + rest.split(END)[1], encoding="utf-8")
+    left = [f"{m['file']}: {m['function']}: {m['original']}  ->  {m['mutant']}" + (f"  (no. {m['nth']})" if m["nth"] > 1 else "")
+            + ("  (no test reaches it)" if known[key_of(m)]["status"] == "unreached" else "")
+            for m in mutants if known.get(key_of(m), {"status": ""})["status"] in ("survived", "unreached")
+            and key_of(m) not in proved]
+    (HERE / "not_yet_looked_at.txt").write_text("\n".join(sorted(left)) + "\n", encoding="utf-8")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--build", required=True, type=pathlib.Path, help="tests/mutants/operators of the build")
@@ -173,28 +215,16 @@ def main():
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--until", type=float, help="stop to begin mutants at this time (epoch)")
     parser.add_argument("--survivors", action="store_true", help="list survivors without a proof")
+    parser.add_argument("--no-run", action="store_true", help="tell what is known")
+    parser.add_argument("--publish", action="store_true", help="write score and proofs into docs/mutation.md")
     arguments = parser.parse_args()
     listed = json.loads((arguments.build / "mutated/mutants.json").read_text(encoding="utf-8"))
     mutants = [m for m in listed["mutants"] if m["file"].startswith(arguments.only)]
     mutants.sort(key=lambda m: next(i for i, room in enumerate(ORDER) if m["file"].startswith(room)))
-    tests = Tests(str((arguments.build / "sunder_operators").resolve()), arguments.build / "reached.tsv")
     results = Results(arguments.build / "results.jsonl")
-    settled = ("killed",) if arguments.again else ("killed", "survived", "unreached")
-    todo = [m for m in mutants
-            if results.known.get(key_of(m), {"status": ""})["status"] not in settled]
-    done = 0
-
-    def one(mutant):
-        nonlocal done
-        if arguments.until and time.time() > arguments.until:
-            return
-        results.add(judge(tests, mutant, arguments.most))
-        done += 1
-        if done % 50 == 0:
-            print(f"{done} of {len(todo)}", flush=True)
-
-    with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
-        list(pool.map(one, todo))
+    if not arguments.no_run:
+        tests = Tests(str((arguments.build / "sunder_operators").resolve()), arguments.build / "reached.tsv")
+        run_all(tests, mutants, results, arguments)
     proved, wrong = proofs_of(listed["mutants"], results.known)
     print("\n".join(table(mutants, results.known, proved)))
     open_ = [m for m in mutants if results.known.get(key_of(m), {"status": ""})["status"] in
@@ -205,6 +235,8 @@ def main():
                   f"{m['original']}  ->  {m['mutant']}")
     for line in wrong:
         print(f"survivors.json: {line}")
+    if arguments.publish:
+        publish(listed, results.known, proved)
     sys.exit(1 if open_ or wrong else 0)
 
 

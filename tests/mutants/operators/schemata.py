@@ -9,6 +9,7 @@ that do not compile are found by libclang, counted, and left out of the copies.
 """
 
 import collections
+import hashlib
 import json
 import pathlib
 import re
@@ -158,6 +159,11 @@ def main():
     write_if_new(out / "sunder_fault.hpp", SWITCH)
     names = sorted(p.relative_to(project).as_posix() for folder in FOLDERS
                    for p in (project / folder).rglob("*.[ch]pp"))
+    here = pathlib.Path(__file__).resolve().parent
+    texts = [(project / n).read_bytes() for n in names] + [(here / n).read_bytes() for n in ("operators.py", "schemata.py")]
+    stamp, state = out / "stamp", hashlib.sha256(b"\0".join(texts)).hexdigest()
+    if stamp.exists() and stamp.read_text(encoding="utf-8") == state:
+        return
     files = {name: File(project, name, ROOM * k) for k, name in enumerate(names)}
     dropped = set()
     known = out / "dropped.json"  # what did not compile the last time: tried again when a file changed
@@ -167,14 +173,21 @@ def main():
                    if names[n // ROOM] not in stale}
     for name, file in files.items():
         write_if_new(out / name, file.copy(dropped))
-    # Headers first by themselves, then the sources, which instantiate them.
-    for name in [n for n in names if n.endswith(".hpp")] + [n for n in names if n.endswith(".cpp")]:
+    # Headers first by themselves, then the sources, which instantiate them. What compiled the last
+    # time need not be tried again, unless a header is new.
+    clean = out / "clean.json"
+    compiled = json.loads(clean.read_text(encoding="utf-8")) if clean.exists() else {}
+    is_new = [n for n in names if compiled.get(n) != (out / n).read_text(encoding="utf-8")]
+    if any(n.endswith(".hpp") for n in is_new):
+        is_new = names
+    for name in sorted(is_new, key=lambda n: (n.endswith(".cpp"), n)):
         while more := errors_of(project, out, out / name) - dropped:
             dropped |= more
             for n in {names[m // ROOM] for m in more}:
                 write_if_new(out / n, files[n].copy(dropped))
     if UNBLAMED:
         sys.exit("schemata.py: no mutant is to blame for\n" + "\n".join(sorted(UNBLAMED)))
+    clean.write_text(json.dumps({n: (out / n).read_text(encoding="utf-8") for n in names}), encoding="utf-8")
     known.write_text(json.dumps(sorted(dropped)), encoding="utf-8")
     for path in out.glob("topology/**/*.[ch]pp"):
         if path.relative_to(out).as_posix() not in files:
@@ -184,6 +197,7 @@ def main():
     mutants = [{k: v for k, v in m.items() if k != "site"}
                for f in files.values() for m in f.mutants if m["number"] not in dropped]
     write_if_new(out / "mutants.json", json.dumps({"left_out": left_out, "mutants": mutants}, indent=1) + "\n")
+    stamp.write_text(state, encoding="utf-8")
     print(f"{len(mutants)} mutants in {len(files)} files; left out: {dict(left_out)}")
 
 
