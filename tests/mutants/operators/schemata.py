@@ -29,7 +29,7 @@ SWITCH = """// SPDX-License-Identifier: MIT
 #include <type_traits>
 inline const int sunder_chosen_fault =
     std::getenv("SUNDER_FAULT") == nullptr ? 0 : std::atoi(std::getenv("SUNDER_FAULT"));
-inline unsigned char sunder_reached_faults[1 << 17];
+inline unsigned char sunder_reached_faults[1 << 18];
 inline bool sunder_fault(int number) {
   sunder_reached_faults[number] = 1;
   return number == sunder_chosen_fault;
