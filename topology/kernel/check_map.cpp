@@ -129,8 +129,15 @@ std::vector<Finding> check(const VolumeMap& map) {
   }
   damage.unless(map.darts().tetrahedra() == map.tetrahedra(), "as many tetrahedra as rows", 0);
   damage.unless(map.darts().vertices() == map.vertices(), "as many 0-attributes as rows", 0);
-  damage.unless(map.darts().complex().number_of_darts() == 12 * map.tetrahedra(),
-                "12 darts a tetrahedron", 0);
+  const DartComplex& complex = map.darts().complex();
+  damage.unless(complex.number_of_darts() == 12 * map.tetrahedra(), "12 darts a tetrahedron", 0);
+  damage.unless(complex.number_of_attributes<3>() == map.tetrahedra(),
+                "one 3-attribute a tetrahedron", 0);
+  std::size_t used = 0;
+  for (std::size_t v = 0; v < map.darts().vertices(); ++v) {
+    used += map.darts().incident_tetrahedron(VertexId{v}).is_none() ? 0 : 1;
+  }
+  damage.unless(complex.number_of_attributes<0>() == used, "one 0-attribute a row in use", 0);
   for (std::size_t t = 0; t < map.tetrahedra(); ++t) check_darts(map, TetId{t}, damage);
   check_orbits(map, damage);
   return damage.take();

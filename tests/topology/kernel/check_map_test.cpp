@@ -220,6 +220,13 @@ TEST_CASE("darts that break one rule of a map are told by it", "[topology][volum
     complex.create_dart(DartId{0});
     require_only(check(map), "12 darts a tetrahedron", {0});
   }
+  SECTION("attributes that nobody has") {
+    complex.create_attribute<0>();
+    require_only(check(map), "one 0-attribute a row in use", {0});
+    complex.create_attribute<3>();
+    CHECK(check(map).size() == 2);
+    require_among(check(map), "one 3-attribute a tetrahedron", {0});
+  }
   SECTION("one dart of a vertex with the attribute of another") {
     const auto other = complex.attribute<0>(darts.beta1(dart(30)));
     complex.set_dart_attribute<0>(dart(30), other);
