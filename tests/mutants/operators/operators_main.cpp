@@ -33,8 +33,8 @@ class Made : public Catch::ITestInvoker {
 };
 
 void add_case(const std::string& name, std::function<void()> run) {
-  Catch::getMutableRegistryHub().registerTest(
-      Catch::makeTestCase(new Made(std::move(run)), "", {name, "[suite]"}, CATCH_INTERNAL_LINEINFO));
+  Catch::getMutableRegistryHub().registerTest(Catch::makeTestCase(
+      new Made(std::move(run)), "", {name, "[suite]"}, CATCH_INTERNAL_LINEINFO));
 }
 
 void judge_on(const Fixture& fixture, JudgedKernel kernel) {
@@ -92,8 +92,8 @@ class Reached : public Catch::TestEventListenerBase {
 };
 CATCH_REGISTER_LISTENER(Reached)
 
-/// All fixtures, or those of the files that SUNDER_FIXTURES names: reading all takes longer than most
-/// runs do.
+/// All fixtures, or those of the files that SUNDER_FIXTURES names: reading all takes longer than
+/// most runs do.
 std::vector<Fixture> fixtures_wanted() {
   const std::filesystem::path folder = SUNDER_MESHES "/suite";
   const char* wanted = std::getenv("SUNDER_FIXTURES");

@@ -12,6 +12,8 @@
 #include <map>
 
 #include "sunder_fault.hpp"
+#include "tests/mutants/operators/digest.hpp"
+#include "tests/mutants/operators/random_meshes.hpp"
 #include "topology/cells/columns.hpp"
 #include "topology/cells/file_cells.hpp"
 #include "topology/cells/journal.hpp"
@@ -34,126 +36,9 @@ namespace {
 using namespace sunder;
 using suite::below;
 using suite::unit;
+using test::Digest;
 
-/// FNV-1a over all that it is given.
-struct Digest {
-  std::uint64_t value = 0xcbf29ce484222325U;
-
-  void bytes(const void* data, std::size_t size) {
-    for (std::size_t i = 0; i < size; ++i) {
-      value = (value ^ static_cast<const unsigned char*>(data)[i]) * 0x100000001b3U;
-    }
-  }
-  template <class T>
-    requires std::is_arithmetic_v<T> || std::is_enum_v<T>
-  void add(T number) {
-    bytes(&number, sizeof number);
-  }
-  template <class Tag>
-  void add(Id<Tag> id) {
-    add(id.value);
-  }
-  void add(const std::string& text) {
-    add(text.size());
-    bytes(text.data(), text.size());
-  }
-  template <class A, class B>
-  void add(const std::pair<A, B>& both) {
-    add(both.first), add(both.second);
-  }
-  template <class... V>
-  void add(const std::variant<V...>& any) {
-    std::visit([this](const auto& held) { add(held); }, any);
-  }
-  template <class T>
-  void add(const std::optional<T>& held) {
-    add(held.has_value());
-    if (held) add(*held);
-  }
-  template <class Range>
-    requires requires(const Range& r) { r.begin(), r.size(); }
-  void add(const Range& range) {
-    add(range.size());
-    for (const auto& one : range) add(one);
-  }
-  void add(const Finding& f) { all(f.code, f.severity, f.count, f.ids, f.text, f.remedy, f.line); }
-  void add(const VertexCopy& c) { all(c.old_row, c.new_row); }
-  void add(const FaceSplit& s) {
-    all(s.did, s.face, s.opposite, s.vertex_count, s.split_edges, s.visited);
-    if (s.did) add(s.vertices);
-    for (int i = 0; i < s.vertex_count; ++i) add(s.split_vertices[static_cast<std::size_t>(i)]);
-  }
-  void add(const FaceGlue& g) {
-    all(g.refusal, g.vertex_count);
-    for (int i = 0; i < g.vertex_count; ++i) add(g.merged[static_cast<std::size_t>(i)]);
-  }
-  void add(const Components& c) { all(c.of_tetrahedron, c.of_vertex, c.size, c.parent); }
-  void add(const Counts& c) {
-    all(c.vertices, c.edges, c.faces, c.tetrahedra, c.components, c.boundary_faces, c.boundary_sheets,
-        c.euler_characteristic, c.betti, c.volume);
-  }
-  void add(const TetMesh& m) {
-    all(m.points, m.tetrahedra, m.region, m.region_name, m.source_point_id, m.source_tetrahedron_id);
-  }
-  void add(const DataColumn& c) { all(c.name, c.components, c.type, c.values); }
-  template <std::size_t N>
-  void add(const CellList<N>& c) {
-    all(c.corners, c.region, c.entity, c.source_id, c.data);
-  }
-  void add(const FileMesh& m) {
-    all(m.points, m.source_point_id, m.point_region, m.point_data, m.vertices, m.edges, m.triangles,
-        m.tetrahedra, m.region_name);
-  }
-  void add(const FindingPlaces& p) { all(p.code, p.kind, p.rows); }
-  void add(const Quality::Extreme& e) { all(e.value, e.tetrahedron); }
-  void add(const Quality& q) {
-    all(q.smallest_dihedral, q.largest_dihedral, q.smallest_radius_ratio, q.mean_radius_ratio,
-        q.smallest_volume, q.largest_volume, q.shortest_edge, q.longest_edge);
-  }
-  void add(const MeshCheck& c) { all(c.findings, c.places, c.counts, c.quality); }
-  void add(const CrackFace& f) { all(f.tetrahedra, f.points); }
-  void add(const Crack& c) { all(c.copies, c.faces, c.closed_faces, c.triangles_on_it); }
-  void add(const MiddleVertex& m) { all(m.vertex, m.ends, m.weight); }
-  void add(const ChildCell& c) { all(c.tetrahedron, c.parent, c.share, c.face); }
-  void add(const CellChange::Cell& c) { all(c.row, c.corners, c.neighbours); }
-  void add(const CellChange::Begin& b) { all(b.vertex, b.tetrahedron); }
-  void add(const CellChange& c) {
-    all(c.kept_points, c.kept_vertices, c.kept_tetrahedra, c.points, c.vertices, c.cells, c.begins);
-  }
-  void add(const CellEdit& e) { all(e.vertices, e.cells, e.undo); }
-  void add(const VolumeMap& m) {
-    all(m.corners(), m.neighbours(), m.point_of_vertex(), m.points(), m.reoriented(),
-        m.dense().incident_tetrahedra());
-  }
-  template <class T>
-  void add(const Result<T>& r) {
-    all(r.value, r.findings);
-  }
-  template <class... T>
-  void all(const T&... parts) {
-    (add(parts), ...);
-  }
-};
-
-using Random = std::mt19937_64;
-
-/// A body out of all shapes, some in disguise: shaken, shuffled, two of them, some cells away.
-TetMesh body(Random& random) {
-  static const std::vector<suite::NamedMesh> shapes = suite::all_shapes();
-  TetMesh mesh = shapes[below(random, shapes.size())].mesh;
-  if (below(random, 4) == 0) mesh = suite::side_by_side(mesh, shapes[below(random, shapes.size())].mesh);
-  if (below(random, 2) == 0) mesh = suite::jittered(mesh, 0.2 * unit(random), random());
-  if (below(random, 2) == 0) mesh = suite::shuffled(mesh, random());
-  if (below(random, 3) == 0) {
-    std::erase_if(mesh.tetrahedra, [&](const auto&) { return below(random, 4) == 0; });
-  }
-  if (below(random, 3) == 0) {
-    for (auto& t : mesh.tetrahedra) {
-      if (below(random, 8) == 0) std::swap(t[0], t[1]);
-    }
-  }
-  return mesh;
-}
+using test::body, test::careless, test::Random;
 
 /// Often along an axis or through a vertex, where signs are a matter of rounding.
 Point normal_of(Random& random) {
@@ -221,8 +106,9 @@ void kernel_round(Random& random, Digest& out) {
     if (step % 4 == 3) {
       for (std::size_t i = 0; i < 3 && !done.empty(); ++i) {
         const FaceSplit s = done[below(random, done.size())];
-        const HalfFaceId other = below(random, 4) == 0 ? HalfFaceId{below(random, 4 * maps[0]->tetrahedra())}
-                                                       : s.opposite;
+        const HalfFaceId other = below(random, 4) == 0
+                                     ? HalfFaceId{below(random, 4 * maps[0]->tetrahedra())}
+                                     : s.opposite;
         for (auto& map : maps) out.add(glue_face(*map, s.face, other));
       }
       for (auto& l : labels) l = label_components(*maps[1]);
@@ -234,87 +120,13 @@ void kernel_round(Random& random, Digest& out) {
   }
 }
 
-/// A mesh as careless files hold them: copies, turned and flat cells, loose and nearly equal points,
-/// lists of cells of lower dimension, data.
-FileMesh careless(Random& random) {
-  TetMesh mesh = body(random);
-  const auto some_point = [&] { return static_cast<std::uint32_t>(below(random, mesh.points.size())); };
-  if (mesh.tetrahedra.empty()) return file_mesh_of(mesh);
-  for (std::size_t i = below(random, 3); i > 0; --i) {
-    switch (below(random, 9)) {
-      case 0: mesh.tetrahedra.push_back(mesh.tetrahedra[below(random, mesh.tetrahedra.size())]); break;
-      case 1: mesh.tetrahedra.push_back({some_point(), some_point(), some_point(), some_point()}); break;
-      case 2: mesh.points.push_back(mesh.points[some_point()]); break;
-      case 3: mesh.points[some_point()] = mesh.points[some_point()]; break;
-      case 4: mesh.points[some_point()][below(random, 3)] += 1e-7 * unit(random); break;
-      case 5: mesh.points[some_point()][0] = std::numeric_limits<double>::quiet_NaN(); break;
-      case 6: mesh.tetrahedra[below(random, mesh.tetrahedra.size())][below(random, 4)] = some_point(); break;
-      case 7: mesh.tetrahedra.back()[0] = static_cast<std::uint32_t>(mesh.points.size()); break;
-      default: {
-        // A copy of a point in a middle of two others: it may hang in an edge.
-        const Point a = mesh.points[some_point()], b = mesh.points[some_point()];
-        mesh.points[some_point()] = {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
-      }
-    }
-  }
-  if (below(random, 3) == 0) {
-    // Cells with points of their own, in place or a rounding away.
-    for (auto& t : mesh.tetrahedra) {
-      if (below(random, 6) != 0) continue;
-      for (auto& corner : t) {
-        mesh.points.push_back(mesh.points[corner < mesh.points.size() ? corner : 0]);
-        if (below(random, 4) == 0) mesh.points.back()[1] += 1e-9 * unit(random);
-        corner = static_cast<std::uint32_t>(mesh.points.size() - 1);
-      }
-    }
-  }
-  FileMesh file = file_mesh_of(mesh);
-  const auto in = [&](std::uint32_t p) { return p < file.points.size() ? p : 0; };
-  for (std::size_t i = below(random, 40); i > 0; --i) {
-    const auto& t = file.tetrahedra.corners[below(random, file.tetrahedra.corners.size())];
-    const std::size_t k = below(random, 4);
-    file.triangles.corners.push_back({in(t[k]), in(t[(k + 1) % 4]), in(t[(k + 2) % 4])});
-    if (i % 3 == 0) file.edges.corners.push_back({in(t[k]), in(t[(k + 2) % 4])});
-    if (i % 4 == 0) file.vertices.corners.push_back({in(t[k])});
-  }
-  const auto label = [&](auto& cells) {
-    const std::size_t n = cells.corners.size();
-    if (below(random, 2) == 0) {
-      for (std::size_t i = 0; i < n; ++i) cells.region.push_back(static_cast<std::int32_t>(below(random, 3)));
-    }
-    if (below(random, 3) == 0) {
-      for (std::size_t i = 0; i < n; ++i) cells.entity.push_back(static_cast<std::int32_t>(below(random, 2)));
-    }
-    if (below(random, 3) == 0) {
-      for (std::size_t i = 0; i < n; ++i) cells.source_id.push_back(static_cast<std::int64_t>(10 * i + 7));
-    }
-    if (below(random, 2) == 0) {
-      std::vector<double> values;
-      for (std::size_t i = 0; i < 3 * n; ++i) values.push_back(unit(random));
-      cells.data.push_back({"vector", 3, NumberType::float64, values});
-    }
-  };
-  label(file.vertices), label(file.edges), label(file.triangles), label(file.tetrahedra);
-  file.region_name[3][1] = "one";
-  file.region_name[2][2] = "two";
-  if (below(random, 2) == 0) {
-    std::vector<std::int64_t> values;
-    for (std::size_t i = 0; i < 2 * file.points.size(); ++i) values.push_back(static_cast<std::int64_t>(i));
-    file.point_data.push_back({"pair", 2, NumberType::int32, values});
-  }
-  if (below(random, 3) == 0) file.point_region.assign(file.points.size(), 4);
-  if (below(random, 3) == 0) {
-    for (std::size_t i = 0; i < file.points.size(); ++i) file.source_point_id.push_back(static_cast<std::int64_t>(2 * i));
-  }
-  return file;
-}
-
 void check_round(Random& random, Digest& out) {
   const FileMesh mesh = careless(random);
   const MeshCheck check = check_file_mesh(mesh, true);
   out.all(check, check_file_mesh(mesh).findings, cells_of_findings(mesh, check));
   FileMesh copy = mesh;
-  out.all(tet_mesh_of(std::move(copy)), cell_count(mesh), name_count(mesh), label_of(mesh.tetrahedra));
+  out.all(tet_mesh_of(std::move(copy)), cell_count(mesh), name_count(mesh),
+          label_of(mesh.tetrahedra));
 }
 
 bool in_range(const FileMesh& mesh) {
@@ -400,15 +212,18 @@ void cells_round(Random& random, Digest& out) {
     };
     const std::size_t which = below(random, 5);
     if (which == 0) {
-      const CellEdge edge{TetId{below(random, dense->tetrahedra())}, static_cast<int>(below(random, 6))};
+      const CellEdge edge{TetId{below(random, dense->tetrahedra())},
+                          static_cast<int>(below(random, 6))};
       const double weight = below(random, 2) == 0 ? 0.5 : 0.1 + 0.8 * unit(random);
       out.add(edge_rows(*dense).of_cell);
       const CellEdit edit = insert_vertex(*dense, edge, weight);
       enter_edit(edit, insert_vertex(*darts, edge, weight));
     } else if (which == 1) {
       std::vector<TetId> marked;
-      for (std::size_t i = below(random, 4); i > 0; --i) marked.emplace_back(below(random, dense->tetrahedra()));
-      const RefinedLevel level = refine_marked(*dense, marked), other = refine_marked(*darts, marked);
+      for (std::size_t i = below(random, 4); i > 0; --i)
+        marked.emplace_back(below(random, dense->tetrahedra()));
+      const RefinedLevel level = refine_marked(*dense, marked),
+                         other = refine_marked(*darts, marked);
       out.all(level.red, level.green, other.red);
       enter_edit(level.edit, other.edit);
     } else if (which == 2) {
@@ -443,7 +258,8 @@ void cells_round(Random& random, Digest& out) {
       divided.triangles.corners.push_back({t[0], t[1], t[2]});
       divided.edges.corners.push_back({t[1], t[3]});
     }
-    divided.tetrahedra.data.push_back({"mass", 1, NumberType::float64, std::vector<double>(file.tetrahedra.corners.size(), 1)});
+    divided.tetrahedra.data.push_back(
+        {"mass", 1, NumberType::float64, std::vector<double>(file.tetrahedra.corners.size(), 1)});
     divided.point_region.assign(divided.points.size(), 1);
     divided.point_region.front() = 2;
     divided.tetrahedra.source_id.assign(file.tetrahedra.corners.size(), 3);
@@ -461,9 +277,11 @@ void cells_round(Random& random, Digest& out) {
 int main(int argc, char** argv) {
   if (argc != 3) return fmt::print(stderr, "usage: {} ROUNDS SEED\n", argv[0]), 2;
   const std::uint64_t rounds = std::strtoull(argv[1], nullptr, 10);
-  const std::map<std::string, void (*)(Random&, Digest&)> areas = {
-      {"kernel", kernel_round}, {"check", check_round},   {"repair", repair_round},
-      {"crack", crack_round},   {"cells", cells_round}};
+  const std::map<std::string, void (*)(Random&, Digest&)> areas = {{"kernel", kernel_round},
+                                                                   {"check", check_round},
+                                                                   {"repair", repair_round},
+                                                                   {"crack", crack_round},
+                                                                   {"cells", cells_round}};
   for (const auto& [name, round] : areas) {
     Digest out;
     for (std::uint64_t i = 0; i < rounds; ++i) {

@@ -30,7 +30,8 @@ void require_only(const std::vector<Finding>& findings, const std::string& rule,
   CHECK(findings[0].severity == Severity::error);
   CHECK(findings[0].text == rule);
   CHECK(findings[0].count == ids.size());
-  CHECK(findings[0].ids == Ids(ids.begin(), ids.begin() + std::min<std::ptrdiff_t>(16, std::ssize(ids))));
+  CHECK(findings[0].ids ==
+        Ids(ids.begin(), ids.begin() + std::min<std::ptrdiff_t>(16, std::ssize(ids))));
 }
 
 void require_among(const std::vector<Finding>& findings, const std::string& rule, const Ids& ids) {
@@ -40,7 +41,9 @@ void require_among(const std::vector<Finding>& findings, const std::string& rule
   FAIL("nobody says: " << rule);
 }
 
-HalfFaceId& across(Rows& rows, HalfFaceId f) { return rows.map.neighbours[f.index() / 4][f.index() % 4]; }
+HalfFaceId& across(Rows& rows, HalfFaceId f) {
+  return rows.map.neighbours[f.index() / 4][f.index() % 4];
+}
 std::int64_t id(HalfFaceId f) { return f.value; }
 
 Ids sorted(Ids ids) {
@@ -68,7 +71,9 @@ TEST_CASE("rows that break one rule of a map are told by it, before any dart is 
     Ids both;
     for (std::size_t t = 0; t < tetrahedra; ++t) {
       const auto& c = rows.map.corners[t];
-      if (std::ranges::count(c, rows.map.corners[3][0]) + std::ranges::count(c, rows.map.corners[3][2]) == 2) {
+      if (std::ranges::count(c, rows.map.corners[3][0]) +
+              std::ranges::count(c, rows.map.corners[3][2]) ==
+          2) {
         both.push_back(static_cast<std::int64_t>(t));
       }
     }
@@ -108,7 +113,8 @@ TEST_CASE("rows that break one rule of a map are told by it, before any dart is 
     REQUIRE_FALSE(beside.is_none());
     across(rows, f) = beside, across(rows, beside) = f;
     across(rows, g) = HalfFaceId::none();
-    require_only(checked(rows), "the rows of a face are the same on both sides", sorted({id(f), id(beside)}));
+    require_only(checked(rows), "the rows of a face are the same on both sides",
+                 sorted({id(f), id(beside)}));
   }
   SECTION("a vertex that begins nowhere, or where it is not") {
     rows.begins[2] = TetId::none();
@@ -134,12 +140,14 @@ TEST_CASE("a row of two orbits and a retired last row are damage", "[topology][v
   // One row for both: nobody has the last row any more, and it says that it begins.
   std::vector<Finding> findings = checked(rows);
   require_among(findings, "each row is one vertex orbit", {first.value});
-  require_among(findings, "only retired rows have no tetrahedron", {static_cast<std::int64_t>(last)});
+  require_among(findings, "only retired rows have no tetrahedron",
+                {static_cast<std::int64_t>(last)});
   rows.begins[last] = TetId::none();
   findings = checked(rows);
   CHECK(findings.size() == 2);
   require_among(findings, "each row is one vertex orbit", {first.value});
-  require_among(findings, "the last row is not a retired one", {static_cast<std::int64_t>(last) + 1});
+  require_among(findings, "the last row is not a retired one",
+                {static_cast<std::int64_t>(last) + 1});
 }
 
 TEST_CASE("a body without tetrahedra has nothing to break", "[topology][volume_map]") {
@@ -245,7 +253,8 @@ TEST_CASE("darts that break one rule of a map are told by it", "[topology][volum
     complex.unlink_beta<3>(d), complex.unlink_beta<3>(next);
     complex.basic_link_beta_for_involution<3>(d, next);
     complex.basic_link_beta_for_involution<3>(e, of_next);
-    Ids four = sorted({darts.id(d).value, darts.id(e).value, darts.id(next).value, darts.id(of_next).value});
+    Ids four = sorted(
+        {darts.id(d).value, darts.id(e).value, darts.id(next).value, darts.id(of_next).value});
     const std::vector<Finding> findings = check(map);
     require_among(findings, "beta3 equals the neighbour of the rows", four);
     require_among(findings, "beta1 beta3 is an involution", of_both);

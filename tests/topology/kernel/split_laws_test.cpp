@@ -8,9 +8,9 @@ using namespace sunder::test;
 namespace {
 
 /// Whether a split of s_v vertices and s_e edges can change the Betti numbers by `d`, which Euler's
-/// formula bounds: d0 - d1 + d2 = s_v - s_e + 1. The old body is the new one with the two copies of the
-/// triangle glued; what they share before that is S, the triangle's boundary less s_v vertices and s_e
-/// edges: a circle, some parts, or nothing [Mayer-Vietoris].
+/// formula bounds: d0 - d1 + d2 = s_v - s_e + 1. The old body is the new one with the two copies of
+/// the triangle glued; what they share before that is S, the triangle's boundary less s_v vertices
+/// and s_e edges: a circle, some parts, or nothing [Mayer-Vietoris].
 bool can_change(int s_v, int s_e, const Betti& d) {
   if (d[0] - d[1] + d[2] != s_v - s_e + 1) return false;
   const int parts = s_e == 0 ? 1 : s_e - s_v, loops = s_e == 0 ? 1 : 0;
@@ -55,7 +55,8 @@ Counts large() {
 
 TEST_CASE("a split passes with the changes that the exact sequence leaves, and no others",
           "[topology][laws]") {
-  const std::vector<SplitCount> kinds = {{0, 0}, {0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}, {3, 3}};
+  const std::vector<SplitCount> kinds = {{0, 0}, {0, 1}, {0, 2}, {0, 3},
+                                         {1, 2}, {1, 3}, {2, 3}, {3, 3}};
   for (int s_v = 0; s_v <= 3; ++s_v) {
     for (int s_e = 0; s_e <= 3; ++s_e) {
       const bool is_kind = std::ranges::find(kinds, SplitCount{s_v, s_e}) != kinds.end();
@@ -98,7 +99,8 @@ TEST_CASE("too few edges for the vertices, and a separation without three vertic
     }
   }
   CHECK(told(1, 0, 0) ==
-        "splitting half-face 11 (1 vertices, 0 edges split): enough edges for the vertices (1: 2, more: "
+        "splitting half-face 11 (1 vertices, 0 edges split): enough edges for the vertices (1: 2, "
+        "more: "
         "3) is 0, the law says 1");
 }
 

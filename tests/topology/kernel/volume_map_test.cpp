@@ -6,7 +6,8 @@ using namespace sunder;
 using namespace sunder::suite;
 using namespace sunder::test;
 
-TEST_CASE("a split tells how many tetrahedra it looked at, as counted by hand", "[topology][split]") {
+TEST_CASE("a split tells how many tetrahedra it looked at, as counted by hand",
+          "[topology][split]") {
   for (const MapKernel kernel : {MapKernel::dense, MapKernel::lcc}) {
     VolumeMap two = built(two_tetrahedra());
     two.set_kernel(kernel);
@@ -57,8 +58,8 @@ TEST_CASE("bytes of a map are those of its columns", "[topology][volume_map]") {
   const MapBytes both = map.bytes();
   CHECK(both.adjacency == dense.adjacency);
   CHECK(both.vertex_columns == dense.vertex_columns);
-  // At least a handle for each dart's four links; a point and rows for each vertex; a handle for each
-  // tetrahedron and a corner for each vertex.
+  // At least a handle for each dart's four links; a point and rows for each vertex; a handle for
+  // each tetrahedron and a corner for each vertex.
   CHECK(both.darts >= 12 * 4 * 8 * map.tetrahedra());
   CHECK(both.attributes >= 32 * map.vertices() + 8 * map.tetrahedra());
   CHECK(both.handles >= 8 * map.tetrahedra() + 4 * map.vertices());
@@ -83,14 +84,16 @@ TEST_CASE("the fan of a row that is none or retired is refused, with the rows th
   REQUIRE(glue_face(map, first.face, first.opposite).vertex_count == 3);
   // The rows of the second split stand behind those retired.
   REQUIRE(map.vertices() == 16);
-  for (const std::size_t row : {std::size_t{10}, std::size_t{12}, std::size_t{16}, std::size_t{99}}) {
+  for (const std::size_t row :
+       {std::size_t{10}, std::size_t{12}, std::size_t{16}, std::size_t{99}}) {
     const auto fan = fan_faces(map, VertexId{row}, Point{0, 0, 1});
     REQUIRE_FALSE(fan);
     REQUIRE(fan.findings.size() == 1);
     const Finding& f = fan.findings[0];
     CHECK(f.code == "no_such_vertex");
     CHECK(f.ids == std::vector<std::int64_t>{static_cast<std::int64_t>(row)});
-    CHECK(f.text == "vertex " + std::to_string(row) + " is not a vertex of the body, which has rows 0 to 15");
+    CHECK(f.text ==
+          "vertex " + std::to_string(row) + " is not a vertex of the body, which has rows 0 to 15");
     CHECK(f.remedy == "give the row of a vertex that belongs to a tetrahedron");
   }
   CHECK(star(map, VertexId{10}).empty());
@@ -104,10 +107,11 @@ TEST_CASE("the fan of a row that is none or retired is refused, with the rows th
 
 TEST_CASE("a plane without a direction or an offset is refused in words", "[topology][fan]") {
   const VolumeMap map = built(two_tetrahedra());
-  const double none = std::numeric_limits<double>::quiet_NaN(), all = std::numeric_limits<double>::infinity();
-  for (const CuttingPlane& plane : {CuttingPlane{{0, 0, 0}, 0}, CuttingPlane{{none, 0, 1}, 0},
-                                    CuttingPlane{{0, all, 1}, 0}, CuttingPlane{{0, 0, 1}, none},
-                                    CuttingPlane{{0, 0, 1}, all}}) {
+  const double none = std::numeric_limits<double>::quiet_NaN(),
+               all = std::numeric_limits<double>::infinity();
+  for (const CuttingPlane& plane :
+       {CuttingPlane{{0, 0, 0}, 0}, CuttingPlane{{none, 0, 1}, 0}, CuttingPlane{{0, all, 1}, 0},
+        CuttingPlane{{0, 0, 1}, none}, CuttingPlane{{0, 0, 1}, all}}) {
     const auto faces = plane_faces(map, plane);
     CHECK_FALSE(faces);
     REQUIRE(faces.findings.size() == 1);
