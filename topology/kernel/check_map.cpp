@@ -71,6 +71,8 @@ void check_rows(const VolumeMap& map, TetId t, Damage& damage) {
     }
     const HalfFaceId f = half_face(t, i), across = map.neighbour(f);
     if (across.is_none()) continue;
+    damage.unless(across.index() < 4 * map.tetrahedra(), "neighbours are in range", f.index());
+    if (across.index() >= 4 * map.tetrahedra()) continue;
     damage.unless(map.neighbour(across) == f, "neighbours name each other", f.index());
     for (int j = 0; j < 4; ++j) {
       if (j == i) continue;
@@ -116,19 +118,26 @@ void check_orbits(const VolumeMap& map, Damage& damage) {
 }  // namespace
 
 std::vector<Finding> check(const VolumeMap& map) {
+  Damage damage;
+  for (std::size_t t = 0; t < map.tetrahedra(); ++t) check_rows(map, TetId{t}, damage);
+  std::vector<Finding> findings = damage.take();
+  if (!findings.empty()) return findings;  // darts and walks would follow rows that lead nowhere
   if (map.kernel() == MapKernel::dense) {
     VolumeMap witness = map;
     witness.set_kernel(MapKernel::lcc);
     return check(witness);
   }
-  Damage damage;
   damage.unless(map.darts().tetrahedra() == map.tetrahedra(), "as many tetrahedra as rows", 0);
   damage.unless(map.darts().vertices() == map.vertices(), "as many 0-attributes as rows", 0);
-  damage.unless(map.darts().complex().number_of_darts() == 12 * map.tetrahedra(),
-                "12 darts a tetrahedron", 0);
-  for (std::size_t t = 0; t < map.tetrahedra(); ++t) check_rows(map, TetId{t}, damage);
-  std::vector<Finding> findings = damage.take();
-  if (!findings.empty()) return findings;  // walking on would follow rows that lead nowhere
+  const DartComplex& complex = map.darts().complex();
+  damage.unless(complex.number_of_darts() == 12 * map.tetrahedra(), "12 darts a tetrahedron", 0);
+  damage.unless(complex.number_of_attributes<3>() == map.tetrahedra(),
+                "one 3-attribute a tetrahedron", 0);
+  std::size_t used = 0;
+  for (std::size_t v = 0; v < map.darts().vertices(); ++v) {
+    used += map.darts().incident_tetrahedron(VertexId{v}).is_none() ? 0 : 1;
+  }
+  damage.unless(complex.number_of_attributes<0>() == used, "one 0-attribute a row in use", 0);
   for (std::size_t t = 0; t < map.tetrahedra(); ++t) check_darts(map, TetId{t}, damage);
   check_orbits(map, damage);
   return damage.take();

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "topology/base/point_math.hpp"
 #include "topology/kernel/invariants.hpp"
 
 namespace sunder::detail {
@@ -133,15 +134,6 @@ inline void derive_invariants(Counts& counts, std::size_t closed) {
   counts.betti = {b0, b0 + b2 - counts.euler_characteristic, b2};
 }
 
-inline double tetrahedron_volume(const Point& a, const Point& b, const Point& c, const Point& d) {
-  const Point u = {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
-  const Point v = {c[0] - a[0], c[1] - a[1], c[2] - a[2]};
-  const Point w = {d[0] - a[0], d[1] - a[1], d[2] - a[2]};
-  return (u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0]) +
-          u[2] * (v[0] * w[1] - v[1] * w[0])) /
-         6;
-}
-
 }  // namespace sunder::detail
 
 namespace sunder {
@@ -184,8 +176,9 @@ Counts count_cells(const K& map) {
   counts.edges = detail::count_edges(map);
   for (std::size_t t = 0; t < map.tetrahedra(); ++t) {
     const auto v = map.corners(TetId{t});
-    counts.volume += detail::tetrahedron_volume(map.point(v[0]), map.point(v[1]), map.point(v[2]),
-                                                map.point(v[3]));
+    counts.volume += detail::six_volumes(map.point(v[0]), map.point(v[1]), map.point(v[2]),
+                                         map.point(v[3])) /
+                     6;
     for (int p = 0; p < 4; ++p) {
       const HalfFaceId f = half_face(TetId{t}, p), across = map.neighbour(f);
       counts.boundary_faces += across.is_none() ? 1 : 0;

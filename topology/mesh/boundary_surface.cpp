@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "topology/base/point_math.hpp"
 #include "topology/kernel/kernel.hpp"
 #include "topology/mesh/face_table.hpp"
 
@@ -28,14 +29,8 @@ Corners sorted(Corners corners) {
 }
 
 bool is_inverted(const FileMesh& mesh, const std::array<std::uint32_t, 4>& t) {
-  std::array<Point, 3> e{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t k = 0; k < 3; ++k) e[i][k] = mesh.points[t[i + 1]][k] - mesh.points[t[0]][k];
-  }
-  return e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) -
-             e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
-             e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]) <
-         0;
+  const auto& x = mesh.points;
+  return detail::six_volumes(x[t[0]], x[t[1]], x[t[2]], x[t[3]]) < 0;
 }
 
 /// Faces of exactly one tetrahedron, sorted by their points.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "topology/base/point_math.hpp"
 #include "topology/mesh/survey.hpp"
 
 namespace sunder {
@@ -73,9 +74,7 @@ signed char volume_sign(const TetMesh& mesh, const Index4& t) {
       length = std::max(length, std::abs(e[k][i]));
     }
   }
-  const double det = e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) -
-                     e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
-                     e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);
+  const double det = detail::dot(e[0], detail::cross(e[1], e[2]));
   constexpr double rounding = 18 * std::numeric_limits<double>::epsilon();
   const double tolerance = rounding * std::max(largest, length) * length * length;
   // Overflow gives an infinity or a NaN: such a tetrahedron has no volume one could compute with.

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "topology/base/point_math.hpp"
 #include "topology/base/union_find.hpp"
 #include "topology/mesh/build_map.hpp"
 #include "topology/mesh/face_table.hpp"
@@ -142,16 +143,6 @@ std::optional<std::uint32_t> kept_near(const PointGrid& grid, const FileMesh& me
   return found;
 }
 
-double volume6(const FileMesh& mesh, const std::array<std::uint32_t, 4>& t) {
-  std::array<std::array<double, 3>, 3> e{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    for (std::size_t i = 0; i < 3; ++i) e[i][k] = mesh.points[t[i + 1]][k] - mesh.points[t[0]][k];
-  }
-  return e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) -
-         e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
-         e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);
-}
-
 /// The part of each tetrahedron, by faces, named by its lowest row.
 std::vector<std::uint32_t> parts_by_faces(const FileMesh& mesh) {
   UnionFind parts(mesh.tetrahedra.corners.size());
@@ -274,7 +265,8 @@ Finding keep_largest_component(FileMesh& mesh) {
 Finding fix_orientation(FileMesh& mesh) {
   std::size_t swapped = 0;
   for (auto& t : mesh.tetrahedra.corners) {
-    if (!(volume6(mesh, t) < 0)) continue;
+    const auto& x = mesh.points;
+    if (!(detail::six_volumes(x[t[0]], x[t[1]], x[t[2]], x[t[3]]) < 0)) continue;
     std::swap(t[2], t[3]);
     ++swapped;
   }

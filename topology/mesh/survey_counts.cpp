@@ -73,8 +73,9 @@ Counts count_cells(const Survey& s) {
   for (std::size_t t = 0; t < tetrahedra; ++t) {
     std::array<std::uint32_t, 4> c = s.mesh.tetrahedra[t];
     if (s.flipped[t]) std::swap(c[2], c[3]);
-    counts.volume += detail::tetrahedron_volume(s.mesh.points[c[0]], s.mesh.points[c[1]],
-                                                s.mesh.points[c[2]], s.mesh.points[c[3]]);
+    counts.volume += detail::six_volumes(s.mesh.points[c[0]], s.mesh.points[c[1]],
+                                         s.mesh.points[c[2]], s.mesh.points[c[3]]) /
+                     6;
     for (const HalfFaceId across : s.neighbours[t]) counts.boundary_faces += across.is_none();
   }
   counts.faces = (4 * tetrahedra + counts.boundary_faces) / 2;

@@ -214,3 +214,19 @@ TEST_CASE("the canonical darts are the ones the header draws", "[topology][dart_
     CHECK(map.darts().vertex(handle) == map.vertex(DartId{d}));
   }
 }
+
+TEST_CASE("a dart tells its half-face and the corner where it starts", "[topology][dart_map]") {
+  const VolumeMap map = built(kuhn_box({2, 1, 1}));
+  const DartMap& darts = map.darts();
+  for (std::size_t row = 0; row < 12 * map.tetrahedra(); ++row) {
+    const TetId t{row / 12};
+    const auto d = darts.dart_at(t, static_cast<int>(row % 12));
+    const CornerId c = darts.corner_of(d);
+    CHECK(darts.half_face_of(d) == HalfFaceId{row / 3});
+    CHECK(tetrahedron_of(c) == t);
+    CHECK(map.corners(t)[static_cast<std::size_t>(place_of(c))] == map.vertex(DartId{row}));
+    CHECK(darts.dart(darts.half_face_of(d), c) == d);
+    CHECK(darts.dart(DartMap::ConstDart(d)) == d);
+    CHECK(map.id(DartId{row}) == DartId{row});
+  }
+}

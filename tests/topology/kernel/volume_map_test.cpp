@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// What a map tells beside its cells: how far a split looked, bytes, errors of fans, retired rows.
+#include "tests/support/built.hpp"
+
+using namespace sunder;
+using namespace sunder::suite;
+using namespace sunder::test;
+
+TEST_CASE("a split tells how many tetrahedra it looked at, as counted by hand",
+          "[topology][split]") {
+  for (const MapKernel kernel : {MapKernel::dense, MapKernel::lcc}) {
+    VolumeMap two = built(two_tetrahedra());
+    two.set_kernel(kernel);
+    // Three edges, one tetrahedron each; three vertices, both sides of one tetrahedron each.
+    CHECK(split_on(two, {0, 1, 2}).visited == 9);
+
+    for (const int k : {3, 4, 7}) {
+      VolumeMap fan = built(closed_fan(k));
+      fan.set_kernel(kernel);
+      // The axis' walk comes round all k; the two rim edges are open at once; only the rim's vertex
+      // has both of its edges apart, and a tetrahedron on each side.
+      const FaceSplit first = split_on(fan, {0, 1, 2});
+      CHECK(first.vertex_count == 1);
+      CHECK(first.visited == static_cast<std::uint32_t>(k) + 2 + 2);
+      // The face opened, the fan is a row of k: the walk round the axis ends at the first face, one
+      // tetrahedron away, and every search of a vertex meets only one or both ends.
+      const FaceSplit second = split_on(fan, {0, 1, 3});
+      CHECK(second.vertex_count == 3);
+      CHECK(edge_count(second) == 3);
+    }
+    // Nothing to split, nothing looked at.
+    CHECK(split_face(two, half_face(TetId{0}, 0)).visited == 0);
+  }
+}
+
+TEST_CASE("a vertex of two sides that meet is searched from both in turn", "[topology][split]") {
+  VolumeMap star = built(octahedron_star());
+  // The first equator face: its rim edge opens, and no vertex has two open edges.
+  const FaceSplit first = split_on(star, {0, 1, 2});
+  // Edges 0-1 and 0-2 have four tetrahedra each, 1-2 has the two of the face.
+  CHECK(first.visited == 4 + 4 + 1);
+}
+
+TEST_CASE("bytes of a map are those of its columns", "[topology][volume_map]") {
+  VolumeMap map = built(kuhn_box({4, 4, 4}));
+  map.set_kernel(MapKernel::dense);
+  const MapRows& rows = map.dense().rows();
+  const MapBytes dense = map.bytes();
+  CHECK(dense.darts == 0);
+  CHECK(dense.attributes == 0);
+  CHECK(dense.handles == 0);
+  CHECK(dense.adjacency == 16 * rows.corners.capacity() + 16 * rows.neighbours.capacity() +
+                               4 * rows.reoriented.capacity());
+  CHECK(dense.vertex_columns ==
+        24 * rows.points.capacity() + 4 * rows.point_of_vertex.capacity() + 4 * map.vertices());
+  CHECK(total(dense) == dense.adjacency + dense.vertex_columns);
+  map.set_kernel(MapKernel::lcc);
+  const MapBytes both = map.bytes();
+  CHECK(both.adjacency == dense.adjacency);
+  CHECK(both.vertex_columns == dense.vertex_columns);
+  // At least a handle for each dart's four links; a point and rows for each vertex; a handle for
+  // each tetrahedron and a corner for each vertex.
+  CHECK(both.darts >= 12 * 4 * 8 * map.tetrahedra());
+  CHECK(both.attributes >= 32 * map.vertices() + 8 * map.tetrahedra());
+  CHECK(both.handles >= 8 * map.tetrahedra() + 4 * map.vertices());
+  CHECK(both.handles < 16 * map.tetrahedra() + 8 * map.vertices());
+  CHECK(total(both) == both.darts + both.attributes + both.handles + total(dense));
+}
+
+TEST_CASE("counts of nothing are noughts", "[topology][counts]") {
+  const Counts none = count_cells(VolumeMap(MapRows{}));
+  CHECK(none == Counts{0, 0, 0, 0, 0, 0, 0, 0, std::array<std::ptrdiff_t, 3>{0, 0, 0}, 0});
+  CHECK(Counts{} == Counts{0, 0, 0, 0, 0, 0, 0, 0, std::nullopt, 0});
+}
+
+TEST_CASE("the fan of a row that is none or retired is refused, with the rows there are",
+          "[topology][fan]") {
+  VolumeMap map = built(side_by_side(two_tetrahedra(), two_tetrahedra()));
+  const FaceSplit first = split_on(map, {0, 1, 2});
+  const FaceSplit second = split_on(map, {5, 6, 7});
+  REQUIRE(first.vertex_count == 3);
+  REQUIRE(second.vertex_count == 3);
+  REQUIRE(map.vertices() == 16);
+  REQUIRE(glue_face(map, first.face, first.opposite).vertex_count == 3);
+  // The rows of the second split stand behind those retired.
+  REQUIRE(map.vertices() == 16);
+  for (const std::size_t row :
+       {std::size_t{10}, std::size_t{12}, std::size_t{16}, std::size_t{99}}) {
+    const auto fan = fan_faces(map, VertexId{row}, Point{0, 0, 1});
+    REQUIRE_FALSE(fan);
+    REQUIRE(fan.findings.size() == 1);
+    const Finding& f = fan.findings[0];
+    CHECK(f.code == "no_such_vertex");
+    CHECK(f.ids == std::vector<std::int64_t>{static_cast<std::int64_t>(row)});
+    CHECK(f.text ==
+          "vertex " + std::to_string(row) + " is not a vertex of the body, which has rows 0 to 15");
+    CHECK(f.remedy == "give the row of a vertex that belongs to a tetrahedron");
+  }
+  CHECK(star(map, VertexId{10}).empty());
+  CHECK(vertex_star(map, VertexId{10}).vertex == VertexId{10});
+  CHECK(fan_faces(map, VertexId{13}, Point{0, 0, 1}));
+  const VolumeMap nothing{MapRows{}};
+  const auto fan = fan_faces(nothing, VertexId{0}, Point{0, 0, 1});
+  REQUIRE(fan.findings.size() == 1);
+  CHECK(fan.findings[0].text == "vertex 0 is not a vertex of the body, which has rows 0 to 0");
+}
+
+TEST_CASE("a plane without a direction or an offset is refused in words", "[topology][fan]") {
+  const VolumeMap map = built(two_tetrahedra());
+  const double none = std::numeric_limits<double>::quiet_NaN(),
+               all = std::numeric_limits<double>::infinity();
+  for (const CuttingPlane& plane :
+       {CuttingPlane{{0, 0, 0}, 0}, CuttingPlane{{none, 0, 1}, 0}, CuttingPlane{{0, all, 1}, 0},
+        CuttingPlane{{0, 0, 1}, none}, CuttingPlane{{0, 0, 1}, all}}) {
+    const auto faces = plane_faces(map, plane);
+    CHECK_FALSE(faces);
+    REQUIRE(faces.findings.size() == 1);
+    CHECK(faces.findings[0].code == "not_a_direction");
+    CHECK_FALSE(faces.findings[0].text.empty());
+    CHECK_FALSE(faces.findings[0].remedy.empty());
+  }
+  const auto fan = fan_faces(map, VertexId{0}, Point{0, 0, 0});
+  REQUIRE(fan.findings.size() == 1);
+  CHECK(fan.findings[0].code == "not_a_direction");
+}
+
+TEST_CASE("the faces of a section are each on the positive side, once, in rising order",
+          "[topology][fan]") {
+  const VolumeMap map = built(kuhn_box({2, 2, 2}));
+  for (const CuttingPlane& plane : {CuttingPlane{{0, 0, 1}, 1}, CuttingPlane{{1, 0, 0}, 1},
+                                    CuttingPlane{{1, 1, 0}, 2.1}, CuttingPlane{{0, -3, 0}, -3}}) {
+    const auto faces = plane_faces(map, plane);
+    REQUIRE(faces);
+    CHECK_FALSE(faces->empty());
+    CHECK(std::ranges::is_sorted(*faces));
+    const auto above = [&](TetId t) {
+      double sum = 0;
+      for (const VertexId v : map.corners(t)) {
+        for (std::size_t i = 0; i < 3; ++i) sum += plane.normal[i] * map.point(v)[i];
+      }
+      // The sign is that of the canonical direction.
+      const double side = plane.normal[1] < 0 ? -1 : 1;
+      return side * (sum / 4 - plane.offset) >= 0;
+    };
+    std::vector<HalfFaceId> expected;
+    for (std::size_t i = 0; i < 4 * map.tetrahedra(); ++i) {
+      const HalfFaceId f{i}, across = map.neighbour(f);
+      if (!across.is_none() && above(tetrahedron_of(f)) && !above(tetrahedron_of(across))) {
+        expected.push_back(f);
+      }
+    }
+    CHECK(*faces == expected);
+  }
+}
