@@ -10,7 +10,7 @@ out=${2:-$(mktemp -d)}
 meshes=$here/../../meshes/scenes
 check() { # scene's file, s
   name=$(basename "$1" .json)
-  "$build/sunder" run "$1" -o "$out/$name" --quiet --frames 20 --set "duration=$2" --set output.frames_at_impacts=true >/dev/null 2>&1
+  "$build/sunder" run "$1" -o "$out/$name" --force --quiet --frames 20 --set "duration=$2" --set output.frames_at_impacts=true >/dev/null 2>&1
   "$build/sunder" export "$out/$name" "$out/$name.glb"
   (cd "$here" && node check_glb.mjs "$out/$name.glb")
   if [ -x "$build/tests/apps/sunder_tinygltf" ]; then

@@ -28,7 +28,7 @@ TEST_CASE("right kernels end with 0 and a line of totals", "[suite][command]") {
   CHECK(outcome.exit_code == 0);
   CHECK(outcome.err.empty());
   CHECK(outcome.out.find("small/figure-5-abc") != std::string::npos);
-  CHECK(outcome.out.find("7 fixtures, 2 kernels: ") != std::string::npos);
+  CHECK(outcome.out.find("9 fixtures, 2 kernels: ") != std::string::npos);
   CHECK(outcome.out.find(" 0 mismatches") != std::string::npos);
 }
 
@@ -77,7 +77,7 @@ TEST_CASE("a filter is a part of the name or a pattern for it", "[suite][command
     return here.run({"suite", filter, "--fixtures", data + "/good", "--kernel", "twin", "--json"})
         .json()["totals"]["fixtures"];
   };
-  CHECK(fixtures("") == 7);
+  CHECK(fixtures("") == 9);
   CHECK(fixtures("figure") == 1);
   CHECK(fixtures("small/[mn]*") == 2);
   CHECK(here.run({"suite", "none-such", "--fixtures", data + "/good"}).exit_code == 2);
@@ -139,13 +139,13 @@ TEST_CASE(
   const Outcome table =
       here.run({"suite", "--fixtures", data + "/good", "--kernel", liar, "--fail-fast"});
   CHECK(table.exit_code == 1);
-  CHECK(table.out.find("ended at a mismatch, 6 fixtures not judged; 1 fixtures") !=
+  CHECK(table.out.find("ended at a mismatch, 8 fixtures not judged; 1 fixtures") !=
         std::string::npos);
   const auto json =
       here.run({"suite", "--fixtures", data + "/good", "--kernel", liar, "--fail-fast", "--json"})
           .json();
   CHECK(json["fixtures"].size() == 1);
-  CHECK(json["totals"]["not_judged"] == 6);
+  CHECK(json["totals"]["not_judged"] == 8);
   const Outcome right = here.run(
       {"suite", "--fixtures", data + "/good", "--kernel", "twin", "--fail-fast", "--json"});
   CHECK(right.exit_code == 0);
@@ -167,7 +167,7 @@ TEST_CASE("a kernel that is always silent has its time three times and is asked 
       if (texts.back().find("no answer within 1 s") == std::string::npos) continue;
       CHECK(fixture["verdicts"][0]["microseconds"] > 900000);  // the time it was waited for
     }
-    REQUIRE(texts.size() == 7);
+    REQUIRE(texts.size() == 9);
     return texts;
   };
   const auto said = [](const std::string& text, const std::string& part) {
@@ -176,7 +176,7 @@ TEST_CASE("a kernel that is always silent has its time three times and is asked 
   };
   const std::vector<std::string> silent = answers("sleep 1000");
   for (std::size_t row = 0; row < 3; ++row) CHECK(said(silent[row], "no answer within 1 s"));
-  for (std::size_t row = 3; row < 7; ++row) CHECK(said(silent[row], "not asked: "));
+  for (std::size_t row = 3; row < 9; ++row) CHECK(said(silent[row], "not asked: "));
   // One that dies between is asked about every fixture; dying costs no time.
   const std::vector<std::string> now_and_then =
       answers("read a b c; [ $c = 48 ] && sleep 1000; exit 3");
@@ -210,8 +210,8 @@ TEST_CASE("a JUnit file has a testsuite a kernel and a testcase a fixture", "[su
   };
   const std::string right = junit({data + "/good", "--kernel", "sunder", "--kernel", "twin"}, 0);
   CHECK(count(right, "<testsuite ") == 2);
-  CHECK(count(right, "<testcase ") == 14);
-  CHECK(count(right, " tests=\"7\" failures=\"0\" errors=\"0\" ") == 2);
+  CHECK(count(right, "<testcase ") == 18);
+  CHECK(count(right, " tests=\"9\" failures=\"0\" errors=\"0\" ") == 2);
   CHECK(count(right, "<testcase classname=\"sunder.small\" name=\"two-tetrahedra\"") == 1);
   const std::string known = junit({SUNDER_SUITE_FIXTURES, "19-*", "--kernel", "cgal"}, 0);
   CHECK(count(known, " failures=\"0\" errors=\"0\" skipped=\"1\"") == 1);
@@ -224,7 +224,7 @@ TEST_CASE("a JUnit file has a testsuite a kernel and a testcase a fixture", "[su
       junit({data + "/good", "--kernel",
              "read q; echo hello 1 a\\<b\\&c; read q; printf '<\\001\"&>\\377\\n'; exit 3"},
             1);
-  CHECK(count(lost, "<error type=\"lost\"") == 7);
+  CHECK(count(lost, "<error type=\"lost\"") == 9);
   CHECK(count(lost, "<testsuite name=\"a&lt;b&amp;c\"") == 1);
   CHECK(std::all_of(lost.begin(), lost.end(),
                     [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); }));
@@ -238,7 +238,7 @@ TEST_CASE("an export is one archive, and mistakes write none", "[suite][command]
   const std::string archive = here.path("suite.tar.gz");
   const Outcome written = here.run({"suite", "--fixtures", data + "/good", "--export", archive});
   CHECK(written.exit_code == 0);
-  CHECK(written.out.find("suite.tar.gz: 7 fixtures\n") != std::string::npos);
+  CHECK(written.out.find("suite.tar.gz: 9 fixtures\n") != std::string::npos);
   CHECK(here.run({"suite", "--fixtures", data + "/good", "--export", here.path("folder")})
             .exit_code == 2);
   CHECK(here.run({"suite", "--fixtures", data + "/good", "--export", here.path("no/x.tar.gz")})

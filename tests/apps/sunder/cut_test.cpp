@@ -151,15 +151,16 @@ TEST_CASE("cut: exactly and along faces", "[apps][cells]") {
 
 TEST_CASE("cut: a plane that nearly passes through points, and the tolerance", "[apps][cells]") {
   const Workplace here;
-  const std::string out = here.path("out.vtu"), plane = "1,0,0,0.500000001";
-  const Outcome thin = here.run({"cut", bar, out, "--plane", plane, "--exact", "--json"});
+  const std::string out = here.path("out.vtu"), plane = "1,0,0,1.000000001",
+                    cube = sample_mesh("cube.msh");  // it has points at x = 1
+  const Outcome thin = here.run({"cut", cube, out, "--plane", plane, "--exact", "--json"});
   REQUIRE(thin.exit_code == 0);
   CHECK(thin.json()["nearest_to_an_end"].get<double>() < 1e-6);
   CHECK(thin.json()["on_plane"] == 0);
-  const Outcome told = here.run({"cut", bar, out, "--plane", plane, "--exact"});
+  const Outcome told = here.run({"cut", cube, out, "--plane", plane, "--exact"});
   CHECK(told.out.find("--tolerance 1e-6") != std::string::npos);
   const Outcome clean =
-      here.run({"cut", bar, out, "--plane", plane, "--exact", "--tolerance", "1e-6", "--json"});
+      here.run({"cut", cube, out, "--plane", plane, "--exact", "--tolerance", "1e-6", "--json"});
   REQUIRE(clean.exit_code == 0);
   CHECK(clean.json()["on_plane"].get<int>() > 0);
   CHECK(clean.json()["after"]["components"] == 2);
