@@ -145,6 +145,13 @@ class TheProject(unittest.TestCase):
                                  lambda path: (self.project / path).is_file())
         self.assertEqual(wrong, [])
 
+    def test_names_of_tests_reach_ctest(self):
+        """CTest takes a name with `;` for a list, and one that begins with `-` for an option: nothing is run then."""
+        bad = [f"{path}: {name}" for path, text in self.files.items()
+               for name in re.findall(r'TEST_CASE\(\s*"((?:[^"\\]|\\.)*)"', text)
+               if ";" in name or name.startswith("-")]
+        self.assertEqual(bad, [])
+
     def test_files_and_folders_are_small(self):
         self.assertEqual(too_large(self.files, self.entries("large.txt")), [])
 

@@ -44,7 +44,7 @@ TEST_CASE("the largest step has a place in its phase, and later ones near it are
   CHECK(p.later_near_max == 1);
 }
 
-TEST_CASE("a largest step before all fans has no place; one without fans follows its phase",
+TEST_CASE("a largest step before all fans has no place, one without fans follows its phase",
           "[paper]") {
   Series s;
   CHECK(s.phases().phases == 0);

@@ -292,7 +292,7 @@ TEST_CASE("the fans of a step tell every face, and what came apart there", "[hos
   CHECK(cracks == opened);
 }
 
-TEST_CASE("pieces tell where they came from; crack fronts are edges inside a body", "[host]") {
+TEST_CASE("pieces tell where they came from, crack fronts are edges inside a body", "[host]") {
   const Engine engine = monolith();
   REQUIRE(engine);
   CHECK(column<std::uint32_t>(engine, SUNDER_CRACK_FRONT).empty());

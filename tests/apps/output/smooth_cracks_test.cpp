@@ -166,7 +166,7 @@ TEST_CASE("drawn smooth, every tetrahedron keeps its share of its shape and the 
   CHECK(least < 1.1 * smooth_shape_share);  // the bound was reached
 }
 
-TEST_CASE("a plane crack is drawn nearly plane; edges of the body stay edges, corners corners",
+TEST_CASE("a plane crack is drawn nearly plane, edges of the body stay edges, corners corners",
           "[output][smooth_cracks]") {
   TetMesh mesh = kuhn_box({8, 8, 8}, h);
   const TetMesh moved = jittered(mesh, 0.2 * h, 3);

@@ -303,7 +303,7 @@ TEST_CASE("the reader refuses what the rooms' own checks refuse", "[run][scene]"
   }
 }
 
-TEST_CASE("rotations are an axis and degrees; directions need no unit length", "[run][scene]") {
+TEST_CASE("rotations are an axis and degrees, directions need no unit length", "[run][scene]") {
   json scene = cube_scene();
   scene["bodies"][0]["rotation"] = {{"axis", {0, 0, 3}}, {"angle", 90}};
   scene["obstacles"] = {{{"plane", {{"normal", {0, 4, 3}}, {"offset", 2}}}}};

@@ -159,7 +159,7 @@ TEST_CASE("implicit Euler damps a ringing bar as its closed form says, by every 
 }
 
 TEST_CASE(
-    "broyden from the mass matrix meets its wall below three explicit steps; the factor "
+    "broyden from the mass matrix meets its wall below three explicit steps, the factor "
     "takes over",
     "[mechanics][baselines]") {
   const Body body = kuhn_block({8, 4, 4}, Vec3(1, 0.5, 0.5));

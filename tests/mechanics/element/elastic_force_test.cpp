@@ -83,7 +83,7 @@ TEST_CASE("the conservative force is minus the gradient of the energy",
   CHECK(worst_paper > 1e-4 * largest);  // of the order of the strain: the term matters
 }
 
-TEST_CASE("the conservative force has neither net force nor torque; the paper's has a ghost torque",
+TEST_CASE("the conservative force has neither net force nor torque, the paper's has a ghost torque",
           "[mechanics][algorithm1][force]") {
   std::mt19937 random(32);
   INFO("seed 32");

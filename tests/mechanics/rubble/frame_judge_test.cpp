@@ -46,7 +46,7 @@ TEST_CASE("the judge finds the overlap of two chips, and none of a chip with its
   CHECK(v.pieces == 2);
 }
 
-TEST_CASE("faces that were one are no overlap; what is below the floor is counted", "[judge]") {
+TEST_CASE("faces that were one are no overlap, what is below the floor is counted", "[judge]") {
   JudgedFrame frame;
   add(frame, corner_chip, 0);
   std::array<Vec3, 4> under = corner_chip;

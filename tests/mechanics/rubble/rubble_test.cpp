@@ -145,7 +145,7 @@ TEST_CASE("stacks of boxes stand", "[rubble]") {
   }
 }
 
-TEST_CASE("a heap comes to rest and sleeps; struck, it wakes; its overlaps are small", "[rubble]") {
+TEST_CASE("a heap comes to rest and sleeps, struck, it wakes, its overlaps are small", "[rubble]") {
   RubbleScene scene = broken_block({3, 3, 4}, 0.01, {0, 0, 0.02}, 2, 4);
   const RubbleSettings settings = earth();
   const RubbleReport report = run(scene, settings, 960);

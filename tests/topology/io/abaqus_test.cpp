@@ -56,7 +56,7 @@ TEST_CASE("meshio's Abaqus files are read, numbers with points too", "[io][abaqu
   CHECK(volume(tet_mesh_of(FileMesh(*mesh))) == Approx(1.7).epsilon(1e-12));
 }
 
-TEST_CASE("CalculiX' files are included; a material's set is the region", "[io][abaqus]") {
+TEST_CASE("CalculiX' files are included, a material's set is the region", "[io][abaqus]") {
   const Result<FileMesh> mesh = read_file_mesh(sample("calculix.inp"));
   INFO(summary(mesh.findings));
   REQUIRE(mesh);

@@ -375,7 +375,7 @@ TEST_CASE("big-endian PLY is read", "[io][ply]") {
   CHECK(mesh->triangles.corners == std::vector<Key>{{0, 1, 2}});
 }
 
-TEST_CASE("PLY keeps types and any names; 64-bit integers where 32 bits hold them", "[io][ply]") {
+TEST_CASE("PLY keeps types and any names, 64-bit integers where 32 bits hold them", "[io][ply]") {
   const Folder folder;
   FileMesh mesh;
   mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};

@@ -72,7 +72,7 @@ TEST_CASE("meshio's TetGen files are read with the names of their data", "[io][t
   CHECK(mesh->point_data[0].name == "height");
 }
 
-TEST_CASE("points are enough; other files and their packed forms come along", "[io][tetgen]") {
+TEST_CASE("points are enough, other files and their packed forms come along", "[io][tetgen]") {
   const Folder folder;
   const auto node = folder.path() / "a.b.node";
   write(node, points);
