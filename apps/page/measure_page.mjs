@@ -15,10 +15,10 @@ const browser = await launch();
 const page = await browser.newPage();
 await page.setViewport({ width: 1100, height: 680 });
 const first = await openPage(page, server.address);
-if (!program) {
+if (!program && (await page.evaluate(() => sunder.scene().name)) !== `${scene}.json`) {
+  const before = await page.evaluateHandle(() => sunder.player.recording.last);
   await page.select('#scene', scene);
-  await page.waitForFunction((name) => sunder.scene().name === `${name}.json`, {}, scene);
-  await page.evaluate(() => sunder.player.busy);
+  await page.waitForFunction((old) => sunder.player.recording.last && sunder.player.recording.last !== old, {}, before);
 }
 
 const ran = await page.evaluate(async (count) => {

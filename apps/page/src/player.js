@@ -26,6 +26,7 @@ export class Player {
     this.row = 0;
     this.perShape = perShape;
     this.busy = Promise.resolve();
+    this.changing = false; // another scene or an earlier state is on its way: no step is asked for
     this.longest = 0; // ms: that a frame took to be recorded
     this.pull = null; // the newest place of the spring, not yet sent
   }
@@ -41,11 +42,22 @@ export class Player {
     this.playing = false;
     const isSmooth = JSON.parse(scene.text).output?.crack_surface === 'smooth';
     this.perShape = isSmooth ? [...perShape, 'smooth'] : perShape;
-    const { warnings } = await this.ask('load', { scene });
-    this.warnings = warnings;
-    this.recording.clear();
-    await this.record(await this.ask('read', { columns: [...perStep, ...this.perShape] }));
+    await this.change(async () => {
+      const { warnings } = await this.ask('load', { scene });
+      this.warnings = warnings;
+      this.recording.clear();
+      this.record(await this.ask('read', { columns: [...perStep, ...this.perShape] }));
+    });
     await this.save();
+  }
+
+  async change(work) {
+    this.changing = true;
+    try {
+      await work();
+    } finally {
+      this.changing = false;
+    }
   }
 
   async save() {
@@ -85,7 +97,7 @@ export class Player {
 
   async step() {
     const last = this.recording.last;
-    if (!last || last.report.failed) return; // nothing is loaded yet, or it cannot go on
+    if (this.changing || !last || last.report.failed) return; // nothing is loaded yet, or it cannot go on
     const answer = await this.ask('step', {
       count: 1, columns: perStep, shape: last.report.shape, shapeColumns: this.perShape,
     });
@@ -153,15 +165,17 @@ export class Player {
 
   /// Goes on from the saved state at or before the frame that is shown; what came after is
   /// forgotten.
-  async branch() {
+  branch() {
     const step = this.recording.savedBefore(this.row);
-    await this.ask('restore', { step });
-    this.recording.cutAfter(step);
-    this.row = this.recording.frames.length - 1;
-    // A restored engine counts its shapes anew.
-    const { report, columns } = await this.ask('read', { columns: [...perStep, ...this.perShape] });
-    const same = this.recording.frames.pop();
-    this.record({ report: { ...same.report, shape: report.shape }, columns });
+    return this.change(async () => {
+      await this.ask('restore', { step });
+      this.recording.cutAfter(step);
+      this.row = this.recording.frames.length - 1;
+      // A restored engine counts its shapes anew.
+      const { report, columns } = await this.ask('read', { columns: [...perStep, ...this.perShape] });
+      const same = this.recording.frames.pop();
+      this.record({ report: { ...same.report, shape: report.shape }, columns });
+    });
   }
 
   /// Does something to the scene as it is computed last. Of many places of a spring the newest

@@ -139,3 +139,26 @@ test('a page learns that another has started the scene anew', async () => {
   player.recording.add({ report: { step: 40 }, columns: {} });
   await assert.rejects(player.step(), /another page/);
 });
+
+test('no step is asked for while another scene or an earlier state is on its way', async () => {
+  const asked = [];
+  const none = new Float64Array();
+  const columns = () => ({ face: new Uint32Array(), pose: none, drawnPose: none, fan: none, fanFace: new Uint32Array() });
+  const report = { step: 0, shape: 0 };
+  const engine = {
+    ask: async (work) => {
+      asked.push(work);
+      return work === 'load' ? { warnings: [] } : work === 'save' ? { step: 0, size: 1 } : { report, columns: columns() };
+    },
+  };
+  const player = new Player(engine, { frame() {}, message() {} });
+  await player.open({ text: '{}' });
+  const again = player.open({ text: '{}' });
+  await player.step();
+  await again;
+  player.look(0);
+  const back = player.branch();
+  await player.step();
+  await back;
+  assert.deepEqual(asked, ['load', 'read', 'save', 'load', 'read', 'save', 'restore', 'read']);
+});
