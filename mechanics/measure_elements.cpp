@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "mechanics/element/corotational_force.hpp"
+#include "mechanics/element/second_order.hpp"
 #include "mechanics/element/strain_displacement.hpp"
 
 namespace sunder {
@@ -72,8 +73,15 @@ void measure_elements(MechanicsState& state, MechanicsScratch& scratch,
       largest = 0;
     }
     if (!is_changing) continue;
-    const CornerVectors d = at_corners(state.vertices.displacement, corners[t]);
-    Mat3 H = displacement_gradient(elements.shape_gradient[t], d);
+    Mat3 H;
+    if (is_second_order(elements, TetId{t})) {
+      const std::array<Mat3, 4> at =
+          corner_gradients(elements, corners, state.vertices.displacement, TetId{t});
+      H = 0.25 * (at[0] + at[1] + at[2] + at[3]);
+    } else {
+      const CornerVectors d = at_corners(state.vertices.displacement, corners[t]);
+      H = displacement_gradient(elements.shape_gradient[t], d);
+    }
     if (measure.model == ElasticModel::corotational) H = own_strain(H);
     const MaterialId material = elements.material[t];
     const Mat3 stress = stress_of(H, scratch.lame[material.index()]);

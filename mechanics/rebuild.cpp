@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "mechanics/element/elastic_force.hpp"
+#include "mechanics/element/second_order.hpp"
 #include "mechanics/frame/fit_motion.hpp"
 #include "mechanics/integrators/baseline_system.hpp"
 #include "mechanics/integrators/scratch.hpp"
@@ -54,7 +55,7 @@ std::vector<std::vector<TetId>> gather_members(const ElementColumns& elements,
   return members;
 }
 
-/// Vertices, masses and what follows from rest positions. Quarter masses are added in the order of
+/// Vertices, masses and what follows from rest positions. Shares of masses are added in the order of
 /// tetrahedra, so that a vertex whose star did not change keeps its mass to the bit.
 void set_members(MechanicsState& state, Component& component, std::vector<TetId> tetrahedra,
                  std::span<const Corners> corners) {
@@ -62,7 +63,7 @@ void set_members(MechanicsState& state, Component& component, std::vector<TetId>
   component.tetrahedra = std::move(tetrahedra);
   component.vertices.clear();
   for (TetId t : component.tetrahedra) {
-    for (VertexId v : corners[t.index()]) component.vertices.push_back(v);
+    for (VertexId v : nodes_of(state.elements, corners, t)) component.vertices.push_back(v);
   }
   std::sort(component.vertices.begin(), component.vertices.end());
   component.vertices.erase(std::unique(component.vertices.begin(), component.vertices.end()),
@@ -72,8 +73,10 @@ void set_members(MechanicsState& state, Component& component, std::vector<TetId>
     vertices.component[v.index()] = component.id;
   }
   for (TetId t : component.tetrahedra) {
-    for (VertexId v : corners[t.index()]) {
-      vertices.mass[v.index()] += 0.25 * state.elements.mass[t.index()];
+    const ElementNodes nodes = nodes_of(state.elements, corners, t);
+    for (std::size_t k = 0; k < nodes.count; ++k) {
+      vertices.mass[nodes.row[k].index()] +=
+          node_share(nodes.count, k) * state.elements.mass[t.index()];
     }
   }
   component.mass = 0;

@@ -20,6 +20,11 @@ void measure_node_stress(NodeStressField& field, const VolumeMap& map,
 std::vector<Mat3> node_stress_of(const Cells& cells, const MechanicsState& mechanics,
                                  NodeStress mode) {
   NodeStressField field;
+  if (!mechanics.elements.edge_nodes.empty()) {
+    const ElementStress elements = element_stress(cells, mechanics, mode);
+    average_corner_stress(field.value, mechanics, elements.corners, elements.weight);
+    return std::move(field.value);
+  }
   measure_node_stress(field, cells.map, element_stress(cells, mechanics, mode), mode);
   return std::move(field.value);
 }

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "mechanics/state/columns.hpp"
+#include "mechanics/state/mechanics_state.hpp"
 
 namespace sunder {
 
@@ -29,6 +29,11 @@ void average_node_stress(std::vector<Mat3>& node_stress, const ElementStress& el
 /// The same with room for the sums of weights, which is kept from call to call.
 void average_node_stress(std::vector<Mat3>& node_stress, const ElementStress& elements,
                          std::size_t vertices, std::vector<double>& weight);
+
+/// The same where tetrahedra are of second order: their stress at each node is averaged, linear
+/// between those at the corners. |V| with the nodes of edges. `weight`: a row a tetrahedron.
+void average_corner_stress(std::vector<Mat3>& node_stress, const MechanicsState& state,
+                           std::span<const Corners> corners, std::span<const double> weight);
 
 /// The same for one vertex, from its star in the order of rows. `star`: not empty.
 Mat3 node_stress_of_star(const ElementStress& elements, std::span<const TetId> star);

@@ -11,7 +11,7 @@ namespace sunder {
 // Of the scene.
 constexpr int member_count(const Scene*) { return 13; }
 constexpr int member_count(const TopologySettings*) { return 1; }
-constexpr int member_count(const BodySettings*) { return 13; }
+constexpr int member_count(const BodySettings*) { return 14; }
 constexpr int member_count(const TetMesh*) { return 6; }
 constexpr int member_count(const Material*) { return 7; }
 constexpr int member_count(const ShearLaw*) { return 2; }
@@ -50,7 +50,7 @@ constexpr int member_count(const CrackAnchor*) { return 9; }
 // Of mechanics.
 constexpr int member_count(const MechanicsState*) { return 7; }
 constexpr int member_count(const VertexColumns*) { return 9; }
-constexpr int member_count(const ElementColumns*) { return 6; }
+constexpr int member_count(const ElementColumns*) { return 7; }
 constexpr int member_count(const PrescribedMotion*) { return 3; }
 constexpr int member_count(const RaisedVelocity*) { return 2; }
 constexpr int member_count(const Component*) { return 18; }
@@ -80,7 +80,7 @@ constexpr int member_count(const RubbleMemory::Point*) { return 6; }
 constexpr int member_count(const Pose*) { return 2; }
 constexpr int member_count(const OpenCrack*) { return 6; }
 constexpr int member_count(const CrackSide*) { return 3; }
-constexpr int member_count(const CornerLoad*) { return 4; }
+constexpr int member_count(const CornerLoad*) { return 5; }
 constexpr int member_count(const FanScript*) { return 3; }
 constexpr int member_count(const ScriptedFan*) { return 9; }
 constexpr int member_count(const SearchPlace*) { return 2; }

@@ -122,6 +122,10 @@ void check_together(fields::SettingsCheck& check, const BodySettings& body) {
     check.add("rigid_and_held", "rigid", "is true, but the body is held: a rigid body is free",
               "leave rigid or held out; what shall move as it is told can be an obstacle");
   }
+  if (body.rigid && body.order != 1) {
+    check.add("rigid_and_order", "order", "is 2, but the body is rigid: nothing of it bends",
+              "leave rigid or order out");
+  }
   if (body.mesh.tetrahedra.empty()) return;
   check_boxes(check, body.mesh, body.held, "held", "nothing_held");
   check_boxes(check, body.mesh, body.loads, "loads", "nothing_loaded");

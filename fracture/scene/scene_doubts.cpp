@@ -123,6 +123,7 @@ void look_at_speeds(const Looked& l, std::size_t b) {
 void look_at_layers(const Looked& l, std::size_t b) {
   const BodySettings& body = l.scene.bodies[b];
   if (l.scene.fracture.mode == FractureMode::off || !(l.measures[b].strength < infinite)) return;
+  if (body.order == 2) return;
   const double layers = layers_through(body, l.measures[b]);
   if (layers > 2.9) return;
   l.body(b, "few_layers", "mesh",

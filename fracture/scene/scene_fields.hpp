@@ -205,6 +205,12 @@ void describe(V& v, BodySettings& b) {
   v.field(Key{"strength", "", "Strengths other than the material's (docs/strength.md)"},
           b.strength);
   v.field(Key{"unbreakable", "", "Parts whose vertices never split"}, b.unbreakable);
+  v.field(Key{"order", "",
+              "Of the tetrahedra. 1: displacement is linear in each; 2: quadratic, with a node in "
+              "the middle of each edge, for what bends; only `sunder static` and `sunder modes` "
+              "take 2",
+              between(1, 2)},
+          b.order);
   v.field(Key{"rigid", "",
               "Whether the body neither deforms nor breaks: a rigid body, with the inertia of its "
               "lumped vertices; it cannot be held"},

@@ -131,7 +131,7 @@ Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
-Result<Simulation> build_simulation(Scene scene) {
+Result<Simulation> build_bodies(Scene scene) {
   Result<Simulation> result;
   result.findings = check_input(scene);
   if (has_error(result.findings)) return result;
@@ -181,6 +181,22 @@ Result<Simulation> build_simulation(Scene scene) {
   for (SettingFinding& f : scene_doubts(sim.scene)) result.findings.push_back(std::move(f.finding));
   result.value = std::move(sim);
   return result;
+}
+
+Result<Simulation> build_simulation(Scene scene) {
+  std::vector<Finding> refused;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    if (scene.bodies[b].order == 1) continue;
+    refused.push_back(
+        {.code = "second_order_in_motion",
+         .text = fmt::format("bodies.{}.order: is 2, and such a body has an equilibrium and modes "
+                             "(`sunder static`, `sunder modes`), but does not move",
+                             b),
+         .remedy = "leave order out; where thin parts bend take more layers (docs/bending.md)"});
+  }
+  Result<Simulation> result;
+  result.findings = std::move(refused);
+  return has_error(result.findings) ? std::move(result) : build_bodies(std::move(scene));
 }
 
 }  // namespace sunder

@@ -13,6 +13,7 @@
 #include "fracture/simulation/simulation_state.hpp"
 #include "fracture/strength/held_boxes.hpp"
 #include "mechanics/element/energy.hpp"
+#include "mechanics/element/second_order.hpp"
 #include "mechanics/statics/modes.hpp"
 #include "mechanics/state/supports.hpp"
 #include "mechanics/statics/static_solve.hpp"
@@ -110,15 +111,24 @@ class Survey {
     answer.name = sim_.scene.bodies[body].name;
     answer.tetrahedra = rows.end_tetrahedron - rows.first_tetrahedron;
     answer.supports.resize(sim_.scene.bodies[body].held.size());
+    const MechanicsState& m = sim_.state->mechanics;
     for (std::size_t t = rows.first_tetrahedron; t < rows.end_tetrahedron; ++t) {
-      answer.strain_energy += element_strain_energy(sim_.state->mechanics, TetId{t});
+      answer.strain_energy +=
+          is_second_order(m.elements, TetId{t})
+              ? linear_stress_energy(corner_stress(m, sim_.state->cells.map.corners(), TetId{t}),
+                                     m.elements.rest_volume[t], material_of(m, TetId{t}))
+              : element_strain_energy(m, TetId{t});
       answer.mass += sim_.state->mechanics.elements.mass[t];
     }
     const Vec3 centre = mass_centre(body);
     for (std::size_t v = 0; v < body_of_.size(); ++v) {
       if (body_of_[v] != body) continue;
-      ++answer.vertices;
-      add_vertex(answer, v, centre);
+      ++answer.nodes;
+      if (v < sim_.state->cells.map.vertices()) {
+        ++answer.vertices;
+        see_vertex(answer, v);
+      }
+      add_node(answer, v, centre);
     }
     return answer;
   }
@@ -148,12 +158,15 @@ class Survey {
     largest = {value, point - sim_.bodies[body_of_[v]].first_point, undeformed(v)};
   }
 
-  void add_vertex(BodyEquilibrium& answer, std::size_t v, const Vec3& centre) const {
-    const MechanicsState& m = sim_.state->mechanics;
-    see(answer.displacement, m.vertices.displacement[v].norm(), v, answer);
+  void see_vertex(BodyEquilibrium& answer, std::size_t v) const {
     const double stress = principal_tension(stress_[v]).value;
+    see(answer.displacement, sim_.state->mechanics.vertices.displacement[v].norm(), v, answer);
     see(answer.principal_stress, stress, v, answer);
     see(answer.strength_share, stress / sim_.state->cells.strength[v], v, answer);
+  }
+
+  void add_node(BodyEquilibrium& answer, std::size_t v, const Vec3& centre) const {
+    const MechanicsState& m = sim_.state->mechanics;
     answer.load += m.vertices.mass[v] * loads_.gravity;
     if (!loads_.force.empty()) answer.load += loads_.force[v];
     const BodySettings& settings = sim_.scene.bodies[body_of_[v]];
@@ -184,6 +197,10 @@ Loads full_loads(const Simulation& sim) {
   if (!sim.state->loads.empty()) {
     add_corner_loads(loads.force, sim.state->loads, sim.state->mechanics,
                      sim.state->cells.map.corners(), std::numeric_limits<double>::infinity());
+  }
+  if (!sim.state->mechanics.elements.edge_nodes.empty()) {
+    add_consistent_weight(loads.force, sim.state->mechanics, sim.state->cells.map.corners(),
+                          loads.gravity);
   }
   return loads;
 }

@@ -29,7 +29,7 @@ struct SupportReaction {
 /// Equilibrium of one body.
 struct BodyEquilibrium {
   std::string name;
-  std::size_t vertices = 0, tetrahedra = 0;
+  std::size_t vertices = 0, nodes = 0, tetrahedra = 0;  ///< nodes: with those of edges
   double mass = 0;           ///< kg
   Extreme displacement;      ///< m, size, against the place in the scene
   double strain_energy = 0;  ///< J
@@ -37,7 +37,7 @@ struct BodyEquilibrium {
   Extreme strength_share;    ///< the same over the vertex's tensile strength; from 1 on it breaks
   Vec3 load = Vec3::Zero();  ///< N, world: gravity, pressure and forces, those at supports too
   std::vector<SupportReaction> supports;  ///< as the scene's `held`
-  /// N: largest force that is missing at a free vertex. Rounding.
+  /// N: largest force that is missing at a free node. Rounding.
   double residual = 0;
 };
 
@@ -45,9 +45,16 @@ struct BodyEquilibrium {
 struct Equilibrium {
   std::vector<BodyEquilibrium> bodies;  ///< row = body of the scene
   /// Row = vertex of the simulation, Pa, in the axes of the bodies' meshes, averaged as the scene
-  /// says (`FractureSettings::node_stress`).
+  /// says (`FractureSettings::node_stress`); of second order the average of what the tetrahedra have
+  /// at that place. Then the nodes of edges.
   std::vector<Mat3> node_stress;
 };
+
+/// A simulation for what stands below: `build_simulation`, and bodies of order 2 get the nodes in
+/// the middles of their edges (rows behind those of the vertices), held and loaded as the scene
+/// says. Errors: those of `build_simulation`; fit_of_second_order for a node stress that is not an
+/// average. O(|T|).
+Result<Simulation> build_statics(Scene scene);
 
 /// Puts the bodies of `simulation`, which stands at its start, where a slow run of the scene would
 /// leave them at its end: gravity and loads fully raised, held vertices displaced by velocity times

@@ -133,6 +133,8 @@ struct BodySettings {
   std::vector<CutSettings> cuts;
   StrengthSettings strength;
   std::vector<UnbreakablePart> unbreakable;
+  /// Of its tetrahedra: 1, displacement is linear in each, or 2, quadratic: ten nodes each.
+  std::uint32_t order = 1;
   /// Neither deforms nor breaks: a rigid body with the inertia of its lumped vertices.
   bool rigid = false;
 };

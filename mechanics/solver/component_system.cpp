@@ -6,7 +6,7 @@
 #include <limits>
 #include <numeric>
 
-#include "mechanics/element/strain_displacement.hpp"
+#include "mechanics/element/second_order.hpp"
 #include "mechanics/solver/assemble_system.hpp"
 #include "mechanics/state/supports.hpp"
 #include "mechanics/state/wave_travel.hpp"
@@ -27,26 +27,31 @@ struct VertexStars {
   }
 };
 
+ElementNodes nodes_in(const SystemInput& input, TetId t) {
+  return nodes_of(input.state.elements, input.corners, t);
+}
+
 /// Rows are those of `Component::vertices`.
-VertexStars vertex_stars(std::span<const std::uint32_t> row, std::span<const Corners> corners,
-                         const Component& component) {
+VertexStars vertex_stars(std::span<const std::uint32_t> row, const SystemInput& input) {
+  const Component& component = input.component;
   VertexStars stars;
   stars.start.assign(component.vertices.size() + 1, 0);
   for (TetId t : component.tetrahedra) {
-    for (VertexId v : corners[t.index()]) ++stars.start[row[v.index()] + 1];
+    for (VertexId v : nodes_in(input, t)) ++stars.start[row[v.index()] + 1];
   }
   std::partial_sum(stars.start.begin(), stars.start.end(), stars.start.begin());
-  stars.tetrahedron.resize(4 * component.tetrahedra.size());
+  stars.tetrahedron.resize(stars.start.back());
   std::vector<std::uint32_t> next(stars.start.begin(), stars.start.end() - 1);
   for (TetId t : component.tetrahedra) {
-    for (VertexId v : corners[t.index()]) stars.tetrahedron[next[row[v.index()]]++] = t;
+    for (VertexId v : nodes_in(input, t)) stars.tetrahedron[next[row[v.index()]]++] = t;
   }
   return stars;
 }
 
 /// The graph of the free vertices, numbered by `free_row` (or `held`).
 VertexGraph free_graph(const VertexStars& stars, std::span<const std::uint32_t> free_row,
-                       std::span<const Corners> corners, const Component& component) {
+                       const SystemInput& input) {
+  const Component& component = input.component;
   VertexGraph graph;
   graph.start.push_back(0);
   std::vector<std::uint32_t> mark(component.vertices.size(), held);
@@ -55,7 +60,7 @@ VertexGraph free_graph(const VertexStars& stars, std::span<const std::uint32_t> 
     if (own == held) continue;
     mark[own] = own;
     for (TetId t : stars.of(i)) {
-      for (VertexId v : corners[t.index()]) {
+      for (VertexId v : nodes_in(input, t)) {
         const std::uint32_t other = free_row[v.index()];
         if (other == held || mark[other] == own) continue;
         mark[other] = own;
@@ -74,7 +79,7 @@ void choose_order(ComponentSystem& system, std::span<std::uint32_t> local_row,
   for (std::size_t i = 0; i < component.vertices.size(); ++i) {
     local_row[component.vertices[i].index()] = static_cast<std::uint32_t>(i);
   }
-  const VertexStars stars = vertex_stars(local_row, input.corners, component);
+  const VertexStars stars = vertex_stars(local_row, input);
   std::vector<VertexId> natural, held_vertices;
   for (const VertexId v : component.vertices) {
     const bool is_free = !is_held_whole(input.state, v);
@@ -82,7 +87,7 @@ void choose_order(ComponentSystem& system, std::span<std::uint32_t> local_row,
     local_row[v.index()] = is_free ? static_cast<std::uint32_t>(natural.size() - 1) : held;
   }
   system.free_count = natural.size();
-  system.analysis = analyse(free_graph(stars, local_row, input.corners, component));
+  system.analysis = analyse(free_graph(stars, local_row, input));
   system.order.clear();
   for (std::uint32_t i : system.analysis.order) system.order.push_back(natural[i]);
   system.order.insert(system.order.end(), held_vertices.begin(), held_vertices.end());
@@ -90,7 +95,7 @@ void choose_order(ComponentSystem& system, std::span<std::uint32_t> local_row,
 
 /// The rows of every column, its own first and then ascending.
 void set_pattern(BlockMatrix& K, const VertexStars& stars, std::span<const std::uint32_t> local_row,
-                 std::span<const Corners> corners) {
+                 const SystemInput& input) {
   const std::size_t n = stars.start.size() - 1;
   std::vector<std::uint32_t> mark(n, held);
   K.start.assign(1, 0);
@@ -98,7 +103,7 @@ void set_pattern(BlockMatrix& K, const VertexStars& stars, std::span<const std::
   for (std::uint32_t j = 0; j < n; ++j) {
     const auto begin = static_cast<std::ptrdiff_t>(K.row.size());
     for (TetId t : stars.of(j)) {
-      for (VertexId v : corners[t.index()]) {
+      for (VertexId v : nodes_in(input, t)) {
         const std::uint32_t row = local_row[v.index()];
         if (row < j || mark[row] == j) continue;
         mark[row] = j;
@@ -113,11 +118,10 @@ void set_pattern(BlockMatrix& K, const VertexStars& stars, std::span<const std::
 
 /// Adds up K, column by column.
 void assemble_stiffness(BlockMatrix& K, const VertexStars& stars,
-                        std::span<const std::uint32_t> local_row, const MechanicsState& state,
-                        std::span<const Corners> corners) {
-  const ElementColumns& elements = state.elements;
+                        std::span<const std::uint32_t> local_row, const SystemInput& input) {
+  const ElementColumns& elements = input.state.elements;
   std::vector<Lame> constants;
-  for (const Material& material : state.materials) constants.push_back(lame(material));
+  for (const Material& material : input.state.materials) constants.push_back(lame(material));
   std::vector<std::uint32_t> place(K.size());
   for (std::uint32_t j = 0; j < K.size(); ++j) {
     for (std::uint32_t e = K.start[j]; e < K.start[j + 1]; ++e) place[K.row[e]] = e;
@@ -126,14 +130,19 @@ void assemble_stiffness(BlockMatrix& K, const VertexStars& stars,
       const double volume = elements.rest_volume[t.index()];
       const Lame& material = constants[elements.material[t.index()].index()];
       const Lame scaled{volume * material.lambda, volume * material.mu};
-      const Corners& c = corners[t.index()];
-      int own = 0;
-      while (local_row[c[static_cast<std::size_t>(own)].index()] != j) ++own;
-      for (int a = 0; a < 4; ++a) {
-        const std::uint32_t row = local_row[c[static_cast<std::size_t>(a)].index()];
+      const ElementNodes nodes = nodes_in(input, t);
+      std::size_t own = 0;
+      while (local_row[nodes.row[own].index()] != j) ++own;
+      for (std::size_t a = 0; a < nodes.count; ++a) {
+        const std::uint32_t row = local_row[nodes.row[a].index()];
         if (row < j) continue;
-        add_stiffness_block(K.value.data() + 9 * std::size_t{place[row]}, G.col(a), G.col(own),
-                            scaled);
+        double* const block = K.value.data() + 9 * std::size_t{place[row]};
+        if (nodes.count == 4) {
+          add_stiffness_block(block, G.col(static_cast<Eigen::Index>(a)),
+                              G.col(static_cast<Eigen::Index>(own)), scaled);
+        } else {
+          add_second_order_block(block, G, a, own, scaled);
+        }
       }
     }
   }
@@ -171,10 +180,10 @@ void assemble_system(ComponentSystem& system, std::span<std::uint32_t> local_row
     }
   }
   const Component& component = input.component;
-  const VertexStars stars = vertex_stars(local_row, input.corners, component);
+  const VertexStars stars = vertex_stars(local_row, input);
   system.shape = rest_shape(input.state.vertices, system.order, component.rest_centre);
-  set_pattern(system.stiffness, stars, local_row, input.corners);
-  assemble_stiffness(system.stiffness, stars, local_row, input.state, input.corners);
+  set_pattern(system.stiffness, stars, local_row, input);
+  assemble_stiffness(system.stiffness, stars, local_row, input);
   system.cell_travel = cell_travel(input.state, component);
   system.tetrahedra = component.tetrahedra;
   system.corners.clear();

@@ -3,8 +3,10 @@
 // algorithm.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include <Eigen/Dense>
@@ -16,6 +18,8 @@ namespace sunder {
 
 /// Vertex rows of one tetrahedron, positively oriented at rest.
 using Corners = std::array<VertexId, 4>;
+/// Rows of the nodes in the middles of a tetrahedron's edges, in the order of `edge_ends`.
+using EdgeNodes = std::array<VertexId, 6>;
 /// Gradients of the four linear shape functions, one a column, 1/m.
 using ShapeGradient = Eigen::Matrix<double, 3, 4>;
 
@@ -43,12 +47,14 @@ struct PrescribedMotion {
   std::vector<RaisedVelocity> raised = {};
 };
 
-/// |V| rows. They grow by appended copies at a split (`append_copy`); rows never move.
+/// |V| rows, a vertex each, then those of the nodes in the middles of edges, where a body has
+/// second-order tetrahedra: the columns mean the same for them. They grow by appended copies at a
+/// split (`append_copy`); rows never move.
 struct VertexColumns {
   std::vector<Vec3> rest_position;  ///< m; the rest configuration, never changed
   std::vector<Vec3> position;       ///< m, world
   std::vector<Vec3> velocity;       ///< m/s, world
-  std::vector<double> mass;         ///< kg; a quarter of every tetrahedron of its star
+  std::vector<double> mass;         ///< kg; a share of every tetrahedron of its star (`node_share`)
   std::vector<ComponentId> component;
   /// Body frame of the component: position = centre + R (rest_position - rest_centre +
   /// displacement)
@@ -69,10 +75,38 @@ struct ElementColumns {
   std::vector<MaterialId> material;
   /// Written by whoever splits (fracture); `rebuild` carries it over to the vertices.
   std::vector<ComponentId> component;
-  std::vector<Mat3> stress;  ///< Pa, symmetric, body frame, tension positive
+  /// Pa, symmetric, body frame, tension positive; the mean over a tetrahedron of second order.
+  std::vector<Mat3> stress;
+  /// none() in tetrahedra of first order; empty where all are.
+  std::vector<EdgeNodes> edge_nodes;
 
   std::size_t size() const { return rest_volume.size(); }
 };
+
+/// The rows of a tetrahedron's nodes: its four corners; of one of second order then the six in the
+/// middles of its edges.
+struct ElementNodes {
+  std::array<VertexId, 10> row;
+  std::size_t count = 4;
+
+  const VertexId* begin() const { return row.data(); }
+  const VertexId* end() const { return row.data() + count; }
+};
+
+inline bool is_second_order(const ElementColumns& elements, TetId t) {
+  return !elements.edge_nodes.empty() && !elements.edge_nodes[t.index()][0].is_none();
+}
+
+inline ElementNodes nodes_of(const ElementColumns& elements, std::span<const Corners> corners,
+                             TetId t) {
+  const Corners& c = corners[t.index()];
+  ElementNodes nodes{{c[0], c[1], c[2], c[3]}};
+  if (is_second_order(elements, t)) {
+    std::ranges::copy(elements.edge_nodes[t.index()], nodes.row.begin() + 4);
+    nodes.count = 10;
+  }
+  return nodes;
+}
 
 /// Appends a copy of row `from` with everything it has (rest position, position, velocity, flags)
 /// and gives its row. The masses of both are stale until `rebuild`.

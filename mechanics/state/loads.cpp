@@ -14,7 +14,9 @@ std::array<CornerLoad, 3> face_pressure(const ElementColumns& elements, TetId t,
       pressure * elements.rest_volume[t.index()] * elements.shape_gradient[t.index()].col(place);
   std::array<CornerLoad, 3> loads;
   for (int k = 0; k < 3; ++k) {
-    loads[static_cast<std::size_t>(k)] = {corner(t, (place + 1 + k) % 4), force, true, 0};
+    const int at = (place + 1 + k) % 4, next = (place + 1 + (k + 1) % 3) % 4;
+    loads[static_cast<std::size_t>(k)] = {
+        corner(t, at), is_second_order(elements, t) ? edge_between(at, next) : -1, force, true, 0};
   }
   return loads;
 }
@@ -25,7 +27,7 @@ void add_vertex_force(std::vector<CornerLoad>& loads, const MechanicsState& stat
   for (CornerId c : star) mass += state.elements.mass[tetrahedron_of(c).index()];
   for (CornerId c : star) {
     const double share = state.elements.mass[tetrahedron_of(c).index()] / mass;
-    loads.push_back({c, share * force, false, 0});
+    loads.push_back({c, -1, share * force, false, 0});
   }
 }
 
@@ -43,7 +45,9 @@ void add_corner_loads(Loads& sum, std::span<const CornerLoad> loads, const Mecha
   sum.turning.resize(state.vertices.size(), Vec3::Zero());
   for (const CornerLoad& load : loads) {
     const std::size_t t = tetrahedron_of(load.corner).index();
-    const VertexId v = corners[t][static_cast<std::size_t>(place_of(load.corner))];
+    const VertexId v = load.edge < 0
+                           ? corners[t][static_cast<std::size_t>(place_of(load.corner))]
+                           : state.elements.edge_nodes[t][static_cast<std::size_t>(load.edge)];
     const double raised = load.ramp_time > 0 ? std::min(1.0, time / load.ramp_time) : 1.0;
     Vec3 f = raised * load.force;
     if (load.turns) {

@@ -12,18 +12,21 @@ namespace sunder {
 
 struct Loads;
 
-/// A force on one corner of a tetrahedron. A vertex feels the sum over the corners of its star, so
+/// A force on one node of a tetrahedron. A vertex feels the sum over the corners of its star, so
 /// when it splits every copy keeps what acts on its own side.
 struct CornerLoad {
   CornerId corner;
+  /// Place of the edge, with an end at the corner, whose middle it acts on; -1: on the corner.
+  int edge = -1;
   Vec3 force = Vec3::Zero();  ///< N, once fully raised; world, or the body frame where it turns
   /// Turns with the frame of the corner's component (pressure); else it keeps its direction.
   bool turns = false;
   double ramp_time = 0;  ///< s over which it is raised linearly; 0: at once
 };
 
-/// A pressure on the face of tetrahedron `t` opposite to `place`, as three equal corner loads in
-/// the body frame: p V grad N_place each, since the outward area vector is -3 V grad N_place.
+/// A pressure on the face of tetrahedron `t` opposite to `place`, as three equal loads in the body
+/// frame, on its corners, or of second order in the middles of its edges, where an even traction
+/// acts alone: p V grad N_place each, since the outward area vector is -3 V grad N_place.
 /// `pressure`: Pa, pushes into the body; negative pulls.
 std::array<CornerLoad, 3> face_pressure(const ElementColumns& elements, TetId t, int place,
                                         double pressure);

@@ -76,7 +76,7 @@ ROOMS = (
      ("topology/base", "topology/kernel", "mechanics/state", "mechanics/contact", "mechanics/ties",
       "mechanics/contact/shapes", "fracture/cracks", "fracture/algorithms", "fracture/breaking")),
     ("fracture/simulation", "a body in motion: its steps and what they report",
-     ("topology/base", "topology/kernel", "topology/mesh", "mechanics/*", "fracture/cracks", "fracture/algorithms",
+     ("topology/base", "topology/kernel", "topology/mesh", "topology/cells", "mechanics/*", "fracture/cracks", "fracture/algorithms",
       "fracture/strength", "fracture/energy", "fracture/scene", "fracture/breaking",
       "fracture/ties")),
     ("fracture/saving", "a simulation as a file, to go on with later",

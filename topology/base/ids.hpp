@@ -2,6 +2,7 @@
 // Strong types for the rows of cells and for their parts inside a tetrahedron; no mesh here.
 #pragma once
 
+#include <array>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
@@ -49,6 +50,16 @@ constexpr CornerId corner(TetId t, int place) {
 }
 constexpr TetId tetrahedron_of(CornerId c) { return TetId{c.index() / 4}; }
 constexpr int place_of(CornerId c) { return static_cast<int>(c.index() % 4); }
+
+/// The places of the two ends of each of the six edges of a tetrahedron.
+inline constexpr std::array<std::array<int, 2>, 6> edge_ends = {
+    {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
+
+/// Place of the edge between the corners at places `i` and `j` (i != j).
+constexpr int edge_between(int i, int j) {
+  const int low = i < j ? i : j, high = i + j - low;
+  return low == 0 ? high - 1 : low + high;
+}
 
 }  // namespace sunder
 

@@ -10,16 +10,6 @@
 
 namespace sunder {
 
-/// The places of the two ends of each of the six edges of a tetrahedron.
-inline constexpr std::array<std::array<int, 2>, 6> edge_ends = {
-    {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
-
-/// Place of the edge between the corners at places `i` and `j` (i != j).
-constexpr int edge_between(int i, int j) {
-  const int low = i < j ? i : j, high = i + j - low;
-  return low == 0 ? high - 1 : low + high;
-}
-
 /// An edge seen from one tetrahedron.
 struct CellEdge {
   TetId tetrahedron;

@@ -114,7 +114,7 @@ ExitCode run_modes(const ModesArguments& arguments) {
   Result<SceneFile> file = read_scene(arguments.scene, arguments.settings);
   tell(file.findings, arguments.json);
   if (!file) return ExitCode::bad_input;
-  Result<Simulation> sim = build_simulation(file->scene);
+  Result<Simulation> sim = build_statics(file->scene);
   tell(sim.findings, arguments.json);
   if (!sim) return ExitCode::bad_input;
   const Result<std::vector<PieceModes>> pieces = scene_modes(*sim, arguments.count);

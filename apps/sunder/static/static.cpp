@@ -29,7 +29,8 @@ constexpr const char* footer = R"(
 SCENE is a scene file as `sunder run` takes it, SI units: docs/static.md. Gravity and the bodies'
 "loads" (Pa, N) act fully; "held" vertices stay, or are where their velocity (m/s) takes them by the
 scene's "duration" (s). Every body needs three held vertices that are not on one line. Obstacles are
-ignored: a body that rests on one is not supported by it here.
+ignored: a body that rests on one is not supported by it here. "order": 2 in a body takes its
+tetrahedra quadratic, with nodes in the middles of edges: for what bends.
 
 Results, per body and over all: largest displacement (m), strain energy (J), largest principal
 stress of a vertex (Pa) and its share of the tensile strength, each with the point of the mesh
@@ -72,6 +73,7 @@ ordered_json body_json(const BodyEquilibrium& body) {
   }
   return {{"name", body.name},
           {"vertices", body.vertices},
+          {"nodes", body.nodes},
           {"tetrahedra", body.tetrahedra},
           {"mass", body.mass},
           {"max_displacement", extreme_json(body.displacement)},
@@ -123,7 +125,8 @@ void print_table(const Equilibrium& answer) {
   for (std::size_t b = 0; b < answer.bodies.size(); ++b) {
     const BodyEquilibrium& body = answer.bodies[b];
     row("body",
-        fmt::format("{} {} ({} tetrahedra, {:.6g} kg)", b, body.name, body.tetrahedra, body.mass));
+        fmt::format("{} {} ({} tetrahedra, {} nodes, {:.6g} kg)", b, body.name, body.tetrahedra,
+                    body.nodes, body.mass));
     row("displacement",
         fmt::format("{:.6g} m {}", body.displacement.value, place(body.displacement)));
     row("strain energy", fmt::format("{:.6g} J", body.strain_energy));
@@ -142,7 +145,7 @@ ExitCode run_static(const StaticArguments& arguments) {
   Result<SceneFile> file = read_scene(arguments.scene, arguments.settings);
   tell(file.findings, arguments.json);
   if (!file) return ExitCode::bad_input;
-  Result<Simulation> sim = build_simulation(file->scene);
+  Result<Simulation> sim = build_statics(file->scene);
   tell(sim.findings, arguments.json);
   if (!sim) return ExitCode::bad_input;
   const Result<Equilibrium> answer = solve_scene(*sim);
@@ -154,6 +157,14 @@ ExitCode run_static(const StaticArguments& arguments) {
     const std::vector<Finding> unwritten = write_frame(arguments.output, *sim);
     tell(unwritten, arguments.json);
     if (has_error(unwritten)) return ExitCode::not_written;
+  }
+  if ((!arguments.fan.empty() || arguments.fans) &&
+      !sim->state->mechanics.elements.edge_nodes.empty()) {
+    tell({{.code = "fan_of_second_order",
+           .text = "--fan and --fans are for tetrahedra of first order",
+           .remedy = "leave \"order\" out of the bodies, or the option"}},
+         arguments.json);
+    return ExitCode::usage;
   }
   std::optional<FanAnswer> fan;
   if (!arguments.fan.empty()) {

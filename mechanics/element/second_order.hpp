@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Second-order tetrahedra, straight at rest: ten nodes, the corners and the middles of the edges.
+// Node k < 4 is corner k, node 4 + e the middle of edge e (`edge_ends`). Displacement is quadratic,
+// strain and stress are linear: what stands at the four corners says all of them.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "mechanics/element/strain_displacement.hpp"
+#include "mechanics/state/mechanics_state.hpp"
+
+namespace sunder {
+
+/// The share of a tetrahedron's mass that one of its `count` nodes has: a quarter of four; of ten
+/// 1/36 for a corner and 4/27 for the middle of an edge, the diagonal of the consistent mass scaled
+/// to the sum (Hinton, Rock and Zienkiewicz, Earthquake Engineering and Structural Dynamics 4,
+/// 1976). Mass and mass centre are those of the body.
+constexpr double node_share(std::size_t count, std::size_t node) {
+  return count == 4 ? 0.25 : node < 4 ? 1.0 / 36 : 4.0 / 27;
+}
+
+/// The share of a second-order tetrahedron's weight that a node feels, the integral of its shape
+/// function: -1/20 for a corner, 1/5 for the middle of an edge.
+constexpr double node_weight(std::size_t node) { return node < 4 ? -1.0 / 20 : 1.0 / 5; }
+
+/// Adds the block of K_e between nodes `a` and `b` (0 to 9), column by column, at `to`: the
+/// integral of the gradients' products, exact. `scaled`: the constants times the rest volume, N m.
+void add_second_order_block(double* to, const ShapeGradient& gradient, std::size_t a, std::size_t b,
+                            const Lame& scaled);
+
+/// H at the four corners of tetrahedron `t`, no unit, from the displacements of its nodes. Needs:
+/// of second order.
+std::array<Mat3, 4> corner_gradients(const ElementColumns& elements,
+                                     std::span<const Corners> corners,
+                                     std::span<const Vec3> displacement, TetId t);
+
+/// Stress at the four corners of any tetrahedron, Pa, body frame: of first order four times the one
+/// that it has.
+std::array<Mat3, 4> corner_stress(const MechanicsState& state, std::span<const Corners> corners,
+                                  TetId t);
+
+/// The integral of sigma : eps / 2 over a tetrahedron with these stresses at its corners, J.
+double linear_stress_energy(const std::array<Mat3, 4>& stress, double rest_volume,
+                            const Material& material);
+
+/// Adds to `force` (N, world, |V| rows, resized with zeros) what the weight of second-order
+/// tetrahedra at their nodes has beyond that of the nodes' masses. Nothing in all, and no moment.
+void add_consistent_weight(std::vector<Vec3>& force, const MechanicsState& state,
+                           std::span<const Corners> corners, const Vec3& gravity);
+
+}  // namespace sunder
