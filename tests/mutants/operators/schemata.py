@@ -27,7 +27,7 @@ SWITCH = """// SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdlib>
 #include <type_traits>
-inline const int sunder_chosen_fault =
+inline int sunder_chosen_fault =
     std::getenv("SUNDER_FAULT") == nullptr ? 0 : std::atoi(std::getenv("SUNDER_FAULT"));
 inline unsigned char sunder_reached_faults[1 << 18];
 inline bool sunder_fault(int number) {
@@ -82,6 +82,7 @@ class File:
         for site in sorted(self.found.sites.values(), key=lambda s: (s.start, s.end, s.kind)):
             original = flat(self.found.text(site.start, site.end))
             for operator, text in site.alternatives:
+                same = site.same.get(text)
                 text = flat(text)
                 key = (site.function, original, text)
                 again[key] += 1
@@ -89,7 +90,7 @@ class File:
                     "number": base + len(self.mutants) + 1, "file": name,
                     "line": self.found.source[:site.start].count(b"\n") + 1,
                     "function": site.function, "operator": operator, "original": original,
-                    "mutant": text, "nth": again[key], "site": site})
+                    "mutant": text, "nth": again[key], "site": site, **({"same": same} if same else {})})
         if len(self.mutants) >= ROOM:
             raise SystemExit(f"schemata.py: {name} has {len(self.mutants)} mutants: ROOM is too small")
 
