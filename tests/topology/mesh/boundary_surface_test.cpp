@@ -24,9 +24,8 @@ std::array<std::uint32_t, N> rising(std::array<std::uint32_t, N> corners) {
 }
 
 /// The lowest point first, turned no other way.
-Face turned(Face f) {
-  std::ranges::rotate(f, std::ranges::min_element(f));
-  return f;
+Face turned(const Face& f) {
+  return std::min({f, Face{f[1], f[2], f[0]}, Face{f[2], f[0], f[1]}});
 }
 
 /// Row `from` of a column behind `to`; `filling` where there is none.
@@ -85,6 +84,8 @@ BoundarySurface expected_of(const FileMesh& mesh) {
   BoundarySurface s;
   s.mesh.region_name = mesh.region_name;
   s.mesh.region_name[3] = {};
+  s.mesh.point_data = mesh.point_data;
+  for (DataColumn& c : s.mesh.point_data) std::visit([](auto& v) { v.clear(); }, c.values);
   std::map<Face, int> sides;
   const auto face_of = [&](std::size_t t, std::size_t p) {
     const auto& x = mesh.tetrahedra.corners[t];
