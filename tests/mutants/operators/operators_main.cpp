@@ -129,9 +129,9 @@ int run_cases(const std::vector<Asked>& cases, int* at) {
   return 0;
 }
 
-/// What SUNDER_FAULT would switch on is asked for by lines: a number, then names of cases with their
-/// limits, all between tabs. The answer to each is a line: `passed`, or which case failed (from 0),
-/// and its exit code or signal as the shell has it.
+/// What SUNDER_FAULT would switch on is asked for by lines: a number, then names of cases with
+/// their limits, all between tabs. The answer to each is a line: `passed`, or which case failed
+/// (from 0), and its exit code or signal as the shell has it.
 int serve() {
   const auto config = std::make_shared<Catch::Config>(Catch::ConfigData{});
   std::map<std::string, const Catch::TestCase*> by_name;
@@ -167,8 +167,7 @@ int serve() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::vector<Fixture> fixtures =
-      read_fixture_folder(SUNDER_MESHES "/suite").value.value();
+  const std::vector<Fixture> fixtures = read_fixture_folder(SUNDER_MESHES "/suite").value.value();
   add_suite(fixtures);
   if (argc == 2 && std::string(argv[1]) == "--serve") return serve();
   return Catch::Session().run(argc, argv);

@@ -77,7 +77,7 @@ class Server:
 
     def __init__(self, program):
         self.process = subprocess.Popen(
-            ["nice", "-n", "2", "prlimit", f"--as={MEMORY}", "--core=0", program, "--serve"], text=True,
+            ["prlimit", f"--as={MEMORY}", "--core=0", program, "--serve"], text=True,
             stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, cwd=tempfile.gettempdir())
 
     def ask(self, tests, number, names):

@@ -24,9 +24,7 @@ std::array<std::uint32_t, N> rising(std::array<std::uint32_t, N> corners) {
 }
 
 /// The lowest point first, turned no other way.
-Face turned(const Face& f) {
-  return std::min({f, Face{f[1], f[2], f[0]}, Face{f[2], f[0], f[1]}});
-}
+Face turned(const Face& f) { return std::min({f, Face{f[1], f[2], f[0]}, Face{f[2], f[0], f[1]}}); }
 
 /// Row `from` of a column behind `to`; `filling` where there is none.
 template <class Value>

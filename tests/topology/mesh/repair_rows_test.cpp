@@ -226,8 +226,8 @@ TEST_CASE("a mesh that cannot be glued is left as it is, and the refusal names t
 TEST_CASE("points merge where cubes of the distance have no numbers, or are no larger than 0",
           "[topology][repair]") {
   FileMesh mesh;
-  mesh.points = {{1e300, 0, 0}, {-1e300, 0, 0}, {1e300, 0, 0}, {0, 0, 0},
-                 {1e-290, 0, 0}, {0, 0, 0},     {0.5, 0, 0},   {0.25, 0, 0}};
+  mesh.points = {{1e300, 0, 0},  {-1e300, 0, 0}, {1e300, 0, 0}, {0, 0, 0},
+                 {1e-290, 0, 0}, {0, 0, 0},      {0.5, 0, 0},   {0.25, 0, 0}};
   FileMesh exact = mesh;
   CHECK(merge_points(exact, 0).count == 2);
   CHECK(exact.source_point_id == std::vector<std::int64_t>{1, 2, 4, 5, 7, 8});
