@@ -225,6 +225,8 @@ class Sites:
             value = self.named(right)
             if value is not None and LARGEST.search("".join(t.spelling for t in value.get_tokens())):
                 return AT_MOST.get(operator), "nothing of its type is above the largest number"
+        if re.fullmatch(r"[\w.\[\]]+\.end\(\)", self.text_of(right)):
+            return {"==": ">=", "!=": "<"}.get(operator), "no iterator of a range is beyond its end"
         value = self.named(right)
         if kind == ci.TypeKind.ENUM and value is not None and value.kind == Kind.ENUM_CONSTANT_DECL:
             values = [c.enum_value for c in value.semantic_parent.get_children()

@@ -21,6 +21,7 @@
 #include <sstream>
 
 #include "sunder_fault.hpp"
+#include "tests/topology/cells/random_cells.hpp"
 #include "topology/suite/fixtures/fixture.hpp"
 #include "topology/suite/judge/judge.hpp"
 #include "topology/suite/random/random_run.hpp"
@@ -67,6 +68,13 @@ void add_suite(const std::vector<Fixture>& fixtures) {
   }
   add_case("random fans on sunder", [] { tear(volume_map_kernel); });
   add_case("random fans on dense", [] { tear(dense_map_kernel); });
+  // The long run of the tests asks the same for ten seconds.
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    add_case("some random operations on cells, " + std::to_string(seed), [seed] {
+      const auto run = sunder::test::random_cells(30, seed);
+      if (!run.failure.empty()) FAIL(run.failure);
+    });
+  }
 }
 
 /// Writes what each case has asked for at its end, and how long it took.
