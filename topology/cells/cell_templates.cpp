@@ -29,7 +29,7 @@ constexpr std::array<CellPart, 8> red = {{{0, 4, 5, 6},
 constexpr std::array<std::array<int, 4>, 3> turns_of_corners = {
     {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}}};
 
-constexpr std::array<CellPart, 8> turned(const std::array<int, 4>& corners) {
+consteval std::array<CellPart, 8> turned(const std::array<int, 4>& corners) {
   std::array<CellPart, 8> parts = red;
   for (CellPart& part : parts) {
     for (int& node : part) {

@@ -64,8 +64,8 @@ void append_points(FileMesh& mesh, const VolumeMap& map, const Middles& middles,
     std::visit([&](auto& v) { append_between(v, column.components, points, middles); },
                column.values);
   }
-  if (mesh.point_region.empty() || points == had) return;
-  mesh.point_region.resize(points, 0);
+  if (mesh.point_region.empty()) return;
+  mesh.point_region.resize(points);
   for (const auto& [pair, middle] : middles) {
     const std::int32_t a = mesh.point_region[middle.ends[0]], b = mesh.point_region[middle.ends[1]];
     mesh.point_region[middle.point] = a == b ? a : 0;

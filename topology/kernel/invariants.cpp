@@ -31,8 +31,9 @@ std::vector<Change> possible_changes(int s_v, int s_e) {
     case 12 + 3:
       return {{1, 0, 0}, {0, -1, 0}};
     default:
-      return {};
+      break;  // no split is like this
   }
+  return {};
 }
 
 std::ptrdiff_t difference(std::size_t after, std::size_t before) {

@@ -3,6 +3,7 @@
 #include "topology/mesh/box_tree.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace sunder {
@@ -26,19 +27,17 @@ BoundingBox around(const BoxTree& tree, std::uint32_t begin, std::uint32_t end) 
 }
 
 int widest_axis(const BoxTree& tree, std::uint32_t begin, std::uint32_t end) {
-  Point low = {}, high = {};
-  for (std::uint32_t i = begin; i < end; ++i) {
-    for (int k = 0; k < 3; ++k) {
+  Point spread;
+  for (int k = 0; k < 3; ++k) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (std::uint32_t i = begin; i < end; ++i) {
       const double c = centre(tree.boxes[tree.order[i]], k);
-      if (i == begin || c < low[k]) low[k] = c;
-      if (i == begin || c > high[k]) high[k] = c;
+      low = std::min(low, c);
+      high = std::max(high, c);
     }
+    spread[k] = high - low;
   }
-  int widest = 0;
-  for (int k = 1; k < 3; ++k) {
-    if (high[k] - low[k] > high[widest] - low[widest]) widest = k;
-  }
-  return widest;
+  return static_cast<int>(std::ranges::max_element(spread) - spread.begin());
 }
 
 void build(BoxTree& tree, std::uint32_t begin, std::uint32_t end) {

@@ -126,7 +126,7 @@ std::optional<Quality> quality_of(const Survey& survey) {
   for (std::uint32_t t = 0; t < mesh.tetrahedra.size(); ++t) {
     if (!survey.usable[t]) continue;
     const Shape s = shape_of(corners_of(mesh, t));
-    if (!std::isfinite(s.unit) || !std::isfinite(s.edge[0])) continue;
+    if (!std::isfinite(s.unit) || !std::isfinite(s.volume)) continue;
     ++measured;
     const double ratio = radius_ratio(s);
     q.mean_radius_ratio += ratio;

@@ -41,6 +41,10 @@ FUNCTIONS = {Kind.FUNCTION_DECL, Kind.FUNCTION_TEMPLATE, Kind.CXX_METHOD, Kind.C
              Kind.DESTRUCTOR, Kind.CONVERSION_FUNCTION}
 CLASSES = {Kind.CLASS_DECL, Kind.STRUCT_DECL, Kind.CLASS_TEMPLATE,
            Kind.CLASS_TEMPLATE_PARTIAL_SPECIALIZATION}
+UNSIGNED = {ci.TypeKind.UCHAR, ci.TypeKind.USHORT, ci.TypeKind.UINT, ci.TypeKind.ULONG, ci.TypeKind.ULONGLONG}
+LARGEST = re.compile(r"(numeric_limits<[^=]*>::max\(\)|UINT32_MAX|~0U|0xffffffffU?)$")
+RESERVES = "a vector's reserve changes how it grows, not what it holds"
+AT_LEAST, AT_MOST = {">": "!=", "==": "<=", "!=": ">"}, {"<": "!=", "==": ">=", "!=": "<"}
 LOOPS = {Kind.FOR_STMT, Kind.WHILE_STMT, Kind.DO_STMT, Kind.CXX_FOR_RANGE_STMT}
 
 
@@ -54,6 +58,7 @@ class Site:
     is_bool: bool = False
     at_compile_time: bool = False  # in a constexpr function: the switch must not be asked there
     alternatives: list = field(default_factory=list)  # (operator, text)
+    same: dict = field(default_factory=dict)  # text: why it says the same, by the types alone
 
 
 @dataclass
@@ -203,10 +208,50 @@ class Sites:
             become = RELATIONAL[operator]
             if place.in_for_condition:
                 become = [o for o in become if o != "!="]
-            self.add(cursor, place, [("relation", o if o in ("true", "false") else f"({a}) {o} ({b})")
-                                     for o in become])
+            texts = {o: o if o in ("true", "false") else f"({a}) {o} ({b})" for o in become}
+            self.add(cursor, place, [("relation", text) for text in texts.values()])
+            other, why = self.same_relation(left, operator, right)
+            if other in texts:
+                self.sites[(*self.span(cursor), "expression")].same[texts[other]] = why
         else:
             self.add(cursor, place, [("arithmetic", f"({a}) {o} ({b})") for o in ARITHMETIC[operator]])
+
+    def same_relation(self, left, operator, right):
+        """(operator, why) where another relation says the same, by what the types can hold."""
+        kind = left.type.get_canonical().kind
+        if kind in UNSIGNED and right.type.get_canonical().kind in UNSIGNED:
+            if re.fullmatch(r"0[uUlLzZ]*", self.text_of(right)):
+                return AT_LEAST.get(operator), "nothing without a sign is below 0"
+            value = self.named(right)
+            if value is not None and LARGEST.search("".join(t.spelling for t in value.get_tokens())):
+                return AT_MOST.get(operator), "nothing of its type is above the largest number"
+        if re.fullmatch(r"[\w.\[\]]+\.end\(\)", self.text_of(right)):
+            return {"==": ">=", "!=": "<"}.get(operator), "no iterator of a range is beyond its end"
+        value = self.named(right)
+        if kind == ci.TypeKind.ENUM and value is not None and value.kind == Kind.ENUM_CONSTANT_DECL:
+            values = [c.enum_value for c in value.semantic_parent.get_children()
+                      if c.kind == Kind.ENUM_CONSTANT_DECL]
+            if value.enum_value == min(values):
+                return AT_LEAST.get(operator), "nothing is below the first of an enumeration"
+            if value.enum_value == max(values):
+                return AT_MOST.get(operator), "nothing is above the last of an enumeration"
+        return None, ""
+
+    @staticmethod
+    def named(cursor):
+        """What a name stands for; None where the expression is more than a name."""
+        while cursor.kind == Kind.UNEXPOSED_EXPR:
+            children = list(cursor.get_children())
+            if len(children) != 1:
+                return None
+            cursor = children[0]
+        if cursor.kind not in (Kind.DECL_REF_EXPR, Kind.MEMBER_REF_EXPR):
+            return None
+        value = cursor.referenced
+        if value is not None and value.kind == Kind.VAR_DECL and "constexpr" not in [
+                t.spelling for t in value.get_tokens()] and not value.type.is_const_qualified():
+            return None
+        return value
 
     def unary(self, cursor, place):
         text = self.text_of(cursor)
@@ -273,6 +318,17 @@ class Sites:
             text = self.text(start, end)
             if not text.startswith(("static_cast<void>", "SUNDER_ASSERT")):
                 self.add((start, end), place, [("removal", ";")], "statement")
+                if self.is_reserve(cursor):
+                    self.sites[(start, end, "statement")].same[";"] = RESERVES
+
+    @staticmethod
+    def is_reserve(cursor):
+        """Whether it is a call of std::vector::reserve: how much room there is changes no value."""
+        callee = next(cursor.get_children(), None) if cursor.kind == Kind.CALL_EXPR else None
+        if callee is None or callee.kind != Kind.MEMBER_REF_EXPR or callee.spelling != "reserve":
+            return False
+        holder = next(callee.get_children(), None)
+        return holder is not None and holder.type.get_canonical().spelling.removeprefix("const ").startswith("std::vector<")
 
     def returned(self, cursor, start, end, place):
         value = next(cursor.get_children(), None)

@@ -1,19 +1,27 @@
 // SPDX-License-Identifier: MIT
 // The tests of topology and every fixture of the suite as test cases of one program, which tells
-// which mutants each of them asks for (`SUNDER_REACHED`: a file to write to).
+// which mutants each of them asks for (`SUNDER_REACHED`: a file to write to), or with `--serve`
+// answers about one mutant after the other.
 #define CATCH_CONFIG_RUNNER
 #include <catch2/catch.hpp>
 
+#include <fcntl.h>
+#include <sys/mman.h>
 #include <sys/time.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <ctime>
 #include <filesystem>
+#include <iostream>
+#include <map>
 #include <sstream>
 
 #include "sunder_fault.hpp"
+#include "tests/topology/cells/random_cells.hpp"
 #include "topology/suite/fixtures/fixture.hpp"
 #include "topology/suite/judge/judge.hpp"
 #include "topology/suite/random/random_run.hpp"
@@ -60,25 +68,30 @@ void add_suite(const std::vector<Fixture>& fixtures) {
   }
   add_case("random fans on sunder", [] { tear(volume_map_kernel); });
   add_case("random fans on dense", [] { tear(dense_map_kernel); });
+  // The long run of the tests asks the same for ten seconds.
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    add_case("some random operations on cells, " + std::to_string(seed), [seed] {
+      const auto run = sunder::test::random_cells(30, seed);
+      if (!run.failure.empty()) FAIL(run.failure);
+    });
+  }
 }
 
-/// Says which case begins, as its fault may end the process; and what it has asked for at its end.
+/// Writes what each case has asked for at its end, and how long it took.
 class Reached : public Catch::TestEventListenerBase {
  public:
   using TestEventListenerBase::TestEventListenerBase;
 
-  void testCaseStarting(const Catch::TestCaseInfo& info) override {
-    std::printf("case: %s\n", info.name.c_str());
-    std::fflush(stdout);
+  void testCaseStarting(const Catch::TestCaseInfo&) override {
+    if (path_ == nullptr) return;
     std::memset(sunder_reached_faults, 0, sizeof sunder_reached_faults);
     begin_ = std::clock();  // of the processor: others may be at work
   }
 
   void testCaseEnded(const Catch::TestCaseStats& stats) override {
-    const char* path = std::getenv("SUNDER_REACHED");
-    if (path == nullptr) return;
+    if (path_ == nullptr) return;
     const double taken = static_cast<double>(std::clock() - begin_) / CLOCKS_PER_SEC;
-    std::FILE* out = std::fopen(path, "a");
+    std::FILE* out = std::fopen(path_, "a");
     std::fprintf(out, "%s\t%.6f\t", stats.testInfo.name.c_str(), taken);
     for (std::size_t n = 0; n < sizeof sunder_reached_faults; ++n) {
       if (sunder_reached_faults[n] != 0) std::fprintf(out, "%zu ", n);
@@ -88,41 +101,82 @@ class Reached : public Catch::TestEventListenerBase {
   }
 
  private:
+  const char* path_ = std::getenv("SUNDER_REACHED");
   std::clock_t begin_ = 0;
 };
 CATCH_REGISTER_LISTENER(Reached)
 
-/// All fixtures, or those of the files that SUNDER_FIXTURES names: reading all takes longer than
-/// most runs do.
-std::vector<Fixture> fixtures_wanted() {
-  const std::filesystem::path folder = SUNDER_MESHES "/suite";
-  const char* wanted = std::getenv("SUNDER_FIXTURES");
-  if (wanted == nullptr) return read_fixture_folder(folder).value.value();
-  std::vector<Fixture> fixtures;
-  std::istringstream names(wanted);
-  for (std::string name; names >> name;) {
-    const auto read = read_fixtures(folder / (name + ".json"));
-    fixtures.insert(fixtures.end(), read.value.value().begin(), read.value.value().end());
-  }
-  return fixtures;
-}
+/// A case to run and the seconds of processor time after which its process ends.
+struct Asked {
+  const Catch::TestCase* test;
+  double limit;
+};
 
-/// Ends the process after so many seconds of processor time as SUNDER_SECONDS says.
-void limit_time() {
-  const char* wanted = std::getenv("SUNDER_SECONDS");
-  if (wanted == nullptr) return;
-  const double seconds = std::atof(wanted);
+void set_timer(__itimer_which_t which, double seconds) {
   itimerval timer{};
   timer.it_value.tv_sec = static_cast<time_t>(seconds);
   timer.it_value.tv_usec = static_cast<suseconds_t>((seconds - std::floor(seconds)) * 1e6);
-  setitimer(ITIMER_PROF, &timer, nullptr);
+  setitimer(which, &timer, nullptr);
+}
+
+/// In a process of its own: the cases in their order until one fails; `at` says which is at work.
+int run_cases(const std::vector<Asked>& cases, int* at) {
+  const int nowhere = open("/dev/null", O_WRONLY);
+  dup2(nowhere, STDOUT_FILENO), dup2(nowhere, STDERR_FILENO);
+  Catch::ConfigData data;
+  data.abortAfter = 1;
+  data.reporterName = "compact";
+  const auto config = std::make_shared<Catch::Config>(data);
+  Catch::RunContext context(config, Catch::makeReporter(config));
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    *at = static_cast<int>(i);
+    set_timer(ITIMER_PROF, cases[i].limit);
+    set_timer(ITIMER_REAL, 60 + 20 * cases[i].limit);  // where it waits for what never comes
+    if (!context.runTest(*cases[i].test).assertions.allOk()) return 1;
+  }
+  return 0;
+}
+
+/// What SUNDER_FAULT would switch on is asked for by lines: a number, then names of cases with
+/// their limits, all between tabs. The answer to each is a line: `passed`, or which case failed
+/// (from 0), and its exit code or signal as the shell has it.
+int serve() {
+  const auto config = std::make_shared<Catch::Config>(Catch::ConfigData{});
+  std::map<std::string, const Catch::TestCase*> by_name;
+  for (const auto& test : Catch::getAllTestCasesSorted(*config)) by_name[test.name] = &test;
+  auto* at = static_cast<int*>(
+      mmap(nullptr, sizeof(int), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0));
+  for (std::string line; std::getline(std::cin, line);) {
+    std::istringstream in(line);
+    std::string number, name, limit;
+    std::getline(in, number, '\t');
+    std::vector<Asked> cases;
+    while (std::getline(in, name, '\t') && std::getline(in, limit, '\t')) {
+      cases.push_back({by_name.at(name), std::stod(limit)});
+    }
+    const pid_t child = fork();
+    if (child == 0) {
+      sunder_chosen_fault = std::stoi(number);
+      _exit(run_cases(cases, at));
+    }
+    int status = 0;
+    waitpid(child, &status, 0);
+    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    if (code == 0) {
+      std::printf("passed\n");
+    } else {
+      std::printf("%d\t%d\n", *at, code);
+    }
+    std::fflush(stdout);
+  }
+  return 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  limit_time();
-  const std::vector<Fixture> fixtures = fixtures_wanted();
+  const std::vector<Fixture> fixtures = read_fixture_folder(SUNDER_MESHES "/suite").value.value();
   add_suite(fixtures);
+  if (argc == 2 && std::string(argv[1]) == "--serve") return serve();
   return Catch::Session().run(argc, argv);
 }

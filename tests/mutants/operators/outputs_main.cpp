@@ -13,7 +13,7 @@
 
 #include "sunder_fault.hpp"
 #include "tests/mutants/operators/digest.hpp"
-#include "tests/mutants/operators/random_meshes.hpp"
+#include "tests/support/random_meshes.hpp"
 #include "topology/cells/columns.hpp"
 #include "topology/cells/file_cells.hpp"
 #include "topology/cells/journal.hpp"

@@ -16,7 +16,7 @@ import json
 import os
 import pathlib
 import random
-import re
+import signal
 import subprocess
 import sys
 import tempfile
@@ -57,51 +57,43 @@ class Tests:
         for names in self.reaching.values():
             names.sort(key=self.seconds.get)
 
-    def batches(self, number, most):
-        """Names of cases to run in one process: 8, 32, 128, ...; `most` seconds in all."""
-        names, total = [], 0.0
-        for name in self.reaching[number]:
+    def order(self, mutant, kills, most):
+        """Names of the cases to ask, `most` seconds in all: first those that killed the most mutants
+        of the same function and file for the time they take, then the quickest."""
+        names = self.reaching[mutant["number"]]
+        gain = {n: (8 * kills[mutant["file"], mutant["function"]][n] + kills[mutant["file"]][n]) / (0.002 + self.seconds[n])
+                for n in names}
+        likely = sorted((n for n in names if gain[n] > 0), key=gain.get, reverse=True)[:12]
+        total = 0.0
+        for name in likely + [n for n in names if n not in likely]:
             total += self.seconds[name]
-            if names and total > most:
-                break
-            names.append(name)
-        at, size = 0, 8
-        while at < len(names):
-            yield names[at:at + size]
-            at, size = at + size, 4 * size
+            if total > most and total > self.seconds[name]:
+                return
+            yield name
 
 
-def run(tests, number, names):
-    """(case that failed, how), or None when all pass."""
-    seconds = sum(tests.seconds[n] for n in names)
-    limit = 0.4 + 6 * seconds
-    with tempfile.NamedTemporaryFile("w", suffix=".cases") as cases:
-        cases.write("".join(f'"{n}"\n' for n in (re.sub(r'([\\,"])', r"\\\1", name) for name in names)))
-        cases.flush()
-        command = ["nice", "-n", "1", "prlimit", f"--as={MEMORY}", "--core=0",
-                   tests.program, "-f", cases.name, "--abort", "-r", "compact"]
-        files = {m.group(1) for m in (re.match(r"fixture (\d+-[^/ ]*)", n) for n in names) if m}
-        process = subprocess.Popen(command, text=True, env=dict(
-            os.environ, SUNDER_FAULT=str(number), SUNDER_FIXTURES=" ".join(sorted(files)),
-            SUNDER_SECONDS=str(limit)),
-                                   stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, errors="replace",
-                                   cwd=tempfile.gettempdir())
-        try:
-            out, _ = process.communicate(timeout=60 + 20 * limit)
-        except subprocess.TimeoutExpired:
-            process.kill()
-            out, _ = process.communicate()
-            return names[-1], "no answer"
-    code = process.returncode
-    began = [line[len("case: "):] for line in out.splitlines() if line.startswith("case: ")]
-    if code == 0:
-        if len(began) != len(names):
-            sys.exit(f"run_operators.py: {len(began)} cases of {len(names)} ran: {names}")
-        return None
-    case = began[-1] if began else "start of the program"
-    if code == -27:  # SIGPROF
-        return case, f"more than {limit:.2f} s"
-    return case, "a wrong answer" if 0 < code < 128 else f"signal {-code if code < 0 else code - 128}"
+class Server:
+    """`sunder_operators --serve`: forks for each mutant, so that what all need is read once."""
+
+    def __init__(self, program):
+        self.process = subprocess.Popen(
+            ["prlimit", f"--as={MEMORY}", "--core=0", program, "--serve"], text=True,
+            stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, cwd=tempfile.gettempdir())
+
+    def ask(self, tests, number, names):
+        """(case that failed, how), or None when all pass."""
+        limits = [0.4 + 6 * tests.seconds[n] for n in names]
+        self.process.stdin.write("\t".join([str(number)] + [f"{n}\t{s:.2f}" for n, s in zip(names, limits)]) + "\n")
+        self.process.stdin.flush()
+        answer = self.process.stdout.readline().split()
+        if not answer:
+            sys.exit("run_operators.py: sunder_operators --serve has ended")
+        if answer == ["passed"]:
+            return None
+        at, code = int(answer[0]), int(answer[1])
+        if code == 128 + signal.SIGPROF:
+            return names[at], f"more than {limits[at]:.2f} s"
+        return names[at], "a wrong answer" if code < 128 else f"signal {code - 128}"
 
 
 class Results:
@@ -121,29 +113,33 @@ class Results:
                 out.write(json.dumps(result) + "\n")
 
 
-def judge(tests, mutant, most):
-    started = time.monotonic()
-    result = {"key": key_of(mutant), "status": "survived" if tests.reaching[mutant["number"]] else "unreached"}
-    for names in tests.batches(mutant["number"], most):
-        killed = run(tests, mutant["number"], names)
-        if killed:
-            result.update(status="killed", by=killed[0], how=killed[1])
-            break
-    result["seconds"] = round(time.monotonic() - started, 2)
-    return result
-
-
 def run_all(tests, mutants, results, arguments):
     """Judges what has no result yet."""
     wanted = ("survived", "unreached") if arguments.again else ("",)
     todo = [m for m in mutants if results.known.get(key_of(m), {"status": ""})["status"] in wanted]
-    done = 0
+    kills = collections.defaultdict(collections.Counter)
+    for key, result in results.known.items():
+        if result["status"] == "killed":
+            kills[key[0]][result["by"]] += 1
+            kills[key[:2]][result["by"]] += 1
+    local, done = threading.local(), 0
 
     def one(mutant):
         nonlocal done
         if arguments.until and time.time() > arguments.until:
             return
-        results.add(judge(tests, mutant, arguments.most))
+        if not hasattr(local, "server"):
+            local.server = Server(tests.program)
+        started, key = time.monotonic(), key_of(mutant)
+        names = list(tests.order(mutant, kills, arguments.most))
+        result = {"key": key, "status": "survived" if names else "unreached"}
+        killed = local.server.ask(tests, mutant["number"], names) if names else None
+        if killed:
+            result.update(status="killed", by=killed[0], how=killed[1])
+            kills[key[0]][killed[0]] += 1
+            kills[key[:2]][killed[0]] += 1
+        result["seconds"] = round(time.monotonic() - started, 2)
+        results.add(result)
         done += 1
         if done % 50 == 0:
             print(f"{done} of {len(todo)}", flush=True)
@@ -153,7 +149,8 @@ def run_all(tests, mutants, results, arguments):
 
 
 def proofs_of(mutants, known):
-    """survivors.json by the key of each mutant; an entry that fits no survivor is an error."""
+    """survivors.json by the key of each mutant, and what the types alone say; an entry that fits no
+    survivor is an error."""
     entries = json.loads((HERE / "survivors.json").read_text(encoding="utf-8"))
     proved, wrong = {}, []
     for entry in entries:
@@ -166,6 +163,11 @@ def proofs_of(mutants, known):
             if result and result["status"] == "killed":
                 wrong.append(f"{wanted} is killed by {result['by']}")
             proved[key_of(m)] = entry
+    for m in mutants:
+        if "same" in m:
+            if known.get(key_of(m), {"status": ""})["status"] == "killed":
+                wrong.append(f"{key_of(m)} is killed, though {m['same']}")
+            proved.setdefault(key_of(m), {"rule": m["same"]})
     return proved, wrong
 
 
@@ -195,7 +197,9 @@ def publish(listed, known, proved):
     lines = ["", *table(mutants, known, proved), "", "Left out: " + ", ".join(
         f"{n} x {why}" for why, n in sorted(listed["left_out"].items())) + ".", "",
         "### Proved to change nothing", ""]
-    for entry in {id(e): e for e in proved.values()}.values():
+    rules = collections.Counter(e["rule"] for k, e in proved.items() if "rule" in e and known.get(k))
+    lines += [f"- {n} by their types alone: {why}." for why, n in sorted(rules.items())]
+    for entry in {id(e): e for e in proved.values() if "rule" not in e}.values():
         count = sum(e is entry for e in proved.values())
         lines.append(f"- `{entry['file']}`, `{entry['function']}`: `{entry['original']}` as `{entry['mutant']}`"
                      + (f" ({count} places)" if count > 1 else "") + ". " + " ".join(entry["proof"]))

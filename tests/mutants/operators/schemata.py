@@ -12,6 +12,7 @@ import collections
 import hashlib
 import json
 import pathlib
+import pickle
 import re
 import sys
 
@@ -27,7 +28,7 @@ SWITCH = """// SPDX-License-Identifier: MIT
 #pragma once
 #include <cstdlib>
 #include <type_traits>
-inline const int sunder_chosen_fault =
+inline int sunder_chosen_fault =
     std::getenv("SUNDER_FAULT") == nullptr ? 0 : std::atoi(std::getenv("SUNDER_FAULT"));
 inline unsigned char sunder_reached_faults[1 << 18];
 inline bool sunder_fault(int number) {
@@ -67,8 +68,19 @@ def nested(sites):
 class File:
     """One source: its mutants and its copy."""
 
-    def __init__(self, project, name, base):
+    def __init__(self, project, name, base, cache, depends):
         self.name, self.base = name, base
+        state = hashlib.sha256(depends + (project / name).read_bytes()).hexdigest()
+        kept = pickle.loads(cache.read_bytes()) if cache.exists() else ("", None)
+        if kept[0] != state:
+            kept = (state, self.parse(project, name))
+            cache.parent.mkdir(parents=True, exist_ok=True)
+            cache.write_bytes(pickle.dumps(kept))
+        self.found = kept[1]
+        self.list_mutants()
+
+    @staticmethod
+    def parse(project, name):
         index = ci.Index.create()
         path = project / name
         unit = index.parse(str(path), OPTIONS + [f"-I{project}"],
@@ -76,22 +88,25 @@ class File:
         errors = [d for d in unit.diagnostics if d.severity >= ci.Diagnostic.Error]
         if errors:
             raise SystemExit(f"schemata.py: {name}: {errors[0]}")
-        self.found = Sites(path, unit)
+        return Sites(path, unit)
+
+    def list_mutants(self):
         self.mutants = []
         again = collections.Counter()
         for site in sorted(self.found.sites.values(), key=lambda s: (s.start, s.end, s.kind)):
             original = flat(self.found.text(site.start, site.end))
             for operator, text in site.alternatives:
+                same = site.same.get(text)
                 text = flat(text)
                 key = (site.function, original, text)
                 again[key] += 1
                 self.mutants.append({
-                    "number": base + len(self.mutants) + 1, "file": name,
+                    "number": self.base + len(self.mutants) + 1, "file": self.name,
                     "line": self.found.source[:site.start].count(b"\n") + 1,
                     "function": site.function, "operator": operator, "original": original,
-                    "mutant": text, "nth": again[key], "site": site})
+                    "mutant": text, "nth": again[key], "site": site, **({"same": same} if same else {})})
         if len(self.mutants) >= ROOM:
-            raise SystemExit(f"schemata.py: {name} has {len(self.mutants)} mutants: ROOM is too small")
+            raise SystemExit(f"schemata.py: {self.name} has {len(self.mutants)} mutants: ROOM is too small")
 
     def copy(self, dropped):
         by_site = collections.defaultdict(list)
@@ -164,7 +179,9 @@ def main():
     stamp, state = out / "stamp", hashlib.sha256(b"\0".join(texts)).hexdigest()
     if stamp.exists() and stamp.read_text(encoding="utf-8") == state:
         return
-    files = {name: File(project, name, ROOM * k) for k, name in enumerate(names)}
+    # What a parse depends on besides its source: operators and headers.
+    depends = b"".join([(here / "operators.py").read_bytes()] + [t for n, t in zip(names, texts) if n.endswith(".hpp")])
+    files = {name: File(project, name, ROOM * k, out / "parsed" / name, depends) for k, name in enumerate(names)}
     dropped = set()
     known = out / "dropped.json"  # what did not compile the last time: tried again when a file changed
     stale = {name for name, f in files.items() if write_if_new(out / "originals" / name, f.found.source.decode())}

@@ -131,6 +131,32 @@ TEST_CASE("a point between two regions has none", "[topology][cells]") {
   CHECK(column<Whole>(mesh.point_data, "mark").back() == 9);  // nearer to point 2
 }
 
+TEST_CASE("columns of several numbers are shared by name, whole numbers never", "[topology][cells]") {
+  FileMesh mesh = small();
+  mesh.point_region.clear();
+  VolumeMap map = map_of(mesh);
+  const CellEdit edit = insert_vertex(map, edge_on(map, 1, 2), 0.5);
+  divide_file(mesh, map, std::span(&edit, 1), {"mass", "axis", "kind"});
+  CHECK(mesh.point_region.empty());
+  CHECK(column<Doubles>(mesh.tetrahedra.data, "mass") == Doubles{4, 8, 4, 8});
+  CHECK(column<Doubles>(mesh.tetrahedra.data, "axis") ==
+        Doubles{0.5, 1, 1.5, 2, 2.5, 3, 0.5, 1, 1.5, 2, 2.5, 3});
+  CHECK(column<Doubles>(mesh.tetrahedra.data, "density") == Doubles{3, 4, 3, 4});
+  CHECK(column<Whole>(mesh.tetrahedra.data, "kind") == Whole{3, 4, 3, 4});
+  CHECK(column<Doubles>(mesh.point_data, "heat") == Doubles{0, 1, 10, 2, 20, 3, 30, 4, 40, 5, 15, 2.5});
+  CHECK(column<Whole>(mesh.point_data, "mark").back() == 8);  // in the middle the first end's
+}
+
+TEST_CASE("the region of a point between a higher and a lower one is none", "[topology][cells]") {
+  FileMesh mesh = small();
+  VolumeMap map = map_of(mesh);
+  for (const auto& [a, b] : {std::pair{2U, 3U}, std::pair{0U, 2U}}) {
+    const CellEdit edit = insert_vertex(map, edge_on(map, a, b), 0.5);
+    divide_file(mesh, map, std::span(&edit, 1));
+    CHECK(mesh.point_region.back() == 0);
+  }
+}
+
 TEST_CASE("two levels and a cut of a file: faces of triangles are faces of tetrahedra",
           "[topology][cells]") {
   FileMesh mesh = small();

@@ -252,3 +252,30 @@ TEST_CASE("levels made anew leave nothing of what was tried", "[topology][cells]
   CHECK(check(map).empty());
   CHECK(cells(map) == before);
 }
+
+TEST_CASE("what only the try divided that had to be made anew is whole again", "[topology][cells]") {
+  const VolumeMap whole = built(kuhn_box({4, 1, 1}));
+  const std::size_t n = whole.tetrahedra();
+  const TetId far{n - 1};
+  for (const MapKernel kernel : {MapKernel::dense, MapKernel::lcc}) {
+    VolumeMap map = whole;
+    map.set_kernel(kernel);
+    // First one end is wanted, then a green one beside it and the other end, which was left alone.
+    bool tried = false;
+    const auto levels = refine(map, 2, [&](const VolumeMap& m, TetId t, TetId of) {
+      if (m.tetrahedra() == n) return t == TetId{0};
+      if (tried) return false;
+      const bool is_green = of != TetId{0} && t.index() >= n;
+      if (t == far) CHECK(m.corners(far) == whole.corners(far));
+      tried = t.index() + 1 == m.tetrahedra();
+      return is_green || t == far;
+    });
+    REQUIRE(levels.size() == 2);
+    CHECK(check(map).empty());
+    CHECK(map.corners(far) == whole.corners(far));
+    CHECK(std::abs(count_cells(map).volume - 4) < 1e-14);
+    for (std::size_t i = levels.size(); i-- > 0;) map.apply(levels[i].edit.undo);
+    CHECK(std::ranges::equal(map.corners(), whole.corners()));
+    CHECK(std::ranges::equal(map.neighbours(), whole.neighbours()));
+  }
+}

@@ -135,3 +135,9 @@ TEST_CASE("both sides of a crack get one point, and can be glued after", "[topol
   CHECK(glued == 2);
   CHECK(cells(map) == Cells5{6, 13, 12, 4, 1});
 }
+
+TEST_CASE("a tetrahedron divided at all its edges is that of the first turn", "[topology][cells]") {
+  const auto& eight = parts_by_eight(0);
+  const std::vector<CellPart> parts = parts_of_cell(63, {0, 1, 2, 3, 4, 5});
+  CHECK(std::ranges::equal(parts, eight));
+}

@@ -28,6 +28,7 @@ void require_only(const std::vector<Finding>& findings, const std::string& rule,
   REQUIRE(findings.size() == 1);
   CHECK(findings[0].code == "map_damaged");
   CHECK(findings[0].severity == Severity::error);
+  CHECK(findings[0].remedy.starts_with("report this"));
   CHECK(findings[0].text == rule);
   CHECK(findings[0].count == ids.size());
   CHECK(findings[0].ids ==
@@ -86,10 +87,21 @@ TEST_CASE("rows that break one rule of a map are told by it, before any dart is 
       across(rows, f) = HalfFaceId{row};
       require_among(checked(rows), "neighbours are in range", {id(f)});
     }
+    for (int p = 0; p < 4; ++p) across(rows, half_face(TetId{4}, p)) = HalfFaceId{4 * tetrahedra};
+    across(rows, f) = g;
+    require_among(checked(rows), "neighbours are in range", {16, 17, 18, 19});
   }
   SECTION("a neighbour that knows of none") {
     across(rows, g) = HalfFaceId::none();
     require_only(checked(rows), "neighbours name each other", {id(f)});
+    const HalfFaceId last = interior_faces(whole).back(), of_last = whole.neighbour(last);
+    across(rows, g) = f;
+    across(rows, of_last) = HalfFaceId{0};
+    for (const Finding& told : checked(rows)) {
+      if (told.text == "neighbours name each other")
+        CHECK(std::ranges::count(told.ids, id(last)) == 1);
+    }
+    require_among(checked(rows), "neighbours name each other", sorted({id(last), id(of_last)}));
   }
   SECTION("two faces of one tetrahedron changed for each other") {
     HalfFaceId other;
@@ -139,6 +151,7 @@ TEST_CASE("a row of two orbits and a retired last row are damage", "[topology][v
   REQUIRE_FALSE(first.is_none());
   // One row for both: nobody has the last row any more, and it says that it begins.
   std::vector<Finding> findings = checked(rows);
+  CHECK(findings.size() == 3);
   require_among(findings, "each row is one vertex orbit", {first.value});
   require_among(findings, "only retired rows have no tetrahedron",
                 {static_cast<std::int64_t>(last)});
@@ -166,7 +179,7 @@ TEST_CASE("darts that break one rule of a map are told by it", "[topology][volum
   const auto dart = [&darts](std::int64_t d) {
     return darts.dart_at(TetId{static_cast<std::size_t>(d / 12)}, static_cast<int>(d % 12));
   };
-  const VertexId v = map.vertex(DartId{30});
+  const VertexId v = map.vertex(DartId{31});
   Ids of_vertex;
   for (std::size_t d = 0; d < 12 * map.tetrahedra(); ++d) {
     if (map.vertex(DartId{d}) == v) of_vertex.push_back(static_cast<std::int64_t>(d));
@@ -174,25 +187,25 @@ TEST_CASE("darts that break one rule of a map are told by it", "[topology][volum
 
   SECTION("its row") {
     for (const std::size_t wrong : {std::size_t{0}, std::size_t{60}}) {
-      complex.info(dart(30)) = DartId{wrong};
-      require_only(check(map), "a dart carries its own row", {30});
+      complex.info(dart(31)) = DartId{wrong};
+      require_only(check(map), "a dart carries its own row", {31});
     }
   }
   SECTION("the row of its vertex") {
     for (const std::size_t wrong : {v.index() - 1, v.index() + 1}) {
-      complex.info<0>(dart(30)).row = VertexId{wrong};
+      complex.info<0>(dart(31)).row = VertexId{wrong};
       require_only(check(map), "row in the 0-attribute equals the corner's", of_vertex);
     }
   }
   SECTION("the point of its vertex") {
     for (const std::uint32_t wrong : {map.point_of_vertex(v) - 1, map.point_of_vertex(v) + 1}) {
-      complex.info<0>(dart(30)).point = wrong;
+      complex.info<0>(dart(31)).point = wrong;
       require_only(check(map), "the file's point in the 0-attribute equals the row's", {v.value});
     }
   }
   SECTION("the place of its vertex") {
     for (const double wrong : {-9.0, 9.0}) {
-      complex.point(dart(30)) = DartComplex::Point(wrong, 0, 0);
+      complex.point(dart(31)) = DartComplex::Point(wrong, 0, 0);
       require_only(check(map), "the point of the 0-attribute equals the row's", {v.value});
     }
   }
@@ -236,16 +249,18 @@ TEST_CASE("darts that break one rule of a map are told by it", "[topology][volum
     require_among(check(map), "one 3-attribute a tetrahedron", {0});
   }
   SECTION("one dart of a vertex with the attribute of another") {
-    const auto other = complex.attribute<0>(darts.beta1(dart(30)));
-    complex.set_dart_attribute<0>(dart(30), other);
+    const auto other = complex.attribute<0>(darts.beta1(dart(31)));
+    complex.set_dart_attribute<0>(dart(31), other);
     const std::vector<Finding> findings = check(map);
-    require_among(findings, "row in the 0-attribute equals the corner's", {30});
+    require_among(findings, "row in the 0-attribute equals the corner's", {31});
     require_among(findings, "each vertex orbit has one 0-attribute",
-                  sorted({v.value, map.vertex(map.beta1(DartId{30})).value}));
+                  sorted({v.value, map.vertex(map.beta1(DartId{31})).value}));
   }
   SECTION("an attribute that names a dart of another vertex") {
-    complex.set_dart_of_attribute<0>(complex.attribute<0>(dart(30)), darts.beta1(dart(30)));
-    require_only(check(map), "the dart of a 0-attribute has that attribute", {v.value});
+    for (const auto wrong : {darts.beta1(dart(31)), darts.beta0(dart(31))}) {
+      complex.set_dart_of_attribute<0>(complex.attribute<0>(dart(31)), wrong);
+      require_only(check(map), "the dart of a 0-attribute has that attribute", {v.value});
+    }
   }
   SECTION("one dart of a face across to another one of it") {
     const auto d = dart(3 * id(f)), e = darts.beta3(d), next = darts.beta1(e);
@@ -258,5 +273,48 @@ TEST_CASE("darts that break one rule of a map are told by it", "[topology][volum
     const std::vector<Finding> findings = check(map);
     require_among(findings, "beta3 equals the neighbour of the rows", four);
     require_among(findings, "beta1 beta3 is an involution", of_both);
+  }
+}
+
+TEST_CASE("every link of a dart to a wrong one is told, by each rule that it breaks",
+          "[topology][volume_map]") {
+  const TetMesh mesh = kuhn_box({1, 1, 1});
+  const VolumeMap whole = built(mesh);
+  for (std::size_t k = 0; k < 12; ++k) {
+    for (std::size_t wrong = 0; wrong < 24; ++wrong) {
+      for (unsigned int which = 0; which < 3; ++which) {
+        VolumeMap map = whole;
+        auto& darts = const_cast<DartMap&>(map.darts());
+        const auto at = [&](DartId d) {
+          return darts.dart_at(TetId{d.index() / 12}, static_cast<int>(d.index() % 12));
+        };
+        const DartMap::Dart d = at(DartId{24 + k}), e = at(DartId{12 + wrong});
+        if ((which == 0 ? darts.beta0(d) : which == 1 ? darts.beta1(d) : darts.beta2(d)) == e)
+          continue;
+        if (which == 0) darts.complex().dart_link_beta<0>(d, e);
+        if (which == 1) darts.complex().dart_link_beta<1>(d, e);
+        if (which == 2) darts.complex().dart_link_beta<2>(d, e);
+        INFO("beta" << which << " of " << k << " to " << wrong);
+        std::array<Ids, 4> expected;
+        for (std::size_t i = 0; i < 12 * map.tetrahedra(); ++i) {
+          const DartId id{i};
+          const DartMap::Dart dart = at(id);
+          if (darts.beta0(dart) != at(map.beta0(id))) expected[0].push_back(id.value);
+          if (darts.beta1(dart) != at(map.beta1(id))) expected[1].push_back(id.value);
+          if (darts.beta2(dart) != at(map.beta2(id))) expected[2].push_back(id.value);
+          if (darts.vertex(dart) != map.vertex(id)) expected[3].push_back(id.value);
+        }
+        const std::vector<Finding> findings = check(map);
+        REQUIRE_FALSE(findings.empty());
+        const std::array rules = {"beta0 is the inverse of beta1", "beta1 is the next of the face",
+                                  "beta2 crosses the edge",
+                                  "row in the 0-attribute equals the corner's"};
+        for (std::size_t i = 0; i < rules.size(); ++i) {
+          const auto told = std::ranges::find(findings, rules[i], &Finding::text);
+          CHECK((told == findings.end()) == expected[i].empty());
+          if (told != findings.end()) require_only({*told}, rules[i], expected[i]);
+        }
+      }
+    }
   }
 }

@@ -122,3 +122,41 @@ TEST_CASE("counts after splits are those of counting anew, by fields", "[topolog
     if (before.betti) CHECK(told.volume == before.volume);
   }
 }
+
+TEST_CASE("what breaks a law is told with its face, once, and without Betti numbers as with them",
+          "[topology][laws]") {
+  Counts before = large(), after = changed(large(), 1, 2, {0, 0, 0});
+  (*after.betti)[2] -= 4;
+  const auto findings = check_split_laws(before, after, split_of(1, 2));
+  REQUIRE(findings.size() == 1);
+  CHECK(findings[0].code == "split_law");
+  CHECK(findings[0].ids == std::vector<std::int64_t>{11});
+  CHECK_FALSE(findings[0].remedy.empty());
+  CHECK(
+      findings[0].text ==
+      "splitting half-face 11 (1 vertices, 2 edges split): a possible change of the Betti numbers "
+      "(seen: 0, 0, -4) is 0, the law says 1");
+  after.betti = std::nullopt;
+  CHECK(check_split_laws(before, after, split_of(1, 2)).empty());
+  std::swap(before.betti, after.betti);
+  CHECK(check_split_laws(before, after, split_of(1, 2)).empty());
+  // Parts that join are no split's doing.
+  after.components -= 1;
+  CHECK(check_split_laws(before, after, split_of(1, 2)).size() == 1);
+  FaceSplit none = split_of(0, 0);
+  none.did = false;
+  const auto undone = check_split_laws(large(), large(), none);
+  REQUIRE(undone.size() == 1);
+  CHECK(undone[0].text ==
+        "splitting half-face 11 (0 vertices, 0 edges split): did (nothing else to "
+        "hold) is 0, the law says 1");
+}
+
+TEST_CASE("a split that did nothing is passed over, wherever it stands", "[topology][laws]") {
+  VolumeMap map = built(suite::kuhn_box({2, 2, 2}));
+  const Counts before = count_cells(map);
+  std::vector<FaceSplit> splits(1);
+  for (const HalfFaceId f : interior_faces(map)) splits.push_back(split_face(map, f));
+  const Counts after = count_cells(map);
+  CHECK(counts_after(before, map, splits, after.components - before.components) == after);
+}

@@ -74,10 +74,13 @@ Point minus(const Point& a, const Point& b) { return {a[0] - b[0], a[1] - b[1], 
 double dot(const Point& a, const Point& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 double distance(const Point& a, const Point& b) { return std::sqrt(dot(minus(a, b), minus(a, b))); }
 
+using Triangle = std::array<std::uint32_t, 3>;
+
 /// What a check should find, from every boundary face held against every boundary point.
 struct Twin {
   std::set<std::uint32_t> hanging, close;
-  std::size_t coincident = 0;
+  std::set<Triangle> hung_in;
+  std::vector<Triangle> coincident;
 };
 
 struct TwinFace {
@@ -155,25 +158,50 @@ Twin twin_of(const TetMesh& mesh) {
       if (is_on_segment(x, c[0], c[1]) || is_on_segment(x, c[1], c[2]) ||
           is_on_segment(x, c[2], c[0]) || is_in_triangle(x, c)) {
         twin.hanging.insert(p);
+        twin.hung_in.insert(f.points);
       }
     }
   }
-  std::map<std::array<std::uint32_t, 3>, std::size_t> places;
+  // Faces in one place and with different points: all but the one with the lowest.
+  std::set<Triangle> places;
   for (const TwinFace& f : boundary) {
-    std::array<std::uint32_t, 3> place = {near[f.points[0]], near[f.points[1]], near[f.points[2]]};
+    Triangle place = {near[f.points[0]], near[f.points[1]], near[f.points[2]]};
     std::sort(place.begin(), place.end());
-    if (places[place]++ > 0) ++twin.coincident;
+    if (!places.insert(place).second) twin.coincident.push_back(f.points);
   }
   return twin;
 }
 
+/// Triples of rows, each rising.
+std::vector<Triangle> triangles_of(std::vector<std::uint32_t> rows) {
+  std::vector<Triangle> triangles;
+  for (std::size_t i = 0; i + 2 < rows.size(); i += 3) {
+    triangles.push_back({rows[i], rows[i + 1], rows[i + 2]});
+    std::sort(triangles.back().begin(), triangles.back().end());
+  }
+  return triangles;
+}
+
 void hold_against_twin(const TetMesh& mesh) {
-  const Findings findings = findings_of(mesh);
+  const MeshCheck check = check_file_mesh(file_mesh_of(mesh), true);
   const Twin twin = twin_of(mesh);
-  REQUIRE(count_of(findings, "hanging_vertex") == twin.hanging.size());
-  REQUIRE(count_of(findings, "close_points") == twin.close.size());
-  REQUIRE(count_of(findings, "coincident_faces") == twin.coincident);
-  REQUIRE(count_of(findings, "contact_unfinished") == 0);
+  const auto rows_of = [&](const std::string& code, PlaceKind kind) {
+    for (const FindingPlaces& p : check.places) {
+      if (p.code == code && p.kind == kind) return p.rows;
+    }
+    return std::vector<std::uint32_t>{};
+  };
+  const auto rows = [](const auto& set) {
+    return std::vector<std::uint32_t>(set.begin(), set.end());
+  };
+  REQUIRE(rows_of("hanging_vertex", PlaceKind::points) == rows(twin.hanging));
+  REQUIRE(rows_of("close_points", PlaceKind::points) == rows(twin.close));
+  REQUIRE(triangles_of(rows_of("coincident_faces", PlaceKind::faces)) == twin.coincident);
+  std::vector<Triangle> hung_in = triangles_of(rows_of("hanging_vertex", PlaceKind::faces));
+  std::sort(hung_in.begin(), hung_in.end());
+  REQUIRE(hung_in == std::vector<Triangle>(twin.hung_in.begin(), twin.hung_in.end()));
+  REQUIRE(count_of(check.findings, "hanging_vertex") == twin.hanging.size());
+  REQUIRE(count_of(check.findings, "contact_unfinished") == 0);
 }
 
 }  // namespace
@@ -315,4 +343,89 @@ TEST_CASE("a heap of bodies through each other is given up in time, and said so"
   const Finding f = finding(findings, "contact_unfinished");
   CHECK(f.severity == Severity::warning);
   CHECK(f.count < heap.points.size());
+}
+
+TEST_CASE("contact is what every pair says, of a tip a little more or less than the tolerance away",
+          "[topology][check][contact]") {
+  const std::uint64_t seed = 65;
+  INFO("seed " << seed);
+  std::mt19937_64 random(seed);
+  const auto number = [&random](double low, double high) {
+    return low + (high - low) * unit(random);
+  };
+  std::array<std::size_t, 3> found{};
+  for (int trial = 0; trial < 3000; ++trial) {
+    INFO("trial " << trial);
+    TetMesh mesh;
+    for (int i = 0; i < 4; ++i) {
+      // Long and short edges, so that it matters of which the tolerance is taken.
+      mesh.points.push_back({number(-4, 4), number(-1, 1), number(-0.3, 0.3)});
+    }
+    mesh.tetrahedra = {{0, 1, 2, 3}, {4, 5, 6, 7}};
+    // A place on the first face: a corner, an edge, the inside; sometimes beyond.
+    const Point &a = mesh.points[1], &b = mesh.points[2], &c = mesh.points[3];
+    double s = 0, t = 0;
+    const std::size_t where = below(random, 4);
+    if (where > 0) s = number(-0.3, 1.3);
+    if (where > 1) t = number(-0.2, 1);
+    const Point edges = {distance(a, b), distance(b, c), distance(c, a)};
+    const double scale = edges[below(random, 3)] * contact_tolerance *
+                         std::array{0.5, 0.9, 1.1, 2.0}[below(random, 4)];
+    Point away = {number(-1, 1), number(-1, 1), number(-1, 1)};
+    if (where > 1 && below(random, 2) == 0) {
+      const Point u = minus(b, a), v = minus(c, a);
+      away = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+    }
+    const double size = std::sqrt(dot(away, away));
+    Point tip{};
+    for (int k = 0; k < 3; ++k) {
+      tip[k] = a[k] + s * (b[k] - a[k]) + t * (c[k] - a[k]) + scale * away[k] / size;
+    }
+    mesh.points.insert(mesh.points.end(), {tip, {50, 5, 5}, {50, 6, 5}, {60, 5, 5}});
+    const TetMesh turned = moved(mesh, 1, random);
+    hold_against_twin(turned);
+    const Findings findings = findings_of(turned);
+    ++found[count_of(findings, "hanging_vertex") > 0 ? 0
+            : count_of(findings, "close_points") > 0 ? 1
+                                                     : 2];
+  }
+  for (const std::size_t n : found) CHECK(n > 100);
+}
+
+TEST_CASE("far from the origin no gap counts that eight roundings can have made",
+          "[topology][check][contact]") {
+  const double far = 1 << 30, rounding = std::numeric_limits<double>::epsilon() * far;
+  const auto close = [&](double gap) {
+    TetMesh mesh;
+    for (const double sign : {1.0, -1.0}) {
+      mesh.points = {{sign * far, 0, 0},  {sign * (far - 1), 0, 0}, {sign * far, 1, 0},
+                     {sign * far, 0, 1},  {sign * far, -gap, 0},    {sign * far, -2, 0},
+                     {sign * far, -1, 1}, {sign * (far - 1), -1, 0}};
+      mesh.tetrahedra = {{0, 1, 2, 3}, {4, 5, 6, 7}};
+      CHECK(count_of(findings_of(mesh), "close_points") == (gap < 8 * rounding ? 1 : 0));
+    }
+  };
+  close(7.9 * rounding);
+  close(8.1 * rounding);
+}
+
+TEST_CASE("faces of which two corners are near the same point are in no place",
+          "[topology][check][contact]") {
+  const double far = 1 << 30, rounding = std::numeric_limits<double>::epsilon() * far;
+  for (const Point third : {Point{far, 1, 0}, Point{far - 1, 0, 0}}) {
+    TetMesh mesh;
+    // Two needles, one face of each on the other's; the tip of a third is near both ends of theirs.
+    for (const double side : {1.0, -1.0}) {
+      mesh.points.insert(mesh.points.end(),
+                         {{far, 0, 0}, {far, 10 * rounding, 0}, third, {far, 0, side}});
+    }
+    mesh.points.insert(mesh.points.end(),
+                       {{far, 5 * rounding, 0}, {far, -4, 5}, {far, -5, 5}, {far - 1, -4, 4}});
+    mesh.tetrahedra = {{0, 1, 2, 3}, {4, 5, 6, 7}, {8, 9, 10, 11}};
+    const Findings findings = findings_of(mesh);
+    CHECK(count_of(findings, "close_points") == 3);
+    // The two long faces of each needle are in one place; the short face of one is not in that of
+    // the other, though they have the same corners.
+    CHECK(count_of(findings, "coincident_faces") == 2);
+  }
 }

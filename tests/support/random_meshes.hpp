@@ -113,6 +113,11 @@ inline FileMesh careless(Random& random) {
       for (std::size_t i = 0; i < 3 * n; ++i) values.push_back(unit(random));
       cells.data.push_back({"vector", 3, NumberType::float64, values});
     }
+    if (below(random, 3) == 0) {
+      std::vector<std::int64_t> values;
+      for (std::size_t i = 0; i < 2 * n; ++i) values.push_back(static_cast<std::int64_t>(100 + i));
+      cells.data.push_back({"two", 2, NumberType::int16, values});
+    }
   };
   label(file.vertices), label(file.edges), label(file.triangles), label(file.tetrahedra);
   file.region_name[3][1] = "one";
