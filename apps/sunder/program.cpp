@@ -93,6 +93,13 @@ int with_all_printed(int exit_code) {
 
 }  // namespace
 
+void add_confined_flag(CLI::App& command, SceneReach& reach) {
+  command.add_flag_callback(
+      "--confined", [&reach] { reach = SceneReach::own_folder; },
+      "Read only files in the scene's folder and below, for scenes that you do not trust: what a "
+      "mesh key names elsewhere, by .., / or a link, is an error");
+}
+
 std::vector<const CLI::Option*> all_options(const CLI::App& command) {
   const auto own = command.get_options();
   std::vector<const CLI::Option*> all(own.begin(), own.end());

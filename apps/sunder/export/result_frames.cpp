@@ -214,6 +214,10 @@ Result<RunResult> read_run_result(const std::filesystem::path& folder) {
   Result<RunResult> result;
   RunResult run;
   for (const NamedFrame& named : named_frames(pvd)) {
+    const std::filesystem::path inside = std::filesystem::path(named.file).lexically_normal();
+    if (inside.is_absolute() || inside.string().starts_with("..")) {
+      return no_result(folder / "frames.pvd", "names a frame outside its folder");
+    }
     Result<ResultFrame> frame = read_frame(folder / named.file, named.time);
     for (Finding& f : frame.findings) result.findings.push_back(std::move(f));
     if (!frame) return result;

@@ -138,12 +138,22 @@ bool read_log(std::optional<Replay>& replay, const RunArguments& arguments, cons
   return replay.has_value();
 }
 
+/// out/NAME for NAME.json; a name of dots alone would lead elsewhere.
+std::filesystem::path usual_folder(const std::filesystem::path& scene) {
+  const std::string name = scene.stem().string();
+  return std::filesystem::path("out") / (name == "." || name == ".." ? "scene" : name);
+}
+
 /// The folder for one run, or why not: somebody writes there, or an earlier run lies there.
 std::optional<FolderLock> take_folder(const std::filesystem::path& folder, bool may_replace,
                                       bool json) {
   Result<FolderLock> lock = FolderLock::take(folder);
   tell(lock.findings, json);
   if (!lock) return std::nullopt;
+  if (const std::optional<Finding> link = link_among_files(folder)) {
+    tell({*link}, json);
+    return std::nullopt;
+  }
   if (!may_replace && holds_a_run(folder)) {
     tell({{.code = "folder_holds_a_run",
             .text = fmt::format("an earlier run lies in {}", folder.string()),
@@ -206,7 +216,7 @@ Resumed taken_up(Result<RunOnItsWay> run, const RunArguments& arguments) {
 Resumed branch_off(const RunArguments& arguments) {
   std::optional<SceneFile> changed;
   if (!arguments.scene.empty()) {
-    Result<SceneFile> file = read_scene(arguments.scene, arguments.settings);
+    Result<SceneFile> file = read_scene(arguments.scene, arguments.settings, arguments.reach);
     tell(file.findings, arguments.json);
     if (!file) return {};
     changed = std::move(*file);
@@ -262,12 +272,12 @@ ExitCode go_on_with(const RunArguments& arguments) {
 
 ExitCode run_scene(const RunArguments& arguments) {
   if (!arguments.resume.empty()) return go_on_with(arguments);
-  Result<SceneFile> file = read_scene(arguments.scene, arguments.settings);
+  Result<SceneFile> file = read_scene(arguments.scene, arguments.settings, arguments.reach);
   tell(file.findings, arguments.json);
   if (!file) return ExitCode::bad_input;
   if (arguments.realtime) set_frame_budget(file->scene.fracture);
   const std::filesystem::path folder =
-      arguments.folder.empty() ? "out" / arguments.scene.stem() : arguments.folder;
+      arguments.folder.empty() ? usual_folder(arguments.scene) : arguments.folder;
   std::optional<Replay> replay;
   if (!read_log(replay, arguments, *file, folder)) return ExitCode::bad_input;
   if (!arguments.quiet) fmt::print(stderr, "{}", settings_lines(*file));

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/scene/scene_json.hpp"
 #include "apps/sunder/exit_code.hpp"
 
 namespace sunder {
@@ -20,6 +21,8 @@ struct RunArguments {
   /// `dotted.path=value` changes of the scene, in their order.
   std::vector<std::string> settings;
   bool quiet = false;
+  /// Which files the scene may name.
+  SceneReach reach = SceneReach::anywhere;
   /// Event log of an earlier run to repeat; empty: none.
   std::filesystem::path replay;
   /// Folder of a run to go on with; empty: none. It says all that the scene file said.

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "apps/scene/scene_schema.hpp"
+#include "apps/sunder/program.hpp"
 #include "apps/sunder/run/run.hpp"
 
 namespace sunder {
@@ -60,6 +61,7 @@ void add_options(CLI::App& command, RunArguments& arguments, std::vector<std::st
                   "Change a value of the scene: gravity.ramp_time=2; may be given often")
       ->type_name("KEY=VALUE")
       ->take_all();
+  add_confined_flag(command, arguments.reach);
   add_shortcut(command, "--png", "output.pictures.count", shortcuts)
       ->type_name("N")
       ->description("Pictures spread over the run, its start and end among them");

@@ -55,6 +55,7 @@ struct StaticArguments {
   std::vector<std::string> settings;
   std::string fan;
   std::optional<double> fans;
+  SceneReach reach = SceneReach::anywhere;
   bool json = false;
 };
 
@@ -139,7 +140,7 @@ void print_table(const Equilibrium& answer) {
 }
 
 ExitCode run_static(const StaticArguments& arguments) {
-  Result<SceneFile> file = read_scene(arguments.scene, arguments.settings);
+  Result<SceneFile> file = read_scene(arguments.scene, arguments.settings, arguments.reach);
   tell(file.findings, arguments.json);
   if (!file) return ExitCode::bad_input;
   Result<Simulation> sim = build_simulation(file->scene);
@@ -205,6 +206,7 @@ void add_static_command(CLI::App& program, ExitCode& exit_code) {
                    "Energies of the fans of all vertices at this share of their strength or more")
       ->type_name("SHARE")
       ->check(CLI::NonNegativeNumber);
+  add_confined_flag(*command, arguments->reach);
   command->add_flag("--json", arguments->json, "Print JSON instead of a table");
   command->footer(footer);
   command->callback([=, &exit_code] { exit_code = run_static(*arguments); });

@@ -14,6 +14,7 @@
 
 #include "apps/scene/scene_json.hpp"
 #include "apps/scene/words.hpp"
+#include "apps/sunder/program.hpp"
 #include "apps/sunder/view/view_requests.hpp"
 
 // Last: it brings resolv.h, whose macro _res stands in the way of Eigen.
@@ -37,6 +38,7 @@ Examples:
 struct ViewArguments {
   std::filesystem::path scene;
   std::filesystem::path page = SUNDER_PAGE;
+  SceneReach reach = SceneReach::anywhere;
   int port = 0;
   bool headless = false;
 };
@@ -95,7 +97,7 @@ bool open_browser(const std::string& url) {
 }
 
 ExitCode view(const ViewArguments& arguments) {
-  const Result<SceneFile> file = read_scene(arguments.scene);
+  const Result<SceneFile> file = read_scene(arguments.scene, {}, arguments.reach);
   fmt::print(stderr, "{}", finding_lines(file.findings));
   if (!file) return ExitCode::bad_input;
   if (!std::filesystem::exists(arguments.page / "index.html")) {
@@ -107,6 +109,7 @@ ExitCode view(const ViewArguments& arguments) {
   }
   ViewedScene viewed;
   viewed.path = arguments.scene;
+  viewed.reach = arguments.reach;
   const std::string token = random_token();
   httplib::Server server;
   server.set_keep_alive_max_count(1u << 20);
@@ -157,6 +160,7 @@ void add_view_command(CLI::App& program, ExitCode& exit_code) {
   command->add_option("--port", arguments->port, "Port on 127.0.0.1; default: one that is free")
       ->check(CLI::Range(1, 65535));
   command->add_option("--page", arguments->page, "Folder of the built page")->type_name("DIR");
+  add_confined_flag(*command, arguments->reach);
   command->add_flag("--headless", arguments->headless,
                     "Print the address and start no browser");
   command->footer(footer);

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "apps/host/engine.hpp"
+#include "apps/scene/scene_json.hpp"
 #include "topology/base/finding.hpp"
 
 namespace sunder {
@@ -19,6 +20,7 @@ namespace sunder {
 /// and are done one after the other.
 struct ViewedScene {
   std::filesystem::path path;
+  SceneReach reach = SceneReach::anywhere;
   std::unique_ptr<sunder_engine> engine;
   std::string words;                           ///< warnings, or what failed
   std::map<std::uint64_t, std::string> saved;  ///< by their step

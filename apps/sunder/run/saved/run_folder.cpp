@@ -114,7 +114,7 @@ Result<FolderLock> FolderLock::take(const fs::path& folder) {
   const fs::path path = folder / "run.lock";
   if (error) return cannot_lock(folder, error.value());
   for (;;) {
-    const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (file < 0) return cannot_lock(path, errno);
     if (::flock(file, LOCK_EX | LOCK_NB) != 0) {
       const int reason = errno;
@@ -152,6 +152,24 @@ void FolderLock::let_go() {
   ::unlink(path_.c_str());  // while it is held: who comes next makes a new one
   ::close(file_);
   file_ = -1;
+}
+
+std::optional<Finding> link_among_files(const fs::path& folder) {
+  std::error_code none;
+  for (const std::string_view place : places) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder / place, none)) {
+      const std::string name = entry.path().filename().string();
+      const bool is_place = std::ranges::find(places, name) != places.end();
+      if (!entry.is_symlink(none) || !(is_ours(name) || is_place)) continue;
+      return Finding{.code = "link_in_folder",
+                     .text = fmt::format("{} is a link, and a run writes nothing outside its folder",
+                                         entry.path().string()),
+                     .remedy = "remove the link, or give another folder with -o (which may be a "
+                               "link itself)",
+                     .file = entry.path().string()};
+    }
+  }
+  return std::nullopt;
 }
 
 bool holds_a_run(const fs::path& folder) {
