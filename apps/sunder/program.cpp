@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <exception>
 #include <iostream>
+#include <new>
 #include <span>
 #include <sunder/version.hpp>
 #include <system_error>
@@ -63,7 +64,9 @@ int parse_and_run(int argc, char** argv, const AddCommands& add_commands) {
   CLI::App program{"Breaks solid bodies of tetrahedra on an exact 3-map.", "sunder"};
   program.set_version_flag("--version", "sunder " SUNDER_VERSION);
   program.require_subcommand(1);
-  program.footer("sunder COMMAND --help tells each command's options, units and exit codes.");
+  program.footer(
+      "sunder COMMAND --help tells each command's options, units and exit codes; where memory runs "
+      "out every command ends with 5.");
   ExitCode exit_code = ExitCode::fine;
   add_commands(program, exit_code);
   if (argc == 1) {
@@ -120,6 +123,12 @@ void tell(const std::vector<Finding>& findings, bool json) {
 int run_program(int argc, char** argv, const AddCommands& add_commands) {
   try {
     return with_all_printed(parse_and_run(argc, argv, add_commands));
+  } catch (const std::bad_alloc&) {
+    std::fputs("sunder: memory ran out [out_of_memory]\n"
+               "  take a coarser mesh or fewer bodies, or allow more memory (ulimit -v); no file is "
+               "half written\n",
+               stderr);
+    return static_cast<int>(ExitCode::failed);
   } catch (const std::system_error& error) {
     fmt::print(stderr, "sunder: {}\n", error.what());
     return static_cast<int>(ExitCode::not_written);

@@ -134,8 +134,11 @@ AppendedFile::~AppendedFile() {
 }
 
 std::optional<Finding> AppendedFile::append(std::string_view text) {
+  const off_t end = ::lseek(file_, 0, SEEK_END);
   const int failure = write_all(file_, std::span(&text, 1));
   if (failure == 0) return std::nullopt;
+  // No half line; where even that fails, there is one.
+  if (end >= 0) static_cast<void>(::ftruncate(file_, end) == 0);
   return cannot_write(path_, failure, remedy_for(failure));
 }
 

@@ -20,6 +20,7 @@
 #include "apps/sunder/run/saved/resume.hpp"
 #include "apps/sunder/run/saved/run_folder.hpp"
 #include "apps/sunder/run/settings_report.hpp"
+#include "fracture/saving/state_numbers.hpp"
 #include "fracture/simulation/rows.hpp"
 
 namespace sunder {
@@ -78,6 +79,18 @@ std::optional<Finding> departure_of(const RunWork& work, std::optional<ExitCode>
   return compare_logs(*work.replay, work.recorder.events().text(), ended.has_value());
 }
 
+/// What is wrong with the state that a step leaves: numbers always, what costs as much as a step
+/// where it is asked for or in a debug build.
+std::vector<Finding> damage(const Simulation& simulation, bool check_map, bool is_broken) {
+  const bool all = check_map || is_debug_build;
+  std::vector<Finding> findings =
+      check_numbers(simulation, all ? NumbersOf::everything : NumbersOf::columns);
+  if (check_map || (is_debug_build && is_broken)) {
+    for (Finding& f : sunder::check_map(simulation)) findings.push_back(std::move(f));
+  }
+  return findings;
+}
+
 /// Steps until the end, a failure, an interruption, a departure from the log, or an output that
 /// cannot be written.
 ExitCode step_to_end(const RunWork& work, const RunArguments& arguments, FrameClock* clock) {
@@ -85,6 +98,11 @@ ExitCode step_to_end(const RunWork& work, const RunArguments& arguments, FrameCl
   const std::uint64_t steps = work.steps();
   std::size_t fans = 0;
   Progress progress(arguments.quiet);
+  if (const std::vector<Finding> damaged = damage(simulation, arguments.check_map, false);
+      !damaged.empty()) {
+    print(damaged);
+    return ExitCode::failed;
+  }
   while (simulation.state->step < steps) {
     const auto start = std::chrono::steady_clock::now();
     const StepReport report = advance(simulation);
@@ -96,14 +114,14 @@ ExitCode step_to_end(const RunWork& work, const RunArguments& arguments, FrameCl
       print({*departed});
       return ExitCode::departed;
     }
-    if (const std::optional<Finding> failure = step_failure(report, simulation)) {
-      print({*failure});
-      return ExitCode::failed;
+    std::vector<Finding> damaged =
+        damage(simulation, arguments.check_map, !report.fracture.fans.empty());
+    if (std::optional<Finding> failure = step_failure(report, simulation)) {
+      damaged.push_back(std::move(*failure));
     }
-    if (arguments.check_map || (is_debug_build && !report.fracture.fans.empty())) {
-      const std::vector<Finding> damage = check_map(simulation);
-      print(damage);
-      if (!damage.empty()) return ExitCode::failed;
+    if (!damaged.empty()) {
+      print(damaged);
+      return ExitCode::failed;
     }
     if (interrupted) return ExitCode::interrupted;
     fans += report.fracture.fans.size();

@@ -37,7 +37,8 @@ struct RunArguments {
   unsigned threads = 1;
   /// A run with warnings ends with an exit code of its own.
   bool strict = false;
-  /// The map is checked after every step, and the run fails where it is damaged.
+  /// Map and every number of the state are checked after every step, and the run fails where one is
+  /// damaged; without it columns alone.
   bool check_map = false;
   /// In step with the clock on the wall, with a budget for breaking.
   bool realtime = false;

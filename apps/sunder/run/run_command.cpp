@@ -116,8 +116,8 @@ void add_options(CLI::App& command, RunArguments& arguments, std::vector<std::st
                    "converged, sub-steps that ran out, energy that does not add up");
   command.add_flag(
       "--check-map", arguments.check_map,
-      "Check the map, its darts and the labels of pieces after every step; the run fails "
-      "(exit code 5) at the first step that damages them");
+      "Check the map, its darts, the labels of pieces and every number of the state, matrices among "
+      "them, after every step; the run fails (exit code 5) at the first step that damages them");
   command.add_flag("--quiet", arguments.quiet,
                    "No progress, chosen settings and expected time on stderr");
   command.add_flag("--json", arguments.json, "Print report.json instead of a table");
