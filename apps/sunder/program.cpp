@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -94,6 +95,26 @@ int with_all_printed(int exit_code) {
   return static_cast<int>(ExitCode::not_written);
 }
 
+void tell_out_of_memory() {
+  std::fputs("sunder: memory ran out [out_of_memory]\n"
+             "  take a coarser mesh or fewer bodies, or allow more memory (ulimit -v); no file is half "
+             "written\n",
+             stderr);
+}
+
+/// Where memory runs out in a thread of its own, or in a destructor (nlohmann's json allocates
+/// there), nothing can be caught: the program ends here, and says so all the same.
+[[noreturn]] void end_without_memory() {
+  try {
+    if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
+  } catch (const std::bad_alloc&) {
+    tell_out_of_memory();
+    std::_Exit(static_cast<int>(ExitCode::failed));
+  } catch (...) {
+  }
+  std::abort();
+}
+
 }  // namespace
 
 void add_confined_flag(CLI::App& command, SceneReach& reach) {
@@ -121,13 +142,11 @@ void tell(const std::vector<Finding>& findings, bool json) {
 }
 
 int run_program(int argc, char** argv, const AddCommands& add_commands) {
+  std::set_terminate(end_without_memory);
   try {
     return with_all_printed(parse_and_run(argc, argv, add_commands));
   } catch (const std::bad_alloc&) {
-    std::fputs("sunder: memory ran out [out_of_memory]\n"
-               "  take a coarser mesh or fewer bodies, or allow more memory (ulimit -v); no file is "
-               "half written\n",
-               stderr);
+    tell_out_of_memory();
     return static_cast<int>(ExitCode::failed);
   } catch (const std::system_error& error) {
     fmt::print(stderr, "sunder: {}\n", error.what());

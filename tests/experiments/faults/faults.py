@@ -173,6 +173,8 @@ class Judge:
         now = files_of(self.bench.place / "work")
         if self.is_folder:
             for name, text in now.items():
+                if name.endswith("run.lock"):
+                    continue  # holds nobody once its process is gone
                 if name.endswith(".part") or name not in self.after and not name.startswith(FOLDERS[self.name]):
                     return f"{name} is left"
                 if not is_whole(name, text):
@@ -180,6 +182,7 @@ class Judge:
             lost = [n for n in self.before if n not in now and not n.endswith(".checkpoint")]
             if lost and self.name != "resume":
                 return f"{lost[0]} is lost"
+            now = {n: text for n, text in now.items() if not n.endswith("run.lock")}
             if code == 0 and set(now) != set(self.after):
                 return f"exit code 0 with other files: {sorted(set(now) ^ set(self.after))[0]}"
             return None
