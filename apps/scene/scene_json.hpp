@@ -31,8 +31,8 @@ struct SceneFile {
   OutputSettings output;
 };
 
-/// Which files a scene may name: any, or, of a scene that somebody else made, only ordinary files in
-/// its own folder and below, once links are followed.
+/// Which files a scene may name: any, or, of a scene that somebody else made, only ordinary files
+/// in its own folder and below, once links are followed.
 enum class SceneReach : bool { anywhere, own_folder };
 
 /// The scene in the JSON file `path` with its meshes, after `settings` (each `dotted.path=value`,

@@ -25,10 +25,12 @@ std::optional<Finding> refusal(const std::filesystem::path& folder, const std::s
   const auto parted = std::mismatch(root.begin(), root.end(), path.begin(), path.end());
   if (unknown || parted.first != root.end()) {
     return Finding{.code = "outside_folder",
-                   .text = "it lies outside the folder of the scene, and nothing outside it is read "
-                           "with --confined",
-                   .remedy = "put the file into the scene's folder, or leave out --confined if you "
-                             "trust the scene"};
+                   .text =
+                       "it lies outside the folder of the scene, and nothing outside it is read "
+                       "with --confined",
+                   .remedy =
+                       "put the file into the scene's folder, or leave out --confined if you "
+                       "trust the scene"};
   }
   // A FIFO or a device would be waited for; what is not there has an error of its own.
   const auto status = std::filesystem::status(path, none);

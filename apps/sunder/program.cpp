@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -42,8 +43,9 @@ std::string misread_word(const CLI::App& program, std::span<char* const> words) 
   const auto said = [](std::string_view what, const std::string& word, std::string_view where,
                        const std::vector<std::string>& known) {
     const std::string nearest = nearest_word(word, known);
-    return fmt::format("sunder{0}: there is no {1} {2}{3}\n`sunder{0} --help` lists all\n", where, what,
-                       word, nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest));
+    return fmt::format("sunder{0}: there is no {1} {2}{3}\n`sunder{0} --help` lists all\n", where,
+                       what, word,
+                       nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest));
   };
   const std::vector<std::string> commands = commands_of(program);
   const std::string first = words.empty() ? "" : words[0];
@@ -96,23 +98,28 @@ int with_all_printed(int exit_code) {
 }
 
 void tell_out_of_memory() {
-  std::fputs("sunder: memory ran out [out_of_memory]\n"
-             "  take a coarser mesh or fewer bodies, or allow more memory (ulimit -v); no file is half "
-             "written\n",
-             stderr);
+  std::fputs(
+      "sunder: memory ran out [out_of_memory]\n"
+      "  take a coarser mesh or fewer bodies, or allow more memory (ulimit -v); no file is half "
+      "written\n",
+      stderr);
 }
+
+// Handlers of the language can reach nothing but a global.
+std::atomic<bool> memory_ran_out = false;
 
 /// Where memory runs out in a thread of its own, or in a destructor (nlohmann's json allocates
 /// there), nothing can be caught: the program ends here, and says so all the same.
-[[noreturn]] void end_without_memory() {
-  try {
-    if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
-  } catch (const std::bad_alloc&) {
+void tell_ends_without_memory() {
+  std::set_new_handler([] {
+    memory_ran_out = true;
+    throw std::bad_alloc();
+  });
+  std::set_terminate([] {
+    if (!memory_ran_out) std::abort();
     tell_out_of_memory();
     std::_Exit(static_cast<int>(ExitCode::failed));
-  } catch (...) {
-  }
-  std::abort();
+  });
 }
 
 }  // namespace
@@ -142,7 +149,7 @@ void tell(const std::vector<Finding>& findings, bool json) {
 }
 
 int run_program(int argc, char** argv, const AddCommands& add_commands) {
-  std::set_terminate(end_without_memory);
+  tell_ends_without_memory();
   try {
     return with_all_printed(parse_and_run(argc, argv, add_commands));
   } catch (const std::bad_alloc&) {

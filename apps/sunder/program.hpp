@@ -25,8 +25,8 @@ void add_confined_flag(CLI::App& command, SceneReach& reach);
 /// The options of a command, those of its groups among them.
 std::vector<const CLI::Option*> all_options(const CLI::App& command);
 
-/// Tells findings on standard error; where an error among them leaves a command without a result and
-/// `json` is asked for, on standard output as `{"findings": [...]}` too.
+/// Tells findings on standard error; where an error among them leaves a command without a result
+/// and `json` is asked for, on standard output as `{"findings": [...]}` too.
 void tell(const std::vector<Finding>& findings, bool json);
 
 }  // namespace sunder

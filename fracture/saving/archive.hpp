@@ -28,9 +28,9 @@ constexpr std::array<std::string_view, sizeof...(Name)> names(const Name&... nam
   return {std::string_view(name)...};
 }
 
-/// Calls `visit` with the name of every member of a struct and the member, in their order. Overloads
-/// of `member_names(const T*)` say what they are called: a struct that gains or loses one does not
-/// compile until they, and with them the format, are looked at.
+/// Calls `visit` with the name of every member of a struct and the member, in their order.
+/// Overloads of `member_names(const T*)` say what they are called: a struct that gains or loses one
+/// does not compile until they, and with them the format, are looked at.
 template <class T, class Visit>
 void for_each_member(T& x, Visit visit) {
   constexpr auto called = member_names(static_cast<const T*>(nullptr));
@@ -166,10 +166,12 @@ struct StateReader {
 template <class Archive>
 inline constexpr bool is_reader = std::is_same_v<Archive, StateReader>;
 
-/// An archive that writes nothing and is told where each number stands: `enter` with a member's name
-/// (whether to go in) or a row, and `leave`.
+/// An archive that writes nothing and is told where each number stands: `enter` with a member's
+/// name (whether to go in) or a row, and `leave`.
 template <class Archive>
-inline constexpr bool is_told_places = requires(Archive& a) { a.leave(); };
+inline constexpr bool is_told_places = requires(Archive& a) {
+  a.leave();
+};
 
 template <class Archive, class T>
 void archive(Archive& a, T& x);
@@ -332,7 +334,8 @@ void archive(Archive& a, T& x) {
   } else if constexpr (requires { archive_struct(a, x); }) {
     archive_struct(a, x);
   } else {
-    for_each_member(x, [&](std::string_view name, auto& member) { archive_member(a, name, member); });
+    for_each_member(x,
+                    [&](std::string_view name, auto& member) { archive_member(a, name, member); });
   }
 }
 

@@ -100,9 +100,9 @@ class NumberSeeker {
 /// What a row of a column is of.
 std::string_view row_word(std::string_view column) {
   constexpr std::pair<std::string_view, std::string_view> words[] = {
-      {"vertices.", "vertex"},          {"elements.", "tetrahedron"}, {"components.", "component"},
-      {"cells.strength", "vertex"},     {"cells.flaw", "vertex"},     {"cells.painted", "vertex"},
-      {"obstacles.", "obstacle"},       {"materials.", "material"},   {"motions.", "motion"},
+      {"vertices.", "vertex"},      {"elements.", "tetrahedron"}, {"components.", "component"},
+      {"cells.strength", "vertex"}, {"cells.flaw", "vertex"},     {"cells.painted", "vertex"},
+      {"obstacles.", "obstacle"},   {"materials.", "material"},   {"motions.", "motion"},
       {"display", "component"}};
   for (const auto& [part, word] : words) {
     if (column.find(part) != std::string_view::npos) return word;

@@ -174,10 +174,10 @@ std::optional<FolderLock> take_folder(const std::filesystem::path& folder, bool 
   }
   if (!may_replace && holds_a_run(folder)) {
     tell({{.code = "folder_holds_a_run",
-            .text = fmt::format("an earlier run lies in {}", folder.string()),
-            .remedy = fmt::format("give another folder with -o, replace it with --force, or go on "
-                                  "with it: sunder run --resume {}",
-                                  folder.string())}},
+           .text = fmt::format("an earlier run lies in {}", folder.string()),
+           .remedy = fmt::format("give another folder with -o, replace it with --force, or go on "
+                                 "with it: sunder run --resume {}",
+                                 folder.string())}},
          json);
     return std::nullopt;
   }
@@ -221,8 +221,9 @@ Resumed taken_up(Result<RunOnItsWay> run, const RunArguments& arguments) {
   tell(run.findings, arguments.json);
   const auto is_about_writing = [](const Finding& f) { return f.code == "cannot_write"; };
   if (!run) {
-    return {{}, std::ranges::any_of(run.findings, is_about_writing) ? ExitCode::not_written
-                                                                    : ExitCode::bad_input};
+    return {{},
+            std::ranges::any_of(run.findings, is_about_writing) ? ExitCode::not_written
+                                                                : ExitCode::bad_input};
   }
   run->simulation.threads = arguments.threads;
   run->simulation.hurry = &interrupted;
@@ -244,10 +245,10 @@ Resumed branch_off(const RunArguments& arguments) {
   if (!start.run) return start;
   if (const std::uint64_t steps = step_count(start.run->simulation.scene);
       *arguments.from > steps) {
-    print({{.code = "step_after_end",
-            .text = fmt::format("the run has {} steps; there is no step {}", steps,
-                                *arguments.from),
-            .remedy = "give an earlier step; --until extends a run"}});
+    print(
+        {{.code = "step_after_end",
+          .text = fmt::format("the run has {} steps; there is no step {}", steps, *arguments.from),
+          .remedy = "give an earlier step; --until extends a run"}});
     return {};
   }
   std::optional<Replay> none;
@@ -272,7 +273,8 @@ ExitCode go_on_with(const RunArguments& arguments) {
     return ExitCode::bad_input;
   }
   const std::filesystem::path folder = arguments.from ? arguments.folder : arguments.resume;
-  const std::optional<FolderLock> lock = take_folder(folder, !arguments.from || arguments.force, arguments.json);
+  const std::optional<FolderLock> lock =
+      take_folder(folder, !arguments.from || arguments.force, arguments.json);
   if (!lock) return ExitCode::not_written;
   watch_for_interrupt();
   Resumed resumed = arguments.from ? branch_off(arguments)

@@ -46,9 +46,9 @@ struct RunArguments {
   bool json = false;
 };
 
-/// Reads the scene, or goes on with an earlier run, steps it to its end, to a failure or to a signal
-/// (SIGINT, SIGTERM, SIGHUP), and writes its files; a replay stops where it departs from its log.
-/// Findings go to stderr, the result to stdout.
+/// Reads the scene, or goes on with an earlier run, steps it to its end, to a failure or to a
+/// signal (SIGINT, SIGTERM, SIGHUP), and writes its files; a replay stops where it departs from its
+/// log. Findings go to stderr, the result to stdout.
 ExitCode run_scene(const RunArguments& arguments);
 
 /// Adds the subcommand `run` to the program; `exit_code` is set when it has run.

@@ -65,8 +65,7 @@ ViewRequestHead head_of(const httplib::Request& request) {
 /// The page's files by name, and requests to the engine.
 void add_routes(httplib::Server& server, ViewedScene& viewed, const ViewArguments& arguments,
                 const std::string& token, const int& port) {
-  server.set_pre_routing_handler([&](const httplib::Request& request,
-                                     httplib::Response& response) {
+  server.set_pre_routing_handler([&](const httplib::Request& request, httplib::Response& response) {
     const bool needs_token = request.path.starts_with("/api/");
     if (is_allowed(head_of(request), port, token, needs_token)) {
       response.set_header("X-Content-Type-Options", "nosniff");
@@ -77,13 +76,13 @@ void add_routes(httplib::Server& server, ViewedScene& viewed, const ViewArgument
     response.set_content("sunder view answers its own page only\n", "text/plain");
     return httplib::Server::HandlerResponse::Handled;
   });
-  server.Post(R"(/api/([a-z]+))", [&](const httplib::Request& request,
-                                      httplib::Response& response) {
-    const std::string work = request.matches[1];
-    const ViewAnswer answer = do_view_request(viewed, work, request.body);
-    response.status = answer.fine ? 200 : 400;
-    response.set_content(answer.bytes, answer.fine ? "application/octet-stream" : "text/plain");
-  });
+  server.Post(
+      R"(/api/([a-z]+))", [&](const httplib::Request& request, httplib::Response& response) {
+        const std::string work = request.matches[1];
+        const ViewAnswer answer = do_view_request(viewed, work, request.body);
+        response.status = answer.fine ? 200 : 400;
+        response.set_content(answer.bytes, answer.fine ? "application/octet-stream" : "text/plain");
+      });
   server.set_mount_point("/", arguments.page.string());
 }
 
@@ -91,8 +90,8 @@ void add_routes(httplib::Server& server, ViewedScene& viewed, const ViewArgument
 bool open_browser(const std::string& url) {
   if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return false;
   // The address is ours: digits, letters and marks that no shell takes for its own but within ''.
-  const std::string command = fmt::format(
-      "command -v xdg-open >/dev/null && {{ xdg-open '{}' >/dev/null 2>&1 & }}", url);
+  const std::string command =
+      fmt::format("command -v xdg-open >/dev/null && {{ xdg-open '{}' >/dev/null 2>&1 & }}", url);
   return std::system(command.c_str()) == 0;
 }
 
@@ -155,14 +154,14 @@ ExitCode view(const ViewArguments& arguments) {
 
 void add_view_command(CLI::App& program, ExitCode& exit_code) {
   const auto arguments = std::make_shared<ViewArguments>();
-  CLI::App* command = program.add_subcommand("view", "Shows a scene in the browser and runs it there");
+  CLI::App* command =
+      program.add_subcommand("view", "Shows a scene in the browser and runs it there");
   command->add_option("SCENE", arguments->scene, "Scene file (JSON)")->required();
   command->add_option("--port", arguments->port, "Port on 127.0.0.1; default: one that is free")
       ->check(CLI::Range(1, 65535));
   command->add_option("--page", arguments->page, "Folder of the built page")->type_name("DIR");
   add_confined_flag(*command, arguments->reach);
-  command->add_flag("--headless", arguments->headless,
-                    "Print the address and start no browser");
+  command->add_flag("--headless", arguments->headless, "Print the address and start no browser");
   command->footer(footer);
   command->callback([arguments, &exit_code] { exit_code = view(*arguments); });
 }

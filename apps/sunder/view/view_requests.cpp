@@ -65,7 +65,8 @@ std::unique_ptr<sunder_engine> engine_of_file(ViewedScene& viewed,
   return simulation ? make_engine(std::move(*simulation)) : nullptr;
 }
 
-/// A scene that was dropped on the page: its text, and the `bytes` of its files one after the other.
+/// A scene that was dropped on the page: its text, and the `bytes` of its files one after the
+/// other.
 std::unique_ptr<sunder_engine> engine_of_drop(ViewedScene& viewed, const json& dropped,
                                               const std::vector<std::string>& settings,
                                               std::string_view bytes) {

@@ -34,8 +34,10 @@ struct ViewAnswer {
 };
 
 /// Does `work` ("load", "step", "read", "act", "inspect", "save", "restore", "forget", "scene",
-/// "stamp", "open") with the `body` that apps/page/src/engines.js makes: a `sunder_action` for act, for
-/// load the size of a JSON text (8 bytes), the text and files that were dropped on the page, else JSON. Answers with a `sunder_report`, words, and columns (id, size, content padded to 8 bytes).
+/// "stamp", "open") with the `body` that apps/page/src/engines.js makes: a `sunder_action` for act,
+/// for load the size of a JSON text (8 bytes), the text and files that were dropped on the page,
+/// else JSON. Answers with a `sunder_report`, words, and columns (id, size, content padded to 8
+/// bytes).
 ViewAnswer do_view_request(ViewedScene& viewed, std::string_view work, std::string_view body);
 
 /// Whether a request may be answered: its Host is this server, it comes from no other page, and

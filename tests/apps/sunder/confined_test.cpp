@@ -16,12 +16,13 @@
 using namespace sunder;
 using namespace sunder::test;
 namespace fs = std::filesystem;
-using nlohmann::json;
 using Catch::Contains;
+using nlohmann::json;
 
 namespace {
 
-/// A folder with a scene in it that names `file` by `key`, beside a folder with what is not its own.
+/// A folder with a scene in it that names `file` by `key`, beside a folder with what is not its
+/// own.
 struct Place {
   Workplace here;
   fs::path root = here.path("");
@@ -113,8 +114,8 @@ TEST_CASE("--confined holds for every key that names a file", "[confined]") {
 TEST_CASE("--confined waits for no pipe", "[confined]") {
   const Place p;
   REQUIRE(mkfifo((p.root / "mine/pipe.msh").c_str(), 0600) == 0);
-  const Outcome o = p.here.run({"run", p.scene({{"mesh", "pipe.msh"}}), "--confined", "--quiet",
-                                "-o", p.here.path("out")});
+  const Outcome o = p.here.run(
+      {"run", p.scene({{"mesh", "pipe.msh"}}), "--confined", "--quiet", "-o", p.here.path("out")});
   CHECK(o.exit_code == 3);
   CHECK_THAT(o.err, Contains("not_a_file") && Contains("bodies.0.mesh (pipe.msh)"));
 }
@@ -123,20 +124,21 @@ TEST_CASE("a run follows no link in its folder", "[confined]") {
   const Place p;
   const std::string scene = p.scene({{"mesh", "cube.msh"}});
   const fs::path out = p.root / "out";
-  const std::pair<const char*, const char*> links[] = {{"frames", "other"},
-                                                       {"checkpoints", "other"},
-                                                       {"events.jsonl", "other/faces.txt"},
-                                                       {"report.json", "other/faces.txt"},
-                                                       {"run.lock", "other/faces.txt"},
-                                                       {"frames/frame_000000.vtu", "other/faces.txt"}};
+  const std::pair<const char*, const char*> links[] = {
+      {"frames", "other"},
+      {"checkpoints", "other"},
+      {"events.jsonl", "other/faces.txt"},
+      {"report.json", "other/faces.txt"},
+      {"run.lock", "other/faces.txt"},
+      {"frames/frame_000000.vtu", "other/faces.txt"}};
   for (const auto& [name, target] : links) {
     INFO(name);
     fs::remove_all(out);
     fs::create_directories((out / name).parent_path());
     fs::create_symlink(p.root / target, out / name);
     const std::string before = snapshot(p.root, out);
-    const Outcome o = p.here.run(
-        {"run", scene, "--quiet", "--force", "--frames", "2", "-o", out.string()});
+    const Outcome o =
+        p.here.run({"run", scene, "--quiet", "--force", "--frames", "2", "-o", out.string()});
     INFO(o.text());
     CHECK(o.exit_code == 4);
     CHECK_THAT(o.err, Contains(name));
@@ -152,7 +154,9 @@ TEST_CASE("a run follows no link in its folder", "[confined]") {
 
 TEST_CASE("nothing is written outside the folder, whatever a scene is called", "[confined]") {
   const Place p;
-  const json scene = {{"name", "../../other/name"}, {"bodies", {{{"mesh", "cube.msh"}, {"name", "/tmp/x"}}}}, {"duration", 0.001}};
+  const json scene = {{"name", "../../other/name"},
+                      {"bodies", {{{"mesh", "cube.msh"}, {"name", "/tmp/x"}}}},
+                      {"duration", 0.001}};
   for (const char* name : {"mine/...json", "mine/..json", "mine/plain.json"}) {
     INFO(name);
     const std::string path = p.here.write(name, scene.dump());

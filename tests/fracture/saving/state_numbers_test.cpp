@@ -69,7 +69,8 @@ Scene rubble_scene() {
   scene.ladder.rubble = RubbleMode::certified;
   scene.ladder.sleep_after = 0.02;
   for (int k = 0; k < 3; ++k) {
-    scene.bodies.push_back({.mesh = kuhn_box({1, 1, 1}, 0.1), .translation = {0.05 * k, 0, 0.11 * k}});
+    scene.bodies.push_back(
+        {.mesh = kuhn_box({1, 1, 1}, 0.1), .translation = {0.05 * k, 0, 0.11 * k}});
     scene.bodies.back().rigid = true;
   }
   scene.obstacles = {Obstacle{Plane{}}};
@@ -129,15 +130,26 @@ TEST_CASE("a NaN in any column is named within a step, and no step crashes on it
       }
     }
   }
-  for (const char* column :
-       {"mechanics.vertices.rest_position", "mechanics.vertices.position",
-        "mechanics.vertices.velocity", "mechanics.vertices.mass", "mechanics.vertices.displacement",
-        "mechanics.vertices.displacement_rate", "mechanics.vertices.displacement_acceleration",
-        "mechanics.elements.shape_gradient", "mechanics.elements.rest_volume",
-        "mechanics.elements.mass", "mechanics.elements.stress", "mechanics.components.centre",
-        "mechanics.components.orientation", "mechanics.components.momentum", "mechanics.time",
-        "cells.strength", "cells.map.points", "display.orientation", "loads.force",
-        "mechanics.systems.present.step.factor.panels"}) {
+  for (const char* column : {"mechanics.vertices.rest_position",
+                             "mechanics.vertices.position",
+                             "mechanics.vertices.velocity",
+                             "mechanics.vertices.mass",
+                             "mechanics.vertices.displacement",
+                             "mechanics.vertices.displacement_rate",
+                             "mechanics.vertices.displacement_acceleration",
+                             "mechanics.elements.shape_gradient",
+                             "mechanics.elements.rest_volume",
+                             "mechanics.elements.mass",
+                             "mechanics.elements.stress",
+                             "mechanics.components.centre",
+                             "mechanics.components.orientation",
+                             "mechanics.components.momentum",
+                             "mechanics.time",
+                             "cells.strength",
+                             "cells.map.points",
+                             "display.orientation",
+                             "loads.force",
+                             "mechanics.systems.present.step.factor.panels"}) {
     INFO(column);
     CHECK(seen.contains(column));
   }
@@ -149,8 +161,7 @@ TEST_CASE("columns are listed as the saved state has them", "[fracture][state_nu
   const std::string bytes = saved_state(sim);
   const std::vector<Vec3>& position = sim.state->mechanics.vertices.position;
   const std::vector<NumberColumn> columns = number_columns(sim, NumbersOf::everything);
-  const auto found =
-      std::ranges::find(columns, "mechanics.vertices.position", &NumberColumn::name);
+  const auto found = std::ranges::find(columns, "mechanics.vertices.position", &NumberColumn::name);
   REQUIRE(found != columns.end());
   CHECK(found->numbers == 3 * position.size());
   double first = 0, last = 0;
@@ -170,6 +181,7 @@ TEST_CASE("step, column and first row are said", "[fracture][state_numbers]") {
   REQUIRE(found.size() == 1);
   CHECK(found[0].count == 3);
   CHECK(found[0].text.starts_with("after step 12 (t = "));
-  CHECK(found[0].text.ends_with("these are not numbers: mechanics.vertices.velocity of vertex 7, "
-                                "mechanics.elements.stress of tetrahedron 4"));
+  CHECK(
+      found[0].text.ends_with("these are not numbers: mechanics.vertices.velocity of vertex 7, "
+                              "mechanics.elements.stress of tetrahedron 4"));
 }

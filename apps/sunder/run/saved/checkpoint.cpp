@@ -21,43 +21,42 @@ namespace fs = std::filesystem;
 // One that gains or loses a member does not compile until this and `checkpoint_format` are looked
 // at.
 constexpr auto member_names(const RunRecord*) {
-  return names("statistics", "frames", "obstacles", "pictures", "last_frame", "last_picture", "log_bytes");
+  return names("statistics", "frames", "obstacles", "pictures", "last_frame", "last_picture",
+               "log_bytes");
 }
-constexpr auto member_names(const PvdFrame*) {
-  return names("time", "file");
-}
+constexpr auto member_names(const PvdFrame*) { return names("time", "file"); }
 constexpr auto member_names(const ObstacleMotion*) {
   return names("time", "row", "pose", "velocity", "spin");
 }
-constexpr auto member_names(const Pose*) {
-  return names("centre", "orientation");
-}
+constexpr auto member_names(const Pose*) { return names("centre", "orientation"); }
 constexpr auto member_names(const SearchCounts*) {
-  return names("tested", "suspects", "reached", "empty_fans", "refused_fans", "still_empty", "relieved", "waiting", "on_flanks", "unfitted");
+  return names("tested", "suspects", "reached", "empty_fans", "refused_fans", "still_empty",
+               "relieved", "waiting", "on_flanks", "unfitted");
 }
 constexpr auto member_names(const ContactReport*) {
-  return names("candidates", "contacts", "passes", "iterations", "residual", "tolerated", "converged", "deepest", "left_out", "obstacle_impulse");
+  return names("candidates", "contacts", "passes", "iterations", "residual", "tolerated",
+               "converged", "deepest", "left_out", "obstacle_impulse");
 }
 constexpr auto member_names(const ImpactReport*) {
-  return names("opened", "spared_by_pair", "spared_by_island", "closed_by_time", "closed_by_energy", "sub_steps", "time", "components", "carried", "coarseness", "stopped");
+  return names("opened", "spared_by_pair", "spared_by_island", "closed_by_time", "closed_by_energy",
+               "sub_steps", "time", "components", "carried", "coarseness", "stopped");
 }
-constexpr auto member_names(const LadderReport*) {
-  return names("components", "tetrahedra");
-}
+constexpr auto member_names(const LadderReport*) { return names("components", "tetrahedra"); }
 constexpr auto member_names(const RubbleStepReport*) {
-  return names("ticks", "awake", "asleep", "points", "deepest", "refused", "mixed", "solids", "rigid", "declared", "declared_share");
+  return names("ticks", "awake", "asleep", "points", "deepest", "refused", "mixed", "solids",
+               "rigid", "declared", "declared_share");
 }
 constexpr auto member_names(const SolveReport*) {
   return names("sub_steps", "iterations", "force_evaluations", "not_converged");
 }
 constexpr auto member_names(const EnergyLedger*) {
-  return names("kinetic", "strain", "gravity", "loads", "contact", "friction", "push_out", "supports", "cracks", "numerical", "residual", "moved");
+  return names("kinetic", "strain", "gravity", "loads", "contact", "friction", "push_out",
+               "supports", "cracks", "numerical", "residual", "moved");
 }
-constexpr auto member_names(const TieStatistics*) {
-  return names("sum", "releases", "released");
-}
+constexpr auto member_names(const TieStatistics*) { return names("sum", "releases", "released"); }
 constexpr auto member_names(const TieReport*) {
-  return names("pairs", "opening", "iterations", "residual", "work", "dissipated", "stored", "torn");
+  return names("pairs", "opening", "iterations", "residual", "work", "dissipated", "stored",
+               "torn");
 }
 constexpr auto member_names(const TiesOfCrack*) {
   return names("tied", "released", "area", "due", "energy");
@@ -65,9 +64,7 @@ constexpr auto member_names(const TiesOfCrack*) {
 constexpr auto member_names(const CrackEnergy*) {
   return names("fan", "time", "area", "projected", "energy");
 }
-constexpr auto member_names(const Energies*) {
-  return names("kinetic", "strain", "gravity");
-}
+constexpr auto member_names(const Energies*) { return names("kinetic", "strain", "gravity"); }
 constexpr auto member_names(const MomentumLedger*) {
   return names("gravity", "loads", "obstacles", "supports", "sleep");
 }
@@ -75,19 +72,17 @@ constexpr auto member_names(const Finding*) {
   return names("code", "severity", "count", "ids", "text", "remedy", "file", "line");
 }
 constexpr auto member_names(const RunTroubles*) {
-  return names("left_out", "not_converged", "overlaps", "stopped", "given_up", "residual", "risen", "residual_size", "moved", "mean_edge", "balance");
+  return names("left_out", "not_converged", "overlaps", "stopped", "given_up", "residual", "risen",
+               "residual_size", "moved", "mean_edge", "balance");
 }
-constexpr auto member_names(const Trouble*) {
-  return names("first", "last", "steps", "size");
-}
+constexpr auto member_names(const Trouble*) { return names("first", "last", "steps", "size"); }
 constexpr auto member_names(const EnergyBalance*) {
   return names("level", "lowest", "risen", "most", "body_energy", "ball_energy", "ball_centre");
 }
-constexpr auto member_names(const Choice*) {
-  return names("key", "value", "reason");
-}
+constexpr auto member_names(const Choice*) { return names("key", "value", "reason"); }
 constexpr auto member_names(const OutputSettings*) {
-  return names("frames", "frame_interval", "frames_at_impacts", "crack_surface", "pictures", "checkpoint");
+  return names("frames", "frame_interval", "frames_at_impacts", "crack_surface", "pictures",
+               "checkpoint");
 }
 constexpr auto member_names(const PictureSettings*) {
   return names("count", "times", "width", "height", "show", "camera");
@@ -95,9 +90,7 @@ constexpr auto member_names(const PictureSettings*) {
 constexpr auto member_names(const CameraSettings*) {
   return names("eye", "target", "field_of_view");
 }
-constexpr auto member_names(const CheckpointSettings*) {
-  return names("steps", "minutes", "keep");
-}
+constexpr auto member_names(const CheckpointSettings*) { return names("steps", "minutes", "keep"); }
 
 template <class Archive, class S>
 requires std::is_same_v<std::remove_const_t<S>, RunStatistics>
@@ -171,9 +164,9 @@ Result<Checkpoint> read_one(const fs::path& path) {
   std::uint64_t sum = 0, length = 0;
   archive(head, format);
   if (!head.failed && format != checkpoint_format) {
-    return unusable("other_version", path,
-                    fmt::format("its format is {}; this version reads {}", format,
-                                checkpoint_format));
+    return unusable(
+        "other_version", path,
+        fmt::format("its format is {}; this version reads {}", format, checkpoint_format));
   }
   archive(head, sum);
   const std::string_view summed = head.bytes;
@@ -209,8 +202,7 @@ std::vector<Finding> write_checkpoint(const fs::path& folder, const SceneFile& f
   StateWriter length, head;
   const std::uint64_t bytes = recorded.bytes.size();
   archive(length, bytes);
-  const std::uint64_t sum =
-      checksum(state, checksum(recorded.bytes, checksum(length.bytes)));
+  const std::uint64_t sum = checksum(state, checksum(recorded.bytes, checksum(length.bytes)));
   head.bytes = magic;
   archive(head, checkpoint_format);
   archive(head, sum);
