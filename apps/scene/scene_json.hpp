@@ -31,6 +31,10 @@ struct SceneFile {
   OutputSettings output;
 };
 
+/// Which files a scene may name: any, or, of a scene that somebody else made, only ordinary files
+/// in its own folder and below, once links are followed.
+enum class SceneReach : bool { anywhere, own_folder };
+
 /// The scene in the JSON file `path` with its meshes, after `settings` (each `dotted.path=value`,
 /// such as "bodies.0.material.density=2000"). Mesh files are relative to the scene's folder.
 /// Rotations are
@@ -40,9 +44,11 @@ struct SceneFile {
 /// cannot_open, syntax_error, repeated_key, nested_too_deeply, bad_setting, unknown_key (naming the
 /// nearest known one), missing_key, wrong_type, unknown_name, zero_direction, the findings of
 /// `read_mesh` and `check_mesh`, and those of `check_scene`,
-/// no_crack_planes (`CrackSurface::smooth` with `CrackMode::paper`).
+/// no_crack_planes (`CrackSurface::smooth` with `CrackMode::paper`), outside_folder and
+/// not_a_file (`SceneReach::own_folder`).
 Result<SceneFile> read_scene(const std::filesystem::path& path,
-                             std::span<const std::string> settings = {});
+                             std::span<const std::string> settings = {},
+                             SceneReach reach = SceneReach::anywhere);
 
 /// What reads the files that a scene names, each by its name as it stands in the scene.
 struct SceneFiles {

@@ -2,8 +2,11 @@
 // Scenes by their paths, with the files that they name.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <optional>
+#include <system_error>
 
 #include "apps/scene/scene_json.hpp"
 #include "topology/io/face_list.hpp"
@@ -11,8 +14,36 @@
 
 namespace sunder {
 
+namespace {
+
+/// Why a file that a scene names is not read where it may only name its own.
+std::optional<Finding> refusal(const std::filesystem::path& folder, const std::string& name) {
+  std::error_code none, unknown;
+  const std::filesystem::path root =
+      std::filesystem::canonical(folder.empty() ? "." : folder, unknown);
+  const std::filesystem::path path = std::filesystem::weakly_canonical(root / name, unknown);
+  const auto parted = std::mismatch(root.begin(), root.end(), path.begin(), path.end());
+  if (unknown || parted.first != root.end()) {
+    return Finding{.code = "outside_folder",
+                   .text =
+                       "it lies outside the folder of the scene, and nothing outside it is read "
+                       "with --confined",
+                   .remedy =
+                       "put the file into the scene's folder, or leave out --confined if you "
+                       "trust the scene"};
+  }
+  // A FIFO or a device would be waited for; what is not there has an error of its own.
+  const auto status = std::filesystem::status(path, none);
+  if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) return {};
+  return Finding{.code = "not_a_file",
+                 .text = "it is no ordinary file, and nothing else is read with --confined",
+                 .remedy = "name an ordinary file"};
+}
+
+}  // namespace
+
 Result<SceneFile> read_scene(const std::filesystem::path& path,
-                             std::span<const std::string> settings) {
+                             std::span<const std::string> settings, SceneReach reach) {
   std::ifstream in(path, std::ios::binary);
   std::error_code not_a_folder;
   if (!in || std::filesystem::is_directory(path, not_a_folder)) {
@@ -26,12 +57,31 @@ Result<SceneFile> read_scene(const std::filesystem::path& path,
   }
   const std::string bytes(std::istreambuf_iterator<char>(in), {});
   const std::filesystem::path folder = path.parent_path();
+  // What `read` makes of a file by its name, if the scene may name it.
+  const auto within = [&]<class Read>(const std::string& name, const Read& read) {
+    if (reach == SceneReach::own_folder) {
+      if (auto finding = refusal(folder, name)) return decltype(read(path))(std::move(*finding));
+    }
+    return read(folder / name);
+  };
+  using Path = std::filesystem::path;
   const SceneFiles files{
-      .mesh = [&](const std::string& name) { return read_mesh(folder / name); },
-      .surface = [&](const std::string& name) { return read_file_mesh(folder / name); },
-      .faces = [&](const std::string& name) { return read_face_list(folder / name); },
-      .point_field = [&](const std::string& name,
-                         const std::string& field) { return read_point_field(folder / name, field); }};
+      .mesh =
+          [&](const std::string& name) {
+            return within(name, [](const Path& file) { return read_mesh(file); });
+          },
+      .surface =
+          [&](const std::string& name) {
+            return within(name, [](const Path& file) { return read_file_mesh(file); });
+          },
+      .faces =
+          [&](const std::string& name) {
+            return within(name, [](const Path& file) { return read_face_list(file); });
+          },
+      .point_field =
+          [&](const std::string& name, const std::string& field) {
+            return within(name, [&](const Path& file) { return read_point_field(file, field); });
+          }};
   return read_scene({bytes, path.string()}, files, settings);
 }
 

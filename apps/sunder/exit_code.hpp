@@ -13,7 +13,7 @@ enum class ExitCode : int {
   bad_input = 3,
   /// An output could not be written.
   not_written = 4,
-  /// The simulation failed: diverged, not a number.
+  /// The simulation failed: diverged, not a number. Of every command: memory ran out.
   failed = 5,
   /// A replay is not the run whose log it follows.
   departed = 6,

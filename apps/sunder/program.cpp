@@ -5,10 +5,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <new>
 #include <span>
 #include <sunder/version.hpp>
 #include <system_error>
@@ -40,8 +43,9 @@ std::string misread_word(const CLI::App& program, std::span<char* const> words) 
   const auto said = [](std::string_view what, const std::string& word, std::string_view where,
                        const std::vector<std::string>& known) {
     const std::string nearest = nearest_word(word, known);
-    return fmt::format("sunder{0}: there is no {1} {2}{3}\n`sunder{0} --help` lists all\n", where, what,
-                       word, nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest));
+    return fmt::format("sunder{0}: there is no {1} {2}{3}\n`sunder{0} --help` lists all\n", where,
+                       what, word,
+                       nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest));
   };
   const std::vector<std::string> commands = commands_of(program);
   const std::string first = words.empty() ? "" : words[0];
@@ -63,7 +67,9 @@ int parse_and_run(int argc, char** argv, const AddCommands& add_commands) {
   CLI::App program{"Breaks solid bodies of tetrahedra on an exact 3-map.", "sunder"};
   program.set_version_flag("--version", "sunder " SUNDER_VERSION);
   program.require_subcommand(1);
-  program.footer("sunder COMMAND --help tells each command's options, units and exit codes.");
+  program.footer(
+      "sunder COMMAND --help tells each command's options, units and exit codes; where memory runs "
+      "out every command ends with 5.");
   ExitCode exit_code = ExitCode::fine;
   add_commands(program, exit_code);
   if (argc == 1) {
@@ -91,7 +97,39 @@ int with_all_printed(int exit_code) {
   return static_cast<int>(ExitCode::not_written);
 }
 
+void tell_out_of_memory() {
+  std::fputs(
+      "sunder: memory ran out [out_of_memory]\n"
+      "  take a coarser mesh or fewer bodies, or allow more memory (ulimit -v); no file is half "
+      "written\n",
+      stderr);
+}
+
+// Handlers of the language can reach nothing but a global.
+std::atomic<bool> memory_ran_out = false;
+
+/// Where memory runs out in a thread of its own, or in a destructor (nlohmann's json allocates
+/// there), nothing can be caught: the program ends here, and says so all the same.
+void tell_ends_without_memory() {
+  std::set_new_handler([] {
+    memory_ran_out = true;
+    throw std::bad_alloc();
+  });
+  std::set_terminate([] {
+    if (!memory_ran_out) std::abort();
+    tell_out_of_memory();
+    std::_Exit(static_cast<int>(ExitCode::failed));
+  });
+}
+
 }  // namespace
+
+void add_confined_flag(CLI::App& command, SceneReach& reach) {
+  command.add_flag_callback(
+      "--confined", [&reach] { reach = SceneReach::own_folder; },
+      "Read only files in the scene's folder and below, for scenes that you do not trust: what a "
+      "mesh key names elsewhere, by .., / or a link, is an error");
+}
 
 std::vector<const CLI::Option*> all_options(const CLI::App& command) {
   const auto own = command.get_options();
@@ -111,8 +149,12 @@ void tell(const std::vector<Finding>& findings, bool json) {
 }
 
 int run_program(int argc, char** argv, const AddCommands& add_commands) {
+  tell_ends_without_memory();
   try {
     return with_all_printed(parse_and_run(argc, argv, add_commands));
+  } catch (const std::bad_alloc&) {
+    tell_out_of_memory();
+    return static_cast<int>(ExitCode::failed);
   } catch (const std::system_error& error) {
     fmt::print(stderr, "sunder: {}\n", error.what());
     return static_cast<int>(ExitCode::not_written);

@@ -6,6 +6,7 @@
 #include <functional>
 #include <vector>
 
+#include "apps/scene/scene_json.hpp"
 #include "apps/sunder/exit_code.hpp"
 #include "topology/base/finding.hpp"
 
@@ -18,11 +19,14 @@ using AddCommands = std::function<void(CLI::App& program, ExitCode& exit_code)>;
 /// command line are told and end with `usage`, exceptions with `failed`.
 int run_program(int argc, char** argv, const AddCommands& add_commands);
 
+/// Adds `--confined` to a command that reads a scene: its files must lie in its own folder.
+void add_confined_flag(CLI::App& command, SceneReach& reach);
+
 /// The options of a command, those of its groups among them.
 std::vector<const CLI::Option*> all_options(const CLI::App& command);
 
-/// Tells findings on standard error; where an error among them leaves a command without a result and
-/// `json` is asked for, on standard output as `{"findings": [...]}` too.
+/// Tells findings on standard error; where an error among them leaves a command without a result
+/// and `json` is asked for, on standard output as `{"findings": [...]}` too.
 void tell(const std::vector<Finding>& findings, bool json);
 
 }  // namespace sunder

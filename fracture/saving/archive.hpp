@@ -22,14 +22,24 @@
 
 namespace sunder {
 
-/// Calls `visit` with every member of a struct, in their order. Overloads of `member_count(const
-/// T*)` say how many there are: a struct that gains or loses one does not compile until its number,
-/// and with it the format, is looked at.
+/// What an overload of `member_names` gives.
+template <class... Name>
+constexpr std::array<std::string_view, sizeof...(Name)> names(const Name&... name) {
+  return {std::string_view(name)...};
+}
+
+/// Calls `visit` with the name of every member of a struct and the member, in their order.
+/// Overloads of `member_names(const T*)` say what they are called: a struct that gains or loses one
+/// does not compile until they, and with them the format, are looked at.
 template <class T, class Visit>
 void for_each_member(T& x, Visit visit) {
-  constexpr int n = member_count(static_cast<const T*>(nullptr));
+  constexpr auto called = member_names(static_cast<const T*>(nullptr));
+  constexpr std::size_t n = called.size();
   static_assert(n >= 1 && n <= 18);
-  const auto all = [&](auto&... member) { (visit(member), ...); };
+  const auto all = [&](auto&... member) {
+    std::size_t k = 0;
+    (visit(called[k++], member), ...);
+  };
   if constexpr (n == 1) {
     auto& [a] = x;
     all(a);
@@ -156,8 +166,26 @@ struct StateReader {
 template <class Archive>
 inline constexpr bool is_reader = std::is_same_v<Archive, StateReader>;
 
+/// An archive that writes nothing and is told where each number stands: `enter` with a member's
+/// name (whether to go in) or a row, and `leave`.
+template <class Archive>
+inline constexpr bool is_told_places = requires(Archive& a) {
+  a.leave();
+};
+
 template <class Archive, class T>
 void archive(Archive& a, T& x);
+
+/// A member of a struct by its name.
+template <class Archive, class T>
+void archive_member(Archive& a, [[maybe_unused]] std::string_view name, T& member) {
+  if constexpr (is_told_places<Archive>) {
+    if (a.enter(name)) archive(a, member);
+    a.leave();
+  } else {
+    archive(a, member);
+  }
+}
 
 template <class Archive, class T>
 void archive_all(Archive& a, T& container) {
@@ -170,7 +198,11 @@ void archive_all(Archive& a, T& container) {
     } else {
       a.count(n);
     }
-    a.numbers(container.data(), n);
+    if constexpr (is_told_places<Archive>) {
+      a.rows(container.data(), n);
+    } else {
+      a.numbers(container.data(), n);
+    }
   } else if constexpr (is_reader<Archive>) {
     a.count(n);
     container.clear();
@@ -180,7 +212,16 @@ void archive_all(Archive& a, T& container) {
     }
   } else {
     a.count(n);
-    for (auto& value : container) archive(a, value);
+    if constexpr (is_told_places<Archive>) {
+      std::uint64_t row = 0;
+      for (auto& value : container) {
+        a.enter(row++);
+        archive(a, value);
+        a.leave();
+      }
+    } else {
+      for (auto& value : container) archive(a, value);
+    }
   }
 }
 
@@ -293,7 +334,8 @@ void archive(Archive& a, T& x) {
   } else if constexpr (requires { archive_struct(a, x); }) {
     archive_struct(a, x);
   } else {
-    for_each_member(x, [&](auto& member) { archive(a, member); });
+    for_each_member(x,
+                    [&](std::string_view name, auto& member) { archive_member(a, name, member); });
   }
 }
 

@@ -7,132 +7,13 @@
 #include <iterator>
 
 #include "fracture/saving/archive.hpp"
-#include "fracture/saving/member_counts.hpp"
-#include "mechanics/contact/shapes/solid_surface.hpp"
+#include "fracture/saving/sections.hpp"
 
 namespace sunder {
 
 namespace {
+
 constexpr std::string_view magic = "SunderSt";
-
-/// The leading rows and columns that are in use; what lies beyond is capacity.
-template <class Archive, class Matrix>
-void archive_used(Archive& a, Matrix& matrix, std::size_t blocks) {
-  if constexpr (is_reader<Archive>) {
-    archive(a, matrix);
-    a.failed = a.failed || matrix.rows() != static_cast<Eigen::Index>(3 * blocks) ||
-               matrix.cols() != matrix.rows();
-  } else {
-    const auto used = static_cast<Eigen::Index>(3 * blocks);
-    const Eigen::MatrixXd block = matrix.topLeftCorner(used, used);
-    archive(a, block);
-  }
-}
-
-}  // namespace
-
-template <class Archive, class Part>
-requires std::is_same_v<std::remove_const_t<Part>, BorderFactor>
-void archive_struct(Archive& a, Part& part) {
-  auto& [blocks, needed, corner, copies] = part;
-  archive(a, blocks);
-  archive(a, needed);
-  archive(a, copies);
-  archive_used(a, corner, copies);
-}
-
-template <class Archive, class Factor>
-requires std::is_same_v<std::remove_const_t<Factor>, SystemFactor>
-void archive_struct(Archive& a, Factor& own) {
-  auto& [factor, border, factored, matrix, touched, compliance, needed, scratch] = own;
-  static_cast<void>(scratch);
-  archive(a, factor);
-  archive(a, border);
-  archive(a, factored);
-  archive(a, matrix);
-  archive(a, touched);
-  archive_used(a, compliance, touched.size());
-  archive(a, needed);
-}
-
-template <class Archive, class Systems>
-requires std::is_same_v<std::remove_const_t<Systems>, ComponentSystems>
-void archive_struct(Archive& a, Systems& systems) {
-  archive(a, systems.present);
-  archive(a, systems.retired);
-  archive(a, systems.local_row);
-}
-
-namespace {
-
-/// Whether a map can be made of the rows: all of them in range, neighbours of each other.
-bool fit_together(const MapRows& rows, std::span<const TetId> incident) {
-  const std::size_t tetrahedra = rows.corners.size(), vertices = rows.point_of_vertex.size();
-  if (rows.neighbours.size() != tetrahedra || incident.size() != vertices) return false;
-  for (const std::uint32_t point : rows.point_of_vertex) {
-    if (point >= rows.points.size()) return false;
-  }
-  for (std::size_t v = 0; v < vertices; ++v) {
-    if (incident[v].index() >= tetrahedra) return false;
-    const auto& corners = rows.corners[incident[v].index()];
-    if (std::ranges::find(corners, VertexId{v}) == corners.end()) return false;
-  }
-  for (std::size_t t = 0; t < tetrahedra; ++t) {
-    for (std::size_t place = 0; place < 4; ++place) {
-      if (rows.corners[t][place].index() >= vertices) return false;
-      const HalfFaceId across = rows.neighbours[t][place];
-      if (across.is_none()) continue;
-      if (across.index() >= 4 * tetrahedra) return false;
-      if (rows.neighbours[across.index() / 4][across.index() % 4].index() != 4 * t + place) {
-        return false;
-      }
-    }
-  }
-  return true;
-}
-
-const DenseMap& dense_of(const VolumeMap& map) { return map.dense(); }
-const DenseMap& dense_of(const DenseMap& map) { return map; }
-
-template <class Archive, class Map>
-void archive_map(Archive& a, Map& map) {
-  MapRows rows;
-  std::vector<TetId> incident;
-  if constexpr (!is_reader<Archive>) {
-    const DenseMap& dense = dense_of(map);
-    rows = dense.rows();
-    incident.assign(dense.incident_tetrahedra().begin(), dense.incident_tetrahedra().end());
-  }
-  archive(a, rows);
-  archive(a, incident);
-  if constexpr (is_reader<Archive>) {
-    a.failed = a.failed || !fit_together(rows, incident);
-    if (!a.failed) map = Map(std::move(rows), std::move(incident));
-  }
-}
-
-/// A part of the file with its name and length. A reader must take just what is there.
-template <class Archive, class... Parts>
-void section(Archive& a, std::string_view name, Parts&... parts) {
-  if constexpr (is_reader<Archive>) {
-    std::array<char, 4> found{};
-    std::uint64_t length = 0;
-    a.numbers(found.data(), found.size());
-    a.count(length);
-    a.failed = a.failed || std::string_view(found.data(), found.size()) != name;
-    if (a.failed) return;
-    StateReader own{a.bytes.substr(0, length)};
-    (archive(own, parts), ...);
-    a.failed = own.failed || !own.bytes.empty();
-    a.bytes.remove_prefix(length);
-  } else {
-    StateWriter own;
-    (archive(own, parts), ...);
-    a.numbers(name.data(), name.size());
-    a.count(own.bytes.size());
-    a.bytes += own.bytes;
-  }
-}
 
 /// Whether labels and anchors name rows that are there, and chains only lead back.
 bool fits_together(const CrackLabels& c, std::size_t vertices, std::size_t tetrahedra) {
@@ -195,69 +76,6 @@ bool fits_together(const SimulationState& s) {
          s.cells.labels.size.size() == components && s.cells.skin.size() == 4 * tetrahedra &&
          fits_together(s.cells.cracks, vertices, tetrahedra) &&
          fits_together(s.contact.ties, s.cells);
-}
-
-}  // namespace
-
-template <class Archive, class M>
-requires std::is_same_v<std::remove_const_t<M>, DenseMap>
-void archive_struct(Archive& a, M& map) { archive_map(a, map); }
-
-/// A solid with its surface: that is made anew of its points and triangles.
-template <class Archive, class S>
-requires std::is_same_v<std::remove_const_t<S>, Solid>
-void archive_struct(Archive& a, S& solid) {
-  TriangleSurface triangles;
-  std::string file;
-  bool has = static_cast<bool>(solid.surface);
-  archive(a, has);
-  if (has) {
-    if constexpr (!is_reader<Archive>) {
-      triangles = {solid.surface->points, solid.surface->triangles};
-      file = solid.surface->file;
-    }
-    archive(a, triangles.points);
-    archive(a, triangles.triangles);
-    archive(a, file);
-    if constexpr (is_reader<Archive>) {
-      Result<SolidSurface> made = make_solid_surface(std::move(triangles), std::move(file));
-      a.failed = a.failed || !made;
-      if (made) solid.surface = std::make_shared<const SolidSurface>(std::move(*made));
-    }
-  }
-  archive(a, solid.translation);
-  archive(a, solid.orientation);
-}
-
-template <class Archive, class C>
-requires std::is_same_v<std::remove_const_t<C>, Cells>
-void archive_struct(Archive& a, C& cells) {
-  auto& [map, labels, skin, strength, painted, flaw, unbreakable, waits, empty_fans, cracks,
-         pieces] = cells;
-  archive_map(a, map);
-  const auto all = [&](auto&... member) { (archive(a, member), ...); };
-  all(labels, skin, strength, painted, flaw, unbreakable, waits, empty_fans, cracks, pieces);
-}
-
-namespace {
-
-/// All that is saved, section by section.
-template <class Archive, class S>
-void sections(Archive& a, S& sim) {
-  section(a, "SCEN", sim.scene, sim.bodies);
-  auto& [cells, mechanics, obstacles, contact, impact, ladder, display, display_target, cracks,
-         fans, fans_before, pieces_before, step, birth_step, loads, script] = *sim.state;
-  section(a, "CELL", cells);
-  section(a, "MECH", mechanics);
-  section(a, "OBST", obstacles);
-  section(a, "CONT", contact);
-  section(a, "IMPA", impact);
-  section(a, "LADD", ladder);
-  section(a, "DISP", display, display_target);
-  section(a, "CRAC", cracks);
-  section(a, "LOAD", loads);
-  section(a, "SCRI", script);
-  section(a, "STEP", fans, fans_before, pieces_before, step, birth_step);
 }
 
 std::uint64_t checksum(std::string_view bytes) {

@@ -22,7 +22,7 @@ void take_names_beside(const std::filesystem::path& path, MeshFormat format,
   const bool has_words = traits_of(format).regions_are_words;
   if (name_count(*result) > 0 && !has_words) return;
   if (!std::filesystem::is_regular_file(beside, unknown)) return;
-  const Result<std::string> text = io::bytes_of_file(beside);
+  const Result<std::string> text = io::bytes_beside(path.parent_path(), beside.filename().string());
   std::vector<Finding> findings = text.findings;
   if (text) {
     io::guarded(findings, [&] {

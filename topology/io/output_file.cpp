@@ -78,7 +78,8 @@ std::optional<Finding> write_file(const std::filesystem::path& path,
   }
   if (path == "-") {
     const int failure = write_all(STDOUT_FILENO, parts);
-    return failure == 0 ? std::nullopt : std::optional(cannot_write(path, failure, remedy_for(failure)));
+    return failure == 0 ? std::nullopt
+                        : std::optional(cannot_write(path, failure, remedy_for(failure)));
   }
   const std::filesystem::path target = target_of(path);
   std::error_code error;
@@ -99,8 +100,9 @@ std::optional<Finding> write_file(const std::filesystem::path& path,
   if (::close(file) != 0 && failure == 0) failure = errno;
   if (failure == 0 && ::rename(beside.c_str(), target.c_str()) != 0) failure = errno;
   if (failure == 0) {
-    return durable == Durable::yes ? sync_file(target.has_parent_path() ? target.parent_path() : ".")
-                                   : std::nullopt;
+    return durable == Durable::yes
+               ? sync_file(target.has_parent_path() ? target.parent_path() : ".")
+               : std::nullopt;
   }
   ::unlink(beside.c_str());
   return cannot_write(path, failure, remedy_for(failure));
@@ -134,8 +136,11 @@ AppendedFile::~AppendedFile() {
 }
 
 std::optional<Finding> AppendedFile::append(std::string_view text) {
+  const off_t end = ::lseek(file_, 0, SEEK_END);
   const int failure = write_all(file_, std::span(&text, 1));
   if (failure == 0) return std::nullopt;
+  // No half line; where even that fails, there is one.
+  if (end >= 0) static_cast<void>(::ftruncate(file_, end) == 0);
   return cannot_write(path_, failure, remedy_for(failure));
 }
 

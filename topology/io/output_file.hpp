@@ -36,7 +36,7 @@ class AppendedFile {
   AppendedFile(AppendedFile&& other) noexcept;
   AppendedFile& operator=(AppendedFile&& other) noexcept;
   ~AppendedFile();
-  /// Errors: cannot_write; a part of the text may stand there then.
+  /// Errors: cannot_write; nothing of the text stands there then, as far as the system lets it.
   std::optional<Finding> append(std::string_view text);
 
  private:

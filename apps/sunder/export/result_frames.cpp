@@ -45,8 +45,8 @@ std::vector<NamedFrame> named_frames(const std::string& pvd) {
   std::vector<NamedFrame> frames;
   for (std::size_t at = pvd.find("<DataSet"); at != std::string::npos;
        at = pvd.find("<DataSet", at + 1)) {
-    frames.push_back({std::strtod(attribute(pvd, "timestep", at).c_str(), nullptr),
-                      attribute(pvd, "file", at)});
+    frames.push_back(
+        {std::strtod(attribute(pvd, "timestep", at).c_str(), nullptr), attribute(pvd, "file", at)});
   }
   return frames;
 }
@@ -109,17 +109,27 @@ struct Table {
   }
 };
 
-Table read_table(const std::filesystem::path& path) {
+/// A file beside the frames, which runs of before may not have; what is there counts.
+std::string text_of(const std::filesystem::path& path, std::vector<Finding>& findings) {
+  std::ifstream in(path, std::ios::binary);
+  std::error_code unknown;
+  if (!in && std::filesystem::exists(path, unknown)) {
+    findings.push_back(no_result(path, "cannot be read"));
+  }
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+Table read_table(const std::string& text) {
   Table table;
-  std::ifstream in(path);
+  std::istringstream in(text);
   std::string line;
   if (std::getline(in, line)) table.names = split_line(line);
   while (std::getline(in, line)) table.rows.push_back(split_line(line));
   return table;
 }
 
-std::map<std::int64_t, ResultPiece> read_pieces(const std::filesystem::path& path) {
-  const Table table = read_table(path);
+std::map<std::int64_t, ResultPiece> read_pieces(const std::string& text) {
+  const Table table = read_table(text);
   const std::vector<double> component = table.column("component"), mass = table.column("mass"),
                             birth = table.column("birth_step");
   std::map<std::int64_t, ResultPiece> pieces;
@@ -127,7 +137,8 @@ std::map<std::int64_t, ResultPiece> read_pieces(const std::filesystem::path& pat
   for (std::size_t k = 0; k < component.size(); ++k) {
     if (std::isnan(component[k]) || std::isnan(mass[k])) continue;
     // Bodies as they began have no birth.
-    pieces[std::llround(component[k])] = {mass[k], std::isnan(birth[k]) ? 0 : std::llround(birth[k])};
+    pieces[std::llround(component[k])] = {mass[k],
+                                          std::isnan(birth[k]) ? 0 : std::llround(birth[k])};
   }
   return pieces;
 }
@@ -145,17 +156,19 @@ struct Places {
   }
 };
 
-Places read_places(const std::filesystem::path& path) {
-  const Table table = read_table(path);
+Places read_places(const std::string& text) {
+  const Table table = read_table(text);
   Places places{table.column("time"), table.column("obstacle"), {}};
-  constexpr const char* names[] = {"center_x",      "center_y",      "center_z",     "orientation_w",
-                                   "orientation_x", "orientation_y", "orientation_z"};
+  constexpr const char* names[] = {"center_x",      "center_y",      "center_z",
+                                   "orientation_w", "orientation_x", "orientation_y",
+                                   "orientation_z"};
   for (std::size_t k = 0; k < 7; ++k) places.pose[k] = table.column(names[k]);
   return places;
 }
 
 /// Driven obstacles go on as they began, free ones are where the table has them.
-std::vector<Obstacle> obstacles_at(double time, std::vector<Obstacle> obstacles, const Places& places) {
+std::vector<Obstacle> obstacles_at(double time, std::vector<Obstacle> obstacles,
+                                   const Places& places) {
   for (Obstacle& o : obstacles) {
     if (!o.mass) translate(o.shape, time * o.velocity);
   }
@@ -163,22 +176,26 @@ std::vector<Obstacle> obstacles_at(double time, std::vector<Obstacle> obstacles,
     const auto row = static_cast<std::size_t>(places.row[k]);
     if (row >= obstacles.size() || std::abs(places.time[k] - time) > 1e-9) continue;
     const auto& p = places.pose;
-    put(obstacles[row].shape, {Vec3(p[0][k], p[1][k], p[2][k]),
-                               Eigen::Quaterniond(p[3][k], p[4][k], p[5][k], p[6][k])});
+    put(obstacles[row].shape,
+        {Vec3(p[0][k], p[1][k], p[2][k]), Eigen::Quaterniond(p[3][k], p[4][k], p[5][k], p[6][k])});
   }
   return obstacles;
 }
 
 /// Gravity and obstacles of report.json, which older runs do not have.
 std::vector<Finding> add_world(RunResult& run, const std::filesystem::path& folder) {
-  std::ifstream in(folder / "report.json", std::ios::binary);
-  const nlohmann::json report = nlohmann::json::parse(in, nullptr, false);
-  if (!report.is_object() || !report.contains("obstacles") || !report.contains("gravity")) return {};
+  std::vector<Finding> unread;
+  const std::string text = text_of(folder / "report.json", unread);
+  const std::string moved = text_of(folder / "obstacles.csv", unread);
+  if (!unread.empty()) return unread;
+  const nlohmann::json report = nlohmann::json::parse(text, nullptr, false);
+  if (!report.is_object() || !report.contains("obstacles") || !report.contains("gravity"))
+    return {};
   Result<std::vector<Obstacle>> obstacles = read_obstacles(report["obstacles"]);
   if (!obstacles) return std::move(obstacles.findings);
   const std::vector<double> gravity = report["gravity"].get<std::vector<double>>();
   if (gravity.size() == 3) run.gravity = Vec3(gravity[0], gravity[1], gravity[2]);
-  const Places places = read_places(folder / "obstacles.csv");
+  const Places places = read_places(moved);
   for (ResultFrame& frame : run.frames) {
     frame.obstacles = obstacles_at(frame.time, *obstacles, places.is_whole() ? places : Places{});
   }
@@ -214,13 +231,17 @@ Result<RunResult> read_run_result(const std::filesystem::path& folder) {
   Result<RunResult> result;
   RunResult run;
   for (const NamedFrame& named : named_frames(pvd)) {
+    const std::filesystem::path inside = std::filesystem::path(named.file).lexically_normal();
+    if (inside.is_absolute() || inside.string().starts_with("..")) {
+      return no_result(folder / "frames.pvd", "names a frame outside its folder");
+    }
     Result<ResultFrame> frame = read_frame(folder / named.file, named.time);
     for (Finding& f : frame.findings) result.findings.push_back(std::move(f));
     if (!frame) return result;
     run.frames.push_back(std::move(*frame));
   }
   if (run.frames.empty()) return no_result(folder / "frames.pvd", "names no frame");
-  run.pieces = read_pieces(folder / "fragments.csv");
+  run.pieces = read_pieces(text_of(folder / "fragments.csv", result.findings));
   for (Finding& f : add_world(run, folder)) result.findings.push_back(std::move(f));
   if (has_error(result.findings)) return result;
   result.value = std::move(run);

@@ -20,6 +20,7 @@
 #include "apps/sunder/run/saved/resume.hpp"
 #include "apps/sunder/run/saved/run_folder.hpp"
 #include "apps/sunder/run/settings_report.hpp"
+#include "fracture/saving/state_numbers.hpp"
 #include "fracture/simulation/rows.hpp"
 
 namespace sunder {
@@ -78,6 +79,18 @@ std::optional<Finding> departure_of(const RunWork& work, std::optional<ExitCode>
   return compare_logs(*work.replay, work.recorder.events().text(), ended.has_value());
 }
 
+/// What is wrong with the state that a step leaves: numbers always, what costs as much as a step
+/// where it is asked for or in a debug build.
+std::vector<Finding> damage(const Simulation& simulation, bool check_map, bool is_broken) {
+  const bool all = check_map || is_debug_build;
+  std::vector<Finding> findings =
+      check_numbers(simulation, all ? NumbersOf::everything : NumbersOf::columns);
+  if (check_map || (is_debug_build && is_broken)) {
+    for (Finding& f : sunder::check_map(simulation)) findings.push_back(std::move(f));
+  }
+  return findings;
+}
+
 /// Steps until the end, a failure, an interruption, a departure from the log, or an output that
 /// cannot be written.
 ExitCode step_to_end(const RunWork& work, const RunArguments& arguments, FrameClock* clock) {
@@ -85,6 +98,11 @@ ExitCode step_to_end(const RunWork& work, const RunArguments& arguments, FrameCl
   const std::uint64_t steps = work.steps();
   std::size_t fans = 0;
   Progress progress(arguments.quiet);
+  if (const std::vector<Finding> damaged = damage(simulation, arguments.check_map, false);
+      !damaged.empty()) {
+    print(damaged);
+    return ExitCode::failed;
+  }
   while (simulation.state->step < steps) {
     const auto start = std::chrono::steady_clock::now();
     const StepReport report = advance(simulation);
@@ -96,14 +114,14 @@ ExitCode step_to_end(const RunWork& work, const RunArguments& arguments, FrameCl
       print({*departed});
       return ExitCode::departed;
     }
-    if (const std::optional<Finding> failure = step_failure(report, simulation)) {
-      print({*failure});
-      return ExitCode::failed;
+    std::vector<Finding> damaged =
+        damage(simulation, arguments.check_map, !report.fracture.fans.empty());
+    if (std::optional<Finding> failure = step_failure(report, simulation)) {
+      damaged.push_back(std::move(*failure));
     }
-    if (arguments.check_map || (is_debug_build && !report.fracture.fans.empty())) {
-      const std::vector<Finding> damage = check_map(simulation);
-      print(damage);
-      if (!damage.empty()) return ExitCode::failed;
+    if (!damaged.empty()) {
+      print(damaged);
+      return ExitCode::failed;
     }
     if (interrupted) return ExitCode::interrupted;
     fans += report.fracture.fans.size();
@@ -138,18 +156,28 @@ bool read_log(std::optional<Replay>& replay, const RunArguments& arguments, cons
   return replay.has_value();
 }
 
+/// out/NAME for NAME.json; a name of dots alone would lead elsewhere.
+std::filesystem::path usual_folder(const std::filesystem::path& scene) {
+  const std::string name = scene.stem().string();
+  return std::filesystem::path("out") / (name == "." || name == ".." ? "scene" : name);
+}
+
 /// The folder for one run, or why not: somebody writes there, or an earlier run lies there.
 std::optional<FolderLock> take_folder(const std::filesystem::path& folder, bool may_replace,
                                       bool json) {
   Result<FolderLock> lock = FolderLock::take(folder);
   tell(lock.findings, json);
   if (!lock) return std::nullopt;
+  if (const std::optional<Finding> link = link_among_files(folder)) {
+    tell({*link}, json);
+    return std::nullopt;
+  }
   if (!may_replace && holds_a_run(folder)) {
     tell({{.code = "folder_holds_a_run",
-            .text = fmt::format("an earlier run lies in {}", folder.string()),
-            .remedy = fmt::format("give another folder with -o, replace it with --force, or go on "
-                                  "with it: sunder run --resume {}",
-                                  folder.string())}},
+           .text = fmt::format("an earlier run lies in {}", folder.string()),
+           .remedy = fmt::format("give another folder with -o, replace it with --force, or go on "
+                                 "with it: sunder run --resume {}",
+                                 folder.string())}},
          json);
     return std::nullopt;
   }
@@ -193,8 +221,9 @@ Resumed taken_up(Result<RunOnItsWay> run, const RunArguments& arguments) {
   tell(run.findings, arguments.json);
   const auto is_about_writing = [](const Finding& f) { return f.code == "cannot_write"; };
   if (!run) {
-    return {{}, std::ranges::any_of(run.findings, is_about_writing) ? ExitCode::not_written
-                                                                    : ExitCode::bad_input};
+    return {{},
+            std::ranges::any_of(run.findings, is_about_writing) ? ExitCode::not_written
+                                                                : ExitCode::bad_input};
   }
   run->simulation.threads = arguments.threads;
   run->simulation.hurry = &interrupted;
@@ -206,7 +235,7 @@ Resumed taken_up(Result<RunOnItsWay> run, const RunArguments& arguments) {
 Resumed branch_off(const RunArguments& arguments) {
   std::optional<SceneFile> changed;
   if (!arguments.scene.empty()) {
-    Result<SceneFile> file = read_scene(arguments.scene, arguments.settings);
+    Result<SceneFile> file = read_scene(arguments.scene, arguments.settings, arguments.reach);
     tell(file.findings, arguments.json);
     if (!file) return {};
     changed = std::move(*file);
@@ -216,10 +245,10 @@ Resumed branch_off(const RunArguments& arguments) {
   if (!start.run) return start;
   if (const std::uint64_t steps = step_count(start.run->simulation.scene);
       *arguments.from > steps) {
-    print({{.code = "step_after_end",
-            .text = fmt::format("the run has {} steps; there is no step {}", steps,
-                                *arguments.from),
-            .remedy = "give an earlier step; --until extends a run"}});
+    print(
+        {{.code = "step_after_end",
+          .text = fmt::format("the run has {} steps; there is no step {}", steps, *arguments.from),
+          .remedy = "give an earlier step; --until extends a run"}});
     return {};
   }
   std::optional<Replay> none;
@@ -244,7 +273,8 @@ ExitCode go_on_with(const RunArguments& arguments) {
     return ExitCode::bad_input;
   }
   const std::filesystem::path folder = arguments.from ? arguments.folder : arguments.resume;
-  const std::optional<FolderLock> lock = take_folder(folder, !arguments.from || arguments.force, arguments.json);
+  const std::optional<FolderLock> lock =
+      take_folder(folder, !arguments.from || arguments.force, arguments.json);
   if (!lock) return ExitCode::not_written;
   watch_for_interrupt();
   Resumed resumed = arguments.from ? branch_off(arguments)
@@ -262,12 +292,12 @@ ExitCode go_on_with(const RunArguments& arguments) {
 
 ExitCode run_scene(const RunArguments& arguments) {
   if (!arguments.resume.empty()) return go_on_with(arguments);
-  Result<SceneFile> file = read_scene(arguments.scene, arguments.settings);
+  Result<SceneFile> file = read_scene(arguments.scene, arguments.settings, arguments.reach);
   tell(file.findings, arguments.json);
   if (!file) return ExitCode::bad_input;
   if (arguments.realtime) set_frame_budget(file->scene.fracture);
   const std::filesystem::path folder =
-      arguments.folder.empty() ? "out" / arguments.scene.stem() : arguments.folder;
+      arguments.folder.empty() ? usual_folder(arguments.scene) : arguments.folder;
   std::optional<Replay> replay;
   if (!read_log(replay, arguments, *file, folder)) return ExitCode::bad_input;
   if (!arguments.quiet) fmt::print(stderr, "{}", settings_lines(*file));

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/scene/scene_json.hpp"
 #include "apps/sunder/exit_code.hpp"
 
 namespace sunder {
@@ -20,6 +21,8 @@ struct RunArguments {
   /// `dotted.path=value` changes of the scene, in their order.
   std::vector<std::string> settings;
   bool quiet = false;
+  /// Which files the scene may name.
+  SceneReach reach = SceneReach::anywhere;
   /// Event log of an earlier run to repeat; empty: none.
   std::filesystem::path replay;
   /// Folder of a run to go on with; empty: none. It says all that the scene file said.
@@ -34,7 +37,8 @@ struct RunArguments {
   unsigned threads = 1;
   /// A run with warnings ends with an exit code of its own.
   bool strict = false;
-  /// The map is checked after every step, and the run fails where it is damaged.
+  /// Map and every number of the state are checked after every step, and the run fails where one is
+  /// damaged; without it columns alone.
   bool check_map = false;
   /// In step with the clock on the wall, with a budget for breaking.
   bool realtime = false;
@@ -42,9 +46,9 @@ struct RunArguments {
   bool json = false;
 };
 
-/// Reads the scene, or goes on with an earlier run, steps it to its end, to a failure or to a signal
-/// (SIGINT, SIGTERM, SIGHUP), and writes its files; a replay stops where it departs from its log.
-/// Findings go to stderr, the result to stdout.
+/// Reads the scene, or goes on with an earlier run, steps it to its end, to a failure or to a
+/// signal (SIGINT, SIGTERM, SIGHUP), and writes its files; a replay stops where it departs from its
+/// log. Findings go to stderr, the result to stdout.
 ExitCode run_scene(const RunArguments& arguments);
 
 /// Adds the subcommand `run` to the program; `exit_code` is set when it has run.

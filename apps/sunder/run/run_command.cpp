@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "apps/scene/scene_schema.hpp"
+#include "apps/sunder/program.hpp"
 #include "apps/sunder/run/run.hpp"
 
 namespace sunder {
@@ -60,6 +61,7 @@ void add_options(CLI::App& command, RunArguments& arguments, std::vector<std::st
                   "Change a value of the scene: gravity.ramp_time=2; may be given often")
       ->type_name("KEY=VALUE")
       ->take_all();
+  add_confined_flag(command, arguments.reach);
   add_shortcut(command, "--png", "output.pictures.count", shortcuts)
       ->type_name("N")
       ->description("Pictures spread over the run, its start and end among them");
@@ -114,8 +116,9 @@ void add_options(CLI::App& command, RunArguments& arguments, std::vector<std::st
                    "converged, sub-steps that ran out, energy that does not add up");
   command.add_flag(
       "--check-map", arguments.check_map,
-      "Check the map, its darts and the labels of pieces after every step; the run fails "
-      "(exit code 5) at the first step that damages them");
+      "Check the map, its darts, the labels of pieces and every number of the state, matrices "
+      "among "
+      "them, after every step; the run fails (exit code 5) at the first step that damages them");
   command.add_flag("--quiet", arguments.quiet,
                    "No progress, chosen settings and expected time on stderr");
   command.add_flag("--json", arguments.json, "Print report.json instead of a table");
@@ -140,12 +143,15 @@ void add_run_command(CLI::App& program, ExitCode& exit_code) {
     if (is_new && arguments->scene.empty()) throw CLI::RequiredError("SCENE");
     if (branches && arguments->folder.empty()) throw CLI::RequiredError("--from: -o DIR");
     if (!is_new && !branches && (!arguments->scene.empty() || !arguments->folder.empty())) {
-      throw CLI::ValidationError("--resume", "goes on in its own folder by the settings it has; "
-                                             "SCENE and -o belong to --from");
+      throw CLI::ValidationError("--resume",
+                                 "goes on in its own folder by the settings it has; "
+                                 "SCENE and -o belong to --from");
     }
-    if (!is_new && arguments->scene.empty() && !(arguments->settings.empty() && shortcuts->empty())) {
-      throw CLI::ValidationError("--set", "a run that goes on keeps its settings; --from with SCENE "
-                                          "changes them");
+    if (!is_new && arguments->scene.empty() &&
+        !(arguments->settings.empty() && shortcuts->empty())) {
+      throw CLI::ValidationError("--set",
+                                 "a run that goes on keeps its settings; --from with SCENE "
+                                 "changes them");
     }
     // An explicit --frames stands above a frame_interval of the scene.
     for (const std::string& setting : *shortcuts) {

@@ -42,6 +42,7 @@ struct ModesArguments {
   std::filesystem::path scene, output;
   std::vector<std::string> settings;
   std::size_t count = 6;
+  SceneReach reach = SceneReach::anywhere;
   bool json = false;
 };
 
@@ -111,7 +112,7 @@ std::vector<Finding> write_shapes(const std::filesystem::path& path, const Simul
 }
 
 ExitCode run_modes(const ModesArguments& arguments) {
-  Result<SceneFile> file = read_scene(arguments.scene, arguments.settings);
+  Result<SceneFile> file = read_scene(arguments.scene, arguments.settings, arguments.reach);
   tell(file.findings, arguments.json);
   if (!file) return ExitCode::bad_input;
   Result<Simulation> sim = build_statics(file->scene);
@@ -153,6 +154,7 @@ void add_modes_command(CLI::App& program, ExitCode& exit_code) {
           "Change a value of the scene: bodies.0.material.density=2000; may be given often")
       ->type_name("KEY=VALUE")
       ->take_all();
+  add_confined_flag(*command, arguments->reach);
   command->add_flag("--json", arguments->json, "Print JSON instead of a table");
   command->footer(footer);
   command->callback([=, &exit_code] { exit_code = run_modes(*arguments); });

@@ -56,6 +56,7 @@ struct StaticArguments {
   std::vector<std::string> settings;
   std::string fan;
   std::optional<double> fans;
+  SceneReach reach = SceneReach::anywhere;
   bool json = false;
 };
 
@@ -142,7 +143,7 @@ void print_table(const Equilibrium& answer) {
 }
 
 ExitCode run_static(const StaticArguments& arguments) {
-  Result<SceneFile> file = read_scene(arguments.scene, arguments.settings);
+  Result<SceneFile> file = read_scene(arguments.scene, arguments.settings, arguments.reach);
   tell(file.findings, arguments.json);
   if (!file) return ExitCode::bad_input;
   Result<Simulation> sim = build_statics(file->scene);
@@ -216,6 +217,7 @@ void add_static_command(CLI::App& program, ExitCode& exit_code) {
                    "Energies of the fans of all vertices at this share of their strength or more")
       ->type_name("SHARE")
       ->check(CLI::NonNegativeNumber);
+  add_confined_flag(*command, arguments->reach);
   command->add_flag("--json", arguments->json, "Print JSON instead of a table");
   command->footer(footer);
   command->callback([=, &exit_code] { exit_code = run_static(*arguments); });

@@ -14,6 +14,7 @@
 
 #include "apps/scene/scene_json.hpp"
 #include "apps/scene/words.hpp"
+#include "apps/sunder/program.hpp"
 #include "apps/sunder/view/view_requests.hpp"
 
 // Last: it brings resolv.h, whose macro _res stands in the way of Eigen.
@@ -37,6 +38,7 @@ Examples:
 struct ViewArguments {
   std::filesystem::path scene;
   std::filesystem::path page = SUNDER_PAGE;
+  SceneReach reach = SceneReach::anywhere;
   int port = 0;
   bool headless = false;
 };
@@ -63,8 +65,7 @@ ViewRequestHead head_of(const httplib::Request& request) {
 /// The page's files by name, and requests to the engine.
 void add_routes(httplib::Server& server, ViewedScene& viewed, const ViewArguments& arguments,
                 const std::string& token, const int& port) {
-  server.set_pre_routing_handler([&](const httplib::Request& request,
-                                     httplib::Response& response) {
+  server.set_pre_routing_handler([&](const httplib::Request& request, httplib::Response& response) {
     const bool needs_token = request.path.starts_with("/api/");
     if (is_allowed(head_of(request), port, token, needs_token)) {
       response.set_header("X-Content-Type-Options", "nosniff");
@@ -75,13 +76,13 @@ void add_routes(httplib::Server& server, ViewedScene& viewed, const ViewArgument
     response.set_content("sunder view answers its own page only\n", "text/plain");
     return httplib::Server::HandlerResponse::Handled;
   });
-  server.Post(R"(/api/([a-z]+))", [&](const httplib::Request& request,
-                                      httplib::Response& response) {
-    const std::string work = request.matches[1];
-    const ViewAnswer answer = do_view_request(viewed, work, request.body);
-    response.status = answer.fine ? 200 : 400;
-    response.set_content(answer.bytes, answer.fine ? "application/octet-stream" : "text/plain");
-  });
+  server.Post(
+      R"(/api/([a-z]+))", [&](const httplib::Request& request, httplib::Response& response) {
+        const std::string work = request.matches[1];
+        const ViewAnswer answer = do_view_request(viewed, work, request.body);
+        response.status = answer.fine ? 200 : 400;
+        response.set_content(answer.bytes, answer.fine ? "application/octet-stream" : "text/plain");
+      });
   server.set_mount_point("/", arguments.page.string());
 }
 
@@ -89,13 +90,13 @@ void add_routes(httplib::Server& server, ViewedScene& viewed, const ViewArgument
 bool open_browser(const std::string& url) {
   if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) return false;
   // The address is ours: digits, letters and marks that no shell takes for its own but within ''.
-  const std::string command = fmt::format(
-      "command -v xdg-open >/dev/null && {{ xdg-open '{}' >/dev/null 2>&1 & }}", url);
+  const std::string command =
+      fmt::format("command -v xdg-open >/dev/null && {{ xdg-open '{}' >/dev/null 2>&1 & }}", url);
   return std::system(command.c_str()) == 0;
 }
 
 ExitCode view(const ViewArguments& arguments) {
-  const Result<SceneFile> file = read_scene(arguments.scene);
+  const Result<SceneFile> file = read_scene(arguments.scene, {}, arguments.reach);
   fmt::print(stderr, "{}", finding_lines(file.findings));
   if (!file) return ExitCode::bad_input;
   if (!std::filesystem::exists(arguments.page / "index.html")) {
@@ -107,6 +108,7 @@ ExitCode view(const ViewArguments& arguments) {
   }
   ViewedScene viewed;
   viewed.path = arguments.scene;
+  viewed.reach = arguments.reach;
   const std::string token = random_token();
   httplib::Server server;
   server.set_keep_alive_max_count(1u << 20);
@@ -152,13 +154,14 @@ ExitCode view(const ViewArguments& arguments) {
 
 void add_view_command(CLI::App& program, ExitCode& exit_code) {
   const auto arguments = std::make_shared<ViewArguments>();
-  CLI::App* command = program.add_subcommand("view", "Shows a scene in the browser and runs it there");
+  CLI::App* command =
+      program.add_subcommand("view", "Shows a scene in the browser and runs it there");
   command->add_option("SCENE", arguments->scene, "Scene file (JSON)")->required();
   command->add_option("--port", arguments->port, "Port on 127.0.0.1; default: one that is free")
       ->check(CLI::Range(1, 65535));
   command->add_option("--page", arguments->page, "Folder of the built page")->type_name("DIR");
-  command->add_flag("--headless", arguments->headless,
-                    "Print the address and start no browser");
+  add_confined_flag(*command, arguments->reach);
+  command->add_flag("--headless", arguments->headless, "Print the address and start no browser");
   command->footer(footer);
   command->callback([arguments, &exit_code] { exit_code = view(*arguments); });
 }

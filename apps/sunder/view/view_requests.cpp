@@ -57,7 +57,7 @@ std::vector<std::uint32_t> ids(const json& request, const char* key) {
 /// Reads the file again: a restart has what was saved in the meantime.
 std::unique_ptr<sunder_engine> engine_of_file(ViewedScene& viewed,
                                               const std::vector<std::string>& settings) {
-  Result<SceneFile> file = read_scene(viewed.path, settings);
+  Result<SceneFile> file = read_scene(viewed.path, settings, viewed.reach);
   viewed.words = finding_lines(file.findings);
   if (!file) return nullptr;
   Result<Simulation> simulation = build_simulation(std::move(file->scene));
@@ -65,7 +65,8 @@ std::unique_ptr<sunder_engine> engine_of_file(ViewedScene& viewed,
   return simulation ? make_engine(std::move(*simulation)) : nullptr;
 }
 
-/// A scene that was dropped on the page: its text, and the `bytes` of its files one after the other.
+/// A scene that was dropped on the page: its text, and the `bytes` of its files one after the
+/// other.
 std::unique_ptr<sunder_engine> engine_of_drop(ViewedScene& viewed, const json& dropped,
                                               const std::vector<std::string>& settings,
                                               std::string_view bytes) {

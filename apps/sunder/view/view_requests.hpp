@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "apps/host/engine.hpp"
+#include "apps/scene/scene_json.hpp"
 #include "topology/base/finding.hpp"
 
 namespace sunder {
@@ -19,6 +20,7 @@ namespace sunder {
 /// and are done one after the other.
 struct ViewedScene {
   std::filesystem::path path;
+  SceneReach reach = SceneReach::anywhere;
   std::unique_ptr<sunder_engine> engine;
   std::string words;                           ///< warnings, or what failed
   std::map<std::uint64_t, std::string> saved;  ///< by their step
@@ -32,8 +34,10 @@ struct ViewAnswer {
 };
 
 /// Does `work` ("load", "step", "read", "act", "inspect", "save", "restore", "forget", "scene",
-/// "stamp", "open") with the `body` that apps/page/src/engines.js makes: a `sunder_action` for act, for
-/// load the size of a JSON text (8 bytes), the text and files that were dropped on the page, else JSON. Answers with a `sunder_report`, words, and columns (id, size, content padded to 8 bytes).
+/// "stamp", "open") with the `body` that apps/page/src/engines.js makes: a `sunder_action` for act,
+/// for load the size of a JSON text (8 bytes), the text and files that were dropped on the page,
+/// else JSON. Answers with a `sunder_report`, words, and columns (id, size, content padded to 8
+/// bytes).
 ViewAnswer do_view_request(ViewedScene& viewed, std::string_view work, std::string_view body);
 
 /// Whether a request may be answered: its Host is this server, it comes from no other page, and

@@ -87,15 +87,15 @@ class Disk:
 
 def listen(ear, disk):
     said = b""
-    while chunk := ear.recv(65536):
-        said += chunk
-        while b"\n" in said:
-            path, said = said.split(b"\n", 1)
-            disk.saw(path.decode())
-            try:
+    try:
+        while chunk := ear.recv(65536):
+            said += chunk
+            while b"\n" in said:
+                path, said = said.split(b"\n", 1)
+                disk.saw(path.decode())
                 ear.sendall(b".")
-            except BrokenPipeError:
-                return  # killed while it waited
+    except (BrokenPipeError, ConnectionResetError):
+        return  # killed while it waited
 
 
 def run(words, shim, kill_after=None, how=None, folder=None, chance=None):

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "apps/sunder/run/saved/run_folder.hpp"
 #include "fracture/saving/archive.hpp"
 #include "fracture/saving/saved_state.hpp"
 #include "topology/io/output_file.hpp"
@@ -19,32 +20,77 @@ namespace fs = std::filesystem;
 
 // One that gains or loses a member does not compile until this and `checkpoint_format` are looked
 // at.
-constexpr int member_count(const RunRecord*) { return 7; }
-constexpr int member_count(const PvdFrame*) { return 2; }
-constexpr int member_count(const ObstacleMotion*) { return 5; }
-constexpr int member_count(const Pose*) { return 2; }
-constexpr int member_count(const SearchCounts*) { return 10; }
-constexpr int member_count(const ContactReport*) { return 10; }
-constexpr int member_count(const ImpactReport*) { return 11; }
-constexpr int member_count(const LadderReport*) { return 2; }
-constexpr int member_count(const RubbleStepReport*) { return 11; }
-constexpr int member_count(const SolveReport*) { return 4; }
-constexpr int member_count(const EnergyLedger*) { return 12; }
-constexpr int member_count(const TieStatistics*) { return 3; }
-constexpr int member_count(const TieReport*) { return 8; }
-constexpr int member_count(const TiesOfCrack*) { return 5; }
-constexpr int member_count(const CrackEnergy*) { return 5; }
-constexpr int member_count(const Energies*) { return 3; }
-constexpr int member_count(const MomentumLedger*) { return 5; }
-constexpr int member_count(const Finding*) { return 8; }
-constexpr int member_count(const RunTroubles*) { return 11; }
-constexpr int member_count(const Trouble*) { return 4; }
-constexpr int member_count(const EnergyBalance*) { return 7; }
-constexpr int member_count(const Choice*) { return 3; }
-constexpr int member_count(const OutputSettings*) { return 6; }
-constexpr int member_count(const PictureSettings*) { return 6; }
-constexpr int member_count(const CameraSettings*) { return 3; }
-constexpr int member_count(const CheckpointSettings*) { return 3; }
+constexpr auto member_names(const RunRecord*) {
+  return names("statistics", "frames", "obstacles", "pictures", "last_frame", "last_picture",
+               "log_bytes");
+}
+constexpr auto member_names(const PvdFrame*) { return names("time", "file"); }
+constexpr auto member_names(const ObstacleMotion*) {
+  return names("time", "row", "pose", "velocity", "spin");
+}
+constexpr auto member_names(const Pose*) { return names("centre", "orientation"); }
+constexpr auto member_names(const SearchCounts*) {
+  return names("tested", "suspects", "reached", "empty_fans", "refused_fans", "still_empty",
+               "relieved", "waiting", "on_flanks", "unfitted");
+}
+constexpr auto member_names(const ContactReport*) {
+  return names("candidates", "contacts", "passes", "iterations", "residual", "tolerated",
+               "converged", "deepest", "left_out", "obstacle_impulse");
+}
+constexpr auto member_names(const ImpactReport*) {
+  return names("opened", "spared_by_pair", "spared_by_island", "closed_by_time", "closed_by_energy",
+               "sub_steps", "time", "components", "carried", "coarseness", "stopped");
+}
+constexpr auto member_names(const LadderReport*) { return names("components", "tetrahedra"); }
+constexpr auto member_names(const RubbleStepReport*) {
+  return names("ticks", "awake", "asleep", "points", "deepest", "refused", "mixed", "solids",
+               "rigid", "declared", "declared_share");
+}
+constexpr auto member_names(const SolveReport*) {
+  return names("sub_steps", "iterations", "force_evaluations", "not_converged");
+}
+constexpr auto member_names(const EnergyLedger*) {
+  return names("kinetic", "strain", "gravity", "loads", "contact", "friction", "push_out",
+               "supports", "cracks", "numerical", "residual", "moved");
+}
+constexpr auto member_names(const TieStatistics*) { return names("sum", "releases", "released"); }
+constexpr auto member_names(const TieReport*) {
+  return names("pairs", "opening", "iterations", "residual", "work", "dissipated", "stored",
+               "torn");
+}
+constexpr auto member_names(const TiesOfCrack*) {
+  return names("tied", "released", "area", "due", "energy");
+}
+constexpr auto member_names(const CrackEnergy*) {
+  return names("fan", "time", "area", "projected", "energy");
+}
+constexpr auto member_names(const Energies*) { return names("kinetic", "strain", "gravity"); }
+constexpr auto member_names(const MomentumLedger*) {
+  return names("gravity", "loads", "obstacles", "supports", "sleep");
+}
+constexpr auto member_names(const Finding*) {
+  return names("code", "severity", "count", "ids", "text", "remedy", "file", "line");
+}
+constexpr auto member_names(const RunTroubles*) {
+  return names("left_out", "not_converged", "overlaps", "stopped", "given_up", "residual", "risen",
+               "residual_size", "moved", "mean_edge", "balance");
+}
+constexpr auto member_names(const Trouble*) { return names("first", "last", "steps", "size"); }
+constexpr auto member_names(const EnergyBalance*) {
+  return names("level", "lowest", "risen", "most", "body_energy", "ball_energy", "ball_centre");
+}
+constexpr auto member_names(const Choice*) { return names("key", "value", "reason"); }
+constexpr auto member_names(const OutputSettings*) {
+  return names("frames", "frame_interval", "frames_at_impacts", "crack_surface", "pictures",
+               "checkpoint");
+}
+constexpr auto member_names(const PictureSettings*) {
+  return names("count", "times", "width", "height", "show", "camera");
+}
+constexpr auto member_names(const CameraSettings*) {
+  return names("eye", "target", "field_of_view");
+}
+constexpr auto member_names(const CheckpointSettings*) { return names("steps", "minutes", "keep"); }
 
 template <class Archive, class S>
 requires std::is_same_v<std::remove_const_t<S>, RunStatistics>
@@ -118,9 +164,9 @@ Result<Checkpoint> read_one(const fs::path& path) {
   std::uint64_t sum = 0, length = 0;
   archive(head, format);
   if (!head.failed && format != checkpoint_format) {
-    return unusable("other_version", path,
-                    fmt::format("its format is {}; this version reads {}", format,
-                                checkpoint_format));
+    return unusable(
+        "other_version", path,
+        fmt::format("its format is {}; this version reads {}", format, checkpoint_format));
   }
   archive(head, sum);
   const std::string_view summed = head.bytes;
@@ -135,9 +181,11 @@ Result<Checkpoint> read_one(const fs::path& path) {
   Result<Simulation> simulation = restore(head.bytes.substr(length));
   for (Finding& f : simulation.findings) f.file = path.string();
   if (!simulation) return std::move(simulation.findings.front());
-  if (reader.failed || !reader.bytes.empty()) {
-    return unusable("damaged", path, "what it holds does not fit together");
-  }
+  // Frames are copied by these names: they lead nowhere else.
+  const std::vector<PvdFrame>& frames = checkpoint.record.frames;
+  bool fits = !reader.failed && reader.bytes.empty();
+  for (std::size_t k = 0; k < frames.size(); ++k) fits = fits && frames[k].file == frame_name(k);
+  if (!fits) return unusable("damaged", path, "what it holds does not fit together");
   checkpoint.simulation = std::move(*simulation);
   checkpoint.file.scene = checkpoint.simulation.scene;
   return checkpoint;
@@ -154,8 +202,7 @@ std::vector<Finding> write_checkpoint(const fs::path& folder, const SceneFile& f
   StateWriter length, head;
   const std::uint64_t bytes = recorded.bytes.size();
   archive(length, bytes);
-  const std::uint64_t sum =
-      checksum(state, checksum(recorded.bytes, checksum(length.bytes)));
+  const std::uint64_t sum = checksum(state, checksum(recorded.bytes, checksum(length.bytes)));
   head.bytes = magic;
   archive(head, checkpoint_format);
   archive(head, sum);

@@ -80,12 +80,10 @@ std::string whole_name(const std::string& name) {
 
 bool is_ours(const std::string& written) {
   const std::string name = whole_name(written);
-  constexpr std::array<std::string_view, 6> tables = {"frames.pvd",    "events.jsonl",
-                                                      "cracks.csv",    "fragments.csv",
-                                                      "obstacles.csv", "report.json"};
+  constexpr std::array<std::string_view, 6> tables = {
+      "frames.pvd", "events.jsonl", "cracks.csv", "fragments.csv", "obstacles.csv", "report.json"};
   return number_in(name, "frame_", ".vtu") || number_in(name, "picture_", ".png") ||
-         number_in(name, "step_", ".checkpoint") ||
-         std::ranges::find(tables, name) != tables.end();
+         number_in(name, "step_", ".checkpoint") || std::ranges::find(tables, name) != tables.end();
 }
 
 /// Removes the files in the places of a run that `goes` names.
@@ -114,7 +112,7 @@ Result<FolderLock> FolderLock::take(const fs::path& folder) {
   const fs::path path = folder / "run.lock";
   if (error) return cannot_lock(folder, error.value());
   for (;;) {
-    const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (file < 0) return cannot_lock(path, errno);
     if (::flock(file, LOCK_EX | LOCK_NB) != 0) {
       const int reason = errno;
@@ -154,6 +152,26 @@ void FolderLock::let_go() {
   file_ = -1;
 }
 
+std::optional<Finding> link_among_files(const fs::path& folder) {
+  std::error_code none;
+  for (const std::string_view place : places) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder / place, none)) {
+      const std::string name = entry.path().filename().string();
+      const bool is_place = std::ranges::find(places, name) != places.end();
+      if (!entry.is_symlink(none) || !(is_ours(name) || is_place)) continue;
+      return Finding{
+          .code = "link_in_folder",
+          .text = fmt::format("{} is a link, and a run writes nothing outside its folder",
+                              entry.path().string()),
+          .remedy =
+              "remove the link, or give another folder with -o (which may be a "
+              "link itself)",
+          .file = entry.path().string()};
+    }
+  }
+  return std::nullopt;
+}
+
 bool holds_a_run(const fs::path& folder) {
   std::error_code none;
   for (const std::string_view place : places) {
@@ -179,7 +197,9 @@ std::error_code remove_later(const fs::path& folder, std::uint64_t frames, std::
   });
 }
 
-std::string frame_name(std::uint64_t number) { return fmt::format("frames/frame_{:06}.vtu", number); }
+std::string frame_name(std::uint64_t number) {
+  return fmt::format("frames/frame_{:06}.vtu", number);
+}
 
 std::string picture_name(std::uint64_t number) { return fmt::format("picture_{:03}.png", number); }
 

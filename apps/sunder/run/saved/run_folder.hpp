@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "topology/base/finding.hpp"
@@ -26,6 +27,10 @@ class FolderLock {
   std::filesystem::path path_;
   int file_ = -1;
 };
+
+/// The first link among what a run writes or removes in a folder: followed, it could replace files
+/// elsewhere. Findings: link_in_folder.
+std::optional<Finding> link_among_files(const std::filesystem::path& folder);
 
 /// Whether files of an earlier run lie there.
 bool holds_a_run(const std::filesystem::path& folder);
