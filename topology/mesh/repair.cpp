@@ -90,11 +90,12 @@ void take_points(FileMesh& mesh, const std::vector<std::uint32_t>& rows,
   });
 }
 
-Finding done(std::string_view code, std::size_t count, std::string text) {
+/// What was done, or `nothing` where that is so.
+Finding done(std::string_view code, std::size_t count, std::string text, std::string_view nothing) {
   return {.code = std::string(code),
           .severity = Severity::note,
           .count = count,
-          .text = std::move(text),
+          .text = count > 0 ? std::move(text) : std::string(nothing),
           .remedy = "nothing to do: it was asked for"};
 }
 
@@ -177,10 +178,12 @@ Finding merge_points(FileMesh& mesh, double distance) {
       return std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
     });
   }
-  return done("merged_points", merged,
-              fmt::format("{} points were merged into others within {} m; {} tetrahedra lost a "
-                          "corner and were dropped",
-                          merged, distance, flat));
+  return done(
+      "merged_points", merged,
+      fmt::format(
+          "{} points were merged into others within {} m{}", merged, distance,
+          flat == 0 ? "" : fmt::format("; {} tetrahedra lost a corner and were dropped", flat)),
+      fmt::format("no points lie within {} m of others: none was merged", distance));
 }
 
 Finding drop_duplicate_tetrahedra(FileMesh& mesh) {
@@ -198,7 +201,8 @@ Finding drop_duplicate_tetrahedra(FileMesh& mesh) {
     return corners.size() != 4 || !again[row];
   });
   return done("dropped_duplicates", dropped,
-              fmt::format("{} tetrahedra with the points of an earlier one were dropped", dropped));
+              fmt::format("{} tetrahedra with the points of an earlier one were dropped", dropped),
+              "no two tetrahedra have the same points: none was dropped");
 }
 
 Finding split_nonmanifold(FileMesh& mesh) {
@@ -239,7 +243,8 @@ Finding split_nonmanifold(FileMesh& mesh) {
     }
   }
   return done("split_nonmanifold", copies,
-              fmt::format("{} copies of points were made where stars only touched", copies));
+              fmt::format("{} copies of points were made where stars only touched", copies),
+              "no stars of tetrahedra only touch: nothing was split");
 }
 
 Finding keep_largest_component(FileMesh& mesh) {
@@ -257,9 +262,10 @@ Finding keep_largest_component(FileMesh& mesh) {
     if (corners.size() == 4) return part[row] == largest;
     return std::ranges::all_of(corners, [&](std::uint32_t corner) { return used[corner] != 0; });
   });
-  return done("kept_largest_component", dropped,
-              fmt::format("of {} components the largest stays: {} tetrahedra were dropped", parts,
-                          dropped));
+  return done(
+      "kept_largest_component", dropped,
+      fmt::format("of {} components the largest stays: {} tetrahedra were dropped", parts, dropped),
+      "the body is one component: nothing was dropped");
 }
 
 Finding fix_orientation(FileMesh& mesh) {
@@ -271,7 +277,8 @@ Finding fix_orientation(FileMesh& mesh) {
     ++swapped;
   }
   return done("fixed_orientation", swapped,
-              fmt::format("{} inverted tetrahedra had two points swapped", swapped));
+              fmt::format("{} inverted tetrahedra had two points swapped", swapped),
+              "no tetrahedron is inverted: none was changed");
 }
 
 Finding drop_unused_points(FileMesh& mesh) {
@@ -289,7 +296,8 @@ Finding drop_unused_points(FileMesh& mesh) {
   const std::size_t dropped = mesh.points.size() - rows.size();
   if (dropped > 0) take_points(mesh, rows, new_row);
   return done("dropped_unused", dropped,
-              fmt::format("{} points that no cell uses were dropped", dropped));
+              fmt::format("{} points that no cell uses were dropped", dropped),
+              "every point is used by a cell: none was dropped");
 }
 
 std::vector<Finding> repair(FileMesh& mesh, const Repairs& repairs) {

@@ -41,6 +41,7 @@ Examples:
   sunder convert body.msh body.vtu
   sunder convert body.msh clean.msh --merge-points 1e-6 --drop-duplicates --fix-orientation
   sunder convert body.vtu body.msh --format-version 2.2 --binary --strict
+  sunder convert body.msh body.inp --triangles drop
   gunzip -c body.msh.gz | sunder convert - - --to vtu > body.vtu
   sunder convert body.msh cracked.vtu --crack-regions matrix,inclusion --crack-pairs pairs.csv
 )";
@@ -54,6 +55,8 @@ struct Arguments {
   bool zlib = false;
   bool strict = false;
   bool tetrahedra_only = false;
+  /// "keep" or "drop".
+  std::string triangles = "keep";
   bool json = false;
   Repairs repairs;
   CrackOptions crack;
@@ -79,6 +82,26 @@ bool is_loss(const Finding& finding) {
          finding.code == "skipped_data";
 }
 
+/// Drops edges and triangles of a body; an error where that would leave nothing of it.
+Finding drop_shells_and_beams(FileMesh& mesh) {
+  const std::size_t dropped = mesh.edges.corners.size() + mesh.triangles.corners.size();
+  if (mesh.tetrahedra.corners.empty()) {
+    return {.code = "no_tetrahedron",
+            .text = "--triangles drop would leave nothing: the file has no tetrahedron",
+            .remedy = "leave --triangles out: a surface is its triangles"};
+  }
+  mesh.edges = {};
+  mesh.triangles = {};
+  mesh.region_name[1].clear();
+  mesh.region_name[2].clear();
+  return {.code = "dropped_shells",
+          .severity = Severity::note,
+          .count = dropped,
+          .text = dropped == 0 ? "there are no triangles and no edges: nothing was dropped"
+                               : fmt::format("{} triangles and edges were dropped", dropped),
+          .remedy = "nothing to do: it was asked for"};
+}
+
 Conversion convert(const Arguments& arguments) {
   Conversion result;
   Result<FileMesh> mesh =
@@ -89,6 +112,7 @@ Conversion convert(const Arguments& arguments) {
   result.mesh = std::move(*mesh);
   // A repair was asked for: what it drops is no loss.
   result.has_losses = std::ranges::any_of(result.findings, is_loss);
+  if (arguments.triangles == "drop") result.findings.push_back(drop_shells_and_beams(result.mesh));
   std::ranges::move(repair(result.mesh, arguments.repairs), std::back_inserter(result.findings));
   NamedCrack crack;
   if (!has_error(result.findings)) crack = open_named_crack(result.mesh, arguments.crack);
@@ -128,6 +152,21 @@ nlohmann::ordered_json counts_json(const FileMesh& mesh) {
           {"tetrahedra", mesh.tetrahedra.corners.size()}};
 }
 
+/// "8 points, 12 triangles": what there is, and nothing of which there is none.
+std::string contents_of(const FileMesh& mesh) {
+  std::string text;
+  const auto add = [&text](std::size_t count, std::string_view one, std::string_view several) {
+    if (count == 0) return;
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, count == 1 ? one : several);
+  };
+  add(mesh.points.size(), "point", "points");
+  add(mesh.tetrahedra.corners.size(), "tetrahedron", "tetrahedra");
+  add(mesh.triangles.corners.size(), "triangle", "triangles");
+  add(mesh.edges.corners.size(), "edge", "edges");
+  add(mesh.vertices.corners.size(), "vertex", "vertices");
+  return text.empty() ? "a mesh without points" : text;
+}
+
 void print(const Arguments& arguments, const Conversion& result) {
   if (arguments.json) {
     nlohmann::ordered_json json;
@@ -145,10 +184,7 @@ void print(const Arguments& arguments, const Conversion& result) {
     fmt::print(words, "nothing is written\n");
     return;
   }
-  fmt::print(words, "{}: written from {} points, {} tetrahedra, {} triangles, {} edges, {} vertices{}\n",
-             arguments.out.string(), result.mesh.points.size(),
-             result.mesh.tetrahedra.corners.size(), result.mesh.triangles.corners.size(),
-             result.mesh.edges.corners.size(), result.mesh.vertices.corners.size(),
+  fmt::print(words, "{}: written from {}{}\n", arguments.out.string(), contents_of(result.mesh),
              result.has_losses ? "" : "; nothing is lost");
 }
 
@@ -238,6 +274,13 @@ void add_convert_command(CLI::App& program, ExitCode& exit_code) {
   binary->excludes(text);
   command->add_flag("--zlib", arguments->zlib, "Pack binary data or base64 by zlib (VTU)");
   command->add_flag("--strict", arguments->strict, "Write nothing if anything would be lost");
+  command
+      ->add_option(
+          "--triangles", arguments->triangles,
+          "keep, or drop: of a body only the tetrahedra, for solvers that read its triangles "
+          "as shells and its edges as beams (vertices stay: sets of nodes); default keep")
+      ->type_name("WHAT")
+      ->check(CLI::IsMember({"keep", "drop"}));
   command->add_flag("--tetrahedra-only", arguments->tetrahedra_only,
                     "Leave volume cells out that are no tetrahedra");
   command

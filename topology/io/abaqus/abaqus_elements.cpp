@@ -20,7 +20,7 @@ std::string_view element_field(DataLines& lines, const AbaqusType& type, std::si
       if (!field.empty() || has_field(lines)) return field;
     }
     // A line that ends with a comma has its last field behind it.
-    const bool goes_on = lines.at == lines.line.size() && lines.at > 0;
+    const bool goes_on = !has_field(lines) && trimmed(lines.line).ends_with(',');
     const std::size_t at = lines.line.size();
     if (goes_on && next_data_line(lines)) continue;
     fail(lines.text, at,
@@ -88,7 +88,40 @@ void count_block(AbaqusReader& r, const ElementLines& block) {
   DataLines lines{.text = r.files[block.file].text, .next = block.at};
   std::size_t count = 0;
   while (skip_record(lines)) ++count;
-  add_other_cells(r.draft, block.type->plural, block.type->dimension, count, block.at);
+  if (block.type != &unknown_type) {
+    return add_other_cells(r.draft, block.type->plural, block.type->dimension, count, block.at);
+  }
+  constexpr std::size_t most = 12, longest = 41;
+  std::string name(block.type_word.substr(0, longest));
+  if (r.unknown.size() >= most && !r.unknown.contains(name)) name.clear();
+  UnknownElements& unknown = r.unknown[name];
+  if (unknown.file.empty() && unknown.line == 0) {
+    unknown = {0, r.draft.file, line_of(lines.text, block.at)};
+  }
+  unknown.count += count;
+}
+
+/// Elements of types that nobody knows here are left out, and no one should miss that.
+void warn_unknown(AbaqusReader& r) {
+  if (r.unknown.empty()) return;
+  const UnknownElements* first = &r.unknown.begin()->second;
+  std::string text;
+  std::size_t sum = 0;
+  for (const auto& [name, elements] : r.unknown) {
+    text += fmt::format("{}{} of {}", text.empty() ? "" : ", ", elements.count,
+                        name.empty() ? "other types" : fmt::format("type {}", in_quotes(name)));
+    sum += elements.count;
+    if (elements.file == first->file && elements.line < first->line) first = &elements;
+  }
+  r.draft.findings.push_back(
+      {.code = "unknown_cells",
+       .severity = Severity::warning,
+       .count = sum,
+       .text = fmt::format("elements of unknown types are left out: {}", text),
+       .remedy = "nothing to do, unless they are part of the body: write those "
+                 "as C3D4, C3D8, S3 or T3D2",
+       .file = first->file,
+       .line = first->line});
 }
 
 void index_elements(AbaqusReader& r) {
@@ -132,6 +165,7 @@ void read_abaqus_elements(AbaqusReader& r) {
     in_file(r.draft, file.name, file.text,
             [&] { is_simplex(*block.type) ? read_block(r, block) : count_block(r, block); });
   }
+  warn_unknown(r);
   index_elements(r);
 }
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -27,6 +28,9 @@ struct AbaqusType {
   /// Of several, as messages call them.
   std::string_view plural;
 };
+
+/// The kind of a TYPE= that is not known: such elements are left out.
+inline constexpr AbaqusType unknown_type{"", 0, 3, "elements of an unknown type"};
 
 /// The kind of a TYPE=; a null pointer for those that are not known.
 const AbaqusType* abaqus_type(std::string_view word);
@@ -52,6 +56,15 @@ struct ElementLines {
   /// Place of its ELSET= among the element sets; -1 without.
   std::int32_t set;
   std::size_t at;
+  /// The word behind TYPE=.
+  std::string_view type_word;
+};
+
+/// Elements of a type that is not known, and the place of the first.
+struct UnknownElements {
+  std::size_t count = 0;
+  std::string file;
+  std::size_t line = 0;
 };
 
 /// Nodes behind a *NODE, or a part of them.
@@ -100,6 +113,8 @@ struct AbaqusReader {
   NumberIndex node_rows, element_rows;
   /// Keywords that are passed over.
   std::set<std::string> others;
+  /// By the word of their type; "" for all behind the first few types.
+  std::map<std::string, UnknownElements> unknown;
   std::size_t parts = 0, instances = 0;
 };
 

@@ -175,7 +175,8 @@ std::int32_t entity_in_word(std::string_view word, int dimension) {
 
 void warn_unknown(AbaqusReader& r, std::size_t count, std::string_view what) {
   // Elements that are left out have numbers too.
-  if (count == 0 || !r.draft.volume_cells.empty() || !r.draft.surface_cells.empty()) return;
+  if (count == 0 || !r.unknown.empty()) return;
+  if (!r.draft.volume_cells.empty() || !r.draft.surface_cells.empty()) return;
   r.draft.findings.push_back(
       {.code = "unknown_member",
        .severity = Severity::warning,

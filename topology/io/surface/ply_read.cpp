@@ -128,8 +128,20 @@ void read_corners(PlyReader& r, const Property& p, Row& row) {
   skip_numbers(r.in, row.corners - taken, (row.corners - taken) * size_of(p.type), "a point's row");
 }
 
+/// Comments between the rows of a text, which some programs write.
+void pass_comments(PlyReader& r, std::size_t& at) {
+  Scanner& s = r.in.s;
+  while (at < s.text.size() && (s.text[at] == 'c' || s.text[at] == 'o')) {
+    const std::string_view word = peek_word(s);
+    if (word != "comment" && word != "obj_info") return;
+    rest_of_line(s);
+    at = place_of_next(r.in);
+  }
+}
+
 void read_row(PlyReader& r, const Element& e, Row& row, std::vector<Column>& columns) {
   row.cell.at = place_of_next(r.in);
+  if (!r.in.is_binary) pass_comments(r, row.cell.at);
   for (const Property& p : e.properties) {
     switch (p.role) {
       case Role::skipped:
@@ -345,7 +357,9 @@ void read_element(PlyReader& r, Element& e) {
 }  // namespace
 
 bool is_ply(std::string_view text) {
-  return text.starts_with("ply\n") || text.starts_with("ply\r\n");
+  if (!text.starts_with("ply")) return false;
+  const std::size_t end = text.find_first_not_of(" \t\r", 3);
+  return end != std::string_view::npos && text[end] == '\n';
 }
 
 Draft read_ply(std::string_view text) {
