@@ -13,6 +13,9 @@ namespace sunder::io {
 /// Whether a file begins like XML.
 bool is_vtu(std::string_view text);
 
+/// Whether such a file says that it holds PolyData (.vtp): read_vtu reads these too.
+bool is_vtp(std::string_view text);
+
 /// Reads the simplices and columns of every piece. Throws ReadFailure.
 Draft read_vtu(std::string_view text);
 
