@@ -43,6 +43,11 @@ constexpr Encoding text_first[] = {Encoding::text, Encoding::binary};
 constexpr Encoding binary_first[] = {Encoding::binary, Encoding::text};
 constexpr Encoding vtu_encodings[] = {Encoding::binary, Encoding::base64, Encoding::text};
 
+constexpr KindSet curved_simplices =
+    kind_set({CellKind::edge, CellKind::edge3, CellKind::triangle, CellKind::triangle6,
+              CellKind::tetrahedron, CellKind::tetrahedron10});
+constexpr KindSet faces = kind_set({CellKind::triangle, CellKind::quad4, CellKind::polygon});
+
 /// VTK's formats hold all but names.
 constexpr FormatTraits vtk_traits(MeshFormat format, std::string_view name,
                                   std::span<const std::string_view> extensions,
@@ -54,7 +59,7 @@ constexpr FormatTraits vtk_traits(MeshFormat format, std::string_view name,
       .encodings = encodings,
       .packs = format == MeshFormat::vtu,
       .versions = format == MeshFormat::vtk ? vtk_versions : std::span<const std::string_view>{},
-      .holds_cells = {true, true, true, true},
+      .cells = all_kinds & ~kind_set({CellKind::pyramid14}),
       .holds_entities = true,
       .holds_point_regions = true,
       .holds_point_ids = true,
@@ -70,7 +75,7 @@ constexpr FormatTraits traits[] = {
      .extensions = msh_names,
      .encodings = text_first,
      .versions = msh_versions,
-     .holds_cells = {true, true, true, true},
+     .cells = all_kinds & ~kind_set({CellKind::polygon, CellKind::triangle7}),
      .holds_region_names = true,
      .holds_entities = true,
      .holds_point_ids = true,
@@ -82,7 +87,8 @@ constexpr FormatTraits traits[] = {
      .extensions = medit_names,
      .binary_extension = ".meshb",
      .encodings = text_first,
-     .holds_cells = {false, true, true, true},
+     .cells = curved_simplices | kind_set({CellKind::quad4, CellKind::hexahedron8, CellKind::prism6,
+                                           CellKind::pyramid5}),
      .holds_point_regions = true},
     vtk_traits(MeshFormat::vtu, "VTU", vtu_names, vtu_encodings),
     vtk_traits(MeshFormat::vtk, "VTK", vtk_names, binary_first),
@@ -90,7 +96,7 @@ constexpr FormatTraits traits[] = {
      .name = "TetGen",
      .extensions = tetgen_names,
      .encodings = text_only,
-     .holds_cells = {false, true, true, true},
+     .cells = curved_simplices,
      .holds_point_regions = true,
      .holds_point_data = true,
      .holds_cell_data = true,
@@ -99,7 +105,8 @@ constexpr FormatTraits traits[] = {
      .name = "Abaqus",
      .extensions = abaqus_names,
      .encodings = text_only,
-     .holds_cells = {true, true, true, true},
+     .cells = all_kinds & ~kind_set({CellKind::polygon, CellKind::triangle7, CellKind::pyramid13,
+                                     CellKind::pyramid14}),
      .regions_are_words = true,
      .holds_point_ids = true,
      .holds_cell_ids = true,
@@ -108,7 +115,7 @@ constexpr FormatTraits traits[] = {
      .name = "OpenVolumeMesh",
      .extensions = ovm_names,
      .encodings = text_only,
-     .holds_cells = {false, true, true, true},
+     .cells = kind_set({CellKind::edge, CellKind::triangle, CellKind::tetrahedron}),
      .holds_entities = true,
      .holds_point_regions = true,
      .holds_point_ids = true,
@@ -119,7 +126,7 @@ constexpr FormatTraits traits[] = {
      .name = "PLY",
      .extensions = ply_names,
      .encodings = binary_first,
-     .holds_cells = {false, true, true, false},
+     .cells = faces | kind_set({CellKind::edge}),
      .holds_entities = true,
      .holds_point_regions = true,
      .holds_point_ids = true,
@@ -131,19 +138,19 @@ constexpr FormatTraits traits[] = {
      .name = "OFF",
      .extensions = off_names,
      .encodings = text_only,
-     .holds_cells = {false, false, true, false},
+     .cells = faces,
      .holds_regions = false},
     {.format = MeshFormat::obj,
      .name = "OBJ",
      .extensions = obj_names,
      .encodings = text_only,
-     .holds_cells = {true, true, true, false},
+     .cells = faces | kind_set({CellKind::vertex, CellKind::edge}),
      .regions_are_words = true},
     {.format = MeshFormat::stl,
      .name = "STL",
      .extensions = stl_names,
      .encodings = binary_first,
-     .holds_cells = {false, false, true, false},
+     .cells = kind_set({CellKind::triangle}),
      .regions_are_words = true},
 };
 
@@ -242,7 +249,7 @@ void io::in_file(Draft& draft, const std::string& name, std::string_view text,
 Result<FileMesh> io::read_format(MeshFormat format, const FileSource& source,
                                  const ReadOptions& options) {
   try {
-    return finish(code_of(format).read(source), options.tetrahedra_only);
+    return finish(code_of(format).read(source), options);
   } catch (ReadFailure& failure) {
     // Lines mean nothing in raw data; those of VTU are those of its tags.
     const bool has_lines = format == MeshFormat::vtu || !failure.finding.file.empty() ||

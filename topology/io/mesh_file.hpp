@@ -10,6 +10,7 @@
 
 #include "topology/base/finding.hpp"
 #include "topology/base/tet_mesh.hpp"
+#include "topology/io/read_options.hpp"
 #include "topology/mesh/file_mesh.hpp"
 
 namespace sunder {
@@ -18,11 +19,6 @@ enum class MeshFormat { msh, medit, vtu, vtk, tetgen, abaqus, ovm, ply, off, obj
 
 /// How numbers stand in a file: as digits, as raw bytes, or as bytes written in base64.
 enum class Encoding { text, binary, base64 };
-
-struct ReadOptions {
-  /// Volume cells that are no tetrahedra are left out with a warning instead of refused.
-  bool tetrahedra_only = false;
-};
 
 /// All that a mesh file holds; its content decides the format. Packed files (gzip) are unpacked.
 /// Formats: Gmsh MSH 1, 2.x, 4.0, 4.1 (text and binary), MEDIT (text and binary), VTU (text,

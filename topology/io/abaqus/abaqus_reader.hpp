@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <deque>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -35,12 +36,8 @@ inline constexpr AbaqusType unknown_type{"", 0, 3, "elements of an unknown type"
 /// The kind of a TYPE=; a null pointer for those that are not known.
 const AbaqusType* abaqus_type(std::string_view word);
 
-inline bool is_simplex(const AbaqusType& type) {
-  const auto corners = static_cast<std::size_t>(type.dimension) + 1;
-  if (type.dimension == 1) return true;
-  return type.nodes == corners || (type.dimension == 2 && type.nodes == 6) ||
-         (type.dimension == 3 && type.nodes == 10);
-}
+/// The kind of its cells; none for points, springs and the like, which are left out.
+std::optional<CellKind> kind_of(const AbaqusType& type);
 
 /// The mesh's file or one that is included.
 struct AbaqusText {
@@ -80,10 +77,11 @@ struct SetLines {
   std::int32_t set;
   /// Of the same set, the one before; -1 for the first.
   std::int32_t before;
+  /// Of elements in blocks: their kind.
   std::uint32_t file = 0;
   bool generate = false;
   bool is_block = false;
-  /// Lines: where they begin. Blocks: the first row, and behind the last.
+  /// Lines: where they begin. Blocks: the first row of the kind, and behind the last.
   std::size_t at = 0;
   std::size_t end = 0;
 };
@@ -109,7 +107,7 @@ struct AbaqusReader {
   std::deque<NodeLines> nodes;
   std::deque<ElementLines> elements;
   AbaqusSets node_sets, element_sets;
-  /// Rows of all elements, edges first and tetrahedra last.
+  /// Rows of all elements, by kind.
   NumberIndex node_rows, element_rows;
   /// Keywords that are passed over.
   std::set<std::string> others;

@@ -209,8 +209,7 @@ void read_section(MshReader& r, std::string_view name, std::size_t at) {
 }
 
 /// A column that says nothing is dropped: groups that are all 0, entities that repeat the groups.
-template <std::size_t Corners>
-void drop_empty_labels(CellList<Corners>& cells) {
+void drop_empty_labels(CellColumns& cells) {
   const auto none = [](const std::vector<std::int32_t>& labels) {
     return std::all_of(labels.begin(), labels.end(), [](std::int32_t x) { return x == 0; });
   };
@@ -239,7 +238,7 @@ Draft read_msh(std::string_view text) {
           .text = fmt::format("the file ends without a section {}", name),
           .remedy = "the file was cut short, or holds no mesh: write it again"});
   }
-  for_each_cell_list(r.draft.mesh, [](auto& cells, int) { drop_empty_labels(cells); });
+  for (const CellKind kind : all_cell_kinds) drop_empty_labels(columns_of(r.draft.mesh, kind));
   if (r.entities_of_several_groups > 0) {
     r.draft.findings.push_back(
         {.code = "further_groups",

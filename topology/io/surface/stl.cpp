@@ -89,9 +89,10 @@ void take_facets(Draft& draft, Facets&& facets) {
   facets.corners = {};
   draft.mesh.triangles.corners.reserve(point_of.size() / 3);
   for (std::size_t i = 0; i < point_of.size(); i += 3) {
-    FileCell cell{.at = facets.at[i / 3]};
+    FileCell& cell = draft.cell;
+    cell.begin(3, facets.at[i / 3]);
     for (std::size_t k = 0; k < 3; ++k) cell.numbers[k] = cell.rows[k] = point_of[i + k];
-    add_cell(draft, 2, cell);
+    add_cell(draft, CellKind::triangle, cell);
   }
   draft.mesh.triangles.region = std::move(facets.solid);
   number_regions(draft.mesh.triangles.region, facets.words, draft.mesh.region_name[2]);

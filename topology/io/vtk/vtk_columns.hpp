@@ -56,8 +56,8 @@ void add_vtk_label(Draft& draft, const VtkPiece& piece, const VtkArrayHead& head
 /// Takes an array's numbers one after the other, and puts each row where its cell went.
 template <class Value>
 struct VtkSink {
-  /// By dimension; of points the first. Null: those rows are dropped.
-  std::array<std::vector<Value>*, 4> lists{};
+  /// By kind; of points the first. Null: those rows are dropped.
+  std::array<std::vector<Value>*, cell_kinds> lists{};
   /// Empty for points.
   std::span<const std::int8_t> list_of_row;
   std::size_t components = 1;
@@ -89,7 +89,7 @@ VtkSink<Value> begin_vtk_data(Draft& draft, const VtkPiece& piece, const VtkArra
                               std::size_t most_numbers);
 
 /// Drops columns that not all pieces had, with a warning, and labels and ids that are incomplete.
-/// Where there are cells of several dimensions, those of one lose columns of nothing but 0 (labels,
+/// Where there are cells of several kinds, those of one lose columns of nothing but 0 (labels,
 /// ids) or not-a-number (data): vtk_grid fills with them.
 void finish_vtk_columns(Draft& draft);
 
