@@ -5,13 +5,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "topology/io/abaqus/abaqus.hpp"
 #include "topology/io/fitted_cells.hpp"
 #include "topology/io/msh/msh.hpp"
 #include "topology/io/msh/msh_entities.hpp"
+#include "topology/io/nastran/nastran.hpp"
 #include "topology/io/surface/ply.hpp"
 #include "topology/io/surface/stl.hpp"
+#include "topology/io/unv/unv.hpp"
 #include "topology/io/vtk/vtk_cells.hpp"
 
 namespace sunder::io {
@@ -99,8 +102,12 @@ void lose_ids(Losses& losses, const FileMesh& mesh, std::string_view version) {
   const std::size_t points = mesh.source_point_id.size();
   const bool is_msh = losses.to.format == MeshFormat::msh;
   const bool is_abaqus = losses.to.format == MeshFormat::abaqus;
+  const bool is_nastran = losses.to.format == MeshFormat::nastran;
+  const bool is_unv = losses.to.format == MeshFormat::unv;
   const HeldNumbers own = is_msh      ? msh_holds(mesh, version == "4.1" ? 41 : 22)
                               : is_abaqus ? abaqus_holds(mesh)
+                              : is_nastran ? nastran_holds(mesh)
+                              : is_unv     ? unv_holds(mesh)
                               : losses.to.format == MeshFormat::ply ? ply_holds(mesh)
                                                                     : HeldNumbers{true, true};
   const bool keeps_points = losses.to.holds_point_ids && own.points;
@@ -112,9 +119,14 @@ void lose_ids(Losses& losses, const FileMesh& mesh, std::string_view version) {
        is_msh
            ? "points and elements are numbered anew: MSH needs positive numbers, each once (below "
              "2^31 before version 4.1)"
-       : is_abaqus && keeps_points && keeps_cells ? "Abaqus does not hold numbers of vertices"
-       : is_abaqus
-           ? "points or elements are numbered anew: Abaqus needs positive numbers, each once"
+       : losses.to.cell_ids_from == 1 && keeps_points && keeps_cells
+           ? fmt::format("{} does not hold numbers of vertices", losses.to.name)
+       : losses.to.cell_ids_from == 1
+           ? fmt::format("points or elements are numbered anew: {} needs positive numbers{}, each once",
+                         losses.to.name,
+                         is_nastran ? " below 100 000 000"
+                         : is_unv   ? " below 1 000 000 000"
+                                    : "")
            : fmt::format("{} does not hold numbers of {}", losses.to.name,
                          keeps_points  ? "cells"
                          : keeps_cells ? "points"
@@ -141,7 +153,9 @@ void lose_data(Losses& losses, const FileMesh& mesh, std::string_view version) {
         losses.to.holds_cell_data && traits_of(kind).dimension >= losses.to.cell_data_from;
     for (const DataColumn& column : columns_of(mesh, kind).data) judge(column, is_held);
   }
-  if (losses.to.format == MeshFormat::vtk || losses.to.format == MeshFormat::vtu) {
+  const bool is_vtk = losses.to.format == MeshFormat::vtk || losses.to.format == MeshFormat::vtu ||
+                      losses.to.format == MeshFormat::vtp;
+  if (is_vtk) {
     const std::vector<std::string> clashes = vtk_clashes(mesh);
     if (!clashes.empty()) {
       lose(losses, "data_lost", clashes.size(),
@@ -223,9 +237,13 @@ void lose_in_stl(Losses& losses, const FileMesh& mesh, bool is_binary) {
   const StlPoints points = stl_points(mesh, is_binary);
   if (points.unused + points.merged > 0 || points.is_reordered) {
     lose(losses, "points_renumbered", mesh.points.size(),
-         fmt::format("points come back in the order in which triangles use them: {} that none uses "
-                     "are dropped, {} become one with another at the same place",
-                     points.unused, points.merged));
+         fmt::format("points come back in the order in which triangles use them{}{}",
+                     points.unused == 0 ? ""
+                                        : fmt::format("; {} that none uses are dropped", points.unused),
+                     points.merged == 0
+                         ? ""
+                         : fmt::format("; {} become one with another at the same place",
+                                       points.merged)));
   }
   if (points.rounded == 0) return;
   lose(losses, "coordinates_rounded", points.rounded,
@@ -282,6 +300,11 @@ std::vector<Finding> losses_of(const Written& written, const WriteOptions& optio
   lose_data(losses, mesh, version);
   if (t.format == MeshFormat::msh) lose_in_msh(losses, mesh, version);
   if (t.format == MeshFormat::stl) lose_in_stl(losses, mesh, is_binary);
+  const auto add = [&losses](std::vector<Finding> more) {
+    std::ranges::move(more, std::back_inserter(losses.findings));
+  };
+  if (t.format == MeshFormat::nastran) add(lost_in_nastran(mesh));
+  if (t.format == MeshFormat::unv) add(lost_in_unv(mesh));
   return std::move(losses.findings);
 }
 

@@ -10,8 +10,8 @@
 
 namespace sunder::io {
 
-/// Whether a file looks like Nastran's: behind comments ($) and blank lines it begins with a card of
-/// bulk data that we know, or with what stands before BEGIN BULK, and has that line.
+/// Whether a file looks like Nastran's: behind comments ($) and blank lines it begins with a card
+/// of bulk data that we know, or with what stands before BEGIN BULK, and has that line.
 bool is_nastran(std::string_view text);
 
 /// Reads GRID and elements of a file and of those it includes, free, small and large fields; the
@@ -28,19 +28,13 @@ inline constexpr KindSet nastran_cells =
 /// Which numbers the file can hold: from 1 to 99 999 999, each once; of elements all or none.
 HeldNumbers nastran_holds(const FileMesh& mesh);
 
-/// What the sixteen characters of a coordinate do to the points.
-struct NastranPoints {
-  std::size_t rounded = 0;
-  /// The largest change of a coordinate, of itself.
-  double largest_change = 0;
-};
-NastranPoints nastran_points(const FileMesh& mesh);
+/// What does not come back beside what the format's traits tell: digits of coordinates beyond their
+/// sixteen characters, and regions that are no properties, from 1 to 99 999 999 (0 stands for
+/// none).
+std::vector<Finding> lost_in_nastran(const FileMesh& mesh);
 
-/// Whether all regions are properties: from 1 to 99 999 999, but for 0, which stands for none.
-bool are_properties(const FileMesh& mesh);
-
-/// The text of a file: GRID* and elements. Needs: are_properties; else those that are none are
-/// written as none. A comment tells which property stands for no region, where that is needed.
+/// The text of a file: GRID* and elements. Regions that are no properties are written as none. A
+/// comment tells which property stands for no region, where that is needed.
 std::string write_nastran(const FileMesh& mesh);
 
 }  // namespace sunder::io

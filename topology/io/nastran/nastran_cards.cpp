@@ -52,8 +52,8 @@ void add_free_fields(std::string_view text, Card& card, std::string_view line, s
     } else if (found > most + 1 && !trimmed(field).empty()) {  // one more is the mark
       fail(text, static_cast<std::size_t>(field.data() - text.data()),
            {.code = "wrong_count",
-            .text = fmt::format("{} is the field {} of a line that has {}", in_quotes(field), found + 1,
-                                most + 2),
+            .text = fmt::format("{} is the field {} of a line that has {}", in_quotes(field),
+                                found + 1, most + 2),
             .remedy = "go on in a next line that begins with +"});
     }
   }
@@ -118,8 +118,7 @@ std::string with_exponent(std::string_view field) {
 }  // namespace
 
 std::string_view card_line(std::string_view text, std::size_t begin) {
-  std::string_view line =
-      text.substr(begin, std::min(text.find('\n', begin), text.size()) - begin);
+  std::string_view line = text.substr(begin, std::min(text.find('\n', begin), text.size()) - begin);
   line = line.substr(0, line.find('$'));
   while (!line.empty() && is_blank(line.back())) line.remove_suffix(1);
   return line;
@@ -159,7 +158,8 @@ std::int64_t card_integer(std::string_view text, const Card& card, std::size_t i
   const char* const begin = field.data() + (field.starts_with('+') && field.size() > 1 ? 1 : 0);
   std::int64_t value = 0;
   const auto [stop, reason] = std::from_chars(begin, end, value);
-  if (field.empty() || reason != std::errc{} || stop != end) fail_field(text, card, i, what, reason);
+  if (field.empty() || reason != std::errc{} || stop != end)
+    fail_field(text, card, i, what, reason);
   return value;
 }
 

@@ -89,9 +89,8 @@ std::size_t include(NastranReader& r, std::uint32_t file, std::size_t at, int de
   }
   r.included.push_back(std::move(*other));
   r.files.push_back({path, r.included.back()});
-  in_file(r.draft, path, r.included.back(), [&] {
-    find_parts(r, static_cast<std::uint32_t>(r.files.size() - 1), 0, depth + 1);
-  });
+  in_file(r.draft, path, r.included.back(),
+          [&] { find_parts(r, static_cast<std::uint32_t>(r.files.size() - 1), 0, depth + 1); });
   return end + 1;
 }
 
@@ -161,9 +160,11 @@ void expect_basic_system(std::string_view text, const Card& card, std::size_t fi
   if (system == 0) return;
   fail(text, card.at,
        {.code = "unsupported_keyword",
-        .text = fmt::format("{} is given in the coordinate system {}: only the basic system 0 is read",
-                            card.name == "GRID" ? "a point" : "GRDSET", system),
-        .remedy = "write the points in the basic system (in most programs an option of the export)"});
+        .text =
+            fmt::format("{} is given in the coordinate system {}: only the basic system 0 is read",
+                        card.name == "GRID" ? "a point" : "GRDSET", system),
+        .remedy =
+            "write the points in the basic system (in most programs an option of the export)"});
 }
 
 void read_point(NastranReader& r, std::string_view text, const Card& card) {
@@ -222,12 +223,13 @@ std::size_t nodes_of_card(NastranReader& r, std::string_view text, const Card& c
     if (given == corners) return corners;
     fail(text, card.at,
          {.code = "wrong_count",
-          .text = fmt::format("a card {} has {} of its {} nodes", in_quotes(card.name), given, corners),
+          .text =
+              fmt::format("a card {} has {} of its {} nodes", in_quotes(card.name), given, corners),
           .remedy = "complete the card, or delete it"});
   }
   if (given == nodes && nodes == traits_of(nastran_kind(type.linear, nodes)).nodes) return nodes;
-  add_curved_cells(r.draft, fmt::format("{} without some of their midpoints",
-                                        traits_of(type.linear).plural),
+  add_curved_cells(r.draft,
+                   fmt::format("{} without some of their midpoints", traits_of(type.linear).plural),
                    1, card.at);
   return corners;
 }
@@ -295,7 +297,7 @@ void note_others(NastranReader& r) {
 }  // namespace
 
 bool is_nastran(std::string_view text) {
-  constexpr std::string_view before_bulk[] = {"SOL",   "CEND", "ID",     "NASTRAN", "TIME",
+  constexpr std::string_view before_bulk[] = {"SOL",    "CEND", "ID",    "NASTRAN", "TIME",
                                               "ASSIGN", "INIT", "TITLE", "ECHO",    "DIAG"};
   for (std::size_t at = 0; at < text.size();) {
     const std::string word = card_word(card_line(text, at));

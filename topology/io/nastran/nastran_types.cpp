@@ -23,17 +23,18 @@ constexpr NastranType types[] = {
 };
 
 constexpr std::string_view other_elements[] = {
-    "CELAS1",  "CELAS2", "CELAS3", "CELAS4", "CDAMP1", "CDAMP2", "CDAMP3", "CDAMP4", "CDAMP5",
-    "CMASS1",  "CMASS2", "CMASS3", "CMASS4", "CONM1",  "CONM2",  "CBUSH",  "CBUSH1D", "CBUSH2D",
-    "CGAP",    "CVISC",  "CWELD",  "CFAST",  "CTRIAX", "CTRIAX6", "CQUADX", "CQUADX4", "CQUADX8",
-    "CTRAX3",  "CTRAX6", "CPLSTN3", "CPLSTN4", "CPLSTN6", "CPLSTN8", "CPLSTS3", "CPLSTS4",
-    "CPLSTS6", "CPLSTS8", "CHBDYG", "CHBDYP", "CHBDYE", "CAABSF", "CRAC2D", "CRAC3D", "CHACAB",
-    "CHACBR",  "RBE1",   "RBE2",   "RBE3",   "RBAR",   "RROD",   "RTRPLT", "RSPLINE", "GENEL"};
+    "CELAS1",  "CELAS2",  "CELAS3",  "CELAS4",  "CDAMP1",  "CDAMP2",  "CDAMP3",  "CDAMP4",
+    "CDAMP5",  "CMASS1",  "CMASS2",  "CMASS3",  "CMASS4",  "CONM1",   "CONM2",   "CBUSH",
+    "CBUSH1D", "CBUSH2D", "CGAP",    "CVISC",   "CWELD",   "CFAST",   "CTRIAX",  "CTRIAX6",
+    "CQUADX",  "CQUADX4", "CQUADX8", "CTRAX3",  "CTRAX6",  "CPLSTN3", "CPLSTN4", "CPLSTN6",
+    "CPLSTN8", "CPLSTS3", "CPLSTS4", "CPLSTS6", "CPLSTS8", "CHBDYG",  "CHBDYP",  "CHBDYE",
+    "CAABSF",  "CRAC2D",  "CRAC3D",  "CHACAB",  "CHACBR",  "RBE1",    "RBE2",    "RBE3",
+    "RBAR",    "RROD",    "RTRPLT",  "RSPLINE", "GENEL"};
 
 constexpr std::string_view other_bulk_cards[] = {
-    "GRID", "GRDSET", "CORD1R", "CORD1C", "CORD1S", "CORD2R", "CORD2C", "CORD2S", "PSOLID",
+    "GRID",   "GRDSET", "CORD1R", "CORD1C", "CORD1S", "CORD2R", "CORD2C", "CORD2S", "PSOLID",
     "PSHELL", "PCOMP",  "PBAR",   "PBARL",  "PBEAM",  "PBEAML", "PROD",   "MAT1",   "MAT2",
-    "MAT8",  "MAT9",   "PARAM",  "SPC1",   "SPC",    "FORCE",  "PLOAD4", "EIGRL"};
+    "MAT8",   "MAT9",   "PARAM",  "SPC1",   "SPC",    "FORCE",  "PLOAD4", "EIGRL"};
 
 bool is_one_of(std::span<const std::string_view> names, std::string_view name) {
   return std::ranges::find(names, name) != names.end();
@@ -41,7 +42,7 @@ bool is_one_of(std::span<const std::string_view> names, std::string_view name) {
 
 // Behind the corners the edges of the bottom, then those that stand, then those of the top; VTK has
 // the top before those that stand.
-constexpr std::uint8_t hexahedron[] = {0, 1, 2,  3,  4,  5,  6,  7,  8,  9,
+constexpr std::uint8_t hexahedron[] = {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,
                                        10, 11, 16, 17, 18, 19, 12, 13, 14, 15};
 constexpr std::uint8_t prism[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 12, 13, 14, 9, 10, 11};
 

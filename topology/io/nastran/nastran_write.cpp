@@ -19,15 +19,21 @@ struct WrittenType {
   CellKind kind;
   std::string_view card;
 };
-constexpr WrittenType written_types[] = {
-    {CellKind::edge, "CROD"},          {CellKind::edge3, "CBEAM3"},
-    {CellKind::triangle, "CTRIA3"},    {CellKind::triangle6, "CTRIA6"},
-    {CellKind::quad4, "CQUAD4"},       {CellKind::quad8, "CQUAD8"},
-    {CellKind::quad9, "CQUAD"},        {CellKind::tetrahedron, "CTETRA"},
-    {CellKind::tetrahedron10, "CTETRA"}, {CellKind::hexahedron8, "CHEXA"},
-    {CellKind::hexahedron20, "CHEXA"}, {CellKind::prism6, "CPENTA"},
-    {CellKind::prism15, "CPENTA"},     {CellKind::pyramid5, "CPYRAM"},
-    {CellKind::pyramid13, "CPYRAM"}};
+constexpr WrittenType written_types[] = {{CellKind::edge, "CROD"},
+                                         {CellKind::edge3, "CBEAM3"},
+                                         {CellKind::triangle, "CTRIA3"},
+                                         {CellKind::triangle6, "CTRIA6"},
+                                         {CellKind::quad4, "CQUAD4"},
+                                         {CellKind::quad8, "CQUAD8"},
+                                         {CellKind::quad9, "CQUAD"},
+                                         {CellKind::tetrahedron, "CTETRA"},
+                                         {CellKind::tetrahedron10, "CTETRA"},
+                                         {CellKind::hexahedron8, "CHEXA"},
+                                         {CellKind::hexahedron20, "CHEXA"},
+                                         {CellKind::prism6, "CPENTA"},
+                                         {CellKind::prism15, "CPENTA"},
+                                         {CellKind::pyramid5, "CPYRAM"},
+                                         {CellKind::pyramid13, "CPYRAM"}};
 
 constexpr std::int64_t highest_number = 99'999'999;
 constexpr std::size_t large_field = 16;
@@ -108,26 +114,40 @@ HeldNumbers nastran_holds(const FileMesh& mesh) {
   return {are_held(mesh.source_point_id, mesh.points.size()), are_held(std::move(cells), rows)};
 }
 
-NastranPoints nastran_points(const FileMesh& mesh) {
-  NastranPoints result;
+std::vector<Finding> lost_in_nastran(const FileMesh& mesh) {
+  std::vector<Finding> lost;
+  const auto lose = [&](std::string_view code, std::size_t count, std::string text) {
+    if (count == 0) return;
+    lost.push_back({.code = std::string(code),
+                    .severity = Severity::warning,
+                    .count = count,
+                    .text = std::move(text),
+                    .remedy = "write another format than Nastran to keep them"});
+  };
+  std::size_t rounded = 0, others = 0;
+  double largest = 0;
   for (const Point& p : mesh.points) {
     double change = 0;
     for (const double x : p) {
       const double kept = value_of(real_field(x));
       if (kept != x) change = std::max(change, std::abs((x - kept) / x));
     }
-    result.rounded += change > 0;
-    result.largest_change = std::max(result.largest_change, change);
+    rounded += change > 0;
+    largest = std::max(largest, change);
   }
-  return result;
-}
-
-bool are_properties(const FileMesh& mesh) {
-  return std::ranges::all_of(all_cell_kinds, [&](CellKind kind) {
-    return kind == CellKind::vertex ||
-           std::ranges::all_of(label_of(columns_of(mesh, kind)),
-                               [](std::int32_t region) { return region == 0 || is_property(region); });
-  });
+  for (const CellKind kind : all_cell_kinds) {
+    if (kind == CellKind::vertex) continue;
+    others += static_cast<std::size_t>(
+        std::ranges::count_if(label_of(columns_of(mesh, kind)),
+                              [](auto region) { return region != 0 && !is_property(region); }));
+  }
+  lose("coordinates_rounded", rounded,
+       fmt::format("{} points have coordinates of more digits than sixteen characters hold: they "
+                   "change by up to {:.2g} of their size",
+                   rounded, largest));
+  lose("regions_lost", others,
+       fmt::format("{} cells have regions that are no properties, from 1 to 99999999", others));
+  return lost;
 }
 
 std::string write_nastran(const FileMesh& mesh) {
@@ -145,8 +165,8 @@ std::string write_nastran(const FileMesh& mesh) {
   };
   for (std::size_t i = 0; i < mesh.points.size(); ++i) {
     const Point& p = mesh.points[i];
-    fmt::format_to(std::back_inserter(out), "GRID*   {:<16}{:16}{:>16}{:>16}\n*       {:>16}\n", node(i),
-                   "", real_field(p[0]), real_field(p[1]), real_field(p[2]));
+    fmt::format_to(std::back_inserter(out), "GRID*   {:<16}{:16}{:>16}{:>16}\n*       {:>16}\n",
+                   node(i), "", real_field(p[0]), real_field(p[1]), real_field(p[2]));
   }
   std::int64_t next = 1;
   for (const WrittenType& type : written_types) {
@@ -157,11 +177,13 @@ std::string write_nastran(const FileMesh& mesh) {
     for (std::size_t i = 0; i < rows.count; ++i) {
       const std::int32_t region = label.empty() ? 0 : label[i];
       fmt::format_to(std::back_inserter(out), "{:<8}{:<8}{:<8}", type.card,
-                     own.cells ? cells.source_id[i] : next++, is_property(region) ? region : no_region);
+                     own.cells ? cells.source_id[i] : next++,
+                     is_property(region) ? region : no_region);
       for (std::size_t k = 0; k < rows.nodes; ++k) {
         // Eight fields a line, the first of which has number and property too.
         if (k >= 6 && (k - 6) % 8 == 0) out += "\n        ";
-        fmt::format_to(std::back_inserter(out), "{:<8}", node(rows[i][order.empty() ? k : order[k]]));
+        fmt::format_to(std::back_inserter(out), "{:<8}",
+                       node(rows[i][order.empty() ? k : order[k]]));
       }
       while (out.back() == ' ') out.pop_back();
       out += '\n';

@@ -18,11 +18,10 @@ bool is_unv(std::string_view text);
 Draft read_unv(std::string_view text);
 
 /// The kinds of cells that are written.
-inline constexpr KindSet unv_cells =
-    kind_set({CellKind::vertex, CellKind::edge, CellKind::edge3, CellKind::triangle,
-              CellKind::triangle6, CellKind::quad4, CellKind::quad8, CellKind::tetrahedron,
-              CellKind::tetrahedron10, CellKind::hexahedron8, CellKind::hexahedron20,
-              CellKind::prism6, CellKind::prism15});
+inline constexpr KindSet unv_cells = kind_set(
+    {CellKind::vertex, CellKind::edge, CellKind::edge3, CellKind::triangle, CellKind::triangle6,
+     CellKind::quad4, CellKind::quad8, CellKind::tetrahedron, CellKind::tetrahedron10,
+     CellKind::hexahedron8, CellKind::hexahedron20, CellKind::prism6, CellKind::prism15});
 
 /// Whether a group can have this name: 40 characters, plain ones; `region_N` stands for none.
 bool is_unv_name(std::string_view name);
@@ -30,9 +29,9 @@ bool is_unv_name(std::string_view name);
 /// Which numbers the file can hold: from 1 to 999 999 999, each once; of elements all or none.
 HeldNumbers unv_holds(const FileMesh& mesh);
 
-/// How many names of regions do not come back: those that no group can have, and of regions without
-/// cells.
-std::size_t names_lost_in_unv(const FileMesh& mesh);
+/// What does not come back beside what the format's traits tell: names that no group can have, and
+/// those of regions without cells.
+std::vector<Finding> lost_in_unv(const FileMesh& mesh);
 
 /// The text of a file. Coordinates keep every bit.
 std::string write_unv(const FileMesh& mesh);

@@ -88,7 +88,8 @@ void read_groups(UnvReader& r, Groups& g, UnvLines& lines, std::size_t numbers_e
     if (found < head.size()) {
       fail(lines.text, at,
            {.code = "wrong_count",
-            .text = "a group begins with eight numbers, the last of which is how many members it has",
+            .text =
+                "a group begins with eight numbers, the last of which is how many members it has",
             .remedy = "correct the line, or write the file again"});
     }
     check_count({lines.text.substr(0, lines.end), lines.next}, at, head[7], "members",
@@ -114,10 +115,11 @@ void read_groups(UnvReader& r, Groups& g, UnvLines& lines, std::size_t numbers_e
   }
 }
 
-/// The regions of the groups that have cells of a dimension: their own numbers where those are free,
-/// else the next that are; and their names. Groups of one number and name are one region, and
+/// The regions of the groups that have cells of a dimension: their own numbers where those are
+/// free, else the next that are; and their names. Groups of one number and name are one region, and
 /// `region_N` is the region N without a name.
-void number_groups(UnvReader& r, Groups& g, std::size_t dimension, const std::vector<bool>& is_used) {
+void number_groups(UnvReader& r, Groups& g, std::size_t dimension,
+                   const std::vector<bool>& is_used) {
   std::map<std::int32_t, std::string>& names = r.draft.mesh.region_name[dimension];
   std::map<std::int32_t, std::size_t> taken;
   std::vector<std::size_t> waiting;
@@ -157,7 +159,8 @@ void give_regions(UnvReader& r, Groups& g) {
     if (g.group_of[row] < 0) continue;
     is_used[dimension_of(g.kind_of[row])][static_cast<std::size_t>(g.group_of[row])] = true;
   }
-  for (const std::int32_t group : g.group_of_vertex) is_used[0][static_cast<std::size_t>(group)] = true;
+  for (const std::int32_t group : g.group_of_vertex)
+    is_used[0][static_cast<std::size_t>(group)] = true;
   for (std::size_t d = 0; d < 4; ++d) number_groups(r, g, d, is_used[d]);
   std::size_t row = 0;
   for (const CellKind kind : all_cell_kinds) {
@@ -207,7 +210,8 @@ void read_unv_groups(UnvReader& r) {
        fmt::format("groups name {} nodes or elements that are not there", g.unknown),
        "nothing to do, if they were left out on purpose");
   warn(r, "skipped_members", g.others,
-       fmt::format("{} members of groups are neither nodes nor elements: they are left out", g.others),
+       fmt::format("{} members of groups are neither nodes nor elements: they are left out",
+                   g.others),
        "nothing to do, unless they matter");
 }
 

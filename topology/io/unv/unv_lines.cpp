@@ -12,19 +12,19 @@ namespace sunder::io {
 namespace {
 
 constexpr UnvType types[] = {
-    {11, CellKind::edge},           {21, CellKind::edge},          {22, CellKind::edge},
-    {23, CellKind::edge3},          {24, CellKind::edge3},         {41, CellKind::triangle},
-    {42, CellKind::triangle6},      {44, CellKind::quad4},         {45, CellKind::quad8},
-    {51, CellKind::triangle},       {52, CellKind::triangle6},     {54, CellKind::quad4},
-    {55, CellKind::quad8},          {61, CellKind::triangle},      {62, CellKind::triangle6},
-    {64, CellKind::quad4},          {65, CellKind::quad8},         {71, CellKind::quad4},
-    {72, CellKind::triangle6},      {74, CellKind::triangle},      {75, CellKind::quad8},
-    {81, CellKind::triangle},       {82, CellKind::triangle6},     {84, CellKind::quad4},
-    {85, CellKind::quad8},          {91, CellKind::triangle},      {92, CellKind::triangle6},
-    {94, CellKind::quad4},          {95, CellKind::quad8},         {101, CellKind::prism6},
-    {102, CellKind::prism15},       {104, CellKind::hexahedron8},  {105, CellKind::hexahedron20},
-    {111, CellKind::tetrahedron},   {112, CellKind::prism6},       {113, CellKind::prism15},
-    {115, CellKind::hexahedron8},   {116, CellKind::hexahedron20}, {118, CellKind::tetrahedron10},
+    {11, CellKind::edge},         {21, CellKind::edge},          {22, CellKind::edge},
+    {23, CellKind::edge3},        {24, CellKind::edge3},         {41, CellKind::triangle},
+    {42, CellKind::triangle6},    {44, CellKind::quad4},         {45, CellKind::quad8},
+    {51, CellKind::triangle},     {52, CellKind::triangle6},     {54, CellKind::quad4},
+    {55, CellKind::quad8},        {61, CellKind::triangle},      {62, CellKind::triangle6},
+    {64, CellKind::quad4},        {65, CellKind::quad8},         {71, CellKind::quad4},
+    {72, CellKind::triangle6},    {74, CellKind::triangle},      {75, CellKind::quad8},
+    {81, CellKind::triangle},     {82, CellKind::triangle6},     {84, CellKind::quad4},
+    {85, CellKind::quad8},        {91, CellKind::triangle},      {92, CellKind::triangle6},
+    {94, CellKind::quad4},        {95, CellKind::quad8},         {101, CellKind::prism6},
+    {102, CellKind::prism15},     {104, CellKind::hexahedron8},  {105, CellKind::hexahedron20},
+    {111, CellKind::tetrahedron}, {112, CellKind::prism6},       {113, CellKind::prism15},
+    {115, CellKind::hexahedron8}, {116, CellKind::hexahedron20}, {118, CellKind::tetrahedron10},
 };
 
 // Midpoints stand between the corners that they are between, one ring after the other.
@@ -33,13 +33,14 @@ constexpr std::uint8_t triangle[] = {0, 3, 1, 4, 2, 5};
 constexpr std::uint8_t quad[] = {0, 4, 1, 5, 2, 6, 3, 7};
 constexpr std::uint8_t tetrahedron[] = {0, 4, 1, 5, 2, 6, 7, 8, 9, 3};
 constexpr std::uint8_t prism[] = {0, 6, 1, 7, 2, 8, 12, 13, 14, 3, 9, 4, 10, 5, 11};
-constexpr std::uint8_t hexahedron[] = {0,  8, 1,  9, 2,  10, 3,  11, 16, 17,
-                                       18, 19, 4, 12, 5, 13, 6, 14, 7, 15};
+constexpr std::uint8_t hexahedron[] = {0,  8,  1, 9,  2, 10, 3, 11, 16, 17,
+                                       18, 19, 4, 12, 5, 13, 6, 14, 7,  15};
 
 [[noreturn]] void fail_number(const UnvLines& lines, std::string_view word, std::string_view what,
                               std::errc reason) {
   const bool is_big = reason == std::errc::result_out_of_range;
-  fail(lines.text, word.empty() ? lines.at : static_cast<std::size_t>(word.data() - lines.text.data()),
+  fail(lines.text,
+       word.empty() ? lines.at : static_cast<std::size_t>(word.data() - lines.text.data()),
        {.code = is_big ? "number_out_of_range" : "bad_number",
         .text = is_big ? fmt::format("{} is too big or too small to be {}", in_quotes(word), what)
                        : fmt::format("{} stands where {} was expected",
@@ -100,8 +101,7 @@ std::size_t integers_of(const UnvLines& lines, std::span<std::int64_t> numbers,
   for (; n < numbers.size(); ++n) {
     const std::string_view word = next_word(s);
     if (word.empty()) break;
-    const auto [stop, reason] =
-        std::from_chars(word.data(), word.data() + word.size(), numbers[n]);
+    const auto [stop, reason] = std::from_chars(word.data(), word.data() + word.size(), numbers[n]);
     if (reason != std::errc{} || stop != word.data() + word.size()) {
       fail_number(lines, word, what, reason);
     }

@@ -144,12 +144,12 @@ void index_nodes(UnvReader& r) {
   }
   std::array<std::int64_t, 2> twice;
   if (index_numbers(r.node_rows, numbers, twice)) return;
-  throw ReadFailure{{.code = "duplicate_id",
-                     .ids = {twice[0], twice[1]},
-                     .text = fmt::format("the nodes in rows {} and {} have the same number {}",
-                                         twice[0], twice[1],
-                                         numbers[static_cast<std::size_t>(twice[0])]),
-                     .remedy = "give every node its own number"}};
+  throw ReadFailure{
+      {.code = "duplicate_id",
+       .ids = {twice[0], twice[1]},
+       .text = fmt::format("the nodes in rows {} and {} have the same number {}", twice[0],
+                           twice[1], numbers[static_cast<std::size_t>(twice[0])]),
+       .remedy = "give every node its own number"}};
 }
 
 /// The nodes of an element that begins at `at`, on as many lines as they need.
@@ -164,7 +164,8 @@ void read_element_nodes(UnvReader& r, UnvLines& lines, std::size_t nodes,
     if (found == 0 || found > nodes - k) {
       fail(lines.text, lines.at,
            {.code = "wrong_count",
-            .text = fmt::format("an element of {} nodes has {} in this line, behind {}", nodes, found, k),
+            .text = fmt::format("an element of {} nodes has {} in this line, behind {}", nodes,
+                                found, k),
             .remedy = "correct the count, or write the file again"});
     }
     for (std::size_t i = 0; i < found; ++i, ++k) {
@@ -185,8 +186,8 @@ void skip_orientation(UnvLines& lines, std::int64_t type, std::size_t nodes) {
   lines = ahead;
 }
 
-/// Number, type, tables of physical properties and of materials, colour, how many nodes; 780 has the
-/// tables' places beside their numbers.
+/// Number, type, tables of physical properties and of materials, colour, how many nodes; 780 has
+/// the tables' places beside their numbers.
 void read_elements(UnvReader& r, UnvLines& lines, bool is_old) {
   std::array<std::int64_t, 8> head{};
   const std::size_t needed = is_old ? 8 : 6;
@@ -198,9 +199,10 @@ void read_elements(UnvReader& r, UnvLines& lines, bool is_old) {
     if (found < needed || nodes < 1) {
       fail(lines.text, at,
            {.code = "wrong_count",
-            .text = fmt::format("an element begins with {} numbers, the last of which is how many nodes "
-                                "it has",
-                                needed),
+            .text = fmt::format(
+                "an element begins with {} numbers, the last of which is how many nodes "
+                "it has",
+                needed),
             .remedy = "correct the line, or write the file again"});
     }
     check_count({lines.text.substr(0, lines.end), lines.next}, at, nodes, "nodes", 2);
@@ -209,7 +211,8 @@ void read_elements(UnvReader& r, UnvLines& lines, bool is_old) {
     skip_orientation(lines, head[1], count);
     const bool is_ours = type != nullptr && traits_of(type->kind).nodes == count;
     r.draft.cell.begin(count, at);
-    read_element_nodes(r, lines, count, is_ours ? unv_order(type->kind) : std::span<const std::uint8_t>{});
+    read_element_nodes(r, lines, count,
+                       is_ours ? unv_order(type->kind) : std::span<const std::uint8_t>{});
     if (!is_ours) {
       constexpr std::size_t most = 12;
       if (r.other_types.size() < most) r.other_types.insert(head[1]);
@@ -241,28 +244,29 @@ void drop_usual_tables(FileMesh& mesh) {
 
 /// Data sets that are neither read nor about the file itself.
 void note_others(UnvReader& r) {
-  constexpr std::int64_t ours[] = {15,  151, 164, 780,  781,  2400, 2411, 2412, 2417, 2420,
-                                   2429, 2430, 2432, 2435, 2452, 2467, 2477};
+  constexpr std::int64_t ours[] = {15,   151,  164,  780,  781,  2400, 2411, 2412, 2417,
+                                   2420, 2429, 2430, 2432, 2435, 2452, 2467, 2477};
   std::set<std::int64_t> others;
   for (const UnvSection& section : r.sections) {
     const bool is_known = std::ranges::find(ours, section.number) != std::end(ours);
     if (!is_known && others.size() < 12) others.insert(section.number);
   }
   if (others.empty()) return;
-  r.draft.findings.push_back({.code = "skipped_data",
-                              .severity = Severity::note,
-                              .count = others.size(),
-                              .text = fmt::format("the data sets {} are passed over",
-                                                  fmt::join(others, ", ")),
-                              .remedy = "nothing to do, unless results or loads are wanted: of "
-                                        "universal files the mesh is read"});
+  r.draft.findings.push_back(
+      {.code = "skipped_data",
+       .severity = Severity::note,
+       .count = others.size(),
+       .text = fmt::format("the data sets {} are passed over", fmt::join(others, ", ")),
+       .remedy = "nothing to do, unless results or loads are wanted: of "
+                 "universal files the mesh is read"});
 }
 
 }  // namespace
 
 bool is_unv(std::string_view text) {
   std::size_t at = 0;
-  while (at < text.size() && first_word(line_at(text, at)).empty()) at += line_at(text, at).size() + 1;
+  while (at < text.size() && first_word(line_at(text, at)).empty())
+    at += line_at(text, at).size() + 1;
   if (at >= text.size() || !is_mark(line_at(text, at))) return false;
   at += line_at(text, at).size() + 1;
   if (at >= text.size()) return false;
@@ -274,7 +278,8 @@ Draft read_unv(std::string_view text) {
   UnvReader r{.draft = {.text = text}};
   find_sections(r);
   for_each_section(r, {2420}, [&](const UnvSection&, UnvLines& lines) { read_systems(r, lines); });
-  for_each_section(r, {2411, 781}, [&](const UnvSection&, UnvLines& lines) { read_nodes(r, lines); });
+  for_each_section(r, {2411, 781},
+                   [&](const UnvSection&, UnvLines& lines) { read_nodes(r, lines); });
   for_each_section(r, {15}, [&](const UnvSection&, UnvLines& lines) { read_old_nodes(r, lines); });
   index_nodes(r);
   for_each_section(r, {2412, 780}, [&](const UnvSection& section, UnvLines& lines) {

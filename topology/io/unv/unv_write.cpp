@@ -15,10 +15,10 @@ namespace {
 
 /// The kinds that are written, by the numbers that Gmsh and Salome read too.
 constexpr UnvType written_types[] = {
-    {21, CellKind::edge},          {24, CellKind::edge3},        {91, CellKind::triangle},
-    {92, CellKind::triangle6},     {94, CellKind::quad4},        {95, CellKind::quad8},
+    {21, CellKind::edge},          {24, CellKind::edge3},          {91, CellKind::triangle},
+    {92, CellKind::triangle6},     {94, CellKind::quad4},          {95, CellKind::quad8},
     {111, CellKind::tetrahedron},  {118, CellKind::tetrahedron10}, {115, CellKind::hexahedron8},
-    {116, CellKind::hexahedron20}, {112, CellKind::prism6},      {113, CellKind::prism15}};
+    {116, CellKind::hexahedron20}, {112, CellKind::prism6},        {113, CellKind::prism15}};
 
 /// Columns of ten characters, a blank before each number.
 constexpr std::int64_t highest_number = 999'999'999;
@@ -93,7 +93,7 @@ HeldNumbers unv_holds(const FileMesh& mesh) {
   return {are_held(mesh.source_point_id, mesh.points.size()), are_held(std::move(cells), rows)};
 }
 
-std::size_t names_lost_in_unv(const FileMesh& mesh) {
+std::vector<Finding> lost_in_unv(const FileMesh& mesh) {
   std::size_t lost = 0;
   for (std::size_t d = 0; d < mesh.region_name.size(); ++d) {
     for (const auto& [region, name] : mesh.region_name[d]) {
@@ -106,7 +106,14 @@ std::size_t names_lost_in_unv(const FileMesh& mesh) {
       lost += !is_used || region == 0 || !is_unv_name(name);
     }
   }
-  return lost;
+  if (lost == 0) return {};
+  return {{.code = "names_lost",
+           .severity = Severity::warning,
+           .count = lost,
+           .text =
+               "UNV has names of at most 40 plain characters, for regions that have cells: others "
+               "are lost",
+           .remedy = "give shorter names, or write another format than UNV to keep them"}};
 }
 
 std::string write_unv(const FileMesh& mesh) {

@@ -178,11 +178,11 @@ void read_column(VtuDocument& document, const VtuArray& array, const ColumnPlace
 
 bool is_vtu(std::string_view text) {
   const std::string_view word = first_word(text);
-  return word.starts_with("<?xml") || word.starts_with("<VTKFile");
+  return (word.starts_with("<?xml") || word.starts_with("<VTKFile")) && !is_vtp(text);
 }
 
 bool is_vtp(std::string_view text) {
-  if (!is_vtu(text)) return false;
+  if (!first_word(text).starts_with('<')) return false;
   constexpr std::size_t far = 4096;
   const std::size_t tag = text.substr(0, far).find("<VTKFile");
   if (tag == std::string_view::npos) return false;

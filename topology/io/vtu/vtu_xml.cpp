@@ -116,7 +116,8 @@ void start_piece(VtuParser& p, Attributes attributes) {
   check(piece.points, "points");
   if (p.document.is_polydata) {
     for (std::size_t i = 0; i < piece.poly_cells.size(); ++i) {
-      piece.poly_cells[i] = count_attribute(p, attributes, fmt::format("NumberOf{}", poly_tags[i]), 0);
+      piece.poly_cells[i] =
+          count_attribute(p, attributes, fmt::format("NumberOf{}", poly_tags[i]), 0);
       check(piece.poly_cells[i], "cells");
       piece.cells += piece.poly_cells[i];
     }
