@@ -80,7 +80,8 @@ constexpr CellType cell_types[] = {
     {80, "Bezier wedges", 3, place(CellKind::prism6), true},
     {81, "Bezier pyramids", 3, place(CellKind::pyramid5), true},
 };
-constexpr std::int64_t polygon_type = 7, pixel_type = 8, voxel_type = 11;
+constexpr std::int64_t poly_vertex_type = 2, polyline_type = 4, strip_type = 6, polygon_type = 7,
+                       pixel_type = 8, voxel_type = 11;
 
 const CellType& cell_type(const Draft& draft, std::int64_t number, std::size_t at) {
   const auto* const type = std::ranges::find(cell_types, number, &CellType::number);
@@ -104,7 +105,54 @@ std::int8_t kind_of(const CellType& type, std::size_t points) {
   return type.kind;
 }
 
+/// What a cell becomes: cells of a kind, more than one of what is cut into parts; no_kind for what is
+/// left out.
+struct Parts {
+  std::int8_t kind = no_kind;
+  std::size_t count = 1;
+};
+
+Parts parts_of(const CellType& type, std::size_t points) {
+  const auto cut = [points](CellKind kind) {
+    const std::size_t nodes = traits_of(kind).nodes;
+    return points < nodes ? Parts{} : Parts{place(kind), points - nodes + 1};
+  };
+  if (type.number == poly_vertex_type) return cut(CellKind::vertex);
+  if (type.number == polyline_type) return cut(CellKind::edge);
+  if (type.number == strip_type) return cut(CellKind::triangle);
+  return {kind_of(type, points), 1};
+}
+
+bool is_cut(std::int64_t type) {
+  return type == poly_vertex_type || type == polyline_type || type == strip_type;
+}
+
+/// Parts that no real body has, of points that repeat, would fill memory.
+void check_parts(const Draft& draft, const VtkPiece& piece, std::size_t at) {
+  constexpr std::size_t always = 1000, most_a_point = 8;
+  if (piece.more_parts <= always || piece.more_parts / most_a_point <= piece.points) return;
+  fail(draft.text, at,
+       {.code = "count_too_big",
+        .text = fmt::format("strips and polylines have {} parts on {} points", piece.more_parts,
+                            piece.points),
+        .remedy = "save the surface as triangles"});
+}
+
 }  // namespace
+
+void count_copies(const Draft& draft, VtkPiece& piece, std::size_t components, std::size_t at) {
+  if (piece.more_parts == 0 || components == 0) return;
+  if (piece.more_parts <= piece.copies_left / components) {
+    piece.copies_left -= piece.more_parts * components;
+    return;
+  }
+  fail(draft.text, at,
+       {.code = "count_too_big",
+        .text = fmt::format("the data of strips and polylines are too many to be given to each of "
+                            "their {} parts",
+                            piece.more_parts),
+        .remedy = "save the surface as triangles, or with fewer data"});
+}
 
 void check_vtk_cells(const VtkCells& cells, std::string_view text, std::size_t at) {
   std::int64_t before = 0;
@@ -132,14 +180,21 @@ void check_vtk_cells(const VtkCells& cells, std::string_view text, std::size_t a
 void add_vtk_cells(Draft& draft, VtkPiece& piece, const VtkCells& cells, std::size_t at) {
   const auto points = static_cast<std::int64_t>(piece.points);
   piece.list_of_cell.reserve(cells.types.size());
+  const bool has_parts = std::ranges::any_of(cells.types, is_cut);
+  if (has_parts) piece.parts_of_cell.reserve(cells.types.size());
   std::size_t begin = 0;
   for (std::size_t c = 0; c < cells.types.size(); ++c) {
     const auto end = static_cast<std::size_t>(cells.ends[c]);
-    const std::int8_t kind = kind_of(cell_type(draft, cells.types[c], at), end - begin);
-    piece.list_of_cell.push_back(kind);
-    if (kind != no_kind) ++piece.cells[static_cast<std::size_t>(kind)];
+    const Parts parts = parts_of(cell_type(draft, cells.types[c], at), end - begin);
+    piece.list_of_cell.push_back(parts.kind);
+    if (has_parts) piece.parts_of_cell.push_back(static_cast<std::uint32_t>(parts.count));
+    if (parts.kind != no_kind) piece.cells[static_cast<std::size_t>(parts.kind)] += parts.count;
+    piece.more_parts += parts.count - 1;
     begin = end;
   }
+  constexpr std::size_t always = 16'000;
+  piece.copies_left = always + cells.points.size();
+  check_parts(draft, piece, at);
   for (const CellKind kind : all_cell_kinds) {
     piece.first_cell[index_of(kind)] = rows_of(draft.mesh, kind).count;
   }
@@ -148,6 +203,12 @@ void add_vtk_cells(Draft& draft, VtkPiece& piece, const VtkCells& cells, std::si
   });
   constexpr std::uint8_t rows_of_pixels[] = {0, 1, 3, 2, 4, 5, 7, 6};
   FileCell& cell = draft.cell;
+  const auto take_node = [&](FileCell& to, std::size_t k, std::size_t place) {
+    const std::int64_t row = cells.points[place];
+    to.numbers[k] = row;
+    to.rows[k] =
+        row >= 0 && row < points ? static_cast<std::int64_t>(piece.first_point) + row : -1;
+  };
   begin = 0;
   for (std::size_t c = 0; c < cells.types.size(); ++c) {
     const CellType& type = cell_type(draft, cells.types[c], at);
@@ -155,16 +216,25 @@ void add_vtk_cells(Draft& draft, VtkPiece& piece, const VtkCells& cells, std::si
     const std::int8_t kind = piece.list_of_cell[c];
     if (kind == no_kind) {
       add_other_cells(draft, type.name, type.dimension, 1, at);
+    } else if (is_cut(type.number)) {
+      const auto part = static_cast<CellKind>(kind);
+      const std::size_t nodes = traits_of(part).nodes;
+      for (std::size_t first = begin; first + nodes <= end; ++first) {
+        cell.begin(nodes, at);
+        // Every second triangle of a strip is turned.
+        const bool is_turned = nodes == 3 && (first - begin) % 2 == 1;
+        for (std::size_t k = 0; k < nodes; ++k) {
+          take_node(cell, k, first + (is_turned && k < 2 ? 1 - k : k));
+        }
+        add_cell(draft, part, cell);
+      }
     } else {
       const std::size_t nodes =
           type.number == polygon_type ? end - begin : fewest_points(type);
       const bool is_pixel = type.number == pixel_type || type.number == voxel_type;
       cell.begin(nodes, at);
       for (std::size_t k = 0; k < nodes; ++k) {
-        const std::int64_t row = cells.points[begin + (is_pixel ? rows_of_pixels[k] : k)];
-        cell.numbers[k] = row;
-        cell.rows[k] =
-            row >= 0 && row < points ? static_cast<std::int64_t>(piece.first_point) + row : -1;
+        take_node(cell, k, begin + (is_pixel ? rows_of_pixels[k] : k));
       }
       add_cell(draft, static_cast<CellKind>(kind), cell);
       const bool is_higher = type.is_higher && end - begin > nodes;

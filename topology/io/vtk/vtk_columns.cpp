@@ -54,7 +54,9 @@ void append(std::vector<Value>& to, const std::vector<std::int64_t>& values, con
             CellKind kind) {
   make_room(to, piece.cells[index_of(kind)]);
   for (std::size_t c = 0; c < piece.list_of_cell.size(); ++c) {
-    if (piece.list_of_cell[c] == static_cast<std::int8_t>(kind)) to.push_back(static_cast<Value>(values[c]));
+    if (piece.list_of_cell[c] != static_cast<std::int8_t>(kind)) continue;
+    to.insert(to.end(), piece.parts_of_cell.empty() ? 1 : piece.parts_of_cell[c],
+              static_cast<Value>(values[c]));
   }
 }
 
@@ -123,9 +125,10 @@ bool is_vtk_label(const VtkArrayHead& head) {
   return is_region_name(head.name) || is_entity_name(head.name) || is_cell_id_name(head.name);
 }
 
-void add_vtk_label(Draft& draft, const VtkPiece& piece, const VtkArrayHead& head,
+void add_vtk_label(Draft& draft, VtkPiece& piece, const VtkArrayHead& head,
                    const std::vector<std::int64_t>& values) {
   if (!head.of_cells) return add_point_label(draft, head, values);
+  count_copies(draft, piece, 1, head.at);
   const bool is_region = is_region_name(head.name);
   const bool is_entity = is_entity_name(head.name);
   if (is_region || is_entity) check_label(draft, values, head.at);
@@ -146,7 +149,7 @@ void add_vtk_label(Draft& draft, const VtkPiece& piece, const VtkArrayHead& head
 }
 
 template <class Value>
-VtkSink<Value> begin_vtk_data(Draft& draft, const VtkPiece& piece, const VtkArrayHead& head,
+VtkSink<Value> begin_vtk_data(Draft& draft, VtkPiece& piece, const VtkArrayHead& head,
                               std::size_t most_numbers) {
   VtkSink<Value> sink{.components = head.components};
   const auto begin = [&](std::vector<DataColumn>& columns, std::size_t d, std::size_t rows) {
@@ -161,7 +164,9 @@ VtkSink<Value> begin_vtk_data(Draft& draft, const VtkPiece& piece, const VtkArra
     if (piece.points > 0) begin(draft.mesh.point_data, 0, draft.mesh.points.size());
     return sink;
   }
+  count_copies(draft, piece, head.components, head.at);
   sink.list_of_row = piece.list_of_cell;
+  sink.parts_of_row = piece.parts_of_cell;
   for (const CellKind kind : all_cell_kinds) {
     if (piece.cells[index_of(kind)] == 0) continue;
     begin(columns_of(draft.mesh, kind).data, index_of(kind), rows_of(draft.mesh, kind).count);
@@ -169,8 +174,8 @@ VtkSink<Value> begin_vtk_data(Draft& draft, const VtkPiece& piece, const VtkArra
   return sink;
 }
 
-template VtkSink<double> begin_vtk_data(Draft&, const VtkPiece&, const VtkArrayHead&, std::size_t);
-template VtkSink<std::int64_t> begin_vtk_data(Draft&, const VtkPiece&, const VtkArrayHead&,
+template VtkSink<double> begin_vtk_data(Draft&, VtkPiece&, const VtkArrayHead&, std::size_t);
+template VtkSink<std::int64_t> begin_vtk_data(Draft&, VtkPiece&, const VtkArrayHead&,
                                               std::size_t);
 
 namespace {

@@ -144,7 +144,7 @@ void skip_column(const VtuDocument& document, const VtuArray& array, Draft& draf
 /// Where an array goes, and the names that its piece has given before.
 struct ColumnPlace {
   Draft& draft;
-  const VtkPiece& piece;
+  VtkPiece& piece;
   VtkNames& names;
   bool of_cells = false;
 };
