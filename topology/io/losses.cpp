@@ -49,16 +49,14 @@ void lose_cells(Losses& losses, const FileMesh& mesh, const FormatTraits& t) {
     if (lower == kind) {
       lose(losses, "cells_lost", n, fmt::format("{} holds no {}", losses.to.name, own.plural));
       if (own.dimension > 1) {
-        losses.findings.back().remedy +=
-            ", or write their simplices (sunder convert --split)";
+        losses.findings.back().remedy += ", or write their simplices (sunder convert --split)";
       }
     } else {
       lose(losses, "nodes_lost", n,
            fmt::format("{} {}: {} are written as {}, their other nodes stay as points",
                        losses.to.name,
-                       mixes ? "has cells of one order"
-                             : fmt::format("holds no {}", own.plural),
-                       n, traits_of(lower).plural));
+                       mixes ? "has cells of one order" : fmt::format("holds no {}", own.plural), n,
+                       traits_of(lower).plural));
     }
   }
 }
@@ -104,12 +102,12 @@ void lose_ids(Losses& losses, const FileMesh& mesh, std::string_view version) {
   const bool is_abaqus = losses.to.format == MeshFormat::abaqus;
   const bool is_nastran = losses.to.format == MeshFormat::nastran;
   const bool is_unv = losses.to.format == MeshFormat::unv;
-  const HeldNumbers own = is_msh      ? msh_holds(mesh, version == "4.1" ? 41 : 22)
-                              : is_abaqus ? abaqus_holds(mesh)
-                              : is_nastran ? nastran_holds(mesh)
-                              : is_unv     ? unv_holds(mesh)
-                              : losses.to.format == MeshFormat::ply ? ply_holds(mesh)
-                                                                    : HeldNumbers{true, true};
+  const HeldNumbers own = is_msh       ? msh_holds(mesh, version == "4.1" ? 41 : 22)
+                          : is_abaqus  ? abaqus_holds(mesh)
+                          : is_nastran ? nastran_holds(mesh)
+                          : is_unv     ? unv_holds(mesh)
+                          : losses.to.format == MeshFormat::ply ? ply_holds(mesh)
+                                                                : HeldNumbers{true, true};
   const bool keeps_points = losses.to.holds_point_ids && own.points;
   const bool keeps_cells = losses.to.holds_cell_ids && own.cells;
   const std::size_t lost = (keeps_points ? 0 : points) + (keeps_cells ? 0 : cells) +
@@ -122,11 +120,12 @@ void lose_ids(Losses& losses, const FileMesh& mesh, std::string_view version) {
        : losses.to.cell_ids_from == 1 && keeps_points && keeps_cells
            ? fmt::format("{} does not hold numbers of vertices", losses.to.name)
        : losses.to.cell_ids_from == 1
-           ? fmt::format("points or elements are numbered anew: {} needs positive numbers{}, each once",
-                         losses.to.name,
-                         is_nastran ? " below 100 000 000"
-                         : is_unv   ? " below 1 000 000 000"
-                                    : "")
+           ? fmt::format(
+                 "points or elements are numbered anew: {} needs positive numbers{}, each once",
+                 losses.to.name,
+                 is_nastran ? " below 100 000 000"
+                 : is_unv   ? " below 1 000 000 000"
+                            : "")
            : fmt::format("{} does not hold numbers of {}", losses.to.name,
                          keeps_points  ? "cells"
                          : keeps_cells ? "points"
@@ -236,14 +235,14 @@ void lose_inside(Losses& losses, const FileMesh& mesh, const BoundarySurface& su
 void lose_in_stl(Losses& losses, const FileMesh& mesh, bool is_binary) {
   const StlPoints points = stl_points(mesh, is_binary);
   if (points.unused + points.merged > 0 || points.is_reordered) {
-    lose(losses, "points_renumbered", mesh.points.size(),
-         fmt::format("points come back in the order in which triangles use them{}{}",
-                     points.unused == 0 ? ""
-                                        : fmt::format("; {} that none uses are dropped", points.unused),
-                     points.merged == 0
-                         ? ""
-                         : fmt::format("; {} become one with another at the same place",
-                                       points.merged)));
+    lose(
+        losses, "points_renumbered", mesh.points.size(),
+        fmt::format(
+            "points come back in the order in which triangles use them{}{}",
+            points.unused == 0 ? "" : fmt::format("; {} that none uses are dropped", points.unused),
+            points.merged == 0
+                ? ""
+                : fmt::format("; {} become one with another at the same place", points.merged)));
   }
   if (points.rounded == 0) return;
   lose(losses, "coordinates_rounded", points.rounded,
@@ -256,12 +255,13 @@ void lose_in_stl(Losses& losses, const FileMesh& mesh, bool is_binary) {
 /// A file without a cell says nothing of a mesh that has some.
 std::optional<Finding> nothing_left(const Written& written, const FormatTraits& t) {
   if (cell_count(written.original) == 0 || cell_count(written.mesh()) > 0) return std::nullopt;
-  return Finding{.code = "nothing_left",
-                 .count = cell_count(written.original),
-                 .text = fmt::format("{} holds none of the {} cells", t.name,
-                                     cell_count(written.original)),
-                 .remedy = "write another format, or the simplices of the cells (sunder convert "
-                           "--split)"};
+  return Finding{
+      .code = "nothing_left",
+      .count = cell_count(written.original),
+      .text = fmt::format("{} holds none of the {} cells", t.name, cell_count(written.original)),
+      .remedy =
+          "write another format, or the simplices of the cells (sunder convert "
+          "--split)"};
 }
 
 }  // namespace

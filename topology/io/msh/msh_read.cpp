@@ -6,6 +6,7 @@
 
 #include "topology/io/msh/msh.hpp"
 #include "topology/io/msh/msh_reader.hpp"
+#include "topology/io/nastran/nastran.hpp"
 
 namespace sunder::io {
 namespace {
@@ -221,7 +222,10 @@ void drop_empty_labels(CellColumns& cells) {
 
 }  // namespace
 
-bool is_msh(std::string_view text) { return first_word(text).starts_with('$'); }
+bool is_msh(std::string_view text) {
+  // Comments of Nastran's bulk data begin with $ too.
+  return first_word(text).starts_with('$') && !is_nastran(text);
+}
 
 Draft read_msh(std::string_view text) {
   MshReader r{.in = {.s = {.text = text}}, .draft = {.text = text}};

@@ -242,6 +242,19 @@ void drop_usual_tables(FileMesh& mesh) {
   for (const CellKind kind : all_cell_kinds) columns_of(mesh, kind).entity.clear();
 }
 
+/// Numbers that count on from 1 through all elements say nothing.
+void drop_counting(FileMesh& mesh) {
+  std::int64_t next = 1;
+  bool counts = true;
+  for (const CellKind kind : all_cell_kinds) {
+    for (const std::int64_t number : columns_of(mesh, kind).source_id) {
+      counts = counts && number == next++;
+    }
+  }
+  if (!counts) return;
+  for (const CellKind kind : all_cell_kinds) columns_of(mesh, kind).source_id.clear();
+}
+
 /// Data sets that are neither read nor about the file itself.
 void note_others(UnvReader& r) {
   constexpr std::int64_t ours[] = {15,   151,  164,  780,  781,  2400, 2411, 2412, 2417,
@@ -287,6 +300,7 @@ Draft read_unv(std::string_view text) {
   });
   drop_usual_tables(r.draft.mesh);
   read_unv_groups(r);
+  drop_counting(r.draft.mesh);
   note_others(r);
   return std::move(r.draft);
 }

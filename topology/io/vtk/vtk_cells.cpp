@@ -105,8 +105,8 @@ std::int8_t kind_of(const CellType& type, std::size_t points) {
   return type.kind;
 }
 
-/// What a cell becomes: cells of a kind, more than one of what is cut into parts; no_kind for what is
-/// left out.
+/// What a cell becomes: cells of a kind, more than one of what is cut into parts; no_kind for what
+/// is left out.
 struct Parts {
   std::int8_t kind = no_kind;
   std::size_t count = 1;
@@ -206,8 +206,7 @@ void add_vtk_cells(Draft& draft, VtkPiece& piece, const VtkCells& cells, std::si
   const auto take_node = [&](FileCell& to, std::size_t k, std::size_t place) {
     const std::int64_t row = cells.points[place];
     to.numbers[k] = row;
-    to.rows[k] =
-        row >= 0 && row < points ? static_cast<std::int64_t>(piece.first_point) + row : -1;
+    to.rows[k] = row >= 0 && row < points ? static_cast<std::int64_t>(piece.first_point) + row : -1;
   };
   begin = 0;
   for (std::size_t c = 0; c < cells.types.size(); ++c) {
@@ -229,8 +228,7 @@ void add_vtk_cells(Draft& draft, VtkPiece& piece, const VtkCells& cells, std::si
         add_cell(draft, part, cell);
       }
     } else {
-      const std::size_t nodes =
-          type.number == polygon_type ? end - begin : fewest_points(type);
+      const std::size_t nodes = type.number == polygon_type ? end - begin : fewest_points(type);
       const bool is_pixel = type.number == pixel_type || type.number == voxel_type;
       cell.begin(nodes, at);
       for (std::size_t k = 0; k < nodes; ++k) {

@@ -175,8 +175,7 @@ VtkSink<Value> begin_vtk_data(Draft& draft, VtkPiece& piece, const VtkArrayHead&
 }
 
 template VtkSink<double> begin_vtk_data(Draft&, VtkPiece&, const VtkArrayHead&, std::size_t);
-template VtkSink<std::int64_t> begin_vtk_data(Draft&, VtkPiece&, const VtkArrayHead&,
-                                              std::size_t);
+template VtkSink<std::int64_t> begin_vtk_data(Draft&, VtkPiece&, const VtkArrayHead&, std::size_t);
 
 namespace {
 

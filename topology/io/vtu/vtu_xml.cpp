@@ -185,8 +185,19 @@ void bound_tags(VtuParser& p, std::string_view name, Attributes attributes) {
   }
 }
 
+/// What stands in an array up to here is all of it.
+void end_array(VtuParser& p) {
+  if (p.array == nullptr) return;
+  const char* const begin = p.array->content.data();
+  const char* const end = p.document.layout.text.data() + place(p);
+  // An empty tag <DataArray ... /> ends where it starts.
+  p.array->content = std::string_view(begin, end > begin ? end - begin : 0);
+  p.array = nullptr;
+}
+
 void start_element(VtuParser& p, std::string_view name, Attributes attributes) {
   bound_tags(p, name, attributes);
+  end_array(p);  // VTK puts <InformationKey> behind the numbers
   p.open.emplace_back(name);
   if (p.open.size() == 1 && name != "VTKFile") {
     fail_tag(p, "unknown_format", fmt::format("the document is {}, not VTKFile", in_quotes(name)),
@@ -206,12 +217,7 @@ void start_element(VtuParser& p, std::string_view name, Attributes attributes) {
 
 void end_element(VtuParser& p) {
   p.open.pop_back();
-  if (p.array == nullptr) return;
-  const char* const begin = p.array->content.data();
-  const char* const end = p.document.layout.text.data() + place(p);
-  // An empty tag <DataArray ... /> ends where it starts.
-  p.array->content = std::string_view(begin, end > begin ? end - begin : 0);
-  p.array = nullptr;
+  end_array(p);
 }
 
 template <class Work>
