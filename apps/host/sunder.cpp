@@ -74,7 +74,7 @@ Result<SceneFile> read_scene_in_memory(const sunder_scene& scene) {
       .surface =
           [&](const std::string& name) {
             return read_found<FileMesh>(files, name,
-                                        [&](std::string_view b) { return read_file_mesh(b, name); });
+                                        [&](std::string_view b) { return read_file_mesh(b, name, {.simplices = true}); });
           },
       .faces =
           [&](const std::string& name) {

@@ -72,7 +72,7 @@ Result<SceneFile> read_scene(const std::filesystem::path& path,
           },
       .surface =
           [&](const std::string& name) {
-            return within(name, [](const Path& file) { return read_file_mesh(file); });
+            return within(name, [](const Path& file) { return read_file_mesh(file, {.simplices = true}); });
           },
       .faces =
           [&](const std::string& name) {

@@ -16,7 +16,7 @@ std::string finding_lines(const std::vector<Finding>& findings) {
     if (f.line != 0) out += fmt::format(":{}", f.line);
     if (!f.file.empty() || f.line != 0) out += ": ";
     out += fmt::format("{}: {} [{}", to_string(f.severity), f.text, f.code);
-    if (f.count != 1) out += fmt::format(", {} times", f.count);
+    if (f.count > 1) out += fmt::format(", {} times", f.count);
     if (!f.ids.empty()) {
       out += fmt::format(": {}{}", fmt::join(f.ids, " "), f.count > f.ids.size() ? " ..." : "");
     }

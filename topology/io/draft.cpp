@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "topology/io/scan.hpp"
+#include "topology/mesh/kinds/move_cells.hpp"
 
 namespace sunder::io {
 namespace {
@@ -44,18 +46,19 @@ bool counts_up_from(std::int64_t first, const std::vector<std::int64_t>& numbers
   return true;
 }
 
-/// Cells are numbered through all dimensions where a file numbers them at all.
+/// Cells are numbered through all kinds where a file numbers them at all.
 void drop_usual_numbers(FileMesh& mesh) {
   if (counts_up_from(1, mesh.source_point_id)) mesh.source_point_id.clear();
   std::int64_t first = 1;
   bool usual = true;
-  for_each_cell_list(mesh, [&](const auto& cells, int) {
-    const bool all = cells.source_id.size() == cells.corners.size();
-    usual = usual && all && counts_up_from(first, cells.source_id);
-    first += static_cast<std::int64_t>(cells.corners.size());
-  });
+  for (const CellKind kind : all_cell_kinds) {
+    const std::size_t rows = rows_of(mesh, kind).count;
+    const std::vector<std::int64_t>& numbers = columns_of(mesh, kind).source_id;
+    usual = usual && numbers.size() == rows && counts_up_from(first, numbers);
+    first += static_cast<std::int64_t>(rows);
+  }
   if (!usual) return;
-  for_each_cell_list(mesh, [](auto& cells, int) { cells.source_id.clear(); });
+  for (const CellKind kind : all_cell_kinds) columns_of(mesh, kind).source_id.clear();
 }
 
 /// "108 triangles, 12 lines", and their sum.
@@ -80,7 +83,35 @@ Finding at_first(const std::map<std::string, Draft::Others>& cells, Finding find
   return finding;
 }
 
-void judge_other_cells(Draft& draft, bool tetrahedra_only) {
+void add_to(std::map<std::string, Draft::Others>& cells, std::string_view name,
+            const Draft::Others& others) {
+  Draft::Others& sum = cells[std::string(name)];
+  const std::size_t count = sum.count + others.count;
+  if (sum.count == 0) sum = others;
+  sum.count = count;
+}
+
+/// Takes out, or makes linear, what the options do not keep.
+void take_out(Draft& draft, const ReadOptions& options) {
+  FileMesh& mesh = draft.mesh;
+  for (const CellKind kind : all_cell_kinds) {
+    Draft::Others& others = draft.kept[index_of(kind)];
+    others.count = rows_of(mesh, kind).count;
+    if (others.count == 0 || is_simplex(kind)) continue;
+    const CellKindTraits& t = traits_of(kind);
+    const CellKind linear = linear_kind(kind);
+    const bool is_other_volume = t.dimension == 3 && linear != CellKind::tetrahedron;
+    if (options.simplices && is_simplex(linear)) {
+      add_to(draft.curved_cells, t.plural, others);
+      move_cells(mesh, kind, linear);
+    } else if (options.simplices || (options.tetrahedra_only && is_other_volume)) {
+      add_to(t.dimension == 3 ? draft.volume_cells : draft.surface_cells, t.plural, others);
+      drop_cells(mesh, kind);
+    }
+  }
+}
+
+void judge_other_cells(Draft& draft, const ReadOptions& options) {
   const auto add = [&draft](const std::map<std::string, Draft::Others>& cells, Finding finding,
                             std::string_view what) {
     const auto [text, sum] = listed(cells);
@@ -88,18 +119,24 @@ void judge_other_cells(Draft& draft, bool tetrahedra_only) {
     finding.count = sum;
     draft.findings.push_back(at_first(cells, std::move(finding)));
   };
+  const bool nothing_is_left = cell_count(draft.mesh) == 0;
   if (!draft.volume_cells.empty()) {
+    const bool is_refused = !options.tetrahedra_only && (options.simplices || nothing_is_left);
     add(draft.volume_cells,
         {.code = "unsupported_cells",
-         .severity = tetrahedra_only ? Severity::warning : Severity::error,
-         .remedy = "mesh the body with tetrahedra, or split these cells into tetrahedra"},
-        tetrahedra_only ? ": are left out, as was asked for"
-                        : ": of volume cells only tetrahedra are read");
+         .severity = is_refused ? Severity::error : Severity::warning,
+         .remedy = options.simplices
+                       ? "mesh the body with tetrahedra, or split these cells: sunder convert "
+                         "--split FILE NEW.vtu"
+                       : "split these cells, in the program that made them, into cells that are kept"},
+        options.tetrahedra_only ? ": are left out, as was asked for"
+        : options.simplices     ? ": of volume cells only tetrahedra are used here"
+                                : " are left out");
   }
   if (!draft.curved_cells.empty()) {
     add(draft.curved_cells,
         {.code = "corners_only",
-         .severity = Severity::note,
+         .severity = options.simplices ? Severity::note : Severity::warning,
          .remedy = "nothing to do, if their sides are straight; their other points stay as unused "
                    "points"},
         " are read by their corners");
@@ -107,53 +144,38 @@ void judge_other_cells(Draft& draft, bool tetrahedra_only) {
   if (!draft.surface_cells.empty()) {
     add(draft.surface_cells,
         {.code = "skipped_cells",
-         .severity = Severity::note,
-         .remedy = "nothing to do: only simplices are used"},
+         .severity = options.simplices ? Severity::note : Severity::warning,
+         .remedy = options.simplices ? "nothing to do: only simplices are used"
+                                     : "write them in another way, if they matter"},
         " are left out");
   }
 }
 
-constexpr std::string_view cell_names[] = {"vertex", "edge", "triangle", "tetrahedron"};
-
 /// The first `n` numbers, a blank between them.
 std::string numbers_text(const FileCell& cell, std::size_t n) {
+  constexpr std::size_t most = 27;
   std::string text;
-  for (std::size_t k = 0; k < n; ++k) {
+  for (std::size_t k = 0; k < std::min(n, most); ++k) {
     text += fmt::format("{}{}", k == 0 ? "" : " ", cell.numbers[k]);
   }
-  return text;
+  return n > most ? text + " ..." : text;
 }
 
-template <std::size_t Corners>
-void add_cell(Draft& draft, CellList<Corners>& cells, const FileCell& cell) {
-  const std::size_t row = cells.corners.size();
-  const std::string_view name = cell_names[Corners - 1];
-  const auto points = static_cast<std::int64_t>(draft.mesh.points.size());
-  auto& corners = cells.corners.emplace_back();  // stays where the cell is wrong: rows are kept
-  for (std::size_t k = 0; k < Corners; ++k) {
-    if (cell.rows[k] >= 0 && cell.rows[k] < points) continue;
-    return add_problem(draft, "index_out_of_range", row, cell.at, [&] {
-      return Finding{.text = fmt::format("the {} in row {} names point {}, which is none of the {} "
-                                         "points",
-                                         name, row, cell.numbers[k], points),
-                     .remedy = "correct the number, or add the missing points"};
-    });
+/// Whether two of the first `n` nodes are one.
+bool repeats_node(const FileCell& cell, std::size_t n) {
+  constexpr std::size_t few = 8;
+  if (n > few) {
+    std::vector<std::int64_t> sorted(cell.rows.begin(),
+                                     cell.rows.begin() + static_cast<std::ptrdiff_t>(n));
+    std::ranges::sort(sorted);
+    return std::ranges::adjacent_find(sorted) != sorted.end();
   }
-  bool repeats = false;
-  for (std::size_t k = 0; k < Corners; ++k) {
-    corners[k] = static_cast<std::uint32_t>(cell.rows[k]);
-    for (std::size_t j = 0; j < k; ++j) repeats |= corners[j] == corners[k];
+  for (std::size_t k = 1; k < n; ++k) {
+    for (std::size_t j = 0; j < k; ++j) {
+      if (cell.rows[j] == cell.rows[k]) return true;
+    }
   }
-  if (!repeats) return;
-  constexpr bool is_volume = Corners == 4;
-  add_problem(draft, is_volume ? "repeated_vertex" : "degenerate_cell", row, cell.at, [&] {
-    return Finding{.severity = is_volume ? Severity::error : Severity::warning,
-                   .text = fmt::format("the {} in row {} has points {}: {} different ones were "
-                                       "expected",
-                                       name, row, numbers_text(cell, Corners),
-                                       is_volume ? "four" : fmt::format("{}", Corners)),
-                   .remedy = fmt::format("correct the numbers, or delete the {}", name)};
-  });
+  return false;
 }
 
 }  // namespace
@@ -170,17 +192,51 @@ void add_point(Draft& draft, const Point& point, std::size_t at) {
   });
 }
 
-void add_cell(Draft& draft, int dimension, const FileCell& cell) {
-  switch (dimension) {
-    case 0:
-      return add_cell(draft, draft.mesh.vertices, cell);
-    case 1:
-      return add_cell(draft, draft.mesh.edges, cell);
-    case 2:
-      return add_cell(draft, draft.mesh.triangles, cell);
-    default:
-      return add_cell(draft, draft.mesh.tetrahedra, cell);
+void add_cell(Draft& draft, CellKind kind, const FileCell& cell) {
+  const CellKindTraits& t = traits_of(kind);
+  const std::size_t nodes = kind == CellKind::polygon ? cell.rows.size() : t.nodes;
+  const std::size_t row = rows_of(draft.mesh, kind).count;
+  if (row == 0) draft.kept[index_of(kind)] = {0, draft.file, line_in(draft, cell.at)};
+  const auto points = static_cast<std::int64_t>(draft.mesh.points.size());
+  std::array<std::uint32_t, 27> few;
+  std::vector<std::uint32_t> many(nodes > few.size() ? nodes : 0);
+  const std::span<std::uint32_t> taken(nodes > few.size() ? many.data() : few.data(), nodes);
+  std::size_t bad = nodes;
+  for (std::size_t k = 0; k < nodes; ++k) {
+    const bool is_there = cell.rows[k] >= 0 && cell.rows[k] < points;
+    if (!is_there && bad == nodes) bad = k;
+    taken[k] = is_there ? static_cast<std::uint32_t>(cell.rows[k]) : 0;
   }
+  append_cell(draft.mesh, kind, taken);  // stays where the cell is wrong: rows are kept
+  if (bad < nodes) {
+    return add_problem(draft, "index_out_of_range", row, cell.at, [&] {
+      return Finding{.text = fmt::format("the {} in row {} names point {}, which is none of the {} "
+                                         "points",
+                                         t.name, row, cell.numbers[bad], points),
+                     .remedy = "correct the number, or add the missing points"};
+    });
+  }
+  const std::size_t corners = kind == CellKind::polygon ? nodes : t.corners;
+  if (!repeats_node(cell, corners)) return;
+  const bool is_tetrahedron = linear_kind(kind) == CellKind::tetrahedron;
+  add_problem(draft, is_tetrahedron ? "repeated_vertex" : "degenerate_cell", row, cell.at, [&] {
+    return Finding{.severity = is_tetrahedron ? Severity::error : Severity::warning,
+                   .text = fmt::format("the {} in row {} has points {}: {} different ones were "
+                                       "expected",
+                                       t.name, row, numbers_text(cell, corners),
+                                       is_tetrahedron ? "four" : fmt::format("{}", corners)),
+                   .remedy = fmt::format("correct the numbers, or delete the {}", t.name)};
+  });
+}
+
+std::optional<CellKind> add_face(Draft& draft, const FileCell& cell) {
+  const std::size_t corners = cell.rows.size();
+  if (corners < 3) {
+    add_other_cells(draft, "faces of fewer than three corners", 2, 1, cell.at);
+    return std::nullopt;
+  }
+  add_cell(draft, kind_of_face(corners), cell);
+  return kind_of_face(corners);
 }
 
 namespace {
@@ -232,16 +288,17 @@ namespace {
 /// Columns without a row say nothing, and not every format can say it.
 void drop_columns_of_nothing(FileMesh& mesh) {
   if (mesh.points.empty()) mesh.point_data.clear();
-  for_each_cell_list(mesh, [](auto& cells, int) {
-    if (cells.corners.empty()) cells.data.clear();
-  });
+  for (const CellKind kind : all_cell_kinds) {
+    if (rows_of(mesh, kind).count == 0) columns_of(mesh, kind).data.clear();
+  }
 }
 
 }  // namespace
 
-Result<FileMesh> finish(Draft&& draft, bool tetrahedra_only) {
-  judge_other_cells(draft, tetrahedra_only);
+Result<FileMesh> finish(Draft&& draft, const ReadOptions& options) {
   drop_usual_numbers(draft.mesh);
+  take_out(draft, options);
+  judge_other_cells(draft, options);
   drop_columns_of_nothing(draft.mesh);
   Result<FileMesh> result;
   result.findings = std::move(draft.findings);

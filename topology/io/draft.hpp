@@ -5,15 +5,33 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "topology/base/finding.hpp"
 #include "topology/io/number_source.hpp"
+#include "topology/io/read_options.hpp"
 #include "topology/mesh/file_mesh.hpp"
 
 namespace sunder::io {
+
+/// A cell as a file gives it: one that a reader fills again and again.
+struct FileCell {
+  /// Rows of points, a node each; -1 where the file's number belongs to no point.
+  std::vector<std::int64_t> rows;
+  /// The file's own numbers, for messages.
+  std::vector<std::int64_t> numbers;
+  /// Byte of the text.
+  std::size_t at = 0;
+
+  void begin(std::size_t nodes, std::size_t place) {
+    rows.resize(nodes);
+    numbers.resize(nodes);
+    at = place;
+  }
+};
 
 /// A mesh under construction. Wrong cells do not stop the reading: each kind becomes one finding
 /// with its count, its first rows and the line of the first.
@@ -25,39 +43,42 @@ struct Draft {
   std::string file;
   FileMesh mesh;
   std::vector<Finding> findings;
+  /// To be filled by the reader.
+  FileCell cell;
   /// Cells of one kind, and the place of the first.
   struct Others {
     std::size_t count = 0;
     std::string file;
     std::size_t line = 0;
   };
+  /// The places of the first cells that were appended, by kind; counts are made at the end.
+  std::array<Others, cell_kinds> kept;
   /// Cells that are left out, by their plural name: below dimension 3, and volume cells.
   std::map<std::string, Others> surface_cells;
   std::map<std::string, Others> volume_cells;
-  /// Cells of higher order, read by their corners, by their plural name.
+  /// Cells of higher order than the kinds that are kept, read by their corners.
   std::map<std::string, Others> curved_cells;
 };
 
 /// Appends a point; counts it under nan_coordinate where one is no finite number.
 void add_point(Draft& draft, const Point& point, std::size_t at);
 
-/// A cell as a file gives it, its corners first.
-struct FileCell {
-  /// Rows of points; -1 where the file's number belongs to no point. Those beyond the corners of
-  /// the cell are not looked at.
-  std::array<std::int64_t, 4> rows;
-  /// The file's own numbers, for messages.
-  std::array<std::int64_t, 4> numbers;
-  /// Byte of the text.
-  std::size_t at = 0;
-};
+/// Appends a cell to the list of its kind (region, entity and ids are left to the reader); its nodes
+/// stand in our order (cell_kinds.hpp). Counted under index_out_of_range where it names points that
+/// are not there yet, and under repeated_vertex (a tetrahedron whose corners are not four: an error)
+/// or degenerate_cell (others: a warning). Needs: as many nodes as the kind has.
+void add_cell(Draft& draft, CellKind kind, const FileCell& cell);
 
-/// Appends a simplex of `dimension` 0 to 3 to its list of cells (region, entity and ids are left to
-/// the reader). Counted under index_out_of_range where it names points that are not there yet, and
-/// under repeated_vertex (a tetrahedron: an error) or degenerate_cell (others: a warning).
-void add_cell(Draft& draft, int dimension, const FileCell& cell);
+/// The same for a face with any number of corners: of three a triangle, of four a quadrilateral; of
+/// fewer than three it is counted as left out. Gives the kind; none where it is left out.
+std::optional<CellKind> add_face(Draft& draft, const FileCell& cell);
 
-/// Counts `count` cells that are left out: those of dimension 3 will be refused.
+/// The kind of a face with so many corners.
+constexpr CellKind kind_of_face(std::size_t corners) {
+  return corners == 3 ? CellKind::triangle : corners == 4 ? CellKind::quad4 : CellKind::polygon;
+}
+
+/// Counts `count` cells that are left out, as no kind of ours is like them.
 void add_other_cells(Draft& draft, std::string_view plural_name, int dimension, std::size_t count,
                      std::size_t at);
 
@@ -83,9 +104,8 @@ void add_counted(Draft& draft, std::string_view code, Words words) {
 /// reading (wrong_count), raw bytes are a warning (trailing_bytes).
 void check_end(Draft& draft, NumberSource& in, std::string_view row);
 
-/// Ends the reading: numbers that only repeat the row are dropped; volume cells that are left out
-/// become an error (with `tetrahedra_only` a warning), cells below dimension 3 and those read by
-/// their corners notes. Errors stand first; no value when there is one.
-Result<FileMesh> finish(Draft&& draft, bool tetrahedra_only);
+/// Ends the reading: numbers that only repeat the row are dropped, and cells that are not kept
+/// become findings, as ReadOptions has it. Errors stand first; no value when there is one.
+Result<FileMesh> finish(Draft&& draft, const ReadOptions& options);
 
 }  // namespace sunder::io

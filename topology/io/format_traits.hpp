@@ -2,7 +2,6 @@
 // Which formats of mesh files there are, how to know them, and what each can carry.
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -28,8 +27,8 @@ struct FormatTraits {
   bool packs = false;
   /// Versions that can be written, the usual one first; empty where there is but one.
   std::span<const std::string_view> versions = {};
-  /// By dimension: whether vertices, edges, triangles, tetrahedra can stand in it.
-  std::array<bool, 4> holds_cells{false, false, false, true};
+  /// The kinds of cells that can stand in it.
+  KindSet cells = 0;
   bool holds_regions = true;
   bool holds_region_names = false;
   /// Regions are words there, such as sets: their numbers and full names go beside (see

@@ -6,6 +6,7 @@
 #include "topology/io/formats.hpp"
 #include "topology/io/medit/medit.hpp"
 #include "topology/io/msh/msh.hpp"
+#include "topology/io/nastran/nastran.hpp"
 #include "topology/io/output_file.hpp"
 #include "topology/io/ovm/ovm.hpp"
 #include "topology/io/surface/obj.hpp"
@@ -13,6 +14,7 @@
 #include "topology/io/surface/ply.hpp"
 #include "topology/io/surface/stl.hpp"
 #include "topology/io/tetgen/tetgen.hpp"
+#include "topology/io/unv/unv.hpp"
 #include "topology/io/vtk/vtk.hpp"
 #include "topology/io/vtu/vtu_read.hpp"
 
@@ -55,6 +57,10 @@ std::optional<Finding> io::write_format(MeshFormat format, const Path& path, con
       return write_tetgen(path, mesh, how);
     case MeshFormat::abaqus:
       return write_file(path, write_abaqus(mesh));
+    case MeshFormat::nastran:
+      return write_file(path, write_nastran(mesh));
+    case MeshFormat::unv:
+      return write_file(path, write_unv(mesh));
     case MeshFormat::ovm:
       return write_file(path, write_ovm(mesh));
     case MeshFormat::ply:
@@ -65,6 +71,8 @@ std::optional<Finding> io::write_format(MeshFormat format, const Path& path, con
       return write_file(path, write_obj(mesh));
     case MeshFormat::stl:
       return sunder::write_stl(path, mesh, how);
+    case MeshFormat::vtp:
+      return write_vtp(path, mesh, how);
   }
   return std::nullopt;
 }

@@ -12,6 +12,7 @@
 #include "topology/io/format_traits.hpp"
 #include "topology/io/medit/medit.hpp"
 #include "topology/io/msh/msh.hpp"
+#include "topology/io/nastran/nastran.hpp"
 #include "topology/io/ovm/ovm.hpp"
 #include "topology/io/scan.hpp"
 #include "topology/io/surface/obj.hpp"
@@ -19,6 +20,7 @@
 #include "topology/io/surface/ply.hpp"
 #include "topology/io/surface/stl.hpp"
 #include "topology/io/tetgen/tetgen.hpp"
+#include "topology/io/unv/unv.hpp"
 #include "topology/io/vtk/vtk.hpp"
 #include "topology/io/vtu/vtu_read.hpp"
 
@@ -32,29 +34,38 @@ constexpr std::string_view vtu_names[] = {".vtu"};
 constexpr std::string_view vtk_names[] = {".vtk"};
 constexpr std::string_view tetgen_names[] = {".node", ".ele", ".face", ".edge"};
 constexpr std::string_view abaqus_names[] = {".inp"};
+constexpr std::string_view nastran_names[] = {".bdf", ".nas"};
+constexpr std::string_view unv_names[] = {".unv"};
 constexpr std::string_view ovm_names[] = {".ovm"};
 constexpr std::string_view vtk_versions[] = {"4.2", "5.1"};
 constexpr std::string_view off_names[] = {".off"};
 constexpr std::string_view ply_names[] = {".ply"};
 constexpr std::string_view obj_names[] = {".obj"};
 constexpr std::string_view stl_names[] = {".stl"};
+constexpr std::string_view vtp_names[] = {".vtp"};
 constexpr Encoding text_only[] = {Encoding::text};
 constexpr Encoding text_first[] = {Encoding::text, Encoding::binary};
 constexpr Encoding binary_first[] = {Encoding::binary, Encoding::text};
 constexpr Encoding vtu_encodings[] = {Encoding::binary, Encoding::base64, Encoding::text};
 
+constexpr KindSet curved_simplices =
+    kind_set({CellKind::edge, CellKind::edge3, CellKind::triangle, CellKind::triangle6,
+              CellKind::tetrahedron, CellKind::tetrahedron10});
+constexpr KindSet vtk_kinds = all_kinds & ~kind_set({CellKind::pyramid14});
+constexpr KindSet faces = kind_set({CellKind::triangle, CellKind::quad4, CellKind::polygon});
+
 /// VTK's formats hold all but names.
 constexpr FormatTraits vtk_traits(MeshFormat format, std::string_view name,
                                   std::span<const std::string_view> extensions,
-                                  std::span<const Encoding> encodings) {
+                                  std::span<const Encoding> encodings, KindSet cells) {
   return {
       .format = format,
       .name = name,
       .extensions = extensions,
       .encodings = encodings,
-      .packs = format == MeshFormat::vtu,
+      .packs = format != MeshFormat::vtk,
       .versions = format == MeshFormat::vtk ? vtk_versions : std::span<const std::string_view>{},
-      .holds_cells = {true, true, true, true},
+      .cells = cells,
       .holds_entities = true,
       .holds_point_regions = true,
       .holds_point_ids = true,
@@ -70,7 +81,7 @@ constexpr FormatTraits traits[] = {
      .extensions = msh_names,
      .encodings = text_first,
      .versions = msh_versions,
-     .holds_cells = {true, true, true, true},
+     .cells = all_kinds & ~kind_set({CellKind::polygon, CellKind::triangle7}),
      .holds_region_names = true,
      .holds_entities = true,
      .holds_point_ids = true,
@@ -82,15 +93,16 @@ constexpr FormatTraits traits[] = {
      .extensions = medit_names,
      .binary_extension = ".meshb",
      .encodings = text_first,
-     .holds_cells = {false, true, true, true},
+     .cells = curved_simplices | kind_set({CellKind::quad4, CellKind::hexahedron8, CellKind::prism6,
+                                           CellKind::pyramid5}),
      .holds_point_regions = true},
-    vtk_traits(MeshFormat::vtu, "VTU", vtu_names, vtu_encodings),
-    vtk_traits(MeshFormat::vtk, "VTK", vtk_names, binary_first),
+    vtk_traits(MeshFormat::vtu, "VTU", vtu_names, vtu_encodings, vtk_kinds),
+    vtk_traits(MeshFormat::vtk, "VTK", vtk_names, binary_first, vtk_kinds),
     {.format = MeshFormat::tetgen,
      .name = "TetGen",
      .extensions = tetgen_names,
      .encodings = text_only,
-     .holds_cells = {false, true, true, true},
+     .cells = curved_simplices,
      .holds_point_regions = true,
      .holds_point_data = true,
      .holds_cell_data = true,
@@ -99,8 +111,26 @@ constexpr FormatTraits traits[] = {
      .name = "Abaqus",
      .extensions = abaqus_names,
      .encodings = text_only,
-     .holds_cells = {true, true, true, true},
+     .cells = all_kinds & ~kind_set({CellKind::polygon, CellKind::triangle7, CellKind::pyramid13,
+                                     CellKind::pyramid14}),
      .regions_are_words = true,
+     .holds_point_ids = true,
+     .holds_cell_ids = true,
+     .cell_ids_from = 1},
+    {.format = MeshFormat::nastran,
+     .name = "Nastran",
+     .extensions = nastran_names,
+     .encodings = text_only,
+     .cells = io::nastran_cells,
+     .holds_point_ids = true,
+     .holds_cell_ids = true,
+     .cell_ids_from = 1},
+    {.format = MeshFormat::unv,
+     .name = "UNV",
+     .extensions = unv_names,
+     .encodings = text_only,
+     .cells = io::unv_cells,
+     .holds_region_names = true,
      .holds_point_ids = true,
      .holds_cell_ids = true,
      .cell_ids_from = 1},
@@ -108,7 +138,7 @@ constexpr FormatTraits traits[] = {
      .name = "OpenVolumeMesh",
      .extensions = ovm_names,
      .encodings = text_only,
-     .holds_cells = {false, true, true, true},
+     .cells = kind_set({CellKind::edge, CellKind::triangle, CellKind::tetrahedron}),
      .holds_entities = true,
      .holds_point_regions = true,
      .holds_point_ids = true,
@@ -119,7 +149,7 @@ constexpr FormatTraits traits[] = {
      .name = "PLY",
      .extensions = ply_names,
      .encodings = binary_first,
-     .holds_cells = {false, true, true, false},
+     .cells = faces | kind_set({CellKind::edge}),
      .holds_entities = true,
      .holds_point_regions = true,
      .holds_point_ids = true,
@@ -131,20 +161,22 @@ constexpr FormatTraits traits[] = {
      .name = "OFF",
      .extensions = off_names,
      .encodings = text_only,
-     .holds_cells = {false, false, true, false},
+     .cells = faces,
      .holds_regions = false},
     {.format = MeshFormat::obj,
      .name = "OBJ",
      .extensions = obj_names,
      .encodings = text_only,
-     .holds_cells = {true, true, true, false},
+     .cells = faces | kind_set({CellKind::vertex, CellKind::edge}),
      .regions_are_words = true},
     {.format = MeshFormat::stl,
      .name = "STL",
      .extensions = stl_names,
      .encodings = binary_first,
-     .holds_cells = {false, false, true, false},
+     .cells = kind_set({CellKind::triangle}),
      .regions_are_words = true},
+    vtk_traits(MeshFormat::vtp, "VTP", vtp_names, vtu_encodings,
+               faces | kind_set({CellKind::vertex, CellKind::edge})),
 };
 
 using io::FileSource;
@@ -158,11 +190,14 @@ constexpr io::FormatCode codes[] = {
     {&io::is_vtk, [](const FileSource& source) { return io::read_vtk(source.text); }},
     {&io::is_tetgen, &io::read_tetgen},
     {&io::is_abaqus, &io::read_abaqus},
+    {&io::is_nastran, &io::read_nastran},
+    {&io::is_unv, [](const FileSource& source) { return io::read_unv(source.text); }},
     {&io::is_ovm, [](const FileSource& source) { return io::read_ovm(source.text); }},
     {&io::is_ply, [](const FileSource& source) { return io::read_ply(source.text); }},
     {&io::is_off, [](const FileSource& source) { return io::read_off(source.text); }},
     {&io::is_obj, [](const FileSource& source) { return io::read_obj(source.text); }},
     {&io::is_stl, [](const FileSource& source) { return io::read_stl(source.text); }},
+    {&io::is_vtp, [](const FileSource& source) { return io::read_vtu(source.text); }},
 };
 static_assert(std::size(codes) == std::size(traits));
 
@@ -242,10 +277,11 @@ void io::in_file(Draft& draft, const std::string& name, std::string_view text,
 Result<FileMesh> io::read_format(MeshFormat format, const FileSource& source,
                                  const ReadOptions& options) {
   try {
-    return finish(code_of(format).read(source), options.tetrahedra_only);
+    return finish(code_of(format).read(source), options);
   } catch (ReadFailure& failure) {
     // Lines mean nothing in raw data; those of VTU are those of its tags.
-    const bool has_lines = format == MeshFormat::vtu || !failure.finding.file.empty() ||
+    const bool has_lines = format == MeshFormat::vtu || format == MeshFormat::vtp ||
+                           !failure.finding.file.empty() ||
                            source.text.find('\0') == std::string_view::npos;
     if (!has_lines) {
       failure.finding.line = 0;

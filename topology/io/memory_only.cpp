@@ -2,8 +2,11 @@
 // What reading meshes is in a build that has neither files nor zlib nor Expat, as for
 // WebAssembly: refusals that say so. Meshes come from memory there, unpacked, in the other formats.
 #include "topology/io/gzip.hpp"
+#include "topology/io/nastran/nastran.hpp"
 #include "topology/io/output_file.hpp"
 #include "topology/io/scan.hpp"
+#include "topology/io/unv/unv.hpp"
+#include "topology/io/vtk/vtk_polydata.hpp"
 #include "topology/io/vtu/vtu_read.hpp"
 
 namespace sunder {
@@ -26,6 +29,19 @@ io::Draft io::read_vtu(std::string_view) {
                      .text = "this build of Sunder reads no VTU: it has no XML parser",
                      .remedy = "convert it: sunder convert FILE NEW.msh"}};
 }
+
+io::Draft io::read_polydata(VtkReader&&) {
+  throw ReadFailure{{.code = "unsupported_format",
+                     .text = "this build of Sunder reads no PolyData",
+                     .remedy = "convert it: sunder convert FILE NEW.msh"}};
+}
+
+// The same goes for these, whose files are not even known.
+bool io::is_vtp(std::string_view) { return false; }
+bool io::is_nastran(std::string_view) { return false; }
+bool io::is_unv(std::string_view) { return false; }
+io::Draft io::read_nastran(const FileSource&) { return {}; }
+io::Draft io::read_unv(std::string_view) { return {}; }
 
 bool file_exists(const std::filesystem::path&) { return false; }
 

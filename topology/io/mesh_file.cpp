@@ -172,7 +172,7 @@ Result<TetMesh> io::tetrahedra_of(Result<FileMesh>&& file, std::string_view name
 }
 
 Result<TetMesh> read_mesh(std::string_view bytes, std::string_view name) {
-  return io::tetrahedra_of(read_file_mesh(bytes, name), name);
+  return io::tetrahedra_of(read_file_mesh(bytes, name, {.simplices = true}), name);
 }
 
 Result<std::vector<double>> io::point_field_of(Result<FileMesh>&& mesh, std::string_view name,
@@ -213,7 +213,7 @@ Result<std::vector<double>> io::point_field_of(Result<FileMesh>&& mesh, std::str
 
 Result<std::vector<double>> read_point_field(std::string_view bytes, std::string_view name,
                                              std::string_view field) {
-  return io::point_field_of(read_file_mesh(bytes, name), name, field);
+  return io::point_field_of(read_file_mesh(bytes, name, {.simplices = true}), name, field);
 }
 
 }  // namespace sunder

@@ -10,35 +10,46 @@
 
 #include "topology/base/finding.hpp"
 #include "topology/base/tet_mesh.hpp"
+#include "topology/io/read_options.hpp"
 #include "topology/mesh/file_mesh.hpp"
 
 namespace sunder {
 
-enum class MeshFormat { msh, medit, vtu, vtk, tetgen, abaqus, ovm, ply, off, obj, stl };
+enum class MeshFormat {
+  msh,
+  medit,
+  vtu,
+  vtk,
+  tetgen,
+  abaqus,
+  nastran,
+  unv,
+  ovm,
+  ply,
+  off,
+  obj,
+  stl,
+  vtp
+};
 
 /// How numbers stand in a file: as digits, as raw bytes, or as bytes written in base64.
 enum class Encoding { text, binary, base64 };
 
-struct ReadOptions {
-  /// Volume cells that are no tetrahedra are left out with a warning instead of refused.
-  bool tetrahedra_only = false;
-};
-
 /// All that a mesh file holds; its content decides the format. Packed files (gzip) are unpacked.
 /// Formats: Gmsh MSH 1, 2.x, 4.0, 4.1 (text and binary), MEDIT (text and binary), VTU (text,
 /// base64, raw; plain or zlib; both byte orders), legacy VTK 1.0 to 5.1 (text and binary), TetGen,
-/// Abaqus; of surfaces, which have triangles and no tetrahedra, PLY (text, binary of both orders),
-/// OFF (text and binary), OBJ, STL (text and binary): what else stands in these is left out with a
-/// note (skipped_data). Files of numbers alone are known by their names. Names of
-/// regions that the format cannot hold are taken from `NAME.regions` beside it, if that is there
-/// (see write_file_mesh). Leaves in the value: every tetrahedron with four different rows below the
-/// number of points, finite coordinates, columns as long as what they belong to. Orientation,
-/// flatness and gluing are not judged: see build_map. Regions: MSH's physical groups, MEDIT's
-/// references (unless all are 0), VTU's cell array `region`, `gmsh:physical`, `medit:ref`,
-/// `CellEntityIds` or `cell_tags`, the first that is there. Cells that are no simplices are left
-/// out with a note below dimension 3, refused there. Errors, with file and line (byte or array in
-/// binary data): cannot_open, empty_file, bad_gzip, unknown_format, unknown_version,
-/// truncated_file, bad_number, number_out_of_range, count_too_big, wrong_count,
+/// Abaqus, Nastran's bulk data, universal files (UNV); of surfaces, which have no volume cells, PLY
+/// (text, binary of both orders), OFF (text and binary), OBJ, STL (text and binary), VTP: what else
+/// stands in these is left out with a note (skipped_data). Files of numbers alone are known by
+/// their names. Names of regions that the format cannot hold are taken from `NAME.regions` beside
+/// it, if that is there (see write_file_mesh). Leaves in the value: every tetrahedron with four
+/// different rows below the number of points, finite coordinates, columns as long as what they
+/// belong to. Orientation, flatness and gluing are not judged: see build_map. Regions: MSH's
+/// physical groups, MEDIT's references (unless all are 0), VTU's cell array `region`,
+/// `gmsh:physical`, `medit:ref`, `CellEntityIds` or `cell_tags`, the first that is there. Cells
+/// that are no simplices are left out with a note below dimension 3, refused there. Errors, with
+/// file and line (byte or array in binary data): cannot_open, empty_file, bad_gzip, unknown_format,
+/// unknown_version, truncated_file, bad_number, number_out_of_range, count_too_big, wrong_count,
 /// wrong_section_order, missing_section, unknown_section, bad_name, unsupported_cells,
 /// unknown_cell_type, index_out_of_range, repeated_vertex, nan_coordinate, duplicate_id, bad_xml,
 /// bad_attribute, missing_array, bad_offsets, bad_base64, bad_zlib, unsupported_compressor. No

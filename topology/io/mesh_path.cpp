@@ -56,12 +56,12 @@ Result<FileMesh> read_file_mesh(const std::filesystem::path& path, const ReadOpt
 }
 
 Result<TetMesh> read_mesh(const std::filesystem::path& path) {
-  return io::tetrahedra_of(read_file_mesh(path), path.string());
+  return io::tetrahedra_of(read_file_mesh(path, {.simplices = true}), path.string());
 }
 
 Result<std::vector<double>> read_point_field(const std::filesystem::path& path,
                                              std::string_view field) {
-  return io::point_field_of(read_file_mesh(path), path.string(), field);
+  return io::point_field_of(read_file_mesh(path, {.simplices = true}), path.string(), field);
 }
 
 }  // namespace sunder

@@ -116,17 +116,39 @@ void number_regions(std::vector<std::int32_t>& region, const WordList& list,
   for (std::int32_t& r : region) r = r < 0 ? 0 : number_of[static_cast<std::size_t>(r)];
 }
 
+void number_labels(FileMesh& mesh, int dimension, const WordList& list) {
+  std::vector<std::int32_t> all;
+  for (const CellKind kind : all_cell_kinds) {
+    if (traits_of(kind).dimension != dimension) continue;
+    std::vector<std::int32_t>& places = columns_of(mesh, kind).region;
+    if (std::ranges::all_of(places, [](std::int32_t place) { return place < 0; })) places.clear();
+    all.insert(all.end(), places.begin(), places.end());
+  }
+  number_regions(all, list, mesh.region_name[static_cast<std::size_t>(dimension)]);
+  auto next = all.begin();
+  for (const CellKind kind : all_cell_kinds) {
+    if (traits_of(kind).dimension != dimension) continue;
+    for (std::int32_t& place : columns_of(mesh, kind).region) place = *next++;
+  }
+}
+
 void match_names(FileMesh& mesh, const RegionNames& names) {
   const RegionNames words = region_words(names);
-  for_each_cell_list(mesh, [&](auto& cells, int dimension) {
-    const auto d = static_cast<std::size_t>(dimension);
+  for (std::size_t d = 0; d < 4; ++d) {
     std::map<std::string, std::int32_t> region_of;
     for (const auto& [region, word] : words[d]) region_of.emplace(lower_case(word), region);
+    const auto for_each_list = [&](auto work) {
+      for (const CellKind kind : all_cell_kinds) {
+        if (traits_of(kind).dimension == static_cast<int>(d)) work(columns_of(mesh, kind).region);
+      }
+    };
     std::set<std::int32_t> taken;
     for (const auto& [region, name] : names[d]) taken.insert(region);
-    for (const std::int32_t region : cells.region) {
-      if (!mesh.region_name[d].contains(region)) taken.insert(region);
-    }
+    for_each_list([&](const std::vector<std::int32_t>& list) {
+      for (const std::int32_t region : list) {
+        if (!mesh.region_name[d].contains(region)) taken.insert(region);
+      }
+    });
     std::map<std::int32_t, std::int32_t> new_number;
     std::map<std::int32_t, std::string> new_names = names[d];
     std::int32_t next = 1;
@@ -136,12 +158,14 @@ void match_names(FileMesh& mesh, const RegionNames& names) {
       new_number.emplace(region, number);
       if (known == region_of.end()) new_names.emplace(number, std::move(word));
     }
-    for (std::int32_t& region : cells.region) {
-      const auto found = new_number.find(region);
-      if (found != new_number.end()) region = found->second;
-    }
+    for_each_list([&](std::vector<std::int32_t>& list) {
+      for (std::int32_t& region : list) {
+        const auto found = new_number.find(region);
+        if (found != new_number.end()) region = found->second;
+      }
+    });
     mesh.region_name[d] = std::move(new_names);
-  });
+  }
 }
 
 }  // namespace sunder::io

@@ -6,11 +6,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "topology/base/tet_mesh.hpp"
+#include "topology/mesh/kinds/cell_kinds.hpp"
 
 namespace sunder {
 
@@ -40,12 +42,8 @@ struct DataColumn {
   friend bool operator==(const DataColumn&, const DataColumn&) = default;
 };
 
-/// Cells with `Corners` corners, in the file's order; every column is empty or as long as
-/// `corners`.
-template <std::size_t Corners>
-struct CellList {
-  /// Rows of points.
-  std::vector<std::array<std::uint32_t, Corners>> corners;
+/// What is said of the cells of one list; every column is empty or as long as the list.
+struct CellColumns {
   /// Region: physical group (Gmsh), reference (MEDIT), attribute or marker (TetGen), element set.
   std::vector<std::int32_t> region;
   /// Number of the model's entity that the cell meshes (Gmsh's elementary entity).
@@ -54,11 +52,30 @@ struct CellList {
   std::vector<std::int64_t> source_id;
   std::vector<DataColumn> data;
 
+  friend bool operator==(const CellColumns&, const CellColumns&) = default;
+};
+
+/// Simplices of first order with `Corners` corners, in the file's order.
+template <std::size_t Corners>
+struct CellList : CellColumns {
+  /// Rows of points.
+  std::vector<std::array<std::uint32_t, Corners>> corners;
+
   friend bool operator==(const CellList&, const CellList&) = default;
 };
 
-/// All that a mesh file holds, as far as Sunder knows it. Cells by dimension; their order among
-/// different dimensions is not kept.
+/// Cells of any other kind, in the file's order.
+struct OtherCells : CellColumns {
+  /// Rows of points, the nodes of one cell after those of the other.
+  std::vector<std::uint32_t> points;
+  /// Of polygons: where each ends in `points`. Empty for all other kinds.
+  std::vector<std::size_t> ends;
+
+  friend bool operator==(const OtherCells&, const OtherCells&) = default;
+};
+
+/// All that a mesh file holds, as far as Sunder knows it. Cells by kind; their order among different
+/// kinds is not kept.
 struct FileMesh {
   /// m.
   std::vector<Point> points;
@@ -71,6 +88,8 @@ struct FileMesh {
   CellList<2> edges;
   CellList<3> triangles;
   CellList<4> tetrahedra;
+  /// Cells of all kinds that are no simplices of first order: see other_cells.
+  std::array<OtherCells, cell_kinds - 4> others;
   /// Names of regions by the dimension of their cells.
   std::array<std::map<std::int32_t, std::string>, 4> region_name;
 
@@ -86,6 +105,38 @@ void for_each_cell_list(Mesh&& mesh, Work&& work) {
   work(mesh.tetrahedra, 3);
 }
 
+/// The list of a kind that is no simplex of first order.
+OtherCells& other_cells(FileMesh& mesh, CellKind kind);
+const OtherCells& other_cells(const FileMesh& mesh, CellKind kind);
+
+/// What is said of the cells of any kind.
+CellColumns& columns_of(FileMesh& mesh, CellKind kind);
+const CellColumns& columns_of(const FileMesh& mesh, CellKind kind);
+
+/// The cells of one kind, by their nodes; good while the list stays as it is.
+struct CellRows {
+  const std::uint32_t* points = nullptr;
+  /// Nodes of a cell; of polygons `ends` tells where each ends.
+  std::size_t nodes = 0;
+  const std::size_t* ends = nullptr;
+  std::size_t count = 0;
+
+  std::size_t size() const { return count; }
+  std::span<const std::uint32_t> operator[](std::size_t row) const {
+    if (ends == nullptr) return {points + row * nodes, nodes};
+    const std::size_t begin = row == 0 ? 0 : ends[row - 1];
+    return {points + begin, ends[row] - begin};
+  }
+};
+CellRows rows_of(const FileMesh& mesh, CellKind kind);
+
+/// All nodes of the cells of a kind, to be renumbered.
+std::span<std::uint32_t> nodes_of(FileMesh& mesh, CellKind kind);
+
+/// Appends a cell's nodes to the list of its kind; its columns are left to the caller. Needs: as many
+/// as the kind has.
+void append_cell(FileMesh& mesh, CellKind kind, std::span<const std::uint32_t> nodes);
+
 /// All cells together.
 std::size_t cell_count(const FileMesh& mesh);
 
@@ -94,17 +145,10 @@ std::size_t name_count(const FileMesh& mesh);
 
 /// What stands for the region of these cells in formats that know one label a cell: `region`, or
 /// the entities where no region is given and there are several; empty otherwise.
-template <std::size_t Corners>
-const std::vector<std::int32_t>& label_of(const CellList<Corners>& cells) {
-  if (!cells.region.empty()) return cells.region;
-  static const std::vector<std::int32_t> none;
-  for (const std::int32_t entity : cells.entity) {
-    if (entity != cells.entity.front()) return cells.entity;
-  }
-  return none;
-}
+const std::vector<std::int32_t>& label_of(const CellColumns& cells);
 
-/// The tetrahedra with their points, labels, names and ids, to compute with; the rest is dropped.
+/// The tetrahedra of first order with their points, labels, names and ids, to compute with; the rest
+/// is dropped.
 /// Numbers that count on from the cells of lower dimension are dropped too.
 TetMesh tet_mesh_of(FileMesh&& mesh);
 

@@ -7,94 +7,50 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
+#include <string_view>
 #include <unordered_map>
 
 #include "topology/base/point_math.hpp"
 #include "topology/base/union_find.hpp"
 #include "topology/mesh/build_map.hpp"
 #include "topology/mesh/face_table.hpp"
+#include "topology/mesh/kinds/split_cells.hpp"
+#include "topology/mesh/kinds/take_rows.hpp"
 
 namespace sunder {
 namespace {
 
-/// Rows of a column with `components` numbers each, in the order of `rows`; empty ones stay empty.
-template <class Value>
-void take_rows(std::vector<Value>& column, const std::vector<std::uint32_t>& rows,
-               std::size_t components = 1) {
-  if (column.empty()) return;
-  std::vector<Value> taken;
-  taken.reserve(rows.size() * components);
-  for (const std::uint32_t row : rows) {
-    const auto first = column.begin() + static_cast<std::ptrdiff_t>(row * components);
-    taken.insert(taken.end(), first, first + static_cast<std::ptrdiff_t>(components));
-  }
-  column = std::move(taken);
-}
-
-void take_rows(std::vector<DataColumn>& columns, const std::vector<std::uint32_t>& rows) {
-  for (DataColumn& column : columns) {
-    std::visit([&](auto& values) { take_rows(values, rows, column.components); }, column.values);
-  }
-}
-
-/// Numbers of what stays are its own: rows that moved keep telling where they come from.
-void number(std::vector<std::int64_t>& ids, std::size_t rows, std::size_t first) {
-  if (!ids.empty()) return;
-  ids.resize(rows);
-  std::iota(ids.begin(), ids.end(), static_cast<std::int64_t>(first));
-}
-
-template <std::size_t Corners>
-void take_cells(CellList<Corners>& cells, const std::vector<std::uint32_t>& rows) {
-  take_rows(cells.corners, rows);
-  take_rows(cells.region, rows);
-  take_rows(cells.entity, rows);
-  take_rows(cells.source_id, rows);
-  take_rows(cells.data, rows);
-}
-
-/// Drops cells for which `stays` is false, in all lists; returns how many tetrahedra went.
+/// Drops cells for which `stays(kind, nodes, row)` is false; returns how many volume cells went.
 template <class Stays>
 std::size_t keep_cells(FileMesh& mesh, Stays stays) {
-  std::size_t dropped = 0, first = 1;
+  std::array<std::vector<std::uint32_t>, cell_kinds> kept;
   bool any = false;
-  for_each_cell_list(mesh, [&](const auto& cells, int) {
-    for (std::size_t i = 0; i < cells.corners.size(); ++i) any = any || !stays(cells.corners[i], i);
-  });
-  if (!any) return 0;
-  for_each_cell_list(mesh, [&](auto& cells, int dimension) {
-    std::vector<std::uint32_t> rows;
-    for (std::size_t i = 0; i < cells.corners.size(); ++i) {
-      if (stays(cells.corners[i], i)) rows.push_back(static_cast<std::uint32_t>(i));
+  for (const CellKind kind : all_cell_kinds) {
+    const CellRows cells = rows_of(mesh, kind);
+    for (std::size_t i = 0; i < cells.count; ++i) {
+      if (stays(kind, cells[i], i)) kept[index_of(kind)].push_back(static_cast<std::uint32_t>(i));
     }
-    number(cells.source_id, cells.corners.size(), first);
-    first += cells.corners.size();
-    if (dimension == 3) dropped = cells.corners.size() - rows.size();
-    take_cells(cells, rows);
-  });
+    any = any || kept[index_of(kind)].size() < cells.count;
+  }
+  if (!any) return 0;
+  std::size_t dropped = 0, first = 1;
+  for (const CellKind kind : all_cell_kinds) {
+    const std::size_t count = rows_of(mesh, kind).count;
+    number_rows(columns_of(mesh, kind).source_id, count, first);
+    first += count;
+    if (traits_of(kind).dimension == 3) dropped += count - kept[index_of(kind)].size();
+    take_cells(mesh, kind, kept[index_of(kind)]);
+  }
   return dropped;
 }
 
-/// Points become `rows` of the old ones, and corners what `new_row` says.
-void take_points(FileMesh& mesh, const std::vector<std::uint32_t>& rows,
-                 const std::vector<std::uint32_t>& new_row) {
-  number(mesh.source_point_id, mesh.points.size(), 1);
-  take_rows(mesh.points, rows);
-  take_rows(mesh.source_point_id, rows);
-  take_rows(mesh.point_region, rows);
-  take_rows(mesh.point_data, rows);
-  for_each_cell_list(mesh, [&](auto& cells, int) {
-    for (auto& corners : cells.corners) {
-      for (std::uint32_t& corner : corners) corner = new_row[corner];
-    }
-  });
-}
-
-Finding done(std::string_view code, std::size_t count, std::string text) {
+/// What was done, or `nothing` where that is so.
+Finding done(std::string_view code, std::size_t count, std::string text, std::string_view nothing) {
   return {.code = std::string(code),
           .severity = Severity::note,
           .count = count,
-          .text = std::move(text),
+          .text = count > 0 ? std::move(text) : std::string(nothing),
           .remedy = "nothing to do: it was asked for"};
 }
 
@@ -171,16 +127,20 @@ Finding merge_points(FileMesh& mesh, double distance) {
   std::size_t flat = 0;
   if (merged > 0) {
     take_points(mesh, rows, new_row);
-    flat = keep_cells(mesh, [](const auto& corners, std::size_t) {
-      auto sorted = corners;
-      std::sort(sorted.begin(), sorted.end());
-      return std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end();
+    flat = keep_cells(mesh, [](CellKind kind, std::span<const std::uint32_t> nodes, std::size_t) {
+      const std::size_t corners = traits_of(kind).corners;
+      std::vector<std::uint32_t> sorted(nodes.begin(), nodes.end());
+      if (corners > 0) sorted.resize(corners);
+      std::ranges::sort(sorted);
+      return std::ranges::adjacent_find(sorted) == sorted.end();
     });
   }
-  return done("merged_points", merged,
-              fmt::format("{} points were merged into others within {} m; {} tetrahedra lost a "
-                          "corner and were dropped",
-                          merged, distance, flat));
+  return done(
+      "merged_points", merged,
+      fmt::format(
+          "{} points were merged into others within {} m{}", merged, distance,
+          flat == 0 ? "" : fmt::format("; {} volume cells lost a corner and were dropped", flat)),
+      fmt::format("no points lie within {} m of others: none was merged", distance));
 }
 
 Finding drop_duplicate_tetrahedra(FileMesh& mesh) {
@@ -194,11 +154,13 @@ Finding drop_duplicate_tetrahedra(FileMesh& mesh) {
   for (std::size_t i = 1; i < sorted.size(); ++i) {
     again[sorted[i].second] = sorted[i].first == sorted[i - 1].first;
   }
-  const std::size_t dropped = keep_cells(mesh, [&](const auto& corners, std::size_t row) {
-    return corners.size() != 4 || !again[row];
-  });
+  const std::size_t dropped =
+      keep_cells(mesh, [&](CellKind kind, std::span<const std::uint32_t>, std::size_t row) {
+        return kind != CellKind::tetrahedron || !again[row];
+      });
   return done("dropped_duplicates", dropped,
-              fmt::format("{} tetrahedra with the points of an earlier one were dropped", dropped));
+              fmt::format("{} tetrahedra with the points of an earlier one were dropped", dropped),
+              "no two tetrahedra have the same points: none was dropped");
 }
 
 Finding split_nonmanifold(FileMesh& mesh) {
@@ -239,7 +201,8 @@ Finding split_nonmanifold(FileMesh& mesh) {
     }
   }
   return done("split_nonmanifold", copies,
-              fmt::format("{} copies of points were made where stars only touched", copies));
+              fmt::format("{} copies of points were made where stars only touched", copies),
+              "no stars of tetrahedra only touch: nothing was split");
 }
 
 Finding keep_largest_component(FileMesh& mesh) {
@@ -253,13 +216,15 @@ Finding keep_largest_component(FileMesh& mesh) {
     for (const std::uint32_t corner : mesh.tetrahedra.corners[t]) used[corner] = 1;
   }
   const std::size_t parts = part.size() - std::ranges::count(size, std::size_t{0});
-  const std::size_t dropped = keep_cells(mesh, [&](const auto& corners, std::size_t row) {
-    if (corners.size() == 4) return part[row] == largest;
-    return std::ranges::all_of(corners, [&](std::uint32_t corner) { return used[corner] != 0; });
-  });
-  return done("kept_largest_component", dropped,
-              fmt::format("of {} components the largest stays: {} tetrahedra were dropped", parts,
-                          dropped));
+  const std::size_t dropped = keep_cells(
+      mesh, [&](CellKind kind, std::span<const std::uint32_t> nodes, std::size_t row) {
+        if (kind == CellKind::tetrahedron) return part[row] == largest;
+        return std::ranges::all_of(nodes, [&](std::uint32_t node) { return used[node] != 0; });
+      });
+  return done(
+      "kept_largest_component", dropped,
+      fmt::format("of {} components the largest stays: {} tetrahedra were dropped", parts, dropped),
+      "the body is one component: nothing was dropped");
 }
 
 Finding fix_orientation(FileMesh& mesh) {
@@ -271,29 +236,44 @@ Finding fix_orientation(FileMesh& mesh) {
     ++swapped;
   }
   return done("fixed_orientation", swapped,
-              fmt::format("{} inverted tetrahedra had two points swapped", swapped));
+              fmt::format("{} inverted tetrahedra had two points swapped", swapped),
+              "no tetrahedron is inverted: none was changed");
 }
 
 Finding drop_unused_points(FileMesh& mesh) {
-  std::vector<char> used(mesh.points.size(), 0);
-  for_each_cell_list(mesh, [&](const auto& cells, int) {
-    for (const auto& corners : cells.corners) {
-      for (const std::uint32_t corner : corners) used[corner] = 1;
-    }
-  });
-  std::vector<std::uint32_t> rows, new_row(mesh.points.size());
-  for (std::uint32_t p = 0; p < used.size(); ++p) {
-    new_row[p] = static_cast<std::uint32_t>(rows.size());
-    if (used[p]) rows.push_back(p);
-  }
-  const std::size_t dropped = mesh.points.size() - rows.size();
-  if (dropped > 0) take_points(mesh, rows, new_row);
+  const std::size_t dropped =
+      drop_points_out_of_use(mesh, std::vector<bool>(mesh.points.size(), true));
   return done("dropped_unused", dropped,
-              fmt::format("{} points that no cell uses were dropped", dropped));
+              fmt::format("{} points that no cell uses were dropped", dropped),
+              "every point is used by a cell: none was dropped");
+}
+
+std::optional<Finding> needs_tetrahedra(const FileMesh& mesh, std::string_view who) {
+  std::size_t count = 0;
+  std::string plurals;
+  for (const CellKind kind : all_cell_kinds) {
+    const std::size_t n = rows_of(mesh, kind).count;
+    if (n == 0 || kind == CellKind::tetrahedron || traits_of(kind).dimension < 3) continue;
+    count += n;
+    plurals += fmt::format("{}{} {}", plurals.empty() ? "" : ", ", n, traits_of(kind).plural);
+  }
+  if (count == 0) return std::nullopt;
+  return Finding{.code = "unsupported_cells",
+                 .count = count,
+                 .text = fmt::format("{} needs tetrahedra of first order: there are {}", who, plurals),
+                 .remedy = "cut them into tetrahedra: --split, with --order 1 for those of second "
+                           "order"};
 }
 
 std::vector<Finding> repair(FileMesh& mesh, const Repairs& repairs) {
   std::vector<Finding> findings;
+  const bool needs = repairs.drop_duplicates || repairs.split_nonmanifold ||
+                     repairs.largest_component || repairs.fix_orientation;
+  if (needs) {
+    if (auto refused = needs_tetrahedra(mesh, "a repair that was asked for")) {
+      return {std::move(*refused)};
+    }
+  }
   if (repairs.merge_points) findings.push_back(merge_points(mesh, *repairs.merge_points));
   if (repairs.drop_duplicates) findings.push_back(drop_duplicate_tetrahedra(mesh));
   if (repairs.split_nonmanifold) findings.push_back(split_nonmanifold(mesh));

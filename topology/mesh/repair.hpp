@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "topology/base/finding.hpp"
@@ -44,7 +45,11 @@ Finding fix_orientation(FileMesh& mesh);
 /// Points that no cell uses are dropped.
 Finding drop_unused_points(FileMesh& mesh);
 
-/// The repairs asked for, one finding each: notes with the count of what was changed, 0 too.
+/// That volume cells are there which are no tetrahedra of first order, and that `who` needs those.
+std::optional<Finding> needs_tetrahedra(const FileMesh& mesh, std::string_view who);
+
+/// The repairs asked for, one finding each: notes with the count of what was changed, 0 too. Where
+/// one needs tetrahedra and there are other volume cells that is an error, and nothing is changed.
 std::vector<Finding> repair(FileMesh& mesh, const Repairs& repairs);
 
 }  // namespace sunder

@@ -77,7 +77,7 @@ std::optional<Finding> write_obj(const std::filesystem::path& out,
 }
 
 ExitCode write_broken(const std::filesystem::path& out, const ResultFrame& last) {
-  const Result<FileMesh> mesh = read_file_mesh(last.file);
+  const Result<FileMesh> mesh = read_file_mesh(last.file, {.simplices = true});
   std::vector<Finding> findings = mesh.findings;
   if (mesh) {
     for (Finding& f : write_file_mesh(out, *mesh)) findings.push_back(std::move(f));

@@ -57,7 +57,7 @@ const DataColumn* column_of(const std::vector<DataColumn>& columns, std::string_
 }
 
 Result<ResultFrame> read_frame(const std::filesystem::path& path, double time) {
-  Result<FileMesh> mesh = read_file_mesh(path);
+  Result<FileMesh> mesh = read_file_mesh(path, {.simplices = true});
   Result<ResultFrame> result;
   result.findings = mesh.findings;
   if (!mesh) return result;

@@ -16,6 +16,8 @@
 #include "topology/io/format_traits.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/io/output_file.hpp"
+#include "topology/mesh/kinds/move_cells.hpp"
+#include "topology/mesh/kinds/split_cells.hpp"
 #include "topology/mesh/repair.hpp"
 
 namespace sunder {
@@ -30,6 +32,10 @@ endings, versions and encodings (defaults first), and what each can hold. Points
 their order; numbers, regions, entities and data are kept where the format holds them. Names of
 regions that it does not hold go to OUT.regions, which is read with OUT. Everything else that would
 be lost is listed first, as warnings.
+Cells of every kind go through as what they are, where the format has them; --order 1 makes those of
+second order linear, --split makes tetrahedra and triangles of all (after --merge-points, before the
+other repairs): no point is added, and neighbours are cut alike, each from its corner with the least
+row. Where OUT's format would hold no cell at all nothing is written.
 Repairs are made in the order in which they are listed here, and each reports what it changed.
 A crack is opened after them, without width: points are copied exactly where the cut faces separate
 the tetrahedra around them; its front stays joined (docs/cracks.md).
@@ -41,7 +47,9 @@ Examples:
   sunder convert body.msh body.vtu
   sunder convert body.msh clean.msh --merge-points 1e-6 --drop-duplicates --fix-orientation
   sunder convert body.vtu body.msh --format-version 2.2 --binary --strict
+  sunder convert body.msh body.inp --triangles drop
   gunzip -c body.msh.gz | sunder convert - - --to vtu > body.vtu
+  sunder convert hexahedra.inp tetrahedra.msh --order 1 --split
   sunder convert body.msh cracked.vtu --crack-regions matrix,inclusion --crack-pairs pairs.csv
 )";
 
@@ -54,7 +62,12 @@ struct Arguments {
   bool zlib = false;
   bool strict = false;
   bool tetrahedra_only = false;
+  /// "keep" or "drop".
+  std::string triangles = "keep";
   bool json = false;
+  /// 1: cells of second order become linear; 0: they stay.
+  int order = 0;
+  bool split = false;
   Repairs repairs;
   CrackOptions crack;
 };
@@ -67,6 +80,8 @@ struct Conversion {
   bool is_written = false;
   /// Whether something is lost between the two files.
   bool has_losses = false;
+  /// Whether that is why nothing is written.
+  bool is_refused = false;
 };
 
 std::optional<MeshFormat> format_called(const std::string& word) {
@@ -79,7 +94,115 @@ bool is_loss(const Finding& finding) {
          finding.code == "skipped_data";
 }
 
-Conversion convert(const Arguments& arguments) {
+Finding asked_for(std::string_view code, std::size_t count, std::string text) {
+  return {.code = std::string(code),
+          .severity = Severity::note,
+          .count = count,
+          .text = std::move(text),
+          .remedy = "nothing to do: it was asked for"};
+}
+
+/// "12 hexahedra, 4 prisms" of the kinds that are counted.
+std::string listed(const std::array<std::size_t, cell_kinds>& counts) {
+  std::string text;
+  for (const CellKind kind : all_cell_kinds) {
+    const std::size_t n = counts[index_of(kind)];
+    if (n > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", n, traits_of(kind).plural);
+  }
+  return text;
+}
+
+void tell_split(const SplitCells& report, std::vector<Finding>& findings) {
+  std::size_t cut = 0;
+  for (const std::size_t n : report.cut) cut += n;
+  findings.push_back(asked_for(
+      "split_cells", cut,
+      cut == 0 ? std::string("all cells are simplices: none is split")
+               : fmt::format("{} became {} tetrahedra and {} triangles{}", listed(report.cut),
+                             report.tetrahedra, report.triangles,
+                             report.numbers_added == 0
+                                 ? ""
+                                 : fmt::format("; {} of them have numbers behind the highest",
+                                               report.numbers_added))));
+  const auto warn = [&](std::size_t count, std::string_view code, std::string text) {
+    if (count == 0) return;
+    findings.push_back({.code = std::string(code),
+                        .severity = Severity::warning,
+                        .count = count,
+                        .text = std::move(text),
+                        .remedy = "look at them: sunder check NEW tells which parts are flat or "
+                                  "folded"});
+  };
+  warn(report.concave_volumes, "concave_cells",
+       fmt::format("{} volume cells are concave or flat: parts of them are flat or turned inside out",
+                   report.concave_volumes));
+  warn(report.concave_faces, "concave_faces",
+       fmt::format("{} faces are concave or flat: triangles of them look the other way",
+                   report.concave_faces));
+  warn(report.bent_polygons, "bent_polygons",
+       fmt::format("{} polygons are not plane: their triangles are one of several surfaces through "
+                   "their corners",
+                   report.bent_polygons));
+  warn(report.empty_parts, "empty_parts",
+       fmt::format("{} parts of cells that repeat a corner are left out", report.empty_parts));
+}
+
+/// Makes cells linear, and simplices of them, as was asked for. Points are merged before: parts of
+/// cells fit together where these have the same points.
+void simplify(FileMesh& mesh, Arguments& arguments, std::vector<Finding>& findings) {
+  if (arguments.order != 1 && !arguments.split) return;
+  if (arguments.repairs.merge_points) {
+    findings.push_back(merge_points(mesh, *arguments.repairs.merge_points));
+    arguments.repairs.merge_points.reset();
+  }
+  const std::vector<bool> used = used_points(mesh);
+  if (arguments.order == 1) {
+    std::array<std::size_t, cell_kinds> curved{};
+    std::size_t sum = 0;
+    for (const CellKind kind : all_cell_kinds) {
+      if (linear_kind(kind) == kind) continue;
+      curved[index_of(kind)] = rows_of(mesh, kind).count;
+      sum += rows_of(mesh, kind).count;
+    }
+    make_linear(mesh);
+    findings.push_back(asked_for("made_linear", sum,
+                                 sum == 0 ? std::string("all cells are linear")
+                                          : fmt::format("{} are made linear", listed(curved))));
+  }
+  if (arguments.split) tell_split(split_cells(mesh), findings);
+  const std::size_t dropped = drop_points_out_of_use(mesh, used);
+  if (dropped == 0) return;
+  findings.push_back(asked_for(
+      "dropped_unused", dropped,
+      fmt::format("{} points that only cells of second order used were dropped", dropped)));
+}
+
+/// Drops edges and faces of a body; an error where that would leave nothing of it.
+Finding drop_shells_and_beams(FileMesh& mesh) {
+  std::size_t dropped = 0, volumes = 0;
+  for (const CellKind kind : all_cell_kinds) {
+    const std::size_t n = rows_of(mesh, kind).count;
+    const int dimension = traits_of(kind).dimension;
+    if (dimension == 3) volumes += n;
+    if (dimension == 1 || dimension == 2) dropped += n;
+  }
+  if (volumes == 0) {
+    return {.code = "no_tetrahedron",
+            .text = "--triangles drop would leave nothing: the file has no volume cell",
+            .remedy = "leave --triangles out: a surface is its triangles"};
+  }
+  for (const CellKind kind : all_cell_kinds) {
+    const int dimension = traits_of(kind).dimension;
+    if (dimension == 1 || dimension == 2) drop_cells(mesh, kind);
+  }
+  mesh.region_name[1].clear();
+  mesh.region_name[2].clear();
+  return asked_for("dropped_shells", dropped,
+                   dropped == 0 ? std::string("there are no triangles and no edges: nothing was dropped")
+                                : fmt::format("{} triangles, other faces and edges were dropped", dropped));
+}
+
+Conversion convert(Arguments arguments) {
   Conversion result;
   Result<FileMesh> mesh =
       read_file_mesh(arguments.in, {.tetrahedra_only = arguments.tetrahedra_only});
@@ -89,6 +212,8 @@ Conversion convert(const Arguments& arguments) {
   result.mesh = std::move(*mesh);
   // A repair was asked for: what it drops is no loss.
   result.has_losses = std::ranges::any_of(result.findings, is_loss);
+  simplify(result.mesh, arguments, result.findings);
+  if (arguments.triangles == "drop") result.findings.push_back(drop_shells_and_beams(result.mesh));
   std::ranges::move(repair(result.mesh, arguments.repairs), std::back_inserter(result.findings));
   NamedCrack crack;
   if (!has_error(result.findings)) crack = open_named_crack(result.mesh, arguments.crack);
@@ -105,6 +230,7 @@ Conversion convert(const Arguments& arguments) {
     std::vector<Finding> lost = lost_on_writing(result.mesh, options);
     result.has_losses = result.has_losses || !lost.empty();
     if (result.has_losses) {
+      result.is_refused = true;
       std::ranges::move(lost, std::back_inserter(result.findings));
       return result;
     }
@@ -120,12 +246,29 @@ Conversion convert(const Arguments& arguments) {
   return result;
 }
 
+/// Simplices of first order always, other kinds where there are cells of them.
 nlohmann::ordered_json counts_json(const FileMesh& mesh) {
-  return {{"points", mesh.points.size()},
-          {"vertices", mesh.vertices.corners.size()},
-          {"edges", mesh.edges.corners.size()},
-          {"triangles", mesh.triangles.corners.size()},
-          {"tetrahedra", mesh.tetrahedra.corners.size()}};
+  nlohmann::ordered_json json{{"points", mesh.points.size()}};
+  for (const CellKind kind : all_cell_kinds) {
+    const std::size_t n = rows_of(mesh, kind).count;
+    if (n > 0 || is_simplex(kind)) json[std::string(traits_of(kind).plural)] = n;
+  }
+  return json;
+}
+
+/// "8 points, 12 triangles": what there is, and nothing of which there is none.
+std::string counts_text(const FileMesh& mesh) {
+  std::string text;
+  const auto add = [&text](std::size_t count, std::string_view one, std::string_view several) {
+    if (count == 0) return;
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, count == 1 ? one : several);
+  };
+  add(mesh.points.size(), "point", "points");
+  for (std::size_t i = cell_kinds; i-- > 0;) {
+    const CellKindTraits& kind = traits_of(all_cell_kinds[i]);
+    add(rows_of(mesh, all_cell_kinds[i]).count, kind.name, kind.plural);
+  }
+  return text.empty() ? "a mesh without points" : text;
 }
 
 void print(const Arguments& arguments, const Conversion& result) {
@@ -145,10 +288,7 @@ void print(const Arguments& arguments, const Conversion& result) {
     fmt::print(words, "nothing is written\n");
     return;
   }
-  fmt::print(words, "{}: written from {} points, {} tetrahedra, {} triangles, {} edges, {} vertices{}\n",
-             arguments.out.string(), result.mesh.points.size(),
-             result.mesh.tetrahedra.corners.size(), result.mesh.triangles.corners.size(),
-             result.mesh.edges.corners.size(), result.mesh.vertices.corners.size(),
+  fmt::print(words, "{}: written from {}{}\n", arguments.out.string(), counts_text(result.mesh),
              result.has_losses ? "" : "; nothing is lost");
 }
 
@@ -162,11 +302,11 @@ void print_formats() {
       "| numbers of points | of cells | data of points | of cells | types of numbers |\n"
       "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   constexpr std::string_view encoding_words[] = {"text", "binary", "base64"};
-  constexpr std::string_view cell_words[] = {"vertices", "edges", "triangles", "tetrahedra"};
   for (const FormatTraits& t : format_traits()) {
     std::string cells, written = fmt::format("{}", fmt::join(t.versions, ", "));
-    for (std::size_t d = 0; d < 4; ++d) {
-      if (t.holds_cells[d]) cells += fmt::format("{}{}", cells.empty() ? "" : ", ", cell_words[d]);
+    for (const CellKind kind : all_cell_kinds) {
+      if (!contains(t.cells, kind)) continue;
+      cells += fmt::format("{}{}", cells.empty() ? "" : ", ", traits_of(kind).plural);
     }
     for (const Encoding e : t.encodings) {
       written += fmt::format("{}{}",
@@ -199,7 +339,8 @@ ExitCode run_convert(const Arguments& arguments) {
     return f.code == "unknown_format" || f.code == "unknown_version";
   };
   if (std::ranges::any_of(result.findings, is_usage)) return ExitCode::usage;
-  return has_error(result.findings) ? ExitCode::not_written : ExitCode::problems;
+  const bool is_failure = has_error(result.findings) && !result.is_refused;
+  return is_failure ? ExitCode::not_written : ExitCode::problems;
 }
 
 std::string known_format(const std::string& word) {
@@ -238,8 +379,23 @@ void add_convert_command(CLI::App& program, ExitCode& exit_code) {
   binary->excludes(text);
   command->add_flag("--zlib", arguments->zlib, "Pack binary data or base64 by zlib (VTU)");
   command->add_flag("--strict", arguments->strict, "Write nothing if anything would be lost");
+  command
+      ->add_option(
+          "--triangles", arguments->triangles,
+          "keep, or drop: of a body only the tetrahedra, for solvers that read its triangles "
+          "as shells and its edges as beams (vertices stay: sets of nodes); default keep")
+      ->type_name("WHAT")
+      ->check(CLI::IsMember({"keep", "drop"}));
   command->add_flag("--tetrahedra-only", arguments->tetrahedra_only,
                     "Leave volume cells out that are no tetrahedra");
+  command
+      ->add_option("--order", arguments->order,
+                   "1: make cells of second order linear; points that only they use are dropped")
+      ->type_name("1")
+      ->check(CLI::IsMember({1}));
+  command->add_flag("--split", arguments->split,
+                    "Cut hexahedra, prisms and pyramids into tetrahedra, quadrilaterals and polygons "
+                    "into triangles, so that neighbours fit together");
   command
       ->add_option(
           "--merge-points", arguments->repairs.merge_points,

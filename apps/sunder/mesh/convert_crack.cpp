@@ -9,6 +9,7 @@
 
 #include "apps/scene/words.hpp"
 #include "topology/mesh/crack.hpp"
+#include "topology/mesh/repair.hpp"
 #include "topology/io/face_list.hpp"
 
 namespace sunder {
@@ -132,6 +133,7 @@ void add_crack_options(CLI::App& command, CrackOptions& options) {
 
 NamedCrack open_named_crack(FileMesh& mesh, const CrackOptions& options) {
   if (options.faces.empty() && options.plane.empty() && options.regions.empty()) return {};
+  if (auto refused = needs_tetrahedra(mesh, "a crack")) return {{std::move(*refused)}, {}};
   const Result<FaceLinks> links = face_links(mesh);
   if (!links) return {links.findings, {}};
   Named named = named_faces(mesh, *links, options);

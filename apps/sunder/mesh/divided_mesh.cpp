@@ -78,7 +78,7 @@ void print_table(const MeshState& before, const MeshState& after) {
 }  // namespace
 
 Result<DividedMesh> read_to_divide(const std::filesystem::path& in, MapKernel kernel) {
-  Result<FileMesh> mesh = read_file_mesh(in);
+  Result<FileMesh> mesh = read_file_mesh(in, {.simplices = true});
   Result<DividedMesh> result;
   result.findings = std::move(mesh.findings);
   if (!mesh) return result;

@@ -18,7 +18,7 @@ std::string bytes_of(const std::string& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-std::string io_sample(const std::string& name) { return std::string(SUNDER_IO_DATA) + "/" + name; }
+std::string io_sample(const std::string& name) { return SUNDER_IO_DATA "/" + name; }
 
 }  // namespace
 
@@ -115,6 +115,57 @@ TEST_CASE("volume cells that are no tetrahedra are refused, or left out on reque
   const Outcome strict =
       here.run({"convert", mixed, here.path("b.vtu"), "--tetrahedra-only", "--strict"});
   CHECK(strict.exit_code == 1);
+}
+
+TEST_CASE("for solvers that read triangles as shells they are dropped, and that is told",
+          "[apps][convert]") {
+  const Workplace here;
+  const std::string box = io_sample("gmsh_41_all.msh");
+  for (const FormatTraits& t : format_traits()) {
+    if (!t.holds_cells[3]) continue;
+    INFO(t.name);
+    const std::string out = here.path("solid" + std::string(t.extensions[0]));
+    const Outcome dropped = here.run({"convert", box, out, "--triangles", "drop"});
+    INFO(dropped.out << dropped.err);
+    REQUIRE(dropped.exit_code == 0);
+    CHECK(dropped.err.find("triangles and edges were dropped [dropped_shells") !=
+          std::string::npos);
+    const Result<FileMesh> mesh = read_file_mesh(out);
+    REQUIRE(mesh);
+    CHECK(mesh->triangles.corners.empty());
+    CHECK(mesh->edges.corners.empty());
+    CHECK(mesh->tetrahedra.corners.size() == 48);
+  }
+  // What is left has none, and a surface would have nothing left.
+  const Outcome again =
+      here.run({"convert", here.path("solid.msh"), here.path("b.msh"), "--triangles", "drop"});
+  CHECK(again.err.find("nothing was dropped") != std::string::npos);
+  const Outcome surface =
+      here.run({"convert", io_sample("meshio.off"), here.path("c.vtk"), "--triangles", "drop"});
+  CHECK(surface.exit_code == 3);
+  CHECK(here.run({"convert", box, here.path("c.vtk"), "--triangles", "some"}).exit_code == 2);
+}
+
+TEST_CASE("no sentence of a conversion counts nothing", "[apps][convert]") {
+  const Workplace here;
+  const std::string one =
+      here.write("one.msh", TetMesh{.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                    .tetrahedra = {{0, 1, 2, 3}}});
+  const Outcome plain = here.run({"convert", one, here.path("one.vtu")});
+  CHECK(plain.out ==
+        here.path("one.vtu") + ": written from 4 points, 1 tetrahedron; nothing is lost\n");
+  const Outcome repaired =
+      here.run({"convert", one, here.path("two.vtu"), "--merge-points", "0", "--drop-duplicates",
+                "--split-nonmanifold", "--fix-orientation", "--largest-component", "--drop-unused",
+                "--triangles", "drop"});
+  CHECK(repaired.exit_code == 0);
+  const std::string said = repaired.out + repaired.err;
+  INFO(said);
+  for (std::size_t at = said.find('0'); at != std::string::npos; at = said.find('0', at + 1)) {
+    const bool alone = (at == 0 || said[at - 1] == ' ') && said.compare(at, 2, "0 ") == 0;
+    const bool is_distance = said.compare(at, 3, "0 m") == 0;
+    CHECK((!alone || is_distance));
+  }
 }
 
 TEST_CASE("repairs are made on request and told", "[apps][convert]") {

@@ -101,7 +101,7 @@ Verdict judge_frame(const JudgedFrame& frame, double floor) {
 }
 
 Result<JudgedFrame> read_judged_frame(const std::string& path) {
-  Result<FileMesh> file = read_file_mesh(path);
+  Result<FileMesh> file = read_file_mesh(path, {.simplices = true});
   Result<JudgedFrame> result;
   result.findings = std::move(file.findings);
   if (!file) return result;

@@ -52,8 +52,6 @@ TEST_CASE("defects of Abaqus' files are named", "[io][defects][abaqus]") {
       {"cylindrical coordinates", "*NODE, SYSTEM=C\n1,0,0,0\n", "unsupported_keyword", 1,
        "SYSTEM='c'"},
       {"an element without type", nodes + "*ELEMENT\n1,1,2,3,4\n", "bad_keyword", 6, "type="},
-      {"an unknown type", nodes + "*ELEMENT, TYPE=U17\n1,1,2,3,4\n", "unknown_cell_type", 6,
-       "'U17'"},
       {"a hexahedron", body + "*ELEMENT,TYPE=C3D8R\n2,1,2,3,4,\n1,2,3,4\n", "unsupported_cells", 9,
        "1 hexahedra"},
       {"a node that is not there", body + "2,1,2,3,7\n", "index_out_of_range", 8, "point 7"},

@@ -2,7 +2,9 @@
 // Internal to topology/io: Abaqus' input files (.inp), which CalculiX and others share.
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -17,6 +19,9 @@ bool is_abaqus(std::string_view text);
 
 /// Reads nodes, elements and sets of a file and of those it includes. Throws ReadFailure.
 Draft read_abaqus(const FileSource& source);
+
+/// For each node as Abaqus lists it, its place in our order; empty where the two are the same.
+std::span<const std::uint8_t> abaqus_order(CellKind kind);
 
 /// Which numbers the file can hold: positive ones, each once; of elements all or none.
 HeldNumbers abaqus_holds(const FileMesh& mesh);

@@ -38,6 +38,7 @@ struct Place {
   Card card = Card::other;
   /// Of *ELEMENT.
   const AbaqusType* type = nullptr;
+  std::string_view type_word;
   std::int32_t set = -1;
   bool generate = false;
   /// Whether lines of data have been met since the keyword, in the same file.
@@ -137,12 +138,8 @@ void begin_elements(Pass& p, const Keyword& k) {
   const std::string_view type = needed(p, k, "type");
   p.place.card = Card::elements;
   p.place.type = abaqus_type(type);
-  if (p.place.type == nullptr) {
-    refuse(p, k.at,
-           {.code = "unknown_cell_type",
-            .text = fmt::format("element type {} is not known", in_quotes(type)),
-            .remedy = "leave these elements out, or write them as C3D4, S3 or T3D2"});
-  }
+  if (p.place.type == nullptr) p.place.type = &unknown_type;
+  p.place.type_word = type;
   const std::string_view set = parameter(k, "elset");
   if (!set.empty()) p.place.set = set_called(p.r.element_sets, set);
 }
@@ -261,7 +258,8 @@ void read_data(Pass& p, std::size_t begin) {
     case Card::nodes:
       return read_nodes(p, begin);
     case Card::elements:
-      if (is_first) p.r.elements.push_back({p.place.type, p.file, p.place.set, begin});
+      if (is_first)
+        p.r.elements.push_back({p.place.type, p.file, p.place.set, begin, p.place.type_word});
       return;
     case Card::elset:
     case Card::nset:

@@ -7,6 +7,8 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -28,15 +30,14 @@ struct AbaqusType {
   std::string_view plural;
 };
 
+/// The kind of a TYPE= that is not known: such elements are left out.
+inline constexpr AbaqusType unknown_type{"", 0, 3, "elements of an unknown type"};
+
 /// The kind of a TYPE=; a null pointer for those that are not known.
 const AbaqusType* abaqus_type(std::string_view word);
 
-inline bool is_simplex(const AbaqusType& type) {
-  const auto corners = static_cast<std::size_t>(type.dimension) + 1;
-  if (type.dimension == 1) return true;
-  return type.nodes == corners || (type.dimension == 2 && type.nodes == 6) ||
-         (type.dimension == 3 && type.nodes == 10);
-}
+/// The kind of its cells; none for points, springs and the like, which are left out.
+std::optional<CellKind> kind_of(const AbaqusType& type);
 
 /// The mesh's file or one that is included.
 struct AbaqusText {
@@ -52,6 +53,15 @@ struct ElementLines {
   /// Place of its ELSET= among the element sets; -1 without.
   std::int32_t set;
   std::size_t at;
+  /// The word behind TYPE=.
+  std::string_view type_word;
+};
+
+/// Elements of a type that is not known, and the place of the first.
+struct UnknownElements {
+  std::size_t count = 0;
+  std::string file;
+  std::size_t line = 0;
 };
 
 /// Nodes behind a *NODE, or a part of them.
@@ -67,10 +77,11 @@ struct SetLines {
   std::int32_t set;
   /// Of the same set, the one before; -1 for the first.
   std::int32_t before;
+  /// Of elements in blocks: their kind.
   std::uint32_t file = 0;
   bool generate = false;
   bool is_block = false;
-  /// Lines: where they begin. Blocks: the first row, and behind the last.
+  /// Lines: where they begin. Blocks: the first row of the kind, and behind the last.
   std::size_t at = 0;
   std::size_t end = 0;
 };
@@ -96,10 +107,12 @@ struct AbaqusReader {
   std::deque<NodeLines> nodes;
   std::deque<ElementLines> elements;
   AbaqusSets node_sets, element_sets;
-  /// Rows of all elements, edges first and tetrahedra last.
+  /// Rows of all elements, by kind.
   NumberIndex node_rows, element_rows;
   /// Keywords that are passed over.
   std::set<std::string> others;
+  /// By the word of their type; "" for all behind the first few types.
+  std::map<std::string, UnknownElements> unknown;
   std::size_t parts = 0, instances = 0;
 };
 

@@ -21,8 +21,8 @@ struct Walk {
   /// The file's own numbers, by row.
   const std::vector<std::int64_t>& numbers;
   std::int64_t lowest = 0, highest = -1;
-  /// Rows of the first element of each dimension; 0 for nodes.
-  std::array<std::size_t, 4> first_row{};
+  /// Rows of the first element of each kind; 0 for nodes.
+  std::array<std::size_t, cell_kinds> first_row{};
   /// How many more members all sets together may name.
   std::size_t left = 0;
   std::size_t unknown = 0;
@@ -175,7 +175,8 @@ std::int32_t entity_in_word(std::string_view word, int dimension) {
 
 void warn_unknown(AbaqusReader& r, std::size_t count, std::string_view what) {
   // Elements that are left out have numbers too.
-  if (count == 0 || !r.draft.volume_cells.empty() || !r.draft.surface_cells.empty()) return;
+  if (count == 0 || !r.unknown.empty()) return;
+  if (!r.draft.volume_cells.empty() || !r.draft.surface_cells.empty()) return;
   r.draft.findings.push_back(
       {.code = "unknown_member",
        .severity = Severity::warning,
@@ -211,7 +212,9 @@ void take_members(Walk& w, Regions& regions, std::size_t set, int rank) {
     } else if (rank < 2) {
       regions.has_several[row] = true;
     } else if (rank == 3) {
-      const int dimension = row >= w.first_row[3] ? 3 : row >= w.first_row[2] ? 2 : 1;
+      const int dimension = row >= w.first_row[index_of(CellKind::tetrahedron)] ? 3
+                            : row >= w.first_row[index_of(CellKind::triangle)]  ? 2
+                                                                                : 1;
       const std::int32_t entity = entity_in_word(word, dimension);
       if (entity == 0) return;
       regions.entity_of.resize(regions.set_of.size(), 0);
@@ -252,11 +255,12 @@ Regions regions_of(Walk& w) {
 void read_element_sets(AbaqusReader& r) {
   FileMesh& mesh = r.draft.mesh;
   std::vector<std::int64_t> numbers;
-  std::array<std::size_t, 4> first_row{};
-  for_each_cell_list(mesh, [&](const auto& cells, int d) {
-    first_row[static_cast<std::size_t>(d)] = numbers.size();
-    numbers.insert(numbers.end(), cells.source_id.begin(), cells.source_id.end());
-  });
+  std::array<std::size_t, cell_kinds> first_row{};
+  for (const CellKind kind : all_cell_kinds) {
+    const std::vector<std::int64_t>& own = columns_of(mesh, kind).source_id;
+    first_row[index_of(kind)] = numbers.size();
+    numbers.insert(numbers.end(), own.begin(), own.end());
+  }
   Walk w = new_walk(r, r.element_sets, r.element_rows, numbers);
   w.first_row = first_row;
   const Regions regions = regions_of(w);
@@ -273,20 +277,20 @@ void read_element_sets(AbaqusReader& r) {
                              several),
          .remedy = "nothing to do, if the first sets are the ones you want"});
   }
-  for_each_cell_list(mesh, [&](auto& cells, int d) {
-    if (d == 0) return;
-    const auto dimension = static_cast<std::size_t>(d);
-    const auto first = static_cast<std::ptrdiff_t>(first_row[dimension]);
-    const auto rows = static_cast<std::ptrdiff_t>(cells.corners.size());
-    const auto part = [&](const std::vector<std::int32_t>& all) {
-      return std::vector<std::int32_t>(all.begin() + first, all.begin() + first + rows);
-    };
-    cells.region = part(regions.set_of);
-    number_regions(cells.region, r.element_sets.names, mesh.region_name[dimension]);
-    if (regions.entity_of.empty()) return;
-    cells.entity = part(regions.entity_of);
+  const auto part = [&](const std::vector<std::int32_t>& all, CellKind kind) {
+    const auto begin = all.begin() + static_cast<std::ptrdiff_t>(first_row[index_of(kind)]);
+    return std::vector<std::int32_t>(
+        begin, begin + static_cast<std::ptrdiff_t>(rows_of(mesh, kind).count));
+  };
+  for (const CellKind kind : all_cell_kinds) {
+    if (kind == CellKind::vertex || rows_of(mesh, kind).count == 0) continue;
+    CellColumns& cells = columns_of(mesh, kind);
+    cells.region = part(regions.set_of, kind);
+    if (regions.entity_of.empty()) continue;
+    cells.entity = part(regions.entity_of, kind);
     if (std::ranges::all_of(cells.entity, [](auto e) { return e == 0; })) cells.entity.clear();
-  });
+  }
+  for (int d = 1; d <= 3; ++d) number_labels(mesh, d, r.element_sets.names);
 }
 
 /// Whether the set is that of all nodes, told with the nodes themselves: it says nothing.
@@ -345,11 +349,13 @@ void read_node_sets(AbaqusReader& r) {
 void drop_counting(FileMesh& mesh) {
   std::int64_t next = 1;
   bool counts = true;
-  for_each_cell_list(mesh, [&](const auto& cells, int) {
-    for (const std::int64_t number : cells.source_id) counts = counts && number == next++;
-  });
+  for (const CellKind kind : all_cell_kinds) {
+    for (const std::int64_t number : columns_of(mesh, kind).source_id) {
+      counts = counts && number == next++;
+    }
+  }
   if (!counts) return;
-  for_each_cell_list(mesh, [](auto& cells, int) { cells.source_id.clear(); });
+  for (const CellKind kind : all_cell_kinds) columns_of(mesh, kind).source_id.clear();
 }
 
 }  // namespace

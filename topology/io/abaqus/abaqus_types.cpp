@@ -2,6 +2,7 @@
 // The kinds of elements of Abaqus and CalculiX by the beginnings of their names.
 #include <algorithm>
 
+#include "topology/io/abaqus/abaqus.hpp"
 #include "topology/io/abaqus/abaqus_reader.hpp"
 
 namespace sunder::io {
@@ -26,6 +27,7 @@ constexpr AbaqusType types[] = {
     {"F3D6", 6, 3, "prisms"},
     {"SC6", 6, 3, "prisms"},
     {"COH3D6", 6, 3, "cohesive prisms"},
+    {"C3D15V", 18, 3, "18-node prisms"},
     {"C3D15", 15, 3, "second-order prisms"},
     {"DC3D15", 15, 3, "second-order prisms"},
     {"AC3D15", 15, 3, "second-order prisms"},
@@ -130,7 +132,28 @@ constexpr AbaqusType types[] = {
     {"GAPUNI", 2, 0, "gaps"},
 };
 
+/// Of three nodes in a row the middle one comes second.
+constexpr std::uint8_t edge_order[] = {0, 2, 1};
+/// The whole, then the faces: below, above, and around from the one on the first two corners.
+constexpr std::uint8_t hexahedron_order[] = {0,  1,  2,  3,  4,  5,  6,  7,  8,
+                                             9,  10, 11, 12, 13, 14, 15, 16, 17,
+                                             18, 19, 26, 24, 25, 22, 21, 23, 20};
+
 }  // namespace
+
+std::optional<CellKind> kind_of(const AbaqusType& type) {
+  for (const CellKind kind : all_cell_kinds) {
+    const CellKindTraits& t = traits_of(kind);
+    if (t.dimension > 0 && t.dimension == type.dimension && t.nodes == type.nodes) return kind;
+  }
+  return std::nullopt;
+}
+
+std::span<const std::uint8_t> abaqus_order(CellKind kind) {
+  if (kind == CellKind::edge3) return edge_order;
+  if (kind == CellKind::hexahedron27) return hexahedron_order;
+  return {};
+}
 
 const AbaqusType* abaqus_type(std::string_view word) {
   const std::string lower = lower_case(word);

@@ -14,7 +14,20 @@
 namespace sunder::io {
 namespace {
 
-constexpr std::string_view element_types[] = {"", "T3D2", "S3", "C3D4"};
+/// Kinds that Abaqus has, by names that CalculiX and others know too where there are such.
+struct WrittenType {
+  CellKind kind;
+  std::string_view name;
+};
+constexpr WrittenType written_types[] = {
+    {CellKind::edge, "T3D2"},          {CellKind::edge3, "T3D3"},
+    {CellKind::triangle, "S3"},        {CellKind::triangle6, "STRI65"},
+    {CellKind::quad4, "S4"},           {CellKind::quad8, "S8R"},
+    {CellKind::quad9, "M3D9"},         {CellKind::tetrahedron, "C3D4"},
+    {CellKind::tetrahedron10, "C3D10"}, {CellKind::hexahedron8, "C3D8"},
+    {CellKind::hexahedron20, "C3D20"}, {CellKind::hexahedron27, "C3D27"},
+    {CellKind::prism6, "C3D6"},        {CellKind::prism15, "C3D15"},
+    {CellKind::prism18, "C3D15V"},     {CellKind::pyramid5, "C3D5"}};
 
 /// Whether all `rows` have a number, positive and unlike the others.
 bool are_held(std::vector<std::int64_t> numbers, std::size_t rows) {
@@ -59,9 +72,11 @@ void for_each_run(std::size_t rows, const std::vector<std::int32_t>& label, Begi
 
 HeldNumbers abaqus_holds(const FileMesh& mesh) {
   std::vector<std::int64_t> cells;
-  for_each_cell_list(mesh, [&](const auto& list, int d) {
-    if (d > 0) cells.insert(cells.end(), list.source_id.begin(), list.source_id.end());
-  });
+  for (const CellKind kind : all_cell_kinds) {
+    if (kind == CellKind::vertex) continue;
+    const std::vector<std::int64_t>& own = columns_of(mesh, kind).source_id;
+    cells.insert(cells.end(), own.begin(), own.end());
+  }
   return {are_held(mesh.source_point_id, mesh.points.size()),
           are_held(std::move(cells), cell_count(mesh) - mesh.vertices.corners.size())};
 }
@@ -71,30 +86,38 @@ std::string write_abaqus(const FileMesh& mesh) {
   const HeldNumbers own = abaqus_holds(mesh);
   const RegionNames words = region_words(mesh.region_name);
   out.bytes.reserve(64 * mesh.points.size() + 48 * cell_count(mesh));
-  put_text(out, fmt::format("*HEADING\n{} nodes, {} tetrahedra, written by Sunder\n",
-                            mesh.points.size(), mesh.tetrahedra.corners.size()));
+  put_text(out, fmt::format("*HEADING\n{} nodes, {} elements, written by Sunder\n",
+                            mesh.points.size(),
+                            cell_count(mesh) - mesh.vertices.corners.size()));
   put_nodes(out, mesh, own.points);
   const auto node = [&](std::uint32_t row) {
     put_text(out, own.points ? mesh.source_point_id[row] : std::int64_t{row} + 1);
   };
   std::int64_t next = 1;
-  for_each_cell_list(mesh, [&](const auto& cells, int d) {
-    if (d == 0) return;
+  for (const WrittenType& type : written_types) {
+    const CellRows rows = rows_of(mesh, type.kind);
+    const CellColumns& cells = columns_of(mesh, type.kind);
     const std::vector<std::int32_t>& label = label_of(cells);
+    const std::span<const std::uint8_t> order = abaqus_order(type.kind);
     const auto begin = [&](std::size_t i) {
-      put_text(out, fmt::format("*ELEMENT, TYPE={}", element_types[d]));
-      if (!label.empty()) put_text(out, ", ELSET=" + word_of_region(words, d, label[i]));
+      put_text(out, fmt::format("*ELEMENT, TYPE={}", type.name));
+      if (!label.empty()) {
+        const int d = traits_of(type.kind).dimension;
+        put_text(out, ", ELSET=" + word_of_region(words, d, label[i]));
+      }
       out.bytes += '\n';
     };
-    for_each_run(cells.corners.size(), label, begin, [&](std::size_t i) {
+    for_each_run(rows.count, label, begin, [&](std::size_t i) {
+      // CalculiX reads 16 numbers of a line.
+      constexpr std::size_t most = 15;
       put_text(out, own.cells ? cells.source_id[i] : next++);
-      for (const std::uint32_t corner : cells.corners[i]) {
-        put_text(out, ", ");
-        node(corner);
+      for (std::size_t k = 0; k < rows.nodes; ++k) {
+        put_text(out, k > 0 && k % most == 0 ? ",\n" : ", ");
+        node(rows[i][order.empty() ? k : order[k]]);
       }
       out.bytes += '\n';
     });
-  });
+  }
   const std::vector<std::int32_t>& label = label_of(mesh.vertices);
   std::size_t in_line = 0;
   const auto begin = [&](std::size_t i) {

@@ -12,53 +12,54 @@
 namespace sunder::io {
 namespace {
 
-/// Sections whose rows are passed over: numbers in a row, and what cells they are.
+/// Sections whose rows are passed over: numbers in a row. What is said there of cells (which must
+/// stay, what their normals are) is none of ours.
 struct Section {
   std::string_view keyword;
-  /// Of binary files; 0 where they have none.
-  int code;
   std::size_t numbers;
-  /// -1 where the rows are no cells.
-  int dimension;
-  std::string_view name;
 };
 constexpr Section sections[] = {
-    {"Quadrilaterals", 7, 5, 2, "quadrilaterals"},
-    {"Hexahedra", 10, 9, 3, "hexahedra"},
-    {"Hexaedra", 0, 9, 3, "hexahedra"},
-    {"Prisms", 9, 7, 3, "prisms"},
-    {"Pentahedra", 0, 7, 3, "prisms"},
-    {"Pyramids", 49, 6, 3, "pyramids"},
-    {"Corners", 13, 1, -1, ""},
-    {"RequiredVertices", 15, 1, -1, ""},
-    {"Ridges", 14, 1, -1, ""},
-    {"RequiredEdges", 16, 1, -1, ""},
-    {"RequiredTriangles", 17, 1, -1, ""},
-    {"RequiredTetrahedra", 0, 1, -1, ""},
-    {"Normals", 60, 3, -1, ""},
-    {"NormalAtVertices", 20, 2, -1, ""},
-    {"NormalAtTriangleVertices", 21, 3, -1, ""},
-    {"NormalAtQuadrilateralVertices", 22, 3, -1, ""},
-    {"Tangents", 59, 3, -1, ""},
-    {"TangentAtVertices", 61, 2, -1, ""},
-    {"TangentAtEdges", 19, 3, -1, ""},
+    {"Corners", 1},
+    {"RequiredVertices", 1},
+    {"Ridges", 1},
+    {"RequiredEdges", 1},
+    {"RequiredTriangles", 1},
+    {"RequiredTetrahedra", 1},
+    {"Normals", 3},
+    {"NormalAtVertices", 2},
+    {"NormalAtTriangleVertices", 3},
+    {"NormalAtQuadrilateralVertices", 3},
+    {"Tangents", 3},
+    {"TangentAtVertices", 2},
+    {"TangentAtEdges", 3},
 };
 
-/// Sections of simplices: their corners come first, a reference last.
-struct Simplices {
+/// Sections of cells: their nodes, then a reference. Those of second order whose nodes have another
+/// order from program to program are read by their corners: `nodes` tells how many there are.
+struct CellSection {
   std::string_view keyword;
+  /// Of binary files; 0 for a second spelling.
   int code;
-  int dimension;
+  CellKind kind;
   std::size_t nodes;
-  std::string_view name;
 };
-constexpr Simplices simplices[] = {
-    {"Edges", 5, 1, 2, "edges"},
-    {"Triangles", 6, 2, 3, "triangles"},
-    {"Tetrahedra", 8, 3, 4, "tetrahedra"},
-    {"EdgesP2", 25, 1, 3, "second-order edges"},
-    {"TrianglesP2", 24, 2, 6, "second-order triangles"},
-    {"TetrahedraP2", 30, 3, 10, "second-order tetrahedra"},
+constexpr CellSection cell_sections[] = {
+    {"Edges", 5, CellKind::edge, 2},
+    {"Triangles", 6, CellKind::triangle, 3},
+    {"Quadrilaterals", 7, CellKind::quad4, 4},
+    {"Tetrahedra", 8, CellKind::tetrahedron, 4},
+    {"Prisms", 9, CellKind::prism6, 6},
+    {"Pentahedra", 0, CellKind::prism6, 6},
+    {"Hexahedra", 10, CellKind::hexahedron8, 8},
+    {"Hexaedra", 0, CellKind::hexahedron8, 8},
+    {"Pyramids", 49, CellKind::pyramid5, 5},
+    {"EdgesP2", 25, CellKind::edge3, 3},
+    {"TrianglesP2", 24, CellKind::triangle6, 6},
+    {"TetrahedraP2", 30, CellKind::tetrahedron10, 10},
+    {"QuadrilateralsQ2", 27, CellKind::quad4, 9},
+    {"HexahedraQ2", 33, CellKind::hexahedron8, 27},
+    {"PrismsP2", 86, CellKind::prism6, 18},
+    {"PyramidsP2", 87, CellKind::pyramid5, 14},
 };
 
 constexpr int dimension_code = 3, vertices_code = 4, end_code = 54;
@@ -69,8 +70,8 @@ struct MeditReader {
   /// Of binary files: 1 has floats, 3 wide places, 4 wide integers too.
   int version = 2;
   bool has_vertices = false;
-  /// Whether a section of simplices was read, by its place in the table.
-  std::array<bool, std::size(simplices)> has_cells{};
+  /// Whether a section of cells was read, by its place in the table.
+  std::array<bool, std::size(cell_sections)> has_cells{};
   /// Sections of cells before the vertices, which are needed to judge them: read behind those.
   struct Early {
     std::size_t kind;
@@ -133,40 +134,38 @@ void read_dimension(MeditReader& r) {
 }
 
 /// The rows of a section whose keyword was passed.
-void read_cell_rows(MeditReader& r, std::size_t kind, std::size_t section_at) {
-  const Simplices& section = simplices[kind];
-  const std::size_t n = read_rows(r, section.name, section.nodes + 1);
-  const std::size_t corners = static_cast<std::size_t>(section.dimension) + 1;
-  if (section.nodes > corners) add_curved_cells(r.draft, section.name, n, section_at);
-  std::vector<std::int32_t>* references = nullptr;
-  for_each_cell_list(r.draft.mesh, [&](auto& cells, int dimension) {
-    if (dimension != section.dimension) return;
-    cells.corners.reserve(cells.corners.size() + n);
-    cells.region.reserve(cells.region.size() + n);
-    references = &cells.region;
-  });
+void read_cell_rows(MeditReader& r, std::size_t place, std::size_t section_at) {
+  const CellSection& section = cell_sections[place];
+  const std::size_t n = read_rows(r, section.keyword, section.nodes + 1);
+  const std::size_t nodes = traits_of(section.kind).nodes;
+  if (section.nodes > nodes) {
+    add_curved_cells(r.draft, fmt::format("cells of {}", section.keyword), n, section_at);
+  }
+  CellColumns& cells = columns_of(r.draft.mesh, section.kind);
+  cells.region.reserve(cells.region.size() + n);
+  FileCell& cell = r.draft.cell;
   for (std::size_t i = 0; i < n; ++i) {
-    FileCell cell{.at = place_of_next(r.in)};
-    for (std::size_t k = 0; k < corners; ++k) {
+    cell.begin(nodes, place_of_next(r.in));
+    for (std::size_t k = 0; k < nodes; ++k) {
       const std::int64_t number = read_integer(r, "a vertex number");
       cell.numbers[k] = number;
       cell.rows[k] = number > 0 ? number - 1 : -1;
     }
-    const std::size_t others = section.nodes - corners;
+    const std::size_t others = section.nodes - nodes;
     skip_numbers(r.in, others, (r.version == 4 ? 8 : 4) * others, "a vertex number");
-    add_cell(r.draft, section.dimension, cell);
-    references->push_back(read_reference(r, "a cell's reference"));
+    add_cell(r.draft, section.kind, cell);
+    cells.region.push_back(read_reference(r, "a cell's reference"));
   }
 }
 
-void read_cells(MeditReader& r, std::size_t kind, std::size_t section_at) {
-  const Simplices& section = simplices[kind];
-  refuse_second(r, r.has_cells[kind], section.keyword);
-  r.has_cells[kind] = true;
-  if (r.has_vertices) return read_cell_rows(r, kind, section_at);
-  r.early.push_back({kind, section_at, r.in.s.at});
+void read_cells(MeditReader& r, std::size_t place, std::size_t section_at) {
+  const CellSection& section = cell_sections[place];
+  refuse_second(r, r.has_cells[place], section.keyword);
+  r.has_cells[place] = true;
+  if (r.has_vertices) return read_cell_rows(r, place, section_at);
+  r.early.push_back({place, section_at, r.in.s.at});
   const std::size_t numbers = section.nodes + 1;
-  const std::size_t n = read_rows(r, section.name, numbers);
+  const std::size_t n = read_rows(r, section.keyword, numbers);
   if (r.in.is_binary) {
     skip_numbers(r.in, 0, (r.version == 4 ? 8 : 4) * n * numbers, "a vertex number");
   } else {
@@ -215,12 +214,8 @@ void skip_section(MeditReader& r, std::string_view keyword, std::size_t at) {
   const auto* const section = std::find_if(std::begin(sections), std::end(sections),
                                            [&](const Section& x) { return x.keyword == keyword; });
   if (section != std::end(sections)) {
-    const std::size_t rows =
-        read_count(r.in.s, section->name.empty() ? "rows" : section->name, 2 * section->numbers);
+    const std::size_t rows = read_count(r.in.s, "rows", 2 * section->numbers);
     skip_words(r.in.s, rows * section->numbers, "a number");
-    if (section->dimension >= 0) {
-      add_other_cells(r.draft, section->name, section->dimension, rows, at);
-    }
     return;
   }
   add_counted(r.draft, "unknown_section", [&] {
@@ -243,8 +238,8 @@ void read_section(MeditReader& r, std::string_view keyword, std::size_t at) {
   } else if (keyword == "Vertices") {
     read_vertices(r);
   } else {
-    for (std::size_t kind = 0; kind < std::size(simplices); ++kind) {
-      if (simplices[kind].keyword == keyword) return read_cells(r, kind, at);
+    for (std::size_t i = 0; i < std::size(cell_sections); ++i) {
+      if (cell_sections[i].keyword == keyword) return read_cells(r, i, at);
     }
     skip_section(r, keyword, at);
   }
@@ -257,21 +252,16 @@ void drop_zeros(std::vector<std::int32_t>& references) {
 
 void drop_empty_references(MeditReader& r) {
   drop_zeros(r.draft.mesh.point_region);
-  for_each_cell_list(r.draft.mesh, [](auto& cells, int) { drop_zeros(cells.region); });
+  for (const CellKind kind : all_cell_kinds) drop_zeros(columns_of(r.draft.mesh, kind).region);
 }
 
-/// One keyword of a binary file, up to where the next stands; cells that are no simplices are
-/// counted, what else is not used is passed over.
+/// One keyword of a binary file, up to where the next stands; what is not used is passed over.
 void read_binary_section(MeditReader& r, int code, std::size_t at) {
   if (code == dimension_code) return read_dimension(r);
   if (code == vertices_code) return read_vertices(r);
-  for (std::size_t kind = 0; kind < std::size(simplices); ++kind) {
-    if (simplices[kind].code == code) return read_cells(r, kind, at);
+  for (std::size_t i = 0; i < std::size(cell_sections); ++i) {
+    if (code > 0 && cell_sections[i].code == code) return read_cells(r, i, at);
   }
-  const auto* const section = std::ranges::find(sections, code, &Section::code);
-  if (code <= 0 || section == std::end(sections) || section->dimension < 0) return;
-  add_other_cells(r.draft, section->name, section->dimension,
-                  read_rows(r, section->name, section->numbers), at);
 }
 
 [[noreturn]] void fail_place(const MeditReader& r, std::size_t at, int code, std::int64_t next) {

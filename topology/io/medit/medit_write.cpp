@@ -7,8 +7,23 @@ namespace sunder::io {
 namespace {
 
 constexpr int dimension_code = 3, vertices_code = 4, end_code = 54;
-constexpr std::string_view keywords[] = {"", "Edges", "Triangles", "Tetrahedra"};
-constexpr int keyword_codes[] = {0, 5, 6, 8};
+
+/// In this order.
+struct Section {
+  CellKind kind;
+  std::string_view keyword;
+  int code;
+};
+constexpr Section sections[] = {{CellKind::edge, "Edges", 5},
+                                {CellKind::edge3, "EdgesP2", 25},
+                                {CellKind::triangle, "Triangles", 6},
+                                {CellKind::triangle6, "TrianglesP2", 24},
+                                {CellKind::quad4, "Quadrilaterals", 7},
+                                {CellKind::tetrahedron, "Tetrahedra", 8},
+                                {CellKind::tetrahedron10, "TetrahedraP2", 30},
+                                {CellKind::hexahedron8, "Hexahedra", 10},
+                                {CellKind::prism6, "Prisms", 9},
+                                {CellKind::pyramid5, "Pyramids", 49}};
 
 std::string write_text(const FileMesh& mesh) {
   NumberSink out;
@@ -25,15 +40,16 @@ std::string write_text(const FileMesh& mesh) {
     for (const double x : mesh.points[i]) put<double>(out, x);
     put<std::int32_t>(out, mesh.point_region.empty() ? 0 : mesh.point_region[i], '\n');
   }
-  for_each_cell_list(mesh, [&](const auto& cells, int dimension) {
-    if (dimension == 0 || cells.corners.empty()) return;
-    const std::vector<std::int32_t>& label = label_of(cells);
-    section(keywords[dimension], cells.corners.size());
-    for (std::size_t i = 0; i < cells.corners.size(); ++i) {
-      for (const std::uint32_t corner : cells.corners[i]) put<std::int64_t>(out, corner + 1L);
+  for (const Section& s : sections) {
+    const CellRows rows = rows_of(mesh, s.kind);
+    if (rows.count == 0) continue;
+    const std::vector<std::int32_t>& label = label_of(columns_of(mesh, s.kind));
+    section(s.keyword, rows.count);
+    for (std::size_t i = 0; i < rows.count; ++i) {
+      for (const std::uint32_t node : rows[i]) put<std::int64_t>(out, node + 1L);
       put<std::int32_t>(out, label.empty() ? 0 : label[i], '\n');
     }
-  });
+  }
   put_text(out, "End\n");
   return std::move(out.bytes);
 }
@@ -57,17 +73,17 @@ std::string write_binary(const FileMesh& mesh) {
     for (const double x : mesh.points[i]) put_raw<double>(out, x);
     put_raw<std::int32_t>(out, mesh.point_region.empty() ? 0 : mesh.point_region[i]);
   }
-  for_each_cell_list(mesh, [&](const auto& cells, int dimension) {
-    if (dimension == 0 || cells.corners.empty()) return;
-    const std::vector<std::int32_t>& label = label_of(cells);
-    const std::size_t numbers = static_cast<std::size_t>(dimension) + 2;
-    section(keyword_codes[dimension], 4 + 4 * numbers * cells.corners.size());
-    put_raw<std::int32_t>(out, cells.corners.size());
-    for (std::size_t i = 0; i < cells.corners.size(); ++i) {
-      for (const std::uint32_t corner : cells.corners[i]) put_raw<std::int32_t>(out, corner + 1);
+  for (const Section& s : sections) {
+    const CellRows rows = rows_of(mesh, s.kind);
+    if (rows.count == 0) continue;
+    const std::vector<std::int32_t>& label = label_of(columns_of(mesh, s.kind));
+    section(s.code, 4 + 4 * (rows.nodes + 1) * rows.count);
+    put_raw<std::int32_t>(out, rows.count);
+    for (std::size_t i = 0; i < rows.count; ++i) {
+      for (const std::uint32_t node : rows[i]) put_raw<std::int32_t>(out, node + 1);
       put_raw<std::int32_t>(out, label.empty() ? 0 : label[i]);
     }
-  });
+  }
   put_raw<std::int32_t>(out, end_code);
   put_raw<std::int64_t>(out, 0);
   return std::move(out.bytes);

@@ -6,6 +6,7 @@
 
 #include "topology/io/msh/msh.hpp"
 #include "topology/io/msh/msh_reader.hpp"
+#include "topology/io/nastran/nastran.hpp"
 
 namespace sunder::io {
 namespace {
@@ -209,8 +210,7 @@ void read_section(MshReader& r, std::string_view name, std::size_t at) {
 }
 
 /// A column that says nothing is dropped: groups that are all 0, entities that repeat the groups.
-template <std::size_t Corners>
-void drop_empty_labels(CellList<Corners>& cells) {
+void drop_empty_labels(CellColumns& cells) {
   const auto none = [](const std::vector<std::int32_t>& labels) {
     return std::all_of(labels.begin(), labels.end(), [](std::int32_t x) { return x == 0; });
   };
@@ -222,7 +222,10 @@ void drop_empty_labels(CellList<Corners>& cells) {
 
 }  // namespace
 
-bool is_msh(std::string_view text) { return first_word(text).starts_with('$'); }
+bool is_msh(std::string_view text) {
+  // Comments of Nastran's bulk data begin with $ too.
+  return first_word(text).starts_with('$') && !is_nastran(text);
+}
 
 Draft read_msh(std::string_view text) {
   MshReader r{.in = {.s = {.text = text}}, .draft = {.text = text}};
@@ -239,7 +242,7 @@ Draft read_msh(std::string_view text) {
           .text = fmt::format("the file ends without a section {}", name),
           .remedy = "the file was cut short, or holds no mesh: write it again"});
   }
-  for_each_cell_list(r.draft.mesh, [](auto& cells, int) { drop_empty_labels(cells); });
+  for (const CellKind kind : all_cell_kinds) drop_empty_labels(columns_of(r.draft.mesh, kind));
   if (r.entities_of_several_groups > 0) {
     r.draft.findings.push_back(
         {.code = "further_groups",

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 
 #include "topology/io/msh/msh_elements.hpp"
 #include "topology/io/msh/msh_reader.hpp"
@@ -99,29 +100,28 @@ const ElementType& read_element_type(MshReader& r) {
 /// The nodes of an element, behind its number and tags, into the list of its kind.
 void read_element(MshReader& r, const ElementType& type, std::int64_t number, MshTags tags,
                   std::size_t at) {
-  FileCell cell{.at = at};
-  const auto corners = static_cast<std::size_t>(type.dimension) + 1;
-  for (std::size_t k = 0; k < corners; ++k) {
-    cell.numbers[k] = read_number_of_cell(r, node_number);
-    cell.rows[k] = row_of(r.nodes, cell.numbers[k]);
+  FileCell& cell = r.draft.cell;
+  const std::size_t nodes = is_curved(type) ? traits_of(type.kind).nodes : type.nodes;
+  const std::span<const std::uint8_t> order = msh_order(type.kind);
+  cell.begin(nodes, at);
+  for (std::size_t k = 0; k < nodes; ++k) {
+    const std::size_t place = order.empty() ? k : order[k];
+    const std::int64_t node = read_number_of_cell(r, node_number);
+    cell.numbers[place] = node;
+    cell.rows[place] = row_of(r.nodes, node);
   }
-  const std::size_t others = type.nodes - corners;
+  const std::size_t others = type.nodes - nodes;
   skip_numbers(r.in, others, (r.version == 41 ? 8 : 4) * others, node_number);
-  add_cell(r.draft, type.dimension, cell);
-  for_each_cell_list(r.draft.mesh, [&](auto& cells, int dimension) {
-    if (dimension != type.dimension) return;
-    cells.source_id.push_back(number);
-    cells.region.push_back(tags.physical);
-    cells.entity.push_back(tags.entity);
-  });
+  add_cell(r.draft, type.kind, cell);
+  CellColumns& cells = columns_of(r.draft.mesh, type.kind);
+  cells.source_id.push_back(number);
+  cells.region.push_back(tags.physical);
+  cells.entity.push_back(tags.entity);
 }
 
-/// Counts elements that are no simplices; true where they are to be passed over.
-bool count_kind(MshReader& r, const ElementType& type, std::size_t count, std::size_t at) {
+/// Counts elements whose order is too high.
+void count_kind(MshReader& r, const ElementType& type, std::size_t count, std::size_t at) {
   if (is_curved(type)) add_curved_cells(r.draft, type.name, count, at);
-  if (is_simplex(type)) return false;
-  add_other_cells(r.draft, type.name, type.dimension, count, at);
-  return true;
 }
 
 /// Tags of version 2: physical group, entity, and what partitions need.
@@ -150,11 +150,8 @@ void read_elements_1(MshReader& r) {
                                 nodes, type.number, type.nodes),
             .remedy = "correct the count, or write the file again"});
     }
-    if (count_kind(r, type, 1, at)) {
-      skip_words(r.in.s, type.nodes, node_number);
-    } else {
-      read_element(r, type, number, tags, at);
-    }
+    count_kind(r, type, 1, at);
+    read_element(r, type, number, tags, at);
   }
 }
 
@@ -173,11 +170,7 @@ void read_elements_2(MshReader& r) {
       check_total(r, "elements", elements, found + in_block + (in_block == 0));
     }
     found += in_block;
-    if (count_kind(r, type, in_block, at)) {
-      const std::size_t words = tags + type.nodes;
-      skip_numbers(r.in, words, 4 * (words + 1) * in_block, node_number);
-      continue;
-    }
+    count_kind(r, type, in_block, at);
     for (std::size_t i = 0; i < in_block; ++i) {
       if (r.in.is_binary) number = read_int(r, "an element number");
       const MshTags read = read_tags_2(r, tags);
@@ -200,12 +193,9 @@ void read_elements_4(MshReader& r) {
     const std::size_t in_block =
         read_bounded<std::uint64_t>(r.in, "elements", 2 * words, word * words);
     found += in_block;
-    if (count_kind(r, type, in_block, at)) {
-      skip_numbers(r.in, in_block * words, in_block * word * words, node_number);
-      continue;
-    }
+    count_kind(r, type, in_block, at);
     MshTags tags{.entity = head.tag};
-    const auto dimension = static_cast<std::size_t>(type.dimension);
+    const auto dimension = static_cast<std::size_t>(traits_of(type.kind).dimension);
     const auto& groups = r.physical_of_entity[dimension];
     if (const auto group = groups.find(head.tag); group != groups.end()) {
       tags.physical = group->second;

@@ -63,13 +63,16 @@ std::vector<Target> targets_of(MshReader& r, bool of_nodes) {
   }
   const bool is_first = !r.cells;
   if (is_first) r.cells.emplace();
-  for_each_cell_list(mesh, [&](auto& cells, int dimension) {
-    NumberIndex& index = (*r.cells)[static_cast<std::size_t>(dimension)];
+  for (const CellKind kind : all_cell_kinds) {
+    const std::size_t rows = rows_of(mesh, kind).count;
+    if (rows == 0) continue;
+    CellColumns& cells = columns_of(mesh, kind);
+    NumberIndex& index = (*r.cells)[index_of(kind)];
     std::array<std::int64_t, 2> twice;
     // Of equal numbers the first takes the rows.
     if (is_first) index_numbers(index, cells.source_id, twice);
-    targets.push_back({&index, cells.corners.size(), &cells.data, {}});
-  });
+    targets.push_back({&index, rows, &cells.data, {}});
+  }
   return targets;
 }
 

@@ -26,8 +26,8 @@ struct MshReader {
   /// Whether some entity belongs to further groups, which one label cannot say.
   std::size_t entities_of_several_groups = 0;
   NumberIndex nodes;
-  /// Of cells by dimension; made when the first data of cells come.
-  std::optional<std::array<NumberIndex, 4>> cells;
+  /// Of cells by kind; made when the first data of cells come.
+  std::optional<std::array<NumberIndex, cell_kinds>> cells;
   /// Numbers in the columns of data so far, those that no section gave too.
   std::size_t data_numbers = 0;
 };

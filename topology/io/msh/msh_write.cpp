@@ -6,6 +6,7 @@
 #include <map>
 
 #include "topology/io/msh/msh.hpp"
+#include "topology/io/msh/msh_entities.hpp"
 #include "topology/io/msh/msh_elements.hpp"
 #include "topology/io/number_sink.hpp"
 
@@ -26,48 +27,34 @@ struct MshWriter {
   int version;
   Numbers points;
   Numbers cells;
-  /// Entity of each cell and physical group of each entity, by dimension.
-  std::array<std::vector<std::int32_t>, 4> entity;
+  /// Entity of each cell by kind, and physical group of each entity by dimension.
+  std::array<std::vector<std::int32_t>, cell_kinds> entity;
   std::array<std::map<std::int32_t, std::int32_t>, 4> physical;
 };
 
-template <std::size_t Corners>
-std::int32_t region_of(const CellList<Corners>& cells, std::size_t row) {
+std::int32_t region_of(const CellColumns& cells, std::size_t row) {
   return cells.region.empty() ? 0 : cells.region[row];
 }
 
-/// Each entity belongs to one group in versions 4: true where that is so here.
-template <std::size_t Corners>
-bool entities_have_one_group(const CellList<Corners>& cells) {
-  std::map<std::int32_t, std::int32_t> group;
-  for (std::size_t i = 0; i < cells.entity.size(); ++i) {
-    const std::int32_t region = region_of(cells, i);
-    if (group.emplace(cells.entity[i], region).first->second != region) return false;
-  }
-  return true;
-}
-
 void find_entities(MshWriter& w) {
-  for_each_cell_list(w.mesh, [&](const auto& cells, int d) {
-    const bool own = !cells.entity.empty() && (w.version < 40 || entities_have_one_group(cells));
-    std::vector<std::int32_t>& entity = w.entity[static_cast<std::size_t>(d)];
-    entity = own                     ? cells.entity
-             : !cells.region.empty() ? cells.region
-                                     : std::vector<std::int32_t>(cells.corners.size(), 1);
+  w.entity = msh_entities(w.mesh, w.version).of;
+  for (const CellKind kind : all_cell_kinds) {
+    const std::vector<std::int32_t>& entity = w.entity[index_of(kind)];
+    auto& physical = w.physical[static_cast<std::size_t>(traits_of(kind).dimension)];
     for (std::size_t i = 0; i < entity.size(); ++i) {
-      w.physical[static_cast<std::size_t>(d)].emplace(entity[i], region_of(cells, i));
+      physical.emplace(entity[i], region_of(columns_of(w.mesh, kind), i));
     }
-  });
+  }
 }
 
 using NumberLists = std::vector<std::span<const std::int64_t>>;
 
-/// The numbers of the cells of each dimension that has cells.
+/// The numbers of the cells of each kind that has cells.
 NumberLists cell_numbers(const FileMesh& mesh) {
   NumberLists lists;
-  for_each_cell_list(mesh, [&](const auto& cells, int) {
-    if (!cells.corners.empty()) lists.emplace_back(cells.source_id);
-  });
+  for (const CellKind kind : all_cell_kinds) {
+    if (rows_of(mesh, kind).count > 0) lists.emplace_back(columns_of(mesh, kind).source_id);
+  }
   return lists;
 }
 
@@ -163,9 +150,9 @@ void write_entities(MshWriter& w) {
 void write_nodes_4(MshWriter& w) {
   const std::size_t n = w.mesh.points.size();
   int dimension = 3;
-  while (dimension > 0 && w.entity[static_cast<std::size_t>(dimension)].empty()) --dimension;
-  const auto& entities = w.entity[static_cast<std::size_t>(dimension)];
-  const std::int32_t entity = entities.empty() ? 1 : entities.front();
+  while (dimension > 0 && w.physical[static_cast<std::size_t>(dimension)].empty()) --dimension;
+  const auto& entities = w.physical[static_cast<std::size_t>(dimension)];
+  const std::int32_t entity = entities.empty() ? 1 : entities.begin()->first;
   put_text(w.out, "$Nodes\n");
   put_size(w, 1);
   put_size(w, n, w.version == 41 ? ' ' : '\n');
@@ -199,19 +186,30 @@ void write_nodes_2(MshWriter& w) {
   end_section(w, w.version == 10 ? "$ENDNOD" : "$EndNodes");
 }
 
-/// `number`, tags, corners of one cell in the layout of versions 1 and 2.
-template <std::size_t Corners>
-void write_element_2(MshWriter& w, const CellList<Corners>& cells, std::size_t i,
-                     std::int64_t number) {
-  constexpr int d = static_cast<int>(Corners) - 1;
-  put_number(w, number);
-  if (!w.out.is_binary) put<std::int32_t>(w.out, simplex_type[d]);
-  if (!w.out.is_binary && w.version != 10) put<std::int32_t>(w.out, 2);
-  put<std::int32_t>(w.out, region_of(cells, i));
-  put<std::int32_t>(w.out, w.entity[d][i]);
-  if (w.version == 10) put<std::int32_t>(w.out, Corners);
-  for (const std::uint32_t corner : cells.corners[i]) put_number(w, point_number(w, corner));
+/// The nodes of a cell in Gmsh's order; the line ends.
+void put_nodes(MshWriter& w, CellKind kind, std::span<const std::uint32_t> nodes) {
+  const std::span<const std::uint8_t> order = msh_order(kind);
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    put_number(w, point_number(w, nodes[order.empty() ? k : order[k]]));
+  }
   if (!w.out.is_binary) w.out.bytes.back() = '\n';
+}
+
+/// Numbers, tags and nodes of the cells of a kind in the layout of versions 1 and 2; `row`: how many
+/// cells stand before.
+void write_kind_2(MshWriter& w, CellKind kind, std::int64_t row) {
+  const CellRows rows = rows_of(w.mesh, kind);
+  const CellColumns& cells = columns_of(w.mesh, kind);
+  const int type = element_type_of(kind)->number;
+  for (std::size_t i = 0; i < rows.count; ++i) {
+    put_number(w, w.cells.is_own ? cells.source_id[i] : ++row);
+    if (!w.out.is_binary) put<std::int32_t>(w.out, type);
+    if (!w.out.is_binary && w.version != 10) put<std::int32_t>(w.out, 2);
+    put<std::int32_t>(w.out, region_of(cells, i));
+    put<std::int32_t>(w.out, w.entity[index_of(kind)][i]);
+    if (w.version == 10) put<std::int32_t>(w.out, rows.nodes);
+    put_nodes(w, kind, rows[i]);
+  }
 }
 
 void write_elements_2(MshWriter& w) {
@@ -219,18 +217,17 @@ void write_elements_2(MshWriter& w) {
   put_text(w.out, cell_count(w.mesh));
   w.out.bytes += '\n';
   std::int64_t row = 0;
-  for_each_cell_list(w.mesh, [&](const auto& cells, int d) {
-    if (w.out.is_binary && !cells.corners.empty()) {
-      for (const std::size_t head :
-           {std::size_t(simplex_type[d]), cells.corners.size(), std::size_t{2}}) {
-        put<std::int32_t>(w.out, head);
-      }
+  for (const CellKind kind : all_cell_kinds) {
+    const std::size_t rows = rows_of(w.mesh, kind).count;
+    if (rows == 0) continue;
+    if (w.out.is_binary) {
+      put<std::int32_t>(w.out, element_type_of(kind)->number);
+      put<std::int32_t>(w.out, rows);
+      put<std::int32_t>(w.out, 2);
     }
-    for (std::size_t i = 0; i < cells.corners.size(); ++i) {
-      ++row;
-      write_element_2(w, cells, i, w.cells.is_own ? cells.source_id[i] : row);
-    }
-  });
+    write_kind_2(w, kind, row);
+    row += static_cast<std::int64_t>(rows);
+  }
   end_section(w, w.version == 10 ? "$ENDELM" : "$EndElements");
 }
 
@@ -255,23 +252,25 @@ void write_elements_4(MshWriter& w) {
     put_size(w, static_cast<std::size_t>(w.cells.high), '\n');
   }
   std::int64_t row = 0;
-  for_each_cell_list(w.mesh, [&](const auto& cells, int d) {
-    const auto& entity = w.entity[static_cast<std::size_t>(d)];
+  for (const CellKind kind : all_cell_kinds) {
+    const auto& entity = w.entity[index_of(kind)];
+    const CellRows rows = rows_of(w.mesh, kind);
+    const CellColumns& cells = columns_of(w.mesh, kind);
+    const int d = traits_of(kind).dimension;
     const std::vector<std::size_t> begins = block_begins(entity);
     for (std::size_t b = 0; b + 1 < begins.size(); ++b) {
       if (w.version == 41) put<std::int32_t>(w.out, d);
       put<std::int32_t>(w.out, entity[begins[b]]);
       if (w.version == 40) put<std::int32_t>(w.out, d);
-      put<std::int32_t>(w.out, simplex_type[d]);
+      put<std::int32_t>(w.out, element_type_of(kind)->number);
       put_size(w, begins[b + 1] - begins[b], '\n');
       for (std::size_t i = begins[b]; i < begins[b + 1]; ++i) {
         ++row;
         put_number(w, w.cells.is_own ? cells.source_id[i] : row);
-        for (const std::uint32_t corner : cells.corners[i]) put_number(w, point_number(w, corner));
-        if (!w.out.is_binary) w.out.bytes.back() = '\n';
+        put_nodes(w, kind, rows[i]);
       }
     }
-  });
+  }
   end_section(w, "$EndElements");
 }
 
@@ -315,6 +314,39 @@ void write_data_rows(MshWriter& w, const DataColumn& column, const std::vector<s
   }
 }
 
+/// The column of a kind of cells that has this name, and its rows with a number in them.
+struct DataPart {
+  const DataColumn* column = nullptr;
+  std::vector<std::size_t> rows;
+};
+
+void write_cell_data(MshWriter& w, const std::string& name) {
+  std::array<DataPart, cell_kinds> parts;
+  std::size_t rows = 0;
+  const DataColumn* any = nullptr;
+  for (const CellKind kind : all_cell_kinds) {
+    for (const DataColumn& column : columns_of(w.mesh, kind).data) {
+      if (column.name != name) continue;
+      parts[index_of(kind)] = {&column, told_rows(column, rows_of(w.mesh, kind).count)};
+      any = &column;
+    }
+    rows += parts[index_of(kind)].rows.size();
+  }
+  write_data_head(w, "$ElementData", *any, rows);
+  std::size_t first = 1;
+  for (const CellKind kind : all_cell_kinds) {
+    const DataPart& part = parts[index_of(kind)];
+    if (part.column != nullptr) {
+      write_data_rows(w, *part.column, part.rows, [&](std::size_t i) {
+        return w.cells.is_own ? columns_of(w.mesh, kind).source_id[i]
+                              : static_cast<std::int64_t>(first + i);
+      });
+    }
+    first += rows_of(w.mesh, kind).count;
+  }
+  end_section(w, "$EndElementData");
+}
+
 void write_data(MshWriter& w) {
   for (const DataColumn& column : w.mesh.point_data) {
     const std::vector<std::size_t> rows = told_rows(column, w.mesh.points.size());
@@ -322,44 +354,16 @@ void write_data(MshWriter& w) {
     write_data_rows(w, column, rows, [&](std::size_t i) { return point_number(w, i); });
     end_section(w, "$EndNodeData");
   }
-  // Columns of one name are one section, whatever the dimension of their cells.
+  // Columns of one name are one section, whatever the kind of their cells.
   std::vector<std::string> names;
-  for_each_cell_list(w.mesh, [&](const auto& cells, int) {
-    for (const DataColumn& column : cells.data) {
+  for (const CellKind kind : all_cell_kinds) {
+    for (const DataColumn& column : columns_of(w.mesh, kind).data) {
       if (std::find(names.begin(), names.end(), column.name) == names.end()) {
         names.push_back(column.name);
       }
     }
-  });
-  for (const std::string& name : names) {
-    struct Part {
-      const DataColumn* column;
-      std::vector<std::size_t> rows;
-    };
-    std::array<Part, 4> parts{};
-    std::size_t rows = 0;
-    const DataColumn* any = nullptr;
-    for_each_cell_list(w.mesh, [&](const auto& cells, int d) {
-      for (const DataColumn& column : cells.data) {
-        if (column.name != name) continue;
-        parts[static_cast<std::size_t>(d)] = {&column, told_rows(column, cells.corners.size())};
-        rows += parts[static_cast<std::size_t>(d)].rows.size();
-        any = &column;
-      }
-    });
-    write_data_head(w, "$ElementData", *any, rows);
-    std::size_t first = 1;
-    for_each_cell_list(w.mesh, [&](const auto& cells, int d) {
-      const Part& part = parts[static_cast<std::size_t>(d)];
-      if (part.column != nullptr) {
-        write_data_rows(w, *part.column, part.rows, [&](std::size_t i) {
-          return w.cells.is_own ? cells.source_id[i] : static_cast<std::int64_t>(first + i);
-        });
-      }
-      first += cells.corners.size();
-    });
-    end_section(w, "$EndElementData");
   }
+  for (const std::string& name : names) write_cell_data(w, name);
 }
 
 }  // namespace

@@ -149,10 +149,11 @@ void read_polyhedron(OvmReader& r, std::size_t row) {
          .text = fmt::format("the four triangles of polyhedron {} do not bound a tetrahedron", row),
          .remedy = "correct its half-faces"});
   }
-  FileCell cell{.at = at};
+  FileCell& cell = r.draft.cell;
+  cell.begin(4, at);
   cell.rows = {base[0], base[1], base[2], apex};
   cell.numbers = cell.rows;
-  add_cell(r.draft, 3, cell);
+  add_cell(r.draft, CellKind::tetrahedron, cell);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// OBJ read and written: a line a point or a cell, joined to the next where it ends with a
+// OBJ read: a line a point or a cell, joined to the next where it ends with a
 // backslash.
 #include "topology/io/surface/obj.hpp"
 
@@ -9,7 +9,6 @@
 #include <map>
 
 #include "topology/io/named_regions.hpp"
-#include "topology/io/number_sink.hpp"
 #include "topology/io/scan.hpp"
 
 namespace sunder::io {
@@ -159,58 +158,55 @@ void set_corner(const ObjReader& r, FileCell& cell, std::size_t k, std::int64_t 
   cell.rows[k] = number > 0 ? number - 1 : counts_back ? r.points + number : -1;
 }
 
-/// Appends a cell with the region that the lines before it name.
-void add_labelled(ObjReader& r, int dimension, const FileCell& cell) {
-  add_cell(r.draft, dimension, cell);
-  WordList& words = r.words[static_cast<std::size_t>(dimension)];
-  std::int32_t& place = r.place[static_cast<std::size_t>(dimension)];
+/// Gives a cell the region that the lines before it name.
+void add_label(ObjReader& r, CellKind kind) {
+  const auto dimension = static_cast<std::size_t>(traits_of(kind).dimension);
+  WordList& words = r.words[dimension];
+  std::int32_t& place = r.place[dimension];
   if (place == unknown_place) place = r.name.empty() ? -1 : place_of_word(words, r.name);
   // A word takes some 200 bytes of memory, and may take ten of the file.
   if (words.words.size() > 1000 + r.s.text.size() / 128) {
-    fail(r.s.text, cell.at,
+    fail(r.s.text, r.draft.cell.at,
          {.code = "count_too_big",
           .text = fmt::format("{} groups are named in a file of {} bytes", words.words.size(),
                               r.s.text.size()),
           .remedy = "join groups, or take their names away"});
   }
-  for_each_cell_list(r.draft.mesh, [&](auto& cells, int d) {
-    if (d == dimension) cells.region.push_back(place);
-  });
+  columns_of(r.draft.mesh, kind).region.push_back(place);
 }
 
 void read_face(ObjReader& r, std::size_t at) {
-  FileCell cell{.at = at};
-  std::size_t corners = 0;
+  FileCell& cell = r.draft.cell;
+  cell.begin(0, at);
   for (std::string_view word = next_in_line(r.s); !word.empty(); word = next_in_line(r.s)) {
-    const std::int64_t number = number_of(r, word);
-    if (corners < 3) set_corner(r, cell, corners, number);
-    ++corners;
+    const std::size_t k = cell.rows.size();
+    cell.begin(k + 1, at);
+    set_corner(r, cell, k, number_of(r, word));
   }
-  if (corners == 3) return add_labelled(r, 2, cell);
-  add_other_cells(r.draft,
-                  corners == 4  ? "quadrilaterals"
-                  : corners > 4 ? "polygons"
-                                : "faces of fewer than three corners",
-                  2, 1, at);
+  if (const auto kind = add_face(r.draft, cell)) add_label(r, *kind);
 }
 
 void read_line(ObjReader& r, std::size_t at) {
-  FileCell cell{.at = at};
+  FileCell& cell = r.draft.cell;
+  cell.begin(2, at);
   std::size_t corners = 0;
   for (std::string_view word = next_in_line(r.s); !word.empty(); word = next_in_line(r.s)) {
     cell.rows[0] = cell.rows[1];
     cell.numbers[0] = cell.numbers[1];
     set_corner(r, cell, 1, number_of(r, word));
-    if (corners++ > 0) add_labelled(r, 1, cell);
+    if (corners++ == 0) continue;
+    add_cell(r.draft, CellKind::edge, cell);
+    add_label(r, CellKind::edge);
   }
   if (corners < 2) add_other_cells(r.draft, "lines of fewer than two points", 1, 1, at);
 }
 
 void read_vertices(ObjReader& r, std::size_t at) {
   for (std::string_view word = next_in_line(r.s); !word.empty(); word = next_in_line(r.s)) {
-    FileCell cell{.at = at};
-    set_corner(r, cell, 0, number_of(r, word));
-    add_labelled(r, 0, cell);
+    r.draft.cell.begin(1, at);
+    set_corner(r, r.draft.cell, 0, number_of(r, word));
+    add_cell(r.draft, CellKind::vertex, r.draft.cell);
+    add_label(r, CellKind::vertex);
   }
 }
 
@@ -349,48 +345,8 @@ Draft read_obj(std::string_view text) {
   }
   read_cells(r);
   FileMesh& mesh = r.draft.mesh;
-  for_each_cell_list(mesh, [&](auto& cells, int d) {
-    const auto place = static_cast<std::size_t>(d);
-    if (d < 3) number_regions(cells.region, r.words[place], mesh.region_name[place]);
-  });
+  for (int d = 0; d < 3; ++d) number_labels(mesh, d, r.words[static_cast<std::size_t>(d)]);
   return std::move(r.draft);
-}
-
-std::string write_obj(const FileMesh& mesh) {
-  constexpr std::string_view letters[] = {"p", "l", "f"};
-  const RegionNames words = region_words(mesh.region_name);
-  NumberSink out;
-  out.bytes.reserve(64 + 60 * mesh.points.size() + 24 * cell_count(mesh));
-  put_text(out, "# OBJ written by sunder\n");
-  for (const Point& p : mesh.points) {
-    put_text(out, "v");
-    for (const double x : p) {
-      out.bytes += ' ';
-      put_text(out, x);
-    }
-    out.bytes += '\n';
-  }
-  const auto put_cells = [&](const auto& cells, int dimension) {
-    const std::vector<std::int32_t>& label = label_of(cells);
-    for (std::size_t i = 0; i < cells.corners.size(); ++i) {
-      if (!label.empty() && (i == 0 || label[i] != label[i - 1])) {
-        put_text(out, fmt::format("g {}\n", word_of_region(words, dimension, label[i])));
-      }
-      put_text(out, letters[dimension]);
-      for (const std::uint32_t corner : cells.corners[i]) {
-        out.bytes += ' ';
-        put_text(out, corner + 1L);
-      }
-      out.bytes += '\n';
-    }
-  };
-  // Cells without a region first: a group does not end but with the next.
-  for (const bool has_regions : {false, true}) {
-    for_each_cell_list(mesh, [&](const auto& cells, int dimension) {
-      if (dimension < 3 && label_of(cells).empty() != has_regions) put_cells(cells, dimension);
-    });
-  }
-  return std::move(out.bytes);
 }
 
 }  // namespace sunder::io

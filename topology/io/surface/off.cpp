@@ -118,22 +118,21 @@ void skip_colors(OffReader& r, std::size_t at) {
 
 void read_face(OffReader& r) {
   if (!r.in.is_binary) skip_comments(r.in.s);
-  FileCell cell{.at = place_of_next(r.in)};
+  const std::size_t at = place_of_next(r.in);
   const std::size_t corners = read_bounded<std::int32_t>(r.in, "corners of a face", 2, 4);
-  if (corners >= 1 && corners <= 3) {
-    for (std::size_t k = 0; k < corners; ++k) {
-      cell.numbers[k] = cell.rows[k] = read_next<std::int64_t, std::int32_t>(r.in, "a point's row");
-    }
-    add_cell(r.draft, static_cast<int>(corners) - 1, cell);
-  } else {
-    skip_numbers(r.in, corners, 4 * corners, "a point's row");
-    add_other_cells(r.draft,
-                    corners == 4   ? "quadrilaterals"
-                    : corners == 0 ? "faces without corners"
-                                   : "polygons",
-                    2, 1, cell.at);
+  FileCell& cell = r.draft.cell;
+  cell.begin(corners, at);
+  for (std::size_t k = 0; k < corners; ++k) {
+    cell.numbers[k] = cell.rows[k] = read_next<std::int64_t, std::int32_t>(r.in, "a point's row");
   }
-  skip_colors(r, cell.at);
+  if (corners == 0) {
+    add_other_cells(r.draft, "faces without corners", 2, 1, at);
+  } else if (corners < 3) {
+    add_cell(r.draft, simplex_of(static_cast<int>(corners) - 1), cell);
+  } else {
+    add_face(r.draft, cell);
+  }
+  skip_colors(r, at);
 }
 
 void note_skipped(OffReader& r) {
@@ -183,18 +182,25 @@ Draft read_off(std::string_view text) {
 }
 
 std::string write_off(const FileMesh& mesh) {
+  constexpr CellKind kinds[] = {CellKind::triangle, CellKind::quad4, CellKind::polygon};
+  std::size_t faces = 0;
+  for (const CellKind kind : kinds) faces += rows_of(mesh, kind).count;
   NumberSink out;
-  out.bytes.reserve(64 + 60 * mesh.points.size() + 24 * mesh.triangles.corners.size());
+  out.bytes.reserve(64 + 60 * mesh.points.size() + 24 * faces);
   put_text(out, "OFF\n");
   put<std::size_t>(out, mesh.points.size());
-  put<std::size_t>(out, mesh.triangles.corners.size());
+  put<std::size_t>(out, faces);
   put_text(out, "0\n");
   for (const Point& p : mesh.points) {
     for (std::size_t k = 0; k < 3; ++k) put<double>(out, p[k], k == 2 ? '\n' : ' ');
   }
-  for (const auto& corners : mesh.triangles.corners) {
-    put_text(out, "3 ");
-    for (std::size_t k = 0; k < 3; ++k) put<std::uint32_t>(out, corners[k], k == 2 ? '\n' : ' ');
+  for (const CellKind kind : kinds) {
+    const CellRows rows = rows_of(mesh, kind);
+    for (std::size_t i = 0; i < rows.count; ++i) {
+      put<std::size_t>(out, rows[i].size());
+      for (const std::uint32_t corner : rows[i]) put<std::uint32_t>(out, corner);
+      out.bytes.back() = '\n';
+    }
   }
   return std::move(out.bytes);
 }

@@ -115,21 +115,31 @@ void skip_property(PlyReader& r, const Property& p) {
 /// What a row gives beside data.
 struct Row {
   Point point{};
-  FileCell cell{};
-  std::size_t corners = 0;
+  FileCell& cell;
 };
 
 void read_corners(PlyReader& r, const Property& p, Row& row) {
-  row.corners = read_length(r, p);
-  const std::size_t taken = row.corners == 3 ? 3 : 0;
-  for (std::size_t k = 0; k < taken; ++k) {
+  const std::size_t corners = read_length(r, p);
+  row.cell.begin(corners, row.cell.at);
+  for (std::size_t k = 0; k < corners; ++k) {
     row.cell.numbers[k] = row.cell.rows[k] = read_integer(r, p.type, "a point's row");
   }
-  skip_numbers(r.in, row.corners - taken, (row.corners - taken) * size_of(p.type), "a point's row");
+}
+
+/// Comments between the rows of a text, which some programs write.
+void pass_comments(PlyReader& r, std::size_t& at) {
+  Scanner& s = r.in.s;
+  while (at < s.text.size() && (s.text[at] == 'c' || s.text[at] == 'o')) {
+    const std::string_view word = peek_word(s);
+    if (word != "comment" && word != "obj_info") return;
+    rest_of_line(s);
+    at = place_of_next(r.in);
+  }
 }
 
 void read_row(PlyReader& r, const Element& e, Row& row, std::vector<Column>& columns) {
   row.cell.at = place_of_next(r.in);
+  if (!r.in.is_binary) pass_comments(r, row.cell.at);
   for (const Property& p : e.properties) {
     switch (p.role) {
       case Role::skipped:
@@ -238,8 +248,7 @@ bool take_numbers(DataColumn& column, std::vector<std::int64_t>& numbers) {
   return true;
 }
 
-template <std::size_t Corners>
-void take_columns(CellList<Corners>& cells, std::vector<Column>& columns) {
+void take_columns(CellColumns& cells, std::vector<Column>& columns) {
   for (Column& c : columns) {
     const std::string_view name = c.data.name;
     if (!c.is_joined) {
@@ -249,6 +258,39 @@ void take_columns(CellList<Corners>& cells, std::vector<Column>& columns) {
     }
     cells.data.push_back(std::move(c.data));
   }
+}
+
+/// The rows of a column that went to one list.
+DataColumn part_of(const DataColumn& column, const std::vector<CellKind>& kind_of_row,
+                   CellKind kind, std::size_t rows) {
+  DataColumn part{column.name, column.components, column.type, {}};
+  std::visit(
+      [&](const auto& all) {
+        std::remove_cvref_t<decltype(all)> values;
+        values.reserve(rows * column.components);
+        for (std::size_t i = 0; i < kind_of_row.size(); ++i) {
+          if (kind_of_row[i] != kind) continue;
+          const auto first = all.begin() + static_cast<std::ptrdiff_t>(i * column.components);
+          values.insert(values.end(), first, first + static_cast<std::ptrdiff_t>(column.components));
+        }
+        part.values = std::move(values);
+      },
+      column.values);
+  return part;
+}
+
+/// What a writer had to put where faces of this kind have no such column.
+void drop_filling(CellColumns& cells) {
+  const auto drop_zeros = [](auto& labels) {
+    if (std::ranges::all_of(labels, [](auto x) { return x == 0; })) labels.clear();
+  };
+  drop_zeros(cells.region);
+  drop_zeros(cells.entity);
+  drop_zeros(cells.source_id);
+  std::erase_if(cells.data, [](const DataColumn& column) {
+    const auto* const values = std::get_if<std::vector<double>>(&column.values);
+    return values != nullptr && std::ranges::all_of(*values, [](double x) { return x != x; });
+  });
 }
 
 void drop_last(std::vector<Column>& columns) {
@@ -264,7 +306,7 @@ void read_vertices(PlyReader& r, Element& e) {
   std::vector<Column> columns = plan_columns(r, e);
   FileMesh& mesh = r.draft.mesh;
   mesh.points.reserve(e.count);
-  Row row;
+  Row row{.cell = r.draft.cell};
   for (std::size_t i = 0; i < e.count; ++i) {
     read_row(r, e, row, columns);
     add_point(r.draft, row.point, row.cell.at);
@@ -285,22 +327,29 @@ void read_faces(PlyReader& r, Element& e) {
   assign_corners(r, e);
   assign_data(r, e);
   std::vector<Column> columns = plan_columns(r, e);
-  CellList<3>& triangles = r.draft.mesh.triangles;
+  FileMesh& mesh = r.draft.mesh;
+  std::vector<CellKind> kind_of_row;
+  const auto is_one_kind = [&] {
+    return kind_of_row.empty() || rows_of(mesh, kind_of_row[0]).count == kind_of_row.size();
+  };
   for (std::size_t i = 0; i < e.count; ++i) {
-    Row row;
+    Row row{.cell = r.draft.cell};
     read_row(r, e, row, columns);
-    if (row.corners == 3) {
-      add_cell(r.draft, 2, row.cell);
-      continue;
-    }
-    drop_last(columns);
-    add_other_cells(r.draft,
-                    row.corners == 4  ? "quadrilaterals"
-                    : row.corners > 4 ? "polygons"
-                                      : "faces of fewer than three corners",
-                    2, 1, row.cell.at);
+    const std::optional<CellKind> kind = add_face(r.draft, row.cell);
+    kind ? kind_of_row.push_back(*kind) : drop_last(columns);
   }
-  take_columns(triangles, columns);
+  if (kind_of_row.empty()) return;
+  if (is_one_kind()) return take_columns(columns_of(mesh, kind_of_row[0]), columns);
+  for (const CellKind kind : {CellKind::triangle, CellKind::quad4, CellKind::polygon}) {
+    const std::size_t rows = rows_of(mesh, kind).count;
+    if (rows == 0) continue;
+    std::vector<Column> parts;
+    for (const Column& c : columns) {
+      parts.push_back({part_of(c.data, kind_of_row, kind, rows), c.is_joined});
+    }
+    take_columns(columns_of(mesh, kind), parts);
+    drop_filling(columns_of(mesh, kind));
+  }
 }
 
 void read_edges(PlyReader& r, Element& e) {
@@ -308,9 +357,10 @@ void read_edges(PlyReader& r, Element& e) {
   assign_data(r, e);
   std::vector<Column> columns = plan_columns(r, e);
   for (std::size_t i = 0; i < e.count; ++i) {
-    Row row;
+    Row row{.cell = r.draft.cell};
+    row.cell.begin(2, 0);
     read_row(r, e, row, columns);
-    add_cell(r.draft, 1, row.cell);
+    add_cell(r.draft, CellKind::edge, row.cell);
   }
   take_columns(r.draft.mesh.edges, columns);
 }
@@ -318,7 +368,7 @@ void read_edges(PlyReader& r, Element& e) {
 void skip_element(PlyReader& r, const Element& e) {
   if (e.properties.empty()) return;  // its rows take no bytes: there may be any number
   std::vector<Column> none;
-  Row row;
+  Row row{.cell = r.draft.cell};
   for (std::size_t i = 0; i < e.count; ++i) read_row(r, e, row, none);
   note_skipped(r, fmt::format("{} rows of the element {} are left out", e.count, in_quotes(e.name)),
                e.count, e.at);
@@ -345,7 +395,9 @@ void read_element(PlyReader& r, Element& e) {
 }  // namespace
 
 bool is_ply(std::string_view text) {
-  return text.starts_with("ply\n") || text.starts_with("ply\r\n");
+  if (!text.starts_with("ply")) return false;
+  const std::size_t end = text.find_first_not_of(" \t\r", 3);
+  return end != std::string_view::npos && text[end] == '\n';
 }
 
 Draft read_ply(std::string_view text) {

@@ -9,6 +9,7 @@
 #include "topology/io/number_sink.hpp"
 #include "topology/io/surface/ply.hpp"
 #include "topology/io/vtk/vtk_columns.hpp"
+#include "topology/mesh/kinds/move_cells.hpp"
 
 namespace sunder::io {
 namespace {
@@ -84,8 +85,7 @@ void add_data(Columns& columns, std::string_view element, const std::vector<Data
   }
 }
 
-template <std::size_t Corners>
-Columns columns_of(const CellList<Corners>& cells, std::string_view element) {
+Columns columns_of(const CellColumns& cells, std::string_view element) {
   Columns columns;
   add_own(columns, "region", wide(cells.region));
   add_own(columns, "entity", wide(cells.entity));
@@ -142,16 +142,41 @@ void end_row(NumberSink& out) {
   if (!out.is_binary) out.bytes.back() = '\n';
 }
 
-template <std::size_t Corners>
-void put_cells(NumberSink& out, const CellList<Corners>& cells, const Columns& columns) {
-  for (std::size_t i = 0; i < cells.corners.size(); ++i) {
-    if constexpr (Corners == 3) put_number(out, std::uint8_t{3});
-    for (const std::uint32_t corner : cells.corners[i]) {
-      put_number(out, static_cast<std::int32_t>(corner));
-    }
-    put_columns(out, columns, i);
+/// How the length of a list is written before it.
+enum class ListLength { none, narrow, wide };
+
+/// Cells with the rows from `first` on of the columns.
+void put_cells(NumberSink& out, const CellRows& rows, ListLength length, const Columns& columns,
+               std::size_t first) {
+  for (std::size_t i = 0; i < rows.count; ++i) {
+    const auto nodes = rows[i];
+    if (length == ListLength::narrow) put_number(out, static_cast<std::uint8_t>(nodes.size()));
+    if (length == ListLength::wide) put_number(out, static_cast<std::int32_t>(nodes.size()));
+    for (const std::uint32_t node : nodes) put_number(out, static_cast<std::int32_t>(node));
+    put_columns(out, columns, first + i);
     end_row(out);
   }
+}
+
+constexpr CellKind face_kinds[] = {CellKind::triangle, CellKind::quad4, CellKind::polygon};
+
+std::size_t most_corners(const FileMesh& mesh) {
+  const CellRows rows = rows_of(mesh, CellKind::polygon);
+  std::size_t most = 4;
+  for (std::size_t i = 0; i < rows.count; ++i) most = std::max(most, rows[i].size());
+  return most;
+}
+
+/// What is said of faces of all kinds, one after the other.
+CellColumns columns_of_faces(const FileMesh& mesh) {
+  CellColumns all;
+  std::size_t rows = 0;
+  for (const CellKind kind : face_kinds) {
+    const std::size_t more = rows_of(mesh, kind).count;
+    append_columns(all, rows, CellColumns(columns_of(mesh, kind)), more);
+    rows += more;
+  }
+  return all;
 }
 
 }  // namespace
@@ -174,8 +199,10 @@ std::optional<NumberType> ply_type(const DataColumn& column) {
 }
 
 std::string write_ply(const FileMesh& mesh, bool is_binary) {
-  const Columns vertex = columns_of_points(mesh), face = columns_of(mesh.triangles, "face"),
+  const Columns vertex = columns_of_points(mesh), face = columns_of(columns_of_faces(mesh), "face"),
                 edge = columns_of(mesh.edges, "edge");
+  std::size_t faces = 0;
+  for (const CellKind kind : face_kinds) faces += rows_of(mesh, kind).count;
   NumberSink out{.is_binary = is_binary};
   out.bytes.reserve(1024 + 64 * mesh.points.size() + 40 * cell_count(mesh));
   put_text(out, fmt::format("ply\nformat {} 1.0\n", is_binary ? "binary_little_endian" : "ascii"));
@@ -184,8 +211,9 @@ std::string write_ply(const FileMesh& mesh, bool is_binary) {
                             "property double z\n",
                             mesh.points.size()));
   put_properties(out, vertex);
-  put_text(out, fmt::format("element face {}\nproperty list uchar int vertex_indices\n",
-                            mesh.triangles.corners.size()));
+  const bool is_wide = most_corners(mesh) > 255;
+  put_text(out, fmt::format("element face {}\nproperty list {} int vertex_indices\n", faces,
+                            is_wide ? "int" : "uchar"));
   put_properties(out, face);
   if (!mesh.edges.corners.empty()) {
     put_text(out, fmt::format("element edge {}\nproperty int vertex1\nproperty int vertex2\n",
@@ -198,8 +226,13 @@ std::string write_ply(const FileMesh& mesh, bool is_binary) {
     put_columns(out, vertex, i);
     end_row(out);
   }
-  put_cells(out, mesh.triangles, face);
-  put_cells(out, mesh.edges, edge);
+  std::size_t first = 0;
+  for (const CellKind kind : face_kinds) {
+    const CellRows rows = rows_of(mesh, kind);
+    put_cells(out, rows, is_wide ? ListLength::wide : ListLength::narrow, face, first);
+    first += rows.count;
+  }
+  put_cells(out, rows_of(mesh, CellKind::edge), ListLength::none, edge, 0);
   return std::move(out.bytes);
 }
 

@@ -89,9 +89,10 @@ void take_facets(Draft& draft, Facets&& facets) {
   facets.corners = {};
   draft.mesh.triangles.corners.reserve(point_of.size() / 3);
   for (std::size_t i = 0; i < point_of.size(); i += 3) {
-    FileCell cell{.at = facets.at[i / 3]};
+    FileCell& cell = draft.cell;
+    cell.begin(3, facets.at[i / 3]);
     for (std::size_t k = 0; k < 3; ++k) cell.numbers[k] = cell.rows[k] = point_of[i + k];
-    add_cell(draft, 2, cell);
+    add_cell(draft, CellKind::triangle, cell);
   }
   draft.mesh.triangles.region = std::move(facets.solid);
   number_regions(draft.mesh.triangles.region, facets.words, draft.mesh.region_name[2]);
@@ -103,6 +104,18 @@ void expect(Scanner& s, std::string_view word) {
     return;
   }
   fail_expected(s, fmt::format("the word {}", word));
+}
+
+/// Whether the next words end what `word` began: `endsolid`, or `end solid` as some programs write.
+bool is_end(Scanner s, std::string_view word) {
+  const std::string_view first = next_word(s);
+  if (is_word(first, "end")) return is_word(next_word(s), word);
+  return first.size() > 3 && is_word(first.substr(0, 3), "end") && is_word(first.substr(3), word);
+}
+
+void expect_end(Scanner& s, std::string_view word) {
+  if (!is_end(s, word)) fail_expected(s, fmt::format("the word end{}", word));
+  if (is_word(next_word(s), "end")) next_word(s);
 }
 
 void read_text_facet(Scanner& s, Facets& facets) {
@@ -124,8 +137,8 @@ void read_text_facet(Scanner& s, Facets& facets) {
                               facets.at.size() - 1),
           .remedy = "cut the facets into triangles"});
   }
-  expect(s, "endloop");
-  expect(s, "endfacet");
+  expect_end(s, "loop");
+  expect_end(s, "facet");
 }
 
 void read_text(Draft& draft) {
@@ -135,11 +148,11 @@ void read_text(Draft& draft) {
     expect(s, "solid");
     const std::string_view name = rest_of_line(s);
     const std::size_t first = facets.at.size();
-    while (!is_word(peek_word(s), "endsolid")) read_text_facet(s, facets);
+    while (!is_end(s, "solid")) read_text_facet(s, facets);
     if (facets.at.size() > first) {
       facets.solid.resize(facets.at.size(), name.empty() ? -1 : place_of_word(facets.words, name));
     }
-    next_word(s);
+    expect_end(s, "solid");
     rest_of_line(s);
   }
   take_facets(draft, std::move(facets));

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <filesystem>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "topology/io/formats.hpp"
@@ -25,12 +27,19 @@ std::filesystem::path tetgen_stem(const std::filesystem::path& path);
 /// they are there. Points are numbered one after the other, from any number. Throws ReadFailure.
 Draft read_tetgen(const FileSource& source);
 
+/// Whether a mesh is written with second-order cells: TetGen's files have one order, so where it has
+/// edges, triangles or tetrahedra of both the first is written.
+bool is_tetgen_curved(const FileMesh& mesh);
+
 /// Writes STEM.ele, STEM.face and STEM.edge, then STEM.node, numbered from 1. Without triangles
 /// (edges) STEM.face (STEM.edge) is only written, empty, where one of an earlier mesh is there:
 /// it would be read as part of this one. Leaves each file whole; where one cannot be written those
 /// before it are new. Errors: cannot_write.
 std::optional<Finding> write_tetgen(const std::filesystem::path& path, const FileMesh& mesh,
                                     const FileEncoding& encoding);
+
+/// For each node as TetGen lists it, its place in our order; empty where the two are the same.
+std::span<const std::uint8_t> tetgen_order(CellKind kind);
 
 /// How data columns are named in a comment, for both sides: bytes that would end a name are %XX.
 /// `escape_first` writes the first byte so in any case.

@@ -102,17 +102,20 @@ void read_points(TetgenReader& r, Table table) {
   }
 }
 
-/// The number of a cell and its corners; `others` more points are passed over.
-std::int64_t read_cell(TetgenReader& r, Table& table, int dimension, std::size_t others) {
-  FileCell cell{.at = table.line.at};
+/// The number of a cell and its nodes.
+std::int64_t read_cell(TetgenReader& r, Table& table, CellKind kind) {
+  FileCell& cell = r.draft.cell;
+  const std::size_t nodes = traits_of(kind).nodes;
+  const std::span<const std::uint8_t> order = tetgen_order(kind);
+  cell.begin(nodes, table.line.at);
   const auto number = read_in_line<std::int64_t>(table, "a cell's number");
-  for (std::size_t k = 0; k < static_cast<std::size_t>(dimension) + 1; ++k) {
-    cell.numbers[k] = read_in_line<std::int64_t>(table, "a point's number");
-    const bool is_below = cell.numbers[k] < r.first;
-    cell.rows[k] = is_below ? -1 : cell.numbers[k] - r.first;
+  for (std::size_t k = 0; k < nodes; ++k) {
+    const std::size_t place = order.empty() ? k : order[k];
+    cell.numbers[place] = read_in_line<std::int64_t>(table, "a point's number");
+    const bool is_below = cell.numbers[place] < r.first;
+    cell.rows[place] = is_below ? -1 : cell.numbers[place] - r.first;
   }
-  for (; others > 0; --others) read_in_line<std::int64_t>(table, "a point's number");
-  add_cell(r.draft, dimension, cell);
+  add_cell(r.draft, kind, cell);
   return number;
 }
 
@@ -135,7 +138,6 @@ void read_tetrahedra(TetgenReader& r, Table table) {
       static_cast<std::size_t>(read_head(table, "the number of attributes", 0, most_attributes));
   bound_rows(table, rows, "tetrahedra", 1 + static_cast<std::size_t>(nodes) + attributes);
   r.is_curved = nodes == 10;
-  if (r.is_curved) add_curved_cells(r.draft, "second-order tetrahedra", rows, table.line.at);
   // Without a name the first attribute is the region, where it can be.
   const bool fits = numbers_named(table) == attributes;
   const bool has_region = attributes > 0 && (!fits || is_tetgen_region(table.names.front().raw));
@@ -143,12 +145,13 @@ void read_tetrahedra(TetgenReader& r, Table table) {
   if (fits && has_region) names = names.subspan(1);
   std::vector<DataColumn> columns = new_columns(names, attributes - has_region, rows);
   std::vector<double> region;
-  auto& cells = r.draft.mesh.tetrahedra;
-  cells.corners.reserve(rows);
+  const CellKind kind = r.is_curved ? CellKind::tetrahedron10 : CellKind::tetrahedron;
+  CellColumns& cells = columns_of(r.draft.mesh, kind);
+  if (!r.is_curved) r.draft.mesh.tetrahedra.corners.reserve(rows);
   cells.source_id.reserve(rows);
   for (std::size_t i = 0; i < rows; ++i) {
     expect_row(table, i, rows, "tetrahedra");
-    cells.source_id.push_back(read_cell(r, table, 3, r.is_curved ? 6 : 0));
+    cells.source_id.push_back(read_cell(r, table, kind));
     if (has_region) region.push_back(read_in_line<double>(table, "an attribute"));
     read_columns(table, columns);
   }
@@ -164,19 +167,15 @@ void read_tetrahedra(TetgenReader& r, Table table) {
 }
 
 /// Triangles or edges, which have a marker each at most; what stands behind it is not ours.
-template <std::size_t Corners>
-void read_marked_cells(TetgenReader& r, Table table, CellList<Corners>& cells) {
-  constexpr std::string_view what = Corners == 3 ? "triangles" : "edges";
+void read_marked_cells(TetgenReader& r, Table table, CellKind kind) {
+  const std::string_view what = traits_of(linear_kind(kind)).plural;
   const std::size_t rows = read_rows(table, what);
   const bool has_marker = read_head(table, "the number of boundary markers (0 or 1)", 0, 1) == 1;
-  const std::size_t others = !r.is_curved ? 0 : Corners == 3 ? 3 : 1;
-  bound_rows(table, rows, what, 1 + Corners + others + has_marker);
-  if (others > 0) {
-    add_curved_cells(r.draft, fmt::format("second-order {}", what), rows, table.line.at);
-  }
+  bound_rows(table, rows, what, 1 + traits_of(kind).nodes + has_marker);
+  CellColumns& cells = columns_of(r.draft.mesh, kind);
   for (std::size_t i = 0; i < rows; ++i) {
     expect_row(table, i, rows, what);
-    cells.source_id.push_back(read_cell(r, table, static_cast<int>(Corners) - 1, others));
+    cells.source_id.push_back(read_cell(r, table, kind));
     if (has_marker) cells.region.push_back(read_in_line<std::int32_t>(table, "a marker"));
   }
   expect_end(table, rows, what);
@@ -200,6 +199,14 @@ bool read_part(TetgenReader& r, const FileSource& source, const std::string& nam
 }
 
 }  // namespace
+
+std::span<const std::uint8_t> tetgen_order(CellKind kind) {
+  static constexpr std::uint8_t triangle[] = {0, 1, 2, 4, 5, 3};
+  static constexpr std::uint8_t tetrahedron[] = {0, 1, 2, 3, 9, 7, 4, 5, 8, 6};
+  if (kind == CellKind::triangle6) return triangle;
+  if (kind == CellKind::tetrahedron10) return tetrahedron;
+  return {};
+}
 
 std::string unescaped_name(std::string_view raw) {
   std::string name;
@@ -251,10 +258,12 @@ Draft read_tetgen(const FileSource& source) {
                        .remedy = "put it beside this file"}};
   }
   read_part(r, source, stem + ".ele", [&](Table t) { read_tetrahedra(r, std::move(t)); });
-  read_part(r, source, stem + ".face",
-            [&](Table t) { read_marked_cells(r, std::move(t), r.draft.mesh.triangles); });
-  read_part(r, source, stem + ".edge",
-            [&](Table t) { read_marked_cells(r, std::move(t), r.draft.mesh.edges); });
+  read_part(r, source, stem + ".face", [&](Table t) {
+    read_marked_cells(r, std::move(t), r.is_curved ? CellKind::triangle6 : CellKind::triangle);
+  });
+  read_part(r, source, stem + ".edge", [&](Table t) {
+    read_marked_cells(r, std::move(t), r.is_curved ? CellKind::edge3 : CellKind::edge);
+  });
   return std::move(r.draft);
 }
 

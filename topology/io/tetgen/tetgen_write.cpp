@@ -77,44 +77,45 @@ std::string points_text(const FileMesh& mesh) {
   return std::move(out.bytes);
 }
 
-/// A row of cells: its number, its corners, its label.
-template <std::size_t Corners>
-void put_cell(NumberSink& out, const CellList<Corners>& cells,
+/// A row of cells: its number, its nodes, its label.
+void put_cell(NumberSink& out, CellKind kind, std::span<const std::uint32_t> nodes,
               const std::vector<std::int32_t>& label, std::size_t row) {
+  const std::span<const std::uint8_t> order = tetgen_order(kind);
   put_text(out, row + 1);
-  for (const std::uint32_t corner : cells.corners[row]) {
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
     out.bytes += ' ';
-    put_text(out, corner + std::int64_t{1});
+    put_text(out, nodes[order.empty() ? k : order[k]] + std::int64_t{1});
   }
   if (label.empty()) return;
   out.bytes += ' ';
   put_text(out, label[row]);
 }
 
-std::string tetrahedra_text(const FileMesh& mesh) {
+std::string tetrahedra_text(const FileMesh& mesh, CellKind kind) {
   NumberSink out;
-  const auto& cells = mesh.tetrahedra;
+  const CellRows rows = rows_of(mesh, kind);
+  const CellColumns& cells = columns_of(mesh, kind);
   const std::vector<std::int32_t>& label = label_of(cells);
   const std::size_t labels = label.empty() ? 0 : 1;
-  out.bytes.reserve(40 * cells.corners.size());
+  out.bytes.reserve(40 * rows.count);
   put_names(out, "# attribute names:", labels == 1 ? "region" : "", cells.data, "");
-  put_text(out, fmt::format("{} 4 {}\n", cells.corners.size(), labels + numbers_in(cells.data)));
-  for (std::size_t i = 0; i < cells.corners.size(); ++i) {
-    put_cell(out, cells, label, i);
+  put_text(out, fmt::format("{} {} {}\n", rows.count, rows.nodes, labels + numbers_in(cells.data)));
+  for (std::size_t i = 0; i < rows.count; ++i) {
+    put_cell(out, kind, rows[i], label, i);
     put_columns(out, cells.data, i);
     out.bytes += '\n';
   }
   return std::move(out.bytes);
 }
 
-template <std::size_t Corners>
-std::string marked_text(const CellList<Corners>& cells) {
+std::string marked_text(const FileMesh& mesh, CellKind kind) {
   NumberSink out;
-  const std::vector<std::int32_t>& label = label_of(cells);
-  out.bytes.reserve(32 * cells.corners.size());
-  put_text(out, fmt::format("{} {}\n", cells.corners.size(), label.empty() ? 0 : 1));
-  for (std::size_t i = 0; i < cells.corners.size(); ++i) {
-    put_cell(out, cells, label, i);
+  const CellRows rows = rows_of(mesh, kind);
+  const std::vector<std::int32_t>& label = label_of(columns_of(mesh, kind));
+  out.bytes.reserve(32 * rows.count);
+  put_text(out, fmt::format("{} {}\n", rows.count, label.empty() ? 0 : 1));
+  for (std::size_t i = 0; i < rows.count; ++i) {
+    put_cell(out, kind, rows[i], label, i);
     out.bytes += '\n';
   }
   return std::move(out.bytes);
@@ -137,6 +138,17 @@ std::string escaped_name(std::string_view name, bool escape_first) {
   return out;
 }
 
+bool is_tetgen_curved(const FileMesh& mesh) {
+  bool has_curved = false, has_straight = false;
+  for (const CellKind kind : {CellKind::edge, CellKind::triangle, CellKind::tetrahedron}) {
+    has_straight = has_straight || rows_of(mesh, kind).count > 0;
+  }
+  for (const CellKind kind : {CellKind::edge3, CellKind::triangle6, CellKind::tetrahedron10}) {
+    has_curved = has_curved || rows_of(mesh, kind).count > 0;
+  }
+  return has_curved && !has_straight;
+}
+
 std::optional<Finding> write_tetgen(const std::filesystem::path& path, const FileMesh& mesh,
                                     const FileEncoding&) {
   const auto named = [stem = tetgen_stem(path)](std::string_view ending) {
@@ -146,12 +158,17 @@ std::optional<Finding> write_tetgen(const std::filesystem::path& path, const Fil
   const auto is_there = [&](std::string_view ending) {
     return file_exists(named(ending)) || file_exists(named(std::string(ending) + ".gz"));
   };
-  if (auto error = write_file(named(".ele"), tetrahedra_text(mesh))) return error;
-  if (!mesh.triangles.corners.empty() || is_there(".face")) {
-    if (auto error = write_file(named(".face"), marked_text(mesh.triangles))) return error;
+  const bool is_curved = is_tetgen_curved(mesh);
+  const auto kind = [&](CellKind linear, CellKind curved) { return is_curved ? curved : linear; };
+  const CellKind body = kind(CellKind::tetrahedron, CellKind::tetrahedron10);
+  const CellKind face = kind(CellKind::triangle, CellKind::triangle6);
+  const CellKind edge = kind(CellKind::edge, CellKind::edge3);
+  if (auto error = write_file(named(".ele"), tetrahedra_text(mesh, body))) return error;
+  if (rows_of(mesh, face).count > 0 || is_there(".face")) {
+    if (auto error = write_file(named(".face"), marked_text(mesh, face))) return error;
   }
-  if (!mesh.edges.corners.empty() || is_there(".edge")) {
-    if (auto error = write_file(named(".edge"), marked_text(mesh.edges))) return error;
+  if (rows_of(mesh, edge).count > 0 || is_there(".edge")) {
+    if (auto error = write_file(named(".edge"), marked_text(mesh, edge))) return error;
   }
   return write_file(named(".node"), points_text(mesh));
 }

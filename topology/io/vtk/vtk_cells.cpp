@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Between VTK's one list of cells of any type and ours of simplices by dimension.
+// Between VTK's one list of cells of any type and ours by kind.
 #include "topology/io/vtk/vtk_cells.hpp"
 
 #include <fmt/format.h>
@@ -15,66 +15,73 @@
 namespace sunder::io {
 namespace {
 
+constexpr std::int8_t no_kind = -1;
+constexpr std::int8_t place(CellKind kind) { return static_cast<std::int8_t>(kind); }
+
 /// VTK's cell types: number, plural name, dimension (vtkCellType.h).
 struct CellType {
   std::int64_t number;
   std::string_view name;
   int dimension;
-  /// Whether its first points are the corners of a simplex.
-  bool is_simplex = false;
+  /// The kind that it is, or whose corners are its first points.
+  std::int8_t kind = no_kind;
+  /// Whether it has more points than the kind.
+  bool is_higher = false;
 };
 constexpr CellType cell_types[] = {
     {0, "empty cells", 0},
-    {1, "vertices", 0, true},
+    {1, "vertices", 0, place(CellKind::vertex)},
     {2, "poly-vertices", 0},
-    {3, "lines", 1, true},
+    {3, "lines", 1, place(CellKind::edge)},
     {4, "polylines", 1},
-    {5, "triangles", 2, true},
+    {5, "triangles", 2, place(CellKind::triangle)},
     {6, "triangle strips", 2},
-    {7, "polygons", 2},
-    {8, "pixels", 2},
-    {9, "quadrilaterals", 2},
-    {10, "tetrahedra", 3, true},
-    {11, "voxels", 3},
-    {12, "hexahedra", 3},
-    {13, "wedges", 3},
-    {14, "pyramids", 3},
+    {7, "polygons", 2, place(CellKind::polygon)},
+    {8, "pixels", 2, place(CellKind::quad4)},
+    {9, "quadrilaterals", 2, place(CellKind::quad4)},
+    {10, "tetrahedra", 3, place(CellKind::tetrahedron)},
+    {11, "voxels", 3, place(CellKind::hexahedron8)},
+    {12, "hexahedra", 3, place(CellKind::hexahedron8)},
+    {13, "wedges", 3, place(CellKind::prism6)},
+    {14, "pyramids", 3, place(CellKind::pyramid5)},
     {15, "pentagonal prisms", 3},
     {16, "hexagonal prisms", 3},
-    {21, "quadratic edges", 1, true},
-    {22, "quadratic triangles", 2, true},
-    {23, "quadratic quadrilaterals", 2},
-    {24, "quadratic tetrahedra", 3, true},
-    {25, "quadratic hexahedra", 3},
-    {26, "quadratic wedges", 3},
-    {27, "quadratic pyramids", 3},
-    {28, "biquadratic quadrilaterals", 2},
-    {29, "triquadratic hexahedra", 3},
-    {30, "quadratic-linear quadrilaterals", 2},
-    {31, "quadratic-linear wedges", 3},
-    {32, "biquadratic-quadratic wedges", 3},
-    {33, "biquadratic-quadratic hexahedra", 3},
-    {34, "biquadratic triangles", 2, true},
-    {35, "cubic lines", 1, true},
+    {21, "quadratic edges", 1, place(CellKind::edge3)},
+    {22, "quadratic triangles", 2, place(CellKind::triangle6)},
+    {23, "quadratic quadrilaterals", 2, place(CellKind::quad8)},
+    {24, "quadratic tetrahedra", 3, place(CellKind::tetrahedron10)},
+    {25, "quadratic hexahedra", 3, place(CellKind::hexahedron20)},
+    {26, "quadratic wedges", 3, place(CellKind::prism15)},
+    {27, "quadratic pyramids", 3, place(CellKind::pyramid13)},
+    {28, "biquadratic quadrilaterals", 2, place(CellKind::quad9)},
+    {29, "triquadratic hexahedra", 3, place(CellKind::hexahedron27)},
+    {30, "quadratic-linear quadrilaterals", 2, place(CellKind::quad4), true},
+    {31, "quadratic-linear wedges", 3, place(CellKind::prism6), true},
+    {32, "biquadratic-quadratic wedges", 3, place(CellKind::prism18)},
+    {33, "biquadratic-quadratic hexahedra", 3, place(CellKind::hexahedron8), true},
+    {34, "biquadratic triangles", 2, place(CellKind::triangle7)},
+    {35, "cubic lines", 1, place(CellKind::edge), true},
     {36, "quadratic polygons", 2},
-    {37, "triquadratic pyramids", 3},
+    {37, "triquadratic pyramids", 3, place(CellKind::pyramid5), true},
     {41, "convex point sets", 3},
     {42, "polyhedra", 3},
-    {68, "Lagrange curves", 1, true},
-    {69, "Lagrange triangles", 2, true},
-    {70, "Lagrange quadrilaterals", 2},
-    {71, "Lagrange tetrahedra", 3, true},
-    {72, "Lagrange hexahedra", 3},
-    {73, "Lagrange wedges", 3},
-    {74, "Lagrange pyramids", 3},
-    {75, "Bezier curves", 1, true},
-    {76, "Bezier triangles", 2, true},
-    {77, "Bezier quadrilaterals", 2},
-    {78, "Bezier tetrahedra", 3, true},
-    {79, "Bezier hexahedra", 3},
-    {80, "Bezier wedges", 3},
-    {81, "Bezier pyramids", 3},
+    {68, "Lagrange curves", 1, place(CellKind::edge), true},
+    {69, "Lagrange triangles", 2, place(CellKind::triangle), true},
+    {70, "Lagrange quadrilaterals", 2, place(CellKind::quad4), true},
+    {71, "Lagrange tetrahedra", 3, place(CellKind::tetrahedron), true},
+    {72, "Lagrange hexahedra", 3, place(CellKind::hexahedron8), true},
+    {73, "Lagrange wedges", 3, place(CellKind::prism6), true},
+    {74, "Lagrange pyramids", 3, place(CellKind::pyramid5), true},
+    {75, "Bezier curves", 1, place(CellKind::edge), true},
+    {76, "Bezier triangles", 2, place(CellKind::triangle), true},
+    {77, "Bezier quadrilaterals", 2, place(CellKind::quad4), true},
+    {78, "Bezier tetrahedra", 3, place(CellKind::tetrahedron), true},
+    {79, "Bezier hexahedra", 3, place(CellKind::hexahedron8), true},
+    {80, "Bezier wedges", 3, place(CellKind::prism6), true},
+    {81, "Bezier pyramids", 3, place(CellKind::pyramid5), true},
 };
+constexpr std::int64_t poly_vertex_type = 2, polyline_type = 4, strip_type = 6, polygon_type = 7,
+                       pixel_type = 8, voxel_type = 11;
 
 const CellType& cell_type(const Draft& draft, std::int64_t number, std::size_t at) {
   const auto* const type = std::ranges::find(cell_types, number, &CellType::number);
@@ -87,14 +94,65 @@ const CellType& cell_type(const Draft& draft, std::int64_t number, std::size_t a
   return *type;
 }
 
-/// How many points a cell has at least: the corners of simplices.
+/// How many points a cell has, of higher ones at least.
 std::size_t fewest_points(const CellType& type) {
-  return type.is_simplex ? static_cast<std::size_t>(type.dimension) + 1 : 0;
+  return type.kind == no_kind ? 0 : traits_of(static_cast<CellKind>(type.kind)).nodes;
 }
 
-bool is_linear(std::int64_t type) { return type == 1 || type == 3 || type == 5 || type == 10; }
+/// The kind of a cell with so many points; no_kind for those that are left out.
+std::int8_t kind_of(const CellType& type, std::size_t points) {
+  if (type.number == polygon_type) return points < 3 ? no_kind : place(kind_of_face(points));
+  return type.kind;
+}
+
+/// What a cell becomes: cells of a kind, more than one of what is cut into parts; no_kind for what
+/// is left out.
+struct Parts {
+  std::int8_t kind = no_kind;
+  std::size_t count = 1;
+};
+
+Parts parts_of(const CellType& type, std::size_t points) {
+  const auto cut = [points](CellKind kind) {
+    const std::size_t nodes = traits_of(kind).nodes;
+    return points < nodes ? Parts{} : Parts{place(kind), points - nodes + 1};
+  };
+  if (type.number == poly_vertex_type) return cut(CellKind::vertex);
+  if (type.number == polyline_type) return cut(CellKind::edge);
+  if (type.number == strip_type) return cut(CellKind::triangle);
+  return {kind_of(type, points), 1};
+}
+
+bool is_cut(std::int64_t type) {
+  return type == poly_vertex_type || type == polyline_type || type == strip_type;
+}
+
+/// Parts that no real body has, of points that repeat, would fill memory.
+void check_parts(const Draft& draft, const VtkPiece& piece, std::size_t at) {
+  constexpr std::size_t always = 1000, most_a_point = 8;
+  if (piece.more_parts <= always || piece.more_parts / most_a_point <= piece.points) return;
+  fail(draft.text, at,
+       {.code = "count_too_big",
+        .text = fmt::format("strips and polylines have {} parts on {} points", piece.more_parts,
+                            piece.points),
+        .remedy = "save the surface as triangles"});
+}
 
 }  // namespace
+
+void count_copies(const Draft& draft, VtkPiece& piece, std::size_t components, std::size_t at) {
+  if (piece.more_parts == 0 || components == 0) return;
+  if (piece.more_parts <= piece.copies_left / components) {
+    piece.copies_left -= piece.more_parts * components;
+    return;
+  }
+  fail(draft.text, at,
+       {.code = "count_too_big",
+        .text = fmt::format("the data of strips and polylines are too many to be given to each of "
+                            "their {} parts",
+                            piece.more_parts),
+        .remedy = "save the surface as triangles, or with fewer data"});
+}
 
 void check_vtk_cells(const VtkCells& cells, std::string_view text, std::size_t at) {
   std::int64_t before = 0;
@@ -102,9 +160,10 @@ void check_vtk_cells(const VtkCells& cells, std::string_view text, std::size_t a
     // Numbers of a file: their difference may need more than 64 bits.
     const std::int64_t size = cells.ends[c] < before ? -1 : cells.ends[c] - before;
     const auto* const type = std::ranges::find(cell_types, cells.types[c], &CellType::number);
-    const auto fewest =
-        static_cast<std::int64_t>(type == std::end(cell_types) ? 0 : fewest_points(*type));
-    if (size < 0 || size < fewest || (is_linear(cells.types[c]) && size != fewest)) {
+    const bool is_known = type != std::end(cell_types);
+    const auto fewest = static_cast<std::int64_t>(is_known ? fewest_points(*type) : 0);
+    const bool is_exact = is_known && fewest > 0 && !type->is_higher;
+    if (size < 0 || size < fewest || (is_exact && size != fewest)) {
       fail(text, at,
            {.code = "bad_offsets",
             .ids = {static_cast<std::int64_t>(c)},
@@ -121,32 +180,63 @@ void check_vtk_cells(const VtkCells& cells, std::string_view text, std::size_t a
 void add_vtk_cells(Draft& draft, VtkPiece& piece, const VtkCells& cells, std::size_t at) {
   const auto points = static_cast<std::int64_t>(piece.points);
   piece.list_of_cell.reserve(cells.types.size());
-  for (const std::int64_t number : cells.types) {
-    const CellType& type = cell_type(draft, number, at);
-    piece.list_of_cell.push_back(static_cast<std::int8_t>(type.is_simplex ? type.dimension : -1));
-    if (type.is_simplex) ++piece.cells[static_cast<std::size_t>(type.dimension)];
+  const bool has_parts = std::ranges::any_of(cells.types, is_cut);
+  if (has_parts) piece.parts_of_cell.reserve(cells.types.size());
+  std::size_t begin = 0;
+  for (std::size_t c = 0; c < cells.types.size(); ++c) {
+    const auto end = static_cast<std::size_t>(cells.ends[c]);
+    const Parts parts = parts_of(cell_type(draft, cells.types[c], at), end - begin);
+    piece.list_of_cell.push_back(parts.kind);
+    if (has_parts) piece.parts_of_cell.push_back(static_cast<std::uint32_t>(parts.count));
+    if (parts.kind != no_kind) piece.cells[static_cast<std::size_t>(parts.kind)] += parts.count;
+    piece.more_parts += parts.count - 1;
+    begin = end;
+  }
+  constexpr std::size_t always = 16'000;
+  piece.copies_left = always + cells.points.size();
+  check_parts(draft, piece, at);
+  for (const CellKind kind : all_cell_kinds) {
+    piece.first_cell[index_of(kind)] = rows_of(draft.mesh, kind).count;
   }
   for_each_cell_list(draft.mesh, [&](auto& list, int dimension) {
-    const auto d = static_cast<std::size_t>(dimension);
-    piece.first_cell[d] = list.corners.size();
-    make_room(list.corners, piece.cells[d]);
+    make_room(list.corners, piece.cells[index_of(simplex_of(dimension))]);
   });
-  std::size_t begin = 0;
+  constexpr std::uint8_t rows_of_pixels[] = {0, 1, 3, 2, 4, 5, 7, 6};
+  FileCell& cell = draft.cell;
+  const auto take_node = [&](FileCell& to, std::size_t k, std::size_t place) {
+    const std::int64_t row = cells.points[place];
+    to.numbers[k] = row;
+    to.rows[k] = row >= 0 && row < points ? static_cast<std::int64_t>(piece.first_point) + row : -1;
+  };
+  begin = 0;
   for (std::size_t c = 0; c < cells.types.size(); ++c) {
     const CellType& type = cell_type(draft, cells.types[c], at);
     const auto end = static_cast<std::size_t>(cells.ends[c]);
-    if (!type.is_simplex) {
+    const std::int8_t kind = piece.list_of_cell[c];
+    if (kind == no_kind) {
       add_other_cells(draft, type.name, type.dimension, 1, at);
-    } else {
-      FileCell cell{.at = at};
-      for (std::size_t k = 0; k < fewest_points(type); ++k) {
-        const std::int64_t row = cells.points[begin + k];
-        cell.numbers[k] = row;
-        cell.rows[k] =
-            row >= 0 && row < points ? static_cast<std::int64_t>(piece.first_point) + row : -1;
+    } else if (is_cut(type.number)) {
+      const auto part = static_cast<CellKind>(kind);
+      const std::size_t nodes = traits_of(part).nodes;
+      for (std::size_t first = begin; first + nodes <= end; ++first) {
+        cell.begin(nodes, at);
+        // Every second triangle of a strip is turned.
+        const bool is_turned = nodes == 3 && (first - begin) % 2 == 1;
+        for (std::size_t k = 0; k < nodes; ++k) {
+          take_node(cell, k, first + (is_turned && k < 2 ? 1 - k : k));
+        }
+        add_cell(draft, part, cell);
       }
-      add_cell(draft, type.dimension, cell);
-      if (!is_linear(type.number)) add_curved_cells(draft, type.name, 1, at);
+    } else {
+      const std::size_t nodes = type.number == polygon_type ? end - begin : fewest_points(type);
+      const bool is_pixel = type.number == pixel_type || type.number == voxel_type;
+      cell.begin(nodes, at);
+      for (std::size_t k = 0; k < nodes; ++k) {
+        take_node(cell, k, begin + (is_pixel ? rows_of_pixels[k] : k));
+      }
+      add_cell(draft, static_cast<CellKind>(kind), cell);
+      const bool is_higher = type.is_higher && end - begin > nodes;
+      if (is_higher) add_curved_cells(draft, type.name, 1, at);
     }
     begin = end;
   }
@@ -159,15 +249,15 @@ template <class Pick>
 void add_own_column(VtkGrid& grid, const FileMesh& mesh, std::string name, NumberType type,
                     Pick pick) {
   bool any = false;
-  for_each_cell_list(mesh, [&](const auto& cells, int) { any = any || !pick(cells).empty(); });
+  for (const CellKind kind : all_cell_kinds) any = any || !pick(columns_of(mesh, kind)).empty();
   if (!any) return;
   std::vector<std::int64_t> values;
   values.reserve(grid.types.size());
-  for_each_cell_list(mesh, [&](const auto& cells, int) {
-    const auto& own = pick(cells);
-    own.empty() ? values.insert(values.end(), cells.corners.size(), 0)
+  for (const CellKind kind : all_cell_kinds) {
+    const auto& own = pick(columns_of(mesh, kind));
+    own.empty() ? values.insert(values.end(), rows_of(mesh, kind).count, 0)
                 : values.insert(values.end(), own.begin(), own.end());
-  });
+  }
   grid.cell_data.push_back({std::move(name), 1, type, std::move(values)});
 }
 
@@ -185,39 +275,49 @@ void append_rows(std::vector<Value>& out, const DataColumn* column, std::size_t 
 
 /// The data of all lists under their names, in the order in which they come first.
 void add_data_columns(VtkGrid& grid, const FileMesh& mesh) {
-  for_each_cell_list(mesh, [&](const auto& first_cells, int) {
-    for (const DataColumn& like : first_cells.data) {
+  for (const CellKind first_kind : all_cell_kinds) {
+    for (const DataColumn& like : columns_of(mesh, first_kind).data) {
       const bool is_there =
           std::ranges::find(grid.cell_data, like.name, &DataColumn::name) != grid.cell_data.end();
       if (is_there) continue;
       DataColumn column{like.name, like.components, like.type, {}};
       if (like.values.index() == 1) column.values = std::vector<std::int64_t>{};
-      for_each_cell_list(mesh, [&](const auto& cells, int) {
-        const auto found = std::ranges::find_if(cells.data, [&](const DataColumn& c) {
+      for (const CellKind kind : all_cell_kinds) {
+        const std::vector<DataColumn>& data = columns_of(mesh, kind).data;
+        const auto found = std::ranges::find_if(data, [&](const DataColumn& c) {
           return c.name == like.name && c.components == like.components;
         });
-        const DataColumn* part = found == cells.data.end() ? nullptr : &*found;
-        std::visit(
-            [&](auto& out) { append_rows(out, part, like.components * cells.corners.size()); },
-            column.values);
-      });
+        const DataColumn* part = found == data.end() ? nullptr : &*found;
+        const std::size_t length = like.components * rows_of(mesh, kind).count;
+        std::visit([&](auto& out) { append_rows(out, part, length); }, column.values);
+      }
       grid.cell_data.push_back(std::move(column));
     }
-  });
+  }
 }
 
 }  // namespace
 
+std::uint8_t vtk_type_of(CellKind kind) {
+  if (kind == CellKind::quad4) return 9;  // pixels come before
+  for (const CellType& type : cell_types) {
+    const bool is_it = type.kind == place(kind) && !type.is_higher && type.number != voxel_type;
+    if (is_it) return static_cast<std::uint8_t>(type.number);
+  }
+  return 0;
+}
+
 VtkGrid vtk_grid(const FileMesh& mesh) {
-  constexpr std::uint8_t type_of[] = {1, 3, 5, 10};
   VtkGrid grid;
-  for_each_cell_list(mesh, [&](const auto& cells, int dimension) {
-    grid.types.insert(grid.types.end(), cells.corners.size(), type_of[dimension]);
-    for (const auto& corners : cells.corners) {
-      grid.connectivity.insert(grid.connectivity.end(), corners.begin(), corners.end());
+  for (const CellKind kind : all_cell_kinds) {
+    const CellRows rows = rows_of(mesh, kind);
+    grid.types.insert(grid.types.end(), rows.count, vtk_type_of(kind));
+    for (std::size_t i = 0; i < rows.count; ++i) {
+      const auto nodes = rows[i];
+      grid.connectivity.insert(grid.connectivity.end(), nodes.begin(), nodes.end());
       grid.ends.push_back(static_cast<std::int64_t>(grid.connectivity.size()));
     }
-  });
+  }
   add_own_column(
       grid, mesh, "region", NumberType::int32,
       [](const auto& cells) -> const auto& { return cells.region; });
@@ -269,13 +369,15 @@ std::vector<std::string> vtk_clashes(const FileMesh& mesh) {
   if (!mesh.source_point_id.empty()) of_points["source_point_id"] = nullptr;
   if (!mesh.point_region.empty()) of_points["point_region"] = nullptr;
   judge_names(mesh.point_data, of_points, clashes);
-  for_each_cell_list(mesh, [&](const auto& cells, int) {
+  for (const CellKind kind : all_cell_kinds) {
+    const CellColumns& cells = columns_of(mesh, kind);
     if (!cells.region.empty()) of_cells["region"] = nullptr;
     if (!cells.entity.empty()) of_cells["entity"] = nullptr;
     if (!cells.source_id.empty()) of_cells["source_cell_id"] = nullptr;
-  });
-  for_each_cell_list(mesh,
-                     [&](const auto& cells, int) { judge_names(cells.data, of_cells, clashes); });
+  }
+  for (const CellKind kind : all_cell_kinds) {
+    judge_names(columns_of(mesh, kind).data, of_cells, clashes);
+  }
   return clashes;
 }
 

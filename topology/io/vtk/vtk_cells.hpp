@@ -29,18 +29,29 @@ struct VtkPiece {
   /// Rows of the mesh that its points are.
   std::size_t first_point = 0;
   std::size_t points = 0;
-  /// The list that each of its cells went to, by dimension; -1 where it was left out.
+  /// The kind of each of its cells, or of its parts; -1 where it was left out.
   std::vector<std::int8_t> list_of_cell;
-  /// By dimension: how many went there, and the row of the first.
-  std::array<std::size_t, 4> cells{};
-  std::array<std::size_t, 4> first_cell{};
+  /// Into how many parts each was cut: poly-vertices, polylines and strips become vertices, edges and
+  /// triangles, which have the data of the whole. Empty where there are none of these.
+  std::vector<std::uint32_t> parts_of_cell;
+  /// By kind: how many there are, and the row of the first.
+  std::array<std::size_t, cell_kinds> cells{};
+  std::array<std::size_t, cell_kinds> first_cell{};
+  /// How many parts there are more than cells, and how many numbers may still be copied for them.
+  std::size_t more_parts = 0;
+  std::size_t copies_left = 0;
 };
+
+/// Takes the copies that a column of so many components needs for parts of cells off what is left.
+/// Fails with count_too_big.
+void count_copies(const Draft& draft, VtkPiece& piece, std::size_t components, std::size_t at);
 
 /// Fails with bad_offsets where ends fall or a cell has fewer points than its type; `at`: the place
 /// of the offsets in the text.
 void check_vtk_cells(const VtkCells& cells, std::string_view text, std::size_t at);
 
-/// Adds the simplices to the draft's lists, of curved ones the corners, and counts the others.
+/// Adds the cells to the draft's lists, of those of higher order the corners, of poly-vertices,
+/// polylines and strips the parts, and counts the others.
 /// Fails with unknown_cell_type. Needs: check_vtk_cells passed, and as many `points` as it counts.
 void add_vtk_cells(Draft& draft, VtkPiece& piece, const VtkCells& cells, std::size_t at);
 
@@ -105,10 +116,13 @@ struct VtkGrid {
   std::vector<std::int64_t> ends;
   std::vector<std::uint8_t> types;
   std::vector<DataColumn> point_data;
-  /// Columns that cells of some dimension lack are filled: with not-a-number, integers with 0.
+  /// Columns that cells of some kind lack are filled: with not-a-number, integers with 0.
   std::vector<DataColumn> cell_data;
 };
 VtkGrid vtk_grid(const FileMesh& mesh);
+
+/// VTK's type of a kind; 0 for pyramids of 14 nodes, which it does not have.
+std::uint8_t vtk_type_of(CellKind kind);
 
 /// Names of data that do not reach the grid whole: a name stands for one array there, of points or
 /// of all cells. The second of a name is left out, and so is what has the name of our own labels;

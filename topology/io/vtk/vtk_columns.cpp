@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Columns of one list of cells into those of the lists by dimension: labels by name, data by row.
+// Columns of one list of cells into those of the lists by kind: labels by name, data by row.
 #include "topology/io/vtk/vtk_columns.hpp"
 
 #include <fmt/format.h>
@@ -51,10 +51,12 @@ std::vector<Value>* column_of(std::vector<DataColumn>& columns, const VtkArrayHe
 
 template <class Value>
 void append(std::vector<Value>& to, const std::vector<std::int64_t>& values, const VtkPiece& piece,
-            int dimension) {
-  make_room(to, piece.cells[static_cast<std::size_t>(dimension)]);
+            CellKind kind) {
+  make_room(to, piece.cells[index_of(kind)]);
   for (std::size_t c = 0; c < piece.list_of_cell.size(); ++c) {
-    if (piece.list_of_cell[c] == dimension) to.push_back(static_cast<Value>(values[c]));
+    if (piece.list_of_cell[c] != static_cast<std::int8_t>(kind)) continue;
+    to.insert(to.end(), piece.parts_of_cell.empty() ? 1 : piece.parts_of_cell[c],
+              static_cast<Value>(values[c]));
   }
 }
 
@@ -123,29 +125,31 @@ bool is_vtk_label(const VtkArrayHead& head) {
   return is_region_name(head.name) || is_entity_name(head.name) || is_cell_id_name(head.name);
 }
 
-void add_vtk_label(Draft& draft, const VtkPiece& piece, const VtkArrayHead& head,
+void add_vtk_label(Draft& draft, VtkPiece& piece, const VtkArrayHead& head,
                    const std::vector<std::int64_t>& values) {
   if (!head.of_cells) return add_point_label(draft, head, values);
+  count_copies(draft, piece, 1, head.at);
   const bool is_region = is_region_name(head.name);
   const bool is_entity = is_entity_name(head.name);
   if (is_region || is_entity) check_label(draft, values, head.at);
-  for_each_cell_list(draft.mesh, [&](auto& cells, int dimension) {
-    const auto d = static_cast<std::size_t>(dimension);
-    if (piece.cells[d] == 0) return;
-    if (is_region && cells.region.size() == piece.first_cell[d]) {
-      append(cells.region, values, piece, dimension);
-    } else if (is_entity && cells.entity.size() == piece.first_cell[d]) {
-      append(cells.entity, values, piece, dimension);
-    } else if (!is_region && !is_entity && cells.source_id.size() == piece.first_cell[d]) {
-      append(cells.source_id, values, piece, dimension);
+  for (const CellKind kind : all_cell_kinds) {
+    const std::size_t first = piece.first_cell[index_of(kind)];
+    if (piece.cells[index_of(kind)] == 0) continue;
+    CellColumns& cells = columns_of(draft.mesh, kind);
+    if (is_region && cells.region.size() == first) {
+      append(cells.region, values, piece, kind);
+    } else if (is_entity && cells.entity.size() == first) {
+      append(cells.entity, values, piece, kind);
+    } else if (!is_region && !is_entity && cells.source_id.size() == first) {
+      append(cells.source_id, values, piece, kind);
     } else if (auto* const column = column_of<std::int64_t>(cells.data, head)) {
-      append(*column, values, piece, dimension);
+      append(*column, values, piece, kind);
     }
-  });
+  }
 }
 
 template <class Value>
-VtkSink<Value> begin_vtk_data(Draft& draft, const VtkPiece& piece, const VtkArrayHead& head,
+VtkSink<Value> begin_vtk_data(Draft& draft, VtkPiece& piece, const VtkArrayHead& head,
                               std::size_t most_numbers) {
   VtkSink<Value> sink{.components = head.components};
   const auto begin = [&](std::vector<DataColumn>& columns, std::size_t d, std::size_t rows) {
@@ -160,29 +164,31 @@ VtkSink<Value> begin_vtk_data(Draft& draft, const VtkPiece& piece, const VtkArra
     if (piece.points > 0) begin(draft.mesh.point_data, 0, draft.mesh.points.size());
     return sink;
   }
+  count_copies(draft, piece, head.components, head.at);
   sink.list_of_row = piece.list_of_cell;
-  for_each_cell_list(draft.mesh, [&](auto& cells, int dimension) {
-    const auto d = static_cast<std::size_t>(dimension);
-    if (piece.cells[d] > 0) begin(cells.data, d, cells.corners.size());
-  });
+  sink.parts_of_row = piece.parts_of_cell;
+  for (const CellKind kind : all_cell_kinds) {
+    if (piece.cells[index_of(kind)] == 0) continue;
+    begin(columns_of(draft.mesh, kind).data, index_of(kind), rows_of(draft.mesh, kind).count);
+  }
   return sink;
 }
 
-template VtkSink<double> begin_vtk_data(Draft&, const VtkPiece&, const VtkArrayHead&, std::size_t);
-template VtkSink<std::int64_t> begin_vtk_data(Draft&, const VtkPiece&, const VtkArrayHead&,
-                                              std::size_t);
+template VtkSink<double> begin_vtk_data(Draft&, VtkPiece&, const VtkArrayHead&, std::size_t);
+template VtkSink<std::int64_t> begin_vtk_data(Draft&, VtkPiece&, const VtkArrayHead&, std::size_t);
 
 namespace {
 
-/// What a writer had to put where cells of some dimension have no such column.
+/// What a writer had to put where cells of some kind have no such column.
 void drop_fillings(FileMesh& mesh) {
   int kinds = 0;
-  for_each_cell_list(mesh, [&](const auto& cells, int) { kinds += !cells.corners.empty(); });
+  for (const CellKind kind : all_cell_kinds) kinds += rows_of(mesh, kind).count > 0;
   if (kinds < 2) return;
   const auto drop_zeros = [](auto& labels) {
     if (std::ranges::all_of(labels, [](auto x) { return x == 0; })) labels.clear();
   };
-  for_each_cell_list(mesh, [&](auto& cells, int) {
+  for (const CellKind kind : all_cell_kinds) {
+    CellColumns& cells = columns_of(mesh, kind);
     drop_zeros(cells.region);
     drop_zeros(cells.entity);
     drop_zeros(cells.source_id);
@@ -190,7 +196,7 @@ void drop_fillings(FileMesh& mesh) {
       const auto* const values = std::get_if<std::vector<double>>(&column.values);
       return values != nullptr && std::ranges::all_of(*values, [](double x) { return x != x; });
     });
-  });
+  }
 }
 
 }  // namespace
@@ -200,13 +206,14 @@ void finish_vtk_columns(Draft& draft) {
   if (mesh.source_point_id.size() != mesh.points.size()) mesh.source_point_id.clear();
   if (mesh.point_region.size() != mesh.points.size()) mesh.point_region.clear();
   drop_incomplete(draft, mesh.point_data, mesh.points.size());
-  for_each_cell_list(mesh, [&](auto& cells, int) {
-    const std::size_t rows = cells.corners.size();
+  for (const CellKind kind : all_cell_kinds) {
+    CellColumns& cells = columns_of(mesh, kind);
+    const std::size_t rows = rows_of(mesh, kind).count;
     if (cells.region.size() != rows) cells.region.clear();
     if (cells.entity.size() != rows) cells.entity.clear();
     if (cells.source_id.size() != rows) cells.source_id.clear();
     drop_incomplete(draft, cells.data, rows);
-  });
+  }
   drop_fillings(mesh);
 }
 

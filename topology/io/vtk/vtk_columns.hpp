@@ -50,16 +50,18 @@ bool is_vtk_label(const VtkArrayHead& head);
 
 /// Takes the regions, entities or ids of a piece. Where a list has them already, they are data.
 /// Needs: is_vtk_label; one value a row. Fails with number_out_of_range.
-void add_vtk_label(Draft& draft, const VtkPiece& piece, const VtkArrayHead& head,
+void add_vtk_label(Draft& draft, VtkPiece& piece, const VtkArrayHead& head,
                    const std::vector<std::int64_t>& values);
 
 /// Takes an array's numbers one after the other, and puts each row where its cell went.
 template <class Value>
 struct VtkSink {
-  /// By dimension; of points the first. Null: those rows are dropped.
-  std::array<std::vector<Value>*, 4> lists{};
+  /// By kind; of points the first. Null: those rows are dropped.
+  std::array<std::vector<Value>*, cell_kinds> lists{};
   /// Empty for points.
   std::span<const std::int8_t> list_of_row;
+  /// Empty where every row is one cell.
+  std::span<const std::uint32_t> parts_of_row;
   std::size_t components = 1;
   std::size_t row = 0;
   std::size_t left_of_row = 0;
@@ -73,7 +75,16 @@ struct VtkSink {
       ++row;
     }
     --left_of_row;
-    if (list != nullptr) list->push_back(value);
+    if (list == nullptr) return;
+    list->push_back(value);
+    if (left_of_row == 0 && !parts_of_row.empty()) copy_row(parts_of_row[row - 1] - 1);
+  }
+  /// Gives the row that is complete to more cells.
+  void copy_row(std::size_t times) {
+    for (std::size_t i = times * components; i > 0; --i) {
+      const Value value = (*list)[list->size() - components];
+      list->push_back(value);
+    }
   }
   void operator()(std::span<const Value> values) {
     for (const Value value : values) (*this)(value);
@@ -85,11 +96,11 @@ struct VtkSink {
 /// the whole mesh, at most `most_numbers`.
 /// Needs: all points or cells of the file are there. The sink is good until the next call.
 template <class Value>
-VtkSink<Value> begin_vtk_data(Draft& draft, const VtkPiece& piece, const VtkArrayHead& head,
+VtkSink<Value> begin_vtk_data(Draft& draft, VtkPiece& piece, const VtkArrayHead& head,
                               std::size_t most_numbers);
 
 /// Drops columns that not all pieces had, with a warning, and labels and ids that are incomplete.
-/// Where there are cells of several dimensions, those of one lose columns of nothing but 0 (labels,
+/// Where there are cells of several kinds, those of one lose columns of nothing but 0 (labels,
 /// ids) or not-a-number (data): vtk_grid fills with them.
 void finish_vtk_columns(Draft& draft);
 

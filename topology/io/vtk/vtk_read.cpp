@@ -6,19 +6,11 @@
 #include <utility>
 
 #include "topology/io/vtk/vtk.hpp"
+#include "topology/io/vtk/vtk_polydata.hpp"
 #include "topology/io/vtk/vtk_reader.hpp"
 
 namespace sunder::io {
 namespace {
-
-void refuse_second(VtkReader& r, bool& seen, std::string_view section) {
-  if (std::exchange(seen, true)) {
-    fail(r.in.s.text, r.in.s.at,
-         {.code = "wrong_section_order",
-          .text = fmt::format("a second section {}", section),
-          .remedy = "join the two sections, or give them as two files"});
-  }
-}
 
 void read_points(VtkReader& r) {
   refuse_second(r, r.has_points, "POINTS");
@@ -93,8 +85,26 @@ void read_offset_cells(VtkReader& r, std::size_t offsets, std::size_t size) {
   r.cells.ends = std::move(begins);
 }
 
-void read_cells(VtkReader& r) {
-  refuse_second(r, r.has_cells, "CELLS");
+}  // namespace
+
+void refuse_second(VtkReader& r, bool& seen, std::string_view section) {
+  if (std::exchange(seen, true)) {
+    fail(r.in.s.text, r.in.s.at,
+         {.code = "wrong_section_order",
+          .text = fmt::format("a second section {}", section),
+          .remedy = "join the two sections, or give them as two files"});
+  }
+}
+
+void expect_section(VtkReader& r, bool seen, std::string_view name) {
+  if (seen) return;
+  fail(r.in.s.text, r.in.s.text.size(),
+       {.code = "missing_section",
+        .text = fmt::format("the file ends without {}", name),
+        .remedy = "the file was cut short, or holds no mesh: write it again"});
+}
+
+void read_cell_list(VtkReader& r) {
   const std::size_t n = read_count(r.in.s, "cells", 1);
   const std::size_t size = read_count(r.in.s, "numbers of cells", 1);
   Scanner ahead = r.in.s;  // raw numbers may begin with what looks like blanks
@@ -102,6 +112,8 @@ void read_cells(VtkReader& r) {
   r.cells_at = ahead.at;
   has_offsets ? read_offset_cells(r, n, size) : read_counted_cells(r, n, size);
 }
+
+namespace {
 
 void read_types(VtkReader& r) {
   refuse_second(r, r.has_types, "CELL_TYPES");
@@ -144,10 +156,15 @@ void skip_lookup_table(VtkReader& r) {
   skip_numbers(r.in, numbers, numbers, "a colour");
 }
 
+}  // namespace
+
 void read_keyword(VtkReader& r, std::string_view word, std::size_t at) {
   const std::string keyword = lower(word);
   if (keyword == "points") return read_points(r);
-  if (keyword == "cells") return read_cells(r);
+  if (keyword == "cells") {
+    refuse_second(r, r.has_cells, "CELLS");
+    return read_cell_list(r);
+  }
   if (keyword == "cell_types") return read_types(r);
   if (keyword == "point_data") return read_data_head(r, at, true);
   if (keyword == "cell_data") return read_data_head(r, at, false);
@@ -173,7 +190,10 @@ void read_keyword(VtkReader& r, std::string_view word, std::size_t at) {
         .remedy = "a count before it is wrong, or the file is damaged: write it again"});
 }
 
-void read_head(VtkReader& r) {
+namespace {
+
+/// Gives whether the file holds PolyData, and not an unstructured grid.
+bool read_head(VtkReader& r) {
   Scanner& s = r.in.s;
   rest_of_line(s);  // # vtk DataFile Version x.y
   rest_of_line(s);  // a title
@@ -192,12 +212,14 @@ void read_head(VtkReader& r) {
   expect_word(s, "DATASET");
   const std::size_t kind_at = s.at;
   const std::string_view dataset = next_word(s);
-  if (lower(dataset) != "unstructured_grid") {
+  const bool is_polydata = lower(dataset) == "polydata";
+  if (lower(dataset) != "unstructured_grid" && !is_polydata) {
     fail(s.text, kind_at,
          {.code = "unknown_format",
           .text = fmt::format("a VTK file of type {} is not read", in_quotes(dataset)),
-          .remedy = "save it as an unstructured grid of tetrahedra"});
+          .remedy = "save it as an unstructured grid, or as PolyData"});
   }
+  return is_polydata;
 }
 
 }  // namespace
@@ -212,19 +234,13 @@ bool is_vtk(std::string_view text) {
 
 Draft read_vtk(std::string_view text) {
   VtkReader r{.in = {.s = {.text = text}}, .draft = {.text = text}};
-  read_head(r);
+  if (read_head(r)) return read_polydata(std::move(r));
   while (!peek_word(r.in.s).empty()) {
     const std::size_t at = r.in.s.at;
     read_keyword(r, next_word(r.in.s), at);
   }
-  for (const auto& [seen, name] :
-       {std::pair{r.has_points, "POINTS"}, {r.has_types, "CELL_TYPES"}}) {
-    if (seen) continue;
-    fail(text, text.size(),
-         {.code = "missing_section",
-          .text = fmt::format("the file ends without {}", name),
-          .remedy = "the file was cut short, or holds no mesh: write it again"});
-  }
+  expect_section(r, r.has_points, "POINTS");
+  expect_section(r, r.has_types, "CELL_TYPES");
   finish_vtk_columns(r.draft);
   return std::move(r.draft);
 }

@@ -62,6 +62,18 @@ std::vector<std::int64_t> read_integers(VtkReader& r, std::size_t n, const VtkTy
 /// A product of two counts that have to fit into the file: fails with count_too_big.
 std::size_t product(VtkReader& r, std::size_t a, std::size_t b, std::string_view what);
 
+/// Fails with wrong_section_order where `seen` is true, and makes it so.
+void refuse_second(VtkReader& r, bool& seen, std::string_view section);
+
+/// Fails with missing_section where the file ended without it.
+void expect_section(VtkReader& r, bool seen, std::string_view name);
+
+/// Counts, ends and points of a list of cells, counted or with offsets.
+void read_cell_list(VtkReader& r);
+
+/// A section with everything in it, from behind its keyword. Fails with unknown_section.
+void read_keyword(VtkReader& r, std::string_view word, std::size_t at);
+
 /// Columns, each from behind its keyword to its last number.
 void read_field(VtkReader& r);
 void read_scalars(VtkReader& r);

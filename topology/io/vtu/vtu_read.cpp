@@ -9,6 +9,7 @@
 
 #include "topology/io/scan.hpp"
 #include "topology/io/vtk/vtk_columns.hpp"
+#include "topology/io/vtk/vtk_polydata.hpp"
 #include "topology/io/vtu/vtu_xml.hpp"
 
 namespace sunder::io {
@@ -25,11 +26,11 @@ const VtuArray* find_array(const std::list<VtuArray>& arrays, std::string_view n
 }
 
 const VtuArray& needed_array(const VtuDocument& document, const VtuPiece& piece,
-                             std::string_view name) {
-  if (const VtuArray* array = find_array(piece.cell_arrays, name)) return *array;
+                             const std::list<VtuArray>& arrays, std::string_view name) {
+  if (const VtuArray* array = find_array(arrays, name)) return *array;
   fail_piece(document, piece,
              {.code = "missing_array",
-              .text = fmt::format("this piece has no array {} under Cells", name),
+              .text = fmt::format("this piece has no array {} among its cells", name),
               .remedy = "the file is incomplete: write it again"});
 }
 
@@ -61,22 +62,51 @@ void read_points(VtuDocument& document, const VtuPiece& piece, Draft& draft) {
   });
 }
 
-VtkCells read_cells(VtuDocument& document, const VtuPiece& piece) {
-  VtkCells cells;
-  if (piece.cells == 0) return cells;
-  const VtuArray& offsets = needed_array(document, piece, "offsets");
-  const VtuArray& connectivity = needed_array(document, piece, "connectivity");
-  cells.types = read_integers(document.layout, needed_array(document, piece, "types"), piece.cells);
-  cells.ends = read_integers(document.layout, offsets, piece.cells);
-  check_vtk_cells(cells, document.layout.text, offsets.at);
-  const auto listed = static_cast<std::size_t>(cells.ends.back());
+/// The connectivity that goes with these ends.
+std::vector<std::int64_t> read_connectivity(VtuDocument& document, const VtuArray& array,
+                                            std::int64_t end, std::size_t at) {
+  const auto listed = static_cast<std::size_t>(std::max<std::int64_t>(end, 0));
   if (listed > document.layout.text.size() * most_unfolding) {
-    fail(document.layout.text, offsets.at,
+    fail(document.layout.text, at,
          {.code = "count_too_big",
           .text = fmt::format("the last offset is {}, more than the file can hold", listed),
           .remedy = "the file is damaged: write it again"});
   }
-  cells.points = read_integers(document.layout, connectivity, listed);
+  return read_integers(document.layout, array, listed);
+}
+
+/// All lists of PolyData as one.
+VtkCells read_poly_cells(VtuDocument& document, const VtuPiece& piece, std::size_t& at) {
+  VtkCells cells;
+  for (std::size_t i = 0; i < poly_lists; ++i) {
+    if (piece.poly_cells[i] == 0) continue;
+    const std::list<VtuArray>& arrays = piece.poly_arrays[i];
+    const VtuArray& offsets = needed_array(document, piece, arrays, "offsets");
+    const VtuArray& connectivity = needed_array(document, piece, arrays, "connectivity");
+    at = offsets.at;
+    const auto ends = read_integers(document.layout, offsets, piece.poly_cells[i]);
+    append_poly_cells(cells, static_cast<PolyList>(i), ends,
+                      read_connectivity(document, connectivity, ends.back(), at));
+  }
+  check_vtk_cells(cells, document.layout.text, at);
+  return cells;
+}
+
+/// `at`: becomes the place of the cells in the text.
+VtkCells read_cells(VtuDocument& document, const VtuPiece& piece, std::size_t& at) {
+  VtkCells cells;
+  if (piece.cells == 0) return cells;
+  if (document.is_polydata) return read_poly_cells(document, piece, at);
+  const auto array = [&](std::string_view name) -> const VtuArray& {
+    return needed_array(document, piece, piece.cell_arrays, name);
+  };
+  const VtuArray& offsets = array("offsets");
+  const VtuArray& connectivity = array("connectivity");
+  at = connectivity.at;
+  cells.types = read_integers(document.layout, array("types"), piece.cells);
+  cells.ends = read_integers(document.layout, offsets, piece.cells);
+  check_vtk_cells(cells, document.layout.text, offsets.at);
+  cells.points = read_connectivity(document, connectivity, cells.ends.back(), offsets.at);
   return cells;
 }
 
@@ -84,8 +114,8 @@ VtkCells read_cells(VtuDocument& document, const VtuPiece& piece) {
 VtkPiece read_grid(VtuDocument& document, const VtuPiece& piece, Draft& draft) {
   VtkPiece place{.first_point = draft.mesh.points.size(), .points = piece.points};
   read_points(document, piece, draft);
-  const VtkCells cells = read_cells(document, piece);
-  const std::size_t at = cells.types.empty() ? 0 : needed_array(document, piece, "connectivity").at;
+  std::size_t at = 0;
+  const VtkCells cells = read_cells(document, piece, at);
   add_vtk_cells(draft, place, cells, at);
   return place;
 }
@@ -114,7 +144,7 @@ void skip_column(const VtuDocument& document, const VtuArray& array, Draft& draf
 /// Where an array goes, and the names that its piece has given before.
 struct ColumnPlace {
   Draft& draft;
-  const VtkPiece& piece;
+  VtkPiece& piece;
   VtkNames& names;
   bool of_cells = false;
 };
@@ -148,7 +178,17 @@ void read_column(VtuDocument& document, const VtuArray& array, const ColumnPlace
 
 bool is_vtu(std::string_view text) {
   const std::string_view word = first_word(text);
-  return word.starts_with("<?xml") || word.starts_with("<VTKFile");
+  return (word.starts_with("<?xml") || word.starts_with("<VTKFile")) && !is_vtp(text);
+}
+
+bool is_vtp(std::string_view text) {
+  if (!first_word(text).starts_with('<')) return false;
+  constexpr std::size_t far = 4096;
+  const std::size_t tag = text.substr(0, far).find("<VTKFile");
+  if (tag == std::string_view::npos) return false;
+  const std::string_view attributes = text.substr(tag, text.find('>', tag) - tag);
+  return attributes.find("\"PolyData\"") != std::string_view::npos ||
+         attributes.find("'PolyData'") != std::string_view::npos;
 }
 
 Draft read_vtu(std::string_view text) {

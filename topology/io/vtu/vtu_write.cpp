@@ -54,6 +54,8 @@ struct VtuWriter {
   Encoding encoding = Encoding::binary;
   bool pack = false;
   std::string xml;
+  /// What the file says that it holds.
+  std::string_view type;
   /// Raw data behind the XML: the caller's columns, and headers and packed arrays of our own.
   std::vector<std::string_view> appended;
   std::deque<std::string> own;
@@ -162,18 +164,25 @@ void add_mesh(VtuWriter& out, const std::vector<Point>& points,
   out.xml += "</Cells>\n";
 }
 
-void begin_file(VtuWriter& out, std::size_t points, std::size_t cells) {
+/// `counts`: the attributes of the piece that tell how many cells there are.
+void begin_file(VtuWriter& out, std::string_view type, std::size_t points,
+                std::string_view counts) {
+  out.type = type;
   out.xml = fmt::format(
-      "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
-      "byte_order=\"{}\" header_type=\"UInt64\"{}>\n<UnstructuredGrid>\n"
-      "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n",
-      std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian",
-      out.pack ? " compressor=\"vtkZLibDataCompressor\"" : "", points, cells);
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"{0}\" version=\"1.0\" "
+      "byte_order=\"{1}\" header_type=\"UInt64\"{2}>\n<{0}>\n"
+      "<Piece NumberOfPoints=\"{3}\" {4}>\n",
+      type, std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian",
+      out.pack ? " compressor=\"vtkZLibDataCompressor\"" : "", points, counts);
+}
+
+void begin_grid(VtuWriter& out, std::size_t points, std::size_t cells) {
+  begin_file(out, "UnstructuredGrid", points, fmt::format("NumberOfCells=\"{}\"", cells));
 }
 
 /// Ends the XML and writes it with all appended data behind it.
 std::optional<Finding> end_file(VtuWriter& out, const std::filesystem::path& path) {
-  out.xml += "</Piece>\n</UnstructuredGrid>\n";
+  out.xml += fmt::format("</Piece>\n</{}>\n", out.type);
   if (out.appended.empty()) {
     out.xml += "</VTKFile>\n";
     return write_file(path, out.xml);
@@ -219,7 +228,7 @@ std::vector<Finding> write_vtu(const std::filesystem::path& path, const TetMesh&
   const std::vector<std::uint8_t> types(mesh.tetrahedra.size(), 10);
 
   VtuWriter out;
-  begin_file(out, mesh.points.size(), mesh.tetrahedra.size());
+  begin_grid(out, mesh.points.size(), mesh.tetrahedra.size());
   out.xml += "<PointData>\n";
   for (const NamedColumn& column : point_data) add_array(out, column);
   add_own(out, "source_point_id", mesh.source_point_id, point_data);
@@ -236,12 +245,10 @@ std::vector<Finding> write_vtu(const std::filesystem::path& path, const TetMesh&
   return findings;
 }
 
-std::optional<Finding> io::write_vtu(const std::filesystem::path& path, const FileMesh& mesh,
-                                     const FileEncoding& how) {
-  const VtkGrid grid = vtk_grid(mesh);
-  VtuWriter out{.encoding = how.encoding, .pack = how.pack};
-  begin_file(out, mesh.points.size(), grid.types.size());
-  std::deque<std::string> stored;  // what is appended refers to it
+namespace {
+
+/// The data of points and cells; `stored` keeps the bytes that `out` refers to.
+void add_data(VtuWriter& out, const io::VtkGrid& grid, std::deque<std::string>& stored) {
   const auto add = [&](const DataColumn& column) {
     add_array(out, column.type, column.name, column.components,
               stored.emplace_back(in_own_type(column)));
@@ -251,8 +258,53 @@ std::optional<Finding> io::write_vtu(const std::filesystem::path& path, const Fi
   out.xml += "</PointData>\n<CellData>\n";
   for (const DataColumn& column : grid.cell_data) add(column);
   out.xml += "</CellData>\n";
+}
+
+}  // namespace
+
+std::optional<Finding> io::write_vtu(const std::filesystem::path& path, const FileMesh& mesh,
+                                     const FileEncoding& how) {
+  const VtkGrid grid = vtk_grid(mesh);
+  VtuWriter out{.encoding = how.encoding, .pack = how.pack};
+  begin_grid(out, mesh.points.size(), grid.types.size());
+  std::deque<std::string> stored;
+  add_data(out, grid, stored);
   add_mesh(out, mesh.points, grid.connectivity, std::span<const std::int64_t>(grid.ends),
            grid.types);
+  return end_file(out, path);
+}
+
+std::optional<Finding> io::write_vtp(const std::filesystem::path& path, const FileMesh& mesh,
+                                     const FileEncoding& how) {
+  // Vertices, edges and faces stand in this order in the grid, and so do their data.
+  const VtkGrid grid = vtk_grid(mesh);
+  const std::size_t vertices = mesh.vertices.corners.size(), edges = mesh.edges.corners.size();
+  const std::array<std::size_t, 3> counts = {vertices, edges, grid.types.size() - vertices - edges};
+  VtuWriter out{.encoding = how.encoding, .pack = how.pack};
+  begin_file(out, "PolyData", mesh.points.size(),
+             fmt::format("NumberOfVerts=\"{}\" NumberOfLines=\"{}\" NumberOfStrips=\"0\" "
+                         "NumberOfPolys=\"{}\"",
+                         counts[0], counts[1], counts[2]));
+  std::deque<std::string> stored;
+  add_data(out, grid, stored);
+  out.xml += "<Points>\n";
+  add_array(out, vector_column("Points", mesh.points));
+  out.xml += "</Points>\n";
+  std::deque<std::vector<std::int64_t>> ends;
+  constexpr std::string_view tags[] = {"Verts", "Lines", "Polys"};
+  std::size_t cell = 0, point = 0;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const std::size_t first = point;
+    std::vector<std::int64_t>& own = ends.emplace_back();
+    for (const std::size_t end = cell + counts[i]; cell < end; ++cell) {
+      point = static_cast<std::size_t>(grid.ends[cell]);
+      own.push_back(static_cast<std::int64_t>(point - first));
+    }
+    out.xml += fmt::format("<{}>\n", tags[i]);
+    add_array(out, {"connectivity", std::span(grid.connectivity).subspan(first, point - first)});
+    add_array(out, {"offsets", std::span<const std::int64_t>(own)});
+    out.xml += fmt::format("</{}>\n", tags[i]);
+  }
   return end_file(out, path);
 }
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <optional>
 #include <set>
@@ -32,6 +33,9 @@ struct VtuParser {
 };
 
 using Attributes = const XML_Char**;
+
+/// Lists of cells of PolyData, in the order of PolyList.
+constexpr std::array<std::string_view, 4> poly_tags = {"Verts", "Lines", "Polys", "Strips"};
 
 std::optional<std::string_view> attribute(Attributes attributes, std::string_view name) {
   for (; *attributes != nullptr; attributes += 2) {
@@ -71,9 +75,10 @@ std::size_t count_attribute(const VtuParser& p, Attributes attributes, std::stri
 void start_file(VtuParser& p, Attributes attributes) {
   VtuLayout& layout = p.document.layout;
   const std::string_view type = attribute(attributes, "type").value_or("");
-  if (type != "UnstructuredGrid") {
+  p.document.is_polydata = type == "PolyData";
+  if (type != "UnstructuredGrid" && !p.document.is_polydata) {
     fail_tag(p, "unknown_format", fmt::format("a VTK file of type {} is not read", in_quotes(type)),
-             "save it as an unstructured grid of tetrahedra (.vtu)");
+             "save it as an unstructured grid (.vtu), or as PolyData (.vtp)");
   }
   const std::string_view order = attribute(attributes, "byte_order").value_or("LittleEndian");
   if (order != "LittleEndian" && order != "BigEndian") {
@@ -100,14 +105,25 @@ void start_file(VtuParser& p, Attributes attributes) {
 void start_piece(VtuParser& p, Attributes attributes) {
   VtuPiece piece{.at = place(p)};
   piece.points = count_attribute(p, attributes, "NumberOfPoints");
-  piece.cells = count_attribute(p, attributes, "NumberOfCells");
   const std::size_t most = p.document.layout.text.size() * most_unfolding;
-  for (const auto& [count, what] : {std::pair{piece.points, "points"}, {piece.cells, "cells"}}) {
-    if (count <= most) continue;
+  const auto check = [&](std::size_t count, std::string_view what) {
+    if (count <= most) return;
     fail_tag(p, "count_too_big",
              fmt::format("{} {} are announced, more than {} bytes can hold", count, what,
                          p.document.layout.text.size()),
              "correct the count; if it is right, the file was cut short");
+  };
+  check(piece.points, "points");
+  if (p.document.is_polydata) {
+    for (std::size_t i = 0; i < piece.poly_cells.size(); ++i) {
+      piece.poly_cells[i] =
+          count_attribute(p, attributes, fmt::format("NumberOf{}", poly_tags[i]), 0);
+      check(piece.poly_cells[i], "cells");
+      piece.cells += piece.poly_cells[i];
+    }
+  } else {
+    piece.cells = count_attribute(p, attributes, "NumberOfCells");
+    check(piece.cells, "cells");
   }
   p.document.pieces.push_back(std::move(piece));
 }
@@ -115,6 +131,9 @@ void start_piece(VtuParser& p, Attributes attributes) {
 std::list<VtuArray>* arrays_of(VtuPiece& piece, std::string_view parent) {
   if (parent == "Points") return &piece.point_arrays;
   if (parent == "Cells") return &piece.cell_arrays;
+  for (std::size_t i = 0; i < poly_tags.size(); ++i) {
+    if (parent == poly_tags[i]) return &piece.poly_arrays[i];
+  }
   if (parent == "PointData") return &piece.point_data;
   if (parent == "CellData") return &piece.cell_data;
   return nullptr;
@@ -166,12 +185,23 @@ void bound_tags(VtuParser& p, std::string_view name, Attributes attributes) {
   }
 }
 
+/// What stands in an array up to here is all of it.
+void end_array(VtuParser& p) {
+  if (p.array == nullptr) return;
+  const char* const begin = p.array->content.data();
+  const char* const end = p.document.layout.text.data() + place(p);
+  // An empty tag <DataArray ... /> ends where it starts.
+  p.array->content = std::string_view(begin, end > begin ? end - begin : 0);
+  p.array = nullptr;
+}
+
 void start_element(VtuParser& p, std::string_view name, Attributes attributes) {
   bound_tags(p, name, attributes);
+  end_array(p);  // VTK puts <InformationKey> behind the numbers
   p.open.emplace_back(name);
   if (p.open.size() == 1 && name != "VTKFile") {
     fail_tag(p, "unknown_format", fmt::format("the document is {}, not VTKFile", in_quotes(name)),
-             "give a .vtu file");
+             "give a .vtu or .vtp file");
   }
   if (name == "VTKFile") return start_file(p, attributes);
   if (name == "Piece") return start_piece(p, attributes);
@@ -187,12 +217,7 @@ void start_element(VtuParser& p, std::string_view name, Attributes attributes) {
 
 void end_element(VtuParser& p) {
   p.open.pop_back();
-  if (p.array == nullptr) return;
-  const char* const begin = p.array->content.data();
-  const char* const end = p.document.layout.text.data() + place(p);
-  // An empty tag <DataArray ... /> ends where it starts.
-  p.array->content = std::string_view(begin, end > begin ? end - begin : 0);
-  p.array = nullptr;
+  end_array(p);
 }
 
 template <class Work>

@@ -2,6 +2,7 @@
 // Internal to the VTU reader: the XML part of the file as plain data, no array decoded yet.
 #pragma once
 
+#include <array>
 #include <list>
 #include <string_view>
 #include <vector>
@@ -18,12 +19,16 @@ struct VtuPiece {
   std::size_t at = 0;
   std::list<VtuArray> point_arrays;
   std::list<VtuArray> cell_arrays;
+  /// Of PolyData: how many cells each list has, and their arrays; in the order of PolyList.
+  std::array<std::size_t, 4> poly_cells{};
+  std::array<std::list<VtuArray>, 4> poly_arrays;
   std::list<VtuArray> point_data;
   std::list<VtuArray> cell_data;
 };
 
 struct VtuDocument {
   VtuLayout layout;
+  bool is_polydata = false;
   std::vector<VtuPiece> pieces;
 };
 

@@ -121,3 +121,92 @@ for name in ("all.msh", "core.nam", "shell.nam"):
 pathlib.Path("calculix.inp").write_text(
     "".join(f"*INCLUDE, INPUT=calculix_{name}\n" for name in ("all.msh", "core.nam", "shell.nam")) +
     "*SOLID SECTION, ELSET=Ecore, MATERIAL=steel\n*SOLID SECTION, ELSET=Eshell, MATERIAL=foam\n")
+
+# Nastran's bulk data and universal files by gmsh and meshio: the two boxes in the three kinds of
+# fields, and a block of two hexahedra with its bottom, two edges and a corner, of both orders.
+BLOCK = """
+Point(1) = {0, 0, 0}; Point(2) = {1, 0, 0}; Point(3) = {1, 1, 0}; Point(4) = {0, 1, 0};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Curve Loop(1) = {1, 2, 3, 4};
+Plane Surface(1) = {1};
+Transfinite Curve{1:4} = 2;
+Transfinite Surface{1};
+Recombine Surface{1};
+out[] = Extrude{0, 0, 1}{ Surface{1}; Layers{2}; Recombine; };
+Physical Volume("block", 5) = {out[1]};
+Physical Surface("bottom", 6) = {1};
+Physical Curve("rim", 8) = {1, 2};
+Physical Point("corner", 9) = {1};
+Mesh.SecondOrderIncomplete = 1;
+"""
+pathlib.Path("two_boxes.geo").write_text(GEO)
+pathlib.Path("block.geo").write_text(BLOCK)
+pathlib.Path("prisms.geo").write_text(BLOCK.replace("Recombine Surface{1};", ""))
+regions = ("-setnumber", "Mesh.SaveElementTagType", "2")
+for fields, name in enumerate(("free", "small", "large")):
+    gmsh(f"gmsh_{name}.bdf", "-format", "bdf", "-setnumber", "Mesh.BdfFieldFormat", str(fields), *regions)
+gmsh("gmsh.unv", "-format", "unv")
+for stem in ("block", "prisms"):
+    for order in "12":
+        for ending in ("bdf", "unv"):
+            gmsh(f"gmsh_{stem}_{order}.{ending}", "-format", ending, "-order", order, *regions, geo=f"{stem}.geo")
+gmsh("gmsh_2nd.bdf", "-format", "bdf", "-order", "2", *regions)
+gmsh("gmsh_2nd.unv", "-format", "unv", "-order", "2")
+gmsh("gmsh_sets.unv", "-format", "unv", "-setnumber", "Mesh.SaveGroupsOfNodes", "1", geo="block.geo")
+for name in ("two_boxes", "block", "prisms"):
+    pathlib.Path(f"{name}.geo").unlink()
+for fields in ("small", "large"):
+    meshio.nastran.write(f"meshio_{fields}.nas", mesh, point_format=f"fixed-{fields}", cell_format=f"fixed-{fields}")
+meshio.nastran.write("meshio_2nd.nas", meshio.read("gmsh_41_second_order.msh"), point_format="fixed-large",
+                     cell_format="fixed-small")
+
+# VTK's own files of surfaces: four triangles and a quadrilateral, a strip, a polyline, vertices.
+def polydata():
+    import vtk
+    from vtk.util.numpy_support import numpy_to_vtk
+    import numpy
+    data = vtk.vtkPolyData()
+    points = vtk.vtkPoints()
+    points.SetDataTypeToDouble()
+    for i in range(12):
+        points.InsertNextPoint(i % 4 / 3, i // 4 / 7, i * i / 11)
+    data.SetPoints(points)
+
+    def cells(*lists):
+        array = vtk.vtkCellArray()
+        for ids in lists:
+            array.InsertNextCell(len(ids), ids)
+        return array
+    data.SetVerts(cells([0], [3, 7]))
+    data.SetLines(cells([0, 1], [1, 2, 3]))
+    data.SetPolys(cells([0, 1, 4], [1, 5, 4], [1, 2, 6, 5], [4, 5, 6, 10, 9]))
+    data.SetStrips(cells([7, 6, 11, 10], [8, 4, 9]))
+
+    def column(name, values, of):
+        array = numpy_to_vtk(numpy.array(values), deep=True)
+        array.SetName(name)
+        of.AddArray(array)
+    column("height", [i / 7 for i in range(12)], data.GetPointData())
+    column("region", numpy.arange(10, 20, dtype=numpy.int32), data.GetCellData())
+    column("flow", numpy.arange(30.0).reshape(10, 3), data.GetCellData())
+    for version, name in ((42, "vtk_polydata_42"), (51, "vtk_polydata_51")):
+        for binary in (False, True):
+            writer = vtk.vtkPolyDataWriter()
+            writer.SetFileVersion(version)
+            writer.SetInputData(data)
+            writer.SetFileName(name + ("_binary.vtk" if binary else ".vtk"))
+            writer.SetFileTypeToBinary() if binary else writer.SetFileTypeToASCII()
+            assert writer.Write() == 1
+    for mode, name in ((0, "ascii"), (1, "base64"), (2, "raw")):
+        writer = vtk.vtkXMLPolyDataWriter()
+        writer.SetInputData(data)
+        writer.SetFileName(f"vtk_{name}.vtp")
+        writer.SetDataMode(mode)
+        if mode == 0:
+            writer.SetCompressorTypeToNone()
+        if mode == 2:
+            writer.EncodeAppendedDataOff()
+        assert writer.Write() == 1
+
+
+polydata()

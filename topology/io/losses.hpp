@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Internal to the writers: what of a mesh a format holds, and what it does not.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "topology/io/format_traits.hpp"
+#include "topology/mesh/boundary_surface.hpp"
+
+namespace sunder::io {
+
+/// What is written of a mesh in a format: itself, or its boundary, in kinds of cells that the format
+/// has.
+struct Written {
+  const FileMesh& original;
+  std::optional<BoundarySurface> surface;
+  /// Where cells are dropped or have fewer nodes.
+  std::optional<FileMesh> fitted;
+
+  const FileMesh& whole() const { return surface ? surface->mesh : original; }
+  const FileMesh& mesh() const { return fitted ? *fitted : whole(); }
+};
+
+Written written_of(const FileMesh& mesh, const FormatTraits& t);
+
+/// The version that is meant: the usual one where none is named.
+std::string version_of(const FormatTraits& t, const WriteOptions& options);
+
+/// What is lost, or changed, on writing: warnings; an error where no cell would be left. Needs: the
+/// options name a format.
+std::vector<Finding> losses_of(const Written& written, const WriteOptions& options);
+
+}  // namespace sunder::io

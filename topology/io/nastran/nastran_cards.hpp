@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// Internal to the Nastran reader: cards of ten fields, on one line or on several.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sunder::io {
+
+/// A part of a file with nothing but bulk data.
+struct CardLines {
+  std::string_view text;
+  std::size_t next = 0;
+  std::size_t end = 0;
+};
+
+/// One card: GRID, CTETRA, ...
+struct Card {
+  /// In upper case, without the star of large fields.
+  std::string name;
+  /// Behind the name, without the marks of continuation; blank ones are empty. Lines that are cut
+  /// short have blank fields up to their end. Of long cards the first `most_fields`.
+  std::vector<std::string_view> fields;
+  /// Where it begins in the text.
+  std::size_t at = 0;
+};
+inline constexpr std::size_t most_fields = 40;
+
+/// The next card with the lines that it goes on in; false behind the last.
+bool next_card(CardLines& lines, Card& card);
+
+/// The line at `begin` without its end and without a comment ($).
+std::string_view card_line(std::string_view text, std::size_t begin);
+
+/// The first word of a line in upper case: up to a blank, comma, star, quote or equals sign.
+std::string card_word(std::string_view line);
+
+/// Field `i` of a card; empty where it is blank or not there.
+inline std::string_view field_of(const Card& card, std::size_t i) {
+  return i < card.fields.size() ? card.fields[i] : std::string_view{};
+}
+
+/// A field as a number. Fails with bad_number or number_out_of_range; `what` was expected. Reals
+/// may have an exponent without its letter (1.5-3), or with D. `text`: the whole file.
+std::int64_t card_integer(std::string_view text, const Card& card, std::size_t i,
+                          std::string_view what);
+double card_real(std::string_view text, const Card& card, std::size_t i, std::string_view what);
+
+}  // namespace sunder::io
