@@ -5,9 +5,11 @@
 #include <array>
 #include <cstdint>
 
+#include "apps/output/node_mesh.hpp"
 #include "fracture/algorithms/find_fractures.hpp"
 #include "fracture/algorithms/threshold_test.hpp"
 #include "fracture/simulation/simulation_state.hpp"
+#include "topology/io/mesh_file.hpp"
 #include "topology/io/vtu/vtu.hpp"
 
 namespace sunder {
@@ -81,6 +83,14 @@ std::vector<Finding> write_frame(const std::filesystem::path& path, const Simula
   const VertexColumns& v = mechanics.vertices;
   const VertexData data = vertex_data(
       mechanics, node_stress_of(cells, mechanics, simulation.scene.fracture.node_stress));
+  if (!mechanics.elements.edge_nodes.empty()) {
+    FileMesh nodes = node_mesh(simulation);
+    add_node_column(nodes, "displacement", data.displacement);
+    add_node_column(nodes, "velocity", v.velocity);
+    add_node_column(nodes, "node_stress", data.stress, 6);
+    add_node_column(nodes, "largest_principal_stress", data.largest, 1);
+    return write_file_mesh(path, nodes, {.format = MeshFormat::vtu});
+  }
   TetMesh mesh;
   mesh.points.reserve(v.size());
   for (const Vec3& x : v.position) mesh.points.push_back({x[0], x[1], x[2]});

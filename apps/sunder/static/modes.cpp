@@ -12,12 +12,13 @@
 #include <string>
 #include <vector>
 
+#include "apps/output/node_mesh.hpp"
 #include "apps/scene/scene_json.hpp"
 #include "apps/scene/words.hpp"
 #include "apps/sunder/program.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "fracture/simulation/statics.hpp"
-#include "topology/io/vtu/vtu.hpp"
+#include "topology/io/mesh_file.hpp"
 
 namespace sunder {
 namespace {
@@ -91,24 +92,13 @@ std::vector<Vec3> shape_column(const Simulation& sim, const std::vector<PieceMod
 
 std::vector<Finding> write_shapes(const std::filesystem::path& path, const Simulation& sim,
                                   const std::vector<PieceModes>& pieces) {
-  TetMesh mesh;
-  for (const Vec3& x : sim.state->mechanics.vertices.position) {
-    mesh.points.push_back({x[0], x[1], x[2]});
-  }
-  for (const Corners& c : sim.state->cells.map.corners()) {
-    mesh.tetrahedra.push_back({c[0].value, c[1].value, c[2].value, c[3].value});
-  }
+  FileMesh mesh = node_mesh(sim);
   std::size_t most = 0;
   for (const PieceModes& piece : pieces) most = std::max(most, piece.frequency.size());
-  std::vector<std::string> names;
-  std::vector<std::vector<Vec3>> columns;
   for (std::size_t k = 0; k < most; ++k) {
-    names.push_back(fmt::format("mode_{}", k + 1));
-    columns.push_back(shape_column(sim, pieces, k));
+    add_node_column(mesh, fmt::format("mode_{}", k + 1), shape_column(sim, pieces, k));
   }
-  std::vector<NamedColumn> data;
-  for (std::size_t k = 0; k < most; ++k) data.push_back(vector_column(names[k], columns[k]));
-  return write_vtu(path, mesh, data);
+  return write_file_mesh(path, mesh, {.format = MeshFormat::vtu});
 }
 
 ExitCode run_modes(const ModesArguments& arguments) {

@@ -174,6 +174,22 @@ TEST_CASE("a body of second order does not move, and what needs the first order 
       test::run_program("static " + path("scene.json") + " --json -o " + path("bar.vtu"));
   CHECK(fine.exit_code == 0);
   CHECK(fine.json()["bodies"][0]["nodes"] == 9 * 3 * 3);
+  const Result<FileMesh> written = read_file_mesh(path("bar.vtu"));
+  REQUIRE(written);
+  CHECK(rows_of(*written, CellKind::tetrahedron10).size() == 4 * 6);
+  CHECK(written->points.size() == 9 * 3 * 3);
+  // Nodes of edges lie where VTK has them: in the middle of 01, 12, 02, 03, 13, 23, but for the bending.
+  constexpr std::size_t ends[6][2] = {{0, 1}, {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}};
+  const auto cells = rows_of(*written, CellKind::tetrahedron10);
+  for (std::size_t row = 0; row < cells.size(); ++row) {
+    for (std::size_t e = 0; e < 6; ++e) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double middle = 0.5 * (written->points[cells[row][ends[e][0]]][axis] +
+                                     written->points[cells[row][ends[e][1]]][axis]);
+        CHECK(std::abs(written->points[cells[row][4 + e]][axis] - middle) < 1e-4);
+      }
+    }
+  }
   CHECK(test::run_program("modes " + path("scene.json") + " -o " + path("modes.vtu")).exit_code ==
         0);
 }
