@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// From nodes in the order of `edge_ends` to VTK's.
+#include "apps/output/node_mesh.hpp"
+
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "fracture/simulation/simulation_state.hpp"
+
+namespace sunder {
+namespace {
+
+/// Places in `edge_ends` of VTK's edges 01, 12, 02, 03, 13, 23.
+constexpr std::array<std::size_t, 6> vtk_edges = {0, 3, 1, 2, 4, 5};
+
+/// What is said of the cells of one order.
+struct CellData {
+  std::vector<std::int64_t> component, body;
+};
+
+void put_down(CellColumns& columns, CellData data) {
+  if (data.component.empty()) return;
+  const auto add = [&](const char* name, std::vector<std::int64_t> values) {
+    columns.data.push_back({name, 1, NumberType::int32, std::move(values)});
+  };
+  add("component", std::move(data.component));
+  add("body", std::move(data.body));
+}
+
+}  // namespace
+
+FileMesh node_mesh(const Simulation& simulation) {
+  const MechanicsState& mechanics = simulation.state->mechanics;
+  const auto corners = simulation.state->cells.map.corners();
+  FileMesh mesh;
+  for (const Vec3& x : mechanics.vertices.position) mesh.points.push_back({x[0], x[1], x[2]});
+  OtherCells& second = other_cells(mesh, CellKind::tetrahedron10);
+  CellData of_first, of_second;
+  for (std::size_t b = 0; b < simulation.bodies.size(); ++b) {
+    const BodyRows& rows = simulation.bodies[b];
+    const std::vector<std::int32_t>& region = simulation.scene.bodies[b].mesh.region;
+    for (std::size_t t = rows.first_tetrahedron; t < rows.end_tetrahedron; ++t) {
+      const bool is_second = is_second_order(mechanics.elements, TetId{t});
+      const Corners& c = corners[t];
+      if (is_second) {
+        for (const VertexId v : c) second.points.push_back(v.value);
+        for (const std::size_t e : vtk_edges) {
+          second.points.push_back(mechanics.elements.edge_nodes[t][e].value);
+        }
+      } else {
+        mesh.tetrahedra.corners.push_back({c[0].value, c[1].value, c[2].value, c[3].value});
+      }
+      CellColumns& columns = is_second ? static_cast<CellColumns&>(second) : mesh.tetrahedra;
+      columns.region.push_back(region.empty() ? 0 : region[t - rows.first_tetrahedron]);
+      CellData& data = is_second ? of_second : of_first;
+      data.component.push_back(simulation.state->cells.labels.of_tetrahedron[t].value);
+      data.body.push_back(static_cast<std::int64_t>(b));
+    }
+  }
+  put_down(mesh.tetrahedra, std::move(of_first));
+  put_down(second, std::move(of_second));
+  return mesh;
+}
+
+void add_node_column(FileMesh& mesh, std::string name, std::span<const double> values,
+                     std::size_t components) {
+  mesh.point_data.push_back({std::move(name), components, NumberType::float64,
+                             std::vector<double>(values.begin(), values.end())});
+}
+
+void add_node_column(FileMesh& mesh, std::string name, std::span<const Vec3> values) {
+  std::vector<double> numbers;
+  for (const Vec3& v : values) numbers.insert(numbers.end(), {v[0], v[1], v[2]});
+  add_node_column(mesh, std::move(name), numbers, 3);
+}
+
+}  // namespace sunder

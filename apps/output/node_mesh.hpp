@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Bodies of second order as mesh files hold them: ten-node tetrahedra with columns on all nodes.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "fracture/simulation/simulation.hpp"
+#include "mechanics/state/vec3.hpp"
+#include "topology/mesh/file_mesh.hpp"
+
+namespace sunder {
+
+/// The bodies at their present positions, a point a node: tetrahedra of each order in a list of
+/// their own, with the mesh's regions and the cell data `component` and `body`.
+FileMesh node_mesh(const Simulation& simulation);
+
+/// Appends a column of the points. `values`: `components` numbers a node.
+void add_node_column(FileMesh& mesh, std::string name, std::span<const double> values,
+                     std::size_t components);
+void add_node_column(FileMesh& mesh, std::string name, std::span<const Vec3> values);
+
+}  // namespace sunder
