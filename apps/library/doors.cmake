@@ -8,6 +8,7 @@ door(finding "What is wrong with an input, and results that carry it."
 door(mesh "Tetrahedral meshes: cells, files in and out, checks."
   topology/base/ids.hpp
   topology/base/tet_mesh.hpp
+  topology/mesh/kinds/cell_kinds.hpp
   topology/mesh/file_mesh.hpp
   topology/io/mesh_file.hpp
   topology/kernel/counts.hpp
