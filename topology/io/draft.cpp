@@ -298,6 +298,7 @@ void drop_columns_of_nothing(FileMesh& mesh) {
 Result<FileMesh> finish(Draft&& draft, const ReadOptions& options) {
   drop_usual_numbers(draft.mesh);
   take_out(draft, options);
+  drop_usual_numbers(draft.mesh);  // without what was taken out they may repeat the row too
   judge_other_cells(draft, options);
   drop_columns_of_nothing(draft.mesh);
   Result<FileMesh> result;
