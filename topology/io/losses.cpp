@@ -13,6 +13,7 @@
 #include "topology/io/surface/ply.hpp"
 #include "topology/io/surface/stl.hpp"
 #include "topology/io/vtk/vtk_cells.hpp"
+#include "topology/mesh/kinds/move_cells.hpp"
 
 namespace sunder::io {
 namespace {
@@ -46,18 +47,26 @@ void lose_cells(Losses& losses, const FileMesh& mesh, const FormatTraits& t) {
     if (lower == kind) {
       lose(losses, "cells_lost", n, fmt::format("{} holds no {}", losses.to.name, own.plural));
       if (own.dimension > 1) {
-        losses.findings.back().remedy +=
-            ", or write their simplices (sunder convert --split)";
+        losses.findings.back().remedy += ", or write their simplices (sunder convert --split)";
       }
     } else {
       lose(losses, "nodes_lost", n,
            fmt::format("{} {}: {} are written as {}, their other nodes stay as points",
                        losses.to.name,
-                       mixes ? "has cells of one order"
-                             : fmt::format("holds no {}", own.plural),
-                       n, traits_of(lower).plural));
+                       mixes ? "has cells of one order" : fmt::format("holds no {}", own.plural), n,
+                       traits_of(lower).plural));
     }
   }
+}
+
+/// Of cells of second order those are counted that are written by corners that repeat.
+void lose_collapsed(Losses& losses, const Written& written, const FormatTraits& t) {
+  FileMesh linear = written.whole();
+  make_linear(linear);
+  const std::size_t n = collapsed_cells(linear, t);
+  if (n == 0) return;
+  lose(losses, "cells_lost", n,
+       fmt::format("{} holds no volume cells that repeat a corner", losses.to.name));
 }
 
 void lose_labels(Losses& losses, const FileMesh& mesh) {
@@ -100,9 +109,9 @@ void lose_ids(Losses& losses, const FileMesh& mesh, std::string_view version) {
   const bool is_msh = losses.to.format == MeshFormat::msh;
   const bool is_abaqus = losses.to.format == MeshFormat::abaqus;
   const HeldNumbers own = is_msh      ? msh_holds(mesh, version == "4.1" ? 41 : 22)
-                              : is_abaqus ? abaqus_holds(mesh)
-                              : losses.to.format == MeshFormat::ply ? ply_holds(mesh)
-                                                                    : HeldNumbers{true, true};
+                          : is_abaqus ? abaqus_holds(mesh)
+                          : losses.to.format == MeshFormat::ply ? ply_holds(mesh)
+                                                                : HeldNumbers{true, true};
   const bool keeps_points = losses.to.holds_point_ids && own.points;
   const bool keeps_cells = losses.to.holds_cell_ids && own.cells;
   const std::size_t lost = (keeps_points ? 0 : points) + (keeps_cells ? 0 : cells) +
@@ -238,12 +247,13 @@ void lose_in_stl(Losses& losses, const FileMesh& mesh, bool is_binary) {
 /// A file without a cell says nothing of a mesh that has some.
 std::optional<Finding> nothing_left(const Written& written, const FormatTraits& t) {
   if (cell_count(written.original) == 0 || cell_count(written.mesh()) > 0) return std::nullopt;
-  return Finding{.code = "nothing_left",
-                 .count = cell_count(written.original),
-                 .text = fmt::format("{} holds none of the {} cells", t.name,
-                                     cell_count(written.original)),
-                 .remedy = "write another format, or the simplices of the cells (sunder convert "
-                           "--split)"};
+  return Finding{
+      .code = "nothing_left",
+      .count = cell_count(written.original),
+      .text = fmt::format("{} holds none of the {} cells", t.name, cell_count(written.original)),
+      .remedy =
+          "write another format, or the simplices of the cells (sunder convert "
+          "--split)"};
 }
 
 }  // namespace
@@ -273,6 +283,7 @@ std::vector<Finding> losses_of(const Written& written, const WriteOptions& optio
   if (auto nothing = nothing_left(written, t)) losses.findings.push_back(std::move(*nothing));
   if (written.surface) lose_inside(losses, written.original, *written.surface);
   lose_cells(losses, written.whole(), t);
+  if (t.format == MeshFormat::ovm) lose_collapsed(losses, written, t);
   const FileMesh& mesh = written.mesh();
   lose_labels(losses, mesh);
   // Points of a surface are numbered after those of the body: that is no number of the user's.

@@ -84,8 +84,8 @@ ExitCode write_broken(const std::filesystem::path& out, const ResultFrame& last)
   }
   fmt::print(stderr, "{}", finding_lines(findings));
   if (has_error(findings)) return mesh ? ExitCode::not_written : ExitCode::bad_input;
-  fmt::print("{} tetrahedra, {} points at {:.6g} s\n", last.tetrahedra.size(),
-             last.position.size(), last.time);
+  fmt::print("{} tetrahedra, {} points at {:.6g} s\n", last.tetrahedra.size(), last.position.size(),
+             last.time);
   return ExitCode::fine;
 }
 
@@ -117,8 +117,8 @@ ExitCode export_result(const ExportArguments& arguments) {
   }
   double departure = 0;
   for (const PieceTrack& track : tracks) departure = std::max(departure, track.departure);
-  fmt::print("{} pieces, {} frames; tracks within {:.1e} m of the rigid references\n",
-             pieces, run->frames.size(), departure);
+  fmt::print("{} pieces, {} frames; tracks within {:.1e} m of the rigid references\n", pieces,
+             run->frames.size(), departure);
   return ExitCode::fine;
 }
 
@@ -126,8 +126,8 @@ ExitCode export_result(const ExportArguments& arguments) {
 
 void add_export_command(CLI::App& program, ExitCode& exit_code) {
   const auto arguments = std::make_shared<ExportArguments>();
-  CLI::App* command =
-      program.add_subcommand("export", "Writes a finished run as GLB, as a sequence of OBJ, its end as MSH");
+  CLI::App* command = program.add_subcommand(
+      "export", "Writes a finished run as GLB, as a sequence of OBJ, its end as MSH");
   command->add_option("RESULT", arguments->result, "Folder of a run")->required();
   command->add_option("OUT", arguments->out, "File to write: *.glb, *.obj or *.msh")->required();
   command->footer(footer);

@@ -100,7 +100,8 @@ std::size_t fewest_points(const CellType& type) {
 
 /// The kind of a cell with so many points; no_kind for those that are left out.
 std::int8_t kind_of(const CellType& type, std::size_t points) {
-  if (type.number == polygon_type) return points < 3 ? no_kind : place(kind_of_face(points));
+  if (type.number == polygon_type)
+    return points < 3 || points > most_corners ? no_kind : place(kind_of_face(points));
   return type.kind;
 }
 
@@ -131,6 +132,9 @@ void check_vtk_cells(const VtkCells& cells, std::string_view text, std::size_t a
 
 void add_vtk_cells(Draft& draft, VtkPiece& piece, const VtkCells& cells, std::size_t at) {
   const auto points = static_cast<std::int64_t>(piece.points);
+  if (cells.types.empty()) return;
+  piece.cells.resize(cell_kinds);
+  piece.first_cell.resize(cell_kinds);
   piece.list_of_cell.reserve(cells.types.size());
   std::size_t begin = 0;
   for (std::size_t c = 0; c < cells.types.size(); ++c) {
@@ -156,8 +160,7 @@ void add_vtk_cells(Draft& draft, VtkPiece& piece, const VtkCells& cells, std::si
     if (kind == no_kind) {
       add_other_cells(draft, type.name, type.dimension, 1, at);
     } else {
-      const std::size_t nodes =
-          type.number == polygon_type ? end - begin : fewest_points(type);
+      const std::size_t nodes = type.number == polygon_type ? end - begin : fewest_points(type);
       const bool is_pixel = type.number == pixel_type || type.number == voxel_type;
       cell.begin(nodes, at);
       for (std::size_t k = 0; k < nodes; ++k) {

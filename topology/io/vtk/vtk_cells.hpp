@@ -31,17 +31,18 @@ struct VtkPiece {
   std::size_t points = 0;
   /// The kind of each of its cells; -1 where it was left out.
   std::vector<std::int8_t> list_of_cell;
-  /// By kind: how many there are, and the row of the first.
-  std::array<std::size_t, cell_kinds> cells{};
-  std::array<std::size_t, cell_kinds> first_cell{};
+  /// By kind: how many there are, and the row of the first. Empty without cells: a file may have
+  /// many pieces.
+  std::vector<std::size_t> cells, first_cell;
 };
 
 /// Fails with bad_offsets where ends fall or a cell has fewer points than its type; `at`: the place
 /// of the offsets in the text.
 void check_vtk_cells(const VtkCells& cells, std::string_view text, std::size_t at);
 
-/// Adds the cells to the draft's lists, of those of higher order the corners, and counts the others.
-/// Fails with unknown_cell_type. Needs: check_vtk_cells passed, and as many `points` as it counts.
+/// Adds the cells to the draft's lists, of those of higher order the corners, and counts the
+/// others. Fails with unknown_cell_type. Needs: check_vtk_cells passed, and as many `points` as it
+/// counts.
 void add_vtk_cells(Draft& draft, VtkPiece& piece, const VtkCells& cells, std::size_t at);
 
 /// Room for `more` rows: just that at first, later at least half as much again.

@@ -160,6 +160,7 @@ Draft read_vtu(std::string_view text) {
   if (!is_one) draft.mesh.points.reserve(std::min(points, text.size() / 3));
   // All rows first: then columns are as long as they will be from the start.
   std::vector<VtkPiece> places;
+  places.reserve(document.pieces.size());
   for (const VtuPiece& piece : document.pieces) {
     places.push_back(read_grid(document, piece, draft));
   }
