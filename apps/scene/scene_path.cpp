@@ -28,10 +28,15 @@ Result<SceneFile> read_scene(const std::filesystem::path& path,
   const std::filesystem::path folder = path.parent_path();
   const SceneFiles files{
       .mesh = [&](const std::string& name) { return read_mesh(folder / name); },
-      .surface = [&](const std::string& name) { return read_file_mesh(folder / name, {.simplices = true}); },
+      .surface =
+          [&](const std::string& name) {
+            return read_file_mesh(folder / name, {.simplices = true});
+          },
       .faces = [&](const std::string& name) { return read_face_list(folder / name); },
-      .point_field = [&](const std::string& name,
-                         const std::string& field) { return read_point_field(folder / name, field); }};
+      .point_field =
+          [&](const std::string& name, const std::string& field) {
+            return read_point_field(folder / name, field);
+          }};
   return read_scene({bytes, path.string()}, files, settings);
 }
 

@@ -146,8 +146,8 @@ ExitCode export_result(const ExportArguments& arguments) {
 
 void add_export_command(CLI::App& program, ExitCode& exit_code) {
   const auto arguments = std::make_shared<ExportArguments>();
-  CLI::App* command =
-      program.add_subcommand("export", "Writes a finished run as GLB, as a sequence of OBJ, its end as MSH");
+  CLI::App* command = program.add_subcommand(
+      "export", "Writes a finished run as GLB, as a sequence of OBJ, its end as MSH");
   command->add_option("RESULT", arguments->result, "Folder of a run")->required();
   command->add_option("OUT", arguments->out, "File to write: *.glb, *.obj or *.msh")->required();
   command->add_flag("--json", arguments->json, "Print JSON instead of a line");

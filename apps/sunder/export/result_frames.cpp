@@ -45,8 +45,8 @@ std::vector<NamedFrame> named_frames(const std::string& pvd) {
   std::vector<NamedFrame> frames;
   for (std::size_t at = pvd.find("<DataSet"); at != std::string::npos;
        at = pvd.find("<DataSet", at + 1)) {
-    frames.push_back({std::strtod(attribute(pvd, "timestep", at).c_str(), nullptr),
-                      attribute(pvd, "file", at)});
+    frames.push_back(
+        {std::strtod(attribute(pvd, "timestep", at).c_str(), nullptr), attribute(pvd, "file", at)});
   }
   return frames;
 }
@@ -127,7 +127,8 @@ std::map<std::int64_t, ResultPiece> read_pieces(const std::filesystem::path& pat
   for (std::size_t k = 0; k < component.size(); ++k) {
     if (std::isnan(component[k]) || std::isnan(mass[k])) continue;
     // Bodies as they began have no birth.
-    pieces[std::llround(component[k])] = {mass[k], std::isnan(birth[k]) ? 0 : std::llround(birth[k])};
+    pieces[std::llround(component[k])] = {mass[k],
+                                          std::isnan(birth[k]) ? 0 : std::llround(birth[k])};
   }
   return pieces;
 }
@@ -148,14 +149,16 @@ struct Places {
 Places read_places(const std::filesystem::path& path) {
   const Table table = read_table(path);
   Places places{table.column("time"), table.column("obstacle"), {}};
-  constexpr const char* names[] = {"center_x",      "center_y",      "center_z",     "orientation_w",
-                                   "orientation_x", "orientation_y", "orientation_z"};
+  constexpr const char* names[] = {"center_x",      "center_y",      "center_z",
+                                   "orientation_w", "orientation_x", "orientation_y",
+                                   "orientation_z"};
   for (std::size_t k = 0; k < 7; ++k) places.pose[k] = table.column(names[k]);
   return places;
 }
 
 /// Driven obstacles go on as they began, free ones are where the table has them.
-std::vector<Obstacle> obstacles_at(double time, std::vector<Obstacle> obstacles, const Places& places) {
+std::vector<Obstacle> obstacles_at(double time, std::vector<Obstacle> obstacles,
+                                   const Places& places) {
   for (Obstacle& o : obstacles) {
     if (!o.mass) translate(o.shape, time * o.velocity);
   }
@@ -163,8 +166,8 @@ std::vector<Obstacle> obstacles_at(double time, std::vector<Obstacle> obstacles,
     const auto row = static_cast<std::size_t>(places.row[k]);
     if (row >= obstacles.size() || std::abs(places.time[k] - time) > 1e-9) continue;
     const auto& p = places.pose;
-    put(obstacles[row].shape, {Vec3(p[0][k], p[1][k], p[2][k]),
-                               Eigen::Quaterniond(p[3][k], p[4][k], p[5][k], p[6][k])});
+    put(obstacles[row].shape,
+        {Vec3(p[0][k], p[1][k], p[2][k]), Eigen::Quaterniond(p[3][k], p[4][k], p[5][k], p[6][k])});
   }
   return obstacles;
 }
@@ -173,7 +176,8 @@ std::vector<Obstacle> obstacles_at(double time, std::vector<Obstacle> obstacles,
 std::vector<Finding> add_world(RunResult& run, const std::filesystem::path& folder) {
   std::ifstream in(folder / "report.json", std::ios::binary);
   const nlohmann::json report = nlohmann::json::parse(in, nullptr, false);
-  if (!report.is_object() || !report.contains("obstacles") || !report.contains("gravity")) return {};
+  if (!report.is_object() || !report.contains("obstacles") || !report.contains("gravity"))
+    return {};
   Result<std::vector<Obstacle>> obstacles = read_obstacles(report["obstacles"]);
   if (!obstacles) return std::move(obstacles.findings);
   const std::vector<double> gravity = report["gravity"].get<std::vector<double>>();
