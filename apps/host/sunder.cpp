@@ -73,8 +73,9 @@ Result<SceneFile> read_scene_in_memory(const sunder_scene& scene) {
           },
       .surface =
           [&](const std::string& name) {
-            return read_found<FileMesh>(files, name,
-                                        [&](std::string_view b) { return read_file_mesh(b, name, {.simplices = true}); });
+            return read_found<FileMesh>(files, name, [&](std::string_view b) {
+              return read_file_mesh(b, name, {.simplices = true});
+            });
           },
       .faces =
           [&](const std::string& name) {
@@ -84,9 +85,8 @@ Result<SceneFile> read_scene_in_memory(const sunder_scene& scene) {
           },
       .point_field =
           [&](const std::string& name, const std::string& field) {
-            return read_found<std::vector<double>>(files, name, [&](std::string_view b) {
-              return read_point_field(b, name, field);
-            });
+            return read_found<std::vector<double>>(
+                files, name, [&](std::string_view b) { return read_point_field(b, name, field); });
           }};
   return read_scene({{scene.text, scene.text_size}, scene.name}, readers, settings);
 }

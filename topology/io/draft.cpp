@@ -125,10 +125,11 @@ void judge_other_cells(Draft& draft, const ReadOptions& options) {
     add(draft.volume_cells,
         {.code = "unsupported_cells",
          .severity = is_refused ? Severity::error : Severity::warning,
-         .remedy = options.simplices
-                       ? "mesh the body with tetrahedra, or split these cells: sunder convert "
-                         "--split FILE NEW.vtu"
-                       : "split these cells, in the program that made them, into cells that are kept"},
+         .remedy =
+             options.simplices
+                 ? "mesh the body with tetrahedra, or split these cells: sunder convert "
+                   "--split FILE NEW.vtu"
+                 : "split these cells, in the program that made them, into cells that are kept"},
         options.tetrahedra_only ? ": are left out, as was asked for"
         : options.simplices     ? ": of volume cells only tetrahedra are used here"
                                 : " are left out");
@@ -144,7 +145,7 @@ void judge_other_cells(Draft& draft, const ReadOptions& options) {
   if (!draft.surface_cells.empty()) {
     add(draft.surface_cells,
         {.code = "skipped_cells",
-         .severity = options.simplices ? Severity::note : Severity::warning,
+         .severity = Severity::note,
          .remedy = options.simplices ? "nothing to do: only simplices are used"
                                      : "write them in another way, if they matter"},
         " are left out");
@@ -235,6 +236,10 @@ std::optional<CellKind> add_face(Draft& draft, const FileCell& cell) {
     add_other_cells(draft, "faces of fewer than three corners", 2, 1, cell.at);
     return std::nullopt;
   }
+  if (corners > most_corners) {
+    add_other_cells(draft, "faces of more than 10000 corners", 2, 1, cell.at);
+    return std::nullopt;
+  }
   add_cell(draft, kind_of_face(corners), cell);
   return kind_of_face(corners);
 }
@@ -298,6 +303,7 @@ void drop_columns_of_nothing(FileMesh& mesh) {
 Result<FileMesh> finish(Draft&& draft, const ReadOptions& options) {
   drop_usual_numbers(draft.mesh);
   take_out(draft, options);
+  drop_usual_numbers(draft.mesh);  // without what was taken out they may repeat the row too
   judge_other_cells(draft, options);
   drop_columns_of_nothing(draft.mesh);
   Result<FileMesh> result;

@@ -63,14 +63,18 @@ struct Draft {
 /// Appends a point; counts it under nan_coordinate where one is no finite number.
 void add_point(Draft& draft, const Point& point, std::size_t at);
 
-/// Appends a cell to the list of its kind (region, entity and ids are left to the reader); its nodes
-/// stand in our order (cell_kinds.hpp). Counted under index_out_of_range where it names points that
-/// are not there yet, and under repeated_vertex (a tetrahedron whose corners are not four: an error)
-/// or degenerate_cell (others: a warning). Needs: as many nodes as the kind has.
+/// Appends a cell to the list of its kind (region, entity and ids are left to the reader); its
+/// nodes stand in our order (cell_kinds.hpp). Counted under index_out_of_range where it names
+/// points that are not there yet, and under repeated_vertex (a tetrahedron whose corners are not
+/// four: an error) or degenerate_cell (others: a warning). Needs: as many nodes as the kind has.
 void add_cell(Draft& draft, CellKind kind, const FileCell& cell);
 
+/// More corners than any face has; a face takes ten times the memory of its text while it is read.
+inline constexpr std::size_t most_corners = 10000;
+
 /// The same for a face with any number of corners: of three a triangle, of four a quadrilateral; of
-/// fewer than three it is counted as left out. Gives the kind; none where it is left out.
+/// fewer than three, or more than the most, it is counted as left out. Gives the kind; none where
+/// it is left out.
 std::optional<CellKind> add_face(Draft& draft, const FileCell& cell);
 
 /// The kind of a face with so many corners.

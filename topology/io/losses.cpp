@@ -16,6 +16,7 @@
 #include "topology/io/surface/stl.hpp"
 #include "topology/io/unv/unv.hpp"
 #include "topology/io/vtk/vtk_cells.hpp"
+#include "topology/mesh/kinds/move_cells.hpp"
 
 namespace sunder::io {
 namespace {
@@ -59,6 +60,16 @@ void lose_cells(Losses& losses, const FileMesh& mesh, const FormatTraits& t) {
                        traits_of(lower).plural));
     }
   }
+}
+
+/// Of cells of second order those are counted that are written by corners that repeat.
+void lose_collapsed(Losses& losses, const Written& written, const FormatTraits& t) {
+  FileMesh linear = written.whole();
+  make_linear(linear);
+  const std::size_t n = collapsed_cells(linear, t);
+  if (n == 0) return;
+  lose(losses, "cells_lost", n,
+       fmt::format("{} holds no volume cells that repeat a corner", losses.to.name));
 }
 
 void lose_labels(Losses& losses, const FileMesh& mesh) {
@@ -291,6 +302,7 @@ std::vector<Finding> losses_of(const Written& written, const WriteOptions& optio
   if (auto nothing = nothing_left(written, t)) losses.findings.push_back(std::move(*nothing));
   if (written.surface) lose_inside(losses, written.original, *written.surface);
   lose_cells(losses, written.whole(), t);
+  if (t.format == MeshFormat::ovm) lose_collapsed(losses, written, t);
   const FileMesh& mesh = written.mesh();
   lose_labels(losses, mesh);
   // Points of a surface are numbered after those of the body: that is no number of the user's.

@@ -11,8 +11,8 @@
 
 namespace sunder::io {
 
-/// What is written of a mesh in a format: itself, or its boundary, in kinds of cells that the format
-/// has.
+/// What is written of a mesh in a format: itself, or its boundary, in kinds of cells that the
+/// format has.
 struct Written {
   const FileMesh& original;
   std::optional<BoundarySurface> surface;

@@ -124,6 +124,22 @@ Result<FileMesh> read_file_mesh(std::string_view bytes, std::string_view name,
   return io::read_bytes({bytes, std::string(name), no_file}, name, options).mesh;
 }
 
+Result<FileMesh> only_simplices(Result<FileMesh>&& mesh, std::string_view name) {
+  if (!mesh) return std::move(mesh);
+  io::Draft draft;
+  draft.mesh = std::move(*mesh);
+  draft.findings = std::move(mesh.findings);
+  // A body without its polyhedra is not the body.
+  for (Finding& finding : draft.findings) {
+    if (finding.code == "unsupported_cells") finding.severity = Severity::error;
+  }
+  Result<FileMesh> result = io::finish(std::move(draft), {.simplices = true});
+  for (Finding& finding : result.findings) {
+    if (finding.file.empty()) finding.file = std::string(name);
+  }
+  return result;
+}
+
 namespace {
 
 /// "108 triangles, 12 edges" of the cells below dimension 3; empty where there are none.

@@ -120,8 +120,9 @@ std::vector<Finding> write_file_mesh(const std::filesystem::path& path, const Fi
   const bool is_plain = path.extension() != ".gz" && path != "-";
   if (!is_plain && t.format == MeshFormat::tetgen) {
     findings.push_back({.code = "unknown_format",
-                        .text = "TetGen's meshes are several files: they are not packed, nor written "
-                                "to standard output",
+                        .text =
+                            "TetGen's meshes are several files: they are not packed, nor written "
+                            "to standard output",
                         .remedy = "name STEM.node, or another format"});
   } else if (auto reason = refused(t, how)) {
     findings.push_back(std::move(*reason));
@@ -132,13 +133,14 @@ std::vector<Finding> write_file_mesh(const std::filesystem::path& path, const Fi
     findings = io::losses_of(all, chosen);
     if (const std::size_t names = name_count(written);
         path == "-" && names > 0 && !holds_names(t, version)) {
-      findings.push_back({.code = "names_lost",
-                          .severity = Severity::warning,
-                          .count = names,
-                          .text = fmt::format("{} holds no names of regions, and nothing lies beside "
-                                              "standard output",
-                                              t.name),
-                          .remedy = "write to a file: they are put beside it"});
+      findings.push_back(
+          {.code = "names_lost",
+           .severity = Severity::warning,
+           .count = names,
+           .text = fmt::format("{} holds no names of regions, and nothing lies beside "
+                               "standard output",
+                               t.name),
+           .remedy = "write to a file: they are put beside it"});
     }
     if (has_error(findings)) return in_file(path, std::move(findings));
     auto failure = io::write_format(t.format, path, written, how);

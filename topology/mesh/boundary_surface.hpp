@@ -27,13 +27,14 @@ bool has_volume_cells(const FileMesh& mesh);
 /// one of them, outward (that of an inverted cell too), in the order of their kinds, their rows and
 /// their faces; cells of second order are taken by their corners. A cell of the mesh on the same
 /// points gives it its region, entity, number and data, of several the first; where some have none,
-/// they get region and entity 0, data not-a-number (integers: 0), and numbers after all others. Other
-/// cells of dimension 2 are lost, and vertices and edges with a point that the boundary does not
-/// use. Names of regions stay, but for those of volume cells.
-/// Needs: nodes below the number of points, columns empty or complete. O(n log n).
+/// they get region and entity 0, data not-a-number (integers: 0), and numbers after all others.
+/// Other cells of dimension 2 are lost, and vertices and edges with a point that the boundary does
+/// not use. Names of regions stay, but for those of volume cells. Needs: nodes below the number of
+/// points, columns empty or complete. O(n log n).
 BoundarySurface boundary_surface(const FileMesh& mesh);
 
 /// Six times the volume of a cell of first order, by its faces cut into triangles.
-double six_volumes_of(const FileMesh& mesh, CellKind linear, std::span<const std::uint32_t> corners);
+double six_volumes_of(const FileMesh& mesh, CellKind linear,
+                      std::span<const std::uint32_t> corners);
 
 }  // namespace sunder

@@ -47,7 +47,9 @@ CellRows rows_in(const CellList<Corners>& cells) {
 
 }  // namespace
 
-OtherCells& other_cells(FileMesh& mesh, CellKind kind) { return mesh.others[places[index_of(kind)]]; }
+OtherCells& other_cells(FileMesh& mesh, CellKind kind) {
+  return mesh.others[places[index_of(kind)]];
+}
 const OtherCells& other_cells(const FileMesh& mesh, CellKind kind) {
   return mesh.others[places[index_of(kind)]];
 }
@@ -82,8 +84,8 @@ CellRows rows_of(const FileMesh& mesh, CellKind kind) {
 
 std::span<std::uint32_t> nodes_of(FileMesh& mesh, CellKind kind) {
   const CellRows rows = rows_of(mesh, kind);
-  const std::size_t n = kind == CellKind::polygon ? other_cells(mesh, kind).points.size()
-                                                  : rows.count * rows.nodes;
+  const std::size_t n =
+      kind == CellKind::polygon ? other_cells(mesh, kind).points.size() : rows.count * rows.nodes;
   return {const_cast<std::uint32_t*>(rows.points), n};
 }
 

@@ -74,8 +74,8 @@ struct OtherCells : CellColumns {
   friend bool operator==(const OtherCells&, const OtherCells&) = default;
 };
 
-/// All that a mesh file holds, as far as Sunder knows it. Cells by kind; their order among different
-/// kinds is not kept.
+/// All that a mesh file holds, as far as Sunder knows it. Cells by kind; their order among
+/// different kinds is not kept.
 struct FileMesh {
   /// m.
   std::vector<Point> points;
@@ -133,8 +133,8 @@ CellRows rows_of(const FileMesh& mesh, CellKind kind);
 /// All nodes of the cells of a kind, to be renumbered.
 std::span<std::uint32_t> nodes_of(FileMesh& mesh, CellKind kind);
 
-/// Appends a cell's nodes to the list of its kind; its columns are left to the caller. Needs: as many
-/// as the kind has.
+/// Appends a cell's nodes to the list of its kind; its columns are left to the caller. Needs: as
+/// many as the kind has.
 void append_cell(FileMesh& mesh, CellKind kind, std::span<const std::uint32_t> nodes);
 
 /// All cells together.
@@ -147,9 +147,8 @@ std::size_t name_count(const FileMesh& mesh);
 /// the entities where no region is given and there are several; empty otherwise.
 const std::vector<std::int32_t>& label_of(const CellColumns& cells);
 
-/// The tetrahedra of first order with their points, labels, names and ids, to compute with; the rest
-/// is dropped.
-/// Numbers that count on from the cells of lower dimension are dropped too.
+/// The tetrahedra of first order with their points, labels, names and ids, to compute with; the
+/// rest is dropped. Numbers that count on from the cells of lower dimension are dropped too.
 TetMesh tet_mesh_of(FileMesh&& mesh);
 
 /// The same mesh as a file would hold it.

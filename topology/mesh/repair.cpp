@@ -216,8 +216,8 @@ Finding keep_largest_component(FileMesh& mesh) {
     for (const std::uint32_t corner : mesh.tetrahedra.corners[t]) used[corner] = 1;
   }
   const std::size_t parts = part.size() - std::ranges::count(size, std::size_t{0});
-  const std::size_t dropped = keep_cells(
-      mesh, [&](CellKind kind, std::span<const std::uint32_t> nodes, std::size_t row) {
+  const std::size_t dropped =
+      keep_cells(mesh, [&](CellKind kind, std::span<const std::uint32_t> nodes, std::size_t row) {
         if (kind == CellKind::tetrahedron) return part[row] == largest;
         return std::ranges::all_of(nodes, [&](std::uint32_t node) { return used[node] != 0; });
       });
@@ -258,11 +258,13 @@ std::optional<Finding> needs_tetrahedra(const FileMesh& mesh, std::string_view w
     plurals += fmt::format("{}{} {}", plurals.empty() ? "" : ", ", n, traits_of(kind).plural);
   }
   if (count == 0) return std::nullopt;
-  return Finding{.code = "unsupported_cells",
-                 .count = count,
-                 .text = fmt::format("{} needs tetrahedra of first order: there are {}", who, plurals),
-                 .remedy = "cut them into tetrahedra: --split, with --order 1 for those of second "
-                           "order"};
+  return Finding{
+      .code = "unsupported_cells",
+      .count = count,
+      .text = fmt::format("{} needs tetrahedra of first order: there are {}", who, plurals),
+      .remedy =
+          "cut them into tetrahedra: --split, with --order 1 for those of second "
+          "order"};
 }
 
 std::vector<Finding> repair(FileMesh& mesh, const Repairs& repairs) {

@@ -12,6 +12,7 @@
 #include "apps/scene/words.hpp"
 #include "apps/sunder/export/glb.hpp"
 #include "apps/sunder/export/obstacle_tracks.hpp"
+#include "apps/sunder/program.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/io/output_file.hpp"
 
@@ -40,7 +41,10 @@ Examples:
 
 struct ExportArguments {
   std::filesystem::path result, out;
+  bool json = false;
 };
+
+void print_json(const nlohmann::ordered_json& json) { fmt::print("{}\n", json.dump(2)); }
 
 std::string obj_text(const std::vector<PieceTrack>& tracks, std::size_t frame) {
   std::string text = "# sunder export, m, z up\n";
@@ -76,14 +80,22 @@ std::optional<Finding> write_obj(const std::filesystem::path& out,
   return std::nullopt;
 }
 
-ExitCode write_broken(const std::filesystem::path& out, const ResultFrame& last) {
+ExitCode write_broken(const ExportArguments& arguments, const ResultFrame& last) {
   const Result<FileMesh> mesh = read_file_mesh(last.file, {.simplices = true});
   std::vector<Finding> findings = mesh.findings;
   if (mesh) {
-    for (Finding& f : write_file_mesh(out, *mesh)) findings.push_back(std::move(f));
+    for (Finding& f : write_file_mesh(arguments.out, *mesh)) findings.push_back(std::move(f));
   }
-  fmt::print(stderr, "{}", finding_lines(findings));
+  tell(findings, arguments.json);
   if (has_error(findings)) return mesh ? ExitCode::not_written : ExitCode::bad_input;
+  if (arguments.json) {
+    print_json({{"written", arguments.out.string()},
+                {"tetrahedra", last.tetrahedra.size()},
+                {"points", last.position.size()},
+                {"time", last.time},
+                {"findings", findings_json(findings)}});
+    return ExitCode::fine;
+  }
   fmt::print("{} tetrahedra, {} points at {:.6g} s\n", last.tetrahedra.size(),
              last.position.size(), last.time);
   return ExitCode::fine;
@@ -97,9 +109,9 @@ ExitCode export_result(const ExportArguments& arguments) {
     return ExitCode::usage;
   }
   const Result<RunResult> run = read_run_result(arguments.result);
-  fmt::print(stderr, "{}", finding_lines(run.findings));
+  tell(run.findings, arguments.json);
   if (!run) return ExitCode::bad_input;
-  if (ending == ".msh") return write_broken(arguments.out, run->frames.back());
+  if (ending == ".msh") return write_broken(arguments, run->frames.back());
   std::vector<PieceTrack> tracks = piece_tracks(run->frames);
   const std::size_t pieces = tracks.size();
   std::ranges::move(obstacle_tracks(run->frames), std::back_inserter(tracks));
@@ -112,11 +124,19 @@ ExitCode export_result(const ExportArguments& arguments) {
     finding = write_obj(arguments.out, tracks, run->frames.size());
   }
   if (finding) {
-    fmt::print(stderr, "{}", finding_lines({*finding}));
+    tell({*finding}, arguments.json);
     return ExitCode::not_written;
   }
   double departure = 0;
   for (const PieceTrack& track : tracks) departure = std::max(departure, track.departure);
+  if (arguments.json) {
+    print_json({{"written", arguments.out.string()},
+                {"pieces", pieces},
+                {"frames", run->frames.size()},
+                {"largest_departure", departure},
+                {"findings", findings_json(run.findings)}});
+    return ExitCode::fine;
+  }
   fmt::print("{} pieces, {} frames; tracks within {:.1e} m of the rigid references\n",
              pieces, run->frames.size(), departure);
   return ExitCode::fine;
@@ -126,10 +146,11 @@ ExitCode export_result(const ExportArguments& arguments) {
 
 void add_export_command(CLI::App& program, ExitCode& exit_code) {
   const auto arguments = std::make_shared<ExportArguments>();
-  CLI::App* command =
-      program.add_subcommand("export", "Writes a finished run as GLB, as a sequence of OBJ, its end as MSH");
+  CLI::App* command = program.add_subcommand(
+      "export", "Writes a finished run as GLB, as a sequence of OBJ, its end as MSH");
   command->add_option("RESULT", arguments->result, "Folder of a run")->required();
   command->add_option("OUT", arguments->out, "File to write: *.glb, *.obj or *.msh")->required();
+  command->add_flag("--json", arguments->json, "Print JSON instead of a line");
   command->footer(footer);
   command->callback([arguments, &exit_code] { exit_code = export_result(*arguments); });
 }

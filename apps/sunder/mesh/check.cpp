@@ -13,7 +13,9 @@
 #include "apps/sunder/mesh/check_report.hpp"
 #include "topology/io/format_traits.hpp"
 #include "topology/io/mesh_file.hpp"
+#include "topology/mesh/boundary_surface.hpp"
 #include "topology/mesh/finding_cells.hpp"
+#include "topology/mesh/surface/surface_check.hpp"
 
 namespace sunder {
 namespace {
@@ -23,6 +25,9 @@ Of several meshes each is told one after the other, with --json as a list; the e
 highest of theirs.
 MESH is any mesh file that sunder convert reads (sunder convert --formats lists them), packed by
 gzip or not; its content decides which, not its name.
+A mesh of faces without volume cells is checked as a surface: whether it is closed, manifold, oriented
+and free of faces that cross (decided exactly), its area, and the volume that it encloses.
+Volume cells that are no tetrahedra are refused: sunder convert --split cuts them.
 Coordinates are taken as metres, volumes are m^3. Vertices, edges and faces are counted as orbits
 of the 3-map: cells that only touch are not joined. Numbers in brackets are rows counted from 0.
 Betti numbers are those of the homology over the integers, computed for up to 200 000 tetrahedra, for
@@ -41,6 +46,7 @@ Examples:
   sunder check body.vtu --json | jq .counts
   sunder check meshes/*.msh --json | jq '.[] | select(.valid | not) | .file'
   sunder check body.inp --write-findings look.vtu
+  sunder check part.stl --density 2700
 )";
 
 struct Arguments {
@@ -50,9 +56,11 @@ struct Arguments {
   std::filesystem::path findings;
   bool json = false;
   bool homology = false;
+  std::optional<double> density;
 };
 
-/// Tetrahedra up to which homology is computed unasked: 2 us each in solid bodies, 20 in closed ones.
+/// Tetrahedra up to which homology is computed unasked: 2 us each in solid bodies, 20 in closed
+/// ones.
 constexpr std::size_t most_unasked = 200000;
 
 /// The homology of a body from its tetrahedra; nothing where its numbers outgrow 64 bits.
@@ -81,9 +89,10 @@ void find_homology(CheckReport& report, const FileMesh& mesh, const Arguments& a
     report.findings.push_back(
         {.code = "betti_by_sheets",
          .severity = Severity::note,
-         .text = fmt::format("the Betti numbers of {} tetrahedra follow from boundary sheets: they are "
-                             "right where none overlap",
-                             report.tetrahedra),
+         .text =
+             fmt::format("the Betti numbers of {} tetrahedra follow from boundary sheets: they are "
+                         "right where none overlap",
+                         report.tetrahedra),
          .remedy = "--homology computes them",
          .file = name});
     return;
@@ -98,9 +107,10 @@ void find_homology(CheckReport& report, const FileMesh& mesh, const Arguments& a
     // In space the sheets tell them (docs/checks.md).
     report.findings.push_back(
         {.code = "overlapping_body",
-         .text = fmt::format("the body overlaps itself: its Betti numbers are {} {} {}, those of a body in "
-                             "space with its boundary sheets {} {} {}",
-                             found[0], found[1], found[2], (*told)[0], (*told)[1], (*told)[2]),
+         .text = fmt::format(
+             "the body overlaps itself: its Betti numbers are {} {} {}, those of a body in "
+             "space with its boundary sheets {} {} {}",
+             found[0], found[1], found[2], (*told)[0], (*told)[1], (*told)[2]),
          .remedy = "look for parts that pass through each other, and cut one out of the other",
          .file = name});
   }
@@ -118,11 +128,43 @@ ExitCode write_findings(CheckReport& report, const FileMesh& mesh, const MeshChe
   return ExitCode::fine;
 }
 
+/// Triangles, quadrilaterals or polygons without a volume cell.
+bool is_surface(const FileMesh& mesh) {
+  return !has_volume_cells(mesh) && std::ranges::any_of(all_cell_kinds, [&](CellKind kind) {
+    return traits_of(kind).dimension == 2 && rows_of(mesh, kind).count > 0;
+  });
+}
+
+ExitCode report_surface(const Arguments& arguments, CheckReport& report, const FileMesh& mesh) {
+  report.surface = check_surface(mesh);
+  report.is_read = true;
+  report.points = mesh.points.size();
+  if (!arguments.findings.empty()) {
+    report.findings.push_back({.code = "findings_not_written",
+                               .severity = Severity::warning,
+                               .text = "what is found in a surface is not written as a mesh",
+                               .remedy = "look at the numbers that the findings tell",
+                               .file = arguments.mesh.string()});
+  }
+  for (const Finding& f : report.surface->findings) {
+    report.findings.push_back(f);
+    report.findings.back().file = arguments.mesh.string();
+  }
+  std::ranges::stable_sort(report.findings, std::ranges::greater{}, &Finding::severity);
+  return has_error(report.findings) ? ExitCode::problems : ExitCode::fine;
+}
+
 /// Checks one mesh; the report is to be printed.
 ExitCode run_check(const Arguments& arguments, CheckReport& report) {
   report.findings_file = arguments.findings;
   ExitCode exit_code = ExitCode::bad_input;
+  report.density = arguments.density;
   Result<FileMesh> mesh = read_file_mesh(arguments.mesh);
+  if (mesh && is_surface(*mesh)) {
+    report.findings = std::move(mesh.findings);
+    return report_surface(arguments, report, *mesh);
+  }
+  mesh = only_simplices(std::move(mesh), arguments.mesh.string());
   report.findings = std::move(mesh.findings);
   if (mesh) {
     const MeshCheck check = check_file_mesh(*mesh, !arguments.findings.empty());
@@ -135,6 +177,7 @@ ExitCode run_check(const Arguments& arguments, CheckReport& report) {
     report.tetrahedra = mesh->tetrahedra.corners.size();
     report.counts = check.counts;
     report.quality = check.quality;
+    report.extent = extent_of_tetrahedra(*mesh);
     if (report.counts) find_homology(report, *mesh, arguments);
     const bool is_bad = has_error(report.findings);
     exit_code = !report.is_read ? ExitCode::bad_input
@@ -191,6 +234,9 @@ void add_check_command(CLI::App& program, ExitCode& exit_code) {
       });
   command->add_flag("--homology", arguments->homology,
                     "Compute the homology of any number of tetrahedra, and tell it");
+  command->add_option("--density", arguments->density, "Tell the mass too; kg/m^3")
+      ->type_name("DENSITY")
+      ->check(CLI::PositiveNumber);
   command->add_flag("--json", arguments->json, "Print JSON instead of a table");
   command->footer(footer);
   command->callback([=, &exit_code] {

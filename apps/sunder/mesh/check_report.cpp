@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <string>
+#include <string_view>
 
 #include "apps/scene/words.hpp"
 
@@ -89,10 +90,94 @@ void print_quality(const Quality& q) {
   print_range("edges, m", q.shortest_edge, q.longest_edge);
 }
 
+Json extent_json(const Extent& extent) {
+  return {{"box", {{"low", extent.box.low}, {"high", extent.box.high}}}, {"centre", extent.centre}};
+}
+
+void print_extent(const Extent& extent) {
+  const auto& [low, high] = extent.box;
+  fmt::print("bounding box, m      ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g})\n", low[0],
+             low[1], low[2], high[0], high[1], high[2]);
+  fmt::print("centre, m            ({:.6g}, {:.6g}, {:.6g})\n", extent.centre[0], extent.centre[1],
+             extent.centre[2]);
+}
+
+/// kg; none without a density or a volume.
+std::optional<double> mass_of(const CheckReport& report) {
+  if (!report.density) return std::nullopt;
+  if (report.counts) return *report.density * report.counts->volume;
+  if (report.surface && report.surface->volume) {
+    return *report.density * std::abs(*report.surface->volume);
+  }
+  return std::nullopt;
+}
+
+template <class Value>
+Json or_null(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json surface_json(const CheckReport& report) {
+  const SurfaceCheck& s = *report.surface;
+  Json json{{"counts",
+             {{"file_vertices", report.points},
+              {"vertices", s.vertices},
+              {"edges", s.edges},
+              {"triangles", s.triangles},
+              {"quadrilaterals", s.quadrilaterals},
+              {"polygons", s.polygons},
+              {"components", s.components},
+              {"boundary_edges", s.boundary_edges}}},
+            {"euler_characteristic", s.euler_characteristic},
+            {"closed", s.is_closed},
+            {"manifold", s.is_manifold},
+            {"oriented", s.is_oriented},
+            {"self_intersecting", or_null(s.crosses_itself)},
+            {"area", s.area},
+            {"volume", or_null(s.volume)}};
+  json.update(extent_json(s.extent));
+  return json;
+}
+
+std::string_view yes_or_no(bool is_so) { return is_so ? "yes" : "no"; }
+
+void print_surface(const CheckReport& report) {
+  const SurfaceCheck& s = *report.surface;
+  const auto count = [](std::string_view name, std::size_t n) {
+    fmt::print("{:<20}{:>10}\n", name, n);
+  };
+  count("points in the file", report.points);
+  count("triangles", s.triangles);
+  count("quadrilaterals", s.quadrilaterals);
+  count("polygons", s.polygons);
+  count("vertices", s.vertices);
+  count("edges", s.edges);
+  count("components", s.components);
+  count("boundary edges", s.boundary_edges);
+  fmt::print("Euler characteristic{:>10}\n", s.euler_characteristic);
+  const auto answer = [](std::string_view name, std::string_view is_so) {
+    fmt::print("{:<20}{:>10}\n", name, is_so);
+  };
+  answer("closed", yes_or_no(s.is_closed));
+  answer("manifold", yes_or_no(s.is_manifold));
+  answer("oriented", yes_or_no(s.is_oriented));
+  answer("crosses itself", s.crosses_itself ? yes_or_no(*s.crosses_itself) : "-");
+  fmt::print("area, m^2           {:>10.6g}\n", s.area);
+  if (s.volume) fmt::print("volume, m^3         {:>10.6g}\n", *s.volume);
+  print_extent(s.extent);
+}
+
 }  // namespace
 
 Json report_json(const CheckReport& report) {
   Json json;
+  if (report.surface) {
+    json = surface_json(report);
+    if (report.density) json["mass"] = or_null(mass_of(report));
+    json["findings"] = findings_json(report.findings);
+    json["valid"] = !has_error(report.findings);
+    return json;
+  }
   Counts unknown;
   unknown.tetrahedra = report.tetrahedra;
   json["counts"] = cell_counts_json(report.points, report.counts ? *report.counts : unknown);
@@ -108,6 +193,8 @@ Json report_json(const CheckReport& report) {
   if (report.homology) {
     json["homology"] = {{"betti", report.homology->betti}, {"torsion", report.homology->torsion}};
   }
+  if (report.extent) json.update(extent_json(*report.extent));
+  if (report.density) json["mass"] = or_null(mass_of(report));
   json["quality"] = report.quality ? quality_json(*report.quality) : Json(nullptr);
   if (!report.findings_file.empty()) {
     json["findings_file"] = {{"cells", report.cells_written}, {"path", nullptr}};
@@ -119,12 +206,16 @@ Json report_json(const CheckReport& report) {
 }
 
 void print_table(const CheckReport& report) {
-  if (report.is_read) {
+  if (report.surface) {
+    print_surface(report);
+  } else if (report.is_read) {
     fmt::print("points in the file  {:>10}\ntetrahedra          {:>10}\n", report.points,
                report.tetrahedra);
   }
   if (report.counts) print_counts(*report.counts);
   if (report.homology) print_homology(*report.homology);
+  if (report.extent) print_extent(*report.extent);
+  if (const auto mass = mass_of(report)) fmt::print("mass, kg            {:>10.6g}\n", *mass);
   if (report.quality) print_quality(*report.quality);
   fmt::print("{}", finding_lines(report.findings));
   if (report.cells_written > 0) {

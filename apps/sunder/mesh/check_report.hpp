@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "topology/mesh/check.hpp"
+#include "topology/mesh/surface/surface_check.hpp"
 #include "topology/suite/homology/homology.hpp"
 
 namespace sunder {
@@ -17,8 +18,14 @@ namespace sunder {
 struct CheckReport {
   /// Of the file, of its mesh, and of writing the cells that they name.
   std::vector<Finding> findings;
-  /// Whether the file holds a mesh of tetrahedra.
+  /// Whether the file holds a mesh of tetrahedra, or a surface.
   bool is_read = false;
+  /// Of a mesh of faces without a body; then there are neither counts nor quality.
+  std::optional<SurfaceCheck> surface;
+  /// Of a body.
+  std::optional<Extent> extent;
+  /// kg/m^3
+  std::optional<double> density;
   std::size_t points = 0, tetrahedra = 0;
   std::optional<Counts> counts;
   std::optional<Quality> quality;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -134,8 +135,9 @@ void tell_split(const SplitCells& report, std::vector<Finding>& findings) {
                                   "folded"});
   };
   warn(report.concave_volumes, "concave_cells",
-       fmt::format("{} volume cells are concave or flat: parts of them are flat or turned inside out",
-                   report.concave_volumes));
+       fmt::format(
+           "{} volume cells are concave or flat: parts of them are flat or turned inside out",
+           report.concave_volumes));
   warn(report.concave_faces, "concave_faces",
        fmt::format("{} faces are concave or flat: triangles of them look the other way",
                    report.concave_faces));
@@ -304,10 +306,17 @@ void print_formats() {
   constexpr std::string_view encoding_words[] = {"text", "binary", "base64"};
   for (const FormatTraits& t : format_traits()) {
     std::string cells, written = fmt::format("{}", fmt::join(t.versions, ", "));
-    for (const CellKind kind : all_cell_kinds) {
-      if (!contains(t.cells, kind)) continue;
-      cells += fmt::format("{}{}", cells.empty() ? "" : ", ", traits_of(kind).plural);
-    }
+    const auto words = [](KindSet set) {
+      std::array<std::string_view, cell_kinds> plurals;
+      std::size_t n = 0;
+      for (const CellKind kind : all_cell_kinds) {
+        if (contains(set, kind)) plurals[n++] = traits_of(kind).plural;
+      }
+      return fmt::format("{}", fmt::join(plurals.begin(), plurals.begin() + n, ", "));
+    };
+    constexpr int few = 5;
+    const KindSet missing = all_kinds & ~t.cells;
+    cells = std::popcount(missing) <= few ? "all but " + words(missing) : words(t.cells);
     for (const Encoding e : t.encodings) {
       written += fmt::format("{}{}",
                              written.empty()       ? ""
@@ -393,9 +402,10 @@ void add_convert_command(CLI::App& program, ExitCode& exit_code) {
                    "1: make cells of second order linear; points that only they use are dropped")
       ->type_name("1")
       ->check(CLI::IsMember({1}));
-  command->add_flag("--split", arguments->split,
-                    "Cut hexahedra, prisms and pyramids into tetrahedra, quadrilaterals and polygons "
-                    "into triangles, so that neighbours fit together");
+  command->add_flag(
+      "--split", arguments->split,
+      "Cut hexahedra, prisms and pyramids into tetrahedra, quadrilaterals and polygons "
+      "into triangles, so that neighbours fit together");
   command
       ->add_option(
           "--merge-points", arguments->repairs.merge_points,

@@ -8,9 +8,9 @@
 #include <iterator>
 
 #include "apps/scene/words.hpp"
+#include "topology/io/face_list.hpp"
 #include "topology/mesh/crack.hpp"
 #include "topology/mesh/repair.hpp"
-#include "topology/io/face_list.hpp"
 
 namespace sunder {
 namespace {

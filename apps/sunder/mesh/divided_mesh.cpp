@@ -2,8 +2,8 @@
 // Reading, writing and telling for the commands that divide cells.
 #include "apps/sunder/mesh/divided_mesh.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <iterator>
@@ -28,10 +28,8 @@ MeshState state_of(const FileMesh& mesh) {
 
 Json state_json(const MeshState& state) {
   const auto& [points, edges, triangles, tetrahedra] = state.sizes;
-  Json json{{"points", points},
-            {"edges", edges},
-            {"triangles", triangles},
-            {"tetrahedra", tetrahedra}};
+  Json json{
+      {"points", points}, {"edges", edges}, {"triangles", triangles}, {"tetrahedra", tetrahedra}};
   if (state.check.counts) {
     json["components"] = state.check.counts->components;
     json.update(invariants_json(*state.check.counts));
@@ -43,10 +41,16 @@ Json state_json(const MeshState& state) {
   return json;
 }
 
-constexpr std::array<std::string_view, 10> row_names = {
-    "points",     "edges (1-D)",          "triangles",     "tetrahedra",  "components",
-    "Euler characteristic", "Betti numbers", "volume, m^3", "radius ratio, least",
-    "radius ratio, mean"};
+constexpr std::array<std::string_view, 10> row_names = {"points",
+                                                        "edges (1-D)",
+                                                        "triangles",
+                                                        "tetrahedra",
+                                                        "components",
+                                                        "Euler characteristic",
+                                                        "Betti numbers",
+                                                        "volume, m^3",
+                                                        "radius ratio, least",
+                                                        "radius ratio, mean"};
 
 /// A column of the table; "-" where a check could not tell.
 std::array<std::string, 10> column_of(const MeshState& state) {
@@ -110,11 +114,12 @@ void add_divide_arguments(CLI::App& command, DivideArguments& arguments) {
                   "others are copied")
       ->type_name("NAME,NAME");
   command
-      .add_option("--kernel", arguments.kernel,
-                  "What answers for the map: dense rows (default) or lcc, CGAL's darts; same result")
+      .add_option(
+          "--kernel", arguments.kernel,
+          "What answers for the map: dense rows (default) or lcc, CGAL's darts; same result")
       ->type_name("dense|lcc")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, MapKernel>{{"dense", MapKernel::dense}, {"lcc", MapKernel::lcc}})
+      ->transform(CLI::CheckedTransformer(std::map<std::string, MapKernel>{
+                                              {"dense", MapKernel::dense}, {"lcc", MapKernel::lcc}})
                       .description(""));
   command.add_flag("--json", arguments.json, "Print JSON instead of a table");
 }
@@ -132,8 +137,9 @@ Result<std::set<std::string>> shared_columns(const DivideArguments& arguments,
       for (const DataColumn& column : mesh.tetrahedra.data) known += " '" + column.name + "'";
       return Finding{.code = "unknown_column",
                      .text = fmt::format("no column of tetrahedra '{}' holds fractions", name),
-                     .remedy = known.empty() ? "the file has no data of tetrahedra: leave --share out"
-                                             : "the columns are" + known};
+                     .remedy = known.empty()
+                                   ? "the file has no data of tetrahedra: leave --share out"
+                                   : "the columns are" + known};
     }
     names.insert(name);
   }
@@ -150,8 +156,8 @@ ExitCode finish(const DivideArguments& arguments, DividedMesh& body, const std::
                 const Json& json) {
   const MeshState after = state_of(body.mesh);
   for (const Finding& f : after.check.findings) {
-    const bool was_there = std::ranges::any_of(
-        body.before.check.findings, [&](const Finding& g) { return g.code == f.code; });
+    const bool was_there = std::ranges::any_of(body.before.check.findings,
+                                               [&](const Finding& g) { return g.code == f.code; });
     if (f.severity != Severity::note && !was_there) body.findings.push_back(f);
   }
   const std::vector<Finding> written = write_file_mesh(arguments.out, body.mesh, {});

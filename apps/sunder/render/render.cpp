@@ -13,6 +13,7 @@
 #include "apps/render/image.hpp"
 #include "apps/render/renderer.hpp"
 #include "apps/scene/words.hpp"
+#include "apps/sunder/program.hpp"
 #include "apps/sunder/render/result_picture.hpp"
 
 namespace sunder {
@@ -41,6 +42,7 @@ struct RenderArguments {
   std::vector<std::uint32_t> size = {1280, 720};
   ShownShape show = ShownShape::reference;
   bool all = false;
+  bool json = false;
 };
 
 std::size_t nearest_frame(const RunResult& run, double time) {
@@ -72,9 +74,9 @@ void magnify(PictureBodies& bodies, double factor) {
   }
 }
 
-/// Draws the frames from `first` to before `end`.
+/// Draws the frames from `first` to before `end`, and tells each: as a line, or in `pictures`.
 std::vector<Finding> draw(const RenderArguments& a, const RunResult& run, render::Renderer& renderer,
-                          std::size_t first, std::size_t end) {
+                          std::size_t first, std::size_t end, nlohmann::ordered_json& pictures) {
   const Vec3 up = run.gravity.norm() > 0 ? Vec3(-run.gravity.normalized()) : Vec3::UnitZ();
   const std::vector<char> boundary = boundary_of(run.frames.front());
   const PictureSettings settings = settings_of(a);
@@ -95,7 +97,8 @@ std::vector<Finding> draw(const RenderArguments& a, const RunResult& run, render
     if (std::vector<Finding> findings = render::write_png(path, *image); has_error(findings)) {
       return findings;
     }
-    fmt::print("{} {:.6g} s\n", path.string(), run.frames[k].time);
+    pictures.push_back({{"file", path.string()}, {"time", run.frames[k].time}});
+    if (!a.json) fmt::print("{} {:.6g} s\n", path.string(), run.frames[k].time);
   }
   return {};
 }
@@ -110,16 +113,23 @@ ExitCode render_result(const RenderArguments& a) {
   if (a.eye.empty() != a.target.empty()) return usage("--eye and --target go together");
   if (a.all && !std::isnan(a.time)) return usage("--all draws every frame: leave out --time");
   const Result<RunResult> run = read_run_result(a.result);
-  fmt::print(stderr, "{}", finding_lines(run.findings));
+  tell(run.findings, a.json);
   if (!run) return ExitCode::bad_input;
   Result<render::Renderer> renderer = render::Renderer::offscreen();
-  fmt::print(stderr, "{}", finding_lines(renderer.findings));
+  tell(renderer.findings, a.json);
   if (!renderer) return ExitCode::failed;
   const std::size_t frames = run->frames.size(), one = nearest_frame(*run, a.time);
+  nlohmann::ordered_json pictures = nlohmann::ordered_json::array();
   const std::vector<Finding> findings =
-      draw(a, *run, *renderer, a.all ? 0 : one, a.all ? frames : one + 1);
-  fmt::print(stderr, "{}", finding_lines(findings));
-  return has_error(findings) ? ExitCode::not_written : ExitCode::fine;
+      draw(a, *run, *renderer, a.all ? 0 : one, a.all ? frames : one + 1, pictures);
+  tell(findings, a.json);
+  if (has_error(findings)) return ExitCode::not_written;
+  if (a.json) {
+    const nlohmann::ordered_json json{{"pictures", pictures},
+                                      {"findings", findings_json(run.findings)}};
+    fmt::print("{}\n", json.dump(2));
+  }
+  return ExitCode::fine;
 }
 
 }  // namespace
@@ -154,6 +164,7 @@ void add_render_command(CLI::App& program, ExitCode& exit_code) {
       ->delimiter(',')
       ->check(CLI::Range(16u, 8192u))
       ->capture_default_str();
+  command->add_flag("--json", a->json, "Print JSON instead of a line a picture");
   command->footer(footer);
   command->callback([a, &exit_code] { exit_code = render_result(*a); });
 }

@@ -92,7 +92,58 @@ TEST_CASE("check tells the counts of the sample meshes as JSON", "[apps][check]"
   CHECK(json["volume"].get<double>() == Approx(8).epsilon(1e-12));  // sum of 48 sixths
   CHECK(json["findings"].empty());
   CHECK(json["valid"] == true);
-  CHECK(json.size() == 8);
+  CHECK(json["box"]["low"].size() == 3);
+  CHECK(json["centre"].size() == 3);
+  CHECK(json.size() == 10);
+}
+
+TEST_CASE("check tells box, centre and mass of a body, and what a surface is like",
+          "[apps][check]") {
+  const Workplace here;
+  const auto body =
+      here.run({"check", sample_mesh("cube.msh"), "--json", "--density", "1000"}).json();
+  CHECK(body["mass"].get<double>() == Approx(1000 * body["volume"].get<double>()).epsilon(1e-14));
+  for (std::size_t k = 0; k < 3; ++k) {
+    CHECK(body["centre"][k].get<double>() ==
+          Approx((body["box"]["low"][k].get<double>() + body["box"]["high"][k].get<double>()) / 2)
+              .margin(1e-12));
+  }
+  REQUIRE(here.run({"convert", sample_mesh("cube.msh"), here.path("skin.ply")}).exit_code == 0);
+  const Outcome told = here.run({"check", here.path("skin.ply"), "--json", "--density", "1000"});
+  CHECK(told.exit_code == 0);
+  const auto skin = told.json();
+  CHECK(skin["closed"] == true);
+  CHECK(skin["manifold"] == true);
+  CHECK(skin["oriented"] == true);
+  CHECK(skin["self_intersecting"] == false);
+  CHECK(skin["volume"].get<double>() == Approx(body["volume"].get<double>()).epsilon(1e-12));
+  CHECK(skin["mass"].get<double>() == Approx(body["mass"].get<double>()).epsilon(1e-12));
+  CHECK(skin["box"] == body["box"]);
+}
+
+TEST_CASE("check refuses hexahedra with the remedy, and takes what --split makes of them",
+          "[apps][check][convert]") {
+  const Workplace here;
+  std::ofstream(here.path("block.mesh"))
+      << "MeshVersionFormatted 2\nDimension 3\nVertices\n8\n0 0 0 0\n1 0 0 0\n1 1 0 0\n0 1 0 0\n"
+         "0 0 1 0\n1 0 1 0\n1 1 1 0\n0 1 1 0\nHexahedra\n1\n1 2 3 4 5 6 7 8 7\nEnd\n";
+  const Outcome refused = here.run({"check", here.path("block.mesh"), "--json"});
+  CHECK(refused.exit_code == 3);
+  CHECK(refused.json()["findings"][0]["code"] == "unsupported_cells");
+  CHECK(refused.out.find("--split") != std::string::npos);
+  const Outcome lost =
+      here.run({"convert", here.path("block.mesh"), here.path("block.node"), "--strict"});
+  CHECK(lost.exit_code == 1);
+  CHECK_FALSE(std::filesystem::exists(here.path("block.node")));
+  REQUIRE(here.run({"convert", here.path("block.mesh"), here.path("block.vtu"), "--strict"})
+              .exit_code == 0);
+  REQUIRE(
+      here.run({"convert", here.path("block.vtu"), here.path("split.msh"), "--split"}).exit_code ==
+      0);
+  const Outcome split = here.run({"check", here.path("split.msh"), "--json"});
+  CHECK(split.exit_code == 0);
+  CHECK(split.json()["volume"].get<double>() == Approx(1).epsilon(1e-14));
+  CHECK(split.json()["counts"]["tetrahedra"] == 6);
 }
 
 TEST_CASE("check prints a table without --json", "[apps][check]") {
@@ -272,7 +323,8 @@ TetMesh bar_through_a_wall() {
   for (int k = 0; k < 27; ++k) {
     if (k != 13) add_cube(k % 3, k / 3 % 3, k / 9, false);
   }
-  for (const auto& [x, z] : {std::pair{1, 1}, {2, 1}, {3, 1}, {3, 2}, {3, 3}, {2, 3}}) add_cube(x, 1, z, true);
+  for (const auto& [x, z] : {std::pair{1, 1}, {2, 1}, {3, 1}, {3, 2}, {3, 3}, {2, 3}})
+    add_cube(x, 1, z, true);
   return mesh;
 }
 
@@ -287,7 +339,8 @@ TEST_CASE("a body that overlaps itself is not valid, and its Betti numbers are i
   const auto json = said.json();
   CHECK(json["betti"] == nlohmann::json::array({1, 1, 1}));
   CHECK(json["valid"] == false);
-  CHECK(std::ranges::any_of(json["findings"], [](const auto& f) { return f["code"] == "overlapping_body"; }));
+  CHECK(std::ranges::any_of(json["findings"],
+                            [](const auto& f) { return f["code"] == "overlapping_body"; }));
   // Without the bar the sheets tell them.
   const auto shell = here.run({"check", here.write("s.msh", suite::shell({3, 3, 3})), "--json"});
   CHECK(shell.exit_code == 0);

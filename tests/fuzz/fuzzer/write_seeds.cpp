@@ -52,6 +52,20 @@ FileMesh full_mesh() {
   return mesh;
 }
 
+/// A cell of every kind, in one region a kind.
+FileMesh mesh_of_all_kinds() {
+  FileMesh mesh;
+  for (int i = 0; i < 27; ++i) mesh.points.push_back({i % 3 * 1.0, i / 3 % 3 * 1.0, i / 9 * 1.0});
+  for (const CellKind kind : all_cell_kinds) {
+    std::vector<std::uint32_t> nodes(kind == CellKind::polygon ? 5 : traits_of(kind).nodes);
+    for (std::uint32_t k = 0; k < nodes.size(); ++k) nodes[k] = k;
+    append_cell(mesh, kind, nodes);
+    columns_of(mesh, kind).region = {static_cast<std::int32_t>(index_of(kind)) + 1};
+    columns_of(mesh, kind).data = {reals("d", 1, 1)};
+  }
+  return mesh;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -73,6 +87,7 @@ int main(int argc, char** argv) {
           const WriteOptions way{t.format, version, encoding, pack};
           write_file_mesh(folder / ("small" + name), small_mesh(), way);
           write_file_mesh(folder / ("full" + name), full_mesh(), way);
+          write_file_mesh(folder / ("kinds" + name), mesh_of_all_kinds(), way);
         }
       }
     }

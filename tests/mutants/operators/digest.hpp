@@ -83,9 +83,13 @@ struct Digest {
   void add(const CellList<N>& c) {
     all(c.corners, c.region, c.entity, c.source_id, c.data);
   }
+  void add(const OtherCells& c) { all(c.points, c.ends, c.region, c.entity, c.source_id, c.data); }
   void add(const FileMesh& m) {
     all(m.points, m.source_point_id, m.point_region, m.point_data, m.vertices, m.edges, m.triangles,
         m.tetrahedra, m.region_name);
+    for (const OtherCells& cells : m.others) {
+      if (!cells.points.empty()) add(cells);
+    }
   }
   void add(const FindingPlaces& p) { all(p.code, p.kind, p.rows); }
   void add(const Quality::Extreme& e) { all(e.value, e.tetrahedron); }

@@ -15,7 +15,9 @@ namespace {
 using Regions = std::vector<std::int32_t>;
 using Names = std::map<std::int32_t, std::string>;
 
-Result<FileMesh> read(std::string_view text) { return read_file_mesh(text, "a.inp"); }
+Result<FileMesh> read(std::string_view text) {
+  return read_file_mesh(text, "a.inp", {.simplices = true});
+}
 
 const std::string nodes = "*NODE\n1,0,0,0\n2,1\n3,0,1\n4,0,0,1\n5,1,1,1\n";
 const std::string tets = "*ELEMENT,TYPE=C3D4\n1,1,2,3,4\n2,2,3,4,5\n";
@@ -38,8 +40,9 @@ TEST_CASE("gmsh's Abaqus files: groups are regions, entities are entities", "[io
   CHECK(volume(tet_mesh_of(FileMesh(*mesh))) == Approx(1.7).epsilon(1e-12));
 }
 
-TEST_CASE("gmsh's second-order Abaqus files are read by their corners", "[io][abaqus]") {
-  const Result<FileMesh> mesh = read_file_mesh(sample("gmsh_2nd.inp"));
+TEST_CASE("gmsh's second-order Abaqus files are read by their corners to compute with",
+          "[io][abaqus]") {
+  const Result<FileMesh> mesh = read_file_mesh(sample("gmsh_2nd.inp"), {.simplices = true});
   INFO(summary(mesh.findings));
   REQUIRE(mesh);
   CHECK(mesh->tetrahedra.corners.size() == 48);

@@ -203,7 +203,7 @@ TEST_CASE("each defect of an MSH 4.1 file is found at its line", "[io][defects][
       {"no such node", changed(good, "1 1 2 3 4", "1 1 2 3 40"), "index_out_of_range", 23,
        "point 40"},
       {"hexahedron", changed(good, "3 1 4 1\n1 1 2 3 4", "3 1 5 1\n1 1 2 3 4 1 2 3 4"),
-       "unsupported_cells", 22, "1 hexahedra"},
+       "unsupported_cells", 23, "1 hexahedra"},
       {"entities last",
        changed(changed(good, "$Entities", "$Entitiez"), "$EndEntities", "$EndEntitiez") +
            "$Entities\n0 0 0 0\n$EndEntities\n",
@@ -226,7 +226,7 @@ TEST_CASE("each defect of a MEDIT file is found at its line", "[io][defects][med
       {"count one too small", changed(good, "Vertices 4", "Vertices 3"), "wrong_count", 7, "'0'"},
       {"vertex 0", changed(good, "1 2 3 4 0", "0 2 3 4 0"), "index_out_of_range", 9, "point 0"},
       {"vertex 5", changed(good, "1 2 3 4 0", "1 2 3 5 0"), "index_out_of_range", 9, "point 5"},
-      {"pyramids", changed(good, "End", "Pyramids 1\n1 2 3 4 1 0\nEnd"), "unsupported_cells", 10,
+      {"pyramids", changed(good, "End", "Pyramids 1\n1 2 3 4 1 0\nEnd"), "unsupported_cells", 11,
        "1 pyramids"},
       {"no vertices", "MeshVersionFormatted 2\nDimension 3\nEnd\n", "missing_section", 4,
        "Vertices"},
@@ -257,8 +257,8 @@ TEST_CASE("each defect of a VTU file is found at its line", "[io][defects][vtu]"
       {"not a number", changed(vtu(), "0.1", "nan"), "nan_coordinate", 9, "nan"},
       {"no such point", changed(vtu(), "1 0 2 4", "1 0 2 5"), "index_out_of_range", 12, "point 5"},
       {"repeated point", changed(vtu(), "1 0 2 4", "1 0 2 2"), "repeated_vertex", 12, "1 0 2 2"},
-      {"hexahedra", changed(changed(vtu(), "10 10", "10 12"), "1 0 2 4", "1 0 2 4"),
-       "unsupported_cells", 12, "1 hexahedra"},
+      {"hexahedra", changed(changed(vtu(), "10 10", "10 12"), "1 0 2 4", "1 0 2 4"), "bad_offsets",
+       13, "hexahedra have 8"},
       {"unknown cell", changed(vtu(), "10 10", "10 99"), "unknown_cell_type", 12, "99"},
       {"offsets fall", changed(vtu(), "4 8", "4 2"), "bad_offsets", 13, "must not fall"},
       {"tetrahedron of five", changed(vtu(), "4 8", "3 8"), "bad_offsets", 13, "4 points"},
@@ -367,7 +367,7 @@ TEST_CASE("each defect of a legacy VTK file is found at its line", "[io][defects
        "point 4"},
       {"rows", changed(good, "CELL_DATA 1", "CELL_DATA 2"), "wrong_count", 14, "2 cells"},
       {"keyword", changed(good, "VECTORS", "VEKTORS"), "unknown_section", 19, "'VEKTORS'"},
-      {"hexahedron", changed(good, "\n10\n", "\n12\n"), "unsupported_cells", 11, "1 hexahedra"},
+      {"hexahedron", changed(good, "\n10\n", "\n12\n"), "bad_offsets", 11, "hexahedra have 8"},
   });
 }
 

@@ -173,7 +173,7 @@ TEST_CASE("defects of OpenVolumeMesh's files are named", "[io][defects][ovm]") {
        "4 values"},
   };
   for (const Defect& defect : defects) {
-    const Result<FileMesh> mesh = read_file_mesh(defect.text, "bad file");
+    const Result<FileMesh> mesh = read_file_mesh(defect.text, "bad file", {.simplices = true});
     INFO(defect.what << ": " << summary(mesh.findings));
     REQUIRE_FALSE(mesh);
     CHECK(std::ranges::count(mesh.findings, Severity::error, &Finding::severity) == 1);

@@ -74,10 +74,12 @@ struct Variant {
 FileMesh held(FileMesh mesh, const Variant& variant) {
   const FormatTraits& t = *variant.traits;
   const std::string& version = variant.version;
-  if (!t.holds_cells[3] && !mesh.tetrahedra.corners.empty()) mesh = boundary_surface(mesh).mesh;
+  if (!contains(t.cells, CellKind::tetrahedron) && has_volume_cells(mesh)) {
+    mesh = boundary_surface(mesh).mesh;
+  }
   const bool is_msh_1 = t.format == MeshFormat::msh && version == "1";
   for_each_cell_list(mesh, [&](auto& cells, int d) {
-    if (!t.holds_cells[static_cast<std::size_t>(d)]) cells = {};
+    if (!contains(t.cells, simplex_of(d))) cells = {};
     const bool is_binary_stl = t.format == MeshFormat::stl && variant.encoding == Encoding::binary;
     if (!t.holds_regions || is_binary_stl) cells.region.clear();
     if (!t.holds_entities) cells.entity.clear();

@@ -92,13 +92,19 @@ TEST_CASE("surfaces of other programs are read", "[io][surface]") {
   }
 }
 
-TEST_CASE("faces of more than three corners are left out and counted", "[io][surface]") {
+TEST_CASE("faces of four corners are quadrilaterals; who wants triangles has them left out",
+          "[io][surface]") {
   const Result<FileMesh> mesh = read_file_mesh(sample("openscad.off"));
   REQUIRE(mesh);
   CHECK(mesh->points.size() == 8);
   CHECK(mesh->triangles.corners.empty());
-  CHECK(summary(mesh.findings) == "note skipped_cells 10");
-  CHECK(mesh.findings[0].count == 6);
+  CHECK(rows_of(*mesh, CellKind::quad4).count == 6);
+  CHECK(mesh.findings.empty());
+  const Result<FileMesh> triangles = read_file_mesh(sample("openscad.off"), {.simplices = true});
+  REQUIRE(triangles);
+  CHECK(cell_count(*triangles) == 0);
+  CHECK(summary(triangles.findings) == "note skipped_cells 10");
+  CHECK(triangles.findings[0].count == 6);
 }
 
 TEST_CASE("a surface is no body, and the message says what to do", "[io][surface]") {
@@ -157,7 +163,9 @@ TEST_CASE("triangles of the file give the boundary their labels, others are lost
   mesh.edges.region = {1, 2};
   const BoundarySurface surface = boundary_surface(mesh);
   REQUIRE(surface.mesh.triangles.corners.size() == 6);
-  CHECK(surface.lost_cells == std::array<std::size_t, 3>{0, 0, 2});
+  std::array<std::size_t, cell_kinds> lost{};
+  lost[index_of(CellKind::triangle)] = 2;
+  CHECK(surface.lost_cells == lost);
   CHECK(surface.lost_points == 0);
   CHECK(surface.mesh.source_point_id.empty());
   CHECK(surface.mesh.edges == mesh.edges);
@@ -260,7 +268,8 @@ STCNOFF # header
   CHECK(mesh->edges.corners == std::vector<std::array<std::uint32_t, 2>>{{1, 3}});
   CHECK(mesh->vertices.corners == std::vector<std::array<std::uint32_t, 1>>{{3}});
   CHECK(summary(mesh.findings) ==
-        "note skipped_data 1, note skipped_data 9, note skipped_cells 13");
+        "warning degenerate_cell 13, note skipped_data 1, note skipped_data 9");
+  CHECK(other_cells(*mesh, CellKind::polygon).points == std::vector<std::uint32_t>{0, 1, 2, 3, 0});
 }
 
 TEST_CASE("binary OFF is read", "[io][off]") {
@@ -353,8 +362,8 @@ TEST_CASE("PLY with data, lists, other elements and polygons is read", "[io][ply
         std::vector<DataColumn>{{"kind", 1, NumberType::int8, std::vector<std::int64_t>{-1, 2}}});
   CHECK(mesh->edges.corners == std::vector<std::array<std::uint32_t, 2>>{{3, 0}});
   CHECK(std::get<0>(mesh->edges.data.at(0).values) == std::vector<double>{0.1});
-  CHECK(summary(mesh.findings) ==
-        "note skipped_data 8, note skipped_data 18, note skipped_cells 38");
+  CHECK(summary(mesh.findings) == "note skipped_data 8, note skipped_data 18");
+  CHECK(rows_of(*mesh, CellKind::quad4).count == 1);
 }
 
 TEST_CASE("big-endian PLY is read", "[io][ply]") {
@@ -450,7 +459,9 @@ strange things
   CHECK(mesh->vertices.corners == std::vector<std::array<std::uint32_t, 1>>{{3}, {0}});
   CHECK(summary(mesh.findings) ==
         "note skipped_data 11, note skipped_data 12, note skipped_data 24, note skipped_data 27, "
-        "note skipped_data 1, note skipped_cells 15");
+        "note skipped_data 1, note skipped_cells 25");
+  CHECK(rows_of(*mesh, CellKind::quad4).count == 1);
+  CHECK(columns_of(*mesh, CellKind::quad4).region == std::vector<std::int32_t>{2});
 }
 
 TEST_CASE("OBJ without groups takes objects as regions, without those materials", "[io][obj]") {

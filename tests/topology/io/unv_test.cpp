@@ -41,7 +41,8 @@ TEST_CASE("gmsh's universal files hold the mesh they were made from", "[io][unv]
   CHECK(mesh->points == source->points);
   CHECK(mesh->tetrahedra.corners == source->tetrahedra.corners);
   CHECK(mesh->tetrahedra.region == source->tetrahedra.region);
-  CHECK(mesh->triangles == source->triangles);
+  CHECK(mesh->triangles.corners == source->triangles.corners);
+  CHECK(mesh->triangles.region == source->triangles.region);
   CHECK(mesh->region_name[3] == source->region_name[3]);
   CHECK(mesh->region_name[2].at(9) == "all_around");
 }
@@ -60,6 +61,17 @@ TEST_CASE("groups of nodes are vertices, groups of elements regions of their dim
   REQUIRE(sets);
   CHECK(sets->vertices.corners.size() == 20);
   CHECK(sets->region_name[0].at(5) == "block");
+}
+
+TEST_CASE("tables of properties are regions where there are no groups", "[io][unv]") {
+  const std::string tables = section("2412", "7 111 3 1 7 4\n1 2 3 4\n9 111 5 1 7 4\n2 1 3 4\n");
+  const FileMesh without = read_whole(nodes + tables);
+  CHECK(without.tetrahedra.region == std::vector<std::int32_t>{3, 5});
+  CHECK(without.tetrahedra.entity.empty());
+  const FileMesh with =
+      read_whole(nodes + tables + section("2467", "2 0 0 0 0 0 0 1\ncore\n8 9 0 0\n"));
+  CHECK(with.tetrahedra.region == std::vector<std::int32_t>{0, 2});
+  CHECK(with.tetrahedra.entity == std::vector<std::int32_t>{3, 5});
 }
 
 TEST_CASE("old data sets say the same as new ones", "[io][unv]") {

@@ -26,7 +26,7 @@ std::span<const std::uint8_t> abaqus_order(CellKind kind);
 /// Which numbers the file can hold: positive ones, each once; of elements all or none.
 HeldNumbers abaqus_holds(const FileMesh& mesh);
 
-/// The text of a file: *NODE, *ELEMENT of T3D2, S3 and C3D4 with a set for each region, *NSET for
+/// The text of a file: *NODE, *ELEMENT of one type a kind with a set for each region, *NSET for
 /// vertices. Numbers keep every bit; those below 1 that need more than the 20 characters that
 /// CalculiX reads are written without exponent, so that the first 20 are a number too.
 std::string write_abaqus(const FileMesh& mesh);

@@ -7,6 +7,7 @@
 
 #include "topology/io/abaqus/abaqus_reader.hpp"
 #include "topology/io/scan.hpp"
+#include "topology/io/usual_entities.hpp"
 
 namespace sunder::io {
 namespace {
@@ -288,7 +289,7 @@ void read_element_sets(AbaqusReader& r) {
     cells.region = part(regions.set_of, kind);
     if (regions.entity_of.empty()) continue;
     cells.entity = part(regions.entity_of, kind);
-    if (std::ranges::all_of(cells.entity, [](auto e) { return e == 0; })) cells.entity.clear();
+    drop_usual_entities(cells);
   }
   for (int d = 1; d <= 3; ++d) number_labels(mesh, d, r.element_sets.names);
 }

@@ -135,9 +135,8 @@ constexpr AbaqusType types[] = {
 /// Of three nodes in a row the middle one comes second.
 constexpr std::uint8_t edge_order[] = {0, 2, 1};
 /// The whole, then the faces: below, above, and around from the one on the first two corners.
-constexpr std::uint8_t hexahedron_order[] = {0,  1,  2,  3,  4,  5,  6,  7,  8,
-                                             9,  10, 11, 12, 13, 14, 15, 16, 17,
-                                             18, 19, 26, 24, 25, 22, 21, 23, 20};
+constexpr std::uint8_t hexahedron_order[] = {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11, 12, 13,
+                                             14, 15, 16, 17, 18, 19, 26, 24, 25, 22, 21, 23, 20};
 
 }  // namespace
 

@@ -19,15 +19,22 @@ struct WrittenType {
   CellKind kind;
   std::string_view name;
 };
-constexpr WrittenType written_types[] = {
-    {CellKind::edge, "T3D2"},          {CellKind::edge3, "T3D3"},
-    {CellKind::triangle, "S3"},        {CellKind::triangle6, "STRI65"},
-    {CellKind::quad4, "S4"},           {CellKind::quad8, "S8R"},
-    {CellKind::quad9, "M3D9"},         {CellKind::tetrahedron, "C3D4"},
-    {CellKind::tetrahedron10, "C3D10"}, {CellKind::hexahedron8, "C3D8"},
-    {CellKind::hexahedron20, "C3D20"}, {CellKind::hexahedron27, "C3D27"},
-    {CellKind::prism6, "C3D6"},        {CellKind::prism15, "C3D15"},
-    {CellKind::prism18, "C3D15V"},     {CellKind::pyramid5, "C3D5"}};
+constexpr WrittenType written_types[] = {{CellKind::edge, "T3D2"},
+                                         {CellKind::edge3, "T3D3"},
+                                         {CellKind::triangle, "S3"},
+                                         {CellKind::triangle6, "STRI65"},
+                                         {CellKind::quad4, "S4"},
+                                         {CellKind::quad8, "S8R"},
+                                         {CellKind::quad9, "M3D9"},
+                                         {CellKind::tetrahedron, "C3D4"},
+                                         {CellKind::tetrahedron10, "C3D10"},
+                                         {CellKind::hexahedron8, "C3D8"},
+                                         {CellKind::hexahedron20, "C3D20"},
+                                         {CellKind::hexahedron27, "C3D27"},
+                                         {CellKind::prism6, "C3D6"},
+                                         {CellKind::prism15, "C3D15"},
+                                         {CellKind::prism18, "C3D15V"},
+                                         {CellKind::pyramid5, "C3D5"}};
 
 /// Whether all `rows` have a number, positive and unlike the others.
 bool are_held(std::vector<std::int64_t> numbers, std::size_t rows) {
@@ -87,8 +94,7 @@ std::string write_abaqus(const FileMesh& mesh) {
   const RegionNames words = region_words(mesh.region_name);
   out.bytes.reserve(64 * mesh.points.size() + 48 * cell_count(mesh));
   put_text(out, fmt::format("*HEADING\n{} nodes, {} elements, written by Sunder\n",
-                            mesh.points.size(),
-                            cell_count(mesh) - mesh.vertices.corners.size()));
+                            mesh.points.size(), cell_count(mesh) - mesh.vertices.corners.size()));
   put_nodes(out, mesh, own.points);
   const auto node = [&](std::uint32_t row) {
     put_text(out, own.points ? mesh.source_point_id[row] : std::int64_t{row} + 1);

@@ -79,7 +79,7 @@ inline constexpr std::uint8_t msh_tetrahedron[] = {0, 1, 2, 3, 4, 5, 6, 7, 9, 8}
 inline constexpr std::uint8_t msh_hexahedron[] = {0,  1,  2,  3,  4,  5,  6,  7,  8,
                                                   11, 16, 9,  17, 10, 18, 19, 12, 15,
                                                   13, 14, 24, 22, 20, 21, 23, 25, 26};
-inline constexpr std::uint8_t msh_prism[] = {0, 1, 2,  3,  4, 5,  6,  8,  12,
+inline constexpr std::uint8_t msh_prism[] = {0, 1,  2,  3, 4,  5,  6,  8,  12,
                                              7, 13, 14, 9, 11, 10, 15, 17, 16};
 inline constexpr std::uint8_t msh_pyramid[] = {0, 1, 2, 3, 4, 5, 8, 9, 6, 10, 7, 11, 12, 13};
 

@@ -7,6 +7,7 @@
 #include "topology/io/msh/msh.hpp"
 #include "topology/io/msh/msh_reader.hpp"
 #include "topology/io/nastran/nastran.hpp"
+#include "topology/io/usual_entities.hpp"
 
 namespace sunder::io {
 namespace {
@@ -215,9 +216,7 @@ void drop_empty_labels(CellColumns& cells) {
     return std::all_of(labels.begin(), labels.end(), [](std::int32_t x) { return x == 0; });
   };
   if (none(cells.region)) cells.region.clear();
-  const bool usual = cells.region.empty() && std::all_of(cells.entity.begin(), cells.entity.end(),
-                                                         [](std::int32_t x) { return x == 1; });
-  if (none(cells.entity) || cells.entity == cells.region || usual) cells.entity.clear();
+  drop_usual_entities(cells);
 }
 
 }  // namespace

@@ -6,8 +6,8 @@
 #include <map>
 
 #include "topology/io/msh/msh.hpp"
-#include "topology/io/msh/msh_entities.hpp"
 #include "topology/io/msh/msh_elements.hpp"
+#include "topology/io/msh/msh_entities.hpp"
 #include "topology/io/number_sink.hpp"
 
 namespace sunder::io {
@@ -195,8 +195,8 @@ void put_nodes(MshWriter& w, CellKind kind, std::span<const std::uint32_t> nodes
   if (!w.out.is_binary) w.out.bytes.back() = '\n';
 }
 
-/// Numbers, tags and nodes of the cells of a kind in the layout of versions 1 and 2; `row`: how many
-/// cells stand before.
+/// Numbers, tags and nodes of the cells of a kind in the layout of versions 1 and 2; `row`: how
+/// many cells stand before.
 void write_kind_2(MshWriter& w, CellKind kind, std::int64_t row) {
   const CellRows rows = rows_of(w.mesh, kind);
   const CellColumns& cells = columns_of(w.mesh, kind);

@@ -17,14 +17,17 @@ bool is_ovm(std::string_view text);
 /// Half-edge 2e is edge e from its first to its second vertex, 2e + 1 the other way; half-face 2f
 /// is face f as it is listed, 2f + 1 the other way round. A polyhedron of four triangles is a
 /// tetrahedron: the vertices of its first half-face, in their order, then the one that is left. So
-/// half-faces look inward where the volume is positive, as in OpenVolumeMesh's own meshes.
-/// Triangles and edges are those that the property `sunder:cell` marks; without it faces of no
-/// polyhedron, and edges of no face.
+/// half-faces look inward where the volume is positive, as in OpenVolumeMesh's own meshes. Six
+/// quadrilaterals are a hexahedron, two triangles and three quadrilaterals a prism, four and one a
+/// pyramid: the vertices of the first half-face that can be their base, then those above. Other
+/// polyhedra are left out. Faces and edges that are cells are those that the property `sunder:cell`
+/// marks; without it faces of no polyhedron, and edges of no face.
 Draft read_ovm(std::string_view text);
 
-/// The text of a file. Edges and triangles stand before the other edges and faces of tetrahedra,
-/// as they are. A tetrahedron's half-faces are (0 1 2), (0 2 3), (0 3 1), (1 3 2) of its corners;
-/// where the first is listed in another rotation the property `sunder:turn` tells by how much.
+/// The text of a file. Edges and faces that are cells stand before the other edges and faces of
+/// polyhedra, as they are. A tetrahedron's half-faces are (0 1 2), (0 2 3), (0 3 1), (1 3 2) of its
+/// corners, others begin with their base; where that is listed in another rotation the property
+/// `sunder:turn` tells by how much.
 std::string write_ovm(const FileMesh& mesh);
 
 /// The names of properties that are not data, in the order of OvmOwn.

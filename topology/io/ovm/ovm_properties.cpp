@@ -10,6 +10,7 @@
 #include "topology/io/ovm/ovm.hpp"
 #include "topology/io/ovm/ovm_reader.hpp"
 #include "topology/io/tetgen/tetgen.hpp"
+#include "topology/mesh/kinds/move_cells.hpp"
 
 namespace sunder::io {
 namespace {
@@ -38,8 +39,8 @@ constexpr TypeName types[] = {
 std::size_t rows_of(const OvmReader& r, std::size_t dimension) {
   return dimension == 0   ? r.draft.mesh.points.size()
          : dimension == 1 ? r.edges.size()
-         : dimension == 2 ? r.faces.size()
-                          : r.is_tetrahedron.size();
+         : dimension == 2 ? r.face_ends.size()
+                          : r.polyhedra.size();
 }
 
 const TypeName* type_of(const OvmProperty& p) {
@@ -163,6 +164,13 @@ void join_parts(std::vector<DataColumn>& columns) {
   columns = std::move(joined);
 }
 
+/// Notes, once, that a property is passed over.
+void skip_property(OvmReader& r, std::string_view name) {
+  std::string quoted = in_quotes(name);
+  const bool is_told = std::ranges::find(r.skipped, quoted) != r.skipped.end();
+  if (!is_told) r.skipped.push_back(std::move(quoted));
+}
+
 /// Data of the dimension's rows that are kept.
 std::vector<DataColumn> read_data(OvmReader& r, std::size_t dimension,
                                   const std::vector<bool>& is_kept) {
@@ -170,7 +178,7 @@ std::vector<DataColumn> read_data(OvmReader& r, std::size_t dimension,
   for (const OvmProperty& p : r.properties) {
     if (p.dimension != dimension || is_own(r, p)) continue;
     if (type_of(p) == nullptr) {
-      r.skipped.push_back(in_quotes(p.name));
+      skip_property(r, p.name);
       continue;
     }
     columns.push_back(read_column(r, p, is_kept));
@@ -191,49 +199,77 @@ std::vector<bool> cells_among(OvmReader& r, std::size_t dimension, const std::ve
   return is_cell;
 }
 
-template <std::size_t Corners>
-void read_columns(OvmReader& r, CellList<Corners>& cells, const std::vector<bool>& is_cell) {
-  constexpr std::size_t dimension = Corners - 1;
-  cells.region = read_own<std::int32_t>(r, dimension, OvmOwn::region, is_cell);
-  cells.entity = read_own<std::int32_t>(r, dimension, OvmOwn::entity, is_cell);
-  cells.source_id = read_own<std::int64_t>(r, dimension, OvmOwn::cell_id, is_cell);
-  cells.data = read_data(r, dimension, is_cell);
-  if (!cells.corners.empty()) return;
-  for (const DataColumn& column : cells.data) r.skipped.push_back(in_quotes(column.name));
-  cells = {};
+/// Turns the corners of bases as they were before writing, and what stands above them.
+void turn_cells(OvmReader& r, CellKind kind, const std::vector<bool>& is_cell) {
+  const auto turns = read_own<std::int64_t>(r, 3, OvmOwn::turn, is_cell);
+  const std::size_t n = corners_of_base(kind), nodes = traits_of(kind).nodes;
+  const std::span<std::uint32_t> all = nodes_of(r.draft.mesh, kind);
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    if (turns[i] < 1 || turns[i] >= static_cast<std::int64_t>(n)) continue;
+    for (std::size_t begin = 0; begin + n <= nodes; begin += n) {
+      const auto part = all.subspan(i * nodes + begin, n);
+      std::rotate(part.begin(), part.begin() + turns[i], part.end());
+    }
+  }
+}
+
+/// What is said of the cells of one dimension; `kind_of_row`: those of its edges, faces or
+/// polyhedra that are cells.
+void read_columns(OvmReader& r, std::size_t dimension,
+                  const std::vector<std::optional<CellKind>>& kind_of_row) {
+  std::size_t kinds = 0;
+  for (const CellKind kind : all_cell_kinds) {
+    if (traits_of(kind).dimension != static_cast<int>(dimension)) continue;
+    if (rows_of(r.draft.mesh, kind).count == 0) continue;
+    ++kinds;
+    std::vector<bool> is_cell(kind_of_row.size());
+    for (std::size_t i = 0; i < is_cell.size(); ++i) is_cell[i] = kind_of_row[i] == kind;
+    CellColumns& cells = columns_of(r.draft.mesh, kind);
+    cells.region = read_own<std::int32_t>(r, dimension, OvmOwn::region, is_cell);
+    cells.entity = read_own<std::int32_t>(r, dimension, OvmOwn::entity, is_cell);
+    cells.source_id = read_own<std::int64_t>(r, dimension, OvmOwn::cell_id, is_cell);
+    cells.data = read_data(r, dimension, is_cell);
+    if (dimension == 3) turn_cells(r, kind, is_cell);
+  }
+  if (kinds == 0) {
+    for (const OvmProperty& p : r.properties) {
+      if (p.dimension == dimension && !is_own(r, p)) skip_property(r, p.name);
+    }
+  }
+  if (kinds < 2) return;
+  for (const CellKind kind : all_cell_kinds) {
+    if (traits_of(kind).dimension != static_cast<int>(dimension)) continue;
+    drop_filling(columns_of(r.draft.mesh, kind));
+  }
 }
 
 void read_edges(OvmReader& r) {
   const std::vector<bool> is_cell = cells_among(r, 1, r.edge_has_face);
-  auto& cells = r.draft.mesh.edges;
+  std::vector<std::optional<CellKind>> kind_of_row(is_cell.size());
   for (std::size_t i = 0; i < is_cell.size(); ++i) {
-    if (is_cell[i]) cells.corners.push_back(r.edges[i]);
+    if (!is_cell[i]) continue;
+    r.draft.mesh.edges.corners.push_back(r.edges[i]);
+    kind_of_row[i] = CellKind::edge;
   }
-  read_columns(r, cells, is_cell);
+  read_columns(r, 1, kind_of_row);
 }
 
-void read_triangles(OvmReader& r) {
-  std::vector<bool> is_cell = cells_among(r, 2, r.face_has_cell);
-  auto& cells = r.draft.mesh.triangles;
-  std::size_t polygons = 0;
+void read_faces(OvmReader& r) {
+  const std::vector<bool> is_cell = cells_among(r, 2, r.face_has_cell);
+  std::vector<std::optional<CellKind>> kind_of_row(is_cell.size());
+  std::size_t few = 0;
   for (std::size_t i = 0; i < is_cell.size(); ++i) {
-    const bool is_triangle = r.faces[i][0] != no_corner;
-    polygons += is_cell[i] && !is_triangle;
-    is_cell[i] = is_cell[i] && is_triangle;
-    if (is_cell[i]) cells.corners.push_back(r.faces[i]);
+    if (!is_cell[i]) continue;
+    const auto corners = face_of(r, i);
+    if (corners.size() < 3) {
+      ++few;
+      continue;
+    }
+    kind_of_row[i] = kind_of_face(corners.size());
+    append_cell(r.draft.mesh, *kind_of_row[i], corners);
   }
-  add_other_cells(r.draft, "polygons", 2, polygons, 0);
-  read_columns(r, cells, is_cell);
-}
-
-/// Turns the first three corners of tetrahedra as they were before writing.
-void turn_tetrahedra(OvmReader& r) {
-  const auto turns = read_own<std::int64_t>(r, 3, OvmOwn::turn, r.is_tetrahedron);
-  for (std::size_t i = 0; i < turns.size(); ++i) {
-    auto& corners = r.draft.mesh.tetrahedra.corners[i];
-    if (turns[i] != 1 && turns[i] != 2) continue;
-    std::rotate(corners.begin(), corners.begin() + turns[i], corners.begin() + 3);
-  }
+  add_other_cells(r.draft, "faces of fewer than three corners", 2, few, 0);
+  read_columns(r, 2, kind_of_row);
 }
 
 /// Whether a line begins with the word of a property.
@@ -283,9 +319,8 @@ void read_ovm_properties(OvmReader& r) {
   mesh.source_point_id = read_own<std::int64_t>(r, 0, OvmOwn::point_id, {});
   mesh.point_data = read_data(r, 0, {});
   read_edges(r);
-  read_triangles(r);
-  turn_tetrahedra(r);
-  read_columns(r, mesh.tetrahedra, r.is_tetrahedron);
+  read_faces(r);
+  read_columns(r, 3, r.polyhedra);
   if (r.skipped.empty()) return;
   constexpr std::size_t most = 8;
   std::string names;

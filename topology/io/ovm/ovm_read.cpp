@@ -84,7 +84,6 @@ void read_face(OvmReader& r, std::size_t row) {
   skip_comments(r.s);
   const std::size_t at = r.s.at;
   const std::size_t edges = read_count(r.s, "half-edges of a face", 2);
-  std::array<std::uint32_t, 3> corners{no_corner, no_corner, no_corner};
   std::uint32_t first = 0, end = 0;
   bool follows = true;
   for (std::size_t k = 0; k < edges; ++k) {
@@ -94,7 +93,7 @@ void read_face(OvmReader& r, std::size_t row) {
     if (k == 0) first = from;
     follows = follows && (k == 0 || from == end);
     end = to;
-    if (edges == 3) corners[k] = from;
+    r.face_points.push_back(from);
   }
   if (edges == 0 || !follows || end != first) {
     fail(r.s.text, at,
@@ -103,45 +102,115 @@ void read_face(OvmReader& r, std::size_t row) {
                               edges, row),
           .remedy = "correct the face's half-edges"});
   }
-  r.faces.push_back(corners);
+  r.face_ends.push_back(r.face_points.size());
 }
 
 /// The corners of a half-face, in its own order.
-std::array<std::uint32_t, 3> corners_of(const OvmReader& r, std::uint32_t half_face) {
-  const auto& face = r.faces[half_face / 2];
-  return half_face % 2 == 0 ? face : std::array{face[0], face[2], face[1]};
+struct HalfFace {
+  std::array<std::uint32_t, 4> points;
+  /// 3 or 4; 0 where it has others.
+  std::size_t corners = 0;
+};
+HalfFace half_face_of(const OvmReader& r, std::uint32_t half_face) {
+  const auto face = face_of(r, half_face / 2);
+  HalfFace h;
+  if (face.size() != 3 && face.size() != 4) return h;
+  h.corners = face.size();
+  std::ranges::copy(face, h.points.begin());
+  const auto end = h.points.begin() + static_cast<std::ptrdiff_t>(h.corners);
+  if (half_face % 2 == 1) std::reverse(h.points.begin() + 1, end);
+  return h;
+}
+
+/// What a polyhedron with such faces may be.
+std::optional<CellKind> kind_of(const std::vector<HalfFace>& faces) {
+  std::size_t triangles = 0, quads = 0;
+  for (const HalfFace& f : faces) {
+    if (f.corners == 0) return std::nullopt;
+    ++(f.corners == 3 ? triangles : quads);
+  }
+  constexpr struct {
+    std::size_t triangles, quads;
+    CellKind kind;
+  } kinds[] = {{4, 0, CellKind::tetrahedron},
+               {0, 6, CellKind::hexahedron8},
+               {2, 3, CellKind::prism6},
+               {4, 1, CellKind::pyramid5}};
+  for (const auto& k : kinds) {
+    if (k.triangles == triangles && k.quads == quads) return k.kind;
+  }
+  return std::nullopt;
+}
+
+using FaceKey = std::array<std::uint32_t, 4>;
+
+FaceKey key_of(std::span<const std::uint32_t> corners) {
+  FaceKey key{no_corner, no_corner, no_corner, no_corner};
+  std::ranges::copy(corners, key.begin());
+  std::ranges::sort(key);
+  return key;
+}
+
+/// Whether the half-faces are those of a cell with these nodes.
+bool are_faces_of(CellKind kind, const std::vector<std::uint32_t>& nodes,
+                  const std::vector<HalfFace>& half_faces) {
+  std::vector<FaceKey> own, read;
+  for (const FaceCorners& f : faces_of(kind)) {
+    const FaceKey corners{nodes[f[0]], nodes[f[1]], nodes[f[2]], nodes[f[3]]};
+    own.push_back(key_of(std::span(corners).first(f[2] == f[3] ? 3 : 4)));
+  }
+  for (const HalfFace& h : half_faces) read.push_back(key_of(std::span(h.points).first(h.corners)));
+  std::ranges::sort(own);
+  std::ranges::sort(read);
+  return own == read;
+}
+
+/// The nodes of a cell: the corners of its base, then what each of them is joined to beside the
+/// base; empty where the half-faces do not bound such a cell.
+std::vector<std::uint32_t> nodes_of_cell(CellKind kind, const std::vector<HalfFace>& half_faces) {
+  const std::size_t n = corners_of_base(kind);
+  const auto base = std::ranges::find(half_faces, n, &HalfFace::corners);
+  std::vector<std::uint32_t> nodes(base->points.begin(),
+                                   base->points.begin() + static_cast<std::ptrdiff_t>(n));
+  std::vector<std::uint32_t> above(n, no_corner);
+  const auto place = [&](std::uint32_t corner) {
+    return static_cast<std::size_t>(std::find(base->points.begin(),
+                                              base->points.begin() + static_cast<std::ptrdiff_t>(n),
+                                              corner) -
+                                    base->points.begin());
+  };
+  for (const HalfFace& h : half_faces) {
+    for (std::size_t k = 0; k < h.corners; ++k) {
+      const std::uint32_t a = h.points[k], b = h.points[(k + 1) % h.corners];
+      const std::size_t i = place(a), j = place(b);
+      if (i < n && j == n) above[i] = b;
+      if (j < n && i == n) above[j] = a;
+    }
+  }
+  const bool is_pointed = kind == CellKind::tetrahedron || kind == CellKind::pyramid5;
+  nodes.insert(nodes.end(), above.begin(), is_pointed ? above.begin() + 1 : above.end());
+  std::vector<std::uint32_t> sorted = nodes;
+  std::ranges::sort(sorted);
+  const bool repeats = std::ranges::adjacent_find(sorted) != sorted.end();
+  if (repeats || sorted.back() == no_corner) return {};
+  return are_faces_of(kind, nodes, half_faces) ? nodes : std::vector<std::uint32_t>{};
 }
 
 void read_polyhedron(OvmReader& r, std::size_t row) {
   skip_comments(r.s);
   const std::size_t at = r.s.at;
   const std::size_t faces = read_count(r.s, "half-faces of a polyhedron", 2);
-  std::array<std::uint32_t, 4> half_faces{};
-  bool is_tetrahedron = faces == 4;
+  constexpr std::size_t most = 6;
+  std::vector<HalfFace> half_faces;
   for (std::size_t k = 0; k < faces; ++k) {
-    const std::uint32_t half_face = read_index(r, "a half-face", 2 * r.faces.size());
+    const std::uint32_t half_face = read_index(r, "a half-face", 2 * r.face_ends.size());
     r.face_has_cell[half_face / 2] = true;
-    if (k < 4) half_faces[k] = half_face;
-    is_tetrahedron = is_tetrahedron && r.faces[half_face / 2][0] != no_corner;
+    if (k <= most) half_faces.push_back(half_face_of(r, half_face));
   }
-  r.is_tetrahedron.push_back(is_tetrahedron);
-  if (!is_tetrahedron) return add_other_cells(r.draft, "polyhedra", 3, 1, at);
-  const auto base = corners_of(r, half_faces[0]);
-  // Each of the other faces has two of these corners, each time others, and the one corner more.
-  std::uint32_t apex = no_corner;
-  unsigned left_out = 0;
-  bool is_one = true;
-  for (std::size_t k = 1; k < 4; ++k) {
-    unsigned own = 0;
-    for (const std::uint32_t corner : corners_of(r, half_faces[k])) {
-      const auto place = std::ranges::find(base, corner) - base.begin();
-      own |= place < 3 ? 1u << place : 0;
-      is_one = is_one && (place < 3 || apex == no_corner || corner == apex);
-      if (place == 3) apex = corner;
-    }
-    left_out |= own == 3 ? 4 : own == 5 ? 2 : own == 6 ? 1 : 0;
-  }
-  if (left_out != 7 || !is_one) {
+  std::optional<CellKind> kind = kind_of(half_faces);
+  std::vector<std::uint32_t> nodes;
+  if (kind) nodes = nodes_of_cell(*kind, half_faces);
+  if (kind == CellKind::tetrahedron && nodes.empty()) {
     fail(
         r.s.text, at,
         {.code = "wrong_polyhedron",
@@ -149,11 +218,14 @@ void read_polyhedron(OvmReader& r, std::size_t row) {
          .text = fmt::format("the four triangles of polyhedron {} do not bound a tetrahedron", row),
          .remedy = "correct its half-faces"});
   }
+  if (nodes.empty()) kind.reset();
+  r.polyhedra.push_back(kind);
+  if (!kind) return add_other_cells(r.draft, "polyhedra", 3, 1, at);
   FileCell& cell = r.draft.cell;
-  cell.begin(4, at);
-  cell.rows = {base[0], base[1], base[2], apex};
+  cell.begin(nodes.size(), at);
+  std::ranges::copy(nodes, cell.rows.begin());
   cell.numbers = cell.rows;
-  add_cell(r.draft, CellKind::tetrahedron, cell);
+  add_cell(r.draft, *kind, cell);
 }
 
 }  // namespace
@@ -181,7 +253,8 @@ Draft read_ovm(std::string_view text) {
   read_vertices(r);
   read_edges(r);
   const std::size_t faces = read_head(r, "Faces", "faces", 4);
-  r.faces.reserve(faces);
+  r.face_ends.reserve(faces);
+  r.face_points.reserve(3 * faces);
   for (std::size_t i = 0; i < faces; ++i) read_face(r, i);
   r.face_has_cell.resize(faces, false);
   const std::size_t cells = read_head(r, "Polyhedra", "polyhedra", 4);

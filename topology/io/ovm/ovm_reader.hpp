@@ -5,6 +5,8 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,7 +16,7 @@
 
 namespace sunder::io {
 
-/// Stands for the corners of a face that is no triangle.
+/// Stands for a corner that is not found.
 inline constexpr std::uint32_t no_corner = std::numeric_limits<std::uint32_t>::max();
 
 /// A property of all vertices, edges, faces or cells, and where its values begin.
@@ -30,15 +32,27 @@ struct OvmReader {
   Scanner s;
   Draft draft;
   std::vector<std::array<std::uint32_t, 2>> edges;
-  /// Triangles by their vertices; others begin with no_corner.
-  std::vector<std::array<std::uint32_t, 3>> faces;
+  /// The vertices of the faces, one after the other, and where those of each end.
+  std::vector<std::uint32_t> face_points;
+  std::vector<std::size_t> face_ends;
   std::vector<bool> edge_has_face, face_has_cell;
-  /// The rows of polyhedra that are tetrahedra.
-  std::vector<bool> is_tetrahedron;
+  /// The kind of each polyhedron; none where it is left out.
+  std::vector<std::optional<CellKind>> polyhedra;
   std::vector<OvmProperty> properties;
   /// Names of properties that are passed over.
   std::vector<std::string> skipped;
 };
+
+/// The vertices of a face.
+inline std::span<const std::uint32_t> face_of(const OvmReader& r, std::size_t face) {
+  const std::size_t begin = face == 0 ? 0 : r.face_ends[face - 1];
+  return {r.face_points.data() + begin, r.face_ends[face] - begin};
+}
+
+/// How many vertices the first half-face of a polyhedron has, which the cell begins with.
+constexpr std::size_t corners_of_base(CellKind kind) {
+  return kind == CellKind::tetrahedron || kind == CellKind::prism6 ? 3 : 4;
+}
 
 /// The next word, passing comments at the beginnings of lines.
 std::string_view next_ovm_word(Scanner& s);

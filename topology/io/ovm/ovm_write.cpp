@@ -4,16 +4,18 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
+#include <span>
 #include <variant>
 
 #include "topology/io/number_sink.hpp"
 #include "topology/io/ovm/ovm.hpp"
+#include "topology/io/ovm/ovm_reader.hpp"
 #include "topology/io/tetgen/tetgen.hpp"
+#include "topology/mesh/kinds/move_cells.hpp"
 
 namespace sunder::io {
 namespace {
-
-using Triangle = std::array<std::uint32_t, 3>;
 
 /// Rows by their points in ascending order. Of rows on the same points the first is found.
 template <std::size_t Points>
@@ -68,14 +70,36 @@ void add_row(RowTable<Points>& table, const std::array<std::uint32_t, Points>& p
   std::ranges::sort(table.keys.back());
 }
 
+/// Up to four corners, or the row of a polygon, which nothing else shares.
+struct Face {
+  std::array<std::uint32_t, 4> points;
+  /// 0 for a polygon: its row stands in `points`.
+  std::size_t corners = 0;
+};
+using FaceKey = std::array<std::uint32_t, 4>;
+
+/// Triangles end with a number that no point has, polygons have but one that is less.
+FaceKey key_of(const Face& face) {
+  FaceKey key{no_corner, no_corner, no_corner, no_corner};
+  std::copy_n(face.points.begin(), std::max<std::size_t>(face.corners, 1), key.begin());
+  std::ranges::sort(key);
+  return key;
+}
+
+constexpr CellKind face_kinds[] = {CellKind::triangle, CellKind::quad4, CellKind::polygon};
+constexpr CellKind volume_kinds[] = {CellKind::tetrahedron, CellKind::hexahedron8, CellKind::prism6,
+                                     CellKind::pyramid5};
+
 /// Edges and faces of the file: the mesh's own first.
 struct Skeleton {
   std::vector<std::array<std::uint32_t, 2>> edges;
-  std::vector<Triangle> faces;
+  std::vector<Face> faces;
   RowTable<2> edge_rows;
-  RowTable<3> face_rows;
-  std::vector<std::array<std::uint32_t, 4>> half_faces;
-  /// By how many places the first three corners of each tetrahedron are turned.
+  RowTable<4> face_rows;
+  /// Of the polyhedra, one after the other, and where those of each end.
+  std::vector<std::uint32_t> half_faces;
+  std::vector<std::size_t> ends;
+  /// By how many places the corners of each polyhedron's base are turned.
   std::vector<std::int32_t> turn;
 };
 
@@ -85,33 +109,94 @@ std::uint32_t half_edge(Skeleton& s, std::uint32_t from, std::uint32_t to) {
   return 2 * row + (s.edges[row][0] == from ? 0 : 1);
 }
 
-/// The half-face with these corners in this cyclic order.
-std::uint32_t half_face(Skeleton& s, const Triangle& corners) {
-  const std::uint32_t row = row_of(s.face_rows, corners);
-  if (row == s.faces.size()) s.faces.push_back(corners);
-  const Triangle& face = s.faces[row];
-  const auto at = std::ranges::find(face, corners[0]) - face.begin();
-  return 2 * row + (face[static_cast<std::size_t>(at + 1) % 3] == corners[1] ? 0 : 1);
+/// How far the corners are turned against a face, and whether they run the other way; none where
+/// they are in another order.
+struct Turn {
+  std::size_t places;
+  bool is_other_way;
+};
+std::optional<Turn> turn_of(const Face& face, const Face& corners) {
+  const std::size_t n = face.corners;
+  for (const bool other : {false, true}) {
+    for (std::size_t places = 0; places < n; ++places) {
+      bool same = true;
+      for (std::size_t k = 0; k < n; ++k) {
+        const std::size_t at = other ? (2 * n - places - k) % n : (places + k) % n;
+        same = same && face.points[at] == corners.points[k];
+      }
+      if (same) return Turn{places, other};
+    }
+  }
+  return std::nullopt;
 }
 
-/// How far the corners are turned against those that a reader finds for the half-face.
-std::int32_t turn_of(const Skeleton& s, std::uint32_t half_face, const Triangle& corners) {
-  Triangle read = s.faces[half_face / 2];
-  if (half_face % 2 == 1) std::swap(read[1], read[2]);
-  return static_cast<std::int32_t>(std::ranges::find(read, corners[0]) - read.begin());
+/// The half-face with these corners in this cyclic order.
+std::uint32_t half_face(Skeleton& s, const Face& corners, std::size_t* turned = nullptr) {
+  std::uint32_t row = row_of(s.face_rows, key_of(corners));
+  if (row == s.faces.size()) s.faces.push_back(corners);
+  std::optional<Turn> turn = turn_of(s.faces[row], corners);
+  if (!turn) {  // other sides between the same points
+    row = static_cast<std::uint32_t>(s.faces.size());
+    add_row(s.face_rows, key_of(corners));
+    s.faces.push_back(corners);
+    turn = Turn{0, false};
+  }
+  if (turned != nullptr) *turned = turn->places;
+  return 2 * row + (turn->is_other_way ? 1 : 0);
+}
+
+/// The faces of a polyhedron, looking inward where its volume is positive, its base first.
+std::vector<Face> faces_inward(CellKind kind, std::span<const std::uint32_t> c) {
+  if (kind == CellKind::tetrahedron) {
+    return {{{c[0], c[1], c[2], c[2]}, 3},
+            {{c[0], c[2], c[3], c[3]}, 3},
+            {{c[0], c[3], c[1], c[1]}, 3},
+            {{c[1], c[3], c[2], c[2]}, 3}};
+  }
+  std::vector<Face> faces;
+  for (const FaceCorners& f : faces_of(kind)) {
+    const std::size_t n = f[2] == f[3] ? 3 : 4;
+    Face face{{c[f[0]], c[f[1]], c[f[2]], c[f[3]]}, n};
+    std::reverse(face.points.begin() + 1, face.points.begin() + static_cast<std::ptrdiff_t>(n));
+    faces.push_back(face);
+  }
+  // The base is the face on the first corners, in their order.
+  const auto is_base = [&](const Face& face) {
+    return face.points[0] == c[0] && face.points[1] == c[1] && face.points[2] == c[2] &&
+           face.corners == corners_of_base(kind);
+  };
+  std::iter_swap(faces.begin(), std::ranges::find_if(faces, is_base));
+  return faces;
 }
 
 Skeleton skeleton_of(const FileMesh& mesh) {
   Skeleton s;
   s.edges = mesh.edges.corners;
   for (const auto& edge : s.edges) add_row(s.edge_rows, edge);
-  s.faces = mesh.triangles.corners;
-  for (const Triangle& face : s.faces) add_row(s.face_rows, face);
-  s.half_faces.reserve(mesh.tetrahedra.corners.size());
-  for (const auto& [a, b, c, d] : mesh.tetrahedra.corners) {
-    s.half_faces.push_back({half_face(s, {a, b, c}), half_face(s, {a, c, d}),
-                            half_face(s, {a, d, b}), half_face(s, {b, d, c})});
-    s.turn.push_back(turn_of(s, s.half_faces.back()[0], {a, b, c}));
+  for (const CellKind kind : face_kinds) {
+    const CellRows rows = rows_of(mesh, kind);
+    for (std::uint32_t i = 0; i < rows.count; ++i) {
+      Face face{{i, i, i, i}, 0};
+      if (kind != CellKind::polygon) {
+        face.corners = rows.nodes;
+        std::ranges::copy(rows[i], face.points.begin());
+      }
+      s.faces.push_back(face);
+      // A polygon's key is no row of points: it is never asked for.
+      add_row(s.face_rows, key_of(face));
+    }
+  }
+  for (const CellKind kind : volume_kinds) {
+    const CellRows rows = rows_of(mesh, kind);
+    for (std::size_t i = 0; i < rows.count; ++i) {
+      for (const Face& face : faces_inward(kind, rows[i])) {
+        const bool is_base = s.half_faces.size() == (s.ends.empty() ? 0 : s.ends.back());
+        std::size_t places = 0;
+        s.half_faces.push_back(half_face(s, face, &places));
+        if (is_base) s.turn.push_back(static_cast<std::int32_t>(places));
+      }
+      s.ends.push_back(s.half_faces.size());
+    }
   }
   return s;
 }
@@ -136,23 +221,33 @@ void put_skeleton(NumberSink& out, const FileMesh& mesh, Skeleton& s) {
   put_text(out, "OVM ASCII\n");
   put_head(out, "Vertices", mesh.points.size());
   for (const Point& p : mesh.points) put_row(out, p);
-  std::vector<Triangle> half_edges;
-  half_edges.reserve(s.faces.size());
-  for (const auto& [a, b, c] : s.faces) {
-    half_edges.push_back({half_edge(s, a, b), half_edge(s, b, c), half_edge(s, c, a)});
+  const CellRows polygons = rows_of(mesh, CellKind::polygon);
+  std::vector<std::uint32_t> half_edges;
+  std::vector<std::size_t> ends;
+  for (const Face& f : s.faces) {
+    const auto corners =
+        f.corners == 0 ? polygons[f.points[0]] : std::span(f.points).first(f.corners);
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      half_edges.push_back(half_edge(s, corners[k], corners[(k + 1) % corners.size()]));
+    }
+    ends.push_back(half_edges.size());
   }
   put_head(out, "Edges", s.edges.size());
   for (const auto& edge : s.edges) put_row(out, edge);
+  const auto put_lists = [&](const std::vector<std::uint32_t>& numbers,
+                             const std::vector<std::size_t>& list_ends) {
+    std::size_t begin = 0;
+    for (const std::size_t end : list_ends) {
+      put_text(out, end - begin);
+      out.bytes += ' ';
+      put_row(out, std::span(numbers).subspan(begin, end - begin));
+      begin = end;
+    }
+  };
   put_head(out, "Faces", s.faces.size());
-  for (const Triangle& face : half_edges) {
-    put_text(out, "3 ");
-    put_row(out, face);
-  }
-  put_head(out, "Polyhedra", s.half_faces.size());
-  for (const auto& cell : s.half_faces) {
-    put_text(out, "4 ");
-    put_row(out, cell);
-  }
+  put_lists(half_edges, ends);
+  put_head(out, "Polyhedra", s.ends.size());
+  put_lists(s.half_faces, s.ends);
 }
 
 constexpr std::string_view entities[] = {"VProp", "EProp", "FProp", "CProp"};
@@ -199,6 +294,26 @@ void put_data(NumberSink& out, int dimension, const DataColumn& column, std::siz
   }
 }
 
+/// What is said of the cells of one dimension, which are the first of `rows` edges, faces or
+/// polyhedra.
+void put_cells(NumberSink& out, const FileMesh& mesh, int d, std::span<const CellKind> kinds,
+               std::size_t rows) {
+  CellColumns cells;
+  std::size_t count = 0;
+  for (const CellKind kind : kinds) {
+    const std::size_t more = rows_of(mesh, kind).count;
+    append_columns(cells, count, CellColumns(columns_of(mesh, kind)), more);
+    count += more;
+  }
+  if (d < 3) {
+    put_property(out, d, "int", OvmOwn::cell, std::vector<std::int32_t>(count, 1), rows);
+  }
+  put_property(out, d, "int", OvmOwn::region, cells.region, rows);
+  put_property(out, d, "int", OvmOwn::entity, cells.entity, rows);
+  put_property(out, d, "long", OvmOwn::cell_id, cells.source_id, rows);
+  for (const DataColumn& column : cells.data) put_data(out, d, column, rows);
+}
+
 }  // namespace
 
 std::string write_ovm(const FileMesh& mesh) {
@@ -210,22 +325,12 @@ std::string write_ovm(const FileMesh& mesh) {
   put_property(out, 0, "int", OvmOwn::region, mesh.point_region, points);
   put_property(out, 0, "long", OvmOwn::point_id, mesh.source_point_id, points);
   for (const DataColumn& column : mesh.point_data) put_data(out, 0, column, points);
-  for_each_cell_list(mesh, [&](const auto& cells, int d) {
-    if (d == 0) return;
-    const std::size_t rows = d == 1   ? s.edges.size()
-                             : d == 2 ? s.faces.size()
-                                      : s.half_faces.size();
-    if (d < 3) {
-      put_property(out, d, "int", OvmOwn::cell, std::vector<std::int32_t>(cells.corners.size(), 1),
-                   rows);
-    } else if (std::ranges::any_of(s.turn, [](std::int32_t x) { return x != 0; })) {
-      put_property(out, d, "int", OvmOwn::turn, s.turn, rows);
-    }
-    put_property(out, d, "int", OvmOwn::region, cells.region, rows);
-    put_property(out, d, "int", OvmOwn::entity, cells.entity, rows);
-    put_property(out, d, "long", OvmOwn::cell_id, cells.source_id, rows);
-    for (const DataColumn& column : cells.data) put_data(out, d, column, rows);
-  });
+  put_cells(out, mesh, 1, {{CellKind::edge}}, s.edges.size());
+  put_cells(out, mesh, 2, face_kinds, s.faces.size());
+  if (std::ranges::any_of(s.turn, [](std::int32_t x) { return x != 0; })) {
+    put_property(out, 3, "int", OvmOwn::turn, s.turn, s.ends.size());
+  }
+  put_cells(out, mesh, 3, volume_kinds, s.ends.size());
   return std::move(out.bytes);
 }
 

@@ -121,10 +121,12 @@ void read_face(OffReader& r) {
   const std::size_t at = place_of_next(r.in);
   const std::size_t corners = read_bounded<std::int32_t>(r.in, "corners of a face", 2, 4);
   FileCell& cell = r.draft.cell;
-  cell.begin(corners, at);
-  for (std::size_t k = 0; k < corners; ++k) {
+  const std::size_t taken = std::min(corners, most_corners + 1);
+  cell.begin(taken, at);
+  for (std::size_t k = 0; k < taken; ++k) {
     cell.numbers[k] = cell.rows[k] = read_next<std::int64_t, std::int32_t>(r.in, "a point's row");
   }
+  skip_numbers(r.in, corners - taken, 4 * (corners - taken), "a point's row");
   if (corners == 0) {
     add_other_cells(r.draft, "faces without corners", 2, 1, at);
   } else if (corners < 3) {

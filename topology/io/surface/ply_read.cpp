@@ -8,6 +8,7 @@
 #include "topology/io/surface/ply.hpp"
 #include "topology/io/surface/ply_header.hpp"
 #include "topology/io/vtk/vtk_columns.hpp"
+#include "topology/mesh/kinds/move_cells.hpp"
 
 namespace sunder::io {
 namespace {
@@ -120,10 +121,12 @@ struct Row {
 
 void read_corners(PlyReader& r, const Property& p, Row& row) {
   const std::size_t corners = read_length(r, p);
-  row.cell.begin(corners, row.cell.at);
-  for (std::size_t k = 0; k < corners; ++k) {
+  const std::size_t taken = std::min(corners, most_corners + 1);
+  row.cell.begin(taken, row.cell.at);
+  for (std::size_t k = 0; k < taken; ++k) {
     row.cell.numbers[k] = row.cell.rows[k] = read_integer(r, p.type, "a point's row");
   }
+  skip_numbers(r.in, corners - taken, (corners - taken) * size_of(p.type), "a point's row");
 }
 
 /// Comments between the rows of a text, which some programs write.
@@ -260,39 +263,6 @@ void take_columns(CellColumns& cells, std::vector<Column>& columns) {
   }
 }
 
-/// The rows of a column that went to one list.
-DataColumn part_of(const DataColumn& column, const std::vector<CellKind>& kind_of_row,
-                   CellKind kind, std::size_t rows) {
-  DataColumn part{column.name, column.components, column.type, {}};
-  std::visit(
-      [&](const auto& all) {
-        std::remove_cvref_t<decltype(all)> values;
-        values.reserve(rows * column.components);
-        for (std::size_t i = 0; i < kind_of_row.size(); ++i) {
-          if (kind_of_row[i] != kind) continue;
-          const auto first = all.begin() + static_cast<std::ptrdiff_t>(i * column.components);
-          values.insert(values.end(), first, first + static_cast<std::ptrdiff_t>(column.components));
-        }
-        part.values = std::move(values);
-      },
-      column.values);
-  return part;
-}
-
-/// What a writer had to put where faces of this kind have no such column.
-void drop_filling(CellColumns& cells) {
-  const auto drop_zeros = [](auto& labels) {
-    if (std::ranges::all_of(labels, [](auto x) { return x == 0; })) labels.clear();
-  };
-  drop_zeros(cells.region);
-  drop_zeros(cells.entity);
-  drop_zeros(cells.source_id);
-  std::erase_if(cells.data, [](const DataColumn& column) {
-    const auto* const values = std::get_if<std::vector<double>>(&column.values);
-    return values != nullptr && std::ranges::all_of(*values, [](double x) { return x != x; });
-  });
-}
-
 void drop_last(std::vector<Column>& columns) {
   for (Column& c : columns) {
     std::visit([&](auto& values) { values.resize(values.size() - c.data.components); },
@@ -340,16 +310,9 @@ void read_faces(PlyReader& r, Element& e) {
   }
   if (kind_of_row.empty()) return;
   if (is_one_kind()) return take_columns(columns_of(mesh, kind_of_row[0]), columns);
-  for (const CellKind kind : {CellKind::triangle, CellKind::quad4, CellKind::polygon}) {
-    const std::size_t rows = rows_of(mesh, kind).count;
-    if (rows == 0) continue;
-    std::vector<Column> parts;
-    for (const Column& c : columns) {
-      parts.push_back({part_of(c.data, kind_of_row, kind, rows), c.is_joined});
-    }
-    take_columns(columns_of(mesh, kind), parts);
-    drop_filling(columns_of(mesh, kind));
-  }
+  CellColumns all;
+  take_columns(all, columns);
+  deal_columns(mesh, std::move(all), kind_of_row);
 }
 
 void read_edges(PlyReader& r, Element& e) {

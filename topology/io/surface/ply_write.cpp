@@ -160,7 +160,7 @@ void put_cells(NumberSink& out, const CellRows& rows, ListLength length, const C
 
 constexpr CellKind face_kinds[] = {CellKind::triangle, CellKind::quad4, CellKind::polygon};
 
-std::size_t most_corners(const FileMesh& mesh) {
+std::size_t corners_of_largest(const FileMesh& mesh) {
   const CellRows rows = rows_of(mesh, CellKind::polygon);
   std::size_t most = 4;
   for (std::size_t i = 0; i < rows.count; ++i) most = std::max(most, rows[i].size());
@@ -211,7 +211,7 @@ std::string write_ply(const FileMesh& mesh, bool is_binary) {
                             "property double z\n",
                             mesh.points.size()));
   put_properties(out, vertex);
-  const bool is_wide = most_corners(mesh) > 255;
+  const bool is_wide = corners_of_largest(mesh) > 255;
   put_text(out, fmt::format("element face {}\nproperty list {} int vertex_indices\n", faces,
                             is_wide ? "int" : "uchar"));
   put_properties(out, face);

@@ -2,8 +2,8 @@
 // Internal to topology/io: TetGen's files, STEM.node, STEM.ele, STEM.face and STEM.edge.
 #pragma once
 
-#include <filesystem>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -27,8 +27,8 @@ std::filesystem::path tetgen_stem(const std::filesystem::path& path);
 /// they are there. Points are numbered one after the other, from any number. Throws ReadFailure.
 Draft read_tetgen(const FileSource& source);
 
-/// Whether a mesh is written with second-order cells: TetGen's files have one order, so where it has
-/// edges, triangles or tetrahedra of both the first is written.
+/// Whether a mesh is written with second-order cells: TetGen's files have one order, so where it
+/// has edges, triangles or tetrahedra of both the first is written.
 bool is_tetgen_curved(const FileMesh& mesh);
 
 /// Writes STEM.ele, STEM.face and STEM.edge, then STEM.node, numbered from 1. Without triangles

@@ -231,15 +231,25 @@ void read_elements(UnvReader& r, UnvLines& lines, bool is_old) {
   }
 }
 
-/// Tables of properties that are all the first say nothing, and none (0) neither.
-void drop_usual_tables(FileMesh& mesh) {
-  const auto all = [&](std::int32_t table) {
-    return std::ranges::all_of(all_cell_kinds, [&](CellKind kind) {
-      return std::ranges::all_of(columns_of(mesh, kind).entity, [&](auto e) { return e == table; });
+/// Tables of properties: where cells of a dimension are in no group they are their regions. Those that
+/// are all the first (or 0) say nothing.
+void take_tables(FileMesh& mesh) {
+  for (int d = 0; d < 4; ++d) {
+    bool has_regions = false, are_usual = true;
+    const auto for_each = [&](auto work) {
+      for (const CellKind kind : all_cell_kinds) {
+        if (traits_of(kind).dimension == d) work(columns_of(mesh, kind));
+      }
+    };
+    for_each([&](CellColumns& cells) {
+      has_regions = has_regions || !cells.region.empty();
+      are_usual = are_usual && std::ranges::all_of(cells.entity, [](auto e) { return e == 0 || e == 1; });
     });
-  };
-  if (!all(1) && !all(0)) return;
-  for (const CellKind kind : all_cell_kinds) columns_of(mesh, kind).entity.clear();
+    for_each([&](CellColumns& cells) {
+      if (!has_regions && !are_usual) cells.region = cells.entity;
+      if (!has_regions || are_usual || cells.entity == cells.region) cells.entity.clear();
+    });
+  }
 }
 
 /// Numbers that count on from 1 through all elements say nothing.
@@ -298,8 +308,8 @@ Draft read_unv(std::string_view text) {
   for_each_section(r, {2412, 780}, [&](const UnvSection& section, UnvLines& lines) {
     read_elements(r, lines, section.number == 780);
   });
-  drop_usual_tables(r.draft.mesh);
   read_unv_groups(r);
+  take_tables(r.draft.mesh);
   drop_counting(r.draft.mesh);
   note_others(r);
   return std::move(r.draft);

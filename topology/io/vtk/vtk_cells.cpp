@@ -101,7 +101,8 @@ std::size_t fewest_points(const CellType& type) {
 
 /// The kind of a cell with so many points; no_kind for those that are left out.
 std::int8_t kind_of(const CellType& type, std::size_t points) {
-  if (type.number == polygon_type) return points < 3 ? no_kind : place(kind_of_face(points));
+  if (type.number == polygon_type)
+    return points < 3 || points > most_corners ? no_kind : place(kind_of_face(points));
   return type.kind;
 }
 
@@ -179,6 +180,9 @@ void check_vtk_cells(const VtkCells& cells, std::string_view text, std::size_t a
 
 void add_vtk_cells(Draft& draft, VtkPiece& piece, const VtkCells& cells, std::size_t at) {
   const auto points = static_cast<std::int64_t>(piece.points);
+  if (cells.types.empty()) return;
+  piece.cells.resize(cell_kinds);
+  piece.first_cell.resize(cell_kinds);
   piece.list_of_cell.reserve(cells.types.size());
   const bool has_parts = std::ranges::any_of(cells.types, is_cut);
   if (has_parts) piece.parts_of_cell.reserve(cells.types.size());

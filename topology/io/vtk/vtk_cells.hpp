@@ -34,9 +34,9 @@ struct VtkPiece {
   /// Into how many parts each was cut: poly-vertices, polylines and strips become vertices, edges and
   /// triangles, which have the data of the whole. Empty where there are none of these.
   std::vector<std::uint32_t> parts_of_cell;
-  /// By kind: how many there are, and the row of the first.
-  std::array<std::size_t, cell_kinds> cells{};
-  std::array<std::size_t, cell_kinds> first_cell{};
+  /// By kind: how many there are, and the row of the first. Empty without cells: a file may have
+  /// many pieces.
+  std::vector<std::size_t> cells, first_cell;
   /// How many parts there are more than cells, and how many numbers may still be copied for them.
   std::size_t more_parts = 0;
   std::size_t copies_left = 0;

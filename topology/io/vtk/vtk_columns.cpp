@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "topology/io/scan.hpp"
+#include "topology/mesh/kinds/move_cells.hpp"
 
 namespace sunder::io {
 namespace {
@@ -184,19 +185,7 @@ void drop_fillings(FileMesh& mesh) {
   int kinds = 0;
   for (const CellKind kind : all_cell_kinds) kinds += rows_of(mesh, kind).count > 0;
   if (kinds < 2) return;
-  const auto drop_zeros = [](auto& labels) {
-    if (std::ranges::all_of(labels, [](auto x) { return x == 0; })) labels.clear();
-  };
-  for (const CellKind kind : all_cell_kinds) {
-    CellColumns& cells = columns_of(mesh, kind);
-    drop_zeros(cells.region);
-    drop_zeros(cells.entity);
-    drop_zeros(cells.source_id);
-    std::erase_if(cells.data, [](const DataColumn& column) {
-      const auto* const values = std::get_if<std::vector<double>>(&column.values);
-      return values != nullptr && std::ranges::all_of(*values, [](double x) { return x != x; });
-    });
-  }
+  for (const CellKind kind : all_cell_kinds) drop_filling(columns_of(mesh, kind));
 }
 
 }  // namespace

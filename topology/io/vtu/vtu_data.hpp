@@ -37,6 +37,8 @@ struct VtuArray {
   /// VTK's word: "Float64", "Int32", ...
   std::string type;
   std::size_t components = 1;
+  /// Of the cells of PolyData: the list, in the order of PolyList.
+  std::uint8_t poly_list = 0;
   bool is_appended = false;
   bool is_ascii = false;
   /// Into VtuLayout::appended.

@@ -15,9 +15,11 @@
 namespace sunder::io {
 namespace {
 
-const VtuArray* find_array(const std::list<VtuArray>& arrays, std::string_view name) {
-  const auto found =
-      std::find_if(arrays.begin(), arrays.end(), [&](const auto& a) { return a.name == name; });
+const VtuArray* find_array(const std::list<VtuArray>& arrays, std::string_view name,
+                           std::size_t list) {
+  const auto found = std::find_if(arrays.begin(), arrays.end(), [&](const auto& a) {
+    return a.name == name && a.poly_list == list;
+  });
   return found == arrays.end() ? nullptr : &*found;
 }
 
@@ -26,8 +28,8 @@ const VtuArray* find_array(const std::list<VtuArray>& arrays, std::string_view n
 }
 
 const VtuArray& needed_array(const VtuDocument& document, const VtuPiece& piece,
-                             const std::list<VtuArray>& arrays, std::string_view name) {
-  if (const VtuArray* array = find_array(arrays, name)) return *array;
+                             std::string_view name, std::size_t list = 0) {
+  if (const VtuArray* array = find_array(piece.cell_arrays, name, list)) return *array;
   fail_piece(document, piece,
              {.code = "missing_array",
               .text = fmt::format("this piece has no array {} among its cells", name),
@@ -80,9 +82,8 @@ VtkCells read_poly_cells(VtuDocument& document, const VtuPiece& piece, std::size
   VtkCells cells;
   for (std::size_t i = 0; i < poly_lists; ++i) {
     if (piece.poly_cells[i] == 0) continue;
-    const std::list<VtuArray>& arrays = piece.poly_arrays[i];
-    const VtuArray& offsets = needed_array(document, piece, arrays, "offsets");
-    const VtuArray& connectivity = needed_array(document, piece, arrays, "connectivity");
+    const VtuArray& offsets = needed_array(document, piece, "offsets", i);
+    const VtuArray& connectivity = needed_array(document, piece, "connectivity", i);
     at = offsets.at;
     const auto ends = read_integers(document.layout, offsets, piece.poly_cells[i]);
     append_poly_cells(cells, static_cast<PolyList>(i), ends,
@@ -98,7 +99,7 @@ VtkCells read_cells(VtuDocument& document, const VtuPiece& piece, std::size_t& a
   if (piece.cells == 0) return cells;
   if (document.is_polydata) return read_poly_cells(document, piece, at);
   const auto array = [&](std::string_view name) -> const VtuArray& {
-    return needed_array(document, piece, piece.cell_arrays, name);
+    return needed_array(document, piece, name);
   };
   const VtuArray& offsets = array("offsets");
   const VtuArray& connectivity = array("connectivity");
@@ -200,6 +201,7 @@ Draft read_vtu(std::string_view text) {
   if (!is_one) draft.mesh.points.reserve(std::min(points, text.size() / 3));
   // All rows first: then columns are as long as they will be from the start.
   std::vector<VtkPiece> places;
+  places.reserve(document.pieces.size());
   for (const VtuPiece& piece : document.pieces) {
     places.push_back(read_grid(document, piece, draft));
   }

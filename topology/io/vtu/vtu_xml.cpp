@@ -115,12 +115,13 @@ void start_piece(VtuParser& p, Attributes attributes) {
   };
   check(piece.points, "points");
   if (p.document.is_polydata) {
-    for (std::size_t i = 0; i < piece.poly_cells.size(); ++i) {
-      piece.poly_cells[i] =
-          count_attribute(p, attributes, fmt::format("NumberOf{}", poly_tags[i]), 0);
-      check(piece.poly_cells[i], "cells");
-      piece.cells += piece.poly_cells[i];
+    std::array<std::size_t, poly_tags.size()> counts{};
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+      counts[i] = count_attribute(p, attributes, fmt::format("NumberOf{}", poly_tags[i]), 0);
+      check(counts[i], "cells");
+      piece.cells += counts[i];
     }
+    if (piece.cells > 0) piece.poly_cells.assign(counts.begin(), counts.end());
   } else {
     piece.cells = count_attribute(p, attributes, "NumberOfCells");
     check(piece.cells, "cells");
@@ -131,9 +132,7 @@ void start_piece(VtuParser& p, Attributes attributes) {
 std::list<VtuArray>* arrays_of(VtuPiece& piece, std::string_view parent) {
   if (parent == "Points") return &piece.point_arrays;
   if (parent == "Cells") return &piece.cell_arrays;
-  for (std::size_t i = 0; i < poly_tags.size(); ++i) {
-    if (parent == poly_tags[i]) return &piece.poly_arrays[i];
-  }
+  if (std::ranges::find(poly_tags, parent) != poly_tags.end()) return &piece.cell_arrays;
   if (parent == "PointData") return &piece.point_data;
   if (parent == "CellData") return &piece.cell_data;
   return nullptr;
@@ -145,6 +144,8 @@ void start_array(VtuParser& p, Attributes attributes) {
   std::list<VtuArray>* arrays = arrays_of(p.document.pieces.back(), p.open[p.open.size() - 2]);
   if (arrays == nullptr) return;
   VtuArray array{.at = place(p)};
+  const auto* const list = std::ranges::find(poly_tags, p.open[p.open.size() - 2]);
+  if (list != poly_tags.end()) array.poly_list = static_cast<std::uint8_t>(list - poly_tags.begin());
   array.name = attribute(attributes, "Name").value_or("");
   const auto type = attribute(attributes, "type");
   if (!type) {

@@ -2,7 +2,6 @@
 // Internal to the VTU reader: the XML part of the file as plain data, no array decoded yet.
 #pragma once
 
-#include <array>
 #include <list>
 #include <string_view>
 #include <vector>
@@ -19,9 +18,8 @@ struct VtuPiece {
   std::size_t at = 0;
   std::list<VtuArray> point_arrays;
   std::list<VtuArray> cell_arrays;
-  /// Of PolyData: how many cells each list has, and their arrays; in the order of PolyList.
-  std::array<std::size_t, 4> poly_cells{};
-  std::array<std::list<VtuArray>, 4> poly_arrays;
+  /// Of PolyData: how many cells each list has, in the order of PolyList; empty where none has any.
+  std::vector<std::size_t> poly_cells;
   std::list<VtuArray> point_data;
   std::list<VtuArray> cell_data;
 };

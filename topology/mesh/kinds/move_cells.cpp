@@ -32,6 +32,21 @@ void append_data(DataColumn& to, std::size_t had, DataColumn&& from, std::size_t
   }
 }
 
+/// The rows of a column that went to one list.
+template <class Value>
+std::vector<Value> part_of(const std::vector<Value>& all, const std::vector<CellKind>& kind_of_row,
+                           CellKind kind, std::size_t components = 1) {
+  std::vector<Value> values;
+  if (all.empty()) return values;
+  values.reserve(components * static_cast<std::size_t>(std::ranges::count(kind_of_row, kind)));
+  for (std::size_t i = 0; i < kind_of_row.size(); ++i) {
+    if (kind_of_row[i] != kind) continue;
+    const auto first = all.begin() + static_cast<std::ptrdiff_t>(i * components);
+    values.insert(values.end(), first, first + static_cast<std::ptrdiff_t>(components));
+  }
+  return values;
+}
+
 /// A column as `like`, without rows.
 DataColumn column_like(const DataColumn& like) {
   DataColumn column{like.name, like.components, like.type, {}};
@@ -55,8 +70,7 @@ void append_columns(CellColumns& columns, std::size_t rows, CellColumns&& others
     std::size_t i = 0;
     while (i < others.data.size() &&
            (is_taken[i] || others.data[i].name != column.name ||
-            others.data[i].components != column.components ||
-            others.data[i].type != column.type)) {
+            others.data[i].components != column.components || others.data[i].type != column.type)) {
       ++i;
     }
     const bool is_there = i < others.data.size();
@@ -101,6 +115,45 @@ void drop_cells(FileMesh& mesh, CellKind kind) {
     default:
       other_cells(mesh, kind) = {};
   }
+}
+
+void deal_columns(FileMesh& mesh, CellColumns&& all, const std::vector<CellKind>& kind_of_row) {
+  std::vector<CellKind> kinds;
+  for (const CellKind kind : all_cell_kinds) {
+    if (std::ranges::find(kind_of_row, kind) != kind_of_row.end()) kinds.push_back(kind);
+  }
+  for (const CellKind kind : kinds) {
+    CellColumns& cells = columns_of(mesh, kind);
+    cells.region = part_of(all.region, kind_of_row, kind);
+    cells.entity = part_of(all.entity, kind_of_row, kind);
+    cells.source_id = part_of(all.source_id, kind_of_row, kind);
+  }
+  for (DataColumn& c : all.data) {  // one after the other: there is no room for all of them twice
+    for (const CellKind kind : kinds) {
+      DataColumn& part =
+          columns_of(mesh, kind).data.emplace_back(DataColumn{c.name, c.components, c.type, {}});
+      std::visit(
+          [&](const auto& values) {
+            part.values = part_of(values, kind_of_row, kind, c.components);
+          },
+          c.values);
+    }
+    c = {};
+  }
+  for (const CellKind kind : kinds) drop_filling(columns_of(mesh, kind));
+}
+
+void drop_filling(CellColumns& cells) {
+  const auto drop_zeros = [](auto& labels) {
+    if (std::ranges::all_of(labels, [](auto x) { return x == 0; })) labels.clear();
+  };
+  drop_zeros(cells.region);
+  drop_zeros(cells.entity);
+  drop_zeros(cells.source_id);
+  std::erase_if(cells.data, [](const DataColumn& column) {
+    const auto* const values = std::get_if<std::vector<double>>(&column.values);
+    return values != nullptr && std::ranges::all_of(*values, [](double x) { return x != x; });
+  });
 }
 
 void make_linear(FileMesh& mesh) {

@@ -17,6 +17,14 @@ void move_cells(FileMesh& mesh, CellKind from, CellKind to);
 /// Takes all cells of a kind out.
 void drop_cells(FileMesh& mesh, CellKind kind);
 
+/// Gives what is said of rows of several kinds to the list of each, in their order, and drops there
+/// what is filling. Needs: the lists have those cells, and no columns.
+void deal_columns(FileMesh& mesh, CellColumns&& all, const std::vector<CellKind>& kind_of_row);
+
+/// Drops columns that say nothing: labels and numbers that are all 0, data that are all
+/// not-a-number. Writers of formats with one table for cells of several kinds fill with these.
+void drop_filling(CellColumns& cells);
+
 /// All cells of higher order become those of first order with the same corners.
 void make_linear(FileMesh& mesh);
 

@@ -18,12 +18,11 @@ using Triangle = std::array<std::uint32_t, 3>;
 /// Relative size below which a part is flat, and a polygon plane.
 constexpr double flat_part = 1e-12, plane = 1e-6;
 
-/// Calls `take` for the triangles of a face around its least corner, turned as the face; those with a
-/// corner twice are left out, and counted.
+/// Calls `take` for the triangles of a face around its least corner, turned as the face; those with
+/// a corner twice are left out, and counted.
 template <class Take>
 std::size_t for_fan(std::span<const std::uint32_t> face, Take take) {
-  const auto least =
-      static_cast<std::size_t>(std::ranges::min_element(face) - face.begin());
+  const auto least = static_cast<std::size_t>(std::ranges::min_element(face) - face.begin());
   const std::size_t n = face.size();
   std::size_t empty = 0;
   for (std::size_t k = 1; k + 1 < n; ++k) {
@@ -142,15 +141,16 @@ SplitCells split_cells(FileMesh& mesh) {
     const CellRows rows = rows_of(mesh, kind);
     for (std::uint32_t i = 0; i < count; ++i) {
       const auto nodes = rows[i];
-      t.dimension == 3 ? cut_volume(parts, linear, nodes.first(t.corners), i)
-                       : cut_face(parts, linear, t.corners == 0 ? nodes : nodes.first(t.corners), i);
+      t.dimension == 3
+          ? cut_volume(parts, linear, nodes.first(t.corners), i)
+          : cut_face(parts, linear, t.corners == 0 ? nodes : nodes.first(t.corners), i);
     }
     const std::size_t more = parts.parents.size();
     report.cut[index_of(kind)] = count;
     (t.dimension == 3 ? report.tetrahedra : report.triangles) += more;
-    append_columns(
-        columns_of(mesh, simplex), had,
-        columns_of_parts(std::move(columns_of(mesh, kind)), parts.parents, last, report), more);
+    append_columns(columns_of(mesh, simplex), had,
+                   columns_of_parts(std::move(columns_of(mesh, kind)), parts.parents, last, report),
+                   more);
     drop_cells(mesh, kind);
   }
   return report;

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+// Surfaces: closed, manifold, oriented, crossing themselves; area and volume.
+#include "topology/mesh/surface/surface_check.hpp"
+
+#include <algorithm>
+#include <array>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
+
+#include "topology/mesh/surface/crossing.hpp"
+#include "topology/mesh/surface/exact_side.hpp"
+
+using namespace sunder;
+
+namespace {
+
+/// A cube of six quadrilaterals, outward.
+FileMesh cube(double size = 1, Point at = {0, 0, 0}) {
+  FileMesh mesh;
+  for (int i = 0; i < 8; ++i) {
+    mesh.points.push_back({at[0] + size * (i % 4 == 1 || i % 4 == 2), at[1] + size * (i % 4 >= 2),
+                           at[2] + size * (i >= 4)});
+  }
+  for (const FaceCorners& f : faces_of(CellKind::hexahedron8)) {
+    append_cell(mesh, CellKind::quad4, std::array<std::uint32_t, 4>{f[0], f[1], f[2], f[3]});
+  }
+  return mesh;
+}
+
+void append(FileMesh& mesh, const FileMesh& other) {
+  const auto first = static_cast<std::uint32_t>(mesh.points.size());
+  mesh.points.insert(mesh.points.end(), other.points.begin(), other.points.end());
+  const CellRows rows = rows_of(other, CellKind::quad4);
+  for (std::size_t i = 0; i < rows.count; ++i) {
+    std::array<std::uint32_t, 4> nodes{};
+    for (std::size_t k = 0; k < 4; ++k) nodes[k] = rows[i][k] + first;
+    append_cell(mesh, CellKind::quad4, nodes);
+  }
+}
+
+std::size_t count(const SurfaceCheck& check, std::string_view code) {
+  const auto found = std::ranges::find(check.findings, code, &Finding::code);
+  return found == check.findings.end() ? 0 : found->count;
+}
+
+}  // namespace
+
+TEST_CASE("a cube of quadrilaterals is closed, manifold, oriented and free of crossings",
+          "[mesh][surface_check]") {
+  const SurfaceCheck check = check_surface(cube(2, {5, 6, 7}));
+  CHECK(check.findings.empty());
+  CHECK((check.is_closed && check.is_manifold && check.is_oriented));
+  CHECK(check.crosses_itself == false);
+  CHECK(check.quadrilaterals == 6);
+  CHECK((check.vertices == 8 && check.edges == 12 && check.components == 1));
+  CHECK(check.euler_characteristic == 2);
+  CHECK(check.area == Approx(24).epsilon(1e-14));
+  CHECK(check.volume.value() == Approx(8).epsilon(1e-14));
+  CHECK(check.extent.box.low == Point{5, 6, 7});
+  CHECK(check.extent.box.high == Point{7, 8, 9});
+  for (std::size_t k = 0; k < 3; ++k) {
+    CHECK(check.extent.centre[k] == Approx(6.0 + static_cast<double>(k)).epsilon(1e-14));
+  }
+}
+
+TEST_CASE("a hole, a face turned over, a second face and faces inward are told",
+          "[mesh][surface_check]") {
+  FileMesh mesh = cube();
+  auto& points = other_cells(mesh, CellKind::quad4).points;
+  SECTION("a hole") {
+    points.resize(20);
+    const SurfaceCheck check = check_surface(mesh);
+    CHECK_FALSE(check.is_closed);
+    CHECK(check.is_oriented);
+    CHECK(check.boundary_edges == 4);
+    CHECK(count(check, "open_edge") == 4);
+    CHECK_FALSE(check.volume);
+  }
+  SECTION("a face turned over") {
+    std::reverse(points.begin(), points.begin() + 4);
+    const SurfaceCheck check = check_surface(mesh);
+    CHECK(check.is_closed);
+    CHECK_FALSE(check.is_oriented);
+    CHECK(count(check, "inconsistent_orientation") == 4);
+    CHECK_FALSE(check.volume);
+  }
+  SECTION("a face twice") {
+    points.insert(points.end(), {points[0], points[1], points[2], points[3]});
+    const SurfaceCheck check = check_surface(mesh);
+    CHECK_FALSE(check.is_manifold);
+    CHECK(count(check, "nonmanifold_edge") == 4);
+    CHECK(count(check, "duplicate_face") == 1);
+  }
+  SECTION("all faces inward") {
+    for (std::size_t i = 0; i < points.size(); i += 4) std::swap(points[i + 1], points[i + 3]);
+    const SurfaceCheck check = check_surface(mesh);
+    CHECK(count(check, "inside_out") == 1);
+    CHECK(check.volume.value() == Approx(-1).epsilon(1e-14));
+  }
+  SECTION("corners of their own, as in STL") {
+    FileMesh apart;
+    const CellRows rows = rows_of(mesh, CellKind::quad4);
+    for (std::size_t i = 0; i < rows.count; ++i) {
+      std::array<std::uint32_t, 4> nodes{};
+      for (std::size_t k = 0; k < 4; ++k) {
+        nodes[k] = static_cast<std::uint32_t>(apart.points.size());
+        apart.points.push_back(mesh.points[rows[i][k]]);
+      }
+      append_cell(apart, CellKind::quad4, nodes);
+    }
+    const SurfaceCheck check = check_surface(apart);
+    CHECK(check.is_closed);
+    CHECK(count(check, "coincident_points") == 16);
+    CHECK(check.vertices == 8);
+  }
+}
+
+TEST_CASE("cubes through each other cross, cubes beside each other do not",
+          "[mesh][surface_check]") {
+  FileMesh mesh = cube();
+  SECTION("a corner inside") {
+    append(mesh, cube(1, {0.5, 0.5, 0.5}));
+    const SurfaceCheck check = check_surface(mesh);
+    CHECK(check.crosses_itself == true);
+    CHECK(count(check, "self_intersection") == 6);
+    CHECK(check.components == 2);
+  }
+  SECTION("apart") {
+    append(mesh, cube(1, {1 + 1e-15, 0, 0}));
+    CHECK(check_surface(mesh).crosses_itself == false);
+  }
+  SECTION("touching in an edge") {
+    append(mesh, cube(1, {1, 1, 0}));
+    const SurfaceCheck check = check_surface(mesh);
+    CHECK(check.crosses_itself == false);
+    CHECK_FALSE(check.is_manifold);
+    CHECK(count(check, "nonmanifold_edge") == 1);
+  }
+  SECTION("touching in a vertex") {
+    append(mesh, cube(1, {1, 1, 1}));
+    const SurfaceCheck check = check_surface(mesh);
+    CHECK(check.crosses_itself == false);
+    CHECK(count(check, "nonmanifold_vertex") == 1);
+  }
+  SECTION("a corner in the middle of a face") {
+    append(mesh, cube(1, {1, 0.25, 0.25}));
+    CHECK(check_surface(mesh).crosses_itself == true);
+  }
+}
+
+TEST_CASE("signs of determinants are exact", "[mesh][surface_check]") {
+  std::mt19937 random(20261125);
+  std::uniform_int_distribution<int> small(-40, 40);
+  for (int round = 0; round < 20000; ++round) {
+    std::array<Point, 4> p;
+    for (Point& q : p) q = {1.0 * small(random), 1.0 * small(random), 1.0 * small(random)};
+    if (round % 3 == 0) p[3] = p[round % 2 == 0 ? 0 : 1];
+    // Small integers: doubles compute their determinant without rounding. Shifted far away and
+    // scaled by a power of two the points are still exact, and the plain formula is not.
+    const auto minor = [&](std::size_t i, std::size_t j, std::size_t k) {
+      return (p[1][i] - p[0][i]) * ((p[2][j] - p[0][j]) * (p[3][k] - p[0][k]) -
+                                    (p[2][k] - p[0][k]) * (p[3][j] - p[0][j]));
+    };
+    const double det = minor(0, 1, 2) + minor(1, 2, 0) + minor(2, 0, 1);
+    const int sign = (det > 0) - (det < 0);
+    std::array<Point, 4> far = p;
+    for (Point& q : far) {
+      q = {q[0] * 0x1p-40 + 1, q[1] * 0x1p-40 + 3, q[2] * 0x1p-40 - 2};
+    }
+    CHECK(side_of_plane(p[0], p[1], p[2], p[3]) == sign);
+    CHECK(side_of_plane(far[0], far[1], far[2], far[3]) == sign);
+    const double area =
+        (p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]);
+    CHECK(side_of_line({far[0][0], far[0][1]}, {far[1][0], far[1][1]}, {far[2][0], far[2][1]}) ==
+          (area > 0) - (area < 0));
+  }
+}
+
+TEST_CASE("crossings found by boxes are those of all pairs", "[mesh][surface_check]") {
+  std::mt19937 random(7);
+  for (int round = 0; round < 60; ++round) {
+    std::vector<Point> points;
+    for (int i = 0; i < 343; ++i) points.push_back({i % 7 + 0.0, i / 7 % 7 + 0.0, i / 49 + 0.0});
+    std::vector<SurfaceTriangle> triangles;
+    for (std::uint32_t f = 0; f < 12; ++f) {
+      std::array<std::uint32_t, 3> corners{};
+      for (auto& c : corners) c = static_cast<std::uint32_t>(random() % 343);
+      if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0])
+        continue;
+      triangles.push_back({corners, f});
+    }
+    std::vector<std::array<std::uint32_t, 2>> slow;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      for (std::size_t j = i + 1; j < triangles.size(); ++j) {
+        const bool is_so = triangles_cross(points, triangles[i].corners, triangles[j].corners);
+        CHECK(is_so == triangles_cross(points, triangles[j].corners, triangles[i].corners));
+        if (is_so) slow.push_back({triangles[i].face, triangles[j].face});
+      }
+    }
+    const Crossings found = find_crossings(points, triangles);
+    CHECK(found.is_finished);
+    CHECK(found.pairs == slow);
+  }
+}
