@@ -180,12 +180,18 @@ const SceneFile& small_file() {
   return file;
 }
 
+Simulation small_simulation() {
+  Result<Simulation> built = build_simulation(small_file().scene);
+  return std::move(*built);
+}
+
 /// A run of the small scene in a folder: its log and its last checkpoint.
 const fs::path& finished_run() {
   static const fs::path place = [] {
     const fs::path run = folder() / "finished";
-    Simulation sim = *build_simulation(small_file().scene);
-    Recorder recorder = *Recorder::open({run, small_file(), {}}, sim, {}).value;
+    Simulation sim = small_simulation();
+    Result<Recorder> opened = Recorder::open({run, small_file(), {}}, sim, {});
+    Recorder recorder = std::move(*opened);
     for (int k = 0; k < 6; ++k) recorder.record(sim, advance(sim), 0);
     recorder.finish(sim, RunEnd::finished);
     return run;
@@ -225,7 +231,7 @@ std::string broken_law_of_log(const FuzzTarget&, std::string_view bytes) {
     if (bad.empty()) bad = bad_result(replay);
     if (!bad.empty()) return bad;
     if (!replay) continue;
-    Simulation sim = *build_simulation(small_file().scene);
+    Simulation sim = small_simulation();
     sim.state->script = replay->script;
     bad = bad_steps(sim, 6);
     if (!bad.empty()) return bad;
@@ -310,7 +316,7 @@ std::string seed_of(const FuzzTarget& target) {
   if (target.name == "checkpoint") {
     return bytes_in(finished_run() / "checkpoints/step_0000000006.checkpoint");
   }
-  Simulation sim = *build_simulation(small_file().scene);
+  Simulation sim = small_simulation();
   for (int k = 0; k < 6; ++k) advance(sim);
   return saved_state(sim);
 }
