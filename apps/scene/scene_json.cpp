@@ -237,7 +237,9 @@ class ObjectReader {
   }
 
  private:
-  std::string at_name(std::string_view n) const { return pointer_ + "/" + pointer_token(std::string(n)); }
+  std::string at_name(std::string_view n) const {
+    return pointer_ + "/" + pointer_token(std::string(n));
+  }
   std::string at(const Key& key) const { return at_name(key.name); }
 
   const json* find(const Key& key) {
@@ -329,7 +331,8 @@ void add_findings(const Context& c, std::vector<SettingFinding> found) {
   for (SettingFinding& f : found) {
     // Where reading failed the setting is the default: of that nothing more is to be said.
     const auto is_of_place = [&](const Finding& said) {
-      return !f.place.empty() && (said.text.starts_with(f.place + " ") || said.text.starts_with(f.place + "."));
+      return !f.place.empty() &&
+             (said.text.starts_with(f.place + " ") || said.text.starts_with(f.place + "."));
     };
     if (std::any_of(c.findings.begin(), c.findings.begin() + static_cast<std::ptrdiff_t>(read),
                     is_of_place)) {
@@ -352,9 +355,7 @@ void check_output(const Context& c, const SceneFile& file) {
         "take mesh, or set fracture.crack to object");
 }
 
-}  // namespace
-
-Result<SceneFile> read_scene(const SceneBytes& scene, const SceneFiles& files,
+Result<SceneFile> read_whole(const SceneBytes& scene, const SceneFiles& files,
                              std::span<const std::string> settings) {
   Result<SceneText> text = parse_scene_text(scene.text, scene.name);
   Result<SceneFile> result;
@@ -382,6 +383,15 @@ Result<SceneFile> read_scene(const SceneBytes& scene, const SceneFiles& files,
   file.choices = choose_settings(file.scene, file.accuracy, given_keys(text->root));
   for (Finding& f : scene_notes(*text, file)) result.findings.push_back(std::move(f));
   result.value = std::move(file);
+  return result;
+}
+
+}  // namespace
+
+Result<SceneFile> read_scene(const SceneBytes& scene, const SceneFiles& files,
+                             std::span<const std::string> settings) {
+  Result<SceneFile> result = read_whole(scene, files, settings);
+  make_plain(result.findings);
   return result;
 }
 

@@ -311,4 +311,19 @@ std::string shown(const json& value) {
   return text;
 }
 
+void make_plain(std::vector<Finding>& findings) {
+  const auto plain = [](const std::string& text) {
+    std::string all;
+    for (const char c : text) {
+      const auto byte = static_cast<unsigned char>(c);
+      all += byte < ' ' || byte == 0x7f ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
+    }
+    return all;
+  };
+  for (Finding& f : findings) {
+    f.text = plain(f.text);
+    f.remedy = plain(f.remedy);
+  }
+}
+
 }  // namespace sunder

@@ -50,4 +50,8 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
 /// A JSON value in at most about 60 characters, for messages.
 std::string shown(const nlohmann::json& value);
 
+/// Findings as a terminal can show them: names of files and keys may hold anything, and control
+/// bytes become \x1b and so on.
+void make_plain(std::vector<Finding>& findings);
+
 }  // namespace sunder

@@ -77,7 +77,7 @@ TEST_CASE("--confined reads the scene's own files and names key and file of othe
     CHECK(o.exit_code == 0);
   }
   const std::string absolute = (p.root / "other/cube.msh").string();
-  for (const std::string mesh :
+  for (const std::string& mesh :
        {std::string("../other/cube.msh"), absolute, std::string("link.msh"),
         std::string("linked/cube.msh"), std::string("../mine/../other/cube.msh")}) {
     const std::string scene = p.scene({{"mesh", mesh}});

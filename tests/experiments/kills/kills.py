@@ -3,7 +3,7 @@
 """Kills runs at random moments and holds what `sunder run --resume` makes of them against runs that
 never stopped, byte by byte.
 
-    tests/experiments/kills/kills.py build/release/sunder [--kills 200] [--seed 1] [--long] [--cost]
+    tests/experiments/kills/kills.py build/release/sunder [--kills 200] [--seed 1] [--scene NAME] [--long] [--cost]
 
 A kill is SIGKILL, SIGTERM, SIGHUP, or a power cut: SIGKILL, after which the folder holds what fsync
 was asked for and, by chance, some of the rest: names without contents, files half written, renames
@@ -171,6 +171,7 @@ def main():
     words.add_argument("sunder", type=pathlib.Path)
     words.add_argument("--kills", type=int, default=200)
     words.add_argument("--seed", type=int, default=1)
+    words.add_argument("--scene", default="", help="of the four, this one only")
     words.add_argument("--long", action="store_true")
     words.add_argument("--cost", action="store_true")
     said = words.parse_args()
@@ -197,6 +198,8 @@ def main():
         scenes = [LONG] if said.long else \
             [(name, ["--set", f"duration={d}", "--set", "output.checkpoint.minutes=0.005"]) for name, d in SCENES.items()]
         for name, settings in scenes:
+            if said.scene not in ("", name):
+                continue
             words = [TREE / f"meshes/scenes/{name}.json", "--quiet", "--frames", 15, *settings]
             start = time.monotonic()
             run([sunder, "run", *words, "-o", place / name], shim)
@@ -206,6 +209,7 @@ def main():
                 done, files = one_kill(sunder, shim, words, reference, took, place / "killed", chance)
                 for how in done:
                     kinds[how] = kinds.get(how, 0) + 1
+                print(f"{name}: {k + 1} of its runs", end="\r", file=sys.stderr, flush=True)
                 if files:
                     bad += 1
                     print(f"{name}: kill {k} ({', '.join(done)}): {' '.join(files[:5])}")

@@ -162,6 +162,9 @@ std::vector<Finding> load(Speaker& speaker, const TetMesh& mesh) {
     Finding finding;
     finding.code = "refused";
     finding.text = a.rest();
+    // It stands in tables and on terminals.
+    const auto is_control = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == 0x7f; };
+    std::ranges::replace_if(finding.text, is_control, '?');
     while (!a.at_end()) a.word();
     return {finding};
   });
