@@ -2,6 +2,7 @@
 // Random bodies, and meshes as careless files hold them.
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <random>
 
@@ -33,6 +34,10 @@ inline TetMesh body(Random& random) {
   return mesh;
 }
 
+inline bool is_finite(const Point& p) {
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
 /// A mesh as careless files hold them: copies, turned and flat cells, loose and nearly equal
 /// points, lists of cells of lower dimension, data.
 inline FileMesh careless(Random& random) {
@@ -59,7 +64,9 @@ inline FileMesh careless(Random& random) {
         mesh.points[some_point()][below(random, 3)] += 1e-7 * unit(random);
         break;
       case 5:
-        mesh.points[some_point()][0] = std::numeric_limits<double>::quiet_NaN();
+        mesh.points[some_point()][below(random, 3)] =
+            below(random, 2) == 0 ? std::numeric_limits<double>::quiet_NaN()
+                                  : std::numeric_limits<double>::infinity();
         break;
       case 6:
         mesh.tetrahedra[below(random, mesh.tetrahedra.size())][below(random, 4)] = some_point();

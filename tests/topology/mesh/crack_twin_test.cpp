@@ -46,7 +46,7 @@ std::optional<FileMesh> proper(Random& random) {
     const std::set<Row> points(t.begin(), t.end());
     if (points.size() < 4 || !known.insert(points).second) return std::nullopt;
     for (const Row p : t) {
-      if (p >= mesh.points.size() || !std::isfinite(mesh.points[p][0])) return std::nullopt;
+      if (p >= mesh.points.size() || !is_finite(mesh.points[p])) return std::nullopt;
     }
   }
   return mesh;

@@ -152,7 +152,7 @@ std::size_t slow_drop_unused(FileMesh& mesh) {
 
 bool is_whole(const FileMesh& mesh) {
   bool whole = true;
-  for (const Point& p : mesh.points) whole = whole && std::isfinite(p[0]);
+  for (const Point& p : mesh.points) whole = whole && is_finite(p);
   for_each_cell_list(mesh, [&](const auto& cells, int) {
     for (const auto& corners : cells.corners) {
       for (const auto p : corners) whole = whole && p < mesh.points.size();

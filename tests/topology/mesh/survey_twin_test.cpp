@@ -68,9 +68,7 @@ struct Twin {
   std::vector<Corners> rows;
   std::vector<Row> point_of_row, edges_at_row;
 
-  bool is_finite(Row p) const {
-    return std::ranges::all_of(mesh.points[p], [](double x) { return std::isfinite(x); });
-  }
+  bool is_finite(Row p) const { return test::is_finite(mesh.points[p]); }
 
   void find_entries() {
     for (Row p = 0; p < mesh.points.size(); ++p) {
@@ -303,6 +301,9 @@ TetMesh heap(Random& random) {
     mesh.points.push_back({static_cast<double>(below(random, 4)),
                            static_cast<double>(below(random, 4)),
                            static_cast<double>(below(random, 3)) / 7});
+  }
+  if (below(random, 10) == 0) {
+    mesh.points[below(random, points)][below(random, 3)] = below(random, 2) == 0 ? NAN : -INFINITY;
   }
   for (std::size_t i = 1 + below(random, 8); i > 0; --i) {
     Corners t{};

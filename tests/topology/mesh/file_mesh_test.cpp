@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// What a file holds as a mesh to compute with, and back; its counts and labels.
+#include "topology/mesh/file_mesh.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "topology/suite/fixtures/shapes.hpp"
+
+using namespace sunder;
+
+namespace {
+
+using Labels = std::vector<std::int32_t>;
+using Numbers = std::vector<std::int64_t>;
+
+FileMesh two_with_all() {
+  FileMesh file = file_mesh_of(suite::two_tetrahedra());
+  file.vertices.corners = {{3}};
+  file.edges.corners = {{0, 1}, {1, 2}};
+  file.triangles.corners = {{0, 1, 2}, {0, 1, 3}, {1, 2, 3}, {0, 2, 3}};
+  file.region_name[1] = {{1, "an edge"}};
+  file.region_name[2] = {{1, "one side"}, {2, "another"}};
+  file.region_name[3] = {{7, "left"}, {8, "right"}, {9, "none"}};
+  return file;
+}
+
+}  // namespace
+
+TEST_CASE("cells and names of all dimensions are counted", "[mesh][file_mesh]") {
+  CHECK(cell_count(two_with_all()) == 1 + 2 + 4 + 2);
+  CHECK(name_count(two_with_all()) == 1 + 2 + 3);
+  CHECK(cell_count(FileMesh{}) == 0);
+  CHECK(name_count(FileMesh{}) == 0);
+}
+
+TEST_CASE("a label is the region, or the entity where there are several", "[mesh][file_mesh]") {
+  CellList<4> cells;
+  CHECK(label_of(cells).empty());
+  cells.entity = {4, 4, 4};
+  CHECK(label_of(cells).empty());
+  for (const Labels& several : {Labels{4, 4, 5}, Labels{4, 3, 4}}) {
+    cells.entity = several;
+    CHECK(label_of(cells) == several);
+  }
+  cells.region = {1, 1, 1};
+  CHECK(label_of(cells) == Labels{1, 1, 1});
+}
+
+TEST_CASE("a file's tetrahedra keep points, labels, names and numbers", "[mesh][file_mesh]") {
+  FileMesh file = two_with_all();
+  file.source_point_id = {5, 6, 7, 8, 9};
+  file.tetrahedra.region = {7, 8};
+  file.tetrahedra.source_id = {30, 20};
+  const FileMesh before = file;
+  const TetMesh mesh = tet_mesh_of(std::move(file));
+  CHECK(mesh.points == before.points);
+  CHECK(mesh.tetrahedra == before.tetrahedra.corners);
+  CHECK(mesh.region == Labels{7, 8});
+  CHECK(mesh.region_name == before.region_name[3]);
+  CHECK(mesh.source_point_id == before.source_point_id);
+  CHECK(mesh.source_tetrahedron_id == Numbers{30, 20});
+  const FileMesh back = file_mesh_of(mesh);
+  CHECK(back.points == before.points);
+  CHECK(back.tetrahedra == before.tetrahedra);
+  CHECK(back.source_point_id == before.source_point_id);
+  CHECK(back.region_name[3] == before.region_name[3]);
+  CHECK(back.triangles.corners.empty());
+}
