@@ -92,7 +92,7 @@ TEST_CASE("surfaces of other programs are read", "[io][surface]") {
   }
 }
 
-TEST_CASE("faces of four corners are quadrilaterals; who wants triangles has them left out",
+TEST_CASE("faces of four corners are quadrilaterals, and who wants triangles has them left out",
           "[io][surface]") {
   const Result<FileMesh> mesh = read_file_mesh(sample("openscad.off"));
   REQUIRE(mesh);

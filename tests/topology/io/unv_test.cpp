@@ -102,7 +102,7 @@ TEST_CASE("beams have a line with their orientation, rods have none or have it",
   CHECK(rows_of(curved, CellKind::edge3)[0][2] == 2);  // the midpoint stands last
 }
 
-TEST_CASE("groups of all known data sets become regions; what is in two keeps the first",
+TEST_CASE("groups of all known data sets become regions, and what is in two keeps the first",
           "[io][unv]") {
   for (const std::string number : {"2435", "2452", "2467", "2477"}) {
     const FileMesh mesh =
