@@ -10,6 +10,7 @@ door(mesh "Tetrahedral meshes: cells, files in and out, checks."
   topology/base/tet_mesh.hpp
   topology/mesh/kinds/cell_kinds.hpp
   topology/mesh/file_mesh.hpp
+  topology/io/read_options.hpp
   topology/io/mesh_file.hpp
   topology/kernel/counts.hpp
   topology/mesh/check.hpp)

@@ -96,8 +96,8 @@ ExitCode write_broken(const ExportArguments& arguments, const ResultFrame& last)
                 {"findings", findings_json(findings)}});
     return ExitCode::fine;
   }
-  fmt::print("{} tetrahedra, {} points at {:.6g} s\n", last.tetrahedra.size(),
-             last.position.size(), last.time);
+  fmt::print("{} tetrahedra, {} points at {:.6g} s\n", last.tetrahedra.size(), last.position.size(),
+             last.time);
   return ExitCode::fine;
 }
 
@@ -137,8 +137,8 @@ ExitCode export_result(const ExportArguments& arguments) {
                 {"findings", findings_json(run.findings)}});
     return ExitCode::fine;
   }
-  fmt::print("{} pieces, {} frames; tracks within {:.1e} m of the rigid references\n",
-             pieces, run->frames.size(), departure);
+  fmt::print("{} pieces, {} frames; tracks within {:.1e} m of the rigid references\n", pieces,
+             run->frames.size(), departure);
   return ExitCode::fine;
 }
 

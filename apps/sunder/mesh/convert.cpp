@@ -14,6 +14,7 @@
 
 #include "apps/scene/words.hpp"
 #include "apps/sunder/mesh/convert_crack.hpp"
+#include "apps/sunder/mesh/formats_table.hpp"
 #include "topology/io/format_traits.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/io/output_file.hpp"
@@ -200,8 +201,9 @@ Finding drop_shells_and_beams(FileMesh& mesh) {
   mesh.region_name[1].clear();
   mesh.region_name[2].clear();
   return asked_for("dropped_shells", dropped,
-                   dropped == 0 ? std::string("there are no triangles and no edges: nothing was dropped")
-                                : fmt::format("{} triangles, other faces and edges were dropped", dropped));
+                   dropped == 0
+                       ? std::string("there are no triangles and no edges: nothing was dropped")
+                       : fmt::format("{} triangles, other faces and edges were dropped", dropped));
 }
 
 Conversion convert(Arguments arguments) {
@@ -294,51 +296,6 @@ void print(const Arguments& arguments, const Conversion& result) {
              result.has_losses ? "" : "; nothing is lost");
 }
 
-std::string_view yes_or_no(bool held) { return held ? "yes" : "no"; }
-
-/// What each format holds, as the Markdown table of docs/formats.md.
-void print_formats() {
-  fmt::print(
-      "| format | ending | written as | cells | regions | their names | entities | regions of "
-      "points "
-      "| numbers of points | of cells | data of points | of cells | types of numbers |\n"
-      "|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
-  constexpr std::string_view encoding_words[] = {"text", "binary", "base64"};
-  for (const FormatTraits& t : format_traits()) {
-    std::string cells, written = fmt::format("{}", fmt::join(t.versions, ", "));
-    const auto words = [](KindSet set) {
-      std::array<std::string_view, cell_kinds> plurals;
-      std::size_t n = 0;
-      for (const CellKind kind : all_cell_kinds) {
-        if (contains(set, kind)) plurals[n++] = traits_of(kind).plural;
-      }
-      return fmt::format("{}", fmt::join(plurals.begin(), plurals.begin() + n, ", "));
-    };
-    constexpr int few = 5;
-    const KindSet missing = all_kinds & ~t.cells;
-    cells = std::popcount(missing) <= few ? "all but " + words(missing) : words(t.cells);
-    for (const Encoding e : t.encodings) {
-      written += fmt::format("{}{}",
-                             written.empty()       ? ""
-                             : e == t.encodings[0] ? "; "
-                                                   : ", ",
-                             encoding_words[static_cast<std::size_t>(e)]);
-    }
-    if (t.packs) written += ", zlib";
-    fmt::print("| {} | {} | {} | {} |", t.name, fmt::join(t.extensions, ", "), written, cells);
-    fmt::print(" {} | {} |", yes_or_no(t.holds_regions),
-               t.regions_are_words ? "words" : yes_or_no(t.holds_region_names));
-    for (const bool held : {t.holds_entities, t.holds_point_regions, t.holds_point_ids}) {
-      fmt::print(" {} |", yes_or_no(held));
-    }
-    fmt::print(" {} | {} |", t.cell_ids_from == 1 ? "of elements" : yes_or_no(t.holds_cell_ids),
-               yes_or_no(t.holds_point_data));
-    fmt::print(" {} | {} |\n",
-               t.cell_data_from == 3 ? "of tetrahedra" : yes_or_no(t.holds_cell_data),
-               yes_or_no(t.holds_number_types));
-  }
-}
-
 ExitCode run_convert(const Arguments& arguments) {
   const Conversion result = convert(arguments);
   print(arguments, result);
@@ -428,7 +385,7 @@ void add_convert_command(CLI::App& program, ExitCode& exit_code) {
   command->add_flag_callback(
       "--formats",
       [] {
-        print_formats();
+        fmt::print("{}", formats_table());
         throw CLI::Success();
       },
       "Print what each format can hold, as a table, and end");

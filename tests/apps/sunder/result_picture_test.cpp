@@ -123,6 +123,14 @@ TEST_CASE("a run is drawn, exported with keys where it is struck, and its end wr
   CHECK(fs::exists(here.path("film_000000.png")));
   CHECK(here.run({"render", out, here.path("x.png"), "--eye", "1,2,3"}).exit_code == 2);
   CHECK(here.run({"render", here.path("nowhere"), here.path("x.png")}).exit_code == 3);
+  const auto told = here.run({"render", out, here.path("x.png"), "--size", "64,64", "--json"});
+  CHECK(told.json()["pictures"].size() == 1);
+  CHECK(told.json()["pictures"][0]["file"] == here.path("x.png"));
+  const auto refused = here.run({"render", here.path("nowhere"), here.path("x.png"), "--json"});
+  CHECK(refused.json()["findings"][0]["code"] == "no_result");
+  const auto exported = here.run({"export", out, here.path("told.glb"), "--json"});
+  CHECK(exported.json()["pieces"] == run->pieces.size());
+  CHECK(exported.json()["frames"] == run->frames.size());
 
   CHECK(here.run({"export", out, here.path("broken.msh")}).exit_code == 0);
   const auto checked = here.run({"check", here.path("broken.msh"), "--json"});

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Files of other programs: made by them, read by sunder, sent through formats and compared.
 
-Usage: made_by_others.py SUNDER [--keep FOLDER] [--page PAGE.md]
+Usage: made_by_others.py SUNDER [--keep FOLDER] [--only PROGRAM ...] [--page PAGE.md]
 
 Makes more than 300 mesh files with what Debian has of gmsh, meshio, VTK, CalculiX' cgx, netgen, Blender,
 OpenSCAD and assimp: bodies and surfaces, linear and of second order, every format, version and encoding that
@@ -69,13 +69,14 @@ def run(*words, **more):
     return subprocess.run([str(w) for w in words], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=300, **more)
 
 
-def by_gmsh(folder):
+def by_gmsh(folder, needed=None):
+    """`needed`: the ways that the other programs' files are made from, where gmsh's own are not asked for."""
     for name, geo in BODIES.items():
         source = folder / f"{name}.geo"
         source.write_text(geo)
         for order in (1, 2):
             for i, (words, ending) in enumerate(GMSH_WAYS):
-                if ending == "stl" and order == 2:
+                if ending == "stl" and order == 2 or needed and i not in needed:
                     continue
                 whole = order == 2 and "Extrude" in geo and "Incomplete = 0" in geo
                 if ending == "mesh" and order == 2 and "Extrude" in geo or ending == "inp" and whole:
@@ -322,6 +323,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("sunder", type=pathlib.Path)
     parser.add_argument("--keep", type=pathlib.Path, help="folder that the files stay in")
+    parser.add_argument("--only", nargs="+", help="judge the files of these programs alone")
     parser.add_argument("--page", type=pathlib.Path, help="page to put the table into")
     options = parser.parse_args()
     sunder = options.sunder.resolve()
@@ -338,8 +340,9 @@ def main():
             if program and shutil.which(program) is None:
                 missing.append(program)
                 continue
-            for who, words, file in maker(folder):
-                if not file.exists() or file.stat().st_size == 0:
+            wanted = lambda who: not options.only or who in options.only
+            for who, words, file in maker(folder, (2, 9, 11)) if program == "gmsh" and not wanted("gmsh") else maker(folder):
+                if not wanted(who) or not file.exists() or file.stat().st_size == 0:
                     continue
                 is_read, ways, said = judge(sunder, file, pathlib.Path(scratch))
                 row = rows[who, words]

@@ -3,6 +3,9 @@
 // comes back in every bit, what it does not hold was announced.
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdio>
+#include <string>
 
 #include "tests/support/io_support.hpp"
 #include "topology/io/format_traits.hpp"
@@ -63,6 +66,42 @@ void keep_places(FileMesh& mesh, bool as_floats) {
   mesh.points = std::move(places);
 }
 
+/// Nastran and UNV have columns of so many digits for numbers of points.
+void keep_small_numbers(FileMesh& mesh, std::int64_t highest) {
+  if (std::ranges::any_of(mesh.source_point_id, [&](auto n) { return n > highest; })) {
+    mesh.source_point_id.clear();
+  }
+}
+
+/// The number with as many digits as Nastran's sixteen characters hold: a point always, no e.
+double in_sixteen_characters(double x) {
+  for (int digits = 17; digits > 0; --digits) {
+    for (const char* const format : {"%.*g", "%.*e"}) {
+      char text[64];
+      std::snprintf(text, sizeof text, format, format[3] == 'g' ? digits : digits - 1, x);
+      const std::string all = text;
+      const std::size_t e = all.find('e');
+      const std::string mantissa = all.substr(0, e);
+      std::size_t length = mantissa.size() + (mantissa.find('.') == std::string::npos ? 1 : 0);
+      if (e != std::string::npos) {
+        const std::string exponent = std::to_string(std::abs(std::stoi(all.substr(e + 1))));
+        length += 1 + exponent.size();
+      }
+      if (length <= 16) return std::stod(all);
+    }
+  }
+  return x;
+}
+
+/// UNV has names in groups, and groups have members.
+void keep_used_names(FileMesh& mesh) {
+  for_each_cell_list(mesh, [&](const auto& cells, int d) {
+    std::erase_if(mesh.region_name[static_cast<std::size_t>(d)], [&](const auto& name) {
+      return std::ranges::find(cells.region, name.first) == cells.region.end();
+    });
+  });
+}
+
 struct Variant {
   const FormatTraits* traits;
   std::string version;
@@ -95,6 +134,14 @@ FileMesh held(FileMesh mesh, const Variant& variant) {
   if (!t.holds_point_data || is_msh_1) mesh.point_data.clear();
   if (!t.holds_point_regions) mesh.point_region.clear();
   if (t.format == MeshFormat::stl) keep_places(mesh, variant.encoding == Encoding::binary);
+  const bool is_nastran = t.format == MeshFormat::nastran, is_unv = t.format == MeshFormat::unv;
+  if (is_nastran || is_unv) keep_small_numbers(mesh, is_nastran ? 99'999'999 : 999'999'999);
+  if (is_nastran) {
+    for (Point& p : mesh.points) {
+      for (double& x : p) x = in_sixteen_characters(x);
+    }
+  }
+  if (is_unv) keep_used_names(mesh);
   return mesh;
 }
 

@@ -145,7 +145,8 @@ void start_array(VtuParser& p, Attributes attributes) {
   if (arrays == nullptr) return;
   VtuArray array{.at = place(p)};
   const auto* const list = std::ranges::find(poly_tags, p.open[p.open.size() - 2]);
-  if (list != poly_tags.end()) array.poly_list = static_cast<std::uint8_t>(list - poly_tags.begin());
+  if (list != poly_tags.end())
+    array.poly_list = static_cast<std::uint8_t>(list - poly_tags.begin());
   array.name = attribute(attributes, "Name").value_or("");
   const auto type = attribute(attributes, "type");
   if (!type) {
