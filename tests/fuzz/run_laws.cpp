@@ -21,6 +21,7 @@
 #include "fracture/saving/saved_state.hpp"
 #include "fracture/saving/state_numbers.hpp"
 #include "fracture/simulation/simulation_state.hpp"
+#include "topology/suite/fixtures/shapes.hpp"
 #include "topology/suite/kernels/judged_kernel.hpp"
 
 namespace sunder::test {
@@ -37,6 +38,9 @@ TetMesh small_mesh() {
   return mesh;
 }
 
+/// What breaks in a few steps.
+TetMesh breaking_mesh() { return suite::kuhn_box({2, 1, 1}, 0.1); }
+
 FileMesh small_surface() {
   FileMesh mesh;
   mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -46,13 +50,13 @@ FileMesh small_surface() {
 
 const SceneFiles& small_files() {
   static const SceneFiles files{
-      .mesh = [](const std::string&) -> Result<TetMesh> { return small_mesh(); },
+      .mesh = [](const std::string&) -> Result<TetMesh> { return breaking_mesh(); },
       .surface = [](const std::string&) -> Result<FileMesh> { return small_surface(); },
       .faces = [](const std::string&) -> Result<std::vector<std::array<std::uint32_t, 3>>> {
         return std::vector<std::array<std::uint32_t, 3>>{{1, 2, 3}};
       },
       .point_field = [](const std::string&, const std::string&) -> Result<std::vector<double>> {
-        return std::vector<double>{1e6, 2e6, 1e6, 2e6, 1e6};
+        return std::vector<double>(breaking_mesh().points.size(), 1e6);
       }};
   return files;
 }

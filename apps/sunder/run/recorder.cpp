@@ -89,6 +89,7 @@ std::vector<std::uint64_t> due_pictures(const SceneFile& file) {
 
 std::vector<std::uint64_t> even_steps(std::uint64_t steps, std::uint64_t count) {
   std::vector<std::uint64_t> due;
+  if (count > steps) count = steps + 1;  // there are no more
   if (count == 1) due = {steps};
   for (std::uint64_t k = 0; count > 1 && k < count; ++k) {
     const double part = static_cast<double>(k) / static_cast<double>(count - 1);

@@ -311,6 +311,7 @@ Result<Replay> read_replay(const std::filesystem::path& path, const ReplayedScen
   Result<Replay> result;
   if (!has_error(reader.findings)) result.value = std::move(reader.replay);
   result.findings = std::move(reader.findings);
+  make_plain(result.findings);
   return result;
 }
 

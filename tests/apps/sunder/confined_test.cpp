@@ -62,7 +62,7 @@ std::string snapshot(const fs::path& root, const fs::path& out) {
 
 }  // namespace
 
-TEST_CASE("a confined run reads the scene's own files and names key and file of others", "[confined]") {
+TEST_CASE("confined: reads the scene's own files and names key and file of others", "[confined]") {
   const Place p;
   const std::string out = p.here.path("out");
   const auto run = [&](const std::string& scene, const char* command) {
@@ -96,7 +96,7 @@ TEST_CASE("a confined run reads the scene's own files and names key and file of 
   }
 }
 
-TEST_CASE("confinement holds for every key that names a file", "[confined]") {
+TEST_CASE("confined: holds for every key that names a file", "[confined]") {
   const Place p;
   const std::string out = p.here.path("out");
   const auto refused = [&](const std::string& scene, const std::string& place) {
@@ -111,7 +111,7 @@ TEST_CASE("confinement holds for every key that names a file", "[confined]") {
           "obstacles.0.mesh.file (../other/cube.msh)");
 }
 
-TEST_CASE("a confined run waits for no pipe", "[confined]") {
+TEST_CASE("confined: waits for no pipe", "[confined]") {
   const Place p;
   REQUIRE(mkfifo((p.root / "mine/pipe.msh").c_str(), 0600) == 0);
   const Outcome o = p.here.run(
