@@ -64,9 +64,9 @@ inline FileMesh careless(Random& random) {
         mesh.points[some_point()][below(random, 3)] += 1e-7 * unit(random);
         break;
       case 5:
-        mesh.points[some_point()][below(random, 3)] =
-            below(random, 2) == 0 ? std::numeric_limits<double>::quiet_NaN()
-                                  : std::numeric_limits<double>::infinity();
+        mesh.points[some_point()][below(random, 3)] = below(random, 2) == 0
+                                                          ? std::numeric_limits<double>::quiet_NaN()
+                                                          : std::numeric_limits<double>::infinity();
         break;
       case 6:
         mesh.tetrahedra[below(random, mesh.tetrahedra.size())][below(random, 4)] = some_point();

@@ -131,7 +131,8 @@ TEST_CASE("a point between two regions has none", "[topology][cells]") {
   CHECK(column<Whole>(mesh.point_data, "mark").back() == 9);  // nearer to point 2
 }
 
-TEST_CASE("columns of several numbers are shared by name, whole numbers never", "[topology][cells]") {
+TEST_CASE("columns of several numbers are shared by name, whole numbers never",
+          "[topology][cells]") {
   FileMesh mesh = small();
   mesh.point_region.clear();
   VolumeMap map = map_of(mesh);
@@ -143,7 +144,8 @@ TEST_CASE("columns of several numbers are shared by name, whole numbers never", 
         Doubles{0.5, 1, 1.5, 2, 2.5, 3, 0.5, 1, 1.5, 2, 2.5, 3});
   CHECK(column<Doubles>(mesh.tetrahedra.data, "density") == Doubles{3, 4, 3, 4});
   CHECK(column<Whole>(mesh.tetrahedra.data, "kind") == Whole{3, 4, 3, 4});
-  CHECK(column<Doubles>(mesh.point_data, "heat") == Doubles{0, 1, 10, 2, 20, 3, 30, 4, 40, 5, 15, 2.5});
+  CHECK(column<Doubles>(mesh.point_data, "heat") ==
+        Doubles{0, 1, 10, 2, 20, 3, 30, 4, 40, 5, 15, 2.5});
   CHECK(column<Whole>(mesh.point_data, "mark").back() == 8);  // in the middle the first end's
 }
 
