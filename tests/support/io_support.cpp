@@ -188,4 +188,23 @@ std::string encode_vtu(const TetMesh& mesh, const VtuVariant& v) {
   return xml + "</VTKFile>\n";
 }
 
+double in_sixteen_characters(double x) {
+  for (int digits = 17; digits > 0; --digits) {
+    for (const char* const format : {"%.*g", "%.*e"}) {
+      char text[64];
+      std::snprintf(text, sizeof text, format, format[3] == 'g' ? digits : digits - 1, x);
+      const std::string all = text;
+      const std::size_t e = all.find('e');
+      const std::string mantissa = all.substr(0, e);
+      std::size_t length = mantissa.size() + (mantissa.find('.') == std::string::npos ? 1 : 0);
+      if (e != std::string::npos) {
+        const std::string exponent = std::to_string(std::abs(std::stoi(all.substr(e + 1))));
+        length += 1 + exponent.size();
+      }
+      if (length <= 16) return std::strtod(all.c_str(), nullptr);  // of what is below all numbers too
+    }
+  }
+  return x;
+}
+
 }  // namespace sunder::test

@@ -44,4 +44,7 @@ std::string to_string(const VtuVariant& variant);
 /// A whole VTU file of `mesh`, by code that shares nothing with the library's.
 std::string encode_vtu(const TetMesh& mesh, const VtuVariant& variant);
 
+/// The number with as many digits as Nastran's sixteen characters hold: a point always, no e.
+double in_sixteen_characters(double x);
+
 }  // namespace sunder::test

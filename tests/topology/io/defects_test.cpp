@@ -122,8 +122,8 @@ TEST_CASE("what is no mesh file is named", "[io][defects]") {
       {"blank", " \n\n\t", "empty_file", 0, "4 bytes"},
       {"garbage", std::string("\x7f\x45\x4c\x46\0\0\0", 7), "unknown_format", 0, R"(\x7fELF\x00)"},
       {"prose", "Dear reader,\n", "unknown_format", 0, "'Dear reader,"},
-      {"another VTK", "# vtk DataFile Version 2.0\nx\nASCII\nDATASET POLYDATA\n", "unknown_format",
-       4, "POLYDATA"},
+      {"another VTK", "# vtk DataFile Version 2.0\nx\nASCII\nDATASET STRUCTURED_GRID\n",
+       "unknown_format", 4, "STRUCTURED_GRID"},
       {"HDF5", "\x89HDF\r\n", "unknown_format", 0, "HDF5"},
       {"MSH view", "$PostFormat\n1.4 0 8\n$EndPostFormat\n", "unknown_version", 1, "$PostFormat"},
       {"MSH 1", "$NOD\n1\n1 0 0 0\n$ENDNOD\n", "missing_section", 5, "$Elements"},
@@ -131,7 +131,7 @@ TEST_CASE("what is no mesh file is named", "[io][defects]") {
        "packed data end"},
       {"packed, damaged", std::string("\x1f\x8b\x08\0\0\0\0\0\0\3\x07\0\0", 13), "bad_gzip", 0,
        "packed data"},
-      {"PolyData", changed(vtu(), "UnstructuredGrid", "PolyData"), "unknown_format", 2, "PolyData"},
+      {"ImageData", changed(vtu(), "UnstructuredGrid", "ImageData"), "unknown_format", 2, "ImageData"},
   });
 }
 

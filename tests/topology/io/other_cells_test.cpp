@@ -140,6 +140,11 @@ FileMesh held(FileMesh mesh, const Variant& variant) {
   }
   if (!t.holds_point_ids) mesh.source_point_id.clear();
   if (!t.holds_point_data || (is_msh && variant.version == "1")) mesh.point_data.clear();
+  if (t.format == MeshFormat::nastran) {
+    for (Point& p : mesh.points) {
+      for (double& x : p) x = in_sixteen_characters(x);
+    }
+  }
   return mesh;
 }
 

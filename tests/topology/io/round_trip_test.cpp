@@ -73,26 +73,6 @@ void keep_small_numbers(FileMesh& mesh, std::int64_t highest) {
   }
 }
 
-/// The number with as many digits as Nastran's sixteen characters hold: a point always, no e.
-double in_sixteen_characters(double x) {
-  for (int digits = 17; digits > 0; --digits) {
-    for (const char* const format : {"%.*g", "%.*e"}) {
-      char text[64];
-      std::snprintf(text, sizeof text, format, format[3] == 'g' ? digits : digits - 1, x);
-      const std::string all = text;
-      const std::size_t e = all.find('e');
-      const std::string mantissa = all.substr(0, e);
-      std::size_t length = mantissa.size() + (mantissa.find('.') == std::string::npos ? 1 : 0);
-      if (e != std::string::npos) {
-        const std::string exponent = std::to_string(std::abs(std::stoi(all.substr(e + 1))));
-        length += 1 + exponent.size();
-      }
-      if (length <= 16) return std::stod(all);
-    }
-  }
-  return x;
-}
-
 /// UNV has names in groups, and groups have members.
 void keep_used_names(FileMesh& mesh) {
   for_each_cell_list(mesh, [&](const auto& cells, int d) {

@@ -126,7 +126,7 @@ BoundarySurface expected_of(const FileMesh& mesh) {
       if (rows[i] == nullptr) s.mesh.triangles.source_id[i] = ++last;
     }
   }
-  s.lost_cells[2] = mesh.triangles.corners.size() - found;
+  s.lost_cells[index_of(CellKind::triangle)] = mesh.triangles.corners.size() - found;
   for (auto& [p, row] : row_of) {
     row = static_cast<std::uint32_t>(s.mesh.points.size());
     const std::size_t from = p;
@@ -181,7 +181,7 @@ TEST_CASE("the surface of careless meshes is that of faces counted in a map, wit
     columns += surface.mesh.triangles.data.size();
     lost_vertices += surface.lost_cells[0];
     lost_edges += surface.lost_cells[1];
-    lost_triangles += surface.lost_cells[2];
+    lost_triangles += surface.lost_cells[index_of(CellKind::triangle)];
   }
   CHECK(columns > 20);
   CHECK(lost_vertices > 3);
