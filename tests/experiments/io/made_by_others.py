@@ -306,7 +306,10 @@ def judge(sunder, file, folder):
         middle, back = folder / f"middle.{ending}", folder / f"back_{ending}.vtk"
         there, one = convert(sunder, file, middle)
         again, two = convert(sunder, middle, back, "--text") if there == 0 else (0, {})
-        if there != 0 or again != 0:
+        codes = {finding.get("code") for finding in one.get("findings", [])}
+        if there != 0 and "nothing_left" in codes:
+            ways[ending] = "told"  # the format holds none of its cells: refused, and nothing is written
+        elif there != 0 or again != 0:
             ways[ending] = "failed"
             said.append(f"{ending}: {words_of(one)} {words_of(two)}")
         elif content(plain) == content(back) or labelled(content(plain)[0]) == labelled(content(back)[0]):
