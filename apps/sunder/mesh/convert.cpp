@@ -109,7 +109,9 @@ std::string listed(const std::array<std::size_t, cell_kinds>& counts) {
   std::string text;
   for (const CellKind kind : all_cell_kinds) {
     const std::size_t n = counts[index_of(kind)];
-    if (n > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", n, traits_of(kind).plural);
+    if (n == 0) continue;
+    const CellKindTraits& t = traits_of(kind);
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", n, n == 1 ? t.name : t.plural);
   }
   return text;
 }
@@ -117,11 +119,13 @@ std::string listed(const std::array<std::size_t, cell_kinds>& counts) {
 void tell_split(const SplitCells& report, std::vector<Finding>& findings) {
   std::size_t cut = 0;
   for (const std::size_t n : report.cut) cut += n;
+  std::array<std::size_t, cell_kinds> parts{};
+  parts[index_of(CellKind::triangle)] = report.triangles;
+  parts[index_of(CellKind::tetrahedron)] = report.tetrahedra;
   findings.push_back(asked_for(
       "split_cells", cut,
       cut == 0 ? std::string("all cells are simplices: none is split")
-               : fmt::format("{} became {} tetrahedra and {} triangles{}", listed(report.cut),
-                             report.tetrahedra, report.triangles,
+               : fmt::format("{} became {}{}", listed(report.cut), listed(parts),
                              report.numbers_added == 0
                                  ? ""
                                  : fmt::format("; {} of them have numbers behind the highest",
