@@ -20,6 +20,39 @@ namespace {
 constexpr std::array<std::string_view, 5> beside_columns = {"scene", "bodies", "map", "pieces",
                                                             "systems"};
 
+bool is_looked_at(NumbersOf which, std::string_view name) {
+  return which == NumbersOf::everything ||
+         std::ranges::find(beside_columns, name) == beside_columns.end();
+}
+
+/// Whether there is a NaN at all, without a word about where: what nearly every step asks.
+class NanProbe {
+ public:
+  explicit NanProbe(NumbersOf which) : which_(which) {}
+
+  template <Scalar T>
+  void numbers(const T* x, std::size_t count) {
+    if constexpr (std::is_floating_point_v<T>) {
+      bool any = false;
+      for (std::size_t i = 0; i < count; ++i) any |= x[i] != x[i];
+      found |= any;
+    }
+  }
+  template <Scalar T>
+  void rows(const T* x, std::size_t count) {
+    numbers(x, count);
+  }
+  void count(const std::uint64_t&) {}
+  bool enter(std::string_view name) { return is_looked_at(which_, name); }
+  void enter(std::uint64_t) {}
+  void leave() {}
+
+  bool found = false;
+
+ private:
+  NumbersOf which_;
+};
+
 class NumberSeeker {
  public:
   /// `lists`: columns without a NaN too.
@@ -38,8 +71,7 @@ class NumberSeeker {
 
   bool enter(std::string_view name) {
     path_.push_back({name, 0});
-    return which_ == NumbersOf::everything ||
-           std::ranges::find(beside_columns, name) == beside_columns.end();
+    return is_looked_at(which_, name);
   }
   void enter(std::uint64_t row) { path_.push_back({{}, row}); }
   void leave() { path_.pop_back(); }
@@ -119,6 +151,9 @@ std::vector<NumberColumn> number_columns(const Simulation& simulation, NumbersOf
 }
 
 std::vector<Finding> check_numbers(const Simulation& simulation, NumbersOf which) {
+  NanProbe probe(which);
+  sections(probe, simulation);
+  if (!probe.found) return {};
   NumberSeeker seeker(which, false);
   sections(seeker, simulation);
   if (seeker.found.empty()) return {};
