@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "apps/host/sunder.h"
+#include "topology/base/fnv1a.hpp"
 
 namespace {
 
@@ -54,14 +55,12 @@ int main(int count, char** arguments) {
   const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - start;
   sunder_span state{};
   sunder_save(engine, &state);
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (std::size_t i = 0; i < state.size; ++i) {
-    hash = (hash ^ static_cast<const unsigned char*>(state.bytes)[i]) * 0x100000001b3u;
-  }
+  sunder::Fnv1a hash;
+  hash.add({static_cast<const char*>(state.bytes), state.size});
   std::printf("step %llu fans %llu pieces %u state %016llx\n",
               static_cast<unsigned long long>(report.step),
               static_cast<unsigned long long>(report.fans_total), report.pieces,
-              static_cast<unsigned long long>(hash));
+              static_cast<unsigned long long>(hash.value));
   std::fprintf(stderr, "%.3f ms a step\n", ms.count() / steps);
   sunder_destroy(engine);
 }

@@ -4,21 +4,11 @@
 
 #include <cstdint>
 #include <string>
-#include <string_view>
 
 #include "apps/scene/scene_json.hpp"
+#include "topology/base/fnv1a.hpp"
 
 namespace sunder {
-
-/// FNV-1a, 64 bits: against mistakes, not against forgery.
-struct Fnv1a {
-  std::uint64_t value = 0xcbf29ce484222325ULL;
-  void add(std::string_view bytes) {
-    for (const char c : bytes) {
-      value = (value ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
-    }
-  }
-};
 
 /// Sixteen hexadecimal digits.
 std::string hex_digits(std::uint64_t value);

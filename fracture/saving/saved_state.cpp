@@ -8,6 +8,7 @@
 
 #include "fracture/saving/archive.hpp"
 #include "fracture/saving/sections.hpp"
+#include "topology/base/fnv1a.hpp"
 
 namespace sunder {
 
@@ -79,11 +80,9 @@ bool fits_together(const SimulationState& s) {
 }
 
 std::uint64_t checksum(std::string_view bytes) {
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const char byte : bytes) {
-    hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
-  }
-  return hash;
+  Fnv1a sum;
+  sum.add(bytes);
+  return sum.value;
 }
 
 Finding damaged(std::string text) {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Bodies of second order: rows for the nodes in the middles of edges, behind those of vertices.
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "fracture/simulation/scene_loads.hpp"

@@ -271,6 +271,21 @@ void add_curved_cells(Draft& draft, std::string_view plural_name, std::size_t co
   count_cells(draft, draft.curved_cells, plural_name, count, at);
 }
 
+void note_passed_over(Draft& draft, const std::set<std::string>& names, std::string_view mark) {
+  if (names.empty()) return;
+  std::string text;
+  for (const std::string& name : names) {
+    const std::string quoted = in_quotes(name);
+    text += fmt::format("{}{}{}", text.empty() ? "" : ", ", mark,
+                        quoted.substr(1, quoted.size() - 2));
+  }
+  draft.findings.push_back({.code = "unknown_section",
+                            .severity = Severity::note,
+                            .count = names.size(),
+                            .text = fmt::format("passed over: {}", text),
+                            .remedy = "nothing to do: they hold no mesh"});
+}
+
 void check_end(Draft& draft, NumberSource& in, std::string_view row) {
   const std::size_t left = in.s.text.size() - in.s.at;
   if (in.is_binary && left > 0) {

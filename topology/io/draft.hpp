@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -103,6 +104,9 @@ void add_counted(Draft& draft, std::string_view code, Words words) {
   draft.findings.push_back(words());
   draft.findings.back().code = code;
 }
+
+/// One note of all keywords that are passed over, as they hold no mesh; `mark` stands before each.
+void note_passed_over(Draft& draft, const std::set<std::string>& names, std::string_view mark = "");
 
 /// Looks at what stands behind the last `row` ("face"): in text anything but blanks ends the
 /// reading (wrong_count), raw bytes are a warning (trailing_bytes).

@@ -37,10 +37,11 @@ struct BoxTree {
 /// Needs: finite boxes, fewer than 2^31. O(n log n).
 BoxTree box_tree(std::vector<BoundingBox> boxes);
 
-/// Calls `work(row)` for every box that holds `p`. Gives the number of nodes and boxes looked at:
-/// some log n where boxes hardly overlap, 2 n at the worst.
-template <class Work>
-std::size_t for_each_box_at(const BoxTree& tree, const Point& p, Work&& work) {
+/// Calls `work(row)` for every box that `is_near(box)`, which has to be so of a node's box where it
+/// is of a box inside. Gives the number of nodes and boxes looked at: some log n where boxes hardly
+/// overlap, 2 n at the worst.
+template <class IsNear, class Work>
+std::size_t for_each_box(const BoxTree& tree, IsNear&& is_near, Work&& work) {
   std::size_t looked_at = 0;
   std::uint32_t stack[64];  // halving leaves fewer levels than a row has bits
   int depth = 0;
@@ -49,7 +50,7 @@ std::size_t for_each_box_at(const BoxTree& tree, const Point& p, Work&& work) {
     const std::uint32_t n = stack[--depth];
     const BoxTree::Node& node = tree.nodes[n];
     ++looked_at;
-    if (!contains(node.box, p)) continue;
+    if (!is_near(node.box)) continue;
     if (node.right != 0) {
       stack[depth++] = node.right;
       stack[depth++] = n + 1;
@@ -57,10 +58,17 @@ std::size_t for_each_box_at(const BoxTree& tree, const Point& p, Work&& work) {
     }
     for (std::uint32_t i = node.begin; i < node.end; ++i) {
       ++looked_at;
-      if (contains(tree.boxes[tree.order[i]], p)) work(tree.order[i]);
+      if (is_near(tree.boxes[tree.order[i]])) work(tree.order[i]);
     }
   }
   return looked_at;
+}
+
+/// The same for every box that holds `p`.
+template <class Work>
+std::size_t for_each_box_at(const BoxTree& tree, const Point& p, Work&& work) {
+  return for_each_box(
+      tree, [&](const BoundingBox& box) { return contains(box, p); }, work);
 }
 
 }  // namespace sunder

@@ -9,6 +9,8 @@
 #include <array>
 #include <string_view>
 
+#include "topology/io/vtu/vtu_encode.hpp"
+
 namespace sunder {
 namespace {
 
@@ -17,28 +19,8 @@ using suite::Verdict;
 /// Text as an attribute or content may have it; what is not printable ASCII becomes '?': XML 1.0
 /// has no way to write most control characters.
 std::string in_xml(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      case '\n':
-        out += '\n';
-        break;
-      default:
-        out += c >= ' ' && c <= '~' ? c : '?';
-    }
-  }
+  std::string out = io::in_xml(text);
+  for (char& c : out) c = (c >= ' ' && c <= '~') || c == '\n' ? c : '?';
   return out;
 }
 

@@ -351,20 +351,6 @@ void index_nodes(AbaqusReader& r) {
   });
 }
 
-void note_others(AbaqusReader& r) {
-  if (r.others.empty()) return;
-  std::string names;
-  for (const std::string& name : r.others) {
-    const std::string quoted = in_quotes(name);
-    names += fmt::format("{}*{}", names.empty() ? "" : ", ", quoted.substr(1, quoted.size() - 2));
-  }
-  r.draft.findings.push_back({.code = "unknown_section",
-                              .severity = Severity::note,
-                              .count = r.others.size(),
-                              .text = fmt::format("passed over: {}", names),
-                              .remedy = "nothing to do: they hold no mesh"});
-}
-
 }  // namespace
 
 bool is_abaqus(std::string_view text) {
@@ -388,7 +374,7 @@ Draft read_abaqus(const FileSource& source) {
   index_nodes(r);
   read_abaqus_elements(r);
   read_abaqus_sets(r);
-  note_others(r);
+  note_passed_over(r.draft, r.others, "*");
   return std::move(r.draft);
 }
 

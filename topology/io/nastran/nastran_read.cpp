@@ -280,20 +280,6 @@ void read_elements(NastranReader& r) {
   }
 }
 
-void note_others(NastranReader& r) {
-  if (r.others.empty()) return;
-  std::string names;
-  for (const std::string& name : r.others) {
-    const std::string quoted = in_quotes(name);
-    names += fmt::format("{}{}", names.empty() ? "" : ", ", quoted.substr(1, quoted.size() - 2));
-  }
-  r.draft.findings.push_back({.code = "unknown_section",
-                              .severity = Severity::note,
-                              .count = r.others.size(),
-                              .text = fmt::format("passed over: {}", names),
-                              .remedy = "nothing to do: they hold no mesh"});
-}
-
 }  // namespace
 
 bool is_nastran(std::string_view text) {
@@ -319,7 +305,7 @@ Draft read_nastran(const FileSource& source) {
   find_parts(r, 0, begin_of_bulk(source.text), 0);
   read_points(r);
   read_elements(r);
-  note_others(r);
+  note_passed_over(r.draft, r.others);
   return std::move(r.draft);
 }
 

@@ -20,25 +20,8 @@ namespace sunder {
 namespace {
 
 std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
-  }
+  std::string out = io::in_xml(text);
+  for (char& c : out) c = static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
   return out;
 }
 

@@ -107,31 +107,6 @@ bool overlap(const BoundingBox& a, const BoundingBox& b) {
   return true;
 }
 
-/// Calls `work(row)` for every box that overlaps `box`; gives how many were looked at.
-template <class Work>
-std::size_t for_each_box_near(const BoxTree& tree, const BoundingBox& box, Work work) {
-  std::size_t looked_at = 0;
-  std::uint32_t stack[64];
-  int depth = 0;
-  if (!tree.nodes.empty()) stack[depth++] = 0;
-  while (depth > 0) {
-    const std::uint32_t n = stack[--depth];
-    const BoxTree::Node& node = tree.nodes[n];
-    ++looked_at;
-    if (!overlap(node.box, box)) continue;
-    if (node.right != 0) {
-      stack[depth++] = node.right;
-      stack[depth++] = n + 1;
-      continue;
-    }
-    for (std::uint32_t i = node.begin; i < node.end; ++i) {
-      ++looked_at;
-      if (overlap(tree.boxes[tree.order[i]], box)) work(tree.order[i]);
-    }
-  }
-  return looked_at;
-}
-
 }  // namespace
 
 bool triangles_cross(const std::vector<Point>& points, const Triangle& a, const Triangle& b) {
@@ -168,7 +143,8 @@ Crossings find_crossings(const std::vector<Point>& points,
   std::size_t left = looks_each * triangles.size() + 10000;
   for (std::uint32_t i = 0; i < triangles.size() && found.is_finished; ++i) {
     const SurfaceTriangle& t = triangles[i];
-    const std::size_t looks = for_each_box_near(tree, tree.boxes[i], [&](std::uint32_t j) {
+    const std::size_t looks = for_each_box(
+        tree, [&](const BoundingBox& box) { return overlap(box, tree.boxes[i]); }, [&](std::uint32_t j) {
       const SurfaceTriangle& other = triangles[j];
       if (j <= i || t.face == other.face) return;
       if (!triangles_cross(points, t.corners, other.corners)) return;

@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <charconv>
 #include <fstream>
+#include <initializer_list>
 #include <iterator>
 
 #include "apps/sunder/run/saved/run_folder.hpp"
 #include "fracture/saving/archive.hpp"
 #include "fracture/saving/saved_state.hpp"
+#include "topology/base/fnv1a.hpp"
 #include "topology/io/output_file.hpp"
 
 namespace sunder {
@@ -123,11 +125,10 @@ namespace {
 constexpr std::string_view magic = "SunderCp";
 constexpr std::string_view ending = ".checkpoint";
 
-std::uint64_t checksum(std::string_view bytes, std::uint64_t hash = 0xcbf29ce484222325u) {
-  for (const char byte : bytes) {
-    hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
-  }
-  return hash;
+std::uint64_t checksum(std::initializer_list<std::string_view> parts) {
+  Fnv1a sum;
+  for (const std::string_view bytes : parts) sum.add(bytes);
+  return sum.value;
 }
 
 fs::path place_of(const fs::path& folder) { return folder / "checkpoints"; }
@@ -171,7 +172,7 @@ Result<Checkpoint> read_one(const fs::path& path) {
   archive(head, sum);
   const std::string_view summed = head.bytes;
   archive(head, length);
-  if (head.failed || length > head.bytes.size() || checksum(summed) != sum) {
+  if (head.failed || length > head.bytes.size() || checksum({summed}) != sum) {
     return unusable("damaged", path, "some of its bytes are missing or changed");
   }
   Checkpoint checkpoint;
@@ -202,7 +203,7 @@ std::vector<Finding> write_checkpoint(const fs::path& folder, const SceneFile& f
   StateWriter length, head;
   const std::uint64_t bytes = recorded.bytes.size();
   archive(length, bytes);
-  const std::uint64_t sum = checksum(state, checksum(recorded.bytes, checksum(length.bytes)));
+  const std::uint64_t sum = checksum({length.bytes, recorded.bytes, state});
   head.bytes = magic;
   archive(head, checkpoint_format);
   archive(head, sum);
