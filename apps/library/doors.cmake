@@ -85,7 +85,7 @@ door(frames "VTU frames of a simulation for viewers, and their list."
   apps/output/frame.hpp)
 
 door(statics "Equilibrium of a scene's bodies, and their natural modes."
-  fracture/simulation/statics.hpp)
+  fracture/simulation/statics/statics.hpp)
 
 door(cgal_map "For researchers: CGAL's combinatorial map behind a VolumeMap. Needs CGAL; 12 s a source."
   topology/kernel/dart_map.hpp)

@@ -7,7 +7,7 @@
 #include "fracture/breaking/break.hpp"
 #include "fracture/breaking/fan_clock.hpp"
 #include "fracture/simulation/attempt.hpp"
-#include "fracture/simulation/energy_ledger.hpp"
+#include "fracture/simulation/ledger/energy_ledger.hpp"
 #include "fracture/simulation/ladder.hpp"
 #include "fracture/simulation/part.hpp"
 #include "fracture/simulation/plan.hpp"

@@ -8,7 +8,7 @@
 #include <limits>
 #include <string>
 
-#include "fracture/simulation/momentum_ledger.hpp"
+#include "fracture/simulation/ledger/momentum_ledger.hpp"
 #include "mechanics/contact/impact.hpp"
 #include "mechanics/element/energy.hpp"
 #include "mechanics/integrators/impulse_response.hpp"

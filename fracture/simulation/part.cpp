@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "fracture/simulation/energy_ledger.hpp"
-#include "fracture/simulation/momentum_ledger.hpp"
+#include "fracture/simulation/ledger/energy_ledger.hpp"
+#include "fracture/simulation/ledger/momentum_ledger.hpp"
 #include "mechanics/state/living.hpp"
 #include "mechanics/state/supports.hpp"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "fracture/simulation/break_energy.hpp"
+#include "fracture/simulation/ledger/break_energy.hpp"
 #include "fracture/simulation/integrator_bounds.hpp"
 #include "fracture/simulation/plan_members.hpp"
 #include "mechanics/baselines/verlet.hpp"

@@ -12,7 +12,7 @@
 #include "fracture/breaking/break_vertices.hpp"
 #include "fracture/breaking/fan_script.hpp"
 #include "fracture/energy/crack_energy.hpp"
-#include "fracture/simulation/break_energy.hpp"
+#include "fracture/simulation/ledger/break_energy.hpp"
 #include "fracture/simulation/rubble/rubble_state.hpp"
 #include "mechanics/contact/contact.hpp"
 #include "mechanics/state/display_state.hpp"

@@ -9,7 +9,7 @@
 #include <functional>
 
 #include "reader_laws.hpp"
-#include "topology/io/number_source.hpp"
+#include "topology/io/text/number_source.hpp"
 
 using namespace sunder;
 using namespace sunder::test;

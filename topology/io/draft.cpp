@@ -8,7 +8,7 @@
 #include <cmath>
 #include <span>
 
-#include "topology/io/scan.hpp"
+#include "topology/io/text/scan.hpp"
 #include "topology/mesh/kinds/move_cells.hpp"
 
 namespace sunder::io {

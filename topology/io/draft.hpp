@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "topology/base/finding.hpp"
-#include "topology/io/number_source.hpp"
+#include "topology/io/text/number_source.hpp"
 #include "topology/io/read_options.hpp"
 #include "topology/mesh/file_mesh.hpp"
 

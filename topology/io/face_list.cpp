@@ -8,7 +8,7 @@
 #include <charconv>
 #include <string>
 
-#include "topology/io/scan.hpp"
+#include "topology/io/text/scan.hpp"
 
 namespace sunder {
 namespace {

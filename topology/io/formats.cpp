@@ -14,7 +14,7 @@
 #include "topology/io/msh/msh.hpp"
 #include "topology/io/nastran/nastran.hpp"
 #include "topology/io/ovm/ovm.hpp"
-#include "topology/io/scan.hpp"
+#include "topology/io/text/scan.hpp"
 #include "topology/io/surface/obj.hpp"
 #include "topology/io/surface/off.hpp"
 #include "topology/io/surface/ply.hpp"

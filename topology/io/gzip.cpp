@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "topology/io/scan.hpp"
+#include "topology/io/text/scan.hpp"
 
 namespace sunder::io {
 namespace {

@@ -4,7 +4,7 @@
 #include "topology/io/gzip.hpp"
 #include "topology/io/nastran/nastran.hpp"
 #include "topology/io/output_file.hpp"
-#include "topology/io/scan.hpp"
+#include "topology/io/text/scan.hpp"
 #include "topology/io/unv/unv.hpp"
 #include "topology/io/vtk/vtk_polydata.hpp"
 #include "topology/io/vtu/vtu_read.hpp"

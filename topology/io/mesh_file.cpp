@@ -10,8 +10,8 @@
 #include "topology/io/format_traits.hpp"
 #include "topology/io/formats.hpp"
 #include "topology/io/gzip.hpp"
-#include "topology/io/read_bytes.hpp"
-#include "topology/io/scan.hpp"
+#include "topology/io/text/read_bytes.hpp"
+#include "topology/io/text/scan.hpp"
 #include "topology/io/tetgen/tetgen.hpp"
 
 namespace sunder {

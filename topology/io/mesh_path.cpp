@@ -7,7 +7,7 @@
 #include "topology/io/input_file.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/io/named_regions.hpp"
-#include "topology/io/read_bytes.hpp"
+#include "topology/io/text/read_bytes.hpp"
 #include "topology/io/region_names.hpp"
 
 namespace sunder {

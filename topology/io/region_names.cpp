@@ -7,7 +7,7 @@
 #include <iterator>
 
 #include "topology/io/output_file.hpp"
-#include "topology/io/scan.hpp"
+#include "topology/io/text/scan.hpp"
 #include "topology/io/tetgen/tetgen.hpp"
 
 namespace sunder::io {

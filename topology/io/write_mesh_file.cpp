@@ -9,7 +9,7 @@
 #include "topology/io/losses.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/io/region_names.hpp"
-#include "topology/io/scan.hpp"
+#include "topology/io/text/scan.hpp"
 
 namespace sunder {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <typeinfo>
 
-#include "topology/io/scan.hpp"
+#include "topology/io/text/scan.hpp"
 
 extern "C" {
 

@@ -12,7 +12,7 @@
 #include "apps/sunder/run/counters_json.hpp"
 #include "apps/scene/obstacles_json.hpp"
 #include "apps/sunder/run/event_log.hpp"
-#include "fracture/simulation/momentum_ledger.hpp"
+#include "fracture/simulation/ledger/momentum_ledger.hpp"
 #include "mechanics/element/energy.hpp"
 
 namespace sunder {

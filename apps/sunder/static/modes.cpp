@@ -17,7 +17,7 @@
 #include "apps/scene/words.hpp"
 #include "apps/sunder/program.hpp"
 #include "fracture/simulation/simulation_state.hpp"
-#include "fracture/simulation/statics.hpp"
+#include "fracture/simulation/statics/statics.hpp"
 #include "topology/io/mesh_file.hpp"
 
 namespace sunder {

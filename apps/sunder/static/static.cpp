@@ -17,7 +17,7 @@
 #include "apps/scene/words.hpp"
 #include "apps/sunder/program.hpp"
 #include "apps/sunder/static/static_fan.hpp"
-#include "fracture/simulation/statics.hpp"
+#include "fracture/simulation/statics/statics.hpp"
 #include "mechanics/rebuild.hpp"
 
 namespace sunder {

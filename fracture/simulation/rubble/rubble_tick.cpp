@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fracture/simulation/break_energy.hpp"
+#include "fracture/simulation/ledger/break_energy.hpp"
 #include "fracture/simulation/ladder.hpp"
 #include "fracture/simulation/rubble/islands.hpp"
 #include "fracture/simulation/rubble/rigid_pieces.hpp"

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "fracture/simulation/simulation_state.hpp"
-#include "fracture/simulation/statics.hpp"
+#include "fracture/simulation/statics/statics.hpp"
 #include "tests/support/program.hpp"
 #include "topology/cells/edges.hpp"
 #include "topology/io/mesh_file.hpp"

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "apps/sunder/static/static_fan.hpp"
-#include "fracture/simulation/statics.hpp"
+#include "fracture/simulation/statics/statics.hpp"
 #include "tests/support/program.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/suite/fixtures/shapes.hpp"

@@ -7,7 +7,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "fracture/simulation/break_energy.hpp"
+#include "fracture/simulation/ledger/break_energy.hpp"
 #include "fracture/simulation/rubble/islands.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "topology/suite/fixtures/shapes.hpp"

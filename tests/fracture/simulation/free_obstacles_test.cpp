@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "fracture/saving/saved_state.hpp"
-#include "fracture/simulation/momentum_ledger.hpp"
+#include "fracture/simulation/ledger/momentum_ledger.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/contact/shapes/solid_surface.hpp"

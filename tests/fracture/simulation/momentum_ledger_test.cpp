@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Impulses by their source add up to the change of momentum, in scenes that have them all.
-#include "fracture/simulation/momentum_ledger.hpp"
+#include "fracture/simulation/ledger/momentum_ledger.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -8,7 +8,7 @@
 #include "fracture/saving/saved_state.hpp"
 #include "fracture/scene/check_scene.hpp"
 #include "fracture/simulation/simulation_state.hpp"
-#include "fracture/simulation/statics.hpp"
+#include "fracture/simulation/statics/statics.hpp"
 #include "mechanics/state/living.hpp"
 #include "mechanics/state/supports.hpp"
 #include "tests/support/same_state.hpp"

@@ -3,9 +3,9 @@
 #include <catch2/catch.hpp>
 
 #include "fracture/saving/saved_state.hpp"
-#include "fracture/simulation/momentum_ledger.hpp"
+#include "fracture/simulation/ledger/momentum_ledger.hpp"
 #include "fracture/simulation/simulation_state.hpp"
-#include "fracture/simulation/statics.hpp"
+#include "fracture/simulation/statics/statics.hpp"
 #include "mechanics/state/supports.hpp"
 #include "tests/support/same_state.hpp"
 #include "tests/support/simulation.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "topology/io/number_index.hpp"
+#include "topology/io/text/number_index.hpp"
 
 #include <catch2/catch.hpp>
 #include <limits>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "topology/io/scan.hpp"
+#include "topology/io/text/scan.hpp"
 
 #include <catch2/catch.hpp>
 

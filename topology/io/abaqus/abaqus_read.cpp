@@ -9,7 +9,7 @@
 
 #include "topology/io/abaqus/abaqus.hpp"
 #include "topology/io/abaqus/abaqus_reader.hpp"
-#include "topology/io/scan.hpp"
+#include "topology/io/text/scan.hpp"
 
 namespace sunder::io {
 namespace {

@@ -6,7 +6,7 @@
 #include <charconv>
 
 #include "topology/io/abaqus/abaqus_reader.hpp"
-#include "topology/io/scan.hpp"
+#include "topology/io/text/scan.hpp"
 #include "topology/io/usual_entities.hpp"
 
 namespace sunder::io {

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "topology/io/number_source.hpp"
+#include "topology/io/text/number_source.hpp"
 
 namespace sunder::io {
 namespace {

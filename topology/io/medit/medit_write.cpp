@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Writing MEDIT: points, then cells by dimension, each with its reference.
 #include "topology/io/medit/medit.hpp"
-#include "topology/io/number_sink.hpp"
+#include "topology/io/text/number_sink.hpp"
 
 namespace sunder::io {
 namespace {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "topology/io/draft.hpp"
-#include "topology/io/number_index.hpp"
-#include "topology/io/number_source.hpp"
+#include "topology/io/text/number_index.hpp"
+#include "topology/io/text/number_source.hpp"
 
 namespace sunder::io {
 

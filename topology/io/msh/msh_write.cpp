@@ -8,7 +8,7 @@
 #include "topology/io/msh/msh.hpp"
 #include "topology/io/msh/msh_elements.hpp"
 #include "topology/io/msh/msh_entities.hpp"
-#include "topology/io/number_sink.hpp"
+#include "topology/io/text/number_sink.hpp"
 
 namespace sunder::io {
 namespace {

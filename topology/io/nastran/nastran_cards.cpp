@@ -8,7 +8,7 @@
 #include <charconv>
 
 #include "topology/io/abaqus/abaqus_lines.hpp"
-#include "topology/io/scan.hpp"
+#include "topology/io/text/scan.hpp"
 
 namespace sunder::io {
 namespace {

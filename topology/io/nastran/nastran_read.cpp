@@ -15,8 +15,8 @@
 #include "topology/io/nastran/nastran.hpp"
 #include "topology/io/nastran/nastran_cards.hpp"
 #include "topology/io/nastran/nastran_reader.hpp"
-#include "topology/io/number_index.hpp"
-#include "topology/io/scan.hpp"
+#include "topology/io/text/number_index.hpp"
+#include "topology/io/text/scan.hpp"
 
 namespace sunder::io {
 namespace {

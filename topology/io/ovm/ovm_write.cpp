@@ -8,7 +8,7 @@
 #include <span>
 #include <variant>
 
-#include "topology/io/number_sink.hpp"
+#include "topology/io/text/number_sink.hpp"
 #include "topology/io/ovm/ovm.hpp"
 #include "topology/io/ovm/ovm_reader.hpp"
 #include "topology/io/tetgen/tetgen.hpp"

@@ -9,7 +9,7 @@
 #include <map>
 
 #include "topology/io/named_regions.hpp"
-#include "topology/io/scan.hpp"
+#include "topology/io/text/scan.hpp"
 
 namespace sunder::io {
 namespace {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "topology/io/named_regions.hpp"
-#include "topology/io/number_sink.hpp"
+#include "topology/io/text/number_sink.hpp"
 #include "topology/io/surface/obj.hpp"
 
 namespace sunder::io {

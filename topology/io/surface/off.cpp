@@ -6,8 +6,8 @@
 
 #include <bit>
 
-#include "topology/io/number_sink.hpp"
-#include "topology/io/number_source.hpp"
+#include "topology/io/text/number_sink.hpp"
+#include "topology/io/text/number_source.hpp"
 
 namespace sunder::io {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "topology/mesh/file_mesh.hpp"
-#include "topology/io/scan.hpp"
+#include "topology/io/text/scan.hpp"
 
 namespace sunder::io {
 

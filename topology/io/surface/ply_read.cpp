@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "topology/io/number_source.hpp"
+#include "topology/io/text/number_source.hpp"
 #include "topology/io/surface/ply.hpp"
 #include "topology/io/surface/ply_header.hpp"
 #include "topology/io/vtk/vtk_columns.hpp"

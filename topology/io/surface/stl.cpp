@@ -11,8 +11,8 @@
 #include <limits>
 
 #include "topology/io/named_regions.hpp"
-#include "topology/io/number_sink.hpp"
-#include "topology/io/number_source.hpp"
+#include "topology/io/text/number_sink.hpp"
+#include "topology/io/text/number_source.hpp"
 
 namespace sunder::io {
 namespace {

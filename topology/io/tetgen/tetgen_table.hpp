@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "topology/io/scan.hpp"
+#include "topology/io/text/scan.hpp"
 #include "topology/mesh/file_mesh.hpp"
 
 namespace sunder::io {

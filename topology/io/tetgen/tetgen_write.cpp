@@ -6,7 +6,7 @@
 #include <system_error>
 #include <variant>
 
-#include "topology/io/number_sink.hpp"
+#include "topology/io/text/number_sink.hpp"
 #include "topology/io/output_file.hpp"
 #include "topology/io/tetgen/tetgen.hpp"
 

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "topology/io/abaqus/abaqus_lines.hpp"
-#include "topology/io/scan.hpp"
+#include "topology/io/text/scan.hpp"
 #include "topology/io/unv/unv_reader.hpp"
 
 namespace sunder::io {

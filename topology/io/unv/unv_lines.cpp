@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "topology/io/scan.hpp"
+#include "topology/io/text/scan.hpp"
 #include "topology/io/unv/unv_reader.hpp"
 
 namespace sunder::io {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <set>
 
-#include "topology/io/scan.hpp"
+#include "topology/io/text/scan.hpp"
 #include "topology/io/unv/unv.hpp"
 #include "topology/io/unv/unv_reader.hpp"
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "topology/io/draft.hpp"
-#include "topology/io/number_index.hpp"
+#include "topology/io/text/number_index.hpp"
 
 namespace sunder::io {
 

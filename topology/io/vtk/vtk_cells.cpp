@@ -10,7 +10,7 @@
 #include <set>
 #include <span>
 
-#include "topology/io/scan.hpp"
+#include "topology/io/text/scan.hpp"
 
 namespace sunder::io {
 namespace {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "topology/io/draft.hpp"
-#include "topology/io/scan.hpp"
+#include "topology/io/text/scan.hpp"
 
 namespace sunder::io {
 

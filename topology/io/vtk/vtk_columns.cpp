@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "topology/io/scan.hpp"
+#include "topology/io/text/scan.hpp"
 #include "topology/mesh/kinds/move_cells.hpp"
 
 namespace sunder::io {

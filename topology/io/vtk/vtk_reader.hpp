@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "topology/io/number_source.hpp"
+#include "topology/io/text/number_source.hpp"
 #include "topology/io/vtk/vtk_columns.hpp"
 
 namespace sunder::io {

@@ -5,8 +5,8 @@
 #include <bit>
 #include <iterator>
 
-#include "topology/io/number_sink.hpp"
-#include "topology/io/number_source.hpp"
+#include "topology/io/text/number_sink.hpp"
+#include "topology/io/text/number_source.hpp"
 #include "topology/io/vtk/vtk.hpp"
 #include "topology/io/vtk/vtk_cells.hpp"
 

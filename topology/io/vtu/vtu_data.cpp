@@ -12,7 +12,7 @@
 #include <memory>
 #include <new>
 
-#include "topology/io/number_source.hpp"
+#include "topology/io/text/number_source.hpp"
 #include "topology/io/vtk/vtk_cells.hpp"
 
 namespace sunder::io {

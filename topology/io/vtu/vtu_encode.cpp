@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "topology/base/assert.hpp"
-#include "topology/io/number_sink.hpp"
+#include "topology/io/text/number_sink.hpp"
 #include "topology/io/vtk/vtk_cells.hpp"
 
 namespace sunder::io {

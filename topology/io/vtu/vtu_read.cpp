@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "topology/io/scan.hpp"
+#include "topology/io/text/scan.hpp"
 #include "topology/io/vtk/vtk_columns.hpp"
 #include "topology/io/vtk/vtk_polydata.hpp"
 #include "topology/io/vtu/vtu_xml.hpp"

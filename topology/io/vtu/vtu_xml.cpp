@@ -12,7 +12,7 @@
 #include <optional>
 #include <set>
 
-#include "topology/io/scan.hpp"
+#include "topology/io/text/scan.hpp"
 
 namespace sunder::io {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "fracture/saving/saved_state.hpp"
 #include "fracture/scene/check_scene.hpp"
-#include "fracture/simulation/momentum_ledger.hpp"
+#include "fracture/simulation/ledger/momentum_ledger.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/element/energy.hpp"
 #include "tests/support/same_state.hpp"

@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "fracture/saving/saved_state.hpp"
-#include "fracture/simulation/momentum_ledger.hpp"
+#include "fracture/simulation/ledger/momentum_ledger.hpp"
 #include "fracture/simulation/rubble/islands.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/element/energy.hpp"

@@ -12,7 +12,7 @@
 #include "topology/base/tet_mesh.hpp"
 #include "topology/io/formats.hpp"
 #include "topology/io/mesh_file.hpp"
-#include "topology/io/scan.hpp"
+#include "topology/io/text/scan.hpp"
 
 namespace sunder::io {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Impulses by their source, and where they act.
-#include "fracture/simulation/momentum_ledger.hpp"
+#include "fracture/simulation/ledger/momentum_ledger.hpp"
 
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/element/energy.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The energy ledger of a step.
-#include "fracture/simulation/energy_ledger.hpp"
+#include "fracture/simulation/ledger/energy_ledger.hpp"
 
 #include <cmath>
 

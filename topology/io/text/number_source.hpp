@@ -7,7 +7,7 @@
 #include <bit>
 #include <cstring>
 
-#include "topology/io/scan.hpp"
+#include "topology/io/text/scan.hpp"
 
 namespace sunder::io {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The slow side of scanning: words, lines and the wording of failures.
-#include "topology/io/scan.hpp"
+#include "topology/io/text/scan.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Ends of binary data, and passing numbers over.
-#include "topology/io/number_source.hpp"
+#include "topology/io/text/number_source.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Filling the way from numbers to rows.
-#include "topology/io/number_index.hpp"
+#include "topology/io/text/number_index.hpp"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Lowest strengths and least energies to break.
-#include "fracture/simulation/break_energy.hpp"
+#include "fracture/simulation/ledger/break_energy.hpp"
 
 #include <algorithm>
 #include <limits>

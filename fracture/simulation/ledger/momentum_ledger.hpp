@@ -2,7 +2,7 @@
 // Where the momentum of a step comes from and goes to: added up part by part.
 #pragma once
 
-#include "fracture/simulation/energy_ledger.hpp"
+#include "fracture/simulation/ledger/energy_ledger.hpp"
 
 namespace sunder {
 

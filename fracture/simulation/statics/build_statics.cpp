@@ -4,7 +4,7 @@
 
 #include "fracture/simulation/scene_loads.hpp"
 #include "fracture/simulation/simulation_state.hpp"
-#include "fracture/simulation/statics.hpp"
+#include "fracture/simulation/statics/statics.hpp"
 #include "fracture/strength/held_boxes.hpp"
 #include "mechanics/rebuild.hpp"
 #include "mechanics/state/living.hpp"

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <type_traits>
 
-#include "topology/io/number_source.hpp"
+#include "topology/io/text/number_source.hpp"
 
 namespace sunder::io {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Solves for equilibrium and modes, and measures them body by body.
-#include "fracture/simulation/statics.hpp"
+#include "fracture/simulation/statics/statics.hpp"
 
 #include <fmt/format.h>
 
