@@ -46,16 +46,15 @@ bool counts_up_from(std::int64_t first, const std::vector<std::int64_t>& numbers
   return true;
 }
 
-/// Cells are numbered through all kinds where a file numbers them at all.
+/// Cells are numbered through all kinds that have numbers; vertices of Abaqus and UNV have none.
 void drop_usual_numbers(FileMesh& mesh) {
   if (counts_up_from(1, mesh.source_point_id)) mesh.source_point_id.clear();
   std::int64_t first = 1;
   bool usual = true;
   for (const CellKind kind : all_cell_kinds) {
-    const std::size_t rows = rows_of(mesh, kind).count;
     const std::vector<std::int64_t>& numbers = columns_of(mesh, kind).source_id;
-    usual = usual && numbers.size() == rows && counts_up_from(first, numbers);
-    first += static_cast<std::int64_t>(rows);
+    usual = usual && counts_up_from(first, numbers);
+    first += static_cast<std::int64_t>(numbers.size());
   }
   if (!usual) return;
   for (const CellKind kind : all_cell_kinds) columns_of(mesh, kind).source_id.clear();

@@ -198,3 +198,19 @@ TEST_CASE("regions, numbers and names come back from a universal file", "[io][un
   CHECK(told[0].count == 2);
   CHECK(read_file_mesh(path)->triangles.region == mesh.triangles.region);
 }
+
+TEST_CASE("numbers that count on once hexahedra are left out say nothing, with vertices too",
+          "[io][unv]") {
+  const std::string text =
+      nodes + section("2411", "5 1 1 11\n1. 1. 0.\n6 1 1 11\n1. 0. 1.\n7 1 1 11\n0. 1. 1.\n"
+                              "8 1 1 11\n1. 1. 1.\n") +
+      section("2412", "1 111 1 1 7 4\n1 2 3 4\n5 115 1 1 7 8\n1 2 5 3 4 6 8 7\n") +
+      section("2467", "1 0 0 0 0 0 0 1\ncorner\n7 1 0 0\n");
+  const Result<FileMesh> whole = read_file_mesh(text, "a.unv");
+  REQUIRE(whole);
+  CHECK(whole->tetrahedra.source_id == std::vector<std::int64_t>{1});
+  const Result<FileMesh> part = read_file_mesh(text, "a.unv", {.tetrahedra_only = true});
+  REQUIRE(part);
+  CHECK(part->vertices.corners.size() == 1);
+  CHECK(part->tetrahedra.source_id.empty());
+}

@@ -346,19 +346,6 @@ void read_node_sets(AbaqusReader& r) {
   if (std::ranges::all_of(cells.region, [](auto x) { return x == 0; })) cells.region.clear();
 }
 
-/// Numbers that count on from 1 through all elements say nothing.
-void drop_counting(FileMesh& mesh) {
-  std::int64_t next = 1;
-  bool counts = true;
-  for (const CellKind kind : all_cell_kinds) {
-    for (const std::int64_t number : columns_of(mesh, kind).source_id) {
-      counts = counts && number == next++;
-    }
-  }
-  if (!counts) return;
-  for (const CellKind kind : all_cell_kinds) columns_of(mesh, kind).source_id.clear();
-}
-
 }  // namespace
 
 std::int32_t set_called(AbaqusSets& sets, std::string_view name) {
@@ -386,7 +373,6 @@ void read_abaqus_sets(AbaqusReader& r) {
   }
   read_element_sets(r);
   read_node_sets(r);
-  drop_counting(r.draft.mesh);
 }
 
 }  // namespace sunder::io

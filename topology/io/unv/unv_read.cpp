@@ -252,19 +252,6 @@ void take_tables(FileMesh& mesh) {
   }
 }
 
-/// Numbers that count on from 1 through all elements say nothing.
-void drop_counting(FileMesh& mesh) {
-  std::int64_t next = 1;
-  bool counts = true;
-  for (const CellKind kind : all_cell_kinds) {
-    for (const std::int64_t number : columns_of(mesh, kind).source_id) {
-      counts = counts && number == next++;
-    }
-  }
-  if (!counts) return;
-  for (const CellKind kind : all_cell_kinds) columns_of(mesh, kind).source_id.clear();
-}
-
 /// Data sets that are neither read nor about the file itself.
 void note_others(UnvReader& r) {
   constexpr std::int64_t ours[] = {15,   151,  164,  780,  781,  2400, 2411, 2412, 2417,
@@ -310,7 +297,6 @@ Draft read_unv(std::string_view text) {
   });
   read_unv_groups(r);
   take_tables(r.draft.mesh);
-  drop_counting(r.draft.mesh);
   note_others(r);
   return std::move(r.draft);
 }
