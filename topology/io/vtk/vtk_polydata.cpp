@@ -56,7 +56,7 @@ void append_poly_cells(VtkCells& cells, PolyList list, const std::vector<std::in
     const bool falls = end < before || end > size;
     cells.types.push_back(type_of(list, falls ? 0 : end - before));
     cells.ends.push_back(falls ? -1 : first + end);
-    before = end;
+    if (!falls) before = end;  // one far below 0 would leave no difference to the next
   }
 }
 
