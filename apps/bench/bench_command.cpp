@@ -15,6 +15,7 @@
 #include "apps/bench/bench_step.hpp"
 #include "apps/bench/bench_threshold.hpp"
 #include "apps/scene/words.hpp"
+#include "apps/sunder/telling.hpp"
 #include "topology/io/output_file.hpp"
 
 namespace sunder {
@@ -40,15 +41,18 @@ Examples:
   sunder bench kernel --csv kernel.csv --plot kernel.png
 )";
 
-struct BenchArguments {
+void tell_next(const std::string& work, const Telling& telling) {
+  remark(work + " ...\n", telling);
+}
+
+struct BenchArguments : Telling {
   KernelBenchSettings settings;
   std::filesystem::path csv, plot;
-  bool json = false;
 };
 
 ExitCode run_kernel_bench(const BenchArguments& arguments) {
   const KernelBench bench = bench_kernel(
-      arguments.settings, [](const BenchBody& body) { fmt::print(stderr, "{} ...\n", body.name); });
+      arguments.settings, [&](const BenchBody& body) { tell_next(body.name, arguments); });
   if (arguments.json) {
     fmt::print("{}\n", bench_json(bench).dump(2));
   } else {
@@ -61,7 +65,7 @@ ExitCode run_kernel_bench(const BenchArguments& arguments) {
   if (!arguments.plot.empty()) {
     if (auto failure = plot_bench(bench, arguments.plot)) findings.push_back(*failure);
   }
-  fmt::print(stderr, "{}", finding_lines(findings));
+  tell_beside(findings, arguments);
   return findings.empty() ? ExitCode::fine : ExitCode::not_written;
 }
 
@@ -85,6 +89,7 @@ void add_kernel_command(CLI::App& bench, ExitCode& exit_code) {
   command->add_option("--csv", arguments->csv, "Write the figures as CSV")->type_name("FILE");
   command->add_option("--plot", arguments->plot, "Draw times over tetrahedra (PNG, by gnuplot)")
       ->type_name("FILE.png");
+  add_quiet_flag(*command, *arguments);
   command->add_flag("--json", arguments->json, "Print JSON instead of the table");
   command->footer(kernel_footer);
   command->callback([=, &exit_code] { exit_code = run_kernel_bench(*arguments); });
@@ -109,23 +114,22 @@ Examples:
   sunder bench step meshes/monolith.msh meshes/bunny.msh --csv step.csv
 )";
 
-struct StepArguments {
+struct StepArguments : Telling {
   StepBenchSettings settings;
   std::filesystem::path csv;
-  bool json = false;
 };
 
 ExitCode run_step_bench(const StepArguments& arguments) {
   const Result<StepBench> bench = bench_step(
-      arguments.settings, [](const std::string& body) { fmt::print(stderr, "{} ...\n", body); });
+      arguments.settings, [&](const std::string& body) { tell_next(body, arguments); });
   if (!bench) {
-    fmt::print(stderr, "{}", finding_lines(bench.findings));
+    tell_beside(bench.findings, arguments);
     return ExitCode::bad_input;
   }
   fmt::print("{}", arguments.json ? step_json(*bench) : step_table(*bench));
   if (arguments.csv.empty()) return ExitCode::fine;
   if (auto failure = write_file(arguments.csv, step_csv(*bench))) {
-    fmt::print(stderr, "{}", finding_lines({*failure}));
+    tell_beside({*failure}, arguments);
     return ExitCode::not_written;
   }
   return ExitCode::fine;
@@ -142,6 +146,7 @@ void add_step_command(CLI::App& bench, ExitCode& exit_code) {
       ->type_name("N")
       ->check(CLI::Range(1, 100000).description(""));
   command->add_option("--csv", arguments->csv, "Write the figures as CSV")->type_name("FILE");
+  add_quiet_flag(*command, *arguments);
   command->add_flag("--json", arguments->json, "Print JSON instead of the table");
   command->footer(step_footer);
   command->callback([=, &exit_code] { exit_code = run_step_bench(*arguments); });
@@ -163,23 +168,22 @@ Examples:
   sunder bench methods --runs 50 --csv methods.csv
 )";
 
-struct MethodArguments {
+struct MethodArguments : Telling {
   MethodBenchSettings settings;
   std::filesystem::path csv;
-  bool json = false;
 };
 
 ExitCode run_method_bench(const MethodArguments& arguments) {
   const Result<MethodBench> bench = bench_methods(
-      arguments.settings, [](const std::string& body) { fmt::print(stderr, "{} ...\n", body); });
+      arguments.settings, [&](const std::string& body) { tell_next(body, arguments); });
   if (!bench) {
-    fmt::print(stderr, "{}", finding_lines(bench.findings));
+    tell_beside(bench.findings, arguments);
     return ExitCode::bad_input;
   }
   fmt::print("{}", arguments.json ? methods_json(*bench) : methods_table(*bench));
   if (arguments.csv.empty()) return ExitCode::fine;
   if (auto failure = write_file(arguments.csv, methods_csv(*bench))) {
-    fmt::print(stderr, "{}", finding_lines({*failure}));
+    tell_beside({*failure}, arguments);
     return ExitCode::not_written;
   }
   return ExitCode::fine;
@@ -193,6 +197,7 @@ void add_methods_command(CLI::App& bench, ExitCode& exit_code) {
       ->type_name("N")
       ->check(CLI::Range(1, 100000).description(""));
   command->add_option("--csv", arguments->csv, "Write the figures as CSV")->type_name("FILE");
+  add_quiet_flag(*command, *arguments);
   command->add_flag("--json", arguments->json, "Print JSON instead of the table");
   command->footer(methods_footer);
   command->callback([=, &exit_code] { exit_code = run_method_bench(*arguments); });
@@ -216,7 +221,7 @@ Examples:
   sunder bench paper --csv paper.csv --markdown paper.md
 )";
 
-struct PaperArguments {
+struct PaperArguments : Telling {
   PaperBenchSettings settings;
   std::filesystem::path csv, markdown;
 };
@@ -231,9 +236,9 @@ std::filesystem::path scenes_in(const std::filesystem::path& given) {
 ExitCode run_paper_bench(PaperArguments arguments) {
   arguments.settings.scenes = scenes_in(arguments.settings.scenes);
   const Result<PaperBench> bench = bench_paper(
-      arguments.settings, [](const std::string& run) { fmt::print(stderr, "{} ...\n", run); });
+      arguments.settings, [&](const std::string& run) { tell_next(run, arguments); });
   if (!bench) {
-    fmt::print(stderr, "{}", finding_lines(bench.findings));
+    tell_beside(bench.findings, arguments);
     return ExitCode::bad_input;
   }
   fmt::print("{}", paper_text(*bench));
@@ -244,7 +249,7 @@ ExitCode run_paper_bench(PaperArguments arguments) {
   };
   write(arguments.csv, paper_csv(*bench));
   write(arguments.markdown, paper_markdown(*bench));
-  fmt::print(stderr, "{}", finding_lines(findings));
+  tell_beside(findings, arguments);
   return findings.empty() ? ExitCode::fine : ExitCode::not_written;
 }
 
@@ -263,6 +268,7 @@ void add_paper_command(CLI::App& bench, ExitCode& exit_code) {
   command->add_option("--csv", arguments->csv, "Write all figures as CSV")->type_name("FILE");
   command->add_option("--markdown", arguments->markdown, "Write the tables as Markdown")
       ->type_name("FILE");
+  add_quiet_flag(*command, *arguments);
   command->footer(paper_footer);
   command->callback([=, &exit_code] { exit_code = run_paper_bench(*arguments); });
 }
@@ -280,25 +286,24 @@ Examples:
   sunder bench threshold --runs 100 --csv threshold.csv
 )";
 
-struct ThresholdArguments {
+struct ThresholdArguments : Telling {
   ThresholdBenchSettings settings;
   std::filesystem::path csv;
-  bool json = false;
 };
 
 ExitCode run_threshold_bench(ThresholdArguments arguments) {
   arguments.settings.scenes = scenes_in(arguments.settings.scenes);
   const Result<ThresholdBench> bench =
       bench_threshold(arguments.settings,
-                      [](const std::string& source) { fmt::print(stderr, "{} ...\n", source); });
+                      [&](const std::string& source) { tell_next(source, arguments); });
   if (!bench) {
-    fmt::print(stderr, "{}", finding_lines(bench.findings));
+    tell_beside(bench.findings, arguments);
     return ExitCode::bad_input;
   }
   fmt::print("{}", arguments.json ? threshold_json(*bench) : threshold_table(*bench));
   if (arguments.csv.empty()) return ExitCode::fine;
   if (auto failure = write_file(arguments.csv, threshold_csv(*bench))) {
-    fmt::print(stderr, "{}", finding_lines({*failure}));
+    tell_beside({*failure}, arguments);
     return ExitCode::not_written;
   }
   return ExitCode::fine;
@@ -317,6 +322,7 @@ void add_threshold_command(CLI::App& bench, ExitCode& exit_code) {
   command->add_option("--scenes", arguments->settings.scenes, "Folder of the three scenes (default meshes/scenes/paper)")
       ->type_name("FOLDER");
   command->add_option("--csv", arguments->csv, "Write the figures as CSV")->type_name("FILE");
+  add_quiet_flag(*command, *arguments);
   command->add_flag("--json", arguments->json, "Print JSON instead of the table");
   command->footer(threshold_footer);
   command->callback([=, &exit_code] { exit_code = run_threshold_bench(*arguments); });

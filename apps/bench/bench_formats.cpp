@@ -13,6 +13,7 @@
 
 #include "apps/bench/clock.hpp"
 #include "apps/scene/words.hpp"
+#include "apps/sunder/telling.hpp"
 #include "topology/io/format_traits.hpp"
 #include "topology/io/mesh_file.hpp"
 
@@ -31,11 +32,10 @@ Examples:
   sunder bench formats --cells 20 --runs 9 --keep /tmp/box --json
 )";
 
-struct Settings {
+struct Settings : Telling {
   std::uint32_t cells = 41;
   int runs = 5;
   std::filesystem::path keep;
-  bool json = false;
 };
 
 /// The corners of a cube's tetrahedron: from one end of a diagonal to the other, one axis a step.
@@ -176,12 +176,12 @@ ExitCode run_formats_bench(Settings settings) {
   std::vector<Row> rows = all_rows();
   std::vector<Finding> findings;
   for (Row& row : rows) {
-    fmt::print(stderr, "{} ...\n", row.file);
+    remark(row.file + " ...\n", settings);
     findings = measure(row, mesh, settings);
     if (!findings.empty()) break;
   }
   if (!is_kept) std::filesystem::remove_all(settings.keep, failure);
-  fmt::print(stderr, "{}", finding_lines(findings));
+  tell_beside(findings, settings);
   if (!findings.empty()) return ExitCode::not_written;
   print(mesh, rows, settings.json);
   return ExitCode::fine;
@@ -201,6 +201,7 @@ void add_formats_command(CLI::App& bench, ExitCode& exit_code) {
       ->check(CLI::Range(1, 1000).description(""));
   command->add_option("--keep", settings->keep, "Leave the files in this folder")
       ->type_name("FOLDER");
+  add_quiet_flag(*command, *settings);
   command->add_flag("--json", settings->json, "Print JSON instead of the table");
   command->footer(footer);
   command->callback([=, &exit_code] { exit_code = run_formats_bench(*settings); });

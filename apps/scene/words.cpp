@@ -9,13 +9,24 @@
 
 namespace sunder {
 
-std::string finding_lines(const std::vector<Finding>& findings) {
+namespace {
+
+/// "error:" in red and "warning:" in yellow, as terminals take it; "note:" as it is.
+std::string severity_word(Severity severity, bool coloured) {
+  const std::string word = fmt::format("{}:", to_string(severity));
+  if (!coloured || severity == Severity::note) return word;
+  return fmt::format("\033[1;{}m{}\033[0m", severity == Severity::error ? 31 : 33, word);
+}
+
+}  // namespace
+
+std::string finding_lines(const std::vector<Finding>& findings, bool coloured) {
   std::string out;
   for (const Finding& f : findings) {
     if (!f.file.empty()) out += f.file;
     if (f.line != 0) out += fmt::format(":{}", f.line);
     if (!f.file.empty() || f.line != 0) out += ": ";
-    out += fmt::format("{}: {} [{}", to_string(f.severity), f.text, f.code);
+    out += fmt::format("{} {} [{}", severity_word(f.severity, coloured), f.text, f.code);
     if (f.count > 1) out += fmt::format(", {} times", f.count);
     if (!f.ids.empty()) {
       out += fmt::format(": {}{}", fmt::join(f.ids, " "), f.count > f.ids.size() ? " ..." : "");

@@ -14,7 +14,7 @@
 namespace sunder {
 
 /// Two lines a finding: "FILE:LINE: error: text [code, COUNT times: ids]", then its remedy.
-std::string finding_lines(const std::vector<Finding>& findings);
+std::string finding_lines(const std::vector<Finding>& findings, bool coloured = false);
 
 /// [{code, severity, count, ids, text, remedy, file, line}].
 nlohmann::ordered_json findings_json(const std::vector<Finding>& findings);

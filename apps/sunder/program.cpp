@@ -142,12 +142,6 @@ std::vector<const CLI::Option*> all_options(const CLI::App& command) {
   return all;
 }
 
-void tell(const std::vector<Finding>& findings, bool json) {
-  fmt::print(stderr, "{}", finding_lines(findings));
-  if (!json || !has_error(findings)) return;
-  fmt::print("{}\n", nlohmann::ordered_json{{"findings", findings_json(findings)}}.dump(2));
-}
-
 int run_program(int argc, char** argv, const AddCommands& add_commands) {
   tell_ends_without_memory();
   try {

@@ -8,7 +8,7 @@
 
 #include "apps/scene/scene_json.hpp"
 #include "apps/sunder/exit_code.hpp"
-#include "topology/base/finding.hpp"
+#include "apps/sunder/telling.hpp"
 
 namespace sunder {
 
@@ -24,9 +24,5 @@ void add_confined_flag(CLI::App& command, SceneReach& reach);
 
 /// The options of a command, those of its groups among them.
 std::vector<const CLI::Option*> all_options(const CLI::App& command);
-
-/// Tells findings on standard error; where an error among them leaves a command without a result
-/// and `json` is asked for, on standard output as `{"findings": [...]}` too.
-void tell(const std::vector<Finding>& findings, bool json);
 
 }  // namespace sunder

@@ -22,7 +22,7 @@ struct Place : Folder {
 
 /// `sunder run` on the scene into the folder `out`.
 inline Outcome run(const Place& place, const std::string& out, const std::string& words = "") {
-  return run_program("run " + place.scene.string() + " --quiet --force --frames 3 -o " +
+  return run_program("run " + place.scene.string() + " --force --frames 3 -o " +
                      (place.path() / out).string() + " " + words);
 }
 

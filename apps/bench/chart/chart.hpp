@@ -13,11 +13,12 @@
 #include "apps/bench/chart/chart_grid.hpp"
 #include "apps/bench/chart/chart_run.hpp"
 #include "apps/sunder/exit_code.hpp"
+#include "apps/sunder/telling.hpp"
 
 namespace sunder {
 
 /// What a user asks of `sunder chart`.
-struct ChartArguments {
+struct ChartArguments : Telling {
   std::filesystem::path scene;
   std::string quantity = "position";
   /// Empty: out/chart_ and the scene file's name without its ending.
@@ -35,7 +36,7 @@ struct ChartArguments {
   std::size_t members = 1;
   /// `meshes` are these runs: then `members` does not count.
   bool over_meshes = false;
-  bool quick = false, quiet = false, json = false;
+  bool quick = false;
 };
 
 /// What errors are measured against.

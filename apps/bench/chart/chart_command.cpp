@@ -11,6 +11,7 @@
 #include "apps/scene/scene_json.hpp"
 #include "apps/scene/words.hpp"
 #include "apps/sunder/gnuplot.hpp"
+#include "apps/sunder/telling.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/io/output_file.hpp"
 
@@ -60,10 +61,6 @@ Examples:
   sunder chart SCENE --quantity pieces --ensemble meshes --mesh a.mesh --mesh b.mesh --mesh c.mesh
   sunder chart meshes/scenes/block.json --quantity largest_piece --vary contact.max_iterations=10,40,200
 )";
-}
-
-void print(const std::vector<Finding>& findings) {
-  fmt::print(stderr, "{}", finding_lines(findings));
 }
 
 /// Writes the finer meshes that the answer needs, and says which.
@@ -118,7 +115,7 @@ ExitCode write_chart(const ChartArguments& arguments, const Chart& chart) {
       findings.push_back(std::move(f));
     }
   }
-  print(findings);
+  tell_beside(findings, arguments);
   if (arguments.json) {
     fmt::print("{}\n", chart_json(chart).dump(2));
   } else {
@@ -135,9 +132,9 @@ ExitCode run_chart_command(ChartArguments arguments) {
         std::filesystem::path("out") / fmt::format("chart_{}", arguments.scene.stem().string());
   }
   const Result<Chart> chart = make_chart(arguments, [&](const std::string& what) {
-    if (!arguments.quiet) fmt::print(stderr, "{}\n", what);
+    remark(what + "\n", arguments);
   });
-  print(chart.findings);
+  tell_beside(chart.findings, arguments);
   if (!chart) return ExitCode::bad_input;
   return write_chart(arguments, *chart);
 }
@@ -217,7 +214,7 @@ void add_options(CLI::App& command, ChartArguments& a) {
   command.add_option("--set", a.settings, "Change a value of the scene; may be given often")
       ->type_name("KEY=VALUE")
       ->take_all();
-  command.add_flag("--quiet", a.quiet, "No progress on stderr");
+  add_quiet_flag(command, a);
   command.add_flag("--json", a.json, "Print the chart as JSON instead of a table");
 }
 

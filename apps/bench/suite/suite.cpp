@@ -16,6 +16,7 @@
 #include "apps/bench/suite/suite_random.hpp"
 #include "apps/bench/suite/suite_report.hpp"
 #include "apps/scene/words.hpp"
+#include "apps/sunder/telling.hpp"
 #include "topology/io/output_file.hpp"
 #include "topology/suite/judge/judge.hpp"
 
@@ -181,7 +182,7 @@ ExitCode judge_all(const std::vector<suite::Fixture>& fixtures, std::vector<Defe
                                   : suite_totals(table, rows));
   if (!arguments.junit.empty()) {
     if (const auto failure = write_file(arguments.junit, suite_junit(table, rows))) {
-      fmt::print(stderr, "{}", finding_lines({*failure}));
+      tell({*failure}, {});
       return ExitCode::not_written;
     }
   }
@@ -200,7 +201,7 @@ ExitCode run_suite(const SuiteArguments& arguments) {
   if (arguments.random.fans > 0) return run_random(arguments);
   const std::filesystem::path folder = fixture_folder(arguments);
   Result<std::vector<suite::Fixture>> fixtures = suite::read_fixture_folder(folder);
-  fmt::print(stderr, "{}", finding_lines(fixtures.findings));
+  tell(fixtures.findings, {});
   if (!fixtures) return ExitCode::bad_input;
   std::erase_if(*fixtures, [&arguments](const suite::Fixture& f) {
     return !passes(arguments.filter, f.name);

@@ -14,6 +14,7 @@
 
 #include "apps/bench/suite/tar.hpp"
 #include "apps/scene/words.hpp"
+#include "apps/sunder/telling.hpp"
 #include "topology/io/output_file.hpp"
 #include "topology/suite/fixtures/fixture_json_write.hpp"
 #include "topology/suite/judge/judge_truth.hpp"
@@ -102,7 +103,7 @@ ExitCode export_suite(const std::vector<suite::Fixture>& fixtures,
   files.push_back(checksums(files));
   // It packs what is named .gz.
   if (const auto failure = write_file(archive, tar_of(files))) {
-    fmt::print(stderr, "{}", finding_lines({*failure}));
+    tell({*failure}, {});
     return ExitCode::not_written;
   }
   fmt::print("{}: {} fixtures\n", archive.string(), fixtures.size());

@@ -37,8 +37,8 @@ double seconds_since(Clock::time_point start) {
 /// Fans done, on a terminal only.
 class FanProgress {
  public:
-  FanProgress(std::string kernel, std::size_t fans)
-      : kernel_(std::move(kernel)), fans_(fans), terminal_(isatty(STDERR_FILENO) == 1) {}
+  FanProgress(std::string kernel, std::size_t fans, bool quiet)
+      : kernel_(std::move(kernel)), fans_(fans), terminal_(!quiet && is_terminal(STDERR_FILENO)) {}
   FanProgress(const FanProgress&) = delete;
   FanProgress& operator=(const FanProgress&) = delete;
   ~FanProgress() {
@@ -83,7 +83,7 @@ Result<std::vector<suite::NamedMesh>> read_meshes(const RandomArguments& argumen
 KernelRun run_kernel(const RandomArguments& arguments, const std::vector<suite::NamedMesh>& meshes,
                      const std::function<suite::JudgedKernel()>& make) {
   KernelRun run{.kernel = make().name, .report = {}};
-  FanProgress progress(run.kernel, arguments.fans);
+  FanProgress progress(run.kernel, arguments.fans, arguments.telling.quiet);
   const Clock::time_point start = Clock::now();
   run.report = suite::run_random({.fans = arguments.fans,
                                   .seed = arguments.seed,
@@ -235,6 +235,7 @@ void add_random_options(CLI::App& command, const std::vector<CLI::Option*>& othe
       ->needs(random)
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  add_quiet_flag(command, arguments.telling)->needs(random);
 }
 
 ExitCode run_random_suite(const RandomArguments& arguments,
@@ -242,7 +243,7 @@ ExitCode run_random_suite(const RandomArguments& arguments,
                           bool json) {
   const Result<std::vector<suite::NamedMesh>> meshes = read_meshes(arguments);
   if (!meshes) {
-    fmt::print(stderr, "{}", finding_lines(meshes.findings));
+    tell_beside(meshes.findings, arguments.telling);
     return ExitCode::bad_input;
   }
   ordered_json answer{{"seed", arguments.seed}, {"runs", ordered_json::array()}};

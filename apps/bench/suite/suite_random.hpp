@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "apps/sunder/exit_code.hpp"
+#include "apps/sunder/telling.hpp"
 #include "topology/suite/kernels/judged_kernel.hpp"
 
 namespace sunder {
@@ -19,9 +20,11 @@ struct RandomArguments {
   std::size_t fans = 0;
   std::uint64_t seed = 1;
   std::vector<std::filesystem::path> meshes;
+  /// Whether progress is shown.
+  Telling telling;
 };
 
-/// Adds --random, --seed and --mesh. `others`: options that mean nothing to a random run.
+/// Adds --random, --seed, --mesh and --quiet. `others`: options that mean nothing to a random run.
 void add_random_options(CLI::App& command, const std::vector<CLI::Option*>& others,
                         RandomArguments& arguments);
 

@@ -11,7 +11,6 @@
 #include <memory>
 #include <string>
 
-#include "apps/scene/words.hpp"
 #include "apps/sunder/demo/demo_files.hpp"
 #include "apps/sunder/run/run.hpp"
 #include "topology/io/output_file.hpp"
@@ -45,18 +44,18 @@ std::optional<Finding> put(const fs::path& path, std::string_view text) {
                  .file = path.string()};
 }
 
-ExitCode show_demo(const fs::path& folder) {
+ExitCode show_demo(const fs::path& folder, const Telling& telling) {
   std::error_code error;
   fs::create_directories(folder, error);
   const fs::path scene = folder / "monolith.json";
   for (const auto& [path, text] :
        {std::pair{scene, demo_scene}, std::pair{folder / demo_mesh_name, demo_mesh}}) {
     if (const std::optional<Finding> finding = put(path, text)) {
-      fmt::print(stderr, "{}", finding_lines({*finding}));
+      tell({*finding}, telling);
       return ExitCode::not_written;
     }
   }
-  RunArguments run;
+  RunArguments run{telling};
   run.scene = scene;
   run.folder = folder / "run";
   run.force = true;
@@ -91,8 +90,10 @@ void add_demo_command(CLI::App& program, ExitCode& exit_code) {
   command->add_option("-o,--output", *folder, "Folder for the files")
       ->type_name("DIR")
       ->capture_default_str();
+  const auto telling = std::make_shared<Telling>();
+  add_telling_flags(*command, *telling);
   command->footer(footer);
-  command->callback([folder, &exit_code] { exit_code = show_demo(*folder); });
+  command->callback([=, &exit_code] { exit_code = show_demo(*folder, *telling); });
 }
 
 }  // namespace sunder

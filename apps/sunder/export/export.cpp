@@ -39,9 +39,8 @@ Examples:
   sunder export out/monolith broken.msh
 )";
 
-struct ExportArguments {
+struct ExportArguments : Telling {
   std::filesystem::path result, out;
-  bool json = false;
 };
 
 void print_json(const nlohmann::ordered_json& json) { fmt::print("{}\n", json.dump(2)); }
@@ -80,14 +79,15 @@ std::optional<Finding> write_obj(const std::filesystem::path& out,
   return std::nullopt;
 }
 
-ExitCode write_broken(const ExportArguments& arguments, const ResultFrame& last) {
+ExitCode write_broken(const ExportArguments& arguments, const ResultFrame& last, Stages& stages) {
   const Result<FileMesh> mesh = read_file_mesh(last.file, {.simplices = true});
   std::vector<Finding> findings = mesh.findings;
   if (mesh) {
     for (Finding& f : write_file_mesh(arguments.out, *mesh)) findings.push_back(std::move(f));
   }
-  tell(findings, arguments.json);
+  tell(findings, arguments);
   if (has_error(findings)) return mesh ? ExitCode::not_written : ExitCode::bad_input;
+  stages.done(fmt::format("wrote {}", arguments.out.string()));
   if (arguments.json) {
     print_json({{"written", arguments.out.string()},
                 {"tetrahedra", last.tetrahedra.size()},
@@ -108,13 +108,16 @@ ExitCode export_result(const ExportArguments& arguments) {
                arguments.out.string());
     return ExitCode::usage;
   }
+  Stages stages(arguments);
   const Result<RunResult> run = read_run_result(arguments.result);
-  tell(run.findings, arguments.json);
+  tell(run.findings, arguments);
   if (!run) return ExitCode::bad_input;
-  if (ending == ".msh") return write_broken(arguments, run->frames.back());
+  stages.done(fmt::format("read {}, frames: {}", arguments.result.string(), run->frames.size()));
+  if (ending == ".msh") return write_broken(arguments, run->frames.back(), stages);
   std::vector<PieceTrack> tracks = piece_tracks(run->frames);
   const std::size_t pieces = tracks.size();
   std::ranges::move(obstacle_tracks(run->frames), std::back_inserter(tracks));
+  stages.done(fmt::format("followed the pieces: {}", pieces));
   std::optional<Finding> finding;
   if (ending == ".glb") {
     std::vector<double> times;
@@ -124,9 +127,10 @@ ExitCode export_result(const ExportArguments& arguments) {
     finding = write_obj(arguments.out, tracks, run->frames.size());
   }
   if (finding) {
-    tell({*finding}, arguments.json);
+    tell({*finding}, arguments);
     return ExitCode::not_written;
   }
+  stages.done(fmt::format("wrote {}", arguments.out.string()));
   double departure = 0;
   for (const PieceTrack& track : tracks) departure = std::max(departure, track.departure);
   if (arguments.json) {
@@ -150,6 +154,7 @@ void add_export_command(CLI::App& program, ExitCode& exit_code) {
       "export", "Writes a finished run as GLB, as a sequence of OBJ, its end as MSH");
   command->add_option("RESULT", arguments->result, "Folder of a run")->required();
   command->add_option("OUT", arguments->out, "File to write: *.glb, *.obj or *.msh")->required();
+  add_telling_flags(*command, *arguments);
   command->add_flag("--json", arguments->json, "Print JSON instead of a line");
   command->footer(footer);
   command->callback([arguments, &exit_code] { exit_code = export_result(*arguments); });

@@ -35,26 +35,29 @@ Examples:
   sunder fragments out/bunny --by mass --json
 )";
 
-struct FragmentsArguments {
+struct FragmentsArguments : Telling {
   fs::path folder, png;
   std::vector<fs::path> meshes;
   SizeMeasure measure = SizeMeasure::volume;
-  bool json = false;
 };
 
 ExitCode measure_folder(FragmentsArguments arguments) {
   std::error_code error;
   fs::path csv = arguments.folder;
   if (fs::is_directory(csv, error)) csv /= "fragments.csv";
+  Stages stages(arguments);
   const Result<PieceColumns> pieces = read_fragments(csv);
-  tell(pieces.findings, arguments.json);
+  tell(pieces.findings, arguments);
   if (!pieces) return ExitCode::bad_input;
+  stages.done(fmt::format("read {}", csv.string()));
   const fs::path frame = csv.parent_path() / "frames" / "frame_000000.vtu";
   if (arguments.meshes.empty() && fs::exists(frame, error)) arguments.meshes = {frame};
   const Result<std::vector<double>> elements = element_volumes(arguments.meshes);
-  tell(elements.findings, arguments.json);
+  tell(elements.findings, arguments);
   if (!elements) return ExitCode::bad_input;
+  stages.done(fmt::format("measured the elements: {}", elements->size()));
   const FragmentSizes sizes = measure_fragments(*pieces, *elements, arguments.measure);
+  stages.done("fitted the laws");
   if (arguments.json) {
     fmt::print("{}\n", fragments_json(sizes).dump(2));
   } else {
@@ -65,9 +68,10 @@ ExitCode measure_folder(FragmentsArguments arguments) {
   if (const auto missing =
           draw_png(fragments_script(sizes, fmt::format("Pieces of {}", folder.filename().string())),
                    arguments.png)) {
-    tell({*missing}, arguments.json);
+    tell({*missing}, arguments);
     return ExitCode::not_written;
   }
+  stages.done(fmt::format("drew {}", arguments.png.string()));
   return ExitCode::fine;
 }
 
@@ -94,6 +98,7 @@ void add_fragments_command(CLI::App& program, ExitCode& exit_code) {
       ->take_all();
   command->add_option("--png", arguments->png, "Draw the distribution (needs gnuplot)")
       ->type_name("FILE.png");
+  add_verbose_flag(*command, *arguments);
   command->add_flag("--json", arguments->json, "Print JSON instead of a table");
   command->footer(footer);
   command->callback([=, &exit_code] { exit_code = measure_folder(*arguments); });

@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "apps/sunder/mesh/check_report.hpp"
+#include "apps/sunder/telling.hpp"
 #include "topology/io/format_traits.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/mesh/boundary_surface.hpp"
@@ -49,12 +50,11 @@ Examples:
   sunder check part.stl --density 2700
 )";
 
-struct Arguments {
+struct Arguments : Telling {
   /// One after the other; of each its answer is printed.
   std::vector<std::filesystem::path> meshes;
   std::filesystem::path mesh;
   std::filesystem::path findings;
-  bool json = false;
   bool homology = false;
   std::optional<double> density;
 };
@@ -159,10 +159,14 @@ ExitCode run_check(const Arguments& arguments, CheckReport& report) {
   report.findings_file = arguments.findings;
   ExitCode exit_code = ExitCode::bad_input;
   report.density = arguments.density;
+  Stages stages(arguments);
   Result<FileMesh> mesh = read_file_mesh(arguments.mesh);
+  stages.done(fmt::format("read {}", arguments.mesh.string()));
   if (mesh && is_surface(*mesh)) {
     report.findings = std::move(mesh.findings);
-    return report_surface(arguments, report, *mesh);
+    const ExitCode found = report_surface(arguments, report, *mesh);
+    stages.done("checked the surface");
+    return found;
   }
   mesh = only_simplices(std::move(mesh), arguments.mesh.string());
   report.findings = std::move(mesh.findings);
@@ -178,7 +182,11 @@ ExitCode run_check(const Arguments& arguments, CheckReport& report) {
     report.counts = check.counts;
     report.quality = check.quality;
     report.extent = extent_of_tetrahedra(*mesh);
-    if (report.counts) find_homology(report, *mesh, arguments);
+    stages.done(fmt::format("checked the tetrahedra: {}", report.tetrahedra));
+    if (report.counts) {
+      find_homology(report, *mesh, arguments);
+      stages.done("held the Betti numbers against the homology");
+    }
     const bool is_bad = has_error(report.findings);
     exit_code = !report.is_read ? ExitCode::bad_input
                 : is_bad        ? ExitCode::problems
@@ -186,6 +194,7 @@ ExitCode run_check(const Arguments& arguments, CheckReport& report) {
     if (!arguments.findings.empty()) {
       const ExitCode failure = write_findings(report, *mesh, check);
       if (failure != ExitCode::fine) exit_code = failure;
+      if (report.cells_written > 0) stages.done(fmt::format("wrote {}", arguments.findings.string()));
     }
   }
   std::ranges::stable_sort(report.findings, std::ranges::greater{}, &Finding::severity);
@@ -237,6 +246,7 @@ void add_check_command(CLI::App& program, ExitCode& exit_code) {
   command->add_option("--density", arguments->density, "Tell the mass too; kg/m^3")
       ->type_name("DENSITY")
       ->check(CLI::PositiveNumber);
+  add_verbose_flag(*command, *arguments);
   command->add_flag("--json", arguments->json, "Print JSON instead of a table");
   command->footer(footer);
   command->callback([=, &exit_code] {

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "apps/scene/words.hpp"
+#include "apps/sunder/telling.hpp"
 
 namespace sunder {
 namespace {
@@ -217,7 +218,7 @@ void print_table(const CheckReport& report) {
   if (report.extent) print_extent(*report.extent);
   if (const auto mass = mass_of(report)) fmt::print("mass, kg            {:>10.6g}\n", *mass);
   if (report.quality) print_quality(*report.quality);
-  fmt::print("{}", finding_lines(report.findings));
+  fmt::print("{}", finding_lines(report.findings, shows_colours(STDOUT_FILENO)));
   if (report.cells_written > 0) {
     fmt::print("{}: {} cells that findings name\n", report.findings_file.string(),
                report.cells_written);

@@ -15,6 +15,7 @@
 #include "apps/scene/words.hpp"
 #include "apps/sunder/mesh/convert_crack.hpp"
 #include "apps/sunder/mesh/formats_table.hpp"
+#include "apps/sunder/telling.hpp"
 #include "topology/io/format_traits.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/io/output_file.hpp"
@@ -55,7 +56,7 @@ Examples:
   sunder convert body.msh cracked.vtu --crack-regions matrix,inclusion --crack-pairs pairs.csv
 )";
 
-struct Arguments {
+struct Arguments : Telling {
   std::filesystem::path in;
   std::filesystem::path out;
   std::string to;
@@ -66,7 +67,6 @@ struct Arguments {
   bool tetrahedra_only = false;
   /// "keep" or "drop".
   std::string triangles = "keep";
-  bool json = false;
   /// 1: cells of second order become linear; 0: they stay.
   int order = 0;
   bool split = false;
@@ -85,10 +85,6 @@ struct Conversion {
   /// Whether that is why nothing is written.
   bool is_refused = false;
 };
-
-std::optional<MeshFormat> format_called(const std::string& word) {
-  return format_of_name("mesh." + word);
-}
 
 /// What was left out on reading is as lost as what cannot be written.
 bool is_loss(const Finding& finding) {
@@ -212,11 +208,13 @@ Finding drop_shells_and_beams(FileMesh& mesh) {
 
 Conversion convert(Arguments arguments) {
   Conversion result;
+  Stages stages(arguments);
   Result<FileMesh> mesh =
       read_file_mesh(arguments.in, {.tetrahedra_only = arguments.tetrahedra_only});
   result.findings = std::move(mesh.findings);
   if (!mesh) return result;
   result.is_read = true;
+  stages.done(fmt::format("read {}", arguments.in.string()));
   result.mesh = std::move(*mesh);
   // A repair was asked for: what it drops is no loss.
   result.has_losses = std::ranges::any_of(result.findings, is_loss);
@@ -230,6 +228,7 @@ Conversion convert(Arguments arguments) {
     result.is_repaired = false;
     return result;
   }
+  stages.done("made the changes that were asked for");
   WriteOptions options{
       .version = arguments.version, .encoding = arguments.encoding, .pack = arguments.zlib};
   options.format =
@@ -249,6 +248,7 @@ Conversion convert(Arguments arguments) {
     if (failure) written.push_back(std::move(*failure));
   }
   result.is_written = !has_error(written);
+  if (result.is_written) stages.done(fmt::format("wrote {}", arguments.out.string()));
   result.has_losses = result.has_losses || std::ranges::any_of(written, is_loss);
   std::ranges::move(written, std::back_inserter(result.findings));
   return result;
@@ -289,15 +289,14 @@ void print(const Arguments& arguments, const Conversion& result) {
     fmt::print(arguments.out == "-" ? stderr : stdout, "{}\n", json.dump(2));
     return;
   }
+  tell_beside(result.findings, arguments);
+  const std::string words =
+      result.is_written
+          ? fmt::format("{}: written from {}{}\n", arguments.out.string(),
+                        counts_text(result.mesh), result.has_losses ? "" : "; nothing is lost")
+          : "nothing is written\n";
   // Where the mesh itself goes to standard output, what is said of it goes beside.
-  std::FILE* const words = arguments.out == "-" ? stderr : stdout;
-  fmt::print(stderr, "{}", finding_lines(result.findings));
-  if (!result.is_written) {
-    fmt::print(words, "nothing is written\n");
-    return;
-  }
-  fmt::print(words, "{}: written from {}{}\n", arguments.out.string(), counts_text(result.mesh),
-             result.has_losses ? "" : "; nothing is lost");
+  arguments.out == "-" ? remark(words, arguments) : fmt::print("{}", words);
 }
 
 ExitCode run_convert(const Arguments& arguments) {
@@ -311,15 +310,6 @@ ExitCode run_convert(const Arguments& arguments) {
   if (std::ranges::any_of(result.findings, is_usage)) return ExitCode::usage;
   const bool is_failure = has_error(result.findings) && !result.is_refused;
   return is_failure ? ExitCode::not_written : ExitCode::problems;
-}
-
-std::string known_format(const std::string& word) {
-  if (format_called(word)) return {};
-  std::string words;
-  for (const FormatTraits& t : format_traits()) {
-    words += fmt::format("{}{}", words.empty() ? "" : ", ", t.extensions[0].substr(1));
-  }
-  return fmt::format("{} is no format: give one of {}", word, words);
 }
 
 }  // namespace
@@ -385,6 +375,7 @@ void add_convert_command(CLI::App& program, ExitCode& exit_code) {
                     "Repair: swap two points of inverted tetrahedra");
   command->add_flag("--drop-unused", repairs.drop_unused, "Repair: drop points that no cell uses");
   add_crack_options(*command, arguments->crack);
+  add_telling_flags(*command, *arguments);
   command->add_flag("--json", arguments->json, "Print JSON instead of a table");
   command->add_flag_callback(
       "--formats",

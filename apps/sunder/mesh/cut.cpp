@@ -81,8 +81,10 @@ Result<CutFaces> exact_faces(const CuttingPlane& plane, double tolerance, Divide
 }
 
 ExitCode run_cut(const CutArguments& arguments) {
+  Stages stages(arguments);
   Result<DividedMesh> body = read_to_divide(arguments.in, arguments.kernel);
   if (!body) return refuse(arguments, body.findings, ExitCode::bad_input);
+  stages.done(fmt::format("read {} and built its map", arguments.in.string()));
   const auto shared = shared_columns(arguments, body->mesh);
   if (!shared) return refuse(arguments, shared.findings, ExitCode::usage);
   const std::vector<double> x = *numbers_of(arguments.plane, 4);
@@ -112,6 +114,7 @@ ExitCode run_cut(const CutArguments& arguments) {
   json["faces_cut"] = faces->size();
   json["points_copied"] = crack.copies.size();
   json["closed_faces"] = crack.closed_faces;
+  stages.done("cut the mesh");
   return finish(arguments, *body, lines, json);
 }
 

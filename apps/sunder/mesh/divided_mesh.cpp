@@ -121,6 +121,7 @@ void add_divide_arguments(CLI::App& command, DivideArguments& arguments) {
       ->transform(CLI::CheckedTransformer(std::map<std::string, MapKernel>{
                                               {"dense", MapKernel::dense}, {"lcc", MapKernel::lcc}})
                       .description(""));
+  add_telling_flags(command, arguments);
   command.add_flag("--json", arguments.json, "Print JSON instead of a table");
 }
 
@@ -148,19 +149,22 @@ Result<std::set<std::string>> shared_columns(const DivideArguments& arguments,
 
 ExitCode refuse(const DivideArguments& arguments, const std::vector<Finding>& findings,
                 ExitCode code) {
-  tell(findings, arguments.json);
+  tell(findings, arguments);
   return code;
 }
 
 ExitCode finish(const DivideArguments& arguments, DividedMesh& body, const std::string& lines,
                 const Json& json) {
+  Stages stages(arguments);
   const MeshState after = state_of(body.mesh);
   for (const Finding& f : after.check.findings) {
     const bool was_there = std::ranges::any_of(body.before.check.findings,
                                                [&](const Finding& g) { return g.code == f.code; });
     if (f.severity != Severity::note && !was_there) body.findings.push_back(f);
   }
+  stages.done("checked what came out");
   const std::vector<Finding> written = write_file_mesh(arguments.out, body.mesh, {});
+  if (!has_error(written)) stages.done(fmt::format("wrote {}", arguments.out.string()));
   std::ranges::copy(written, std::back_inserter(body.findings));
   if (arguments.json) {
     Json all{{"before", state_json(body.before)}, {"after", state_json(after)}};
@@ -171,7 +175,7 @@ ExitCode finish(const DivideArguments& arguments, DividedMesh& body, const std::
     print_table(body.before, after);
     fmt::print("\n{}", lines);
   }
-  fmt::print(stderr, "{}", finding_lines(body.findings));
+  tell_beside(body.findings, arguments);
   return has_error(written) ? ExitCode::not_written : ExitCode::fine;
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "apps/sunder/exit_code.hpp"
+#include "apps/sunder/telling.hpp"
 #include "topology/cells/file_cells.hpp"
 #include "topology/mesh/check.hpp"
 
@@ -34,12 +35,11 @@ struct DividedMesh {
 Result<DividedMesh> read_to_divide(const std::filesystem::path& in, MapKernel kernel);
 
 /// What is asked of both commands alike.
-struct DivideArguments {
+struct DivideArguments : Telling {
   std::filesystem::path in, out;
   MapKernel kernel = MapKernel::dense;
   /// Names of columns that are divided by volume: "a,b".
   std::string shared;
-  bool json = false;
 };
 
 void add_divide_arguments(CLI::App& command, DivideArguments& arguments);

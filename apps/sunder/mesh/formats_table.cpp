@@ -68,4 +68,17 @@ std::string formats_table() {
   return table;
 }
 
+std::optional<MeshFormat> format_called(const std::string& word) {
+  return format_of_name("mesh." + word);
+}
+
+std::string known_format(const std::string& word) {
+  if (format_called(word)) return {};
+  std::string words;
+  for (const FormatTraits& t : format_traits()) {
+    words += fmt::format("{}{}", words.empty() ? "" : ", ", t.extensions[0].substr(1));
+  }
+  return fmt::format("{} is no format: give one of {}", word, words);
+}
+
 }  // namespace sunder

@@ -2,11 +2,20 @@
 // What each format of mesh files holds, as a table.
 #pragma once
 
+#include <optional>
 #include <string>
+
+#include "topology/io/format_traits.hpp"
 
 namespace sunder {
 
 /// The Markdown table of docs/formats.md: a row a format.
 std::string formats_table();
+
+/// The format of this name; none where there is none.
+std::optional<MeshFormat> format_called(const std::string& word);
+
+/// Empty where a format is called so; else what is wrong, with the names of all.
+std::string known_format(const std::string& word);
 
 }  // namespace sunder

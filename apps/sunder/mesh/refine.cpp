@@ -131,8 +131,10 @@ Finding too_many(std::size_t levels) {
 }
 
 ExitCode run_refine(const RefineArguments& arguments) {
+  Stages stages(arguments);
   Result<DividedMesh> body = read_to_divide(arguments.in, arguments.kernel);
   if (!body) return refuse(arguments, body.findings, ExitCode::bad_input);
+  stages.done(fmt::format("read {} and built its map", arguments.in.string()));
   const auto shared = shared_columns(arguments, body->mesh);
   if (!shared) return refuse(arguments, shared.findings, ExitCode::usage);
   const auto wanted = choices(arguments, *body);
@@ -164,6 +166,7 @@ ExitCode run_refine(const RefineArguments& arguments) {
   std::string lines;
   nlohmann::ordered_json json;
   tell(levels, file, lines, json);
+  stages.done("divided the tetrahedra");
   return finish(arguments, *body, lines, json);
 }
 

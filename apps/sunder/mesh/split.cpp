@@ -50,7 +50,7 @@ Examples:
   echo "1 4 14" > faces.txt && sunder split meshes/cube.msh --faces faces.txt
 )";
 
-struct SplitArguments {
+struct SplitArguments : Telling {
   std::filesystem::path mesh;
   std::filesystem::path faces;
   std::string fan;
@@ -59,7 +59,6 @@ struct SplitArguments {
   FaceOrder order = FaceOrder::given;
   Detection oracle = Detection::exact;
   MapKernel kernel = MapKernel::dense;
-  bool json = false;
 };
 
 /// What became of one face.
@@ -212,13 +211,15 @@ Result<std::vector<FaceRequest>> requested_faces(const VolumeMap& map,
 
 ExitCode refuse(const SplitArguments& arguments, const std::vector<Finding>& findings,
                 ExitCode exit_code) {
-  tell(findings, arguments.json);
+  tell(findings, arguments);
   return exit_code;
 }
 
 ExitCode run_split(const SplitArguments& arguments) {
+  Stages stages(arguments);
   Result<TetMesh> mesh = read_mesh(arguments.mesh);
   if (!mesh) return refuse(arguments, mesh.findings, ExitCode::bad_input);
+  stages.done(fmt::format("read {}", arguments.mesh.string()));
   Result<VolumeMap> map = build_map(*mesh, Severity::warning, arguments.kernel);
   std::vector<Finding> findings = std::move(mesh.findings);
   for (Finding& f : map.findings) {
@@ -226,22 +227,26 @@ ExitCode run_split(const SplitArguments& arguments) {
     findings.push_back(std::move(f));
   }
   if (!map) return refuse(arguments, findings, ExitCode::bad_input);
+  stages.done(fmt::format("built the map, tetrahedra: {}", map->tetrahedra()));
   Result<std::vector<FaceRequest>> requests = requested_faces(*map, arguments);
   if (!requests) {
     const bool from_file = !arguments.faces.empty();
     return refuse(arguments, requests.findings, from_file ? ExitCode::bad_input : ExitCode::usage);
   }
+  stages.done(fmt::format("found the faces: {}", requests->size()));
   order_requests(*map, arguments.order, *requests);
 
   SplitAnswer answer{.file_vertices = mesh->points.size()};
   Components components = label_components(*map);
   split_all(*map, *requests, arguments.oracle, components, answer);
+  stages.done("split them");
   if (!arguments.output.empty()) {
     const auto written = write_cut_body(arguments.output, {*mesh, *map, components});
     findings.insert(findings.end(), written.begin(), written.end());
+    if (!has_error(written)) stages.done(fmt::format("wrote {}", arguments.output.string()));
   }
   arguments.json ? print_json(answer, findings) : print_table(answer);
-  fmt::print(stderr, "{}", finding_lines(findings));
+  tell_beside(findings, arguments);
   return has_error(findings) ? ExitCode::not_written : ExitCode::fine;
 }
 
@@ -295,6 +300,7 @@ void add_options(CLI::App& command, SplitArguments& arguments) {
   command
       .add_option("-o,--output", arguments.output, "Write the cut mesh; its format by OUT's ending")
       ->type_name("OUT");
+  add_telling_flags(command, arguments);
   command.add_flag("--json", arguments.json, "Print JSON instead of tables");
 }
 

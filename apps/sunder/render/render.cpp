@@ -34,7 +34,7 @@ Examples:
   sunder render out/monolith film/monolith.png --all
 )";
 
-struct RenderArguments {
+struct RenderArguments : Telling {
   std::filesystem::path result, out;
   double time = std::numeric_limits<double>::quiet_NaN();
   double explode = 0, magnify = 1, field_of_view = 35;
@@ -42,7 +42,6 @@ struct RenderArguments {
   std::vector<std::uint32_t> size = {1280, 720};
   ShownShape show = ShownShape::reference;
   bool all = false;
-  bool json = false;
 };
 
 std::size_t nearest_frame(const RunResult& run, double time) {
@@ -112,18 +111,22 @@ ExitCode render_result(const RenderArguments& a) {
   if (a.out.extension() != ".png") return usage(a.out.string() + " does not end in .png");
   if (a.eye.empty() != a.target.empty()) return usage("--eye and --target go together");
   if (a.all && !std::isnan(a.time)) return usage("--all draws every frame: leave out --time");
+  Stages stages(a);
   const Result<RunResult> run = read_run_result(a.result);
-  tell(run.findings, a.json);
+  tell(run.findings, a);
   if (!run) return ExitCode::bad_input;
+  stages.done(fmt::format("read {}, frames: {}", a.result.string(), run->frames.size()));
   Result<render::Renderer> renderer = render::Renderer::offscreen();
-  tell(renderer.findings, a.json);
+  tell(renderer.findings, a);
   if (!renderer) return ExitCode::failed;
+  stages.done("made the renderer");
   const std::size_t frames = run->frames.size(), one = nearest_frame(*run, a.time);
   nlohmann::ordered_json pictures = nlohmann::ordered_json::array();
   const std::vector<Finding> findings =
       draw(a, *run, *renderer, a.all ? 0 : one, a.all ? frames : one + 1, pictures);
-  tell(findings, a.json);
+  tell(findings, a);
   if (has_error(findings)) return ExitCode::not_written;
+  stages.done(fmt::format("drew the pictures: {}", pictures.size()));
   if (a.json) {
     const nlohmann::ordered_json json{{"pictures", pictures},
                                       {"findings", findings_json(run.findings)}};
@@ -164,6 +167,7 @@ void add_render_command(CLI::App& program, ExitCode& exit_code) {
       ->delimiter(',')
       ->check(CLI::Range(16u, 8192u))
       ->capture_default_str();
+  add_telling_flags(*command, *a);
   command->add_flag("--json", a->json, "Print JSON instead of a line a picture");
   command->footer(footer);
   command->callback([a, &exit_code] { exit_code = render_result(*a); });

@@ -7,6 +7,8 @@
 
 #include <cstdio>
 
+#include "apps/sunder/telling.hpp"
+
 namespace sunder {
 namespace {
 
@@ -34,7 +36,7 @@ std::string progress_line(const ProgressState& state, double elapsed, std::size_
 }
 
 Progress::Progress(bool quiet)
-    : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1), start_(Clock::now()), last_(start_) {}
+    : quiet_(quiet), terminal_(is_terminal(STDERR_FILENO)), start_(Clock::now()), last_(start_) {}
 
 Progress::~Progress() {
   if (shown_ && terminal_) std::fputs("\r\033[K", stderr);

@@ -51,10 +51,6 @@ void watch_for_interrupt() {
   }
 }
 
-void print(const std::vector<Finding>& findings) {
-  fmt::print(stderr, "{}", finding_lines(findings));
-}
-
 /// A run on its way; `replay` where it repeats another; `last_step` where it ends before its scene
 /// does.
 struct RunWork {
@@ -100,7 +96,7 @@ ExitCode step_to_end(const RunWork& work, const RunArguments& arguments, FrameCl
   Progress progress(arguments.quiet);
   if (const std::vector<Finding> damaged = damage(simulation, arguments.check_map, false);
       !damaged.empty()) {
-    print(damaged);
+    tell_beside(damaged, arguments);
     return ExitCode::failed;
   }
   while (simulation.state->step < steps) {
@@ -108,10 +104,10 @@ ExitCode step_to_end(const RunWork& work, const RunArguments& arguments, FrameCl
     const StepReport report = advance(simulation);
     const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - start;
     const std::vector<Finding> unwritten = work.recorder.record(simulation, report, ms.count());
-    print(unwritten);
+    tell_beside(unwritten, arguments);
     if (has_error(unwritten)) return ExitCode::not_written;
     if (const std::optional<Finding> departed = departure_of(work, {})) {
-      print({*departed});
+      tell_beside({*departed}, arguments);
       return ExitCode::departed;
     }
     std::vector<Finding> damaged =
@@ -120,7 +116,7 @@ ExitCode step_to_end(const RunWork& work, const RunArguments& arguments, FrameCl
       damaged.push_back(std::move(*failure));
     }
     if (!damaged.empty()) {
-      print(damaged);
+      tell_beside(damaged, arguments);
       return ExitCode::failed;
     }
     if (interrupted) return ExitCode::interrupted;
@@ -144,14 +140,15 @@ bool read_log(std::optional<Replay>& replay, const RunArguments& arguments, cons
   if (arguments.replay.empty()) return true;
   std::error_code missing;
   if (std::filesystem::equivalent(arguments.replay, folder / "events.jsonl", missing)) {
-    print({{.code = "log_in_output_folder",
-            .text = fmt::format("{} would be replaced by the replay's own log",
-                                arguments.replay.string()),
-            .remedy = "give another folder with -o"}});
+    tell_beside({{.code = "log_in_output_folder",
+                  .text = fmt::format("{} would be replaced by the replay's own log",
+                                      arguments.replay.string()),
+                  .remedy = "give another folder with -o"}},
+                arguments);
     return false;
   }
   Result<Replay> log = read_replay(arguments.replay, {scene_hash(file), step_count(file.scene)});
-  tell(log.findings, arguments.json);
+  tell(log.findings, arguments);
   replay = std::move(log.value);
   return replay.has_value();
 }
@@ -164,12 +161,12 @@ std::filesystem::path usual_folder(const std::filesystem::path& scene) {
 
 /// The folder for one run, or why not: somebody writes there, or an earlier run lies there.
 std::optional<FolderLock> take_folder(const std::filesystem::path& folder, bool may_replace,
-                                      bool json) {
+                                      const Telling& telling) {
   Result<FolderLock> lock = FolderLock::take(folder);
-  tell(lock.findings, json);
+  tell(lock.findings, telling);
   if (!lock) return std::nullopt;
   if (const std::optional<Finding> link = link_among_files(folder)) {
-    tell({*link}, json);
+    tell({*link}, telling);
     return std::nullopt;
   }
   if (!may_replace && holds_a_run(folder)) {
@@ -178,7 +175,7 @@ std::optional<FolderLock> take_folder(const std::filesystem::path& folder, bool 
            .remedy = fmt::format("give another folder with -o, replace it with --force, or go on "
                                  "with it: sunder run --resume {}",
                                  folder.string())}},
-         json);
+         telling);
     return std::nullopt;
   }
   return std::move(*lock);
@@ -191,17 +188,21 @@ ExitCode end_run(const RunWork& work, const RunArguments& arguments,
   Recorder& recorder = work.recorder;
   std::optional<FrameClock> clock;
   if (arguments.realtime) clock.emplace();
+  Stages stages(arguments);
   ExitCode ended = step_to_end(work, arguments, clock ? &*clock : nullptr);
+  stages.done(fmt::format("stepped to step {}, {:.6g} s", steps_taken(simulation),
+                          simulated_time(simulation)));
   const std::vector<Finding> unwritten = recorder.finish(simulation, end_of(ended, work.replay));
-  print(unwritten);
+  tell_beside(unwritten, arguments);
   if (ended == ExitCode::fine || ended == ExitCode::failed) {
     if (const std::optional<Finding> departed = departure_of(work, ended)) {
-      print({*departed});
+      tell_beside({*departed}, arguments);
       ended = ExitCode::departed;
     }
   }
+  stages.done("finished the files");
   const std::vector<Finding> warnings = all_warnings(recorder.statistics(), simulation.scene);
-  print(warnings_of(recorder.statistics().troubles, simulation.scene));
+  tell_beside(warnings_of(recorder.statistics().troubles, simulation.scene), arguments);
   if (ended == ExitCode::fine && arguments.strict && !warnings.empty()) ended = ExitCode::warned;
   const nlohmann::ordered_json& report = recorder.report();
   fmt::print("{}", arguments.json ? report.dump(2) + "\n" : summary_table(report));
@@ -218,7 +219,7 @@ struct Resumed {
 };
 
 Resumed taken_up(Result<RunOnItsWay> run, const RunArguments& arguments) {
-  tell(run.findings, arguments.json);
+  tell(run.findings, arguments);
   const auto is_about_writing = [](const Finding& f) { return f.code == "cannot_write"; };
   if (!run) {
     return {{},
@@ -236,7 +237,7 @@ Resumed branch_off(const RunArguments& arguments) {
   std::optional<SceneFile> changed;
   if (!arguments.scene.empty()) {
     Result<SceneFile> file = read_scene(arguments.scene, arguments.settings, arguments.reach);
-    tell(file.findings, arguments.json);
+    tell(file.findings, arguments);
     if (!file) return {};
     changed = std::move(*file);
   }
@@ -245,10 +246,11 @@ Resumed branch_off(const RunArguments& arguments) {
   if (!start.run) return start;
   if (const std::uint64_t steps = step_count(start.run->simulation.scene);
       *arguments.from > steps) {
-    print(
+    tell_beside(
         {{.code = "step_after_end",
           .text = fmt::format("the run has {} steps; there is no step {}", steps, *arguments.from),
-          .remedy = "give an earlier step; --until extends a run"}});
+          .remedy = "give an earlier step; --until extends a run"}},
+        arguments);
     return {};
   }
   std::optional<Replay> none;
@@ -261,7 +263,7 @@ Resumed branch_off(const RunArguments& arguments) {
     start = taken_up(change_settings(arguments.folder, *changed), arguments);
     if (start.run) unwritten = start.run->recorder.save(start.run->simulation);
   }
-  print(unwritten);
+  tell_beside(unwritten, arguments);
   if (has_error(unwritten)) return {{}, ExitCode::not_written};
   return start;
 }
@@ -269,21 +271,22 @@ Resumed branch_off(const RunArguments& arguments) {
 /// Goes on with the run of a folder, in it or (`from`) in another.
 ExitCode go_on_with(const RunArguments& arguments) {
   if (!holds_a_run(arguments.resume)) {
-    tell(read_checkpoint(arguments.resume).findings, arguments.json);
+    tell(read_checkpoint(arguments.resume).findings, arguments);
     return ExitCode::bad_input;
   }
   const std::filesystem::path folder = arguments.from ? arguments.folder : arguments.resume;
   const std::optional<FolderLock> lock =
-      take_folder(folder, !arguments.from || arguments.force, arguments.json);
+      take_folder(folder, !arguments.from || arguments.force, arguments);
   if (!lock) return ExitCode::not_written;
   watch_for_interrupt();
+  Stages stages(arguments);
   Resumed resumed = arguments.from ? branch_off(arguments)
                                    : taken_up(resume_run(folder, arguments.until), arguments);
   if (!resumed.run) return resumed.refused;
-  if (!arguments.quiet) {
-    fmt::print(stderr, "goes on from step {} (t = {:.6g} s)\n",
-               steps_taken(resumed.run->simulation), simulated_time(resumed.run->simulation));
-  }
+  stages.done(fmt::format("took up the run of {}", arguments.resume.string()));
+  remark(fmt::format("goes on from step {} (t = {:.6g} s)\n", steps_taken(resumed.run->simulation),
+                     simulated_time(resumed.run->simulation)),
+         arguments);
   std::optional<Replay> none;
   return end_run({resumed.run->simulation, resumed.run->recorder, none}, arguments, folder);
 }
@@ -292,18 +295,21 @@ ExitCode go_on_with(const RunArguments& arguments) {
 
 ExitCode run_scene(const RunArguments& arguments) {
   if (!arguments.resume.empty()) return go_on_with(arguments);
+  Stages stages(arguments);
   Result<SceneFile> file = read_scene(arguments.scene, arguments.settings, arguments.reach);
-  tell(file.findings, arguments.json);
+  tell(file.findings, arguments);
   if (!file) return ExitCode::bad_input;
+  stages.done(fmt::format("read {} with its meshes", arguments.scene.string()));
   if (arguments.realtime) set_frame_budget(file->scene.fracture);
   const std::filesystem::path folder =
       arguments.folder.empty() ? usual_folder(arguments.scene) : arguments.folder;
   std::optional<Replay> replay;
   if (!read_log(replay, arguments, *file, folder)) return ExitCode::bad_input;
-  if (!arguments.quiet) fmt::print(stderr, "{}", settings_lines(*file));
+  remark(settings_lines(*file), arguments);
   Result<Simulation> simulation = build_simulation(file->scene);
-  tell(simulation.findings, arguments.json);
+  tell(simulation.findings, arguments);
   if (!simulation) return ExitCode::bad_input;
+  stages.done(fmt::format("built the simulation, bodies: {}", file->scene.bodies.size()));
   simulation->threads = arguments.threads;
   // With the criterion `energy` strengths come from the search: it is made, and held to the log.
   if (replay && file->scene.fracture.criterion != FractureCriterion::energy) {
@@ -312,13 +318,14 @@ ExitCode run_scene(const RunArguments& arguments) {
 
   watch_for_interrupt();
   simulation->hurry = &interrupted;
-  const std::optional<FolderLock> lock = take_folder(folder, arguments.force, arguments.json);
+  const std::optional<FolderLock> lock = take_folder(folder, arguments.force, arguments);
   if (!lock) return ExitCode::not_written;
   Result<Recorder> recorder =
       Recorder::open({folder, *file, replay ? replay->counts : nlohmann::ordered_json()},
                      *simulation, std::move(simulation.findings));
-  tell(recorder.findings, arguments.json);
+  tell(recorder.findings, arguments);
   if (!recorder) return ExitCode::not_written;
+  stages.done(fmt::format("opened the files of {}", folder.string()));
   return end_run({*simulation, *recorder, replay}, arguments, folder);
 }
 

@@ -10,17 +10,17 @@
 
 #include "apps/scene/scene_json.hpp"
 #include "apps/sunder/exit_code.hpp"
+#include "apps/sunder/telling.hpp"
 
 namespace sunder {
 
 /// What a user asks of `sunder run`.
-struct RunArguments {
+struct RunArguments : Telling {
   std::filesystem::path scene;
   /// Empty: out/ and the scene file's name without its ending.
   std::filesystem::path folder;
   /// `dotted.path=value` changes of the scene, in their order.
   std::vector<std::string> settings;
-  bool quiet = false;
   /// Which files the scene may name.
   SceneReach reach = SceneReach::anywhere;
   /// Event log of an earlier run to repeat; empty: none.
@@ -42,8 +42,6 @@ struct RunArguments {
   bool check_map = false;
   /// In step with the clock on the wall, with a budget for breaking.
   bool realtime = false;
-  /// The report as JSON on stdout instead of the table.
-  bool json = false;
 };
 
 /// Reads the scene, or goes on with an earlier run, steps it to its end, to a failure or to a

@@ -119,8 +119,7 @@ void add_options(CLI::App& command, RunArguments& arguments, std::vector<std::st
       "Check the map, its darts, the labels of pieces and every number of the state, matrices "
       "among "
       "them, after every step; the run fails (exit code 5) at the first step that damages them");
-  command.add_flag("--quiet", arguments.quiet,
-                   "No progress, chosen settings and expected time on stderr");
+  add_telling_flags(command, arguments);
   command.add_flag("--json", arguments.json, "Print report.json instead of a table");
 }
 

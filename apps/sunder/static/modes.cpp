@@ -39,12 +39,11 @@ Examples:
   sunder modes beam.json --count 3 --json -o beam_modes.vtu
 )";
 
-struct ModesArguments {
+struct ModesArguments : Telling {
   std::filesystem::path scene, output;
   std::vector<std::string> settings;
   std::size_t count = 6;
   SceneReach reach = SceneReach::anywhere;
-  bool json = false;
 };
 
 ordered_json answer_json(const Simulation& sim, const std::vector<PieceModes>& pieces) {
@@ -102,19 +101,24 @@ std::vector<Finding> write_shapes(const std::filesystem::path& path, const Simul
 }
 
 ExitCode run_modes(const ModesArguments& arguments) {
+  Stages stages(arguments);
   Result<SceneFile> file = read_scene(arguments.scene, arguments.settings, arguments.reach);
-  tell(file.findings, arguments.json);
+  tell(file.findings, arguments);
   if (!file) return ExitCode::bad_input;
+  stages.done(fmt::format("read {} with its meshes", arguments.scene.string()));
   Result<Simulation> sim = build_statics(file->scene);
-  tell(sim.findings, arguments.json);
+  tell(sim.findings, arguments);
   if (!sim) return ExitCode::bad_input;
+  stages.done(fmt::format("built the matrices, bodies: {}", file->scene.bodies.size()));
   const Result<std::vector<PieceModes>> pieces = scene_modes(*sim, arguments.count);
-  tell(pieces.findings, arguments.json);
+  tell(pieces.findings, arguments);
   if (!pieces) return ExitCode::failed;
+  stages.done(fmt::format("found the modes, pieces: {}", pieces->size()));
   if (!arguments.output.empty()) {
     const std::vector<Finding> unwritten = write_shapes(arguments.output, *sim, *pieces);
-    tell(unwritten, arguments.json);
+    tell(unwritten, arguments);
     if (has_error(unwritten)) return ExitCode::not_written;
+    stages.done(fmt::format("wrote {}", arguments.output.string()));
   }
   if (arguments.json) {
     fmt::print("{}\n", answer_json(*sim, *pieces).dump(2));
@@ -145,6 +149,7 @@ void add_modes_command(CLI::App& program, ExitCode& exit_code) {
       ->type_name("KEY=VALUE")
       ->take_all();
   add_confined_flag(*command, arguments->reach);
+  add_telling_flags(*command, *arguments);
   command->add_flag("--json", arguments->json, "Print JSON instead of a table");
   command->footer(footer);
   command->callback([=, &exit_code] { exit_code = run_modes(*arguments); });

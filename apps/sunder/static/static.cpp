@@ -51,13 +51,12 @@ Examples:
   sunder static beam.json --set gravity.acceleration=[0,0,0] --json -o beam.vtu
 )";
 
-struct StaticArguments {
+struct StaticArguments : Telling {
   std::filesystem::path scene, output;
   std::vector<std::string> settings;
   std::string fan;
   std::optional<double> fans;
   SceneReach reach = SceneReach::anywhere;
-  bool json = false;
 };
 
 ordered_json numbers(const Vec3& v) { return {v[0], v[1], v[2]}; }
@@ -143,44 +142,51 @@ void print_table(const Equilibrium& answer) {
 }
 
 ExitCode run_static(const StaticArguments& arguments) {
+  Stages stages(arguments);
   Result<SceneFile> file = read_scene(arguments.scene, arguments.settings, arguments.reach);
-  tell(file.findings, arguments.json);
+  tell(file.findings, arguments);
   if (!file) return ExitCode::bad_input;
+  stages.done(fmt::format("read {} with its meshes", arguments.scene.string()));
   Result<Simulation> sim = build_statics(file->scene);
-  tell(sim.findings, arguments.json);
+  tell(sim.findings, arguments);
   if (!sim) return ExitCode::bad_input;
+  stages.done(fmt::format("built the matrices, bodies: {}", file->scene.bodies.size()));
   const Result<Equilibrium> answer = solve_scene(*sim);
-  tell(answer.findings, arguments.json);
+  tell(answer.findings, arguments);
   if (!answer) {
     return answer.findings.back().code == "not_a_number" ? ExitCode::failed : ExitCode::bad_input;
   }
+  stages.done("solved for the equilibrium");
   if (!arguments.output.empty()) {
     const std::vector<Finding> unwritten = write_frame(arguments.output, *sim);
-    tell(unwritten, arguments.json);
+    tell(unwritten, arguments);
     if (has_error(unwritten)) return ExitCode::not_written;
+    stages.done(fmt::format("wrote {}", arguments.output.string()));
   }
   if ((!arguments.fan.empty() || arguments.fans) &&
       !sim->state->mechanics.elements.edge_nodes.empty()) {
     tell({{.code = "fan_of_second_order",
            .text = "--fan and --fans are for tetrahedra of first order",
            .remedy = "leave \"order\" out of the bodies, or the option"}},
-         arguments.json);
+         arguments);
     return ExitCode::usage;
   }
   std::optional<FanAnswer> fan;
   if (!arguments.fan.empty()) {
     const Result<FanAnswer> released = fan_answer(*sim, arguments.fan);
-    tell(released.findings, arguments.json);
+    tell(released.findings, arguments);
     if (!released) return ExitCode::usage;
     fan = *released;
+    stages.done("found the energy of the fan");
   }
   std::vector<FanCandidate> candidates;
   if (arguments.fans) {
     Result<std::vector<FanCandidate>> found =
         fan_candidates(*sim, answer->node_stress, *arguments.fans);
-    tell(found.findings, arguments.json);
+    tell(found.findings, arguments);
     if (!found) return ExitCode::failed;
     candidates = std::move(*found);
+    stages.done(fmt::format("found the energies of fans: {}", candidates.size()));
   }
   if (arguments.json) {
     ordered_json json = answer_json(sim->scene.name, *answer, answer.findings);
@@ -218,6 +224,7 @@ void add_static_command(CLI::App& program, ExitCode& exit_code) {
       ->type_name("SHARE")
       ->check(CLI::NonNegativeNumber);
   add_confined_flag(*command, arguments->reach);
+  add_telling_flags(*command, *arguments);
   command->add_flag("--json", arguments->json, "Print JSON instead of a table");
   command->footer(footer);
   command->callback([=, &exit_code] { exit_code = run_static(*arguments); });

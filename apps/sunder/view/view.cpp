@@ -13,7 +13,6 @@
 #include <thread>
 
 #include "apps/scene/scene_json.hpp"
-#include "apps/scene/words.hpp"
 #include "apps/sunder/program.hpp"
 #include "apps/sunder/view/view_requests.hpp"
 
@@ -35,7 +34,7 @@ Examples:
   sunder view meshes/scenes/bunny.json --headless --port 8080
 )";
 
-struct ViewArguments {
+struct ViewArguments : Telling {
   std::filesystem::path scene;
   std::filesystem::path page = SUNDER_PAGE;
   SceneReach reach = SceneReach::anywhere;
@@ -53,7 +52,7 @@ std::string random_token() {
 }
 
 ExitCode refuse(const Finding& finding, ExitCode code) {
-  fmt::print(stderr, "{}", finding_lines({finding}));
+  tell({finding}, {});
   return code;
 }
 
@@ -97,7 +96,7 @@ bool open_browser(const std::string& url) {
 
 ExitCode view(const ViewArguments& arguments) {
   const Result<SceneFile> file = read_scene(arguments.scene, {}, arguments.reach);
-  fmt::print(stderr, "{}", finding_lines(file.findings));
+  tell(file.findings, arguments);
   if (!file) return ExitCode::bad_input;
   if (!std::filesystem::exists(arguments.page / "index.html")) {
     return refuse({.code = "no_page",
@@ -132,10 +131,11 @@ ExitCode view(const ViewArguments& arguments) {
   fmt::print("{}\n", url);
   std::fflush(stdout);
   if (arguments.headless || !open_browser(url)) {
-    fmt::print(stderr,
+    remark(fmt::format(
                "Open this address in a browser of this machine; of another one after: ssh -L "
                "{0}:127.0.0.1:{0} HOST\nCtrl-C ends it.\n",
-               port);
+               port),
+           arguments);
   }
   ended = false;
   std::signal(SIGINT, [](int) { ended = true; });
@@ -161,6 +161,7 @@ void add_view_command(CLI::App& program, ExitCode& exit_code) {
       ->check(CLI::Range(1, 65535));
   command->add_option("--page", arguments->page, "Folder of the built page")->type_name("DIR");
   add_confined_flag(*command, arguments->reach);
+  add_quiet_flag(*command, *arguments);
   command->add_flag("--headless", arguments->headless, "Print the address and start no browser");
   command->footer(footer);
   command->callback([arguments, &exit_code] { exit_code = view(*arguments); });

@@ -26,6 +26,11 @@ TEST_CASE("a finding is told in two lines, and in JSON", "[scene][words]") {
   CHECK(lines.starts_with("a.msh:7: error: Two tetrahedra have no volume. [flat_tetrahedron"));
   CHECK(std::count(lines.begin(), lines.end(), '\n') == 2);
   CHECK(lines.find("Mend the mesh.") != std::string::npos);
+  CHECK(finding_lines({finding}, true).starts_with("a.msh:7: \033[1;31merror:\033[0m Two"));
+  finding.severity = Severity::warning;
+  CHECK(finding_lines({finding}, true).find("\033[1;33mwarning:\033[0m Two") != std::string::npos);
+  finding.severity = Severity::note;
+  CHECK(finding_lines({finding}, true).find('\033') == std::string::npos);
   const nlohmann::ordered_json json = findings_json({finding});
   CHECK(json[0]["code"] == "flat_tetrahedron");
   CHECK(json[0]["ids"] == std::vector<int>{4, 9});
