@@ -4,11 +4,8 @@
 #include <fmt/format.h>
 
 #include <bit>
-#include <catch2/catch.hpp>
-#include <cstring>
-#include <functional>
 
-#include "reader_laws.hpp"
+#include "hostile.hpp"
 #include "topology/io/text/number_source.hpp"
 
 using namespace sunder;
@@ -16,33 +13,8 @@ using namespace sunder::test;
 
 namespace {
 
-constexpr std::size_t many = 60'000;
-
-std::string repeated(std::size_t n, const std::function<std::string(std::size_t)>& part) {
-  std::string text;
-  for (std::size_t i = 0; i < n; ++i) text += part(i);
-  return text;
-}
-
-std::string repeated(std::size_t n, std::string_view part) {
-  return repeated(n, [&](std::size_t) { return std::string(part); });
-}
-
-template <class Number>
-std::string raw(Number number) {
-  std::string bytes(sizeof number, '\0');
-  std::memcpy(bytes.data(), &number, sizeof number);
-  return bytes;
-}
-
 /// VTK's legacy files are big-endian.
 std::string big(std::int32_t number) { return raw(io::byte_swapped(number)); }
-
-struct Hostile {
-  const char* reader;
-  const char* what;
-  std::string bytes;
-};
 
 std::string msh_41(std::string_view nodes, std::size_t node_count, std::string_view elements,
                    std::size_t element_count) {
@@ -344,15 +316,6 @@ std::vector<Hostile> hostile_surfaces() {
                           })},
       {"stl", "solids of nothing", repeated(many / 4, "solid a\nendsolid a\n")},
   };
-}
-
-void check_all(const std::vector<Hostile>& files) {
-  for (const Hostile& file : files) {
-    INFO(file.reader << ": " << file.what << ", " << file.bytes.size() << " bytes");
-    const FuzzTarget* target = find_target(file.reader);
-    REQUIRE(target != nullptr);
-    CHECK(target->broken_law(*target, file.bytes) == "");
-  }
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace sunder::io {
 namespace {
@@ -34,30 +35,50 @@ void add_all(VtkReader& r, PolyLists& lists) {
   VtkCells cells;
   for (std::size_t i = 0; i < poly_lists; ++i) {
     VtkCells list = std::move(lists[i]);
-    append_poly_cells(cells, static_cast<PolyList>(i), list.ends, std::move(list.points));
+    append_poly_cells(cells, static_cast<PolyList>(i), std::move(list), r.draft.text.size());
   }
   check_vtk_cells(cells, r.draft.text, r.cells_at);
   add_vtk_cells(r.draft, r.piece, cells, r.cells_at);
 }
 
+/// Cells without points take a byte of a file each, and many times that of memory.
+void bound_empty_cells(const std::vector<std::int64_t>& ends, std::size_t bytes) {
+  constexpr std::size_t bytes_a_cell = 32, always = 1000;
+  std::size_t empty = 0;
+  std::int64_t before = 0;
+  for (const std::int64_t end : ends) empty += end == std::exchange(before, end);
+  if (empty <= always + bytes / bytes_a_cell) return;
+  throw ReadFailure{{.code = "count_too_big",
+                     .text = fmt::format("{} cells without points in {} bytes", empty, bytes),
+                     .remedy = "leave out cells that have no points"}};
+}
+
+template <class Number>
+void append(std::vector<Number>& list, std::vector<Number>&& more) {
+  if (list.empty()) {
+    list = std::move(more);
+  } else {
+    make_room(list, more.size());
+    list.insert(list.end(), more.begin(), more.end());
+  }
+}
+
 }  // namespace
 
-void append_poly_cells(VtkCells& cells, PolyList list, const std::vector<std::int64_t>& ends,
-                       std::vector<std::int64_t>&& points) {
+void append_poly_cells(VtkCells& cells, PolyList list, VtkCells&& more, std::size_t bytes) {
+  bound_empty_cells(more.ends, bytes);
   const auto first = static_cast<std::int64_t>(cells.points.size());
-  const auto size = static_cast<std::int64_t>(points.size());
-  if (cells.points.empty()) {
-    cells.points = std::move(points);
-  } else {
-    cells.points.insert(cells.points.end(), points.begin(), points.end());
-  }
+  const auto size = static_cast<std::int64_t>(more.points.size());
+  append(cells.points, std::move(more.points));
+  make_room(cells.types, more.ends.size());
   std::int64_t before = 0;
-  for (const std::int64_t end : ends) {
+  for (std::int64_t& end : more.ends) {
     const bool falls = end < before || end > size;
     cells.types.push_back(type_of(list, falls ? 0 : end - before));
-    cells.ends.push_back(falls ? -1 : first + end);
     if (!falls) before = end;  // one far below 0 would leave no difference to the next
+    end = falls ? -1 : first + end;
   }
+  append(cells.ends, std::move(more.ends));
 }
 
 Draft read_polydata(VtkReader&& r) {

@@ -85,9 +85,10 @@ VtkCells read_poly_cells(VtuDocument& document, const VtuPiece& piece, std::size
     const VtuArray& offsets = needed_array(document, piece, "offsets", i);
     const VtuArray& connectivity = needed_array(document, piece, "connectivity", i);
     at = offsets.at;
-    const auto ends = read_integers(document.layout, offsets, piece.poly_cells[i]);
-    append_poly_cells(cells, static_cast<PolyList>(i), ends,
-                      read_connectivity(document, connectivity, ends.back(), at));
+    VtkCells list{.ends = read_integers(document.layout, offsets, piece.poly_cells[i])};
+    list.points = read_connectivity(document, connectivity, list.ends.back(), at);
+    append_poly_cells(cells, static_cast<PolyList>(i), std::move(list),
+                      document.layout.text.size());
   }
   check_vtk_cells(cells, document.layout.text, at);
   return cells;
