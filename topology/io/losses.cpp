@@ -37,6 +37,13 @@ void lose(Losses& losses, std::string_view code, std::size_t count, std::string 
        .remedy = fmt::format("write another format than {} to keep them", losses.to.name)});
 }
 
+/// "an edge", "a hexahedron".
+std::string with_article(CellKind kind) {
+  const std::string_view name = traits_of(kind).name;
+  const bool has_vowel = std::string_view("aeiou8").find(name.front()) != std::string_view::npos;
+  return fmt::format("{} {}", has_vowel ? "an" : "a", name);
+}
+
 /// Kinds of cells that the format does not hold: of the same shape one with fewer nodes is written,
 /// where it has that.
 void lose_cells(Losses& losses, const FileMesh& mesh, const FormatTraits& t) {
@@ -54,10 +61,11 @@ void lose_cells(Losses& losses, const FileMesh& mesh, const FormatTraits& t) {
       }
     } else {
       lose(losses, "nodes_lost", n,
-           fmt::format("{} {}: {} are written as {}, their other nodes stay as points",
-                       losses.to.name,
-                       mixes ? "has cells of one order" : fmt::format("holds no {}", own.plural), n,
-                       traits_of(lower).plural));
+           fmt::format("{} {}: {}, {} other nodes stay as points", losses.to.name,
+                       mixes ? "has cells of one order" : fmt::format("holds no {}", own.plural),
+                       n == 1 ? fmt::format("one is written as {}", with_article(lower))
+                              : fmt::format("{} are written as {}", n, traits_of(lower).plural),
+                       n == 1 ? "its" : "their"));
     }
   }
 }

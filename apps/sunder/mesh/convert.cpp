@@ -170,7 +170,8 @@ void simplify(FileMesh& mesh, Arguments& arguments, std::vector<Finding>& findin
     make_linear(mesh);
     findings.push_back(asked_for("made_linear", sum,
                                  sum == 0 ? std::string("all cells are linear")
-                                          : fmt::format("{} are made linear", listed(curved))));
+                                          : fmt::format("{} {} made linear", listed(curved),
+                                                        sum == 1 ? "is" : "are")));
   }
   if (arguments.split) tell_split(split_cells(mesh), findings);
   const std::size_t dropped = drop_points_out_of_use(mesh, used);

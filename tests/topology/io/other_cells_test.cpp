@@ -291,6 +291,9 @@ TEST_CASE("MEDIT writes hexahedra of 20 nodes with 8, and tells how many", "[io]
   const auto findings = write_file_mesh(folder.path() / "a.mesh", mesh);
   CHECK(summary(findings) == "warning nodes_lost 0");
   CHECK(findings[0].count == 1);
+  CHECK(findings[0].text ==
+        "MEDIT holds no 20-node hexahedra: one is written as a hexahedron, its other nodes stay as "
+        "points");
   const Result<FileMesh> back = read_file_mesh(folder.path() / "a.mesh");
   REQUIRE(back);
   CHECK(back->points.size() == 20);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "topology/io/medit/medit_order.hpp"
 #include "topology/io/text/number_source.hpp"
 
 namespace sunder::io {
@@ -34,32 +35,34 @@ constexpr Section sections[] = {
     {"TangentAtEdges", 3},
 };
 
-/// Sections of cells: their nodes, then a reference. Those of second order whose nodes have another
-/// order from program to program are read by their corners: `nodes` tells how many there are.
+/// Sections of cells: their nodes, then a reference.
 struct CellSection {
   std::string_view keyword;
   /// Of binary files; 0 for a second spelling.
   int code;
   CellKind kind;
-  std::size_t nodes;
+
+  std::size_t nodes() const { return traits_of(kind).nodes; }
+  /// A section beside it may tell the order of its nodes: it is read once all were seen.
+  bool has_order() const { return medit_order_of(kind) != nullptr; }
 };
 constexpr CellSection cell_sections[] = {
-    {"Edges", 5, CellKind::edge, 2},
-    {"Triangles", 6, CellKind::triangle, 3},
-    {"Quadrilaterals", 7, CellKind::quad4, 4},
-    {"Tetrahedra", 8, CellKind::tetrahedron, 4},
-    {"Prisms", 9, CellKind::prism6, 6},
-    {"Pentahedra", 0, CellKind::prism6, 6},
-    {"Hexahedra", 10, CellKind::hexahedron8, 8},
-    {"Hexaedra", 0, CellKind::hexahedron8, 8},
-    {"Pyramids", 49, CellKind::pyramid5, 5},
-    {"EdgesP2", 25, CellKind::edge3, 3},
-    {"TrianglesP2", 24, CellKind::triangle6, 6},
-    {"TetrahedraP2", 30, CellKind::tetrahedron10, 10},
-    {"QuadrilateralsQ2", 27, CellKind::quad4, 9},
-    {"HexahedraQ2", 33, CellKind::hexahedron8, 27},
-    {"PrismsP2", 86, CellKind::prism6, 18},
-    {"PyramidsP2", 87, CellKind::pyramid5, 14},
+    {"Edges", 5, CellKind::edge},
+    {"Triangles", 6, CellKind::triangle},
+    {"Quadrilaterals", 7, CellKind::quad4},
+    {"Tetrahedra", 8, CellKind::tetrahedron},
+    {"Prisms", 9, CellKind::prism6},
+    {"Pentahedra", 0, CellKind::prism6},
+    {"Hexahedra", 10, CellKind::hexahedron8},
+    {"Hexaedra", 0, CellKind::hexahedron8},
+    {"Pyramids", 49, CellKind::pyramid5},
+    {"EdgesP2", 25, CellKind::edge3},
+    {"TrianglesP2", 24, CellKind::triangle6},
+    {"TetrahedraP2", 30, CellKind::tetrahedron10},
+    {"QuadrilateralsQ2", 27, CellKind::quad9},
+    {"HexahedraQ2", 33, CellKind::hexahedron27},
+    {"PrismsP2", 86, CellKind::prism18},
+    {"PyramidsP2", 87, CellKind::pyramid14},
 };
 
 constexpr int dimension_code = 3, vertices_code = 4, end_code = 54;
@@ -72,9 +75,13 @@ struct MeditReader {
   bool has_vertices = false;
   /// Whether a section of cells was read, by its place in the table.
   std::array<bool, std::size(cell_sections)> has_cells{};
-  /// Sections of cells before the vertices, which are needed to judge them: read behind those.
+  /// For each node of a kind as the file lists it, its place in our order; empty where no section
+  /// tells it.
+  std::array<std::vector<std::uint8_t>, cell_kinds> order;
+  /// Sections of cells before the vertices, which are needed to judge them: read behind those. Cells
+  /// of second order are read behind all.
   struct Early {
-    std::size_t kind;
+    std::size_t place;
     /// Of the keyword, and behind it.
     std::size_t section_at;
     std::size_t at;
@@ -136,24 +143,28 @@ void read_dimension(MeditReader& r) {
 /// The rows of a section whose keyword was passed.
 void read_cell_rows(MeditReader& r, std::size_t place, std::size_t section_at) {
   const CellSection& section = cell_sections[place];
-  const std::size_t n = read_rows(r, section.keyword, section.nodes + 1);
-  const std::size_t nodes = traits_of(section.kind).nodes;
-  if (section.nodes > nodes) {
+  const std::size_t n = read_rows(r, section.keyword, section.nodes() + 1);
+  const std::vector<std::uint8_t>& order = r.order[index_of(section.kind)];
+  const bool is_open = order.empty() && needs_medit_order(section.kind);
+  const CellKind kind = is_open ? linear_kind(section.kind) : section.kind;
+  const std::size_t nodes = traits_of(kind).nodes;
+  if (is_open) {
     add_curved_cells(r.draft, fmt::format("cells of {}", section.keyword), n, section_at);
   }
-  CellColumns& cells = columns_of(r.draft.mesh, section.kind);
+  CellColumns& cells = columns_of(r.draft.mesh, kind);
   cells.region.reserve(cells.region.size() + n);
   FileCell& cell = r.draft.cell;
   for (std::size_t i = 0; i < n; ++i) {
     cell.begin(nodes, place_of_next(r.in));
     for (std::size_t k = 0; k < nodes; ++k) {
       const std::int64_t number = read_integer(r, "a vertex number");
-      cell.numbers[k] = number;
-      cell.rows[k] = number > 0 ? number - 1 : -1;
+      const std::size_t node = order.empty() ? k : order[k];
+      cell.numbers[node] = number;
+      cell.rows[node] = number > 0 ? number - 1 : -1;
     }
-    const std::size_t others = section.nodes - nodes;
+    const std::size_t others = section.nodes() - nodes;
     skip_numbers(r.in, others, (r.version == 4 ? 8 : 4) * others, "a vertex number");
-    add_cell(r.draft, section.kind, cell);
+    add_cell(r.draft, kind, cell);
     cells.region.push_back(read_reference(r, "a cell's reference"));
   }
 }
@@ -162,9 +173,9 @@ void read_cells(MeditReader& r, std::size_t place, std::size_t section_at) {
   const CellSection& section = cell_sections[place];
   refuse_second(r, r.has_cells[place], section.keyword);
   r.has_cells[place] = true;
-  if (r.has_vertices) return read_cell_rows(r, place, section_at);
+  if (r.has_vertices && !section.has_order()) return read_cell_rows(r, place, section_at);
   r.early.push_back({place, section_at, r.in.s.at});
-  const std::size_t numbers = section.nodes + 1;
+  const std::size_t numbers = section.nodes() + 1;
   const std::size_t n = read_rows(r, section.keyword, numbers);
   if (r.in.is_binary) {
     skip_numbers(r.in, 0, (r.version == 4 ? 8 : 4) * n * numbers, "a vertex number");
@@ -173,14 +184,37 @@ void read_cells(MeditReader& r, std::size_t place, std::size_t section_at) {
   }
 }
 
-void read_early_cells(MeditReader& r) {
+/// Those whose nodes' order may still come (`with_order`), or the others.
+void read_early_cells(MeditReader& r, bool with_order) {
   const std::size_t at = r.in.s.at;
   for (const MeditReader::Early& early : r.early) {
+    if (cell_sections[early.place].has_order() != with_order) continue;
     r.in.s.at = early.at;
-    read_cell_rows(r, early.kind, early.section_at);
+    read_cell_rows(r, early.place, early.section_at);
   }
-  r.early.clear();
   r.in.s.at = at;
+}
+
+/// A section like HexahedraQ2Ordering, behind its keyword.
+void read_order(MeditReader& r, const MeditOrder& section) {
+  const std::size_t at = r.in.s.at;
+  std::vector<std::uint8_t>& order = r.order[index_of(section.kind)];
+  refuse_second(r, !order.empty(), section.keyword);
+  const std::size_t nodes = traits_of(section.kind).nodes;
+  const std::size_t rows = read_rows(r, "rows", section.numbers);
+  std::vector<BezierPlace> places(rows == nodes ? nodes : 0);
+  for (BezierPlace& place : places) {
+    for (std::size_t k = 0; k < section.numbers; ++k) place[k] = read_integer(r, "an index");
+  }
+  auto found = order_of_places(section.kind, places);
+  if (!found) {
+    fail(r.in.s.text, at,
+         {.code = "wrong_count",
+          .text = fmt::format("{} does not give each of the {} nodes its own place",
+                              section.keyword, nodes),
+          .remedy = "write it as libMeshb does: Bezier indices from 0 to 2, a row for each node"});
+  }
+  order = std::move(*found);
 }
 
 void read_vertices(MeditReader& r) {
@@ -196,7 +230,7 @@ void read_vertices(MeditReader& r) {
     add_point(r.draft, p, at);
     r.draft.mesh.point_region.push_back(read_reference(r, "a vertex's reference"));
   }
-  read_early_cells(r);
+  read_early_cells(r, false);
 }
 
 /// Rows that are not used; an unknown keyword is passed up to the next word that is no number.
@@ -241,6 +275,9 @@ void read_section(MeditReader& r, std::string_view keyword, std::size_t at) {
     for (std::size_t i = 0; i < std::size(cell_sections); ++i) {
       if (cell_sections[i].keyword == keyword) return read_cells(r, i, at);
     }
+    for (const MeditOrder& order : medit_orders) {
+      if (order.keyword == keyword) return read_order(r, order);
+    }
     skip_section(r, keyword, at);
   }
 }
@@ -261,6 +298,9 @@ void read_binary_section(MeditReader& r, int code, std::size_t at) {
   if (code == vertices_code) return read_vertices(r);
   for (std::size_t i = 0; i < std::size(cell_sections); ++i) {
     if (code > 0 && cell_sections[i].code == code) return read_cells(r, i, at);
+  }
+  for (const MeditOrder& order : medit_orders) {
+    if (order.code == code) return read_order(r, order);
   }
 }
 
@@ -337,6 +377,7 @@ Draft read_medit(std::string_view text) {
           .text = "the file ends without a section Vertices",
           .remedy = "the file was cut short, or holds no mesh: write it again"});
   }
+  read_early_cells(r, true);
   drop_empty_references(r);
   return std::move(r.draft);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Writing MEDIT: points, then cells by dimension, each with its reference.
 #include "topology/io/medit/medit.hpp"
+#include "topology/io/medit/medit_order.hpp"
 #include "topology/io/text/number_sink.hpp"
 
 namespace sunder::io {
@@ -19,11 +20,15 @@ constexpr Section sections[] = {{CellKind::edge, "Edges", 5},
                                 {CellKind::triangle, "Triangles", 6},
                                 {CellKind::triangle6, "TrianglesP2", 24},
                                 {CellKind::quad4, "Quadrilaterals", 7},
+                                {CellKind::quad9, "QuadrilateralsQ2", 27},
                                 {CellKind::tetrahedron, "Tetrahedra", 8},
                                 {CellKind::tetrahedron10, "TetrahedraP2", 30},
                                 {CellKind::hexahedron8, "Hexahedra", 10},
+                                {CellKind::hexahedron27, "HexahedraQ2", 33},
                                 {CellKind::prism6, "Prisms", 9},
-                                {CellKind::pyramid5, "Pyramids", 49}};
+                                {CellKind::prism18, "PrismsP2", 86},
+                                {CellKind::pyramid5, "Pyramids", 49},
+                                {CellKind::pyramid14, "PyramidsP2", 87}};
 
 std::string write_text(const FileMesh& mesh) {
   NumberSink out;
@@ -44,6 +49,15 @@ std::string write_text(const FileMesh& mesh) {
     const CellRows rows = rows_of(mesh, s.kind);
     if (rows.count == 0) continue;
     const std::vector<std::int32_t>& label = label_of(columns_of(mesh, s.kind));
+    if (needs_medit_order(s.kind)) {
+      const MeditOrder& order = *medit_order_of(s.kind);
+      section(order.keyword, rows.nodes);
+      for (const BezierPlace& place : bezier_places(s.kind)) {
+        for (std::size_t k = 0; k < order.numbers; ++k) {
+          put<std::int64_t>(out, place[k], k + 1 == order.numbers ? '\n' : ' ');
+        }
+      }
+    }
     section(s.keyword, rows.count);
     for (std::size_t i = 0; i < rows.count; ++i) {
       for (const std::uint32_t node : rows[i]) put<std::int64_t>(out, node + 1L);
@@ -77,6 +91,14 @@ std::string write_binary(const FileMesh& mesh) {
     const CellRows rows = rows_of(mesh, s.kind);
     if (rows.count == 0) continue;
     const std::vector<std::int32_t>& label = label_of(columns_of(mesh, s.kind));
+    if (needs_medit_order(s.kind)) {
+      const MeditOrder& order = *medit_order_of(s.kind);
+      section(order.code, 4 + 4 * order.numbers * rows.nodes);
+      put_raw<std::int32_t>(out, rows.nodes);
+      for (const BezierPlace& place : bezier_places(s.kind)) {
+        for (std::size_t k = 0; k < order.numbers; ++k) put_raw<std::int32_t>(out, place[k]);
+      }
+    }
     section(s.code, 4 + 4 * (rows.nodes + 1) * rows.count);
     put_raw<std::int32_t>(out, rows.count);
     for (std::size_t i = 0; i < rows.count; ++i) {

@@ -9,6 +9,7 @@
 #include "topology/io/msh/msh_elements.hpp"
 #include "topology/io/msh/msh_entities.hpp"
 #include "topology/io/text/number_sink.hpp"
+#include "topology/mesh/kinds/column_order.hpp"
 
 namespace sunder::io {
 namespace {
@@ -355,15 +356,9 @@ void write_data(MshWriter& w) {
     end_section(w, "$EndNodeData");
   }
   // Columns of one name are one section, whatever the kind of their cells.
-  std::vector<std::string> names;
-  for (const CellKind kind : all_cell_kinds) {
-    for (const DataColumn& column : columns_of(w.mesh, kind).data) {
-      if (std::find(names.begin(), names.end(), column.name) == names.end()) {
-        names.push_back(column.name);
-      }
-    }
+  for (const DataColumn* const column : ordered_cell_columns(w.mesh)) {
+    write_cell_data(w, column->name);
   }
-  for (const std::string& name : names) write_cell_data(w, name);
 }
 
 }  // namespace

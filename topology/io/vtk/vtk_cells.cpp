@@ -11,6 +11,7 @@
 #include <span>
 
 #include "topology/io/text/scan.hpp"
+#include "topology/mesh/kinds/column_order.hpp"
 
 namespace sunder::io {
 namespace {
@@ -277,26 +278,24 @@ void append_rows(std::vector<Value>& out, const DataColumn* column, std::size_t 
   }
 }
 
-/// The data of all lists under their names, in the order in which they come first.
+/// The data of all lists under their names, but those that are our own.
 void add_data_columns(VtkGrid& grid, const FileMesh& mesh) {
-  for (const CellKind first_kind : all_cell_kinds) {
-    for (const DataColumn& like : columns_of(mesh, first_kind).data) {
-      const bool is_there =
-          std::ranges::find(grid.cell_data, like.name, &DataColumn::name) != grid.cell_data.end();
-      if (is_there) continue;
-      DataColumn column{like.name, like.components, like.type, {}};
-      if (like.values.index() == 1) column.values = std::vector<std::int64_t>{};
-      for (const CellKind kind : all_cell_kinds) {
-        const std::vector<DataColumn>& data = columns_of(mesh, kind).data;
-        const auto found = std::ranges::find_if(data, [&](const DataColumn& c) {
-          return c.name == like.name && c.components == like.components;
-        });
-        const DataColumn* part = found == data.end() ? nullptr : &*found;
-        const std::size_t length = like.components * rows_of(mesh, kind).count;
-        std::visit([&](auto& out) { append_rows(out, part, length); }, column.values);
-      }
-      grid.cell_data.push_back(std::move(column));
+  for (const DataColumn* const like : ordered_cell_columns(mesh)) {
+    const bool is_there =
+        std::ranges::find(grid.cell_data, like->name, &DataColumn::name) != grid.cell_data.end();
+    if (is_there) continue;
+    DataColumn column{like->name, like->components, like->type, {}};
+    if (like->values.index() == 1) column.values = std::vector<std::int64_t>{};
+    for (const CellKind kind : all_cell_kinds) {
+      const std::vector<DataColumn>& data = columns_of(mesh, kind).data;
+      const auto found = std::ranges::find_if(data, [&](const DataColumn& c) {
+        return c.name == like->name && c.components == like->components;
+      });
+      const DataColumn* part = found == data.end() ? nullptr : &*found;
+      const std::size_t length = like->components * rows_of(mesh, kind).count;
+      std::visit([&](auto& out) { append_rows(out, part, length); }, column.values);
     }
+    grid.cell_data.push_back(std::move(column));
   }
 }
 

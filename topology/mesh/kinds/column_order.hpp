@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// One order of the data columns of all kinds of cells, for formats that hold them together.
+#pragma once
+
+#include <vector>
+
+#include "topology/mesh/file_mesh.hpp"
+
+namespace sunder {
+
+/// The first column of each name among the cells, so that those of every kind stand in the kind's
+/// own order; where kinds contradict each other, and between columns that no kind has both of, what
+/// comes first in the kinds' order does.
+std::vector<const DataColumn*> ordered_cell_columns(const FileMesh& mesh);
+
+}  // namespace sunder
