@@ -69,7 +69,8 @@ int parse_and_run(int argc, char** argv, const AddCommands& add_commands) {
   program.require_subcommand(1);
   program.footer(
       "sunder COMMAND --help tells each command's options, units and exit codes; where memory runs "
-      "out every command ends with 5.");
+      "out every command ends with 5. \"error:\" and \"warning:\" are coloured on terminals, unless "
+      "NO_COLOR is set or TERM is dumb.");
   ExitCode exit_code = ExitCode::fine;
   add_commands(program, exit_code);
   if (argc == 1) {

@@ -186,6 +186,8 @@ TEST_CASE("help, manual pages and completions name the options of what tells som
     CHECK_FALSE(names(command, quiet));
     CHECK(names(command, verbose));
   }
+  CHECK(here.run({"--help"}).out.find("NO_COLOR") != std::string::npos);
+  CHECK(here.run({"man"}).out.find("NO_COLOR") != std::string::npos);
   CHECK(names("chart", quiet));
   CHECK_FALSE(names("chart", verbose));
 #if defined(SUNDER_HAS_VIEW)
