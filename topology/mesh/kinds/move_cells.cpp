@@ -54,6 +54,11 @@ DataColumn column_like(const DataColumn& like) {
   return column;
 }
 
+bool has_no_number(const DataColumn& column) {
+  const auto* const values = std::get_if<std::vector<double>>(&column.values);
+  return values != nullptr && std::ranges::all_of(*values, [](double x) { return x != x; });
+}
+
 }  // namespace
 
 void append_columns(CellColumns& columns, std::size_t rows, CellColumns&& others,
@@ -150,10 +155,7 @@ void drop_filling(CellColumns& cells) {
   drop_zeros(cells.region);
   drop_zeros(cells.entity);
   drop_zeros(cells.source_id);
-  std::erase_if(cells.data, [](const DataColumn& column) {
-    const auto* const values = std::get_if<std::vector<double>>(&column.values);
-    return values != nullptr && std::ranges::all_of(*values, [](double x) { return x != x; });
-  });
+  std::erase_if(cells.data, has_no_number);
 }
 
 void make_linear(FileMesh& mesh) {
