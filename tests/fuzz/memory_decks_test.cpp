@@ -114,7 +114,14 @@ std::vector<Hostile> hostile_vtp() {
   const auto counts = [](std::string_view name, std::size_t n) {
     return fmt::format("NumberOfPoints=\"3\" NumberOf{}=\"{}\"", name, n);
   };
-  const std::string strip = repeated(many, "0 1 2 ");
+  const auto one_cell = [](std::string_view name) {
+    return fmt::format(
+        "<{0}>{1}<DataArray type=\"Int64\" Name=\"offsets\">{2}</DataArray></{0}>", name,
+        array("Name=\"connectivity\"", repeated(many, "0 1 2 ")), 3 * many);
+  };
+  const auto cell_data = [](const std::string& column) {
+    return "<CellData>" + column + "</CellData>";
+  };
   return {
       {"vtp", "cells of no points, a byte each",
        poly(counts("Verts", 3 * many),
@@ -125,29 +132,19 @@ std::vector<Hostile> hostile_vtp() {
        poly(counts("Polys", many), three + list("Polys", "", repeated(many, "0 ")))},
       {"vtp", "a strip of many triangles",
        poly(counts("Strips", 1),
-            three + fmt::format("<Strips>{}<DataArray type=\"Int64\" Name=\"offsets\">{}</DataArray>"
-                                "</Strips>",
-                                array("Name=\"connectivity\"", strip), 3 * many))},
+            three + one_cell("Strips"))},
       {"vtp", "a line of many edges with a column",
        poly(counts("Lines", 1),
-            three +
-                fmt::format("<Lines>{}<DataArray type=\"Int64\" Name=\"offsets\">{}</DataArray>"
-                            "</Lines><CellData>{}</CellData>",
-                            array("Name=\"connectivity\"", strip), 3 * many,
-                            array("Name=\"a\" NumberOfComponents=\"100\"", repeated(100, "1 "))))},
+            three + one_cell("Lines") +
+                cell_data(array("Name=\"a\" NumberOfComponents=\"100\"", repeated(100, "1 "))))},
       {"vtp", "a strip of many triangles with a wide column",
        poly(counts("Strips", 1),
-            three +
-                fmt::format("<Strips>{}<DataArray type=\"Int64\" Name=\"offsets\">{}</DataArray>"
-                            "</Strips><CellData>{}</CellData>",
-                            array("Name=\"connectivity\"", strip), 3 * many,
-                            array(fmt::format("Name=\"a\" NumberOfComponents=\"{}\"", many),
-                                  repeated(many, "1 "))))},
+            three + one_cell("Strips") +
+                cell_data(array(fmt::format("Name=\"a\" NumberOfComponents=\"{}\"", many),
+                                repeated(many, "1 "))))},
       {"vtp", "a polygon of many corners",
        poly(counts("Polys", 1),
-            three + fmt::format("<Polys>{}<DataArray type=\"Int64\" Name=\"offsets\">{}</DataArray>"
-                                "</Polys>",
-                                array("Name=\"connectivity\"", strip), 3 * many))},
+            three + one_cell("Polys"))},
       {"vtp", "columns of one number",
        poly("NumberOfPoints=\"1\"",
             "<Points>" + array("NumberOfComponents=\"3\"", "0 0 0") + "</Points><PointData>" +
