@@ -26,10 +26,11 @@ door(map "The 3-map of a body: faces split and glued, fans, components, invarian
   topology/kernel/fan.hpp
   topology/kernel/components.hpp
   topology/kernel/invariants.hpp
+  topology/kernel/edges.hpp
+  topology/kernel/edge_nodes.hpp
   topology/kernel/map_mesh.hpp)
 
 door(cells "Operations that change cells: edges divided, red refinement, exact plane cuts, a journal that undoes them."
-  topology/cells/edges.hpp
   topology/cells/subdivide.hpp
   topology/cells/refine.hpp
   topology/cells/plane_cut.hpp

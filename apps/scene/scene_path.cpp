@@ -16,6 +16,17 @@ namespace sunder {
 
 namespace {
 
+/// Bodies have straight edges, of both orders: a mesh whose cells are curved is another body than the
+/// one that would break.
+Result<TetMesh> refuse_curved(Result<TetMesh> mesh) {
+  for (Finding& f : mesh.findings) {
+    if (f.code != "curved_cells") continue;
+    f.severity = Severity::error;
+    mesh.value.reset();
+  }
+  return mesh;
+}
+
 /// Why a file that a scene names is not read where it may only name its own.
 std::optional<Finding> refusal(const std::filesystem::path& folder, const std::string& name) {
   std::error_code none, unknown;
@@ -68,7 +79,7 @@ Result<SceneFile> read_scene(const std::filesystem::path& path,
   const SceneFiles files{
       .mesh =
           [&](const std::string& name) {
-            return within(name, [](const Path& file) { return read_mesh(file); });
+            return within(name, [](const Path& file) { return refuse_curved(read_mesh(file)); });
           },
       .surface =
           [&](const std::string& name) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The operations on cells for the maps that everyone uses.
 #include "topology/cells/columns_impl.hpp"
-#include "topology/cells/edges_impl.hpp"
 #include "topology/cells/journal_impl.hpp"
 #include "topology/cells/plane_cut_impl.hpp"
 #include "topology/cells/refine_impl.hpp"
@@ -10,10 +9,6 @@
 
 namespace sunder {
 
-template std::vector<CellEdge> edge_ring<VolumeMap>(const VolumeMap&, CellEdge);
-template std::vector<CellEdge> edge_ring<DenseMap>(const DenseMap&, CellEdge);
-template EdgeRows edge_rows<VolumeMap>(const VolumeMap&);
-template EdgeRows edge_rows<DenseMap>(const DenseMap&);
 template CellEdit divide_edges<VolumeMap>(VolumeMap&, std::span<const EdgeMark>,
                                           std::span<const char>);
 template CellEdit divide_edges<DenseMap>(DenseMap&, std::span<const EdgeMark>,

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "topology/cells/edges.hpp"
+#include "topology/kernel/edges.hpp"
 
 namespace sunder {
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "topology/cells/edges.hpp"
+#include "topology/kernel/edges.hpp"
 #include "topology/kernel/kernel.hpp"
 
 namespace sunder {

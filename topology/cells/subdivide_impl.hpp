@@ -9,7 +9,7 @@
 
 #include "topology/base/assert.hpp"
 #include "topology/cells/cell_templates.hpp"
-#include "topology/cells/edges_impl.hpp"
+#include "topology/kernel/edges_impl.hpp"
 #include "topology/cells/subdivide.hpp"
 #include "topology/mesh/radius_ratio.hpp"
 

@@ -10,6 +10,7 @@
 
 #include "topology/io/text/scan.hpp"
 #include "topology/mesh/kinds/move_cells.hpp"
+#include "topology/mesh/kinds/second_order.hpp"
 
 namespace sunder::io {
 namespace {
@@ -90,6 +91,27 @@ void add_to(std::map<std::string, Draft::Others>& cells, std::string_view name,
   sum.count = count;
 }
 
+/// Straight cells are what their corners say; others are told.
+void tell_curved(Draft& draft, CellKind kind) {
+  const CurvedCells curved = curved_cells(draft.mesh, kind);
+  if (curved.count == 0) return;
+  const std::string_view name =
+      curved.count == 1 ? traits_of(kind).name : traits_of(kind).plural;
+  Finding finding{.code = "curved_cells",
+                  .severity = Severity::warning,
+                  .text = fmt::format("{} {} {} curved: the middle of an edge lies up to {:.2g} of "
+                                      "its length beside the straight line",
+                                      curved.count, name, curved.count == 1 ? "is" : "are",
+                                      curved.most),
+                  .remedy = "make the cells straight: sunder convert --order 1 FILE NEW.msh, or mesh "
+                            "finer where the surface is curved"};
+  finding.count = curved.count;
+  const Draft::Others& others = draft.kept[index_of(kind)];
+  finding.file = others.file;
+  finding.line = others.line;
+  draft.findings.push_back(std::move(finding));
+}
+
 /// Takes out, or makes linear, what the options do not keep.
 void take_out(Draft& draft, const ReadOptions& options) {
   FileMesh& mesh = draft.mesh;
@@ -102,6 +124,7 @@ void take_out(Draft& draft, const ReadOptions& options) {
     const bool is_other_volume = t.dimension == 3 && linear != CellKind::tetrahedron;
     if (options.simplices && is_simplex(linear)) {
       add_to(draft.curved_cells, t.plural, others);
+      if (t.dimension == 3) tell_curved(draft, kind);
       move_cells(mesh, kind, linear);
     } else if (options.simplices || (options.tetrahedra_only && is_other_volume)) {
       add_to(t.dimension == 3 ? draft.volume_cells : draft.surface_cells, t.plural, others);

@@ -93,6 +93,7 @@ void check_orbits(const VolumeMap& map, Damage& damage) {
   for (std::size_t v = 0; v < map.vertices(); ++v) {
     const TetId t = map.incident_tetrahedron(VertexId{v});
     damage.unless(t.is_none() == (corners[v] == 0), "only retired rows have no tetrahedron", v);
+    damage.unless(!map.is_node(VertexId{v}) || corners[v] == 0, "no corner has the row of a node", v);
     if (t.is_none() || corners[v] == 0) continue;
     const int place = place_of_vertex(map.corners(t), VertexId{v});
     damage.unless(place < 4, "the incident tetrahedron has the vertex", v);
@@ -110,9 +111,10 @@ void check_orbits(const VolumeMap& map, Damage& damage) {
     damage.unless(map.darts().point(VertexId{v}) == map.point(VertexId{v}),
                   "the point of the 0-attribute equals the row's", v);
   }
-  damage.unless(
-      map.vertices() == 0 || !map.incident_tetrahedron(VertexId{map.vertices() - 1}).is_none(),
-      "the last row is not a retired one", map.vertices());
+  if (map.vertices() == 0) return;
+  const VertexId last{map.vertices() - 1};
+  damage.unless(map.is_node(last) || !map.incident_tetrahedron(last).is_none(),
+                "the last row is not a retired one", map.vertices());
 }
 
 }  // namespace

@@ -100,6 +100,8 @@ class DartMap {
   void merge_vertices(VertexId kept, VertexId retired, std::span<const CornerId> corners);
   /// `rows`: as the change leaves them. O(cells of the change log).
   void apply(const CellChange& change, const MapRows& rows);
+  /// As many rows, those without a corner among them.
+  void fit_rows(std::size_t rows) { corner_.resize(rows); }
 
   const DartComplex& complex() const { return complex_; }
   /// For measurements and tests that let CGAL manage attributes; rows are not kept right then.

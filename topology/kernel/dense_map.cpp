@@ -2,6 +2,8 @@
 // Darts that follow from rows, and changes of the rows.
 #include "topology/kernel/dense_map.hpp"
 
+#include <algorithm>
+
 #include "topology/base/append_row.hpp"
 #include "topology/base/assert.hpp"
 
@@ -77,14 +79,41 @@ VertexId DenseMap::split_vertex(const VertexSplit& split) {
 void DenseMap::merge_vertices(VertexId kept, VertexId retired, std::span<const CornerId> corners) {
   for (const CornerId c : corners) rows_.corners[c.index() / 4][c.index() % 4] = kept;
   incident_[retired.index()] = TetId::none();
-  while (!incident_.empty() && incident_.back().is_none()) {
+  drop_retired_rows();
+}
+
+void DenseMap::drop_retired_rows() {
+  while (!incident_.empty() && incident_.back().is_none() && !is_node(VertexId{vertices() - 1})) {
     incident_.pop_back();
     rows_.point_of_vertex.pop_back();
   }
 }
 
+VertexId DenseMap::append_node(const Point& at) {
+  const auto point = static_cast<std::uint32_t>(rows_.points.size());
+  rows_.first_node_point = std::min(rows_.first_node_point, point);
+  rows_.points.push_back(at);
+  append_row(rows_.point_of_vertex, point);
+  append_row(incident_, TetId::none());
+  return VertexId{vertices() - 1};
+}
+
+VertexId DenseMap::append_node(VertexId copied) {
+  SUNDER_ASSERT(is_node(copied), "append_node: the copy of a vertex");
+  append_row(rows_.point_of_vertex, point_of_vertex(copied));
+  append_row(incident_, TetId::none());
+  return VertexId{vertices() - 1};
+}
+
+void DenseMap::retire_node(VertexId node) {
+  SUNDER_ASSERT(is_node(node), "retire_node: a vertex");
+  rows_.point_of_vertex[node.index()] = 0;  // that of any vertex: a retired row, no node's
+  drop_retired_rows();
+}
+
 CellChange DenseMap::apply(const CellChange& change) {
   const std::size_t cells = tetrahedra();
+  SUNDER_ASSERT(rows_.first_node_point >= rows_.points.size(), "cells change before nodes come in");
   SUNDER_ASSERT(change.kept_points <= rows_.points.size() && change.kept_vertices <= vertices() &&
                     change.kept_tetrahedra <= cells,
                 "rows are kept that are there");

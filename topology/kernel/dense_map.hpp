@@ -21,10 +21,13 @@ struct MapRows {
   std::vector<std::array<HalfFaceId, 4>> neighbours;
   /// Row of the file's point of each vertex; several rows may share one (pinches, splits).
   std::vector<std::uint32_t> point_of_vertex;
-  /// The file's points: rest positions, m. A vertex has that of its point.
+  /// The file's points: rest positions, m. A vertex has that of its point. Behind them those of nodes
+  /// (`DenseMap::append_node`).
   std::vector<Point> points;
   /// Tetrahedra whose last two corners were exchanged on reading, in rising order.
   std::vector<TetId> reoriented;
+  /// Row of the first point that is a node's.
+  std::uint32_t first_node_point = 0xffffffffU;
 };
 
 /// A model of `Kernel` in 32 bytes a tetrahedron, 8 a vertex and the file's points. `VolumeMap`
@@ -76,9 +79,21 @@ class DenseMap {
   void merge_vertices(VertexId kept, VertexId retired, std::span<const CornerId> corners);
   CellChange apply(const CellChange& change);
 
+  /// Rows for nodes that are no vertices, such as the middles of edges (edge_nodes.hpp): no corner has
+  /// them, no tetrahedron is incident to them, and they are numbered with the vertices, so that one
+  /// column has a place for both. Appends one at a point of its own, m.
+  VertexId append_node(const Point& at);
+  /// Appends one at the same point.
+  VertexId append_node(VertexId copied);
+  /// Retires one; at the end its row is dropped, as those of vertices are.
+  void retire_node(VertexId node);
+  bool is_node(VertexId row) const { return point_of_vertex(row) >= rows_.first_node_point; }
+
  private:
+  void drop_retired_rows();
+
   MapRows rows_;
-  std::vector<TetId> incident_;  // of each vertex row; none() when it is retired
+  std::vector<TetId> incident_;  // of each vertex row; none() when it is retired, and for nodes
 };
 
 static_assert(CellKernel<DenseMap>);

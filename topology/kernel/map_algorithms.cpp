@@ -2,6 +2,7 @@
 // The kernel's algorithms for the maps that everyone uses.
 #include "topology/kernel/components_impl.hpp"
 #include "topology/kernel/dense_map.hpp"
+#include "topology/kernel/edges_impl.hpp"
 #include "topology/kernel/fan_impl.hpp"
 #include "topology/kernel/map_answers.hpp"
 #include "topology/kernel/split_face_impl.hpp"
@@ -19,6 +20,10 @@ template ComponentUpdate update_components<VolumeMap>(const VolumeMap&, std::spa
 template Components label_components<DenseMap>(const DenseMap&);
 template ComponentUpdate update_components<DenseMap>(const DenseMap&, std::span<const FaceSplit>,
                                                      Detection, Components&, ComponentScratch&);
+template std::vector<CellEdge> edge_ring<VolumeMap>(const VolumeMap&, CellEdge);
+template std::vector<CellEdge> edge_ring<DenseMap>(const DenseMap&, CellEdge);
+template EdgeRows edge_rows<VolumeMap>(const VolumeMap&);
+template EdgeRows edge_rows<DenseMap>(const DenseMap&);
 template VertexStar vertex_star<VolumeMap>(const VolumeMap&, VertexId);
 template std::vector<TetId> star<VolumeMap>(const VolumeMap&, VertexId);
 template std::vector<char> plane_signs<VolumeMap>(const VolumeMap&, const VertexStar&,

@@ -21,6 +21,7 @@ class DartMap {
   VertexId split_vertex(const VertexSplit&) { return VertexId::none(); }
   void merge_vertices(VertexId, VertexId, std::span<const CornerId>) {}
   void apply(const CellChange&, const MapRows&) {}
+  void fit_rows(std::size_t) const {}
   MapBytes bytes() const { return {}; }
 };
 #endif
@@ -107,6 +108,7 @@ VertexId VolumeMap::split_vertex(const VertexSplit& split) {
 void VolumeMap::merge_vertices(VertexId kept, VertexId retired, std::span<const CornerId> corners) {
   if (darts_) darts_->merge_vertices(kept, retired, corners);
   dense_.merge_vertices(kept, retired, corners);
+  fit_darts();  // at the end nodes may hold rows that the darts alone would drop
   for ([[maybe_unused]] const CornerId c : corners) {
     SUNDER_ASSERT(agree(*this, tetrahedron_of(c)), "the darts have the kept row");
   }
@@ -119,6 +121,27 @@ CellChange VolumeMap::apply(const CellChange& change) {
     SUNDER_ASSERT(agree(*this, cell.row), "the darts are changed as the rows are");
   }
   return back;
+}
+
+void VolumeMap::fit_darts() {
+  if (darts_) darts_->fit_rows(dense_.vertices());
+}
+
+VertexId VolumeMap::append_node(const Point& at) {
+  const VertexId row = dense_.append_node(at);
+  fit_darts();
+  return row;
+}
+
+VertexId VolumeMap::append_node(VertexId copied) {
+  const VertexId row = dense_.append_node(copied);
+  fit_darts();
+  return row;
+}
+
+void VolumeMap::retire_node(VertexId node) {
+  dense_.retire_node(node);
+  fit_darts();
 }
 
 MapBytes VolumeMap::bytes() const {

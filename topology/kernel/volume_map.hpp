@@ -107,6 +107,12 @@ class VolumeMap {
   void merge_vertices(VertexId kept, VertexId retired, std::span<const CornerId> corners);
   CellChange apply(const CellChange& change);
 
+  /// Rows of nodes that are no vertices; see `DenseMap::append_node`. Darts do not know them.
+  VertexId append_node(const Point& at);
+  VertexId append_node(VertexId copied);
+  void retire_node(VertexId node);
+  bool is_node(VertexId row) const { return dense_.is_node(row); }
+
   /// CGAL's darts behind the rows, for the few sources that include dart_map.hpp (of hosts:
   /// <sunder/cgal_map.hpp>). Needs: the kernel `lcc`.
   const DartMap& darts() const { return *darts_; }
@@ -115,6 +121,8 @@ class VolumeMap {
   MapBytes bytes() const;
 
  private:
+  void fit_darts();
+
   DenseMap dense_;
   std::unique_ptr<DartMap> darts_;
 };

@@ -20,6 +20,7 @@
 #include "topology/io/mesh_file.hpp"
 #include "topology/io/output_file.hpp"
 #include "topology/mesh/kinds/move_cells.hpp"
+#include "topology/mesh/kinds/second_order.hpp"
 #include "topology/mesh/kinds/split_cells.hpp"
 #include "topology/mesh/repair.hpp"
 
@@ -36,9 +37,9 @@ their order; numbers, regions, entities and data are kept where the format holds
 regions that it does not hold go to OUT.regions, which is read with OUT. Everything else that would
 be lost is listed first, as warnings.
 Cells of every kind go through as what they are, where the format has them; --order 1 makes those of
-second order linear, --split makes tetrahedra and triangles of all (after --merge-points, before the
+second order linear; --split makes tetrahedra and triangles of all (after --merge-points, before the
 other repairs): no point is added, and neighbours are cut alike, each from its corner with the least
-row. Where OUT's format would hold no cell at all nothing is written.
+row; --order 2 then gives each edge a node in its middle, so that cells are of second order. Where OUT's format would hold no cell at all nothing is written.
 Repairs are made in the order in which they are listed here, and each reports what it changed.
 A crack is opened after them, without width: points are copied exactly where the cut faces separate
 the tetrahedra around them; its front stays joined (docs/cracks.md).
@@ -67,7 +68,7 @@ struct Arguments : Telling {
   bool tetrahedra_only = false;
   /// "keep" or "drop".
   std::string triangles = "keep";
-  /// 1: cells of second order become linear; 0: they stay.
+  /// 1: cells of second order become linear; 2: linear ones of second order; 0: they stay.
   int order = 0;
   bool split = false;
   Repairs repairs;
@@ -153,7 +154,7 @@ void tell_split(const SplitCells& report, std::vector<Finding>& findings) {
 /// Makes cells linear, and simplices of them, as was asked for. Points are merged before: parts of
 /// cells fit together where these have the same points.
 void simplify(FileMesh& mesh, Arguments& arguments, std::vector<Finding>& findings) {
-  if (arguments.order != 1 && !arguments.split) return;
+  if (arguments.order == 0 && !arguments.split) return;
   if (arguments.repairs.merge_points) {
     findings.push_back(merge_points(mesh, *arguments.repairs.merge_points));
     arguments.repairs.merge_points.reset();
@@ -174,6 +175,11 @@ void simplify(FileMesh& mesh, Arguments& arguments, std::vector<Finding>& findin
                                                         sum == 1 ? "is" : "are")));
   }
   if (arguments.split) tell_split(split_cells(mesh), findings);
+  if (arguments.order == 2) {
+    const std::size_t added = raise_order(mesh);
+    findings.push_back(asked_for("made_second_order", added,
+                                 fmt::format("{} points were added in the middles of edges", added)));
+  }
   const std::size_t dropped = drop_points_out_of_use(mesh, used);
   if (dropped == 0) return;
   findings.push_back(asked_for(
@@ -351,9 +357,10 @@ void add_convert_command(CLI::App& program, ExitCode& exit_code) {
                     "Leave volume cells out that are no tetrahedra");
   command
       ->add_option("--order", arguments->order,
-                   "1: make cells of second order linear; points that only they use are dropped")
-      ->type_name("1")
-      ->check(CLI::IsMember({1}));
+                   "1: make cells of second order linear; points that only they use are dropped. "
+                   "2: give linear cells a node in the middle of each edge")
+      ->type_name("1|2")
+      ->check(CLI::IsMember({1, 2}));
   command->add_flag(
       "--split", arguments->split,
       "Cut hexahedra, prisms and pyramids into tetrahedra, quadrilaterals and polygons "

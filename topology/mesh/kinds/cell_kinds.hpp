@@ -128,4 +128,18 @@ constexpr CellKind held_kind(KindSet set, CellKind kind) {
 using FaceCorners = std::array<std::uint8_t, 4>;
 std::span<const FaceCorners> faces_of(CellKind linear);
 
+/// The corners at the ends of the edges of a kind of first order, in the order in which their middles
+/// stand behind the corners of the second; empty for vertices and polygons.
+using EdgeCorners = std::array<std::uint8_t, 2>;
+std::span<const EdgeCorners> edges_of(CellKind linear);
+
+/// The kind with a node more in the middle of each edge; itself for vertices, polygons, and what is of
+/// second order already.
+constexpr CellKind raised_kind(CellKind kind) {
+  for (const CellKind k : all_cell_kinds) {
+    if (k != kind && traits_of(k).lower == kind && linear_kind(kind) == kind) return k;
+  }
+  return kind;
+}
+
 }  // namespace sunder

@@ -2,7 +2,7 @@
 // Bodies of edges.hpp, for the source that instantiates them for a kernel.
 #pragma once
 
-#include "topology/cells/edges.hpp"
+#include "topology/kernel/edges.hpp"
 
 namespace sunder::detail {
 
