@@ -30,6 +30,32 @@ double strain_density(const Mat3& H, const Lame& lame) {
          lame.mu * (normal + 0.5 * (xy * xy + yz * yz + zx * zx));
 }
 
+/// Stress at the corners, its mean, the largest turn, and what the strain energy changed by.
+void measure_second_order(MechanicsState& state, const MechanicsScratch& scratch,
+                          std::span<const Corners> corners, TetId t, bool strain,
+                          StrainChange& change, double& largest) {
+  ElementColumns& elements = state.elements;
+  const std::array<Mat3, 4> H =
+      corner_gradients(elements, corners, state.vertices.displacement, t);
+  const std::size_t material = elements.material[t.index()].index();
+  std::array<Mat3, 4> stress;
+  for (std::size_t c = 0; c < 4; ++c) {
+    stress[c] = stress_of(H[c], scratch.lame[material]);
+    largest = std::max(largest, turn_of(H[c]));
+  }
+  std::array<Mat3, 4>& old = elements.corner_stress[t.index()];
+  if (strain) {
+    const double volume = elements.rest_volume[t.index()];
+    const double before = linear_stress_energy(old, volume, scratch.stress_energy[material]);
+    const double after = 0.5 * volume * mean_product(stress, H);
+    change.before += before;
+    change.after += after;
+    change.difference += 2 * (before + after - volume * mean_product(old, H));
+  }
+  old = stress;
+  elements.stress[t.index()] = 0.25 * (stress[0] + stress[1] + stress[2] + stress[3]);
+}
+
 }  // namespace
 
 void measure_elements(MechanicsState& state, MechanicsScratch& scratch,
@@ -73,19 +99,17 @@ void measure_elements(MechanicsState& state, MechanicsScratch& scratch,
       largest = 0;
     }
     if (!is_changing) continue;
-    Mat3 H;
     if (is_second_order(elements, TetId{t})) {
-      const std::array<Mat3, 4> at =
-          corner_gradients(elements, corners, state.vertices.displacement, TetId{t});
-      H = 0.25 * (at[0] + at[1] + at[2] + at[3]);
-    } else {
-      const CornerVectors d = at_corners(state.vertices.displacement, corners[t]);
-      H = displacement_gradient(elements.shape_gradient[t], d);
+      measure_second_order(state, scratch, corners, TetId{t}, measure.strain, change, largest);
+      continue;
     }
+    const CornerVectors d = at_corners(state.vertices.displacement, corners[t]);
+    Mat3 H = displacement_gradient(elements.shape_gradient[t], d);
     if (measure.model == ElasticModel::corotational) H = own_strain(H);
     const MaterialId material = elements.material[t];
     const Mat3 stress = stress_of(H, scratch.lame[material.index()]);
     largest = std::max(largest, turn_of(H));
+    if (!elements.corner_stress.empty()) elements.corner_stress[t].fill(stress);
     if (!measure.strain) {
       elements.stress[t] = stress;
       continue;

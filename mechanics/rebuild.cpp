@@ -174,7 +174,12 @@ double present_strain(const MechanicsState& state, std::span<const Corners> corn
 double make_rigid(MechanicsState& state, const Component& component) {
   const double before = kinetic_energy_of(state, component);
   set_rigid_rows(state, component);
-  for (TetId t : component.tetrahedra) state.elements.stress[t.index()].setZero();
+  for (TetId t : component.tetrahedra) {
+    state.elements.stress[t.index()].setZero();
+    if (!state.elements.corner_stress.empty()) {
+      state.elements.corner_stress[t.index()].fill(Mat3::Zero());
+    }
+  }
   return before - kinetic_energy_of(state, component);
 }
 

@@ -57,24 +57,6 @@ VertexData vertex_data(const MechanicsState& mechanics, const std::vector<Mat3>&
   return data;
 }
 
-/// Cell data of a frame: the newest crack that a tetrahedron has a side of, -1 for none, and that
-/// side, 1 or -1, 0 for none. Nothing with `CrackMode::paper`.
-struct CrackData {
-  std::vector<std::int32_t> crack, side;
-};
-
-CrackData crack_data(const Cells& cells, CrackMode mode) {
-  CrackData data;
-  if (mode == CrackMode::paper) return data;
-  data.crack.assign(cells.map.tetrahedra(), -1);
-  data.side.assign(cells.map.tetrahedra(), 0);
-  for (const CrackLabel& label : cells.cracks.labels) {
-    data.crack[label.tetrahedron.index()] = static_cast<std::int32_t>(label.crack.value);
-    data.side[label.tetrahedron.index()] = label.positive ? 1 : -1;
-  }
-  return data;
-}
-
 }  // namespace
 
 std::vector<Finding> write_frame(const std::filesystem::path& path, const Simulation& simulation) {

@@ -16,7 +16,7 @@ constexpr std::array<std::size_t, 6> vtk_edges = {0, 3, 1, 2, 4, 5};
 
 /// What is said of the cells of one order.
 struct CellData {
-  std::vector<std::int64_t> component, body;
+  std::vector<std::int64_t> component, body, crack, crack_side;
 };
 
 void put_down(CellColumns& columns, CellData data) {
@@ -26,9 +26,24 @@ void put_down(CellColumns& columns, CellData data) {
   };
   add("component", std::move(data.component));
   add("body", std::move(data.body));
+  if (data.crack.empty()) return;
+  add("crack", std::move(data.crack));
+  add("crack_side", std::move(data.crack_side));
 }
 
 }  // namespace
+
+CrackData crack_data(const Cells& cells, CrackMode mode) {
+  CrackData data;
+  if (mode == CrackMode::paper) return data;
+  data.crack.assign(cells.map.tetrahedra(), -1);
+  data.side.assign(cells.map.tetrahedra(), 0);
+  for (const CrackLabel& label : cells.cracks.labels) {
+    data.crack[label.tetrahedron.index()] = static_cast<std::int32_t>(label.crack.value);
+    data.side[label.tetrahedron.index()] = label.positive ? 1 : -1;
+  }
+  return data;
+}
 
 FileMesh node_mesh(const Simulation& simulation) {
   const MechanicsState& mechanics = simulation.state->mechanics;
@@ -37,6 +52,8 @@ FileMesh node_mesh(const Simulation& simulation) {
   for (const Vec3& x : mechanics.vertices.position) mesh.points.push_back({x[0], x[1], x[2]});
   OtherCells& second = other_cells(mesh, CellKind::tetrahedron10);
   CellData of_first, of_second;
+  const CrackData cracks =
+      crack_data(simulation.state->cells, simulation.scene.fracture.crack);
   for (std::size_t b = 0; b < simulation.bodies.size(); ++b) {
     const BodyRows& rows = simulation.bodies[b];
     const std::vector<std::int32_t>& region = simulation.scene.bodies[b].mesh.region;
@@ -56,6 +73,9 @@ FileMesh node_mesh(const Simulation& simulation) {
       CellData& data = is_second ? of_second : of_first;
       data.component.push_back(simulation.state->cells.labels.of_tetrahedron[t].value);
       data.body.push_back(static_cast<std::int64_t>(b));
+      if (cracks.crack.empty()) continue;
+      data.crack.push_back(cracks.crack[t]);
+      data.crack_side.push_back(cracks.side[t]);
     }
   }
   put_down(mesh.tetrahedra, std::move(of_first));

@@ -64,6 +64,15 @@ void append_copy(Cells& cells, VertexId from) {
   append(cells.labels.of_vertex);
 }
 
+void append_node(Cells& cells, ComponentId component) {
+  cells.strength.push_back(std::numeric_limits<double>::infinity());
+  cells.painted.push_back(0);
+  cells.flaw.push_back(1);
+  cells.unbreakable.push_back(0);
+  cells.waits.push_back(0);
+  cells.labels.of_vertex.push_back(component);
+}
+
 double mean_edge_length(const VertexColumns& vertices, std::span<const Corners> corners,
                         std::span<const TetId> star) {
   double sum = 0;

@@ -74,6 +74,9 @@ Cells make_cells(VolumeMap map, const MechanicsState& mechanics, std::vector<cha
 /// everything.
 void append_copy(Cells& cells, VertexId from);
 
+/// Appends the columns of a node that is no vertex: it never breaks.
+void append_node(Cells& cells, ComponentId component);
+
 /// C of the threshold at a crack tip, C K_Ic / sqrt(h): with it an edge crack breaks within 3 per
 /// cent of the closed form at any size of elements (docs/energy.md).
 inline constexpr double crack_tip_factor = 0.54;

@@ -35,6 +35,8 @@ struct FanEvent {
   /// One entry a face, in the order in which they were split; empty when every tetrahedron lay on
   /// one side of the plane, or other fans have split them all: then nothing changed.
   std::vector<FaceSplit> faces;
+  /// Nodes in the middles of edges that came apart with them, in bodies of second order.
+  std::vector<VertexCopy> nodes;
   /// What the oracle predicted and what there was to find.
   ComponentUpdate components;
   /// Tetrahedra visited by splits, search and strengths: a measure of the cost without a clock.

@@ -8,7 +8,8 @@ namespace sunder {
 
 ElementStress element_stress(const Cells& cells, const MechanicsState& mechanics, NodeStress mode) {
   const ElementColumns& e = mechanics.elements;
-  return {cells.map.corners(), e.stress, mode == NodeStress::mass ? e.mass : e.rest_volume};
+  return {cells.map.corners(), e.stress, mode == NodeStress::mass ? e.mass : e.rest_volume,
+          e.corner_stress};
 }
 
 void measure_node_stress(NodeStressField& field, const VolumeMap& map,
@@ -20,12 +21,9 @@ void measure_node_stress(NodeStressField& field, const VolumeMap& map,
 std::vector<Mat3> node_stress_of(const Cells& cells, const MechanicsState& mechanics,
                                  NodeStress mode) {
   NodeStressField field;
-  if (!mechanics.elements.edge_nodes.empty()) {
-    const ElementStress elements = element_stress(cells, mechanics, mode);
-    average_corner_stress(field.value, mechanics, elements.corners, elements.weight);
-    return std::move(field.value);
-  }
-  measure_node_stress(field, cells.map, element_stress(cells, mechanics, mode), mode);
+  const ElementStress elements = element_stress(cells, mechanics, mode);
+  measure_node_stress(field, cells.map, elements, mode);
+  add_edge_stress(field.value, elements, mechanics.elements.edge_nodes);
   return std::move(field.value);
 }
 

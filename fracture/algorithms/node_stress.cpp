@@ -2,7 +2,6 @@
 // Eq. 6, for all vertices at once and for one.
 #include "fracture/algorithms/node_stress.hpp"
 
-#include "mechanics/element/second_order.hpp"
 #include "topology/base/assert.hpp"
 
 namespace sunder {
@@ -14,9 +13,14 @@ void average_node_stress(std::vector<Mat3>& node_stress, const ElementStress& el
   for (std::size_t t = 0; t < elements.corners.size(); ++t) {
     const double w = elements.weight[t];
     const Mat3 weighted = w * elements.stress[t];
-    for (const VertexId v : elements.corners[t]) {
-      node_stress[v.index()] += weighted;
-      weight[v.index()] += w;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const std::size_t v = elements.corners[t][k].index();
+      if (elements.corner_stress.empty()) {
+        node_stress[v] += weighted;
+      } else {
+        node_stress[v] += w * elements.corner_stress[t][k];
+      }
+      weight[v] += w;
     }
   }
   for (std::size_t v = 0; v < vertices; ++v) {
@@ -30,23 +34,18 @@ void average_node_stress(std::vector<Mat3>& node_stress, const ElementStress& el
   average_node_stress(node_stress, elements, vertices, weight);
 }
 
-void average_corner_stress(std::vector<Mat3>& node_stress, const MechanicsState& state,
-                           std::span<const Corners> corners, std::span<const double> weight) {
-  node_stress.assign(state.vertices.size(), Mat3::Zero());
-  std::vector<double> sum(state.vertices.size(), 0.0);
-  for (std::size_t t = 0; t < corners.size(); ++t) {
-    const std::array<Mat3, 4> at = corner_stress(state, corners, TetId{t});
-    const ElementNodes nodes = nodes_of(state.elements, corners, TetId{t});
-    for (std::size_t k = 0; k < nodes.count; ++k) {
-      const std::size_t v = nodes.row[k].index();
-      sum[v] += weight[t];
-      if (k < 4) {
-        node_stress[v] += weight[t] * at[k];
-      } else {
-        const auto [i, j] = edge_ends[k - 4];
-        node_stress[v] += 0.5 * weight[t] *
-                          (at[static_cast<std::size_t>(i)] + at[static_cast<std::size_t>(j)]);
-      }
+void add_edge_stress(std::vector<Mat3>& node_stress, const ElementStress& elements,
+                     std::span<const EdgeNodes> edge_nodes) {
+  std::vector<double> sum(node_stress.size(), 0);
+  for (std::size_t t = 0; t < edge_nodes.size(); ++t) {
+    if (edge_nodes[t][0].is_none()) continue;
+    const double w = elements.weight[t];
+    for (std::size_t e = 0; e < 6; ++e) {
+      const std::size_t v = edge_nodes[t][e].index();
+      const auto [i, j] = edge_ends[e];
+      node_stress[v] += 0.5 * w * (elements.at(t, static_cast<std::size_t>(i)) +
+                                   elements.at(t, static_cast<std::size_t>(j)));
+      sum[v] += w;
     }
   }
   for (std::size_t v = 0; v < sum.size(); ++v) {
@@ -54,13 +53,14 @@ void average_corner_stress(std::vector<Mat3>& node_stress, const MechanicsState&
   }
 }
 
-Mat3 node_stress_of_star(const ElementStress& elements, std::span<const TetId> star) {
+Mat3 node_stress_of_star(const ElementStress& elements, std::span<const CornerId> star) {
   SUNDER_ASSERT(!star.empty(), "a vertex without tetrahedra has no stress");
   Mat3 sum = Mat3::Zero();
   double total = 0;
-  for (const TetId t : star) {
-    sum += elements.weight[t.index()] * elements.stress[t.index()];
-    total += elements.weight[t.index()];
+  for (const CornerId c : star) {
+    const std::size_t t = tetrahedron_of(c).index();
+    sum += elements.weight[t] * elements.at(t, static_cast<std::size_t>(place_of(c)));
+    total += elements.weight[t];
   }
   return sum / total;
 }

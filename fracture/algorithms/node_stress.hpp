@@ -16,6 +16,13 @@ struct ElementStress {
   std::span<const Mat3> stress;
   /// Rest volume, m^3 (our default), or mass, kg (eq. 6 as printed); positive.
   std::span<const double> weight;
+  /// At the corners of tetrahedra of second order, or empty (`ElementColumns::corner_stress`).
+  std::span<const std::array<Mat3, 4>> corner_stress = {};
+
+  /// At the corner of tetrahedron `t` at a place, Pa.
+  const Mat3& at(std::size_t t, std::size_t place) const {
+    return corner_stress.empty() ? stress[t] : corner_stress[t][place];
+  }
 };
 
 /// Node stress of every vertex: sum w_e sigma_e / sum w_e over the tetrahedra around it (eq. 6,
@@ -30,12 +37,12 @@ void average_node_stress(std::vector<Mat3>& node_stress, const ElementStress& el
 void average_node_stress(std::vector<Mat3>& node_stress, const ElementStress& elements,
                          std::size_t vertices, std::vector<double>& weight);
 
-/// The same where tetrahedra are of second order: their stress at each node is averaged, linear
-/// between those at the corners. |V| with the nodes of edges. `weight`: a row a tetrahedron.
-void average_corner_stress(std::vector<Mat3>& node_stress, const MechanicsState& state,
-                           std::span<const Corners> corners, std::span<const double> weight);
+/// Adds the middles of edges of tetrahedra of second order, as long as `node_stress` is with them: the
+/// mean of what the tetrahedra round them have there, half-way between the ends. For display.
+void add_edge_stress(std::vector<Mat3>& node_stress, const ElementStress& elements,
+                     std::span<const EdgeNodes> edge_nodes);
 
-/// The same for one vertex, from its star in the order of rows. `star`: not empty.
-Mat3 node_stress_of_star(const ElementStress& elements, std::span<const TetId> star);
+/// The same for one vertex, from the corners of its star in the order of rows. Not empty.
+Mat3 node_stress_of_star(const ElementStress& elements, std::span<const CornerId> star);
 
 }  // namespace sunder

@@ -4,19 +4,10 @@
 
 #include "topology/base/assert.hpp"
 #include "topology/base/sort_unique.hpp"
+#include "topology/kernel/edge_nodes.hpp"
 
 namespace sunder {
 namespace {
-
-/// Rows of the vertices that a face's split has parted: everything of those they came from.
-void append_copies(BreakableBody body, const FaceSplit& split) {
-  for (int i = 0; i < split.vertex_count; ++i) {
-    const VertexCopy& copy = split.split_vertices[i];
-    const VertexId row = append_copy(body.mechanics.vertices, copy.old_row);
-    SUNDER_ASSERT(row == copy.new_row, "vertex columns out of step with the map");
-    append_copy(body.cells, copy.old_row);
-  }
-}
 
 /// The vertices of the fan's faces have a crack beside them now: their threshold may be another.
 /// Gives the tetrahedra met.
@@ -40,6 +31,24 @@ std::size_t refresh_strength(BreakableBody body, const FanEvent& event) {
 
 }  // namespace
 
+FaceSplit part_face(BreakableBody body, HalfFaceId face, std::vector<VertexCopy>& nodes) {
+  const auto append = [&](const VertexCopy& copy) {
+    const VertexId row = append_copy(body.mechanics.vertices, copy.old_row);
+    SUNDER_ASSERT(row == copy.new_row, "vertex columns out of step with the map");
+    append_copy(body.cells, copy.old_row);
+  };
+  const FaceSplit split = split_face(body.cells.map, face);
+  for (std::size_t i = 0; i < std::size_t(split.vertex_count); ++i) append(split.split_vertices[i]);
+  std::vector<EdgeNodes>& edges = body.mechanics.elements.edge_nodes;
+  if (!split.did || edges.empty()) return split;
+  const EdgeSplits parted = split_edge_nodes(edges, body.cells.map, split);
+  for (std::size_t i = 0; i < std::size_t(parted.count); ++i) {
+    append(parted.copies[i]);
+    nodes.push_back(parted.copies[i]);
+  }
+  return split;
+}
+
 // Algorithm 4: split(v, u).
 FanEvent split_fan(BreakableBody body, const VertexStar& v, const Vec3& u,
                    const FractureSettings& settings, ComponentScratch& scratch) {
@@ -62,8 +71,7 @@ FanEvent split_fan(BreakableBody body, const VertexStar& v, const Vec3& u,
   order_faces(map, settings.face_order, fan);
   bool new_component = false;
   for (const HalfFaceId face : fan) {
-    const FaceSplit split = split_face(map, face);
-    append_copies(body, split);
+    const FaceSplit split = part_face(body, face, event.nodes);
     // Check for oracle: have all vertices of the face split?
     if (oracle_says_new(split)) new_component = true;
     event.visited += split.visited;

@@ -8,6 +8,11 @@
 
 namespace sunder {
 
+/// `split_face` with the columns of `body.mechanics.vertices` and `body.cells` that follow: a copy for
+/// every vertex that came apart, and in bodies of second order then for every edge, which is appended
+/// to `nodes`.
+FaceSplit part_face(BreakableBody body, HalfFaceId face, std::vector<VertexCopy>& nodes);
+
 /// Algorithm 4, split(v, u): signs of the tetrahedra around `v` relatively to the plane through it
 /// with the normal `u`; each face between a positive and a negative one is unsewn in turn, the
 /// vertices that come apart get copies, and the oracle is asked after each face; at the end, and

@@ -62,7 +62,7 @@ void measure(FractureWork& work, VertexId v) {
   NodeStressField& field = work.scratch.node_stress;
   field.value[v.index()] = work.settings.node_stress == NodeStress::fit
                                ? fit_node_stress(field.fit, map, work.elements, v)
-                               : node_stress_of_star(work.elements, star(map, v));
+                               : node_stress_of_star(work.elements, vertex_star(map, v).corners);
 }
 
 void hold(FractureWork& work, VertexId v) {

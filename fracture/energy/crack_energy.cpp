@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mechanics/element/second_order.hpp"
 #include "mechanics/state/wave_travel.hpp"
 
 namespace sunder {
@@ -20,18 +21,21 @@ std::vector<Parted> parted_vertices(std::span<const FanEvent> fans, std::size_t 
                                     std::vector<std::uint32_t>& group) {
   std::vector<Parted> parted;
   for (std::size_t k = 0; k < fans.size(); ++k) {
+    const auto add = [&](const VertexCopy& copy) {
+      std::uint32_t& of_old = group[copy.old_row.index()];
+      if (of_old == 0) {
+        parted.push_back({first_crack + k, {copy.old_row}});
+        of_old = static_cast<std::uint32_t>(parted.size());
+      }
+      group[copy.new_row.index()] = of_old;
+      parted[of_old - 1].rows.push_back(copy.new_row);
+    };
     for (const FaceSplit& face : fans[k].faces) {
       for (int i = 0; i < face.vertex_count; ++i) {
-        const VertexCopy& copy = face.split_vertices[static_cast<std::size_t>(i)];
-        std::uint32_t& of_old = group[copy.old_row.index()];
-        if (of_old == 0) {
-          parted.push_back({first_crack + k, {copy.old_row}});
-          of_old = static_cast<std::uint32_t>(parted.size());
-        }
-        group[copy.new_row.index()] = of_old;
-        parted[of_old - 1].rows.push_back(copy.new_row);
+        add(face.split_vertices[static_cast<std::size_t>(i)]);
       }
     }
+    for (const VertexCopy& copy : fans[k].nodes) add(copy);
   }
   return parted;
 }
@@ -42,10 +46,16 @@ std::vector<Vec3> forces_on(const std::vector<std::uint32_t>& group, const Mecha
   std::vector<Vec3> force(group.size(), Vec3::Zero());
   const ElementColumns& elements = state.elements;
   for (std::size_t t = 0; t < corners.size(); ++t) {
-    for (std::size_t a = 0; a < 4; ++a) {
-      const std::size_t v = corners[t][a].index();
+    const Eigen::Quaterniond& R = state.components[elements.component[t].index()].orientation;
+    const ElementNodes nodes = nodes_of(elements, corners, TetId{t});
+    for (std::size_t a = 0; a < nodes.count; ++a) {
+      const std::size_t v = nodes.row[a].index();
       if (group[v] == 0) continue;
-      const Eigen::Quaterniond& R = state.components[elements.component[t].index()].orientation;
+      if (nodes.count > 4) {
+        force[v] -= R * second_order_force(elements.shape_gradient[t], elements.rest_volume[t],
+                                           elements.corner_stress[t], a);
+        continue;
+      }
       force[v] -=
           elements.rest_volume[t] *
           (R * (elements.stress[t] * elements.shape_gradient[t].col(static_cast<Eigen::Index>(a))));

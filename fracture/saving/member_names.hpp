@@ -87,7 +87,8 @@ constexpr auto member_names(const BodyRows*) {
 }
 // Of cells.
 constexpr auto member_names(const MapRows*) {
-  return names("corners", "neighbours", "point_of_vertex", "points", "reoriented");
+  return names("corners", "neighbours", "point_of_vertex", "points", "reoriented",
+               "first_node_point");
 }
 constexpr auto member_names(const Components*) {
   return names("of_tetrahedron", "of_vertex", "size", "parent");
@@ -113,7 +114,7 @@ constexpr auto member_names(const VertexColumns*) {
 }
 constexpr auto member_names(const ElementColumns*) {
   return names("shape_gradient", "rest_volume", "mass", "material", "component", "stress",
-               "edge_nodes");
+               "edge_nodes", "corner_stress");
 }
 constexpr auto member_names(const PrescribedMotion*) { return names("velocity", "axes", "raised"); }
 constexpr auto member_names(const RaisedVelocity*) { return names("velocity", "ramp_time"); }
@@ -126,7 +127,7 @@ constexpr auto member_names(const StrainChange*) { return names("before", "after
 constexpr auto member_names(const ComponentSystem*) {
   return names("order", "free_count", "held_scalars", "shape", "stiffness", "analysis",
                "factor_row", "border", "border_age", "cell_travel", "step", "wave", "tetrahedra",
-               "corners", "row_vertex");
+               "corners", "edge_nodes", "row_vertex");
 }
 constexpr auto member_names(const RestShape*) {
   return names("arm", "mass", "total_mass", "inertia");

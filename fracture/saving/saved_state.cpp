@@ -9,6 +9,7 @@
 #include "fracture/saving/archive.hpp"
 #include "fracture/saving/sections.hpp"
 #include "topology/base/fnv1a.hpp"
+#include "topology/kernel/edge_nodes.hpp"
 
 namespace sunder {
 
@@ -55,6 +56,13 @@ bool fits_together(const std::vector<Tie>& ties, const Cells& cells) {
          });
 }
 
+/// Whether tetrahedra of second order name nodes of the map, one for each edge.
+bool fits_together(const ElementColumns& e, const VolumeMap& map) {
+  if (e.edge_nodes.empty()) return e.corner_stress.empty();
+  return e.edge_nodes.size() == map.tetrahedra() && e.corner_stress.size() == map.tetrahedra() &&
+         check(e.edge_nodes, map).empty();
+}
+
 /// Whether columns are as long as each other, as far as a step relies on it without a look.
 bool fits_together(const SimulationState& s) {
   const std::size_t vertices = s.cells.map.vertices(), tetrahedra = s.cells.map.tetrahedra();
@@ -76,6 +84,7 @@ bool fits_together(const SimulationState& s) {
   return s.display.size() == components && s.display_target.size() == components &&
          s.cells.labels.size.size() == components && s.cells.skin.size() == 4 * tetrahedra &&
          fits_together(s.cells.cracks, vertices, tetrahedra) &&
+         fits_together(e, s.cells.map) &&
          fits_together(s.contact.ties, s.cells);
 }
 

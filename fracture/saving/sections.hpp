@@ -74,7 +74,9 @@ inline bool fit_together(const MapRows& rows, std::span<const TetId> incident) {
     if (point >= rows.points.size()) return false;
   }
   for (std::size_t v = 0; v < vertices; ++v) {
-    if (incident[v].index() >= tetrahedra) return false;
+    const bool is_node = rows.point_of_vertex[v] >= rows.first_node_point;
+    if (is_node && incident[v].is_none()) continue;
+    if (is_node || incident[v].index() >= tetrahedra) return false;
     const auto& corners = rows.corners[incident[v].index()];
     if (std::ranges::find(corners, VertexId{v}) == corners.end()) return false;
   }

@@ -93,6 +93,10 @@ void check_penalty_obstacles(fields::SettingsCheck& check, const Scene& scene) {
   }
 }
 
+bool has_second_order(const Scene& scene) {
+  return std::ranges::any_of(scene.bodies, [](const BodySettings& b) { return b.order == 2; });
+}
+
 void check_unbreakable_boxes(fields::SettingsCheck& check, const BodySettings& body) {
   for (std::size_t i = 0; i < body.unbreakable.size(); ++i) {
     const auto* box = std::get_if<RestBox>(&body.unbreakable[i].where);
@@ -105,6 +109,33 @@ void check_unbreakable_boxes(fields::SettingsCheck& check, const BodySettings& b
 }  // namespace
 
 std::vector<SettingFinding> check_scene(const Scene& scene) { return setting_findings(scene, ""); }
+
+std::vector<SettingFinding> second_order_findings(const Scene& scene) {
+  std::vector<SettingFinding> findings;
+  if (!has_second_order(scene)) return findings;
+  fields::SettingsCheck check("", findings);
+  const auto refuse = [&](bool is_wrong, const char* key, const char* what, const char* remedy) {
+    if (!is_wrong) return;
+    check.add("second_order_in_motion", key,
+              fmt::format("is {}, which bodies of order 2 cannot have", what), remedy);
+  };
+  refuse(scene.integrator.integrator != Integrator::floating_frame, "integrator",
+         "not floating_frame", "leave it out, or leave the bodies' order out");
+  refuse(scene.integrator.model != ElasticModel::rigid_reference, "model", "not rigid_reference",
+         "leave it out, or leave the bodies' order out");
+  refuse(scene.integrator.isolated == IsolatedTetrahedra::qr, "isolated", "qr",
+         "take projection, or leave the bodies' order out");
+  refuse(scene.contact.method == ContactMethod::penalty, "contact.method", "penalty",
+         "take impulses, or leave the bodies' order out");
+  if (scene.fracture.mode == FractureMode::off) return findings;
+  refuse(scene.fracture.crack == CrackMode::cohesive, "fracture.crack", "cohesive",
+         "take object, or leave the bodies' order out");
+  refuse(scene.fracture.relax > 0, "fracture.relax", "above 0",
+         "leave it out, or leave the bodies' order out");
+  refuse(scene.fracture.criterion == FractureCriterion::energy, "fracture.criterion", "energy",
+         "take stress, or leave the bodies' order out");
+  return findings;
+}
 
 void check_together(fields::SettingsCheck& check, const HeldBox& box) { check_order(check, box); }
 void check_together(fields::SettingsCheck& check, const RestBox& box) { check_order(check, box); }
@@ -141,6 +172,11 @@ void check_together(fields::SettingsCheck& check, const Scene& scene) {
   check_cohesive(check, scene);
   check_penalty_obstacles(check, scene);
   check_partial(check, scene);
+  if (has_second_order(scene) && scene.fracture.node_stress == NodeStress::fit) {
+    check.add("fit_of_second_order", "fracture.node_stress",
+              "is fit, which is for tetrahedra of first order",
+              "leave it out: of second order the stresses at the nodes are averaged");
+  }
   constexpr double most_steps = 1e9;
   const double steps = scene.duration / scene.integrator.time_step;
   if (scene.integrator.time_step > 0 && steps > most_steps) {

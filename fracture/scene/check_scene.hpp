@@ -14,6 +14,9 @@ namespace sunder {
 /// numbers alone.
 std::vector<SettingFinding> check_scene(const Scene& scene);
 
+/// second_order_in_motion: what bodies of order 2 cannot do in runs, where the scene asks for it.
+std::vector<SettingFinding> second_order_findings(const Scene& scene);
+
 /// bad_box: a minimum above its maximum. no_load: neither a pressure nor a force.
 void check_together(fields::SettingsCheck& check, const HeldBox& box);
 void check_together(fields::SettingsCheck& check, const LoadBox& box);
@@ -22,7 +25,8 @@ void check_together(fields::SettingsCheck& check, const RestBox& box);
 /// velocity_not_held: a velocity along an axis on which its vertices are free; and those
 /// of `check_strength`.
 void check_together(fields::SettingsCheck& check, const BodySettings& body);
-/// no_body; too_many_steps; axes_not_supported: what cannot go with vertices held along some axes.
+/// no_body; too_many_steps; axes_not_supported: what cannot go with vertices held along some axes;
+/// fit_of_second_order: a node stress that is no average.
 void check_together(fields::SettingsCheck& check, const Scene& scene);
 
 }  // namespace sunder

@@ -131,7 +131,8 @@ void look_at_layers(const Looked& l, std::size_t b) {
                      "linear tetrahedra show 22, 50, 79, 89 per cent of the deflection in bending "
                      "with 1, 2, 4, 6, and what breaks in bending breaks late",
                      layers),
-         "take a finer mesh, at least four layers where bending matters (docs/bending.md)");
+         "take \"order\": 2 for the body, or a mesh of at least four layers where bending matters "
+         "(docs/bending.md)");
 }
 
 /// One frame sees a false strain of eps (L/t)^2 / 2 where a slender body bends by the strain eps:

@@ -26,7 +26,7 @@ std::optional<Attempt> begin_attempt(const Scene& scene, const PlannedPart& part
                                      const SimulationState& s, const StepReport& report) {
   if (!can_break(scene, part)) return std::nullopt;
   return Attempt{s.mechanics.vertices, s.mechanics.components, s.mechanics.elements.stress,
-                 s.mechanics.time,     s.obstacles,            s.contact,
+                 s.mechanics.elements.corner_stress, s.mechanics.time,     s.obstacles,            s.contact,
                  report};
 }
 
@@ -42,6 +42,7 @@ bool take_back(const Attempt& attempt, StepReport& report, SimulationState& s,
   s.mechanics.vertices = attempt.vertices;
   s.mechanics.components = attempt.components;
   s.mechanics.elements.stress = attempt.stress;
+  s.mechanics.elements.corner_stress = attempt.corner_stress;
   s.mechanics.time = attempt.time;
   s.obstacles = attempt.obstacles;
   s.contact = attempt.contact;

@@ -14,6 +14,7 @@ struct Attempt {
   VertexColumns vertices;
   std::vector<Component> components;
   std::vector<Mat3> stress;
+  std::vector<std::array<Mat3, 4>> corner_stress;
   double time = 0;
   std::vector<Obstacle> obstacles;
   ContactMemory contact;

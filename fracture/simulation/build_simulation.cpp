@@ -9,11 +9,15 @@
 #include "fracture/simulation/rubble/rigid_pieces.hpp"
 #include "fracture/simulation/scene_loads.hpp"
 #include "fracture/simulation/simulation_state.hpp"
+#include "fracture/simulation/statics/statics.hpp"
 #include "fracture/strength/draw_strength.hpp"
 #include "fracture/strength/held_boxes.hpp"
 #include "fracture/strength/make_cuts.hpp"
+#include "mechanics/element/second_order.hpp"
 #include "mechanics/rebuild.hpp"
 #include "mechanics/state/living.hpp"
+#include "topology/base/sort_unique.hpp"
+#include "topology/kernel/edge_nodes.hpp"
 #include "topology/mesh/build_map.hpp"
 #include "topology/mesh/check.hpp"
 
@@ -77,17 +81,41 @@ Result<MechanicsState> make_columns(const Scene& scene, const std::vector<BodyRo
                      .materials = materials});
 }
 
-/// Marks the held vertices of one body.
-void hold_vertices(Simulation& sim, std::size_t body) {
-  MechanicsState& m = sim.state->mechanics;
-  std::vector<VertexId> vertices;
-  for (std::size_t v = 0; v < m.vertices.size(); ++v) {
-    const std::uint32_t point = sim.state->cells.map.point_of_vertex(VertexId{v});
-    if (point < sim.bodies[body].first_point || point >= sim.bodies[body].end_point) continue;
-    vertices.push_back(VertexId{v});
+/// Nodes of one body, ascending.
+std::vector<VertexId> nodes_of_body(const Simulation& sim, std::size_t body) {
+  const MechanicsState& m = sim.state->mechanics;
+  const BodyRows& rows = sim.bodies[body];
+  std::vector<VertexId> nodes;
+  for (std::size_t t = rows.first_tetrahedron; t < rows.end_tetrahedron; ++t) {
+    const ElementNodes own = nodes_of(m.elements, sim.state->cells.map.corners(), TetId{t});
+    nodes.insert(nodes.end(), own.begin(), own.end());
   }
-  const BodySettings& settings = sim.scene.bodies[body];
-  hold_vertices(m, vertices, settings.held, settings.rotation);
+  sort_unique(nodes);
+  return nodes;
+}
+
+/// Gives the edges of bodies of order 2 their nodes, with columns of their own. Nothing is held yet.
+void raise_order(Simulation& sim) {
+  Cells& cells = sim.state->cells;
+  MechanicsState& m = sim.state->mechanics;
+  std::vector<EdgeNodes>& edges = m.elements.edge_nodes;
+  for (std::size_t b = 0; b < sim.bodies.size(); ++b) {
+    if (sim.scene.bodies[b].order != 2) continue;
+    const BodyRows& rows = sim.bodies[b];
+    append_edge_nodes(edges, cells.map, TetId{rows.first_tetrahedron}, TetId{rows.end_tetrahedron});
+    for (std::size_t t = rows.first_tetrahedron; t < rows.end_tetrahedron; ++t) {
+      for (std::size_t e = 0; e < 6; ++e) {
+        // Rows come in the order in which they are met.
+        if (edges[t][e].index() != m.vertices.size()) continue;
+        const Corners& c = cells.map.corners(TetId{t});
+        append_middle(m.vertices, c[static_cast<std::size_t>(edge_ends[e][0])],
+                      c[static_cast<std::size_t>(edge_ends[e][1])]);
+        append_node(cells, m.vertices.component.back());
+      }
+    }
+  }
+  if (!edges.empty()) m.elements.corner_stress.resize(m.elements.size());
+  for (std::array<Mat3, 4>& stress : m.elements.corner_stress) stress.fill(Mat3::Zero());
 }
 
 /// Places every component of a body, all of them as one rigid body.
@@ -131,7 +159,7 @@ Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
-Result<Simulation> build_bodies(Scene scene) {
+Result<Simulation> build_statics(Scene scene) {
   Result<Simulation> result;
   result.findings = check_input(scene);
   if (has_error(result.findings)) return result;
@@ -166,7 +194,11 @@ Result<Simulation> build_bodies(Scene scene) {
   sim.scratch = Owned(std::make_unique<SimulationScratch>());
   sim.state->obstacles = sim.scene.obstacles;
   sim.state->contact.partners = partners_of_cuts(sim.state->cells.map, uncut);
-  for (std::size_t b = 0; b < sim.bodies.size(); ++b) hold_vertices(sim, b);
+  raise_order(sim);
+  for (std::size_t b = 0; b < sim.bodies.size(); ++b) {
+    const BodySettings& body = sim.scene.bodies[b];
+    hold_vertices(sim.state->mechanics, nodes_of_body(sim, b), body.held, body.rotation);
+  }
   append(result.findings, make_scene_loads(sim));
   if (has_error(result.findings)) return result;
   const std::vector<ComponentId> living = living_components(sim.state->mechanics);
@@ -184,19 +216,11 @@ Result<Simulation> build_bodies(Scene scene) {
 }
 
 Result<Simulation> build_simulation(Scene scene) {
-  std::vector<Finding> refused;
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    if (scene.bodies[b].order == 1) continue;
-    refused.push_back(
-        {.code = "second_order_in_motion",
-         .text = fmt::format("bodies.{}.order: is 2, and such a body has an equilibrium and modes "
-                             "(`sunder static`, `sunder modes`), but does not move",
-                             b),
-         .remedy = "leave order out; where thin parts bend take more layers (docs/bending.md)"});
+  Result<Simulation> refused;
+  for (SettingFinding& f : second_order_findings(scene)) {
+    refused.findings.push_back(std::move(f.finding));
   }
-  Result<Simulation> result;
-  result.findings = std::move(refused);
-  return has_error(result.findings) ? std::move(result) : build_bodies(std::move(scene));
+  return has_error(refused.findings) ? std::move(refused) : build_statics(std::move(scene));
 }
 
 }  // namespace sunder

@@ -6,6 +6,7 @@
 
 #include "fracture/simulation/rows.hpp"
 #include "fracture/simulation/simulation_state.hpp"
+#include "topology/kernel/edge_nodes.hpp"
 
 namespace sunder {
 namespace {
@@ -57,6 +58,8 @@ std::vector<Finding> damage_of(const Cells& cells) {
 
 std::vector<Finding> check_map(const Simulation& simulation) {
   std::vector<Finding> findings = damage_of(simulation.state->cells);
+  const std::vector<EdgeNodes>& edges = simulation.state->mechanics.elements.edge_nodes;
+  if (findings.empty() && !edges.empty()) findings = check(edges, simulation.state->cells.map);
   for (Finding& f : findings) {
     f.text = fmt::format("after step {} (t = {:.6g} s): {}", simulation.state->step,
                          simulation.state->mechanics.time, f.text);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "fracture/algorithms/find_fractures.hpp"
+#include "fracture/algorithms/split_fan.hpp"
 #include "fracture/simulation/rebuild_pieces.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "topology/base/sort_unique.hpp"
@@ -49,14 +50,11 @@ Result<FanEvent> split_faces(Simulation& simulation, std::span<const HalfFaceId>
   }
   std::vector<VertexId> rows;
   for (const HalfFaceId face : faces) {
-    const FaceSplit split = split_face(s.cells.map, face);
+    const FaceSplit split = part_face({s.cells, s.mechanics}, face, event.nodes);
     if (!split.did) continue;
     rows.insert(rows.end(), split.vertices.begin(), split.vertices.end());
     for (int i = 0; i < split.vertex_count; ++i) {
-      const VertexCopy& copy = split.split_vertices[static_cast<std::size_t>(i)];
-      append_copy(s.mechanics.vertices, copy.old_row);
-      append_copy(s.cells, copy.old_row);
-      rows.push_back(copy.new_row);
+      rows.push_back(split.split_vertices[static_cast<std::size_t>(i)].new_row);
     }
     event.faces.push_back(split);
   }

@@ -44,9 +44,9 @@ struct Simulation {
 using StepObserver = std::function<void(const Simulation&, const PartReport&)>;
 
 /// Builds every body of a scene at its start: map, columns, supports, placement, components.
-/// Errors: all that is wrong with meshes and settings (`check_mesh`, `check_scene`);
-/// second_order_in_motion for a body of order 2 (`build_statics` takes it). Warnings and notes may
-/// stand beside a simulation. O(|T|).
+/// Bodies of order 2 get nodes in the middles of their edges, rows behind those of the vertices.
+/// Errors: all that is wrong with meshes and settings (`check_mesh`, `check_scene`,
+/// `second_order_findings`). Warnings and notes may stand beside a simulation. O(|T|).
 Result<Simulation> build_simulation(Scene scene);
 
 /// One step, `scene.integrator.time_step` long: contact and external forces -> integrate -> element

@@ -14,8 +14,4 @@ struct PartReport {
   const ContactReport& contact;
 };
 
-/// `build_simulation` for bodies of any order: those of order 2 come as the map has them, their nodes
-/// in the middles of edges still missing.
-Result<Simulation> build_bodies(Scene scene);
-
 }  // namespace sunder

@@ -176,12 +176,12 @@ std::uint32_t enlist(ContactBodies& bodies, ComponentId component, std::uint32_t
 
 /// Calls `visit(vertex)` for every vertex that a contact acts on.
 template <class Visit>
-void for_each_vertex(const ContactPoint& contact, std::span<const Corners> corners, Visit visit) {
+void for_each_vertex(const ContactPoint& contact, const ContactPass& pass, Visit visit) {
   if (contact.ball == ContactPoint::none) visit(contact.vertex);
   if (contact.obstacle == ContactPoint::none) {
-    const Corners& touched = corners[contact.tetrahedron.index()];
-    for (std::size_t i = 0; i < 4; ++i) {
-      if (contact.weights[i] != 0) visit(touched[i]);
+    const TouchedNodes touched = touched_nodes(contact, pass.state, pass.input.corners);
+    for (std::size_t i = 0; i < touched.count; ++i) {
+      if (touched.share[i] != 0) visit(touched.row[i]);
     }
   }
 }
@@ -196,7 +196,7 @@ void enlist_all(ContactBodies& bodies, std::span<const ContactPoint> contacts,
   bodies.ball.clear();
   bodies.slots.clear();
   for (const ContactPoint& contact : contacts) {
-    for_each_vertex(contact, pass.input.corners, [&](VertexId v) {
+    for_each_vertex(contact, pass, [&](VertexId v) {
       const std::uint32_t place =
           enlist(bodies, pass.state.vertices.component[v.index()], ContactBodies::none);
       bodies.slots[place].push_back(v);
@@ -234,12 +234,12 @@ ContactEnd vertex_end(const ContactBodies& bodies, const ContactPass& pass, Vert
   return end;
 }
 
-/// Corners by their weights. All have the arm of `place`, where side A is: both sides then feel the
-/// same line of action, and angular momentum is conserved exactly. What the corners' own moment
+/// Nodes by their shares. All have the arm of `place`, where side A is: both sides then feel the
+/// same line of action, and angular momentum is conserved exactly. What the nodes' own moment
 /// falls short of that is rigid and deforms nothing.
 void add_tetrahedron_ends(ContactRow& row, const ContactPoint& contact, const Vec3& place,
                           const ContactBodies& bodies, const ContactPass& pass) {
-  const Corners& corners = pass.input.corners[contact.tetrahedron.index()];
+  const TouchedNodes touched = touched_nodes(contact, pass.state, pass.input.corners);
   const ComponentId id = pass.state.elements.component[contact.tetrahedron.index()];
   const Component& component = pass.state.components[id.index()];
   const Vec3 arm = place - component.centre;
@@ -248,9 +248,9 @@ void add_tetrahedron_ends(ContactRow& row, const ContactPoint& contact, const Ve
             {.body = bodies.body_of_component[id.index()], .weight = -1, .arm = arm, .lever = arm});
     return;
   }
-  for (std::size_t i = 0; i < 4; ++i) {
-    if (contact.weights[i] == 0) continue;
-    ContactEnd end = vertex_end(bodies, pass, corners[i], -contact.weights[i]);
+  for (std::size_t i = 0; i < touched.count; ++i) {
+    if (touched.share[i] == 0) continue;
+    ContactEnd end = vertex_end(bodies, pass, touched.row[i], -touched.share[i]);
     end.lever = arm - end.arm;
     end.arm = arm;
     add_end(row, end);

@@ -180,7 +180,7 @@ Vec3 relative_velocity(const ContactPoint& contact, const StepPaths& paths) {
   const Vec3 sum = contact.ball == ContactPoint::none ? velocity[contact.vertex.index()]
                                                       : velocity_of(contact.ball);
   if (contact.obstacle != ContactPoint::none) return sum - velocity_of(contact.obstacle);
-  return sum - weighted_sum(paths.corners[contact.tetrahedron.index()], contact.weights, velocity);
+  return sum - touched_nodes(contact, paths.state, paths.corners).sum(velocity);
 }
 
 }  // namespace
@@ -267,11 +267,32 @@ std::array<double, 4> weights_on(const ContactPoint& contact, const std::array<d
                         start_of_side_a(contact, paths));
 }
 
-Vec3 weighted_sum(const Corners& corners, const std::array<double, 4>& weights,
-                  std::span<const Vec3> values) {
-  Vec3 sum = Vec3::Zero();
-  for (std::size_t i = 0; i < 4; ++i) sum += weights[i] * values[corners[i].index()];
-  return sum;
+TouchedNodes touched_nodes(const ContactPoint& contact, const MechanicsState& state,
+                           std::span<const Corners> corners) {
+  const TetId t = contact.tetrahedron;
+  const Corners& own = corners[t.index()];
+  const std::array<double, 4>& L = contact.weights;
+  TouchedNodes touched;
+  const bool is_rigid = state.components[state.elements.component[t.index()].index()].rigid;
+  if (is_rigid || !is_second_order(state.elements, t)) {
+    std::ranges::copy(own, touched.row.begin());
+    std::ranges::copy(L, touched.share.begin());
+    touched.count = 4;
+    return touched;
+  }
+  const auto add = [&](VertexId row, double share) {
+    if (share == 0) return;
+    SUNDER_ASSERT(touched.count < touched.row.size(), "touched_nodes: a place inside");
+    touched.row[touched.count] = row;
+    touched.share[touched.count++] = share;
+  };
+  for (std::size_t i = 0; i < 4; ++i) add(own[i], L[i] * (2 * L[i] - 1));
+  for (std::size_t e = 0; e < 6; ++e) {
+    const auto [i, j] = edge_ends[e];
+    add(state.elements.edge_nodes[t.index()][e],
+        4 * L[static_cast<std::size_t>(i)] * L[static_cast<std::size_t>(j)]);
+  }
+  return touched;
 }
 
 Vec3 start_of_side_a(const ContactPoint& contact, const StepPaths& paths) {
@@ -281,11 +302,6 @@ Vec3 start_of_side_a(const ContactPoint& contact, const StepPaths& paths) {
   const Shape& shape = paths.obstacles[contact.ball].shape;
   return contact.corner == ContactPoint::none ? pose_of(shape).centre
                                               : corner_at(shape, contact.corner);
-}
-
-Vec3 lever_of(const ContactPoint& contact, const Vec3& place, const Corners& corners,
-              std::span<const Vec3> start) {
-  return place - weighted_sum(corners, contact.weights, start);
 }
 
 ContactPath path_of(const ContactPoint& contact, const StepPaths& paths) {
@@ -306,11 +322,11 @@ ContactPath path_of(const ContactPoint& contact, const StepPaths& paths) {
       path.end -= paths.time_step * obstacle.velocity;
     }
   } else {
-    const Corners& corners = paths.corners[contact.tetrahedron.index()];
+    const TouchedNodes touched = touched_nodes(contact, paths.state, paths.corners);
     const ComponentId id = paths.state.elements.component[contact.tetrahedron.index()];
     const Component& component = paths.state.components[id.index()];
-    const Vec3 lever = lever_of(contact, path.start, corners, paths.state.vertices.position);
-    path.end -= weighted_sum(corners, contact.weights, paths.predicted);
+    const Vec3 lever = lever_of(touched, path.start, paths.state.vertices.position);
+    path.end -= touched.sum(paths.predicted);
     path.end -= component.rigid ? lever
                                    : paths.frame[id.index()].orientation *
                                          (component.orientation.conjugate() * lever);

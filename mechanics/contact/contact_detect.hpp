@@ -83,17 +83,32 @@ void pair_up(DetectScratch& scratch, const StepPaths& paths);
 std::array<double, 4> weights_on(const ContactPoint& contact, const std::array<double, 4>& touched,
                                  const StepPaths& paths);
 
-/// Weighted sum of a tetrahedron's four positions or velocities.
-Vec3 weighted_sum(const Corners& corners, const std::array<double, 4>& weights,
-                  std::span<const Vec3> values);
+/// The nodes of B, a tetrahedron, that a contact acts on, and their shares: its corners by the contact's
+/// weights; of second order, where it deforms, shape functions there: with the weights L_i those are
+/// L_i (2 L_i - 1) of corners and 4 L_i L_j of edges, on one face at most.
+struct TouchedNodes {
+  std::array<VertexId, 6> row;
+  std::array<double, 6> share;
+  std::size_t count = 0;
+
+  /// Of positions or velocities, a row a node.
+  Vec3 sum(std::span<const Vec3> values) const {
+    Vec3 result = Vec3::Zero();
+    for (std::size_t i = 0; i < count; ++i) result += share[i] * values[row[i].index()];
+    return result;
+  }
+};
+TouchedNodes touched_nodes(const ContactPoint& contact, const MechanicsState& state,
+                           std::span<const Corners> corners);
 
 /// Where side A of a contact is at the start, m: the centre of a ball.
 Vec3 start_of_side_a(const ContactPoint& contact, const StepPaths& paths);
 
 /// From the point of B, a tetrahedron, to where side A is (`place`), both at the start of a step, m. An
 /// impulse acts on B at the end of it, as if it were fast to B. `start`: positions there.
-Vec3 lever_of(const ContactPoint& contact, const Vec3& place, const Corners& corners,
-              std::span<const Vec3> start);
+inline Vec3 lever_of(const TouchedNodes& touched, const Vec3& place, std::span<const Vec3> start) {
+  return place - touched.sum(start);
+}
 
 /// Where side A of a contact is, and the reference of side B, at the start and end of the step.
 struct ContactPath {

@@ -183,10 +183,9 @@ Vec3 relative_shift(const ContactStep& step, const ContactPoint& contact) {
   if (contact.obstacle != ContactPoint::none) {
     shift -= weight_shift_of_ball(step, contact.obstacle);
   } else {
-    const Corners& corners = step.pass.input.corners[contact.tetrahedron.index()];
     const ComponentId id = state.elements.component[contact.tetrahedron.index()];
-    shift -=
-        weight_shift(step, id, weighted_sum(corners, contact.weights, state.vertices.position));
+    const TouchedNodes touched = touched_nodes(contact, state, step.pass.input.corners);
+    shift -= weight_shift(step, id, touched.sum(state.vertices.position));
   }
   return shift;
 }

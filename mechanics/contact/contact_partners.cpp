@@ -13,12 +13,19 @@
 namespace sunder {
 namespace {
 
-/// One corner of a pair of crack faces; A is the lower vertex row.
+/// Where a node of a face is in its tetrahedron: at a corner, or between two of them.
+struct NodePlace {
+  std::uint8_t corner = 0, other = 0;
+
+  bool is_edge() const { return corner != other; }
+};
+
+/// One node of a pair of crack faces; A is the lower row.
 struct Facing {
   VertexId a, b;
-  HalfFaceId face;    ///< of A: tells contacts of the same vertices apart
+  HalfFaceId face;    ///< of A: tells contacts of the same nodes apart
   TetId tetrahedron;  ///< of B
-  std::uint8_t corner = 0;
+  NodePlace place;    ///< of B
   Vec3 area{0, 0, 0};  ///< m^2, from B to A
 };
 
@@ -28,6 +35,25 @@ ComponentId component_of(const StepPaths& paths, HalfFaceId face) {
 
 VertexId vertex_of(const StepPaths& paths, HalfFaceId face, std::uint8_t corner) {
   return paths.corners[tetrahedron_of(face).index()][corner];
+}
+
+VertexId node_of(const StepPaths& paths, HalfFaceId face, NodePlace at) {
+  if (!at.is_edge()) return vertex_of(paths, face, at.corner);
+  const auto edge = static_cast<std::size_t>(edge_between(at.corner, at.other));
+  return paths.state.elements.edge_nodes[tetrahedron_of(face).index()][edge];
+}
+
+/// Calls `visit(a, b)` with the places of nodes that meet, of `face` and `opposite`.
+template <class Visit>
+void for_each_pair(const StepPaths& paths, const Partner& p, Visit visit) {
+  const bool has_edges = is_second_order(paths.state.elements, tetrahedron_of(p.face));
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t next = (k + 1) % 3;
+    visit(NodePlace{p.corner[k], p.corner[k]}, NodePlace{p.opposite_corner[k], p.opposite_corner[k]});
+    if (!has_edges) continue;
+    visit(NodePlace{p.corner[k], p.corner[next]},
+          NodePlace{p.opposite_corner[k], p.opposite_corner[next]});
+  }
 }
 
 bool among_members(const StepPaths& paths, const Partner& partner) {
@@ -63,20 +89,17 @@ bool is_apart(const StepPaths& paths, const Partner& p) {
   return least_gap >= p.reach || most_slip >= p.reach;
 }
 
-/// Every corner that has come apart, sorted by vertices and face.
-std::vector<Facing> facing_corners(const ContactMemory& memory, const StepPaths& paths) {
+/// Every node that has come apart, sorted by rows and face.
+std::vector<Facing> facing_nodes(const ContactMemory& memory, const StepPaths& paths) {
   std::vector<Facing> all;
   for (const Partner& p : memory.partners) {
     if (!among_members(paths, p)) continue;
     const Vec3 area = area_between(paths, p);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const VertexId a = vertex_of(paths, p.face, p.corner[k]);
-      const VertexId b = vertex_of(paths, p.opposite, p.opposite_corner[k]);
-      if (a < b) {
-        all.push_back({a, b, p.face, tetrahedron_of(p.opposite), p.opposite_corner[k], -area});
-      }
-      if (b < a) all.push_back({b, a, p.opposite, tetrahedron_of(p.face), p.corner[k], area});
-    }
+    for_each_pair(paths, p, [&](NodePlace own, NodePlace other) {
+      const VertexId a = node_of(paths, p.face, own), b = node_of(paths, p.opposite, other);
+      if (a < b) all.push_back({a, b, p.face, tetrahedron_of(p.opposite), other, -area});
+      if (b < a) all.push_back({b, a, p.opposite, tetrahedron_of(p.face), own, area});
+    });
   }
   std::sort(all.begin(), all.end(), [](const Facing& p, const Facing& q) {
     return std::tuple(p.a, p.b, p.face) < std::tuple(q.a, q.b, q.face);
@@ -84,7 +107,7 @@ std::vector<Facing> facing_corners(const ContactMemory& memory, const StepPaths&
   return all;
 }
 
-/// Of corners with the same two vertices: one for all that lie in one plane, with their areas.
+/// Of pairs of the same two nodes: one for all that lie in one plane, with their areas.
 void merge_planes(std::vector<Facing>& all) {
   const double one_plane = cosine(10 * std::numbers::pi / 180);
   std::size_t kept = 0, first = 0;
@@ -104,11 +127,11 @@ void merge_planes(std::vector<Facing>& all) {
   all.resize(kept);
 }
 
-/// Where the impulse acts on B: its vertex; of a rigid tetrahedron the place of A.
-std::array<double, 4> weights_of(const ContactPoint& contact, std::uint8_t corner,
-                                 const StepPaths& paths) {
+/// Where the impulse acts on B: its node; of a rigid tetrahedron the place of A.
+std::array<double, 4> weights_of(const ContactPoint& contact, NodePlace at, const StepPaths& paths) {
   std::array<double, 4> weights{};
-  weights[corner] = 1;
+  weights[at.corner] += 0.5;
+  weights[at.other] += 0.5;
   return weights_on(contact, weights, paths);
 }
 
@@ -121,40 +144,40 @@ void update_partners(ContactMemory& memory, DetectScratch& scratch, const StepPa
   });
   scratch.facing.clear();
   for (const Partner& p : memory.partners) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const VertexId a = vertex_of(paths, p.face, p.corner[k]);
-      const VertexId b = vertex_of(paths, p.opposite, p.opposite_corner[k]);
-      if (a == b) continue;
+    for_each_pair(paths, p, [&](NodePlace own, NodePlace other) {
+      const VertexId a = node_of(paths, p.face, own), b = node_of(paths, p.opposite, other);
+      if (a == b) return;
       scratch.facing.emplace_back(a, b);
       scratch.facing.emplace_back(b, a);
-    }
+    });
   }
   sort_unique(scratch.facing);
 }
 
-bool faces(const DetectScratch& scratch, const SpherePair& pair, std::span<const Corners> corners) {
+bool faces(const DetectScratch& scratch, const SpherePair& pair, const StepPaths& paths) {
   const auto first = std::lower_bound(scratch.facing.begin(), scratch.facing.end(),
                                       std::pair(pair.vertex, VertexId{0}));
   for (auto it = first; it != scratch.facing.end() && it->first == pair.vertex; ++it) {
-    if (std::ranges::count(corners[pair.tetrahedron.index()], it->second) > 0) return true;
+    const ElementNodes nodes = nodes_of(paths.state.elements, paths.corners, pair.tetrahedron);
+    if (std::count(nodes.begin(), nodes.end(), it->second) > 0) return true;
   }
   return false;
 }
 
 void find_between_partners(DetectScratch& scratch, const ContactMemory& memory,
                            const StepPaths& paths, const ContactSettings& settings) {
-  std::vector<Facing> corners = facing_corners(memory, paths);
-  merge_planes(corners);
+  std::vector<Facing> nodes = facing_nodes(memory, paths);
+  merge_planes(nodes);
   const std::vector<Vec3>& x = paths.state.vertices.position;
-  for (const Facing& corner : corners) {
+  for (const Facing& node : nodes) {
     ContactPoint contact;
-    contact.vertex = corner.a;
-    contact.tetrahedron = corner.tetrahedron;
-    contact.face = corner.face;
-    contact.weights = weights_of(contact, corner.corner, paths);
+    contact.vertex = node.a;
+    contact.tetrahedron = node.tetrahedron;
+    contact.face = node.face;
+    contact.weights = weights_of(contact, node.place, paths);
     contact.friction = settings.friction;
-    contact.normal = corner.area.normalized();
-    contact.gap_start = contact.normal.dot(x[corner.a.index()] - x[corner.b.index()]);
+    contact.normal = node.area.normalized();
+    contact.gap_start = contact.normal.dot(x[node.a.index()] - x[node.b.index()]);
     contact.offset = contact.gap_start;
     const Vec3 end = path_of(contact, paths).end;
     const double gap = contact.normal.dot(end) + contact.offset;

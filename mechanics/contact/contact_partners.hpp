@@ -11,8 +11,8 @@ namespace sunder {
 /// is forgotten: nothing else keeps a crack from closing through itself. O(partners).
 void update_partners(ContactMemory& memory, DetectScratch& scratch, const StepPaths& paths);
 
-/// Whether a vertex faces a corner of a tetrahedron: then their contact is that of partners.
-bool faces(const DetectScratch& scratch, const SpherePair& pair, std::span<const Corners> corners);
+/// Whether a node faces one of a tetrahedron: then their contact is that of partners.
+bool faces(const DetectScratch& scratch, const SpherePair& pair, const StepPaths& paths);
 
 /// Appends the contacts of partners to `scratch.found`, sorted by vertices, then face: the gap of
 /// two vertices that were one is n . (x_A - x_B), n the mean normal of the faces they share, one

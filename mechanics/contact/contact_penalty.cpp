@@ -82,8 +82,8 @@ Vec3 relative_velocity(const ContactStep& step, const ContactPoint& contact) {
   if (contact.obstacle != ContactPoint::none) {
     return velocity - surface_velocity(obstacles[contact.obstacle], place);
   }
-  return velocity - weighted_sum(step.pass.input.corners[contact.tetrahedron.index()],
-                                 contact.weights, vertices.velocity);
+  return velocity -
+         touched_nodes(contact, step.pass.state, step.pass.input.corners).sum(vertices.velocity);
 }
 
 /// Of spring and damper on side A, N.

@@ -89,7 +89,7 @@ void add_touches(std::vector<FaceTouch>& touches, const DetectScratch& scratch, 
     if (!near[i] || !paths.neighbours[pair.tetrahedron.index()][i].is_none()) continue;
     std::optional<FaceTouch> touch = make(half_face(pair.tetrahedron, place));
     if (!touch) continue;
-    touch->are_partners = faces(scratch, pair, paths.corners);
+    touch->are_partners = faces(scratch, pair, paths);
     touches.push_back(*touch);
   }
 }
@@ -249,21 +249,31 @@ void add(DetectScratch& scratch, const StepPaths& paths, const FaceTouch& touch,
   scratch.found_gap.push_back(touch.gap_end);
 }
 
-/// The vertex that the foot of a touch is, or none().
-VertexId foot_vertex(const FaceTouch& touch, const StepPaths& paths) {
-  constexpr double all = 1 - 1e-6;
-  const auto one = std::ranges::find_if(touch.foot, [](double share) { return share > all; });
-  if (one == touch.foot.end()) return VertexId::none();
-  return corners_of(paths, touch.face)[static_cast<std::size_t>(one - touch.foot.begin())];
+/// The node that the foot of a touch is, or none().
+VertexId foot_node(const FaceTouch& touch, const StepPaths& paths) {
+  constexpr double rounding = 1e-6;
+  const auto is = [&](std::size_t k, double share) {
+    return std::abs(touch.foot[k] - share) < rounding;
+  };
+  const TetId t = tetrahedron_of(touch.face);
+  const auto& places = outward_face[static_cast<std::size_t>(place_of(touch.face))];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t next = (k + 1) % 3;
+    if (touch.foot[k] > 1 - rounding) return paths.corners[t.index()][places[k]];
+    if (!is_second_order(paths.state.elements, t) || !is(k, 0.5) || !is(next, 0.5)) continue;
+    const auto edge = static_cast<std::size_t>(edge_between(places[k], places[next]));
+    return paths.state.elements.edge_nodes[t.index()][edge];
+  }
+  return VertexId::none();
 }
 
-/// Whether a vertex lies on a lower one that lies on it, face to face: the two touches are one.
+/// Whether a node lies on a lower one that lies on it, face to face: the two touches are one.
 bool is_mirror(const FaceTouch& touch, std::span<const FaceTouch> all, const StepPaths& paths) {
-  const VertexId other = foot_vertex(touch, paths);
+  const VertexId other = foot_node(touch, paths);
   if (other.is_none() || touch.vertex < other) return false;
   const auto of_other = std::ranges::equal_range(all, other, {}, &FaceTouch::vertex);
   return std::ranges::any_of(of_other, [&](const FaceTouch& mirror) {
-    return foot_vertex(mirror, paths) == touch.vertex && mirror.normal.dot(touch.normal) < -0.9;
+    return foot_node(mirror, paths) == touch.vertex && mirror.normal.dot(touch.normal) < -0.9;
   });
 }
 
@@ -271,7 +281,8 @@ bool is_mirror(const FaceTouch& touch, std::span<const FaceTouch> all, const Ste
 
 void find_between_pieces(DetectScratch& scratch, const StepPaths& paths,
                          const ContactSettings& settings, bool among_pieces) {
-  update_surface(scratch.surface, paths.corners, paths.neighbours, paths.state.vertices.size());
+  update_surface(scratch.surface, paths.state.elements, paths.corners, paths.neighbours,
+                 paths.state.vertices.size());
   pair_up(scratch, paths);
   if (!among_pieces) {
     std::erase_if(scratch.pairs, [&](const SpherePair& p) { return !paths.is_corner(p.vertex); });

@@ -40,12 +40,13 @@ Vec3 velocity_end(const ContactStep& step, const ContactPoint& contact) {
                  ? velocity[contact.vertex.index()]
                  : obstacle_velocity(step, contact.ball, place);
   if (contact.obstacle == ContactPoint::none) {
-    const Corners& corners = step.pass.input.corners[contact.tetrahedron.index()];
+    const TouchedNodes touched =
+        touched_nodes(contact, step.pass.state, step.pass.input.corners);
     const ComponentId id = step.pass.state.elements.component[contact.tetrahedron.index()];
-    const Vec3 lever = lever_of(contact, place, corners, step.pass.state.vertices.position) +
+    const Vec3 lever = lever_of(touched, place, step.pass.state.vertices.position) +
                        drift_of(step.pass, contact);
     const Vec3& spin = step.pass.mechanics.predicted.frame[id.index()].spin;
-    return sum - weighted_sum(corners, contact.weights, velocity) - spin.cross(lever);
+    return sum - touched.sum(velocity) - spin.cross(lever);
   }
   return sum - obstacle_velocity(step, contact.obstacle, place + drift_of(step.pass, contact));
 }

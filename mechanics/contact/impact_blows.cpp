@@ -74,8 +74,8 @@ Vec3 velocity_of(const ContactStep& step, std::uint32_t row, const ContactPoint&
 
 Vec3 velocity_of_side_b(const ContactStep& step, const ContactPoint& contact) {
   if (contact.obstacle != ContactPoint::none) return velocity_of(step, contact.obstacle, contact);
-  return weighted_sum(step.pass.input.corners[contact.tetrahedron.index()], contact.weights,
-                      step.pass.state.vertices.velocity);
+  return touched_nodes(contact, step.pass.state, step.pass.input.corners)
+      .sum(step.pass.state.vertices.velocity);
 }
 
 Vec3 velocity_of_side_a(const ContactStep& step, const ContactPoint& contact) {

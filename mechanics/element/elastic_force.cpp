@@ -2,6 +2,7 @@
 // Algorithm 1 of the paper, and the term that makes its force a gradient.
 #include "mechanics/element/elastic_force.hpp"
 
+#include "mechanics/element/second_order.hpp"
 #include "mechanics/element/strain_displacement.hpp"
 #include "mechanics/frame/rotation.hpp"
 
@@ -91,6 +92,13 @@ double elastic_energy(const ElasticInput& input, const Component& component,
   const ElementColumns& elements = input.state.elements;
   double energy = 0;
   for (TetId t : component.tetrahedra) {
+    if (is_second_order(elements, t)) {
+      const std::array<Mat3, 4> H = corner_gradients(elements, input.corners, displacement, t);
+      std::array<Mat3, 4> sigma;
+      for (std::size_t c = 0; c < 4; ++c) sigma[c] = stress_of(H[c], lame(material_of(input.state, t)));
+      energy += 0.5 * elements.rest_volume[t.index()] * mean_product(sigma, H);
+      continue;
+    }
     const CornerVectors d = at_corners(displacement, input.corners[t.index()]);
     const Mat3 H = displacement_gradient(elements.shape_gradient[t.index()], d);
     const Mat3 sigma = stress_of(H, lame(material_of(input.state, t)));

@@ -2,6 +2,7 @@
 // Momenta and energies as plain sums over rows.
 #include "mechanics/element/energy.hpp"
 
+#include "mechanics/element/second_order.hpp"
 #include "mechanics/element/strain_displacement.hpp"
 
 namespace sunder {
@@ -32,10 +33,21 @@ StressEnergy::StressEnergy(const Material& material)
     : factor(0.25 / lame(material).mu),
       share(material.poisson_ratio / (1 + material.poisson_ratio)) {}
 
+double linear_stress_energy(const std::array<Mat3, 4>& stress, double rest_volume,
+                            const StressEnergy& energy) {
+  const Mat3 sum = stress[0] + stress[1] + stress[2] + stress[3];
+  double densities = energy.density(sum);
+  for (const Mat3& s : stress) densities += energy.density(s);
+  return rest_volume / 20 * densities;
+}
+
 double element_strain_energy(const MechanicsState& state, TetId element) {
   const ElementColumns& elements = state.elements;
   const std::size_t t = element.index();
   const StressEnergy energy(material_of(state, TetId{t}));
+  if (is_second_order(elements, element)) {
+    return linear_stress_energy(elements.corner_stress[t], elements.rest_volume[t], energy);
+  }
   return elements.rest_volume[t] * energy.density(elements.stress[t]);
 }
 
@@ -50,7 +62,9 @@ double strain_energy(const MechanicsState& state) {
       material = elements.material[t];
       energy = StressEnergy(state.materials[material.index()]);
     }
-    sum += elements.rest_volume[t] * energy.density(elements.stress[t]);
+    sum += is_second_order(elements, TetId{t})
+               ? linear_stress_energy(elements.corner_stress[t], elements.rest_volume[t], energy)
+               : elements.rest_volume[t] * energy.density(elements.stress[t]);
   }
   return sum;
 }

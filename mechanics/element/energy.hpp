@@ -41,6 +41,11 @@ struct StressEnergy {
   }
 };
 
+/// The integral of sigma : eps / 2 over a tetrahedron with these stresses at its corners, linear
+/// between them, J.
+double linear_stress_energy(const std::array<Mat3, 4>& stress, double rest_volume,
+                            const StressEnergy& energy);
+
 /// - sum m g . x, J.
 double gravity_energy(const VertexColumns& vertices, const Vec3& gravity);
 

@@ -2,8 +2,6 @@
 // Shape functions in barycentric coordinates L: L_a (2 L_a - 1) at corners, 4 L_i L_j on edges.
 #include "mechanics/element/second_order.hpp"
 
-#include "mechanics/element/energy.hpp"
-
 namespace sunder {
 namespace {
 
@@ -69,26 +67,44 @@ std::array<Mat3, 4> corner_gradients(const ElementColumns& elements,
   return H;
 }
 
-std::array<Mat3, 4> corner_stress(const MechanicsState& state, std::span<const Corners> corners,
-                                  TetId t) {
-  if (!is_second_order(state.elements, t)) {
-    const Mat3& stress = state.elements.stress[t.index()];
-    return {stress, stress, stress, stress};
+double mean_product(const std::array<Mat3, 4>& a, const std::array<Mat3, 4>& b) {
+  Mat3 sum_a = Mat3::Zero(), sum_b = Mat3::Zero();
+  double own = 0;
+  for (std::size_t c = 0; c < 4; ++c) {
+    sum_a += a[c];
+    sum_b += b[c];
+    own += a[c].cwiseProduct(b[c]).sum();
   }
-  std::array<Mat3, 4> stress =
-      corner_gradients(state.elements, corners, state.vertices.displacement, t);
-  const Lame constants = lame(material_of(state, t));
-  for (Mat3& s : stress) s = stress_of(Mat3(s), constants);
-  return stress;
+  return (sum_a.cwiseProduct(sum_b).sum() + own) / 20;
 }
 
-double linear_stress_energy(const std::array<Mat3, 4>& stress, double rest_volume,
-                            const Material& material) {
-  const StressEnergy energy(material);
-  Mat3 sum = stress[0] + stress[1] + stress[2] + stress[3];
-  double densities = energy.density(sum);
-  for (const Mat3& s : stress) densities += energy.density(s);
-  return rest_volume / 20 * densities;
+Vec3 second_order_force(const ShapeGradient& G, double rest_volume,
+                        const std::array<Mat3, 4>& stress, std::size_t a) {
+  const Terms terms = terms_of(a);
+  const Mat3 sum = stress[0] + stress[1] + stress[2] + stress[3];
+  Vec3 force = Vec3::Zero();
+  for (std::size_t i = 0; i < terms.count; ++i) {
+    const auto [factor, along] = terms.term[i];
+    // Means of 4 L_factor sigma, and of sigma at corners.
+    const Mat3 mean = 0.2 * (sum + stress[static_cast<std::size_t>(factor)]) -
+                      (terms.is_corner ? 0.25 : 0.0) * sum;
+    force += rest_volume * (mean * G.col(along));
+  }
+  return force;
+}
+
+VertexId append_middle(VertexColumns& vertices, VertexId a, VertexId b) {
+  const auto middle = [&](std::vector<Vec3>& column) {
+    const Vec3 value = 0.5 * (column[a.index()] + column[b.index()]);
+    column.back() = value;
+  };
+  const VertexId row = append_copy(vertices, a);
+  middle(vertices.rest_position);
+  middle(vertices.position);
+  middle(vertices.velocity);
+  vertices.mass[row.index()] = 0;
+  vertices.support[row.index()] = MotionId::none();
+  return row;
 }
 
 void add_consistent_weight(std::vector<Vec3>& force, const MechanicsState& state,

@@ -36,14 +36,17 @@ std::array<Mat3, 4> corner_gradients(const ElementColumns& elements,
                                      std::span<const Corners> corners,
                                      std::span<const Vec3> displacement, TetId t);
 
-/// Stress at the four corners of any tetrahedron, Pa, body frame: of first order four times the one
-/// that it has.
-std::array<Mat3, 4> corner_stress(const MechanicsState& state, std::span<const Corners> corners,
-                                  TetId t);
+/// The mean over a tetrahedron of a : b, both linear in it and given at its corners.
+double mean_product(const std::array<Mat3, 4>& a, const std::array<Mat3, 4>& b);
 
-/// The integral of sigma : eps / 2 over a tetrahedron with these stresses at its corners, J.
-double linear_stress_energy(const std::array<Mat3, 4>& stress, double rest_volume,
-                            const Material& material);
+/// The force K_e d_e on node `a` (0 to 9) from the stresses at the corners: the integral of
+/// sigma grad N_a, exact. N, body frame.
+Vec3 second_order_force(const ShapeGradient& gradient, double rest_volume,
+                        const std::array<Mat3, 4>& stress, std::size_t a);
+
+/// Appends the row of a node in the middle between two vertices at rest, or of a body that moves
+/// rigidly; its mass follows with `rebuild`.
+VertexId append_middle(VertexColumns& vertices, VertexId a, VertexId b);
 
 /// Adds to `force` (N, world, |V| rows, resized with zeros) what the weight of second-order
 /// tetrahedra at their nodes has beyond that of the nodes' masses. Nothing in all, and no moment.

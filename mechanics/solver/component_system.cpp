@@ -187,7 +187,11 @@ void assemble_system(ComponentSystem& system, std::span<std::uint32_t> local_row
   system.cell_travel = cell_travel(input.state, component);
   system.tetrahedra = component.tetrahedra;
   system.corners.clear();
+  system.edge_nodes.clear();
   for (TetId t : component.tetrahedra) system.corners.push_back(input.corners[t.index()]);
+  const std::vector<EdgeNodes>& edges = input.state.elements.edge_nodes;
+  if (edges.empty()) return;
+  for (TetId t : component.tetrahedra) system.edge_nodes.push_back(edges[t.index()]);
 }
 
 void build_system(ComponentSystem& system, std::span<std::uint32_t> local_row,

@@ -67,6 +67,7 @@ struct ComponentSystem {
   /// What it was made of, so that a later split can tell which vertices are copies of which.
   std::vector<TetId> tetrahedra;
   std::vector<Corners> corners;
+  std::vector<EdgeNodes> edge_nodes;  ///< empty where all are of first order
   std::vector<VertexId> row_vertex;  ///< of every extended row
 
   std::size_t size() const { return order.size(); }

@@ -2,6 +2,7 @@
 // A system after splits with the factors of the one before.
 #include <algorithm>
 
+#include "mechanics/element/second_order.hpp"
 #include "mechanics/element/strain_displacement.hpp"
 #include "mechanics/solver/assemble_system.hpp"
 #include "mechanics/state/supports.hpp"
@@ -20,19 +21,22 @@ void find_copies(ComponentSystem& old, ExtendedRows& rows, const SystemInput& in
   for (std::size_t r = 0; r < old.row_vertex.size(); ++r) {
     rows[old.row_vertex[r].index()] = static_cast<std::uint32_t>(r);
   }
+  const auto find_copy = [&](VertexId before, VertexId copy) {
+    // Held vertices have no row, and copies of them neither.
+    const std::uint32_t origin = rows[before.index()];
+    if (copy == before || rows[copy.index()] != none || origin == none) return;
+    rows[copy.index()] = static_cast<std::uint32_t>(old.row_vertex.size());
+    old.row_vertex.push_back(copy);
+    old.border.columns.push_back({.origin = origin,
+                                  .vertex_mass = input.state.vertices.mass[copy.index()],
+                                  .row = {},
+                                  .stiffness = {}});
+  };
   for (std::size_t i = 0; i < old.tetrahedra.size(); ++i) {
-    const Corners& now = input.corners[old.tetrahedra[i].index()];
-    for (std::size_t a = 0; a < 4; ++a) {
-      const VertexId copy = now[a];
-      // Held vertices have no row, and copies of them neither.
-      const std::uint32_t origin = rows[old.corners[i][a].index()];
-      if (copy == old.corners[i][a] || rows[copy.index()] != none || origin == none) continue;
-      rows[copy.index()] = static_cast<std::uint32_t>(old.row_vertex.size());
-      old.row_vertex.push_back(copy);
-      old.border.columns.push_back({.origin = origin,
-                                    .vertex_mass = input.state.vertices.mass[copy.index()],
-                                    .row = {},
-                                    .stiffness = {}});
+    const TetId t = old.tetrahedra[i];
+    const ElementNodes now = nodes_of(input.state.elements, input.corners, t);
+    for (std::size_t a = 0; a < now.count; ++a) {
+      find_copy(a < 4 ? old.corners[i][a] : old.edge_nodes[i][a - 4], now.row[a]);
     }
   }
 }
@@ -54,25 +58,36 @@ void add_block(FactorBorder& border, FactorBorder::Column& column, std::uint32_t
   }
 }
 
+/// The block of K_e between nodes `b` and `a` of a tetrahedron with `count` of them.
+Mat3 node_block(const ShapeGradient& G, double volume, const Lame& constants, std::size_t count,
+                std::size_t b, std::size_t a) {
+  if (count == 4) {
+    return stiffness_block(G.col(static_cast<Eigen::Index>(b)), G.col(static_cast<Eigen::Index>(a)),
+                           volume, constants);
+  }
+  Mat3 block = Mat3::Zero();
+  add_second_order_block(block.data(), G, b, a,
+                         {volume * constants.lambda, volume * constants.mu});
+  return block;
+}
+
 /// K in the columns of the copies from place `first` on.
 void fill_columns(ComponentSystem& old, const ExtendedRows& rows, std::size_t first,
                   const SystemInput& input) {
   const ElementColumns& elements = input.state.elements;
   for (const TetId t : old.tetrahedra) {
-    const Corners& corners = input.corners[t.index()];
-    for (std::size_t a = 0; a < 4; ++a) {
-      const std::uint32_t own = rows[corners[a].index()];
+    const ElementNodes nodes = nodes_of(elements, input.corners, t);
+    for (std::size_t a = 0; a < nodes.count; ++a) {
+      const std::uint32_t own = rows[nodes.row[a].index()];
       if (own == none || own < old.border.base + first) continue;
       const ShapeGradient& G = elements.shape_gradient[t.index()];
       const Lame constants = lame(material_of(input.state, t));
-      for (std::size_t b = 0; b < 4; ++b) {
-        const std::uint32_t row = rows[corners[b].index()];
+      for (std::size_t b = 0; b < nodes.count; ++b) {
+        const std::uint32_t row = rows[nodes.row[b].index()];
         if (row == none) continue;
-        Mat3 block = stiffness_block(G.col(static_cast<Eigen::Index>(b)),
-                                     G.col(static_cast<Eigen::Index>(a)),
-                                     elements.rest_volume[t.index()], constants);
-        leave_out(block, held_axes(input.state, corners[b]), held_axes(input.state, corners[a]),
-                  a == b);
+        Mat3 block = node_block(G, elements.rest_volume[t.index()], constants, nodes.count, b, a);
+        leave_out(block, held_axes(input.state, nodes.row[b]),
+                  held_axes(input.state, nodes.row[a]), a == b);
         add_block(old.border, old.border.columns[own - old.border.base], row, block);
       }
     }

@@ -79,6 +79,9 @@ struct ElementColumns {
   std::vector<Mat3> stress;
   /// none() in tetrahedra of first order; empty where all are.
   std::vector<EdgeNodes> edge_nodes;
+  /// Pa, at the four corners, linear between them; empty where all are of first order. Written with
+  /// `stress`, which those of first order have at all corners.
+  std::vector<std::array<Mat3, 4>> corner_stress;
 
   std::size_t size() const { return rest_volume.size(); }
 };

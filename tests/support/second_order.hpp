@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "mechanics/element/second_order.hpp"
 #include "mechanics/state/mechanics_state.hpp"
 #include "tests/support/bodies.hpp"
 
@@ -41,17 +42,15 @@ inline std::vector<std::pair<TetId, int>> boundary_faces_of(std::span<const Corn
 inline void raise_order(MechanicsState& state, std::span<const Corners> corners) {
   std::map<std::pair<VertexId, VertexId>, VertexId> rows;
   state.elements.edge_nodes.assign(corners.size(), {});
+  const Mat3 none = Mat3::Zero();
+  state.elements.corner_stress.assign(corners.size(), {none, none, none, none});
   for (std::size_t t = 0; t < corners.size(); ++t) {
     for (std::size_t e = 0; e < 6; ++e) {
       const VertexId a = corners[t][static_cast<std::size_t>(edge_ends[e][0])];
       const VertexId b = corners[t][static_cast<std::size_t>(edge_ends[e][1])];
       const auto [at, fresh] = rows.try_emplace(std::minmax(a, b), VertexId{state.vertices.size()});
       if (fresh) {
-        const Vec3 middle = 0.5 * (state.vertices.rest_position[a.index()] +
-                                   state.vertices.rest_position[b.index()]);
-        const VertexId row = append_copy(state.vertices, a);
-        state.vertices.rest_position[row.index()] = middle;
-        state.vertices.position[row.index()] = middle;
+        append_middle(state.vertices, a, b);
       }
       state.elements.edge_nodes[t][e] = at->second;
     }

@@ -302,14 +302,15 @@ ordered_json run_report(const RunStatistics& s, const Simulation& now,
     search.erase(key);
   }
   gershgorin["efficiency"] = ratio(s.search.reached, s.search.suspects);
+  const DenseMap& dense = now.state->cells.map.dense();
   ordered_json report = {
       {"scene", now.scene.name},
       {"end", to_string(end)},
       {"steps", now.state->step},
       {"time", now.state->mechanics.time},
       {"time_step", now.scene.integrator.time_step},
-      {"tetrahedra", now.state->cells.map.tetrahedra()},
-      {"vertices", now.state->cells.map.vertices()},
+      {"tetrahedra", dense.tetrahedra()},
+      {"vertices", std::ranges::count(dense.incident_tetrahedra(), false, &TetId::is_none)},
       {"step_ms", distribution(s.step_ms)},
       {"stage_ms", stages},
       {"fans", s.fans},
@@ -317,8 +318,7 @@ ordered_json run_report(const RunStatistics& s, const Simulation& now,
       {"fan_us",
        {{"no_new_component", distribution(s.fan_us[0])},
         {"new_component", distribution(s.fan_us[1])}}},
-      {"searched_tetrahedra", s.searched},
-      {"components", pieces.size()},
+      {"searched_tetrahedra", s.searched}, {"components", pieces.size()},
       {"fragments",
        {{"count", pieces.size()},
         {"single_tetrahedra", std::ranges::count(pieces, 1, &Fragment::tetrahedra)},

@@ -147,15 +147,16 @@ Vec3 way_of_other(const AdoptedPart& part, const ContactPoint& contact) {
   const ComponentId id = part.state.mechanics.elements.component[contact.tetrahedron.index()];
   const Component& component = part.state.mechanics.components[id.index()];
   if (takes_blows(part, component)) return way_after_blow(part, component, place);
-  const VertexColumns& vertices = part.state.mechanics.vertices;
+  const TouchedNodes touched =
+      touched_nodes(contact, part.state.mechanics, part.input.corners);
   Vec3 way = Vec3::Zero();
-  const Corners& corners = part.input.corners[contact.tetrahedron.index()];
-  for (std::size_t i = 0; i < 4; ++i) {
-    const std::size_t v = corners[i].index();
-    way += contact.weights[i] * (vertices.position[v] - part.before.position[v]);
+  for (std::size_t i = 0; i < touched.count; ++i) {
+    const std::size_t v = touched.row[i].index();
+    way += touched.share[i] *
+           (part.state.mechanics.vertices.position[v] - part.before.position[v]);
   }
   if (component.rigid) return way;
-  const Vec3 lever = lever_of(contact, place, corners, part.before.position);
+  const Vec3 lever = lever_of(touched, place, part.before.position);
   const Vec3 turned =
       component.orientation * (part.before.orientation[id.index()].conjugate() * lever);
   return way + turned - lever;

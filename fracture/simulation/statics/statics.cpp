@@ -113,18 +113,14 @@ class Survey {
     answer.supports.resize(sim_.scene.bodies[body].held.size());
     const MechanicsState& m = sim_.state->mechanics;
     for (std::size_t t = rows.first_tetrahedron; t < rows.end_tetrahedron; ++t) {
-      answer.strain_energy +=
-          is_second_order(m.elements, TetId{t})
-              ? linear_stress_energy(corner_stress(m, sim_.state->cells.map.corners(), TetId{t}),
-                                     m.elements.rest_volume[t], material_of(m, TetId{t}))
-              : element_strain_energy(m, TetId{t});
+      answer.strain_energy += element_strain_energy(m, TetId{t});
       answer.mass += sim_.state->mechanics.elements.mass[t];
     }
     const Vec3 centre = mass_centre(body);
     for (std::size_t v = 0; v < body_of_.size(); ++v) {
       if (body_of_[v] != body) continue;
       ++answer.nodes;
-      if (v < sim_.state->cells.map.vertices()) {
+      if (!sim_.state->cells.map.is_node(VertexId{v})) {
         ++answer.vertices;
         see_vertex(answer, v);
       }

@@ -50,10 +50,8 @@ struct Equilibrium {
   std::vector<Mat3> node_stress;
 };
 
-/// A simulation for what stands below: `build_simulation`, and bodies of order 2 get the nodes in
-/// the middles of their edges (rows behind those of the vertices), held and loaded as the scene
-/// says. Errors: those of `build_simulation`; fit_of_second_order for a node stress that is not an
-/// average. O(|T|).
+/// A simulation for what stands below: `build_simulation`, but for what only a body of order 2 that
+/// moves cannot do (`second_order_findings`).
 Result<Simulation> build_statics(Scene scene);
 
 /// Puts the bodies of `simulation`, which stands at its start, where a slow run of the scene would

@@ -9,8 +9,9 @@
 
 namespace sunder {
 
-void update_surface(PieceSurface& s, std::span<const Corners> corners,
-                    std::span<const std::array<HalfFaceId, 4>> neighbours, std::size_t vertices) {
+void update_surface(PieceSurface& s, const ElementColumns& elements,
+                    std::span<const Corners> corners, std::span<const std::array<HalfFaceId, 4>> neighbours,
+                    std::size_t vertices) {
   if (s.ring_first.size() == vertices + 1 && std::ranges::equal(s.corners, corners) &&
       std::ranges::equal(s.neighbours, neighbours)) {
     return;
@@ -26,6 +27,12 @@ void update_surface(PieceSurface& s, std::span<const Corners> corners,
         const VertexId b = corners[t][outward_face[place][(k + 1) % 3]];
         ends.emplace_back(a, b);
         ends.emplace_back(b, a);
+        if (!is_second_order(elements, TetId{t})) continue;
+        const int edge = edge_between(outward_face[place][k], outward_face[place][(k + 1) % 3]);
+        const VertexId middle = elements.edge_nodes[t][static_cast<std::size_t>(edge)];
+        for (const std::uint8_t corner : outward_face[place]) {
+          ends.emplace_back(middle, corners[t][corner]);
+        }
       }
     }
   }

@@ -36,7 +36,9 @@ struct PieceSurface {
 
 /// Makes the surface anew where corners or neighbours (the half-face beyond each face, or none();
 /// |T| rows each) are others than at the last call. O(|T|).
-void update_surface(PieceSurface& surface, std::span<const Corners> corners,
+/// The node of an edge is joined to the corners of its faces.
+void update_surface(PieceSurface& surface, const ElementColumns& elements,
+                    std::span<const Corners> corners,
                     std::span<const std::array<HalfFaceId, 4>> neighbours, std::size_t vertices);
 
 }  // namespace sunder

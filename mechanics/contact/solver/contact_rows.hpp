@@ -65,7 +65,8 @@ struct RowSide {
 
 /// One row of three unknowns.
 struct ContactRow {
-  std::array<ContactEnd, 5> ends;  ///< for whoever makes and applies rows
+  /// For whoever makes and applies rows: a vertex, and six nodes of a face of second order.
+  std::array<ContactEnd, 7> ends;
   std::uint32_t end_count = 0;
   std::array<RowSide, 2> sides;  ///< of different bodies
   std::uint32_t side_count = 0;

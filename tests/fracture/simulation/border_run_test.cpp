@@ -16,7 +16,7 @@ struct Run {
   std::vector<Vec3> position;
 };
 
-Run run(bool with_borders) {
+Run run(bool with_borders, int order) {
   Scene scene;
   scene.integrator.time_step = 2e-5;
   scene.impact.window = false;  // so that systems can be thrown away between any two parts
@@ -25,6 +25,7 @@ Run run(bool with_borders) {
                           .translation = {0, 0, 0.26},
                           .rotation = Eigen::Quaterniond(0.9, 0.3, 0.2, 0.1).normalized(),
                           .velocity = {0, 0, -4}});
+  scene.bodies[0].order = order;
   scene.obstacles.push_back({Plane{}});
   Result<Simulation> sim = build_simulation(scene);
   REQUIRE(sim);
@@ -33,13 +34,14 @@ Run run(bool with_borders) {
     const StepReport report = advance(*sim);
     REQUIRE(report.status.outcome == StepOutcome::fine);
     for (const FanEvent& fan : report.fracture.fans) result.fans.emplace_back(k, fan.vertex);
-    if (last == 2000 && result.fans.size() >= 8) last = k + 20;
+    if (last == 2000 && result.fans.size() >= 8) last = k + (order == 1 ? 20 : 3);
     ComponentSystems& systems = sim->state->mechanics.systems;
     if (!with_borders) {
       for (auto& retired : systems.retired) retired.reset();
     }
-    for (const auto& system : systems.present) {
-      result.bordered += system && !system->border.columns.empty();
+    // Of what breaks in every step the system of the step is retired as it ends.
+    for (const auto* of : {&systems.present, &systems.retired}) {
+      for (const auto& system : *of) result.bordered += system && !system->border.columns.empty();
     }
   }
   result.position = sim->state->mechanics.vertices.position;
@@ -50,7 +52,9 @@ Run run(bool with_borders) {
 
 TEST_CASE("with and without borders the same vertices break in the same steps",
           "[fracture][border]") {
-  const Run with = run(true), without = run(false);
+  // Of order 2 it breaks to pieces at once, whose contacts part the runs soon: compared before that.
+  const int order = GENERATE(1, 2);
+  const Run with = run(true, order), without = run(false, order);
   CHECK(with.fans.size() >= 8);
   CHECK(with.bordered > 0);
   CHECK(without.bordered == 0);

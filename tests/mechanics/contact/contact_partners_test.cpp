@@ -158,7 +158,7 @@ TEST_CASE("a vertex faces the tetrahedra of the vertex that it was one with",
         meets = meets || (c.index() != v && p.state.vertices.rest_position[c.index()] ==
                                                 p.state.vertices.rest_position[v]);
       }
-      CHECK(faces(p.scratch, {TetId{t}, VertexId{v}}, p.body.corners) == meets);
+      CHECK(faces(p.scratch, {TetId{t}, VertexId{v}}, p.paths()) == meets);
       facing += meets;
     }
   }
@@ -167,7 +167,7 @@ TEST_CASE("a vertex faces the tetrahedra of the vertex that it was one with",
   p.memory.partners.clear();
   update_partners(p.memory, p.scratch, p.paths());
   CHECK(p.scratch.facing.empty());
-  CHECK_FALSE(faces(p.scratch, {TetId{0}, p.body.corners.back()[0]}, p.body.corners));
+  CHECK_FALSE(faces(p.scratch, {TetId{0}, p.body.corners.back()[0]}, p.paths()));
 }
 
 TEST_CASE("partners are forgotten when they have parted or slid by their reach",

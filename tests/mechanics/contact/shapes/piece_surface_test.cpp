@@ -67,7 +67,7 @@ TEST_CASE("the surface of a block joins what its faces join, and nothing inside"
           "[mechanics][contact]") {
   const Body block = kuhn_block({3, 3, 3}, {1, 1, 1});
   PieceSurface surface;
-  update_surface(surface, block.corners, neighbours_of(block.corners), block.rest.size());
+  update_surface(surface, {}, block.corners, neighbours_of(block.corners), block.rest.size());
   for (std::size_t v = 0; v < block.rest.size(); ++v) {
     const bool inside = block.rest[v].cwiseAbs().maxCoeff() < 0.4;
     CHECK(surface.ring_of(VertexId{v}).empty() == inside);
@@ -79,7 +79,7 @@ TEST_CASE("the surface of a block joins what its faces join, and nothing inside"
   }
   // Each tetrahedron by itself: every vertex sees all others of its own.
   std::vector<std::array<HalfFaceId, 4>> alone(block.corners.size());
-  update_surface(surface, block.corners, alone, block.rest.size());
+  update_surface(surface, {}, block.corners, alone, block.rest.size());
   for (const Corners& c : block.corners) {
     for (VertexId a : c) {
       for (VertexId b : c) {
