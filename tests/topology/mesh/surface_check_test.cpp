@@ -8,7 +8,6 @@
 #include <cmath>
 #include <random>
 
-#include "topology/mesh/surface/crossing.hpp"
 #include "topology/mesh/surface/exact_side.hpp"
 
 using namespace sunder;
@@ -177,29 +176,28 @@ TEST_CASE("signs of determinants are exact", "[mesh][surface_check]") {
   }
 }
 
-TEST_CASE("crossings found by boxes are those of all pairs", "[mesh][surface_check]") {
-  std::mt19937 random(7);
-  for (int round = 0; round < 60; ++round) {
-    std::vector<Point> points;
-    for (int i = 0; i < 343; ++i) points.push_back({i % 7 + 0.0, i / 7 % 7 + 0.0, i / 49 + 0.0});
-    std::vector<SurfaceTriangle> triangles;
-    for (std::uint32_t f = 0; f < 12; ++f) {
-      std::array<std::uint32_t, 3> corners{};
-      for (auto& c : corners) c = static_cast<std::uint32_t>(random() % 343);
-      if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0])
-        continue;
-      triangles.push_back({corners, f});
+TEST_CASE("corners in the middle of sides do not make a surface cross itself",
+          "[mesh][surface_check]") {
+  // Two cubes side by side: a body of ten faces, of which those along two cubes are polygons with
+  // corners in the middle of their long sides, at any place among their corners.
+  for (std::uint32_t turn = 0; turn < 6; ++turn) {
+    FileMesh mesh;
+    for (int i = 0; i < 12; ++i) {
+      mesh.points.push_back({1.0 * (i % 3), 1.0 * (i / 3 % 2), 1.0 * (i / 6)});
     }
-    std::vector<std::array<std::uint32_t, 2>> slow;
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-      for (std::size_t j = i + 1; j < triangles.size(); ++j) {
-        const bool is_so = triangles_cross(points, triangles[i].corners, triangles[j].corners);
-        CHECK(is_so == triangles_cross(points, triangles[j].corners, triangles[i].corners));
-        if (is_so) slow.push_back({triangles[i].face, triangles[j].face});
-      }
+    for (std::array<std::uint32_t, 6> face : {std::array<std::uint32_t, 6>{0, 3, 4, 5, 2, 1},
+                                              {6, 7, 8, 11, 10, 9},
+                                              {0, 1, 2, 8, 7, 6}}) {
+      std::ranges::rotate(face, face.begin() + turn);
+      append_cell(mesh, CellKind::polygon, face);
     }
-    const Crossings found = find_crossings(points, triangles);
-    CHECK(found.is_finished);
-    CHECK(found.pairs == slow);
+    for (const std::array<std::uint32_t, 4>& face :
+         {std::array<std::uint32_t, 4>{3, 9, 10, 4}, {4, 10, 11, 5}, {0, 6, 9, 3}, {2, 5, 11, 8}}) {
+      append_cell(mesh, CellKind::quad4, face);
+    }
+    const SurfaceCheck check = check_surface(mesh);
+    CHECK(check.findings.empty());
+    CHECK(check.crosses_itself == false);
+    CHECK(check.volume.value() == Approx(2).epsilon(1e-14));
   }
 }

@@ -3,6 +3,7 @@
 #include "topology/mesh/surface/crossing.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <span>
 
 #include "topology/base/sort_unique.hpp"
@@ -17,7 +18,7 @@ using Flat = std::array<double, 2>;
 
 Flat flat(const Point& p, std::size_t axis) { return {p[(axis + 1) % 3], p[(axis + 2) % 3]}; }
 
-/// An axis along which the triangle does not look like a line; 3 where it is one.
+/// An axis along which the triangle does not look like a line; 3 where it has no area.
 std::size_t axis_of(const std::array<Point, 3>& t) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (side_of_line(flat(t[0], axis), flat(t[1], axis), flat(t[2], axis)) != 0) return axis;
@@ -53,7 +54,6 @@ bool is_inside(const Flat& p, const std::array<Flat, 3>& t) {
 /// Whether a segment in the triangle's plane meets it.
 bool meets_in_plane(const std::array<Point, 3>& t, const Point& p, const Point& q) {
   const std::size_t axis = axis_of(t);
-  if (axis == 3) return false;  // told as a face without area
   const std::array<Flat, 3> f{flat(t[0], axis), flat(t[1], axis), flat(t[2], axis)};
   const Flat a = flat(p, axis), b = flat(q, axis);
   if (is_inside(a, f) || is_inside(b, f)) return true;
@@ -95,7 +95,6 @@ bool fold_together(const std::vector<Point>& x, const Triangle& a, const Triangl
   const Point &p = x[a[0]], &q = x[a[1]], &r = x[a[2]], &s = x[b[2]];
   if (side_of_plane(p, q, r, s) != 0) return false;
   const std::size_t axis = axis_of({p, q, r});
-  if (axis == 3) return false;
   const Flat e = flat(p, axis), f = flat(q, axis);
   return side_of_line(e, f, flat(r, axis)) == side_of_line(e, f, flat(s, axis));
 }
@@ -108,6 +107,10 @@ bool overlap(const BoundingBox& a, const BoundingBox& b) {
 }
 
 }  // namespace
+
+bool has_area(const std::vector<Point>& points, const Triangle& t) {
+  return axis_of(places(points, t)) < 3;
+}
 
 bool triangles_cross(const std::vector<Point>& points, const Triangle& a, const Triangle& b) {
   std::size_t shared = 0;
@@ -125,10 +128,13 @@ bool triangles_cross(const std::vector<Point>& points, const Triangle& a, const 
 }
 
 Crossings find_crossings(const std::vector<Point>& points,
-                         const std::vector<SurfaceTriangle>& triangles) {
+                         const std::vector<SurfaceTriangle>& all) {
   constexpr std::size_t looks_each = 400;
+  // A triangle that is a line lies on what its neighbours share: it cannot be held against them.
+  std::vector<SurfaceTriangle> triangles;
+  std::ranges::copy_if(all, std::back_inserter(triangles),
+                       [&](const SurfaceTriangle& t) { return has_area(points, t.corners); });
   std::vector<BoundingBox> boxes;
-  boxes.reserve(triangles.size());
   for (const SurfaceTriangle& t : triangles) {
     BoundingBox& box = boxes.emplace_back(BoundingBox{points[t.corners[0]], points[t.corners[0]]});
     for (const std::uint32_t c : t.corners) {
@@ -144,12 +150,13 @@ Crossings find_crossings(const std::vector<Point>& points,
   for (std::uint32_t i = 0; i < triangles.size() && found.is_finished; ++i) {
     const SurfaceTriangle& t = triangles[i];
     const std::size_t looks = for_each_box(
-        tree, [&](const BoundingBox& box) { return overlap(box, tree.boxes[i]); }, [&](std::uint32_t j) {
-      const SurfaceTriangle& other = triangles[j];
-      if (j <= i || t.face == other.face) return;
-      if (!triangles_cross(points, t.corners, other.corners)) return;
-      found.pairs.push_back({std::min(t.face, other.face), std::max(t.face, other.face)});
-    });
+        tree, [&](const BoundingBox& box) { return overlap(box, tree.boxes[i]); },
+        [&](std::uint32_t j) {
+          const SurfaceTriangle& other = triangles[j];
+          if (j <= i || t.face == other.face) return;
+          if (!triangles_cross(points, t.corners, other.corners)) return;
+          found.pairs.push_back({std::min(t.face, other.face), std::max(t.face, other.face)});
+        });
     found.is_finished = looks <= left;
     left -= std::min(left, looks);
   }

@@ -78,6 +78,21 @@ void find_places(Surface& s) {
        "merge them: sunder convert --merge-points 0");
 }
 
+/// Where the fan of a face begins: at its least corner, or at the next one behind it from which all
+/// triangles have an area (a corner may lie on the line between two others).
+std::size_t start_of_fan(const std::vector<Point>& points, std::span<const Row> face) {
+  const auto least = static_cast<std::size_t>(std::ranges::min_element(face) - face.begin());
+  const std::size_t n = face.size();
+  for (std::size_t start = least; start < least + n; ++start) {
+    std::size_t k = 1;
+    while (k + 1 < n &&
+           has_area(points, {face[start % n], face[(start + k) % n], face[(start + k + 1) % n]}))
+      ++k;
+    if (k + 1 >= n) return start % n;
+  }
+  return least;
+}
+
 void take_faces(Surface& s) {
   for (const CellKind kind : {CellKind::triangle, CellKind::quad4, CellKind::polygon}) {
     const CellRows rows = rows_of(s.mesh, kind);
@@ -92,12 +107,12 @@ void take_faces(Surface& s) {
   for (std::size_t f = 0; f < s.faces(); ++f) {
     const auto face = s.face(f);
     const std::size_t n = face.size();
-    const auto least = static_cast<std::size_t>(std::ranges::min_element(face) - face.begin());
+    const std::size_t start = start_of_fan(s.mesh.points, face);
     for (std::size_t k = 0; k < n; ++k) {
       const Row a = face[k], b = face[(k + 1) % n];
       if (a != b) s.sides.push_back({{std::min(a, b), std::max(a, b)}, static_cast<Row>(f), a < b});
       if (k == 0 || k + 1 == n) continue;
-      const std::array<Row, 3> t{face[least], face[(least + k) % n], face[(least + k + 1) % n]};
+      const std::array<Row, 3> t{face[start], face[(start + k) % n], face[(start + k + 1) % n]};
       if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
       s.triangles.push_back({t, static_cast<Row>(f)});
     }

@@ -46,7 +46,8 @@ struct SurfaceCheck {
 };
 
 /// Checks triangles, quadrilaterals and polygons (those of second order by their corners). Faces
-/// with more than three corners are fans around their least corner where their shape matters.
+/// with more than three corners are fans where their shape matters: around their least corner, or
+/// the next one from which no triangle is a line.
 ///
 /// | code | severity | ids |
 /// |---|---|---|
