@@ -16,6 +16,8 @@
 #include "topology/mesh/check.hpp"
 #include "topology/mesh/crack.hpp"
 #include "topology/mesh/file_mesh.hpp"
+#include "topology/mesh/kinds/split_cells.hpp"
+#include "topology/mesh/surface/surface_check.hpp"
 
 namespace sunder::test {
 
@@ -90,6 +92,18 @@ struct Digest {
     for (const OtherCells& cells : m.others) {
       if (!cells.points.empty()) add(cells);
     }
+  }
+  void add(const CellColumns& c) { all(c.region, c.entity, c.source_id, c.data); }
+  void add(const BoundingBox& b) { all(b.low, b.high); }
+  void add(const Extent& e) { all(e.box, e.centre); }
+  void add(const SurfaceCheck& c) {
+    all(c.findings, c.triangles, c.quadrilaterals, c.polygons, c.vertices, c.edges,
+        c.boundary_edges, c.components, c.euler_characteristic, c.is_closed, c.is_manifold,
+        c.is_oriented, c.crosses_itself, c.area, c.volume, c.extent);
+  }
+  void add(const SplitCells& s) {
+    all(s.cut, s.triangles, s.tetrahedra, s.empty_parts, s.concave_volumes, s.concave_faces,
+        s.bent_polygons, s.numbers_added);
   }
   void add(const FindingPlaces& p) { all(p.code, p.kind, p.rows); }
   void add(const Quality::Extreme& e) { all(e.value, e.tetrahedron); }

@@ -13,6 +13,8 @@
 
 #include "sunder_fault.hpp"
 #include "tests/mutants/operators/digest.hpp"
+#include "tests/support/careless_surface.hpp"
+#include "tests/support/random_kinds.hpp"
 #include "tests/support/random_meshes.hpp"
 #include "topology/cells/columns.hpp"
 #include "topology/cells/file_cells.hpp"
@@ -28,7 +30,14 @@
 #include "topology/mesh/check.hpp"
 #include "topology/mesh/crack.hpp"
 #include "topology/mesh/finding_cells.hpp"
+#include "topology/mesh/kinds/column_order.hpp"
+#include "topology/mesh/kinds/move_cells.hpp"
+#include "topology/mesh/kinds/split_cells.hpp"
+#include "topology/mesh/kinds/take_rows.hpp"
 #include "topology/mesh/repair.hpp"
+#include "topology/mesh/surface/crossing.hpp"
+#include "topology/mesh/surface/exact_side.hpp"
+#include "topology/mesh/surface/surface_check.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
 namespace {
@@ -182,6 +191,59 @@ void crack_round(Random& random, Digest& out) {
   for (const char* word : {"one", "2", "-1", "none", "1x"}) out.add(region_called(mesh, word));
 }
 
+void kinds_round(Random& random, Digest& out) {
+  const FileMesh mesh = test::mesh_of_kinds(random);
+  for (const CellKind kind : all_cell_kinds) {
+    FileMesh moved = mesh, dropped = mesh, taken = mesh;
+    if (traits_of(kind).lower != kind) move_cells(moved, kind, traits_of(kind).lower);
+    drop_cells(dropped, kind);
+    std::vector<std::uint32_t> rows;
+    for (std::size_t i = rows_of(mesh, kind).count; i > 0; --i) {
+      rows.push_back(static_cast<std::uint32_t>(below(random, rows_of(mesh, kind).count)));
+    }
+    take_cells(taken, kind, rows);
+    out.all(moved, dropped, taken, faces_of(kind));
+  }
+  for (const DataColumn* column : ordered_cell_columns(mesh)) out.add(*column);
+  FileMesh linear = mesh, cut = mesh, dealt = mesh;
+  make_linear(linear);
+  out.all(linear, split_cells(cut), cut);
+  const std::vector<bool> used = used_points(mesh);
+  for (const bool is_so : used) out.add(is_so);
+  out.all(drop_points_out_of_use(linear, used), linear);
+  std::vector<CellKind> kind_of_row;
+  for (const CellKind kind : all_cell_kinds) {
+    columns_of(dealt, kind) = {};
+    kind_of_row.insert(kind_of_row.end(), rows_of(dealt, kind).count, kind);
+  }
+  deal_columns(dealt, test::random_columns(random, kind_of_row.size()), kind_of_row);
+  const BoundarySurface skin = boundary_surface(mesh);
+  out.all(dealt, skin.mesh, skin.lost_cells, skin.lost_points, has_volume_cells(mesh));
+}
+
+void surface_round(Random& random, Digest& out) {
+  out.add(check_surface(test::careless_surface(random)));
+  const FileMesh mesh = careless(random);
+  if (in_range(mesh)) out.add(extent_of_tetrahedra(mesh));
+  // Points of whole numbers, shaken by a rounding: near a plane, a line, each other.
+  std::vector<Point> points;
+  for (int i = 0; i < 30; ++i) {
+    points.push_back({1.0 * below(random, 4), 1.0 * below(random, 4), 1.0 * below(random, 4)});
+    if (below(random, 3) == 0) points.back()[below(random, 3)] += 0x1p-50 * (unit(random) - 0.5);
+  }
+  std::vector<SurfaceTriangle> triangles;
+  const auto some = [&] { return static_cast<std::uint32_t>(below(random, points.size())); };
+  for (std::uint32_t i = 0; i < 60; ++i) {
+    const std::uint32_t a = some(), b = some(), c = some(), d = some();
+    const Point &p = points[a], &q = points[b], &r = points[c];
+    out.add(side_of_plane(p, q, r, points[d]));
+    out.add(side_of_line({p[0], p[1]}, {q[0], q[1]}, {r[0], r[1]}));
+    triangles.push_back({{a, b, c}, i / 2});
+  }
+  const Crossings found = find_crossings(points, triangles);
+  out.all(found.pairs, found.is_finished);
+}
+
 void cells_round(Random& random, Digest& out) {
   TetMesh mesh = body(random);
   const FileMesh file = file_mesh_of(mesh);
@@ -277,11 +339,10 @@ void cells_round(Random& random, Digest& out) {
 int main(int argc, char** argv) {
   if (argc != 3) return fmt::print(stderr, "usage: {} ROUNDS SEED\n", argv[0]), 2;
   const std::uint64_t rounds = std::strtoull(argv[1], nullptr, 10);
-  const std::map<std::string, void (*)(Random&, Digest&)> areas = {{"kernel", kernel_round},
-                                                                   {"check", check_round},
-                                                                   {"repair", repair_round},
-                                                                   {"crack", crack_round},
-                                                                   {"cells", cells_round}};
+  const std::map<std::string, void (*)(Random&, Digest&)> areas = {
+      {"kernel", kernel_round}, {"check", check_round}, {"repair", repair_round},
+      {"crack", crack_round},   {"kinds", kinds_round}, {"surface", surface_round},
+      {"cells", cells_round}};
   for (const auto& [name, round] : areas) {
     Digest out;
     for (std::uint64_t i = 0; i < rounds; ++i) {
