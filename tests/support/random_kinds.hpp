@@ -69,7 +69,7 @@ inline FileMesh mesh_of_kinds(std::mt19937_64& random, std::size_t n = 32) {
       std::iota(nodes.begin(), nodes.end(), 0U);
       std::shuffle(nodes.begin(), nodes.end(), random);
       nodes.resize(kind == CellKind::polygon ? 3 + below(random, 6) : traits_of(kind).nodes);
-      if (below(random, 8) == 0) nodes[1] = nodes[0];
+      if (below(random, 8) == 0) nodes.back() = nodes[0];
       append_cell(mesh, kind, nodes);
     }
     columns_of(mesh, kind) = random_columns(random, rows);

@@ -201,7 +201,8 @@ def publish(listed, known, proved):
     lines += [f"- {n} by their types alone: {why}." for why, n in sorted(rules.items())]
     for entry in {id(e): e for e in proved.values() if "rule" not in e}.values():
         count = sum(e is entry for e in proved.values())
-        lines.append(f"- `{entry['file']}`, `{entry['function']}`: `{entry['original']}` as `{entry['mutant']}`"
+        change = f"`{entry['original']}` as `{entry['mutant']}`" if "original" in entry else "whatever is changed"
+        lines.append(f"- `{entry['file']}`, `{entry['function']}`: {change}"
                      + (f" ({count} places)" if count > 1 else "") + ". " + " ".join(entry["proof"]))
     page = PROJECT / "docs/mutation.md"
     head, rest = page.read_text(encoding="utf-8").split(BEGIN)

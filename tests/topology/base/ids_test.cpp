@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 #include <type_traits>
+#include <unordered_set>
 
 using namespace sunder;
 
@@ -21,4 +22,11 @@ TEST_CASE("half-faces and corners know their tetrahedron and their place", "[ker
     CHECK(tetrahedron_of(corner(TetId{7}, place)) == TetId{7});
     CHECK(place_of(corner(TetId{7}, place)) == place);
   }
+}
+
+TEST_CASE("ids are keys: each once, and not all in one bucket", "[kernel][ids]") {
+  std::unordered_set<VertexId> ids;
+  for (std::uint32_t i = 0; i < 100; ++i) ids.insert(VertexId{i % 50});
+  CHECK(ids.size() == 50);
+  CHECK(std::hash<VertexId>{}(VertexId{7}) != std::hash<VertexId>{}(VertexId{8}));
 }

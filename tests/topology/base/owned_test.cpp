@@ -11,6 +11,8 @@ TEST_CASE("what is owned is const where its owner is", "[kernel][owned]") {
   *owner = 4;
   const Owned<int>& seen = owner;
   CHECK(*seen == 4);
+  CHECK(owner.operator->() == &*owner);
+  CHECK(seen.operator->() == &*seen);
   STATIC_REQUIRE(std::is_same_v<decltype(*seen), const int&>);
   STATIC_REQUIRE(std::is_same_v<decltype(seen.operator->()), const int*>);
 }

@@ -20,6 +20,7 @@ TEST_CASE("the lowest member of a set is its root, in whatever order sets are jo
   std::mt19937_64 random(seed);
   for (int trial = 0; trial < 50; ++trial) {
     UnionFind sets(40);
+    REQUIRE(sets.size() == 40);
     std::vector<std::uint32_t> label(40);  // relabelled one by one, the slow way
     std::iota(label.begin(), label.end(), 0U);
     for (int k = 0; k < 25; ++k) {

@@ -56,7 +56,7 @@ bool meets_in_plane(const std::array<Point, 3>& t, const Point& p, const Point& 
   const std::size_t axis = axis_of(t);
   const std::array<Flat, 3> f{flat(t[0], axis), flat(t[1], axis), flat(t[2], axis)};
   const Flat a = flat(p, axis), b = flat(q, axis);
-  if (is_inside(a, f) || is_inside(b, f)) return true;
+  if (is_inside(a, f)) return true;  // from outside it comes to b through a side
   for (std::size_t k = 0; k < 3; ++k) {
     if (segments_meet(f[k], f[(k + 1) % 3], a, b)) return true;
   }
