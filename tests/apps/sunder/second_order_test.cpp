@@ -195,3 +195,34 @@ TEST_CASE("a body of second order runs, and what needs the first order says so",
   CHECK(test::run_program("modes " + path("scene.json") + " -o " + path("modes.vtu")).exit_code ==
         0);
 }
+
+TEST_CASE("a mesh is made second-order and linear again, and a scene takes it straight, not curved",
+          "[run][convert][order]") {
+  const test::Folder folder;
+  const auto path = [&](const char* name) { return (folder.path() / name).string(); };
+  const TetMesh bar = suite::kuhn_box({4, 1, 1}, 0.1);
+  REQUIRE(write_mesh(path("plain.msh"), bar).empty());
+  REQUIRE(test::run_program("convert " + path("plain.msh") + " " + path("bar.msh") + " --order 2")
+              .exit_code == 0);
+  Result<FileMesh> raised = read_file_mesh(path("bar.msh"));
+  REQUIRE(raised);
+  CHECK(rows_of(*raised, CellKind::tetrahedron10).size() == 4 * 6);
+  CHECK(raised->points.size() == 9 * 3 * 3);
+  std::ofstream(path("scene.json")) << scene_json().dump(1);
+  CHECK(test::run_program("static " + path("scene.json")).exit_code == 0);
+  REQUIRE(test::run_program("convert " + path("bar.msh") + " " + path("back.msh") + " --order 1")
+              .exit_code == 0);
+  const Result<FileMesh> back = read_file_mesh(path("back.msh"));
+  REQUIRE(back);
+  CHECK(back->points.size() == bar.points.size());
+  CHECK(back->tetrahedra.corners == bar.tetrahedra);
+
+  // The middle of an edge by a hundredth of the edge beside it.
+  raised->points[rows_of(*raised, CellKind::tetrahedron10)[0][4]][2] += 1e-3;
+  REQUIRE(write_file_mesh(path("bar.msh"), *raised).empty());
+  const test::Outcome curved = test::run_program("static " + path("scene.json"));
+  CHECK(curved.exit_code == 3);
+  CHECK(curved.err.find("curved_cells") != std::string::npos);
+  CHECK(test::run_program("check " + path("bar.msh")).out.find("curved_cells") !=
+        std::string::npos);
+}
