@@ -2,7 +2,6 @@
 // From nodes in the order of `edge_ends` to VTK's.
 #include "apps/output/node_mesh.hpp"
 
-#include <array>
 #include <utility>
 #include <vector>
 
@@ -10,9 +9,6 @@
 
 namespace sunder {
 namespace {
-
-/// Places in `edge_ends` of VTK's edges 01, 12, 02, 03, 13, 23.
-constexpr std::array<std::size_t, 6> vtk_edges = {0, 3, 1, 2, 4, 5};
 
 /// What is said of the cells of one order.
 struct CellData {
@@ -62,7 +58,8 @@ FileMesh node_mesh(const Simulation& simulation) {
       const Corners& c = corners[t];
       if (is_second) {
         for (const VertexId v : c) second.points.push_back(v.value);
-        for (const std::size_t e : vtk_edges) {
+        for (const auto& [i, j] : edges_of(CellKind::tetrahedron)) {
+          const auto e = static_cast<std::size_t>(edge_between(i, j));
           second.points.push_back(mechanics.elements.edge_nodes[t][e].value);
         }
       } else {

@@ -36,6 +36,7 @@ void average_node_stress(std::vector<Mat3>& node_stress, const ElementStress& el
 
 void add_edge_stress(std::vector<Mat3>& node_stress, const ElementStress& elements,
                      std::span<const EdgeNodes> edge_nodes) {
+  if (edge_nodes.empty()) return;
   std::vector<double> sum(node_stress.size(), 0);
   for (std::size_t t = 0; t < edge_nodes.size(); ++t) {
     if (edge_nodes[t][0].is_none()) continue;

@@ -25,9 +25,9 @@ bool can_break(const Scene& scene, const PlannedPart& part) {
 std::optional<Attempt> begin_attempt(const Scene& scene, const PlannedPart& part,
                                      const SimulationState& s, const StepReport& report) {
   if (!can_break(scene, part)) return std::nullopt;
-  return Attempt{s.mechanics.vertices, s.mechanics.components, s.mechanics.elements.stress,
-                 s.mechanics.elements.corner_stress, s.mechanics.time,     s.obstacles,            s.contact,
-                 report};
+  const MechanicsState& m = s.mechanics;
+  return Attempt{m.vertices, m.components, m.elements.stress, m.elements.corner_stress,
+                 m.time,     s.obstacles,  s.contact,         report};
 }
 
 bool take_back(const Attempt& attempt, StepReport& report, SimulationState& s,

@@ -26,6 +26,10 @@ inline double six_volumes(const Point& a, const Point& b, const Point& c, const 
   return dot(difference(b, a), cross(difference(c, a), difference(d, a)));
 }
 
+inline Point middle(const Point& a, const Point& b) {
+  return {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2])};
+}
+
 inline double length(const Point& a) { return std::sqrt(dot(a, a)); }
 
 }  // namespace sunder::detail

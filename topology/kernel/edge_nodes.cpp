@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "topology/base/assert.hpp"
+#include "topology/base/point_math.hpp"
 #include "topology/kernel/edges.hpp"
 
 namespace sunder {
@@ -35,9 +36,8 @@ void give_row(EdgeNodeRows& nodes, const VolumeMap& map, CellEdge edge, VertexId
 Point middle_of(const VolumeMap& map, CellEdge edge) {
   const auto [i, j] = edge_ends[static_cast<std::size_t>(edge.place)];
   const auto& corners = map.corners(edge.tetrahedron);
-  const Point& a = map.point(corners[static_cast<std::size_t>(i)]);
-  const Point& b = map.point(corners[static_cast<std::size_t>(j)]);
-  return {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.5 * (a[2] + b[2])};
+  return detail::middle(map.point(corners[static_cast<std::size_t>(i)]),
+                        map.point(corners[static_cast<std::size_t>(j)]));
 }
 
 /// The file's points of a half-face, by its darts.

@@ -39,10 +39,10 @@ be lost is listed first, as warnings.
 Cells of every kind go through as what they are, where the format has them; --order 1 makes those of
 second order linear; --split makes tetrahedra and triangles of all (after --merge-points, before the
 other repairs): no point is added, and neighbours are cut alike, each from its corner with the least
-row; --order 2 then gives each edge a node in its middle, so that cells are of second order. Where OUT's format would hold no cell at all nothing is written.
-Repairs are made in the order in which they are listed here, and each reports what it changed.
-A crack is opened after them, without width: points are copied exactly where the cut faces separate
-the tetrahedra around them; its front stays joined (docs/cracks.md).
+row; --order 2 then puts a node in the middle of each edge. Where OUT's format would hold no cell at
+all nothing is written. Repairs are made in the order in which they are listed here, and each
+reports what it changed. A crack is opened after them, without width: points are copied exactly
+where the cut faces separate the tetrahedra around them; its front stays joined (docs/cracks.md).
 
 Exit codes: 0 written, 1 something would be lost and --strict was given (nothing is written),
 2 usage, 3 the input cannot be read or repaired, 4 the output cannot be written.
@@ -151,7 +151,7 @@ void tell_split(const SplitCells& report, std::vector<Finding>& findings) {
        fmt::format("{} parts of cells that repeat a corner are left out", report.empty_parts));
 }
 
-/// Makes cells linear, and simplices of them, as was asked for. Points are merged before: parts of
+/// Makes cells linear, simplices, or of second order, as was asked for. Points are merged before: parts of
 /// cells fit together where these have the same points.
 void simplify(FileMesh& mesh, Arguments& arguments, std::vector<Finding>& findings) {
   if (arguments.order == 0 && !arguments.split) return;
@@ -175,16 +175,17 @@ void simplify(FileMesh& mesh, Arguments& arguments, std::vector<Finding>& findin
                                                         sum == 1 ? "is" : "are")));
   }
   if (arguments.split) tell_split(split_cells(mesh), findings);
+  const std::size_t dropped = drop_points_out_of_use(mesh, used);
+  if (dropped > 0) {
+    findings.push_back(asked_for(
+        "dropped_unused", dropped,
+        fmt::format("{} points that only cells of second order used were dropped", dropped)));
+  }
   if (arguments.order == 2) {
     const std::size_t added = raise_order(mesh);
     findings.push_back(asked_for("made_second_order", added,
                                  fmt::format("{} points were added in the middles of edges", added)));
   }
-  const std::size_t dropped = drop_points_out_of_use(mesh, used);
-  if (dropped == 0) return;
-  findings.push_back(asked_for(
-      "dropped_unused", dropped,
-      fmt::format("{} points that only cells of second order used were dropped", dropped)));
 }
 
 /// Drops edges and faces of a body; an error where that would leave nothing of it.

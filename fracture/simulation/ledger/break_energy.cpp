@@ -39,7 +39,8 @@ void note_break_energies(std::vector<double>& energy, const MechanicsState& m, c
     // a linear field where that is least.
     const bool second = is_second_order(m.elements, m.components[c].tetrahedra.front());
     const double volume = (second ? 36 : 4) * m.vertices.mass[v] / density[c];
-    const double least = (second ? 1.0 / 16 : share) * volume * cells.strength[v] * cells.strength[v] / (2 * modulus[c]);
+    const double part = second ? 1.0 / 16 : share;
+    const double least = part * volume * cells.strength[v] * cells.strength[v] / (2 * modulus[c]);
     energy[c] = std::min(energy[c], least);
   }
 }

@@ -3,11 +3,11 @@
 #include "topology/mesh/kinds/second_order.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <utility>
 #include <vector>
 
+#include "topology/base/point_math.hpp"
 #include "topology/mesh/kinds/move_cells.hpp"
 
 namespace sunder {
@@ -16,14 +16,10 @@ namespace {
 using Ends = std::pair<std::uint32_t, std::uint32_t>;
 
 Point middle_of(const FileMesh& mesh, std::uint32_t a, std::uint32_t b) {
-  Point middle;
-  for (std::size_t i = 0; i < 3; ++i) middle[i] = 0.5 * (mesh.points[a][i] + mesh.points[b][i]);
-  return middle;
+  return detail::middle(mesh.points[a], mesh.points[b]);
 }
 
-double distance(const Point& a, const Point& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
+double distance(const Point& a, const Point& b) { return detail::length(detail::difference(a, b)); }
 
 /// The columns of points in the middles of edges, behind the others.
 void append_point_columns(FileMesh& mesh, const std::vector<Ends>& edges) {
