@@ -9,6 +9,7 @@
 #include <concepts>
 #include <type_traits>
 
+#include "apps/scene/check_output.hpp"
 #include "apps/scene/scene_fields.hpp"
 #include "apps/scene/scene_meshes.hpp"
 #include "apps/scene/scene_notes.hpp"
@@ -346,15 +347,6 @@ void add_findings(const Context& c, std::vector<SettingFinding> found) {
   }
 }
 
-/// What output asks for that the scene does not have.
-void check_output(const Context& c, const SceneFile& file) {
-  const bool has_planes = file.scene.fracture.crack != CrackMode::paper;
-  if (has_planes || file.output.crack_surface == CrackSurface::mesh) return;
-  c.add("no_crack_planes", "/output/crack_surface",
-        "is smooth, but with fracture.crack paper cracks have no planes of their own",
-        "take mesh, or set fracture.crack to object");
-}
-
 Result<SceneFile> read_whole(const SceneBytes& scene, const SceneFiles& files,
                              std::span<const std::string> settings) {
   Result<SceneText> text = parse_scene_text(scene.text, scene.name);
@@ -377,7 +369,7 @@ Result<SceneFile> read_whole(const SceneBytes& scene, const SceneFiles& files,
     result.findings.push_back(std::move(f));
   }
   add_findings(context, check_scene(file.scene));
-  check_output(context, file);
+  add_findings(context, check_output(file.output, file.scene));
   if (file.scene.name.empty()) file.scene.name = std::filesystem::path(scene.name).stem().string();
   if (has_error(result.findings)) return result;
   file.choices = choose_settings(file.scene, file.accuracy, given_keys(text->root));

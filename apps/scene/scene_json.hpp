@@ -43,8 +43,7 @@ enum class SceneReach : bool { anywhere, own_folder };
 /// Errors, all of them at once, with file, line, place, value, what is allowed and a remedy:
 /// cannot_open, syntax_error, repeated_key, nested_too_deeply, bad_setting, unknown_key (naming the
 /// nearest known one), missing_key, wrong_type, unknown_name, zero_direction, the findings of
-/// `read_mesh` and `check_mesh`, and those of `check_scene`,
-/// no_crack_planes (`CrackSurface::smooth` with `CrackMode::paper`), outside_folder and
+/// `read_mesh` and `check_mesh`, and those of `check_scene` and `check_output`, outside_folder and
 /// not_a_file (`SceneReach::own_folder`).
 Result<SceneFile> read_scene(const std::filesystem::path& path,
                              std::span<const std::string> settings = {},

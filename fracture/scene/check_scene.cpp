@@ -177,7 +177,6 @@ void check_together(fields::SettingsCheck& check, const Scene& scene) {
               "is fit, which is for tetrahedra of first order",
               "leave it out: of second order the stresses at the nodes are averaged");
   }
-  constexpr double most_steps = 1e9;
   const double steps = scene.duration / scene.integrator.time_step;
   if (scene.integrator.time_step > 0 && steps > most_steps) {
     check.add("too_many_steps", "time_step",

@@ -9,6 +9,9 @@
 
 namespace sunder {
 
+/// More steps than these no run takes.
+inline constexpr double most_steps = 1e9;
+
 /// All errors in a scene's settings, each with its place ("bodies.0.held.1"): numbers out of range
 /// and the rules between keys below. The meshes may be faulty; a body without one is held to its
 /// numbers alone.

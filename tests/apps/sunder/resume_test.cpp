@@ -14,8 +14,8 @@
 #include <thread>
 
 #include "apps/scene/scene_hash.hpp"
-#include "apps/sunder/run/saved/checkpoint.hpp"
 #include "apps/sunder/run/replay.hpp"
+#include "apps/sunder/run/saved/checkpoint.hpp"
 #include "apps/sunder/run/saved/run_folder.hpp"
 #include "fracture/saving/saved_state.hpp"
 #include "tests/support/program.hpp"
@@ -127,6 +127,30 @@ TEST_CASE("a run is extended to the bytes of a longer one, more than once", "[ru
   CHECK(here.run({"run", whole, "--quiet", "-o", here.path("again"), "--replay",
                   here.path("part/events.jsonl")})
             .exit_code == 0);
+}
+
+TEST_CASE("a run is not extended beyond the steps, frames and pictures that any may have",
+          "[run][resume]") {
+  const Workplace here;
+  json scene = saved_scene();
+  scene["duration"] = 0.0025;  // 10 steps
+  const auto refused = [&](const json& output, const std::string& until) {
+    scene["output"] = output;
+    const std::string file = here.write("scene.json", scene.dump());
+    const std::string out = here.path("out");
+    REQUIRE(here.run({"run", file, "--quiet", "--force", "-o", out}).exit_code == 0);
+    const auto before = files_of(out);
+    const Outcome o = here.run({"run", "--resume", out, "--until", until, "--quiet"});
+    CHECK(o.exit_code == 3);
+    CHECK(files_of(out) == before);
+    return o.err;
+  };
+  const json frames = {{"frames", 11}, {"checkpoint", {{"steps", 7}}}};
+  CHECK(refused(frames, "1e300").find("too_many_steps") != std::string::npos);
+  CHECK(refused(frames, "251").find("too_many_frames") != std::string::npos);
+  const json pictures = {
+      {"frames", 0}, {"pictures", {{"count", 11}}}, {"checkpoint", {{"steps", 7}}}};
+  CHECK(refused(pictures, "251").find("too_many_pictures") != std::string::npos);
 }
 
 TEST_CASE("a branch begins as its run and goes on by other settings", "[run][resume]") {

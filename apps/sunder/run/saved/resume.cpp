@@ -8,8 +8,10 @@
 #include <fstream>
 #include <iterator>
 
+#include "apps/scene/check_output.hpp"
 #include "apps/scene/scene_hash.hpp"
 #include "apps/sunder/run/saved/run_folder.hpp"
+#include "fracture/scene/check_scene.hpp"
 
 namespace sunder {
 
@@ -25,23 +27,48 @@ std::string log_of(const fs::path& folder, std::uint64_t bytes) {
   return text;
 }
 
-/// Frames and pictures of a longer run come at the distance they had.
-void extend(SceneFile& file, double until) {
+/// What no run can have: more steps, frames or pictures than any.
+std::optional<Finding> too_long(const SceneFile& file, const fs::path& folder) {
+  const double step = file.scene.integrator.time_step, steps = file.scene.duration / step;
+  if (!(steps <= most_steps)) {
+    return Finding{.code = "too_many_steps",
+                   .text = fmt::format("{:.6g} s are {:.3g} steps of {:.6g} s; allowed are {:.0e}",
+                                       file.scene.duration, steps, step, most_steps),
+                   .remedy = "end the run earlier",
+                   .file = folder.string()};
+  }
+  std::vector<SettingFinding> asked = check_output(file.output, file.scene);
+  if (asked.empty()) return std::nullopt;
+  asked.front().finding.file = folder.string();
+  return std::move(asked.front().finding);
+}
+
+/// Frames and pictures of a longer run come at the distance they had. Pictures become moments: too
+/// many of them are refused before there is a list of them.
+std::optional<Finding> extend(SceneFile& file, double until, const fs::path& folder) {
   OutputSettings& output = file.output;
   const double before = file.scene.duration;
   if (output.frame_interval == 0 && output.frames > 1) {
     output.frame_interval = before / (output.frames - 1);
   }
-  PictureSettings& pictures = output.pictures;
-  if (pictures.count > 1) {
-    const double interval = before / (pictures.count - 1);
-    for (double time = before + interval; time < until * (1 + 1e-9); time += interval) {
-      pictures.times.push_back(std::min(time, until));
-    }
-    for (std::uint32_t k = 0; k < pictures.count; ++k) pictures.times.push_back(k * interval);
-    pictures.count = 0;
-  }
   file.scene.duration = until;
+  PictureSettings& pictures = output.pictures;
+  if (pictures.count <= 1) return std::nullopt;
+  const double interval = before / (pictures.count - 1);
+  if (!(until / interval <= most_frames)) {
+    return Finding{.code = "too_many_pictures",
+                   .text = fmt::format("a picture every {:.6g} s up to {:.6g} s: {:.3g}; allowed "
+                                       "are {:.0e}",
+                                       interval, until, until / interval, most_frames),
+                   .remedy = "end the run earlier",
+                   .file = folder.string()};
+  }
+  for (double time = before + interval; time < until * (1 + 1e-9); time += interval) {
+    pictures.times.push_back(std::min(time, until));
+  }
+  for (std::uint32_t k = 0; k < pictures.count; ++k) pictures.times.push_back(k * interval);
+  pictures.count = 0;
+  return std::nullopt;
 }
 
 Result<RunOnItsWay> without_value(std::vector<Finding> findings) {
@@ -53,6 +80,10 @@ Result<RunOnItsWay> without_value(std::vector<Finding> findings) {
 Result<RunOnItsWay> go_on(const fs::path& folder, Checkpoint checkpoint, std::string_view log_text,
                           std::optional<std::uint64_t> branched_at, std::vector<Finding> findings) {
   Result<RunOnItsWay> result = without_value(std::move(findings));
+  if (std::optional<Finding> refused = too_long(checkpoint.file, folder)) {
+    result.findings.push_back(std::move(*refused));
+    return result;
+  }
   std::optional<EventLog> log = EventLog::of(checkpoint.file, log_text, branched_at);
   if (!log || log_text.size() != checkpoint.record.log_bytes) {
     result.findings.push_back(
@@ -63,8 +94,8 @@ Result<RunOnItsWay> go_on(const fs::path& folder, Checkpoint checkpoint, std::st
          .file = (folder / "events.jsonl").string()});
     return result;
   }
-  Result<Recorder> recorder = Recorder::go_on({folder, checkpoint.file},
-                                              std::move(checkpoint.record), std::move(*log));
+  Result<Recorder> recorder =
+      Recorder::go_on({folder, checkpoint.file}, std::move(checkpoint.record), std::move(*log));
   for (Finding& f : recorder.findings) result.findings.push_back(std::move(f));
   if (!recorder) return result;
   result.value.emplace(RunOnItsWay{std::move(checkpoint.file), std::move(checkpoint.simulation),
@@ -106,13 +137,14 @@ Result<RunOnItsWay> resume_run(const fs::path& folder, double until) {
   if (!checkpoint) return without_value(std::move(checkpoint.findings));
   const double now = simulated_time(checkpoint->simulation);
   if (until > 0 && until <= now) {
-    return Finding{.code = "over_already",
-                   .text = fmt::format("the run stands at {:.6g} s, not before {:.6g} s", now, until),
-                   .remedy = "give --until a later time, or --from a step to branch from",
-                   .file = folder.string()};
+    return Finding{
+        .code = "over_already",
+        .text = fmt::format("the run stands at {:.6g} s, not before {:.6g} s", now, until),
+        .remedy = "give --until a later time, or --from a step to branch from",
+        .file = folder.string()};
   }
   if (until > 0) {
-    extend(checkpoint->file, until);
+    if (std::optional<Finding> refused = extend(checkpoint->file, until, folder)) return *refused;
     checkpoint->simulation.scene.duration = until;
   }
   const std::string log = log_of(folder, checkpoint->record.log_bytes);
@@ -140,9 +172,10 @@ Result<RunOnItsWay> change_settings(const fs::path& folder, const SceneFile& cha
     return Finding{
         .code = "not_in_mid_run",
         .text = "the scene differs from the run's in what cannot change once it has begun",
-        .remedy = "give the run's scene and its --set changes; beside them only gravity, contact, "
-                  "impact, ladder, duration, energy_ledger, output, topology and fracture (but "
-                  "crack and criterion) may change"};
+        .remedy =
+            "give the run's scene and its --set changes; beside them only gravity, contact, "
+            "impact, ladder, duration, energy_ledger, output, topology and fracture (but "
+            "crack and criterion) may change"};
   }
   const bool only_longer = [&] {
     SceneFile same = changed;

@@ -19,7 +19,8 @@ struct RunOnItsWay {
 /// Goes on in `folder` from its latest checkpoint; what lies there beyond it is taken away. `until`
 /// above 0: to that time, s; frames and pictures go on at the distance they have. Errors:
 /// those of `read_checkpoint` and `Recorder::go_on`, other_log (events.jsonl is not that of the
-/// checkpoint), over_already.
+/// checkpoint), over_already; too_many_steps, too_many_frames, too_many_pictures (of `until`, or of
+/// a checkpoint that somebody made up) and whatever else `check_output` finds.
 Result<RunOnItsWay> resume_run(const std::filesystem::path& folder, double until);
 
 /// Makes `into`, empty, a run that stands where that of `folder` had its latest checkpoint up to
