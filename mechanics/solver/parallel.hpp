@@ -8,6 +8,7 @@
 #if !defined(SUNDER_SERIAL)
 #include <atomic>
 #include <exception>
+#include <system_error>
 #include <thread>
 #include <vector>
 #endif
@@ -15,11 +16,11 @@
 namespace sunder {
 
 /// Calls `work(item, worker)` once for every item below `count`, on at most `threads` threads; the
-/// caller's is worker 0, and items are handed out in rising order. The items must neither write
-/// what others read nor add to common sums: then results are the same bytes on any number of
-/// threads. Threads live for this call (up to 90 microseconds each), so it pays from a millisecond
-/// of work on. What an item throws is thrown on when all have stopped. Where the build has no
-/// threads (SUNDER_SERIAL) the caller does all.
+/// caller's is worker 0 (fewer where the system gives no more threads), and items are handed out in
+/// rising order. The items must neither write what others read nor add to common sums: then results
+/// are the same bytes on any number of threads. Threads live for this call (up to 90 microseconds
+/// each), so it pays from a millisecond of work on. What an item throws is thrown on when all have
+/// stopped. Where the build has no threads (SUNDER_SERIAL) the caller does all.
 template <class Work>
 void parallel_for(unsigned threads, std::size_t count, const Work& work) {
 #if defined(SUNDER_SERIAL)
@@ -45,7 +46,11 @@ void parallel_for(unsigned threads, std::size_t count, const Work& work) {
   };
   {
     std::vector<std::jthread> others;
-    for (unsigned worker = 1; worker < workers; ++worker) others.emplace_back(run, worker);
+    try {
+      for (unsigned worker = 1; worker < workers; ++worker) others.emplace_back(run, worker);
+    } catch (const std::system_error&) {
+      // The system gives no more: those that are there do it all.
+    }
     run(0);
   }
   for (const std::exception_ptr& exception : thrown) {

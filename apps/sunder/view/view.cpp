@@ -6,11 +6,18 @@
 #include <sys/random.h>
 
 #include <atomic>
+#include <condition_variable>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <deque>
+#include <functional>
 #include <memory>
+#include <mutex>
+#include <optional>
+#include <system_error>
 #include <thread>
+#include <vector>
 
 #include "apps/scene/scene_json.hpp"
 #include "apps/sunder/program.hpp"
@@ -27,7 +34,8 @@ The page shows the scene, runs it, looks back on what was recorded, and lets you
 inspect (docs/page.md). A restart on the page reads the scene's file again. Only this machine, and
 only the page whose address is printed, can reach the server. Ctrl-C ends it.
 
-Exit codes: 0 ended by Ctrl-C, 2 usage, 3 bad scene or mesh, 4 the port is taken or there is no page.
+Exit codes: 0 ended by Ctrl-C, 2 usage, 3 bad scene or mesh, 4 the port is taken, there is no page,
+or no thread or random number is to be had.
 
 Examples:
   sunder view meshes/scenes/monolith.json
@@ -45,11 +53,63 @@ struct ViewArguments : Telling {
 // A signal handler can reach nothing but a global.
 std::atomic<bool> ended = false;
 
-std::string random_token() {
+/// What nobody can guess; nothing where the system gives none.
+std::optional<std::string> random_token() {
   std::array<unsigned char, 16> bytes{};
-  if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) std::abort();
+  if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) return {};
   return fmt::format("{:02x}", fmt::join(bytes, ""));
 }
+
+/// Threads that answer requests: as many as can be had. (The library's own pool ends the program
+/// where one of them cannot.)
+class Workers : public httplib::TaskQueue {
+ public:
+  explicit Workers(std::size_t wanted) {
+    try {
+      while (threads_.size() < wanted) threads_.emplace_back([this] { work(); });
+    } catch (const std::system_error&) {
+      if (threads_.empty()) throw;
+    } catch (...) {
+      shutdown();
+      throw;
+    }
+  }
+  ~Workers() override { shutdown(); }
+
+  void enqueue(std::function<void()> job) override {
+    const std::lock_guard lock(mutex_);
+    jobs_.push_back(std::move(job));
+    there_is_work_.notify_one();
+  }
+
+  void shutdown() override {
+    {
+      const std::lock_guard lock(mutex_);
+      ends_ = true;
+    }
+    there_is_work_.notify_all();
+    threads_.clear();  // waits for them
+  }
+
+ private:
+  void work() {
+    while (true) {
+      std::unique_lock lock(mutex_);
+      there_is_work_.wait(lock, [this] { return ends_ || !jobs_.empty(); });
+      if (jobs_.empty()) return;
+      const std::function<void()> job = std::move(jobs_.front());
+      jobs_.pop_front();
+      lock.unlock();
+      job();
+    }
+  }
+
+  std::mutex mutex_;
+  std::condition_variable there_is_work_;
+  std::deque<std::function<void()>> jobs_;
+  bool ends_ = false;
+  std::vector<std::jthread> threads_;
+};
 
 ExitCode refuse(const Finding& finding, ExitCode code) {
   tell({finding}, {});
@@ -108,8 +168,15 @@ ExitCode view(const ViewArguments& arguments) {
   ViewedScene viewed;
   viewed.path = arguments.scene;
   viewed.reach = arguments.reach;
-  const std::string token = random_token();
+  const std::optional<std::string> token = random_token();
+  if (!token) {
+    return refuse({.code = "no_token",
+                   .text = "the system gives no random numbers, which keep others out",
+                   .remedy = "run it where getrandom(2) works"},
+                  ExitCode::not_written);
+  }
   httplib::Server server;
+  server.new_task_queue = [] { return new Workers(CPPHTTPLIB_THREAD_POOL_COUNT); };
   server.set_keep_alive_max_count(1u << 20);
   server.set_tcp_nodelay(true);
   // The library's default shares a port with whoever has it.
@@ -118,7 +185,7 @@ ExitCode view(const ViewArguments& arguments) {
     setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
   });
   int port = arguments.port;
-  add_routes(server, viewed, arguments, token, port);
+  add_routes(server, viewed, arguments, *token, port);
   if (port == 0) {
     port = server.bind_to_any_port("127.0.0.1");
   } else if (!server.bind_to_port("127.0.0.1", port)) {
@@ -127,7 +194,7 @@ ExitCode view(const ViewArguments& arguments) {
                    .remedy = "leave out --port: a free one is taken"},
                   ExitCode::not_written);
   }
-  const std::string url = fmt::format("http://127.0.0.1:{}/#token={}", port, token);
+  const std::string url = fmt::format("http://127.0.0.1:{}/#token={}", port, *token);
   fmt::print("{}\n", url);
   std::fflush(stdout);
   if (arguments.headless || !open_browser(url)) {
