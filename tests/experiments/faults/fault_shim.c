@@ -14,11 +14,14 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <link.h>
+#include <pthread.h>
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
+#include <sys/random.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <sys/uio.h>
@@ -29,10 +32,11 @@ extern void *__libc_malloc(size_t);
 extern void *__libc_calloc(size_t, size_t);
 extern void *__libc_realloc(void *, size_t);
 
-enum kind { MALLOC, WRITE, FSYNC, RENAME, OPEN, MKDIR, FTRUNCATE, CLOSE, FWRITE, UNLINK, KINDS };
+enum kind { MALLOC, WRITE, FSYNC, RENAME, OPEN, MKDIR, FTRUNCATE, CLOSE, FWRITE, UNLINK, POPEN, MEMFD, THREAD, RANDOM, KINDS };
 static const char *const kinds[KINDS] = {"malloc", "write",     "fsync", "rename", "open",
-                                         "mkdir",  "ftruncate", "close", "fwrite", "unlink"};
-static const int reason[KINDS] = {ENOMEM, ENOSPC, EIO, EIO, EMFILE, ENOSPC, EIO, EIO, ENOSPC, EIO};
+                                         "mkdir",  "ftruncate", "close", "fwrite", "unlink",
+                                         "popen",  "memfd",     "thread", "getrandom"};
+static const int reason[KINDS] = {ENOMEM, ENOSPC, EIO, EIO, EMFILE, ENOSPC, EIO, EIO, ENOSPC, EIO, ENOMEM, EMFILE, EAGAIN, ENOSYS};
 
 static int ready, kind = -1, log_file = -1;
 static long at, counts[KINDS];
@@ -179,6 +183,14 @@ int fsync(int file) { return fails(FSYNC) ? -1 : REAL(fsync)(file); }
 int rename(const char *from, const char *to) { return fails(RENAME) ? -1 : REAL(rename)(from, to); }
 int mkdir(const char *path, mode_t mode) { return fails(MKDIR) ? -1 : REAL(mkdir)(path, mode); }
 int ftruncate(int file, off_t size) { return fails(FTRUNCATE) ? -1 : REAL(ftruncate)(file, size); }
+FILE *popen(const char *command, const char *how) { return fails(POPEN) ? NULL : REAL(popen)(command, how); }
+int memfd_create(const char *name, unsigned flags) { return fails(MEMFD) ? -1 : REAL(memfd_create)(name, flags); }
+int pthread_create(pthread_t *thread, const pthread_attr_t *attributes, void *(*run)(void *), void *argument) {
+  return fails(THREAD) ? EAGAIN : REAL(pthread_create)(thread, attributes, run, argument);
+}
+ssize_t getrandom(void *bytes, size_t size, unsigned flags) {
+  return fails(RANDOM) ? -1 : REAL(getrandom)(bytes, size, flags);
+}
 int unlink(const char *path) { return fails(UNLINK) ? -1 : REAL(unlink)(path); }
 int close(int file) {
   if (fails(CLOSE)) {

@@ -8,7 +8,8 @@ once, and judges what is left.
 
 fault_shim.c, compiled here and preloaded, counts the calls of a command first, then lets one fail in
 each further run. Kinds: malloc (operator new with it; once a distinct call stack), write, fwrite,
-fsync, rename, open, mkdir, ftruncate, close, unlink. For every run:
+fsync, rename, open, mkdir, ftruncate, close, unlink, popen, memfd, thread, getrandom. `view` is asked for its page, a
+scene and some steps, then ended as by Ctrl-C. Pictures by gnuplot need it installed. For every run:
 
 - no signal, no run of more than a minute, an exit code that --help tells;
 - with 0 everything is as without the fault, what was printed too; else standard error says something;
@@ -19,18 +20,25 @@ A row a command and kind: calls or stacks, runs, how they ended, what was wrong.
 anything was. --most N: at most N runs of each, drawn at random; --quick: few, for the tests."""
 import argparse
 import collections
+import http.client
 import json
 import os
 import pathlib
 import random
+import re
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import threading
+import urllib.error
+import urllib.request
 
 HERE = pathlib.Path(__file__).resolve().parent
 TREE = HERE.parents[2]
-KINDS = ["malloc", "write", "fwrite", "fsync", "rename", "open", "mkdir", "ftruncate", "close", "unlink"]
+KINDS = ["malloc", "write", "fwrite", "fsync", "rename", "open", "mkdir", "ftruncate", "close", "unlink",
+         "popen", "memfd", "thread", "getrandom"]
 DOCUMENTED = {0, 1, 2, 3, 4, 5, 6, 7}
 NAMES = {3: "input", 4: "not written", 5: "failed"}
 
@@ -71,13 +79,22 @@ COMMANDS = {
     "export msh": ["export", "done", "out.msh"],
     "render": ["render", "done", "out.png", "--size", "64,64"],
     "fragments": ["fragments", "done", "--json"],
+    "fragments png": ["fragments", "done", "--png", "out.png"],
+    "view": ["view", "scene.json", "--headless", "--page", "page"],
+    "chart": ["chart", "scene.json", "--quantity", "position", "--method", "floating_frame", "--levels", "0",
+              "--steps", "5e-4,2.5e-4", "--within", "1e9", "-o", "out", "--quiet"],
+    "bench formats": ["bench", "formats", "--cells", "1", "--runs", "3", "--keep", "out", "--quiet"],
+    "bench kernel": ["bench", "kernel", "--quick", "--runs", "1", "--csv", "out.csv", "--plot", "out.png", "--quiet"],
     "completion": ["completion", "bash"],
     "man": ["man", "run"],
     "suite export": ["suite", "--export", "out.tar.gz"],
+    "demo": ["demo", "-o", "out", "--quiet"],
 }
-FOLDERS = {"run": "out", "resume": "done", "branch": "out", "replay": "out"}
+FOLDERS = {"run": "out", "resume": "done", "branch": "out", "replay": "out", "demo": "out"}
 # What a driver of OpenGL does without memory is its own.
-NO_MALLOC = {"render"}
+NO_MALLOC = {"render", "demo"}
+# They write and print how long things took: what they write is held to be whole, not to be the same.
+TIMED = {"chart", "bench formats", "bench kernel"}
 QUICK = ["convert vtu", "split", "run", "resume"]
 
 
@@ -95,6 +112,8 @@ class Bench:
         for name in ("box.vtu",):
             self.plain(["convert", "box.msh", name], self.inputs)
         (self.inputs / "box.stl").write_text(STL)
+        (self.inputs / "page").mkdir()
+        (self.inputs / "page/index.html").write_text("<p>a page</p>")
         self.plain(["run", "scene.json", "--quiet", "-o", "done"], self.inputs)
 
     def plain(self, words, folder):
@@ -117,13 +136,35 @@ class Bench:
                                           "FAULT_LOG": str(log)}
         if stack:
             environment["FAULT_STACK"] = stack
-        try:
-            done = subprocess.run([self.sunder, *words], cwd=folder, env=environment, stdin=subprocess.DEVNULL,
-                                  capture_output=True, timeout=60)
-            code, out, err = done.returncode, done.stdout, done.stderr.decode(errors="replace")
-        except subprocess.TimeoutExpired:
-            code, out, err = None, b"", ""
+        child = subprocess.Popen([self.sunder, *words], cwd=folder, env=environment, stdin=subprocess.DEVNULL,
+                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        late = threading.Event()
+        clock = threading.Timer(900 if words[0] == "demo" else 120, lambda: (late.set(), child.kill()))
+        clock.start()
+        if words[0] == "view":
+            look_at(child)
+        out, err = child.communicate()
+        clock.cancel()
+        code, err = None if late.is_set() else child.returncode, err.decode(errors="replace")
         return code, out, err, log.read_text().split() if log.exists() else []
+
+
+def look_at(server):
+    """What a page does, whatever comes back; then Ctrl-C."""
+    told = re.match(rb"(http://[\d.:]+/)#token=(\w+)", server.stdout.readline())
+    if not told:
+        return  # it ended, or does so now
+    url, token = (word.decode() for word in told.groups())
+    settings = b'{"settings": []}'
+    for work, body in (("", None), ("api/open", b""), ("api/load", len(settings).to_bytes(8, "little") + settings),
+                       ("api/step", b'{"count": 6, "columns": [0]}'), ("api/save", b"{}"),
+                       ("api/restore", b'{"step": 6}'), ("api/stamp", b"{}")):
+        try:
+            asked = urllib.request.Request(url + work, body, {"X-Sunder-Token": token})
+            urllib.request.urlopen(asked, timeout=60).read()
+        except (OSError, urllib.error.URLError, ValueError, http.client.HTTPException):
+            pass
+    server.send_signal(signal.SIGINT)
 
 
 def files_of(folder):
@@ -139,6 +180,10 @@ def is_whole(name, text):
             return False
     if name.endswith((".vtu", ".pvd")):
         return text.rstrip().endswith(b"</VTKFile>")
+    if name.endswith(".msh"):
+        return text.endswith(b"$EndElements\n")
+    if name.endswith(".png"):
+        return text.startswith(b"\x89PNG") and text.endswith(b"IEND\xaeB`\x82")
     return not name.endswith((".csv", ".jsonl")) or text == b"" or text.endswith(b"\n")
 
 
@@ -158,6 +203,7 @@ class Judge:
         # What is to be written is there already, but for folders of runs, which nobody replaces.
         if kind != "none" and not self.is_folder:
             for name in self.written:
+                (folder / name).parent.mkdir(parents=True, exist_ok=True)
                 (folder / name).write_bytes(b"old\n")
         return self.bench.run(self.words, folder, kind, at, stack)
 
@@ -193,14 +239,15 @@ class Judge:
         for name in self.written:
             if name not in now:
                 return f"{name} is lost"
-            if now[name] not in (b"old\n", self.after[name]):
+            timed = self.name in TIMED and name.endswith((".csv", ".png")) and is_whole(name, now[name])
+            if now[name] not in (b"old\n", self.after[name]) and not timed:
                 return f"{name} is half"
-            if code == 0 and now[name] != self.after[name]:
+            if code == 0 and (now[name] == b"old\n" if timed else now[name] != self.after[name]):
                 return f"exit code 0 and {name} is not written"
         for name in now:
             if name not in self.after:
                 return f"{name} is left"
-        if code == 0 and out != self.out:
+        if code == 0 and out != self.out and self.name not in TIMED | {"view"}:
             return "exit code 0 and another output"
         return None
 
