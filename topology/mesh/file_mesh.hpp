@@ -147,8 +147,8 @@ std::size_t name_count(const FileMesh& mesh);
 /// the entities where no region is given and there are several; empty otherwise.
 const std::vector<std::int32_t>& label_of(const CellColumns& cells);
 
-/// The tetrahedra of first order with their points, labels, names and ids, to compute with; the
-/// rest is dropped. Numbers that count on from the cells of lower dimension are dropped too.
+/// The tetrahedra of first order with their points, labels, names and numbers, to compute with; the
+/// rest is dropped. Numbers are those of the file: readers leave out those that only count.
 TetMesh tet_mesh_of(FileMesh&& mesh);
 
 /// The same mesh as a file would hold it.

@@ -66,3 +66,17 @@ TEST_CASE("a file's tetrahedra keep points, labels, names and numbers", "[mesh][
   CHECK(back.region_name[3] == before.region_name[3]);
   CHECK(back.triangles.corners.empty());
 }
+
+TEST_CASE("numbers of tetrahedra that count on from other cells stay the file's own",
+          "[mesh][file_mesh]") {
+  // Triangles 8 and 9 are dropped; without the numbers 10 and 11 nobody could find the tetrahedra in
+  // the file.
+  FileMesh file = file_mesh_of(suite::two_tetrahedra());
+  file.triangles.corners = {{0, 1, 2}, {0, 1, 3}};
+  file.triangles.source_id = {8, 9};
+  file.tetrahedra.source_id = {10, 11};
+  CHECK(tet_mesh_of(FileMesh(file)).source_tetrahedron_id == Numbers{10, 11});
+  file.triangles.source_id = {1, 2};
+  file.tetrahedra.source_id = {3, 4};
+  CHECK(tet_mesh_of(std::move(file)).source_tetrahedron_id == Numbers{3, 4});
+}
