@@ -11,9 +11,11 @@ drawn or declared never to break), materials from rubber to steel, every method,
 criterion, way to find cracks and rung, obstacles of all kinds, free ones among them. It is right when
 the run ends with 0, or with 3 or 5 and a finding that has a code; a signal, two minutes of
 processor, or another end is wrong and its scene is kept. --sanitized: every tenth scene is run by this
-program instead (the preset asan). The codes of all findings that ended a run are counted.
+program instead (the preset asan, or build/fuzz/sunder of tests/fuzz/run). The codes of all
+findings that ended a run are counted.
 --heap: blocks that fall into a heap and rest; the memory of the process is looked at as the steps go,
-and must not grow in the last nine tenths by more than a tenth."""
+and must not grow in the last nine tenths by more than a tenth.
+--minutes ends either after so long on the wall, and says how far it came."""
 import argparse
 import collections
 import json
@@ -22,6 +24,7 @@ import random
 import re
 import resource
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -120,15 +123,19 @@ def limit_processor_time():
 
 def run_scenes(said):
     ends, codes, wrong = collections.Counter(), collections.Counter(), 0
-    start = time.monotonic()
+    start, sanitized = time.monotonic(), 0
     with tempfile.TemporaryDirectory() as place:
         place = pathlib.Path(place)
         for k in range(said.first, said.first + said.scenes):
+            if said.minutes and time.monotonic() - start > 60 * said.minutes:
+                break
             # A generator of its own for each: any scene can be made again by its number.
             text = json.dumps(scene(random.Random(f"{said.seed} {k}")), indent=1)
             path = place / "scene.json"
             path.write_text(text)
-            program = said.sanitized if said.sanitized and k % 10 == 0 else said.sunder
+            is_sanitized = said.sanitized is not None and k % 10 == 0
+            sanitized += is_sanitized
+            program = said.sanitized if is_sanitized else said.sunder
             try:
                 done = subprocess.run([program, "run", path, "--quiet", "--force", "-o", place / "out"],
                                       capture_output=True, timeout=1800, preexec_fn=limit_processor_time)
@@ -147,7 +154,8 @@ def run_scenes(said):
                 print(f"scene {k}: {code}, kept as {kept}: {err.strip()[-300:]}", flush=True)
             if (k + 1) % 500 == 0:
                 print(f"{k + 1} scenes, {time.monotonic() - start:.0f} s: exit codes {dict(ends)}", flush=True)
-    print(f"{said.scenes} scenes, {time.monotonic() - start:.0f} s: exit codes {dict(ends)}; {wrong} wrong")
+    print(f"{sum(ends.values())} scenes, {sanitized} of them under sanitizers, {time.monotonic() - start:.0f} s: "
+          f"exit codes {dict(ends)}; {wrong} wrong")
     print("ended by: " + ", ".join(f"{n} x {c}" for c, n in codes.most_common()))
     return wrong
 
@@ -173,18 +181,22 @@ def run_heap(said):
         start = time.monotonic()
         process = subprocess.Popen([said.sunder, "run", place / "heap.json", "--quiet", "-o", place / "out"],
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-        seen = []
+        seen, told = [], False
         while process.poll() is None:
             time.sleep(1)
+            if said.minutes and not told and time.monotonic() - start > 60 * said.minutes:
+                process.send_signal(signal.SIGINT)  # a second one would end it at once
+                told = True
             if process.poll() is None and (mb := memory_of(process)):
                 seen.append(mb)
-        out = process.stdout.read().decode()
-        print(out)
+        print(process.stdout.read().decode())
+        report = place / "out/report.json"
+        steps = json.loads(report.read_text())["steps"] if report.exists() else "no"
         tenths = [seen[len(seen) * k // 10] for k in range(10)] + [seen[-1]] if seen else []
-        print(f"{said.steps} steps, {time.monotonic() - start:.0f} s, exit code {process.returncode}; MB by tenths of "
+        print(f"{steps} steps, {time.monotonic() - start:.0f} s, exit code {process.returncode}; MB by tenths of "
               f"the time: {' '.join(f'{mb:.1f}' for mb in tenths)}")
         grown = bool(tenths) and tenths[-1] > 1.1 * tenths[1]
-        return process.returncode != 0 or grown
+        return process.returncode not in ((0, 130) if said.minutes else (0,)) or grown
 
 
 def main():
@@ -195,6 +207,7 @@ def main():
     words.add_argument("--first", type=int, default=0)
     words.add_argument("--sanitized", type=lambda p: pathlib.Path(p).resolve())
     words.add_argument("--keep", type=pathlib.Path, default=pathlib.Path("found"))
+    words.add_argument("--minutes", type=float, default=0)
     words.add_argument("--heap", action="store_true")
     words.add_argument("--steps", type=int, default=1000000)
     words.add_argument("--sleep", action="store_true", help="of a heap: what rests may fall asleep")
