@@ -90,6 +90,8 @@ std::string bad_result(const Result<T>& result) {
   return bad_findings(result.findings);
 }
 
+double largest_share = 0;
+
 /// Empty, or that `work` took more than `times` the bytes and 8 MiB.
 template <class Work>
 std::string excess(std::size_t bytes, std::size_t times, Work work) {
@@ -97,6 +99,7 @@ std::string excess(std::size_t bytes, std::size_t times, Work work) {
   work();
   const auto peak = end_counting().peak;
   const std::size_t bound = times * bytes + (8u << 20);
+  largest_share = std::max(largest_share, static_cast<double>(peak) / static_cast<double>(bound));
   if (peak <= static_cast<std::ptrdiff_t>(bound)) return {};
   return fmt::format("{} bytes of memory for an input of {}: {} are the bound", peak, bytes, bound);
 }
@@ -312,6 +315,8 @@ std::span<const FuzzTarget> run_targets() {
                                                   {"protocol", broken_law_of_protocol}};
   return targets;
 }
+
+double largest_run_share() { return largest_share; }
 
 std::string seed_of(const FuzzTarget& target) {
   if (target.name == "scene") return std::string(small_scene);

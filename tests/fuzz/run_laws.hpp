@@ -15,6 +15,9 @@ namespace sunder::test {
 /// are made right first where a format has one: without that hardly a change would get past it.
 std::span<const FuzzTarget> run_targets();
 
+/// The largest share of its memory bound that an input took.
+double largest_run_share();
+
 /// An input that is right for a target, to change.
 std::string seed_of(const FuzzTarget& target);
 

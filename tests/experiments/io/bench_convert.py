@@ -35,7 +35,7 @@ MESHIO = {
     "text.mesh": ("medit", {}), "binary.vtu": ("vtu", {"compression": None}),
     "binary_zlib.vtu": ("vtu", {}), "text.vtu": ("vtu", {"binary": False}),
     "binary4.2.vtk": ("vtk42", {}), "text4.2.vtk": ("vtk42", {"binary": False}),
-    "binary5.1.vtk": ("vtk51", {}), "text.node": ("tetgen", {}), "text.inp": ("abaqus", {}),
+    "binary5.1.vtk": ("vtk51", {}), "text.node": ("tetgen", {}), "text.inp": ("abaqus", {}), "text.bdf": ("nastran", {}),
     "text.off": ("off", {}), "text.obj": ("obj", {}), "binary.stl": ("stl", {"binary": True}),
     "text.stl": ("stl", {}), "binary.ply": ("ply", {}), "text.ply": ("ply", {"binary": False}),
 }
@@ -101,6 +101,8 @@ def whole_commands(sunder, folder, runs):
 
     for name, out, gmsh_format in (("to MSH 4.1", "whole.msh", "msh41"),
                                    ("to MEDIT", "whole.mesh", "mesh"),
+                                   ("to Nastran", "whole.bdf", "bdf"),
+                                   ("to UNV", "whole.unv", "unv"),
                                    ("to VTU", "whole.vtu", None),
                                    ("to legacy VTK", "whole.vtk", "vtk")):
         ours = median_ms(lambda: run(sunder, "convert", source, folder / out), runs)

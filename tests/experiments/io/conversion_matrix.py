@@ -46,6 +46,8 @@ FORMATS = [
     ("VTK 5.1", "vtk", ["--format-version", "5.1"], ("vtk51", {}), None),
     ("TetGen", "node", [], ("tetgen", {}), None),
     ("Abaqus", "inp", [], ("abaqus", {}), ["inp"]),
+    ("Nastran", "bdf", [], ("nastran", {}), ["bdf"]),
+    ("UNV", "unv", [], None, ["unv"]),
     ("OVM", "ovm", [], None, None),
     ("OFF", "off", [], ("off", {}), None),
     ("OBJ", "obj", [], ("obj", {}), None),
@@ -53,9 +55,12 @@ FORMATS = [
     ("STL text", "stl", ["--text"], ("stl", {}), ["stl"]),
     ("PLY", "ply", [], ("ply", {}), None),
     ("PLY text", "ply", ["--text"], ("ply", {"binary": False}), None),
+    ("VTP", "vtp", [], None, None),
+    ("VTP text", "vtp", ["--text"], None, None),
 ]
-# What another program keeps and sunder does not, and says so: gmsh's sets Volume1, Surface1, ...
-TOLD = {("Abaqus", "e")}
+# What another program keeps and sunder does not, and says so: gmsh's sets Volume1, Surface1, ..., and
+# its tables of properties, for which sunder writes the regions.
+TOLD = {("Abaqus", "e"), ("UNV", "e")}
 CARRY_SOURCES = ["MSH 4.1", "MEDIT", "VTU text", "VTK 4.2 text"]
 # What may survive, and the letter that tells that it did not.
 ITEMS = {"coordinates": "x", "tetrahedra": "T", "triangles": "F", "order": "o", "volumes": "v",
@@ -313,7 +318,7 @@ def all_sources(sunder, folder, plain):
         (folder / name).mkdir()
         sources[target[0]] = folder / name / f"box.{target[1]}"
         subprocess.run([sunder, "convert", folder / "box.msh", sources[target[0]], *target[2]],
-                       check=True, stdout=subprocess.DEVNULL)
+                       check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     return sources
 
 

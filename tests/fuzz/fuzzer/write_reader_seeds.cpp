@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// write_seeds FOLDER: small meshes with everything in them, in every format, version and encoding.
+// write_reader_seeds FOLDER: small meshes with everything in them, in every format, version and encoding.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -70,7 +70,7 @@ FileMesh mesh_of_all_kinds() {
 
 int main(int argc, char** argv) {
   if (argc != 2) {
-    std::puts("usage: write_seeds FOLDER");
+    std::puts("usage: write_reader_seeds FOLDER");
     return 2;
   }
   for (const FormatTraits& t : format_traits()) {

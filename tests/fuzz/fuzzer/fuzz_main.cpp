@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// libFuzzer's way into one reader, named by --target=NAME.
+// libFuzzer's way into one target, named by --target=NAME.
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <string_view>
 
-#include "reader_laws.hpp"
+#include "fuzzed.hpp"
 
 using namespace sunder::test;
 
@@ -13,21 +14,23 @@ namespace {
 
 const FuzzTarget* target = nullptr;
 
-void report_memory() { std::fprintf(stderr, "memory_share %.3f\n", largest_memory_share()); }
+void report_memory() { std::fprintf(stderr, "memory_share %.3f\n", fuzzed_memory_share()); }
 
 }  // namespace
 
 extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
   constexpr std::string_view option = "--target=";
+  const auto targets = fuzzed_targets();
   for (int i = 1; i < *argc; ++i) {
     const std::string_view word = (*argv)[i];
-    if (word.starts_with(option)) target = find_target(word.substr(option.size()));
+    if (!word.starts_with(option)) continue;
+    const auto named = std::ranges::find(targets, word.substr(option.size()), &FuzzTarget::name);
+    if (named != targets.end()) target = &*named;
   }
   if (target == nullptr) {
-    for (const FuzzTarget& t : fuzz_targets()) std::printf("%s\n", t.name.c_str());
+    for (const FuzzTarget& t : targets) std::printf("%s\n", t.name.c_str());
     std::exit(2);
   }
-  end_at_memory_bound(true);
   std::atexit(report_memory);
   return 0;
 }
