@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: MIT
+"""What the parts of order_charts.py share: programs timed by the processor's own clock, meshes, tables."""
+import json
+import os
+import statistics
+import subprocess
+import tempfile
+from pathlib import Path
+
+import meshio
+import numpy
+
+from second_order import EDGES, KUHN
+
+BIG = 1e3
+
+
+def timed(command, limit=None):
+    """Output, seconds of the processor (user and system) and peak memory in MB of a program.
+
+    Seconds of the processor, not of the wall: what other programs take of the machine is left out.
+    Exit codes 0 and 5 (a run that failed) pass; others, and more seconds than `limit`, raise."""
+    with tempfile.TemporaryFile() as out:
+        words = [str(w) for w in command]
+        if limit:
+            words = ["prlimit", f"--cpu={int(limit)}", *words]
+        process = subprocess.Popen(words, stdout=out, stderr=subprocess.DEVNULL)
+        _, status, usage = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+        if process.returncode not in (0, 5):
+            raise RuntimeError(f"{' '.join(words[:4])} ended with {process.returncode}")
+        out.seek(0)
+        return out.read().decode(), usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024
+
+
+def write_mesh(path, points, tetrahedra):
+    meshio.write(path, meshio.Mesh(points, [("tetra", tetrahedra)]), file_format="medit")
+
+
+def median_of(count, run):
+    """The answer of the last of `count` runs of `run` and the median of their seconds."""
+    seconds = []
+    for _ in range(count):
+        answer, second = run()
+        seconds.append(second)
+    return answer, statistics.median(seconds)
+
+
+def solve_static(sunder, folder, scene, fields=True):
+    """Answer of `sunder static`: JSON, and rest places, displacements, node stresses of all nodes; seconds."""
+    (folder / "scene.json").write_text(json.dumps(scene))
+    command = [sunder, "static", folder / "scene.json", "--json"]
+    if fields:
+        command += ["-o", folder / "out.vtu"]
+    text, seconds, _ = timed(command)
+    answer = json.loads(text)
+    if fields:
+        out = meshio.read(folder / "out.vtu")
+        u = out.point_data["displacement"]
+        answer["nodes"] = (out.points - u, u, out.point_data["node_stress"])
+    return answer, seconds
+
+
+def run_scene(sunder, folder, scene, options=(), limit=None):
+    """Report of `sunder run`, its seconds and its peak memory."""
+    (folder / "scene.json").write_text(json.dumps(scene))
+    text, seconds, peak = timed([sunder, "run", folder / "scene.json", "-o", folder / "out", "--force", "--quiet",
+                                 "--json", *options], limit)
+    return json.loads(text), seconds, peak
+
+
+def steps_for(cells):
+    """So many steps that their time is well over the noise of a program's start."""
+    return max(30, min(2000, 1000000 // cells))
+
+
+def step_seconds(sunder, folder, scene, steps, limit=None):
+    """Seconds of the processor a step, and of the first step with all that comes before: runs of `steps` and of
+    one step. The first is the run's that is short, whose start-up is some 10 ms."""
+    h = scene["time_step"]
+    _, short, _ = run_scene(sunder, folder, dict(scene, duration=h), ["--frames", "0"], limit)
+    _, whole, peak = run_scene(sunder, folder, dict(scene, duration=h * (steps + 1)), ["--frames", "0"], limit)
+    return max(whole - short, 0.0) / steps, short, peak
+
+
+def frames(folder):
+    """Times and meshes of a run's frames."""
+    text = (folder / "out" / "frames.pvd").read_text()
+    found = []
+    for line in text.splitlines():
+        if 'file="' in line:
+            time = float(line.split('timestep="')[1].split('"')[0])
+            found.append((time, folder / "out" / line.split('file="')[1].split('"')[0]))
+    return [(time, meshio.read(path)) for time, path in found]
+
+
+def grid(cells, place):
+    """Points and tetrahedra of a block of (nx, ny, nz) cells whose corners are put by `place(u, v, w)`, each from
+    0 to 1. Diagonals alternate."""
+    nx, ny, nz = cells
+    points = numpy.array([place(i / nx, j / ny, k / nz) for k in range(nz + 1) for j in range(ny + 1)
+                          for i in range(nx + 1)])
+
+    def row(i, j, k):
+        return i + (nx + 1) * (j + (ny + 1) * k)
+
+    tetrahedra = []
+    for k in range(nz):
+        for j in range(ny):
+            for i in range(nx):
+                mirror = (i % 2, j % 2, k % 2)
+                corner = [row(i + ((c & 1) ^ mirror[0]), j + ((c >> 1 & 1) ^ mirror[1]),
+                              k + ((c >> 2) ^ mirror[2])) for c in range(8)]
+                for a, b, c, d in KUHN:
+                    t = [corner[a], corner[b], corner[c], corner[d]]
+                    if numpy.linalg.det(points[t[1:]] - points[t[0]]) < 0:
+                        t[2], t[3] = t[3], t[2]
+                    tetrahedra.append(t)
+    return points, numpy.array(tetrahedra)
+
+
+def quadratic(points, tetrahedra):
+    """Points and ten-node tetrahedra (corners, then the middles of EDGES) of straight cells."""
+    middle, places, cells = {}, list(map(tuple, points)), []
+    for t in tetrahedra:
+        nodes = list(t)
+        for i, j in EDGES:
+            key = (min(t[i], t[j]), max(t[i], t[j]))
+            if key not in middle:
+                middle[key] = len(places)
+                places.append(tuple(0.5 * (points[t[i]] + points[t[j]])))
+            nodes.append(middle[key])
+        cells.append(nodes)
+    return numpy.array(places), numpy.array(cells)
+
+
+def held_box(minimum, maximum, axes=None, velocity=None):
+    """A held box; None stands for no bound."""
+    box = {"minimum": [-BIG if m is None else m for m in minimum],
+           "maximum": [BIG if m is None else m for m in maximum]}
+    if axes:
+        box["axes"] = list(axes)
+    if velocity is not None:
+        box["velocity"] = list(velocity)
+    return box
+
+
+def table(head, rows):
+    """Lines of a Markdown table."""
+    return ["| " + " | ".join(head) + " |", "|" + "---|" * len(head),
+            *("| " + " | ".join(row) + " |" for row in rows), ""]
+
+
+def percent(value, exact):
+    return f"{100 * (value / exact - 1):+.1f}"
+
+
+def in_folder(action):
+    """Calls `action(folder)` in a folder that is gone afterwards."""
+    with tempfile.TemporaryDirectory() as folder:
+        return action(Path(folder))
