@@ -19,7 +19,7 @@ def base(order, material, h, duration, **more):
     """A scene of one body in which nothing breaks, without gravity."""
     body = {"mesh": "body.mesh", "order": order, "material": material, **more.pop("body", {})}
     return {"gravity": {"acceleration": [0, 0, 0]}, "fracture": {"mode": "off"}, "ladder": FULL, "time_step": h,
-            "duration": duration, "impact": {"window": False}, "bodies": [body], **more}
+            "duration": duration, "bodies": [body], **more}
 
 
 def node_masses(mesh, density):
@@ -58,41 +58,43 @@ def rod(sunder, folder, repeats):
 
 
 def contact_history(folder, density, axis):
-    """Times and momenta along an axis of all frames, and the frames' least node stress along it."""
-    times, momenta, least, mass = [], [], [], None
+    """Times and momenta along an axis of all frames, and their least and largest node stress along it."""
+    times, momenta, stress, mass = [], [], [], None
     for time, mesh in frames(folder):
         if mass is None:
             mass = node_masses(mesh, density)
         times.append(time)
         momenta.append(mass @ mesh.point_data["velocity"][:, axis])
-        least.append(mesh.point_data["node_stress"][:, axis].min())
-    return numpy.array(times), numpy.array(momenta), numpy.array(least)
+        along = mesh.point_data["node_stress"][:, axis]
+        stress.append((along.min(), along.max()))
+    return numpy.array(times), numpy.array(momenta), numpy.array(stress)
 
 
 def bar(sunder, folder, repeats):
-    """A flat bar, 1 x 0.05 x 0.05 m, nu = 0, on a wall; steps of L/c / 64."""
+    """A flat bar, 1 x 0.05 x 0.05 m, nu = 0, on a wall; steps of L/c / 64 in impact windows."""
     E, rho, v = CONCRETE["young_modulus"], CONCRETE["density"], 0.5
     c = math.sqrt(E / rho)
     h, rows = 1 / c / 64, []
-    for order, n in ((1, 20), (1, 40), (1, 80), (1, 160), (2, 10), (2, 20), (2, 40), (2, 80)):
+    for order, n in ((1, 20), (1, 40), (1, 80), (2, 10), (2, 20), (2, 40)):
         write_mesh(folder / "body.mesh", *block((n, 1, 1), (1.0, 0.05, 0.05)))
         steps = 256
         scene = base(order, CONCRETE, h, h * steps, obstacles=[{"plane": {"normal": [1, 0, 0]}, "friction": 0}],
                      contact={"friction": 0}, output={"frame_interval": h},
                      body={"velocity": [-v, 0, 0], "translation": [0.37 * h * v, 0, 0]})
         run_scene(sunder, folder, scene)
-        times, p, least = contact_history(folder, rho, 0)
+        times, p, stress = contact_history(folder, rho, 0)
         force = numpy.diff(p) / numpy.diff(times) / (rho * c * v * 0.05 ** 2)
         pushed = numpy.flatnonzero(force > 0.01)
         lasted = (times[pushed[-1] + 1] - times[pushed[0]]) * c / 2
         plateau = (times[1:] > 0.25 / c) & (times[1:] < 1.75 / c)
         step = statistics.median(step_seconds(sunder, folder, scene, steps)[0] for _ in range(repeats))
         rows.append([str(order), str(6 * n), f"{lasted:.3f}", f"{force[plateau].mean():.3f}",
-                     f"{force[plateau].std():.3f}", f"{-least.min() / (rho * c * v):.3f}",
+                     f"{force[plateau].std():.3f}", f"{-stress.min() / (rho * c * v):.3f}", f"{stress.max() / (rho * c * v):.3f}",
                      f"{p[-1] / (rho * 0.05 ** 2 * v):.3f}", f"{1e3 * step:.3f}"])
         print("bar", rows[-1], flush=True)
     return table(["bar on a wall: order", "cells", "time of contact / (2 L/c)", "force / (rho c v A), mean",
-                  "its deviation", "peak stress / (rho c v)", "rebound", "ms a step"], rows), None
+                  "its deviation", "largest compression / (rho c v)",
+                  "largest tension / (rho c v)", "rebound", "ms a step"], rows), None
 
 
 def grading(first, n):
@@ -124,7 +126,8 @@ def hertz(sunder, folder, repeats):
         write_mesh(folder / "body.mesh", points, tetrahedra)
         h = 2e-5
         scene = base(order, material, h, 3.6e-3, obstacles=[{"plane": {"normal": [0, 0, 1]}, "friction": 0}],
-                     contact={"friction": 0, "max_contacts_per_pair": 1024}, output={"frame_interval": h},
+                     contact={"friction": 0, "max_contacts_per_pair": 1024},
+                     impact={"negligible": 1e-6, "fraction": 0.0625}, output={"frame_interval": h},
                      body={"velocity": [0, 0, -v], "translation": [0, 0, 0.4 * h * v]})
         report, seconds, _ = run_scene(sunder, folder, scene, limit=900)
         times, p, _ = contact_history(folder, rho, 2)
@@ -181,7 +184,7 @@ def elastica(load):
     """End of a clamped strip of length 1 under its own weight, load = q L^3 / EI: (x, z)."""
     s = numpy.linspace(0, 1, 101)
     solved = scipy.integrate.solve_bvp(
-        lambda s, y: numpy.vstack([y[1], -load * (1 - s) * numpy.cos(y[0])]),
+        lambda s, y: numpy.vstack([y[1], load * (1 - s) * numpy.cos(y[0])]),
         lambda a, b: numpy.array([a[0], b[1]]), s, numpy.zeros((2, s.size)), tol=1e-8)
     theta = solved.sol(numpy.linspace(0, 1, 2001))[0]
     return scipy.integrate.simpson(numpy.cos(theta), dx=1 / 2000), scipy.integrate.simpson(numpy.sin(theta), dx=1 / 2000)
@@ -213,7 +216,7 @@ def slender(sunder, folder, repeats):
             run_scene(sunder, folder, scene, ["--frames", "2"], limit=600)
             (_, start), (_, end) = frames(folder)
             tip = end.points[abs(start.points[:, 0] - 1) < 1e-9].mean(axis=0) - (0, 0.025, 0.025)
-            step = step_seconds(sunder, folder, scene, steps_for(6 * math.prod(cells)) // 2)[0]
+            step = step_seconds(sunder, folder, scene, 30)[0]
             far = math.hypot(tip[0] - x, tip[2] - z) / math.hypot(x - 1, z)
             rows.append([f"{load:g}", f"order {order}, {layers} layers, " +
                          ("one frame" if model == "rigid_reference" else model), str(len(end.cells[0].data)),

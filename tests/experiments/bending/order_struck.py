@@ -43,24 +43,25 @@ def run_to_first_fan(sunder, folder, scene):
 
 
 def first_fans(sunder, folder, _):
-    """Time and place of the first fan, sub-steps of L/c / 16, three meshes."""
+    """Time and place of the first fan in 1 ms, sub-steps of L/c / 16, three meshes."""
     seen = {}
-    for level in range(3):
-        for name, mesh, scene, placed in struck_cases(level):
-            write_mesh(folder / "body.mesh", *mesh)
-            for order in (1, 2):
-                body = dict(mesh="body.mesh", order=order, material=GLASS, **placed)
-                whole = dict(scene, bodies=[body], impact={"fraction": 0.0625}, duration=0.002)
-                fan = run_to_first_fan(sunder, folder, whole)
-                seen.setdefault(name, {}).setdefault(order, []).append((len(mesh[1]), fan))
-                shown = fan if not isinstance(fan, dict) else (round(1e6 * fan["time"]), [
-                    round(1e3 * x) for x in fan["rest_position"]])
-                print(name, level, order, len(mesh[1]), shown, flush=True)
+    cases = [(level, *case) for level in range(3) for case in struck_cases(level)]
+    cases.sort(key=lambda case: "vase" in case[1])  # the longest runs last
+    for level, name, mesh, scene, placed in cases:
+        write_mesh(folder / "body.mesh", *mesh)
+        for order in (1, 2):
+            body = dict(mesh="body.mesh", order=order, material=GLASS, **placed)
+            whole = dict(scene, bodies=[body], impact={"fraction": 0.0625}, duration=0.001)
+            fan = run_to_first_fan(sunder, folder, whole)
+            seen.setdefault(name, {}).setdefault(order, []).append(fan)
+            shown = fan if not isinstance(fan, dict) else (round(1e6 * fan["time"]), [
+                round(1e3 * x) for x in fan["rest_position"]])
+            print(name, level, order, len(mesh[1]), shown, flush=True)
     rows = []
     for name, orders in seen.items():
         for order, fans in sorted(orders.items()):
             times, places, text = [], [], []
-            for cells, fan in fans:
+            for fan in fans:
                 if isinstance(fan, dict):
                     times.append(1e6 * fan["time"])
                     places.append(fan["rest_position"])
