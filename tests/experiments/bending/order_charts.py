@@ -39,8 +39,8 @@ def put_into(page, part, lines):
 def draw(path, chart):
     """A panel a body: error of the first and of the second quantity against ms, both orders, on log scales."""
     script = [f"set terminal pngcairo size {480 * len(chart)},420 font 'DejaVu Sans,11'", f"set output '{path}'",
-              "set logscale xy", "set grid", "set format y '%g'", "set format x '%g'", "set xlabel 'ms'",
-              "set ylabel 'error'", "set key below maxcols 2 font ',9' samplen 1",
+              "set logscale xy", "set grid", "set format y '%g'", "set format x '%g'", "set ylabel 'error'",
+              "set key below maxcols 2 font ',9' samplen 1",
               f"set multiplot layout 1,{len(chart)}"]
     names = {2: ("deflection or displacement", 7), 3: ("stress", 5)}
     for title, points in chart.items():
@@ -53,7 +53,7 @@ def draw(path, chart):
                 dash = "" if column == 2 else " dt 2"
                 plots.append(f"'-' with linespoints title 'order {order}, {name}' lc {color} lw 2 pt {shape}{dash}")
                 data += [f"{ms} {max(error, 1e-5)}" for ms, error in found] + ["e"]
-        script += [f"set title '{title}'", "plot " + ", ".join(plots), *data]
+        script += [f"set title '{title}: error against ms'", "plot " + ", ".join(plots), *data]
     subprocess.run(["gnuplot"], input="\n".join(script + ["unset multiplot", ""]), text=True, check=True)
 
 

@@ -120,8 +120,7 @@ def hertz(sunder, folder, repeats):
     material = dict(CONCRETE, poisson_ratio=0.2)
     rho, v, modulus = material["density"], 3.0, material["young_modulus"] / (1 - 0.2 ** 2)
     rows = []
-    for order, n, smallest in ((1, 6, 0.02), (1, 8, 0.02), (1, 12, 0.02), (2, 3, 0.04), (2, 4, 0.04), (2, 4, 0.02),
-                               (2, 6, 0.04)):
+    for order, n, smallest in ((1, 6, 0.02), (1, 8, 0.02), (2, 3, 0.04), (2, 4, 0.04), (2, 4, 0.02)):
         points, tetrahedra = round_block(n, smallest)
         write_mesh(folder / "body.mesh", points, tetrahedra)
         h = 2e-5
@@ -148,8 +147,8 @@ def cup(sunder, folder, repeats):
     """A cup of 3 mm falls 1 m on its side, tilted by 10 degrees; nothing breaks. How much its mouth is out of round
     at most, and the largest tension of any vertex."""
     rows, floor = [], {"plane": {"normal": [0, 0, 1]}, "friction": 0.4}
-    for order, layers, around, up in ((1, 1, 20, 10), (1, 1, 28, 14), (1, 2, 40, 20), (1, 3, 60, 30), (2, 1, 12, 6),
-                                      (2, 1, 16, 8), (2, 1, 20, 10), (2, 1, 28, 14), (2, 1, 40, 20)):
+    for order, layers, around, up in ((1, 1, 20, 10), (1, 1, 28, 14), (1, 2, 40, 20), (2, 1, 12, 6), (2, 1, 16, 8),
+                                      (2, 1, 20, 10), (2, 1, 28, 14)):
         points, tetrahedra = shell(lambda z: 0.03 + 0.1 * z, 0.03, 0.09, 0.003, around, up, layers)
         write_mesh(folder / "body.mesh", points, tetrahedra)
         h = 5e-6
@@ -199,20 +198,16 @@ def slender(sunder, folder, repeats):
         density = 1000.0
         g = load * E * size[2] ** 2 / 12 / density
         rows.append([f"{load:g}", "elastica", "", f"{x:.3f}, {z:.3f}", "", ""])
-        for order, layers, model in ((2, 1, "rigid_reference"), (1, 4, "rigid_reference"), (1, 1, "corotational"),
-                                     (1, 4, "corotational"), (1, 8, "corotational")):
-            if layers == 8 and load != 1.5:
-                continue
+        for order, layers, model in ((2, 1, "rigid_reference"), (1, 4, "rigid_reference"), (1, 4, "corotational")):
             cells = (16, 1, 1) if order == 2 else (10 * layers, max(1, layers // 2), layers)
             write_mesh(folder / "body.mesh", *block(cells, size))
             material = {"young_modulus": E, "poisson_ratio": 0.0, "density": density, "tensile_strength": 1e9}
             h = 0.02
             held = [{"minimum": [-BIG] * 3, "maximum": [1e-9, BIG, BIG]}]
-            scene = base(order, material, h, 4.0, body={"held": held}, model=model)
-            scene["gravity"] = {"acceleration": [0, 0, -g], "ramp_time": 2.0}
-            scene["integrator"] = {"damping": {"mass_factor": 10.0}}
-            if model == "corotational":
-                scene["integrator"]["method"] = "implicit_euler"
+            scene = base(order, material, h, 8.0, body={"held": held}, model=model)
+            scene["gravity"] = {"acceleration": [0, 0, -g], "ramp_time": 4.0}
+            scene["integrator"] = ({"damping": {"mass_factor": 10.0}} if model == "rigid_reference" else
+                                   {"method": "implicit_euler"})
             run_scene(sunder, folder, scene, ["--frames", "2"], limit=600)
             (_, start), (_, end) = frames(folder)
             tip = end.points[abs(start.points[:, 0] - 1) < 1e-9].mean(axis=0) - (0, 0.025, 0.025)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """What the parts of order_charts.py share: programs timed by the processor's own clock, meshes, tables."""
 import json
-import os
 import statistics
 import subprocess
+import sys
 import tempfile
 from pathlib import Path
 
@@ -15,22 +15,25 @@ from second_order import EDGES, KUHN
 BIG = 1e3
 
 
+WATCH = ("import resource, subprocess, sys; p = subprocess.run(sys.argv[1:], stderr=subprocess.DEVNULL); "
+         "u = resource.getrusage(resource.RUSAGE_CHILDREN); "
+         "print(u.ru_utime + u.ru_stime, u.ru_maxrss, p.returncode, file=sys.stderr)")
+
+
 def timed(command, limit=None):
     """Output, seconds of the processor (user and system) and peak memory in MB of a program.
 
     Seconds of the processor, not of the wall: what other programs take of the machine is left out.
     Exit codes 0 and 5 (a run that failed) pass; others, and more seconds than `limit`, raise."""
-    with tempfile.TemporaryFile() as out:
-        words = [str(w) for w in command]
-        if limit:
-            words = ["prlimit", f"--cpu={int(limit)}", *words]
-        process = subprocess.Popen(words, stdout=out, stderr=subprocess.DEVNULL)
-        _, status, usage = os.wait4(process.pid, 0)
-        process.returncode = os.waitstatus_to_exitcode(status)
-        if process.returncode not in (0, 5):
-            raise RuntimeError(f"{' '.join(words[:4])} ended with {process.returncode}")
-        out.seek(0)
-        return out.read().decode(), usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024
+    words = [str(w) for w in command]
+    if limit:
+        words = ["prlimit", f"--cpu={int(limit)}", *words]
+    # Through a small process: the peak of a child begins with that of the process that makes it.
+    done = subprocess.run([sys.executable, "-c", WATCH, *words], capture_output=True, check=True)
+    seconds, peak, code = done.stderr.split()
+    if int(code) not in (0, 5):
+        raise RuntimeError(f"{' '.join(words)} ended with {int(code)}")
+    return done.stdout.decode(), float(seconds), int(peak) / 1024
 
 
 def write_mesh(path, points, tetrahedra):
