@@ -42,6 +42,24 @@ def run_to_first_fan(sunder, folder, scene):
     return first
 
 
+def fan_table(seen):
+    """Rows of a thing and an order: its first fans (or None, or "time") by mesh; `seen` has the lists."""
+    rows = []
+    for name, orders in seen.items():
+        for order, fans in sorted(orders.items()):
+            times, places, text = [], [], []
+            for fan in fans:
+                if isinstance(fan, dict):
+                    times.append(1e6 * fan["time"])
+                    places.append(fan["rest_position"])
+                    text.append(f"{times[-1]:.0f} at ({', '.join(f'{1e3 * x:.0f}' for x in places[-1])})")
+                else:
+                    text.append("none" if fan is None else f"none in {MOST_SECONDS} s of computing")
+            spread = f"{max(times) / min(times):.2f}" if len(times) > 1 else ""
+            rows.append([name, str(order), *text, spread])
+    return table(["struck", "order", *(f"mesh {k}: us at mm" for k in (1, 2, 3)), "latest / earliest"], rows)
+
+
 def first_fans(sunder, folder, _):
     """Time and place of the first fan in 1 ms, sub-steps of L/c / 16, three meshes."""
     seen = {}
@@ -57,17 +75,4 @@ def first_fans(sunder, folder, _):
             shown = fan if not isinstance(fan, dict) else (round(1e6 * fan["time"]), [
                 round(1e3 * x) for x in fan["rest_position"]])
             print(name, level, order, len(mesh[1]), shown, flush=True)
-    rows = []
-    for name, orders in seen.items():
-        for order, fans in sorted(orders.items()):
-            times, places, text = [], [], []
-            for fan in fans:
-                if isinstance(fan, dict):
-                    times.append(1e6 * fan["time"])
-                    places.append(fan["rest_position"])
-                    text.append(f"{times[-1]:.0f} at ({', '.join(f'{1e3 * x:.0f}' for x in places[-1])})")
-                else:
-                    text.append("none" if fan is None else f"none in {MOST_SECONDS} s of computing")
-            spread = f"{max(times) / min(times):.2f}" if len(times) > 1 else ""
-            rows.append([name, str(order), *text, spread])
-    return table(["struck", "order", *(f"mesh {k}: us at mm" for k in (1, 2, 3)), "latest / earliest"], rows), None
+    return fan_table(seen), None
