@@ -234,10 +234,8 @@ def cost(sunder, folder, repeats):
                 found[order].append(step_seconds(sunder, folder, scene, 30))
         one, two = ([statistics.median(column) for column in zip(*found[order])] for order in (1, 2))
         for order, (step, first, peak) in ((1, one), (2, two)):
-            shown = f"{1e3 * step:.2f}" if step else "lost in noise"
-            ratios = [f"{a / b:.0f}" if a and b else "-" for a, b in zip(two, one)]
-            rows.append([str(count), str(order), shown, f"{1e3 * first:.0f}", f"{peak:.0f}",
-                         "" if order == 1 else ", ".join(ratios)])
+            rows.append([str(count), str(order), f"{1e3 * step:.2f}", f"{1e3 * first:.0f}", f"{peak:.0f}",
+                         "" if order == 1 else ", ".join(f"{a / b:.0f}" for a, b in zip(two, one))])
             print("cost", rows[-1], flush=True)
     return table(["bar in flight, cells", "order", "ms a step", "start and first step, ms", "memory, MB",
                   "ratios to order 1"], rows), None

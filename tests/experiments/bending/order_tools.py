@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: MIT
 """What the parts of order_charts.py share: programs timed by the processor's own clock, meshes, tables."""
 import json
+import shutil
 import statistics
 import subprocess
 import sys
 import tempfile
+import time
 from pathlib import Path
 
 import meshio
@@ -77,17 +79,43 @@ def steps_for(cells):
     return max(30, min(2000, 1000000 // cells))
 
 
+def processor_seconds(pid):
+    """What a process has had of the processor so far, s; None where it has ended."""
+    try:
+        return 1e-9 * int(Path(f"/proc/{pid}/schedstat").read_text().split()[0])
+    except (FileNotFoundError, ProcessLookupError):
+        return None
+
+
+def middle_third(sunder, folder, scene, steps):
+    """Seconds of the processor a step in the middle third of a run: between its frames, of which one is in it."""
+    whole = dict(scene, duration=scene["time_step"] * steps)
+    (folder / "scene.json").write_text(json.dumps(whole))
+    shutil.rmtree(folder / "out", ignore_errors=True)
+    process = subprocess.Popen([sunder, "run", folder / "scene.json", "-o", folder / "out", "--quiet", "--frames", "4"],
+                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    seen = []
+    while process.poll() is None and len(seen) < 2:
+        if (folder / "out" / "frames" / f"frame_{len(seen) + 1:06}.vtu").exists():
+            seen.append(processor_seconds(process.pid))
+        time.sleep(0.005)
+    process.kill()
+    process.wait()
+    if len(seen) < 2 or None in seen:
+        raise RuntimeError("a run ended before its last third")
+    return (seen[1] - seen[0]) / (steps / 3)
+
+
 def step_seconds(sunder, folder, scene, steps, limit=None):
-    """Seconds a step; of the first step with all that comes before; peak memory. A step's are the median step's by
-    the wall where that is short against the slices in which the machine is shared, else the processor's in a run of
-    `steps` over those in a run of one step."""
-    h = scene["time_step"]
-    report, whole, peak = run_scene(sunder, folder, dict(scene, duration=h * (steps + 1)), ["--frames", "0"], limit)
-    median = 1e-3 * report["step_ms"]["median"]
-    if median < 1e-3:
-        return median, whole - steps * median, peak
-    _, short, _ = run_scene(sunder, folder, dict(scene, duration=h), ["--frames", "0"], limit)
-    return max(whole - short, 0.0) / steps, short, peak
+    """Seconds a step; of all else in the run, mostly the first step, which factors; peak memory. A step's are the
+    median step's by the wall where that is short against the slices in which the machine is shared, else what it
+    takes of the processor."""
+    whole = dict(scene, duration=scene["time_step"] * steps)
+    report, seconds, peak = run_scene(sunder, folder, whole, ["--frames", "0"], limit)
+    step = 1e-3 * report["step_ms"]["median"]
+    if step >= 1e-3:
+        step = middle_third(sunder, folder, scene, 3 * max(10, min(500, round(1 / step))))
+    return step, seconds - steps * step, peak
 
 
 def frames(folder):
