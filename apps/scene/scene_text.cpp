@@ -266,9 +266,10 @@ std::string pointer_token(const std::string& key) {
 
 std::vector<std::string> given_keys(const nlohmann::json& root) {
   std::vector<std::string> keys;
-  if (!root.is_object()) return keys;
+  if (!root.is_object() && !root.is_array()) return keys;
+  // Entries of an array have their numbers for keys.
   for (const auto& [key, value] : root.items()) {
-    keys.push_back(key);
+    if (root.is_object()) keys.push_back(key);
     for (const std::string& inner : given_keys(value)) keys.push_back(key + "." + inner);
   }
   return keys;

@@ -34,7 +34,7 @@ Result<SceneText> parse_scene_text(std::string_view bytes, const std::string& fi
 std::vector<Finding> apply_setting(SceneText& text, const std::string& setting);
 
 /// Keys that a document gives, in and outside of objects, as `--set` takes them: "contact",
-/// "contact.friction". What stands in arrays is left out.
+/// "contact.friction", "bodies.0.order".
 std::vector<std::string> given_keys(const nlohmann::json& root);
 
 /// JSON pointer as people write it in `--set`: "/bodies/0/mesh" gives "bodies.0.mesh".

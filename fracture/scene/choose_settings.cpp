@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "fracture/scene/body_measures.hpp"
+#include "fracture/scene/check_scene.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 
 namespace sunder {
@@ -207,6 +208,43 @@ bool is_used(const Scene& scene, std::string_view key) {
          scene.integrator.integrator == Integrator::floating_frame;
 }
 
+/// Whether bodies of second order can have what the scene asks for.
+bool takes_second_order(const Scene& scene) {
+  return second_order_findings(scene).empty() && scene.fracture.node_stress != NodeStress::fit;
+}
+
+/// Second order for thin bodies that have few layers of cells and are no larger than what can be
+/// paid for (docs/defaults.md has the charts).
+void choose_orders(std::vector<Choice>& choices, Scene& scene, Accuracy accuracy,
+                   std::span<const std::string> given) {
+  if (accuracy == Accuracy::preview) return;
+  const std::size_t most = accuracy == Accuracy::good ? 2000 : 20000;
+  constexpr double thin = 5;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    BodySettings& body = scene.bodies[b];
+    const std::string key = fmt::format("bodies.{}.order", b);
+    if (body.rigid || body.mesh.tetrahedra.size() > most ||
+        std::ranges::find(given, key) != given.end()) {
+      continue;
+    }
+    body.order = 1;
+    const BodyMeasures m = measure(body);
+    if (m.slenderness < thin) continue;
+    const double layers = layers_through(body, m);
+    if (layers >= enough_layers) continue;
+    body.order = 2;
+    if (!takes_second_order(scene)) {
+      body.order = 1;
+      continue;
+    }
+    choices.push_back(
+        {key, "2",
+         fmt::format("{:.2g} times as long as thick with {:.1f} layers of cells: linear ones would be "
+                     "at least {:.0f} per cent too stiff in bending (1 takes a tenth of the time)",
+                     m.slenderness, layers, 300 / (layers * layers))});
+  }
+}
+
 }  // namespace
 
 std::vector<std::string_view> chosen_keys() {
@@ -231,6 +269,7 @@ std::vector<Choice> choose_settings(Scene& scene, Accuracy accuracy,
             : fmt::format("\"{}\"", rule.words[static_cast<std::size_t>(chosen.value)]);
     choices.push_back({std::string(rule.key), word, std::move(chosen.reason)});
   }
+  choose_orders(choices, scene, accuracy, given);
   return choices;
 }
 

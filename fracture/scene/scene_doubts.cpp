@@ -125,7 +125,7 @@ void look_at_layers(const Looked& l, std::size_t b) {
   if (l.scene.fracture.mode == FractureMode::off || !(l.measures[b].strength < infinite)) return;
   if (body.order == 2) return;
   const double layers = layers_through(body, l.measures[b]);
-  if (layers > 2.9) return;
+  if (layers >= too_few_layers) return;
   l.body(b, "few_layers", "mesh",
          fmt::format("has {:.1f} layers of cells through its thickness (median of 200 rays): "
                      "linear tetrahedra show 22, 50, 79, 89 per cent of the deflection in bending "

@@ -207,8 +207,8 @@ void describe(V& v, BodySettings& b) {
   v.field(Key{"unbreakable", "", "Parts whose vertices never split"}, b.unbreakable);
   v.field(Key{"order", "",
               "Of the tetrahedra. 1: displacement is linear in each; 2: quadratic, with a node in "
-              "the middle of each edge, for what bends; with floating_frame, contact by impulses and "
-              "the criterion stress, without ties",
+              "the middle of each edge, for what bends; with floating_frame and contact by impulses. "
+              "Left out: 2 for small thin bodies of few layers (docs/defaults.md), else 1",
               between(1, 2)},
           b.order);
   v.field(Key{"rigid", "",

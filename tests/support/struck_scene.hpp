@@ -12,6 +12,7 @@ inline nlohmann::json struck_scene(double away = 0.32, double duration = 0.005) 
   return {{"name", "struck"},
           {"bodies",
            {{{"mesh", SUNDER_MESHES "/monolith.msh"},
+             {"order", 1},
              {"material", {{"young_modulus", 30e9}, {"tensile_strength", 2e6}}}}}},
           {"obstacles",
            {{{"plane", {{"normal", {0, 0, 1}}}}},

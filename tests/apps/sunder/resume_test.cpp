@@ -108,6 +108,7 @@ TEST_CASE("a killed run goes on to the bytes of one that never stopped", "[run][
 TEST_CASE("a run is extended to the bytes of a longer one, more than once", "[run][resume]") {
   const Workplace here;
   json scene = saved_scene();
+  scene["bodies"][0]["order"] = GENERATE(1, 2);
   const std::string whole = here.write("whole.json", scene.dump());
   REQUIRE(here.run({"run", whole, "--quiet", "-o", here.path("whole")}).exit_code == 0);
   scene["duration"] = 0.01;

@@ -2,6 +2,8 @@
 // What is chosen follows from the scene; what is given stays; what is told is what is set.
 #include "fracture/scene/choose_settings.hpp"
 
+#include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <set>
 
@@ -156,4 +158,43 @@ TEST_CASE("a step in flight is expected to take time by its tetrahedra", "[fract
   CHECK(one > 0);
   scene.bodies.push_back(scene.bodies[0]);
   CHECK(flight_ms(scene) == Approx(2 * one).epsilon(0.2));
+}
+
+TEST_CASE("thin bodies of few layers are of second order, unless told or large or in a hurry",
+          "[fracture][settings]") {
+  const auto order = [](const std::array<int, 3>& cells, Accuracy accuracy, auto change) {
+    Scene scene = falling(5);
+    scene.bodies[0].mesh = suite::kuhn_box(cells, 0.01);
+    change(scene);
+    const std::vector<Choice> choices = choose_settings(scene, accuracy, {});
+    const bool told = std::ranges::any_of(
+        choices, [](const Choice& c) { return c.key == "bodies.0.order" && c.value == "2"; });
+    CHECK(told == (scene.bodies[0].order == 2));
+    CHECK(choose_settings(scene, accuracy, {}).size() == choices.size());
+    CHECK(told == (scene.bodies[0].order == 2));
+    return scene.bodies[0].order;
+  };
+  const auto as_it_is = [](Scene&) {};
+  CHECK(order({10, 10, 1}, Accuracy::good, as_it_is) == 2);
+  CHECK(order({20, 2, 2}, Accuracy::good, as_it_is) == 2);
+  CHECK(order({10, 10, 1}, Accuracy::reference, as_it_is) == 2);
+  CHECK(order({10, 10, 1}, Accuracy::preview, as_it_is) == 1);
+  CHECK(order({4, 4, 4}, Accuracy::good, as_it_is) == 1);    // compact
+  CHECK(order({3, 3, 1}, Accuracy::good, as_it_is) == 1);    // compact
+  CHECK(order({20, 4, 4}, Accuracy::good, as_it_is) == 2);
+  CHECK(order({33, 6, 6}, Accuracy::reference, as_it_is) == 1);  // six layers
+  CHECK(order({20, 20, 1}, Accuracy::good, as_it_is) == 1);  // 2 400 tetrahedra
+  CHECK(order({20, 20, 1}, Accuracy::reference, as_it_is) == 2);
+  CHECK(order({10, 10, 1}, Accuracy::good, [](Scene& s) { s.bodies[0].rigid = true; }) == 1);
+  CHECK(order({10, 10, 1}, Accuracy::good, [](Scene& s) {
+          s.integrator.model = ElasticModel::corotational;
+        }) == 1);
+  CHECK(order({10, 10, 1}, Accuracy::good, [](Scene& s) {
+          s.fracture.node_stress = NodeStress::fit;
+        }) == 1);
+  Scene told = falling(5);
+  told.bodies[0].mesh = suite::kuhn_box({10, 10, 1}, 0.01);
+  CHECK(choose_settings(told, Accuracy::good, std::vector<std::string>{"bodies.0.order"}).size() ==
+        chosen_keys().size());
+  CHECK(told.bodies[0].order == 1);
 }
