@@ -109,7 +109,8 @@ double vertex_strength(const Cells& cells, const MechanicsState& mechanics, Vert
   strength *= cells.flaw[vertex.index()];
   if (std::isinf(toughness) || !is_crack_tip(cells, vertex, star)) return strength;
   const double h = mean_edge_length(mechanics.vertices, cells.map.corners(), star);
-  const double at_tip = crack_tip_factor * toughness / std::sqrt(h);
+  const int order = is_second_order(mechanics.elements, star.front()) ? 2 : 1;
+  const double at_tip = crack_tip_factor(order) * toughness / std::sqrt(h);
   // Ties take the energy: at a tip they must not have less than the strength of the material.
   return cells.pieces ? std::min(strength, at_tip) : at_tip;
 }

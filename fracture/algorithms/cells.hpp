@@ -77,14 +77,15 @@ void append_copy(Cells& cells, VertexId from);
 /// Appends the columns of a node that is no vertex: it never breaks.
 void append_node(Cells& cells, ComponentId component);
 
-/// C of the threshold at a crack tip, C K_Ic / sqrt(h): with it an edge crack breaks within 3 per
-/// cent of the closed form at any size of elements (docs/energy.md).
-inline constexpr double crack_tip_factor = 0.54;
+/// C of the threshold at a crack tip, C K_Ic / sqrt(h): with it an edge crack breaks within 5 per cent
+/// of the closed form at any size of elements from an eighth of its length down, of second order a
+/// penny crack of at least two elements too (docs/energy.md). `order`: of the tetrahedra round the tip.
+constexpr double crack_tip_factor(int order) { return order == 2 ? 1.03 : 0.54; }
 
 /// Threshold xi of one vertex, Pa: the smallest tensile strength around it or that painted on it,
 /// times its flaw; infinite where it is unbreakable. Where its material has a
-/// toughness K_Ic and the vertex is a crack tip (a cracked face lies in its star), 0.54 K_Ic /
-/// sqrt(h) alone, h the mean edge length of its star, because the stress there grows like
+/// toughness K_Ic and the vertex is a crack tip (a cracked face lies in its star), C K_Ic / sqrt(h)
+/// (`crack_tip_factor`) alone, h the mean edge length of its star, because the stress there grows like
 /// 1 / sqrt(h) and a bare strength would depend on the mesh (docs/decisions.md).
 /// With `CrackMode::cohesive` the smaller of the two, K_Ic = sqrt(E G_c / (1 - nu^2)).
 /// `star`: every tetrahedron around `vertex`. Infinite for a material that never breaks.

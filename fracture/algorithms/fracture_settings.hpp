@@ -33,7 +33,7 @@ enum class NodeStress {
 
 /// What breaks a vertex at the tip of a crack where the material has a toughness K_Ic.
 enum class FractureCriterion {
-  /// Its largest principal stress: 0.54 K_Ic / sqrt(h) (`vertex_strength`).
+  /// Its largest principal stress: C K_Ic / sqrt(h) (`vertex_strength`).
   stress,
   /// The energy that the crack's front would release there per area: K_Ic^2 (1 - nu^2) / E
   /// (docs/energy.md).

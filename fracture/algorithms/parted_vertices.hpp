@@ -5,14 +5,14 @@
 #include <span>
 #include <vector>
 
-#include "topology/kernel/volume_map.hpp"
+#include "topology/kernel/edge_nodes.hpp"
 
 namespace sunder {
 
-/// A vertex that would come apart if some faces were split.
+/// A vertex, or the node of an edge, that would come apart if some faces were split.
 struct PartedVertex {
   VertexId vertex;
-  /// The tetrahedra of each part of its star, rising; the parts by their lowest tetrahedron. Two or
+  /// The tetrahedra of each part of its star (of the ring round the edge), rising; the parts by their lowest tetrahedron. Two or
   /// more.
   std::vector<std::vector<TetId>> sides;
 };
@@ -20,5 +20,9 @@ struct PartedVertex {
 /// The vertices that splitting `faces` would part, in rising order of row: those whose star falls
 /// apart when its tetrahedra no longer meet across these faces. Nothing is split. O(stars).
 std::vector<PartedVertex> parted_vertices(const VolumeMap& map, std::span<const HalfFaceId> faces);
+
+/// The same for the nodes of edges (`nodes`: |T|, none() where a tetrahedron has none; empty: nowhere).
+std::vector<PartedVertex> parted_edges(const EdgeNodeRows& nodes, const VolumeMap& map,
+                                       std::span<const HalfFaceId> faces);
 
 }  // namespace sunder

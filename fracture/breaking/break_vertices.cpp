@@ -66,7 +66,7 @@ void set_tip_strength(FractureWork& work, VertexId v) {
   const RelaxedState& relaxed = work.scratch.relaxed;
   const bool opened = work.elements.stress.data() == relaxed.stress.data();
   const Deformed deformed{opened ? relaxed.displacement : work.body.mechanics.vertices.displacement,
-                          work.elements.stress};
+                          work.elements.stress, work.elements.corner_stress};
   work.body.cells.strength[v.index()] =
       tip_strength(work.body.cells, work.body.mechanics, deformed, {v, work.stress(v)});
 }
@@ -299,6 +299,7 @@ FractureReport break_vertices(BreakableBody body, const FractureSettings& settin
   if (settings.relax > 0 && !work.queue.empty()) {
     start_relaxing(scratch.relaxed, body.mechanics);
     work.elements.stress = scratch.relaxed.stress;
+    work.elements.corner_stress = scratch.relaxed.corner_stress;
   }
   scratch.flanks.clear();
   split_in_order(work);

@@ -51,14 +51,8 @@ std::vector<Vec3> forces_on(const std::vector<std::uint32_t>& group, const Mecha
     for (std::size_t a = 0; a < nodes.count; ++a) {
       const std::size_t v = nodes.row[a].index();
       if (group[v] == 0) continue;
-      if (nodes.count > 4) {
-        force[v] -= R * second_order_force(elements.shape_gradient[t], elements.rest_volume[t],
-                                           elements.corner_stress[t], a);
-        continue;
-      }
       force[v] -=
-          elements.rest_volume[t] *
-          (R * (elements.stress[t] * elements.shape_gradient[t].col(static_cast<Eigen::Index>(a))));
+          R * node_force(elements, elements.stress, elements.corner_stress, TetId{t}, a);
     }
   }
   return force;

@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 
-#include "mechanics/element/strain_displacement.hpp"
+#include "mechanics/element/second_order.hpp"
 #include "mechanics/integrators/component_step.hpp"
 #include "mechanics/integrators/quasi_static.hpp"
 
@@ -16,6 +17,17 @@ namespace {
 
 using Eigen::Index;
 constexpr std::uint32_t none = Supernode::none;
+
+/// Rows that loads have for a tetrahedron.
+std::size_t most_nodes(const ElementColumns& elements) {
+  return elements.edge_nodes.empty() ? 4 : 10;
+}
+
+/// A tetrahedron's nodes and which of them one is.
+std::pair<ElementNodes, std::size_t> node_in(const ReleaseInput& input, TetId t, VertexId node) {
+  const ElementNodes nodes = nodes_of(input.mechanics.elements, input.cells.map.corners(), t);
+  return {nodes, static_cast<std::size_t>(std::ranges::find(nodes, node) - nodes.begin())};
+}
 
 /// Copies that splitting would make, as rows of a border behind those of the system.
 struct Trial {
@@ -75,16 +87,14 @@ void fill_column(Trial& trial, FactorBorder::Column& column, VertexId vertex,
                  std::span<const TetId> side) {
   const MechanicsState& m = trial.input.mechanics;
   for (const TetId t : side) {
-    const Corners& corners = trial.input.cells.map.corners(t);
-    const auto own = std::find(corners.begin(), corners.end(), vertex) - corners.begin();
-    const ShapeGradient& G = m.elements.shape_gradient[t.index()];
+    const auto [nodes, own] = node_in(trial.input, t, vertex);
     const Lame constants = lame(material_of(m, t));
-    for (std::size_t b = 0; b < 4; ++b) {
-      const std::uint32_t row = row_after(trial, t, corners[b]);
+    for (std::size_t b = 0; b < nodes.count; ++b) {
+      const std::uint32_t row = row_after(trial, t, nodes.row[b]);
       if (row == none) continue;
       add_block(trial.border, column, row,
-                stiffness_block(G.col(static_cast<Index>(b)), G.col(own),
-                                m.elements.rest_volume[t.index()], constants));
+                node_block(m.elements.shape_gradient[t.index()], m.elements.rest_volume[t.index()],
+                           constants, nodes.count, b, own));
     }
   }
 }
@@ -96,15 +106,13 @@ Vec3 missing_force(const ReleaseInput& input, VertexId vertex, std::span<const T
                         .orientation.toRotationMatrix()
                         .transpose();
   Vec3 force = Vec3::Zero();
+  const std::size_t most = most_nodes(m.elements);
   for (const TetId t : side) {
-    const Corners& corners = input.cells.map.corners(t);
-    const auto own = std::find(corners.begin(), corners.end(), vertex) - corners.begin();
-    const ShapeGradient& G = m.elements.shape_gradient[t.index()];
-    force -= m.elements.rest_volume[t.index()] * (m.elements.stress[t.index()] * G.col(own));
-    force += 0.25 * m.elements.mass[t.index()] * (back * input.gravity);
-    if (!input.corner_force.empty()) {
-      force += back * input.corner_force[corner(t, static_cast<int>(own)).index()];
-    }
+    const auto [nodes, own] = node_in(input, t, vertex);
+    force -= node_force(m.elements, m.elements.stress, m.elements.corner_stress, t, own);
+    const double weight = nodes.count == 4 ? 0.25 : node_weight(own);
+    force += weight * m.elements.mass[t.index()] * (back * input.gravity);
+    if (!input.node_load.empty()) force += back * input.node_load[most * t.index() + own];
   }
   return force;
 }
@@ -168,23 +176,21 @@ double energy_of_free_piece(const Trial& trial) {
       }
     }
   }
-  // Loads on the rows of vertices, not of unknowns: every corner of a copy's tetrahedra once.
+  // Loads on the rows of nodes, not of unknowns: every node of a copy's tetrahedra once.
   std::size_t j = 0;
   const MechanicsState& m = trial.input.mechanics;
   for (const PartedVertex& p : trial.parted) {
     if (trial.extended_row(p.vertex) == none) continue;
     for (std::size_t s = 1; s < p.sides.size(); ++s, ++j) {
       for (const TetId t : p.sides[s]) {
-        const Corners& corners = trial.input.cells.map.corners(t);
-        const auto own = std::find(corners.begin(), corners.end(), p.vertex) - corners.begin();
-        const ShapeGradient& G = m.elements.shape_gradient[t.index()];
+        const auto [nodes, own] = node_in(trial.input, t, p.vertex);
         const Lame constants = lame(material_of(m, t));
-        for (std::size_t b = 0; b < 4; ++b) {
-          const std::uint32_t row = trial.extended_row(corners[b]);
+        for (std::size_t b = 0; b < nodes.count; ++b) {
+          const std::uint32_t row = trial.extended_row(nodes.row[b]);
           if (row == none) continue;
           B.block<3, 3>(local[row], static_cast<Index>(3 * j)) +=
-              stiffness_block(G.col(static_cast<Index>(b)), G.col(own),
-                              m.elements.rest_volume[t.index()], constants);
+              node_block(m.elements.shape_gradient[t.index()], m.elements.rest_volume[t.index()],
+                         constants, nodes.count, b, own);
         }
       }
     }
@@ -221,15 +227,18 @@ const ComponentSystem* static_system(const ReleaseInput& input, const Component&
 
 }  // namespace
 
-std::vector<Vec3> corner_forces(std::span<const CornerLoad> loads, const MechanicsState& state,
-                                double time) {
+std::vector<Vec3> node_loads(std::span<const CornerLoad> loads, const MechanicsState& state,
+                             double time) {
   std::vector<Vec3> force;
-  if (!loads.empty()) force.assign(4 * state.elements.size(), Vec3::Zero());
+  const std::size_t most = most_nodes(state.elements);
+  if (!loads.empty()) force.assign(most * state.elements.size(), Vec3::Zero());
   for (const CornerLoad& load : loads) {
     const double raised = load.ramp_time > 0 ? std::min(1.0, time / load.ramp_time) : 1.0;
     const std::size_t t = tetrahedron_of(load.corner).index();
+    const int node = load.edge < 0 ? place_of(load.corner) : 4 + load.edge;
     const auto& R = state.components[state.elements.component[t].index()].orientation;
-    force[load.corner.index()] += raised * (load.turns ? R * load.force : load.force);
+    force[most * t + static_cast<std::size_t>(node)] +=
+        raised * (load.turns ? R * load.force : load.force);
   }
   return force;
 }
@@ -243,9 +252,11 @@ Result<EnergyRelease> energy_release(const ReleaseInput& input, std::span<const 
     release.area += area.norm();
     release.projected += projected_area(area, normal.normalized());
   }
-  const std::vector<PartedVertex> parted = parted_vertices(input.cells.map, faces);
-  if (parted.empty()) return release;
   const MechanicsState& m = input.mechanics;
+  std::vector<PartedVertex> parted = parted_vertices(input.cells.map, faces);
+  std::ranges::move(parted_edges(m.elements.edge_nodes, input.cells.map, faces),
+                    std::back_inserter(parted));
+  if (parted.empty()) return release;
   const Component& component =
       m.components[m.vertices.component[parted.front().vertex.index()].index()];
   // Free bodies have a factor too, of rounding.

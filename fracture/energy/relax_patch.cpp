@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "mechanics/element/second_order.hpp"
 #include "mechanics/element/strain_displacement.hpp"
 #include "mechanics/solver/component_system.hpp"
 #include "topology/base/assert.hpp"
@@ -23,39 +24,37 @@ struct Borne {
   double mass = 0;
 };
 
-Borne borne(const Cells& cells, const MechanicsState& m, VertexId v) {
-  Borne sum;
-  for (const TetId t : star(cells.map, v)) {
-    const Corners& c = cells.map.corners(t);
-    const auto own = std::find(c.begin(), c.end(), v) - c.begin();
-    sum.force += m.elements.rest_volume[t.index()] *
-                 (m.elements.stress[t.index()] * m.elements.shape_gradient[t.index()].col(own));
-    sum.mass += m.elements.mass[t.index()];
+/// Appends the tetrahedra around vertices, each once, ascending.
+void add_stars(std::vector<TetId>& tetrahedra, const Cells& cells,
+               std::span<const VertexId> vertices) {
+  for (const VertexId v : vertices) {
+    const std::vector<TetId> around = star(cells.map, v);
+    tetrahedra.insert(tetrahedra.end(), around.begin(), around.end());
   }
-  return sum;
+  sort_unique(tetrahedra);
 }
 
-/// Rows of each vertex that a fan split, the old one first; gives new rows their displacement.
-std::map<VertexId, std::vector<VertexId>> rows_of_copies(RelaxedState& relaxed,
-                                                         const FanEvent& fan) {
-  std::map<VertexId, VertexId> root;
-  std::map<VertexId, std::vector<VertexId>> groups;
+/// The rows that a fan split, old ones too, each with the first of its copies; gives new rows their
+/// displacement.
+std::map<VertexId, VertexId> roots_of_copies(RelaxedState& relaxed, const FanEvent& fan) {
+  std::vector<VertexCopy> copies = fan.nodes;
   for (const FaceSplit& face : fan.faces) {
-    for (int i = 0; i < face.vertex_count; ++i) {
-      const auto [old_row, new_row] = face.split_vertices[static_cast<std::size_t>(i)];
-      SUNDER_ASSERT(new_row.index() == relaxed.displacement.size(), "a fan was not noted");
-      relaxed.displacement.push_back(Vec3(relaxed.displacement[old_row.index()]));
-      const VertexId first = root.try_emplace(old_row, old_row).first->second;
-      root[new_row] = first;
-      std::vector<VertexId>& rows = groups[first];
-      if (rows.empty()) rows.push_back(first);
-      rows.push_back(new_row);
-    }
+    copies.insert(copies.end(), face.split_vertices.begin(),
+                  face.split_vertices.begin() + face.vertex_count);
   }
-  return groups;
+  std::ranges::sort(copies, {}, &VertexCopy::new_row);
+  std::map<VertexId, VertexId> root;
+  for (const auto& [old_row, new_row] : copies) {
+    SUNDER_ASSERT(new_row.index() == relaxed.displacement.size(), "a fan was not noted");
+    relaxed.displacement.push_back(Vec3(relaxed.displacement[old_row.index()]));
+    const VertexId first = root.try_emplace(old_row, old_row).first->second;
+    root[new_row] = first;
+  }
+  return root;
 }
 
-/// A piece of the body as if it were a component: `vertices` are the patch's, rim and all.
+/// A piece of the body as if it were a component: `vertices` are the patch's, rim and all. `inner`:
+/// what was split; then all nodes that are free.
 Component patch_around(const Cells& cells, const MechanicsState& m, std::vector<VertexId>& inner,
                        std::uint32_t rings) {
   Component patch;
@@ -64,11 +63,7 @@ Component patch_around(const Cells& cells, const MechanicsState& m, std::vector<
   std::vector<TetId> fresh;
   for (std::uint32_t ring = 1; !edge.empty(); ++ring) {
     fresh.clear();
-    for (const VertexId v : edge) {
-      const std::vector<TetId> around = star(cells.map, v);
-      fresh.insert(fresh.end(), around.begin(), around.end());
-    }
-    sort_unique(fresh);
+    add_stars(fresh, cells, edge);
     patch.tetrahedra.insert(patch.tetrahedra.end(), fresh.begin(), fresh.end());
     if (ring == rings) break;
     met.clear();
@@ -83,12 +78,22 @@ Component patch_around(const Cells& cells, const MechanicsState& m, std::vector<
     std::ranges::sort(inner);
   }
   sort_unique(patch.tetrahedra);
+  std::vector<VertexId> middles;  // of edges that end at a free vertex
   for (const TetId t : patch.tetrahedra) {
-    const Corners& c = cells.map.corners(t);
-    patch.vertices.insert(patch.vertices.end(), c.begin(), c.end());
+    const ElementNodes nodes = nodes_of(m.elements, cells.map.corners(), t);
+    patch.vertices.insert(patch.vertices.end(), nodes.begin(), nodes.end());
     patch.mass += m.elements.mass[t.index()];
+    for (std::size_t k = 4; k < nodes.count; ++k) {
+      const auto [i, j] = edge_ends[k - 4];
+      const auto is_free = [&](int end) {
+        return std::ranges::binary_search(inner, nodes.row[static_cast<std::size_t>(end)]);
+      };
+      if (is_free(i) || is_free(j)) middles.push_back(nodes.row[k]);
+    }
   }
   sort_unique(patch.vertices);
+  inner.insert(inner.end(), middles.begin(), middles.end());
+  sort_unique(inner);
   patch.rest_centre = m.vertices.rest_position[patch.vertices.front().index()];
   return patch;
 }
@@ -140,15 +145,14 @@ Eigen::VectorXd missing_forces(const RelaxedState& relaxed, const ComponentSyste
     missing.col(static_cast<Index>(i)) = known->second;
   }
   for (const TetId t : patch.tetrahedra) {
-    const Corners& c = cells.map.corners(t);
-    const ShapeGradient& G = m.elements.shape_gradient[t.index()];
-    const double volume = m.elements.rest_volume[t.index()];
-    for (std::size_t a = 0; a < 4; ++a) {
-      const std::uint32_t row = relaxed.local_row[c[a].index()];
+    const ElementNodes nodes = nodes_of(m.elements, cells.map.corners(), t);
+    for (std::size_t a = 0; a < nodes.count; ++a) {
+      const std::uint32_t row = relaxed.local_row[nodes.row[a].index()];
       if (row >= system.free_count) continue;
-      Mat3 stress = -relaxed.stress[t.index()];
-      if (!has_share[row]) stress += m.elements.stress[t.index()];
-      missing.col(static_cast<Index>(row)) += volume * (stress * G.col(static_cast<Index>(a)));
+      auto own = missing.col(static_cast<Index>(row));
+      own -= node_force(m.elements, relaxed.stress, relaxed.corner_stress, t, a);
+      if (has_share[row]) continue;
+      own += node_force(m.elements, m.elements.stress, m.elements.corner_stress, t, a);
     }
   }
   return missing.reshaped();
@@ -159,28 +163,56 @@ Eigen::VectorXd missing_forces(const RelaxedState& relaxed, const ComponentSyste
 void start_relaxing(RelaxedState& relaxed, const MechanicsState& mechanics) {
   relaxed.displacement = mechanics.vertices.displacement;
   relaxed.stress = mechanics.elements.stress;
+  relaxed.corner_stress = mechanics.elements.corner_stress;
   relaxed.share.clear();
   relaxed.split.clear();
 }
 
 void note_fan(RelaxedState& relaxed, const Cells& cells, const MechanicsState& m,
               const FanEvent& fan) {
-  for (const auto& [first, rows] : rows_of_copies(relaxed, fan)) {
-    Borne sum;
-    std::vector<double> mass;
-    for (const VertexId v : rows) {
-      const Borne own = borne(cells, m, v);
-      sum.force += own.force;
-      sum.mass += own.mass;
-      mass.push_back(own.mass);
+  const std::map<VertexId, VertexId> root = roots_of_copies(relaxed, fan);
+  std::vector<VertexId> corners;
+  for (const FaceSplit& face : fan.faces) {
+    corners.insert(corners.end(), face.vertices.begin(), face.vertices.end());
+  }
+  for (const auto& [row, first] : root) {
+    if (!cells.map.is_node(row)) corners.push_back(row);
+  }
+  sort_unique(corners);
+  std::vector<TetId> around;
+  add_stars(around, cells, corners);
+  std::map<VertexId, Borne> borne;
+  for (const TetId t : around) {
+    const ElementNodes nodes = nodes_of(m.elements, cells.map.corners(), t);
+    for (std::size_t a = 0; a < nodes.count; ++a) {
+      if (!root.contains(nodes.row[a])) continue;
+      Borne& own = borne[nodes.row[a]];
+      own.force += node_force(m.elements, m.elements.stress, m.elements.corner_stress, t, a);
+      own.mass += node_share(nodes.count, a) * m.elements.mass[t.index()];
+      if (a < 4) {
+        relaxed.split.push_back(nodes.row[a]);
+      } else {
+        for (const int end : edge_ends[a - 4]) {
+          relaxed.split.push_back(nodes.row[static_cast<std::size_t>(end)]);
+        }
+      }
     }
+  }
+  std::map<VertexId, Borne> whole;  // row = first copy
+  for (const auto& [row, first] : root) {
+    Borne& sum = whole[first];
+    sum.force += borne[row].force;
+    sum.mass += borne[row].mass;
+  }
+  for (auto& [first, sum] : whole) {
     const auto known = relaxed.share.find(first);
     if (known != relaxed.share.end()) sum.force = known->second;
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-      relaxed.share[rows[i]] = mass[i] / sum.mass * sum.force;
-    }
-    relaxed.split.insert(relaxed.split.end(), rows.begin(), rows.end());
   }
+  for (const auto& [row, first] : root) {
+    const Borne& sum = whole[first];
+    relaxed.share[row] = borne[row].mass / sum.mass * sum.force;
+  }
+  sort_unique(relaxed.split);
 }
 
 void relax_around(RelaxedState& relaxed, const Cells& cells, MechanicsState& m,
@@ -200,16 +232,29 @@ void relax_around(RelaxedState& relaxed, const Cells& cells, MechanicsState& m,
     relaxed.displacement[system.order[i].index()] += answer.segment<3>(static_cast<Index>(3 * i));
   }
   for (const TetId t : patch.tetrahedra) {
+    const Lame constants = lame(material_of(m, t));
+    if (is_second_order(m.elements, t)) {
+      const auto H = corner_gradients(m.elements, cells.map.corners(), relaxed.displacement, t);
+      Mat3& mean = relaxed.stress[t.index()];
+      mean.setZero();
+      for (std::size_t k = 0; k < 4; ++k) {
+        relaxed.corner_stress[t.index()][k] = stress_of(H[k], constants);
+        mean += 0.25 * relaxed.corner_stress[t.index()][k];
+      }
+      continue;
+    }
     CornerVectors d = CornerVectors::Zero();
     for (std::size_t a = 0; a < 4; ++a) {
       const std::uint32_t row = relaxed.local_row[cells.map.corners(t)[a].index()];
       if (row >= system.free_count) continue;
       d.col(static_cast<Index>(a)) = answer.segment<3>(3 * static_cast<Index>(row));
     }
-    relaxed.stress[t.index()] += stress_of(
-        displacement_gradient(m.elements.shape_gradient[t.index()], d), lame(material_of(m, t)));
+    Mat3& stress = relaxed.stress[t.index()];
+    stress += stress_of(displacement_gradient(m.elements.shape_gradient[t.index()], d), constants);
+    if (!relaxed.corner_stress.empty()) relaxed.corner_stress[t.index()].fill(stress);
   }
   relaxed.changed = patch.vertices;
+  std::erase_if(relaxed.changed, [&](VertexId v) { return cells.map.is_node(v); });
 }
 
 }  // namespace sunder

@@ -2,6 +2,7 @@
 // Stresses around fans as they would be once these have opened: a small static solve after them.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <vector>
@@ -16,9 +17,10 @@ namespace sunder {
 struct RelaxedState {
   std::vector<Vec3> displacement;  ///< |V|, m, body frame
   std::vector<Mat3> stress;        ///< |T|, Pa, body frame
+  std::vector<std::array<Mat3, 4>> corner_stress;  ///< as that of `ElementColumns`
   /// N: what acts on rows that split, by the masses of the sides.
   std::map<VertexId, Vec3> share;
-  std::vector<VertexId> split;    ///< rows that fans have split since the last solve
+  std::vector<VertexId> split;    ///< vertices at what fans have split since the last solve
   std::vector<VertexId> changed;  ///< by the last solve: rows whose star has other stresses now
   std::vector<std::uint32_t> local_row;  ///< |V|, room of the solve
 };

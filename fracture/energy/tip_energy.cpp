@@ -9,6 +9,7 @@
 
 #include "fracture/algorithms/fracture_plane.hpp"
 #include "fracture/energy/energy_release.hpp"
+#include "mechanics/element/second_order.hpp"
 #include "mechanics/element/strain_displacement.hpp"
 #include "topology/base/sort_unique.hpp"
 #include "topology/kernel/fan.hpp"
@@ -103,6 +104,26 @@ std::optional<double> swept(std::span<const FrontEdge> edges, const Domain& doma
   return sum;
 }
 
+/// Eshelby's H^T sigma - W I of a tetrahedron, its mean, Pa.
+Mat3 energy_momentum(const Cells& cells, const ElementColumns& elements, const Deformed& deformed,
+                     TetId t) {
+  if (is_second_order(elements, t)) {
+    const auto H = corner_gradients(elements, cells.map.corners(), deformed.displacement, t);
+    const std::array<Mat3, 4>& sigma = deformed.corner_stress[t.index()];
+    // Both are linear, so the integral of l_i l_j, V (1 + delta_ij) / 20, gives that of products.
+    Mat3 product = (H[0] + H[1] + H[2] + H[3]).transpose() *
+                   (sigma[0] + sigma[1] + sigma[2] + sigma[3]);
+    for (std::size_t k = 0; k < 4; ++k) product += H[k].transpose() * sigma[k];
+    product /= 20;
+    return product - 0.5 * product.trace() * Mat3::Identity();
+  }
+  const CornerVectors u = at_corners(deformed.displacement, cells.map.corners(t));
+  const Mat3 H = displacement_gradient(elements.shape_gradient[t.index()], u);
+  const Mat3& sigma = deformed.stress[t.index()];
+  const double W = 0.5 * sigma.cwiseProduct(H).sum();
+  return H.transpose() * sigma - W * Mat3::Identity();
+}
+
 /// sum V (H^T sigma - W I) grad q, N m / m.
 Vec3 material_force(const Cells& cells, const ElementColumns& elements, const Deformed& deformed,
                     const Domain& domain) {
@@ -114,10 +135,7 @@ Vec3 material_force(const Cells& cells, const ElementColumns& elements, const De
     for (std::size_t a = 0; a < 4; ++a) {
       if (domain.has(c[a])) slope += G.col(static_cast<Eigen::Index>(a));
     }
-    const Mat3 H = displacement_gradient(G, at_corners(deformed.displacement, c));
-    const Mat3& sigma = deformed.stress[t.index()];
-    const double W = 0.5 * sigma.cwiseProduct(H).sum();
-    force += elements.rest_volume[t.index()] * (H.transpose() * (sigma * slope) - W * slope);
+    force += elements.rest_volume[t.index()] * (energy_momentum(cells, elements, deformed, t) * slope);
   }
   return force;
 }

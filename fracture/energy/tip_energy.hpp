@@ -2,6 +2,7 @@
 // The energy that a crack's front would release at one of its vertices, from the deformation alone.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 
@@ -13,6 +14,8 @@ namespace sunder {
 struct Deformed {
   std::span<const Vec3> displacement;  ///< |V|, m
   std::span<const Mat3> stress;        ///< |T|, Pa
+  /// |T|, Pa, of second order (see `ElementColumns`); empty: none is.
+  std::span<const std::array<Mat3, 4>> corner_stress;
 };
 
 /// Over which tetrahedra the integral of `tip_energy` runs.

@@ -127,13 +127,6 @@ std::vector<SettingFinding> second_order_findings(const Scene& scene) {
          "take projection, or leave the bodies' order out");
   refuse(scene.contact.method == ContactMethod::penalty, "contact.method", "penalty",
          "take impulses, or leave the bodies' order out");
-  if (scene.fracture.mode == FractureMode::off) return findings;
-  refuse(scene.fracture.crack == CrackMode::cohesive, "fracture.crack", "cohesive",
-         "take object, or leave the bodies' order out");
-  refuse(scene.fracture.relax > 0, "fracture.relax", "above 0",
-         "leave it out, or leave the bodies' order out");
-  refuse(scene.fracture.criterion == FractureCriterion::energy, "fracture.criterion", "energy",
-         "take stress, or leave the bodies' order out");
   return findings;
 }
 

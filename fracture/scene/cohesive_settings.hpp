@@ -23,7 +23,7 @@ double softening_length(const Material& material);
 
 /// Adds, for materials whose strength is finite: two_fracture_energies (toughness and G_c are given
 /// and more than 5 per cent apart), tip_not_resolved (l_z is shorter than 3 cells: cracks take the
-/// right energy, and where they begin at a tip is decided by 0.54 K_Ic / sqrt(h)).
+/// right energy, and where they begin at a tip is decided by `vertex_strength`).
 /// Needs: a scene and meshes without errors.
 void judge_materials(fields::SettingsCheck& check, const Scene& scene);
 

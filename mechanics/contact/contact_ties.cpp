@@ -14,8 +14,8 @@
 namespace sunder {
 namespace {
 
-VertexId vertex_of(const StepPaths& paths, HalfFaceId face, std::uint8_t place) {
-  return paths.corners[tetrahedron_of(face).index()][place];
+VertexId node_of(const StepPaths& paths, HalfFaceId face, std::uint8_t place) {
+  return nodes_of(paths.state.elements, paths.corners, tetrahedron_of(face)).row[place];
 }
 
 /// Whether the component of a tie deforms in this step.
@@ -34,8 +34,8 @@ std::vector<TiePair> corners_apart(ContactMemory& memory, const StepPaths& paths
     const Vec3 normal = paths.state.components[id.index()].orientation * tie.normal;
     for (std::size_t k = 0; k < 3; ++k) {
       if (!tie.corners[k].is_apart()) continue;
-      TiePair pair{.a = vertex_of(paths, tie.face, tie.corner[k]),
-                   .b = vertex_of(paths, tie.opposite, tie.opposite_corner[k]),
+      TiePair pair{.a = node_of(paths, tie.face, tie.corner[k]),
+                   .b = node_of(paths, tie.opposite, tie.opposite_corner[k]),
                    .face = tie.face,
                    .tetrahedron = tetrahedron_of(tie.opposite),
                    .place = tie.opposite_corner[k],
@@ -137,7 +137,12 @@ ContactPoint contact_of(const TiePair& pair) {
   contact.tetrahedron = pair.tetrahedron;
   contact.face = pair.face;
   contact.weights = {};
-  contact.weights[pair.place] = 1;
+  if (pair.place < 4) {
+    contact.weights[pair.place] = 1;
+  } else {
+    // In the middle of an edge the shape functions of all other nodes are nothing.
+    for (const int end : edge_ends[pair.place - 4]) contact.weights[end] = 0.5;
+  }
   contact.normal = pair.normal;
   return contact;
 }

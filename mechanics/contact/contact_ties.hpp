@@ -15,7 +15,7 @@ struct TiePair {
   VertexId a, b;           ///< a < b
   HalfFaceId face;         ///< of A: tells pairs of the same vertices apart
   TetId tetrahedron;       ///< of B
-  std::uint8_t place = 0;  ///< of B in it
+  std::uint8_t place = 0;  ///< of B among its nodes
   Vec3 normal{0, 0, 1};    ///< of the crack, world, from B to A, as the step begins
   double area = 0;         ///< m^2, of all corners
   ShearLaw shear;          ///< of all of them

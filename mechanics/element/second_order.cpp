@@ -44,6 +44,18 @@ void add_second_order_block(double* to, const ShapeGradient& G, std::size_t a, s
   }
 }
 
+Mat3 node_block(const ShapeGradient& G, double volume, const Lame& constants, std::size_t count,
+                std::size_t b, std::size_t a) {
+  if (count == 4) {
+    return stiffness_block(G.col(static_cast<Eigen::Index>(b)), G.col(static_cast<Eigen::Index>(a)),
+                           volume, constants);
+  }
+  Mat3 block = Mat3::Zero();
+  add_second_order_block(block.data(), G, b, a,
+                         {volume * constants.lambda, volume * constants.mu});
+  return block;
+}
+
 std::array<Mat3, 4> corner_gradients(const ElementColumns& elements,
                                      std::span<const Corners> corners,
                                      std::span<const Vec3> displacement, TetId t) {
@@ -91,6 +103,16 @@ Vec3 second_order_force(const ShapeGradient& G, double rest_volume,
     force += rest_volume * (mean * G.col(along));
   }
   return force;
+}
+
+Vec3 node_force(const ElementColumns& elements, std::span<const Mat3> stress,
+                std::span<const std::array<Mat3, 4>> corner_stress, TetId t, std::size_t node) {
+  const ShapeGradient& G = elements.shape_gradient[t.index()];
+  const double volume = elements.rest_volume[t.index()];
+  if (is_second_order(elements, t)) {
+    return second_order_force(G, volume, corner_stress[t.index()], node);
+  }
+  return volume * (stress[t.index()] * G.col(static_cast<Eigen::Index>(node)));
 }
 
 VertexId append_middle(VertexColumns& vertices, VertexId a, VertexId b) {

@@ -30,6 +30,11 @@ constexpr double node_weight(std::size_t node) { return node < 4 ? -1.0 / 20 : 1
 void add_second_order_block(double* to, const ShapeGradient& gradient, std::size_t a, std::size_t b,
                             const Lame& scaled);
 
+/// The block of K_e between nodes `b` and `a` of a tetrahedron of either order, with 4 or 10 (`count`)
+/// of them, N/m. `volume`: at rest, m^3.
+Mat3 node_block(const ShapeGradient& gradient, double volume, const Lame& constants,
+                std::size_t count, std::size_t b, std::size_t a);
+
 /// H at the four corners of tetrahedron `t`, no unit, from the displacements of its nodes. Needs:
 /// of second order.
 std::array<Mat3, 4> corner_gradients(const ElementColumns& elements,
@@ -43,6 +48,11 @@ double mean_product(const std::array<Mat3, 4>& a, const std::array<Mat3, 4>& b);
 /// sigma grad N_a, exact. N, body frame.
 Vec3 second_order_force(const ShapeGradient& gradient, double rest_volume,
                         const std::array<Mat3, 4>& stress, std::size_t a);
+
+/// The force K_e d_e on a node of tetrahedron `t` of either order (0 to 3, or 9), from stresses as in
+/// `ElementColumns`, |T| rows each. N, body frame.
+Vec3 node_force(const ElementColumns& elements, std::span<const Mat3> stress,
+                std::span<const std::array<Mat3, 4>> corner_stress, TetId t, std::size_t node);
 
 /// Appends the row of a node in the middle between two vertices at rest, or of a body that moves
 /// rigidly; its mass follows with `rebuild`.

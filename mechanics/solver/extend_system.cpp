@@ -58,19 +58,6 @@ void add_block(FactorBorder& border, FactorBorder::Column& column, std::uint32_t
   }
 }
 
-/// The block of K_e between nodes `b` and `a` of a tetrahedron with `count` of them.
-Mat3 node_block(const ShapeGradient& G, double volume, const Lame& constants, std::size_t count,
-                std::size_t b, std::size_t a) {
-  if (count == 4) {
-    return stiffness_block(G.col(static_cast<Eigen::Index>(b)), G.col(static_cast<Eigen::Index>(a)),
-                           volume, constants);
-  }
-  Mat3 block = Mat3::Zero();
-  add_second_order_block(block.data(), G, b, a,
-                         {volume * constants.lambda, volume * constants.mu});
-  return block;
-}
-
 /// K in the columns of the copies from place `first` on.
 void fill_columns(ComponentSystem& old, const ExtendedRows& rows, std::size_t first,
                   const SystemInput& input) {

@@ -12,7 +12,8 @@
 
 namespace sunder {
 
-/// One corner of a tied face, once its vertex has come apart.
+/// One corner of a tied face, once its vertex has come apart; of second order the middle of an edge,
+/// where even traction acts (corners bear none of it).
 struct TieCorner {
   double area = 0;      ///< m^2, A |n . n_f| / 3
   double strength = 0;  ///< Pa, sigma: what it bears before it opens; 0: not apart yet
@@ -24,12 +25,12 @@ struct TieCorner {
   bool is_spent() const { return is_apart() && opened >= opening_end; }
 };
 
-/// Two half-faces of one component that were one face and are tied together at their corners by a
-/// law of traction against opening (tie_law.hpp).
+/// Two half-faces of one component that were one face and are tied together at their corners, of second
+/// order at the middles of their edges, by a law of traction against opening (tie_law.hpp).
 struct Tie {
   HalfFaceId face, opposite;
   CrackId crack;  ///< that parted it
-  /// Places of the corners in their tetrahedra, by the darts of `face`; k meets k.
+  /// Places of those nodes in their tetrahedra (`nodes_of`), by the darts of `face`; k meets k.
   std::array<std::uint8_t, 3> corner{}, opposite_corner{};
   Vec3 normal = Vec3::UnitZ();  ///< of the crack, rest frame, unit length, from `opposite` to `face`
   double fracture_energy = 0;   ///< J/m^2, G_c

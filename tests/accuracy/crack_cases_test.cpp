@@ -29,7 +29,23 @@ TEST_CASE(
 
 TEST_CASE("a penny crack releases 4 (1 - nu^2) sigma^2 a / (pi E) per area when its front grows",
           "[accuracy][crack]") {
-  const CrackAnswer row = penny_crack(8);
+  const CrackAnswer row = penny_crack({8});
   CHECK(row.front_release == Approx(1).epsilon(0.15));
   CHECK(row.domain_energy == Approx(row.front_release).epsilon(0.03));
+}
+
+TEST_CASE("of second order the load with toughness is that of the closed form, at an edge and round a penny",
+          "[accuracy][crack]") {
+  const auto rows = edge_cracks({4, 8}, 2);
+  for (const CrackAnswer& row : rows) {
+    INFO("a/h " << row.cells);
+    CHECK(row.load_toughness == Approx(1).epsilon(0.065));
+    CHECK(row.load_energy == Approx(1).epsilon(0.03));
+    CHECK(row.domain_energy == Approx(row.front_release).epsilon(0.02));
+  }
+  CHECK(rows[1].load_toughness == Approx(1).epsilon(0.05));
+  CHECK(rows[1].tip_stress / rows[0].tip_stress == Approx(std::sqrt(2.0)).epsilon(0.02));
+  const CrackAnswer penny = penny_crack({2, 2});
+  CHECK(penny.front_release == Approx(1).epsilon(0.03));
+  CHECK(penny.load_toughness == Approx(1).epsilon(0.05));
 }

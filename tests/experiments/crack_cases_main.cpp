@@ -30,7 +30,9 @@ void print(const DiscAnswer& a) {
 
 int main() {
   print("edge crack: G and loads over the closed form's", edge_cracks({8, 16, 32}));
-  print("penny crack", {penny_crack(4), penny_crack(8), penny_crack(16)});
+  print("penny crack", {penny_crack({4}), penny_crack({8}), penny_crack({16})});
+  print("edge crack, second order", edge_cracks({4, 8, 16}, 2));
+  print("penny crack, second order", {penny_crack({2, 2}), penny_crack({4, 2})});
   std::printf("Brazilian disc\n%5s %9s %8s %7s %7s %9s %7s %7s %8s %6s\n", "D/h", "vertices",
               "tension", "load", "first", "farthest", "length", "area", "upright", "fans");
   for (const int cells : {18, 36}) print(brazilian_disc(cells));

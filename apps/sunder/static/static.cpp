@@ -163,14 +163,6 @@ ExitCode run_static(const StaticArguments& arguments) {
     if (has_error(unwritten)) return ExitCode::not_written;
     stages.done(fmt::format("wrote {}", arguments.output.string()));
   }
-  if ((!arguments.fan.empty() || arguments.fans) &&
-      !sim->state->mechanics.elements.edge_nodes.empty()) {
-    tell({{.code = "fan_of_second_order",
-           .text = "--fan and --fans are for tetrahedra of first order",
-           .remedy = "leave \"order\" out of the bodies, or the option"}},
-         arguments);
-    return ExitCode::usage;
-  }
   std::optional<FanAnswer> fan;
   if (!arguments.fan.empty()) {
     const Result<FanAnswer> released = fan_answer(*sim, arguments.fan);

@@ -17,14 +17,14 @@
 namespace sunder {
 namespace {
 
-/// A body in equilibrium and what pulls at it, by corner.
+/// A body in equilibrium and what pulls at it, by node.
 struct LoadedBody {
   Simulation& sim;
   std::span<const Vec3> force;
 };
 
 std::vector<Vec3> fully_raised(const Simulation& sim) {
-  return corner_forces(sim.state->loads, sim.state->mechanics,
+  return node_loads(sim.state->loads, sim.state->mechanics,
                        std::numeric_limits<double>::infinity());
 }
 
@@ -57,9 +57,10 @@ Result<FanAnswer> fan_answer(Simulation& sim, const std::string& list) {
   FanAnswer answer{.point = static_cast<std::uint32_t>(x[0]), .normal = {x[1], x[2], x[3]}};
   const Cells& cells = sim.state->cells;
   std::size_t row = 0;
-  while (row < cells.map.vertices() && cells.map.point_of_vertex(VertexId{row}) != answer.point) {
-    ++row;
-  }
+  const auto is_asked_for = [&](VertexId v) {
+    return cells.map.point_of_vertex(v) == answer.point && !cells.map.is_node(v);
+  };
+  while (row < cells.map.vertices() && !is_asked_for(VertexId{row})) ++row;
   if (row == cells.map.vertices()) row = std::max<std::size_t>(row, answer.point);
   const auto faces = fan_faces(cells.map, VertexId{row}, {x[1], x[2], x[3]});
   Result<FanAnswer> result;
@@ -92,7 +93,8 @@ Result<std::vector<FanCandidate>> fan_candidates(Simulation& sim, std::span<cons
     result.findings = add_release(candidate.fan, {sim, force}, VertexId{v}, plane.faces);
     if (!result.findings.empty()) return result;
     candidate.front =
-        tip_energy(cells, m.elements, {m.vertices.displacement, m.elements.stress}, VertexId{v});
+        tip_energy(cells, m.elements,
+                   {m.vertices.displacement, m.elements.stress, m.elements.corner_stress}, VertexId{v});
     candidates.push_back(candidate);
   }
   std::ranges::stable_sort(candidates, std::greater<>(),

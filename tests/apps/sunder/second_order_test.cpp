@@ -171,7 +171,14 @@ TEST_CASE("a body of second order runs, and what needs the first order says so",
   const Result<FileMesh> frame = read_file_mesh(path("out/frames/frame_000000.vtu"));
   REQUIRE(frame);
   CHECK(rows_of(*frame, CellKind::tetrahedron10).size() == 4 * 6);
-  CHECK(test::run_program("static " + path("scene.json") + " --fan 1,1,0,0").exit_code == 2);
+  const test::Outcome fan =
+      test::run_program("static " + path("scene.json") + " --fan 1,1,0,0 --fans 0 --json");
+  CHECK(fan.exit_code == 0);
+  CHECK(fan.json()["fan"]["copies"] > 1);
+  CHECK(fan.json()["fan"]["projected_area"] > 0);
+  CHECK(!fan.json()["fans"].empty());
+  // Row 27 of the simulation is the node of an edge, no point of the mesh.
+  CHECK(test::run_program("static " + path("scene.json") + " --fan 27,1,0,0").exit_code == 2);
   const test::Outcome fine =
       test::run_program("static " + path("scene.json") + " --json -o " + path("bar.vtu"));
   CHECK(fine.exit_code == 0);

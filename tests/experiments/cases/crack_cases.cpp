@@ -8,14 +8,12 @@
 #include <stdexcept>
 
 #include "fracture/algorithms/fracture_plane.hpp"
-#include "fracture/algorithms/node_stress.hpp"
 #include "fracture/energy/energy_release.hpp"
 #include "fracture/energy/tip_energy.hpp"
-#include "mechanics/state/living.hpp"
-#include "mechanics/statics/static_solve.hpp"
+#include "fracture/simulation/simulation_state.hpp"
+#include "fracture/simulation/statics/statics.hpp"
 #include "tests/support/shapes.hpp"
 #include "topology/kernel/fan.hpp"
-#include "topology/kernel/split_face.hpp"
 #include "topology/mesh/build_map.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
@@ -56,13 +54,6 @@ struct Case {
   double h = 0, nu = 0;
 };
 
-struct Cracked {
-  Cells cells;
-  MechanicsState state;
-  MechanicsScratch scratch = {};
-  std::vector<CornerLoad> loads = {};
-};
-
 Vec3 rest(const VolumeMap& map, VertexId v) {
   const Point& p = map.point(v);
   return {p[0], p[1], p[2]};
@@ -86,82 +77,81 @@ std::vector<HalfFaceId> faces_between(const VolumeMap& map, const Case& c, doubl
   return faces;
 }
 
-MechanicsState columns(const VolumeMap& map, const Components& labels, double nu) {
-  std::vector<Vec3> points;
-  for (std::size_t v = 0; v < map.vertices(); ++v) points.push_back(rest(map, VertexId{v}));
-  const std::vector<Material> materials = {
-      {.young_modulus = young, .poisson_ratio = nu, .toughness = 1}};
-  return std::move(*make_state({points, map.corners(), {}, labels.of_tetrahedron, materials}));
+/// The faces of the crack, by points.
+FaceList cracked_faces(const Case& c) {
+  const VolumeMap map = std::move(*build_map(c.mesh));
+  FaceList list;
+  for (const HalfFaceId face : faces_between(map, c, -1, crack)) {
+    std::array<std::uint32_t, 3>& points = list.points.emplace_back();
+    const auto corners = corners_of_face(map.corners(tetrahedron_of(face)), face);
+    for (std::size_t k = 0; k < 3; ++k) points[k] = map.point_of_vertex(corners[k]);
+  }
+  return list;
 }
 
+struct Cracked {
+  Simulation simulation;
+  std::vector<Mat3> node_stress;
+};
+
 /// Cut, held, pulled, in equilibrium.
-Cracked solved(const Case& c) {
-  VolumeMap map = std::move(*build_map(c.mesh));
-  const MechanicsState whole = columns(map, label_components(map), c.nu);
-  Cells cells = make_cells(std::move(map), whole);
-  for (HalfFaceId face : faces_between(cells.map, c, -1, crack)) split_face(cells.map, face);
-  cells.labels = label_components(cells.map);
-  Cracked body{.cells = std::move(cells), .state = whole};
-  body.state = columns(body.cells.map, body.cells.labels, c.nu);
-  MechanicsState& m = body.state;
-  m.motions.push_back({});
-  for (std::size_t v = 0; v < m.vertices.size(); ++v) {
-    if (m.vertices.rest_position[v][c.normal] < eps - c.end) m.vertices.support[v] = MotionId{0};
-  }
-  const auto corners = body.cells.map.corners();
-  rebuild(m, corners, living_components(m), body.scratch);
-  for (std::size_t f = 0; f < 4 * corners.size(); ++f) {
-    if (!body.cells.map.neighbour(HalfFaceId{f}).is_none()) continue;
-    bool pulled = true;
-    for (const VertexId v : corners_of_face(corners[f / 4], HalfFaceId{f})) {
-      pulled = pulled && m.vertices.rest_position[v.index()][c.normal] > c.end - eps;
-    }
-    if (!pulled) continue;
-    const auto load = face_pressure(m.elements, TetId{f / 4}, int(f % 4), -sigma);
-    body.loads.insert(body.loads.end(), load.begin(), load.end());
-  }
-  Loads loads;
-  add_corner_loads(loads.force, body.loads, m, corners, 0);
-  const auto findings = solve_static(m, body.scratch, corners, loads);
-  if (!findings.empty()) throw std::runtime_error(findings.front().text);
-  return body;
+Cracked solved(const Case& c, std::uint32_t order) {
+  constexpr double far = 1e3;
+  const Vec3 along = Vec3::Unit(c.normal);
+  const Vec3 across = Vec3::Ones() - along;
+  BodySettings body;
+  body.mesh = c.mesh;
+  body.material = {.young_modulus = young, .poisson_ratio = c.nu, .toughness = 1};
+  body.order = order;
+  body.held = {{.minimum = -far * Vec3::Ones(), .maximum = far * across + (eps - c.end) * along}};
+  body.loads = {{.minimum = -far * across + (c.end - eps) * along,
+                 .maximum = far * Vec3::Ones(),
+                 .pressure = -sigma}};
+  body.cuts = {{.faces = cracked_faces(c)}};
+  Scene scene;
+  scene.bodies.push_back(std::move(body));
+  scene.gravity.acceleration = Vec3::Zero();
+  Result<Simulation> simulation = build_statics(std::move(scene));
+  if (!simulation) throw std::runtime_error(simulation.findings.front().text);
+  Result<Equilibrium> equilibrium = solve_scene(*simulation);
+  if (!equilibrium) throw std::runtime_error(equilibrium.findings.front().text);
+  return {std::move(*simulation), std::move(equilibrium->node_stress)};
 }
 
 /// `release`: the closed form over what is grown by one element, J/m^2 at `sigma`; `K`: at the tip.
-CrackAnswer measured(const Case& c, int cells, double release, double K) {
-  Cracked body = solved(c);
-  const MechanicsState& m = body.state;
-  const VolumeMap& map = body.cells.map;
-  CrackAnswer answer{.cells = cells, .vertices = m.vertices.size()};
-  const std::vector<Vec3> force = corner_forces(body.loads, m, 0);
-  const ReleaseInput input{body.cells, body.state, Vec3::Zero(), force};
+CrackAnswer measured(const Case& c, CrackMesh mesh, double release, double K) {
+  Cracked body = solved(c, mesh.order);
+  const Cells& cells = body.simulation.state->cells;
+  MechanicsState& m = body.simulation.state->mechanics;
+  const VolumeMap& map = cells.map;
+  CrackAnswer answer{.cells = mesh.cells, .vertices = map.vertices()};
+  const std::vector<Vec3> force = node_loads(body.simulation.state->loads, m, 0);
+  const ReleaseInput input{cells, m, Vec3::Zero(), force};
   const Vec3 across = Vec3::Unit(c.normal);
   const auto front = faces_between(map, c, crack, crack + c.h);
   const double G = energy_release(input, front, across)->per_area();
   answer.front_release = G / release;
   answer.load_energy = std::sqrt(1 / answer.front_release);
 
-  std::vector<Mat3> stress;
-  average_node_stress(stress, {map.corners(), m.elements.stress, m.elements.rest_volume},
-                      m.vertices.size());
   double tips = 0, threshold = 0;
   for (std::size_t v = 0; v < m.vertices.size(); ++v) {
+    if (map.is_node(VertexId{v})) continue;
     const Vec3& x = m.vertices.rest_position[v];
     if (std::abs(x[c.normal]) > eps || std::abs(c.along(x) - crack) > eps) continue;
     Point normal = {0, 0, 0};
     normal[std::size_t(c.normal)] = 1;
     const auto fan = fan_faces(map, VertexId{v}, normal);
     answer.fan_release += energy_release(input, *fan, across)->per_area() / release;
-    const Deformed deformed{m.vertices.displacement, m.elements.stress};
+    const Deformed deformed{m.vertices.displacement, m.elements.stress, m.elements.corner_stress};
     const double G0 = K * K * (1 - c.nu * c.nu) / young;
     const auto energy = [&](TipDomain domain) {
-      return tip_energy(body.cells, m.elements, deformed, VertexId{v}, domain).value_or(0) / G0;
+      return tip_energy(cells, m.elements, deformed, VertexId{v}, domain).value_or(0) / G0;
     };
     answer.star_energy += energy(TipDomain::star);
     answer.domain_energy += energy(TipDomain::two_rings);
     answer.most_energy = std::max(answer.most_energy, energy(TipDomain::two_rings));
-    const double tension = principal_tension(stress[v]).value;
-    const double strength = vertex_strength(body.cells, m, VertexId{v}, star(map, VertexId{v}));
+    const double tension = principal_tension(body.node_stress[v]).value;
+    const double strength = vertex_strength(cells, m, VertexId{v}, star(map, VertexId{v}));
     if (tension / strength > answer.tip_stress * sigma / (threshold > 0 ? threshold : 1)) {
       answer.tip_stress = tension / sigma;
       threshold = strength;
@@ -173,19 +163,19 @@ CrackAnswer measured(const Case& c, int cells, double release, double K) {
   answer.domain_energy /= tips;
   // The vertex's threshold is C K_Ic / sqrt(h) with K_Ic = 1.
   answer.load_toughness = threshold * K / (answer.tip_stress * sigma);
-  answer.factor = crack_tip_factor * answer.load_energy / answer.load_toughness;
+  answer.factor = crack_tip_factor(mesh.order) * answer.load_energy / answer.load_toughness;
   return answer;
 }
 
 }  // namespace
 
-CrackAnswer edge_crack(int cells) {
+CrackAnswer edge_crack(CrackMesh mesh) {
   constexpr double width = 4 * crack, half = 6 * crack, s = crack / width;
   Case c{.mesh = {},
          .normal = 1,
          .end = half,
          .along = [](const Vec3& x) { return x.x(); },
-         .h = crack / cells,
+         .h = crack / mesh.cells,
          .nu = 0};
   const std::vector<double> away = steps(half, c.h, 4, 1.3);
   const auto x = graded(crack, steps(crack, c.h, 4, 1.3), steps(width - crack, c.h, 4, 1.3));
@@ -199,24 +189,24 @@ CrackAnswer edge_crack(int cells) {
   // Over one element: K^2 grows with a F^2, to first order.
   const double t = (crack + 0.5 * c.h) / width;
   const double Ft = 1.122 - 0.231 * t + 10.55 * t * t - 21.72 * t * t * t + 30.39 * t * t * t * t;
-  return measured(c, cells, pi * t * width * sigma * sigma * Ft * Ft / young, K);
+  return measured(c, mesh, pi * t * width * sigma * sigma * Ft * Ft / young, K);
 }
 
-std::vector<CrackAnswer> edge_cracks(const std::vector<int>& cells) {
+std::vector<CrackAnswer> edge_cracks(const std::vector<int>& cells, std::uint32_t order) {
   std::vector<CrackAnswer> answers;
-  for (int n : cells) answers.push_back(edge_crack(n));
+  for (int n : cells) answers.push_back(edge_crack({n, order}));
   for (CrackAnswer& a : answers) a.load_strength = answers.front().tip_stress / a.tip_stress;
   return answers;
 }
 
-CrackAnswer penny_crack(int cells) {
+CrackAnswer penny_crack(CrackMesh mesh) {
   constexpr double radius = 5 * crack, half = 5 * crack, nu = 0.2;
   constexpr std::size_t around = 32;
   Case c{.mesh = {},
          .normal = 2,
          .end = half,
          .along = [](const Vec3& x) { return std::hypot(x.x(), x.y()); },
-         .h = crack / cells,
+         .h = crack / mesh.cells,
          .nu = nu};
   const std::vector<double> away = steps(half, c.h, 2, 1.6);
   auto r = graded(crack, steps(crack, c.h, 2, 1.6), steps(radius - crack, c.h, 2, 1.6));
@@ -249,7 +239,7 @@ CrackAnswer penny_crack(int cells) {
   const double release = 8 * (1 - nu * nu) * sigma * sigma / (3 * pi * young) *
                          (std::pow(outer, 3) - std::pow(crack, 3)) /
                          (outer * outer - crack * crack);
-  return measured(c, cells, release, 2 * sigma * std::sqrt(crack / pi));
+  return measured(c, mesh, release, 2 * sigma * std::sqrt(crack / pi));
 }
 
 }  // namespace sunder::accuracy

@@ -2,6 +2,7 @@
 // Cracks with closed forms: an edge crack in a pulled strip and a penny-shaped one in a block.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 namespace sunder::accuracy {
@@ -24,14 +25,20 @@ struct CrackAnswer {
   double factor = 0;
 };
 
+/// How finely a case is divided, and by what.
+struct CrackMesh {
+  int cells = 8;            ///< a / h
+  std::uint32_t order = 1;  ///< of its tetrahedra
+};
+
 /// A strip 4 a wide and 12 a long, one element thick, nu = 0 (so plane stress and plane strain are
 /// one), crack a at its edge: K_I = sigma sqrt(pi a) (1.122 - 0.231 s + 10.55 s^2 - 21.72 s^3 +
 /// 30.39 s^4), s = a / W = 1/4 [Tada, Paris and Irwin: within 0.5 per cent].
-CrackAnswer edge_crack(int cells);
-std::vector<CrackAnswer> edge_cracks(const std::vector<int>& cells);
+CrackAnswer edge_crack(CrackMesh mesh);
+std::vector<CrackAnswer> edge_cracks(const std::vector<int>& cells, std::uint32_t order = 1);
 
 /// A penny-shaped crack of radius a in a cylinder of 5 a by 10 a, nu = 0.2, 32 elements round its
 /// front: G = 4 (1 - nu^2) sigma^2 a / (pi E) [Sneddon 1946], meant over the area that is grown.
-CrackAnswer penny_crack(int cells);
+CrackAnswer penny_crack(CrackMesh mesh);
 
 }  // namespace sunder::accuracy
