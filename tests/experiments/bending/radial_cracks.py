@@ -1,0 +1,119 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Radial cracks of a struck disc of plexiglas: how many, by the speed of the ball, beside Vandenberghe, Vermorel and
+Villermaux (Physical Review Letters 110, 174302, 2013), who count 4 to 8 and a growth with the root of the speed.
+
+    tests/experiments/bending/radial_cracks.py SUNDER [--cell 0.003] [--radius 0.03] [--seeds 3] [--orders 2 1]
+
+A disc 1 mm thick, one layer of cells from an uneven mesh of triangles (python3-gmsh), free; a ball of steel, 4 mm, meets
+its middle. After 0.2 ms a ring of it is looked at: parts of the ring that hang together across faces are the sectors
+between radial cracks. One sector: no crack crosses the ring."""
+import argparse
+import collections
+import math
+import tempfile
+import time
+from pathlib import Path
+
+import gmsh
+import meshio
+import numpy
+
+from second_order_runs import run, write_mesh
+
+PLEXIGLAS = {"young_modulus": 3.3e9, "poisson_ratio": 0.37, "density": 1190, "tensile_strength": 7e7,
+             "toughness": 1.1e6}
+THICKNESS, BALL = 1e-3, 2e-3
+
+
+def disc(radius, cell, seed):
+    """Points and tetrahedra: prisms over triangles, each cut by the order of its points, so that neighbours agree."""
+    gmsh.initialize()
+    gmsh.option.setNumber("General.Terminal", 0)
+    for name, value in (("RandomSeed", seed), ("MeshSizeMax", cell), ("MeshSizeMin", cell), ("Algorithm", 5)):
+        gmsh.option.setNumber("Mesh." + name, value)
+    gmsh.model.occ.addDisk(0, 0, 0, radius, radius)
+    gmsh.model.occ.rotate([(2, 1)], 0, 0, 0, 0, 0, 1, seed)
+    gmsh.model.occ.synchronize()
+    gmsh.model.mesh.generate(2)
+    tags, places, _ = gmsh.model.mesh.getNodes()
+    _, _, corners = gmsh.model.mesh.getElements(2)
+    gmsh.finalize()
+    used, triangles = numpy.unique(corners[0], return_inverse=True)
+    order = numpy.argsort(tags)
+    flat = places.reshape(-1, 3)[order[numpy.searchsorted(tags, used, sorter=order)]]
+    points = numpy.vstack([flat - [0, 0, THICKNESS / 2], flat + [0, 0, THICKNESS / 2]])
+    n, tetrahedra = len(flat), []
+    for a, b, c in numpy.sort(triangles.reshape(-1, 3)):
+        for cell_points in ((a, b, c, c + n), (a, b, c + n, b + n), (a, b + n, c + n, a + n)):
+            p, q, r, s = cell_points
+            places = points[[p, q, r, s]]
+            turned = numpy.linalg.det(places[1:] - places[0]) < 0
+            tetrahedra.append((p, q, s, r) if turned else (p, q, r, s))
+    return points, numpy.array(tetrahedra)
+
+
+def sectors(frame, inner, outer):
+    """Parts of a ring, of at least a fiftieth of its cells."""
+    mesh = meshio.read(frame)
+    cells = numpy.vstack([c.data[:, :4] for c in mesh.cells if c.type.startswith("tetra")])
+    centre = mesh.points[cells].mean(axis=1)
+    distance = numpy.hypot(centre[:, 0], centre[:, 1])
+    ring = numpy.flatnonzero((distance > inner) & (distance < outer))
+    at_face = collections.defaultdict(list)
+    for t in ring:
+        for face in ((0, 1, 2), (0, 1, 3), (0, 2, 3), (1, 2, 3)):
+            at_face[tuple(sorted(cells[t][list(face)]))].append(t)
+    parent = {t: t for t in ring}
+
+    def root(t):
+        while parent[t] != t:
+            t = parent[t]
+        return t
+
+    for pair in at_face.values():
+        if len(pair) == 2:
+            parent[root(pair[0])] = root(pair[1])
+    sizes = collections.Counter(root(t) for t in ring)
+    return sum(size >= 0.02 * len(ring) for size in sizes.values())
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("sunder", type=Path)
+    parser.add_argument("--cell", type=float, default=0.003, help="m, size of the triangles")
+    parser.add_argument("--radius", type=float, default=0.03, help="m")
+    parser.add_argument("--seeds", type=int, default=3, help="meshes")
+    parser.add_argument("--orders", type=int, nargs="*", default=[2, 1])
+    parser.add_argument("--speeds", type=float, nargs="*", default=[70, 140, 280], help="km/h")
+    arguments = parser.parse_args()
+    radius = arguments.radius
+    print("| order | cells | km/h | first fan, us | sectors at 0.27, 0.42, 0.57 of the radius, by mesh | pieces | s |\n"
+          "|---|---|---|---|---|---|---|")
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        for order in arguments.orders:
+            for speed in arguments.speeds:
+                rows, first, pieces, began = [], [], [], time.time()
+                for seed in range(1, arguments.seeds + 1):
+                    points, tetrahedra = disc(radius, arguments.cell, seed)
+                    write_mesh(folder / "body.msh", points, tetrahedra)
+                    scene = {"time_step": 1e-5, "duration": 2e-4, "gravity": {"acceleration": [0, 0, 0]},
+                             "impact": {"fraction": 0.25}, "fracture": {"crack": "object"},
+                             "bodies": [{"mesh": "body.msh", "order": order, "material": PLEXIGLAS}],
+                             "obstacles": [{"sphere": {"center": [0, 0, -THICKNESS / 2 - BALL - 1e-5], "radius": BALL},
+                                            "velocity": [0, 0, speed / 3.6],
+                                            "mass": 4 / 3 * math.pi * BALL**3 * 7800}]}
+                    report, events, _ = run(arguments.sunder, folder, scene, ["--frames", "2"])
+                    frame = sorted((folder / "out" / "frames").glob("*.vtu"))[-1]
+                    rows.append([sectors(frame, a * radius, b * radius) for a, b in ((.2, .35), (.35, .5), (.5, .65))])
+                    fans = [e for e in events if "normal" in e]
+                    first.append(f"{1e6 * fans[0]['time']:.0f}" if fans else "none")
+                    pieces.append(str(report["components"]))
+                told = "; ".join(", ".join(map(str, row)) for row in rows)
+                print(f"| {order} | {len(tetrahedra)} | {speed:.0f} | {', '.join(first)} | {told} | {', '.join(pieces)} | "
+                      f"{time.time() - began:.0f} |", flush=True)
+
+
+if __name__ == "__main__":
+    main()
