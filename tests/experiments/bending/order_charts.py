@@ -8,7 +8,8 @@ Prints the tables of docs/second_order.md; with --page they take the place of wh
 `<!-- PART -->` and `<!-- end of PART -->`, and charts (by gnuplot) are written to charts/ beside the page.
 Times are of the processor, not of the wall, both orders in turn, the median of N runs (3).
 
-Needs python3-meshio, python3-scipy; part modes also ccx (CalculiX).
+Needs python3-meshio, python3-scipy; parts exact and modes also ccx (CalculiX),
+unstructured also gmsh.
 """
 import argparse
 import subprocess
@@ -21,6 +22,7 @@ import order_struck
 from order_tools import in_folder
 
 PARTS = {"exact": order_modes.exact, "modes": order_modes.modes, "bending": order_statics.bending,
+         "unstructured": order_statics.unstructured,
          "stress": order_statics.stresses, "rod": order_motion.rod, "bar": order_motion.bar,
          "hertz": order_motion.hertz, "cup": order_motion.cup, "slender": order_motion.slender,
          "cost": order_motion.cost, "struck": order_struck.first_fans}

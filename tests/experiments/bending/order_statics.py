@@ -2,7 +2,9 @@
 """Statics of order_charts.py: cantilever, clamped pane, three-point bending; Kirsch, Lame, torsion."""
 import math
 import statistics
+import subprocess
 
+import meshio
 import numpy
 
 from order_tools import BIG, grid, held_box, median_of, percent, solve_static, step_seconds, steps_for, table, write_mesh
@@ -119,6 +121,37 @@ def bending(sunder, folder, repeats=3):
         lines += table([title + ": order", "layers", "cells", "deflection, % off", "stress, % off",
                         "static, ms", "ms a step"], rows)
     return lines, chart
+
+
+def unstructured(sunder, folder, repeats):
+    """Cantilevers of Delaunay cells (gmsh), L/t = 10: how much too stiff order 1 and 2 are by the mean edge e over
+    the thickness."""
+    size, rows = (1.0, 0.1, 0.1), []
+    exact = timoshenko_end(size[0], size[2])
+    for share in (1.0, 0.5, 1 / 3, 0.25, 0.18, 0.13):
+        (folder / "body.geo").write_text(
+            f'SetFactory("OpenCASCADE");\nBox(1) = {{0, 0, 0, {size[0]}, {size[1]}, {size[2]}}};\n'
+            f"Mesh.MeshSizeMin = {share * size[2]};\nMesh.MeshSizeMax = {share * size[2]};\nMesh.MshFileVersion = 2.2;\n")
+        subprocess.run(["gmsh", "-3", "-v", "0", "body.geo", "-o", "body.msh"], cwd=folder, check=True)
+        made = meshio.read(folder / "body.msh")
+        points, tetrahedra = made.points, made.cells_dict["tetra"]
+        write_mesh(folder / "body.mesh", points, tetrahedra)
+        edges = numpy.unique(numpy.sort(numpy.concatenate(
+            [tetrahedra[:, [i, j]] for i in range(4) for j in range(i)])), axis=0)
+        edge = numpy.linalg.norm(points[edges[:, 0]] - points[edges[:, 1]], axis=1).mean() / size[2]
+        row = [f"{edge:.3f}", str(len(tetrahedra))]
+        for order in (1, 2) if share > 0.2 else (1,):
+            answer, _ = solve_static(sunder, folder, scene_of(order, [box(size, 0, False)], top_pressure(size)))
+            rest, u, _ = answer["nodes"]
+            end = rest[:, 0] > size[0] * (1 - 1e-9)
+            soft = -u[end, 2].mean() / exact
+            row.append(f"{100 * (soft - 1):+.1f}")
+            if order == 1:
+                row.append(f"{(1 / soft - 1) / edge ** 2:.2f}")
+        rows.append(row + [""] * (5 - len(row)))
+        print("unstructured", rows[-1], flush=True)
+    return table(["mean edge e / t", "cells", "order 1, % off", "too stiff by, over (e/t)^2", "order 2, % off"],
+                 rows), None
 
 
 # Stress and displacement where nothing bends.
