@@ -3,9 +3,10 @@
  *
  *   FAULT_KIND   malloc, or one of the names in `kinds`
  *   FAULT_AT     which call fails, from 1; 0: none, calls are counted
- *   FAULT_STACK  of malloc instead: the call stack (hexadecimal hash) whose first call fails
- *   FAULT_LOG    file that gets a line a call when none fails (of malloc one a stack: its hash), and
- *                "failed" when one does
+ *   FAULT_STACK  of malloc instead: the call stack (hexadecimal hash) whose first call fails; calls before
+ *                number FAULT_AT are not looked at, which is much faster
+ *   FAULT_LOG    file that gets a line a call when none fails (of malloc one a stack: its hash, and the
+ *                number of its first call), and "failed" when one does
  *
  * Allocations are told apart by their call stacks: eight return addresses, found by frame pointers'
  * absence through the unwinder, less the program's load address. */
@@ -38,7 +39,7 @@ static const char *const kinds[KINDS] = {"malloc", "write",     "fsync", "rename
                                          "popen",  "memfd",     "thread", "getrandom"};
 static const int reason[KINDS] = {ENOMEM, ENOSPC, EIO, EIO, EMFILE, ENOSPC, EIO, EIO, ENOSPC, EIO, ENOMEM, EMFILE, EAGAIN, ENOSYS};
 
-static int ready, kind = -1, log_file = -1;
+static int ready, kind = -1, log_file = -1, has_failed;
 static long at, counts[KINDS];
 static uint64_t stack_wanted;
 static __thread int inside;
@@ -113,20 +114,19 @@ static int allocation_fails(void) {
   if (!ready || kind != MALLOC || inside) return 0;
   inside = 1;
   int fails = 0;
-  if (at > 0) {
-    fails = __sync_add_and_fetch(&counts[MALLOC], 1) == at;
-  } else {
+  const long count = __sync_add_and_fetch(&counts[MALLOC], 1);
+  if (count >= at && !has_failed) {
     struct trace t = {0xcbf29ce484222325u, 0};
     _Unwind_Backtrace(add_frame, &t);
     if (stack_wanted != 0) {
-      if (t.hash == stack_wanted) fails = __sync_add_and_fetch(&counts[MALLOC], 1) == 1;
+      fails = t.hash == stack_wanted && __sync_bool_compare_and_swap(&has_failed, 0, 1);
     } else {
       uint64_t slot = t.hash % SLOTS;
       while (seen[slot] != 0 && seen[slot] != t.hash) slot = (slot + 1) % SLOTS;
       if (seen[slot] == 0) {
         seen[slot] = t.hash;
-        char line[32];
-        snprintf(line, sizeof line, "%016llx\n", (unsigned long long)t.hash);
+        char line[48];
+        snprintf(line, sizeof line, "%016llx %ld\n", (unsigned long long)t.hash, count);
         say(line);
       }
     }

@@ -4,7 +4,7 @@
 once, and judges what is left.
 
     tests/experiments/faults/faults.py build/release/sunder [--quick] [--only WORD] [--without NAME ...]
-                                       [--kind KIND] [--most N] [--seed 1]
+                                       [--kind KIND] [--most N] [--once] [--seed 1]
 
 fault_shim.c, compiled here and preloaded, counts the calls of a command first, then lets one fail in
 each further run. Kinds: malloc (operator new with it; once a distinct call stack), write, fwrite,
@@ -17,7 +17,8 @@ scene and some steps, then ended as by Ctrl-C. Pictures by gnuplot need it insta
 - of a run's folder every file is whole, and the log ends with a line.
 
 A row a command and kind: calls or stacks, runs, how they ended, what was wrong. Exit code 1 where
-anything was. --most N: at most N runs of each, drawn at random; --quick: few, for the tests. `demo` takes half a
+anything was. --most N: at most N runs of each, drawn at random; --once: a call stack that failed in one command is
+not failed in those after it (most are common to all); --quick: few, for the tests. `demo` takes half a
 minute a run."""
 import argparse
 import collections
@@ -253,12 +254,19 @@ class Judge:
         return None
 
 
-def sweep(judge, kind, most, chance):
-    """All faults of a kind in a command; the row's numbers and what was wrong."""
-    log = judge.run(kind)[3]
-    faults = [{"stack": s} for s in dict.fromkeys(log)] if kind == "malloc" else \
-        [{"at": k + 1} for k in range(len(log))]
+def faults_of(kind, log):
+    """Each call that may fail. Threads may make a stack's first call come somewhat earlier another time."""
+    if kind != "malloc":
+        return [{"at": k + 1} for k in range(len(log))]
+    return [{"stack": stack, "at": max(0, number - number // 20 - 100)}
+            for stack, number in zip(log[::2], map(int, log[1::2]))]
+
+
+def sweep(judge, kind, most, chance, known):
+    """All faults of a kind in a command but `known` stacks; the row's numbers and what was wrong."""
+    faults = faults_of(kind, judge.run(kind)[3])
     all_of_them = len(faults)
+    faults = [f for f in faults if "stack" not in f or f["stack"] not in known]
     if most and len(faults) > most:
         faults = chance.sample(faults, most)
     ends, wrong, missed = collections.Counter(), [], 0
@@ -267,6 +275,7 @@ def sweep(judge, kind, most, chance):
         if "failed" not in said and code == 0:
             missed += 1  # another stack this time: nothing failed
             continue
+        known.add(fault.get("stack"))
         ends[code] += 1
         if what := judge.wrong(code, out, err):
             wrong.append((fault, what, err.strip().splitlines()[:3]))
@@ -293,11 +302,12 @@ def main():
     words.add_argument("--without", nargs="*", default=[])
     words.add_argument("--kind", default="")
     words.add_argument("--most", type=int, default=0)
+    words.add_argument("--once", action="store_true")
     words.add_argument("--seed", type=int, default=1)
     said = words.parse_args()
     chance = random.Random(said.seed)
     most = 4 if said.quick and not said.most else said.most
-    failed = 0
+    failed, known = 0, set()
     with tempfile.TemporaryDirectory() as place:
         bench = Bench(said.sunder.resolve(), pathlib.Path(place).resolve())
         for name in QUICK if said.quick else COMMANDS:
@@ -307,7 +317,7 @@ def main():
             for kind in KINDS:
                 if said.kind not in ("", kind) or kind == "malloc" and name in NO_MALLOC:
                     continue
-                calls, runs, ends, wrong = sweep(judge, kind, most, chance)
+                calls, runs, ends, wrong = sweep(judge, kind, most, chance, known if said.once else set())
                 if calls == 0:
                     continue
                 told = ", ".join(f"{n} x {c}" for c, n in sorted(ends.items(), key=str))

@@ -2,17 +2,20 @@
 // Columns sorted by what each kind says stands before what.
 #include "topology/mesh/kinds/column_order.hpp"
 
-#include <algorithm>
 #include <map>
+#include <set>
 #include <string_view>
+#include <vector>
 
 namespace sunder {
 namespace {
 
-/// Columns in the order in which they come first, and for each those right before it in some kind.
+/// Columns in the order in which they come first, for each those right after it in some kind, and in
+/// how many places one stands right before it.
 struct ColumnGraph {
   std::vector<const DataColumn*> columns;
-  std::vector<std::vector<std::size_t>> before;
+  std::vector<std::vector<std::size_t>> after;
+  std::vector<std::size_t> waits_for;
 };
 
 ColumnGraph graph_of(const FileMesh& mesh) {
@@ -25,10 +28,14 @@ ColumnGraph graph_of(const FileMesh& mesh) {
       const auto [found, is_new] = place_of.emplace(column.name, graph.columns.size());
       if (is_new) {
         graph.columns.push_back(&column);
-        graph.before.emplace_back();
+        graph.after.emplace_back();
+        graph.waits_for.push_back(0);
       }
       const std::size_t place = found->second;
-      if (!is_first && last != place) graph.before[place].push_back(last);
+      if (!is_first && last != place) {
+        graph.after[last].push_back(place);
+        ++graph.waits_for[place];
+      }
       last = place;
       is_first = false;
     }
@@ -39,22 +46,25 @@ ColumnGraph graph_of(const FileMesh& mesh) {
 }  // namespace
 
 std::vector<const DataColumn*> ordered_cell_columns(const FileMesh& mesh) {
-  const ColumnGraph graph = graph_of(mesh);
+  ColumnGraph graph = graph_of(mesh);
   const std::size_t n = graph.columns.size();
   std::vector<const DataColumn*> ordered;
   std::vector<bool> is_placed(n, false);
-  const auto is_ready = [&](std::size_t i) {
-    return !is_placed[i] &&
-           std::ranges::all_of(graph.before[i], [&](std::size_t b) { return is_placed[b]; });
-  };
-  std::size_t waiting = 0;  // all before it are placed
+  std::set<std::size_t> ready;  // all before them are placed
+  for (std::size_t i = 0; i < n; ++i) {
+    if (graph.waits_for[i] == 0) ready.insert(i);
+  }
+  std::size_t waiting = 0;  // all that come first before it are placed
   while (ordered.size() < n) {
     while (is_placed[waiting]) ++waiting;
-    std::size_t next = waiting;
-    while (next < n && !is_ready(next)) ++next;
-    if (next == n) next = waiting;  // kinds contradict each other
+    // Where none is ready, kinds contradict each other.
+    const std::size_t next = ready.empty() ? waiting : *ready.begin();
+    ready.erase(next);
     is_placed[next] = true;
     ordered.push_back(graph.columns[next]);
+    for (const std::size_t i : graph.after[next]) {
+      if (--graph.waits_for[i] == 0 && !is_placed[i]) ready.insert(i);
+    }
   }
   return ordered;
 }

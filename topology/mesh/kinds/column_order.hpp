@@ -10,7 +10,7 @@ namespace sunder {
 
 /// The first column of each name among the cells, so that those of every kind stand in the kind's
 /// own order; where kinds contradict each other, and between columns that no kind has both of, what
-/// comes first in the kinds' order does.
+/// comes first in the kinds' order does. O(n log n) for n columns.
 std::vector<const DataColumn*> ordered_cell_columns(const FileMesh& mesh);
 
 }  // namespace sunder
