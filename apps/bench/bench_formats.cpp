@@ -140,7 +140,8 @@ std::vector<Finding> measure(Row& row, const FileMesh& mesh, const Settings& set
 void print(const FileMesh& mesh, const std::vector<Row>& rows, bool as_json) {
   if (as_json) {
     nlohmann::ordered_json json{{"tetrahedra", mesh.tetrahedra.corners.size()},
-                                {"points", mesh.points.size()}};
+                                {"points", mesh.points.size()},
+                                {"formats", nlohmann::ordered_json::array()}};
     for (const Row& row : rows) {
       json["formats"].push_back({{"format", row.format->name},
                                  {"version", row.version},

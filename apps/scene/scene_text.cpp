@@ -239,6 +239,7 @@ std::vector<Finding> apply_setting(SceneText& text, const std::string& setting) 
       if (!row) return row.findings;
       at = &(*at)[*row];
     } else if (at->is_object() || at->is_null()) {
+      if (at->is_null()) *at = json::object();  // a null cannot become one where memory runs out
       at = &(*at)[token];
     } else {
       return {bad_setting(setting,

@@ -209,6 +209,7 @@ ordered_json run_json(const KernelRun& run) {
   ordered_json json{{"kernel", run.kernel}, {"seconds", run.seconds}};
   json["mismatches"] = failures_of(run);
   json["total"] = family_json(suite::total_of(run.report));
+  json["families"] = ordered_json::array();
   for (const FamilyReport& f : run.report.families) json["families"].push_back(family_json(f));
   return json;
 }

@@ -58,8 +58,10 @@ class GlbWriter {
   }
 
   std::size_t add(const char* list, json item) {
-    root[list].push_back(std::move(item));
-    return root[list].size() - 1;
+    json& items = root[list];
+    if (items.is_null()) items = json::array();  // a null cannot become one where memory runs out
+    items.push_back(std::move(item));
+    return items.size() - 1;
   }
 
   std::string bytes() {

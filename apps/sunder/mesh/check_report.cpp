@@ -171,7 +171,7 @@ void print_surface(const CheckReport& report) {
 }  // namespace
 
 Json report_json(const CheckReport& report) {
-  Json json;
+  Json json = Json::object();
   if (report.surface) {
     json = surface_json(report);
     if (report.density) json["mass"] = or_null(mass_of(report));

@@ -289,7 +289,7 @@ std::string counts_text(const FileMesh& mesh) {
 
 void print(const Arguments& arguments, const Conversion& result) {
   if (arguments.json) {
-    nlohmann::ordered_json json;
+    nlohmann::ordered_json json = nlohmann::ordered_json::object();
     json["counts"] = result.is_read ? counts_json(result.mesh) : nlohmann::ordered_json{};
     json["written"] = result.is_written;
     json["lossless"] = result.is_written && !result.has_losses;

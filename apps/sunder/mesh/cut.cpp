@@ -90,7 +90,7 @@ ExitCode run_cut(const CutArguments& arguments) {
   const std::vector<double> x = *numbers_of(arguments.plane, 4);
   const CuttingPlane plane{{x[0], x[1], x[2]}, x[3]};
   std::string lines;
-  nlohmann::ordered_json json;
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
   Result<CutFaces> faces;
   if (arguments.exact) {
     faces = exact_faces(plane, arguments.tolerance, *body, *shared, lines, json);

@@ -164,7 +164,7 @@ ExitCode run_refine(const RefineArguments& arguments) {
   for (const RefinedLevel& level : levels) edits.push_back(level.edit);
   const DividedFile file = divide_file(body->mesh, body->map, edits, *shared);
   std::string lines;
-  nlohmann::ordered_json json;
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
   tell(levels, file, lines, json);
   stages.done("divided the tetrahedra");
   return finish(arguments, *body, lines, json);

@@ -88,7 +88,7 @@ ordered_json impact_report(const RunStatistics& s) {
 
 /// Steps of components, and of tetrahedra, on each rung.
 ordered_json ladder_report(const LadderReport& ladder) {
-  ordered_json report;
+  ordered_json report = ordered_json::object();
   for_each_counter<LadderReport>([&](const auto& counter) {
     const auto& steps = ladder.*counter.member;
     report[std::string(counter.name)] = {
