@@ -23,6 +23,7 @@ Eigen::VectorXd dof_masses(const ComponentSystem& system) {
 void make_basis(ModalBasis& basis, const ComponentStep& step) {
   const ComponentSystem& system = *step.system;
   SUNDER_ASSERT(system.size() <= modal_vertex_limit, "modal: too many vertices");
+  if (system.free_count == 0) return;  // all held: no mode, and no eigenproblem of no row
   const Eigen::VectorXd scale = dof_masses(system).cwiseSqrt().cwiseInverse();
   Eigen::MatrixXd A = leading_scalars(system.stiffness, system.free_count);
   A = scale.asDiagonal() * A * scale.asDiagonal();
