@@ -66,7 +66,7 @@ class Place:
     """What the walk knows of where it is."""
     function: str = ""
     at_compile_time: bool = False
-    last: int = -1      # start of the last statement of the function's body
+    last: frozenset = frozenset()  # starts of the statements behind which the function's body ends
     is_void: bool = False
     gives_reference: bool = False
     in_for_condition: bool = False
@@ -305,7 +305,9 @@ class Sites:
         end = self.blank.index(b";", end) + 1
         kind = cursor.kind
         if kind == Kind.RETURN_STMT:
-            if start != place.last:
+            # Without one that a body ends with, nothing would be returned: the compiler may take
+            # such a way for one that is never gone.
+            if start not in place.last:
                 self.add((start, end), place, [("removal", ";")], "statement")
             self.returned(cursor, start, end, place)
         elif kind == Kind.BREAK_STMT:
@@ -387,11 +389,20 @@ class Sites:
         self.body(body, inside)
 
     def body(self, compound, place):
-        statements = list(compound.get_children())
-        if statements:
-            place.last = statements[-1].extent.start.offset
-        for child in statements:
+        place.last = frozenset(self.ends(compound))
+        for child in compound.get_children():
             self.visit_statement(child, place)
+
+    def ends(self, cursor):
+        """Starts of the statements behind which `cursor`, the last one of a body, ends."""
+        children = list(cursor.get_children())
+        if cursor.kind == Kind.IF_STMT:
+            children = self.parts(cursor, 2)[1]
+            return [start for child in children for start in self.ends(child)]
+        inside = (Kind.COMPOUND_STMT, Kind.SWITCH_STMT, Kind.CASE_STMT, Kind.DEFAULT_STMT)
+        if cursor.kind in inside:
+            return self.ends(children[-1]) if children else []
+        return [cursor.extent.start.offset]
 
     def variable(self, cursor, place):
         """A declared variable: its initial value."""

@@ -54,21 +54,22 @@ class Tests:
             self.seconds[name] = float(seconds)
             for n in numbers.split():
                 self.reaching[int(n)].append(name)
+        width = collections.Counter(name for names in self.reaching.values() for name in names)
         for names in self.reaching.values():
-            names.sort(key=self.seconds.get)
+            names.sort(key=lambda n: width[n] * (0.02 + self.seconds[n]))
 
     def order(self, mutant, kills, most):
         """Names of the cases to ask, `most` seconds in all: first those that killed the most mutants
-        of the same function and file for the time they take, then the quickest."""
+        of the same function and file for the time they take, then those that reach little and are quick."""
         names = self.reaching[mutant["number"]]
         gain = {n: (8 * kills[mutant["file"], mutant["function"]][n] + kills[mutant["file"]][n]) / (0.002 + self.seconds[n])
                 for n in names}
-        likely = sorted((n for n in names if gain[n] > 0), key=gain.get, reverse=True)[:12]
+        likely = sorted((n for n in names if gain[n] > 0), key=gain.get, reverse=True)[:4]
         total = 0.0
         for name in likely + [n for n in names if n not in likely]:
+            if total > 0 and total + self.seconds[name] > most:
+                continue
             total += self.seconds[name]
-            if total > most and total > self.seconds[name]:
-                return
             yield name
 
 
@@ -148,21 +149,30 @@ def run_all(tests, mutants, results, arguments):
         list(pool.map(one, todo))
 
 
+def wanted_of(entry):
+    """What the mutants of an entry have: one text and its mutant, several of them (`changes`, each
+    with its `nth` behind where there are more), or whatever is changed in the function."""
+    place = {k: entry[k] for k in ("file", "function")}
+    if "changes" in entry:
+        return [place | dict(zip(("original", "mutant", "nth"), change)) for change in entry["changes"]]
+    return [place | {k: entry[k] for k in ("original", "mutant", "nth") if k in entry}]
+
+
 def proofs_of(mutants, known):
     """survivors.json by the key of each mutant, and what the types alone say; an entry that fits no
     survivor is an error."""
     entries = json.loads((HERE / "survivors.json").read_text(encoding="utf-8"))
     proved, wrong = {}, []
     for entry in entries:
-        wanted = {k: entry[k] for k in ("file", "function", "original", "mutant", "nth") if k in entry}
-        fits = [m for m in mutants if all(m[k] == v for k, v in wanted.items())]
-        if not fits:
-            wrong.append(f"no mutant is {wanted}")
-        for m in fits:
-            result = known.get(key_of(m))
-            if result and result["status"] == "killed":
-                wrong.append(f"{wanted} is killed by {result['by']}")
-            proved[key_of(m)] = entry
+        for wanted in wanted_of(entry):
+            fits = [m for m in mutants if all(m[k] == v for k, v in wanted.items())]
+            if not fits:
+                wrong.append(f"no mutant is {wanted}")
+            for m in fits:
+                result = known.get(key_of(m))
+                if result and result["status"] == "killed":
+                    wrong.append(f"{wanted} is killed by {result['by']}")
+                proved[key_of(m)] = entry
     for m in mutants:
         if "same" in m:
             if known.get(key_of(m), {"status": ""})["status"] == "killed":
@@ -201,9 +211,10 @@ def publish(listed, known, proved):
     lines += [f"- {n} by their types alone: {why}." for why, n in sorted(rules.items())]
     for entry in {id(e): e for e in proved.values() if "rule" not in e}.values():
         count = sum(e is entry for e in proved.values())
-        change = f"`{entry['original']}` as `{entry['mutant']}`" if "original" in entry else "whatever is changed"
+        changes = entry.get("changes", [[entry["original"], entry["mutant"]]] if "original" in entry else [])
+        change = "; ".join(f"`{c[0]}` as `{c[1]}`" for c in changes) or "whatever is changed"
         lines.append(f"- `{entry['file']}`, `{entry['function']}`: {change}"
-                     + (f" ({count} places)" if count > 1 else "") + ". " + " ".join(entry["proof"]))
+                     + (f" ({count} places)" if count > max(1, len(changes)) else "") + ". " + " ".join(entry["proof"]))
     page = PROJECT / "docs/mutation.md"
     head, rest = page.read_text(encoding="utf-8").split(BEGIN)
     page.write_text(head + BEGIN + "\n".join(lines) + "\n" + END + rest.split(END)[1], encoding="utf-8")

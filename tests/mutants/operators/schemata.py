@@ -9,6 +9,7 @@ that do not compile are found by libclang, counted, and left out of the copies.
 """
 
 import collections
+import concurrent.futures
 import hashlib
 import json
 import pathlib
@@ -41,7 +42,6 @@ constexpr bool sunder_fault_at_run_time(int number) {
   return sunder_fault(number);
 }
 """
-UNBLAMED = set()  # errors in a copy that no mutant's line has
 
 
 def flat(text):
@@ -147,10 +147,20 @@ def write_if_new(path, text):
     return True
 
 
+def included(name, texts):
+    """The headers of these rooms that a source includes, one by the other: what its parse depends on."""
+    found, todo = set(), [name]
+    while todo:
+        more = {n.decode() for n in re.findall(rb'#include "(topology/[^"]+)"', texts[todo.pop()])}
+        todo += sorted(n for n in more if n in texts and n not in found)
+        found |= more
+    return b"".join(texts[n] for n in sorted(found) if n in texts)
+
+
 def errors_of(project, out, source):
-    """Numbers of the mutants that do not compile when `source` is."""
+    """Numbers of the mutants that do not compile when `source` is, and errors that no mutant's line has."""
     unit = ci.Index.create().parse(str(source), OPTIONS + [f"-I{out}", f"-I{project}", "-ferror-limit=0"])
-    numbers = set()
+    numbers, unblamed = set(), set()
     for d in unit.diagnostics:
         if d.severity < ci.Diagnostic.Error:
             continue
@@ -164,9 +174,9 @@ def errors_of(project, out, source):
             if found:
                 break
         if not found:
-            UNBLAMED.add(str(d))
+            unblamed.add(str(d))
         numbers.update(int(n) for n in found)
-    return numbers
+    return numbers, unblamed
 
 
 def main():
@@ -179,9 +189,10 @@ def main():
     stamp, state = out / "stamp", hashlib.sha256(b"\0".join(texts)).hexdigest()
     if stamp.exists() and stamp.read_text(encoding="utf-8") == state:
         return
-    # What a parse depends on besides its source: operators and headers.
-    depends = b"".join([(here / "operators.py").read_bytes()] + [t for n, t in zip(names, texts) if n.endswith(".hpp")])
-    files = {name: File(project, name, ROOM * k, out / "parsed" / name, depends) for k, name in enumerate(names)}
+    depends = {n: (here / "operators.py").read_bytes() + included(n, dict(zip(names, texts))) for n in names}
+    pool = concurrent.futures.ProcessPoolExecutor(2)
+    files = dict(zip(names, pool.map(File, *zip(*[(project, name, ROOM * k, out / "parsed" / name, depends[name])
+                                                   for k, name in enumerate(names)]))))
     dropped = set()
     known = out / "dropped.json"  # what did not compile the last time: tried again when a file changed
     stale = {name for name, f in files.items() if write_if_new(out / "originals" / name, f.found.source.decode())}
@@ -191,20 +202,29 @@ def main():
     for name, file in files.items():
         write_if_new(out / name, file.copy(dropped))
     # Headers first by themselves, then the sources, which instantiate them. What compiled the last
-    # time need not be tried again, unless a header is new.
+    # time need not be tried again, unless it or a header that it includes is new.
     clean = out / "clean.json"
     compiled = json.loads(clean.read_text(encoding="utf-8")) if clean.exists() else {}
-    is_new = [n for n in names if compiled.get(n) != (out / n).read_text(encoding="utf-8")]
-    if any(n.endswith(".hpp") for n in is_new):
-        is_new = names
-    for name in sorted(is_new, key=lambda n: (n.endswith(".cpp"), n)):
-        while more := errors_of(project, out, out / name) - dropped:
+
+    def states():
+        copies = {n: (out / n).read_bytes() for n in names}
+        return {n: hashlib.sha256(t + included(n, copies)).hexdigest() for n, t in copies.items()}
+
+    is_new = [n for n, state_now in states().items() if compiled.get(n) != state_now]
+    unblamed = set()
+    for kind in (".hpp", ".cpp"):
+        todo = [n for n in is_new if n.endswith(kind)]
+        while todo:
+            answers = list(pool.map(errors_of, *zip(*[(project, out, out / n) for n in todo])))
+            todo = [n for n, (numbers, _) in zip(todo, answers) if numbers - dropped]
+            more = set().union(*(numbers for numbers, _ in answers)) - dropped
+            unblamed.update(*(errors for _, errors in answers))
             dropped |= more
             for n in {names[m // ROOM] for m in more}:
                 write_if_new(out / n, files[n].copy(dropped))
-    if UNBLAMED:
-        sys.exit("schemata.py: no mutant is to blame for\n" + "\n".join(sorted(UNBLAMED)))
-    clean.write_text(json.dumps({n: (out / n).read_text(encoding="utf-8") for n in names}), encoding="utf-8")
+    if unblamed:
+        sys.exit("schemata.py: no mutant is to blame for\n" + "\n".join(sorted(unblamed)))
+    clean.write_text(json.dumps(states()), encoding="utf-8")
     known.write_text(json.dumps(sorted(dropped)), encoding="utf-8")
     for path in out.glob("topology/**/*.[ch]pp"):
         if path.relative_to(out).as_posix() not in files:
