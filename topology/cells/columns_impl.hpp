@@ -12,17 +12,16 @@ namespace sunder {
 
 namespace detail {
 
-/// m^3 at rest, of all tetrahedra at a vertex.
+/// Six times the rest volume of all tetrahedra at a vertex, m^3.
 template <Kernel K>
-double star_volume(const K& map, VertexId vertex) {
-  double six_volumes = 0;
+double six_star_volumes(const K& map, VertexId vertex) {
+  double sum = 0;
   for (const TetId t : star(map, vertex)) {
-    const auto corners = map.corners(t);
-    const Point a = map.point(corners[0]);
-    const auto edge = [&](int i) { return difference(map.point(corners[i]), a); };
-    six_volumes += std::abs(dot(edge(1), cross(edge(2), edge(3))));
+    const auto v = map.corners(t);
+    sum +=
+        std::abs(six_volumes(map.point(v[0]), map.point(v[1]), map.point(v[2]), map.point(v[3])));
   }
-  return six_volumes / 6;
+  return sum;
 }
 
 }  // namespace detail
@@ -31,8 +30,8 @@ template <Kernel K>
 std::array<double, 3> parted_shares(const K& map, const FaceSplit& split) {
   std::array<double, 3> shares{};
   for (std::size_t i = 0; i < static_cast<std::size_t>(split.vertex_count); ++i) {
-    const double kept = detail::star_volume(map, split.split_vertices[i].old_row);
-    const double left = detail::star_volume(map, split.split_vertices[i].new_row);
+    const double kept = detail::six_star_volumes(map, split.split_vertices[i].old_row);
+    const double left = detail::six_star_volumes(map, split.split_vertices[i].new_row);
     shares[i] = kept + left > 0 ? left / (kept + left) : 0.5;
   }
   return shares;

@@ -2,6 +2,7 @@
 // Walks round edges that came apart or meet, and the rows they get.
 #include "topology/kernel/edge_nodes.hpp"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 

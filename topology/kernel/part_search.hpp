@@ -63,9 +63,8 @@ class PartSearch {
       for (std::size_t i = 0; i < s_.live.size(); ++i) {
         const std::uint32_t part = s_.live[i];
         if (s_.parts[part].parent != part) continue;  // it joined another
-        if (growing_ > enough && !step(part)) continue;
-        // A step may have made it join a part earlier in the list: that one stays, not this.
-        if (s_.parts[part].parent == part) s_.live[kept++] = part;
+        // Parts that it meets in a step join it, not it them.
+        if (growing_ <= enough || step(part)) s_.live[kept++] = part;
       }
       s_.live.resize(kept);
     }

@@ -189,12 +189,12 @@ Crack open_crack(FileMesh& mesh, const FaceLinks& links, const CutFaces& faces) 
   SUNDER_ASSERT(links.across.size() == mesh.tetrahedra.corners.size(), "links of this mesh");
   Crack crack;
   crack.triangles_on_it = triangles_on(mesh, faces);
+  // A star asks each face of the tetrahedron of lower row, which is the side that is given.
   std::vector<std::uint8_t> cut(links.across.size(), 0);
   for (const std::uint32_t face : faces) {
-    const std::uint32_t other = links.across[face / 4][face % 4];
-    SUNDER_ASSERT(other != FaceLinks::none, "a cut face lies between two tetrahedra");
+    SUNDER_ASSERT(links.across[face / 4][face % 4] != FaceLinks::none,
+                  "a cut face lies between two tetrahedra");
     cut[face / 4] = static_cast<std::uint8_t>(cut[face / 4] | 1U << face % 4);
-    cut[other / 4] = static_cast<std::uint8_t>(cut[other / 4] | 1U << other % 4);
   }
   const auto before = mesh.tetrahedra.corners;
   const Stars stars = stars_of(mesh, faces);

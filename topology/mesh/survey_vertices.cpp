@@ -111,10 +111,10 @@ unsigned edge_bit(int i, int j) {
   return number[i][j];
 }
 
-/// Marks the edge orbit through places i and j of tetrahedron t, turning both ways if it is open.
+/// Marks the edge orbit through places i and j of tetrahedron t in the others that it goes through,
+/// turning both ways if it is open.
 void mark_edge(const Survey& s, std::uint32_t t, int i, int j, std::vector<std::uint8_t>& marked) {
   const std::uint32_t p = s.mesh.tetrahedra[t][i], q = s.mesh.tetrahedra[t][j];
-  marked[t] |= static_cast<std::uint8_t>(1U << edge_bit(i, j));
   for (int leave = 0; leave < 4; ++leave) {
     if (leave == i || leave == j) continue;
     HalfFaceId across = s.neighbours[t][leave];
@@ -215,7 +215,6 @@ void survey_orbits(Survey& s, const CornerBuckets& buckets) {
     if (flood_point(s, buckets, p, flood) > 1) pinched.add(p);
     walk_edges(s, buckets, p, walk);
   }
-  walk.at_row.resize(s.point_of_row.size(), 0);
   s.edges_at_row = std::move(walk.at_row);
   if (!flood.further_start.empty()) finish_further_rows(s, flood.further_start, walk.at_further);
   report(s, pinched_vertex, pinched);

@@ -54,3 +54,11 @@ TEST_CASE("Counters are visited in their order, by name", "[topology][counters]"
   for_each_counter<Counts>([&](const auto& counter) { names += std::string(counter.name) + ","; });
   CHECK(names == "made,waiting,failed,,of_each,");
 }
+
+TEST_CASE("values below zero add up by the same rules", "[topology][counters]") {
+  double sum = -1, once = 0;
+  add_value(sum, -2.0, Adds::sum);
+  add_value(once, -2.0, Adds::once);
+  CHECK(sum == -3);
+  CHECK(once == 1);
+}

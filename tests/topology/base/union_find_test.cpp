@@ -73,3 +73,10 @@ TEST_CASE("a star falls into the orbits that splitting the cut faces gives its v
   }
   CHECK(parted > 100);
 }
+
+TEST_CASE("what lies behind the end of a star is not of it", "[topology][star_parts]") {
+  std::vector<std::uint32_t> star = {2, 3, 5};
+  star.pop_back();  // its row stands there still
+  const auto parts = star_parts(star, [](std::uint32_t, int) { return std::optional{5U}; });
+  CHECK(parts == std::vector<std::uint32_t>{0, 1});
+}

@@ -63,3 +63,22 @@ TEST_CASE("columns follow every split to total shatter, and can be taken back",
   for (std::size_t i = before.size(); i-- > 0;) take_back(mass, before[i]);
   CHECK(mass == mass_at_start);
 }
+
+TEST_CASE("shares go by volumes whatever their signs, and are halves where there are none",
+          "[cells][columns]") {
+  TetMesh two;
+  two.tetrahedra = {{0, 1, 2, 3}, {0, 1, 2, 4}};
+  const auto shares = [&two](const Point& d, const Point& e) {
+    two.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, d, e};
+    VolumeMap map = built(two);
+    const FaceSplit split = split_face(map, half_face(TetId{0}, 3));
+    REQUIRE(split.vertex_count == 3);
+    // Of the tetrahedron at the lower of the two file points.
+    const bool is_new = map.corners(TetId{0})[0] == split.split_vertices[0].new_row;
+    const double share = parted_shares(map, split)[0];
+    return is_new ? share : 1 - share;
+  };
+  CHECK(shares({0, 0, 1}, {0, 0, -0.5}) == Approx(2 / 3.0));
+  CHECK(shares({0, 0, 1}, {0.25, 0.25, 0.5}) == Approx(2 / 3.0));  // folded: both on one side
+  CHECK(shares({1, 1, 0}, {0.25, 0.25, 0}) == 0.5);                // flat
+}

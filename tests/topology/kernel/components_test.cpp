@@ -247,6 +247,37 @@ TEST_CASE("one scratch serves maps of different sizes in turn", "[topology][comp
   }
 }
 
+TEST_CASE("marks of searches begin anew when their numbers come to an end",
+          "[topology][components]") {
+  VolumeMap map = built(kuhn_box({3, 1, 1}));
+  Components labels = label_components(map);
+  ComponentScratch scratch;
+  const auto first = cut_plane(map, {{1, 0, 0}, 1.0});
+  update_components(map, first, Detection::exact, labels, scratch);
+  std::ranges::fill(scratch.stamp, 0U);  // as if none had been met for 2^32 searches
+  scratch.now = ~0U;
+  const auto second = cut_plane(map, {{1, 0, 0}, 2.0});
+  CHECK(update_components(map, second, Detection::exact, labels, scratch).created == 1);
+  require_true(map, labels);
+}
+
+TEST_CASE("two ways of four ask the oracle, and an update tells its first new id",
+          "[topology][components]") {
+  CHECK_FALSE(asks_oracle(Detection::walk));
+  CHECK_FALSE(asks_oracle(Detection::dirty_counter));
+  CHECK(asks_oracle(Detection::oracle));
+  CHECK(asks_oracle(Detection::exact));
+  VolumeMap map = built(kuhn_box({3, 1, 1}));
+  Components labels = label_components(map);
+  ComponentScratch scratch;
+  for (const std::size_t at : {1, 2}) {
+    const auto splits = cut_plane(map, {{1, 0, 0}, static_cast<double>(at)});
+    const auto update = update_components(map, splits, Detection::exact, labels, scratch);
+    CHECK(update.first_new == ComponentId{at});
+    CHECK(update.created == 1);
+  }
+}
+
 TEST_CASE("after the first updates the working memory does not grow", "[topology][components]") {
   VolumeMap map = built(kuhn_box({12, 2, 2}));
   Components labels = label_components(map);

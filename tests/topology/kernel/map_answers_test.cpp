@@ -94,6 +94,55 @@ TEST_CASE("a map answered by darts and one of rows stay the same through splits 
   CHECK(check(darts).empty());
 }
 
+TEST_CASE("each dart has the vertex and the tetrahedron of its row, and signs are nought or one",
+          "[kernel]") {
+  const TetMesh mesh = suite::kuhn_box({2, 1, 1});
+  for (const MapKernel kernel : {MapKernel::dense, MapKernel::lcc}) {
+    VolumeMap map = map_by(kernel, mesh);
+    answer(map, [&map](const auto& answers) {
+      for (std::size_t t = 0; t < map.tetrahedra(); ++t) {
+        for (int p = 0; p < 4; ++p) {
+          const CornerId from = corner(TetId{t}, (p + 1) % 4);
+          const auto d = answers.dart(half_face(TetId{t}, p), from);
+          CHECK(answers.vertex(d) == map.corners(TetId{t})[static_cast<std::size_t>((p + 1) % 4)]);
+          CHECK(answers.tetrahedron(d) == TetId{t});
+          CHECK(answers.id(d) == map.dart(half_face(TetId{t}, p), from));
+          CHECK(map.dense().id(answers.id(d)) == answers.id(d));
+        }
+      }
+    });
+    const VertexStar around = vertex_star(map, VertexId{1});
+    const std::vector<char> signs = plane_signs(map, around, {1, 0, 0});
+    REQUIRE(signs.size() == around.corners.size());
+    for (std::size_t i = 0; i < signs.size(); ++i) {
+      double side = 0;  // of the centre, from the vertex
+      for (const VertexId v : map.corners(tetrahedron_of(around.corners[i]))) {
+        side += map.point(v)[0] - map.point(around.vertex)[0];
+      }
+      CHECK(signs[i] == (side >= 0 ? 1 : 0));
+    }
+  }
+}
+
+TEST_CASE("darts have no place for a vertex that gluing has retired", "[kernel]") {
+  VolumeMap map =
+      map_by(MapKernel::lcc, suite::side_by_side(suite::two_tetrahedra(), suite::two_tetrahedra()));
+  std::size_t f = 0;
+  while (map.neighbour(HalfFaceId{f}).is_none()) ++f;
+  const FaceSplit first = split_face(map, HalfFaceId{f});
+  f = 8;
+  while (map.neighbour(HalfFaceId{f}).is_none()) ++f;
+  const FaceSplit second = split_face(map, HalfFaceId{f});
+  REQUIRE(glue_face(map, first.face, first.opposite).vertex_count == 3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const VertexId retired = first.split_vertices[i].new_row,
+                   stays = second.split_vertices[i].new_row;
+    REQUIRE(map.incident_tetrahedron(retired).is_none());
+    CHECK(map.darts().point(retired) == Point{0, 0, 0});
+    CHECK(map.darts().point(stays) == map.point(stays));
+  }
+}
+
 TEST_CASE("darts are made and let go, and copies have what the first has", "[kernel]") {
   VolumeMap map = map_by(MapKernel::dense, suite::kuhn_box({2, 2, 2}));
   split_face(map, half_face(TetId{5}, 1));

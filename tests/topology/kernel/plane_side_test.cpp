@@ -89,3 +89,33 @@ TEST_CASE("the canonical direction does not depend on sign or length", "[topolog
   // Seen from another octant.
   CHECK(canonical_direction({-3, 2, 0}, {-1, 1, 1}) == Point{-3, 2, 0});
 }
+
+TEST_CASE("what lies at a limit itself counts as equal", "[topology][plane_side]") {
+  const double nearly = 1 - equal_directions;
+  CHECK(canonical_direction({-nearly, 1, 0}) == Point{nearly, -1, 0});
+  for (const double x : {-0.5, 0.5}) {
+    CHECK(plane_side({1, 0, 0}, {.away = {x, 0, 0}, .tolerance = 0.5}) == PlaneSide::on);
+  }
+  CHECK(CentreOffset{}.tolerance == 0);
+  CHECK(CuttingPlane{}.offset == 0);
+}
+
+TEST_CASE("far from the origin rounding is added to a millionth of the radius",
+          "[topology][plane_side]") {
+  const std::array<Point, 4> corners = {{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}}};
+  const double radius = std::sqrt(11.0), far = 0x1p40;  // of the centre at 1 1 1
+  const auto moved = [&](double by) {
+    std::array<Point, 4> there = corners;
+    for (Point& x : there) x[1] -= by;
+    return there;
+  };
+  constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
+  CHECK(centre_offset(corners, {0, 0, 0}).tolerance == Approx(1e-6 * radius).epsilon(1e-8));
+  // The corners are far, or the point of the plane is.
+  for (const double tolerance : {centre_offset(moved(far), {0, 0, 0}).tolerance,
+                                 centre_offset(corners, {0, 0, far}).tolerance}) {
+    CHECK(tolerance == Approx(1e-6 * radius + rounding * far).epsilon(1e-3));
+  }
+  const CentreOffset beside = centre_offset(moved(far), {0, -far, 0});
+  CHECK(beside.away == Point{1, 1, 1});
+}

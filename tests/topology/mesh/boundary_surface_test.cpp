@@ -9,6 +9,7 @@
 
 #include "tests/support/random_meshes.hpp"
 #include "topology/base/point_math.hpp"
+#include "topology/mesh/surface/surface_check.hpp"
 
 using namespace sunder;
 using namespace sunder::test;
@@ -205,4 +206,63 @@ TEST_CASE("triangles that the mesh did not have get numbers as far as there are 
   mesh.tetrahedra.source_id = {12};
   CHECK(boundary_surface(mesh).mesh.triangles.source_id ==
         std::vector<std::int64_t>{-7, 13, 14, 15});
+}
+
+TEST_CASE("the surface of cells of several kinds looks outward, however each is turned",
+          "[topology][surface]") {
+  // Two cubes side by side with a pyramid on the first and a prism on the second.
+  FileMesh mesh;
+  for (const double z : {0.0, 1.0}) {
+    for (const double y : {0.0, 1.0}) {
+      for (const double x : {0.0, 1.0, 2.0}) mesh.points.push_back({x, y, z});
+    }
+  }
+  mesh.points.insert(mesh.points.end(), {{0.5, 0.5, 4}, {1.5, 0, 2}, {1.5, 1, 2}});
+  std::array<std::array<std::uint32_t, 8>, 2> cubes = {
+      {{0, 1, 4, 3, 6, 7, 10, 9}, {1, 2, 5, 4, 7, 8, 11, 10}}};
+  std::array<std::uint32_t, 5> pyramid = {6, 7, 10, 9, 12};
+  std::array<std::uint32_t, 6> prism = {7, 8, 13, 10, 11, 14};
+  for (int turned = 0; turned < 16; ++turned) {
+    FileMesh here = mesh;
+    for (std::size_t i = 0; i < 2; ++i) {
+      auto cube = cubes[i];
+      if ((turned >> i & 1) != 0) std::rotate(cube.begin(), cube.begin() + 4, cube.end());
+      append_cell(here, CellKind::hexahedron8, cube);
+    }
+    auto p = pyramid;
+    if ((turned & 4) != 0) std::swap(p[1], p[3]);
+    append_cell(here, CellKind::pyramid5, p);
+    auto q = prism;
+    if ((turned & 8) != 0) std::rotate(q.begin(), q.begin() + 3, q.end());
+    append_cell(here, CellKind::prism6, q);
+    append_cell(here, CellKind::polygon, std::array<std::uint32_t, 5>{0, 1, 2, 5, 3});
+    const BoundarySurface surface = boundary_surface(here);
+    const SurfaceCheck check = check_surface(surface.mesh);
+    INFO("turned " << turned);
+    CHECK(check.triangles == 6);
+    CHECK(check.quadrilaterals == 10);
+    CHECK((check.is_closed && check.is_oriented));
+    CHECK(check.volume.value_or(0) == Approx(2 + 1 + 0.5));
+    CHECK(surface.lost_points == 0);
+    CHECK(surface.lost_cells[index_of(CellKind::polygon)] == 1);
+  }
+  CHECK(BoundarySurface{}.lost_points == 0);
+}
+
+TEST_CASE("the surface of cells of second order is that of their corners", "[topology][surface]") {
+  FileMesh linear;
+  linear.points = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}};
+  linear.tetrahedra.corners = {{0, 1, 2, 3}};
+  FileMesh mesh;
+  mesh.points = linear.points;
+  for (const auto& [a, b] : {std::array{0, 1}, {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}}) {
+    mesh.points.push_back(detail::middle(mesh.points[a], mesh.points[b]));
+  }
+  append_cell(mesh, CellKind::tetrahedron10,
+              std::array<std::uint32_t, 10>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9});
+  CHECK(has_volume_cells(mesh));
+  const BoundarySurface surface = boundary_surface(mesh);
+  CHECK(surface.mesh.triangles.corners == boundary_surface(linear).mesh.triangles.corners);
+  CHECK(surface.mesh.points == linear.points);
+  CHECK(surface.lost_points == 6);
 }

@@ -300,3 +300,13 @@ TEST_CASE("faces without area have no angles, and what has no size is not measur
   mesh.points[1][0] = std::nan("");
   CHECK_FALSE(quality_of(mesh).has_value());
 }
+
+TEST_CASE("a place of an edge is two rows, of a face three, of all else one", "[topology][check]") {
+  CHECK(rows_of_place(PlaceKind::points) == 1);
+  CHECK(rows_of_place(PlaceKind::edges) == 2);
+  CHECK(rows_of_place(PlaceKind::faces) == 3);
+  CHECK(rows_of_place(PlaceKind::triangles) == 1);
+  CHECK(rows_of_place(PlaceKind::tetrahedra) == 1);
+  CHECK(Quality::Extreme{}.value == 0);
+  CHECK(Quality::Extreme{}.tetrahedron == 0);
+}

@@ -305,14 +305,28 @@ TEST_CASE("faces that cannot be cut are named", "[topology][crack]") {
   const auto inner = points_of(mesh, all_faces(links)[0]);
   const auto listed = listed_faces(mesh, links, Triples{inner, {0, 1, 4}, {0, 1, 999}});
   CHECK(finding(listed.findings, "not_interior").ids == std::vector<std::int64_t>{1, 2});
+  CHECK(listed.findings[0].text == "on points 0, 1, 4 there is no face of two tetrahedra");
+  const auto single = listed_faces(mesh, links, Triples{inner, {5, 26, 3}});
+  CHECK(finding(single.findings, "not_interior").ids == std::vector<std::int64_t>{1});
+  CHECK(single.findings[0].text == "on points 5, 26, 3 there is no face of two tetrahedra");
   CHECK(listed_faces(mesh, links, Triples{inner, inner})->size() == 1);
   finding(listed_faces(mesh, links, Triples{}).findings, "no_face");
   finding(section_faces(mesh, links, {{1, 0, 0}, 9}).findings, "no_face");
   finding(section_faces(mesh, links, {{0, 0, 0}, 9}).findings, "not_a_direction");
   finding(interface_faces(mesh, links, {"left", "middle"}).findings, "unknown_region");
+  mesh.tetrahedra.region.assign(48, 5);
+  mesh.tetrahedra.region[0] = 1;
+  mesh.tetrahedra.region[47] = 2;
+  const auto apart = interface_faces(mesh, links, {"left", "right"});
+  finding(apart.findings, "no_face");
+  CHECK(apart.findings[0].text ==
+        "no tetrahedron of region left shares a face with one of region right");
   mesh.tetrahedra.region.clear();
   finding(interface_faces(mesh, links, {"left", "right"}).findings, "unknown_region");
   mesh.tetrahedra.corners.push_back(mesh.tetrahedra.corners[0]);
   mesh.tetrahedra.corners.push_back(mesh.tetrahedra.corners[0]);
-  finding(face_links(mesh).findings, "overfull_face");
+  const auto overfull = face_links(mesh);
+  CHECK(finding(overfull.findings, "overfull_face").ids == std::vector<std::int64_t>{0, 48, 49});
+  CHECK(overfull.findings[0].text ==
+        "more than two tetrahedra share the face on points 0, 1, 4: a crack has two sides");
 }

@@ -295,6 +295,7 @@ TEST_CASE("regions are called by number or name, and those there are are told",
   mesh.region_name[2] = {{-1, "a surface"}};
   CHECK(*region_called(mesh, "-7") == -7);
   CHECK(*region_called(mesh, "0") == 0);
+  CHECK(*region_called(mesh, std::string_view("-78").substr(0, 2)) == -7);
   CHECK(*region_called(mesh, "three") == -3);
   CHECK(*region_called(mesh, "-5") == -4);  // a name goes before a number
   for (const char* word : {"99", "nowhere", "1", "-7x", "x-7", "", "99999999999", "a surface"}) {

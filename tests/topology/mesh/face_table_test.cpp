@@ -49,3 +49,14 @@ TEST_CASE("a face of three tetrahedra has three sides, one that is left out none
                 });
   CHECK(shared == std::vector<std::uint32_t>{3, 7, 11});
 }
+
+TEST_CASE("a face of one point alone is a face, be it the last one", "[topology][face_table]") {
+  const std::vector<std::array<std::uint32_t, 4>> tetrahedra = {{2, 2, 2, 2}};
+  std::vector<std::size_t> sides_met;
+  for_each_face(face_table(tetrahedra, 3),
+                [&](const auto& points, std::span<const TableFace> sides) {
+                  CHECK(points == std::array<std::uint32_t, 3>{2, 2, 2});
+                  sides_met.push_back(sides.size());
+                });
+  CHECK(sides_met == std::vector<std::size_t>{4});
+}

@@ -4,6 +4,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+
+#include "topology/mesh/kinds/move_cells.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
 using namespace sunder;
@@ -79,4 +82,56 @@ TEST_CASE("numbers of tetrahedra that count on from other cells stay the file's 
   file.triangles.source_id = {1, 2};
   file.tetrahedra.source_id = {3, 4};
   CHECK(tet_mesh_of(std::move(file)).source_tetrahedron_id == Numbers{3, 4});
+}
+
+TEST_CASE("simplices are gone through by dimension, cells of a kind by their nodes",
+          "[mesh][file_mesh]") {
+  FileMesh mesh = two_with_all();
+  append_cell(mesh, CellKind::polygon, std::array<std::uint32_t, 5>{0, 1, 2, 3, 4});
+  append_cell(mesh, CellKind::polygon, std::array<std::uint32_t, 3>{4, 1, 2});
+  append_cell(mesh, CellKind::quad4, std::array<std::uint32_t, 4>{3, 2, 1, 0});
+  std::vector<std::array<std::size_t, 2>> met;
+  for_each_cell_list(mesh, [&](const auto& cells, int dimension) {
+    met.push_back({static_cast<std::size_t>(dimension), cells.corners.size()});
+  });
+  CHECK(met == std::vector<std::array<std::size_t, 2>>{{0, 1}, {1, 2}, {2, 4}, {3, 2}});
+  CHECK(rows_of(mesh, CellKind::polygon).size() == 2);
+  CHECK(rows_of(mesh, CellKind::quad4).size() == 1);
+  CHECK(rows_of(mesh, CellKind::polygon)[1].size() == 3);
+  CHECK(std::ranges::equal(nodes_of(mesh, CellKind::polygon),
+                           std::array<std::uint32_t, 8>{0, 1, 2, 3, 4, 4, 1, 2}));
+  CHECK(std::ranges::equal(nodes_of(mesh, CellKind::quad4),
+                           std::array<std::uint32_t, 4>{3, 2, 1, 0}));
+  CHECK(other_cells(mesh, CellKind::quad4).ends.empty());
+  CHECK(CellRows{}.size() == 0);
+  CHECK(CellRows{}.nodes == 0);
+  CHECK(DataColumn{}.components == 1);
+}
+
+TEST_CASE(
+    "a set of kinds has those that it was made of, and names the nearest that it has below one",
+    "[mesh][file_mesh]") {
+  const std::initializer_list<CellKind> some = {CellKind::tetrahedron, CellKind::hexahedron20,
+                                                CellKind::triangle6, CellKind::vertex};
+  KindSet set = kind_set(some);
+  for (const CellKind kind : all_cell_kinds) {
+    CHECK(contains(set, kind) == (std::ranges::find(some, kind) != some.end()));
+  }
+  CHECK(held_kind(set, CellKind::hexahedron27) == CellKind::hexahedron20);
+  CHECK(held_kind(set, CellKind::hexahedron20) == CellKind::hexahedron20);
+  CHECK(held_kind(set, CellKind::hexahedron8) == CellKind::hexahedron8);
+  CHECK(held_kind(set, CellKind::tetrahedron10) == CellKind::tetrahedron);
+  CHECK(held_kind(set, CellKind::triangle7) == CellKind::triangle6);
+  CHECK(held_kind(set, CellKind::prism18) == CellKind::prism18);
+}
+
+TEST_CASE("labels that are all nought are dropped, others stay", "[mesh][file_mesh]") {
+  CellColumns cells;
+  cells.region = {-1, 0};
+  cells.entity = {0, 0};
+  cells.source_id = {0, 0};
+  drop_filling(cells);
+  CHECK(cells.region == Labels{-1, 0});
+  CHECK(cells.entity.empty());
+  CHECK(cells.source_id.empty());
 }

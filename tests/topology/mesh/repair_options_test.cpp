@@ -59,3 +59,34 @@ TEST_CASE("a tetrahedron is turned exactly where its volume is negative, in any 
   } while (std::ranges::next_permutation(order).found);
   CHECK(turned == 12);
 }
+
+TEST_CASE("repairs of tetrahedra refuse other cells of the volume, and tell them",
+          "[topology][repair]") {
+  FileMesh mesh = file_mesh_of(suite::two_tetrahedra());
+  mesh.points.insert(mesh.points.end(),
+                     {{5, 0, 0}, {6, 0, 0}, {6, 1, 0}, {5, 1, 0}, {5, 0, 1}, {6, 0, 1}});
+  append_cell(mesh, CellKind::quad4, std::array<std::uint32_t, 4>{5, 6, 7, 8});
+  const auto codes = [](FileMesh there, const Repairs& repairs) {
+    std::vector<std::string> told;
+    for (const Finding& f : repair(there, repairs)) told.push_back(f.code);
+    return told;
+  };
+  using Codes = std::vector<std::string>;
+  const Repairs every[] = {{.drop_duplicates = true},
+                           {.split_nonmanifold = true},
+                           {.largest_component = true},
+                           {.fix_orientation = true}};
+  for (const Repairs& repairs : every) CHECK(codes(mesh, repairs) != Codes{"unsupported_cells"});
+  CHECK_FALSE(needs_tetrahedra(mesh, "a crack"));
+  append_cell(mesh, CellKind::pyramid5, std::array<std::uint32_t, 5>{5, 6, 7, 8, 9});
+  for (const Repairs& repairs : every) CHECK(codes(mesh, repairs) == Codes{"unsupported_cells"});
+  CHECK(codes(mesh, {.merge_points = 0, .drop_unused = true}) ==
+        Codes{"merged_points", "dropped_unused"});
+  append_cell(mesh, CellKind::prism6, std::array<std::uint32_t, 6>{5, 6, 9, 8, 7, 10});
+  append_cell(mesh, CellKind::prism6, std::array<std::uint32_t, 6>{5, 6, 9, 8, 7, 10});
+  const auto refused = needs_tetrahedra(mesh, "a crack");
+  REQUIRE(refused);
+  CHECK(refused->code == "unsupported_cells");
+  CHECK(refused->count == 3);
+  CHECK(refused->text == "a crack needs tetrahedra of first order: there are 2 prisms, 1 pyramids");
+}

@@ -188,3 +188,32 @@ TEST_CASE("concave, bent and collapsed cells are counted", "[mesh][split]") {
   CHECK(collapsed.tetrahedra.corners.size() == 3);
   CHECK(volume_of(collapsed) == Approx(0.5).epsilon(1e-12));
 }
+
+TEST_CASE("concave and bent are told alike of cells of any size", "[mesh][split]") {
+  CHECK(SplitCells{}.numbers_added == 0);
+  for (const double size : {1e-3, 1.0, 1e3}) {
+    INFO("size " << size);
+    const auto scaled = [size](CellKind kind, std::vector<Point> points,
+                               const std::vector<std::uint32_t>& nodes) {
+      for (Point& x : points) {
+        for (double& v : x) v *= size;
+      }
+      FileMesh mesh = one_cell(kind, points, nodes);
+      return split_cells(mesh);
+    };
+    for (const double off : {1e-7, 1e-4}) {
+      const SplitCells report =
+          scaled(CellKind::polygon, {{1, 0, 0}, {2, 1, 0}, {1, 2, off}, {0, 1.5, 0}, {0, 0.5, 0}},
+                 {0, 1, 2, 3, 4});
+      CHECK(report.bent_polygons == (off > 1e-6 ? 1 : 0));
+      CHECK(report.concave_faces == 0);
+      CHECK(report.numbers_added == 0);
+    }
+    CHECK(scaled(CellKind::quad4, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {0, 1, 2, 3})
+              .concave_faces == 0);
+    std::vector<Point> cube;
+    for (int i = 0; i < 8; ++i)
+      cube.push_back({i % 4 == 1 || i % 4 == 2 ? 1.0 : 0, i % 4 >= 2 ? 1.0 : 0, i >= 4 ? 1.0 : 0});
+    CHECK(scaled(CellKind::hexahedron8, cube, {0, 1, 2, 3, 4, 5, 6, 7}).concave_volumes == 0);
+  }
+}

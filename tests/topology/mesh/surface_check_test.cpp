@@ -201,3 +201,68 @@ TEST_CASE("corners in the middle of sides do not make a surface cross itself",
     CHECK(check.volume.value() == Approx(2).epsilon(1e-14));
   }
 }
+
+TEST_CASE("where there are no faces nothing is closed and nothing is told",
+          "[mesh][surface_check]") {
+  FileMesh mesh;
+  mesh.points = {{1, 2, 3}};
+  const SurfaceCheck check = check_surface(mesh);
+  CHECK_FALSE(check.is_closed);
+  CHECK(check.findings.empty());
+  CHECK((check.vertices == 0 && check.edges == 0 && check.components == 0 && check.area == 0));
+}
+
+TEST_CASE("area, volume and centre lose nothing far from the origin", "[mesh][surface_check]") {
+  const Point at = {0x1p40, 0x1p41, -0x1p40};
+  const SurfaceCheck check = check_surface(cube(2, at));
+  CHECK(check.area == Approx(24).epsilon(1e-14));
+  CHECK(check.volume.value() == Approx(8).epsilon(1e-14));
+  CHECK(check.extent.centre == Point{at[0] + 1, at[1] + 1, at[2] + 1});
+}
+
+TEST_CASE("the centre is that of the volume, without one of the area, without that of the box",
+          "[mesh][surface_check]") {
+  using Faces = std::vector<std::array<std::uint32_t, 3>>;
+  const auto checked = [](std::vector<Point> points, const Faces& faces) {
+    FileMesh mesh;
+    mesh.points = std::move(points);
+    mesh.triangles.corners = faces;
+    return check_surface(mesh);
+  };
+  const auto near = [](const Point& a, const Point& b) {
+    for (std::size_t k = 0; k < 3; ++k) CHECK(a[k] == Approx(b[k]).margin(1e-14));
+  };
+  const Faces outward = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+  for (const double height : {0.5, 3.0}) {
+    const SurfaceCheck solid = checked({{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, height}}, outward);
+    CHECK(solid.volume.value() == Approx(height / 3));
+    if (height == 3) CHECK(solid.volume == 1.0);
+    CHECK(solid.findings.empty());
+    near(solid.extent.centre, {0.25, 0.5, height / 4});
+  }
+  const std::vector<Point> half = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  near(checked(half, {{0, 1, 2}}).extent.centre, {1 / 3.0, 1 / 3.0, 0});
+  const SurfaceCheck sheets = checked(half, {{0, 1, 2}, {2, 1, 0}});
+  CHECK(sheets.is_closed);
+  CHECK(sheets.volume == 0.0);
+  CHECK(count(sheets, "inside_out") == 0);
+  near(sheets.extent.centre, {1 / 3.0, 1 / 3.0, 0});
+  // Face 0 lies on a line, exactly; from the middle of the box its corners seem to leave it.
+  const SurfaceCheck line = checked(
+      {{0, 0, 0}, {1, 3, 7}, {3, 9, 21}, {0.1, 0.7, 0.3}, {-17.3, 3, 5}}, {{0, 1, 2}, {0, 3, 4}});
+  REQUIRE(count(line, "flat_face") == 1);
+  const SurfaceCheck nothing = checked({{0, 0, 0}, {2, 0, 0}, {6, 0, 0}}, {{0, 1, 2}});
+  CHECK(nothing.extent.centre == Point{3, 0, 0});
+}
+
+TEST_CASE("copies of faces are told by rows, in whatever order corners and faces stand",
+          "[mesh][surface_check]") {
+  FileMesh mesh;
+  mesh.points = {{1, 1, 1}, {0, 1, 0}, {1, 0, 0}, {0, 0, 0}, {2, 2, 3}, {3, 2, 2}};
+  mesh.triangles.corners = {{3, 4, 5}, {0, 1, 2}, {5, 3, 4}, {2, 0, 1}};
+  const SurfaceCheck check = check_surface(mesh);
+  CHECK(check.vertices == 6);  // the least place of all is not the first point
+  const auto found = std::ranges::find(check.findings, "duplicate_face", &Finding::code);
+  REQUIRE(found != check.findings.end());
+  CHECK(found->ids == std::vector<std::int64_t>{2, 3});
+}

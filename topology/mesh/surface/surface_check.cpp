@@ -36,6 +36,7 @@ struct Surface {
   /// Where the corners of each face begin; one more at the end.
   std::vector<std::size_t> first{0};
   std::vector<Side> sides;
+  /// Those that have an area.
   std::vector<SurfaceTriangle> triangles;
 
   std::size_t faces() const { return first.size() - 1; }
@@ -111,10 +112,8 @@ void take_faces(Surface& s) {
     for (std::size_t k = 0; k < n; ++k) {
       const Row a = face[k], b = face[(k + 1) % n];
       if (a != b) s.sides.push_back({{std::min(a, b), std::max(a, b)}, static_cast<Row>(f), a < b});
-      if (k == 0 || k + 1 == n) continue;
       const std::array<Row, 3> t{face[start], face[(start + k) % n], face[(start + k + 1) % n]};
-      if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
-      s.triangles.push_back({t, static_cast<Row>(f)});
+      if (has_area(s.mesh.points, t)) s.triangles.push_back({t, static_cast<Row>(f)});
     }
   }
   std::ranges::sort(s.sides);

@@ -61,6 +61,39 @@ TEST_CASE("two triangles cross where a twin in whole numbers says so", "[mesh][c
   }
 }
 
+TEST_CASE("a triangle crosses one that holds it, however both are turned", "[mesh][crossing]") {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    std::vector<Point> points;
+    for (const auto& [u, v] : {std::array{0, 0}, {9, 0}, {0, 9}, {1, 1}, {2, 1}, {1, 2}}) {
+      Point x{};
+      x[(axis + 1) % 3] = u, x[(axis + 2) % 3] = v;
+      points.push_back(x);
+    }
+    for (const Corners& large : {Corners{0, 1, 2}, Corners{2, 1, 0}}) {
+      for (const Corners& small : {Corners{3, 4, 5}, Corners{3, 5, 4}}) {
+        CHECK(triangles_cross(points, large, small));
+        CHECK(triangles_cross(points, small, large));
+      }
+    }
+  }
+}
+
+TEST_CASE("a long strip along any axis is searched to its end", "[mesh][crossing]") {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    std::vector<Point> points;
+    std::vector<SurfaceTriangle> triangles;
+    for (std::uint32_t i = 0; i < 2000; ++i) {
+      Point x{};
+      x[axis] = i, x[(axis + 1) % 3] = i % 2, x[(axis + 2) % 3] = i % 2;
+      points.push_back(x);
+      if (i >= 2) triangles.push_back({{i - 2, i - 1, i}, i - 2});
+    }
+    const Crossings found = find_crossings(points, triangles);
+    CHECK(found.is_finished);
+    CHECK(found.pairs.empty());
+  }
+}
+
 TEST_CASE("crossings found by boxes are those of all pairs of faces", "[mesh][crossing]") {
   Random random(7);
   const std::vector<Point> points = grid(7);
@@ -108,6 +141,15 @@ TEST_CASE("a search ends where thousands of triangles lie through each other", "
       const double at = i * 0x1p-20;
       points.insert(points.end(), {{1 + at, at, at}, {at, 1 + at, at}, {at, at, 1 + at}});
       triangles.push_back({{3 * i, 3 * i + 1, 3 * i + 2}, i});
+    }
+    // Two that cross, elsewhere and last: a search that has ended does not come to them.
+    const auto first = static_cast<std::uint32_t>(points.size());
+    points.insert(points.end(),
+                  {{9, 9, 9}, {12, 9, 9}, {9, 12, 9}, {10, 10, 8}, {10, 10, 10}, {20, 20, 9}});
+    if (n == 1000) {
+      triangles.push_back({{first, first + 1, first + 2}, n});
+      triangles.push_back({{first + 3, first + 4, first + 5}, n + 1});
+      CHECK(triangles_cross(points, triangles[n].corners, triangles[n + 1].corners));
     }
     const Crossings found = find_crossings(points, triangles);
     CHECK(found.pairs.empty());

@@ -75,6 +75,15 @@ TEST_CASE("the side of a plane is exact among points of all sizes", "[mesh][exac
     if (round % 3 == 0) {
       for (Point& q : p) q = point<3>(random, 1 + static_cast<int>(random() % 53), 60);
       if (round % 2 == 0) p[3] = p[random() % 3];
+    } else if (round % 4 == 1) {
+      // About the origin, in one plane but for the rounding of all digits.
+      p[1] = point<3>(random, 53, 0), p[2] = point<3>(random, 53, 0);
+      const double i = std::ldexp(number(random, 20, 0), -20),
+                   j = std::ldexp(number(random, 20, 0), -20);
+      for (std::size_t k = 0; k < 3; ++k) {
+        p[0][k] = -p[1][k];
+        p[3][k] = std::nearbyint(p[0][k] + i * (p[1][k] - p[0][k]) + j * (p[2][k] - p[0][k]));
+      }
     } else {
       // In the plane of the others, far from the origin; then a unit in the last place beside it.
       p[0] = point<3>(random, 50, round % 3 == 1 ? 0 : 20);
@@ -106,6 +115,13 @@ TEST_CASE("the side of a line is exact among points of all sizes", "[mesh][exact
     if (round % 3 == 0) {
       for (Flat& q : p) q = point<2>(random, 1 + static_cast<int>(random() % 53), 60);
       if (round % 2 == 0) p[2] = p[random() % 2];
+    } else if (round % 4 == 1) {
+      p[1] = point<2>(random, 53, 0);
+      const double i = std::ldexp(number(random, 20, 0), -20);
+      for (std::size_t k = 0; k < 2; ++k) {
+        p[0][k] = -p[1][k];
+        p[2][k] = std::nearbyint(p[0][k] + i * (p[1][k] - p[0][k]));
+      }
     } else {
       p[0] = point<2>(random, 50, round % 3 == 1 ? 0 : 20);
       const Flat u = point<2>(random, 30, 0);
