@@ -185,7 +185,7 @@ def run_heap(said):
         while process.poll() is None:
             time.sleep(1)
             if said.minutes and not told and time.monotonic() - start > 60 * said.minutes:
-                process.send_signal(signal.SIGINT)  # a second one would end it at once
+                process.send_signal(signal.SIGTERM)  # SIGINT is ignored by what a shell starts behind itself
                 told = True
             if process.poll() is None and (mb := memory_of(process)):
                 seen.append(mb)
