@@ -38,6 +38,8 @@ def run_to_first_fan(sunder, folder, scene):
             process.kill()
             process.wait()
     elif first is None and process.returncode not in (0, 5):
+        if process.returncode > 0:
+            raise RuntimeError(f"a run ended with {process.returncode}")
         return "time"
     return first
 

@@ -151,7 +151,7 @@ def three_point(sunder, folder):
 def shell(radius, floor, height, thickness, around, up, layers=1):
     """A thin vessel of revolution about z: a floor with a hub, and a wall; cells across by `KUHN`."""
     profile = []  # (radius, z, normal) from the middle of the floor outwards and up
-    across = max(2, up // 2)
+    across = max(2, min(up // 2, int(floor / thickness)))  # shorter cells fold where the floor meets the wall
     for k in range(1, across + 1):
         r = floor * k / across
         profile.append((r, 0.0, (0.0, -1.0)))
