@@ -52,9 +52,9 @@ FileMesh grid(std::uint32_t n) {
   std::vector<double> vectors;
   std::vector<std::int64_t> pairs;
   for (std::size_t i = 0; i < mesh.points.size(); ++i) {
-    const auto row = static_cast<std::int64_t>(i);
+    const auto number = static_cast<std::int64_t>(i);
     for (const double part : {0.25, 0.5, 0.75}) vectors.push_back(static_cast<double>(i) + part);
-    pairs.insert(pairs.end(), {row, -row});
+    pairs.insert(pairs.end(), {number, -number});
   }
   mesh.point_data.push_back({"vector", 3, NumberType::float64, vectors});
   mesh.point_data.push_back({"pair", 2, NumberType::int64, pairs});

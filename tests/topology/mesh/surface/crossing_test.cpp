@@ -139,7 +139,10 @@ TEST_CASE("a search ends where thousands of triangles lie through each other", "
     std::vector<SurfaceTriangle> triangles;
     for (std::uint32_t i = 0; i < n; ++i) {
       const double at = i * 0x1p-20;
-      points.insert(points.end(), {{1 + at, at, at}, {at, 1 + at, at}, {at, at, 1 + at}});
+      for (std::size_t k = 0; k < 3; ++k) {
+        points.push_back({at, at, at});
+        points.back()[k] += 1;
+      }
       triangles.push_back({{3 * i, 3 * i + 1, 3 * i + 2}, i});
     }
     // Two that cross, elsewhere and last: a search that has ended does not come to them.
