@@ -277,8 +277,9 @@ double flight_ms(const Scene& scene) {
   double ms = 0;
   for (const BodySettings& b : scene.bodies) {
     const auto tetrahedra = static_cast<double>(b.mesh.tetrahedra.size());
-    // Large bodies' factors fill in.
-    ms += 1e-4 * tetrahedra * (1 + tetrahedra / 8000);
+    // Large bodies' factors fill in; of second order 12 to 30 times as much (docs/bending.md).
+    const double order = b.order == 2 ? 15 : 1;
+    ms += order * 1e-4 * tetrahedra * (1 + tetrahedra / 8000);
   }
   return ms;
 }

@@ -197,4 +197,7 @@ TEST_CASE("thin bodies of few layers are of second order, unless told or large o
   CHECK(choose_settings(told, Accuracy::good, std::vector<std::string>{"bodies.0.order"}).size() ==
         chosen_keys().size());
   CHECK(told.bodies[0].order == 1);
+  const double linear = flight_ms(told);
+  told.bodies[0].order = 2;
+  CHECK(flight_ms(told) > 10 * linear);
 }
