@@ -65,9 +65,8 @@ bool is_heap(const Scene& scene, std::span<const BodyMeasures> measures) {
   return false;
 }
 
-Outlook look_ahead(const Scene& scene, Accuracy accuracy) {
-  std::vector<BodyMeasures> measures;
-  for (const BodySettings& body : scene.bodies) measures.push_back(measure(body));
+/// `measures`: of each body.
+Outlook look_ahead(const Scene& scene, Accuracy accuracy, std::span<const BodyMeasures> measures) {
   Outlook o;
   o.accuracy = accuracy;
   o.cell = std::numeric_limits<double>::infinity();
@@ -214,9 +213,9 @@ bool takes_second_order(const Scene& scene) {
 }
 
 /// Second order for thin bodies that have few layers of cells and are no larger than what can be
-/// paid for (docs/defaults.md has the charts).
+/// paid for (docs/defaults.md has the charts). `measures`: of each body.
 void choose_orders(std::vector<Choice>& choices, Scene& scene, Accuracy accuracy,
-                   std::span<const std::string> given) {
+                   std::span<const std::string> given, std::span<const BodyMeasures> measures) {
   if (accuracy == Accuracy::preview) return;
   const std::size_t most = accuracy == Accuracy::good ? 2000 : 20000;
   constexpr double thin = 5;
@@ -228,7 +227,7 @@ void choose_orders(std::vector<Choice>& choices, Scene& scene, Accuracy accuracy
       continue;
     }
     body.order = 1;
-    const BodyMeasures m = measure(body);
+    const BodyMeasures& m = measures[b];
     if (m.slenderness < thin) continue;
     const double layers = layers_through(body, m);
     if (layers >= enough_layers) continue;
@@ -255,7 +254,9 @@ std::vector<std::string_view> chosen_keys() {
 
 std::vector<Choice> choose_settings(Scene& scene, Accuracy accuracy,
                                     std::span<const std::string> given) {
-  const Outlook outlook = look_ahead(scene, accuracy);
+  std::vector<BodyMeasures> measures;
+  for (const BodySettings& body : scene.bodies) measures.push_back(measure(body));
+  const Outlook outlook = look_ahead(scene, accuracy, measures);
   std::vector<Choice> choices;
   for (const Rule& rule : rules) {
     if (std::ranges::find(given, rule.key) != given.end() || !is_used(scene, rule.key)) continue;
@@ -269,7 +270,7 @@ std::vector<Choice> choose_settings(Scene& scene, Accuracy accuracy,
             : fmt::format("\"{}\"", rule.words[static_cast<std::size_t>(chosen.value)]);
     choices.push_back({std::string(rule.key), word, std::move(chosen.reason)});
   }
-  choose_orders(choices, scene, accuracy, given);
+  choose_orders(choices, scene, accuracy, given, measures);
   return choices;
 }
 
