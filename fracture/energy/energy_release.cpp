@@ -67,21 +67,6 @@ std::uint32_t row_after(const Trial& trial, TetId t, VertexId v) {
   return own;
 }
 
-void add_block(FactorBorder& border, FactorBorder::Column& column, std::uint32_t row,
-               const Mat3& block) {
-  for (;;) {
-    const auto found = std::find(column.row.begin(), column.row.end(), row);
-    if (found == column.row.end()) {
-      column.row.push_back(row);
-      column.stiffness.push_back(block);
-    } else {
-      column.stiffness[static_cast<std::size_t>(found - column.row.begin())] += block;
-    }
-    if (row < border.base) return;
-    row = border.columns[row - border.base].origin;
-  }
-}
-
 /// One column of K, of the copy that has the tetrahedra `side` of `vertex`.
 void fill_column(Trial& trial, FactorBorder::Column& column, VertexId vertex,
                  std::span<const TetId> side) {

@@ -41,23 +41,6 @@ void find_copies(ComponentSystem& old, ExtendedRows& rows, const SystemInput& in
   }
 }
 
-/// Adds a block of K in a column: at its row and at all that the row is a copy of.
-void add_block(FactorBorder& border, FactorBorder::Column& column, std::uint32_t row,
-               const Mat3& block) {
-  for (;;) {
-    const auto found = std::find(column.row.begin(), column.row.end(), row);
-    const auto place = static_cast<std::size_t>(found - column.row.begin());
-    if (found == column.row.end()) {
-      column.row.push_back(row);
-      column.stiffness.push_back(block);
-    } else {
-      column.stiffness[place] += block;
-    }
-    if (row < border.base) return;
-    row = border.columns[row - border.base].origin;
-  }
-}
-
 /// K in the columns of the copies from place `first` on.
 void fill_columns(ComponentSystem& old, const ExtendedRows& rows, std::size_t first,
                   const SystemInput& input) {

@@ -121,6 +121,22 @@ void solve_corner(Z& z, const BorderFactor& part) {
 
 }  // namespace
 
+void add_block(const FactorBorder& border, FactorBorder::Column& column, std::uint32_t row,
+               const Eigen::Matrix3d& block) {
+  for (;;) {
+    const auto found = std::find(column.row.begin(), column.row.end(), row);
+    const auto place = static_cast<std::size_t>(found - column.row.begin());
+    if (found == column.row.end()) {
+      column.row.push_back(row);
+      column.stiffness.push_back(block);
+    } else {
+      column.stiffness[place] += block;
+    }
+    if (row < border.base) return;
+    row = border.columns[row - border.base].origin;
+  }
+}
+
 bool extend_border(BorderFactor& part, const BorderedMatrix& A) {
   part.needed.resize(A.analysis.supernodes.size(), 0);
   while (part.copies < A.border.columns.size()) {

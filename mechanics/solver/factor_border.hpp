@@ -29,6 +29,11 @@ struct FactorBorder {
   std::size_t rows() const { return base + columns.size(); }
 };
 
+/// Adds a block of K, N/m, to a column of the border: at its extended row and at all that the row is a
+/// copy of, as the unknowns are differences.
+void add_block(const FactorBorder& border, FactorBorder::Column& column, std::uint32_t row,
+               const Eigen::Matrix3d& block);
+
 /// The border's part of one factor: W = L^-1 B, and the factor of what is left in the corner.
 struct BorderFactor {
   /// Four copies at a time: 3 base rows of twelve numbers.
