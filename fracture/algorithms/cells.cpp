@@ -6,6 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "mechanics/element/second_order.hpp"
+#include "topology/kernel/edge_nodes.hpp"
+
 namespace sunder {
 namespace {
 
@@ -71,6 +74,21 @@ void append_node(Cells& cells, ComponentId component) {
   cells.unbreakable.push_back(0);
   cells.waits.push_back(0);
   cells.labels.of_vertex.push_back(component);
+}
+
+void raise_order(BreakableBody body, TetId first, TetId end) {
+  auto& [cells, m] = body;
+  append_edge_nodes(m.elements.edge_nodes, cells.map, first, end);
+  for (std::size_t t = first.index(); t < end.index(); ++t) {
+    for (std::size_t e = 0; e < 6; ++e) {
+      // Rows come in the order in which they are met.
+      if (m.elements.edge_nodes[t][e].index() != m.vertices.size()) continue;
+      const Corners& c = cells.map.corners(TetId{t});
+      append_middle(m.vertices, c[static_cast<std::size_t>(edge_ends[e][0])],
+                    c[static_cast<std::size_t>(edge_ends[e][1])]);
+      append_node(cells, m.elements.component[t]);
+    }
+  }
 }
 
 double mean_edge_length(const VertexColumns& vertices, std::span<const Corners> corners,

@@ -77,6 +77,10 @@ void append_copy(Cells& cells, VertexId from);
 /// Appends the columns of a node that is no vertex: it never breaks.
 void append_node(Cells& cells, ComponentId component);
 
+/// Gives the edges of a body's tetrahedra first to end - 1 nodes in their middles, with all columns.
+/// Requires that they have none and that no later body has any. Corner stresses are left to the caller.
+void raise_order(BreakableBody body, TetId first, TetId end);
+
 /// C of the threshold at a crack tip, C K_Ic / sqrt(h): with it an edge crack breaks within 5 per cent
 /// of the closed form at any size of elements from an eighth of its length down, of second order a
 /// penny crack of at least two elements too (docs/energy.md). `order`: of the tetrahedra round the tip.

@@ -17,7 +17,6 @@
 #include "mechanics/rebuild.hpp"
 #include "mechanics/state/living.hpp"
 #include "topology/base/sort_unique.hpp"
-#include "topology/kernel/edge_nodes.hpp"
 #include "topology/mesh/build_map.hpp"
 #include "topology/mesh/check.hpp"
 
@@ -95,27 +94,16 @@ std::vector<VertexId> nodes_of_body(const Simulation& sim, std::size_t body) {
 }
 
 /// Gives the edges of bodies of order 2 their nodes, with columns of their own. Nothing is held yet.
-void raise_order(Simulation& sim) {
-  Cells& cells = sim.state->cells;
-  MechanicsState& m = sim.state->mechanics;
-  std::vector<EdgeNodes>& edges = m.elements.edge_nodes;
+void raise_orders(Simulation& sim) {
+  ElementColumns& elements = sim.state->mechanics.elements;
   for (std::size_t b = 0; b < sim.bodies.size(); ++b) {
     if (sim.scene.bodies[b].order != 2) continue;
     const BodyRows& rows = sim.bodies[b];
-    append_edge_nodes(edges, cells.map, TetId{rows.first_tetrahedron}, TetId{rows.end_tetrahedron});
-    for (std::size_t t = rows.first_tetrahedron; t < rows.end_tetrahedron; ++t) {
-      for (std::size_t e = 0; e < 6; ++e) {
-        // Rows come in the order in which they are met.
-        if (edges[t][e].index() != m.vertices.size()) continue;
-        const Corners& c = cells.map.corners(TetId{t});
-        append_middle(m.vertices, c[static_cast<std::size_t>(edge_ends[e][0])],
-                      c[static_cast<std::size_t>(edge_ends[e][1])]);
-        append_node(cells, m.vertices.component.back());
-      }
-    }
+    raise_order({sim.state->cells, sim.state->mechanics}, TetId{rows.first_tetrahedron},
+                TetId{rows.end_tetrahedron});
   }
-  if (!edges.empty()) m.elements.corner_stress.resize(m.elements.size());
-  for (std::array<Mat3, 4>& stress : m.elements.corner_stress) stress.fill(Mat3::Zero());
+  if (!elements.edge_nodes.empty()) elements.corner_stress.resize(elements.size());
+  for (std::array<Mat3, 4>& stress : elements.corner_stress) stress.fill(Mat3::Zero());
 }
 
 /// Places every component of a body, all of them as one rigid body.
@@ -194,7 +182,7 @@ Result<Simulation> build_statics(Scene scene) {
   sim.scratch = Owned(std::make_unique<SimulationScratch>());
   sim.state->obstacles = sim.scene.obstacles;
   sim.state->contact.partners = partners_of_cuts(sim.state->cells.map, uncut);
-  raise_order(sim);
+  raise_orders(sim);
   for (std::size_t b = 0; b < sim.bodies.size(); ++b) {
     const BodySettings& body = sim.scene.bodies[b];
     hold_vertices(sim.state->mechanics, nodes_of_body(sim, b), body.held, body.rotation);

@@ -12,7 +12,7 @@ from pathlib import Path
 import meshio
 import numpy
 
-from second_order import EDGES, KUHN
+from second_order import EDGES, kuhn_cells
 
 BIG = 1e3
 
@@ -136,22 +136,7 @@ def grid(cells, place):
     points = numpy.array([place(i / nx, j / ny, k / nz) for k in range(nz + 1) for j in range(ny + 1)
                           for i in range(nx + 1)])
 
-    def row(i, j, k):
-        return i + (nx + 1) * (j + (ny + 1) * k)
-
-    tetrahedra = []
-    for k in range(nz):
-        for j in range(ny):
-            for i in range(nx):
-                mirror = (i % 2, j % 2, k % 2)
-                corner = [row(i + ((c & 1) ^ mirror[0]), j + ((c >> 1 & 1) ^ mirror[1]),
-                              k + ((c >> 2) ^ mirror[2])) for c in range(8)]
-                for a, b, c, d in KUHN:
-                    t = [corner[a], corner[b], corner[c], corner[d]]
-                    if numpy.linalg.det(points[t[1:]] - points[t[0]]) < 0:
-                        t[2], t[3] = t[3], t[2]
-                    tetrahedra.append(t)
-    return points, numpy.array(tetrahedra)
+    return points, kuhn_cells(cells, points)
 
 
 def quadratic(points, tetrahedra):

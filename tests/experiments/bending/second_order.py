@@ -27,11 +27,9 @@ KUHN = [(0, 1, 3, 7), (0, 3, 2, 7), (0, 2, 6, 7), (0, 6, 4, 7), (0, 4, 5, 7), (0
 EDGES = [(0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3)]  # CalculiX's middle nodes 5 to 10
 
 
-def block(cells, size):
-    """Points and tetrahedra of a block from the origin; diagonals alternate along x and y."""
+def kuhn_cells(cells, points):
+    """Tetrahedra of a block of (nx, ny, nz) cells whose `points` go x first, then y; diagonals alternate."""
     nx, ny, nz = cells
-    points = numpy.array([(i * size[0] / nx, j * size[1] / ny, k * size[2] / nz)
-                          for k in range(nz + 1) for j in range(ny + 1) for i in range(nx + 1)])
 
     def row(i, j, k):
         return i + (nx + 1) * (j + (ny + 1) * k)
@@ -45,11 +43,18 @@ def block(cells, size):
                               k + ((c >> 2) ^ mirror[2])) for c in range(8)]
                 for a, b, c, d in KUHN:
                     t = [corner[a], corner[b], corner[c], corner[d]]
-                    edges = points[t[1:]] - points[t[0]]
-                    if numpy.linalg.det(edges) < 0:
+                    if numpy.linalg.det(points[t[1:]] - points[t[0]]) < 0:
                         t[2], t[3] = t[3], t[2]
                     tetrahedra.append(t)
-    return points, numpy.array(tetrahedra)
+    return numpy.array(tetrahedra)
+
+
+def block(cells, size):
+    """Points and tetrahedra of a block from the origin."""
+    nx, ny, nz = cells
+    points = numpy.array([(i * size[0] / nx, j * size[1] / ny, k * size[2] / nz)
+                          for k in range(nz + 1) for j in range(ny + 1) for i in range(nx + 1)])
+    return points, kuhn_cells(cells, points)
 
 
 def scene(order, size, held):

@@ -7,10 +7,8 @@
 
 #include "fracture/algorithms/choose_fan.hpp"
 #include "fracture/simulation/simulation_state.hpp"
-#include "mechanics/element/second_order.hpp"
 #include "tests/fracture/algorithms/mirror_bodies.hpp"
 #include "tests/support/tension.hpp"
-#include "topology/kernel/edge_nodes.hpp"
 
 using namespace sunder;
 using namespace sunder::test;
@@ -70,16 +68,9 @@ void apply_field(Tension& tension, const MirrorBody& body, Field field, std::mt1
 void raise(Tension& tension, const MirrorBody& body) {
   VolumeMap& map = tension.cells.map;
   MechanicsState& m = tension.state;
-  append_edge_nodes(m.elements.edge_nodes, map, TetId{0}, TetId{map.tetrahedra()});
+  raise_order({tension.cells, m}, TetId{0}, TetId{map.tetrahedra()});
   m.elements.corner_stress.resize(map.tetrahedra());
   for (std::size_t t = 0; t < map.tetrahedra(); ++t) {
-    for (std::size_t e = 0; e < 6; ++e) {
-      if (m.elements.edge_nodes[t][e].index() != m.vertices.size()) continue;
-      const auto [i, j] = edge_ends[e];
-      const Corners& c = map.corners(TetId{t});
-      append_middle(m.vertices, c[std::size_t(i)], c[std::size_t(j)]);
-      append_node(tension.cells, m.elements.component[t]);
-    }
     for (std::size_t k = 0; k < 4; ++k) {
       Vec3 x = m.vertices.rest_position[map.corners(TetId{t})[k].index()];
       x[body.axis] = std::abs(x[body.axis] - body.offset);
