@@ -32,11 +32,16 @@ double strain_density(const Mat3& H, const Lame& lame) {
 
 /// Stress at the corners, its mean, the largest turn, and what the strain energy changed by.
 void measure_second_order(MechanicsState& state, const MechanicsScratch& scratch,
-                          std::span<const Corners> corners, TetId t, bool strain,
+                          std::span<const Corners> corners, TetId t, const ElementMeasure& measure,
                           StrainChange& change, double& largest) {
   ElementColumns& elements = state.elements;
-  const std::array<Mat3, 4> H =
-      corner_gradients(elements, corners, state.vertices.displacement, t);
+  std::array<Mat3, 4> H = corner_gradients(elements, corners, state.vertices.displacement, t);
+  if (measure.model == ElasticModel::corotational) {
+    // Strains of the frames that forces are taken in, carried on to the corners.
+    H = at_points(H);
+    for (Mat3& at : H) at = own_strain(at);
+    H = at_corners_of(H);
+  }
   const std::size_t material = elements.material[t.index()].index();
   std::array<Mat3, 4> stress;
   for (std::size_t c = 0; c < 4; ++c) {
@@ -44,7 +49,7 @@ void measure_second_order(MechanicsState& state, const MechanicsScratch& scratch
     largest = std::max(largest, turn_of(H[c]));
   }
   std::array<Mat3, 4>& old = elements.corner_stress[t.index()];
-  if (strain) {
+  if (measure.strain) {
     const double volume = elements.rest_volume[t.index()];
     const double before = linear_stress_energy(old, volume, scratch.stress_energy[material]);
     const double after = 0.5 * volume * mean_product(stress, H);
@@ -100,7 +105,7 @@ void measure_elements(MechanicsState& state, MechanicsScratch& scratch,
     }
     if (!is_changing) continue;
     if (is_second_order(elements, TetId{t})) {
-      measure_second_order(state, scratch, corners, TetId{t}, measure.strain, change, largest);
+      measure_second_order(state, scratch, corners, TetId{t}, measure, change, largest);
       continue;
     }
     const CornerVectors d = at_corners(state.vertices.displacement, corners[t]);

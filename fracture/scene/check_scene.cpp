@@ -119,10 +119,6 @@ std::vector<SettingFinding> second_order_findings(const Scene& scene) {
     check.add("second_order_in_motion", key,
               fmt::format("is {}, which bodies of order 2 cannot have", what), remedy);
   };
-  refuse(scene.integrator.integrator != Integrator::floating_frame, "integrator.method",
-         "not floating_frame", "leave it out, or leave the bodies' order out");
-  refuse(scene.integrator.model != ElasticModel::rigid_reference, "model", "not rigid_reference",
-         "leave it out, or leave the bodies' order out");
   refuse(scene.integrator.isolated == IsolatedTetrahedra::qr, "isolated", "qr",
          "take projection, or leave the bodies' order out");
   refuse(scene.contact.method == ContactMethod::penalty, "contact.method", "penalty",

@@ -3,10 +3,12 @@
 #include "mechanics/baselines/corotational_euler.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "mechanics/baselines/euler_problem.hpp"
 #include "mechanics/element/corotational_force.hpp"
+#include "mechanics/element/second_order.hpp"
 #include "mechanics/frame/rigid_reference.hpp"
 #include "mechanics/integrators/baseline_system.hpp"
 #include "mechanics/integrators/model_force.hpp"
@@ -14,25 +16,23 @@
 namespace sunder {
 namespace {
 
-/// Calls `visit(k, a, b, column, row)` for the ten blocks of an element, row >= column; rows of
+/// Calls `visit(a, b, column, row)` for the blocks of an element, ten or 55, row >= column; rows of
 /// held vertices are `none`.
 template <class Visit>
 void for_each_block(const ReassembledSystem& system, const ComponentStep& step, TetId t,
                     Visit visit) {
-  const Corners& corners = step.input.corners[t.index()];
-  const auto row_of = [&](int a) {
-    const std::uint32_t local =
-        step.state.systems.local_row[corners[static_cast<std::size_t>(a)].index()];
+  const ElementNodes nodes = nodes_of(step.state.elements, step.input.corners, t);
+  const auto row_of = [&](std::size_t a) {
+    const std::uint32_t local = step.state.systems.local_row[nodes.row[a].index()];
     return local < system.row.size() ? system.row[local] : ReassembledSystem::none;
   };
-  std::size_t k = 0;
-  for (int a = 0; a < 4; ++a) {
-    for (int b = a; b < 4; ++b, ++k) {
+  for (std::size_t a = 0; a < nodes.count; ++a) {
+    for (std::size_t b = a; b < nodes.count; ++b) {
       const std::uint32_t i = row_of(a), j = row_of(b);
       if (i >= j) {
-        visit(k, a, b, j, i);
+        visit(a, b, j, i);
       } else {
-        visit(k, b, a, i, j);
+        visit(b, a, i, j);
       }
     }
   }
@@ -43,8 +43,9 @@ VertexGraph free_graph(const ComponentStep& step) {
   const std::size_t n = step.system->free_count;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> links;
   for (TetId t : step.component.tetrahedra) {
-    for (VertexId a : step.input.corners[t.index()]) {
-      for (VertexId b : step.input.corners[t.index()]) {
+    const ElementNodes nodes = nodes_of(step.state.elements, step.input.corners, t);
+    for (VertexId a : nodes) {
+      for (VertexId b : nodes) {
         const std::uint32_t i = step.state.systems.local_row[a.index()];
         const std::uint32_t j = step.state.systems.local_row[b.index()];
         if (i < n && j < n && i != j) links.emplace_back(i, j);
@@ -86,36 +87,61 @@ void make_pattern(ReassembledSystem& system, const ComponentStep& step) {
     K.start.push_back(static_cast<std::uint32_t>(K.row.size()));
   }
   K.value.assign(9 * K.row.size(), 0.0);
-  system.places.resize(step.component.tetrahedra.size());
-  for (std::size_t e = 0; e < system.places.size(); ++e) {
-    for_each_block(system, step, step.component.tetrahedra[e],
-                   [&](std::size_t k, int, int, std::uint32_t column, std::uint32_t row) {
-                     system.places[e][k] = ReassembledSystem::none;
+  system.places.clear();
+  for (const TetId t : step.component.tetrahedra) {
+    for_each_block(system, step, t,
+                   [&](std::size_t, std::size_t, std::uint32_t column, std::uint32_t row) {
+                     system.places.push_back(ReassembledSystem::none);
                      if (row == ReassembledSystem::none) return;
                      const auto begin = K.row.begin() + K.start[column];
                      const auto end = K.row.begin() + K.start[column + 1];
-                     system.places[e][k] = static_cast<std::uint32_t>(
+                     system.places.back() = static_cast<std::uint32_t>(
                          std::lower_bound(begin, end, row) - K.row.begin());
                    });
   }
 }
+
+/// Gradients of a tetrahedron's nodes at its points, each turned by what stands at `turn`; one point
+/// of a linear one, four of one of second order.
+struct TurnedGradients {
+  std::array<std::array<Vec3, 10>, 4> node;
+  std::size_t points;
+
+  TurnedGradients(const ShapeGradient& G, std::size_t nodes, const Mat3* turn, const Mat3& R)
+      : points(nodes == 4 ? 1 : 4) {
+    for (std::size_t q = 0; q < points; ++q) {
+      const ShapeGradient turned = (R.transpose() * turn[q]) * G;
+      for (std::size_t a = 0; a < nodes; ++a) {
+        node[q][a] = nodes == 4 ? Vec3(turned.col(static_cast<Eigen::Index>(a)))
+                                : node_gradient(turned, a, q);
+      }
+    }
+  }
+};
 
 /// K with every element turned. K_ab of an isotropic element turns with its gradients.
 void assemble(ReassembledSystem& system, const ComponentStep& step, std::span<const Mat3> turn,
               const Mat3& R) {
   const ElementColumns& elements = step.state.elements;
   std::fill(system.matrix.value.begin(), system.matrix.value.end(), 0.0);
-  for (std::size_t e = 0; e < system.places.size(); ++e) {
-    const TetId t = step.component.tetrahedra[e];
-    const ShapeGradient G = (R.transpose() * turn[e]) * elements.shape_gradient[t.index()];
+  const Mat3* own_turn = turn.data();
+  const std::uint32_t* place = system.places.data();
+  for (const TetId t : step.component.tetrahedra) {
+    const std::size_t nodes = is_second_order(elements, t) ? 10 : 4;
+    const TurnedGradients at(elements.shape_gradient[t.index()], nodes, own_turn, R);
+    own_turn += at.points;
     const Lame constants = lame(material_of(step.state, t));
-    const double volume = elements.rest_volume[t.index()];
-    for_each_block(system, step, t, [&](std::size_t k, int a, int b, std::uint32_t, std::uint32_t) {
-      const std::uint32_t place = system.places[e][k];
-      if (place == ReassembledSystem::none) return;
-      Eigen::Map<Mat3>(system.matrix.value.data() + 9 * std::size_t{place}) +=
-          stiffness_block(G.col(a), G.col(b), volume, constants);
-    });
+    const double volume = elements.rest_volume[t.index()] / static_cast<double>(at.points);
+    for_each_block(system, step, t,
+                   [&](std::size_t a, std::size_t b, std::uint32_t, std::uint32_t) {
+                     const std::uint32_t to = *place++;
+                     if (to == ReassembledSystem::none) return;
+                     for (std::size_t q = 0; q < at.points; ++q) {
+                       add_stiffness_block(system.matrix.value.data() + 9 * std::size_t{to},
+                                           at.node[q][a], at.node[q][b],
+                                           {volume * constants.lambda, volume * constants.mu});
+                     }
+                   });
   }
 }
 

@@ -2,7 +2,6 @@
 // Implicit Euler with corotational forces: what the paper compares its model with.
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "mechanics/integrators/component_step.hpp"
@@ -20,7 +19,8 @@ struct ReassembledSystem {
   FactorScratch scratch;
   std::vector<double> solution;  ///< by rows
   static constexpr std::uint32_t none = 0xffffffff;
-  std::vector<std::array<std::uint32_t, 10>> places;  ///< of each element's blocks; none: held
+  /// Of each element's blocks, ten or 55 each; none: held.
+  std::vector<std::uint32_t> places;
 };
 
 /// Linearised once with the elements' turns at x, or at x + h v (`EulerFrame`), held fixed:

@@ -6,7 +6,7 @@
 
 #include "mechanics/baselines/corotational_euler.hpp"
 #include "mechanics/baselines/implicit_euler.hpp"
-#include "mechanics/element/strain_displacement.hpp"
+#include "mechanics/element/second_order.hpp"
 #include "mechanics/integrators/baseline_system.hpp"
 #include "mechanics/integrators/modal.hpp"
 #include "mechanics/integrators/model_force.hpp"
@@ -23,10 +23,11 @@ void make_diagonal(const ComponentStep& step) {
   for (TetId t : step.component.tetrahedra) {
     const ShapeGradient& G = elements.shape_gradient[t.index()];
     const Lame constants = lame(material_of(step.state, t));
-    for (int a = 0; a < 4; ++a) {
-      const std::size_t v = step.input.corners[t.index()][a].index();
+    const ElementNodes nodes = nodes_of(elements, step.input.corners, t);
+    for (std::size_t a = 0; a < nodes.count; ++a) {
+      const std::size_t v = nodes.row[a].index();
       diagonal.middleCols<3>(3 * step.state.systems.local_row[v]) +=
-          stiffness_block(G.col(a), G.col(a), elements.rest_volume[t.index()], constants);
+          node_block(G, elements.rest_volume[t.index()], constants, nodes.count, a, a);
     }
   }
 }

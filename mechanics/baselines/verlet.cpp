@@ -8,7 +8,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "mechanics/element/strain_displacement.hpp"
+#include "mechanics/element/second_order.hpp"
 #include "mechanics/integrators/model_force.hpp"
 #include "mechanics/integrators/rigid_motion.hpp"
 
@@ -36,10 +36,19 @@ void kick(const ComponentStep& step, std::span<const Vec3> position, const Pose&
 double element_bound(const MechanicsState& state, std::size_t t) {
   const ElementColumns& elements = state.elements;
   const Lame constants = lame(material_of(state, TetId{t}));
-  const ElementStiffness K =
-      element_stiffness(elements.shape_gradient[t], elements.rest_volume[t], constants);
-  const Eigen::SelfAdjointEigenSolver<ElementStiffness> solver(K, Eigen::EigenvaluesOnly);
-  const double highest = solver.eigenvalues()[11] / (elements.mass[t] / 4);
+  const std::size_t count = is_second_order(elements, TetId{t}) ? 10 : 4;
+  const auto scale = [&](std::size_t a) { return 1 / std::sqrt(node_share(count, a) * elements.mass[t]); };
+  // Square roots of masses on both sides make a symmetric problem of K x = w^2 M x.
+  Eigen::MatrixXd K(3 * count, 3 * count);
+  for (std::size_t a = 0; a < count; ++a) {
+    for (std::size_t b = 0; b < count; ++b) {
+      K.block<3, 3>(static_cast<Eigen::Index>(3 * b), static_cast<Eigen::Index>(3 * a)) =
+          scale(a) * scale(b) *
+          node_block(elements.shape_gradient[t], elements.rest_volume[t], constants, count, b, a);
+    }
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(K, Eigen::EigenvaluesOnly);
+  const double highest = solver.eigenvalues().tail<1>()[0];
   return highest > 0 ? 2 / std::sqrt(highest) : std::numeric_limits<double>::infinity();
 }
 

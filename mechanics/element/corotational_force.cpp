@@ -2,6 +2,7 @@
 // Rotations of elements and the forces in their frames.
 #include "mechanics/element/corotational_force.hpp"
 
+#include "mechanics/element/second_order.hpp"
 #include "mechanics/frame/rotation.hpp"
 
 namespace sunder {
@@ -33,30 +34,70 @@ Mat3 element_rotation(const Mat3& F, const Mat3& near) {
 
 namespace {
 
+/// One matrix at the centre of a tetrahedron, or four at Gauss' points of one of second order.
+struct AtPoints {
+  std::array<Mat3, 4> value;
+  std::size_t count;
+};
+
+/// sum_a x_a (grad N_a)^T of a tetrahedron, from a column of nodes; by differences, as gradients add
+/// up to nothing: exact far from the origin too.
+AtPoints gradients(const ElasticInput& input, std::span<const Vec3> column, TetId t) {
+  const ElementColumns& elements = input.state.elements;
+  const ShapeGradient& G = elements.shape_gradient[t.index()];
+  if (!is_second_order(elements, t)) {
+    return {{deformation_gradient(G, at_corners(column, input.corners[t.index()]))}, 1};
+  }
+  const ElementNodes nodes = nodes_of(elements, input.corners, t);
+  NodeVectors d;
+  for (std::size_t a = 0; a < d.size(); ++a) {
+    d[a] = column[nodes.row[a].index()] - column[nodes.row[0].index()];
+  }
+  return {at_points(corner_gradients(G, d)), 4};
+}
+
+/// Adds `sign` times the integral of P grad N_a to the row of every node a. P: Pa, as `gradients` has it.
+void add_forces(std::span<Vec3> force, const ElasticInput& input, TetId t, const AtPoints& P,
+                double sign) {
+  const ElementColumns& elements = input.state.elements;
+  const ShapeGradient& G = elements.shape_gradient[t.index()];
+  const double volume = elements.rest_volume[t.index()];
+  const ElementNodes nodes = nodes_of(elements, input.corners, t);
+  if (nodes.count == 4) {
+    const CornerVectors f = element_force(G, volume, P.value[0]);
+    for (int a = 0; a < 4; ++a) {
+      force[nodes.row[static_cast<std::size_t>(a)].index()] += sign * f.col(a);
+    }
+    return;
+  }
+  const std::array<Mat3, 4> at = at_corners_of(P.value);
+  for (std::size_t a = 0; a < nodes.count; ++a) {
+    force[nodes.row[a].index()] += sign * second_order_force(G, volume, at, a);
+  }
+}
+
 /// The turn of a component's first element: near those of all where it is stiff, even where the
 /// positions have turned since its orientation was taken.
 Mat3 first_turn(const ElasticInput& input, const Component& component) {
-  const TetId t = component.tetrahedra.front();
-  const CornerVectors x = at_corners(input.positions, input.corners[t.index()]);
-  return element_rotation(deformation_gradient(input.state.elements.shape_gradient[t.index()], x),
-                          component.orientation.toRotationMatrix());
+  const AtPoints F = gradients(input, input.positions, component.tetrahedra.front());
+  return element_rotation(F.value[0], component.orientation.toRotationMatrix());
 }
 
 }  // namespace
 
 void corotational_forces(std::span<Vec3> force, const ElasticInput& input,
                          const Component& component) {
-  const ElementColumns& elements = input.state.elements;
   const Mat3 near = first_turn(input, component);
   for (VertexId v : component.vertices) force[v.index()].setZero();
   for (TetId t : component.tetrahedra) {
-    const Corners& corners = input.corners[t.index()];
-    const ShapeGradient& G = elements.shape_gradient[t.index()];
-    const Mat3 F = deformation_gradient(G, at_corners(input.positions, corners));
-    const Mat3 R = element_rotation(F, near);
-    const Mat3 sigma = corotational_stress(R, F, lame(material_of(input.state, t)));
-    const CornerVectors f = element_force(G, elements.rest_volume[t.index()], R * sigma);
-    for (int a = 0; a < 4; ++a) force[corners[a].index()] -= f.col(a);
+    AtPoints at = gradients(input, input.positions, t);
+    const Lame constants = lame(material_of(input.state, t));
+    for (std::size_t q = 0; q < at.count; ++q) {
+      const Mat3 R = element_rotation(at.value[q], near);
+      const Mat3 sigma = corotational_stress(R, at.value[q], constants);
+      at.value[q] = R * sigma;
+    }
+    add_forces(force, input, t, at, -1);
   }
 }
 
@@ -65,26 +106,26 @@ void element_rotations(std::vector<Mat3>& rotation, const ElasticInput& input,
   const Mat3 near = first_turn(input, component);
   rotation.clear();
   for (TetId t : component.tetrahedra) {
-    const CornerVectors x = at_corners(input.positions, input.corners[t.index()]);
-    const ShapeGradient& G = input.state.elements.shape_gradient[t.index()];
-    rotation.push_back(element_rotation(deformation_gradient(G, x), near));
+    const AtPoints F = gradients(input, input.positions, t);
+    for (std::size_t q = 0; q < F.count; ++q) {
+      rotation.push_back(element_rotation(F.value[q], near));
+    }
   }
 }
 
 void corotational_product(std::span<Vec3> product, const TurnedElements& elements,
                           std::span<const Vec3> u) {
   const ElasticInput& input = elements.input;
-  const ElementColumns& columns = input.state.elements;
   for (VertexId v : elements.component.vertices) product[v.index()].setZero();
-  for (std::size_t e = 0; e < elements.rotation.size(); ++e) {
-    const TetId t = elements.component.tetrahedra[e];
-    const Corners& corners = input.corners[t.index()];
-    const ShapeGradient& G = columns.shape_gradient[t.index()];
-    const Mat3& R = elements.rotation[e];
-    const Mat3 turned = R.transpose() * deformation_gradient(G, at_corners(u, corners));
-    const Mat3 sigma = stress_of(turned, lame(material_of(input.state, t)));
-    const CornerVectors f = element_force(G, columns.rest_volume[t.index()], R * sigma);
-    for (int a = 0; a < 4; ++a) product[corners[a].index()] += f.col(a);
+  const Mat3* R = elements.rotation.data();
+  for (TetId t : elements.component.tetrahedra) {
+    AtPoints at = gradients(input, u, t);
+    const Lame constants = lame(material_of(input.state, t));
+    for (std::size_t q = 0; q < at.count; ++q, ++R) {
+      const Mat3 turned = R->transpose() * at.value[q];
+      at.value[q] = *R * stress_of(turned, constants);
+    }
+    add_forces(product, input, t, at, 1);
   }
 }
 

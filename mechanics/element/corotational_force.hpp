@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Corotational tetrahedra: linear in a frame of each one's own, which turns with it.
+// Corotational tetrahedra: linear in a frame of each one's own, which turns with it; those of second
+// order have a frame at each of Gauss' four points, as they turn by a little more along themselves.
 #pragma once
 
 #include <span>
@@ -33,12 +34,15 @@ inline Mat3 corotational_stress(const Mat3& R, const Mat3& F, const Lame& lame) 
 /// Forces of every tetrahedron of a component on its vertices, N, world: -V R sigma G_a, which is
 /// -R K_e (R^T x - X) [Mueller and Gross 2004]. As R is the polar factor this is the gradient of
 /// the energy V sigma : eps / 2, so that net force and torque are zero to rounding, for any turn.
-/// `force`: |V|, rows of the component's vertices are set. `input.form` has no say.
+/// Of second order: the sum over Gauss' points of the same, a quarter of V each, with gradients of
+/// the nodes there; without turns that is K_e d.
+/// `force`: |V|, rows of the component's nodes are set. `input.form` has no say.
 /// O(tetrahedra), 150 ns each.
 void corotational_forces(std::span<Vec3> force, const ElasticInput& input,
                          const Component& component);
 
-/// R of every tetrahedron of the component at `input.positions`, in its order, world.
+/// R of every tetrahedron of the component at `input.positions`, in its order, four of one of second
+/// order, world.
 void element_rotations(std::vector<Mat3>& rotation, const ElasticInput& input,
                        const Component& component);
 
@@ -46,7 +50,7 @@ void element_rotations(std::vector<Mat3>& rotation, const ElasticInput& input,
 struct TurnedElements {
   const ElasticInput& input;
   const Component& component;
-  std::span<const Mat3> rotation;  ///< rows as `Component::tetrahedra`
+  std::span<const Mat3> rotation;  ///< as `element_rotations` gives them
 };
 
 /// sum R K_e R^T u over the component: the derivative of minus its forces as far as turns do not

@@ -20,6 +20,18 @@ void set_displacement(const ElasticOutput& output, const ElasticInput& input,
   }
 }
 
+/// Adds K_e d_e of one tetrahedron of second order, body frame.
+void add_second_order_forces(const ElasticOutput& output, const ElasticInput& input, TetId t) {
+  const ElementColumns& elements = input.state.elements;
+  std::array<Mat3, 4> sigma = corner_gradients(elements, input.corners, output.displacement, t);
+  for (Mat3& at : sigma) at = stress_of(at, lame(material_of(input.state, t)));
+  const ElementNodes nodes = nodes_of(elements, input.corners, t);
+  for (std::size_t a = 0; a < nodes.count; ++a) {
+    output.force[nodes.row[a].index()] += second_order_force(
+        elements.shape_gradient[t.index()], elements.rest_volume[t.index()], sigma, a);
+  }
+}
+
 /// K d, body frame.
 void sum_element_forces(const ElasticOutput& output, const ElasticInput& input,
                         const Component& component) {
@@ -28,6 +40,10 @@ void sum_element_forces(const ElasticOutput& output, const ElasticInput& input,
   for (TetId t : component.tetrahedra) {
     const Corners& corners = input.corners[t.index()];
     const ShapeGradient& G = elements.shape_gradient[t.index()];
+    if (is_second_order(elements, t)) {
+      add_second_order_forces(output, input, t);
+      continue;
+    }
     const CornerVectors d = at_corners(output.displacement, corners);
     const Mat3 sigma = stress_of(displacement_gradient(G, d), lame(material_of(input.state, t)));
     const CornerVectors f = element_force(G, elements.rest_volume[t.index()], sigma);

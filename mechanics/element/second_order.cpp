@@ -26,6 +26,10 @@ constexpr Terms terms_of(std::size_t node) {
   return {{{{i, j}, {j, i}}}, 2, false};
 }
 
+/// Barycentric coordinates of Gauss' points of degree 2: one `near`, three `far`.
+constexpr double far = 0.13819660112501051518;  // (5 - sqrt 5) / 20
+constexpr double near = 1 - 3 * far;
+
 }  // namespace
 
 void add_second_order_block(double* to, const ShapeGradient& G, std::size_t a, std::size_t b,
@@ -56,27 +60,55 @@ Mat3 node_block(const ShapeGradient& G, double volume, const Lame& constants, st
   return block;
 }
 
-std::array<Mat3, 4> corner_gradients(const ElementColumns& elements,
-                                     std::span<const Corners> corners,
-                                     std::span<const Vec3> displacement, TetId t) {
-  const ShapeGradient& G = elements.shape_gradient[t.index()];
-  const ElementNodes nodes = nodes_of(elements, corners, t);
+std::array<Mat3, 4> corner_gradients(const ShapeGradient& G, const NodeVectors& d) {
   std::array<Mat3, 4> H;
   for (int c = 0; c < 4; ++c) {
     Mat3& at = H[static_cast<std::size_t>(c)];
     at.setZero();
-    for (std::size_t node = 0; node < nodes.count; ++node) {
+    for (std::size_t node = 0; node < d.size(); ++node) {
       const Terms terms = terms_of(node);
       for (std::size_t i = 0; i < terms.count; ++i) {
         const auto [factor, along] = terms.term[i];
         const double value = (factor == c ? 4 : 0) - (terms.is_corner ? 1 : 0);
-        if (value != 0) {
-          at += value * displacement[nodes.row[node].index()] * G.col(along).transpose();
-        }
+        if (value != 0) at += value * d[node] * G.col(along).transpose();
       }
     }
   }
   return H;
+}
+
+std::array<Mat3, 4> corner_gradients(const ElementColumns& elements,
+                                     std::span<const Corners> corners,
+                                     std::span<const Vec3> displacement, TetId t) {
+  const ElementNodes nodes = nodes_of(elements, corners, t);
+  NodeVectors d;
+  for (std::size_t a = 0; a < d.size(); ++a) d[a] = displacement[nodes.row[a].index()];
+  return corner_gradients(elements.shape_gradient[t.index()], d);
+}
+
+std::array<Mat3, 4> at_points(const std::array<Mat3, 4>& at_corners) {
+  const Mat3 shared = far * (at_corners[0] + at_corners[1] + at_corners[2] + at_corners[3]);
+  std::array<Mat3, 4> at;
+  for (std::size_t q = 0; q < 4; ++q) at[q] = (near - far) * at_corners[q] + shared;
+  return at;
+}
+
+std::array<Mat3, 4> at_corners_of(const std::array<Mat3, 4>& at_points) {
+  const Mat3 shared = far * (at_points[0] + at_points[1] + at_points[2] + at_points[3]);
+  std::array<Mat3, 4> at;
+  for (std::size_t c = 0; c < 4; ++c) at[c] = (at_points[c] - shared) / (near - far);
+  return at;
+}
+
+Vec3 node_gradient(const ShapeGradient& G, std::size_t a, std::size_t point) {
+  const Terms terms = terms_of(a);
+  Vec3 gradient = Vec3::Zero();
+  for (std::size_t i = 0; i < terms.count; ++i) {
+    const auto [factor, along] = terms.term[i];
+    const double L = static_cast<std::size_t>(factor) == point ? near : far;
+    gradient += (4 * L - (terms.is_corner ? 1 : 0)) * G.col(along);
+  }
+  return gradient;
 }
 
 double mean_product(const std::array<Mat3, 4>& a, const std::array<Mat3, 4>& b) {

@@ -35,11 +35,25 @@ void add_second_order_block(double* to, const ShapeGradient& gradient, std::size
 Mat3 node_block(const ShapeGradient& gradient, double volume, const Lame& constants,
                 std::size_t count, std::size_t b, std::size_t a);
 
+/// A vector at each of the ten nodes.
+using NodeVectors = std::array<Vec3, 10>;
+
+/// sum_a d_a (grad N_a)^T at the four corners, of vectors d at the nodes: of displacements H, no unit.
+std::array<Mat3, 4> corner_gradients(const ShapeGradient& gradient, const NodeVectors& d);
+
 /// H at the four corners of tetrahedron `t`, no unit, from the displacements of its nodes. Needs:
 /// of second order.
 std::array<Mat3, 4> corner_gradients(const ElementColumns& elements,
                                      std::span<const Corners> corners,
                                      std::span<const Vec3> displacement, TetId t);
+
+/// What is linear in a tetrahedron, from its corners to the four points whose mean of products of two
+/// such fields is exact (Gauss' rule of degree 2), and back.
+std::array<Mat3, 4> at_points(const std::array<Mat3, 4>& at_corners);
+std::array<Mat3, 4> at_corners_of(const std::array<Mat3, 4>& at_points);
+
+/// grad N_a of node `a` (0 to 9) at one of those points, 1/m.
+Vec3 node_gradient(const ShapeGradient& gradient, std::size_t a, std::size_t point);
 
 /// The mean over a tetrahedron of a : b, both linear in it and given at its corners.
 double mean_product(const std::array<Mat3, 4>& a, const std::array<Mat3, 4>& b);

@@ -23,7 +23,7 @@ struct BaselineSystem {
   std::vector<Eigen::Matrix3Xd> updates;
   /// K_ii of every vertex in the system's order (3 x 3 n), N/m.
   Eigen::Matrix3Xd diagonal;
-  /// Of the model corotational: turns of the elements, rows as `Component::tetrahedra`, world.
+  /// Of the model corotational: turns of the elements (`element_rotations`), world.
   std::vector<Mat3> turn;
   std::unique_ptr<ReassembledSystem> reassembled;
   std::unique_ptr<ModalBasis> modal;

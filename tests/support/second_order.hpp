@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mechanics/element/second_order.hpp"
+#include "mechanics/rebuild.hpp"
 #include "mechanics/state/mechanics_state.hpp"
 #include "tests/support/bodies.hpp"
 
@@ -55,6 +56,28 @@ inline void raise_order(MechanicsState& state, std::span<const Corners> corners)
       state.elements.edge_nodes[t][e] = at->second;
     }
   }
+}
+
+/// A body at rest whose tetrahedra are of an order.
+inline MechanicsState state_of_order(int order, const Body& body, const Material& material) {
+  MechanicsState state = state_of(body, material);
+  if (order == 1) return state;
+  raise_order(state, body.corners);
+  MechanicsScratch scratch;
+  const std::vector<ComponentId> whole = {ComponentId{0}};
+  rebuild(state, body.corners, whole, scratch);
+  return state;
+}
+
+/// Holds all nodes whose x at rest is below a place.
+inline void hold_below(MechanicsState& state, const Body& body, double x) {
+  state.motions.push_back({});
+  for (std::size_t v = 0; v < state.vertices.size(); ++v) {
+    if (state.vertices.rest_position[v].x() < x) state.vertices.support[v] = MotionId{0};
+  }
+  MechanicsScratch scratch;
+  const std::vector<ComponentId> whole = {ComponentId{0}};
+  rebuild(state, body.corners, whole, scratch);
 }
 
 /// Which nodes lie on the boundary, a row each.

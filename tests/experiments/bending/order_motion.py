@@ -199,7 +199,8 @@ def slender(sunder, folder, repeats):
         density = 1000.0
         g = load * E * size[2] ** 2 / 12 / density
         rows.append([f"{load:g}", "elastica", "", f"{x:.3f}, {z:.3f}", "", ""])
-        for order, layers, model in ((2, 1, "rigid_reference"), (1, 4, "rigid_reference"), (1, 4, "corotational")):
+        for order, layers, model in ((2, 1, "rigid_reference"), (2, 1, "corotational"), (1, 4, "rigid_reference"),
+                                     (1, 4, "corotational")):
             cells = (16, 1, 1) if order == 2 else (10 * layers, max(1, layers // 2), layers)
             write_mesh(folder / "body.mesh", *block(cells, size))
             material = {"young_modulus": E, "poisson_ratio": 0.0, "density": density, "tensile_strength": 1e9}

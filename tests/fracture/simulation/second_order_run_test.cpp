@@ -218,8 +218,6 @@ TEST_CASE("what bodies of order 2 cannot have is refused, with the key", "[order
   const auto names = [&](const std::string& text, const char* key) {
     return text.find(key) != std::string::npos;
   };
-  CHECK(names(code([](Scene& s) { s.integrator.integrator = Integrator::verlet; }), "integrator"));
-  CHECK(names(code([](Scene& s) { s.integrator.model = ElasticModel::corotational; }), "model"));
   CHECK(names(code([](Scene& s) { s.integrator.isolated = IsolatedTetrahedra::qr; }), "isolated"));
   CHECK(names(code([](Scene& s) { s.contact.method = ContactMethod::penalty; }), "contact.method"));
 }

@@ -10,6 +10,7 @@
 #include "mechanics/baselines/verlet.hpp"
 #include "mechanics/frame/rotation.hpp"
 #include "tests/support/frequency.hpp"
+#include "tests/support/second_order.hpp"
 
 using namespace sunder;
 using namespace sunder::test;
@@ -69,9 +70,9 @@ double farthest(const MechanicsState& a, const MechanicsState& b) {
 }
 
 /// A body of `E` with a smooth deformation, at rest.
-MechanicsState deformed_body(const Body& body, double E, double amount) {
+MechanicsState deformed_body(const Body& body, double E, double amount, int order = 1) {
   std::mt19937 random(5);
-  MechanicsState state = state_of(body, {.young_modulus = E});
+  MechanicsState state = state_of_order(order, body, {.young_modulus = E});
   place(state, ComponentId{0}, {.orientation = random_rotation(random)});
   deform(state, amount, random);
   return state;
@@ -83,11 +84,12 @@ TEST_CASE("free fall is the parabola, with exact momentum, whatever the iteratio
           "[mechanics][baselines]") {
   const Body body = kuhn_block({3, 2, 2}, Vec3(0.3, 0.2, 0.2));
   const Vec3 g(0.3, 0, -9.81), v0(1, -2, 0.5);
+  const int order = GENERATE(1, 2);
   for (const Method& method : all_methods()) {
     for (const double tolerance : {1e-1, 1e-8}) {
-      INFO(method.name << ", tolerance " << tolerance);
+      INFO(method.name << ", tolerance " << tolerance << ", order " << order);
       std::mt19937 random(3);
-      MechanicsState state = state_of(body, {.young_modulus = 1e6});
+      MechanicsState state = state_of_order(order, body, {.young_modulus = 1e6});
       place(state, ComponentId{0}, {.velocity = v0});
       deform(state, 1e-3, random);
       const Vec3 start = state.components[0].centre;
@@ -108,7 +110,8 @@ TEST_CASE("broyden, Newton and the linearised step of implicit Euler agree on a 
   const double E = GENERATE(1e6, 3e10);
   const double h = E > 1e9 ? 1e-3 : 1e-4;
   const double size = 1e-6;
-  const MechanicsState start = deformed_body(body, E, size);
+  const int order = GENERATE(1, 2);
+  const MechanicsState start = deformed_body(body, E, size, order);
   MechanicsState linear = start;
   const auto step = [&](MechanicsState& state, IntegratorSettings settings) {
     settings.tolerance = 1e-8;
@@ -119,7 +122,7 @@ TEST_CASE("broyden, Newton and the linearised step of implicit Euler agree on a 
     if (std::string(method.name) == "broyden" && E > 1e9) continue;  // far beyond its wall
     MechanicsState state = start;
     const StepStatus status = step(state, method.settings);
-    INFO(method.name << ": " << status.solve.iterations << " iterations, E " << E);
+    INFO(method.name << ": " << status.solve.iterations << " iterations, E " << E << ", order " << order);
     CHECK(status.solve.not_converged == 0);
     // What differs is of second order in the displacement, and the tolerance.
     CHECK(farthest(state, linear) < 1e-4 * size * 0.3);
@@ -163,7 +166,8 @@ TEST_CASE(
     "takes over",
     "[mechanics][baselines]") {
   const Body body = kuhn_block({8, 4, 4}, Vec3(1, 0.5, 0.5));
-  const MechanicsState start = deformed_body(body, 3e10, 1e-6);
+  const int order = GENERATE(1, 2);
+  const MechanicsState start = deformed_body(body, 3e10, 1e-6, order);
   const double h_critical = 2 / highest_frequency(start, body);
   CHECK(explicit_step_bound(start) < h_critical);
   const auto iterate = [&](double steps, BroydenStart from) {
@@ -195,14 +199,10 @@ TEST_CASE(
 TEST_CASE("a held body under its weight ends a long step where linearised implicit Euler does",
           "[mechanics][baselines][supports]") {
   const Body body = kuhn_block({6, 2, 2}, Vec3(0.6, 0.2, 0.2));
-  MechanicsState start = state_of(body, {.young_modulus = 3e10, .poisson_ratio = 0.2});
-  start.motions.push_back({});
-  for (std::size_t v = 0; v < body.rest.size(); ++v) {
-    if (body.rest[v].x() < -0.29) start.vertices.support[v] = MotionId{0};
-  }
-  MechanicsScratch scratch;
-  const std::vector<ComponentId> whole = {ComponentId{0}};
-  rebuild(start, body.corners, whole, scratch);
+  const int order = GENERATE(1, 2);
+  MechanicsState start =
+      state_of_order(order, body, {.young_modulus = 3e10, .poisson_ratio = 0.2});
+  hold_below(start, body, -0.29);
   const Loads loads{.gravity = Vec3(0, 0, -9.81)};
   MechanicsState linear = start;
   const IntegratorSettings euler{.integrator = Integrator::implicit_euler};
@@ -223,14 +223,9 @@ TEST_CASE("prefactored and reassembled corotation agree in the limit of small st
           "[mechanics][baselines][corotational]") {
   // A soft cantilever that bends by a third of its length under its weight.
   const Body body = kuhn_block({8, 2, 2}, Vec3(0.8, 0.2, 0.2));
-  MechanicsState start = state_of(body, {.young_modulus = 1e6, .density = 1000});
-  start.motions.push_back({});
-  for (std::size_t v = 0; v < body.rest.size(); ++v) {
-    if (body.rest[v].x() < -0.39) start.vertices.support[v] = MotionId{0};
-  }
-  MechanicsScratch scratch;
-  const std::vector<ComponentId> whole = {ComponentId{0}};
-  rebuild(start, body.corners, whole, scratch);
+  const int order = GENERATE(1, 2);
+  MechanicsState start = state_of_order(order, body, {.young_modulus = 1e6, .density = 1000});
+  hold_below(start, body, -0.39);
   std::uint32_t given_up = 0;
   const auto at_end = [&](CorotationalSolve solve, double h) {
     MechanicsState state = start;
@@ -263,7 +258,8 @@ TEST_CASE("prefactored and reassembled corotation agree in the limit of small st
 TEST_CASE("where iterations are given up the factor's step is taken and said to be",
           "[mechanics][baselines][failure]") {
   const Body body = kuhn_block({4, 2, 2}, Vec3(0.4, 0.2, 0.2));
-  const MechanicsState start = deformed_body(body, 3e10, 1e-6);
+  const int order = GENERATE(1, 2);
+  const MechanicsState start = deformed_body(body, 3e10, 1e-6, order);
   for (Method method : euler_methods()) {
     if (method.settings.integrator == Integrator::implicit_euler) continue;
     INFO(method.name);
@@ -287,20 +283,41 @@ TEST_CASE("corotational forces are the gradient of their energy for any turn and
   std::mt19937 random(11);
   INFO("seed 11");
   const Body body = shaken(kuhn_block({2, 2, 1}, Vec3(1, 1, 0.5)), 0.08, random);
-  MechanicsState state = state_of(body, {.young_modulus = 1e3, .poisson_ratio = 0.3});
+  const int order = GENERATE(1, 2);
+  MechanicsState state =
+      state_of_order(order, body, {.young_modulus = 1e3, .poisson_ratio = 0.3});
   place(state, ComponentId{0}, {.orientation = random_rotation(random)});
   deform(state, 0.2, random);
   const Component& component = state.components[0];
+  const auto density = [&](const Mat3& F) {
+    const Mat3 R = extract_rotation(F, Eigen::Quaterniond::Identity()).toRotationMatrix();
+    const Mat3 strain = R.transpose() * F - Mat3::Identity();
+    return 0.5 * corotational_stress(R, F, lame(state.materials[0])).cwiseProduct(strain).sum();
+  };
+  // Of order 2 at four points, L = 0.585, 0.138 three times (Zienkiewicz and Taylor, table of rules
+  // for tetrahedra), by derivatives of the shape functions written out.
   const auto energy = [&](const std::vector<Vec3>& x) {
     double sum = 0;
     for (std::size_t t = 0; t < state.elements.size(); ++t) {
-      const Mat3 F =
-          deformation_gradient(state.elements.shape_gradient[t], at_corners(x, body.corners[t]));
-      const Mat3 R = extract_rotation(F, Eigen::Quaterniond::Identity()).toRotationMatrix();
-      const Lame constants = lame(state.materials[0]);
-      const Mat3 strain = R.transpose() * F - Mat3::Identity();
-      sum += 0.5 * state.elements.rest_volume[t] *
-             corotational_stress(R, F, constants).cwiseProduct(strain).sum();
+      const ShapeGradient& G = state.elements.shape_gradient[t];
+      const double V = state.elements.rest_volume[t];
+      const ElementNodes nodes = nodes_of(state.elements, body.corners, TetId{t});
+      if (order == 1) sum += V * density(deformation_gradient(G, at_corners(x, body.corners[t])));
+      for (int q = 0; order == 2 && q < 4; ++q) {
+        const double far = (5 - std::sqrt(5.0)) / 20;
+        Eigen::Vector4d L = Eigen::Vector4d::Constant(far);
+        L[q] = 1 - 3 * far;
+        Mat3 F = Mat3::Zero();
+        for (int a = 0; a < 4; ++a) {
+          F += (4 * L[a] - 1) * x[nodes.row[std::size_t(a)].index()] * G.col(a).transpose();
+        }
+        for (std::size_t e = 0; e < 6; ++e) {
+          const int i = edge_ends[e][0], j = edge_ends[e][1];
+          const Vec3 gradient = 4 * (L[i] * G.col(j) + L[j] * G.col(i));
+          F += x[nodes.row[4 + e].index()] * gradient.transpose();
+        }
+        sum += 0.25 * V * density(F);
+      }
     }
     return sum;
   };
@@ -316,7 +333,7 @@ TEST_CASE("corotational forces are the gradient of their energy for any turn and
   CHECK(sum.norm() < 1e-13 * scale);
   CHECK(torque.norm() < 1e-9 * scale);
   const double step = 1e-6;
-  for (std::size_t v : {std::size_t{0}, std::size_t{5}, x.size() - 1}) {
+  for (std::size_t v : {std::size_t{0}, std::size_t{5}, x.size() / 2, x.size() - 1}) {
     for (int c = 0; c < 3; ++c) {
       const double middle = x[v][c];
       x[v][c] = middle + step;
@@ -334,7 +351,9 @@ TEST_CASE("corotational elements feel nothing of any rigid motion and linear str
   std::mt19937 random(12);
   INFO("seed 12");
   const Body body = shaken(kuhn_block({3, 2, 2}, Vec3(1, 0.6, 0.6)), 0.03, random);
-  MechanicsState state = state_of(body, {.young_modulus = 1e9});
+  const int order = GENERATE(1, 2);
+  MechanicsState state = state_of_order(order, body, {.young_modulus = 1e9});
+  const std::vector<Vec3> rest = state.vertices.rest_position;
   const double scale = 1e9;  // E times an area of 1 m^2
   for (int k = 0; k < 20; ++k) {
     const Mat3 R = random_rotation(random).toRotationMatrix();
@@ -343,8 +362,8 @@ TEST_CASE("corotational elements feel nothing of any rigid motion and linear str
     for (int c = 0; c < 9; ++c) S(c / 3, c % 3) += 0.05 * random_vector(random).x();
     S = (0.5 * (S + S.transpose())).eval();
     const bool rigid = k % 2 == 0;
-    std::vector<Vec3> x, force(body.rest.size());
-    for (const Vec3& X : body.rest) x.push_back(R * (rigid ? X : Vec3(S * X)) + shift);
+    std::vector<Vec3> x, force(rest.size());
+    for (const Vec3& X : rest) x.push_back(R * (rigid ? X : Vec3(S * X)) + shift);
     corotational_forces(force, {state, body.corners, x}, state.components[0]);
     double worst = 0;
     if (rigid) {
@@ -401,5 +420,36 @@ TEST_CASE("a slender bent bar: corotational elements see the strain of bending, 
   };
   CHECK(error(ElasticModel::corotational) < 0.06);
   // theta^2 / 2 at the ends with theta = L / (2 radius): eps (L/t)^2 / 2 of the surface's strain.
+  CHECK(error(ElasticModel::rigid_reference) == Approx(0.8).epsilon(0.1));
+}
+
+TEST_CASE("one layer of order 2 sees the strain of a slender bent bar with frames of its own",
+          "[mechanics][baselines][corotational]") {
+  // As above, L/t = 40; cells twice as long as thick turn by 2e-3 x 2 along themselves.
+  const double L = 4, t = 0.1, strain = 1e-3, radius = t / (2 * strain);
+  const Body body = kuhn_block({20, 1, 1}, Vec3(L, t, t));
+  const Material material{.young_modulus = 1e9, .poisson_ratio = 0};
+  MechanicsState state = state_of_order(2, body, material);
+  for (std::size_t v = 0; v < state.vertices.size(); ++v) {
+    const Vec3& X = state.vertices.rest_position[v];
+    const double angle = X.x() / radius;
+    state.vertices.position[v] = Vec3((radius + X.z()) * std::sin(angle), X.y(),
+                                      (radius + X.z()) * std::cos(angle) - radius);
+  }
+  reframe(state, ComponentId{0});
+  const auto error = [&](ElasticModel model) {
+    MechanicsScratch scratch;
+    measure_elements(state, scratch, body.corners, {.model = model});
+    double worst = 0;
+    for (std::size_t e = 0; e < body.corners.size(); ++e) {
+      for (std::size_t c = 0; c < 4; ++c) {
+        const double measured = state.elements.corner_stress[e][c](0, 0) / material.young_modulus;
+        worst = std::max(worst,
+                         std::abs(measured - body.rest[body.corners[e][c].index()].z() / radius));
+      }
+    }
+    return worst / strain;
+  };
+  CHECK(error(ElasticModel::corotational) < 0.01);
   CHECK(error(ElasticModel::rigid_reference) == Approx(0.8).epsilon(0.1));
 }
