@@ -90,3 +90,19 @@ TEST_CASE("a vertex is a point that a tetrahedron uses: boxes round other points
           s.bodies[0].held = {{.minimum = {8, 8, 8}, .maximum = {10, 10, 10}}};
         }) == std::vector<std::string>{"nothing_held bodies.0.held.0"});
 }
+
+TEST_CASE("a held box round the middle of an edge holds a node of order 2, and nothing of order 1",
+          "[fracture][settings]") {
+  const auto codes = [](std::uint32_t order) {
+    return wrong([order](Scene& s) {
+      BodySettings& body = s.bodies[0];
+      body.order = order;
+      const auto& t = body.mesh.tetrahedra[0];
+      const Vec3 a(body.mesh.points[t[0]].data()), b(body.mesh.points[t[2]].data());
+      const Vec3 middle = 0.5 * (a + b), near = Vec3::Constant(0.01 * (a - b).norm());
+      body.held = {{.minimum = middle - near, .maximum = middle + near}};
+    });
+  };
+  CHECK(codes(1) == std::vector<std::string>{"nothing_held bodies.0.held.0"});
+  CHECK(codes(2).empty());
+}
