@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
-#include "fracture/simulation/simulation.hpp"
+#include "fracture/simulation/simulation_state.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
 using namespace sunder;
@@ -93,16 +93,20 @@ TEST_CASE("a vertex is a point that a tetrahedron uses: boxes round other points
 
 TEST_CASE("a held box round the middle of an edge holds a node of order 2, and nothing of order 1",
           "[fracture][settings]") {
-  const auto codes = [](std::uint32_t order) {
-    return wrong([order](Scene& s) {
-      BodySettings& body = s.bodies[0];
-      body.order = order;
-      const auto& t = body.mesh.tetrahedra[0];
-      const Vec3 a(body.mesh.points[t[0]].data()), b(body.mesh.points[t[2]].data());
-      const Vec3 middle = 0.5 * (a + b), near = Vec3::Constant(0.01 * (a - b).norm());
-      body.held = {{.minimum = middle - near, .maximum = middle + near}};
-    });
+  const auto hold_middle = [](Scene& s) {
+    BodySettings& body = s.bodies[0];
+    const auto& t = body.mesh.tetrahedra[0];
+    const Vec3 a(body.mesh.points[t[0]].data()), b(body.mesh.points[t[2]].data());
+    const Vec3 middle = 0.5 * (a + b), near = Vec3::Constant(0.01 * (a - b).norm());
+    body.held = {{.minimum = middle - near, .maximum = middle + near}};
   };
-  CHECK(codes(1) == std::vector<std::string>{"nothing_held bodies.0.held.0"});
-  CHECK(codes(2).empty());
+  CHECK(wrong(hold_middle) == std::vector<std::string>{"nothing_held bodies.0.held.0"});
+  Scene scene = cube();
+  scene.bodies[0].order = 2;
+  hold_middle(scene);
+  CHECK(check_scene(scene).empty());
+  const Result<Simulation> sim = build_simulation(scene);
+  REQUIRE(sim);
+  const auto& support = sim->state->mechanics.vertices.support;
+  CHECK(std::ranges::count_if(support, [](MotionId m) { return !m.is_none(); }) == 1);
 }
