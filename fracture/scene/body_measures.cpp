@@ -114,14 +114,18 @@ BodyMeasures measure(const BodySettings& body) {
   }
   m.centre = first / m.volume;
   m.cell = cube_root(6 * m.volume / static_cast<double>(body.mesh.tetrahedra.size()));
+  // The integral of arm arm^T over the body.
   Mat3 second = Mat3::Zero();
   for (const Tetrahedron& t : body.mesh.tetrahedra) {
     const double volume = (x[t[1]] - x[t[0]]).cross(x[t[2]] - x[t[0]]).dot(x[t[3]] - x[t[0]]) / 6;
+    Vec3 sum = Vec3::Zero();
     for (const std::uint32_t corner : t) {
       const Vec3 arm = x[corner] - m.centre;
-      second += volume / 4 * arm * arm.transpose();
+      second += volume / 20 * arm * arm.transpose();
+      sum += arm;
       m.extent = std::max(m.extent, 2 * arm.norm());
     }
+    second += volume / 20 * sum * sum.transpose();
   }
   const Vec3 moments = Eigen::SelfAdjointEigenSolver<Mat3>(second).eigenvalues();
   m.slenderness = std::sqrt(moments[2] / moments[0]);
@@ -129,6 +133,10 @@ BodyMeasures measure(const BodySettings& body) {
   m.strength = least_strength(body);
   pair_faces(m, body.mesh.tetrahedra);
   return m;
+}
+
+double false_strain(const BodySettings& body, const BodyMeasures& m) {
+  return m.strength / body.material.young_modulus * m.slenderness * m.slenderness / 2;
 }
 
 double layers_through(const BodySettings& body, const BodyMeasures& m) {

@@ -37,7 +37,7 @@ struct BodyMeasures {
   double wave_speed = 0;
   /// Pa, the least of material, regions and field; infinite where nothing breaks.
   double strength = 0;
-  /// Length over thickness, from the second moments of its lumped masses: that of a box.
+  /// Length over thickness, from the second moments of its volume: that of a box.
   double slenderness = 1;
   std::vector<OuterFace> outside;
   /// The tetrahedron across each face, the face being opposite the corner of its number; -1: none.
@@ -47,6 +47,11 @@ struct BodyMeasures {
 /// Measures a body. O(n log n), n tetrahedra. Needs: a mesh without errors, of one tetrahedron at
 /// least, and settings without errors.
 BodyMeasures measure(const BodySettings& body);
+
+/// What one rigid reference sees of strain that is not there, eps (L/t)^2 / 2, over the strain eps
+/// at which the body breaks when it is bent (docs/decisions.md, Validity); infinite where nothing
+/// breaks. Needs: `measure(body)`.
+double false_strain(const BodySettings& body, const BodyMeasures& measures);
 
 /// With fewer layers linear tetrahedra show less than two thirds of the true bending: `few_layers`.
 inline constexpr double too_few_layers = 2.9;

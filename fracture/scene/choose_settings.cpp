@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <utility>
 
 #include "fracture/scene/body_measures.hpp"
 #include "fracture/scene/check_scene.hpp"
@@ -238,10 +239,51 @@ void choose_orders(std::vector<Choice>& choices, Scene& scene, Accuracy accuracy
     }
     choices.push_back(
         {key, "2",
-         fmt::format("{:.2g} times as long as thick with {:.1f} layers of cells: linear ones would be "
-                     "at least {:.0f} per cent too stiff in bending (1 takes a tenth of the time)",
-                     m.slenderness, layers, 300 / (layers * layers))});
+         fmt::format(
+             "{:.2g} times as long as thick with {:.1f} layers of cells: linear ones would be "
+             "at least {:.0f} per cent too stiff in bending (1 takes a tenth of the time)",
+             m.slenderness, layers, 300 / (layers * layers))});
   }
+}
+
+/// Frames of their own for the tetrahedra of a held body that one frame would show too much strain,
+/// where nothing strikes it and no time is measured: implicit Euler damps, and has no impact
+/// windows.
+void choose_model(std::vector<Choice>& choices, Scene& scene, Accuracy accuracy,
+                  std::span<const std::string> given, std::span<const BodyMeasures> measures) {
+  constexpr double too_much = 0.5, no_solid = 0.1;
+  const bool is_given = std::ranges::any_of(given, [](const std::string& key) {
+    return key == "model" || key.starts_with("integrator");
+  });
+  const bool is_chosen = scene.integrator.model == ElasticModel::corotational &&
+                         scene.integrator.integrator == Integrator::implicit_euler;
+  const bool is_left_out = scene.integrator.model == ElasticModel::rigid_reference &&
+                           scene.integrator.integrator == Integrator::floating_frame;
+  if (is_given || !(is_chosen || is_left_out)) return;
+  scene.integrator.model = ElasticModel::rigid_reference;
+  scene.integrator.integrator = Integrator::floating_frame;
+  if (accuracy == Accuracy::preview || scene.bodies.size() != 1) return;
+  const BodySettings& body = scene.bodies[0];
+  if (body.held.empty() || !scene.obstacles.empty() || body.mesh.tetrahedra.size() < 2) return;
+  IntegratorSettings wanted = scene.integrator;
+  wanted.model = ElasticModel::corotational;
+  wanted.integrator = Integrator::implicit_euler;
+  const double share = false_strain(body, measures[0]);
+  if (!(share > too_much) || !(measures[0].strength <= no_solid * body.material.young_modulus))
+    return;
+  const IntegratorSettings before = std::exchange(scene.integrator, wanted);
+  if (!check_scene(scene).empty()) {
+    scene.integrator = before;
+    return;
+  }
+  std::string reason = fmt::format(
+      "{:.2g} times as long as thick and held: bent until it breaks, one frame would show it "
+      "{:.2g} "
+      "times the strain that is there",
+      measures[0].slenderness, 1 + share);
+  choices.push_back({"model", "\"corotational\"", std::move(reason)});
+  choices.push_back({"integrator.method", "\"implicit_euler\"",
+                     "what corotational goes with where loads are slow; it damps vibrations"});
 }
 
 }  // namespace
@@ -258,6 +300,8 @@ std::vector<Choice> choose_settings(Scene& scene, Accuracy accuracy,
   for (const BodySettings& body : scene.bodies) measures.push_back(measure(body));
   const Outlook outlook = look_ahead(scene, accuracy, measures);
   std::vector<Choice> choices;
+  // First, as it decides which of the keys are used.
+  choose_model(choices, scene, accuracy, given, measures);
   for (const Rule& rule : rules) {
     if (std::ranges::find(given, rule.key) != given.end() || !is_used(scene, rule.key)) continue;
     Chosen chosen = rule.choose(outlook);
@@ -275,12 +319,14 @@ std::vector<Choice> choose_settings(Scene& scene, Accuracy accuracy,
 }
 
 double flight_ms(const Scene& scene) {
+  // Measured: 6 to 8 times (docs/second_order.md, the slender strip).
+  const double model = scene.integrator.model == ElasticModel::corotational ? 7 : 1;
   double ms = 0;
   for (const BodySettings& b : scene.bodies) {
     const auto tetrahedra = static_cast<double>(b.mesh.tetrahedra.size());
     // Large bodies' factors fill in; of second order 12 to 30 times as much (docs/bending.md).
     const double order = b.order == 2 ? 15 : 1;
-    ms += order * 1e-4 * tetrahedra * (1 + tetrahedra / 8000);
+    ms += model * order * 1e-4 * tetrahedra * (1 + tetrahedra / 8000);
   }
   return ms;
 }

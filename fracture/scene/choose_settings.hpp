@@ -35,7 +35,9 @@ std::vector<std::string_view> chosen_keys();
 /// Sets each of `chosen_keys` that `given` does not name, in that order, and says to what and why;
 /// chosen again from what it made it is the same. With contact by penalty the keys of contact and of
 /// the ladder, and without impact windows those of impacts, are left alone. A scene set up in C++ has the values of
-/// the structs unless this is called. Last, `bodies.N.order` of bodies whose bending linear tetrahedra
+/// the structs unless this is called. Before them, `model` and `integrator.method` where nothing of the
+/// integrator is given: frames for the tetrahedra of a single held body so slender that one frame would
+/// show half as much strain again. Last, `bodies.N.order` of bodies whose bending linear tetrahedra
 /// would show too little of: 2 where it helps and can be paid for, each with its Choice.
 /// O(n log n) in the tetrahedra. Needs: a scene and meshes without errors.
 std::vector<Choice> choose_settings(Scene& scene, Accuracy accuracy,

@@ -135,12 +135,11 @@ void look_at_layers(const Looked& l, std::size_t b) {
          "(docs/bending.md)");
 }
 
-/// One frame sees a false strain of eps (L/t)^2 / 2 where a slender body bends by the strain eps:
-/// a twentieth of the strain it breaks at is still nothing (docs/decisions.md, Validity).
+/// A twentieth of the strain it breaks at is still nothing (docs/decisions.md, Validity).
 void look_at_slenderness(const Looked& l, std::size_t b) {
   const BodyMeasures& m = l.measures[b];
   const double strain = m.strength / l.scene.bodies[b].material.young_modulus;
-  const double share = strain * m.slenderness * m.slenderness / 2;
+  const double share = false_strain(l.scene.bodies[b], m);
   const bool is_rigid = l.scene.integrator.model == ElasticModel::rigid_reference;
   if (!is_rigid || l.scene.bodies[b].mesh.tetrahedra.size() < 2) return;
   // A strength that no solid has is told as such.

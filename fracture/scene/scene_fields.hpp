@@ -10,9 +10,8 @@
 namespace sunder::fields {
 
 inline const Names<Accuracy>& names_of(Accuracy) {
-  static const Names<Accuracy> names = {{Accuracy::preview, "preview"},
-                                        {Accuracy::good, "good"},
-                                        {Accuracy::reference, "reference"}};
+  static const Names<Accuracy> names = {
+      {Accuracy::preview, "preview"}, {Accuracy::good, "good"}, {Accuracy::reference, "reference"}};
   return names;
 }
 inline const Names<FractureMode>& names_of(FractureMode) {
@@ -83,8 +82,8 @@ void describe(V& v, HeldBox& h) {
               "With some of them only for floating_frame, and not with fracture.relax or criterion "
               "energy"},
           h.axes);
-  v.field(Key{"ramp_time", "s", "Time over which the velocity is raised linearly from 0; 0: at once",
-              at_least(0)},
+  v.field(Key{"ramp_time", "s",
+              "Time over which the velocity is raised linearly from 0; 0: at once", at_least(0)},
           h.ramp_time);
 }
 
@@ -205,12 +204,13 @@ void describe(V& v, BodySettings& b) {
   v.field(Key{"strength", "", "Strengths other than the material's (docs/strength.md)"},
           b.strength);
   v.field(Key{"unbreakable", "", "Parts whose vertices never split"}, b.unbreakable);
-  v.field(Key{"order", "",
-              "Of the tetrahedra. 1: displacement is linear in each; 2: quadratic, with a node in "
-              "the middle of each edge, for what bends; with floating_frame and contact by impulses. "
-              "Left out: 2 for small thin bodies of few layers (docs/defaults.md), else 1",
-              between(1, 2)},
-          b.order);
+  v.field(
+      Key{"order", "",
+          "Of the tetrahedra. 1: displacement is linear in each; 2: quadratic, with a node in "
+          "the middle of each edge, for what bends; with floating_frame and contact by impulses. "
+          "Left out: 2 for small thin bodies of few layers (docs/defaults.md), else 1",
+          between(1, 2)},
+      b.order);
   v.field(Key{"rigid", "",
               "Whether the body neither deforms nor breaks: a rigid body, with the inertia of its "
               "lumped vertices; it cannot be held"},
@@ -237,11 +237,12 @@ void describe(V& v, FractureSettings& f) {
               "that reaches it",
               between(1, 4294967295.0)},
           f.max_new_pieces);
-  v.field(Key{"budget_time", "s",
-              "What a budget is for, such as a frame, in whole steps; what waits is tested again in "
-              "the next; 0: a step",
-              at_least(0)},
-          f.budget_time);
+  v.field(
+      Key{"budget_time", "s",
+          "What a budget is for, such as a frame, in whole steps; what waits is tested again in "
+          "the next; 0: a step",
+          at_least(0)},
+      f.budget_time);
   v.field(Key{"node_stress", "",
               "Stress of a vertex: mean of the tetrahedra around it weighted by volume, or by mass "
               "(eq. 6, the paper's), or fit: linear fit over two rings, better at surfaces"},
@@ -299,12 +300,16 @@ void describe(V& v, LadderSettings& l) {
       Key{"sleep", "", "Whether components at rest are not stepped until something touches them"},
       l.sleep);
   v.field(Key{"sleep_after", "s", "How long they must have been at rest", above(0)}, l.sleep_after);
-  v.field(Key{"rubble", "",
+  v.field(Key{"rubble",
+              "",
               "Pieces that cannot break, with their contacts: off: like all others; certified: as "
               "rigid bodies on a clock of about 1/240 s, where a bound says that nothing of them "
               "can break before the next tick (docs/rubble.md); not for node_stress fit but single "
               "tetrahedra",
-              {}, false, "", true},
+              {},
+              false,
+              "",
+              true},
           l.rubble);
   v.field(Key{"declared_rubble", "",
               "Pieces that came off with no more than this share of their body's mass never break "
@@ -333,8 +338,11 @@ void describe(V& v, Scene& s) {
   v.field(
       Key{"model", "",
           "rigid_reference: linear elasticity in one frame a piece, the paper's and the default; "
-          "corotational: in one frame a tetrahedron, which the paper compares with; not for "
-          "floating_frame and modal"},
+          "corotational: in one frame a tetrahedron (of order 2 a Gauss point), which the paper "
+          "compares "
+          "with; not for floating_frame and modal. Left out: corotational with implicit_euler for "
+          "one "
+          "slender held body that nothing can strike"},
       s.integrator.model);
   v.field(
       Key{"isolated", "",

@@ -179,19 +179,17 @@ TEST_CASE("thin bodies of few layers are of second order, unless told or large o
   CHECK(order({20, 2, 2}, Accuracy::good, as_it_is) == 2);
   CHECK(order({10, 10, 1}, Accuracy::reference, as_it_is) == 2);
   CHECK(order({10, 10, 1}, Accuracy::preview, as_it_is) == 1);
-  CHECK(order({4, 4, 4}, Accuracy::good, as_it_is) == 1);    // compact
-  CHECK(order({3, 3, 1}, Accuracy::good, as_it_is) == 1);    // compact
+  CHECK(order({4, 4, 4}, Accuracy::good, as_it_is) == 1);  // compact
+  CHECK(order({3, 3, 1}, Accuracy::good, as_it_is) == 1);  // compact
   CHECK(order({28, 4, 4}, Accuracy::reference, as_it_is) == 2);
   CHECK(order({33, 6, 6}, Accuracy::reference, as_it_is) == 1);  // six layers
-  CHECK(order({20, 20, 1}, Accuracy::good, as_it_is) == 1);  // 2 400 tetrahedra
+  CHECK(order({20, 20, 1}, Accuracy::good, as_it_is) == 1);      // 2 400 tetrahedra
   CHECK(order({20, 20, 1}, Accuracy::reference, as_it_is) == 2);
   CHECK(order({10, 10, 1}, Accuracy::good, [](Scene& s) { s.bodies[0].rigid = true; }) == 1);
-  CHECK(order({10, 10, 1}, Accuracy::good, [](Scene& s) {
-          s.integrator.isolated = IsolatedTetrahedra::qr;
-        }) == 1);
-  CHECK(order({10, 10, 1}, Accuracy::good, [](Scene& s) {
-          s.fracture.node_stress = NodeStress::fit;
-        }) == 1);
+  CHECK(order({10, 10, 1}, Accuracy::good,
+              [](Scene& s) { s.integrator.isolated = IsolatedTetrahedra::qr; }) == 1);
+  CHECK(order({10, 10, 1}, Accuracy::good,
+              [](Scene& s) { s.fracture.node_stress = NodeStress::fit; }) == 1);
   Scene told = falling(5);
   told.bodies[0].mesh = suite::kuhn_box({10, 10, 1}, 0.01);
   CHECK(choose_settings(told, Accuracy::good, std::vector<std::string>{"bodies.0.order"}).size() ==
@@ -200,4 +198,44 @@ TEST_CASE("thin bodies of few layers are of second order, unless told or large o
   const double linear = flight_ms(told);
   told.bodies[0].order = 2;
   CHECK(flight_ms(told) > 10 * linear);
+}
+
+TEST_CASE("a held body too slender for one frame has a frame for each of its tetrahedra",
+          "[fracture][settings]") {
+  const auto model = [](const std::vector<std::string>& given, Accuracy accuracy, auto change) {
+    Scene scene = falling(0);
+    scene.obstacles.clear();
+    BodySettings& body = scene.bodies[0];
+    body.mesh = suite::kuhn_box({40, 1, 1}, 0.01);
+    body.held = {{.minimum = Vec3::Constant(-1e-9), .maximum = Vec3(1e-9, 1, 1)}};
+    body.material.tensile_strength = 1e-3 * body.material.young_modulus;  // share: 0.8
+    change(scene);
+    const std::vector<Choice> choices = choose_settings(scene, accuracy, given);
+    const auto told = std::ranges::count_if(
+        choices, [](const Choice& c) { return c.key == "model" || c.key == "integrator.method"; });
+    const bool is_corotational = scene.integrator.model == ElasticModel::corotational;
+    CHECK(told == (given.empty() && is_corotational ? 2 : 0));
+    CHECK(choose_settings(scene, accuracy, given).size() == choices.size());
+    CHECK(is_corotational == (scene.integrator.model == ElasticModel::corotational));
+    if (given.empty()) {
+      CHECK((scene.integrator.integrator == Integrator::implicit_euler) == is_corotational);
+    }
+    return scene.integrator.model;
+  };
+  constexpr ElasticModel one = ElasticModel::rigid_reference, each = ElasticModel::corotational;
+  const auto as_it_is = [](Scene&) {};
+  CHECK(model({}, Accuracy::good, as_it_is) == each);
+  CHECK(model({}, Accuracy::reference, as_it_is) == each);
+  CHECK(model({}, Accuracy::preview, as_it_is) == one);
+  CHECK(model({"model"}, Accuracy::good, as_it_is) == one);
+  CHECK(model({"integrator.damping.mass_factor"}, Accuracy::good, as_it_is) == one);
+  CHECK(model({}, Accuracy::good, [](Scene& s) { s.bodies[0].held.clear(); }) == one);
+  CHECK(model({}, Accuracy::good, [](Scene& s) { s.obstacles = falling(0).obstacles; }) == one);
+  CHECK(model({}, Accuracy::good, [](Scene& s) { s.bodies.push_back(s.bodies[0]); }) == one);
+  CHECK(model({}, Accuracy::good, [](Scene& s) {
+          s.bodies[0].material.tensile_strength /= 2;  // share: 0.4
+        }) == one);
+  CHECK(model({}, Accuracy::good,
+              [](Scene& s) { s.bodies[0].held[0].axes = std::vector<Axis>{Axis::x}; }) == one);
+  CHECK(model({}, Accuracy::good, [](Scene& s) { s.fracture.crack = CrackMode::cohesive; }) == one);
 }
