@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "apps/scene/scene_json.hpp"
-#include "apps/sunder/run/recorder_report.hpp"
+#include "apps/sunder/run/report/recorder_report.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 
 namespace sunder {
@@ -49,9 +49,9 @@ std::vector<nlohmann::ordered_json> events_of(const StepReport& report, std::uin
                                               std::uint64_t releases, const VolumeMap& map);
 
 /// The log as text, one JSON object a line. Its first line names format, program and scene; each
-/// other is a fan or a release, the last says how the run ended. Guarded: every line ends with a `check` over
-/// itself and the lines before it (the first over itself only: another program version may replay
-/// the log), seeded with the scene's hash.
+/// other is a fan or a release, the last says how the run ended. Guarded: every line ends with a
+/// `check` over itself and the lines before it (the first over itself only: another program version
+/// may replay the log), seeded with the scene's hash.
 class EventLog {
  public:
   explicit EventLog(const SceneFile& file);

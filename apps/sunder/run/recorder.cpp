@@ -11,10 +11,10 @@
 
 #include "apps/output/frame.hpp"
 #include "apps/output/tables.hpp"
-#include "apps/sunder/run/counters_json.hpp"
 #include "apps/sunder/run/pictures.hpp"
+#include "apps/sunder/run/report/counters_json.hpp"
+#include "apps/sunder/run/report/settings_report.hpp"
 #include "apps/sunder/run/saved/run_folder.hpp"
-#include "apps/sunder/run/settings_report.hpp"
 #include "topology/io/output_file.hpp"
 #include "topology/io/vtu/vtu.hpp"
 
@@ -61,11 +61,10 @@ void append(std::vector<Finding>& all, std::optional<Finding> one) {
 
 std::optional<Finding> cannot_write(const fs::path& path, const std::error_code& reason) {
   if (!reason) return std::nullopt;
-  return Finding{
-      .code = "cannot_write",
-      .text = fmt::format("cannot write {}: {}", path.string(), reason.message()),
-      .remedy = "give another folder with -o, or make this one writable",
-      .file = path.string()};
+  return Finding{.code = "cannot_write",
+                 .text = fmt::format("cannot write {}: {}", path.string(), reason.message()),
+                 .remedy = "give another folder with -o, or make this one writable",
+                 .file = path.string()};
 }
 
 std::vector<std::uint64_t> due_frames(const SceneFile& file) {
@@ -116,8 +115,12 @@ Recorder& Recorder::operator=(Recorder&&) noexcept = default;
 Recorder::~Recorder() = default;
 
 Recorder::Parts::Parts(const RecordedRun& run, EventLog so_far)
-    : folder(run.folder), file(run.file), frame_steps(due_frames(run.file)),
-      picture_steps(due_pictures(run.file)), events(std::move(so_far)), counts(run.counts),
+    : folder(run.folder),
+      file(run.file),
+      frame_steps(due_frames(run.file)),
+      picture_steps(due_pictures(run.file)),
+      events(std::move(so_far)),
+      counts(run.counts),
       settings(settings_json(run.file)) {
   file.scene = {};
 }

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "apps/scene/scene_json.hpp"
-#include "apps/sunder/run/saved/checkpoint.hpp"
 #include "apps/sunder/run/event_log.hpp"
-#include "apps/sunder/run/recorder_report.hpp"
+#include "apps/sunder/run/report/recorder_report.hpp"
+#include "apps/sunder/run/saved/checkpoint.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 
 namespace sunder {

@@ -10,7 +10,7 @@
 #include <sunder/version.hpp>
 
 #include "apps/scene/scene_text.hpp"
-#include "apps/sunder/run/counters_json.hpp"
+#include "apps/sunder/run/report/counters_json.hpp"
 
 namespace sunder {
 namespace {

@@ -17,9 +17,9 @@
 #include "apps/sunder/run/realtime.hpp"
 #include "apps/sunder/run/recorder.hpp"
 #include "apps/sunder/run/replay.hpp"
+#include "apps/sunder/run/report/settings_report.hpp"
 #include "apps/sunder/run/saved/resume.hpp"
 #include "apps/sunder/run/saved/run_folder.hpp"
-#include "apps/sunder/run/settings_report.hpp"
 #include "fracture/saving/state_numbers.hpp"
 #include "fracture/simulation/rows.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Troubles of a run: each kind is told, with its steps and its size, and nothing where there is
 // none.
-#include "apps/sunder/run/run_warnings.hpp"
+#include "apps/sunder/run/report/run_warnings.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

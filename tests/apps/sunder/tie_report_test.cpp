@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Releases of a bar that is pulled in two: their lines in the log, and sums by crack.
-#include "apps/sunder/run/tie_report.hpp"
+#include "apps/sunder/run/report/tie_report.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

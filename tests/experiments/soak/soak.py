@@ -62,6 +62,8 @@ def body(chance, place):
         b["strength"] = {"weibull": {"modulus": chance.choice([2, 5, 20]), "seed": chance.randrange(1000)}}
     if chance.random() < 0.1 and "held" not in b:
         b["rigid"] = True
+    elif chance.random() < 0.2:
+        b["order"] = 2
     return b
 
 

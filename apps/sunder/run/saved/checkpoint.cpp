@@ -31,6 +31,9 @@ constexpr auto member_names(const ObstacleMotion*) {
   return names("time", "row", "pose", "velocity", "spin");
 }
 constexpr auto member_names(const Pose*) { return names("centre", "orientation"); }
+constexpr auto member_names(const TimeSample*) {
+  return names("count", "sum", "largest", "kept", "stride");
+}
 constexpr auto member_names(const SearchCounts*) {
   return names("tested", "suspects", "reached", "empty_fans", "refused_fans", "still_empty",
                "relieved", "waiting", "on_flanks", "unfitted");

@@ -9,13 +9,13 @@
 
 #include "apps/output/tables.hpp"
 #include "apps/scene/scene_json.hpp"
-#include "apps/sunder/run/recorder_report.hpp"
+#include "apps/sunder/run/report/recorder_report.hpp"
 #include "topology/io/vtu/vtu.hpp"
 
 namespace sunder {
 
 /// Of the files below; raised whenever what they hold beside the saved state changes.
-inline constexpr std::uint32_t checkpoint_format = 1;
+inline constexpr std::uint32_t checkpoint_format = 2;
 
 /// What has been recorded of a run so far.
 struct RunRecord {

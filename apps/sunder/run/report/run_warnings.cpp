@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Troubles noted step by step, told at the end.
-#include "apps/sunder/run/run_warnings.hpp"
+#include "apps/sunder/run/report/run_warnings.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Chosen settings and expected times in words.
-#include "apps/sunder/run/settings_report.hpp"
+#include "apps/sunder/run/report/settings_report.hpp"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Adding up ties by crack.
-#include "apps/sunder/run/tie_report.hpp"
+#include "apps/sunder/run/report/tie_report.hpp"
 
-#include "apps/sunder/run/counters_json.hpp"
+#include "apps/sunder/run/report/counters_json.hpp"
 #include "fracture/scene/cohesive_settings.hpp"
 
 namespace sunder {

@@ -20,7 +20,7 @@ struct TiesOfCrack {
 
 /// Ties over a run.
 struct TieStatistics {
-  TieReport sum;              ///< of all steps
+  TieReport sum;  ///< of all steps
   std::size_t releases = 0;
   std::map<CrackId, TiesOfCrack> released;  ///< without those that are still tied
 };

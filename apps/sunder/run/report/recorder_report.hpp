@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "apps/output/fragment.hpp"
-#include "apps/sunder/run/run_warnings.hpp"
-#include "apps/sunder/run/tie_report.hpp"
+#include "apps/sunder/run/report/run_warnings.hpp"
+#include "apps/sunder/run/report/tie_report.hpp"
+#include "apps/sunder/run/report/time_sample.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 
 namespace sunder {
@@ -25,8 +26,8 @@ struct Energies {
 /// Everything that is added up over a run.
 struct RunStatistics {
   /// Wall time of every step and of its stages, ms.
-  std::vector<float> step_ms;
-  std::array<std::vector<float>, stage_names.size()> stage_ms;
+  TimeSample step_ms;
+  std::array<TimeSample, stage_names.size()> stage_ms;
   std::size_t fans = 0, faces_split = 0;
   /// The reports of the steps, added up (`counters_of`).
   SearchCounts search;
@@ -50,7 +51,7 @@ struct RunStatistics {
   std::size_t predicted = 0, predicted_rightly = 0, separated = 0;
   /// Wall time of each fan from its plane to its components, us, without and with new ones; and the
   /// tetrahedra the searches for components met.
-  std::array<std::vector<float>, 2> fan_us;
+  std::array<TimeSample, 2> fan_us;
   std::size_t searched = 0;
   /// J.
   double damping_work = 0, energy_released = 0;
@@ -61,7 +62,8 @@ struct RunStatistics {
   MomentumLedger momentum;
   /// kg.
   double mass_at_start = 0;
-  /// m: farthest that a point of a piece was drawn from where section 3.3's target has it, and when.
+  /// m: farthest that a point of a piece was drawn from where section 3.3's target has it, and
+  /// when.
   double drawn_off = 0;
   std::uint64_t drawn_off_step = 0;
   std::vector<Finding> warnings;  ///< of the scene, and of the model where it was left

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Adding up a run and writing its report.
-#include "apps/sunder/run/recorder_report.hpp"
+#include "apps/sunder/run/report/recorder_report.hpp"
 
 #include <fmt/format.h>
 
@@ -8,10 +8,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "apps/scene/words.hpp"
-#include "apps/sunder/run/counters_json.hpp"
 #include "apps/scene/obstacles_json.hpp"
+#include "apps/scene/words.hpp"
 #include "apps/sunder/run/event_log.hpp"
+#include "apps/sunder/run/report/counters_json.hpp"
 #include "fracture/simulation/ledger/momentum_ledger.hpp"
 #include "mechanics/element/energy.hpp"
 
@@ -42,21 +42,6 @@ void note_contact(RunStatistics& statistics, const StepReport& report) {
     statistics.worst_residual = now.residual;
     statistics.worst_step = report.step;
   }
-}
-
-/// Mean, median, 99th percentile (nearest rank) and largest.
-ordered_json distribution(std::vector<float> values) {
-  if (values.empty()) return {{"mean", 0}, {"median", 0}, {"p99", 0}, {"max", 0}};
-  std::ranges::sort(values);
-  const auto rank = [&](double part) {
-    const double row = std::ceil(part * static_cast<double>(values.size())) - 1;
-    return static_cast<double>(values[static_cast<std::size_t>(std::max(row, 0.0))]);
-  };
-  const double sum = std::accumulate(values.begin(), values.end(), 0.0);
-  return {{"mean", sum / static_cast<double>(values.size())},
-          {"median", rank(0.5)},
-          {"p99", rank(0.99)},
-          {"max", values.back()}};
 }
 
 /// A part of a whole; nothing (null) where there is no whole.
@@ -91,9 +76,11 @@ ordered_json ladder_report(const LadderReport& ladder) {
   ordered_json report = ordered_json::object();
   for_each_counter<LadderReport>([&](const auto& counter) {
     const auto& steps = ladder.*counter.member;
-    report[std::string(counter.name)] = {
-        {"full", steps[0]}, {"quasi_static", steps[1]}, {"rigid", steps[2]}, {"asleep", steps[3]},
-        {"rubble", steps[4]}};
+    report[std::string(counter.name)] = {{"full", steps[0]},
+                                         {"quasi_static", steps[1]},
+                                         {"rigid", steps[2]},
+                                         {"asleep", steps[3]},
+                                         {"rubble", steps[4]}};
   });
   return report;
 }
@@ -196,9 +183,11 @@ void note_drawn(RunStatistics& statistics, const Simulation& now) {
 ordered_json display_report(const RunStatistics& s, const Scene& scene) {
   const double time_constant = scene.display_time_constant;
   if (time_constant == 0) return {};
-  const double stays = std::exp(-scene.integrator.time_step / time_constant), whole = s.drawn_off / stays;
+  const double stays = std::exp(-scene.integrator.time_step / time_constant),
+               whole = s.drawn_off / stays;
   return {{"time_constant", time_constant},
-          {"largest_jump", {{"step", s.drawn_off_step}, {"as_it_is", whole}, {"smoothed", whole * (1 - stays)}}}};
+          {"largest_jump",
+           {{"step", s.drawn_off_step}, {"as_it_is", whole}, {"smoothed", whole * (1 - stays)}}}};
 }
 
 }  // namespace
@@ -215,9 +204,9 @@ RunStatistics begin_statistics(const Simulation& start, std::vector<Finding> war
 
 void add_step(RunStatistics& statistics, const Simulation& now, const StepReport& report,
               double step_ms) {
-  statistics.step_ms.push_back(static_cast<float>(step_ms));
+  add(statistics.step_ms, step_ms);
   for (std::size_t i = 0; i < stage_names.size(); ++i) {
-    statistics.stage_ms[i].push_back(static_cast<float>(report.stage_ms[i]));
+    add(statistics.stage_ms[i], report.stage_ms[i]);
   }
   const FractureReport& fracture = report.fracture;
   statistics.fans += fracture.fans.size();
@@ -225,8 +214,7 @@ void add_step(RunStatistics& statistics, const Simulation& now, const StepReport
     const FanEvent& fan = fracture.fans[row];
     statistics.faces_split += fan.faces.size();
     statistics.searched += fan.components.visited;
-    statistics.fan_us[fan.components.created > 0 ? 1 : 0].push_back(
-        static_cast<float>(report.fan_us[row]));
+    add(statistics.fan_us[fan.components.created > 0 ? 1 : 0], report.fan_us[row]);
     statistics.predicted += fan.components.predicted > 0;
     statistics.separated += fan.components.created > 0;
     statistics.predicted_rightly += fan.components.predicted > 0 && fan.components.created > 0;
@@ -318,7 +306,8 @@ ordered_json run_report(const RunStatistics& s, const Simulation& now,
       {"fan_us",
        {{"no_new_component", distribution(s.fan_us[0])},
         {"new_component", distribution(s.fan_us[1])}}},
-      {"searched_tetrahedra", s.searched}, {"components", pieces.size()},
+      {"searched_tetrahedra", s.searched},
+      {"components", pieces.size()},
       {"fragments",
        {{"count", pieces.size()},
         {"single_tetrahedra", std::ranges::count(pieces, 1, &Fragment::tetrahedra)},
@@ -381,11 +370,11 @@ std::string summary_table(const ordered_json& r) {
   row("pieces", fmt::format("{} ({} single tetrahedra)", r["components"].get<std::uint64_t>(),
                             r["fragments"]["single_tetrahedra"].get<std::uint64_t>()));
   if (r.contains("ties")) {
-    row("cracks took", fmt::format("{:.4g} J of {:.4g} J due over {:.4g} m^2 released, {} faces tied",
-                                   number("/ties/dissipated"),
-                                   number("/ties/fracture_energy_of_released"),
-                                   number("/ties/released_projected_area"),
-                                   r["ties"]["tied_faces"].get<std::uint64_t>()));
+    row("cracks took",
+        fmt::format("{:.4g} J of {:.4g} J due over {:.4g} m^2 released, {} faces tied",
+                    number("/ties/dissipated"), number("/ties/fracture_energy_of_released"),
+                    number("/ties/released_projected_area"),
+                    r["ties"]["tied_faces"].get<std::uint64_t>()));
   }
   row("largest piece", fmt::format("{:.4g} kg of {:.4g} kg", number("/fragments/largest_mass"),
                                    number("/fragments/mass")));
