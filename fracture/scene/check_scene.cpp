@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fracture/scene/cohesive_settings.hpp"
 #include "fracture/strength/draw_strength.hpp"
 #include "fracture/strength/held_boxes.hpp"
-#include "fracture/scene/cohesive_settings.hpp"
 #include "topology/base/ids.hpp"
 
 namespace sunder {
@@ -137,8 +137,9 @@ std::vector<SettingFinding> second_order_findings(const Scene& scene) {
     check.add("second_order_in_motion", key,
               fmt::format("is {}, which bodies of order 2 cannot have", what), remedy);
   };
-  refuse(scene.integrator.isolated == IsolatedTetrahedra::qr, "isolated", "qr",
-         "take projection, or leave the bodies' order out");
+  refuse(scene.integrator.isolated != IsolatedTetrahedra::rigid, "isolated",
+         scene.integrator.isolated == IsolatedTetrahedra::qr ? "qr" : "projection",
+         "leave it out: single tetrahedra are rigid bodies");
   refuse(scene.contact.method == ContactMethod::penalty, "contact.method", "penalty",
          "take impulses, or leave the bodies' order out");
   return findings;

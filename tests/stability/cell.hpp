@@ -53,6 +53,7 @@ struct Method {
   bool energy_swings = false;
   bool is_damped = true;  ///< whether it takes Rayleigh damping
   Springs springs = {};
+  int order = 1;  ///< of the tetrahedra
 };
 
 /// All methods; a new one is one line.
@@ -60,5 +61,8 @@ const std::vector<Method>& methods();
 
 /// The same, and other ways of contact, with the default integrator.
 std::vector<Method> contact_methods();
+
+/// Those of a list that tetrahedra of second order take, of second order and of the same names.
+std::vector<Method> of_second_order(std::vector<Method> some);
 
 }  // namespace sunder::stability

@@ -8,6 +8,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "mechanics/element/energy.hpp"
+#include "mechanics/element/second_order.hpp"
 #include "mechanics/element/strain_displacement.hpp"
 #include "mechanics/state/check_settings.hpp"
 
@@ -20,8 +21,8 @@ double energy_of(const MechanicsState& state, const Loads& loads) {
 }
 
 /// A block that spins about its axis of largest inertia, in its equilibrium or deformed.
-MechanicsState start_of(const Flight& flight, const test::Body& body) {
-  MechanicsState state = test::state_of(body, flight.material);
+MechanicsState start_of(const Flight& flight, const test::Body& body, int order) {
+  MechanicsState state = test::state_of_order(order, body, flight.material);
   Vec3 spin = flight.spin;
   if (flight.deformation == 0) {
     const Eigen::SelfAdjointEigenSolver<Mat3> axes(state.components[0].rest_inertia);
@@ -41,6 +42,25 @@ MechanicsState start_of(const Flight& flight, const test::Body& body) {
   MechanicsScratch scratch;
   measure_elements(state, scratch, body.corners);
   return state;
+}
+
+/// The forces on the `count` nodes of a tetrahedron where node `b` moves by one along an axis, N.
+NodeVectors forces_of(const ShapeGradient& G, double volume, const Lame& constants,
+                      std::size_t count, std::size_t b, int axis) {
+  NodeVectors forces;
+  if (count == 4) {
+    const Mat3 H = Vec3::Unit(axis) * G.col(static_cast<Eigen::Index>(b)).transpose();
+    const Eigen::Matrix<double, 3, 4> f = volume * stress_of(H, constants) * G;
+    for (std::size_t a = 0; a < 4; ++a) forces[a] = f.col(static_cast<Eigen::Index>(a));
+    return forces;
+  }
+  NodeVectors d;
+  d.fill(Vec3::Zero());
+  d[b] = Vec3::Unit(axis);
+  std::array<Mat3, 4> stress = corner_gradients(G, d);
+  for (Mat3& at_corner : stress) at_corner = stress_of(at_corner, constants);
+  for (std::size_t a = 0; a < count; ++a) forces[a] = second_order_force(G, volume, stress, a);
+  return forces;
 }
 
 /// What the run showed, worst of all its steps.
@@ -89,10 +109,12 @@ Rigid rigid_of(const MechanicsState& state) {
 
 double largest_stress(const MechanicsState& state) {
   double largest = 0;
-  for (const Mat3& sigma : state.elements.stress) {
+  const auto look = [&largest](const Mat3& sigma) {
     const Eigen::SelfAdjointEigenSolver<Mat3> solver(sigma, Eigen::EigenvaluesOnly);
     largest = std::max(largest, solver.eigenvalues()[2]);
-  }
+  };
+  std::ranges::for_each(state.elements.stress, look);
+  for (const auto& corners : state.elements.corner_stress) std::ranges::for_each(corners, look);
   return largest;
 }
 
@@ -111,14 +133,17 @@ double highest_frequency(const MechanicsState& state, const test::Body& body) {
   const Lame constants = lame(state.materials[0]);
   for (std::size_t t = 0; t < body.corners.size(); ++t) {
     const ShapeGradient& G = state.elements.shape_gradient[t];
-    for (std::size_t b = 0; b < 4; ++b) {
+    std::vector<VertexId> nodes(body.corners[t].begin(), body.corners[t].end());
+    if (!state.elements.edge_nodes.empty()) {
+      nodes.insert(nodes.end(), state.elements.edge_nodes[t].begin(),
+                   state.elements.edge_nodes[t].end());
+    }
+    for (std::size_t b = 0; b < nodes.size(); ++b) {
       for (int axis = 0; axis < 3; ++axis) {
-        const Mat3 H = Vec3::Unit(axis) * G.col(static_cast<Eigen::Index>(b)).transpose();
-        const Eigen::Matrix<double, 3, 4> f =
-            state.elements.rest_volume[t] * stress_of(H, constants) * G;
-        for (std::size_t a = 0; a < 4; ++a) {
-          K.block<3, 1>(3 * body.corners[t][a].value, 3 * body.corners[t][b].value + axis) +=
-              f.col(static_cast<Eigen::Index>(a));
+        const auto forces =
+            forces_of(G, state.elements.rest_volume[t], constants, nodes.size(), b, axis);
+        for (std::size_t a = 0; a < nodes.size(); ++a) {
+          K.block<3, 1>(3 * nodes[a].value, 3 * nodes[b].value + axis) += forces[a];
         }
       }
     }
@@ -136,7 +161,7 @@ double highest_frequency(const MechanicsState& state, const test::Body& body) {
 Cell fly(const Flight& flight, const Method& method) {
   if (!check_settings(flight.material, "material").empty()) return {Outcome::refuses, 0};
   const test::Body body = flight_body(flight.sliver_angle);
-  MechanicsState state = start_of(flight, body);
+  MechanicsState state = start_of(flight, body, method.order);
   const Loads loads{.gravity = flight.weight ? Vec3(0, 0, -9.81) : Vec3::Zero()};
   IntegratorSettings settings = method.settings;
   settings.time_step = flight.time_step;

@@ -3,8 +3,9 @@
 #pragma once
 
 #include "mechanics/state/mechanics_state.hpp"
-#include "tests/support/bodies.hpp"
 #include "tests/stability/cell.hpp"
+#include "tests/support/bodies.hpp"
+#include "tests/support/second_order.hpp"
 
 namespace sunder::stability {
 

@@ -15,8 +15,12 @@ struct Scenario {
   std::string name;
   std::function<Cell(const Method&)> run;
   std::map<std::string, Outcome> expected = {};
+  /// Where tetrahedra of second order come to another outcome.
+  std::map<std::string, Outcome> of_second_order = {};
 
   Outcome expected_of(const Method& method) const {
+    const auto other = of_second_order.find(method.name);
+    if (method.order == 2 && other != of_second_order.end()) return other->second;
     const auto at = expected.find(method.name);
     return at == expected.end() ? Outcome::holds : at->second;
   }

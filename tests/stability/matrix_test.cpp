@@ -37,6 +37,24 @@ TEST_CASE("every method does in every contact what is expected of it", "[stabili
   }
 }
 
+TEST_CASE("of second order the default does in everything what it does of first", "[stability]") {
+  for (const auto& scenarios : {motions(), contacts()}) {
+    for (const Scenario& scenario : scenarios) {
+      check(scenario, of_second_order({methods().front()}).front());
+    }
+  }
+}
+
+// Ten minutes: for the command that docs/stability.md names.
+TEST_CASE("of second order every method does in everything what it does of first",
+          "[.second_order]") {
+  for (const auto& scenarios : {motions(), contacts()}) {
+    for (const Scenario& scenario : scenarios) {
+      for (const Method& method : of_second_order(methods())) check(scenario, method);
+    }
+  }
+}
+
 TEST_CASE("rotations, contact, splits and input do what is expected of them", "[stability]") {
   for (const Scenario& scenario : others()) check(scenario, methods().front());
 }

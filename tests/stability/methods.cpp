@@ -38,4 +38,12 @@ std::vector<Method> contact_methods() {
   return all;
 }
 
+std::vector<Method> of_second_order(std::vector<Method> some) {
+  std::erase_if(some, [](const Method& method) {
+    return method.settings.isolated != IsolatedTetrahedra::rigid || method.springs.turn != 0;
+  });
+  for (Method& method : some) method.order = 2;
+  return some;
+}
+
 }  // namespace sunder::stability

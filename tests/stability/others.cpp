@@ -204,7 +204,7 @@ Cell validity_warning() {
 
 Cell ball_on_block(const BallOnBlock& pile, const Method& method) {
   test::ContactScene scene{test::kuhn_block({3, 3, 3}, {1, 1, 1}), {}};
-  scene.state = test::state_of(scene.body, test::material_of(1e9));
+  scene.state = test::state_of_order(method.order, scene.body, test::material_of(1e9));
   place(scene.state, ComponentId{0}, {.translation = {0, 0, 0.5}});
   // On the four vertices in the middle of the top.
   const double height = std::sqrt(0.25 - 1.0 / 18);
