@@ -2,6 +2,7 @@
 // Body of plane_cut.hpp, for the source that instantiates it for a kernel.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -13,15 +14,23 @@
 
 namespace sunder::detail {
 
-/// Distances of the file's points from a plane, times the length of its normal; 0 on it.
+/// Distances of the file's points from a plane, times the length of its normal and a power of two
+/// that brings it to about 1, so that none overflows; 0 on it.
 inline std::vector<double> distances(std::span<const Point> points, const CuttingPlane& plane) {
   constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
   std::vector<double> distance;
   distance.reserve(points.size());
+  double largest = 0;
+  for (const double n : plane.normal) largest = std::max(largest, std::abs(n));
+  const int scale = -std::ilogb(largest);
+  constexpr double most = std::numeric_limits<double>::max();
+  const double offset = std::clamp(std::ldexp(plane.offset, scale), -most, most);
+  Point normal;
+  for (std::size_t i = 0; i < 3; ++i) normal[i] = std::ldexp(plane.normal[i], scale);
   for (const Point& x : points) {
-    double size = std::abs(plane.offset);
-    for (std::size_t i = 0; i < 3; ++i) size += std::abs(plane.normal[i] * x[i]);
-    const double d = dot(plane.normal, x) - plane.offset;
+    double size = std::abs(offset);
+    for (std::size_t i = 0; i < 3; ++i) size += std::abs(normal[i] * x[i]);
+    const double d = dot(normal, x) - offset;
     distance.push_back(std::abs(d) <= rounding * size ? 0 : d);
   }
   return distance;
@@ -82,11 +91,9 @@ Result<PlaneCut> cut_cells(K& map, const CuttingPlane& plane, double tolerance) 
     };
     for (std::size_t f = 0; f < 4 * map.tetrahedra(); ++f) {
       const HalfFaceId face{f}, other = map.neighbour(face);
-      const TetId t = tetrahedron_of(face);
-      if (other.is_none() || side(t) <= 0) continue;
-      const auto rows = corners_of_face(map.corners(t), face);
-      const bool lies_in_it = at(rows[0]) == 0 && at(rows[1]) == 0 && at(rows[2]) == 0;
-      if (lies_in_it && side(tetrahedron_of(other)) <= 0) cut.faces.push_back(face);
+      if (other.is_none() || side(tetrahedron_of(face)) <= 0) continue;
+      // No tetrahedron has corners on both sides: what both share lies in the plane.
+      if (side(tetrahedron_of(other)) <= 0) cut.faces.push_back(face);
     }
     return cut;
   }

@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::size_t red = static_cast<std::size_t>(-1);
 
-/// Where a tetrahedron comes from: for a green one the level that made it and its parent's row before;
-/// and the tetrahedron of the beginning.
+/// Where a tetrahedron comes from: for a green one the level that made it and its parent's row
+/// before; and the tetrahedron of the beginning.
 struct Origin {
   std::size_t level = red;
   TetId parent;
@@ -37,8 +37,8 @@ void note_origins(std::vector<Origin>& origins, const CellEdit& edit, std::size_
 
 class Levels {
  public:
-  Levels(VolumeMap& map, std::size_t levels, const WantedCells& wanted)
-      : map_(map), wanted_(wanted), forced_(levels) {
+  Levels(VolumeMap& map, std::size_t levels, const WantedCells& wanted, std::size_t most)
+      : map_(map), wanted_(wanted), most_(most), forced_(levels) {
     origins_.emplace_back();
     for (std::size_t t = 0; t < map.tetrahedra(); ++t) origins_[0].push_back({red, {}, TetId{t}});
     while (done_.size() < levels && make_next()) {
@@ -56,7 +56,7 @@ class Levels {
       if (wanted_(map_, TetId{t}, origins_[level][t].root)) marked.insert(TetId{t});
     }
     const std::vector<TetId> list(marked.begin(), marked.end());
-    if (map_.tetrahedra() + 7 * list.size() > most_refined) return false;
+    if (map_.tetrahedra() + 7 * list.size() > most_) return false;
     std::vector<char> as_they_stand;
     for (const Origin& from : origins_[level]) as_they_stand.push_back(from.is_one_of_eight);
     RefinedLevel made = refine_marked(map_, list, as_they_stand);
@@ -86,6 +86,7 @@ class Levels {
 
   VolumeMap& map_;
   const WantedCells& wanted_;
+  const std::size_t most_;
   std::vector<std::set<TetId>> forced_;       // of each level: parents of green ones to be divided
   std::vector<std::vector<Origin>> origins_;  // before each level
   std::vector<RefinedLevel> done_;
@@ -93,8 +94,9 @@ class Levels {
 
 }  // namespace
 
-std::vector<RefinedLevel> refine(VolumeMap& map, std::size_t levels, const WantedCells& wanted) {
-  return Levels(map, levels, wanted).done();
+std::vector<RefinedLevel> refine(VolumeMap& map, std::size_t levels, const WantedCells& wanted,
+                                 std::size_t most) {
+  return Levels(map, levels, wanted, most).done();
 }
 
 }  // namespace sunder

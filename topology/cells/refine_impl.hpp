@@ -35,7 +35,7 @@ struct Closure {
         for (const auto& [u, place] : edge_ring(map, edges.first[row])) {
           unsigned& bits = of_cell[u.index()];
           bits |= 1U << place;
-          if (bits != all_edges && !is_green(bits)) red.push_back(u);
+          if (!is_green(bits)) red.push_back(u);
         }
       }
     }

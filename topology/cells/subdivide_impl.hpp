@@ -9,8 +9,8 @@
 
 #include "topology/base/assert.hpp"
 #include "topology/cells/cell_templates.hpp"
-#include "topology/kernel/edges_impl.hpp"
 #include "topology/cells/subdivide.hpp"
+#include "topology/kernel/edges_impl.hpp"
 #include "topology/mesh/radius_ratio.hpp"
 
 namespace sunder::detail {
@@ -68,7 +68,8 @@ class Division {
       const auto ends = edge_ends[static_cast<std::size_t>(edge.place)];
       const auto corners = map_.corners(edge.tetrahedron);
       std::array<VertexId, 2> rows = {corners[ends[0]], corners[ends[1]]};
-      if (map_.point_of_vertex(rows[1]) < map_.point_of_vertex(rows[0])) std::swap(rows[0], rows[1]);
+      if (map_.point_of_vertex(rows[1]) < map_.point_of_vertex(rows[0]))
+        std::swap(rows[0], rows[1]);
       const std::uint32_t a = map_.point_of_vertex(rows[0]), b = map_.point_of_vertex(rows[1]);
       const auto fresh = static_cast<std::uint32_t>(change_.kept_points + change_.points.size());
       const auto [point, is_new] = points.try_emplace({a, b, weight}, fresh);
@@ -127,13 +128,10 @@ class Division {
   /// Which edge inside one that becomes eight: see divide_edges.
   int turn_of(const DividedCell& cell) const {
     if (!as_they_stand_.empty() && as_they_stand_[cell.row.index()] != 0) return 0;
-    std::array<Point, 10> nodes;
-    for (int i = 0; i < 10; ++i) {
-      const VertexId v = row_of(cell, i);
-      nodes[static_cast<std::size_t>(i)] =
-          i < 4 ? map_.point(v)
-                : change_.points[change_.vertices[v.index() - change_.kept_vertices] -
-                                 change_.kept_points];
+    std::array<Point, 6> middles;
+    for (std::size_t e = 0; e < 6; ++e) {
+      const std::size_t appended = cell.middles[e].index() - change_.kept_vertices;
+      middles[e] = change_.points[change_.vertices[appended] - change_.kept_points];
     }
     int best = 0;
     double least = 0;
@@ -142,11 +140,11 @@ class Division {
       for (std::size_t part = 4; part < 8; ++part) {
         std::array<Point, 4> x;
         for (std::size_t i = 0; i < 4; ++i) {
-          x[i] = nodes[static_cast<std::size_t>(parts_by_eight(turn)[part][i])];
+          x[i] = middles[static_cast<std::size_t>(parts_by_eight(turn)[part][i] - 4)];
         }
         here = std::min(here, radius_ratio(x));
       }
-      if (turn == 0 || here > least * (1 + 1e-9)) best = turn, least = here;
+      if (here > least * (1 + 1e-9)) best = turn, least = here;
     }
     return best;
   }
@@ -164,8 +162,8 @@ class Division {
                     : cell.middles[static_cast<std::size_t>(node - 4)];
   }
 
-  /// The half-face of a part of `cell` that lies in its face `p` (4: inside) and has these vertices,
-  /// not that of part `but`.
+  /// The half-face of a part of `cell` that lies in its face `p` (4: inside) and has these
+  /// vertices, not that of part `but`.
   HalfFaceId find(const DividedCell& cell, int p, std::array<VertexId, 3> vertices,
                   TetId but = TetId::none()) const {
     std::ranges::sort(vertices);

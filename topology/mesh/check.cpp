@@ -78,7 +78,7 @@ signed char volume_sign(const TetMesh& mesh, const Index4& t) {
   constexpr double rounding = 18 * std::numeric_limits<double>::epsilon();
   const double tolerance = rounding * std::max(largest, length) * length * length;
   // Overflow gives an infinity or a NaN: such a tetrahedron has no volume one could compute with.
-  if (!std::isfinite(det) || !std::isfinite(tolerance) || std::abs(det) <= tolerance) return 0;
+  if (!std::isfinite(det) || std::abs(det) <= tolerance) return 0;
   return det > 0 ? 1 : -1;
 }
 

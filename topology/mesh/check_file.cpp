@@ -23,7 +23,7 @@ MeshCheck check_file_mesh(const FileMesh& file, bool keeps_places) {
   Survey survey = survey_mesh(mesh, Severity::warning, keeps_places);
   MeshCheck check;
   const bool is_surveyed = survey.neighbours.size() == mesh.tetrahedra.size();
-  if (is_surveyed && !has_error(survey.findings)) {
+  if (!has_error(survey.findings)) {
     check.counts = count_cells(survey);
     survey_links(survey);
   }

@@ -208,7 +208,7 @@ Crack open_crack(FileMesh& mesh, const FaceLinks& links, const CutFaces& faces) 
     is_apart[stars.points[i]] = crack.copies.size() > copies;
   }
   append_points(mesh, crack);
-  move_cells(mesh.vertices, mesh, before, is_apart);
+  // Vertices stay: the tetrahedron of lowest row at a point keeps the point.
   move_cells(mesh.edges, mesh, before, is_apart);
   move_cells(mesh.triangles, mesh, before, is_apart);
   for (const std::uint32_t face : faces) {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,9 @@ struct FaceLinks {
 /// Pairs up the faces of the mesh's tetrahedra. Errors: overfull_face, for a face of more than two;
 /// too_many_tetrahedra (2^30). O(n log n).
 Result<FaceLinks> face_links(const FileMesh& mesh);
+
+/// The error of `face_links` for as many tetrahedra, if any.
+std::optional<Finding> too_many_to_link(std::size_t tetrahedra);
 
 /// Faces to cut, each as 4 t + p of its side in the tetrahedron of lower row; sorted, each once.
 using CutFaces = std::vector<std::uint32_t>;

@@ -76,13 +76,18 @@ Result<std::int32_t> region_called(const FileMesh& mesh, std::string_view word) 
                                                        known.size() > most ? ", ..." : "")};
 }
 
+std::optional<Finding> too_many_to_link(std::size_t tetrahedra) {
+  // The highest face of 2^30 would be `none`.
+  if (tetrahedra <= FaceLinks::none / 4) return std::nullopt;
+  return Finding{
+      .code = "too_many_tetrahedra",
+      .text = fmt::format("{} tetrahedra: their faces are numbered in 32 bits", tetrahedra),
+      .remedy = "give fewer than 2^30"};
+}
+
 Result<FaceLinks> face_links(const FileMesh& mesh) {
   const std::size_t n = mesh.tetrahedra.corners.size();
-  if (n >= FaceLinks::none / 4) {
-    return Finding{.code = "too_many_tetrahedra",
-                   .text = fmt::format("{} tetrahedra: their faces are numbered in 32 bits", n),
-                   .remedy = "give fewer than 2^30"};
-  }
+  if (auto finding = too_many_to_link(n)) return *finding;
   FaceLinks links;
   links.across.assign(n, {FaceLinks::none, FaceLinks::none, FaceLinks::none, FaceLinks::none});
   std::optional<Finding> overfull;

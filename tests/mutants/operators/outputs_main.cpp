@@ -32,6 +32,7 @@
 #include "topology/mesh/finding_cells.hpp"
 #include "topology/mesh/kinds/column_order.hpp"
 #include "topology/mesh/kinds/move_cells.hpp"
+#include "topology/mesh/kinds/second_order.hpp"
 #include "topology/mesh/kinds/split_cells.hpp"
 #include "topology/mesh/kinds/take_rows.hpp"
 #include "topology/mesh/repair.hpp"
@@ -217,6 +218,12 @@ void kinds_round(Random& random, Digest& out) {
     kind_of_row.insert(kind_of_row.end(), rows_of(dealt, kind).count, kind);
   }
   deal_columns(dealt, test::random_columns(random, kind_of_row.size()), kind_of_row);
+  FileMesh raised = mesh;
+  out.all(raise_order(raised), raised);
+  for (const CellKind kind : all_cell_kinds) {
+    const CurvedCells curved = curved_cells(mesh, kind);
+    out.all(curved.count, curved.first, curved.most);
+  }
   const BoundarySurface skin = boundary_surface(mesh);
   out.all(dealt, skin.mesh, skin.lost_cells, skin.lost_points, has_volume_cells(mesh));
 }
@@ -288,6 +295,12 @@ void cells_round(Random& random, Digest& out) {
                          other = refine_marked(*darts, marked);
       out.all(level.red, level.green, other.red);
       enter_edit(level.edit, other.edit);
+      VolumeMap copy = *dense;
+      const auto wanted = [&marked](const VolumeMap&, TetId, TetId of) {
+        return std::ranges::find(marked, of) != marked.end();
+      };
+      for (const RefinedLevel& l : refine(copy, 2, wanted)) out.all(l.red, l.green, l.edit);
+      out.add(copy);
     } else if (which == 2) {
       const CuttingPlane plane = plane_of(random);
       auto made = cut_cells(*dense, plane);

@@ -105,6 +105,9 @@ TEST_CASE("the nearer end, the first one at the middle", "[topology][cells][colu
     const CellEdit edit = insert_vertex(map, {TetId{0}, edge_between(0, 1)}, weight);
     extend_vertices(label, edit, VertexRule::nearest);
     CHECK(label.back() == expected);
+    std::vector<double> strength = {0, 1, 2, 3};  // numbers that could be interpolated are not
+    extend_vertices(strength, edit, VertexRule::nearest);
+    CHECK(strength.back() == expected);
   }
 }
 

@@ -2,6 +2,8 @@
 // What a journal holds, forgets and refuses; that bytes come back is random_cells_test's.
 #include "topology/cells/journal.hpp"
 
+#include <set>
+
 #include "tests/support/built.hpp"
 #include "topology/cells/subdivide.hpp"
 
@@ -45,4 +47,15 @@ TEST_CASE("a face on the boundary does not split and is not entered", "[topology
   Journal journal;
   CHECK_FALSE(split_face(map, face_on(map, {0, 1, 3}), journal).did);
   CHECK(journal.undo.empty());
+}
+
+TEST_CASE("what a split enters names each tetrahedron once", "[topology][cells]") {
+  VolumeMap map = built(kuhn_box({2, 2, 2}));
+  Journal journal;
+  for (const HalfFaceId f : interior_faces(map)) {
+    REQUIRE(split_face(map, f, journal).did);
+    std::set<TetId> rows;
+    for (const CellChange::Cell& cell : journal.undo.back().cells) rows.insert(cell.row);
+    CHECK(rows.size() == journal.undo.back().cells.size());
+  }
 }

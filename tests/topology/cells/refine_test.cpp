@@ -285,3 +285,16 @@ TEST_CASE("what only the try divided that had to be made anew is whole again",
     CHECK(std::ranges::equal(map.neighbours(), whole.neighbours()));
   }
 }
+
+TEST_CASE("levels end before there are more tetrahedra than allowed", "[topology][cells]") {
+  const auto all = [](const VolumeMap&, TetId, TetId) { return true; };
+  for (const std::size_t levels : {1, 2}) {
+    VolumeMap map = built(kuhn_box({2, 1, 1}, 1));
+    std::size_t most = map.tetrahedra();
+    for (std::size_t i = 0; i < levels; ++i) most *= 8;
+    CHECK(refine(map, 5, all, most).size() == levels);
+    CHECK(map.tetrahedra() == most);
+    VolumeMap less = built(kuhn_box({2, 1, 1}, 1));
+    CHECK(refine(less, 5, all, most - 1).size() == levels - 1);
+  }
+}

@@ -68,8 +68,9 @@ TEST_CASE("shares go by volumes whatever their signs, and are halves where there
           "[cells][columns]") {
   TetMesh two;
   two.tetrahedra = {{0, 1, 2, 3}, {0, 1, 2, 4}};
-  const auto shares = [&two](const Point& d, const Point& e) {
+  const auto shares = [&two](const Point& d, const Point& e, double size = 1) {
     two.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, d, e};
+    for (Point& x : two.points) x = {size * x[0], size * x[1], size * x[2]};
     VolumeMap map = built(two);
     const FaceSplit split = split_face(map, half_face(TetId{0}, 3));
     REQUIRE(split.vertex_count == 3);
@@ -81,4 +82,5 @@ TEST_CASE("shares go by volumes whatever their signs, and are halves where there
   CHECK(shares({0, 0, 1}, {0, 0, -0.5}) == Approx(2 / 3.0));
   CHECK(shares({0, 0, 1}, {0.25, 0.25, 0.5}) == Approx(2 / 3.0));  // folded: both on one side
   CHECK(shares({1, 1, 0}, {0.25, 0.25, 0}) == 0.5);                // flat
+  CHECK(shares({1, 1, 1}, {1, 1, -1}, 1e200) == 0.5);              // too large for numbers
 }

@@ -3,9 +3,12 @@
 #include "topology/cells/subdivide.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "tests/support/built.hpp"
 #include "topology/cells/cell_templates.hpp"
+#include "topology/cells/refine.hpp"
+#include "topology/mesh/radius_ratio.hpp"
 
 using namespace sunder;
 using namespace sunder::suite;
@@ -25,6 +28,47 @@ CellEdge edge_on(const VolumeMap& map, std::uint32_t a, std::uint32_t b) {
   }
   FAIL("no such edge");
   return {};
+}
+
+bool has(const VolumeMap& map, TetId t, VertexId v) {
+  return place_of_vertex(map.corners(t), v) < 4;
+}
+
+/// One tetrahedron divided at all of its edges, and its corners by their places of before.
+struct Eight {
+  VolumeMap map;
+  CellEdit edit;
+  VertexId middle(int a, int b) const {
+    return edit.vertices[static_cast<std::size_t>(edge_between(a, b))].vertex;
+  }
+};
+
+Eight eight_of(const std::array<Point, 4>& corners, const std::array<double, 6>& weights) {
+  TetMesh mesh = one_tetrahedron();
+  mesh.points.assign(corners.begin(), corners.end());
+  Eight eight{built(mesh), {}};
+  std::vector<EdgeMark> marks;
+  for (int e = 0; e < 6; ++e)
+    marks.push_back({{TetId{0}, e}, weights[static_cast<std::size_t>(e)]});
+  eight.edit = divide_edges(eight.map, marks);
+  return eight;
+}
+
+/// Pairs of opposite edges in the order in which they are asked.
+constexpr std::array<std::array<int, 4>, 3> turns = {{{0, 2, 1, 3}, {0, 3, 1, 2}, {0, 1, 2, 3}}};
+
+/// The pair whose middles are joined inside.
+std::size_t turn_of(const Eight& eight) {
+  for (std::size_t turn = 0; turn < 3; ++turn) {
+    const auto& [a, b, c, d] = turns[turn];
+    std::size_t round = 0;
+    for (std::size_t t = 0; t < eight.map.tetrahedra(); ++t) {
+      round += has(eight.map, TetId{t}, eight.middle(a, b)) &&
+               has(eight.map, TetId{t}, eight.middle(c, d));
+    }
+    if (round == 4) return turn;
+  }
+  return 3;
 }
 
 }  // namespace
@@ -122,6 +166,7 @@ TEST_CASE("both sides of a crack get one point, and can be glued after", "[topol
                                        {{TetId{1}, 0}, 0.3}};  // 1 0 2 4: the same edge
   const CellEdit edit = divide_edges(map, marks);
   REQUIRE(edit.vertices.size() == 2);
+  CHECK(map.points().size() == 6);
   CHECK(map.point_of_vertex(edit.vertices[0].vertex) ==
         map.point_of_vertex(edit.vertices[1].vertex));
   CHECK(count_cells(map).components == 2);
@@ -140,4 +185,83 @@ TEST_CASE("a tetrahedron divided at all its edges is that of the first turn", "[
   const auto& eight = parts_by_eight(0);
   const std::vector<CellPart> parts = parts_of_cell(63, {0, 1, 2, 3, 4, 5});
   CHECK(std::ranges::equal(parts, eight));
+}
+
+TEST_CASE("of three edges inside the best one, wherever edges are divided", "[topology][cells]") {
+  std::mt19937_64 random(29);
+  for (int trial = 0; trial < 200; ++trial) {
+    std::array<Point, 4> corners;
+    for (Point& x : corners) x = {unit(random), unit(random), unit(random)};
+    std::array<double, 6> weights = {0.5, 0.5, 0.5, 0.5, 0.5, 0.5};
+    if (trial % 4 > 0) {
+      for (double& w : weights) w = 0.05 + 0.9 * unit(random);
+    }
+    const Eight eight = eight_of(corners, weights);
+    std::size_t best = 0;
+    double most = 0;
+    for (std::size_t turn = 0; turn < 3; ++turn) {
+      const auto& [a, b, c, d] = turns[turn];
+      const auto m = [&](int i, int j) { return eight.map.point(eight.middle(i, j)); };
+      const std::array<Point, 4> ring = {m(a, c), m(a, d), m(b, d), m(b, c)};
+      double least = 1;
+      for (std::size_t i = 0; i < 4; ++i) {
+        least = std::min(least, radius_ratio({m(a, b), m(c, d), ring[i], ring[(i + 1) % 4]}));
+      }
+      if (least > most * (1 + 1e-9)) best = turn, most = least;
+    }
+    CHECK(turn_of(eight) == best);
+  }
+}
+
+TEST_CASE("the edge inside that its corners tell, where none is better", "[topology][cells]") {
+  const std::array<double, 6> middles = {0.5, 0.5, 0.5, 0.5, 0.5, 0.5};
+  // A regular one, exactly and by less than what counts as better; and a flat one.
+  for (const double shift : {0.0, 1e-12, -1e-12}) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      std::array<Point, 4> corners = {{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}};
+      corners[i][i % 3] += shift;
+      CHECK(turn_of(eight_of(corners, middles)) == 0);
+    }
+  }
+  CHECK(turn_of(eight_of({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}}, middles)) == 0);
+}
+
+TEST_CASE("walks begin elsewhere only where a vertex has left its tetrahedron",
+          "[topology][cells]") {
+  std::mt19937_64 random(31);
+  for (const MapKernel kernel : {MapKernel::dense, MapKernel::lcc}) {
+    VolumeMap map = built(jittered(kuhn_box({2, 2, 1}), 0.1, 7));
+    map.set_kernel(kernel);
+    for (int step = 0; step < 12; ++step) {
+      std::vector<TetId> begins;
+      for (std::size_t v = 0; v < map.vertices(); ++v) {
+        begins.push_back(map.incident_tetrahedron(VertexId{v}));
+      }
+      const TetId t{below(random, map.tetrahedra())};
+      const CellEdit edit = step % 3 == 2
+                                ? refine_marked(map, std::span(&t, 1)).edit
+                                : insert_vertex(map, {t, static_cast<int>(below(random, 6))}, 0.4);
+      std::map<VertexId, TetId> moved;
+      for (std::size_t i = 0; i < map.vertices(); ++i) {
+        const VertexId v{i};
+        const bool is_new = i >= begins.size();
+        TetId expected = is_new ? TetId::none() : begins[i];
+        if (is_new || !has(map, begins[i], v)) {
+          // The first of the children that have it.
+          const auto child = std::ranges::find_if(edit.cells, [&](const ChildCell& c) {
+            return (is_new || c.parent == begins[i]) && has(map, c.tetrahedron, v);
+          });
+          REQUIRE(child != edit.cells.end());
+          expected = child->tetrahedron;
+          if (!is_new) moved[v] = begins[i];
+        }
+        CHECK(map.incident_tetrahedron(v) == expected);
+      }
+      std::map<VertexId, TetId> taken_back;
+      for (const auto& [vertex, tetrahedron] : edit.undo.begins) {
+        CHECK(taken_back.emplace(vertex, tetrahedron).second);
+      }
+      CHECK(taken_back == moved);
+    }
+  }
 }

@@ -270,6 +270,23 @@ TEST_CASE("a crack between two regions copies the points of the interface", "[to
   CHECK_FALSE(is_copy(mesh.vertices.corners[0][0]));
 }
 
+TEST_CASE("cells that no tetrahedron has stay, those behind them go along", "[topology][crack]") {
+  FileMesh mesh = grid(4);
+  const auto at = [](std::uint32_t x, std::uint32_t y) { return y * 5 + x; };
+  const std::uint32_t p = at(2, 0);
+  const std::array<std::uint32_t, 3> far = {p, at(3, 2), at(4, 4)};
+  mesh.triangles.corners = {far, {p, at(3, 0), at(3, 1)}};
+  mesh.edges.corners = {{p, p}, {p, at(4, 4)}, {p, at(3, 0)}};
+  const FaceLinks links = *face_links(mesh);
+  checked(mesh, links, *interface_faces(mesh, links, {"left", "right"}));
+  CHECK(mesh.triangles.corners[0] == far);
+  CHECK(mesh.triangles.corners[1][0] >= 125);
+  CHECK(mesh.edges.corners[0] == std::array{p, p});
+  CHECK(mesh.edges.corners[1] == std::array{p, at(4, 4)});
+  CHECK(mesh.edges.corners[2][0] >= 125);
+  CHECK(Crack{}.triangles_on_it == 0);
+}
+
 TEST_CASE("a crack that ends inside stays joined at its front", "[topology][crack]") {
   FileMesh mesh = grid(4);
   const FaceLinks links = *face_links(mesh);
@@ -329,4 +346,12 @@ TEST_CASE("faces that cannot be cut are named", "[topology][crack]") {
   CHECK(finding(overfull.findings, "overfull_face").ids == std::vector<std::int64_t>{0, 48, 49});
   CHECK(overfull.findings[0].text ==
         "more than two tetrahedra share the face on points 0, 1, 4: a crack has two sides");
+}
+
+TEST_CASE("faces of fewer than 2^30 tetrahedra have numbers", "[topology][mesh]") {
+  constexpr std::size_t limit = std::size_t{1} << 30;
+  CHECK(!too_many_to_link(0));
+  CHECK(!too_many_to_link(limit - 1));
+  REQUIRE(too_many_to_link(limit));
+  CHECK(too_many_to_link(limit)->code == "too_many_tetrahedra");
 }

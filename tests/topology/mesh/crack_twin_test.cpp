@@ -310,6 +310,8 @@ TEST_CASE("regions are called by number or name, and those there are are told",
   for (auto& r : mesh.tetrahedra.region) r = r == -12 ? 0 : r;
   CHECK(region_called(mesh, "1").findings[0].remedy ==
         "the regions are -11, -10, -9, -8, -7, -6, -5, -4 (-5), -3 (three), -2, -1, 0");
+  for (auto& r : mesh.tetrahedra.region) r %= 2;
+  CHECK(region_called(mesh, "1").findings[0].remedy == "the regions are -1, 0");
   mesh.tetrahedra.region = {};
   CHECK(region_called(mesh, "1").findings[0].remedy ==
         "the tetrahedra have no regions: choose otherwise");

@@ -72,8 +72,8 @@ TEST_CASE("a file's tetrahedra keep points, labels, names and numbers", "[mesh][
 
 TEST_CASE("numbers of tetrahedra that count on from other cells stay the file's own",
           "[mesh][file_mesh]") {
-  // Triangles 8 and 9 are dropped; without the numbers 10 and 11 nobody could find the tetrahedra in
-  // the file.
+  // Triangles 8 and 9 are dropped; without the numbers 10 and 11 nobody could find the tetrahedra
+  // in the file.
   FileMesh file = file_mesh_of(suite::two_tetrahedra());
   file.triangles.corners = {{0, 1, 2}, {0, 1, 3}};
   file.triangles.source_id = {8, 9};

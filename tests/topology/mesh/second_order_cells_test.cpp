@@ -33,8 +33,8 @@ FileMesh some_cells() {
   return mesh;
 }
 
-/// The pairs of corners that edges of cells of first order join, told by their distances alone: a node
-/// is the middle of its edge.
+/// The pairs of corners that edges of cells of first order join, told by their distances alone: a
+/// node is the middle of its edge.
 std::set<std::pair<std::uint32_t, std::uint32_t>> edges_in(const FileMesh& mesh) {
   std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
   for (const CellKind kind : all_cell_kinds) {

@@ -85,7 +85,6 @@ void append_columns(CellColumns& columns, std::size_t rows, CellColumns&& others
   for (std::size_t i = 0; i < others.data.size(); ++i) {
     if (is_taken[i]) continue;
     DataColumn& column = columns.data.emplace_back(column_like(others.data[i]));
-    append_data(column, 0, column_like(column), rows);
     append_data(column, rows, std::move(others.data[i]), more);
   }
 }

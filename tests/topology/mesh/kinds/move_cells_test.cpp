@@ -8,6 +8,7 @@
 #include "tests/support/cell_rows.hpp"
 #include "tests/support/random_kinds.hpp"
 #include "topology/mesh/kinds/move_cells.hpp"
+#include "topology/mesh/kinds/second_order.hpp"
 #include "topology/mesh/kinds/split_cells.hpp"
 #include "topology/mesh/kinds/take_rows.hpp"
 
@@ -184,5 +185,42 @@ TEST_CASE("points that no cell uses any more are dropped, and no others", "[mesh
     const std::size_t all = mesh.points.size();
     CHECK(drop_points_out_of_use(mesh, used_before) == all - kept.size());
     REQUIRE(words(mesh) == words(expected));
+  }
+}
+
+TEST_CASE("columns alike in all serve once each, without a name too", "[mesh][kinds]") {
+  const auto column = [](std::int64_t value) {
+    return DataColumn{"", 1, NumberType::int64, std::vector<std::int64_t>{value}};
+  };
+  CellColumns cells, others;
+  cells.data = {column(1), column(2), column(3)};
+  others.data = {column(4), column(5)};
+  append_columns(cells, 1, std::move(others), 1);
+  REQUIRE(cells.data.size() == 3);
+  const std::int64_t expected[][2] = {{1, 4}, {2, 5}, {3, 0}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK(std::ranges::equal(std::get<1>(cells.data[i].values), expected[i]));
+  }
+}
+
+TEST_CASE("kinds without cells keep their columns, which have no rows", "[mesh][kinds]") {
+  FileMesh mesh;
+  for (const CellKind kind : all_cell_kinds) {
+    columns_of(mesh, kind).data = {
+        {std::string(traits_of(kind).name), 1, NumberType::int64, std::vector<std::int64_t>{}}};
+  }
+  FileMesh linear = mesh, raised = mesh, cut = mesh;
+  make_linear(linear);
+  CHECK(linear == mesh);
+  CHECK(raise_order(raised) == 0);
+  CHECK(raised == mesh);
+  CHECK(split_cells(cut).tetrahedra == 0);
+  CHECK(cut == mesh);
+}
+
+TEST_CASE("a set of one kind has no other", "[mesh][kinds]") {
+  for (const CellKind kind : all_cell_kinds) {
+    const KindSet set = kind_set({kind});
+    for (const CellKind other : all_cell_kinds) CHECK(contains(set, other) == (other == kind));
   }
 }

@@ -145,7 +145,8 @@ SplitCells split(FileMesh& mesh) {
 FileMesh nearly_boxes(Random& random) {
   FileMesh mesh;
   const double shake = below(random, 3) == 0 ? 0 : unit(random);
-  const double bend = std::array{0.0, 1e-9, 1e-4}[below(random, 3)];
+  // 4e-6: off the plane by about as much as is told.
+  const double bend = std::array{0.0, 1e-9, 4e-6, 1e-4}[below(random, 4)];
   for (const CellKind kind : all_cell_kinds) {
     if (traits_of(kind).dimension < 2 || below(random, 2) == 0) continue;
     const std::size_t rows = 1 + below(random, 3);
@@ -215,6 +216,48 @@ TEST_CASE("cells cut into simplices, told one by one", "[mesh][split]") {
   CHECK(sum.concave_volumes > 15);
   CHECK(sum.concave_faces > 15);
   CHECK(sum.bent_polygons > 10);
+}
+
+TEST_CASE("a part is flat up to 1e-12 of its cell, whichever way the cell is turned",
+          "[mesh][split]") {
+  // The base is cut from corner 0 to 2; corner 3 is so near to this line that its side is `part` of
+  // the whole.
+  for (const double tip : {1.0, -1.0}) {
+    for (const double part : {0.75e-12, 1.5e-12}) {
+      FileMesh mesh;
+      mesh.points = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1, 1 + 2 * part, 0}, {0, 0, tip}};
+      append_cell(mesh, CellKind::pyramid5, Rows{0, 1, 2, 3, 4});
+      CHECK(split_cells(mesh).concave_volumes == (part < 1e-12 ? 1 : 0));
+    }
+  }
+}
+
+TEST_CASE("cells of no volume or area are concave, but where all parts are positive",
+          "[mesh][split]") {
+  FileMesh mesh;
+  for (std::uint32_t i = 0; i < 8; ++i) mesh.points.push_back({1.0 * (i % 4), 1.0 * (i / 4), 0});
+  append_cell(mesh, CellKind::hexahedron8, Rows{0, 1, 2, 3, 4, 5, 6, 7});
+  append_cell(mesh, CellKind::quad4, Rows{0, 1, 2, 3});
+  const SplitCells flat = split_cells(mesh);
+  CHECK(flat.concave_volumes == 1);
+  CHECK(flat.concave_faces == 1);
+  // The base is bent: along its other diagonal, from the least corner, both parts are 1 or -1.
+  for (const double turn : {1.0, -1.0}) {
+    mesh = {};
+    mesh.points = {
+        {1, 0, -2 * turn}, {0, 0, -2 * turn}, {1, 1, -2 * turn}, {0, 1, 0}, {0, 1, -turn}};
+    append_cell(mesh, CellKind::pyramid5, Rows{1, 0, 2, 3, 4});
+    CHECK(split_cells(mesh).concave_volumes == (turn < 0 ? 0 : 1));
+  }
+}
+
+TEST_CASE("numbers of parts begin with 1 where no cell has one above 0", "[mesh][split]") {
+  FileMesh mesh;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  append_cell(mesh, CellKind::quad4, Rows{0, 1, 2, 3});
+  columns_of(mesh, CellKind::quad4).source_id = {0};
+  CHECK(split_cells(mesh).numbers_added == 1);
+  CHECK(mesh.triangles.source_id == std::vector<std::int64_t>{0, 1});
 }
 
 TEST_CASE("faces of volume cells look outward, and two go through each edge", "[mesh][kinds]") {
