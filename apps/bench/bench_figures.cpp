@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Names, units and words of the quantities.
 #include "apps/bench/bench_figures.hpp"
+#include "topology/base/split_text.hpp"
 
 #include <fmt/format.h>
 #include <algorithm>
@@ -122,7 +123,8 @@ std::vector<std::string> bodies_of(const KernelBench& bench) {
 std::string machine_name() {
   std::string model = "unknown processor";
   std::ifstream in("/proc/cpuinfo");
-  for (std::string line; std::getline(in, line);) {
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  for (const std::string_view line : lines_of(text)) {
     if (!line.starts_with("model name")) continue;
     model = line.substr(line.find(':') + 2);
     break;

@@ -40,6 +40,8 @@ struct sunder_engine {
   std::optional<sunder::Spring> spring;
   std::size_t loads = 0;  ///< those of the scene; the spring's come after them
   bool failed = false;
+  /// A change that began and did not end, as memory ran out: nothing can be read any more.
+  bool torn = false;
   /// Of the last step, and before them the cuts by hand that came before it; and cuts since then.
   std::vector<sunder::MadeFan> fans, cuts;
   std::array<std::vector<unsigned char>, SUNDER_COLUMNS> columns;
@@ -75,8 +77,8 @@ std::optional<Finding> shoot(Simulation& simulation, const Sphere& ball, const V
 /// the plane; what is tied (`CrackMode::cohesive`) is refused. Errors: bad_action, nothing_cut.
 Result<FanEvent> cut(Simulation& simulation, const Vec3& point, const Vec3& normal);
 
-/// The force of the spring on its vertex as loads behind the first `scene_loads`: critically damped,
-/// with a natural frequency of 5 Hz for the mass of the whole piece.
+/// The force of the spring on its vertex as loads behind the first `scene_loads`: critically
+/// damped, with a natural frequency of 5 Hz for the mass of the whole piece.
 void load_spring(Simulation& simulation, const std::optional<Spring>& spring,
                  std::size_t scene_loads);
 

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <map>
 #include <memory>
+#include <new>
 #include <string_view>
 
 #include "apps/host/engine.hpp"
@@ -20,9 +21,71 @@ namespace {
 
 using namespace sunder;
 
-std::string& creation_error() {
-  static thread_local std::string error;
+constexpr std::string_view out_of_memory = "out of memory";
+// In a string without memory of its own, where there is none left.
+static_assert(out_of_memory.size() <= 15);
+
+/// What was wrong with a creation, a thread each. Of fixed size, as a thread asks for memory at the
+/// first use of what has a destructor, and ends the process where there is none.
+class CreationError {
+ public:
+  void say(std::string_view words) {
+    constexpr std::string_view more = "there is more\n";
+    if (words.size() >= sizeof text_) {
+      words = words.substr(0, sizeof text_ - 1 - more.size());
+      words = words.substr(0, words.rfind('\n') + 1);
+      std::memcpy(text_ + words.size(), more.data(), more.size() + 1);
+    } else {
+      text_[words.size()] = 0;
+    }
+    std::memcpy(text_, words.data(), words.size());
+  }
+  const char* text() const { return text_; }
+
+ private:
+  char text_[1 << 14] = {};
+};
+
+CreationError& creation_error() {
+  static thread_local CreationError error;
   return error;
+}
+
+/// Creates an engine, or tells why not.
+template <class Create>
+sunder_engine* created(const Create& create) noexcept {
+  try {
+    std::string words;
+    std::unique_ptr<sunder_engine> engine = create(words);
+    creation_error().say(words);
+    return engine.release();
+  } catch (const std::bad_alloc&) {
+    creation_error().say(out_of_memory);
+    return nullptr;
+  }
+}
+
+/// Does something with an engine that is whole. 1 where it is not, or where memory ran out.
+template <class Do>
+int done(sunder_engine* engine, const Do& action) noexcept {
+  if (engine->torn) return 1;
+  try {
+    return action();
+  } catch (const std::bad_alloc&) {
+    engine->error = out_of_memory;
+    return 1;
+  }
+}
+
+/// The same with what changes its state, which is torn where memory ran out on the way.
+template <class Do>
+int changed(sunder_engine* engine, const Do& action) noexcept {
+  return done(engine, [&] {
+    engine->torn = true;
+    const int result = action();
+    engine->torn = false;
+    return result;
+  });
 }
 
 /// Copies as much of a struct as the caller has room for.
@@ -178,30 +241,34 @@ std::unique_ptr<sunder_engine> sunder::make_engine(Simulation simulation) {
 uint32_t sunder_abi(void) { return SUNDER_ABI; }
 
 sunder_engine* sunder_create(const sunder_scene* scene) {
-  Result<SceneFile> file = read_scene_in_memory(*scene);
-  creation_error() = finding_lines(file.findings);
-  if (!file) return nullptr;
-  Result<Simulation> simulation = build_simulation(std::move(file->scene));
-  creation_error() += finding_lines(simulation.findings);
-  if (!simulation) return nullptr;
-  return make_engine(std::move(*simulation)).release();
+  return created([scene](std::string& words) -> std::unique_ptr<sunder_engine> {
+    Result<SceneFile> file = read_scene_in_memory(*scene);
+    words = finding_lines(file.findings);
+    if (!file) return nullptr;
+    Result<Simulation> simulation = build_simulation(std::move(file->scene));
+    words += finding_lines(simulation.findings);
+    return simulation ? make_engine(std::move(*simulation)) : nullptr;
+  });
 }
 
 void sunder_destroy(sunder_engine* engine) { delete engine; }
 
 int sunder_step(sunder_engine* engine, sunder_report* report) {
   if (!engine->failed) {
-    load_spring(engine->simulation, engine->spring, engine->loads);
-    StepReport step = advance(engine->simulation);
-    note_step(engine->report, step);
-    keep_fans(*engine, step);
-    engine->failed =
-        step.status.outcome != StepOutcome::fine || step.fracture.not_a_number.has_value();
-    if (step.status.outcome != StepOutcome::fine) {
-      engine->error = finding_lines({to_finding(step.status)});
-    } else if (engine->failed) {
-      engine->error = "the stress of a vertex is not a number\n";
-    }
+    engine->report.outcome = 1;
+    engine->failed = changed(engine, [engine] {
+                       load_spring(engine->simulation, engine->spring, engine->loads);
+                       StepReport step = advance(engine->simulation);
+                       note_step(engine->report, step);
+                       keep_fans(*engine, step);
+                       if (step.status.outcome != StepOutcome::fine) {
+                         engine->error = finding_lines({to_finding(step.status)});
+                         return 1;
+                       }
+                       if (!step.fracture.not_a_number) return 0;
+                       engine->error = "the stress of a vertex is not a number\n";
+                       return 1;
+                     }) != 0;
     engine->report.outcome = engine->failed;
   }
   give(report, engine->report);
@@ -214,43 +281,54 @@ void sunder_last_report(const sunder_engine* engine, sunder_report* report) {
 
 int sunder_read(sunder_engine* engine, uint32_t column, sunder_span* span) {
   if (column >= SUNDER_COLUMNS) return 1;
-  std::vector<unsigned char>& bytes = engine->columns[column];
-  if (column == SUNDER_FAN || column == SUNDER_FAN_FACE) {
-    fill_fans(bytes, engine->fans, static_cast<sunder_column>(column));
-  } else {
-    fill_column(bytes, engine->simulation, static_cast<sunder_column>(column));
-  }
-  *span = {bytes.data(), bytes.size()};
-  return 0;
+  return done(engine, [=] {
+    std::vector<unsigned char>& bytes = engine->columns[column];
+    if (column == SUNDER_FAN || column == SUNDER_FAN_FACE) {
+      fill_fans(bytes, engine->fans, static_cast<sunder_column>(column));
+    } else {
+      fill_column(bytes, engine->simulation, static_cast<sunder_column>(column));
+    }
+    *span = {bytes.data(), bytes.size()};
+    return 0;
+  });
 }
 
 int sunder_inspect(sunder_engine* engine, uint32_t vertex, sunder_vertex* result) {
-  if (vertex >= engine->simulation.state->mechanics.vertices.size()) return 1;
-  sunder_vertex found{};
-  inspect_vertex(found, engine->simulation, VertexId{vertex});
-  give(result, found);
-  return 0;
+  return done(engine, [=] {
+    if (vertex >= engine->simulation.state->mechanics.vertices.size()) return 1;
+    sunder_vertex found{};
+    inspect_vertex(found, engine->simulation, VertexId{vertex});
+    give(result, found);
+    return 0;
+  });
 }
 
 int sunder_act(sunder_engine* engine, const sunder_action* action) {
-  const std::optional<Finding> finding = do_action(*engine, *action);
-  engine->error = finding ? finding_lines({*finding}) : "";
-  return finding.has_value();
+  return changed(engine, [=] {
+    const std::optional<Finding> finding = do_action(*engine, *action);
+    engine->error = finding ? finding_lines({*finding}) : "";
+    return finding ? 1 : 0;
+  });
 }
 
 void sunder_save(sunder_engine* engine, sunder_span* span) {
-  load_spring(engine->simulation, std::nullopt, engine->loads);
-  engine->saved = saved_state(engine->simulation);
-  *span = {engine->saved.data(), engine->saved.size()};
+  *span = {nullptr, 0};
+  done(engine, [=] {
+    load_spring(engine->simulation, std::nullopt, engine->loads);
+    engine->saved = saved_state(engine->simulation);
+    *span = {engine->saved.data(), engine->saved.size()};
+    return 0;
+  });
 }
 
 sunder_engine* sunder_restore(const void* bytes, size_t size) {
-  Result<Simulation> simulation = restore({static_cast<const char*>(bytes), size});
-  creation_error() = finding_lines(simulation.findings);
-  if (!simulation) return nullptr;
-  return make_engine(std::move(*simulation)).release();
+  return created([=](std::string& words) -> std::unique_ptr<sunder_engine> {
+    Result<Simulation> simulation = restore({static_cast<const char*>(bytes), size});
+    words = finding_lines(simulation.findings);
+    return simulation ? make_engine(std::move(*simulation)) : nullptr;
+  });
 }
 
 const char* sunder_error(const sunder_engine* engine) {
-  return engine ? engine->error.c_str() : creation_error().c_str();
+  return engine ? engine->error.c_str() : creation_error().text();
 }

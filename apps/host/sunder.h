@@ -155,6 +155,9 @@ typedef struct sunder_vertex {
   double speed;        /**< m/s */
 } sunder_vertex;
 
+/* No function throws. Where memory runs out it says 1 or null and sunder_error "out of memory"; out of a
+   step or an action that ran out nothing comes any more but that: destroy the engine. */
+
 /** SUNDER_ABI of the library. */
 uint32_t sunder_abi(void);
 
@@ -180,7 +183,8 @@ int sunder_inspect(sunder_engine* engine, uint32_t vertex, sunder_vertex* result
 /** Does what `action` says. 0, or 1 where it cannot be done, which sunder_error then tells. */
 int sunder_act(sunder_engine* engine, const sunder_action* action);
 
-/** The whole simulation as bytes (docs/saved_state.md); a spring that pulls is not among them. */
+/** The whole simulation as bytes (docs/saved_state.md); a spring that pulls is not among them. None
+    (null) where memory ran out. */
 void sunder_save(sunder_engine* engine, sunder_span* span);
 
 /** A simulation from such bytes; null where they are none, which sunder_error(null) then tells. */

@@ -8,9 +8,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include "topology/base/assert.hpp"
+#include "topology/base/split_text.hpp"
 
 namespace sunder {
 namespace {
@@ -74,10 +74,8 @@ struct SeriesMaker {
 };
 
 std::vector<std::string> words(std::string_view text) {
-  std::istringstream in{std::string(text)};
-  std::vector<std::string> all;
-  for (std::string word; in >> word;) all.push_back(word);
-  return all;
+  const std::vector<std::string_view> all = split_text(text, ' ');
+  return {all.begin(), all.end()};
 }
 
 }  // namespace

@@ -10,12 +10,12 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
-#include <sstream>
 #include <string>
 #include <variant>
 
 #include "apps/scene/obstacles_json.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
+#include "topology/base/split_text.hpp"
 #include "topology/io/mesh_file.hpp"
 
 namespace sunder {
@@ -83,26 +83,18 @@ Result<ResultFrame> read_frame(const std::filesystem::path& path, double time) {
   return result;
 }
 
-std::vector<std::string> split_line(std::string line) {
-  if (line.ends_with('\r')) line.pop_back();
-  std::vector<std::string> cells;
-  std::istringstream in(line);
-  for (std::string cell; std::getline(in, cell, ',');) cells.push_back(cell);
-  return cells;
-}
-
 /// A table by the names in its first line; empty where there is none.
 struct Table {
-  std::vector<std::string> names;
-  std::vector<std::vector<std::string>> rows;
+  std::vector<std::string_view> names;
+  std::vector<std::vector<std::string_view>> rows;
   /// A column as numbers, NaN where a row has none; empty where it is not there.
   std::vector<double> column(std::string_view name) const {
     const auto place = static_cast<std::size_t>(std::ranges::find(names, name) - names.begin());
     std::vector<double> values;
     if (place == names.size()) return values;
-    for (const std::vector<std::string>& row : rows) {
+    for (const std::vector<std::string_view>& row : rows) {
       const bool is_there = place < row.size() && !row[place].empty();
-      values.push_back(is_there ? std::strtod(row[place].c_str(), nullptr)
+      values.push_back(is_there ? std::strtod(std::string(row[place]).c_str(), nullptr)
                                 : std::numeric_limits<double>::quiet_NaN());
     }
     return values;
@@ -119,12 +111,12 @@ std::string text_of(const std::filesystem::path& path, std::vector<Finding>& fin
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+/// Holds views of the text.
 Table read_table(const std::string& text) {
   Table table;
-  std::istringstream in(text);
-  std::string line;
-  if (std::getline(in, line)) table.names = split_line(line);
-  while (std::getline(in, line)) table.rows.push_back(split_line(line));
+  for (const std::string_view line : lines_of(text)) {
+    (table.names.empty() ? table.names : table.rows.emplace_back()) = split_text(line, ',');
+  }
   return table;
 }
 

@@ -13,27 +13,11 @@
 #include <numeric>
 #include <string>
 
+#include "topology/base/split_text.hpp"
 #include "topology/io/mesh_file.hpp"
 
 namespace sunder {
 namespace {
-
-std::vector<std::string_view> cells_of(std::string_view line) {
-  std::vector<std::string_view> cells;
-  for (std::size_t begin = 0;;) {
-    const std::size_t end = line.find(',', begin);
-    cells.push_back(line.substr(begin, end - begin));
-    if (end == std::string_view::npos) return cells;
-    begin = end + 1;
-  }
-}
-
-/// A line without its end, RFC 4180's or Unix's.
-bool next_line(std::istream& in, std::string& line) {
-  if (!std::getline(in, line)) return false;
-  if (line.ends_with('\r')) line.pop_back();
-  return true;
-}
 
 std::optional<double> positive_number(std::string_view text) {
   double value = 0;
@@ -76,8 +60,9 @@ double sum_of(std::span<const double> values) {
 
 Result<PieceColumns> read_fragments(const std::filesystem::path& csv) {
   std::ifstream in(csv, std::ios::binary);
-  std::string line;
-  if (!in || !next_line(in, line)) {
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  const std::vector<std::string_view> lines = lines_of(text);
+  if (lines.empty()) {
     return Finding{.code = "cannot_open",
                    .text = fmt::format("cannot read the table of fragments {}", csv.string()),
                    .remedy = "give the folder that `sunder run` wrote",
@@ -86,7 +71,7 @@ Result<PieceColumns> read_fragments(const std::filesystem::path& csv) {
   PieceColumns pieces;
   std::array<WantedColumn, 3> columns = {
       {{"mass", pieces.mass}, {"volume", pieces.volume}, {"tetrahedra", pieces.tetrahedra}}};
-  const std::vector<std::string_view> header = cells_of(line);
+  const std::vector<std::string_view> header = split_text(lines[0], ',');
   for (WantedColumn& column : columns) {
     const auto found = std::ranges::find(header, column.name);
     if (found == header.end()) {
@@ -95,8 +80,8 @@ Result<PieceColumns> read_fragments(const std::filesystem::path& csv) {
     column.place = static_cast<std::size_t>(found - header.begin());
   }
   const std::size_t width = header.size();
-  for (std::size_t row = 2; next_line(in, line); ++row) {
-    const std::vector<std::string_view> cells = cells_of(line);
+  for (std::size_t row = 2; row <= lines.size(); ++row) {
+    const std::vector<std::string_view> cells = split_text(lines[row - 1], ',');
     if (cells.size() != width) {
       return bad_table(csv, row, fmt::format("has {} cells, not {}", cells.size(), width));
     }

@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
-#include <sstream>
 
 #include "apps/scene/words.hpp"
 #include "apps/sunder/program.hpp"
+#include "topology/base/split_text.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/mesh/build_map.hpp"
 
@@ -128,8 +128,7 @@ void add_divide_arguments(CLI::App& command, DivideArguments& arguments) {
 Result<std::set<std::string>> shared_columns(const DivideArguments& arguments,
                                              const FileMesh& mesh) {
   std::set<std::string> names;
-  std::istringstream words(arguments.shared);
-  for (std::string name; std::getline(words, name, ',');) {
+  for (const std::string_view name : split_text(arguments.shared, ',')) {
     const bool is_there = std::ranges::any_of(mesh.tetrahedra.data, [&](const DataColumn& column) {
       return column.name == name && std::holds_alternative<std::vector<double>>(column.values);
     });
@@ -142,7 +141,7 @@ Result<std::set<std::string>> shared_columns(const DivideArguments& arguments,
                                    ? "the file has no data of tetrahedra: leave --share out"
                                    : "the columns are" + known};
     }
-    names.insert(name);
+    names.emplace(name);
   }
   return names;
 }

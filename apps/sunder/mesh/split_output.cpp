@@ -10,6 +10,7 @@
 #include <numeric>
 #include <string>
 
+#include "topology/base/split_text.hpp"
 #include "topology/io/format_traits.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/io/output_file.hpp"
@@ -34,9 +35,10 @@ std::string cuts_text(const TetMesh& cut, std::span<const HalfFaceId> faces) {
 
 /// Removes a list of an earlier run: beside this mesh it would cut faces that are not cut.
 std::vector<Finding> remove_stale_cuts(const std::filesystem::path& path) {
-  std::string first_line;
-  std::getline(std::ifstream(path), first_line);
-  if (first_line != cuts_title) return {};
+  std::ifstream in(path, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  const std::vector<std::string_view> lines = lines_of(text);
+  if (lines.empty() || lines[0] != cuts_title) return {};
   std::error_code reason;
   std::filesystem::remove(path, reason);
   if (!reason) return {};

@@ -7,11 +7,11 @@
 
 #include <algorithm>
 #include <memory>
-#include <sstream>
 #include <sunder/version.hpp>
 #include <vector>
 
 #include "apps/sunder/program.hpp"
+#include "topology/base/split_text.hpp"
 
 namespace sunder {
 namespace {
@@ -25,11 +25,9 @@ struct ShellOption {
 };
 
 std::vector<std::string> words_of(const std::string& type) {
-  std::vector<std::string> words;
-  if (type.find('|') == type.npos) return words;
-  std::istringstream in(type);
-  for (std::string word; std::getline(in, word, '|');) words.push_back(word);
-  return words;
+  const std::vector<std::string_view> words = split_text(type, '|');
+  if (words.size() < 2) return {};
+  return {words.begin(), words.end()};
 }
 
 std::vector<ShellOption> options_of(const CLI::App& command) {
@@ -68,8 +66,9 @@ std::string bash_script(const CLI::App& program) {
     for (const ShellOption& option : options_of(*command)) {
       options += fmt::format("{} ", fmt::join(option.names, " "));
       if (!option.words.empty()) {
-        values += fmt::format("        {}) COMPREPLY=($(compgen -W '{}' -- \"$word\")); return ;;\n",
-                              fmt::join(option.names, "|"), fmt::join(option.words, " "));
+        values +=
+            fmt::format("        {}) COMPREPLY=($(compgen -W '{}' -- \"$word\")); return ;;\n",
+                        fmt::join(option.names, "|"), fmt::join(option.words, " "));
       }
     }
     cases += fmt::format(
@@ -99,19 +98,21 @@ complete -o filenames -F _sunder sunder
 std::string zsh_script(const CLI::App& program) {
   std::string names, cases;
   for (const CLI::App* command : commands_of(program)) {
-    names += fmt::format("    {}\n", quoted(command->get_name() + "\x01" + command->get_description()));
+    names +=
+        fmt::format("    {}\n", quoted(command->get_name() + "\x01" + command->get_description()));
     std::string options;
     for (const ShellOption& option : options_of(*command)) {
       for (const std::string& name : option.names) {
         const std::string description = quoted(option.description);
-        options += fmt::format(" \\\n        '{}[{}]{}'", name,
-                               description.substr(1, description.size() - 2),
-                               !option.takes_value      ? ""
-                               : option.words.empty() ? ":value:_files"
-                                                      : fmt::format(":value:({})", fmt::join(option.words, " ")));
+        options += fmt::format(
+            " \\\n        '{}[{}]{}'", name, description.substr(1, description.size() - 2),
+            !option.takes_value    ? ""
+            : option.words.empty() ? ":value:_files"
+                                   : fmt::format(":value:({})", fmt::join(option.words, " ")));
       }
     }
-    cases += fmt::format("      {}) _arguments{} \\\n        '*:file:_files' ;;\n", command->get_name(), options);
+    cases += fmt::format("      {}) _arguments{} \\\n        '*:file:_files' ;;\n",
+                         command->get_name(), options);
   }
   std::ranges::replace(names, '\x01', ':');
   return fmt::format(R"(#compdef sunder
@@ -142,7 +143,8 @@ std::string fish_script(const CLI::App& program) {
     text += fmt::format("complete -c sunder -n __fish_use_subcommand -f -a {} -d {}\n",
                         command->get_name(), quoted(command->get_description()));
     for (const ShellOption& option : options_of(*command)) {
-      text += fmt::format("complete -c sunder -n '__fish_seen_subcommand_from {}'", command->get_name());
+      text += fmt::format("complete -c sunder -n '__fish_seen_subcommand_from {}'",
+                          command->get_name());
       for (const std::string& name : option.names) {
         text += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
       }
@@ -180,7 +182,7 @@ std::string page_options(const CLI::App& command) {
 }  // namespace
 
 std::string completion_script(const CLI::App& program, const std::string& shell) {
-  return shell == "bash" ? bash_script(program)
+  return shell == "bash"  ? bash_script(program)
          : shell == "zsh" ? zsh_script(program)
                           : fish_script(program);
 }
@@ -190,7 +192,8 @@ std::string manual_page(const CLI::App& program, const std::string& command) {
   const std::string name = command.empty() ? "sunder" : "sunder-" + command;
   const std::string called = command.empty() ? "sunder COMMAND" : "sunder " + command;
   std::string page = fmt::format(
-      ".TH {} 1 \"\" \"sunder {}\" \"Sunder\"\n.SH NAME\n{} \\- {}\n.SH SYNOPSIS\n.B {}\n[OPTIONS]{}\n",
+      ".TH {} 1 \"\" \"sunder {}\" \"Sunder\"\n.SH NAME\n{} \\- {}\n.SH SYNOPSIS\n.B "
+      "{}\n[OPTIONS]{}\n",
       roff(name), SUNDER_VERSION, roff(name), roff(app.get_description()), called,
       command.empty() ? "" : " ...");
   if (command.empty()) {

@@ -150,6 +150,7 @@ ViewAnswer inspect(ViewedScene& viewed, const json& request) {
 ViewAnswer save(ViewedScene& viewed) {
   sunder_span span{};
   sunder_save(viewed.engine.get(), &span);
+  if (span.bytes == nullptr) return refusal(sunder_error(viewed.engine.get()));
   const std::uint64_t at = viewed.engine->report.step;
   viewed.saved[at].assign(static_cast<const char*>(span.bytes), span.size);
   ViewAnswer answer;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Places of nodes: corners by a table, the others as means of corners.
 #include "topology/io/medit/medit_order.hpp"
+#include "topology/base/split_text.hpp"
 
 #include <algorithm>
-#include <sstream>
 #include <string>
 
 namespace sunder::io {
@@ -23,7 +23,8 @@ constexpr Shape shapes[] = {
     {CellKind::tetrahedron10, "2000 0200 0020 0002", "01 12 20 03 13 23"},
     {CellKind::hexahedron27, "000 200 220 020 002 202 222 022",
      "01 12 23 30 45 56 67 74 04 15 26 37 0473 1265 0154 3267 0123 4567 01234567"},
-    {CellKind::prism18, "2000 0200 0020 2002 0202 0022", "01 12 20 34 45 53 03 14 25 0143 1254 2035"},
+    {CellKind::prism18, "2000 0200 0020 2002 0202 0022",
+     "01 12 20 34 45 53 03 14 25 0143 1254 2035"},
     {CellKind::pyramid14, "000 200 220 020 002", "01 12 23 30 04 14 24 34 0123"},
 };
 
@@ -41,13 +42,11 @@ bool needs_medit_order(CellKind kind) {
 std::vector<BezierPlace> bezier_places(CellKind kind) {
   const Shape& shape = *std::ranges::find(shapes, kind, &Shape::kind);
   std::vector<BezierPlace> places;
-  std::istringstream corners(shape.corners), means(shape.means);
-  std::string word;
-  while (corners >> word) {
+  for (const std::string_view word : split_text(shape.corners, ' ')) {
     BezierPlace& place = places.emplace_back();
     for (std::size_t k = 0; k < word.size(); ++k) place[k] = word[k] - '0';
   }
-  while (means >> word) {
+  for (const std::string_view word : split_text(shape.means, ' ')) {
     BezierPlace mean{};
     for (const char corner : word) {
       const BezierPlace& place = places[static_cast<std::size_t>(corner - '0')];
