@@ -8,7 +8,7 @@ import time
 from order_tools import table, write_mesh
 from second_order_runs import GLASS, struck_cases
 
-MOST_SECONDS = 60  # of the processor, a run
+MOST_SECONDS = 600  # of the processor, a run
 
 
 def run_to_first_fan(sunder, folder, scene):
