@@ -110,8 +110,9 @@ void tell_out_of_memory() {
 std::atomic<bool> memory_ran_out = false;
 
 /// Where memory runs out in a thread of its own, or in a destructor (nlohmann's json allocates
-/// there), nothing can be caught: the program ends here, and says so all the same.
-void tell_ends_without_memory() {
+/// there), or before `main`, nothing can be caught: the program ends here, and says so all the same.
+/// Runs before what else is initialised then: numbers up to 100 are the compiler's.
+[[gnu::constructor(101)]] void tell_ends_without_memory() {
   std::set_new_handler([] {
     memory_ran_out = true;
     throw std::bad_alloc();
@@ -144,7 +145,6 @@ std::vector<const CLI::Option*> all_options(const CLI::App& command) {
 }
 
 int run_program(int argc, char** argv, const AddCommands& add_commands) {
-  tell_ends_without_memory();
   try {
     return with_all_printed(parse_and_run(argc, argv, add_commands));
   } catch (const std::bad_alloc&) {
