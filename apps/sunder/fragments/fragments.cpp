@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "apps/scene/words.hpp"
-#include "apps/sunder/program.hpp"
 #include "apps/sunder/fragments/fragments_report.hpp"
 #include "apps/sunder/gnuplot.hpp"
+#include "apps/sunder/program.hpp"
 
 namespace sunder {
 namespace {
@@ -89,7 +89,7 @@ void add_fragments_command(CLI::App& program, ExitCode& exit_code) {
   command
       ->add_option("--by", arguments->measure,
                    "What counts as size: volume (m^3, default), size (its cube root, m), mass (kg)")
-      ->transform(CLI::CheckedTransformer(measures))
+      ->transform(CLI::CheckedTransformer(measures).description(""))
       ->type_name("volume|size|mass");
   command
       ->add_option("--mesh", arguments->meshes,

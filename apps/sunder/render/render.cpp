@@ -48,7 +48,8 @@ std::size_t nearest_frame(const RunResult& run, double time) {
   if (std::isnan(time)) return run.frames.size() - 1;
   std::size_t nearest = 0;
   for (std::size_t k = 0; k < run.frames.size(); ++k) {
-    if (std::abs(run.frames[k].time - time) < std::abs(run.frames[nearest].time - time)) nearest = k;
+    if (std::abs(run.frames[k].time - time) < std::abs(run.frames[nearest].time - time))
+      nearest = k;
   }
   return nearest;
 }
@@ -74,8 +75,9 @@ void magnify(PictureBodies& bodies, double factor) {
 }
 
 /// Draws the frames from `first` to before `end`, and tells each: as a line, or in `pictures`.
-std::vector<Finding> draw(const RenderArguments& a, const RunResult& run, render::Renderer& renderer,
-                          std::size_t first, std::size_t end, nlohmann::ordered_json& pictures) {
+std::vector<Finding> draw(const RenderArguments& a, const RunResult& run,
+                          render::Renderer& renderer, std::size_t first, std::size_t end,
+                          nlohmann::ordered_json& pictures) {
   const Vec3 up = run.gravity.norm() > 0 ? Vec3(-run.gravity.normalized()) : Vec3::UnitZ();
   const std::vector<char> boundary = boundary_of(run.frames.front());
   const PictureSettings settings = settings_of(a);
@@ -146,16 +148,20 @@ void add_render_command(CLI::App& program, ExitCode& exit_code) {
   command->add_flag("--all", a->all, "Every frame: PICTURE_000000.png and so on");
   command->add_option("--show", a->show, "Shape: reference, deformed or both")
       ->transform(CLI::CheckedTransformer(
-          std::map<std::string, ShownShape>{{"reference", ShownShape::reference},
-                                            {"deformed", ShownShape::deformed},
-                                            {"both", ShownShape::both}}));
+                      std::map<std::string, ShownShape>{{"reference", ShownShape::reference},
+                                                        {"deformed", ShownShape::deformed},
+                                                        {"both", ShownShape::both}})
+                      .description(""))
+      ->type_name("reference|deformed|both");
   command
       ->add_option("--explode", a->explode,
                    "Pieces apart: each by so many times its distance from the middle")
       ->check(CLI::Range(0.0, 100.0));
   command->add_option("--magnify", a->magnify, "Deformations so many times as large")
       ->check(CLI::Range(0.0, 1e6));
-  command->add_option("--eye", a->eye, "Place of the camera, m: X,Y,Z")->expected(3)->delimiter(',');
+  command->add_option("--eye", a->eye, "Place of the camera, m: X,Y,Z")
+      ->expected(3)
+      ->delimiter(',');
   command->add_option("--target", a->target, "What it looks at, m: X,Y,Z")
       ->expected(3)
       ->delimiter(',');

@@ -24,8 +24,14 @@ struct ShellOption {
   std::vector<std::string> words;  ///< that it takes; empty: files
 };
 
-std::vector<std::string> words_of(const std::string& type) {
-  const std::vector<std::string_view> words = split_text(type, '|');
+/// Of a type like `1|2:{1,2}` or `WHAT:{keep,drop}`, as the help has it; none of others.
+std::vector<std::string> words_of(std::string_view type) {
+  const std::size_t colon = type.find(':');
+  std::vector<std::string_view> words = split_text(type.substr(0, colon), '|');
+  if (words.size() < 2 && colon != type.npos && type.substr(colon).starts_with(":{")) {
+    const std::string_view set = type.substr(colon + 2);
+    words = split_text(set.substr(0, set.find('}')), ',');
+  }
   if (words.size() < 2) return {};
   return {words.begin(), words.end()};
 }

@@ -138,7 +138,8 @@ TEST_CASE("mistyped commands and options get the nearest name", "[apps][command_
   CHECK(command.err.find("did you mean check?") != std::string::npos);
   const Outcome option = here.run({"split", "x.msh", "--plane=1,0,0,0", "--orcale=exact"});
   CHECK(option.exit_code == 2);
-  CHECK(option.err.find("there is no option --orcale; did you mean --oracle?") != std::string::npos);
+  CHECK(option.err.find("there is no option --orcale; did you mean --oracle?") !=
+        std::string::npos);
   CHECK(here.run({"check", "x.msh", "--zzzzzzzz"}).err.find("did you mean") == std::string::npos);
   const Outcome nothing = here.run({});
   CHECK(nothing.exit_code == 2);
@@ -148,9 +149,8 @@ TEST_CASE("mistyped commands and options get the nearest name", "[apps][command_
 
 TEST_CASE("a full device is an error", "[apps][command_line]") {
   const Workplace here;
-  for (const std::string& words :
-       {std::string("--help"), "check " + sample_mesh("cube.msh"),
-        "convert " + sample_mesh("cube.msh") + " - --to vtk"}) {
+  for (const std::string& words : {std::string("--help"), "check " + sample_mesh("cube.msh"),
+                                   "convert " + sample_mesh("cube.msh") + " - --to vtk"}) {
     const std::string command =
         std::string(SUNDER_PROGRAM) + " " + words + " >/dev/full 2>" + here.path("err");
     INFO(words);
@@ -195,11 +195,16 @@ TEST_CASE("several meshes are checked one after the other", "[apps][command_line
 TEST_CASE("refusals are an object where JSON is asked for", "[apps][command_line]") {
   const Workplace here;
   const std::string none = here.path("none");
-  for (const std::vector<std::string>& words :
-       {std::vector<std::string>{"run", none}, {"run", "--resume", none}, {"static", none},
-        {"modes", none}, {"fragments", none}, {"check", none}, {"convert", none, "x.vtu"},
-        {"split", none, "--plane", "1,0,0,0"}, {"refine", none, "x.vtu"},
-        {"cut", none, "x.vtu", "--plane", "1,0,0,0"}}) {
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"run", none},
+                                                {"run", "--resume", none},
+                                                {"static", none},
+                                                {"modes", none},
+                                                {"fragments", none},
+                                                {"check", none},
+                                                {"convert", none, "x.vtu"},
+                                                {"split", none, "--plane", "1,0,0,0"},
+                                                {"refine", none, "x.vtu"},
+                                                {"cut", none, "x.vtu", "--plane", "1,0,0,0"}}) {
     std::vector<std::string> all = words;
     all.push_back("--json");
     const Outcome o = here.run(all);
@@ -222,16 +227,24 @@ TEST_CASE("shells complete and man reads what the command line has", "[apps][com
     }
     // Where the shell is here, it has to understand it.
     const std::string path = here.write(shell, script.out);
-    const std::string known = std::string("command -v ") + shell + " >/dev/null || exit 0; " +
-                              shell + " -n " + path;
+    const std::string known =
+        std::string("command -v ") + shell + " >/dev/null || exit 0; " + shell + " -n " + path;
     CHECK(WEXITSTATUS(std::system(known.c_str())) == 0);
   }
   const std::string page = here.run({"completion", "bash"}).out;
-  const std::string asks = "bash -c 'source " + here.write("b", page) +
-                           "; COMP_WORDS=(sunder split --oracle p); COMP_CWORD=3; _sunder; "
-                           "echo ${COMPREPLY[@]}' >" + here.path("answer");
-  CHECK(std::system(asks.c_str()) == 0);
-  CHECK(bytes_of(here.path("answer")) == "paper\n");
+  const std::string script = here.write("b", page);
+  const auto completed = [&](const std::string& words) {
+    const std::string asks = "bash -c 'source " + script + "; COMP_WORDS=(sunder " + words +
+                             "); COMP_CWORD=3; _sunder; echo ${COMPREPLY[@]}' >" +
+                             here.path("answer");
+    CHECK(std::system(asks.c_str()) == 0);
+    return bytes_of(here.path("answer"));
+  };
+  CHECK(completed("split --oracle p") == "paper\n");
+  CHECK(completed("fragments --by \"\"") == "volume size mass\n");
+  CHECK(completed("convert --order \"\"") == "1 2\n");
+  CHECK(completed("convert --triangles \"\"") == "keep drop\n");
+  CHECK(completed("render --show d") == "deformed\n");
   const Outcome man = here.run({"man", "run"});
   CHECK(man.out.starts_with(".TH sunder\\-run 1"));
   CHECK(man.out.find("Exit codes") != std::string::npos);
