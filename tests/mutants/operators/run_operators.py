@@ -5,7 +5,7 @@
 
 Results go to RESULTS in the build folder, a line a mutant as it is known; a run goes on where the
 last one ended. What has a result keeps it while its file, function and text stand; `--again` asks
-those that survived once more, as after new tests or with more time (`--most`). At the end: the score by file.
+those that survived and have no proof once more, as after new tests or with more time (`--most`). At the end: the score by file.
 Exit code 0 when every survivor has its proof in survivors.json, 1 otherwise.
 """
 
@@ -118,6 +118,9 @@ def run_all(tests, mutants, results, arguments):
     """Judges what has no result yet."""
     wanted = ("survived", "unreached") if arguments.again else ("",)
     todo = [m for m in mutants if results.known.get(key_of(m), {"status": ""})["status"] in wanted]
+    if arguments.again:
+        proved, _ = proofs_of(mutants, results.known)
+        todo = [m for m in todo if key_of(m) not in proved]
     kills = collections.defaultdict(collections.Counter)
     for key, result in results.known.items():
         if result["status"] == "killed":
@@ -229,7 +232,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--build", required=True, type=pathlib.Path, help="tests/mutants/operators of the build")
     parser.add_argument("--only", default="", help="what the names of files begin with")
-    parser.add_argument("--again", action="store_true", help="those that survived, and nothing else")
+    parser.add_argument("--again", action="store_true", help="those that survived without a proof, and nothing else")
     parser.add_argument("--most", type=float, default=30, help="seconds of test cases for one mutant")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--until", type=float, help="stop to begin mutants at this time (epoch)")
