@@ -93,7 +93,10 @@ void check_orbits(const VolumeMap& map, Damage& damage) {
   for (std::size_t v = 0; v < map.vertices(); ++v) {
     const TetId t = map.incident_tetrahedron(VertexId{v});
     damage.unless(t.is_none() == (corners[v] == 0), "only retired rows have no tetrahedron", v);
-    damage.unless(!map.is_node(VertexId{v}) || corners[v] == 0, "no corner has the row of a node", v);
+    damage.unless(map.darts().incident_tetrahedron(VertexId{v}).is_none() == (corners[v] == 0),
+                  "darts and rows agree on which rows are in use", v);
+    damage.unless(!map.is_node(VertexId{v}) || corners[v] == 0, "no corner has the row of a node",
+                  v);
     if (t.is_none() || corners[v] == 0) continue;
     const int place = place_of_vertex(map.corners(t), VertexId{v});
     damage.unless(place < 4, "the incident tetrahedron has the vertex", v);
@@ -131,6 +134,9 @@ std::vector<Finding> check(const VolumeMap& map) {
   }
   damage.unless(map.darts().tetrahedra() == map.tetrahedra(), "as many tetrahedra as rows", 0);
   damage.unless(map.darts().vertices() == map.vertices(), "as many 0-attributes as rows", 0);
+  if (map.darts().tetrahedra() != map.tetrahedra() || map.darts().vertices() != map.vertices()) {
+    return damage.take();  // what follows goes by rows that both have
+  }
   const DartComplex& complex = map.darts().complex();
   damage.unless(complex.number_of_darts() == 12 * map.tetrahedra(), "12 darts a tetrahedron", 0);
   damage.unless(complex.number_of_attributes<3>() == map.tetrahedra(),

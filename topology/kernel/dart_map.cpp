@@ -220,6 +220,15 @@ void DartMap::apply(const CellChange& change, const MapRows& rows) {
     attributes[i] =
         complex_.create_attribute<0>(to_cgal(rows.points[point]), VertexInfo{used[i], point});
   }
+  for (const CellChange::Begin& begin : change.begins) {
+    const VertexId v = begin.vertex;
+    if (!begin.tetrahedron.is_none() || v.index() >= change.kept_vertices ||
+        corner_[v.index()].is_none()) {
+      continue;
+    }
+    dropped.push_back(attribute_of(v));
+    corner_[v.index()] = CornerId::none();
+  }
   const auto attribute = [&](VertexId v) {
     return attributes[static_cast<std::size_t>(std::ranges::lower_bound(used, v) - used.begin())];
   };
@@ -230,10 +239,9 @@ void DartMap::apply(const CellChange& change, const MapRows& rows) {
     }
   };
   for (const CellChange::Cell& cell : change.cells) {
-    if (cell.row.index() < std::min(change.kept_tetrahedra, first_dart_.size())) open(cell.row);
+    if (cell.row.index() < change.kept_tetrahedra) open(cell.row);
   }
   for (std::size_t t = change.kept_tetrahedra; t < first_dart_.size(); ++t) {
-    open(TetId{t});
     remove_tetrahedron(TetId{t});
   }
   first_dart_.resize(change.kept_tetrahedra);

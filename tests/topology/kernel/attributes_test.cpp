@@ -86,6 +86,7 @@ TEST_CASE("splitting a boundary face changes nothing", "[topology][split_face]")
     if (!map.neighbour(HalfFaceId{i}).is_none()) continue;
     const FaceSplit split = split_face(map, HalfFaceId{i});
     CHECK_FALSE(split.did);
+    CHECK(split.face == HalfFaceId{i});
     CHECK(split.vertex_count == 0);
     CHECK_FALSE(oracle_says_new(split));
   }
@@ -182,6 +183,7 @@ TEST_CASE("what cannot be glued is refused with its reason and left alone",
   CHECK(glue_face(map, boundary[0], boundary[0]).refusal == GlueRefusal::same_half_face);
   CHECK(glue_face(map, inner, map.neighbour(inner)).refusal == GlueRefusal::not_boundary);
   CHECK(glue_face(map, inner, boundary[0]).refusal == GlueRefusal::not_boundary);
+  CHECK(glue_face(map, boundary[0], inner).refusal == GlueRefusal::not_boundary);
   for (std::size_t i = 1; i < boundary.size(); ++i) {
     CHECK(glue_face(map, boundary[0], boundary[i]).refusal == GlueRefusal::different_points);
   }

@@ -129,12 +129,18 @@ TEST_CASE("rows that break one rule of a map are told by it, before any dart is 
                  sorted({id(f), id(beside)}));
   }
   SECTION("a vertex that begins nowhere, or where it is not") {
-    rows.begins[2] = TetId::none();
-    require_only(checked(rows), "only retired rows have no tetrahedron", {2});
-    std::size_t t = 0;
-    while (place_of_vertex(rows.map.corners[t], VertexId{2}) < 4) ++t;
-    rows.begins[2] = TetId{t};
-    require_only(checked(rows), "the incident tetrahedron has the vertex", {2});
+    rows.begins[2] = rows.begins[5] = TetId::none();
+    require_only(checked(rows), "only retired rows have no tetrahedron", {2, 5});
+    for (const std::size_t v : {2, 5}) {
+      std::size_t t = 0;
+      while (place_of_vertex(rows.map.corners[t], VertexId{v}) < 4) ++t;
+      rows.begins[v] = TetId{t};
+    }
+    require_only(checked(rows), "the incident tetrahedron has the vertex", {2, 5});
+  }
+  SECTION("corners that have the row of a node") {
+    rows.map.first_node_point = 10;  // of twelve
+    require_only(checked(rows), "no corner has the row of a node", {10, 11});
   }
 }
 
@@ -241,7 +247,49 @@ TEST_CASE("darts that break one rule of a map are told by it", "[topology][volum
     complex.create_dart(DartId{0});
     require_only(check(map), "12 darts a tetrahedron", {0});
   }
+  SECTION("a dart too few") {
+    // The third face of a tetrahedron gets two darts, which takes care that no link leads astray.
+    const auto gone = dart(35), next = darts.beta1(gone), before = darts.beta0(gone);
+    const auto beside = darts.beta2(gone), same_vertex = darts.beta2(before);
+    complex.set_dart_of_attribute<0>(complex.attribute<0>(gone), same_vertex);
+    complex.set_dart_of_attribute<3>(complex.attribute<3>(gone), next);
+    complex.dart_link_beta<1>(before, next), complex.dart_link_beta<0>(next, before);
+    complex.dart_link_beta<2>(beside, beside);
+    if (!darts.is_free(gone)) complex.dart_link_beta<3>(darts.beta3(gone), darts.beta3(gone));
+    complex.erase_dart(gone);
+    require_among(check(map), "12 darts a tetrahedron", {0});
+  }
+  SECTION("rows of darts for vertices that are none, or none for one that is") {
+    darts.fit_rows(map.vertices() + 1);
+    require_only(check(map), "as many 0-attributes as rows", {0});
+    map.append_node(Point{});
+    darts.fit_rows(map.vertices() - 1);
+    require_only(check(map), "as many 0-attributes as rows", {0});
+  }
+  SECTION("darts of a tetrahedron that is none") {
+    MapRows rows = map.dense().rows();
+    const TetId added{map.tetrahedra()};
+    rows.corners.push_back(rows.corners[0]);
+    rows.neighbours.emplace_back();
+    CellChange change{rows.points.size(), map.vertices(), map.tetrahedra()};
+    change.cells = {{added, rows.corners.back(), rows.neighbours.back()}};
+    darts.apply(change, rows);
+    require_among(check(map), "as many tetrahedra as rows", {0});
+  }
+  SECTION("one attribute for two vertices, and for two tetrahedra") {
+    const auto kept = complex.attribute<0>(dart(31));
+    const auto gone = complex.attribute<0>(darts.beta1(dart(31)));
+    const auto first = complex.attribute<3>(dart(0)), second = complex.attribute<3>(dart(12));
+    for (std::int64_t d = 0; d < 12 * static_cast<std::int64_t>(map.tetrahedra()); ++d) {
+      if (complex.attribute<0>(dart(d)) == gone) complex.set_dart_attribute<0>(dart(d), kept);
+      if (complex.attribute<3>(dart(d)) == second) complex.set_dart_attribute<3>(dart(d), first);
+    }
+    complex.erase_attribute<0>(gone), complex.erase_attribute<3>(second);
+    require_among(check(map), "one 0-attribute a row in use", {0});
+    require_among(check(map), "one 3-attribute a tetrahedron", {0});
+  }
   SECTION("attributes that nobody has") {
+    CHECK(VertexInfo{}.point == 0);
     complex.create_attribute<0>();
     require_only(check(map), "one 0-attribute a row in use", {0});
     complex.create_attribute<3>();
@@ -282,20 +330,21 @@ TEST_CASE("every link of a dart to a wrong one is told, by each rule that it bre
   const VolumeMap whole = built(mesh);
   for (std::size_t k = 0; k < 12; ++k) {
     for (std::size_t wrong = 0; wrong < 24; ++wrong) {
-      for (unsigned int which = 0; which < 3; ++which) {
+      for (unsigned int which = 0; which < 4; ++which) {
         VolumeMap map = whole;
         auto& darts = const_cast<DartMap&>(map.darts());
         const auto at = [&](DartId d) {
           return darts.dart_at(TetId{d.index() / 12}, static_cast<int>(d.index() % 12));
         };
         const DartMap::Dart d = at(DartId{24 + k}), e = at(DartId{12 + wrong});
-        if ((which == 0 ? darts.beta0(d) : which == 1 ? darts.beta1(d) : darts.beta2(d)) == e)
-          continue;
+        const std::array links = {darts.beta0(d), darts.beta1(d), darts.beta2(d), darts.beta3(d)};
+        if (links[which] == e) continue;
         if (which == 0) darts.complex().dart_link_beta<0>(d, e);
         if (which == 1) darts.complex().dart_link_beta<1>(d, e);
         if (which == 2) darts.complex().dart_link_beta<2>(d, e);
+        if (which == 3) darts.complex().dart_link_beta<3>(d, e);
         INFO("beta" << which << " of " << k << " to " << wrong);
-        std::array<Ids, 4> expected;
+        std::array<Ids, 5> expected;
         for (std::size_t i = 0; i < 12 * map.tetrahedra(); ++i) {
           const DartId id{i};
           const DartMap::Dart dart = at(id);
@@ -303,18 +352,46 @@ TEST_CASE("every link of a dart to a wrong one is told, by each rule that it bre
           if (darts.beta1(dart) != at(map.beta1(id))) expected[1].push_back(id.value);
           if (darts.beta2(dart) != at(map.beta2(id))) expected[2].push_back(id.value);
           if (darts.vertex(dart) != map.vertex(id)) expected[3].push_back(id.value);
+          if (darts.is_free(dart) || map.is_free(id)) continue;
+          const auto across = darts.beta3(dart);
+          if (across == dart || darts.beta3(across) != dart) expected[4].push_back(id.value);
         }
         const std::vector<Finding> findings = check(map);
         REQUIRE_FALSE(findings.empty());
         const std::array rules = {"beta0 is the inverse of beta1", "beta1 is the next of the face",
                                   "beta2 crosses the edge",
-                                  "row in the 0-attribute equals the corner's"};
+                                  "row in the 0-attribute equals the corner's",
+                                  "beta3 is an involution"};
         for (std::size_t i = 0; i < rules.size(); ++i) {
           const auto told = std::ranges::find(findings, rules[i], &Finding::text);
           CHECK((told == findings.end()) == expected[i].empty());
           if (told != findings.end()) require_only({*told}, rules[i], expected[i]);
         }
       }
+    }
+  }
+}
+
+TEST_CASE("of two vertices that changed a dart for one of the other, each is told",
+          "[topology][volume_map]") {
+  const VolumeMap whole = built(kuhn_box({2, 1, 1}));
+  for (std::size_t v = 0; v < whole.vertices(); ++v) {
+    for (std::size_t u = 0; u < v; ++u) {
+      if (star(whole, VertexId{v}).size() == star(whole, VertexId{u}).size()) continue;
+      VolumeMap map = whole;
+      auto& darts = const_cast<DartMap&>(map.darts());
+      // Attributes have as many darts as before: what differs is seen from the dart that is asked.
+      const auto asked = [&](std::size_t vertex) {
+        const TetId t = map.incident_tetrahedron(VertexId{vertex});
+        const int place = place_of_vertex(map.corners(t), VertexId{vertex});
+        return darts.dart_at(t, dart_order::dart_from((place + 1) % 4, place));
+      };
+      const auto x = asked(v), y = asked(u);
+      const auto of_x = darts.complex().attribute<0>(x), of_y = darts.complex().attribute<0>(y);
+      darts.complex().set_dart_attribute<0>(x, of_y);
+      darts.complex().set_dart_attribute<0>(y, of_x);
+      require_among(check(map), "each vertex orbit has one 0-attribute",
+                    {static_cast<std::int64_t>(u), static_cast<std::int64_t>(v)});
     }
   }
 }

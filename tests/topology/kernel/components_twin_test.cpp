@@ -74,6 +74,75 @@ struct Twin {
   }
 };
 
+/// How many tetrahedra the search of an update has to look at, `label` being those before it: of
+/// each component parts grow from both sides of its suspect faces, in the order of their
+/// tetrahedra, one tetrahedron each in turn, until at most one grows (exact) or none; that one goes
+/// on to its end where what nobody closed may not be the largest part.
+std::size_t looked_at(const VolumeMap& map, std::span<const FaceSplit> splits, Detection way,
+                      const std::vector<std::size_t>& label) {
+  std::map<std::size_t, std::set<std::size_t>> sources;
+  std::map<std::size_t, int> parted;
+  for (const FaceSplit& split : splits) {
+    if (!split.did || (asks_oracle(way) && split.vertex_count < 3)) continue;
+    const std::size_t a = split.face.index() / 4, b = split.opposite.index() / 4;
+    sources[label[a]].insert({a, b});
+    parted[label[a]] += split.vertex_count;
+  }
+  struct Part {
+    std::vector<std::size_t> todo;
+    std::size_t looked = 0, found = 1;
+    bool grows = true, is_closed = false;
+  };
+  std::size_t visited = 0;
+  for (const auto& [component, begins] : sources) {
+    if (way == Detection::dirty_counter && parted[component] < 3) continue;
+    std::vector<Part> parts;
+    std::map<std::size_t, std::size_t> owner;
+    for (const std::size_t t : begins) {
+      owner[t] = parts.size();
+      parts.emplace_back().todo = {t};
+    }
+    const auto growing = [&] { return std::ranges::count(parts, true, &Part::grows); };
+    const auto step = [&](std::size_t i) {
+      Part& part = parts[i];
+      if (part.looked == part.todo.size()) {
+        part.grows = false, part.is_closed = true;
+        return;
+      }
+      const std::size_t t = part.todo[part.looked++];
+      for (std::size_t f = 4 * t; f < 4 * t + 4; ++f) {
+        const HalfFaceId across = map.neighbour(HalfFaceId{f});
+        if (across.is_none()) continue;
+        const auto [at, is_new] = owner.emplace(across.index() / 4, i);
+        if (is_new) part.todo.push_back(at->first), ++part.found;
+        if (at->second == i) continue;
+        Part& joins = parts[at->second];
+        for (std::size_t k = joins.looked; k < joins.todo.size(); ++k)
+          part.todo.push_back(joins.todo[k]);
+        part.found += joins.found;
+        joins.grows = false;
+        for (const std::size_t gone = at->second; auto& [tetrahedron, of] : owner) {
+          if (of == gone) of = i;
+        }
+      }
+    };
+    const auto run = [&](std::ptrdiff_t enough) {
+      while (growing() > enough) {
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+          if (parts[i].grows && growing() > enough) step(i);
+        }
+      }
+    };
+    run(way == Detection::exact ? 1 : 0);
+    auto rest = static_cast<std::size_t>(std::ranges::count(label, component));
+    for (const Part& p : parts) rest -= p.is_closed ? p.found : 0;
+    const auto may_be_largest = [&](const Part& p) { return p.is_closed && p.found >= rest; };
+    if (std::ranges::any_of(parts, may_be_largest)) run(0);
+    visited += owner.size();
+  }
+  return visited;
+}
+
 void require_same(const VolumeMap& map, const Components& labels, const Twin& twin) {
   REQUIRE(labels.size == twin.size);
   REQUIRE(labels.parent.size() == twin.parent.size());
@@ -136,6 +205,7 @@ TEST_CASE("components are labelled by the rule, whatever comes apart at once and
         predicted += splits.back().did && splits.back().vertex_count == 3 ? 1 : 0;
       }
       const ComponentId first_new{twin.size.size()};
+      const std::vector<std::size_t> label = twin.label;
       const std::size_t created = twin.follow(*map);
       separations += created;
       for (std::size_t i = 0; i < ways.size(); ++i) {
@@ -144,9 +214,36 @@ TEST_CASE("components are labelled by the rule, whatever comes apart at once and
         CHECK(update.created == created);
         CHECK(update.first_new == first_new);
         CHECK(update.predicted == predicted);
+        CHECK(update.visited == looked_at(*map, splits, ways[i], label));
         require_same(*map, labels[i], twin);
       }
     }
   }
   CHECK(separations > 1000);
+}
+
+TEST_CASE("a row cut at two places is searched until at most one part may be the largest",
+          "[topology][components]") {
+  // The part between the cuts grows from both of its ends, and closes while the last is half met.
+  for (std::uint32_t i = 3; i < 20; ++i) {
+    for (std::uint32_t j = i + 1; j < 20; ++j) {
+      INFO("cut at points " << i << " and " << j);
+      auto map = build_map(suite::open_fan(18), Severity::warning, MapKernel::dense);
+      REQUIRE(map);
+      Twin twin(*map);
+      Components labels = label_components(*map);
+      ComponentScratch scratch;
+      const std::vector<std::array<std::uint32_t, 3>> cuts = {{0, 1, i}, {0, 1, j}};
+      std::vector<FaceSplit> splits;
+      for (const HalfFaceId f : find_faces(*map, std::span(cuts))) {
+        splits.push_back(split_face(*map, f));
+      }
+      const std::vector<std::size_t> label = twin.label;
+      CHECK(twin.follow(*map) == 2);
+      const ComponentUpdate update =
+          update_components(*map, splits, Detection::exact, labels, scratch);
+      CHECK(update.visited == looked_at(*map, splits, Detection::exact, label));
+      require_same(*map, labels, twin);
+    }
+  }
 }

@@ -6,10 +6,10 @@
 #include <memory>
 
 #include "tests/support/built.hpp"
-#include "topology/kernel/map_answers.hpp"
 #include "topology/kernel/components_impl.hpp"
 #include "topology/kernel/fan_impl.hpp"
 #include "topology/kernel/invariants_impl.hpp"
+#include "topology/kernel/map_answers.hpp"
 #include "topology/kernel/split_face_impl.hpp"
 
 using namespace sunder;
@@ -229,4 +229,56 @@ TEST_CASE("a dart tells its half-face and the corner where it starts", "[topolog
     CHECK(darts.dart(DartMap::ConstDart(d)) == d);
     CHECK(map.id(DartId{row}) == DartId{row});
   }
+}
+
+TEST_CASE("bytes of darts and attributes are those of CGAL's containers", "[topology][dart_map]") {
+  const VolumeMap map = built(kuhn_box({2, 2, 2}));
+  const DartComplex& complex = map.darts().complex();
+  const auto held = [](const auto& cells) {
+    return cells.capacity() * sizeof(typename std::decay_t<decltype(cells)>::value_type);
+  };
+  CHECK(map.darts().bytes().darts == held(complex.darts()));
+  CHECK(map.darts().bytes().attributes ==
+        held(complex.attributes<0>()) + held(complex.attributes<3>()));
+}
+
+TEST_CASE("rows dropped and appended again may be retired ones, and come into use",
+          "[topology][dart_map]") {
+  VolumeMap map = built(two_tetrahedra());
+  const FaceSplit split = split_on(map, {0, 1, 2});
+  REQUIRE(map.vertices() == 8);
+  // A tetrahedron of its own comes behind the three copies, which gluing retires then.
+  CellChange change{5, 8, 2};
+  change.points = {{5, 0, 0}, {6, 0, 0}, {5, 1, 0}, {5, 0, 1}};
+  change.vertices = {5, 6, 7, 8};
+  change.cells = {{TetId{2}, {VertexId{8}, VertexId{9}, VertexId{10}, VertexId{11}}, {}}};
+  for (std::size_t v = 8; v < 12; ++v) change.begins.push_back({VertexId{v}, TetId{2}});
+  map.apply(change);
+  REQUIRE(check(map).empty());
+  REQUIRE(glue_face(map, split.face, split.opposite).vertex_count == 3);
+  REQUIRE(map.vertices() == 12);
+  const MapRows before = rows_of(map);
+  const CellChange redo = map.apply(CellChange{5, 5, 2});
+  CHECK(map.vertices() == 5);
+  CHECK(check(map).empty());
+  CHECK(map.darts().complex().number_of_attributes<0>() == 5);
+  map.apply(redo);
+  CHECK(rows_of(map).corners == before.corners);
+  CHECK(rows_of(map).point_of_vertex == before.point_of_vertex);
+  CHECK(check(map).empty());
+  CHECK(map.darts().complex().number_of_attributes<0>() == 9);
+  // A tetrahedron that comes in may have the retired ones for its corners.
+  CellChange again{9, 12, 3};
+  again.points = {{0, 0, -7}};
+  again.vertices = {9};
+  again.cells = {{TetId{3}, {VertexId{5}, VertexId{6}, VertexId{7}, VertexId{12}}, {}}};
+  for (const std::size_t v : {5, 6, 7, 12}) again.begins.push_back({VertexId{v}, TetId{3}});
+  const CellChange taken_back = map.apply(again);
+  CHECK(check(map).empty());
+  CHECK(map.darts().complex().number_of_attributes<0>() == 13);
+  // And goes again, and leaves them retired.
+  map.apply(taken_back);
+  CHECK(check(map).empty());
+  CHECK(map.darts().complex().number_of_attributes<0>() == 9);
+  CHECK(map.darts().incident_tetrahedron(VertexId{5}).is_none());
 }

@@ -71,3 +71,17 @@ TEST_CASE("rows alone split and glue as the map with darts does", "[kernel]") {
   CHECK(a.of_vertex == b.of_vertex);
   CHECK(check(*map).empty());
 }
+
+TEST_CASE("nodes of a map without tetrahedra come, and leave no row when they go", "[kernel]") {
+  MapRows rows;
+  rows.points = {{1, 2, 3}};
+  DenseMap map(std::move(rows));
+  const VertexId node = map.append_node(Point{4, 5, 6}), copy = map.append_node(node);
+  CHECK(map.vertices() == 2);
+  CHECK((map.is_node(node) && map.is_node(copy)));
+  map.retire_node(node);
+  CHECK(map.vertices() == 2);
+  CHECK_FALSE(map.is_node(node));
+  map.retire_node(copy);
+  CHECK(map.vertices() == 0);
+}

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "tests/support/built.hpp"
+#include "topology/base/point_math.hpp"
 #include "topology/base/union_find.hpp"
 #include "topology/kernel/edge_nodes.hpp"
 #include "topology/kernel/split_face.hpp"
@@ -17,7 +18,8 @@ using namespace sunder::test;
 namespace {
 
 /// The two file points of an edge, sorted.
-std::pair<std::uint32_t, std::uint32_t> ends_of(const VolumeMap& map, std::size_t t, std::size_t e) {
+std::pair<std::uint32_t, std::uint32_t> ends_of(const VolumeMap& map, std::size_t t,
+                                                std::size_t e) {
   const auto [i, j] = edge_ends[e];
   const auto point = [&](int k) {
     return map.point_of_vertex(map.corners(TetId{t})[static_cast<std::size_t>(k)]);
@@ -25,7 +27,8 @@ std::pair<std::uint32_t, std::uint32_t> ends_of(const VolumeMap& map, std::size_
   return std::minmax(point(i), point(j));
 }
 
-/// An orbit's number of each edge of each tetrahedron: edges of sewn faces are joined, nothing walks.
+/// An orbit's number of each edge of each tetrahedron: edges of sewn faces are joined, nothing
+/// walks.
 std::vector<std::uint32_t> joined_edges(const VolumeMap& map) {
   UnionFind joined(6 * map.tetrahedra());
   for (std::size_t f = 0; f < 4 * map.tetrahedra(); ++f) {
@@ -58,6 +61,95 @@ bool agree(const EdgeNodeRows& nodes, const VolumeMap& map) {
     orbits.insert(orbit[k]);
   }
   return orbits.size() == of_row.size();
+}
+
+using Told = std::vector<std::pair<std::string, std::int64_t>>;
+
+/// What `check` has to tell, in its order.
+Told to_tell(const EdgeNodeRows& nodes, const VolumeMap& map) {
+  const auto row_count = static_cast<std::int64_t>(nodes.size());
+  if (nodes.size() != map.tetrahedra()) {
+    return {{"there is not one row of edges a tetrahedron", row_count}};
+  }
+  Told told;
+  const auto with_rows = [&](std::size_t t) { return nodes[t] != EdgeNodeRows::value_type{}; };
+  for (std::size_t t = 0; t < nodes.size(); ++t) {
+    const auto id = static_cast<std::int64_t>(t);
+    if (!with_rows(t)) continue;
+    if (std::ranges::count(nodes[t], VertexId::none()) > 0) {
+      told.emplace_back("a tetrahedron has rows for some of its edges only", id);
+      return told;
+    }
+    for (std::size_t e = 0; e < 6; ++e) {
+      const VertexId row = nodes[t][e];
+      if (row.index() >= map.vertices() || !map.is_node(row)) {
+        told.emplace_back("the row of an edge is no node's", id);
+        return told;
+      }
+      const auto [i, j] = ends_of(map, t, e);
+      const Point middle = detail::middle(map.points()[i], map.points()[j]);
+      if (map.point(row) != middle) {
+        told.emplace_back("the row of an edge is not at its middle", id);
+      }
+    }
+  }
+  const std::vector<std::uint32_t> orbit = joined_edges(map);
+  std::map<std::uint32_t, VertexId> first_row;
+  for (std::uint32_t k = 0; k < orbit.size(); ++k) {
+    first_row.try_emplace(orbit[k], nodes[k / 6][k % 6]);
+  }
+  std::map<VertexId, std::uint32_t> first_orbit;
+  for (std::uint32_t k = 0; k < orbit.size(); ++k) {
+    const VertexId row = nodes[k / 6][k % 6];
+    if (!with_rows(k / 6)) continue;
+    if (first_row.at(orbit[k]) != row) {
+      told.emplace_back("tetrahedra round one edge have different rows for it", k / 6);
+    }
+    if (first_orbit.try_emplace(row, orbit[k]).first->second != orbit[k]) {
+      told.emplace_back("two edges have one row", k / 6);
+    }
+  }
+  return told;
+}
+
+/// Damages one row of an edge, or a tetrahedron's, or how many there are.
+void damage(EdgeNodeRows& nodes, VolumeMap& map, std::mt19937& random) {
+  const std::size_t t = random() % nodes.size(), e = random() % 6, u = random() % nodes.size();
+  const VertexId row = nodes[t][e];
+  switch (random() % 12) {
+    case 0:
+      nodes[t][e] = VertexId::none();
+      break;
+    case 1:
+      nodes[t][e] = VertexId{random() % 2};  // a vertex
+      break;
+    case 2:
+      nodes[t][e] = VertexId{map.vertices() + random() % 3};
+      break;
+    case 3:
+      nodes[t] = EdgeNodeRows::value_type{};
+      break;
+    case 4:
+      std::swap(nodes[t][e], nodes[u][random() % 6]);
+      break;
+    case 5:
+      if (random() % 2 == 0)
+        nodes.push_back(nodes[t]);
+      else
+        nodes.pop_back();
+      break;
+    case 6:
+    case 7:
+    case 8:
+      // Another node at the same place, of this tetrahedron alone.
+      if (row.index() < map.vertices() && map.is_node(row)) nodes[t][e] = map.append_node(row);
+      break;
+    default:
+      // What another tetrahedron has for the edge between the same points.
+      for (std::size_t other = 0; other < 6; ++other) {
+        if (ends_of(map, u, other) == ends_of(map, t, e)) nodes[t][e] = nodes[u][other];
+      }
+  }
 }
 
 bool same_rows(const VolumeMap& a, const VolumeMap& b) {
@@ -99,11 +191,16 @@ TEST_CASE("two tetrahedra that part have three edges each of their own", "[topol
     }
     CHECK(check(map).empty());
     CHECK(check(nodes, map).empty());
+    // A face on the boundary has no other side whose edges could be asked.
+    const FaceSplit refused = split_face(map, split.face);
+    CHECK_FALSE(refused.did);
+    CHECK(split_edge_nodes(nodes, map, refused).count == 0);
   }
 }
 
-TEST_CASE("rows of edges follow bodies until all of their faces are apart, and back to the same bytes",
-          "[topology][edge_nodes]") {
+TEST_CASE(
+    "rows of edges follow bodies until all of their faces are apart, and back to the same bytes",
+    "[topology][edge_nodes]") {
   std::mt19937 random(7);
   for (const MapKernel kernel : {MapKernel::dense, MapKernel::lcc}) {
     for (const TetMesh& mesh : bodies()) {
@@ -203,7 +300,8 @@ TEST_CASE("damaged rows of edges are told", "[topology][edge_nodes]") {
   nodes = whole;
   std::swap(nodes[0][0], nodes[0][1]);
   CHECK(text(nodes) == "the row of an edge is not at its middle");
-  // The row that another edge at the same place has: what a split leaves behind that no row followed.
+  // The row that another edge at the same place has: what a split leaves behind that no row
+  // followed.
   VolumeMap two = built(two_tetrahedra());
   EdgeNodeRows rows;
   append_edge_nodes(rows, two, TetId{0}, TetId{2});
@@ -219,4 +317,31 @@ TEST_CASE("damaged rows of edges are told", "[topology][edge_nodes]") {
   *shared = sewn.append_node(*shared);
   REQUIRE(check(more, sewn).size() == 1);
   CHECK(check(more, sewn).front().text == "tetrahedra round one edge have different rows for it");
+}
+
+TEST_CASE("damage of rows of edges is told tetrahedron by tetrahedron, as a twin tells it",
+          "[topology][edge_nodes]") {
+  std::mt19937 random(13);
+  std::set<std::string> all;
+  for (int round = 0; round < 400; ++round) {
+    const std::vector<TetMesh> meshes = bodies();
+    VolumeMap map = built(meshes[random() % meshes.size()]);
+    map.set_kernel(MapKernel::dense);
+    EdgeNodeRows nodes;
+    append_edge_nodes(nodes, map, TetId{0}, TetId{map.tetrahedra()});
+    for (std::size_t i = random() % 8; i > 0; --i) {
+      const FaceSplit split = split_face(map, HalfFaceId{random() % (4 * map.tetrahedra())});
+      // Edges that come apart without a row of their own leave one for two.
+      if (random() % 4 != 0) split_edge_nodes(nodes, map, split);
+    }
+    for (std::size_t i = random() % 4; i > 0 && nodes.size() == map.tetrahedra(); --i) {
+      damage(nodes, map, random);
+    }
+    Told told;
+    for (const Finding& f : check(nodes, map)) told.emplace_back(f.text, f.ids.at(0));
+    INFO("round " << round);
+    REQUIRE(told == to_tell(nodes, map));
+    for (const auto& [text, id] : told) all.insert(text);
+  }
+  CHECK(all.size() == 6);
 }

@@ -20,6 +20,26 @@ Point rest_center(const VolumeMap& map, TetId t) {
   return c;
 }
 
+/// Whether an edge of the face is on the surface: whether one of the tetrahedra that hang together
+/// by faces at the edge, this one among them, has such a face that is nobody else's.
+bool has_surface_edge(const VolumeMap& map, HalfFaceId face) {
+  const auto v = corners_of_face(map.corners(tetrahedron_of(face)), face);
+  for (std::size_t i = 0; i < 3; ++i) {
+    std::vector<TetId> ring = {tetrahedron_of(face)};
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      for (int p = 0; p < 4; ++p) {
+        const VertexId opposite = map.corners(ring[k])[static_cast<std::size_t>(p)];
+        if (opposite == v[i] || opposite == v[(i + 1) % 3]) continue;
+        const HalfFaceId across = map.neighbour(half_face(ring[k], p));
+        if (across.is_none()) return true;
+        const TetId u = tetrahedron_of(across);
+        if (std::ranges::find(ring, u) == ring.end()) ring.push_back(u);
+      }
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 TEST_CASE("a star is every tetrahedron of a vertex, in order", "[topology][fan]") {
@@ -214,6 +234,27 @@ TEST_CASE("the paper's order puts faces with an edge on the surface first, crack
   const auto first_inner = std::find(fan.begin(), fan.end(), given.front());
   CHECK(std::find(fan.begin(), first_inner, last) != first_inner);
   CHECK(std::is_permutation(fan.begin(), fan.end(), given.begin(), given.end()));
+}
+
+TEST_CASE("the paper's order parts faces by their edges alone, the given one does nothing",
+          "[topology][fan]") {
+  const std::uint64_t seed = 36;
+  INFO("seed " << seed);
+  std::mt19937_64 random(seed);
+  for (int trial = 0; trial < 300; ++trial) {
+    VolumeMap map = built(kuhn_box({3, 3, 3}));
+    for (std::size_t i = below(random, 60); i > 0; --i) {
+      split_face(map, HalfFaceId{below(random, 4 * map.tetrahedra())});
+    }
+    const Point n = {unit(random) - 0.5, unit(random) - 0.5, unit(random) - 0.5};
+    const std::vector<HalfFaceId> fan = *fan_faces(map, VertexId{below(random, 64)}, n);
+    std::vector<HalfFaceId> given = fan, paper = fan, expected = fan;
+    order_faces(map, FaceOrder::given, given);
+    CHECK(given == fan);
+    order_faces(map, FaceOrder::paper, paper);
+    std::ranges::stable_partition(expected, [&](HalfFaceId f) { return has_surface_edge(map, f); });
+    CHECK(paper == expected);
+  }
 }
 
 TEST_CASE("more than two copies of a vertex can result from one fan", "[topology][fan]") {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include "tests/support/built.hpp"
 #include "topology/io/mesh_file.hpp"
@@ -175,4 +176,35 @@ TEST_CASE("rows retired by gluing leave no point behind", "[topology][map_mesh]"
   const TetMesh written = mesh_of_map(map, mesh, MeshPoints::vertices);
   CHECK(written.points.size() == count_cells(map).vertices);
   CHECK(cells(built(written)) == cells(map));
+}
+
+TEST_CASE("unexpressed cuts are the lower of two boundary faces on the same vertices, in order",
+          "[topology][map_mesh]") {
+  std::mt19937_64 random(4);
+  std::size_t first = 0, all = 0;
+  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    INFO("seed " << seed);
+    VolumeMap map = built(shuffled(kuhn_box({4, 3, 3}), seed));
+    for (const HalfFaceId f : interior_faces(map)) {
+      if (f.index() == 0 || below(random, 16) == 0) split_face(map, f);
+    }
+    std::vector<std::pair<std::set<VertexId>, HalfFaceId>> boundary;
+    for (std::size_t i = 0; i < 4 * map.tetrahedra(); ++i) {
+      const HalfFaceId f{i};
+      if (!map.neighbour(f).is_none()) continue;
+      const auto corners = corners_of_face(map.corners(tetrahedron_of(f)), f);
+      boundary.emplace_back(std::set(corners.begin(), corners.end()), f);
+    }
+    std::vector<HalfFaceId> expected;
+    for (std::size_t i = 0; i < boundary.size(); ++i) {
+      for (std::size_t j = i + 1; j < boundary.size(); ++j) {
+        if (boundary[i].first == boundary[j].first) expected.push_back(boundary[i].second);
+      }
+    }
+    CHECK(unexpressed_cuts(map) == expected);
+    all += expected.size();
+    first += static_cast<std::size_t>(std::ranges::count(expected, HalfFaceId{0}));
+  }
+  CHECK(all > 50);
+  CHECK(first > 0);
 }

@@ -72,6 +72,10 @@ TEST_CASE("a user's plane is the same whatever the length and the sign of its no
       CHECK(other.at[i] == Approx(plane.at[i]));
     }
   }
+  // The largest number looks to the other side than one that equals it to a millionth.
+  const PlaneThrough tilted = *read_plane({{-2 + 1e-6, 2, 0}, 3});
+  CHECK(tilted.normal == Point{(2 - 1e-6) / 2, -1, 0});
+  CHECK(dot(tilted.at, {-2 + 1e-6, 2, 0}) == Approx(3).epsilon(1e-14));
   CHECK_FALSE(read_plane({{0, 0, 0}, 1}));
   CHECK_FALSE(read_plane({{1, 0, 0}, std::nan("")}));
 }

@@ -6,6 +6,131 @@ using namespace sunder;
 using namespace sunder::suite;
 using namespace sunder::test;
 
+namespace {
+
+/// How many tetrahedra a walk round the edge between two rows meets, from the face away from it
+/// until the boundary or the face again.
+std::size_t met_round_edge(const VolumeMap& map, HalfFaceId face, VertexId a, VertexId b) {
+  std::size_t met = 0;
+  HalfFaceId at = face;
+  do {
+    ++met;
+    HalfFaceId leave;
+    for (int p = 0; p < 4; ++p) {
+      const HalfFaceId f = half_face(tetrahedron_of(at), p);
+      const VertexId opposite = map.corners(tetrahedron_of(at))[static_cast<std::size_t>(p)];
+      if (f != at && opposite != a && opposite != b) leave = f;
+    }
+    at = map.neighbour(leave);
+  } while (!at.is_none() && at != face);
+  return met;
+}
+
+/// How many a search of a vertex' star meets, by the file's point, once the face is unsewn: both
+/// sides look round one tetrahedron each in turn, the passed side first, until one has no more or
+/// they meet; where they do not, the other side is looked at whole.
+std::size_t met_in_star(const VolumeMap& map, std::uint32_t point, const FaceSplit& split) {
+  std::array<std::vector<TetId>, 2> sides = {std::vector{tetrahedron_of(split.face)},
+                                             std::vector{tetrahedron_of(split.opposite)}};
+  std::array<std::size_t, 2> next{};
+  const auto has = [&](std::size_t side, TetId t) {
+    return std::ranges::find(sides[side], t) != sides[side].end();
+  };
+  const auto they_meet = [&](std::size_t side) {
+    const TetId t = sides[side][next[side]++];
+    for (int p = 0; p < 4; ++p) {
+      if (map.point_of_vertex(map.corners(t)[static_cast<std::size_t>(p)]) == point) continue;
+      const HalfFaceId across = map.neighbour(half_face(t, p));
+      if (across.is_none() || has(side, tetrahedron_of(across))) continue;
+      if (has(1 - side, tetrahedron_of(across))) return true;
+      sides[side].push_back(tetrahedron_of(across));
+    }
+    return false;
+  };
+  bool met = false;
+  for (std::size_t side = 0; !met && next[side] < sides[side].size(); side = 1 - side) {
+    met = they_meet(side);
+  }
+  while (!met && next[1] < sides[1].size()) they_meet(1);
+  return sides[0].size() + sides[1].size();
+}
+
+/// Splits a face and holds what it says it looked at against the twins.
+FaceSplit split_and_count(VolumeMap& map, HalfFaceId face) {
+  const VolumeMap before = map;
+  const FaceSplit split = split_face(map, face);
+  if (!split.did) return split;
+  std::size_t met = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    met += met_round_edge(before, face, split.vertices[i], split.vertices[(i + 1) % 3]);
+    const bool both =
+        (split.split_edges >> i & 1) != 0 && (split.split_edges >> (i + 2) % 3 & 1) != 0;
+    if (both) met += met_in_star(map, before.point_of_vertex(split.vertices[i]), split);
+  }
+  REQUIRE(split.visited == met);
+  return split;
+}
+
+}  // namespace
+
+TEST_CASE("a split looks at what the walks and searches of its twin meet", "[topology][split]") {
+  const std::uint64_t seed = 61;
+  INFO("seed " << seed);
+  std::mt19937_64 random(seed);
+  for (const NamedMesh& shape : all_shapes()) {
+    INFO(shape.name);
+    VolumeMap map = built(shape.mesh);
+    map.set_kernel(MapKernel::dense);
+    for (std::size_t i = std::min<std::size_t>(150, 8 * map.tetrahedra()); i > 0; --i) {
+      split_and_count(map, HalfFaceId{below(random, 4 * map.tetrahedra())});
+    }
+    CHECK(check(map).empty());
+  }
+}
+
+TEST_CASE("stars of hundreds are searched from their small and from their large side",
+          "[topology][split]") {
+  // One tetrahedron comes off a fan: the table of a search grows by one of its sides alone.
+  for (const std::size_t k : {30, 300, 700}) {
+    for (const bool passes_large : {false, true}) {
+      VolumeMap map = built(closed_fan(static_cast<int>(k)));
+      CHECK(star(map, VertexId{0}).size() == k);
+      split_and_count(map, face_on(map, {0, 1, 2}));
+      HalfFaceId face = face_on(map, {0, 1, 3});
+      const bool is_large =
+          map.point_of_vertex(
+              map.corners(tetrahedron_of(face))[static_cast<std::size_t>(place_of(face))]) != 2;
+      if (is_large != passes_large) face = map.neighbour(face);
+      const FaceSplit split = split_and_count(map, face);
+      CHECK(split.vertex_count == 3);
+      // Beside the walk round the axis it costs what the one does, where the others keep their
+      // rows.
+      if (passes_large) CHECK(split.visited < k + 20);
+      CHECK(star(map, VertexId{0}).size() == (passes_large ? k - 1 : 1));
+      CHECK(check(map).empty());
+    }
+  }
+}
+
+TEST_CASE("a star is searched whose tetrahedra crowd one half of the table", "[topology][split]") {
+  // The small table has 256 slots, where the search begins at one that the row gives: here an even
+  // one for all of the fan. They are as many as the table's even slots, and more.
+  const TetMesh both = side_by_side(closed_fan(140), kuhn_box({3, 3, 3}));
+  TetMesh mesh = both;
+  std::size_t of_fan = 0, other = 140;
+  for (std::size_t t = 0; t < mesh.tetrahedra.size(); ++t) {
+    const bool is_even = (t * 0x9e3779b1U >> 7) % 2 == 0;
+    const bool takes_fan = (is_even && of_fan < 140) || other == both.tetrahedra.size();
+    mesh.tetrahedra[t] = both.tetrahedra[takes_fan ? of_fan++ : other++];
+    if (takes_fan) REQUIRE(is_even);
+  }
+  VolumeMap map = built(mesh);
+  CHECK(star(map, VertexId{0}).size() == 140);
+  CHECK(split_count(split_and_count(map, face_on(map, {0, 1, 2}))) == SplitCount{1, 2});
+  CHECK(split_count(split_and_count(map, face_on(map, {0, 1, 72}))) == SplitCount{3, 3});
+  CHECK(check(map).empty());
+}
+
 TEST_CASE("a split tells how many tetrahedra it looked at, as counted by hand",
           "[topology][split]") {
   for (const MapKernel kernel : {MapKernel::dense, MapKernel::lcc}) {

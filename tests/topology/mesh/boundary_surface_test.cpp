@@ -6,9 +6,11 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <map>
+#include <random>
 
 #include "tests/support/random_meshes.hpp"
 #include "topology/base/point_math.hpp"
+#include "topology/mesh/kinds/move_cells.hpp"
 #include "topology/mesh/surface/surface_check.hpp"
 
 using namespace sunder;
@@ -203,6 +205,7 @@ TEST_CASE("triangles that the mesh did not have get numbers as far as there are 
   mesh.triangles.source_id = {most - 3};
   CHECK(boundary_surface(mesh).mesh.triangles.source_id.empty());
   mesh.triangles.source_id = {-7};
+  CHECK(boundary_surface(mesh).mesh.triangles.source_id == std::vector<std::int64_t>{-7, 1, 2, 3});
   mesh.tetrahedra.source_id = {12};
   CHECK(boundary_surface(mesh).mesh.triangles.source_id ==
         std::vector<std::int64_t>{-7, 13, 14, 15});
@@ -247,6 +250,96 @@ TEST_CASE("the surface of cells of several kinds looks outward, however each is 
     CHECK(surface.lost_cells[index_of(CellKind::polygon)] == 1);
   }
   CHECK(BoundarySurface{}.lost_points == 0);
+}
+
+TEST_CASE("faces of cells apart come by kind, row and face, turned as their cells are",
+          "[topology][surface]") {
+  const std::array<std::pair<CellKind, std::vector<Point>>, 4> shapes = {
+      {{CellKind::tetrahedron, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
+       {CellKind::hexahedron8,
+        {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}},
+       {CellKind::prism6, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}}},
+       {CellKind::pyramid5, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}}}}};
+  const auto nodes = [](FileMesh& mesh, CellKind kind) {
+    const auto all = nodes_of(mesh, kind);
+    return std::vector<std::uint32_t>(all.begin(), all.end());
+  };
+  // Right way round, mirrored and flat: those without volume stay as they are numbered.
+  for (const double height : {0.1, -0.1, 0.0}) {
+    INFO("height " << height);
+    FileMesh mesh;
+    std::vector<std::uint32_t> triangles, quads;
+    double at = 0;
+    for (const auto& [kind, corners] : shapes) {
+      for (int row = 0; row < 2; ++row, ++at) {
+        const auto first = static_cast<std::uint32_t>(mesh.points.size());
+        FileMesh alone;
+        std::vector<std::uint32_t> cell, own;
+        for (const Point& p : corners) {
+          cell.push_back(static_cast<std::uint32_t>(mesh.points.size()));
+          own.push_back(static_cast<std::uint32_t>(alone.points.size()));
+          mesh.points.push_back({0.1 * p[0] + at, 0.1 * p[1], height * p[2]});
+          alone.points.push_back(mesh.points.back());
+        }
+        append_cell(mesh, kind, cell);
+        append_cell(alone, kind, own);
+        const FileMesh skin = boundary_surface(alone).mesh;
+        CHECK(rows_of(skin, CellKind::triangle).count + rows_of(skin, CellKind::quad4).count ==
+              faces_of(kind).size());
+        for (const FaceCorners& f : faces_of(kind)) {
+          std::vector<std::uint32_t> face(f.begin(), f.begin() + (f[2] == f[3] ? 3 : 4));
+          for (std::uint32_t& p : face) p += first;
+          if (height < 0) std::ranges::reverse(face);
+          auto& all = face.size() == 3 ? triangles : quads;
+          all.insert(all.end(), face.begin(), face.end());
+        }
+      }
+    }
+    BoundarySurface surface = boundary_surface(mesh);
+    CHECK(surface.lost_points == 0);
+    CHECK(nodes(surface.mesh, CellKind::triangle) == triangles);
+    CHECK(nodes(surface.mesh, CellKind::quad4) == quads);
+  }
+}
+
+TEST_CASE("the volume of a tetrahedron by its faces is that by its corners, to the bit",
+          "[topology][surface]") {
+  // The skin of tetrahedra alone and of those among other cells are turned by one and the other.
+  std::mt19937_64 random(3);
+  FileMesh mesh;
+  const auto hold = [&] {
+    const auto& x = mesh.points;
+    CHECK(six_volumes_of(mesh, CellKind::tetrahedron, std::array<std::uint32_t, 4>{0, 1, 2, 3}) ==
+          detail::six_volumes(x[0], x[1], x[2], x[3]));
+  };
+  for (int trial = 0; trial < 100; ++trial) {
+    mesh.points.assign(4, {});
+    for (Point& p : mesh.points) std::ranges::generate(p, [&] { return suite::unit(random); });
+    hold();
+  }
+  mesh.points = {{0, 0, 0}, {1e200, 1e200, 0}, {0, 1e-200, 0}, {0, 0, 1}};
+  hold();
+}
+
+TEST_CASE("cells of second order among others have the surface of their corners",
+          "[topology][surface]") {
+  FileMesh mesh;
+  for (int i = 0; i < 64; ++i) mesh.points.push_back({1.0 * (i % 4), 1.0 * (i / 4 % 4), i / 16.0});
+  for (const CellKind kind : all_cell_kinds) {
+    if (kind == CellKind::polygon) continue;
+    std::vector<std::uint32_t> cell(traits_of(kind).nodes);
+    for (std::size_t k = 0; k < cell.size(); ++k) {
+      cell[k] = static_cast<std::uint32_t>((k * 7 + 3 * index_of(kind)) % 64);
+    }
+    append_cell(mesh, kind, cell);
+  }
+  FileMesh linear = mesh;
+  make_linear(linear);
+  const BoundarySurface surface = boundary_surface(mesh), expected = boundary_surface(linear);
+  CHECK(surface.mesh == expected.mesh);
+  CHECK(surface.lost_cells == expected.lost_cells);
+  CHECK(surface.lost_points == expected.lost_points);
+  CHECK(rows_of(surface.mesh, CellKind::quad4).count >= 20);
 }
 
 TEST_CASE("the surface of cells of second order is that of their corners", "[topology][surface]") {

@@ -143,6 +143,14 @@ TEST_CASE("there are no Betti numbers while any part is closed, wherever it stan
   const FaceSplit split = split_face(map, half_face(TetId{1}, 0));
   CHECK(*count_cells(map).betti == Betti{2, 0, 0});
   CHECK(counts_after(before, map, std::span(&split, 1), 0) == count_cells(map));
+  // Cut elsewhere it stays closed, and there are none.
+  VolumeMap beside = built(side_by_side(two_tetrahedra(), closed));
+  const Counts whole = count_cells(beside);
+  const FaceSplit apart = split_face(beside, interior_faces(beside).front());
+  REQUIRE(apart.vertex_count == 3);
+  CHECK_FALSE(count_cells(beside).betti);
+  CHECK(counts_after(whole, beside, std::span(&apart, 1), 1) == count_cells(beside));
+  CHECK(survey_mesh(side_by_side(closed, open), Severity::warning).closed_components == 1);
 }
 
 TEST_CASE("a surface that touches itself in a vertex is told", "[topology][check]") {
@@ -156,6 +164,15 @@ TEST_CASE("a surface that touches itself in a vertex is told", "[topology][check
   CHECK(f.severity == Severity::note);
   CHECK(f.ids == std::vector<std::int64_t>{grid_point(cells, 2, 2, 2)});
   CHECK(codes(check.findings) == std::vector<std::string>{"nonmanifold_vertex"});
+  // The same point as the first of the file.
+  TetMesh other = mesh;
+  const auto at = static_cast<std::uint32_t>(f.ids[0]);
+  std::swap(other.points[0], other.points[at]);
+  for (auto& t : other.tetrahedra) {
+    for (std::uint32_t& p : t) p = p == 0 ? at : p == at ? 0 : p;
+  }
+  CHECK(finding(check_file_mesh(file_mesh_of(other)).findings, "nonmanifold_vertex").ids ==
+        std::vector<std::int64_t>{0});
 }
 
 TEST_CASE("vertices where a surface touches itself are those with several circles of faces",

@@ -135,3 +135,16 @@ TEST_CASE("labels that are all nought are dropped, others stay", "[mesh][file_me
   CHECK(cells.entity.empty());
   CHECK(cells.source_id.empty());
 }
+
+TEST_CASE("rows of polygons tell where each ends, and no number of nodes", "[mesh][file_mesh]") {
+  FileMesh mesh;
+  CHECK(rows_of(mesh, CellKind::polygon).count == 0);
+  append_cell(mesh, CellKind::polygon, std::array<std::uint32_t, 5>{0, 1, 2, 3, 4});
+  append_cell(mesh, CellKind::polygon, std::array<std::uint32_t, 3>{7, 6, 5});
+  const CellRows rows = rows_of(mesh, CellKind::polygon);
+  CHECK(rows.nodes == 0);
+  REQUIRE(rows.count == 2);
+  CHECK(std::ranges::equal(rows[0], std::array<std::uint32_t, 5>{0, 1, 2, 3, 4}));
+  CHECK(std::ranges::equal(rows[1], std::array<std::uint32_t, 3>{7, 6, 5}));
+  CHECK(nodes_of(mesh, CellKind::polygon).size() == 8);
+}

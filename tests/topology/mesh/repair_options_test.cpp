@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
 
 #include "topology/base/point_math.hpp"
 #include "topology/mesh/repair.hpp"
@@ -89,4 +90,90 @@ TEST_CASE("repairs of tetrahedra refuse other cells of the volume, and tell them
   CHECK(refused->code == "unsupported_cells");
   CHECK(refused->count == 3);
   CHECK(refused->text == "a crack needs tetrahedra of first order: there are 2 prisms, 1 pyramids");
+}
+
+TEST_CASE("what was done is told in words, and so is that nothing was to be done",
+          "[topology][repair]") {
+  const auto text = [](FileMesh mesh, const Repairs& repairs) {
+    return repair(mesh, repairs).at(0).text;
+  };
+  FileMesh mesh = file_mesh_of(suite::two_tetrahedra());
+  std::vector<std::string> texts;
+  for (const Finding& f : repair(mesh, {0.0, true, true, true, true, true}))
+    texts.push_back(f.text);
+  CHECK(texts ==
+        std::vector<std::string>{"no points lie within 0 m of others: none was merged",
+                                 "no two tetrahedra have the same points: none was dropped",
+                                 "no stars of tetrahedra only touch: nothing was split",
+                                 "the body is one component: nothing was dropped",
+                                 "no tetrahedron is inverted: none was changed",
+                                 "every point is used by a cell: none was dropped"});
+  mesh.points.push_back(mesh.points[0]);
+  CHECK(text(mesh, {.merge_points = 0}) == "1 points were merged into others within 0 m");
+  CHECK(text(mesh, {.drop_unused = true}) == "1 points that no cell uses were dropped");
+  for (const std::uint32_t corner : {1U, 2U, 3U}) {
+    mesh.points.push_back(mesh.points[corner]);
+    mesh.points.back()[0] += 10;
+  }
+  mesh.points[5][0] += 10;
+  mesh.tetrahedra.corners.push_back({5, 6, 7, 8});
+  CHECK(text(mesh, {.largest_component = true}) ==
+        "of 2 components the largest stays: 1 tetrahedra were dropped");
+  mesh.points[6] = mesh.points[5];
+  CHECK(text(mesh, {.merge_points = 0.25}) ==
+        "1 points were merged into others within 0.25 m; 1 volume cells lost a corner and were "
+        "dropped");
+}
+
+TEST_CASE("cells of other kinds go where two of their corners become one, and nowhere else",
+          "[topology][repair]") {
+  FileMesh mesh;
+  for (int i = 0; i < 12; ++i) mesh.points.push_back({1.0 * i, 1.0 * (i % 5), 1.0 * (i % 3)});
+  mesh.points[11] = mesh.points[10];
+  append_cell(mesh, CellKind::polygon, std::array<std::uint32_t, 5>{0, 1, 2, 3, 4});
+  append_cell(mesh, CellKind::polygon, std::array<std::uint32_t, 5>{0, 1, 11, 10, 4});
+  // Nodes that are no corners may coincide.
+  append_cell(mesh, CellKind::tetrahedron10,
+              std::array<std::uint32_t, 10>{0, 1, 2, 3, 10, 11, 4, 5, 6, 7});
+  append_cell(mesh, CellKind::tetrahedron10,
+              std::array<std::uint32_t, 10>{10, 1, 2, 11, 0, 3, 4, 5, 6, 7});
+  CHECK(merge_points(mesh, 0).count == 1);
+  REQUIRE(rows_of(mesh, CellKind::polygon).count == 1);
+  CHECK(std::ranges::equal(rows_of(mesh, CellKind::polygon)[0],
+                           std::array<std::uint32_t, 5>{0, 1, 2, 3, 4}));
+  REQUIRE(rows_of(mesh, CellKind::tetrahedron10).count == 1);
+  CHECK(std::ranges::equal(rows_of(mesh, CellKind::tetrahedron10)[0],
+                           std::array<std::uint32_t, 10>{0, 1, 2, 3, 10, 10, 4, 5, 6, 7}));
+}
+
+TEST_CASE("repairs of tetrahedra ask nothing but points of other cells", "[topology][repair]") {
+  FileMesh mesh;
+  for (int i = 0; i < 9; ++i) mesh.points.push_back({1.0 * (i % 2), 1.0 * (i / 2 % 2), i / 4.0});
+  mesh.tetrahedra.corners = {{0, 1, 2, 3}, {1, 2, 3, 4}, {3, 2, 1, 0}, {5, 6, 7, 8}};
+  const std::array<std::array<std::uint32_t, 5>, 4> pyramids = {
+      {{4, 5, 6, 7, 8}, {0, 1, 2, 3, 4}, {0, 2, 1, 3, 4}, {0, 1, 2, 3, 5}}};
+  for (const auto& p : pyramids) append_cell(mesh, CellKind::pyramid5, p);
+  const auto stay = [&](const FileMesh& there, std::initializer_list<std::size_t> rows) {
+    std::vector<std::uint32_t> nodes;
+    for (const std::size_t row : rows) {
+      nodes.insert(nodes.end(), pyramids[row].begin(), pyramids[row].end());
+    }
+    return other_cells(there, CellKind::pyramid5).points == nodes;
+  };
+  FileMesh once = mesh;
+  CHECK(drop_duplicate_tetrahedra(once).count == 1);
+  CHECK(once.tetrahedra.corners.size() == 3);
+  CHECK(stay(once, {0, 1, 2, 3}));
+  CHECK(keep_largest_component(once).count == 3);
+  CHECK(once.tetrahedra.corners.size() == 2);
+  CHECK(stay(once, {1, 2}));
+}
+
+TEST_CASE("a tetrahedron without volume is not turned", "[topology][repair]") {
+  FileMesh mesh;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+  mesh.tetrahedra.corners = {{0, 1, 2, 3}};
+  const FileMesh before = mesh;
+  CHECK(fix_orientation(mesh).count == 0);
+  CHECK(mesh == before);
 }

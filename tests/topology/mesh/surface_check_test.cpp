@@ -266,3 +266,55 @@ TEST_CASE("copies of faces are told by rows, in whatever order corners and faces
   REQUIRE(found != check.findings.end());
   CHECK(found->ids == std::vector<std::int64_t>{2, 3});
 }
+
+TEST_CASE("a face on a line has no area, whatever rounding makes of it", "[mesh][surface_check]") {
+  // (t, 3 t, 0) for three t, the first of which is lost to rounding where it is taken from others.
+  FileMesh mesh;
+  const double t = 3 * 0x1p-54;
+  mesh.points = {{t, 3 * t, 0}, {1, 3, 0}, {5, 15, 0}, {-5, -15, 1}, {0, 7, -1}};
+  append_cell(mesh, CellKind::triangle, std::array<std::uint32_t, 3>{0, 1, 2});
+  append_cell(mesh, CellKind::triangle, std::array<std::uint32_t, 3>{2, 3, 4});
+  const SurfaceCheck check = check_surface(mesh);
+  const auto flat = std::ranges::find(check.findings, "flat_face", &Finding::code);
+  REQUIRE(flat != check.findings.end());
+  CHECK(flat->ids == std::vector<std::int64_t>{0});
+}
+
+TEST_CASE("one face may be closed: a polygon forth and back", "[mesh][surface_check]") {
+  FileMesh mesh;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {2, 1, 0}};
+  CHECK_FALSE(check_surface(mesh).is_closed);
+  append_cell(mesh, CellKind::polygon, std::array<std::uint32_t, 4>{0, 1, 2, 1});
+  const SurfaceCheck check = check_surface(mesh);
+  CHECK((check.is_closed && check.is_oriented));
+  CHECK(check.edges == 2);
+}
+
+TEST_CASE("a needle has its area, and where areas have no number the centre is the box's",
+          "[mesh][surface_check]") {
+  // The face without extent puts the middle of the box at the origin.
+  FileMesh needle;
+  needle.points = {{0, 0, 0}, {1, 0.3, 0.2}, {0.3e-10, 0.7e-10, 0.4e-10}, {-1, -0.3, -0.2}};
+  append_cell(needle, CellKind::triangle, std::array<std::uint32_t, 3>{0, 1, 2});
+  append_cell(needle, CellKind::triangle, std::array<std::uint32_t, 3>{3, 3, 3});
+  const double a = 0.3 * 0.4 - 0.2 * 0.7, b = 0.2 * 0.3 - 1 * 0.4, c = 1 * 0.7 - 0.3 * 0.3;
+  CHECK(check_surface(needle).area ==
+        Approx(std::sqrt(a * a + b * b + c * c) / 2 * 1e-10).epsilon(1e-13));
+  FileMesh huge;
+  huge.points = {{0, 0, 0}, {1e200, 1e120, 0}, {1e200, 2e120, 1}};
+  append_cell(huge, CellKind::triangle, std::array<std::uint32_t, 3>{0, 1, 2});
+  const SurfaceCheck check = check_surface(huge);
+  CHECK(check.extent.centre == Point{5e199, 1e120, 0.5});
+}
+
+TEST_CASE("the centre of tetrahedra is found from the first corner, small as they may be",
+          "[mesh][surface_check]") {
+  // A first one without volume reaches so far that nothing is left of numbers taken from there.
+  FileMesh mesh;
+  mesh.points = {{0, 0, 0}, {1e17, 0, 0}, {0, 0.5, 0}, {0, 0, 0.5}, {0.5, 0, 0}};
+  mesh.tetrahedra.corners = {{0, 1, 0, 0}, {0, 4, 2, 3}};
+  const std::optional<Extent> extent = extent_of_tetrahedra(mesh);
+  REQUIRE(extent);
+  CHECK(extent->centre == Point{0.125, 0.125, 0.125});
+  CHECK(extent->box.high == Point{1e17, 0.5, 0.5});
+}

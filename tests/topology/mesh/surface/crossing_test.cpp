@@ -9,6 +9,7 @@
 #include <set>
 
 #include "tests/support/crossing_twin.hpp"
+#include "topology/mesh/box_tree.hpp"
 
 using namespace sunder;
 using namespace sunder::test;
@@ -162,4 +163,43 @@ TEST_CASE("a search ends where thousands of triangles lie through each other", "
   // n triangles of which each sees all: 400 n + 10 000 looks are enough for 250, not for 1 000.
   CHECK(stacked(250));
   CHECK_FALSE(stacked(1000));
+}
+
+TEST_CASE("a search ends where it has looked 10 000 times, and 400 times a triangle, not before",
+          "[mesh][crossing]") {
+  // Heaps of `near` and `few` triangles in parallel planes, and `apart` that lie alone: numbers for
+  // which the looks at nodes and boxes of the tree come to the limit, and to one more.
+  struct Case {
+    int near, apart, few;
+    std::size_t more;
+  };
+  for (const Case c : {Case{294, 56, 8, 0}, Case{295, 36, 30, 1}}) {
+    std::vector<Point> points;
+    std::vector<SurfaceTriangle> triangles;
+    std::vector<BoundingBox> boxes;
+    const auto add = [&](double at) {
+      const auto p = static_cast<std::uint32_t>(points.size());
+      points.insert(points.end(), {{1 + at, at, at}, {at, 1 + at, at}, {at, at, 1 + at}});
+      triangles.push_back({{p, p + 1, p + 2}, p / 3});
+      boxes.push_back({{at, at, at}, {1 + at, 1 + at, 1 + at}});
+    };
+    for (int i = 0; i < c.near; ++i) add(i * 0x1p-20);
+    for (int i = 0; i < c.apart; ++i) add(4.0 * (i + 1));
+    for (int i = 0; i < c.few; ++i) add(-100 - i * 0x1p-20);
+    const BoxTree tree = box_tree(boxes);
+    std::size_t looks = 0;
+    for (const BoundingBox& own : tree.boxes) {
+      const auto overlap = [&](const BoundingBox& box) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          if (box.low[k] > own.high[k] || own.low[k] > box.high[k]) return false;
+        }
+        return true;
+      };
+      looks += for_each_box(tree, overlap, [](std::uint32_t) {});
+    }
+    REQUIRE(looks == 400 * triangles.size() + 10000 + c.more);
+    const Crossings found = find_crossings(points, triangles);
+    CHECK(found.pairs.empty());
+    CHECK(found.is_finished == (c.more == 0));
+  }
 }
