@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <span>
 #include <string_view>
@@ -68,7 +69,7 @@ struct PointGrid {
   std::array<std::int64_t, 3> cube(const Point& p) const {
     std::array<std::int64_t, 3> c{};
     for (std::size_t k = 0; k < 3; ++k) {
-      // Far from the origin cubes are one: only the time suffers.
+      // What is no number merges with nothing: its cube does not matter.
       c[k] = static_cast<std::int64_t>(std::clamp(std::floor(p[k] / size), -9e18, 9e18));
     }
     return c;
@@ -92,7 +93,7 @@ std::optional<std::uint32_t> kept_near(const PointGrid& grid, const FileMesh& me
         grid.kept.find(PointGrid::key({c[0] + i % 3 - 1, c[1] + i / 3 % 3 - 1, c[2] + i / 9 - 1}));
     if (at == grid.kept.end()) continue;
     for (const std::uint32_t row : at->second) {
-      if (distance2(mesh.points[row], p) > distance * distance) continue;
+      if (!(distance2(mesh.points[row], p) <= distance * distance)) continue;  // or not a number
       if (!found || row < *found) found = row;
     }
   }
@@ -112,7 +113,12 @@ std::vector<std::uint32_t> parts_by_faces(const FileMesh& mesh) {
 }  // namespace
 
 Finding merge_points(FileMesh& mesh, double distance) {
-  PointGrid grid{distance > 0 ? distance : 1e-300, {}};
+  // Not so small that cubes far from the origin could not be told apart.
+  double extent = std::numeric_limits<double>::min();
+  for (const Point& p : mesh.points) {
+    for (const double x : p) extent = std::isfinite(x) ? std::max(extent, std::abs(x)) : extent;
+  }
+  PointGrid grid{std::max(distance, extent * 0x1p-50), {}};
   std::vector<std::uint32_t> rows, new_row(mesh.points.size());
   for (std::uint32_t p = 0; p < mesh.points.size(); ++p) {
     if (const auto near = kept_near(grid, mesh, mesh.points[p], distance)) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Components: ids, which part keeps one, and four ways to find separations that agree.
 #include <map>
+#include <random>
 
 #include "tests/support/built.hpp"
 
@@ -201,6 +202,47 @@ TEST_CASE("the dirty counter walks when three vertices came apart, at whichever 
   CHECK(visited(3, Detection::dirty_counter) == map.tetrahedra());
   CHECK(visited(3, Detection::oracle) == 0);
   CHECK(visited(1, Detection::walk) == map.tetrahedra());
+}
+
+TEST_CASE("a body that the dirty counter passes over does not hide the next",
+          "[topology][components]") {
+  // Two boxes: of the first one face opens, the second falls in two.
+  VolumeMap map = built(kuhn_box({4, 2, 2}));
+  Components labels = label_components(map);
+  ComponentScratch scratch;
+  update_components(map, cut_plane(map, {{1, 0, 0}, 2.0}), Detection::exact, labels, scratch);
+  REQUIRE(labels.size.size() == 2);
+  const auto lies_in = [&](const FaceSplit& s, std::size_t body) {
+    return labels.of_tetrahedron[tetrahedron_of(s.face).index()] == ComponentId{body};
+  };
+  std::vector<FaceSplit> splits = {split_face(map, (*plane_faces(map, {{1, 0, 0}, 1.0}))[0])};
+  for (const FaceSplit& s : cut_plane(map, {{1, 0, 0}, 3.0})) splits.push_back(s);
+  REQUIRE((lies_in(splits.front(), 0) && lies_in(splits.back(), 1)));
+  CHECK(update_components(map, splits, Detection::dirty_counter, labels, scratch).created == 1);
+  require_true(map, labels);
+}
+
+TEST_CASE("an update visits as many tetrahedra in whatever order its faces were split",
+          "[topology][components]") {
+  VolumeMap map = built(kuhn_box({5, 4, 3}));
+  const Components whole = label_components(map);
+  std::vector<FaceSplit> splits = cut_plane(map, {{1, 0, 0}, 2.0});
+  for (const FaceSplit& s : cut_plane(map, {{0, 1, 0}, 1.0})) splits.push_back(s);
+  std::mt19937 random(5);
+  const auto visited = [&](std::span<const FaceSplit> given) {
+    Components labels = whole;
+    ComponentScratch scratch;
+    return update_components(map, given, Detection::exact, labels, scratch).visited;
+  };
+  // A few faces of a crack that does not close, and all.
+  for (const std::size_t count : {std::size_t{6}, splits.size()}) {
+    std::vector<FaceSplit> some(splits.begin(), splits.begin() + static_cast<std::ptrdiff_t>(count));
+    const std::size_t expected = visited(some);
+    for (int order = 0; order < 20; ++order) {
+      std::ranges::shuffle(some, random);
+      CHECK(visited(some) == expected);
+    }
+  }
 }
 
 TEST_CASE("a part that closes first is not therefore the smaller one", "[topology][components]") {

@@ -8,6 +8,8 @@
 
 #include "tests/support/built.hpp"
 #include "topology/base/point_math.hpp"
+#include "topology/mesh/crack.hpp"
+#include "topology/mesh/survey.hpp"
 
 using namespace sunder;
 using namespace sunder::suite;
@@ -247,4 +249,25 @@ TEST_CASE("a finding says in words how many there are, and all the rest as it st
   CHECK(finding(check_mesh(mesh), "repeated_vertex").text ==
         "12 tetrahedra name one point more than once");
   CHECK(finding(check_mesh({}), "empty_mesh").text == "the mesh has no points and no tetrahedra");
+}
+
+// 18 GB and half a minute: run by hand, with `sunder_topology_tests "[.too_large]"`.
+TEST_CASE("a mesh of more tetrahedra than can be numbered is told, and nothing else is asked of it",
+          "[.too_large]") {
+  {
+    TetMesh mesh;
+    mesh.points = two_tetrahedra().points;
+    mesh.tetrahedra.assign(most_tetrahedra + 1, {0, 1, 1, 9});
+    CHECK(codes(check_mesh(mesh)) == std::vector<std::string>{"too_large"});
+    FileMesh file;
+    file.points = mesh.points;
+    file.tetrahedra.corners = std::move(mesh.tetrahedra);
+    const MeshCheck check = check_file_mesh(file);
+    CHECK(codes(check.findings) == std::vector<std::string>{"too_large"});
+    CHECK_FALSE(check.quality);
+  }
+  FileMesh file;
+  file.tetrahedra.corners.assign(std::size_t{1} << 30, {});
+  const auto links = face_links(file);
+  CHECK(codes(links.findings) == std::vector<std::string>{"too_many_tetrahedra"});
 }

@@ -93,17 +93,43 @@ TEST_CASE("a number beyond the points is refused and never used", "[topology][fi
 
 TEST_CASE("a coordinate that is no number is refused", "[topology][findings]") {
   for (const double bad : {std::nan(""), infinity, -infinity}) {
-    TetMesh mesh = two_tetrahedra();
-    mesh.points[3][1] = bad;
-    CHECK(only_finding(mesh, "nan_coordinate", Severity::error).ids ==
-          std::vector<std::int64_t>{3});
+    for (const std::size_t axis : {0, 1, 2}) {
+      TetMesh mesh = two_tetrahedra();
+      mesh.points[3][axis] = bad;
+      CHECK(only_finding(mesh, "nan_coordinate", Severity::error).ids ==
+            std::vector<std::int64_t>{3});
+    }
   }
 }
 
 TEST_CASE("a tetrahedron that names a point twice is refused", "[topology][findings]") {
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      INFO("corners " << j << " and " << i);
+      TetMesh mesh = two_tetrahedra();
+      std::array<std::uint32_t, 4> corners = {0, 1, 3, 4};
+      corners[i] = corners[j];
+      mesh.tetrahedra.push_back(corners);
+      CHECK(only_finding(mesh, "repeated_vertex", Severity::error).ids ==
+            std::vector<std::int64_t>{2});
+    }
+  }
+}
+
+TEST_CASE("errors come first, and a finding names the first sixteen of its rows, or all places",
+          "[topology][findings]") {
   TetMesh mesh = two_tetrahedra();
-  mesh.tetrahedra.push_back({0, 1, 1, 4});
-  CHECK(only_finding(mesh, "repeated_vertex", Severity::error).ids == std::vector<std::int64_t>{2});
+  for (int i = 0; i < 20; ++i) mesh.points.push_back({2.0 + i, 0, 0});  // unused: a warning
+  mesh.tetrahedra.insert(mesh.tetrahedra.end(), 30, {2, 3, 4, 4});
+  for (const bool keeps_places : {false, true}) {
+    const Survey survey = survey_mesh(mesh, Severity::warning, keeps_places);
+    REQUIRE(codes(survey.findings) ==
+            std::vector<std::string>{"repeated_vertex", "unused_point"});
+    CHECK(survey.findings[0].ids.size() == Finding::max_ids);
+    CHECK(survey.findings[1].ids.size() == Finding::max_ids);
+    REQUIRE(survey.places.size() == (keeps_places ? 2 : 0));
+    if (keeps_places) CHECK(survey.places[0].rows.size() == 30);
+  }
 }
 
 TEST_CASE("fixture 18: a copy of a tetrahedron is refused, mirrored or not, with its row",

@@ -174,6 +174,22 @@ TEST_CASE("merging agrees with comparing all pairs", "[io][repair]") {
   CHECK(mesh.vertices.corners == row);
 }
 
+TEST_CASE("points that coincide merge at distance 0, and as quickly", "[io][repair]") {
+  // By all pairs this would be 10^10 distances.
+  constexpr std::uint32_t n = 100000;
+  FileMesh mesh;
+  for (std::uint32_t i = 0; i < 2 * n; ++i) {
+    const double x = 1e3 + (i % n) * 1e-9;
+    mesh.points.push_back({x, 7 - x, i % 3 == 0 ? 0.0 : -0.0});
+    mesh.vertices.corners.push_back({i});
+  }
+  mesh.points.push_back({std::nan(""), 0, 0});
+  mesh.points.push_back({std::nan(""), 0, 0});
+  CHECK(merge_points(mesh, 0).count == n);
+  REQUIRE(mesh.points.size() == n + 2);
+  for (std::uint32_t i = 0; i < 2 * n; ++i) REQUIRE(mesh.vertices.corners[i][0] == i % n);
+}
+
 TEST_CASE("of equal tetrahedra the first stays, with its data", "[io][repair]") {
   FileMesh mesh = body();
   auto again = mesh.tetrahedra.corners[0];
