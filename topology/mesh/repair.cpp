@@ -55,12 +55,6 @@ Finding done(std::string_view code, std::size_t count, std::string text, std::st
           .remedy = "nothing to do: it was asked for"};
 }
 
-double distance2(const Point& a, const Point& b) {
-  double sum = 0;
-  for (std::size_t k = 0; k < 3; ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
-  return sum;
-}
-
 /// Cubes of the merging distance, and the kept points in each.
 struct PointGrid {
   double size;
@@ -93,8 +87,9 @@ std::optional<std::uint32_t> kept_near(const PointGrid& grid, const FileMesh& me
         grid.kept.find(PointGrid::key({c[0] + i % 3 - 1, c[1] + i / 3 % 3 - 1, c[2] + i / 9 - 1}));
     if (at == grid.kept.end()) continue;
     for (const std::uint32_t row : at->second) {
-      if (!(distance2(mesh.points[row], p) <= distance * distance)) continue;  // or not a number
-      if (!found || row < *found) found = row;
+      const Point& q = mesh.points[row];
+      const bool is_near = std::hypot(q[0] - p[0], q[1] - p[1], q[2] - p[2]) <= distance;
+      if (is_near && (!found || row < *found)) found = row;
     }
   }
   return found;

@@ -287,7 +287,7 @@ class Sites:
             become = [1] if n == 0 else [n - 1, n + 1]
             self.add(cursor, place, [("constant", f"{m}{suffix}") for m in become])
         else:
-            become = ["1.0"] if float(text) == 0 else [f"({text} + 1)", f"({text} - 1)"]
+            become = ["1.0"] if (float.fromhex(text) if "0x" in text else float(text)) == 0 else [f"({text} + 1)", f"({text} - 1)"]
             self.add(cursor, place, [("constant", m) for m in become])
 
     def call(self, cursor, place):
