@@ -32,9 +32,11 @@ class UnionFind {
     return root_of(row, [this](std::uint32_t i) -> std::uint32_t& { return parent_[i]; });
   }
 
-  void join(std::uint32_t a, std::uint32_t b) {
+  /// True where they were apart.
+  bool join(std::uint32_t a, std::uint32_t b) {
     const auto [low, high] = std::minmax({root(a), root(b)});
     parent_[high] = low;
+    return low != high;
   }
 
   /// The root of every row.

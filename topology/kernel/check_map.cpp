@@ -93,11 +93,12 @@ void check_orbits(const VolumeMap& map, Damage& damage) {
   for (std::size_t v = 0; v < map.vertices(); ++v) {
     const TetId t = map.incident_tetrahedron(VertexId{v});
     damage.unless(t.is_none() == (corners[v] == 0), "only retired rows have no tetrahedron", v);
-    damage.unless(map.darts().incident_tetrahedron(VertexId{v}).is_none() == (corners[v] == 0),
-                  "darts and rows agree on which rows are in use", v);
+    const bool has_darts = !map.darts().incident_tetrahedron(VertexId{v}).is_none();
+    damage.unless(has_darts == (corners[v] > 0), "darts and rows agree on which rows are in use",
+                  v);
     damage.unless(!map.is_node(VertexId{v}) || corners[v] == 0, "no corner has the row of a node",
                   v);
-    if (t.is_none() || corners[v] == 0) continue;
+    if (t.is_none() || corners[v] == 0 || !has_darts) continue;
     const int place = place_of_vertex(map.corners(t), VertexId{v});
     damage.unless(place < 4, "the incident tetrahedron has the vertex", v);
     if (place == 4) continue;

@@ -222,10 +222,7 @@ void DartMap::apply(const CellChange& change, const MapRows& rows) {
   }
   for (const CellChange::Begin& begin : change.begins) {
     const VertexId v = begin.vertex;
-    if (!begin.tetrahedron.is_none() || v.index() >= change.kept_vertices ||
-        corner_[v.index()].is_none()) {
-      continue;
-    }
+    if (!begin.tetrahedron.is_none() || v.index() >= change.kept_vertices) continue;
     dropped.push_back(attribute_of(v));
     corner_[v.index()] = CornerId::none();
   }

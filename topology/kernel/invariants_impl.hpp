@@ -3,77 +3,16 @@
 #pragma once
 
 #include <algorithm>
-#include <utility>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "topology/base/point_math.hpp"
+#include "topology/base/sort_unique.hpp"
+#include "topology/base/union_find.hpp"
 #include "topology/kernel/invariants.hpp"
 
 namespace sunder::detail {
-
-/// Orbits of corners: those of vertices. A corner stands for the three darts that begin there.
-template <Kernel K>
-std::size_t count_vertices(const K& map) {
-  std::vector<char> met(4 * map.tetrahedra(), 0);
-  std::vector<typename K::Dart> stack;
-  const auto meet = [&](typename K::Dart d) {
-    const std::size_t row = map.id(d).index();
-    char& mark =
-        met[corner(TetId{row / 12}, dart_order::origin(static_cast<int>(row % 12))).index()];
-    if (mark) return;
-    mark = 1;
-    stack.push_back(d);
-  };
-  std::size_t orbits = 0;
-  for (std::size_t c = 0; c < met.size(); ++c) {
-    if (met[c]) continue;
-    const int place = place_of(CornerId{c});
-    ++orbits;
-    meet(map.dart(half_face(tetrahedron_of(CornerId{c}), (place + 1) % 4), CornerId{c}));
-    while (!stack.empty()) {
-      typename K::Dart d = stack.back();
-      stack.pop_back();
-      // beta2 beta0 turns through the three faces at the corner, beta1 beta3 crosses each of them.
-      for (int j = 0; j < 3; ++j, d = map.beta2(map.beta0(d))) {
-        if (!map.is_free(d)) meet(map.beta1(map.beta3(d)));
-      }
-    }
-  }
-  return orbits;
-}
-
-/// Rings of tetrahedra: orbits of edges. Of the two darts of a tetrahedron along an edge the one
-/// with the lower row carries the mark.
-template <Kernel K>
-std::size_t count_edges(const K& map) {
-  std::vector<char> met(12 * map.tetrahedra(), 0);
-  const auto meet = [&](typename K::Dart d) {
-    const std::size_t row = map.id(d).index();
-    const int k = static_cast<int>(row % 12);
-    char& mark = met[row - k + std::min(k, dart_order::beta2(k))];
-    return !std::exchange(mark, 1);
-  };
-  std::size_t orbits = 0;
-  for (std::size_t row = 0; row < met.size(); ++row) {
-    const int k = static_cast<int>(row % 12);
-    if (k > dart_order::beta2(k) || met[row]) continue;
-    ++orbits;
-    const TetId t{row / 12};
-    const auto start = map.dart(half_face(t, k / 3), corner(t, dart_order::origin(k)));
-    meet(start);
-    // One way round, to the start again or to the boundary; then the other way.
-    bool open = false;
-    for (auto d = start; !(open = map.is_free(d));) {
-      d = map.beta2(map.beta3(d));
-      if (!meet(d)) break;
-    }
-    for (auto d = map.beta2(start); open && !map.is_free(d);) {
-      d = map.beta2(map.beta3(d));
-      if (!meet(d)) break;
-    }
-  }
-  return orbits;
-}
 
 /// A dart of half-face `f`, starting at its first corner.
 template <Kernel K>
@@ -90,37 +29,29 @@ HalfFaceId next_on_boundary(const K& map, typename K::Dart d) {
   return HalfFaceId{map.id(d).index() / 3};
 }
 
-struct ComponentCount {
-  std::size_t components = 0, closed = 0;
-};
-
+/// Sheets that these half-faces make: all of the boundary.
 template <Kernel K>
-ComponentCount count_components(const K& map) {
-  ComponentCount count;
-  std::vector<char> met(map.tetrahedra(), 0);
-  std::vector<TetId> stack;
-  for (std::size_t first = 0; first < met.size(); ++first) {
-    if (met[first]) continue;
-    met[first] = 1;
-    stack.push_back(TetId{first});
-    bool has_boundary = false;
+std::size_t count_sheets(const K& map, std::span<const HalfFaceId> boundary) {
+  std::vector<char> met(4 * map.tetrahedra(), 0);
+  std::vector<HalfFaceId> stack;
+  std::size_t sheets = 0;
+  for (const HalfFaceId first : boundary) {
+    if (met[first.index()]) continue;
+    ++sheets;
+    met[first.index()] = 1;
+    stack.push_back(first);
     while (!stack.empty()) {
-      const TetId t = stack.back();
+      auto d = first_dart(map, stack.back());
       stack.pop_back();
-      for (int p = 0; p < 4; ++p) {
-        const HalfFaceId across = map.neighbour(half_face(t, p));
-        if (across.is_none()) {
-          has_boundary = true;
-        } else if (char& mark = met[tetrahedron_of(across).index()]; !mark) {
-          mark = 1;
-          stack.push_back(tetrahedron_of(across));
-        }
+      for (int j = 0; j < 3; ++j, d = map.beta1(d)) {
+        const HalfFaceId f = next_on_boundary(map, d);
+        if (met[f.index()]) continue;
+        met[f.index()] = 1;
+        stack.push_back(f);
       }
     }
-    ++count.components;
-    count.closed += has_boundary ? 0 : 1;
   }
-  return count;
+  return sheets;
 }
 
 /// Euler characteristic and Betti numbers from the counts; `closed`: components without boundary.
@@ -143,26 +74,11 @@ std::size_t count_boundary_sheets(const K& map) {
   if constexpr (HasAnswers<K>) {
     return answer(map, [&](auto& kernel) { return count_boundary_sheets(kernel); });
   }
-  std::vector<char> met(4 * map.tetrahedra(), 0);
-  std::vector<HalfFaceId> stack;
-  std::size_t sheets = 0;
-  for (std::size_t i = 0; i < met.size(); ++i) {
-    if (met[i] || !map.neighbour(HalfFaceId{i}).is_none()) continue;
-    ++sheets;
-    met[i] = 1;
-    stack.push_back(HalfFaceId{i});
-    while (!stack.empty()) {
-      auto d = detail::first_dart(map, stack.back());
-      stack.pop_back();
-      for (int j = 0; j < 3; ++j, d = map.beta1(d)) {
-        const HalfFaceId f = detail::next_on_boundary(map, d);
-        if (met[f.index()]) continue;
-        met[f.index()] = 1;
-        stack.push_back(f);
-      }
-    }
+  std::vector<HalfFaceId> boundary;
+  for (std::size_t f = 0; f < 4 * map.tetrahedra(); ++f) {
+    if (map.neighbour(HalfFaceId{f}).is_none()) boundary.emplace_back(f);
   }
-  return sheets;
+  return detail::count_sheets(map, boundary);
 }
 
 template <Kernel K>
@@ -170,25 +86,54 @@ Counts count_cells(const K& map) {
   if constexpr (HasAnswers<K>) {
     return answer(map, [&](auto& kernel) { return count_cells(kernel); });
   }
+  // Corners, edges and tetrahedra that beta3 joins: orbits of vertices, of edges, components. Within
+  // a tetrahedron a corner stands for the three darts that begin there, and of the two darts along
+  // an edge the one with the lower row for both.
+  const std::size_t n = map.tetrahedra();
+  UnionFind corners(4 * n), edges(12 * n), bodies(n);
+  std::vector<HalfFaceId> boundary;
+  const auto corner_of = [](std::size_t dart) {
+    const int k = static_cast<int>(dart % 12);
+    return corner(TetId{dart / 12}, dart_order::origin(k)).value;
+  };
+  const auto edge_of = [](std::size_t dart) {
+    const int k = static_cast<int>(dart % 12);
+    return static_cast<std::uint32_t>(dart - k + std::min(k, dart_order::beta2(k)));
+  };
   Counts counts;
-  counts.tetrahedra = map.tetrahedra();
-  counts.vertices = detail::count_vertices(map);
-  counts.edges = detail::count_edges(map);
-  for (std::size_t t = 0; t < map.tetrahedra(); ++t) {
+  counts.tetrahedra = counts.components = n;
+  counts.vertices = 4 * n;
+  counts.edges = 6 * n;
+  for (std::size_t t = 0; t < n; ++t) {
     const auto v = map.corners(TetId{t});
     counts.volume += detail::six_volumes(map.point(v[0]), map.point(v[1]), map.point(v[2]),
                                          map.point(v[3])) /
                      6;
     for (int p = 0; p < 4; ++p) {
-      const HalfFaceId f = half_face(TetId{t}, p), across = map.neighbour(f);
-      counts.boundary_faces += across.is_none() ? 1 : 0;
-      counts.faces += across.is_none() || f < across ? 1 : 0;
+      const HalfFaceId f = half_face(TetId{t}, p);
+      auto d = detail::first_dart(map, f);
+      if (map.is_free(d)) {
+        boundary.push_back(f);
+        continue;
+      }
+      for (int j = 0; j < 3; ++j, d = map.beta1(d)) {
+        const auto across = map.beta3(d);
+        const std::size_t here = map.id(d).index(), there = map.id(across).index();
+        if (there < here) break;  // joined from the other side
+        counts.components -= bodies.join(here / 12, there / 12) ? 1 : 0;
+        counts.edges -= edges.join(edge_of(here), edge_of(there)) ? 1 : 0;
+        const std::size_t there_too = map.id(map.beta1(across)).index();
+        counts.vertices -= corners.join(corner_of(here), corner_of(there_too)) ? 1 : 0;
+      }
     }
   }
-  counts.boundary_sheets = count_boundary_sheets(map);
-  const auto [components, closed] = detail::count_components(map);
-  counts.components = components;
-  detail::derive_invariants(counts, closed);
+  counts.boundary_faces = boundary.size();
+  counts.faces = (4 * n + boundary.size()) / 2;
+  counts.boundary_sheets = detail::count_sheets(map, boundary);
+  std::vector<std::uint32_t> open;
+  for (const HalfFaceId f : boundary) open.push_back(bodies.root(tetrahedron_of(f).value));
+  sort_unique(open);
+  detail::derive_invariants(counts, counts.components - open.size());
   return counts;
 }
 

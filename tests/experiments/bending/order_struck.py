@@ -1,11 +1,15 @@
 # SPDX-License-Identifier: MIT
 """Struck bodies of order_charts.py: when and where the first crack is, over meshes, by order."""
+import itertools
 import json
 import signal
 import subprocess
 import time
 
-from order_tools import table, write_mesh
+import numpy
+from scipy.optimize import brentq
+
+from order_tools import grid, table, write_mesh
 from second_order_runs import GLASS, struck_cases
 
 MOST_SECONDS = 600  # of the processor, a run
@@ -78,3 +82,33 @@ def first_fans(sunder, folder, _):
                 round(1e3 * x) for x in fan["rest_position"]])
             print(name, level, order, len(mesh[1]), shown, flush=True)
     return fan_table(seen), None
+
+
+def graded(side, least, cells):
+    """Places of cells over a side: `least` m in its middle, each larger than the last by one ratio."""
+    half = cells // 2
+    ratio = brentq(lambda q: least * sum(q**k for k in range(half)) - side / 2, 1, 10)
+    way = numpy.cumsum([least * ratio**k for k in range(half)])
+    return numpy.concatenate([side / 2 - way[::-1], [side / 2], side / 2 + way])
+
+
+def graded_fans(sunder, folder, _):
+    """Time and place of the first fan of the pane whose cells are small under the ball, sub-steps of L/c / 32."""
+    rows = []
+    meshes = ((0.012, 10, 1), (0.006, 14, 1), (0.004, 16, 1), (0.003, 16, 2))
+    for (least, n, layers), order in itertools.product(meshes, (1, 2)):
+        places = graded(0.3, least, n)
+        points, cells = grid((n, n, layers), lambda u, v, w: (places[round(u * n)], places[round(v * n)], 0.006 * w))
+        write_mesh(folder / "body.mesh", points, cells)
+        row = [f"{1e3 * least:.0f}", str(layers), str(len(cells)), str(order)]
+        for speed in (5, 10, 20):
+            scene = {"impact": {"fraction": 0.03125}, "time_step": 1e-4, "duration": 3e-4,
+                     "bodies": [{"mesh": "body.mesh", "order": order, "material": GLASS}],
+                     "obstacles": [{"sphere": {"center": [0.15, 0.15, -0.0201], "radius": 0.02},
+                                    "velocity": [0, 0, speed], "mass": 0.26}]}
+            fan = run_to_first_fan(sunder, folder, scene)
+            row.append("none" if fan is None else f"none in {MOST_SECONDS} s of computing" if fan == "time" else
+                       f"{1e6 * fan['time']:.1f} at ({', '.join(f'{1e3 * x:.0f}' for x in fan['rest_position'])})")
+        rows.append(row)
+        print(*row, flush=True)
+    return table(["least cell, mm", "layers", "cells", "order", *(f"{v} m/s: us at mm" for v in (5, 10, 20))], rows), None

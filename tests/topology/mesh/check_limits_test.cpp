@@ -251,6 +251,22 @@ TEST_CASE("a finding says in words how many there are, and all the rest as it st
   CHECK(finding(check_mesh({}), "empty_mesh").text == "the mesh has no points and no tetrahedra");
 }
 
+TEST_CASE("errors come first, and a finding names the first sixteen of its rows, or all places",
+          "[topology][findings]") {
+  TetMesh mesh = two_tetrahedra();
+  for (int i = 0; i < 20; ++i) mesh.points.push_back({2.0 + i, 0, 0});  // unused: a warning
+  mesh.tetrahedra.insert(mesh.tetrahedra.end(), 30, {2, 3, 4, 4});
+  for (const bool keeps_places : {false, true}) {
+    const Survey survey = survey_mesh(mesh, Severity::warning, keeps_places);
+    REQUIRE(codes(survey.findings) ==
+            std::vector<std::string>{"repeated_vertex", "unused_point"});
+    CHECK(survey.findings[0].ids.size() == Finding::max_ids);
+    CHECK(survey.findings[1].ids.size() == Finding::max_ids);
+    REQUIRE(survey.places.size() == (keeps_places ? 2 : 0));
+    if (keeps_places) CHECK(survey.places[0].rows.size() == 30);
+  }
+}
+
 // 18 GB and half a minute: run by hand, with `sunder_topology_tests "[.too_large]"`.
 TEST_CASE("a mesh of more tetrahedra than can be numbered is told, and nothing else is asked of it",
           "[.too_large]") {

@@ -116,22 +116,6 @@ TEST_CASE("a tetrahedron that names a point twice is refused", "[topology][findi
   }
 }
 
-TEST_CASE("errors come first, and a finding names the first sixteen of its rows, or all places",
-          "[topology][findings]") {
-  TetMesh mesh = two_tetrahedra();
-  for (int i = 0; i < 20; ++i) mesh.points.push_back({2.0 + i, 0, 0});  // unused: a warning
-  mesh.tetrahedra.insert(mesh.tetrahedra.end(), 30, {2, 3, 4, 4});
-  for (const bool keeps_places : {false, true}) {
-    const Survey survey = survey_mesh(mesh, Severity::warning, keeps_places);
-    REQUIRE(codes(survey.findings) ==
-            std::vector<std::string>{"repeated_vertex", "unused_point"});
-    CHECK(survey.findings[0].ids.size() == Finding::max_ids);
-    CHECK(survey.findings[1].ids.size() == Finding::max_ids);
-    REQUIRE(survey.places.size() == (keeps_places ? 2 : 0));
-    if (keeps_places) CHECK(survey.places[0].rows.size() == 30);
-  }
-}
-
 TEST_CASE("fixture 18: a copy of a tetrahedron is refused, mirrored or not, with its row",
           "[topology][findings][fixture]") {
   TetMesh mesh = kuhn_box({2, 1, 1});

@@ -2,6 +2,7 @@
 // Repairs: what each changes, what it leaves, and that a mesh without the fault stays as it is.
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <limits>
 
 #include "tests/support/io_support.hpp"
 #include "topology/mesh/check.hpp"
@@ -179,14 +180,15 @@ TEST_CASE("points that coincide merge at distance 0, and as quickly", "[io][repa
   constexpr std::uint32_t n = 100000;
   FileMesh mesh;
   for (std::uint32_t i = 0; i < 2 * n; ++i) {
-    const double x = 1e3 + (i % n) * 1e-9;
-    mesh.points.push_back({x, 7 - x, i % 3 == 0 ? 0.0 : -0.0});
+    const double x = -1e3 - (i % n) * 1e-9;
+    mesh.points.push_back({x, x - 7, i % 3 == 0 ? 0.0 : -0.0});
     mesh.vertices.corners.push_back({i});
   }
   mesh.points.push_back({std::nan(""), 0, 0});
   mesh.points.push_back({std::nan(""), 0, 0});
+  mesh.points.push_back({std::numeric_limits<double>::infinity(), 0, 0});
   CHECK(merge_points(mesh, 0).count == n);
-  REQUIRE(mesh.points.size() == n + 2);
+  REQUIRE(mesh.points.size() == n + 3);
   for (std::uint32_t i = 0; i < 2 * n; ++i) REQUIRE(mesh.vertices.corners[i][0] == i % n);
 }
 
