@@ -180,6 +180,14 @@ void lose_data(Losses& losses, const FileMesh& mesh, std::string_view version) {
            fmt::format("{} has one array of a name: further ones are lost ({})", losses.to.name,
                        fmt::join(clashes, ", ")));
     }
+    const std::vector<std::string> filled = vtk_fillings(mesh);
+    if (!filled.empty()) {
+      lose(losses, "data_filled", filled.size(),
+           fmt::format("{} has one array for cells of all kinds: those without {} get 0",
+                       losses.to.name, fmt::join(filled, ", ")));
+      losses.findings.back().remedy =
+          "give all kinds of cells these numbers, or read the zeros as none";
+    }
   }
   if (lost > 0) {
     lose(losses, "data_lost", lost,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Writing VTU frames with columns, PVD lists, and what a format cannot hold.
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "tests/support/io_support.hpp"
@@ -48,6 +49,30 @@ TEST_CASE("the columns of a frame stand in the file as they were given", "[io][v
   const Result<TetMesh> back = read_mesh(path);
   REQUIRE(back);
   CHECK(back->region == component);
+}
+
+TEST_CASE("zeros in the place of whole numbers that cells of a kind do not have are told",
+          "[io][vtu]") {
+  FileMesh mesh = file_mesh_of(two_tetrahedra());
+  mesh.triangles.corners = {{0, 1, 2}};
+  const Folder folder;
+  for (const char* name : {"a.vtu", "a.vtk"}) {
+    INFO(name);
+    mesh.tetrahedra.data = {{"stress", 1, NumberType::float64, std::vector<double>{1, 2}},
+                            {"age", 1, NumberType::int32, std::vector<std::int64_t>{3, 4}}};
+    mesh.triangles.data = {};
+    const auto told = write_file_mesh(folder.path() / name, mesh);
+    const auto filled = std::ranges::find(told, "data_filled", &Finding::code);
+    REQUIRE(filled != told.end());
+    CHECK(filled->severity == Severity::warning);
+    CHECK(filled->text.ends_with("has one array for cells of all kinds: those without age get 0"));
+    mesh.triangles.data = {{"age", 1, NumberType::int32, std::vector<std::int64_t>{0}}};
+    CHECK_FALSE(has_error(write_file_mesh(folder.path() / name, mesh)));
+    const Result<FileMesh> back = read_file_mesh(folder.path() / name);
+    REQUIRE(back);
+    CHECK(back->tetrahedra.data == mesh.tetrahedra.data);
+    CHECK(back->triangles.data == mesh.triangles.data);
+  }
 }
 
 TEST_CASE("a column of the wrong length is refused and nothing is written", "[io][vtu]") {

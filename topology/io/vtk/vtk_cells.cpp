@@ -10,6 +10,7 @@
 #include <set>
 #include <span>
 
+#include "topology/base/sort_unique.hpp"
 #include "topology/io/text/scan.hpp"
 #include "topology/mesh/kinds/column_order.hpp"
 
@@ -382,6 +383,21 @@ std::vector<std::string> vtk_clashes(const FileMesh& mesh) {
     judge_names(columns_of(mesh, kind).data, of_cells, clashes);
   }
   return clashes;
+}
+
+std::vector<std::string> vtk_fillings(const FileMesh& mesh) {
+  std::vector<std::string> names;
+  for (const DataColumn* const like : ordered_cell_columns(mesh)) {
+    if (like->values.index() == 0) continue;
+    const bool lacks = std::ranges::any_of(all_cell_kinds, [&](CellKind kind) {
+      const std::vector<DataColumn>& data = columns_of(mesh, kind).data;
+      return rows_of(mesh, kind).count > 0 &&
+             std::ranges::find(data, like->name, &DataColumn::name) == data.end();
+    });
+    if (lacks) names.push_back(like->name);
+  }
+  sort_unique(names);
+  return names;
 }
 
 }  // namespace sunder::io

@@ -129,4 +129,8 @@ std::uint8_t vtk_type_of(CellKind kind);
 /// what has other components or numbers than the first is filled.
 std::vector<std::string> vtk_clashes(const FileMesh& mesh);
 
+/// Names of whole numbers that cells of some kind have and those of another lack: these get 0 in
+/// the grid, which no reader can tell from a number. (Reals get not-a-number, labels 0: read as none.)
+std::vector<std::string> vtk_fillings(const FileMesh& mesh);
+
 }  // namespace sunder::io
