@@ -251,16 +251,18 @@ void add_vtk_cells(Draft& draft, VtkPiece& piece, const VtkCells& cells, std::si
 namespace {
 
 /// A column of integers over all cells, from one of each list; none where all lists lack it.
-template <class Pick>
+template <class Values>
 void add_own_column(VtkGrid& grid, const FileMesh& mesh, std::string name, NumberType type,
-                    Pick pick) {
+                    Values CellColumns::*member) {
   bool any = false;
-  for (const CellKind kind : all_cell_kinds) any = any || !pick(columns_of(mesh, kind)).empty();
+  for (const CellKind kind : all_cell_kinds) {
+    any = any || !(columns_of(mesh, kind).*member).empty();
+  }
   if (!any) return;
   std::vector<std::int64_t> values;
   values.reserve(grid.types.size());
   for (const CellKind kind : all_cell_kinds) {
-    const auto& own = pick(columns_of(mesh, kind));
+    const auto& own = columns_of(mesh, kind).*member;
     own.empty() ? values.insert(values.end(), rows_of(mesh, kind).count, 0)
                 : values.insert(values.end(), own.begin(), own.end());
   }
@@ -279,6 +281,14 @@ void append_rows(std::vector<Value>& out, const DataColumn* column, std::size_t 
   }
 }
 
+/// What a kind of cells has of the column that is `like` this one by name and components, or null.
+const DataColumn* part_of(const FileMesh& mesh, CellKind kind, const DataColumn& like) {
+  for (const DataColumn& c : columns_of(mesh, kind).data) {
+    if (c.name == like.name && c.components == like.components) return &c;
+  }
+  return nullptr;
+}
+
 /// The data of all lists under their names, but those that are our own.
 void add_data_columns(VtkGrid& grid, const FileMesh& mesh) {
   for (const DataColumn* const like : ordered_cell_columns(mesh)) {
@@ -288,11 +298,7 @@ void add_data_columns(VtkGrid& grid, const FileMesh& mesh) {
     DataColumn column{like->name, like->components, like->type, {}};
     if (like->values.index() == 1) column.values = std::vector<std::int64_t>{};
     for (const CellKind kind : all_cell_kinds) {
-      const std::vector<DataColumn>& data = columns_of(mesh, kind).data;
-      const auto found = std::ranges::find_if(data, [&](const DataColumn& c) {
-        return c.name == like->name && c.components == like->components;
-      });
-      const DataColumn* part = found == data.end() ? nullptr : &*found;
+      const DataColumn* const part = part_of(mesh, kind, *like);
       const std::size_t length = like->components * rows_of(mesh, kind).count;
       std::visit([&](auto& out) { append_rows(out, part, length); }, column.values);
     }
@@ -322,15 +328,9 @@ VtkGrid vtk_grid(const FileMesh& mesh) {
       grid.ends.push_back(static_cast<std::int64_t>(grid.connectivity.size()));
     }
   }
-  add_own_column(
-      grid, mesh, "region", NumberType::int32,
-      [](const auto& cells) -> const auto& { return cells.region; });
-  add_own_column(
-      grid, mesh, "entity", NumberType::int32,
-      [](const auto& cells) -> const auto& { return cells.entity; });
-  add_own_column(
-      grid, mesh, "source_cell_id", NumberType::int64,
-      [](const auto& cells) -> const auto& { return cells.source_id; });
+  add_own_column(grid, mesh, "region", NumberType::int32, &CellColumns::region);
+  add_own_column(grid, mesh, "entity", NumberType::int32, &CellColumns::entity);
+  add_own_column(grid, mesh, "source_cell_id", NumberType::int64, &CellColumns::source_id);
   add_data_columns(grid, mesh);
   if (!mesh.source_point_id.empty()) {
     grid.point_data.push_back({"source_point_id", 1, NumberType::int64, mesh.source_point_id});
@@ -390,9 +390,7 @@ std::vector<std::string> vtk_fillings(const FileMesh& mesh) {
   for (const DataColumn* const like : ordered_cell_columns(mesh)) {
     if (like->values.index() == 0) continue;
     const bool lacks = std::ranges::any_of(all_cell_kinds, [&](CellKind kind) {
-      const std::vector<DataColumn>& data = columns_of(mesh, kind).data;
-      return rows_of(mesh, kind).count > 0 &&
-             std::ranges::find(data, like->name, &DataColumn::name) == data.end();
+      return rows_of(mesh, kind).count > 0 && part_of(mesh, kind, *like) == nullptr;
     });
     if (lacks) names.push_back(like->name);
   }
