@@ -254,11 +254,8 @@ namespace {
 template <class Values>
 void add_own_column(VtkGrid& grid, const FileMesh& mesh, std::string name, NumberType type,
                     Values CellColumns::*member) {
-  bool any = false;
-  for (const CellKind kind : all_cell_kinds) {
-    any = any || !(columns_of(mesh, kind).*member).empty();
-  }
-  if (!any) return;
+  const auto is_empty = [&](CellKind kind) { return (columns_of(mesh, kind).*member).empty(); };
+  if (std::ranges::all_of(all_cell_kinds, is_empty)) return;
   std::vector<std::int64_t> values;
   values.reserve(grid.types.size());
   for (const CellKind kind : all_cell_kinds) {
