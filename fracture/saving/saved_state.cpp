@@ -81,6 +81,9 @@ bool fits_together(const SimulationState& s) {
         e.component.size(), e.stress.size(), s.cells.labels.of_tetrahedron.size()}) {
     if (rows != tetrahedra) return false;
   }
+  const RubbleState& rubble = s.ladder.rubble;
+  if (!rubble.apart.empty() && rubble.apart.size() != components) return false;
+  if (!rubble.ball_apart.empty() && rubble.ball_apart.size() != s.obstacles.size()) return false;
   return s.display.size() == components && s.display_target.size() == components &&
          s.cells.labels.size.size() == components && s.cells.skin.size() == 4 * tetrahedra &&
          fits_together(s.cells.cracks, vertices, tetrahedra) &&

@@ -111,6 +111,15 @@ void check_penalty_obstacles(fields::SettingsCheck& check, const Scene& scene) {
   }
 }
 
+/// Springs push everybody in every step, rubble has a clock of its own.
+void check_rubble(fields::SettingsCheck& check, const Scene& scene) {
+  if (scene.ladder.rubble == RubbleMode::off) return;
+  if (scene.contact.method != ContactMethod::penalty) return;
+  check.add("rubble_not_supported", "ladder.rubble",
+            "is certified, which contact.method penalty cannot have",
+            "leave it out, or set contact.method to impulses");
+}
+
 bool has_second_order(const Scene& scene) {
   return std::ranges::any_of(scene.bodies, [](const BodySettings& b) { return b.order == 2; });
 }
@@ -179,6 +188,7 @@ void check_together(fields::SettingsCheck& check, const Scene& scene) {
   }
   check_cohesive(check, scene);
   check_penalty_obstacles(check, scene);
+  check_rubble(check, scene);
   check_partial(check, scene);
   if (has_second_order(scene) && scene.fracture.node_stress == NodeStress::fit) {
     check.add("fit_of_second_order", "fracture.node_stress",

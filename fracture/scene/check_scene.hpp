@@ -29,7 +29,8 @@ void check_together(fields::SettingsCheck& check, const RestBox& box);
 /// of `check_strength`.
 void check_together(fields::SettingsCheck& check, const BodySettings& body);
 /// no_body; too_many_steps; axes_not_supported: what cannot go with vertices held along some axes;
-/// fit_of_second_order: a node stress that is no average.
+/// fit_of_second_order: a node stress that is no average; free_not_supported, rubble_not_supported:
+/// what penalty contact cannot have.
 void check_together(fields::SettingsCheck& check, const Scene& scene);
 
 }  // namespace sunder

@@ -305,7 +305,7 @@ void describe(V& v, LadderSettings& l) {
               "Pieces that cannot break, with their contacts: off: like all others; certified: as "
               "rigid bodies on a clock of about 1/240 s, where a bound says that nothing of them "
               "can break before the next tick (docs/rubble.md); not for node_stress fit but single "
-              "tetrahedra",
+              "tetrahedra, nor with contact.method penalty",
               {},
               false,
               "",

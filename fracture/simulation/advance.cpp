@@ -93,7 +93,6 @@ void note_pieces(StepReport& report, StepPlan& plan, std::vector<char>& touched,
   inherit(touched, s.cells.labels);
   inherit(plan.components, s.cells.labels);
   inherit(plan.boundary.component, s.cells.labels);
-  inherit(plan.boundary.apart, s.cells.labels);
   harden_pieces(report, sim);
 }
 

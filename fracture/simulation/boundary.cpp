@@ -42,15 +42,16 @@ Body body_of(const SimulationState& s, const Component& c) {
   return {&c, c.id.index(), c.centre, 1.1 * c.rest_radius, longest_edge(s, c)};
 }
 
-std::vector<Body> bodies_of(const SimulationState& s, const Boundary& boundary) {
+std::vector<Body> bodies_of(const SimulationState& s) {
+  const RubbleState& rubble = s.ladder.rubble;
   std::vector<Body> bodies;
   for (const Component& c : s.mechanics.components) {
-    const bool is_apart = !boundary.apart.empty() && boundary.apart[c.id.index()];
+    const bool is_apart = !rubble.apart.empty() && rubble.apart[c.id.index()];
     if (!c.tetrahedra.empty() && !is_apart) bodies.push_back(body_of(s, c));
   }
   for (std::size_t k = 0; k < s.obstacles.size(); ++k) {
     if (!s.obstacles[k].mass) continue;
-    if (!boundary.ball_apart.empty() && boundary.ball_apart[k]) continue;
+    if (!rubble.ball_apart.empty() && rubble.ball_apart[k]) continue;
     const Shape& shape = s.obstacles[k].shape;
     bodies.push_back({nullptr, k, pose_of(shape).centre, radius_of(shape), 0});
   }
@@ -202,7 +203,7 @@ void assign_roles(Boundary& boundary, const SimulationState& s, std::span<const 
   for (const Component& c : s.mechanics.components) {
     if (!open.empty() && (c.partly_held || is_raised(s.mechanics, c))) boundary.component[c.id.index()] = Role::member;
   }
-  const std::vector<Body> bodies = bodies_of(s, boundary);
+  const std::vector<Body> bodies = bodies_of(s);
   take_balls(boundary, s, bodies, reach);
   surround(boundary, s, bodies, reach, Role::member);
   surround(boundary, s, bodies, reach, Role::carried);
@@ -251,7 +252,7 @@ void spread_boundary(Boundary& boundary, SimulationState& s, const Vec3& gravity
     from.push_back(body_of(s, c));
   }
   if (from.empty()) return;
-  for (const Body& b : bodies_of(s, boundary)) {
+  for (const Body& b : bodies_of(s)) {
     if (b.component && role_of(boundary, b) == Role::other) others.push_back(b);
   }
   visit_near(s, from, others, reach, [&](const Body& b) {

@@ -27,9 +27,6 @@ enum class Role : char {
 /// with the very bytes of its whole step.
 struct Boundary {
   std::vector<Role> component, ball;  ///< rows = ComponentId, obstacles
-  /// Those on the clock of the rubble, who have no part in the step (`RubbleState::apart`); rows as
-  /// above, empty: none.
-  std::vector<char> apart, ball_apart;
   std::vector<char> pushed;           ///< row = ComponentId: a carried body got an impulse
   std::vector<char> spread;           ///< row = ComponentId: and what it may meet is carried too
   /// As the whole step ended: rungs, frames and rows of all.
@@ -49,7 +46,8 @@ double reach_of_step(const SimulationState& state, const Vec3& gravity, double h
 
 /// Who does what in a step in which the windows of `open` are open and things meet within `reach`
 /// (m): members are what is open, free balls that could meet it through others, and what lies
-/// within reach of those; carried is what lies within reach of members.
+/// within reach of those; carried is what lies within reach of members. Who is on the clock of the
+/// rubble (`RubbleState::apart`) has no part.
 void assign_roles(Boundary& boundary, const SimulationState& state,
                   std::span<const ComponentId> open, double reach);
 

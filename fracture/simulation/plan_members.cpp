@@ -5,24 +5,26 @@
 #include <algorithm>
 
 #include "mechanics/state/living.hpp"
+#include "topology/base/assert.hpp"
 
 namespace sunder {
 namespace {
 
 /// Takes out of the members who is on the clock of the rubble.
 void leave_out(std::vector<char>& members, const std::vector<char>& apart) {
+  SUNDER_ASSERT(apart.empty() || apart.size() == members.size(), "a row for everybody");
   for (std::size_t k = 0; k < apart.size(); ++k) members[k] = members[k] && !apart[k];
 }
 
 /// Everybody whose role `fits` becomes a member of the part to come.
 template <class Fits>
-void take_those(StepPlan& plan, Fits fits) {
+void take_those(StepPlan& plan, const SimulationState& s, Fits fits) {
   plan.components.clear();
   for (Role role : plan.boundary.component) plan.components.push_back(fits(role));
-  leave_out(plan.components, plan.boundary.apart);
+  leave_out(plan.components, s.ladder.rubble.apart);
   plan.balls.clear();
   for (Role role : plan.boundary.ball) plan.balls.push_back(fits(role));
-  leave_out(plan.balls, plan.boundary.ball_apart);
+  leave_out(plan.balls, s.ladder.rubble.ball_apart);
 }
 
 }  // namespace
@@ -43,8 +45,6 @@ void gather_members(StepPlan& plan, const SimulationState& s, double h) {
 void begin_without_rubble(StepPlan& plan, const SimulationState& s) {
   const RubbleState& rubble = s.ladder.rubble;
   if (rubble.apart.empty()) return;
-  plan.boundary.apart = rubble.apart;
-  plan.boundary.ball_apart = rubble.ball_apart;
   plan.components.assign(s.mechanics.components.size(), 1);
   leave_out(plan.components, rubble.apart);
   plan.balls.assign(s.obstacles.size(), 1);
@@ -61,12 +61,12 @@ bool anybody_moves(const StepPlan& plan, const SimulationState& s) {
 }
 
 bool take_the_others(StepPlan& plan, const SimulationState& s) {
-  take_those(plan, [](Role role) { return role != Role::member; });
+  take_those(plan, s, [](Role role) { return role != Role::member; });
   return anybody_moves(plan, s);
 }
 
 void take_the_members(StepPlan& plan, const SimulationState& s) {
-  take_those(plan, [](Role role) { return role != Role::other; });
+  take_those(plan, s, [](Role role) { return role != Role::other; });
   std::uint32_t members = 0, carried = 0;
   for_each_living(s.mechanics, {}, [&](const Component& c) {
     members += plan.boundary.component[c.id.index()] == Role::member;

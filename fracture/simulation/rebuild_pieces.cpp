@@ -54,6 +54,7 @@ RebuildReport rebuild_touched(SimulationState& s, std::span<const ComponentId> t
     s.display_target[id->index()] = {c.centre, c.orientation};
   }
   inherit(s.impact.quiet, s.cells.labels);
+  inherit(s.ladder.rubble.apart, s.cells.labels);
   return report;
 }
 

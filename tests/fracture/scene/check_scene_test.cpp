@@ -78,6 +78,10 @@ TEST_CASE("what keys say together is refused at its place", "[fracture][settings
           s.bodies[0].loads = {{.minimum = {5, 5, 5}, .maximum = {6, 6, 6}, .pressure = 1}};
         }) == All{"nothing_loaded bodies.0.loads.0"});
   CHECK(wrong([](Scene& s) {
+          s.contact.method = ContactMethod::penalty;
+          s.ladder.rubble = RubbleMode::certified;
+        }) == All{"rubble_not_supported ladder.rubble"});
+  CHECK(wrong([](Scene& s) {
           s.bodies[0].unbreakable = {{RestBox{{5, 5, 5}, {6, 6, 6}}}, {RegionName{"feet"}}};
         }) == All{"nothing_unbreakable bodies.0.unbreakable.0.box",
                   "unknown_region bodies.0.unbreakable.1.region"});

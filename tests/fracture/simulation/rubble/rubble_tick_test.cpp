@@ -124,6 +124,32 @@ TEST_CASE("an island with a piece that could break is no rubble", "[rubble]") {
   CHECK(together < 60);
 }
 
+TEST_CASE("pieces that come off within a tick have no part in its rubble", "[rubble]") {
+  Scene scene = chips(9);
+  scene.integrator.time_step = 5e-4;
+  BodySettings block;
+  block.mesh = suite::kuhn_box({4, 4, 4}, 0.02);
+  block.material = {.young_modulus = 1e9, .tensile_strength = 2e5};
+  block.translation = {0.5, 0, 0.1};
+  block.rotation = Eigen::AngleAxisd(0.4, Vec3(1, 1, 0).normalized());
+  block.velocity = {0, 0, -6};
+  scene.bodies.push_back(block);
+  Simulation sim = built(scene);
+  const std::uint64_t steps = rubble_clock(scene.integrator.time_step).steps;
+  std::size_t born = 0;
+  for (int k = 0; k < 120; ++k) {
+    const std::size_t before = sim.state->mechanics.components.size();
+    advance(sim);
+    const std::vector<char>& apart = sim.state->ladder.rubble.apart;
+    const std::size_t pieces = sim.state->mechanics.components.size();
+    if (apart.empty() || pieces == before) continue;
+    REQUIRE(apart.size() == pieces);
+    CHECK(std::count(apart.begin() + static_cast<std::ptrdiff_t>(before), apart.end(), 1) == 0);
+    born += sim.state->step % steps != 0;
+  }
+  CHECK(born > 0);
+}
+
 TEST_CASE("a ball wakes rubble that sleeps, and is pushed back", "[rubble]") {
   Scene scene = chips(9);
   scene.obstacles.push_back(
