@@ -37,8 +37,9 @@ bool take_back(const Attempt& attempt, StepReport& report, SimulationState& s,
   const std::vector<ComponentId> over = overloaded_components(
       body, input.scene.fracture, scratch, input.members, most_overstress);
   struck.insert(struck.end(), over.begin(), over.end());
-  if (struck.empty()) return false;
   sort_unique(struck);
+  Blows blows = struck_by_cracks(std::move(struck), input.scene, s.mechanics);
+  if (blows.struck.empty()) return false;  // what is rigid has no window that could open
   s.mechanics.vertices = attempt.vertices;
   s.mechanics.components = attempt.components;
   s.mechanics.elements.stress = attempt.stress;
@@ -49,7 +50,7 @@ bool take_back(const Attempt& attempt, StepReport& report, SimulationState& s,
   report = attempt.report;
   taken = {};
   taken.adopted = false;
-  taken.blows = struck_by_cracks(std::move(struck), input.scene, s.mechanics);
+  taken.blows = std::move(blows);
   taken.blows.time = 0;
   return true;
 }

@@ -27,9 +27,9 @@ std::optional<Attempt> begin_attempt(const Scene& scene, const PlannedPart& part
                                      const SimulationState& state, const StepReport& report);
 
 /// Whether the part let a tie open by more than a hundredth of what ends it, or overloaded a vertex
-/// by more than a tenth. If so all is put back, and `taken` is a part that was not adopted, with
-/// the components concerned as struck at its start: their windows open, and cracks grow in
-/// sub-steps that resolve their waves, whatever the scene's step.
+/// by more than a tenth, in a component that is not rigid. If so all is put back, and `taken` is a
+/// part that was not adopted, with the components concerned as struck at its start: their windows
+/// open, and cracks grow in sub-steps that resolve their waves, whatever the scene's step.
 bool take_back(const Attempt& attempt, StepReport& report, SimulationState& state,
                const PartInput& input, FractureScratch& scratch, ContactStepResult& taken);
 

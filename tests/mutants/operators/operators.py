@@ -7,6 +7,7 @@ What a run-time switch cannot reach (what the compiler evaluates, conditions of 
 macros) is counted in `left_out` and gets no site.
 """
 
+import hashlib
 import re
 from dataclasses import dataclass, field
 
@@ -79,6 +80,12 @@ def masked(source):
     return re.sub(pattern, lambda m: re.sub(rb"[^\n]", b" ", m.group()), source, flags=re.S)
 
 
+def code_of(source):
+    """The text without comments and with each blank of one character: what it says to a compiler."""
+    pattern = r'//[^\n]*|/\*.*?\*/|("(?:\\.|[^"\\\n])*")'
+    return re.sub(r"\s+", " ", re.sub(pattern, lambda m: m.group(1) or " ", source, flags=re.S))
+
+
 class Sites:
     """The sites of one file, found by a walk over what libclang makes of it."""
 
@@ -88,6 +95,7 @@ class Sites:
         self.blank = masked(self.source)
         self.sites = {}
         self.left_out = {}
+        self.code = {}  # of all functions, members and variables of a name
         self.macros = [(c.extent.start.offset, c.extent.end.offset)
                        for c in translation_unit.cursor.get_children()
                        if c.kind == Kind.MACRO_INSTANTIATION and self.is_here(c)]
@@ -95,6 +103,13 @@ class Sites:
             if child.kind.is_preprocessing() or not self.is_here(child):
                 continue
             self.walk(child, Place())
+
+    def mark_of(self, function):
+        """Changes with the code of the function, or of the member or variable with a value."""
+        return hashlib.sha256(self.code[function].encode()).hexdigest()[:8]
+
+    def note_code(self, name, cursor):
+        self.code[name] = self.code.get(name, "") + code_of(self.text_of(cursor))
 
     # Text.
     def is_here(self, cursor):
@@ -355,10 +370,12 @@ class Sites:
             self.function(cursor, place)
         elif kind == Kind.FIELD_DECL:
             inside = Place(f"{place.function}::{cursor.spelling}", at_compile_time=True)
+            self.note_code(inside.function, cursor)
             for child in cursor.get_children():
                 if child.extent.start.offset > cursor.location.offset:
                     self.expression(child, inside)
         elif kind == Kind.VAR_DECL:
+            self.note_code(cursor.spelling, cursor)
             self.variable(cursor, Place(cursor.spelling, at_compile_time=True))
         elif kind == Kind.STATIC_ASSERT:
             self.leave_out("static_assert")
@@ -379,6 +396,7 @@ class Sites:
         if re.search(r"\bconsteval\b", head):
             self.leave_out("consteval function")
             return
+        self.note_code(name, cursor)
         result = cursor.result_type.spelling
         inside = Place(name, at_compile_time=bool(re.search(r"\bconstexpr\b", head)),
                        is_void=result == "void", gives_reference=result.endswith("&"))

@@ -3,8 +3,9 @@
 
     python3 run_operators.py --build build/release/tests/mutants/operators [--only topology/kernel]
 
-Results go to RESULTS in the build folder, a line a mutant as it is known; a run goes on where the
-last one ended. What has a result keeps it while its file, function and text stand; `--again` asks
+Results go to results.jsonl in the build folder, a line a mutant as it is known; a run goes on where
+the last one ended. What has a result keeps it while the code of its function stands; a proof in
+survivors.json names that code too (`code`), and has to be looked at again once it is another. `--again` asks
 those that survived and have no proof once more, as after new tests or with more time (`--most`). At the end: the score by file.
 Exit code 0 when every survivor has its proof in survivors.json, 1 otherwise.
 """
@@ -32,7 +33,7 @@ HIDDEN = "[.too_large]"
 
 
 def key_of(mutant):
-    return tuple(mutant[k] for k in ("file", "function", "original", "mutant", "nth"))
+    return tuple(mutant[k] for k in ("file", "function", "original", "mutant", "nth", "code"))
 
 
 class Tests:
@@ -178,7 +179,7 @@ def wanted_of(entry):
 
 def proofs_of(mutants, known):
     """survivors.json by the key of each mutant, and what the types alone say; an entry that fits no
-    survivor is an error."""
+    survivor, or one of a function whose code has changed since, is an error."""
     entries = json.loads((HERE / "survivors.json").read_text(encoding="utf-8"))
     proved, wrong = {}, []
     for entry in entries:
@@ -186,6 +187,10 @@ def proofs_of(mutants, known):
             fits = [m for m in mutants if all(m[k] == v for k, v in wanted.items())]
             if not fits:
                 wrong.append(f"no mutant is {wanted}")
+            if changed := {m["code"] for m in fits} - {entry.get("code")}:
+                wrong.append(f"{entry['file']} {entry['function']} has changed since its proof: if that holds still, "
+                             f"give it \"code\": \"{min(changed)}\"")
+                continue
             for m in fits:
                 result = known.get(key_of(m))
                 if result and result["status"] == "killed":

@@ -92,9 +92,10 @@ class File:
 
     def list_mutants(self):
         self.mutants = []
-        again = collections.Counter()
+        again, marks = collections.Counter(), {}
         for site in sorted(self.found.sites.values(), key=lambda s: (s.start, s.end, s.kind)):
             original = flat(self.found.text(site.start, site.end))
+            mark = marks.setdefault(site.function, self.found.mark_of(site.function))
             for operator, text in site.alternatives:
                 same = site.same.get(text)
                 text = flat(text)
@@ -104,7 +105,7 @@ class File:
                     "number": self.base + len(self.mutants) + 1, "file": self.name,
                     "line": self.found.source[:site.start].count(b"\n") + 1,
                     "function": site.function, "operator": operator, "original": original,
-                    "mutant": text, "nth": again[key], "site": site, **({"same": same} if same else {})})
+                    "mutant": text, "nth": again[key], "code": mark, "site": site, **({"same": same} if same else {})})
         if len(self.mutants) >= ROOM:
             raise SystemExit(f"schemata.py: {self.name} has {len(self.mutants)} mutants: ROOM is too small")
 
