@@ -98,7 +98,7 @@ void check_orbits(const VolumeMap& map, Damage& damage) {
                   v);
     damage.unless(!map.is_node(VertexId{v}) || corners[v] == 0, "no corner has the row of a node",
                   v);
-    if (t.is_none() || corners[v] == 0 || !has_darts) continue;
+    if (t.is_none() || !has_darts) continue;
     const int place = place_of_vertex(map.corners(t), VertexId{v});
     damage.unless(place < 4, "the incident tetrahedron has the vertex", v);
     if (place == 4) continue;

@@ -272,6 +272,7 @@ TEST_CASE("rows dropped and appended again may be retired ones, and come into us
   again.points = {{0, 0, -7}};
   again.vertices = {9};
   again.cells = {{TetId{3}, {VertexId{5}, VertexId{6}, VertexId{7}, VertexId{12}}, {}}};
+  again.begins = {{VertexId{0}, TetId{0}}};  // said once more
   for (const std::size_t v : {5, 6, 7, 12}) again.begins.push_back({VertexId{v}, TetId{3}});
   const CellChange taken_back = map.apply(again);
   CHECK(check(map).empty());

@@ -108,6 +108,7 @@ TEST_CASE("each dart has the vertex and the tetrahedron of its row, and signs ar
           CHECK(answers.tetrahedron(d) == TetId{t});
           CHECK(answers.id(d) == map.dart(half_face(TetId{t}, p), from));
           CHECK(map.dense().id(answers.id(d)) == answers.id(d));
+          CHECK(answers.beta0(d) == answers.beta1(answers.beta1(d)));
         }
       }
     });
