@@ -10,7 +10,7 @@ A scene has one to four bodies (meshes of meshes/, turned, thrown, held, loaded,
 drawn or declared never to break), materials from rubber to steel, every method, model, mode,
 criterion, way to find cracks and rung, obstacles of all kinds, free ones among them. It is right when
 the run ends with 0, or with 3 or 5 and a finding that has a code; a signal, two minutes of
-processor, or another end is wrong and its scene is kept. --sanitized: every tenth scene is run by this
+processor (with sanitizers twenty), or another end is wrong and its scene is kept. --sanitized: every tenth scene is run by this
 program instead (the preset asan, or build/fuzz/sunder of tests/fuzz/run). The codes of all
 findings that ended a run are counted.
 --heap: blocks that fall into a heap and rest; the memory of the process is looked at as the steps go,
@@ -135,8 +135,8 @@ def scene(chance):
     }
 
 
-def limit_processor_time():
-    resource.setrlimit(resource.RLIMIT_CPU, (120, 121))  # not of the wall: machines are shared
+def limit_processor_time(seconds):
+    resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))  # not of the wall: machines are shared
 
 
 def run_scenes(said):
@@ -156,7 +156,8 @@ def run_scenes(said):
             program = said.sanitized if is_sanitized else said.sunder
             try:
                 done = subprocess.run([program, "run", path, "--quiet", "--force", "-o", place / "out"],
-                                      capture_output=True, timeout=1800, preexec_fn=limit_processor_time)
+                                      capture_output=True, timeout=3600,
+                                      preexec_fn=lambda: limit_processor_time(1200 if is_sanitized else 120))
                 code, err = done.returncode, done.stderr.decode(errors="replace")
             except subprocess.TimeoutExpired:
                 code, err = "hang", ""
