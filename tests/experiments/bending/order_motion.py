@@ -75,8 +75,9 @@ def bar(sunder, folder, repeats):
     E, rho, v = CONCRETE["young_modulus"], CONCRETE["density"], 0.5
     c = math.sqrt(E / rho)
     h, rows = 1 / c / 64, []
-    for order, n in ((1, 20), (1, 40), (1, 80), (2, 10), (2, 20), (2, 40)):
-        write_mesh(folder / "body.mesh", *block((n, 1, 1), (1.0, 0.05, 0.05)))
+    for order, n, across in ((1, 20, 1), (1, 40, 1), (1, 80, 1), (1, 40, 2), (2, 10, 1), (2, 20, 1), (2, 40, 1),
+                             (2, 20, 2), (2, 40, 2)):
+        write_mesh(folder / "body.mesh", *block((n, across, across), (1.0, 0.05, 0.05)))
         steps = 256
         scene = base(order, CONCRETE, h, h * steps, obstacles=[{"plane": {"normal": [1, 0, 0]}, "friction": 0}],
                      contact={"friction": 0}, output={"frame_interval": h},
@@ -88,7 +89,7 @@ def bar(sunder, folder, repeats):
         lasted = (times[pushed[-1] + 1] - times[pushed[0]]) * c / 2
         plateau = (times[1:] > 0.25 / c) & (times[1:] < 1.75 / c)
         step = statistics.median(step_seconds(sunder, folder, scene, steps)[0] for _ in range(repeats))
-        rows.append([str(order), str(6 * n), f"{lasted:.3f}", f"{force[plateau].mean():.3f}",
+        rows.append([str(order), f"{n} x {across} x {across} x 6", f"{lasted:.3f}", f"{force[plateau].mean():.3f}",
                      f"{force[plateau].std():.3f}", f"{-stress.min() / (rho * c * v):.3f}", f"{stress.max() / (rho * c * v):.3f}",
                      f"{p[-1] / (rho * 0.05 ** 2 * v):.3f}", f"{1e3 * step:.3f}"])
         print("bar", rows[-1], flush=True)

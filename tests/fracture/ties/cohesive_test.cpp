@@ -382,22 +382,3 @@ TEST_CASE("a run saved amid open ties goes on to the same bytes", "[ties]") {
   }
   CHECK(saved_state(sim) == saved_state(*loaded));
 }
-
-TEST_CASE("a step ends where what is overloaded is rigid, and no window of it can open", "[ties]") {
-  for (const IsolatedTetrahedra isolated :
-       {IsolatedTetrahedra::rigid, IsolatedTetrahedra::projection, IsolatedTetrahedra::qr}) {
-    Scene scene = pulled_bar(1e-4);
-    scene.integrator.isolated = isolated;
-    BodySettings chip{.name = "chip"};
-    chip.mesh.points = {{0, 0, 3}, {1, 0, 3}, {0, 1, 3}, {0, 0, 4}};
-    chip.mesh.tetrahedra = {{0, 1, 2, 3}};
-    chip.material.tensile_strength = 1e-6;
-    chip.material.fracture_energy = energy;
-    chip.spin = {30, 20, 10};
-    scene.bodies.push_back(chip);
-    Simulation sim = built(scene);
-    for (int i = 0; i < 5; ++i) advance_fine(sim);
-    check_nesting(sim);
-    CHECK(sim.state->step == 5);
-  }
-}
