@@ -13,6 +13,7 @@
 
 #include "sunder_fault.hpp"
 #include "tests/mutants/operators/digest.hpp"
+#include "tests/mutants/operators/parts_round.hpp"
 #include "tests/support/careless_surface.hpp"
 #include "tests/support/random_kinds.hpp"
 #include "tests/support/random_meshes.hpp"
@@ -48,7 +49,7 @@ using suite::below;
 using suite::unit;
 using test::Digest;
 
-using test::body, test::careless, test::Random;
+using test::body, test::careless, test::parts_round, test::Random;
 
 /// Often along an axis or through a vertex, where signs are a matter of rounding.
 Point normal_of(Random& random) {
@@ -355,7 +356,7 @@ int main(int argc, char** argv) {
   const std::map<std::string, void (*)(Random&, Digest&)> areas = {
       {"kernel", kernel_round}, {"check", check_round}, {"repair", repair_round},
       {"crack", crack_round},   {"kinds", kinds_round}, {"surface", surface_round},
-      {"cells", cells_round}};
+      {"cells", cells_round},   {"parts", parts_round}};
   for (const auto& [name, round] : areas) {
     Digest out;
     for (std::uint64_t i = 0; i < rounds; ++i) {
