@@ -31,7 +31,7 @@ inline void parts_round(Random& random, Digest& out) {
   if (map && map->tetrahedra() > 0) {
     std::vector<std::array<std::uint32_t, 3>> wanted;
     for (int i = 0; i < 9; ++i) {
-      const Index4& t = mesh.tetrahedra[suite::below(random, mesh.tetrahedra.size())];
+      const auto& t = mesh.tetrahedra[suite::below(random, mesh.tetrahedra.size())];
       wanted.push_back({t[suite::below(random, 4)], t[3], t[1]});
     }
     out.add(find_faces(*map, wanted));
