@@ -10,6 +10,7 @@ Sizes: a C++ file has at most 400 lines and a folder 25 C++ files, or a line in 
 Both lists are of lines `path: words`; a line that is no longer needed fails the test.
 """
 
+import json
 import pathlib
 import re
 import sys
@@ -102,6 +103,11 @@ def untested_headers(files, entries, exists):
     return wrong
 
 
+def faults_without_a_place(entries, text_of):
+    """Faults chosen by hand (tests/mutants/*.json) whose text does not stand once in its source."""
+    return [f"{e['file']}: {e['find']}" for e in entries if text_of(e["file"]).count(e["find"]) != 1]
+
+
 def too_large(files, entries):
     """Files and folders above the limits that the list does not excuse, and excuses not needed."""
     large = {name: f"{text.count(chr(10))} lines" for name, text in files.items()
@@ -152,6 +158,12 @@ class TheProject(unittest.TestCase):
                if ";" in name or name.startswith("-")]
         self.assertEqual(bad, [])
 
+    def test_faults_by_hand_fit_the_sources(self):
+        for path in sorted((self.project / "tests/mutants").glob("*.json")):
+            entries = json.loads(path.read_text(encoding="utf-8"))
+            wrong = faults_without_a_place(entries, lambda f: (self.project / f).read_text(encoding="utf-8"))
+            self.assertEqual(wrong, [], path.name)
+
     def test_files_and_folders_are_small(self):
         self.assertEqual(too_large(self.files, self.entries("large.txt")), [])
 
@@ -201,6 +213,10 @@ class ThisTest(unittest.TestCase):
         self.assertEqual(len(too_large(files, {})), 2)
         self.assertEqual(too_large(files, {"a": "why", "b/long.cpp": "why"}), [])
         self.assertEqual(len(too_large(files, {"a": "", "b/long.cpp": "", "b/just.cpp": ""})), 1)
+
+    def test_a_fault_without_a_place_is_found(self):
+        faults = [{"file": "a", "find": "b + c"}, {"file": "a", "find": "d"}, {"file": "a", "find": "e"}]
+        self.assertEqual(faults_without_a_place(faults, {"a": "b + c; d; d;"}.get), ["a: d", "a: e"])
 
     def test_lists_are_read(self):
         self.assertEqual(read_list("# words\n\na/b.hpp: why not\n"), ({"a/b.hpp": "why not"}, []))
