@@ -7,6 +7,7 @@ Documents: every name that ends in .md, in a C++ file or a script, is a file of 
 its root, from beside the file that cites it, or in docs/.
 Headers: each has a test of its own name (tests/**/NAME_test.cpp) or a line in untested_headers.txt.
 Sizes: a C++ file has at most 400 lines and a folder 25 C++ files, or a line in large.txt.
+Faults: the text that one of tests/mutants/*.json changes stands once in its source.
 Both lists are of lines `path: words`; a line that is no longer needed fails the test.
 """
 
