@@ -293,6 +293,8 @@ def put_into(page, name, text, only_check):
     """Puts the text between the page's two lines of that name; whether it was there before."""
     begin, end = f"<!-- {name} -->\n", f"<!-- end of {name} -->\n"
     whole = pathlib.Path(page).read_text()
+    if begin not in whole or end not in whole:
+        sys.exit(f"{page} has no lines {begin.strip()} and {end.strip()}")
     before, rest = whole.split(begin)
     old, after = rest.split(end)
     if not only_check:
