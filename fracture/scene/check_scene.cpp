@@ -99,9 +99,15 @@ void check_partial(fields::SettingsCheck& check, const Scene& scene) {
   }
 }
 
-/// The paper's springs push at the centres of balls alone.
-void check_penalty_obstacles(fields::SettingsCheck& check, const Scene& scene) {
+/// The paper's springs push at the centres of balls alone, and everybody in every step; rubble has a
+/// clock of its own.
+void check_penalty(fields::SettingsCheck& check, const Scene& scene) {
   if (scene.contact.method != ContactMethod::penalty) return;
+  if (scene.ladder.rubble != RubbleMode::off) {
+    check.add("rubble_not_supported", "ladder.rubble",
+              "is certified, which contact.method penalty cannot have",
+              "leave it out, or set contact.method to impulses");
+  }
   for (std::size_t k = 0; k < scene.obstacles.size(); ++k) {
     const Obstacle& obstacle = scene.obstacles[k];
     if (!obstacle.mass || std::holds_alternative<Sphere>(obstacle.shape)) continue;
@@ -109,15 +115,6 @@ void check_penalty_obstacles(fields::SettingsCheck& check, const Scene& scene) {
               "is given, but with contact.method penalty only spheres move freely",
               "leave the mass out, make it a sphere, or set contact.method to impulses");
   }
-}
-
-/// Springs push everybody in every step, rubble has a clock of its own.
-void check_rubble(fields::SettingsCheck& check, const Scene& scene) {
-  if (scene.ladder.rubble == RubbleMode::off) return;
-  if (scene.contact.method != ContactMethod::penalty) return;
-  check.add("rubble_not_supported", "ladder.rubble",
-            "is certified, which contact.method penalty cannot have",
-            "leave it out, or set contact.method to impulses");
 }
 
 bool has_second_order(const Scene& scene) {
@@ -187,8 +184,7 @@ void check_together(fields::SettingsCheck& check, const Scene& scene) {
     check.add("no_body", "bodies", "is empty", "give at least one body");
   }
   check_cohesive(check, scene);
-  check_penalty_obstacles(check, scene);
-  check_rubble(check, scene);
+  check_penalty(check, scene);
   check_partial(check, scene);
   if (has_second_order(scene) && scene.fracture.node_stress == NodeStress::fit) {
     check.add("fit_of_second_order", "fracture.node_stress",

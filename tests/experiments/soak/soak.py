@@ -10,9 +10,9 @@ A scene has one to four bodies (meshes of meshes/, turned, thrown, held, loaded,
 drawn or declared never to break), materials from rubber to steel, every method, model, mode,
 criterion, way to find cracks and rung, obstacles of all kinds, free ones among them. It is right when
 the run ends with 0, or with 3 or 5 and a finding that has a code; a signal, two minutes of
-processor (with sanitizers twenty), or another end is wrong and its scene is kept. --sanitized: every tenth scene is run by this
-program instead (the preset asan, or build/fuzz/sunder of tests/fuzz/run). The codes of all
-findings that ended a run are counted.
+processor (with sanitizers twenty), or another end is wrong and its scene is kept. --sanitized: every
+tenth scene is run by this program instead (the preset asan, or build/fuzz/sunder of tests/fuzz/run).
+The codes of all findings that ended a run are counted.
 --heap: blocks that fall into a heap and rest; the memory of the process is looked at as the steps go,
 and must not grow in the last nine tenths by more than a tenth.
 --minutes ends either after so long on the wall, and says how far it came."""

@@ -92,10 +92,10 @@ class File:
 
     def list_mutants(self):
         self.mutants = []
-        again, marks = collections.Counter(), {}
+        again = collections.Counter()
         for site in sorted(self.found.sites.values(), key=lambda s: (s.start, s.end, s.kind)):
             original = flat(self.found.text(site.start, site.end))
-            mark = marks.setdefault(site.function, self.found.mark_of(site.function))
+            mark = self.found.mark_of(site.function)
             for operator, text in site.alternatives:
                 same = site.same.get(text)
                 text = flat(text)
