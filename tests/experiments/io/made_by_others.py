@@ -14,6 +14,7 @@ Prints Markdown: a row a program and format; --page puts it between its marks. E
 round trip failed or lost something untold; 77: gmsh or meshio is not installed. Programs that are not installed
 are left out, and said to be."""
 import argparse
+import importlib.util
 import json
 import pathlib
 import re
@@ -254,8 +255,15 @@ def by_assimp(folder):
                 yield "assimp", way, out
 
 
-MAKERS = [(by_gmsh, "gmsh"), (by_meshio, None), (by_vtk, None), (by_cgx, "cgx"), (by_netgen, "netgen"),
+# What makes files, and what it needs: a command, or a module of Python.
+MAKERS = [(by_gmsh, "gmsh"), (by_meshio, "python3-meshio"), (by_vtk, "python3-vtk9"), (by_cgx, "cgx"), (by_netgen, "python3-netgen"),
           (by_blender, "blender"), (by_openscad, "openscad"), (by_assimp, "assimp")]
+MODULES = {"python3-meshio": "meshio", "python3-vtk9": "vtk", "python3-netgen": "netgen"}
+
+
+def is_there(program):
+    module = MODULES.get(program)
+    return importlib.util.find_spec(module) is not None if module else shutil.which(program) is not None
 
 
 def convert(sunder, source, out, *words):
@@ -340,7 +348,7 @@ def main():
             folder = options.keep.resolve()
             folder.mkdir(parents=True, exist_ok=True)
         for maker, program in MAKERS:
-            if program and shutil.which(program) is None:
+            if not is_there(program):
                 missing.append(program)
                 continue
             wanted = lambda who: not options.only or who in options.only
