@@ -195,11 +195,13 @@ def main():
     files = dict(zip(names, pool.map(File, *zip(*[(project, name, ROOM * k, out / "parsed" / name, depends[name])
                                                    for k, name in enumerate(names)]))))
     dropped = set()
-    known = out / "dropped.json"  # what did not compile the last time: tried again when a file changed
+    # What did not compile the last time, by file, as a new file moves the numbers of those behind it: tried again
+    # when its file changed.
+    known = out / "dropped_of_files.json"
     stale = {name for name, f in files.items() if write_if_new(out / "originals" / name, f.found.source.decode())}
     if known.exists():
-        dropped = {n for n in json.loads(known.read_text(encoding="utf-8"))
-                   if names[n // ROOM] not in stale}
+        dropped = {files[name].base + n for name, own in json.loads(known.read_text(encoding="utf-8")).items()
+                   if name in files and name not in stale for n in own}
     for name, file in files.items():
         write_if_new(out / name, file.copy(dropped))
     # Headers first by themselves, then the sources, which instantiate them. What compiled the last
@@ -226,7 +228,8 @@ def main():
     if unblamed:
         sys.exit("schemata.py: no mutant is to blame for\n" + "\n".join(sorted(unblamed)))
     clean.write_text(json.dumps(states()), encoding="utf-8")
-    known.write_text(json.dumps(sorted(dropped)), encoding="utf-8")
+    of_files = {name: [n - f.base for n in sorted(dropped) if names[n // ROOM] == name] for name, f in files.items()}
+    known.write_text(json.dumps(of_files), encoding="utf-8")
     for path in out.glob("topology/**/*.[ch]pp"):
         if path.relative_to(out).as_posix() not in files:
             path.unlink()
