@@ -147,13 +147,14 @@ void look_at_slenderness(const Looked& l, std::size_t b) {
   const std::string false_strain =
       share < 1 ? fmt::format("a false strain of up to {:.0f} per cent of it", 100 * share)
                 : "a false strain larger than the true one";
-  l.body(b, "slender_body", "mesh",
-         fmt::format("is {:.3g} times as long as thick and breaks at a strain of {:.3g}: bent so "
-                     "far, one rigid reference sees {}",
-                     m.slenderness, strain, false_strain),
-         "where bending breaks it take \"model\": \"corotational\" with \"integrator\": "
-         "{\"method\": \"implicit_euler\"} (slower, without impact windows), else read its bending "
-         "stresses as too high");
+  l.body(
+      b, "slender_body", "mesh",
+      fmt::format("is {:.3g} times as long as thick and breaks at a strain of {:.3g}: bent so "
+                  "far, one rigid reference sees {}",
+                  m.slenderness, strain, false_strain),
+      "where bending breaks it take \"model\": \"corotational\" (slower, without impact windows), "
+      "for slow loads with \"integrator\": {\"method\": \"implicit_euler\"}, for a short blow with "
+      "{\"method\": \"sub_stepped\"}; else read its bending stresses as too high");
 }
 
 void look_at_obstacles(const Looked& l) {

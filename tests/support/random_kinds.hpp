@@ -113,7 +113,7 @@ inline std::string words(const FileMesh& mesh) {
     const CellRows rows = rows_of(mesh, kind);
     for (std::size_t i = 0; i < rows.count; ++i)
       text += fmt::format(" ({})", fmt::join(rows[i], " "));
-    text += " " + words(columns_of(mesh, kind)) + "\n";
+    text += fmt::format(" {}\n", words(columns_of(mesh, kind)));
   }
   return text;
 }

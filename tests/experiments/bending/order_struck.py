@@ -120,7 +120,7 @@ def broken(sunder, folder, _):
                 report, events, seconds = run_to_end(sunder, folder, whole)
                 warned |= {f["code"] for f in report.get("findings", [])}
                 fans = sum("normal" in event for event in events)
-                until = "" if report["end"] == "done" else f" until {1e3 * report['time']:.2f} ms"
+                until = "" if report["end"] == "finished" else f" until {1e3 * report['time']:.2f} ms"
                 row.append(f"{report['components']}, {fans}{until}, {seconds:.0f} s")
             rows.append([*row, ", ".join(sorted(warned))])
             print(*rows[-1], sep=" | ", flush=True)

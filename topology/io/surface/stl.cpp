@@ -260,9 +260,9 @@ std::string write_stl(const FileMesh& mesh, bool is_binary) {
     const auto& t = triangles[i];
     const bool is_first = i == 0 || (!label.empty() && label[i] != label[i - 1]);
     if (!is_binary && is_first) {
-      if (i > 0) put_text(out, "endsolid" + name + "\n");
-      if (!label.empty()) name = " " + word_of_region(words, 2, label[i]);
-      put_text(out, "solid" + name + "\n");
+      if (i > 0) put_text(out, fmt::format("endsolid{}\n", name));
+      if (!label.empty()) name = fmt::format(" {}", word_of_region(words, 2, label[i]));
+      put_text(out, fmt::format("solid{}\n", name));
     }
     const std::array<Point, 3> corners = {mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]};
     const auto normal = unit_normal(corners[0], corners[1], corners[2]);
@@ -276,7 +276,7 @@ std::string write_stl(const FileMesh& mesh, bool is_binary) {
     }
     put_little(out, std::uint16_t{0});
   }
-  if (!is_binary && !triangles.empty()) put_text(out, "endsolid" + name + "\n");
+  if (!is_binary && !triangles.empty()) put_text(out, fmt::format("endsolid{}\n", name));
   return std::move(out.bytes);
 }
 

@@ -157,8 +157,9 @@ void check_turns(RunStatistics& statistics, const Simulation& now, const StepRep
                              "{:.3g} rad against its reference; the linear model is good to {:.3g}",
                              report.step, report.time, component.id.index(), component.largest_turn,
                              valid),
-         .remedy = "read the stresses there as too high by about E theta^2 / 2, or take a stiffer "
-                   "material or less slender bodies"});
+         .remedy = "read the stresses there as too high by about E theta^2 / 2, or take \"model\": "
+                   "\"corotational\", for a short blow with \"integrator\": {\"method\": "
+                   "\"sub_stepped\"}, else with implicit_euler"});
     return;
   }
 }
