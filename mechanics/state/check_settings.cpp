@@ -2,8 +2,6 @@
 // The wording of refused settings, and the rules between keys of an integrator.
 #include "mechanics/state/check_settings.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <cstdio>
 
@@ -39,7 +37,8 @@ Finding out_of_range(const Key& key, std::string_view place, std::string_view se
   const std::string unit = key.unit.empty() ? "" : " " + std::string(key.unit);
   Finding finding;
   finding.code = "out_of_range";
-  finding.text = fmt::format("{} is {}{}; allowed is {}", place, seen, unit, allowed(key.range));
+  finding.text.append(place).append(" is ").append(seen).append(unit);
+  finding.text.append("; allowed is ").append(allowed(key.range));
   finding.remedy = "give a value " + allowed(key.range) + unit;
   if (!key.remedy.empty()) finding.remedy += ": " + std::string(key.remedy);
   return finding;

@@ -20,6 +20,14 @@ constexpr bool contains(const BoundingBox& box, const Point& p) {
          box.low[2] <= p[2] && p[2] <= box.high[2];
 }
 
+/// Whether two boxes have a point in common.
+constexpr bool overlap(const BoundingBox& a, const BoundingBox& b) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (a.low[k] > b.high[k] || b.low[k] > a.high[k]) return false;
+  }
+  return true;
+}
+
 /// Boxes halved at their median centre along the axis in which the centres spread most.
 struct BoxTree {
   struct Node {

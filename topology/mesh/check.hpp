@@ -94,8 +94,10 @@ inline constexpr double contact_tolerance = 1e-6;
 /// |---|---|---|
 /// | hanging_vertex: inside a boundary face or edge that does not have it | warning | points |
 /// | close_points: boundary points that miss each other by a rounding | warning | points |
+/// | overlapping_faces: boundary faces that go through others | warning | 3 points each |
 /// | stray_triangle: a face of no tetrahedron | warning | triangles |
 /// | contact_unfinished: not held against all faces | warning | points |
+/// | overlap_unfinished: faces not held against all others | warning | 3 points each |
 /// | nonmanifold_vertex: in one piece, but the surface touches itself there | note | points |
 /// | coincident_faces: boundary faces in one place with different points | note | 3 points each |
 /// | interface_triangle: a face of two tetrahedra | note | triangles |
@@ -103,7 +105,9 @@ inline constexpr double contact_tolerance = 1e-6;
 /// A vertex hangs when it is nearer to an edge than `contact_tolerance` times that edge, or to a
 /// face than that times its longest edge, and is not near a corner; points are close nearer than
 /// that times the shortest edge of a face at one of them. Either distance is never taken smaller
-/// than 8 roundings of the largest coordinate. `keeps_places`: whether `places` is wanted.
+/// than 8 roundings of the largest coordinate. Faces go through each other where an edge of one
+/// passes the inside of the other, its ends and that face's edges being farther away than
+/// `contact_tolerance` times the longest edge of both. `keeps_places`: whether `places` is wanted.
 /// Cost: O(n log n) whatever the mesh, about 1 us a tetrahedron.
 MeshCheck check_file_mesh(const FileMesh& mesh, bool keeps_places = false);
 

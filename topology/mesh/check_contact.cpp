@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Boundary faces and boundary vertices that lie on each other without being joined: hanging
-// vertices, points that miss each other by a rounding, faces in one place.
+// vertices, points that miss each other by a rounding, faces in one place; faces that go through
+// each other.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -36,10 +37,20 @@ constexpr FindingWords contact_unfinished = {
     "contact_unfinished", Severity::warning,
     "% boundary points were not held against all faces near them: too many faces overlap",
     "mend the other findings first; what is told of hanging vertices may not be all"};
+constexpr FindingWords overlapping_faces = {
+    "overlapping_faces", Severity::warning,
+    "% boundary faces go through others: parts of the body, or bodies, overlap there",
+    "cut one part out of the other, or move them apart"};
+constexpr FindingWords overlap_unfinished = {
+    "overlap_unfinished", Severity::warning,
+    "% boundary faces were not held against all faces near them: too many overlap",
+    "mend the other findings first; what is told of overlapping faces may not be all"};
 
 /// Looks at boxes for each boundary point and face. Ordinary meshes need about 20, also when they
 /// are cut along every face; without a bound n faces through each other would take n^2.
 constexpr std::size_t looks_each = 50;
+/// The same for each boundary face held against others: ordinary meshes need about 60.
+constexpr std::size_t looks_of_faces = 400;
 
 /// The boundary of a mesh by places in space: points with the same coordinates are one place.
 struct Contact {
@@ -191,11 +202,14 @@ void show_faces(Contact& c, const char* code, std::vector<std::uint32_t> faces) 
   c.survey.places.push_back(std::move(places));
 }
 
-void find_hanging(Contact& c) {
+BoxTree tree_of_faces(const Contact& c) {
   std::vector<BoundingBox> boxes;
   boxes.reserve(c.faces.size());
   for (const std::uint32_t face : c.faces) boxes.push_back(box_of(c, face));
-  const BoxTree tree = box_tree(std::move(boxes));
+  return box_tree(std::move(boxes));
+}
+
+void find_hanging(Contact& c, const BoxTree& tree) {
   std::vector<std::uint32_t> hanging, unfinished, hung_in;
   std::size_t looks_left = looks_each * (c.at.size() + c.faces.size());
   for (std::uint32_t place = 0; place < c.at.size(); ++place) {
@@ -263,15 +277,80 @@ void report_coincident(Contact& c) {
   report(c.survey, coincident_faces, places);
 }
 
+/// Whether the segment passes through the inside of the face, its ends and the face's edges being
+/// farther from there than what counts as touching.
+bool goes_through(const Contact& c, const Point& from, const Point& to,
+                  const std::array<Point, 3>& face) {
+  const Point normal = cross(difference(face[1], face[0]), difference(face[2], face[0]));
+  const double begin = dot(normal, difference(from, face[0]));
+  const double end = dot(normal, difference(to, face[0]));
+  if ((begin > 0) == (end > 0)) return false;
+  const auto edges = edge_lengths(face);
+  const Point way = difference(to, from);
+  const double margin =
+      length(normal) * tolerance_for(c, std::max({edges[0], edges[1], edges[2], length(way)}));
+  if (std::min(std::abs(begin), std::abs(end)) <= margin) return false;
+  Point x = from;
+  for (std::size_t k = 0; k < 3; ++k) x[k] += begin / (begin - end) * way[k];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point along = difference(face[(k + 1) % 3], face[k]);
+    if (dot(normal, cross(along, difference(x, face[k]))) <= margin * edges[k]) return false;
+  }
+  return true;
+}
+
+/// Whether an edge of `a` goes through `b`. Those at a common corner cannot.
+bool pierces(const Contact& c, const std::array<std::uint32_t, 3>& a,
+             const std::array<std::uint32_t, 3>& b) {
+  const std::array<Point, 3> face{c.at[b[0]], c.at[b[1]], c.at[b[2]]};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::uint32_t from = a[k], to = a[(k + 1) % 3];
+    if (std::ranges::find(b, from) != b.end() || std::ranges::find(b, to) != b.end()) continue;
+    if (goes_through(c, c.at[from], c.at[to], face)) return true;
+  }
+  return false;
+}
+
+void find_overlaps(Contact& c, const BoxTree& tree) {
+  const auto places_of = [&c](std::uint32_t face) {
+    auto places = points_of(c, face);
+    for (std::uint32_t& p : places) p = c.near.root(c.place_of_point[p]);
+    return places;
+  };
+  std::vector<char> overlaps(c.faces.size(), 0);
+  std::size_t looks_left = looks_of_faces * c.faces.size(), row = 0;
+  for (; row < c.faces.size() && looks_left > 0; ++row) {
+    const auto face = places_of(c.faces[row]);
+    const std::size_t looks = for_each_box(
+        tree, [&](const BoundingBox& box) { return overlap(box, tree.boxes[row]); },
+        [&](std::uint32_t other) {
+          if (other <= row) return;
+          const auto places = places_of(c.faces[other]);
+          if (!pierces(c, face, places) && !pierces(c, places, face)) return;
+          overlaps[row] = overlaps[other] = 1;
+        });
+    looks_left -= std::min(looks, looks_left);
+  }
+  Places through(PlaceKind::faces, c.survey.keeps_places), left = through;
+  for (std::size_t f = 0; f < c.faces.size(); ++f) {
+    if (overlaps[f]) through.add(points_of(c, c.faces[f]));
+    if (f >= row) left.add(points_of(c, c.faces[f]));
+  }
+  report(c.survey, overlapping_faces, through);
+  report(c.survey, overlap_unfinished, left);
+}
+
 }  // namespace
 
 void survey_contact(Survey& s) {
   Contact contact{s};
   find_boundary(contact);
   find_places(contact);
-  find_hanging(contact);
+  const BoxTree tree = tree_of_faces(contact);
+  find_hanging(contact, tree);
   report_close(contact);
   report_coincident(contact);
+  find_overlaps(contact, tree);
 }
 
 }  // namespace sunder

@@ -86,13 +86,19 @@ void find_homology(CheckReport& report, const FileMesh& mesh, const Arguments& a
   const bool asked = arguments.homology;
   std::optional<Betti>& told = report.counts->betti;
   if (told && !asked && report.tetrahedra > most_unasked) {
+    const bool overlaps = std::ranges::any_of(report.findings, [](const Finding& f) {
+      return f.code == "overlapping_faces" || f.code == "overlap_unfinished";
+    });
+    if (overlaps) told.reset();
     report.findings.push_back(
         {.code = "betti_by_sheets",
          .severity = Severity::note,
-         .text =
-             fmt::format("the Betti numbers of {} tetrahedra follow from boundary sheets: they are "
-                         "right where none overlap",
-                         report.tetrahedra),
+         .text = overlaps ? fmt::format("boundary sheets do not tell the Betti numbers of {} "
+                                        "tetrahedra where some overlap: none are given",
+                                        report.tetrahedra)
+                          : fmt::format("the Betti numbers of {} tetrahedra follow from boundary "
+                                        "sheets: they are right where none overlap",
+                                        report.tetrahedra),
          .remedy = "--homology computes them",
          .file = name});
     return;
@@ -194,7 +200,8 @@ ExitCode run_check(const Arguments& arguments, CheckReport& report) {
     if (!arguments.findings.empty()) {
       const ExitCode failure = write_findings(report, *mesh, check);
       if (failure != ExitCode::fine) exit_code = failure;
-      if (report.cells_written > 0) stages.done(fmt::format("wrote {}", arguments.findings.string()));
+      if (report.cells_written > 0)
+        stages.done(fmt::format("wrote {}", arguments.findings.string()));
     }
   }
   std::ranges::stable_sort(report.findings, std::ranges::greater{}, &Finding::severity);

@@ -99,13 +99,6 @@ bool fold_together(const std::vector<Point>& x, const Triangle& a, const Triangl
   return side_of_line(e, f, flat(r, axis)) == side_of_line(e, f, flat(s, axis));
 }
 
-bool overlap(const BoundingBox& a, const BoundingBox& b) {
-  for (int k = 0; k < 3; ++k) {
-    if (a.low[k] > b.high[k] || b.low[k] > a.high[k]) return false;
-  }
-  return true;
-}
-
 }  // namespace
 
 bool has_area(const std::vector<Point>& points, const Triangle& t) {
