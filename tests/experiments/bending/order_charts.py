@@ -25,8 +25,7 @@ PARTS = {"exact": order_modes.exact, "modes": order_modes.modes, "bending": orde
          "unstructured": order_statics.unstructured,
          "stress": order_statics.stresses, "rod": order_motion.rod, "bar": order_motion.bar,
          "hertz": order_motion.hertz, "cup": order_motion.cup, "slender": order_motion.slender,
-         "cost": order_motion.cost, "struck": order_struck.first_fans, "graded": order_struck.graded_fans,
-         "broken": order_struck.broken}
+         "cost": order_motion.cost, "struck": order_struck.first_fans, "graded": order_struck.graded_fans}
 
 
 def put_into(page, part, lines):

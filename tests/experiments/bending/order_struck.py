@@ -9,7 +9,7 @@ import time
 import numpy
 from scipy.optimize import brentq
 
-from order_tools import grid, processor_seconds, table, write_mesh
+from order_tools import grid, table, write_mesh
 from second_order_runs import GLASS, struck_cases
 
 MOST_SECONDS = 600  # of the processor, a run
@@ -82,49 +82,6 @@ def first_fans(sunder, folder, _):
                 round(1e3 * x) for x in fan["rest_position"]])
             print(name, level, order, len(mesh[1]), shown, flush=True)
     return fan_table(seen), None
-
-
-FRAMES = {"one, windows": {"impact": {"fraction": 0.0625}},
-          "each its own, sub-steps": {"model": "corotational", "integrator": {"method": "sub_stepped"}, "time_step": 1e-5}}
-
-
-def run_to_end(sunder, folder, scene):
-    """Report of a run, events, and seconds of the processor; after MOST_SECONDS it is asked to end where it is."""
-    (folder / "scene.json").write_text(json.dumps(scene))
-    with (folder / "report.json").open("w") as out:
-        process = subprocess.Popen([str(sunder), "run", folder / "scene.json", "-o", folder / "out", "--force", "--quiet",
-                                    "--json", "--frames", "2"], stdout=out, stderr=subprocess.DEVNULL)
-    seconds = 0
-    while process.poll() is None:
-        seconds = processor_seconds(process.pid) or seconds
-        if seconds > MOST_SECONDS:
-            process.send_signal(signal.SIGTERM)
-            process.wait()
-        time.sleep(0.05)
-    events = [json.loads(line) for line in (folder / "out" / "events.jsonl").read_text().splitlines()]
-    return json.loads((folder / "report.json").read_text()), events, seconds
-
-
-def broken(sunder, folder, _):
-    """Pieces after 1 ms by order 2, one frame a component and one a tetrahedron, three meshes."""
-    rows = []
-    for name in ("pane 6 mm, ball at 10 m/s", "cup falls 1 m", "tile falls 1 m, tilted", "beam on two edges, ball",
-                 "vase falls 1 m"):
-        cases = [next(case for case in struck_cases(level) if case[0] == name) for level in range(3)]
-        for frames, settings in FRAMES.items():
-            row, warned = [name, frames], set()
-            for _, mesh, scene, placed in cases:
-                write_mesh(folder / "body.mesh", *mesh)
-                body = dict(mesh="body.mesh", order=2, material=GLASS, **placed)
-                whole = dict(scene, bodies=[body], duration=0.001, fracture={"crack": "object"}, **settings)
-                report, events, seconds = run_to_end(sunder, folder, whole)
-                warned |= {f["code"] for f in report.get("findings", [])}
-                fans = sum("normal" in event for event in events)
-                until = "" if report["end"] == "finished" else f" until {1e3 * report['time']:.2f} ms"
-                row.append(f"{report['components']}, {fans}{until}, {seconds:.0f} s")
-            rows.append([*row, ", ".join(sorted(warned))])
-            print(*rows[-1], sep=" | ", flush=True)
-    return table(["struck", "frames", *(f"mesh {k}: pieces, fans, s" for k in (1, 2, 3)), "warnings"], rows), None
 
 
 def graded(side, least, cells):
