@@ -430,3 +430,23 @@ TEST_CASE("check tells where the mesh of findings cannot be written", "[apps][ch
   CHECK(here.run({"check", path, "--write-findings", path}).exit_code == 2);
   CHECK(here.names() == std::vector<std::string>{"a.msh"});
 }
+
+TEST_CASE(
+    "above 200 000 tetrahedra Betti numbers are those of sheets, and none where faces overlap",
+    "[apps][check]") {
+  const Workplace here;
+  TetMesh mesh = suite::kuhn_box({33, 33, 31});
+  const auto numbers = [&](const char* name) {
+    const auto json = here.run({"check", here.write(name, mesh), "--json"}).json();
+    CHECK(std::ranges::count(json["findings"], "betti_by_sheets", [](const auto& f) {
+            return f["code"].template get<std::string>();
+          }) == 1);
+    return json["betti"];
+  };
+  CHECK(numbers("box.msh") == nlohmann::json::array({1, 0, 0}));
+  // A tetrahedron with its tip inside the box.
+  const auto first = static_cast<std::uint32_t>(mesh.points.size());
+  mesh.points.insert(mesh.points.end(), {{3.3, 4.4, 30}, {3, 4, 33}, {4, 4, 33}, {3, 5, 33}});
+  mesh.tetrahedra.push_back({first, first + 1, first + 2, first + 3});
+  CHECK(numbers("tip.msh").is_null());
+}
