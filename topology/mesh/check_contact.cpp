@@ -278,7 +278,7 @@ void report_coincident(Contact& c) {
 }
 
 /// Whether the segment passes through the inside of the face, its ends and the face's edges being
-/// farther from there than what counts as touching.
+/// farther from there than what counts as touching. An end at a corner is none farther away.
 bool goes_through(const Contact& c, const Point& from, const Point& to,
                   const std::array<Point, 3>& face) {
   const Point normal = cross(difference(face[1], face[0]), difference(face[2], face[0]));
@@ -299,14 +299,12 @@ bool goes_through(const Contact& c, const Point& from, const Point& to,
   return true;
 }
 
-/// Whether an edge of `a` goes through `b`. Those at a common corner cannot.
+/// Whether an edge of `a` goes through `b`.
 bool pierces(const Contact& c, const std::array<std::uint32_t, 3>& a,
              const std::array<std::uint32_t, 3>& b) {
   const std::array<Point, 3> face{c.at[b[0]], c.at[b[1]], c.at[b[2]]};
   for (std::size_t k = 0; k < 3; ++k) {
-    const std::uint32_t from = a[k], to = a[(k + 1) % 3];
-    if (std::ranges::find(b, from) != b.end() || std::ranges::find(b, to) != b.end()) continue;
-    if (goes_through(c, c.at[from], c.at[to], face)) return true;
+    if (goes_through(c, c.at[a[k]], c.at[a[(k + 1) % 3]], face)) return true;
   }
   return false;
 }
@@ -324,10 +322,7 @@ void find_overlaps(Contact& c, const BoxTree& tree) {
     const std::size_t looks = for_each_box(
         tree, [&](const BoundingBox& box) { return overlap(box, tree.boxes[row]); },
         [&](std::uint32_t other) {
-          if (other <= row) return;
-          const auto places = places_of(c.faces[other]);
-          if (!pierces(c, face, places) && !pierces(c, places, face)) return;
-          overlaps[row] = overlaps[other] = 1;
+          if (pierces(c, face, places_of(c.faces[other]))) overlaps[row] = overlaps[other] = 1;
         });
     looks_left -= std::min(looks, looks_left);
   }

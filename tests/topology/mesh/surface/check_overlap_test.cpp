@@ -112,14 +112,17 @@ TEST_CASE("a bar through a wall is told, with the faces of both", "[topology][ch
 
 TEST_CASE("what overlaps by less than the tolerance touches", "[topology][check][overlap]") {
   // The tip of a tetrahedron goes down into a face whose longest edge is 1, and leans to one side.
-  const auto tip_at = [](double depth, double x, double lean, double scale) {
+  const std::array<std::uint32_t, 4> order =
+      GENERATE(as<std::array<std::uint32_t, 4>>(), std::array{0U, 1U, 2U, 3U},
+               std::array{1U, 2U, 0U, 3U}, std::array{2U, 0U, 1U, 3U});
+  const auto tip_at = [&](double depth, double x, double lean, double scale) {
     TetMesh mesh;
     mesh.points = {{0, 0, 0},        {0.8, 0, 0},   {0, 0.6, 0},          {0.8, 0.2, -0.2},
                    {x, 0.2, -depth}, {x, 0.2, 0.5}, {x + lean, 0.2, 0.5}, {x + lean, 0.3, 0.5}};
     for (Point& p : mesh.points) {
       for (double& v : p) v *= scale;
     }
-    mesh.tetrahedra = {{0, 1, 2, 3}, {4, 5, 6, 7}};
+    mesh.tetrahedra = {order, {4, 5, 6, 7}};
     return overlaps(mesh);
   };
   for (const double scale : {1.0, 1e-30, 1e40}) {
@@ -130,6 +133,25 @@ TEST_CASE("what overlaps by less than the tolerance touches", "[topology][check]
     CHECK(tip_at(0.1, 0.3e-6, -0.1, scale) == 0);
   }
   CHECK(tip_at(-0.1, 0.2, 0.1, 1) == 0);
+}
+
+TEST_CASE("just at the tolerance faces touch", "[topology][check][overlap]") {
+  // A face of sides 3, 4 and 5; all that is compared is rounded alike.
+  TetMesh mesh;
+  mesh.tetrahedra = {{0, 1, 2, 3}, {4, 5, 6, 7}};
+  const auto tip = [&](const Point& low, double top, double lean) {
+    mesh.points = {{0, 0, 0}, {3, 0, 0}, {0, 4, 0}, {2, 1, -0.5}, low};
+    mesh.points.push_back({low[0], low[1], top});
+    mesh.points.push_back({low[0] + lean, low[1], top});
+    mesh.points.push_back({low[0] + lean, low[1] + 0.001, top});
+    return shown(mesh).contains({0, 1, 2});
+  };
+  const double depth = contact_tolerance * 5, side = contact_tolerance * 10;
+  CHECK_FALSE(tip({1, 1, -depth}, 3, 0.5));
+  CHECK(tip({1, 1, -1.001 * depth}, 3, 0.5));
+  // The edge from -2 to 8 is longer than those of the face.
+  CHECK_FALSE(tip({side, 1, -2}, 8, -1));
+  CHECK(tip({1.001 * side, 1, -2}, 8, -1));
 }
 
 TEST_CASE("every face that goes through another is found, against exact signs",
