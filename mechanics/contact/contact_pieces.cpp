@@ -82,8 +82,9 @@ bool move_against_each_other(const DetectScratch& scratch, const StepPaths& path
 /// Adds `make(face)` for every face of the pair's tetrahedron that is `near` and on the surface,
 /// where it gives a touch.
 template <class Make>
-void add_touches(std::vector<FaceTouch>& touches, const DetectScratch& scratch, const StepPaths& paths,
-                 const SpherePair& pair, const std::array<bool, 4>& near, Make make) {
+void add_touches(std::vector<FaceTouch>& touches, const DetectScratch& scratch,
+                 const StepPaths& paths, const SpherePair& pair, const std::array<bool, 4>& near,
+                 Make make) {
   for (int place = 0; place < 4; ++place) {
     const auto i = static_cast<std::size_t>(place);
     if (!near[i] || !paths.neighbours[pair.tetrahedron.index()][i].is_none()) continue;
@@ -173,7 +174,7 @@ std::optional<FaceTouch> way_out(const StepPaths& paths, VertexId v, ComponentId
 /// must be clearly nearer. `band`, m: how far from a face is still on it; on several, as at a
 /// corner, that one counts from which the vertex ends farthest.
 const FaceTouch* nearest_rest(std::span<const FaceTouch> touches, const StepPaths& paths,
-                          const PieceSurface& surface, double band) {
+                              const PieceSurface& surface, double band) {
   const FaceTouch* best = nullptr;
   double least = std::numeric_limits<double>::infinity();
   for (const FaceTouch& touch : touches) {
@@ -189,7 +190,7 @@ const FaceTouch* nearest_rest(std::span<const FaceTouch> touches, const StepPath
 
 /// Of the touches of a vertex on its way the one that it ends deepest behind, those that fit first.
 const FaceTouch* deepest_on_way(std::span<const FaceTouch> touches, const StepPaths& paths,
-                            const PieceSurface& surface) {
+                                const PieceSurface& surface) {
   const FaceTouch* best = nullptr;
   bool best_fits = false;
   for (const FaceTouch& touch : touches) {
@@ -204,7 +205,7 @@ const FaceTouch* deepest_on_way(std::span<const FaceTouch> touches, const StepPa
 
 /// Of the touches of one vertex with one component the one that counts, if any.
 std::optional<FaceTouch> choose(std::span<const FaceTouch> touches, const StepPaths& paths,
-                            const PieceSurface& surface, double band) {
+                                const PieceSurface& surface, double band) {
   const auto if_any = [](const FaceTouch* touch) {
     return touch ? std::optional(*touch) : std::nullopt;
   };
@@ -218,6 +219,17 @@ std::optional<FaceTouch> choose(std::span<const FaceTouch> touches, const StepPa
   }
   if (!is_inside) return if_any(deepest_on_way(touches, paths, surface));
   return way_out(paths, touches.front().vertex, touches.front().component);
+}
+
+/// How far the face of second order bulges at the place that is touched, m, along the normal:
+/// touches are found on the flat triangle between its corners.
+double bulge_at(const ContactPoint& contact, const StepPaths& paths,
+                std::span<const Vec3> positions) {
+  const Corners& corners = paths.corners[contact.tetrahedron.index()];
+  Vec3 flat = Vec3::Zero();
+  for (std::size_t i = 0; i < 4; ++i) flat += contact.weights[i] * positions[corners[i].index()];
+  const TouchedNodes touched = touched_nodes(contact, paths.state, paths.corners);
+  return contact.normal.dot(touched.sum(positions) - flat);
 }
 
 void add(DetectScratch& scratch, const StepPaths& paths, const FaceTouch& touch, double friction) {
@@ -244,9 +256,14 @@ void add(DetectScratch& scratch, const StepPaths& paths, const FaceTouch& touch,
   }
   for (double& w : weights) w /= sum;
   contact.weights = weights_on(contact, weights, paths);
-  contact.offset = touch.gap_end - touch.normal.dot(path_of(contact, paths).end);
+  double gap_end = touch.gap_end;
+  if (is_second_order(paths.state.elements, contact.tetrahedron)) {
+    contact.gap_start -= bulge_at(contact, paths, paths.state.vertices.position);
+    gap_end -= bulge_at(contact, paths, paths.predicted);
+  }
+  contact.offset = gap_end - touch.normal.dot(path_of(contact, paths).end);
   scratch.found.push_back(contact);
-  scratch.found_gap.push_back(touch.gap_end);
+  scratch.found_gap.push_back(gap_end);
 }
 
 /// The node that the foot of a touch is, or none().

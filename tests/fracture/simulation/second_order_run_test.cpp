@@ -97,7 +97,10 @@ TEST_CASE("a cantilever of order 2 comes to rest where statics says", "[order][r
 }
 
 TEST_CASE("blocks of order 2 pressed together: stress is even and the same in both", "[order][contact]") {
-  // nu = 0: no friction is asked for, and the solution is exact.
+  // nu = 0: no friction is asked for, and the solution is exact. Faces bulge by less than gaps are
+  // tolerated: they have to be met where they bulge.
+  const auto [pressure, friction] = GENERATE(std::pair(1e4, 0.0), std::pair(1e5, 0.0),
+                                             std::pair(1e4, 0.5), std::pair(1e6, 0.5));
   Scene scene;
   for (const double z : {0.0, 0.2}) {
     scene.bodies.push_back(body({2, 2, 2}, 0.1));
@@ -105,27 +108,28 @@ TEST_CASE("blocks of order 2 pressed together: stress is even and the same in bo
     scene.bodies.back().translation = {0, 0, z};
   }
   scene.bodies[1].loads = {{.minimum = {-1, -1, 0.2 - 1e-6}, .maximum = {9, 9, 9},
-                            .pressure = 1e5, .ramp_time = 0.05}};
+                            .pressure = pressure, .ramp_time = 0.05}};
   scene.obstacles.push_back({Plane{}});
   scene.gravity.acceleration.setZero();
   scene.fracture.mode = FractureMode::off;
   scene.contact.tolerance = 1e-9;
   scene.contact.max_iterations = 2000;
-  scene.contact.friction = 0;
-  scene.obstacles[0].friction = 0;
+  scene.contact.friction = friction;
+  scene.obstacles[0].friction = friction;
   scene.integrator.time_step = 1e-3;
   Simulation sim = built(std::move(scene));
-  for (int k = 0; k < 1500; ++k) {
+  for (int k = 0; k < 200; ++k) {
     REQUIRE(advance(sim).status.outcome == StepOutcome::fine);
   }
   double worst = 0;
   for (const std::array<Mat3, 4>& at : sim.state->mechanics.elements.corner_stress) {
     for (const Mat3& stress : at) {
-      const Mat3 wanted = Vec3(0, 0, -1e5).asDiagonal();
+      const Mat3 wanted = Vec3(0, 0, -pressure).asDiagonal();
       worst = std::max(worst, (stress - wanted).cwiseAbs().maxCoeff());
     }
   }
-  CHECK(worst < 1e-3 * 1e5);
+  INFO(pressure << " Pa, friction " << friction);
+  CHECK(worst < 1e-4 * pressure);
 }
 
 TEST_CASE("a bar of order 2 breaks: energy and momentum are accounted for, rows of edges stay whole",
