@@ -77,11 +77,12 @@ void check_modal(std::vector<Finding>& findings, const MechanicsState& state) {
 
 }  // namespace
 
-double least_step_bound(MechanicsScratch& scratch, const MechanicsState& state) {
+double least_step_bound(MechanicsScratch& scratch, const MechanicsState& state,
+                        const RayleighDamping& damping) {
   double least = std::numeric_limits<double>::infinity();
   for (const Component& component : state.components) {
     if (component.tetrahedra.empty() || component.rigid) continue;
-    least = std::min(least, component_step_bound(scratch, state, component));
+    least = std::min(least, component_step_bound(scratch, state, component, damping));
   }
   return least;
 }
@@ -90,7 +91,7 @@ std::vector<Finding> check_integrator_bounds(const Scene& scene, const Mechanics
                                              MechanicsScratch& scratch) {
   std::vector<Finding> findings;
   const bool is_bounded = is_explicit(scene.integrator.integrator);
-  const double bound = is_bounded ? least_step_bound(scratch, state) : 0;
+  const double bound = is_bounded ? least_step_bound(scratch, state, scene.integrator.damping) : 0;
   if (is_bounded) check_explicit(findings, scene, bound);
   if (scene.contact.method == ContactMethod::penalty) check_penalty(findings, scene, state, bound);
   if (scene.integrator.integrator == Integrator::modal) check_modal(findings, state);

@@ -9,8 +9,10 @@
 
 namespace sunder {
 
-/// The least bound on explicit steps of all components that are not rigid tetrahedra, s.
-double least_step_bound(MechanicsScratch& scratch, const MechanicsState& state);
+/// The least bound on explicit steps of all components that are not rigid tetrahedra, with this
+/// damping, s.
+double least_step_bound(MechanicsScratch& scratch, const MechanicsState& state,
+                        const RayleighDamping& damping);
 
 /// What the bodies as they are ask of a bounded integrator beyond its bounds: a warning for verlet
 /// above its step and for contact by penalty above that of a vertex on one spring, errors for

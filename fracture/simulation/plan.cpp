@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "fracture/simulation/ledger/break_energy.hpp"
 #include "fracture/simulation/integrator_bounds.hpp"
+#include "fracture/simulation/ledger/break_energy.hpp"
 #include "fracture/simulation/plan_members.hpp"
 #include "mechanics/baselines/verlet.hpp"
 #include "mechanics/contact/impact_energy.hpp"
@@ -272,8 +272,9 @@ StepPlan plan_step(const Scene& scene, SimulationState& s, SimulationScratch& sc
   begin_without_rubble(plan, s);
   if (scene.integrator.integrator == Integrator::sub_stepped) {
     plan.phase = StepPlan::Phase::equal;
-    plan.parts = sub_step_count(scene.integrator.time_step,
-                                least_step_bound(scratch.mechanics, s.mechanics));
+    plan.parts =
+        sub_step_count(scene.integrator.time_step,
+                       least_step_bound(scratch.mechanics, s.mechanics, scene.integrator.damping));
   } else if (has_windows(scene)) {
     if (!open_windows(s.impact).empty()) begin_others(plan, s);
   }

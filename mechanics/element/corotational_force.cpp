@@ -40,8 +40,8 @@ struct AtPoints {
   std::size_t count;
 };
 
-/// sum_a x_a (grad N_a)^T of a tetrahedron, from a column of nodes; by differences, as gradients add
-/// up to nothing: exact far from the origin too.
+/// sum_a x_a (grad N_a)^T of a tetrahedron, from a column of nodes; by differences, as gradients
+/// add up to nothing: exact far from the origin too.
 AtPoints gradients(const ElasticInput& input, std::span<const Vec3> column, TetId t) {
   const ElementColumns& elements = input.state.elements;
   const ShapeGradient& G = elements.shape_gradient[t.index()];
@@ -56,7 +56,8 @@ AtPoints gradients(const ElasticInput& input, std::span<const Vec3> column, TetI
   return {at_points(corner_gradients(G, d)), 4};
 }
 
-/// Adds `sign` times the integral of P grad N_a to the row of every node a. P: Pa, as `gradients` has it.
+/// Adds `sign` times the integral of P grad N_a to the row of every node a. P: Pa, as `gradients`
+/// has it.
 void add_forces(std::span<Vec3> force, const ElasticInput& input, TetId t, const AtPoints& P,
                 double sign) {
   const ElementColumns& elements = input.state.elements;
@@ -96,6 +97,22 @@ void corotational_forces(std::span<Vec3> force, const ElasticInput& input,
       const Mat3 R = element_rotation(at.value[q], near);
       const Mat3 sigma = corotational_stress(R, at.value[q], constants);
       at.value[q] = R * sigma;
+    }
+    add_forces(force, input, t, at, -1);
+  }
+}
+
+void viscous_forces(std::span<Vec3> force, const ElasticInput& input,
+                    std::span<const Vec3> velocities, const Component& component, double factor) {
+  for (VertexId v : component.vertices) force[v.index()].setZero();
+  for (TetId t : component.tetrahedra) {
+    AtPoints at = gradients(input, input.positions, t);
+    const AtPoints rate = gradients(input, velocities, t);
+    const Lame constants = lame(material_of(input.state, t));
+    for (std::size_t q = 0; q < at.count; ++q) {
+      const Mat3 F = at.value[q];
+      const Mat3 strain_rate = F.transpose() * rate.value[q];
+      at.value[q] = factor * F * stress_of(strain_rate, constants);
     }
     add_forces(force, input, t, at, -1);
   }

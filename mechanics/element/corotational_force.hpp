@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Corotational tetrahedra: linear in a frame of each one's own, which turns with it; those of second
-// order have a frame at each of Gauss' four points, as they turn by a little more along themselves.
+// Corotational tetrahedra: linear in a frame of each one's own, which turns with it; those of
+// second order have a frame at each of Gauss' four points, as they turn by a little more along
+// themselves.
 #pragma once
 
 #include <span>
@@ -41,8 +42,17 @@ inline Mat3 corotational_stress(const Mat3& R, const Mat3& F, const Lame& lame) 
 void corotational_forces(std::span<Vec3> force, const ElasticInput& input,
                          const Component& component);
 
-/// R of every tetrahedron of the component at `input.positions`, in its order, four of one of second
-/// order, world.
+/// Forces of a viscosity of `factor` (s) times the stiffness, N, world: -V F S grad N_a with
+/// S = factor (lambda tr(E') I + 2 mu E') and the rate of Green's strain E' = (F^T F' + F'^T F) /
+/// 2, at Gauss' points as above. Where nothing is strained that is -factor R K_e R^T v. A rigid
+/// motion has E' = 0 in any state of strain, net force and torque are zero to rounding, and what is
+/// taken, -sum v . force = V S : E', is never negative. `force`: |V|, rows of the component's nodes
+/// are set.
+void viscous_forces(std::span<Vec3> force, const ElasticInput& input,
+                    std::span<const Vec3> velocities, const Component& component, double factor);
+
+/// R of every tetrahedron of the component at `input.positions`, in its order, four of one of
+/// second order, world.
 void element_rotations(std::vector<Mat3>& rotation, const ElasticInput& input,
                        const Component& component);
 

@@ -85,15 +85,20 @@ void SettingsCheck::rotation(const std::string& place, const Eigen::Quaterniond&
 
 void check_together(fields::SettingsCheck& check, const IntegratorSettings& settings) {
   const bool corotational = settings.model == ElasticModel::corotational;
-  const bool damped = settings.damping.mass_factor != 0 || settings.damping.stiffness_factor != 0;
-  const bool takes_damping = settings.integrator == Integrator::floating_frame ||
-                             (settings.integrator == Integrator::implicit_euler && !corotational);
-  if (damped && !takes_damping) {
+  const bool takes_both = settings.integrator == Integrator::floating_frame ||
+                          (settings.integrator == Integrator::implicit_euler && !corotational);
+  if (settings.damping.mass_factor != 0 && !takes_both) {
     check.add(
-        "damping_not_supported", "damping",
-        "is set, but only the method floating_frame has any, and implicit_euler with the model "
+        "damping_not_supported", "damping.mass_factor",
+        "is set, but only the method floating_frame has it, and implicit_euler with the model "
         "rigid_reference",
-        "leave the damping out, or take floating_frame");
+        "leave it out, or take floating_frame");
+  }
+  if (settings.damping.stiffness_factor != 0 && !takes_both && !is_explicit(settings.integrator)) {
+    check.add("damping_not_supported", "damping.stiffness_factor",
+              "is set, but only the methods floating_frame, verlet and sub_stepped have it, and "
+              "implicit_euler with the model rigid_reference",
+              "leave it out, or take one of these");
   }
   if (corotational && is_floating(settings.integrator)) {
     check.add("model_not_supported", "method",

@@ -96,7 +96,9 @@ void describe(V& v, RayleighDamping& d) {
   v.field(
       Key{"mass_factor", "1/s", "Damping proportional to mass, on deformation only", at_least(0)},
       d.mass_factor);
-  v.field(Key{"stiffness_factor", "s", "Damping proportional to stiffness, on deformation only",
+  v.field(Key{"stiffness_factor", "s",
+              "Damping proportional to stiffness, on deformation only; with verlet and sub_stepped "
+              "steps get shorter by it",
               at_least(0)},
           d.stiffness_factor);
 }

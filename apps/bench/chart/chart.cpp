@@ -39,8 +39,7 @@ struct ChartWork {
   ChartGrid grid;
   Chart chart;
   double scene_step = 0;
-  /// s, twice the step of the reference.
-  double reference_step = 0;
+  double reference_step = 0;  ///< s, twice the step of the reference
   std::vector<Finding> findings;
 
   std::size_t meshes() const { return runner.refinements.size(); }
@@ -191,7 +190,8 @@ void prepare(ChartWork& work) {
                                         std::accumulate(volumes.begin(), volumes.end(), 0.0) /
                                         static_cast<double>(volumes.size());
     }
-    work.grid.bounds.push_back(explicit_step_bound(sim->state->mechanics));
+    work.grid.bounds.push_back(damped_step_bound(explicit_step_bound(sim->state->mechanics),
+                                                 sim->scene.integrator.damping.stiffness_factor));
   }
   choose_members(work);
   // Windows go no finer than half a cell's travel: below that only a shorter step does.

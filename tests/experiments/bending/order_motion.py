@@ -9,7 +9,7 @@ import scipy.optimize
 
 from order_tools import BIG, frames, grid, percent, run_scene, step_seconds, steps_for, table, write_mesh
 from second_order import block
-from second_order_runs import GLASS, shell
+from thin_things import GLASS, shell
 
 CONCRETE = {"young_modulus": 3e10, "poisson_ratio": 0.0, "density": 2400.0, "tensile_strength": 3e6}
 FULL = {"rigid": False, "quasi_static": False, "sleep": False}

@@ -244,7 +244,13 @@ TEST_CASE("bad integrator settings are found with place, value and remedy",
   CHECK(only({.tolerance = 0.2}) == "out_of_range integrator.tolerance");
   CHECK(only({.max_iterations = 0}) == "out_of_range integrator.max_iterations");
   CHECK(only({.integrator = Integrator::verlet, .damping = {.mass_factor = 1}}) ==
-        "damping_not_supported integrator.damping");
+        "damping_not_supported integrator.damping.mass_factor");
+  CHECK(setting_findings(IntegratorSettings{.integrator = Integrator::verlet,
+                                            .damping = {.stiffness_factor = 1}},
+                         "integrator")
+            .empty());
+  CHECK(only({.integrator = Integrator::modal, .damping = {.stiffness_factor = 1}}) ==
+        "damping_not_supported integrator.damping.stiffness_factor");
   CHECK(only({.model = ElasticModel::corotational}) == "model_not_supported integrator.method");
 }
 
