@@ -159,7 +159,7 @@ void check_turns(RunStatistics& statistics, const Simulation& now, const StepRep
                              valid),
          .remedy = "read the stresses there as too high by about E theta^2 / 2, or take \"model\": "
                    "\"corotational\", for a short blow with \"integrator\": {\"method\": "
-                   "\"sub_stepped\"}, else with implicit_euler"});
+                   "\"sub_stepped\"} and some damping, else with implicit_euler"});
     return;
   }
 }
