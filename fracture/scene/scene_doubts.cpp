@@ -156,9 +156,8 @@ void look_at_slenderness(const Looked& l, std::size_t b) {
           "where bending breaks it take \"model\": \"corotational\" (slower, without impact "
           "windows), for slow loads with \"integrator\": {{\"method\": \"implicit_euler\"}}, for a "
           "short blow with {{\"method\": \"sub_stepped\", \"damping\": {{\"stiffness_factor\": "
-          "{:.1g}}}}} (s, about a tenth of a wave's way through the thickness: undamped it rings "
-          "and "
-          "breaks too much); else read its bending stresses as too high",
+          "{:.1g}}}}} (s, about a tenth of a wave's way through the thickness: undamped it breaks "
+          "too much); else read its bending stresses as too high",
           0.1 * m.extent / (m.slenderness * m.wave_speed)));
 }
 
