@@ -94,6 +94,7 @@ def main():
     parser.add_argument("--centre", type=float, help="m, size of those under the ball (as the others)")
     parser.add_argument("--radius", type=float, default=0.03, help="m")
     parser.add_argument("--seeds", type=int, default=3, help="meshes")
+    parser.add_argument("--first-seed", type=int, default=1, help="of the first of them")
     parser.add_argument("--orders", type=int, nargs="*", default=[2])
     parser.add_argument("--one-frame", action="store_true", help="the disc's, with impact windows")
     parser.add_argument("--step", type=float, help="s, of the scene (1e-6; with --one-frame 1e-5)")
@@ -113,7 +114,7 @@ def main():
         for order in arguments.orders:
             for speed in arguments.speeds:
                 rows, first, pieces, warned, seconds = [], [], [], set(), 0
-                for seed in range(1, arguments.seeds + 1):
+                for seed in range(arguments.first_seed, arguments.first_seed + arguments.seeds):
                     points, tetrahedra = disc(radius, arguments.cell, arguments.centre or arguments.cell, seed)
                     write_mesh(folder / "body.msh", points, tetrahedra)
                     scene = {**frames, "duration": 2e-4, "gravity": {"acceleration": [0, 0, 0]},
