@@ -223,12 +223,10 @@ std::optional<FaceTouch> choose(std::span<const FaceTouch> touches, const StepPa
 
 /// How far the face of second order bulges at the place that is touched, m, along the normal:
 /// touches are found on the flat triangle between its corners.
-double bulge_at(const ContactPoint& contact, const StepPaths& paths,
+double bulge_at(const ContactPoint& contact, const Corners& corners, const TouchedNodes& touched,
                 std::span<const Vec3> positions) {
-  const Corners& corners = paths.corners[contact.tetrahedron.index()];
   Vec3 flat = Vec3::Zero();
   for (std::size_t i = 0; i < 4; ++i) flat += contact.weights[i] * positions[corners[i].index()];
-  const TouchedNodes touched = touched_nodes(contact, paths.state, paths.corners);
   return contact.normal.dot(touched.sum(positions) - flat);
 }
 
@@ -258,8 +256,10 @@ void add(DetectScratch& scratch, const StepPaths& paths, const FaceTouch& touch,
   contact.weights = weights_on(contact, weights, paths);
   double gap_end = touch.gap_end;
   if (is_second_order(paths.state.elements, contact.tetrahedron)) {
-    contact.gap_start -= bulge_at(contact, paths, paths.state.vertices.position);
-    gap_end -= bulge_at(contact, paths, paths.predicted);
+    const Corners& corners = paths.corners[contact.tetrahedron.index()];
+    const TouchedNodes touched = touched_nodes(contact, paths.state, paths.corners);
+    contact.gap_start -= bulge_at(contact, corners, touched, paths.state.vertices.position);
+    gap_end -= bulge_at(contact, corners, touched, paths.predicted);
   }
   contact.offset = gap_end - touch.normal.dot(path_of(contact, paths).end);
   scratch.found.push_back(contact);

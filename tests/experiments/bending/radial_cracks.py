@@ -130,8 +130,8 @@ def main():
                     frame = sorted((folder / "out" / "frames").glob("*.vtu"))[-1]
                     rows.append([sectors(frame, a * radius, b * radius) for a, b in ((.2, .35), (.35, .5), (.5, .65))])
                     lines = (folder / "out" / "events.jsonl").read_text().splitlines()
-                    fans = [json.loads(line) for line in lines if '"normal"' in line]
-                    first.append(f"{1e6 * fans[0]['time']:.0f}" if fans else "none")
+                    fan = next((line for line in lines if '"normal"' in line), None)
+                    first.append(f"{1e6 * json.loads(fan)['time']:.0f}" if fan else "none")
                     pieces.append(str(report["components"]))
                 told = "; ".join(", ".join(map(str, row)) for row in rows)
                 print(f"| {order} | {len(tetrahedra)} | {speed:.0f} | {', '.join(first)} | {told} | {', '.join(pieces)} | "
