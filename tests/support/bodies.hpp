@@ -6,14 +6,18 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <numbers>
 #include <random>
 #include <vector>
 
+#include "mechanics/element/energy.hpp"
 #include "mechanics/rebuild.hpp"
 #include "mechanics/state/mechanics_state.hpp"
 #include "mechanics/step.hpp"
 
 namespace sunder::test {
+
+using std::numbers::pi;
 
 /// A mesh as mechanics takes it.
 struct Body {
@@ -117,12 +121,17 @@ inline StepStatus run(
   return status;
 }
 
+/// Kinetic and strain energy, J. Needs: `elements.stress` up to date.
+inline double total_energy(const MechanicsState& state) {
+  return kinetic_energy(state.vertices) + strain_energy(state);
+}
+
 /// Projection of the displacement on the first axial mode of a bar of 1 m along x, kg m.
 inline double axial_amplitude(const MechanicsState& state) {
   double sum = 0;
   for (std::size_t v = 0; v < state.vertices.size(); ++v) {
     sum += state.vertices.mass[v] * state.vertices.displacement[v].x() *
-           std::sin(3.14159265358979323846 * state.vertices.rest_position[v].x());
+           std::sin(pi * state.vertices.rest_position[v].x());
   }
   return sum;
 }

@@ -5,9 +5,9 @@
 
 #include <cmath>
 
+#include "mechanics/baselines/verlet.hpp"
 #include "mechanics/element/corotational_force.hpp"
 #include "mechanics/element/energy.hpp"
-#include "mechanics/baselines/verlet.hpp"
 #include "mechanics/frame/rotation.hpp"
 #include "tests/support/frequency.hpp"
 #include "tests/support/second_order.hpp"
@@ -16,8 +16,6 @@ using namespace sunder;
 using namespace sunder::test;
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
 
 /// An integrator with its model and solver, by name.
 struct Method {
@@ -122,7 +120,8 @@ TEST_CASE("broyden, Newton and the linearised step of implicit Euler agree on a 
     if (std::string(method.name) == "broyden" && E > 1e9) continue;  // far beyond its wall
     MechanicsState state = start;
     const StepStatus status = step(state, method.settings);
-    INFO(method.name << ": " << status.solve.iterations << " iterations, E " << E << ", order " << order);
+    INFO(method.name << ": " << status.solve.iterations << " iterations, E " << E << ", order "
+                     << order);
     CHECK(status.solve.not_converged == 0);
     // What differs is of second order in the displacement, and the tolerance.
     CHECK(farthest(state, linear) < 1e-4 * size * 0.3);
@@ -200,8 +199,7 @@ TEST_CASE("a held body under its weight ends a long step where linearised implic
           "[mechanics][baselines][supports]") {
   const Body body = kuhn_block({6, 2, 2}, Vec3(0.6, 0.2, 0.2));
   const int order = GENERATE(1, 2);
-  MechanicsState start =
-      state_of_order(order, body, {.young_modulus = 3e10, .poisson_ratio = 0.2});
+  MechanicsState start = state_of_order(order, body, {.young_modulus = 3e10, .poisson_ratio = 0.2});
   hold_below(start, body, -0.29);
   const Loads loads{.gravity = Vec3(0, 0, -9.81)};
   MechanicsState linear = start;
@@ -284,8 +282,7 @@ TEST_CASE("corotational forces are the gradient of their energy for any turn and
   INFO("seed 11");
   const Body body = shaken(kuhn_block({2, 2, 1}, Vec3(1, 1, 0.5)), 0.08, random);
   const int order = GENERATE(1, 2);
-  MechanicsState state =
-      state_of_order(order, body, {.young_modulus = 1e3, .poisson_ratio = 0.3});
+  MechanicsState state = state_of_order(order, body, {.young_modulus = 1e3, .poisson_ratio = 0.3});
   place(state, ComponentId{0}, {.orientation = random_rotation(random)});
   deform(state, 0.2, random);
   const Component& component = state.components[0];

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "mechanics/element/energy.hpp"
 #include "mechanics/baselines/verlet.hpp"
+#include "mechanics/element/energy.hpp"
 #include "tests/mechanics/contact/contact_scene.hpp"
 #include "tests/support/second_order.hpp"
 
@@ -13,12 +13,6 @@ using namespace sunder;
 using namespace sunder::test;
 
 namespace {
-
-constexpr double pi = 3.14159265358979323846;
-
-double energy_of(const MechanicsState& state) {
-  return kinetic_energy(state.vertices) + strain_energy(state);
-}
 
 /// Corners of a cube that do not touch: every axis is a principal one.
 Body regular_tetrahedron(double size) {
@@ -92,11 +86,11 @@ TEST_CASE("modes are exact at any step: amplitude, phase and energy",
     MechanicsState state = start;
     MechanicsScratch scratch;
     measure_elements(state, scratch, body.corners);
-    const double energy = energy_of(state);
+    const double energy = total_energy(state);
     const StepStatus status =
         run(state, body, {.time_step = length / count, .integrator = Integrator::modal}, count);
     CHECK(status.outcome == StepOutcome::fine);
-    CHECK(energy_of(state) == Approx(energy).epsilon(1e-8));
+    CHECK(total_energy(state) == Approx(energy).epsilon(1e-8));
     CHECK(axial_amplitude(state) == Approx(axial_amplitude(truth)).epsilon(2e-3));
   }
 }
@@ -110,7 +104,7 @@ TEST_CASE("modes under a sudden load swing about the static answer for ever",
   const Loads loads{.gravity = Vec3(9.81, 0, 0)};
   double worst = 0;
   run(state, body, {.time_step = 1e-3, .integrator = Integrator::modal}, 500, loads, [&] {
-    const double total = energy_of(state) + gravity_energy(state.vertices, loads.gravity);
+    const double total = total_energy(state) + gravity_energy(state.vertices, loads.gravity);
     double start = 0;
     for (std::size_t v = 0; v < state.vertices.size(); ++v) {
       start -= state.vertices.mass[v] * loads.gravity.dot(state.vertices.rest_position[v]);

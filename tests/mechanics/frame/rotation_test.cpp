@@ -16,7 +16,6 @@ using namespace sunder::test;
 namespace {
 
 constexpr double eps = std::numeric_limits<double>::epsilon();
-constexpr double pi = 3.14159265358979323846;
 
 Mat3 random_matrix(std::mt19937& random) {
   Mat3 A;

@@ -14,10 +14,6 @@ using namespace sunder::test;
 
 namespace {
 
-double total_energy(const MechanicsState& state) {
-  return kinetic_energy(state.vertices) + strain_energy(state);
-}
-
 double largest_stress(const MechanicsState& state) {
   double largest = 0;
   for (const Mat3& sigma : state.elements.stress) {

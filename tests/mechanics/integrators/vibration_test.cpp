@@ -15,8 +15,6 @@ using namespace sunder::test;
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 /// A thin bar along x in its first axial mode: u = amplitude * sin(pi x / L), released at rest.
 MechanicsState axial_mode(const Body& body, const Material& material, double amplitude) {
   MechanicsState state = state_of(body, material);
