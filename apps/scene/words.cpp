@@ -90,4 +90,10 @@ std::optional<std::vector<double>> numbers_of(std::string_view list, std::size_t
   return numbers;
 }
 
+std::string check_plane(const std::string& list) {
+  return numbers_of(list, 4) ? "" : "'" + list + "' is not NX,NY,NZ,D: four numbers";
+}
+
+std::string_view yes_or_no(bool is_so) { return is_so ? "yes" : "no"; }
+
 }  // namespace sunder

@@ -33,4 +33,10 @@ std::string betti_text(const Counts& counts);
 /// length.
 std::optional<std::vector<double>> numbers_of(std::string_view list, std::size_t length);
 
+/// Why the value of an option `--plane` is not four numbers "NX,NY,NZ,D"; empty where it is.
+std::string check_plane(const std::string& list);
+
+/// "yes" or "no".
+std::string_view yes_or_no(bool is_so);
+
 }  // namespace sunder

@@ -15,7 +15,7 @@
 namespace sunder {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 void refuse(fields::SettingsCheck& check, const char* key, const std::string& what,
             const std::string& remedy) {
@@ -43,9 +43,9 @@ void check_settings_of(fields::SettingsCheck& check, const Scene& scene) {
 }
 
 bool has_energy(const BodySettings& body) {
-  const bool breaks = body.material.tensile_strength < infinite || !body.strength.field.empty() ||
+  const bool breaks = body.material.tensile_strength < infinity || !body.strength.field.empty() ||
                       !body.strength.regions.empty();
-  return !breaks || fracture_energy_of(body.material) < infinite;
+  return !breaks || fracture_energy_of(body.material) < infinity;
 }
 
 /// m, of the tetrahedra of one of a body's materials.
@@ -121,7 +121,7 @@ void judge_materials(fields::SettingsCheck& check, const Scene& scene) {
     const BodySettings& body = scene.bodies[b];
     const BodyMaterials own = materials_of(body);
     for (std::size_t m = 0; m < own.materials.size(); ++m) {
-      if (!(own.materials[m].tensile_strength < infinite)) continue;
+      if (!(own.materials[m].tensile_strength < infinity)) continue;
       const std::string place = m == 0 ? fmt::format("bodies.{}.material", b)
                                        : fmt::format("bodies.{}.strength.regions.{}", b, m - 1);
       judge_energies(check, place, own.materials[m]);

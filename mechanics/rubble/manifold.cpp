@@ -211,8 +211,8 @@ bool try_faces(Best& best, const Polytope& of, const Polytope& other, const Appr
 }
 
 /// On which side of each edge of `of` the normals of `other`'s faces lie: row = edge, column = face.
-using Sides = std::array<std::array<double, 6>, 12>;
-void find_sides(Sides& sides, const Polytope& of, const Polytope& other) {
+using AxisSides = std::array<std::array<double, 6>, 12>;
+void find_sides(AxisSides& sides, const Polytope& of, const Polytope& other) {
   for (std::size_t e = 0; e < of.kind->edges; ++e) {
     for (std::size_t f = 0; f < other.kind->faces; ++f) {
       sides[e][f] = of.edge[e].dot(other.normal[f]);
@@ -222,7 +222,7 @@ void find_sides(Sides& sides, const Polytope& of, const Polytope& other) {
 
 bool try_edges(Best& best, const Polytope& a, const Polytope& b, const Approach& approach,
                PairAxis& last) {
-  Sides of_a, of_b;
+  AxisSides of_a, of_b;
   find_sides(of_a, a, b);
   find_sides(of_b, b, a);
   for (std::uint8_t e = 0; e < a.kind->edges; ++e) {

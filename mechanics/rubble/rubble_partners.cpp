@@ -7,7 +7,7 @@
 namespace sunder {
 namespace {
 
-struct Sides {
+struct PartnerSides {
   std::array<Vec3, 3> a, b;  ///< m, corners; k meets k
   Vec3 normal{0, 0, 1};      ///< from B to A
 };
@@ -18,9 +18,9 @@ Vec3 area_of(const std::array<Vec3, 3>& at, const Vec3& inside) {
   return area.dot(at[0] - inside) < 0 ? Vec3(-area) : area;
 }
 
-Sides sides_of(const FindScratch& scratch, const RubblePartner& p) {
+PartnerSides sides_of(const FindScratch& scratch, const RubblePartner& p) {
   const Polytope &a = scratch.solids[p.shape_a], &b = scratch.solids[p.shape_b];
-  Sides sides;
+  PartnerSides sides;
   for (std::size_t k = 0; k < 3; ++k) {
     sides.a[k] = a.vertex[p.corner_a[k]];
     sides.b[k] = b.vertex[p.corner_b[k]];
@@ -29,7 +29,7 @@ Sides sides_of(const FindScratch& scratch, const RubblePartner& p) {
   return sides;
 }
 
-bool do_face(const Sides& sides, double reach) {
+bool do_face(const PartnerSides& sides, double reach) {
   double least = reach, most_slip = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3 apart = sides.a[k] - sides.b[k];
@@ -87,7 +87,7 @@ void add_partner_patches(std::vector<RubblePatch>& patches, const FindScratch& s
     const auto [shape, k] = scratch.facing[row];
     const RubblePartner& p = input.partners[k];
     if (shape != p.shape_a) continue;
-    const Sides sides = sides_of(scratch, p);
+    const PartnerSides sides = sides_of(scratch, p);
     Manifold m;
     m.normal = sides.normal;
     const double most = approach_of(scratch, input, {p.shape_a, p.shape_b}).along(-m.normal);

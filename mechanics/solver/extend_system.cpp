@@ -10,7 +10,7 @@
 namespace sunder {
 namespace {
 
-constexpr std::uint32_t none = Supernode::none;
+constexpr std::uint32_t no_row = Supernode::none;
 
 /// Row = VertexId: its extended row, or none.
 using ExtendedRows = std::vector<std::uint32_t>;
@@ -24,7 +24,7 @@ void find_copies(ComponentSystem& old, ExtendedRows& rows, const SystemInput& in
   const auto find_copy = [&](VertexId before, VertexId copy) {
     // Held vertices have no row, and copies of them neither.
     const std::uint32_t origin = rows[before.index()];
-    if (copy == before || rows[copy.index()] != none || origin == none) return;
+    if (copy == before || rows[copy.index()] != no_row || origin == no_row) return;
     rows[copy.index()] = static_cast<std::uint32_t>(old.row_vertex.size());
     old.row_vertex.push_back(copy);
     old.border.columns.push_back({.origin = origin,
@@ -49,12 +49,12 @@ void fill_columns(ComponentSystem& old, const ExtendedRows& rows, std::size_t fi
     const ElementNodes nodes = nodes_of(elements, input.corners, t);
     for (std::size_t a = 0; a < nodes.count; ++a) {
       const std::uint32_t own = rows[nodes.row[a].index()];
-      if (own == none || own < old.border.base + first) continue;
+      if (own == no_row || own < old.border.base + first) continue;
       const ShapeGradient& G = elements.shape_gradient[t.index()];
       const Lame constants = lame(material_of(input.state, t));
       for (std::size_t b = 0; b < nodes.count; ++b) {
         const std::uint32_t row = rows[nodes.row[b].index()];
-        if (row == none) continue;
+        if (row == no_row) continue;
         Mat3 block = node_block(G, elements.rest_volume[t.index()], constants, nodes.count, b, a);
         leave_out(block, held_axes(input.state, nodes.row[b]),
                   held_axes(input.state, nodes.row[a]), a == b);
@@ -69,7 +69,7 @@ bool set_order(ComponentSystem& system, const ExtendedRows& rows, const SystemIn
   std::vector<VertexId> held;
   for (VertexId v : input.component.vertices) {
     const bool is_free = !is_held_whole(input.state, v);
-    if (is_free != (rows[v.index()] != none)) return false;
+    if (is_free != (rows[v.index()] != no_row)) return false;
     (is_free ? system.order : held).push_back(v);
   }
   std::sort(system.order.begin(), system.order.end(),
@@ -93,7 +93,7 @@ bool extend_system(ComponentSystem& system, ComponentSystem& old,
   if (!serves(old.step) || !serves(old.wave)) return false;
   old.border.base = old.analysis.order.size();
   if (2 * input.component.vertices.size() < old.border.base) return false;
-  ExtendedRows rows(input.state.vertices.size(), none);
+  ExtendedRows rows(input.state.vertices.size(), no_row);
   const std::size_t first = old.border.columns.size();
   find_copies(old, rows, input);
   const std::size_t copies = old.border.columns.size();

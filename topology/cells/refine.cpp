@@ -8,12 +8,12 @@
 namespace sunder {
 namespace {
 
-constexpr std::size_t red = static_cast<std::size_t>(-1);
+constexpr std::size_t divided_red = static_cast<std::size_t>(-1);
 
 /// Where a tetrahedron comes from: for a green one the level that made it and its parent's row
 /// before; and the tetrahedron of the beginning.
 struct Origin {
-  std::size_t level = red;
+  std::size_t level = divided_red;
   TetId parent;
   TetId root;
   /// One of eight, whose corners stand so that its shapes stay few.
@@ -26,7 +26,7 @@ void note_origins(std::vector<Origin>& origins, const CellEdit& edit, std::size_
     while (end < edit.cells.size() && edit.cells[end].parent == edit.cells[i].parent) ++end;
     const TetId root = origins[edit.cells[i].parent.index()].root;
     const Origin origin =
-        end - i == 8 ? Origin{red, {}, root, true} : Origin{level, edit.cells[i].parent, root};
+        end - i == 8 ? Origin{divided_red, {}, root, true} : Origin{level, edit.cells[i].parent, root};
     for (std::size_t k = i; k < end; ++k) {
       const std::size_t row = edit.cells[k].tetrahedron.index();
       if (row >= origins.size()) origins.resize(row + 1);
@@ -40,7 +40,7 @@ class Levels {
   Levels(VolumeMap& map, std::size_t levels, const WantedCells& wanted, std::size_t most)
       : map_(map), wanted_(wanted), most_(most), forced_(levels) {
     origins_.emplace_back();
-    for (std::size_t t = 0; t < map.tetrahedra(); ++t) origins_[0].push_back({red, {}, TetId{t}});
+    for (std::size_t t = 0; t < map.tetrahedra(); ++t) origins_[0].push_back({divided_red, {}, TetId{t}});
     while (done_.size() < levels && make_next()) {
     }
   }
@@ -60,11 +60,11 @@ class Levels {
     std::vector<char> as_they_stand;
     for (const Origin& from : origins_[level]) as_they_stand.push_back(from.is_one_of_eight);
     RefinedLevel made = refine_marked(map_, list, as_they_stand);
-    std::size_t back = red;  // the lowest level on which a green one was divided
+    std::size_t back = divided_red;  // the lowest level on which a green one was divided
     for (const ChildCell& cell : made.edit.cells) {
       back = std::min(back, origins_[level][cell.parent.index()].level);
     }
-    if (back == red) {
+    if (back == divided_red) {
       origins_.push_back(origins_[level]);
       note_origins(origins_.back(), made.edit, level);
       done_.push_back(std::move(made));

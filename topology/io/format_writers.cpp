@@ -22,14 +22,13 @@ namespace sunder {
 namespace {
 
 using io::FileEncoding;
-using Path = std::filesystem::path;
 
 int msh_version(std::string_view version) {
   if (version == "1") return 10;
   return version == "2.2" ? 22 : version == "4.0" ? 40 : 41;
 }
 
-std::optional<Finding> write_stl(const Path& path, const FileMesh& mesh, const FileEncoding& how) {
+std::optional<Finding> write_stl(const std::filesystem::path& path, const FileMesh& mesh, const FileEncoding& how) {
   const std::size_t too_big = how.is_binary() ? io::stl_points(mesh, true).too_big : 0;
   if (too_big == 0) return write_file(path, io::write_stl(mesh, how.is_binary()));
   return Finding{.code = "number_out_of_range",
@@ -41,7 +40,7 @@ std::optional<Finding> write_stl(const Path& path, const FileMesh& mesh, const F
 
 }  // namespace
 
-std::optional<Finding> io::write_format(MeshFormat format, const Path& path, const FileMesh& mesh,
+std::optional<Finding> io::write_format(MeshFormat format, const std::filesystem::path& path, const FileMesh& mesh,
                                         const FileEncoding& how) {
   const bool is_binary = how.is_binary();
   switch (format) {

@@ -183,7 +183,6 @@ constexpr FormatTraits traits[] = {
 };
 
 using io::FileSource;
-using Path = std::filesystem::path;
 
 /// In the order of `traits`.
 constexpr io::FormatCode codes[] = {
@@ -212,7 +211,7 @@ std::string lower(std::string text) {
 }
 
 /// The ending in lower case, that before .gz.
-std::string lower_extension(const Path& name) {
+std::string lower_extension(const std::filesystem::path& name) {
   const std::string extension = lower(name.extension().string());
   return extension == ".gz" ? lower(name.stem().extension().string()) : extension;
 }
@@ -237,7 +236,7 @@ std::optional<MeshFormat> format_of_content(std::string_view bytes) {
   return std::nullopt;
 }
 
-std::optional<MeshFormat> format_of_name(const Path& name) {
+std::optional<MeshFormat> format_of_name(const std::filesystem::path& name) {
   const std::string extension = lower_extension(name);
   for (const FormatTraits& t : traits) {
     if (std::ranges::find(t.extensions, extension) != t.extensions.end()) return t.format;
@@ -245,7 +244,7 @@ std::optional<MeshFormat> format_of_name(const Path& name) {
   return std::nullopt;
 }
 
-bool is_binary_name(const Path& name) {
+bool is_binary_name(const std::filesystem::path& name) {
   const std::string extension = lower_extension(name);
   return !extension.empty() &&
          std::ranges::find(traits, extension, &FormatTraits::binary_extension) != std::end(traits);

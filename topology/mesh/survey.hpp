@@ -48,6 +48,11 @@ struct Survey {
   std::vector<FindingPlaces> places = {};
 };
 
+/// Which corner of a tetrahedron the point is (one of them).
+inline int place_of_point(const std::array<std::uint32_t, 4>& t, std::uint32_t p) {
+  return t[0] == p ? 0 : t[1] == p ? 1 : t[2] == p ? 2 : 3;
+}
+
 /// The places that share a finding: counts all, keeps the first few, or all when asked.
 class Places {
  public:

@@ -13,10 +13,6 @@ constexpr FindingWords nonmanifold_vertex = {
     "nothing to do, unless a body with a manifold surface is wanted: then add or remove "
     "tetrahedra there"};
 
-int place_of_point(const std::array<std::uint32_t, 4>& t, std::uint32_t p) {
-  return t[0] == p ? 0 : t[1] == p ? 1 : t[2] == p ? 2 : 3;
-}
-
 /// The boundary half-face next to boundary face `p` of tetrahedron `t`, across its edge that does
 /// not end in corner `e`: turns round the edge through the tetrahedra at it.
 std::uint32_t next_on_boundary(const Survey& s, std::uint32_t t, int p, int e) {

@@ -53,10 +53,6 @@ CornerBuckets bucket_corners(const Survey& s) {
   return buckets;
 }
 
-int place_of_point(const std::array<std::uint32_t, 4>& t, std::uint32_t p) {
-  return t[0] == p ? 0 : t[1] == p ? 1 : t[2] == p ? 2 : 3;
-}
-
 void flood_orbit(Survey& s, std::uint32_t start, std::uint32_t row,
                  std::vector<std::uint32_t>& stack) {
   const std::uint32_t point = s.mesh.tetrahedra[start / 4][start % 4];

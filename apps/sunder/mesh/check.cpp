@@ -21,7 +21,7 @@
 namespace sunder {
 namespace {
 
-constexpr const char* footer = R"(
+constexpr const char* check_footer = R"(
 Of several meshes each is told one after the other, with --json as a list; the exit code is the
 highest of theirs.
 MESH is any mesh file that sunder convert reads (sunder convert --formats lists them), packed by
@@ -50,7 +50,7 @@ Examples:
   sunder check part.stl --density 2700
 )";
 
-struct Arguments : Telling {
+struct CheckArguments : Telling {
   /// One after the other; of each its answer is printed.
   std::vector<std::filesystem::path> meshes;
   std::filesystem::path mesh;
@@ -81,7 +81,7 @@ Betti betti_of(const suite::IntegerHomology& homology) {
 }
 
 /// Holds the Betti numbers that boundary sheets tell, if they do, against the homology.
-void find_homology(CheckReport& report, const FileMesh& mesh, const Arguments& arguments) {
+void find_homology(CheckReport& report, const FileMesh& mesh, const CheckArguments& arguments) {
   const std::string name = arguments.mesh.string();
   const bool asked = arguments.homology;
   std::optional<Betti>& told = report.counts->betti;
@@ -141,7 +141,7 @@ bool is_surface(const FileMesh& mesh) {
   });
 }
 
-ExitCode report_surface(const Arguments& arguments, CheckReport& report, const FileMesh& mesh) {
+ExitCode report_surface(const CheckArguments& arguments, CheckReport& report, const FileMesh& mesh) {
   report.surface = check_surface(mesh);
   report.is_read = true;
   report.points = mesh.points.size();
@@ -161,7 +161,7 @@ ExitCode report_surface(const Arguments& arguments, CheckReport& report, const F
 }
 
 /// Checks one mesh; the report is to be printed.
-ExitCode run_check(const Arguments& arguments, CheckReport& report) {
+ExitCode run_check(const CheckArguments& arguments, CheckReport& report) {
   report.findings_file = arguments.findings;
   ExitCode exit_code = ExitCode::bad_input;
   report.density = arguments.density;
@@ -209,7 +209,7 @@ ExitCode run_check(const Arguments& arguments, CheckReport& report) {
 }
 
 /// Checks all; the exit code is the highest.
-ExitCode run_checks(Arguments arguments) {
+ExitCode run_checks(CheckArguments arguments) {
   ExitCode worst = ExitCode::fine;
   const bool several = arguments.meshes.size() > 1;
   auto all = nlohmann::ordered_json::array();
@@ -233,7 +233,7 @@ ExitCode run_checks(Arguments arguments) {
 }  // namespace
 
 void add_check_command(CLI::App& program, ExitCode& exit_code) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<CheckArguments>();
   CLI::App* command =
       program.add_subcommand("check", "Count and measure the cells of a mesh, list what is wrong");
   command->add_option("MESH", arguments->meshes, "Mesh files; - for standard input")
@@ -255,7 +255,7 @@ void add_check_command(CLI::App& program, ExitCode& exit_code) {
       ->check(CLI::PositiveNumber);
   add_verbose_flag(*command, *arguments);
   command->add_flag("--json", arguments->json, "Print JSON instead of a table");
-  command->footer(footer);
+  command->footer(check_footer);
   command->callback([=, &exit_code] {
     std::error_code cannot_compare;
     if (!arguments->findings.empty() && arguments->meshes.size() > 1) {

@@ -140,8 +140,6 @@ Json surface_json(const CheckReport& report) {
   return json;
 }
 
-std::string_view yes_or_no(bool is_so) { return is_so ? "yes" : "no"; }
-
 void print_surface(const CheckReport& report) {
   const SurfaceCheck& s = *report.surface;
   const auto count = [](std::string_view name, std::size_t n) {

@@ -27,7 +27,7 @@
 namespace sunder {
 namespace {
 
-constexpr const char* footer = R"(
+constexpr const char* convert_footer = R"(
 IN is recognised by its content, not by its name (TetGen's files by their names, any of which may be
 given: STEM.node, .ele, .face and .edge are read and written together); it may be packed by gzip.
 IN - is standard input; OUT - is standard output, with --to; OUT.gz is packed.
@@ -57,7 +57,7 @@ Examples:
   sunder convert body.msh cracked.vtu --crack-regions matrix,inclusion --crack-pairs pairs.csv
 )";
 
-struct Arguments : Telling {
+struct ConvertArguments : Telling {
   std::filesystem::path in;
   std::filesystem::path out;
   std::string to;
@@ -153,7 +153,7 @@ void tell_split(const SplitCells& report, std::vector<Finding>& findings) {
 
 /// Makes cells linear, simplices, or of second order, as was asked for. Points are merged before: parts of
 /// cells fit together where these have the same points.
-void simplify(FileMesh& mesh, Arguments& arguments, std::vector<Finding>& findings) {
+void simplify(FileMesh& mesh, ConvertArguments& arguments, std::vector<Finding>& findings) {
   if (arguments.order == 0 && !arguments.split) return;
   if (arguments.repairs.merge_points) {
     findings.push_back(merge_points(mesh, *arguments.repairs.merge_points));
@@ -214,7 +214,7 @@ Finding drop_shells_and_beams(FileMesh& mesh) {
                        : fmt::format("{} triangles, other faces and edges were dropped", dropped));
 }
 
-Conversion convert(Arguments arguments) {
+Conversion convert(ConvertArguments arguments) {
   Conversion result;
   Stages stages(arguments);
   Result<FileMesh> mesh =
@@ -287,7 +287,7 @@ std::string counts_text(const FileMesh& mesh) {
   return text.empty() ? "a mesh without points" : text;
 }
 
-void print(const Arguments& arguments, const Conversion& result) {
+void print(const ConvertArguments& arguments, const Conversion& result) {
   if (arguments.json) {
     nlohmann::ordered_json json = nlohmann::ordered_json::object();
     json["counts"] = result.is_read ? counts_json(result.mesh) : nlohmann::ordered_json{};
@@ -307,7 +307,7 @@ void print(const Arguments& arguments, const Conversion& result) {
   arguments.out == "-" ? remark(words, arguments) : fmt::print("{}", words);
 }
 
-ExitCode run_convert(const Arguments& arguments) {
+ExitCode run_convert(const ConvertArguments& arguments) {
   const Conversion result = convert(arguments);
   print(arguments, result);
   if (!result.is_read || !result.is_repaired) return ExitCode::bad_input;
@@ -323,7 +323,7 @@ ExitCode run_convert(const Arguments& arguments) {
 }  // namespace
 
 void add_convert_command(CLI::App& program, ExitCode& exit_code) {
-  const auto arguments = std::make_shared<Arguments>();
+  const auto arguments = std::make_shared<ConvertArguments>();
   CLI::App* command =
       program.add_subcommand("convert", "Convert a mesh file; lists what would be lost");
   command->add_option("IN", arguments->in, "Mesh file to read")->type_name("FILE")->required();
@@ -393,7 +393,7 @@ void add_convert_command(CLI::App& program, ExitCode& exit_code) {
         throw CLI::Success();
       },
       "Print what each format can hold, as a table, and end");
-  command->footer(footer);
+  command->footer(convert_footer);
   command->callback([=, &exit_code] { exit_code = run_convert(*arguments); });
 }
 

@@ -15,7 +15,7 @@
 namespace sunder {
 namespace {
 
-constexpr const char* footer = R"(
+constexpr const char* cut_footer = R"(
 With --exact the tetrahedra that the plane passes through are divided by it: the section is flat, and
 each side keeps its volume to rounding. A plane that nearly passes through a point leaves thin
 tetrahedra there (the table tells the least radius ratio). A point is taken to lie in the plane when
@@ -118,10 +118,6 @@ ExitCode run_cut(const CutArguments& arguments) {
   return finish(arguments, *body, lines, json);
 }
 
-std::string check_plane(const std::string& list) {
-  return numbers_of(list, 4) ? "" : "'" + list + "' is not NX,NY,NZ,D: four numbers";
-}
-
 }  // namespace
 
 void add_cut_command(CLI::App& program, ExitCode& exit_code) {
@@ -142,7 +138,7 @@ void add_cut_command(CLI::App& program, ExitCode& exit_code) {
       ->type_name("PART")
       ->check(CLI::Range(0.0, 0.01))
       ->needs(exact);
-  command->footer(footer);
+  command->footer(cut_footer);
   command->callback([=, &exit_code] { exit_code = run_cut(*arguments); });
 }
 

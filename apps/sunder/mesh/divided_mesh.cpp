@@ -18,7 +18,6 @@
 namespace sunder {
 namespace {
 
-using Json = nlohmann::ordered_json;
 
 MeshState state_of(const FileMesh& mesh) {
   return {{mesh.points.size(), mesh.edges.corners.size(), mesh.triangles.corners.size(),
@@ -26,9 +25,9 @@ MeshState state_of(const FileMesh& mesh) {
           check_file_mesh(mesh)};
 }
 
-Json state_json(const MeshState& state) {
+nlohmann::ordered_json state_json(const MeshState& state) {
   const auto& [points, edges, triangles, tetrahedra] = state.sizes;
-  Json json{
+  nlohmann::ordered_json json{
       {"points", points}, {"edges", edges}, {"triangles", triangles}, {"tetrahedra", tetrahedra}};
   if (state.check.counts) {
     json["components"] = state.check.counts->components;
@@ -153,7 +152,7 @@ ExitCode refuse(const DivideArguments& arguments, const std::vector<Finding>& fi
 }
 
 ExitCode finish(const DivideArguments& arguments, DividedMesh& body, const std::string& lines,
-                const Json& json) {
+                const nlohmann::ordered_json& json) {
   Stages stages(arguments);
   const MeshState after = state_of(body.mesh);
   for (const Finding& f : after.check.findings) {
@@ -166,7 +165,7 @@ ExitCode finish(const DivideArguments& arguments, DividedMesh& body, const std::
   if (!has_error(written)) stages.done(fmt::format("wrote {}", arguments.out.string()));
   std::ranges::copy(written, std::back_inserter(body.findings));
   if (arguments.json) {
-    Json all{{"before", state_json(body.before)}, {"after", state_json(after)}};
+    nlohmann::ordered_json all{{"before", state_json(body.before)}, {"after", state_json(after)}};
     all.update(json);
     all["findings"] = findings_json(body.findings);
     fmt::print("{}\n", all.dump(2));

@@ -9,12 +9,11 @@
 #include <bit>
 #include <string_view>
 
+#include "apps/scene/words.hpp"
 #include "topology/io/format_traits.hpp"
 
 namespace sunder {
 namespace {
-
-std::string_view yes_or_no(bool held) { return held ? "yes" : "no"; }
 
 std::string plurals_of(KindSet set) {
   std::string text;

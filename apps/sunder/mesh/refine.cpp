@@ -20,7 +20,7 @@
 namespace sunder {
 namespace {
 
-constexpr const char* footer = R"(
+constexpr const char* refine_footer = R"(
 Each level divides every chosen tetrahedron into eight (red refinement, Bey 1995) and its neighbours
 into two or four so that faces fit; what was divided to fit is never divided again, so shapes do not
 get worse with levels. Without --region, --plane and --crack all tetrahedra are chosen; with several
@@ -170,10 +170,6 @@ ExitCode run_refine(const RefineArguments& arguments) {
   return finish(arguments, *body, lines, json);
 }
 
-std::string check_plane(const std::string& list) {
-  return numbers_of(list, 4) ? "" : "'" + list + "' is not NX,NY,NZ,D: four numbers";
-}
-
 std::string check_distance(const std::string& word) {
   const auto number = numbers_of(word, 1);
   return number && number->front() >= 0 && std::isfinite(number->front())
@@ -215,7 +211,7 @@ void add_refine_command(CLI::App& program, ExitCode& exit_code) {
                        : "there is nothing to be near to: give --plane or --crack first";
           },
           "", "near"));
-  command->footer(footer);
+  command->footer(refine_footer);
   command->callback([=, &exit_code] { exit_code = run_refine(*arguments); });
 }
 

@@ -22,7 +22,7 @@
 namespace sunder {
 namespace {
 
-constexpr const char* footer = R"(
+constexpr const char* split_footer = R"(
 One of --faces, --fan and --plane chooses the faces; all are found on the intact mesh and then split
 one after the other. Points are rows of the mesh file, counted from 0; lengths are metres. A face
 that is not interior is reported in its row of the result, and changes nothing.
@@ -250,10 +250,6 @@ ExitCode run_split(const SplitArguments& arguments) {
   return has_error(findings) ? ExitCode::not_written : ExitCode::fine;
 }
 
-std::string check_plane(const std::string& list) {
-  return numbers_of(list, 4) ? "" : "'" + list + "' is not NX,NY,NZ,D: four numbers";
-}
-
 void add_options(CLI::App& command, SplitArguments& arguments) {
   command.add_option("MESH", arguments.mesh, "Mesh file, in any format that sunder convert reads")
       ->type_name("FILE")
@@ -311,7 +307,7 @@ void add_split_command(CLI::App& program, ExitCode& exit_code) {
   CLI::App* command =
       program.add_subcommand("split", "Split faces of a mesh and report what came apart");
   add_options(*command, *arguments);
-  command->footer(footer);
+  command->footer(split_footer);
   command->callback([=, &exit_code] { exit_code = run_split(*arguments); });
 }
 

@@ -25,7 +25,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr const char* footer = R"(
+constexpr const char* modes_footer = R"(
 SCENE is a scene file as `sunder run` takes it, SI units: docs/static.md. For every piece of every
 body: the N lowest natural frequencies (Hz), with held vertices at rest, without gravity, loads and
 obstacles. A free piece has six rigid motions besides, listed first with frequency 0.
@@ -151,7 +151,7 @@ void add_modes_command(CLI::App& program, ExitCode& exit_code) {
   add_confined_flag(*command, arguments->reach);
   add_telling_flags(*command, *arguments);
   command->add_flag("--json", arguments->json, "Print JSON instead of a table");
-  command->footer(footer);
+  command->footer(modes_footer);
   command->callback([=, &exit_code] { exit_code = run_modes(*arguments); });
 }
 

@@ -25,7 +25,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr const char* footer = R"(
+constexpr const char* static_footer = R"(
 SCENE is a scene file as `sunder run` takes it, SI units: docs/static.md. Gravity and the bodies'
 "loads" (Pa, N) act fully; "held" vertices stay, or are where their velocity (m/s) takes them by the
 scene's "duration" (s). Every body needs three held vertices that are not on one line. Obstacles are
@@ -218,7 +218,7 @@ void add_static_command(CLI::App& program, ExitCode& exit_code) {
   add_confined_flag(*command, arguments->reach);
   add_telling_flags(*command, *arguments);
   command->add_flag("--json", arguments->json, "Print JSON instead of a table");
-  command->footer(footer);
+  command->footer(static_footer);
   command->callback([=, &exit_code] { exit_code = run_static(*arguments); });
 }
 

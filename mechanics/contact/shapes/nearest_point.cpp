@@ -20,7 +20,7 @@ Vec3 point_of(const Corners4& corners, const Weights& weights) {
 }
 
 /// The nearest of what has been tried.
-struct Nearest {
+struct NearestCorners {
   const Corners4& corners;
   const Vec3& x;
   Weights weights = {1, 0, 0, 0};
@@ -35,7 +35,7 @@ struct Nearest {
   }
 };
 
-void try_segment(Nearest& nearest, std::size_t i, std::size_t j) {
+void try_segment(NearestCorners& nearest, std::size_t i, std::size_t j) {
   const Vec3 along = nearest.corners[j] - nearest.corners[i];
   const double length = along.squaredNorm();
   const double share =
@@ -47,7 +47,7 @@ void try_segment(Nearest& nearest, std::size_t i, std::size_t j) {
 }
 
 /// The foot of the point in the plane of three corners, where it lies between them.
-void try_inside_of_triangle(Nearest& nearest, std::size_t i, std::size_t j, std::size_t k) {
+void try_inside_of_triangle(NearestCorners& nearest, std::size_t i, std::size_t j, std::size_t k) {
   const Vec3 a = nearest.corners[j] - nearest.corners[i];
   const Vec3 b = nearest.corners[k] - nearest.corners[i];
   const Vec3 p = nearest.x - nearest.corners[i], normal = a.cross(b);
@@ -83,7 +83,7 @@ std::array<double, 4> nearest_point(const std::array<Vec3, 4>& corners, const Ve
       (point_of(corners, inside) - x).squaredNorm() <= again * again * size) {
     return inside;
   }
-  Nearest nearest{corners, x};
+  NearestCorners nearest{corners, x};
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t j = i + 1; j < 4; ++j) {
       try_segment(nearest, i, j);
@@ -95,7 +95,7 @@ std::array<double, 4> nearest_point(const std::array<Vec3, 4>& corners, const Ve
 
 std::array<double, 3> nearest_on_triangle(const std::array<Vec3, 3>& corners, const Vec3& x) {
   const Corners4 four = {corners[0], corners[1], corners[2], corners[2]};
-  Nearest nearest{four, x};
+  NearestCorners nearest{four, x};
   for (std::size_t i = 0; i < 3; ++i) try_segment(nearest, i, (i + 1) % 3);
   try_inside_of_triangle(nearest, 0, 1, 2);
   return {nearest.weights[0], nearest.weights[1], nearest.weights[2]};

@@ -125,15 +125,15 @@ double distance_to_box(const SolidSurface::Node& node, const Vec3& x) {
 }
 
 /// The nearest point, the triangle it is of, and its shares of that one's corners.
-struct Nearest {
+struct NearestFace {
   double squared = infinite;
   std::size_t triangle = 0;
   std::array<double, 3> share{};
   Vec3 place = Vec3::Zero();
 };
 
-Nearest nearest_of(const SolidSurface& s, const Vec3& point) {
-  Nearest best;
+NearestFace nearest_of(const SolidSurface& s, const Vec3& point) {
+  NearestFace best;
   std::array<std::uint32_t, 64> open;  // a level of the tree leaves one behind
   std::size_t count = 0;
   open[count++] = 0;
@@ -161,7 +161,7 @@ Nearest nearest_of(const SolidSurface& s, const Vec3& point) {
 }
 
 /// Of the face, edge or point that the shares name.
-Vec3 pseudonormal(const SolidSurface& s, const Nearest& nearest) {
+Vec3 pseudonormal(const SolidSurface& s, const NearestFace& nearest) {
   constexpr double none = 1e-12;
   int zeros = 0;
   std::size_t zero = 0, other = 0;
@@ -205,7 +205,7 @@ Result<SolidSurface> make_solid_surface(TriangleSurface triangles, std::string f
 }
 
 SurfacePoint distance_to_surface(const SolidSurface& s, const Vec3& point) {
-  const Nearest nearest = nearest_of(s, point);
+  const NearestFace nearest = nearest_of(s, point);
   const Vec3 arm = point - nearest.place;
   const Vec3 outward = pseudonormal(s, nearest);
   const double distance = std::sqrt(nearest.squared);

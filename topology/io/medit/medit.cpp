@@ -65,7 +65,6 @@ constexpr CellSection cell_sections[] = {
     {"PyramidsP2", 87, CellKind::pyramid14},
 };
 
-constexpr int dimension_code = 3, vertices_code = 4, end_code = 54;
 
 struct MeditReader {
   NumberSource in;

@@ -13,6 +13,9 @@
 
 namespace sunder::io {
 
+/// Codes of keywords in binary files.
+inline constexpr int dimension_code = 3, vertices_code = 4, end_code = 54;
+
 /// A section of an order: as many rows as the kind has nodes, of so many numbers each.
 struct MeditOrder {
   std::string_view keyword;

@@ -7,15 +7,13 @@
 namespace sunder::io {
 namespace {
 
-constexpr int dimension_code = 3, vertices_code = 4, end_code = 54;
-
 /// In this order.
-struct Section {
+struct WrittenSection {
   CellKind kind;
   std::string_view keyword;
   int code;
 };
-constexpr Section sections[] = {{CellKind::edge, "Edges", 5},
+constexpr WrittenSection written_sections[] = {{CellKind::edge, "Edges", 5},
                                 {CellKind::edge3, "EdgesP2", 25},
                                 {CellKind::triangle, "Triangles", 6},
                                 {CellKind::triangle6, "TrianglesP2", 24},
@@ -45,7 +43,7 @@ std::string write_text(const FileMesh& mesh) {
     for (const double x : mesh.points[i]) put<double>(out, x);
     put<std::int32_t>(out, mesh.point_region.empty() ? 0 : mesh.point_region[i], '\n');
   }
-  for (const Section& s : sections) {
+  for (const WrittenSection& s : written_sections) {
     const CellRows rows = rows_of(mesh, s.kind);
     if (rows.count == 0) continue;
     const std::vector<std::int32_t>& label = label_of(columns_of(mesh, s.kind));
@@ -87,7 +85,7 @@ std::string write_binary(const FileMesh& mesh) {
     for (const double x : mesh.points[i]) put_raw<double>(out, x);
     put_raw<std::int32_t>(out, mesh.point_region.empty() ? 0 : mesh.point_region[i]);
   }
-  for (const Section& s : sections) {
+  for (const WrittenSection& s : written_sections) {
     const CellRows rows = rows_of(mesh, s.kind);
     if (rows.count == 0) continue;
     const std::vector<std::int32_t>& label = label_of(columns_of(mesh, s.kind));

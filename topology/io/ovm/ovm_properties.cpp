@@ -15,7 +15,7 @@
 namespace sunder::io {
 namespace {
 
-constexpr std::string_view entities[] = {"vprop",  "eprop",  "fprop", "cprop",
+constexpr std::string_view entity_words[] = {"vprop",  "eprop",  "fprop", "cprop",
                                          "heprop", "hfprop", "mprop"};
 
 struct TypeName {
@@ -243,7 +243,7 @@ void read_columns(OvmReader& r, std::size_t dimension,
   }
 }
 
-void read_edges(OvmReader& r) {
+void read_edge_properties(OvmReader& r) {
   const std::vector<bool> is_cell = cells_among(r, 1, r.edge_has_face);
   std::vector<std::optional<CellKind>> kind_of_row(is_cell.size());
   for (std::size_t i = 0; i < is_cell.size(); ++i) {
@@ -274,8 +274,8 @@ void read_faces(OvmReader& r) {
 
 /// Whether a line begins with the word of a property.
 std::size_t entity_of(std::string_view word) {
-  return static_cast<std::size_t>(std::ranges::find(entities, lower_case(word)) -
-                                  std::begin(entities));
+  return static_cast<std::size_t>(std::ranges::find(entity_words, lower_case(word)) -
+                                  std::begin(entity_words));
 }
 
 }  // namespace
@@ -289,8 +289,8 @@ void find_ovm_properties(OvmReader& r) {
     const std::string_view text = line.text;
     if (text.empty()) continue;
     const bool may_be = std::string_view("VEHFCMvehfcm").find(text[0]) != std::string_view::npos;
-    const std::size_t entity = may_be ? entity_of(next_word(line)) : std::size(entities);
-    if (entity == std::size(entities)) continue;  // values
+    const std::size_t entity = may_be ? entity_of(next_word(line)) : std::size(entity_words);
+    if (entity == std::size(entity_words)) continue;  // values
     OvmProperty p{.dimension = entity, .type = next_word(line), .name = {}, .at = s.at};
     const std::size_t begin = text.find('"'), end = text.rfind('"');
     if (begin == std::string_view::npos || end == begin) {
@@ -318,7 +318,7 @@ void read_ovm_properties(OvmReader& r) {
   mesh.point_region = read_own<std::int32_t>(r, 0, OvmOwn::region, {});
   mesh.source_point_id = read_own<std::int64_t>(r, 0, OvmOwn::point_id, {});
   mesh.point_data = read_data(r, 0, {});
-  read_edges(r);
+  read_edge_properties(r);
   read_faces(r);
   read_columns(r, 3, r.polyhedra);
   if (r.skipped.empty()) return;

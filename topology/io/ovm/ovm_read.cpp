@@ -142,10 +142,10 @@ std::optional<CellKind> kind_of(const std::vector<HalfFace>& faces) {
   return std::nullopt;
 }
 
-using FaceKey = std::array<std::uint32_t, 4>;
+using HalfFaceKey = std::array<std::uint32_t, 4>;
 
-FaceKey key_of(std::span<const std::uint32_t> corners) {
-  FaceKey key{no_corner, no_corner, no_corner, no_corner};
+HalfFaceKey key_of(std::span<const std::uint32_t> corners) {
+  HalfFaceKey key{no_corner, no_corner, no_corner, no_corner};
   std::ranges::copy(corners, key.begin());
   std::ranges::sort(key);
   return key;
@@ -154,9 +154,9 @@ FaceKey key_of(std::span<const std::uint32_t> corners) {
 /// Whether the half-faces are those of a cell with these nodes.
 bool are_faces_of(CellKind kind, const std::vector<std::uint32_t>& nodes,
                   const std::vector<HalfFace>& half_faces) {
-  std::vector<FaceKey> own, read;
+  std::vector<HalfFaceKey> own, read;
   for (const FaceCorners& f : faces_of(kind)) {
-    const FaceKey corners{nodes[f[0]], nodes[f[1]], nodes[f[2]], nodes[f[3]]};
+    const HalfFaceKey corners{nodes[f[0]], nodes[f[1]], nodes[f[2]], nodes[f[3]]};
     own.push_back(key_of(std::span(corners).first(f[2] == f[3] ? 3 : 4)));
   }
   for (const HalfFace& h : half_faces) read.push_back(key_of(std::span(h.points).first(h.corners)));

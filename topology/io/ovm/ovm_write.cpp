@@ -76,11 +76,10 @@ struct Face {
   /// 0 for a polygon: its row stands in `points`.
   std::size_t corners = 0;
 };
-using FaceKey = std::array<std::uint32_t, 4>;
 
 /// Triangles end with a number that no point has, polygons have but one that is less.
-FaceKey key_of(const Face& face) {
-  FaceKey key{no_corner, no_corner, no_corner, no_corner};
+std::array<std::uint32_t, 4> key_of(const Face& face) {
+  std::array<std::uint32_t, 4> key{no_corner, no_corner, no_corner, no_corner};
   std::copy_n(face.points.begin(), std::max<std::size_t>(face.corners, 1), key.begin());
   std::ranges::sort(key);
   return key;
