@@ -106,7 +106,7 @@ def with_table(page, table):
     return f"{before}{BEGIN}\n{table}{END}{after}"
 
 
-def main():
+def main(words=None):
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program", metavar="SUNDER")
@@ -114,7 +114,7 @@ def main():
     parser.add_argument("--set", metavar="KEY=VALUE", action="append", default=[], dest="changes")
     parser.add_argument("--print", action="store_true", dest="printed")
     parser.add_argument("--keep", metavar="DIR", type=pathlib.Path)
-    arguments = parser.parse_args()
+    arguments = parser.parse_intermixed_args(words)
     program = str(pathlib.Path(arguments.program).resolve())
     scenes = [scene.resolve() for scene in arguments.scenes] or sample_scenes()
     default = default_mode(program)
