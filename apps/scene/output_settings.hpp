@@ -23,7 +23,8 @@ enum class ShownShape {
 enum class CrackSurface {
   /// Where the mesh has them.
   mesh,
-  /// Near the planes of their cracks (`smooth_crack_moves`). Needs `CrackMode::object`.
+  /// Near the planes of their cracks (`smooth_crack_moves`). Needs `CrackMode::object` or
+  /// `CrackMode::cohesive`.
   smooth,
 };
 

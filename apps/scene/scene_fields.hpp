@@ -75,7 +75,8 @@ void describe(V& v, OutputSettings& o) {
   v.field(
       Key{"crack_surface", "",
           "Where pictures show cracks. mesh: on the faces of the mesh; smooth: near the plane of "
-          "each crack, as far as tetrahedra keep their shape; needs fracture.crack object"},
+          "each crack, as far as tetrahedra keep their shape; needs fracture.crack object or "
+          "cohesive"},
       o.crack_surface);
   v.field(Key{"pictures", "", "Pictures drawn without a display"}, o.pictures);
   v.field(Key{"checkpoint", "", "What `sunder run --resume` goes on from"}, o.checkpoint);
@@ -87,11 +88,12 @@ void describe(V& v, SceneFile& s) {
   v.field(Key{"name", "", "What reports call the scene"}, s.scene.name);
   v.field(Key{"description", "", "What happens and why the numbers are what they are"},
           s.description);
-  v.field(Key{"accuracy", "",
-              "Chooses those keys of contact and impact that are left out, from mesh, material and "
-              "speeds: preview: what roughly happens, for the least time; good: what the charts "
-              "recommend; reference: what others are held against (docs/defaults.md)"},
-          s.accuracy);
+  v.field(
+      Key{"accuracy", "",
+          "Chooses keys that are left out (contact, impact, ladder, bodies[].order, model and "
+          "integrator.method), from mesh, material and speeds: preview: fastest; good: what the "
+          "charts recommend; reference: most accurate, for comparisons (docs/defaults.md)"},
+      s.accuracy);
   describe(v, s.scene);
   v.field(Key{"output", "", "What a run writes"}, s.output);
 }

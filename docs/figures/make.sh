@@ -35,13 +35,13 @@ done
 python3 "$here/moment.py" "$work/block" jump
 
 # Figure 6: two balls strike the monolith.
-run monolith monolith --frame-interval 0.01
+run monolith monolith --frame-interval 0.01 --set fracture.crack=paper
 for part in a:0.05 b:0.07 c:0.17 d:0.4; do
   draw monolith "figure_6${part%%:*}" --time "${part##*:}" --eye 2.2,-3.6,2.0 --target 0,0.15,0.8 --fov 36
 done
 
 # Figure 8: the bunny, and its pieces apart.
-run bunny bunny --set duration=0.05 --set fracture.crack=object --frame-interval 0.005
+run paper/bunny bunny --set duration=0.05 --set fracture.crack=object --frame-interval 0.005
 draw bunny figure_8a --time 0.05
 draw bunny figure_8b --time 0.05 --explode 0.35
 

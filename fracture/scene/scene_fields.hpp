@@ -321,8 +321,9 @@ void describe(V& v, LadderSettings& l) {
 template <class V>
 void describe(V& v, TopologySettings& t) {
   v.field(Key{"kernel", "",
-              "What holds the topology and answers for it, with the same results: dense: rows of "
-              "corners and neighbours; lcc: CGAL's 3-map, ten times the memory"},
+              "What holds the volume mesh and answers for its topology, with the same results: "
+              "lcc: CGAL's Linear_cell_complex, a 3-map with attributes; dense: rows of corners and "
+              "neighbours alone, a twentieth of the memory of the map"},
           t.kernel);
 }
 
