@@ -120,8 +120,7 @@ double vertex_strength(const Cells& cells, const MechanicsState& mechanics, Vert
   for (const TetId t : star) {
     const Material& m = mechanics.materials[mechanics.elements.material[t.index()].index()];
     strength = std::min(strength, m.tensile_strength);
-    const double of_cell = cells.pieces ? toughness_of(m) : m.toughness.value_or(toughness);
-    toughness = std::min(toughness, of_cell);
+    toughness = std::min(toughness, toughness_of(m));
   }
   if (cells.painted[vertex.index()] > 0) strength = cells.painted[vertex.index()];
   strength *= cells.flaw[vertex.index()];

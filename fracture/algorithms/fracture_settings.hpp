@@ -75,7 +75,8 @@ struct FractureSettings {
   ThresholdTest test = ThresholdTest::chain;
   /// What breaks a crack tip of a material with a toughness.
   FractureCriterion criterion = FractureCriterion::stress;
-  CrackMode crack = CrackMode::paper;
+  /// `paper` and `cohesive` on request (docs/crack_objects.md compares the three).
+  CrackMode crack = CrackMode::object;
   /// Rings of tetrahedra around each fan whose stresses are solved for again within the step, so
   /// that the load of the crack passes to its tip at once; 0: none (the paper's).
   std::uint32_t relax = 0;

@@ -32,6 +32,8 @@ struct Outlook {
   bool is_heap = false;
   /// Node stress `fit` has no certificate.
   bool fits = false;
+  /// Of all bodies.
+  std::size_t tetrahedra = 0;
 
   /// The blow breaks what it strikes.
   bool breaks() const { return blow >= 1; }
@@ -85,6 +87,7 @@ Outlook look_ahead(const Scene& scene, Accuracy accuracy, std::span<const BodyMe
                        std::sqrt(2 * scene.gravity.acceleration.norm() * fall_of(scene, measures)));
   o.is_heap = is_heap(scene, measures);
   o.fits = scene.fracture.node_stress == NodeStress::fit;
+  for (const BodySettings& body : scene.bodies) o.tetrahedra += body.mesh.tetrahedra.size();
   const bool can_meet = !scene.obstacles.empty() || scene.bodies.size() > 1;
   if (scene.fracture.mode == FractureMode::off || !can_meet) return o;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
@@ -175,10 +178,22 @@ Chosen declared(const Outlook& o) {
   return {by(o, 0.02, 0, 0), "of a body's mass, and a piece never breaks again"};
 }
 
+/// Darts take 850 bytes per tetrahedron (docs/kernel.md): up to 0.85 GB.
+constexpr std::size_t most_with_darts = 1'000'000;
+
+Chosen kernel(const Outlook& o) {
+  if (o.tetrahedra <= most_with_darts) {
+    return {1, "CGAL's darts hold the volume mesh; up to a million tetrahedra they fit in 0.85 GB"};
+  }
+  return {0, fmt::format("the darts of {} tetrahedra would take {:.2g} GB; rows give the same bytes",
+                         o.tetrahedra, 850e-9 * static_cast<double>(o.tetrahedra))};
+}
+
 constexpr std::array<std::string_view, 2> rubble_words = {"off", "certified"};
+constexpr std::array<std::string_view, 2> kernel_words = {"dense", "lcc"};
 
 // A key more is a line more, and `chosen` in its description.
-constexpr std::array<Rule, 10> rules = {{
+constexpr std::array<Rule, 11> rules = {{
     {"contact.max_iterations", [](Scene& s, double v) { s.contact.max_iterations = int(v); },
      iterations},
     {"contact.max_passes", [](Scene& s, double v) { s.contact.max_passes = int(v); }, passes},
@@ -195,6 +210,9 @@ constexpr std::array<Rule, 10> rules = {{
      [](Scene& s, double v) { s.ladder.rubble = v == 1 ? RubbleMode::certified : RubbleMode::off; },
      rubble, rubble_words},
     {"ladder.declared_rubble", [](Scene& s, double v) { s.ladder.declared_rubble = v; }, declared},
+    {"topology.kernel",
+     [](Scene& s, double v) { s.topology.kernel = v == 1 ? MapKernel::lcc : MapKernel::dense; },
+     kernel, kernel_words},
 }};
 
 /// Whether a key means anything in the scene.
@@ -203,6 +221,7 @@ bool is_used(const Scene& scene, std::string_view key) {
   if (key.starts_with("ladder.")) {
     return impulses && scene.integrator.integrator == Integrator::floating_frame;
   }
+  if (key.starts_with("topology.")) return true;
   if (key.starts_with("contact.")) return impulses || key == "contact.max_contacts_per_pair";
   return scene.impact.window && impulses &&
          scene.integrator.integrator == Integrator::floating_frame;

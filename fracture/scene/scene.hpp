@@ -26,9 +26,9 @@ struct GravitySettings {
   double ramp_time = 0;
 };
 
-/// What holds the bodies' topology.
+/// What holds the bodies' topology. A library built without CGAL takes `dense` and notes it.
 struct TopologySettings {
-  MapKernel kernel = MapKernel::dense;
+  MapKernel kernel = MapKernel::lcc;
 };
 
 /// A whole scene, SI units.

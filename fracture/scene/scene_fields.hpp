@@ -323,7 +323,8 @@ void describe(V& v, TopologySettings& t) {
   v.field(Key{"kernel", "",
               "What holds the volume mesh and answers for its topology, with the same results: "
               "lcc: CGAL's Linear_cell_complex, a 3-map with attributes; dense: rows of corners and "
-              "neighbours alone, a twentieth of the memory of the map"},
+              "neighbours alone, a twentieth of the memory of the map",
+              {}, false, "", true},
           t.kernel);
 }
 

@@ -140,6 +140,16 @@ void start_display(SimulationState& state) {
   state.display_target = state.display;
 }
 
+/// A library without CGAL has no darts to make (`VolumeMap::set_kernel`).
+std::optional<Finding> note_on_kernel(MapKernel wanted, MapKernel taken) {
+  if (wanted == taken) return std::nullopt;
+  return Finding{.code = "kernel_not_built",
+                 .severity = Severity::note,
+                 .text = "topology.kernel lcc: this library was built without CGAL, so rows (dense) "
+                         "hold the volume mesh; results are the same bytes",
+                 .remedy = "give \"kernel\": \"dense\", or build with CGAL"};
+}
+
 }  // namespace
 
 Simulation::Simulation() = default;
@@ -158,6 +168,9 @@ Result<Simulation> build_statics(Scene scene) {
   if (!map) {
     append(result.findings, std::move(map.findings));
     return result;
+  }
+  if (std::optional<Finding> note = note_on_kernel(scene.topology.kernel, map->kernel())) {
+    result.findings.push_back(std::move(*note));
   }
   std::vector<char> skin = boundary_of(*map);
   const auto sewn = map->neighbours();

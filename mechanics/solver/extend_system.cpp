@@ -66,17 +66,17 @@ void fill_columns(ComponentSystem& old, const ExtendedRows& rows, std::size_t fi
 
 /// Free vertices by extended row, then the held ones; false where a vertex became free or held.
 bool set_order(ComponentSystem& system, const ExtendedRows& rows, const SystemInput& input) {
-  std::vector<VertexId> held;
+  std::vector<VertexId> held_whole;
   for (VertexId v : input.component.vertices) {
     const bool is_free = !is_held_whole(input.state, v);
     if (is_free != (rows[v.index()] != no_row)) return false;
-    (is_free ? system.order : held).push_back(v);
+    (is_free ? system.order : held_whole).push_back(v);
   }
   std::sort(system.order.begin(), system.order.end(),
             [&](VertexId a, VertexId b) { return rows[a.index()] < rows[b.index()]; });
   system.free_count = system.order.size();
   for (VertexId v : system.order) system.factor_row.push_back(rows[v.index()]);
-  system.order.insert(system.order.end(), held.begin(), held.end());
+  system.order.insert(system.order.end(), held_whole.begin(), held_whole.end());
   return true;
 }
 

@@ -71,12 +71,13 @@ void describe(V& v, Material& m) {
           m.tensile_strength);
   v.field(
       Key{"toughness", "Pa sqrt(m)",
-          "Fracture toughness K_Ic; where given it decides at crack tips in place of the strength",
+          "Fracture toughness K_Ic: decides at crack tips in place of the strength; without it "
+          "sqrt(E G_c / (1 - nu^2)) if fracture_energy is given",
           above(0), false, "leave it out or give about 1e6 for concrete"},
       m.toughness);
   v.field(Key{"fracture_energy", "J/m^2",
-              "Fracture energy G_c that cracks take with fracture.crack cohesive; without it "
-              "K_Ic^2 (1 - nu^2) / E",
+              "Fracture energy G_c: cracks take it with fracture.crack cohesive, and the toughness "
+              "of crack tips follows from it; without it K_Ic^2 (1 - nu^2) / E",
               above(0), false, "leave it out or give about 33 for concrete"},
           m.fracture_energy);
   v.field(Key{"shear_weight", "",

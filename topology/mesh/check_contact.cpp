@@ -250,13 +250,13 @@ void report_close(Contact& c) {
 }
 
 void report_coincident(Contact& c) {
-  struct Face {
+  struct PlacedFace {
     std::array<std::uint32_t, 3> places, points;
-    auto operator<=>(const Face&) const = default;
+    auto operator<=>(const PlacedFace&) const = default;
   };
-  std::vector<Face> faces;
+  std::vector<PlacedFace> faces;
   for (const std::uint32_t f : c.faces) {
-    Face face{{}, points_of(c, f)};
+    PlacedFace face{{}, points_of(c, f)};
     std::sort(face.points.begin(), face.points.end());
     for (int k = 0; k < 3; ++k) face.places[k] = c.near.root(c.place_of_point[face.points[k]]);
     std::sort(face.places.begin(), face.places.end());

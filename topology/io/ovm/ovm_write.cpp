@@ -266,7 +266,7 @@ void put_property(NumberSink& out, int dimension, std::string_view type, OvmOwn 
 
 /// A column as one property, or, where no type has so many components, as one each.
 void put_data(NumberSink& out, int dimension, const DataColumn& column, std::size_t rows) {
-  constexpr std::string_view types[] = {"", "double", "vec2d", "vec3d", "vec4d"};
+  constexpr std::string_view type_words[] = {"", "double", "vec2d", "vec3d", "vec4d"};
   const bool is_own = std::ranges::find(ovm_own, column.name) != std::end(ovm_own);
   const std::string name = escaped_name(column.name, is_own);
   const std::size_t n = column.components;
@@ -283,7 +283,7 @@ void put_data(NumberSink& out, int dimension, const DataColumn& column, std::siz
     out.bytes += '\n';
   };
   for (std::size_t part = 0; part < parts; ++part) {
-    put_text(out, fmt::format("{} {} \"{}{}\"\n", entities[dimension], types[in_part], name,
+    put_text(out, fmt::format("{} {} \"{}{}\"\n", entities[dimension], type_words[in_part], name,
                               parts == 1 ? std::string() : fmt::format("[{}/{}]", part, n)));
     std::visit(
         [&](const auto& values) {
