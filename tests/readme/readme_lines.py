@@ -1,0 +1,323 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Runs README.md line by line, as it stands, and judges each line.
+
+    tests/readme/readme_lines.py [--after SET-UP] [--quick] [--build build/release] [--scratch FOLDER]
+                                 [--readme README.md] [--check] [--compiler c++]
+
+Each block ```sh or ```cpp of the page stands after a comment that names its set-up, one of
+`<!-- after: git clone -->`, `<!-- after: ./bootstrap run -->`, `<!-- after: ./bootstrap all -->`.
+Blocks after `git clone` hold calls of ./bootstrap only; in_debootstrap.sh runs those. Of the others
+each line of sh is run by bash with the variables that lines before it set; a block of cpp is compiled
+against the installed libraries of the build folder, and run. A line fails where it ends with another
+code than 0, or prints a warning. Words in capitals alone (SCENE) are refused: no line has a gap to fill.
+
+A line whose comment says `ends with Ctrl-C` is started without a display, asked for the page whose
+address it prints and for the files that this page names, and ended by SIGINT. A line whose comment
+says `minute` has the label `long`, every other one `quick`.
+
+Without options every line runs. --after: only blocks of this set-up (variables are set by all).
+--quick: every scene of the scratch copy ends after 0.05 s at the latest; lines with the label `long` that
+name no scene are left out, and lines that read what one of them writes to out/. --check: only reads the page.
+--scratch: the folder where lines run and write, kept; default: a new one, removed. It shows the
+repository's files, a copy of meshes, the build folder as build/release, and out/bunny where it is there.
+
+Exit codes: 0 all is well, 1 a line failed or warned, 2 usage, or the page breaks a rule above.
+"""
+
+import argparse
+import collections
+import os
+import pathlib
+import re
+import shlex
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import urllib.parse
+import urllib.request
+
+PROJECT = pathlib.Path(__file__).resolve().parents[2]
+SET_UPS = ("git clone", "./bootstrap run", "./bootstrap all")
+COMMENT = re.compile(r"^<!-- after: (.*) -->$")
+ASSIGNMENT = re.compile(r"^[A-Za-z_]\w*=\S*\s*(#.*)?$")
+BOOTSTRAP = re.compile(r"^\./bootstrap( [a-z]+)+\s*(#.*)?$")
+WARNING = re.compile(r"^\W*warning:|: warning:|^CMake [\w ]*Warning")  # sunder, compiler, CMake
+ADDRESS = re.compile(r"http://127\.0\.0\.1:\d+/")
+SCENE = re.compile(r"\bmeshes/scenes/[\w/.-]+\.json\b")
+OUTPUT = re.compile(r"\bout/[\w.-]+")
+LONGEST = 3600  # seconds that a line may take
+SCENES_END = 0.05  # seconds of a scene, for --quick
+
+Block = collections.namedtuple("Block", "after kind number lines")
+Line = collections.namedtuple("Line", "number text")
+Outcome = collections.namedtuple("Outcome", "seconds code warnings text")
+
+
+def read_blocks(page):
+    """Blocks of sh and cpp with their set-ups, and what is wrong with them."""
+    blocks, wrong, after, kind, lines = [], [], None, None, []
+    for number, text in enumerate(page.splitlines(), 1):
+        if kind is None and text.startswith("```"):
+            kind, first, lines = text[3:].strip(), number, []
+        elif kind is not None and text.startswith("```"):
+            if kind in ("sh", "cpp"):
+                blocks.append(Block(after, kind, first, lines))
+                if after not in SET_UPS:
+                    wrong.append(f"line {first}: no comment before this block names one of the set-ups "
+                                 f"{', '.join(SET_UPS)}: write <!-- after: {SET_UPS[1]} -->")
+            elif after is not None:
+                wrong.append(f"line {first}: a set-up is named for a block that is not run")
+            kind, after = None, None
+        elif kind is not None:
+            lines.append(Line(number, text))
+        elif match := COMMENT.match(text):
+            after = match[1]
+        elif text.strip():
+            after = None
+    return blocks, wrong
+
+
+def commands(block):
+    """Lines of a block of sh, those that end with a backslash joined with the next."""
+    joined = []
+    for line in block.lines:
+        if joined and joined[-1].text.endswith("\\"):
+            joined[-1] = Line(joined[-1].number, joined[-1].text[:-1] + line.text)
+        elif line.text.strip() and not line.text.startswith("#"):
+            joined.append(line)
+    return joined
+
+
+def comment_of(text):
+    """What stands after the first # that begins a word."""
+    match = re.search(r"(?:^|\s)#\s*(.*)", text)
+    return match[1] if match else ""
+
+
+def is_long(text):
+    return "minute" in comment_of(text)
+
+
+def is_interactive(text):
+    return "ends with Ctrl-C" in comment_of(text)
+
+
+def gaps(text):
+    """Words in capitals alone, which a reader would have to replace."""
+    try:
+        words = shlex.split(text, comments=True)
+    except ValueError as error:
+        return [str(error)]
+    return [word for word in words if re.fullmatch(r"\[?[A-Z]{3,}\]?(\.\.\.)?", word)]
+
+
+def faults(blocks):
+    """Lines that break a rule of the page."""
+    wrong = []
+    for block in blocks:
+        for line in commands(block) if block.kind == "sh" else ():
+            if block.after == "git clone" and not BOOTSTRAP.match(line.text):
+                wrong.append(f"line {line.number}: only calls of ./bootstrap stand after `git clone`")
+            for word in gaps(line.text):
+                wrong.append(f"line {line.number}: {word}: a line has to run as it stands")
+    return wrong
+
+
+def shorten_scenes(folder):
+    """Lets every scene below a folder end early."""
+    for path in folder.rglob("*.json"):
+        text = path.read_text(encoding="utf-8")
+        shorter = re.sub(r'("duration": )([\d.e+-]+)',
+                         lambda m: m[1] + str(min(float(m[2]), SCENES_END)), text)
+        path.write_text(shorter, encoding="utf-8")
+
+
+def make_scratch(scratch, build, quick):
+    """The repository as lines see it, with folders of its own to write to."""
+    scratch.mkdir(parents=True, exist_ok=True)
+    if (scratch / "build").exists():
+        return  # goes on where an earlier call ended
+    for entry in PROJECT.iterdir():
+        if entry.name not in (".git", "build", "out", "meshes"):
+            (scratch / entry.name).symlink_to(entry)
+    (scratch / "build").mkdir()
+    (scratch / "build/release").symlink_to(build)
+    shutil.copytree(PROJECT / "meshes", scratch / "meshes")
+    if quick:
+        shorten_scenes(scratch / "meshes/scenes")
+    (scratch / "out").mkdir()
+    if (PROJECT / "out/bunny").is_dir():
+        shutil.copytree(PROJECT / "out/bunny", scratch / "out/bunny")
+
+
+def page_is_there(address):
+    """Asks for the page and for each file that it names; says what is missing."""
+    with urllib.request.urlopen(address, timeout=20) as answer:
+        html = answer.read().decode()
+    names = [name for name in re.findall(r'(?:src|href)="([^"#:]+)"', html)]
+    if not any(name.endswith(".js") for name in names):
+        raise OSError("the page names no script")
+    for name in names:
+        with urllib.request.urlopen(urllib.parse.urljoin(address, name), timeout=20) as answer:
+            if not answer.read():
+                raise OSError(f"{name} is empty")
+
+
+def use_and_interrupt(process, output):
+    """Waits for an address among what a line prints, asks for the page, and types Ctrl-C."""
+    problem, end = "no address was printed in 60 s", time.monotonic() + 60
+    while time.monotonic() < end and process.poll() is None:
+        match = ADDRESS.search(output.read_text(errors="replace"))
+        if match:
+            try:
+                page_is_there(match[0])
+                problem = ""
+            except OSError as error:
+                problem = f"{match[0]}: {error}"
+            break
+        time.sleep(0.1)
+    if process.poll() is None:
+        os.killpg(process.pid, signal.SIGINT)
+    return problem
+
+
+def run_line(prelude, text, scratch):
+    """Runs one line in a shell of its own, without a keyboard and without a display."""
+    output = scratch / "printed.tmp"
+    environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
+    script = "\n".join(["set -eo pipefail", *prelude, text])
+    start, problem = time.monotonic(), ""
+    with output.open("wb") as file:
+        process = subprocess.Popen(["bash", "-c", script], cwd=scratch, env=environment,
+                                   stdin=subprocess.DEVNULL, stdout=file, stderr=file,
+                                   start_new_session=True)
+        if is_interactive(text):
+            problem = use_and_interrupt(process, output)
+        try:
+            code = process.wait(60 if is_interactive(text) else LONGEST)
+        except subprocess.TimeoutExpired:
+            os.killpg(process.pid, signal.SIGKILL)
+            code, problem = process.wait(), problem or "did not end"
+    printed = output.read_text(errors="replace")
+    output.unlink()
+    if problem:
+        printed += f"\n{problem}\n"
+        code = code or 1
+    return Outcome(time.monotonic() - start, code, count_warnings(printed), printed)
+
+
+def count_warnings(printed):
+    return sum(1 for line in printed.splitlines() if WARNING.search(line))
+
+
+def run_program(block, build, scratch, compiler):
+    """Compiles a block of C++ as a host does that has the library installed, and runs it."""
+    host = scratch / "host"
+    shutil.rmtree(host, ignore_errors=True)
+    host.mkdir()
+    (host / "main.cpp").write_text("\n".join(line.text for line in block.lines) + "\n")
+    (host / "CMakeLists.txt").write_text(
+        "cmake_minimum_required(VERSION 3.25)\nproject(host LANGUAGES CXX)\n"
+        "find_package(sunder REQUIRED)\nadd_executable(host main.cpp)\n"
+        "target_compile_options(host PRIVATE -Wall -Wextra)\n"
+        "target_link_libraries(host PRIVATE sunder::sunder)\n")
+    quoted = {name: shlex.quote(str(path)) for name, path in
+              (("build", build), ("prefix", host / "installed"), ("host", host))}
+    quoted["compiler"] = shlex.quote(compiler)
+    return run_line(
+        ["{",
+         "cmake --install {build} --component library --prefix {prefix}".format(**quoted),
+         "cmake -S {host} -B {host}/built -DCMAKE_PREFIX_PATH={prefix} -DCMAKE_BUILD_TYPE=Release "
+         "-DCMAKE_CXX_COMPILER={compiler}".format(**quoted),
+         "cmake --build {host}/built".format(**quoted), "} 2>&1"],
+        "{host}/built/host".format(**quoted), scratch)
+
+
+def report(number, label, outcome, text):
+    """One row of the table, and what a line printed that failed or warned."""
+    if outcome is None:
+        print(f"{number:5}  {label:<12} {'-':>7} {'-':>5} {'-':>5}  {text}", flush=True)
+        return True
+    fine = outcome.code == 0 and outcome.warnings == 0
+    print(f"{number:5}  {label:<12} {outcome.seconds:7.1f} {outcome.code:5} {outcome.warnings:5}  {text}",
+          flush=True)
+    if not fine:
+        lines = outcome.text.splitlines()
+        shown = lines[-20:] if outcome.code else [line for line in lines if WARNING.search(line)]
+        print("".join(f"       | {line}\n" for line in shown), end="", flush=True)
+    return fine
+
+
+def run_shell_block(block, arguments, scratch, prelude, missing):
+    """Runs the lines of a block of sh. `missing`: parts of out/ that no line has written, and why."""
+    fine = True
+    for line in commands(block):
+        text = line.text.strip()
+        if ASSIGNMENT.match(text):
+            prelude.append(text)
+            continue
+        if block.after == "git clone" or (arguments.after and block.after != arguments.after):
+            continue
+        reads = [name for name in OUTPUT.findall(text) if name in missing]
+        if arguments.quick and (reads or (is_long(text) and not SCENE.search(text))):
+            label = f"needs {missing[reads[0]]}" if reads else "long"
+            missing.update({name: f"line {line.number}" for name in OUTPUT.findall(text)
+                            if name not in missing})
+            fine &= report(line.number, label, None, text)
+            continue
+        fine &= report(line.number, "long" if is_long(text) else "quick",
+                       run_line(prelude, text, scratch), text)
+    return fine
+
+
+def run_blocks(blocks, arguments, scratch):
+    """Runs what is asked for, in the page's order."""
+    build = arguments.build.resolve()
+    make_scratch(scratch, build, arguments.quick)
+    if arguments.quick:
+        print(f"quick: scenes end after {SCENES_END} s; long lines without a scene are left out")
+    print(f"{'line':>5}  {'label':<12} {'seconds':>7} {'exit':>5} {'warn.':>5}  command")
+    fine, prelude = True, []
+    missing = {} if (scratch / "out/bunny").is_dir() else {"out/bunny": "bootstrap"}
+    for block in blocks:
+        if block.kind == "sh":
+            fine &= run_shell_block(block, arguments, scratch, prelude, missing)
+        elif not arguments.after or block.after == arguments.after:
+            fine &= report(block.number, "quick", run_program(block, build, scratch, arguments.compiler),
+                           "the program, compiled and run")
+    return fine
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--after", choices=SET_UPS[1:])
+    parser.add_argument("--quick", action="store_true")
+    parser.add_argument("--check", action="store_true")
+    parser.add_argument("--build", type=pathlib.Path, default=PROJECT / "build/release")
+    parser.add_argument("--scratch", type=pathlib.Path)
+    parser.add_argument("--readme", type=pathlib.Path, default=PROJECT / "README.md")
+    parser.add_argument("--compiler", default="c++")
+    arguments = parser.parse_args()
+    blocks, wrong = read_blocks(arguments.readme.read_text(encoding="utf-8"))
+    wrong += faults(blocks)
+    if not blocks:
+        wrong.append("no block of sh or cpp: nothing to run")
+    for text in wrong:
+        print(f"{arguments.readme.name}, {text}", file=sys.stderr)
+    if wrong:
+        return 2
+    if arguments.check:
+        return 0
+    if arguments.scratch:
+        return 0 if run_blocks(blocks, arguments, arguments.scratch.resolve()) else 1
+    with tempfile.TemporaryDirectory(prefix="sunder_readme_") as folder:
+        return 0 if run_blocks(blocks, arguments, pathlib.Path(folder)) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
