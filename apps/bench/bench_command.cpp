@@ -23,12 +23,12 @@ namespace {
 
 constexpr const char* kernel_footer = R"(
 Bodies: cubes of 384, 6 000, 48 000 and 384 000 tetrahedra; rings, one cell thick, of 48, 4 560 and
-28 320. The whole takes two minutes of an idle machine and 2 GB; --quick leaves out bodies above 6 000.
+28 320. All of them take two minutes on an idle machine and 2 GB; --quick leaves out bodies above 6 000.
 
-Memory counts the capacities of everything a map holds, in bytes a tetrahedron: CGAL's darts and
+Memory counts the capacities of everything a map holds, in bytes per tetrahedron: CGAL's darts and
 attributes; vertex rows and neighbours of each tetrahedron (dense adjacency); a dart of each
 tetrahedron and a corner of each vertex (handles); point and tetrahedron of each vertex and the
-file's points (vertex columns). Beside it, what glibc's heap has in use.
+file's points (vertex columns). The use of glibc's heap stands next to it.
 
 Times are microseconds, medians over the runs: this thread's own time for long stretches, wall time
 for single fans. CGAL's managed unsew<3> splits the same faces in the same run. Searches for
@@ -72,14 +72,15 @@ ExitCode run_kernel_bench(const BenchArguments& arguments) {
 void add_kernel_command(CLI::App& bench, ExitCode& exit_code) {
   const auto arguments = std::make_shared<BenchArguments>();
   CLI::App* command = bench.add_subcommand(
-      "kernel", "Memory, times and search costs of the 3-map, beside CGAL's managed unsew<3>");
-  command->add_flag("--quick", arguments->settings.quick, "Only bodies of up to 6 000 tetrahedra");
+      "kernel", "Measure memory, times and searches of the 3-map, next to CGAL's managed unsew<3>");
+  command->add_flag("--quick", arguments->settings.quick,
+                    "Measure only bodies of up to 6 000 tetrahedra");
   command
       ->add_option("--kernel", arguments->settings.kernel,
-                   "What answers for the maps: dense rows (default) or lcc, CGAL's darts")
+                   "Kernel of the maps: dense (rows, default) or lcc (CGAL's darts)")
       ->type_name("dense|lcc")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, MapKernel>{{"dense", MapKernel::dense}, {"lcc", MapKernel::lcc}})
+      ->transform(CLI::CheckedTransformer(std::map<std::string, MapKernel>{
+                                              {"dense", MapKernel::dense}, {"lcc", MapKernel::lcc}})
                       .description(""));
   command->add_option("--runs", arguments->settings.runs, "Runs to take medians over (default 5)")
       ->type_name("N")
@@ -102,7 +103,7 @@ search, floating_frame, element and node stress, threshold tests, energy ledger,
 
 Times are milliseconds on the wall, medians; parts of a step are called by themselves. Over modulus
 and step the simulations take turns (bodies of up to 10 000 tetrahedra). A crack splits the vertices
-nearest to a corner; the old factor serves on under a border, or order, K and factor are made anew
+nearest to a corner; the old factor is kept under a border, or order, K and factor are made again
 (docs/factor.md). Give the
 process its priority on a busy machine: echo -15 > /proc/self/autogroup. Ours and Eigen's factor
 have the same order of elimination. The build type is Release: -O3, no -march; AVX2 where there is.
@@ -138,10 +139,13 @@ ExitCode run_step_bench(const StepArguments& arguments) {
 void add_step_command(CLI::App& bench, ExitCode& exit_code) {
   const auto arguments = std::make_shared<StepArguments>();
   CLI::App* command = bench.add_subcommand(
-      "step", "Cost of a step without contact and cracks, in parts, and of its factor");
-  command->add_option("MESH", arguments->settings.meshes, "Bodies in place of our own")
+      "step", "Measure a step without contact and cracks, in parts, and its factor");
+  command
+      ->add_option("MESH", arguments->settings.meshes,
+                   "Measure these bodies instead of the built-in ones")
       ->type_name("");
-  command->add_flag("--large", arguments->settings.large, "A body of 49 152 tetrahedra too");
+  command->add_flag("--large", arguments->settings.large,
+                    "Measure a body of 49 152 tetrahedra too");
   command->add_option("--runs", arguments->settings.runs, "Steps to take medians over (default 50)")
       ->type_name("N")
       ->check(CLI::Range(1, 100000).description(""));
@@ -156,7 +160,7 @@ constexpr const char* methods_footer = R"(
 Bodies: boxes of 414 and 6 120 tetrahedra in flight, turning and a little deformed; 30 GPa at 1 ms,
 1e7 Pa at 10 ms. One step is taken from the same state again and again: prediction and element
 stress, no contact, no cracks. Every method that factors uses the same block factor; reassembled
-makes it anew every step. Iterations end at 1e-6 or are given up at 1 000, and the factor steps.
+makes it again every step. Iterations end at 1e-6 or are given up at 1 000, and the factor steps.
 
 Times are milliseconds on the wall, medians. Give the process its priority on a busy machine:
 echo -15 > /proc/self/autogroup.
@@ -192,7 +196,7 @@ ExitCode run_method_bench(const MethodArguments& arguments) {
 void add_methods_command(CLI::App& bench, ExitCode& exit_code) {
   const auto arguments = std::make_shared<MethodArguments>();
   CLI::App* command =
-      bench.add_subcommand("methods", "Cost of a step by every integrator and model");
+      bench.add_subcommand("methods", "Measure a step with every integrator and model");
   command->add_option("--runs", arguments->settings.runs, "Steps to take medians over (default 20)")
       ->type_name("N")
       ->check(CLI::Range(1, 100000).description(""));
@@ -205,7 +209,7 @@ void add_methods_command(CLI::App& bench, ExitCode& exit_code) {
 
 constexpr const char* paper_footer = R"(
 Scenes: monolith, block and bunny of meshes/scenes/paper, which spell out every key
-(meshes/scenes/README.md says what we chose where the paper says nothing), in each mode without fractures, corotational without fractures, and with fractures.
+(meshes/scenes/README.md lists our choices where the paper gives no value), in each mode without fractures, corotational without fractures, and with fractures.
 Modes: the paper's process (node stress by mass, Gershgorin's test, oracle, tetrahedra by QR) with
 linearised implicit Euler and with Broyden's method from M and from the factor; floating_frame with
 one solve a step; our defaults. Parts of the scenes are run: the column of steps says how much. The
@@ -256,8 +260,9 @@ ExitCode run_paper_bench(PaperArguments arguments) {
 void add_paper_command(CLI::App& bench, ExitCode& exit_code) {
   const auto arguments = std::make_shared<PaperArguments>();
   CLI::App* command =
-      bench.add_subcommand("paper", "Tables 1 to 4 of the paper and its claims, ours beside");
-  command->add_flag("--quick", arguments->settings.quick, "Only the beginnings of the scenes");
+      bench.add_subcommand("paper", "Repeat tables 1 to 4 of the paper and its claims");
+  command->add_flag("--quick", arguments->settings.quick,
+                    "Measure only the beginnings of the scenes");
   command
       ->add_option("--runs", arguments->settings.runs,
                    "Repeats of everything to take medians over (default 1)")
@@ -311,8 +316,8 @@ ExitCode run_threshold_bench(ThresholdArguments arguments) {
 
 void add_threshold_command(CLI::App& bench, ExitCode& exit_code) {
   const auto arguments = std::make_shared<ThresholdArguments>();
-  CLI::App* command = bench.add_subcommand(
-      "threshold", "Cost of testing a vertex against its strength, in each way");
+  CLI::App* command =
+      bench.add_subcommand("threshold", "Measure each test of a vertex against its strength");
   command
       ->add_option("--runs", arguments->settings.runs, "Passes to take medians over (default 25)")
       ->type_name("N")
@@ -333,7 +338,7 @@ void add_threshold_command(CLI::App& bench, ExitCode& exit_code) {
 void add_bench_command(CLI::App& program, ExitCode& exit_code) {
   CLI::App* bench = program.add_subcommand("bench", "Measure the program on this machine");
   bench->require_subcommand(1);
-  bench->footer("sunder bench WHAT --help tells what is measured, and how.");
+  bench->footer("`sunder bench COMMAND --help` describes each measurement.");
   add_kernel_command(*bench, exit_code);
   add_step_command(*bench, exit_code);
   add_methods_command(*bench, exit_code);

@@ -7,9 +7,10 @@
 #include "apps/sunder/program.hpp"
 
 int main(int argc, char** argv) {
-  return sunder::run_program(argc, argv, [](CLI::App& program, sunder::ExitCode& exit_code) {
+  const auto add_commands = [](CLI::App& program, sunder::ExitCode& exit_code) {
     sunder::add_suite_command(program, exit_code);
     sunder::add_bench_command(program, exit_code);
     sunder::add_chart_command(program, exit_code);
-  });
+  };
+  return sunder::run_program(sunder::command_words(argc, argv), add_commands);
 }

@@ -25,7 +25,7 @@ std::vector<SettingFinding> check_output(const OutputSettings& output, const Sce
   if (output.crack_surface == CrackSurface::smooth && scene.fracture.crack == CrackMode::paper) {
     check.add("no_crack_planes", "crack_surface",
               "is smooth, but with fracture.crack paper cracks have no planes of their own",
-              "take mesh, or set fracture.crack to object");
+              "take mesh, or set fracture.crack to object or cohesive");
   }
   if (output.frame_interval > 0 && frames_by_interval(output, scene) > most_frames) {
     check.add(

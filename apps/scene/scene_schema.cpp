@@ -180,7 +180,7 @@ ordered_json scene_schema() {
       {"$schema", "https://json-schema.org/draft/2020-12/schema"},
       {"title", "Scene of Sunder"},
       {"description",
-       "What `sunder run` breaks. SI units. Written by `sunder run --schema`; the program knows "
+       "A scene for `sunder run`. SI units. Written by `sunder run --schema`; the program knows "
        "exactly these keys and has exactly these defaults."}};
   schema.update(writer.finish());
   return schema;

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <iterator>
 #include <numeric>
+#include <utility>
 
 namespace sunder {
 namespace {
@@ -285,18 +286,19 @@ std::string dotted(const std::string& pointer) {
 std::string nearest_word(std::string_view word, const std::vector<std::string>& known) {
   std::size_t best = word.size() / 2 + 1;
   std::string nearest;
-  std::vector<std::size_t> row;
   for (const std::string& candidate : known) {
-    // Levenshtein's distance, one row of the table at a time.
-    row.resize(candidate.size() + 1);
+    // Levenshtein's distance with swapped neighbours as one change, by rows of its table.
+    std::vector<std::size_t> before, last, row(candidate.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});
     for (std::size_t i = 0; i < word.size(); ++i) {
-      std::size_t diagonal = row[0];
+      before = std::exchange(last, row);
       row[0] = i + 1;
       for (std::size_t j = 0; j < candidate.size(); ++j) {
-        const std::size_t replace = diagonal + (word[i] != candidate[j]);
-        diagonal = row[j + 1];
-        row[j + 1] = std::min({replace, row[j] + 1, row[j + 1] + 1});
+        const std::size_t replace = last[j] + (word[i] != candidate[j]);
+        row[j + 1] = std::min({replace, row[j] + 1, last[j + 1] + 1});
+        const bool is_swapped =
+            i > 0 && j > 0 && word[i] == candidate[j - 1] && word[i - 1] == candidate[j];
+        if (is_swapped) row[j + 1] = std::min(row[j + 1], before[j - 1] + 1);
       }
     }
     if (row.back() < best) {

@@ -44,7 +44,7 @@ std::string dotted(const std::string& pointer);
 std::string pointer_token(const std::string& key);
 
 /// The word of `known` with the smallest edit distance to `word` (the first of equals), or empty
-/// when even that one needs more than half of `word` rewritten.
+/// where even that one changes more than half of `word`. Two swapped neighbours are one change.
 std::string nearest_word(std::string_view word, const std::vector<std::string>& known);
 
 /// A JSON value in at most about 60 characters, for messages.

@@ -83,7 +83,7 @@ std::optional<Finding> draw_png(std::string_view script, const std::filesystem::
     return Finding{
         .code = "gnuplot_failed",
         .text = fmt::format("gnuplot ended with exit code {} and drew nothing", exit_code),
-        .remedy = "see what it said above; it has to be able to write PNG",
+        .remedy = "read its message above; it must be able to write PNG",
         .file = png.string()};
   }
   return write_file(png, picture);

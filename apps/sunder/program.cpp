@@ -6,10 +6,12 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <span>
@@ -18,6 +20,8 @@
 
 #include "apps/scene/scene_text.hpp"
 #include "apps/scene/words.hpp"
+#include "topology/base/split_text.hpp"
+#include "topology/io/output_file.hpp"
 
 namespace sunder {
 namespace {
@@ -31,59 +35,90 @@ std::vector<std::string> options_of(const CLI::App& command) {
   return names;
 }
 
+bool is_short_option(const CLI::App& command, char letter) {
+  return std::ranges::any_of(all_options(command), [&](const CLI::Option* option) {
+    return option->check_sname(std::string(1, letter));
+  });
+}
+
 std::vector<std::string> commands_of(const CLI::App& program) {
   std::vector<std::string> names;
   for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());
   return names;
 }
 
-/// The command line's first word that is no command, or no option of its command, with the one that
-/// was meant, if that can be told; empty where there is none.
-std::string misread_word(const CLI::App& program, std::span<char* const> words) {
-  const auto said = [](std::string_view what, const std::string& word, std::string_view where,
-                       const std::vector<std::string>& known) {
-    const std::string nearest = nearest_word(word, known);
-    return fmt::format("sunder{0}: there is no {1} {2}{3}\n`sunder{0} --help` lists all\n", where,
-                       what, word,
-                       nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest));
-  };
-  const std::vector<std::string> commands = commands_of(program);
-  const std::string first = words.empty() ? "" : words[0];
-  if (first.empty() || first.starts_with("-")) return {};
-  if (std::ranges::find(commands, first) == commands.end()) {
-    return said("command", first, "", commands);
+/// The message about a word that names no command or option; `where`: the command before it.
+std::string misread(std::string_view kind, const std::string& word, const std::string& where,
+                    const std::vector<std::string>& known) {
+  const std::string nearest = nearest_word(word, known);
+  std::string meant = nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest);
+  if (nearest.empty() && where.empty() && file_exists(word)) {
+    meant = fmt::format("; did you mean `sunder {} {}`?", word.ends_with(".json") ? "run" : "check",
+                        word);
   }
-  const std::vector<std::string> options = options_of(*program.get_subcommand(first));
-  for (const std::string_view word : words.subspan(1)) {
-    const std::string name(word.substr(0, word.find('=')));
-    if (name == "--") return {};  // what follows are no options
-    if (!name.starts_with("--") || std::ranges::find(options, name) != options.end()) continue;
-    return said("option", name, " " + first, options);
+  return fmt::format("sunder{0}: there is no {1} {2}{3}\n`sunder{0} --help` lists all\n", where,
+                     kind, word, meant);
+}
+
+/// The message about the first word of a command line that is no command, or no option of its
+/// command, with the nearest name; empty where there is no such word.
+std::string misread_word(const CLI::App& program, std::span<const std::string> words) {
+  const CLI::App* command = &program;
+  std::string where;
+  for (const std::string& word : words) {
+    if (word == "--") return {};  // no options follow
+    if (word.starts_with("--")) {
+      const std::string name = word.substr(0, word.find('='));
+      const std::vector<std::string> options = options_of(*command);
+      if (std::ranges::find(options, name) == options.end()) {
+        return misread("option", name, where, options);
+      }
+    } else if (word.size() > 2 && word.starts_with("-") && !is_short_option(*command, word[1]) &&
+               !nearest_word(word, options_of(*command)).empty()) {
+      return misread("option", word, where, options_of(*command));  // -png
+    } else if (!word.starts_with("-")) {
+      const std::vector<std::string> commands = commands_of(*command);
+      if (commands.empty()) continue;
+      if (std::ranges::find(commands, word) == commands.end()) {
+        return misread("command", word, where, commands);
+      }
+      command = command->get_subcommand(word);
+      where += " " + word;
+    }
   }
   return {};
 }
 
-int parse_and_run(int argc, char** argv, const AddCommands& add_commands) {
-  CLI::App program{"Breaks solid bodies of tetrahedra on an exact 3-map.", "sunder"};
+int parse_and_run(std::vector<std::string> words, const AddCommands& add_commands) {
+  CLI::App program{"Break bodies of tetrahedra; an exact 3-map finds the pieces.", "sunder"};
   program.set_version_flag("--version", "sunder " SUNDER_VERSION);
   program.require_subcommand(1);
   program.footer(
-      "sunder COMMAND --help tells each command's options, units and exit codes; where memory runs "
-      "out every command ends with 5. \"error:\" and \"warning:\" are coloured on terminals, unless "
-      "NO_COLOR is set or TERM is dumb.");
+      "`sunder COMMAND --help` lists the options, units and exit codes of a command. Every command "
+      "ends with exit code 5 where memory runs out. \"error:\" and \"warning:\" are coloured on "
+      "terminals, unless NO_COLOR is set or TERM is dumb.");
   ExitCode exit_code = ExitCode::fine;
   add_commands(program, exit_code);
-  if (argc == 1) {
+  if (words.empty()) {
     fmt::print(stderr, "{}\n", program.help());
     return static_cast<int>(ExitCode::usage);
   }
+  const auto refuse = [](const std::string& message) {
+    fmt::print(stderr, "{}", message);
+    return static_cast<int>(ExitCode::usage);
+  };
+  const std::vector<std::string> names = commands_of(program);
+  if (!words[0].starts_with("-") && std::ranges::find(names, words[0]) == names.end()) {
+    return refuse(misread("command", words[0], "", names));  // with --help behind it too
+  }
   try {
-    program.parse(argc, argv);
+    program.parse(std::vector<std::string>(words.rbegin(), words.rend()));
   } catch (const CLI::ParseError& error) {
     // CLI11 has its own numbers for mistakes; ours is one.
     if (error.get_exit_code() == 0) return program.exit(error);  // help, version
-    const std::string misread = misread_word(program, std::span(argv, argc).subspan(1));
-    misread.empty() ? void(program.exit(error)) : fmt::print(stderr, "{}", misread);
+    const std::string message = misread_word(program, words);
+    if (!message.empty()) return refuse(message);
+    program.exit(error);
     return static_cast<int>(ExitCode::usage);
   }
   return static_cast<int>(exit_code);
@@ -109,9 +144,9 @@ void tell_out_of_memory() {
 // Handlers of the language can reach nothing but a global.
 std::atomic<bool> memory_ran_out = false;
 
-/// Where memory runs out in a thread of its own, or in a destructor (nlohmann's json allocates
-/// there), or before `main`, nothing can be caught: the program ends here, and says so all the same.
-/// Runs before what else is initialised then: numbers up to 100 are the compiler's.
+/// Where memory runs out in a thread of its own, in a destructor (nlohmann's json allocates there)
+/// or before `main`, nothing can be caught: the program ends here, with its message. Runs before
+/// other initialisation; priorities up to 100 are the compiler's.
 [[gnu::constructor(101)]] void tell_ends_without_memory() {
   std::set_new_handler([] {
     memory_ran_out = true;
@@ -129,8 +164,8 @@ std::atomic<bool> memory_ran_out = false;
 void add_confined_flag(CLI::App& command, SceneReach& reach) {
   command.add_flag_callback(
       "--confined", [&reach] { reach = SceneReach::own_folder; },
-      "Read only files in the scene's folder and below, for scenes that you do not trust: what a "
-      "mesh key names elsewhere, by .., / or a link, is an error");
+      "For scenes that you do not trust: read only files in the scene's folder and below. A mesh "
+      "key that leads elsewhere, by .., / or a link, is an error");
 }
 
 std::vector<const CLI::Option*> all_options(const CLI::App& command) {
@@ -144,9 +179,46 @@ std::vector<const CLI::Option*> all_options(const CLI::App& command) {
   return all;
 }
 
-int run_program(int argc, char** argv, const AddCommands& add_commands) {
+std::string program_word() {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::path own = fs::read_symlink("/proc/self/exe", error);
+  if (error) return "sunder";
+  const char* const path = std::getenv("PATH");
+  for (const std::string_view folder : split_text(path == nullptr ? "" : path, ':')) {
+    const fs::path found = fs::path(folder) / "sunder";
+    if (!fs::exists(found, error)) continue;
+    if (fs::equivalent(found, own, error)) return "sunder";
+    break;  // the shell takes this one
+  }
+  const fs::path here = fs::proximate(own, error);
+  return shell_word(error || here.string().starts_with("..") ? own.string() : here.string());
+}
+
+std::string shell_word(std::string_view word) {
+  const auto is_plain = [](unsigned char c) {
+    return std::isalnum(c) != 0 ||
+           std::string_view("/._-").find(static_cast<char>(c)) != std::string_view::npos;
+  };
+  if (!word.empty() && std::ranges::all_of(word, is_plain)) return std::string(word);
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+std::vector<std::string> command_words(int argc, char** argv) {
+  std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  const bool asks =
+      !words.empty() && (words[0] == "help" || words[0] == "-h" || words[0] == "--help");
+  if (!asks) return words;
+  words[0] = "--help";
+  if (words.size() > 1) std::rotate(words.begin(), words.begin() + 1, words.end());
+  return words;
+}
+
+int run_program(const std::vector<std::string>& words, const AddCommands& add_commands) {
   try {
-    return with_all_printed(parse_and_run(argc, argv, add_commands));
+    return with_all_printed(parse_and_run(words, add_commands));
   } catch (const std::bad_alloc&) {
     tell_out_of_memory();
     return static_cast<int>(ExitCode::failed);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What the programs share: parsing a command line with its commands, and how mistakes end.
+// Shared by the programs: parsing a command line with its commands, and reporting its mistakes.
 #pragma once
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "apps/scene/scene_json.hpp"
@@ -12,12 +13,22 @@
 
 namespace sunder {
 
-/// Adds commands to a program; parsing runs one of them, which sets the exit code.
+/// Adds commands to a program. Parsing runs one of them, which sets the exit code.
 using AddCommands = std::function<void(CLI::App& program, ExitCode& exit_code)>;
 
-/// Runs the command that the arguments name, and gives what the program ends with: mistakes on the
-/// command line are told and end with `usage`, exceptions with `failed`.
-int run_program(int argc, char** argv, const AddCommands& add_commands);
+/// The words of a command line without the program's name; `help COMMAND` and `--help COMMAND` as
+/// `COMMAND --help`.
+std::vector<std::string> command_words(int argc, char** argv);
+
+/// Runs the command that the words name and returns the program's exit code. Mistakes on the
+/// command line are reported with the nearest name and end with `usage`, exceptions with `failed`.
+int run_program(const std::vector<std::string>& words, const AddCommands& add_commands);
+
+/// The word that starts this program from a shell: `sunder` where PATH leads to it, else its path.
+std::string program_word();
+
+/// A word as a shell reads it: in quotes where it holds more than letters, digits and / . _ -.
+std::string shell_word(std::string_view word);
 
 /// Adds `--confined` to a command that reads a scene: its files must lie in its own folder.
 void add_confined_flag(CLI::App& command, SceneReach& reach);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who is told what, and in which colours.
+// Messages on standard error and their colours.
 #include "apps/sunder/telling.hpp"
 
 #include <fmt/format.h>
@@ -13,13 +13,12 @@
 namespace sunder {
 
 CLI::Option* add_quiet_flag(CLI::App& command, Telling& telling) {
-  return command.add_flag("--quiet", telling.quiet,
-                          "Only errors on standard error: no warnings, notes, remarks and progress");
+  return command.add_flag("--quiet", telling.quiet, "Print errors only");
 }
 
 void add_verbose_flag(CLI::App& command, Telling& telling) {
-  CLI::Option* verbose = command.add_flag("--verbose", telling.verbose,
-                                          "Tell on standard error what is done and how long it took");
+  CLI::Option* verbose = command.add_flag(
+      "--verbose", telling.verbose, "Report each stage of the work and its time on standard error");
   if (CLI::Option* quiet = command.get_option_no_throw("--quiet")) verbose->excludes(quiet);
 }
 

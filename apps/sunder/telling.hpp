@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a command says on standard error beside its result: one rule for --quiet, --verbose, colours.
+// Messages of a command on standard error: one rule for --quiet, --verbose and colours.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -12,37 +12,37 @@
 
 namespace sunder {
 
-/// How much is told. Results on standard output are the same in every case.
+/// How much is reported. Results on standard output are the same in every case.
 struct Telling {
   /// The result is JSON; a refusal too.
   bool json = false;
-  /// Errors alone: no warnings, notes, remarks, progress.
+  /// Errors only: no warnings, notes, remarks, progress.
   bool quiet = false;
-  /// Also what is done, each with the time that it took.
+  /// Also the stages of the work, each with its time, and the chosen settings of a run.
   bool verbose = false;
 };
 
-/// Adds `--quiet` to a command that tells more than errors on standard error.
+/// Adds `--quiet` to a command that prints more than errors on standard error.
 CLI::Option* add_quiet_flag(CLI::App& command, Telling& telling);
 
-/// Adds `--verbose` to a command whose work has stages; with `--quiet` it cannot go, if that is
-/// there already.
+/// Adds `--verbose` to a command whose work has stages. It excludes `--quiet`, if the command has
+/// that already.
 void add_verbose_flag(CLI::App& command, Telling& telling);
 
 /// Adds both.
 void add_telling_flags(CLI::App& command, Telling& telling);
 
-/// Tells findings on standard error; where an error among them leaves a command without a result
-/// and JSON is asked for, on standard output as `{"findings": [...]}` too.
+/// Prints findings on standard error. With `json` and an error among them, which leaves the command
+/// without a result, prints `{"findings": [...]}` on standard output too.
 void tell(const std::vector<Finding>& findings, const Telling& telling);
 
-/// Tells findings on standard error alone: of commands that have them in their result, or go on.
+/// Prints findings on standard error alone: for commands that have them in their result or go on.
 void tell_beside(const std::vector<Finding>& findings, const Telling& telling);
 
 /// Words on standard error that are no findings; nothing with `quiet`.
 void remark(std::string_view words, const Telling& telling);
 
-/// Tells stages of a command's work with `verbose`, as they end.
+/// Prints the stages of a command's work with `verbose`, as they end.
 class Stages {
  public:
   explicit Stages(const Telling& telling);
@@ -56,7 +56,7 @@ class Stages {
   Clock::time_point last_;
 };
 
-/// Whether a file descriptor is a terminal on which lines can be drawn anew: not where TERM is
+/// Whether a file descriptor is a terminal on which lines can be drawn again: not where TERM is
 /// "dumb", empty or not set.
 bool is_terminal(int descriptor);
 

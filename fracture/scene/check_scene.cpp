@@ -165,7 +165,7 @@ void check_together(fields::SettingsCheck& check, const LoadBox& box) {
 void check_together(fields::SettingsCheck& check, const BodySettings& body) {
   if (body.rigid && !body.held.empty()) {
     check.add("rigid_and_held", "rigid", "is true, but the body is held: a rigid body is free",
-              "leave rigid or held out; what shall move as it is told can be an obstacle");
+              "leave rigid or held out; a rigid body with a given motion can be an obstacle");
   }
   if (body.rigid && body.order != 1) {
     check.add("rigid_and_order", "order", "is 2, but the body is rigid: nothing of it bends",

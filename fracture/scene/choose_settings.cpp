@@ -117,65 +117,75 @@ double by(const Outlook& o, double preview, double good, double reference) {
 }
 
 std::string blow_of(const Outlook& o) {
-  return fmt::format("a blow at {:.2g} m/s is {:.2g} times the strength", o.speed, o.blow);
+  return fmt::format("an impact at {:.2g} m/s gives {:.2g} times the strength", o.speed, o.blow);
 }
 
 Chosen iterations(const Outlook& o) {
   if (!o.breaks()) {
-    return {by(o, 100, 200, 1000), "nothing is struck so that it breaks: what rests needs them"};
+    return {by(o, 100, 200, 1000),
+            "no breaking impact expected; resting contact needs more iterations"};
   }
-  return {by(o, 20, 40, 1000), blow_of(o) + ": 40 sweeps find the cracks of 200"};
+  return {by(o, 20, 40, 1000), blow_of(o) + "; 40 iterations give nearly the cracks of 200"};
 }
 
 Chosen passes(const Outlook& o) {
   if (o.is_heap) {
-    return {by(o, 3, 10, 10), "bodies lie on each other: each pass finds what the last pressed"};
+    return {by(o, 3, 10, 10), "stacked bodies need several contact passes"};
   }
-  if (!o.breaks()) return {by(o, 3, 10, 10), "made as far as they are needed"};
+  if (!o.breaks())
+    return {by(o, 3, 10, 10),
+            "no breaking impact expected; a step takes only the passes that it needs"};
   return {by(o, 1, 1, 3),
-          blow_of(o) + ": one pass finds nearly the cracks of three, for a third of the time"};
+          blow_of(o) + "; one pass gives nearly the cracks of three, in a third of the time"};
 }
 
 Chosen tolerance(const Outlook& o) {
-  return {by(o, 1e-3, 1e-5, 1e-6), "of the deepest overlap of a step without contact"};
+  return {by(o, 1e-3, 1e-5, 1e-6),
+          "relative to the deepest overlap that a step without contact would have"};
 }
 
 Chosen contacts(const Outlook& o) {
-  return {by(o, 64, 128, 512), "between two bodies: those that span the patch"};
+  return {by(o, 64, 128, 512), "enough points for the patch between two bodies"};
 }
 
 Chosen penetration(const Outlook& o) {
   return {std::clamp(1e-5, 1e-5 * o.cell, 2e-3 * o.cell),
-          fmt::format("1e-5 m, but from 1e-5 to 2e-3 of a cell ({:.2g} m)", o.cell)};
+          fmt::format("1e-5 m, limited to 1e-5 to 2e-3 of the cell size {:.2g} m", o.cell)};
 }
 
 Chosen push_out(const Outlook& o) {
-  return {std::clamp(1e-3, 1e-3 * o.cell, 0.2 * o.cell),
-          fmt::format("1e-3 m/s, but from 1e-3 to 0.2 of a cell ({:.2g} m) a second", o.cell)};
+  return {
+      std::clamp(1e-3, 1e-3 * o.cell, 0.2 * o.cell),
+      fmt::format("1e-3 m/s, limited to 1e-3 to 0.2 of the cell size {:.2g} m per second", o.cell)};
 }
 
 Chosen fraction(const Outlook& o) {
   if (!o.breaks()) {
-    return {by(o, 1.0 / 4, 1.0 / 16, 1.0 / 32),
-            "of L/c: 1/4, 1/16 and 1/32 find the peak of a blow to 7, 1.4 and 1 per cent"};
+    return {
+        by(o, 1.0 / 4, 1.0 / 16, 1.0 / 32),
+        "relative to L/c; 1/4, 1/16 and 1/32 give the peak stress of an impact to 7, 1.4 and 1 %"};
   }
   return {by(o, 1.0 / 4, 1.0 / 8, 1.0 / 32),
-          blow_of(o) + ": 1/8 of L/c counts cracks to a fifth, in half the time of 1/16"};
+          blow_of(o) + "; 1/8 of L/c gives the number of cracks to 20 %, in half the time of 1/16"};
 }
 
 Chosen negligible(const Outlook& o) {
-  return {by(o, 1, 0.1, 0.01), "of the strength: the stress below which a blow is no blow"};
+  const double share = by(o, 1, 0.1, 0.01);
+  return {share,
+          fmt::format("impacts below {:.3g} % of the strength are not sub-stepped", 100 * share)};
 }
 
 Chosen rubble(const Outlook& o) {
   if (o.accuracy == Accuracy::preview && !o.fits) {
-    return {1, "chips as rigid bodies on a clock of 1/240 s: frames, for other cracks later on"};
+    return {
+        1,
+        "small pieces move as rigid bodies in steps of 1/240 s; faster, but later cracks differ"};
   }
-  return {0, "what breaks next depends on how chips strike as elastic bodies"};
+  return {0, "later cracks depend on elastic impacts of small pieces"};
 }
 
 Chosen declared(const Outlook& o) {
-  return {by(o, 0.02, 0, 0), "of a body's mass, and a piece never breaks again"};
+  return {by(o, 0.02, 0, 0), "pieces up to this share of their body's mass never break again"};
 }
 
 /// Darts take 850 bytes per tetrahedron (docs/kernel.md): up to 0.85 GB.
@@ -259,8 +269,8 @@ void choose_orders(std::vector<Choice>& choices, Scene& scene, Accuracy accuracy
     choices.push_back(
         {key, "2",
          fmt::format(
-             "{:.2g} times as long as thick with {:.1f} layers of cells: linear ones would be "
-             "at least {:.0f} per cent too stiff in bending (1 takes a tenth of the time)",
+             "{:.2g} times as long as thick with {:.1f} layers of cells; order 1 would be at least "
+             "{:.0f} % too stiff in bending, in a tenth of the time",
              m.slenderness, layers, 300 / (layers * layers))});
   }
 }
@@ -296,13 +306,12 @@ void choose_model(std::vector<Choice>& choices, Scene& scene, Accuracy accuracy,
     return;
   }
   std::string reason = fmt::format(
-      "{:.2g} times as long as thick and held: bent until it breaks, one frame would show it "
-      "{:.2g} "
-      "times the strain that is there",
+      "{:.2g} times as long as thick and held; bent until it breaks, rigid_reference would show "
+      "{:.2g} times the true strain",
       measures[0].slenderness, 1 + share);
   choices.push_back({"model", "\"corotational\"", std::move(reason)});
   choices.push_back({"integrator.method", "\"implicit_euler\"",
-                     "what corotational goes with where loads are slow; it damps vibrations"});
+                     "suits the corotational model under slow loads; damps vibrations"});
 }
 
 }  // namespace

@@ -75,13 +75,13 @@ void describe(V& v, HeldBox& h) {
           h.minimum);
   v.field(Key{"maximum", "m", "Upper corner; the box's surface belongs to it", {}, true},
           h.maximum);
-  v.field(Key{"velocity", "m/s", "Velocity at which the vertices are moved; zero holds them"},
-          h.velocity);
-  v.field(Key{"axes", "",
-              "Axes of the mesh's own coordinates along which they are held; empty: all three. "
-              "With some of them only for floating_frame, and not with fracture.relax or criterion "
-              "energy"},
-          h.axes);
+  v.field(Key{"velocity", "m/s", "Velocity of the held vertices; zero fixes them"}, h.velocity);
+  v.field(
+      Key{"axes", "",
+          "Axes of the mesh's own coordinates along which the vertices are held; empty: all "
+          "three. One or two axes need floating_frame, and exclude fracture.relax and criterion "
+          "energy"},
+      h.axes);
   v.field(Key{"ramp_time", "s",
               "Time over which the velocity is raised linearly from 0; 0: at once", at_least(0)},
           h.ramp_time);
@@ -95,12 +95,12 @@ void describe(V& v, LoadBox& l) {
           l.maximum);
   v.field(
       Key{"pressure", "Pa",
-          "On the boundary faces that lie whole in the box; positive pushes into the body; follows "
-          "its rigid motion"},
+          "Pressure on the boundary faces that lie entirely in the box; positive pushes into the "
+          "body; follows its rigid motion"},
       l.pressure);
   v.field(Key{"force", "N",
-              "Total force in world axes, shared equally by the vertices in the box; keeps its "
-              "direction"},
+              "Total force in world axes, shared equally by the vertices in the box; its direction "
+              "is constant"},
           l.force);
   v.field(
       Key{"ramp_time", "s", "Time over which both are raised linearly; 0: at once", at_least(0)},
@@ -123,19 +123,20 @@ void describe(V& v, RestBall& b) {
 
 template <class V>
 void describe(V& v, CutPlane& p) {
-  v.field(Key{"point", "m", "On the plane, in the mesh's own coordinates", {}, true}, p.point);
-  v.direction(Key{"normal", "", "Across the plane; any length but 0", {}, true}, p.normal);
+  v.field(Key{"point", "m", "A point of the plane, in the mesh's own coordinates", {}, true},
+          p.point);
+  v.direction(Key{"normal", "", "Normal of the plane; any length but 0", {}, true}, p.normal);
 }
 
 template <class V>
 void describe(V& v, CutSettings& c) {
   v.alternative(
-      Key{"plane", "", "The faces between tetrahedra with their centres on its two sides"},
+      Key{"plane", "", "Cuts the faces between tetrahedra with their centres on its two sides"},
       CutPlane{}, c.faces);
   v.alternative(
       Key{"faces", "",
-          "Text file, relative to the scene file: three rows of the mesh's points, counted "
-          "from 0, a line (as `sunder split --faces`)"},
+          "Cuts the faces in this text file, relative to the scene file: three rows of the mesh's "
+          "points per line, counted from 0 (as `sunder split --faces`)"},
       FaceList{}, c.faces);
   v.field(Key{"box", "", "Where given, only faces whose three vertices lie in it"}, c.box);
   v.field(Key{"ball", "", "Where given, only faces whose three vertices lie in it"}, c.ball);
@@ -154,9 +155,10 @@ void describe(V& v, WeibullSettings& w) {
   v.field(
       Key{"modulus", "", "Weibull's m: the larger, the smaller the scatter of strengths", above(0)},
       w.modulus);
-  v.field(Key{"reference_volume", "m^3",
-              "Volume whose strength has the scale that material, region or field give", above(0)},
-          w.reference_volume);
+  v.field(
+      Key{"reference_volume", "m^3",
+          "Volume at which the strength of material, region or field is Weibull's scale", above(0)},
+      w.reference_volume);
   v.field(Key{"seed", "", "Another number draws other strengths", between(0, 4294967295.0)},
           w.seed);
 }
@@ -168,21 +170,21 @@ void describe(V& v, StrengthSettings& s) {
               "Point field of the mesh file (point data of VTU and VTK, node data of MSH): the "
               "strength of each vertex, in place of those of material and regions"},
           s.field);
-  v.field(Key{"weibull", "",
-              "Draws each vertex's strength by Weibull's law, by the volume it stands for"},
-          s.weibull);
+  v.field(
+      Key{"weibull", "", "Draws each vertex's strength by Weibull's law, for the volume around it"},
+      s.weibull);
 }
 
 template <class V>
 void describe(V& v, UnbreakablePart& u) {
-  v.alternative(Key{"region", "", "Name or number of a region: the vertices of its tetrahedra"},
+  v.alternative(Key{"region", "", "Name or number of a region; its vertices never split"},
                 RegionName{}, u.where);
-  v.alternative(Key{"box", "", "The vertices in it"}, RestBox{}, u.where);
+  v.alternative(Key{"box", "", "Box whose vertices never split"}, RestBox{}, u.where);
 }
 
 template <class V>
 void describe(V& v, BodySettings& b) {
-  v.field(Key{"name", "", "What reports call the body"}, b.name);
+  v.field(Key{"name", "", "Name of the body in reports"}, b.name);
   v.field(
       Key{"mesh",
           "",
@@ -191,24 +193,24 @@ void describe(V& v, BodySettings& b) {
           {},
           true},
       b.mesh);
-  v.field(Key{"material", "", "What the body is made of"}, b.material);
-  v.field(Key{"translation", "m", "Where the mesh's origin is put, after the rotation"},
-          b.translation);
-  v.field(Key{"rotation", "", "Turn of the mesh about its origin, before the translation"},
+  v.field(Key{"material", "", "Material of the body"}, b.material);
+  v.field(Key{"translation", "m", "Translation of the mesh, after the rotation"}, b.translation);
+  v.field(Key{"rotation", "", "Rotation of the mesh about its origin, before the translation"},
           b.rotation);
   v.field(Key{"velocity", "m/s", "Velocity of the mass centre at the start"}, b.velocity);
   v.field(Key{"spin", "rad/s", "Angular velocity about the mass centre at the start"}, b.spin);
-  v.field(Key{"held", "", "Boxes whose vertices the outside world holds or moves"}, b.held);
-  v.field(Key{"loads", "", "Boxes in which the body is pushed or pulled"}, b.loads);
+  v.field(Key{"held", "", "Boxes whose vertices are fixed, or moved at a given velocity"}, b.held);
+  v.field(Key{"loads", "", "Boxes in which pressure or force acts on the body"}, b.loads);
   v.field(Key{"cuts", "", "Cracks that exist from the start, closed and without load"}, b.cuts);
   v.field(Key{"strength", "", "Strengths other than the material's (docs/strength.md)"},
           b.strength);
   v.field(Key{"unbreakable", "", "Parts whose vertices never split"}, b.unbreakable);
   v.field(
       Key{"order", "",
-          "Of the tetrahedra. 1: displacement is linear in each; 2: quadratic, with a node in "
-          "the middle of each edge, for what bends; with floating_frame and contact by impulses. "
-          "Left out: 2 for small thin bodies of few layers (docs/defaults.md), else 1",
+          "Order of the tetrahedra. 1: linear displacement; 2: quadratic, with a node in the "
+          "middle "
+          "of each edge, for bodies that bend; needs contact by impulses. Left out: 2 for small "
+          "thin bodies of few layers (docs/defaults.md), else 1",
           between(1, 2)},
       b.order);
   v.field(Key{"rigid", "",
@@ -219,7 +221,7 @@ void describe(V& v, BodySettings& b) {
 
 template <class V>
 void describe(V& v, GravitySettings& g) {
-  v.field(Key{"acceleration", "m/s^2", "Gravity once it is fully raised"}, g.acceleration);
+  v.field(Key{"acceleration", "m/s^2", "Gravity at the end of its ramp"}, g.acceleration);
   v.field(Key{"ramp_time", "s", "Time over which it is raised linearly; 0: at once", at_least(0)},
           g.ramp_time);
 }
@@ -228,19 +230,19 @@ template <class V>
 void describe(V& v, FractureSettings& f) {
   v.field(Key{"mode", "",
               "off: nothing breaks; all: every vertex over its threshold breaks; budget: at most "
-              "max_fans and max_new_pieces a budget_time, the most overstressed first"},
+              "max_fans and max_new_pieces per budget_time, the most overstressed first"},
           f.mode);
-  v.field(Key{"max_fans", "", "Cracks a budget_time in mode budget", between(1, 4294967295.0)},
+  v.field(Key{"max_fans", "", "Cracks per budget_time in mode budget", between(1, 4294967295.0)},
           f.max_fans);
   v.field(Key{"max_new_pieces", "",
-              "Pieces that may come off in a budget_time in mode budget; no crack follows the one "
-              "that reaches it",
+              "Pieces that may come off per budget_time in mode budget; the crack that reaches the "
+              "number is the last",
               between(1, 4294967295.0)},
           f.max_new_pieces);
   v.field(
       Key{"budget_time", "s",
-          "What a budget is for, such as a frame, in whole steps; what waits is tested again in "
-          "the next; 0: a step",
+          "Time for one budget, such as a frame, in whole steps; waiting vertices are tested again "
+          "in the next; 0: one step",
           at_least(0)},
       f.budget_time);
   v.field(Key{"node_stress", "",
@@ -248,26 +250,25 @@ void describe(V& v, FractureSettings& f) {
               "(eq. 6, the paper's), or fit: linear fit over two rings, better at surfaces"},
           f.node_stress);
   v.field(Key{"criterion", "",
-              "What breaks a crack tip of a material with a toughness: stress: the node stress "
-              "there; energy: what the crack's front would release per area"},
+              "Criterion at crack tips of a material with a toughness. stress: the node stress; "
+              "energy: the energy that the crack front would release per area"},
           f.criterion);
   v.field(Key{"crack", "",
-              "What a crack is: paper: each vertex is cut along its own plane; object: a surface "
-              "that keeps its sides and grows along its front (docs/crack_objects.md); cohesive: "
-              "the same, tied until it has taken the material's fracture energy "
+              "Crack model. paper: each vertex is cut along its own plane; object: a surface that "
+              "keeps its sides and grows along its front (docs/crack_objects.md); cohesive: the "
+              "same, held together until it has taken the material's fracture energy "
               "(docs/cohesive.md)"},
           f.crack);
   v.field(Key{"relax", "",
-              "Rings of tetrahedra around each fan whose stresses are solved for again within the "
+              "Rings of tetrahedra around each fan in which stresses are computed again within the "
               "step, so that the load of the crack passes to its tip at once; 0: none",
               between(0, 1000)},
           f.relax);
-  v.field(
-      Key{"test", "",
-          "How vertices are tested against their threshold, with the same answers: eigenvalues; "
-          "gershgorin: bound, then eigenvalues (the paper's); exact: leading minors; chain: "
-          "bound, then minors"},
-      f.test);
+  v.field(Key{"test", "",
+              "Test of vertices against their threshold; all give the same result. eigenvalues; "
+              "gershgorin: bound, then eigenvalues (the paper's); exact: leading minors; chain: "
+              "bound, then minors"},
+          f.test);
   v.field(Key{"smallest_piece", "kg",
               "A crack that would separate a lighter piece is refused; 0: no limit", at_least(0)},
           f.smallest_piece);
@@ -275,12 +276,13 @@ void describe(V& v, FractureSettings& f) {
               "Largest number of pieces; a crack that would make more is refused; 0: no limit",
               between(0, 4294967295.0)},
           f.max_pieces);
-  v.field(Key{"detection", "",
-              "How new pieces are found, always the same: exact: search in lockstep, cost of the "
-              "smaller "
-              "side; oracle: walk where the paper's oracle says so (false alarms walk too); "
-              "dirty_counter: walk where three vertices came apart; walk: walk after every fan"},
-          f.detection);
+  v.field(
+      Key{"detection", "",
+          "Search for new pieces; all find the same ones. exact: search in lockstep, at the cost "
+          "of the smaller side; oracle: walk where the paper's oracle predicts a piece (false "
+          "alarms walk too); dirty_counter: walk where three vertices came apart; walk: walk "
+          "after every fan"},
+      f.detection);
   v.field(
       Key{"face_order", "",
           "Order in which the faces of a fan are unsewn: paper: those with an edge on the surface "
@@ -290,40 +292,39 @@ void describe(V& v, FractureSettings& f) {
 
 template <class V>
 void describe(V& v, LadderSettings& l) {
-  v.field(
-      Key{"rigid", "", "Whether components in free flight that cannot break move as rigid bodies"},
-      l.rigid);
+  v.field(Key{"rigid", "", "Whether pieces in free flight that cannot break move as rigid bodies"},
+          l.rigid);
   v.field(Key{"quasi_static", "",
-              "Whether supported components under slow loads go from equilibrium to equilibrium"},
+              "Whether supported pieces under slow loads move from equilibrium to equilibrium"},
           l.quasi_static);
-  v.field(
-      Key{"sleep", "", "Whether components at rest are not stepped until something touches them"},
-      l.sleep);
-  v.field(Key{"sleep_after", "s", "How long they must have been at rest", above(0)}, l.sleep_after);
+  v.field(Key{"sleep", "", "Whether pieces at rest are not stepped until something touches them"},
+          l.sleep);
+  v.field(Key{"sleep_after", "s", "Time at rest before a piece sleeps", above(0)}, l.sleep_after);
   v.field(Key{"rubble",
               "",
-              "Pieces that cannot break, with their contacts: off: like all others; certified: as "
-              "rigid bodies on a clock of about 1/240 s, where a bound says that nothing of them "
-              "can break before the next tick (docs/rubble.md); not for node_stress fit but single "
-              "tetrahedra, nor with contact.method penalty",
+              "Motion of pieces that cannot break, with their contacts. off: as all others; "
+              "certified: as rigid bodies in steps of about 1/240 s, where a bound shows that they "
+              "cannot break within the step (docs/rubble.md). With node_stress fit only for single "
+              "tetrahedra; not with contact.method penalty",
               {},
               false,
               "",
               true},
           l.rubble);
-  v.field(Key{"declared_rubble", "",
-              "Pieces that came off with no more than this share of their body's mass never break "
-              "again: by your word, not by a bound",
-              between(0, 1), false, "", true},
-          l.declared_rubble);
+  v.field(
+      Key{"declared_rubble", "",
+          "Pieces that came off with at most this share of their body's mass never break again; "
+          "your choice, not a bound",
+          between(0, 1), false, "", true},
+      l.declared_rubble);
 }
 
 template <class V>
 void describe(V& v, TopologySettings& t) {
   v.field(Key{"kernel", "",
-              "What holds the volume mesh and answers for its topology, with the same results: "
-              "lcc: CGAL's Linear_cell_complex, a 3-map with attributes; dense: rows of corners and "
-              "neighbours alone, a twentieth of the memory of the map",
+              "Kernel that holds the volume mesh; both give the same results. lcc: CGAL's "
+              "Linear_cell_complex, a 3-map with attributes; dense: rows of corners and neighbours "
+              "alone, a twentieth of the memory of the map",
               {}, false, "", true},
           t.kernel);
 }
@@ -331,43 +332,40 @@ void describe(V& v, TopologySettings& t) {
 template <class V>
 void describe(V& v, Scene& s) {
   v.field(Key{"bodies", "", "Breakable bodies, at least one", {}, true}, s.bodies);
-  v.field(Key{"obstacles", "", "What bodies run into"}, s.obstacles);
+  v.field(Key{"obstacles", "", "Ground, walls, balls and other rigid shapes"}, s.obstacles);
   v.field(Key{"gravity", "", "Gravity"}, s.gravity);
   v.field(Key{"time_step", "s", "Length of a step", above(0), false,
-              "a strong blow lives for a few body lengths over the speed of sound"},
+              "a strong impact lasts for a few body lengths over the speed of sound"},
           s.integrator.time_step);
   v.field(Key{"duration", "s", "Length of the run", above(0)}, s.duration);
   v.field(
       Key{"model", "",
-          "rigid_reference: linear elasticity in one frame a piece, the paper's and the default; "
-          "corotational: in one frame a tetrahedron (of order 2 a Gauss point), which the paper "
-          "compares "
+          "rigid_reference: linear elasticity in one frame per piece, the paper's and the default; "
+          "corotational: in one frame per tetrahedron (order 2: per Gauss point), to compare "
           "with; not for floating_frame and modal. Left out: corotational with implicit_euler for "
-          "one "
-          "slender held body that nothing can strike"},
+          "a single slender held body without obstacles"},
       s.integrator.model);
   v.field(
       Key{"isolated", "",
-          "Free single tetrahedra: rigid bodies, which keep their spin; or the paper's two ways, "
-          "which lose it: projection on the rigid shape, or elastic in the frame of their edges "
+          "Motion of free single tetrahedra. rigid: rigid bodies, which keep their spin; the "
+          "paper's "
+          "two ways lose it: projection on the rigid shape, or elastic in the frame of their edges "
           "(qr)"},
       s.integrator.isolated);
-  v.field(Key{"integrator", "", "How time is integrated"}, s.integrator);
-  v.field(Key{"contact", "", "How contact is solved"}, s.contact);
-  v.field(Key{"impact", "", "How impacts are resolved in time (docs/impact.md)"}, s.impact);
+  v.field(Key{"integrator", "", "Time integration"}, s.integrator);
+  v.field(Key{"contact", "", "Contact"}, s.contact);
+  v.field(Key{"impact", "", "Sub-steps at impacts (docs/impact.md)"}, s.impact);
   v.field(Key{"energy_ledger", "",
               "Whether work, losses and the residual of every step are added up; without it a step "
               "without contact and cracks takes a tenth less time"},
           s.energy_ledger);
-  v.field(Key{"fracture", "", "What breaks and how it is found"}, s.fracture);
-  v.field(
-      Key{"ladder", "", "Which components may be rigid, quasi-static or asleep (docs/ladder.md)"},
-      s.ladder);
+  v.field(Key{"fracture", "", "Cracks: criterion, model and search for pieces"}, s.fracture);
+  v.field(Key{"ladder", "", "Pieces that may be rigid, quasi-static or asleep (docs/ladder.md)"},
+          s.ladder);
   v.field(Key{"topology", "", "The bodies' map (docs/kernel.md)"}, s.topology);
   v.field(Key{"display_time_constant", "s",
               "Time constant with which the drawn reference of a new piece approaches its own "
-              "(section 3.3); "
-              "0: at once",
+              "(section 3.3); 0: at once",
               at_least(0)},
           s.display_time_constant);
 }

@@ -23,7 +23,7 @@ inline const Names<ContactMethod>& names_of(ContactMethod) {
 
 template <class V>
 void describe(V& v, Plane& p) {
-  v.direction(Key{"normal", "", "Out of the solid half-space; any length but 0"}, p.normal);
+  v.direction(Key{"normal", "", "Normal out of the solid half-space; any length but 0"}, p.normal);
   v.field(Key{"offset", "m", "Distance from the origin along the normal"}, p.offset);
 }
 
@@ -36,22 +36,22 @@ void describe(V& v, Sphere& s) {
 template <class V>
 void describe(V& v, Box& b) {
   v.field(Key{"center", "m", "Centre"}, b.center);
-  v.field(Key{"rotation", "", "Turn of the box's own axes"}, b.orientation);
+  v.field(Key{"rotation", "", "Rotation of the box about its centre"}, b.orientation);
   v.field(Key{"half_extent", "m", "Half the length of each side", above(0)}, b.half_extent);
 }
 
 template <class V>
 void describe(V& v, Solid& s) {
-  v.field(Key{"file",
-              "",
-              "Closed surface of triangles, relative to the scene file: STL, OBJ, OFF, PLY or "
-              "what else `sunder convert` reads; of a file with tetrahedra, their surface",
-              {},
-              true},
-          s.surface);
-  v.field(Key{"translation", "m", "Where the file's origin is put, after the rotation"},
-          s.translation);
-  v.field(Key{"rotation", "", "Turn of the surface about its origin, before the translation"},
+  v.field(
+      Key{"file",
+          "",
+          "Closed surface of triangles, relative to the scene file: STL, OBJ, OFF, PLY or another "
+          "format of `sunder convert --formats`; of a file with tetrahedra, their surface",
+          {},
+          true},
+      s.surface);
+  v.field(Key{"translation", "m", "Translation of the surface, after the rotation"}, s.translation);
+  v.field(Key{"rotation", "", "Rotation of the surface about its origin, before the translation"},
           s.orientation);
 }
 
@@ -60,37 +60,36 @@ void describe(V& v, Obstacle& o) {
   v.alternative(Key{"plane", "", "A half-space: ground, wall"}, Plane{}, o.shape);
   v.alternative(Key{"sphere", "", "A ball"}, Sphere{}, o.shape);
   v.alternative(Key{"box", "", "A box"}, Box{}, o.shape);
-  v.alternative(Key{"mesh", "", "A solid by its surface"}, Solid{}, o.shape);
-  v.field(Key{"velocity", "m/s", "Velocity, kept whatever it hits unless there is a mass"},
-          o.velocity);
-  v.field(Key{"spin", "rad/s", "Angular velocity of what has a mass"}, o.spin);
+  v.alternative(Key{"mesh", "", "A solid bounded by a closed surface"}, Solid{}, o.shape);
+  v.field(Key{"velocity", "m/s", "Velocity; constant unless there is a mass"}, o.velocity);
+  v.field(Key{"spin", "rad/s", "Angular velocity; needs a mass"}, o.spin);
   v.field(
       Key{"friction", "", "Coulomb's coefficient; two surfaces in contact have the mean of theirs",
           at_least(0)},
       o.friction);
-  v.field(
-      Key{"mass", "kg", "Makes a ball, box or mesh a free rigid body that falls and is pushed back", above(0)},
-      o.mass);
+  v.field(Key{"mass", "kg", "Makes a ball, box or mesh a free rigid body that falls and recoils",
+              above(0)},
+          o.mass);
 }
 
 template <class V>
 void describe(V& v, ContactSettings& c) {
   v.field(Key{"method", "",
               "impulses: unilateral contact solved with the response of the bodies, the default; "
-              "penalty: the paper's, springs on what overlaps as a step begins, without impact "
+              "penalty: the paper's, springs on overlaps at the start of a step, without impact "
               "windows (docs/baselines.md)"},
           c.method);
   v.field(Key{"penalty_stiffness", "N/m",
-              "penalty: of the spring between one vertex and one obstacle or ball of a "
+              "penalty: stiffness of the spring between one vertex and one obstacle or ball of a "
               "tetrahedron; stable up to about 4 m / h^2 for a vertex of mass m at a step h",
               above(0)},
           c.penalty_stiffness);
   v.field(Key{"penalty_damping", "N s/m",
-              "penalty: of the damper beside the spring; it never pulls, and brakes the slip by "
-              "Coulomb's friction at most, so that 0, the paper's, has no friction",
+              "penalty: constant of the damper parallel to the spring; it never pulls, and brakes "
+              "slip by Coulomb's friction at most. 0, the paper's value, gives no friction",
               at_least(0)},
           c.penalty_damping);
-  v.field(Key{"friction", "", "Coulomb's coefficient of the bodies' own surface", at_least(0)},
+  v.field(Key{"friction", "", "Coulomb's coefficient of the bodies' surface", at_least(0)},
           c.friction);
   v.field(
       Key{"compliance", "m/N", "impulses: compliance of one contact point; 0: hard", at_least(0)},
@@ -104,16 +103,16 @@ void describe(V& v, ContactSettings& c) {
               at_least(0), false, "", true},
           c.allowed_penetration);
   v.field(Key{"between_pieces", "",
-              "Whether pieces collide with each other; with obstacles they always do"},
+              "Whether pieces collide with each other; they always collide with obstacles"},
           c.between_pieces);
   v.field(
       Key{"ball_share",
           "",
-          "penalty: radius of the ball that stands for a tetrahedron between pieces, as a share "
-          "of its bounding ball's; 1 is the paper's",
+          "penalty: radius of the ball that represents a tetrahedron between pieces, as a share "
+          "of its bounding ball's; 1 is the paper's value",
           {.low = 0, .high = 1, .without_low = true}},
       c.ball_share);
-  v.field(Key{"max_iterations", "", "impulses: sweeps of projected Gauss-Seidel in a pass",
+  v.field(Key{"max_iterations", "", "impulses: iterations of projected Gauss-Seidel per pass",
               between(1, 1e6), false, "", true},
           c.max_iterations);
   v.field(Key{"tolerance", "",
@@ -122,42 +121,40 @@ void describe(V& v, ContactSettings& c) {
               "that the step would have had without contact",
               above(0), false, "", true},
           c.tolerance);
-  v.field(Key{"max_passes", "",
-              "impulses: how often a step may be predicted again with the impulses found; 3 at "
-              "most but for floating_frame and modal with rigid isolated tetrahedra",
-              between(1, 100), false, "", true},
-          c.max_passes);
-  v.field(Key{"max_contacts_per_pair", "",
-              "Contacts between two bodies in a pass; of more, a set that spans the same patch",
-              between(2, 100000), false, "", true},
-          c.max_contacts_per_pair);
+  v.field(
+      Key{"max_passes", "",
+          "impulses: number of predictions of a step with the impulses found; at most 3, except "
+          "for floating_frame and modal with rigid isolated tetrahedra",
+          between(1, 100), false, "", true},
+      c.max_passes);
+  v.field(
+      Key{"max_contacts_per_pair", "",
+          "Contacts between two bodies per pass; of more, a set that spans the same patch is kept",
+          between(2, 100000), false, "", true},
+      c.max_contacts_per_pair);
 }
 
 template <class V>
 void describe(V& v, ImpactSettings& i) {
+  v.field(Key{"window", "",
+              "Whether struck pieces are sub-stepped while the waves run; without it the time step "
+              "decides the cracks of an impact"},
+          i.window);
   v.field(
-      Key{"window", "",
-          "Whether components that are struck are sub-stepped while the waves run; without it the "
-          "step decides what breaks on impact"},
-      i.window);
-  v.field(Key{"fraction", "",
-              "Largest sub-step over L/c, the time in which a wave crosses the component",
-              Range{.low = 0, .high = 1, .without_low = true}, false, "", true},
-          i.fraction);
-  v.field(Key{"negligible", "",
-              "Part of the tensile strength below which the stress rho c v of an impact is ignored",
-              Range{.low = 0, .high = 1, .without_low = true}, false, "", true},
-          i.negligible);
-  v.field(Key{"by_energy", "",
-              "Whether only such impacts count as bring enough energy with them to break the "
-              "component struck"},
+      Key{"fraction", "", "Largest sub-step over L/c, the time in which a wave crosses the piece",
+          Range{.low = 0, .high = 1, .without_low = true}, false, "", true},
+      i.fraction);
+  v.field(
+      Key{"negligible", "",
+          "Share of the tensile strength below which the stress rho c v of an impact is ignored",
+          Range{.low = 0, .high = 1, .without_low = true}, false, "", true},
+      i.negligible);
+  v.field(Key{"by_energy", "", "Sub-step only impacts whose energy could break the body"},
           i.by_energy);
-  v.field(
-      Key{"max_sub_steps", "",
-          "Sub-steps allowed in one step; the remainder is then taken at once, and the report says "
-          "so",
-          between(1, 1e6)},
-      i.max_sub_steps);
+  v.field(Key{"max_sub_steps", "",
+              "Sub-steps allowed per step; the remainder is then taken at once, with a warning",
+              between(1, 1e6)},
+          i.max_sub_steps);
 }
 
 }  // namespace fields

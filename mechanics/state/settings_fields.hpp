@@ -71,8 +71,8 @@ void describe(V& v, Material& m) {
           m.tensile_strength);
   v.field(
       Key{"toughness", "Pa sqrt(m)",
-          "Fracture toughness K_Ic: decides at crack tips in place of the strength; without it "
-          "sqrt(E G_c / (1 - nu^2)) if fracture_energy is given",
+          "Fracture toughness K_Ic; replaces the strength at crack tips. If it is left out and "
+          "fracture_energy is given: sqrt(E G_c / (1 - nu^2))",
           above(0), false, "leave it out or give about 1e6 for concrete"},
       m.toughness);
   v.field(Key{"fracture_energy", "J/m^2",
@@ -98,8 +98,8 @@ void describe(V& v, RayleighDamping& d) {
       Key{"mass_factor", "1/s", "Damping proportional to mass, on deformation only", at_least(0)},
       d.mass_factor);
   v.field(Key{"stiffness_factor", "s",
-              "Damping proportional to stiffness, on deformation only; with verlet and sub_stepped "
-              "steps get shorter by it",
+              "Damping proportional to stiffness, on deformation only; verlet and sub_stepped need "
+              "shorter steps with it",
               at_least(0)},
           d.stiffness_factor);
 }
@@ -115,13 +115,13 @@ void describe(V& v, IntegratorSettings& i) {
       i.integrator);
   v.field(
       Key{"rho_infinity", "",
-          "Spectral radius of generalised-alpha: the part of an oscillation too fast for the step "
-          "that is left after one step; falls to 0 for components whose slowest wave the step "
-          "does not resolve",
+          "Spectral radius of generalised-alpha: the share of an oscillation too fast for the step "
+          "that remains after one step; falls to 0 for pieces whose slowest wave the step does "
+          "not resolve",
           between(0, 0.5)},
       i.rho_infinity);
   v.field(Key{"damping", "", "Rayleigh damping"}, i.damping);
-  v.field(Key{"euler_frame", "", "Which frame implicit_euler linearises in"}, i.euler_frame);
+  v.field(Key{"euler_frame", "", "Frame in which implicit_euler linearises"}, i.euler_frame);
   v.field(Key{"elastic_force", "",
               "For broyden, newton_cg, verlet and sub_stepped with the model rigid_reference: "
               "conservative, or the paper's, which leaves a net torque of second order"},
@@ -134,18 +134,17 @@ void describe(V& v, IntegratorSettings& i) {
               "prefactored at rest and iterated"},
           i.corotational_solve);
   v.field(Key{"tolerance", "",
-              "Where iterations end: residual of the step's equation over the first residual",
+              "Residual of the step's equation over the first residual at which iterations end",
               Range{.low = 0, .high = 0.1, .without_low = true}},
           i.tolerance);
-  v.field(
-      Key{"max_iterations", "",
-          "Iterations of broyden, newton_cg (of conjugate gradients) and prefactored; the step is "
-          "then solved with the factor, and the report says so",
-          between(1, 1e9)},
-      i.max_iterations);
-  v.field(
-      Key{"max_sub_steps", "", "Sub-steps that sub_stepped may take in a step", between(1, 4e9)},
-      i.max_sub_steps);
+  v.field(Key{"max_iterations", "",
+              "Most iterations of broyden, newton_cg (of conjugate gradients) and prefactored; the "
+              "step "
+              "is then solved with the factor, with a warning",
+              between(1, 1e9)},
+          i.max_iterations);
+  v.field(Key{"max_sub_steps", "", "Most sub-steps of sub_stepped per step", between(1, 4e9)},
+          i.max_sub_steps);
   v.field(
       Key{"broyden_memory", "", "Updates that broyden keeps before it restarts", between(1, 1e5)},
       i.broyden_memory);

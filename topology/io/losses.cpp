@@ -57,7 +57,7 @@ void lose_cells(Losses& losses, const FileMesh& mesh, const FormatTraits& t) {
     if (lower == kind) {
       lose(losses, "cells_lost", n, fmt::format("{} holds no {}", losses.to.name, own.plural));
       if (own.dimension > 1) {
-        losses.findings.back().remedy += ", or write their simplices (sunder convert --split)";
+        losses.findings.back().remedy += ", or write their simplices with --split";
       }
     } else {
       lose(losses, "nodes_lost", n,
@@ -291,9 +291,7 @@ std::optional<Finding> nothing_left(const Written& written, const FormatTraits& 
       .code = "nothing_left",
       .count = cell_count(written.original),
       .text = fmt::format("{} holds none of the {} cells", t.name, cell_count(written.original)),
-      .remedy =
-          "write another format, or the simplices of the cells (sunder convert "
-          "--split)"};
+      .remedy = "write another format, or the simplices of the cells with --split"};
 }
 
 }  // namespace

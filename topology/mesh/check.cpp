@@ -15,9 +15,9 @@ namespace {
 constexpr FindingWords empty_mesh = {"empty_mesh", Severity::error,
                                      "the mesh has no points and no tetrahedra",
                                      "give a file that holds a tetrahedral mesh"};
-constexpr FindingWords no_tetrahedron = {
-    "no_tetrahedron", Severity::error, "the mesh has points but no tetrahedron",
-    "give a volume mesh (a surface can be filled with sunder-mesh)"};
+constexpr FindingWords no_tetrahedron = {"no_tetrahedron", Severity::error,
+                                         "the mesh has points but no tetrahedron",
+                                         "give a volume mesh of tetrahedra"};
 constexpr FindingWords column_length = {
     "column_length", Severity::error,
     "a column (region, source numbers) does not have one entry a row",

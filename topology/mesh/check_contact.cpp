@@ -26,17 +26,18 @@ constexpr FindingWords hanging_vertex = {
 constexpr FindingWords close_points = {
     "close_points", Severity::warning,
     "% boundary points miss an earlier one by less than a millionth of an edge",
-    "merge them (sunder convert --merge-points) if the parts are meant to hang together"};
+    "merge them if the parts are meant to hang together: sunder convert FILE NEW --merge-points "
+    "DISTANCE"};
 constexpr FindingWords coincident_faces = {
     "coincident_faces", Severity::note,
     "% boundary faces lie where an earlier one lies, with points of their own (ids: the three "
     "points of each)",
-    "nothing to do if a crack is meant there; otherwise merge the points (sunder convert "
-    "--merge-points)"};
+    "nothing to do if a crack is meant there; otherwise merge the points: sunder convert FILE NEW "
+    "--merge-points 0"};
 constexpr FindingWords contact_unfinished = {
     "contact_unfinished", Severity::warning,
     "% boundary points were not held against all faces near them: too many faces overlap",
-    "mend the other findings first; what is told of hanging vertices may not be all"};
+    "repair the other findings first; the list of hanging vertices may be incomplete"};
 constexpr FindingWords overlapping_faces = {
     "overlapping_faces", Severity::warning,
     "% boundary faces go through others: parts of the body, or bodies, overlap there",

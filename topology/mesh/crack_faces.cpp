@@ -43,9 +43,10 @@ CutFaces chosen(const FaceLinks& links, IsCut is_cut) {
 
 Result<CutFaces> some(CutFaces faces, std::string text) {
   if (!faces.empty()) return faces;
-  return Finding{.code = "no_face",
-                 .text = std::move(text),
-                 .remedy = "name faces inside the body: `sunder check` tells its regions and size"};
+  return Finding{
+      .code = "no_face",
+      .text = std::move(text),
+      .remedy = "name faces inside the body: `sunder check` prints its regions and size"};
 }
 
 }  // namespace

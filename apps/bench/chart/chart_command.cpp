@@ -45,7 +45,7 @@ Steps are whole fractions of the duration. Those of methods that are stable only
 fractions of that bound on each mesh.
 With --ensemble N every setting and the reference run N times, with places and velocities moved by up
 to 1e-12 and strengths by up to 1e-6 of them: the error is that of the mean, and the table has
-deviation and band beside it. What differs within a band differs for no reason.
+deviation and band next to it. Differences within a band are numerical noise.
 With --ensemble meshes the files of --mesh are these runs, one each, instead of points of their own:
 meshes of one body and one size, of which none is the right one. The first is timed; steps that are
 fractions of a bound are so of the least.
@@ -140,7 +140,8 @@ ExitCode run_chart_command(ChartArguments arguments) {
 }
 
 void add_grid_options(CLI::App& command, ChartArguments& a) {
-  command.add_option("--method", a.methods, "Only these methods; may be given often; default: all")
+  command
+      .add_option("--method", a.methods, "Run only these methods; may be repeated; default: all")
       ->type_name("NAME")
       ->take_all();
   command
@@ -166,7 +167,7 @@ void add_grid_options(CLI::App& command, ChartArguments& a) {
       .add_option(
           "--mesh", a.meshes,
           "Meshes of the first body instead, coarse to fine (with --ensemble meshes: of one "
-          "size); may be given often")
+          "size); may be repeated")
       ->type_name("FILE")
       ->take_all()
       ->excludes(levels);
@@ -175,7 +176,7 @@ void add_grid_options(CLI::App& command, ChartArguments& a) {
                   "Cross with values of one more key of the scene: impact.negligible=0.03,0.1,0.3")
       ->type_name("KEY=VALUE,...")
       ->take_all();
-  command.add_flag("--quick", a.quick, "Half the steps, one window");
+  command.add_flag("--quick", a.quick, "Run half the steps, one window");
   command
       .add_option_function<std::string>(
           "--ensemble",
@@ -191,7 +192,8 @@ void add_grid_options(CLI::App& command, ChartArguments& a) {
 
 void add_options(CLI::App& command, ChartArguments& a) {
   command.add_option("SCENE", a.scene, "Scene file (JSON)")->required();
-  command.add_option("--quantity", a.quantity, "What errors are of; default: position")
+  command
+      .add_option("--quantity", a.quantity, "Quantity whose error is charted; default: position")
       ->type_name("NAME");
   command.add_option("-o,--out", a.folder, "Folder; default: out/chart_ and the scene's name")
       ->type_name("DIR");
@@ -199,8 +201,9 @@ void add_options(CLI::App& command, ChartArguments& a) {
       ->type_name("ERROR")
       ->check(CLI::PositiveNumber);
   command
-      .add_option("--exact", a.exact,
-                  "The true value (three numbers for a vector), or 'start' for what is conserved")
+      .add_option(
+          "--exact", a.exact,
+          "The true value (three numbers for a vector), or 'start' for a conserved quantity")
       ->type_name("VALUE");
   command
       .add_option("--probe", a.probe,
@@ -211,7 +214,7 @@ void add_options(CLI::App& command, ChartArguments& a) {
       ->type_name("SECONDS")
       ->check(CLI::PositiveNumber);
   add_grid_options(command, a);
-  command.add_option("--set", a.settings, "Change a value of the scene; may be given often")
+  command.add_option("--set", a.settings, "Change a value of the scene; may be repeated")
       ->type_name("KEY=VALUE")
       ->take_all();
   add_quiet_flag(command, a);

@@ -24,8 +24,8 @@ namespace sunder {
 namespace {
 
 constexpr const char* footer = R"(
-Every fixture is a body, operations on it (face splits, glues, fans, planes, shatters) and what must
-come out. Each kernel runs it; each answer is compared with union-find and with the fixture.
+Every fixture is a body, operations on it (face splits, glues, fans, planes, shatters) and the
+expected results. Each kernel runs it; each answer is compared with union-find and with the fixture.
 Kernels that come with Sunder: sunder (its own, answered by CGAL's darts), dense (its rows alone),
 nested (rows as the coarser of the two nested maps of tied cracks), cgal (CGAL's map with its managed unsew), twin (union-find). --kernel
 takes one of these names, or a shell command of a program that speaks the protocol of
@@ -34,9 +34,10 @@ FILTER is a part of a fixture's name, or a pattern with * ? [ ] for the whole of
 Without --fixtures the folder is meshes/suite in the current directory, else that of the source tree
 the program was built from.
 
-A program may take --timeout seconds to say hello, and 1 + T / 10 000 times as long for an answer
-about T tetrahedra. One that gives none, or speaks nonsense, is killed: the fixture is a mismatch
-and the next one starts it anew; after three fixtures without an answer it is asked no more.
+A program may take --timeout seconds for its hello, and 1 + T / 10 000 times as long for an answer
+about T tetrahedra. A program without an answer, or with a malformed one, is killed: the fixture is a
+mismatch, and the next fixture starts the program again. After three fixtures without an answer it
+is not started any more.
 
 Table: result of each kernel (same; known: a difference that the fixture explains; DIFFERS), number
 of single comparisons, and the time inside all kernels, microseconds. Of a mismatch: the first wrong
@@ -44,14 +45,14 @@ number and the smallest sequence of steps found that shows one. --junit: the sam
 testsuite for each kernel: failure is a wrong answer, error a kernel lost, skipped a known difference.
 
 --export judges nothing: it packs the fixtures with every step and answer, a judge in plain Python, a
-kernel to start from and a page that says how into one archive that needs nothing of Sunder.
+kernel to start from and a page of instructions into one archive that needs nothing of Sunder.
 
 With --random no fixture is run: bodies of a dozen families (and those of --mesh) are torn apart at
 random, fan by fan, with faces, planes, breaks by labels and glues in between, and every answer is
 compared with union-find and the laws. The table lists, for each family, the fans with at least one
-face, those by labels beside, the faces split, the vertices that came apart, the oracle's alarms,
+face, the fans by labels, the faces split, the vertices that came apart, the oracle's alarms,
 how many of them separated a component (true %), separations it missed, and mismatches. The run
-ends at its first mismatch; what is left of it after shrinking is printed as a fixture file.
+ends at its first mismatch, which is shrunk and printed as a fixture file.
 
 Exit codes: 0 no mismatch, 1 mismatches, 2 usage (also a FILTER that no fixture has, or a command
 that is no kernel), 3 fixtures or meshes unreadable or invalid, 4 a file not written.
@@ -243,7 +244,7 @@ void add_suite_command(CLI::App& program, ExitCode& exit_code) {
   CLI::App* command =
       program.add_subcommand("suite", "Judge topology kernels by bodies whose answers are known");
   CLI::Option* const filter =
-      command->add_option("FILTER", arguments->filter, "Part of the names of the fixtures to run");
+      command->add_option("FILTER", arguments->filter, "Run the fixtures with this in their name");
   CLI::Option* const fixtures =
       command->add_option("--fixtures", arguments->fixtures, "Folder of fixture files")
           ->type_name("DIR");

@@ -12,7 +12,11 @@
 #include <string>
 
 #include "apps/sunder/demo/demo_files.hpp"
+#include "apps/sunder/program.hpp"
 #include "apps/sunder/run/run.hpp"
+#if defined(SUNDER_HAS_VIEW)
+#include "apps/sunder/view/view.hpp"
+#endif
 #include "topology/io/output_file.hpp"
 
 namespace sunder {
@@ -65,19 +69,21 @@ ExitCode show_demo(const fs::path& folder, const Telling& telling) {
 #endif
   const ExitCode code = run_scene(run);
   if (code != ExitCode::fine) return code;
-  const std::string here = folder.string();
+  const std::string sunder = program_word();
+  const auto in_folder = [&](const char* name) { return shell_word((folder / name).string()); };
 #if defined(SUNDER_HAS_RENDERER)
-  fmt::print("\nLook at   {0}/run/picture_005.png\n"
-             "Then      sunder render {0}/run pieces.png --explode 0.6\n",
-             here);
+  fmt::print("\nLook at   {}\nThen      {} render {} pieces.png --explode 0.6\n",
+             in_folder("run/picture_005.png"), sunder, in_folder("run"));
 #else
-  fmt::print("\nLook at   {}/run/frames.pvd with ParaView\n", here);
+  fmt::print("\nLook at   {} with ParaView\n", in_folder("run/frames.pvd"));
 #endif
 #if defined(SUNDER_HAS_VIEW)
-  fmt::print("and       sunder view {}/monolith.json    (in the browser: throw balls, pull, cut)\n", here);
+  fmt::print("and       {} view {}    ({})\n", sunder, in_folder("monolith.json"),
+             page_is_built() ? "in the browser: throw balls, pull, cut"
+                             : "in the browser, once `./bootstrap all` has built the page");
 #endif
-  fmt::print("and       sunder run {0}/monolith.json --set bodies.0.material.tensile_strength=2e6\n",
-             here);
+  fmt::print("and       {} run {} --set bodies.0.material.tensile_strength=2e6\n", sunder,
+             in_folder("monolith.json"));
   return ExitCode::fine;
 }
 
@@ -85,7 +91,7 @@ ExitCode show_demo(const fs::path& folder, const Telling& telling) {
 
 void add_demo_command(CLI::App& program, ExitCode& exit_code) {
   CLI::App* command =
-      program.add_subcommand("demo", "Breaks something within half a minute, without any file");
+      program.add_subcommand("demo", "Break something within half a minute, without any file");
   const auto folder = std::make_shared<fs::path>("sunder_demo");
   command->add_option("-o,--output", *folder, "Folder for the files")
       ->type_name("DIR")

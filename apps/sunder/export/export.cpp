@@ -20,15 +20,15 @@ namespace sunder {
 namespace {
 
 constexpr const char* footer = R"(
-OUT decides by its ending:
-  .glb  glTF 2.0: a node a piece, moved by its rigid reference with a key a frame; materials for the
-        body's own surface, cracks and obstacles; mass (kg) and birth_step as extras of each piece;
-        a node an obstacle, but for planes
-  .obj  OUT_000000.obj and so on, one a frame: the pieces at the end of the run, an object each, where
-        their rigid references are in that frame
+The ending of OUT chooses the format:
+  .glb  glTF 2.0: one node per piece, moved by its rigid reference with one key per frame; materials
+        for the body's own surface, cracks and obstacles; mass (kg) and birth_step as extras of each
+        piece; one node per obstacle, except planes
+  .obj  OUT_000000.obj and so on, one per frame: the pieces at the end of the run, one object each, at
+        the place of their rigid references in that frame
   .msh  Gmsh MSH 4.1: the broken bodies at the end, deformed, with the columns of the last frame
-The run needs frames: --frames of `sunder run`, or output.frames of its scene; with
-output.frames_at_impacts tracks have a key where bodies are struck.
+The run needs frames: --frames of `sunder run`, or output.frames of its scene. With
+output.frames_at_impacts tracks have a key at each impact.
 
 Exit codes: 0 done, 2 usage, 3 no result of a run, 4 not written.
 
@@ -151,7 +151,7 @@ ExitCode export_result(const ExportArguments& arguments) {
 void add_export_command(CLI::App& program, ExitCode& exit_code) {
   const auto arguments = std::make_shared<ExportArguments>();
   CLI::App* command = program.add_subcommand(
-      "export", "Writes a finished run as GLB, as a sequence of OBJ, its end as MSH");
+      "export", "Write a finished run as GLB or OBJ sequence, or its end as MSH");
   command->add_option("RESULT", arguments->result, "Folder of a run")->required();
   command->add_option("OUT", arguments->out, "File to write: *.glb, *.obj or *.msh")->required();
   add_telling_flags(*command, *arguments);

@@ -78,8 +78,8 @@ ExitCode measure_folder(FragmentsArguments arguments) {
 }  // namespace
 
 void add_fragments_command(CLI::App& program, ExitCode& exit_code) {
-  CLI::App* command =
-      program.add_subcommand("fragments", "Size distribution of a run's pieces, with fitted laws");
+  CLI::App* command = program.add_subcommand(
+      "fragments", "Analyse the sizes of a run's pieces and fit laws to them");
   const auto arguments = std::make_shared<FragmentsArguments>();
   command->add_option("DIR", arguments->folder, "Folder of a run")->required();
   std::map<std::string, SizeMeasure> measures;
@@ -88,12 +88,12 @@ void add_fragments_command(CLI::App& program, ExitCode& exit_code) {
   }
   command
       ->add_option("--by", arguments->measure,
-                   "What counts as size: volume (m^3, default), size (its cube root, m), mass (kg)")
+                   "Measure of size: volume (m^3, default), size (its cube root, m), mass (kg)")
       ->transform(CLI::CheckedTransformer(measures).description(""))
       ->type_name("volume|size|mass");
   command
       ->add_option("--mesh", arguments->meshes,
-                   "Mesh of the bodies, for the control; may be given often")
+                   "Mesh of the bodies, for the control; may be repeated")
       ->type_name("FILE")
       ->take_all();
   command->add_option("--png", arguments->png, "Draw the distribution (needs gnuplot)")

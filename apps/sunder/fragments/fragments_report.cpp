@@ -107,7 +107,8 @@ std::string verdict(const SampleLaws& laws) {
   }
   // 1.96 standard deviations: one chance in twenty.
   if (worst > 1.96) return "The tail is nearer to a power law than to the others.\n";
-  if (worst >= -1.96) return "The sample does not tell the tail's power law from the others.\n";
+  if (worst >= -1.96)
+    return "The sample does not separate the power law of the tail from the other laws.\n";
   return fmt::format("The tail is no power law: {} is nearer.\n", name_of(laws.tail[nearest]));
 }
 
@@ -116,8 +117,7 @@ std::string beyond_text(const FragmentSizes& s) {
   std::string text =
       fmt::format("{} pieces are larger than the largest element", s.beyond_elements);
   if (!s.beyond) {
-    return text +
-           fmt::format(": too few (below {}) to tell of more than the mesh\n", fewest_for_fit);
+    return text + fmt::format(": too few (below {}) to show more than the mesh\n", fewest_for_fit);
   }
   return text + fmt::format("; their power law has the {}, K-S {:.3f}\n",
                             parameters_of(*s.beyond, s.beyond_elements), s.beyond->distance);

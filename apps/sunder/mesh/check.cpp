@@ -22,22 +22,22 @@ namespace sunder {
 namespace {
 
 constexpr const char* check_footer = R"(
-Of several meshes each is told one after the other, with --json as a list; the exit code is the
-highest of theirs.
+Several meshes are reported one after the other, with --json as a list. The exit code is the highest
+of theirs.
 MESH is any mesh file that sunder convert reads (sunder convert --formats lists them), packed by
-gzip or not; its content decides which, not its name.
+gzip or not. Its format is recognised by content, not by name.
 A mesh of faces without volume cells is checked as a surface: whether it is closed, manifold, oriented
 and free of faces that cross (decided exactly), its area, and the volume that it encloses.
 Volume cells that are no tetrahedra are refused: sunder convert --split cuts them.
 Coordinates are taken as metres, volumes are m^3. Vertices, edges and faces are counted as orbits
 of the 3-map: cells that only touch are not joined. Numbers in brackets are rows counted from 0.
 Betti numbers are those of the homology over the integers, computed for up to 200 000 tetrahedra, for
-more with --homology; without it they follow from boundary sheets, which is right where no
+more with --homology. Without it they follow from boundary sheets, which is right where no
 tetrahedra overlap. Where the two differ the body overlaps itself, or does not lie in space, and the
-homology is told with its torsion.
+homology is printed with its torsion.
 Dihedral angles lie between two faces of a tetrahedron (70.5 degrees in a regular one). Radius
 ratios are 3 r / R of the spheres inside and around it: 1 for a regular one, 0 for a flat one.
-docs/checks.md explains every finding, its tolerance and what to do about it.
+docs/checks.md explains every finding, its tolerance and its remedy.
 
 Exit codes: 0 no error found (warnings and notes may be), 1 a mesh with errors, 2 usage, 3 no mesh
 can be read from the file, 4 FILE of --write-findings cannot be written.
@@ -93,7 +93,7 @@ void find_homology(CheckReport& report, const FileMesh& mesh, const CheckArgumen
     report.findings.push_back(
         {.code = "betti_by_sheets",
          .severity = Severity::note,
-         .text = overlaps ? fmt::format("boundary sheets do not tell the Betti numbers of {} "
+         .text = overlaps ? fmt::format("boundary sheets do not give the Betti numbers of {} "
                                         "tetrahedra where some overlap: none are given",
                                         report.tetrahedra)
                           : fmt::format("the Betti numbers of {} tetrahedra follow from boundary "
@@ -149,7 +149,7 @@ ExitCode report_surface(const CheckArguments& arguments, CheckReport& report, co
     report.findings.push_back({.code = "findings_not_written",
                                .severity = Severity::warning,
                                .text = "what is found in a surface is not written as a mesh",
-                               .remedy = "look at the numbers that the findings tell",
+                               .remedy = "look at the numbers in the findings",
                                .file = arguments.mesh.string()});
   }
   for (const Finding& f : report.surface->findings) {
@@ -235,22 +235,24 @@ ExitCode run_checks(CheckArguments arguments) {
 void add_check_command(CLI::App& program, ExitCode& exit_code) {
   const auto arguments = std::make_shared<CheckArguments>();
   CLI::App* command =
-      program.add_subcommand("check", "Count and measure the cells of a mesh, list what is wrong");
+      program.add_subcommand("check", "Count and measure the cells of a mesh and list its faults");
   command->add_option("MESH", arguments->meshes, "Mesh files; - for standard input")
       ->type_name("FILE")
       ->required();
   command
       ->add_option("--write-findings", arguments->findings,
-                   "Write every cell and point that a finding names as a mesh to look at; its "
-                   "ending says the format, .vtu shows all. Cells have their finding as region "
-                   "and column, and their row in MESH")
+                   "Write every cell and point that a finding names as a mesh to look at. Its "
+                   "ending chooses the format; .vtu keeps everything. Cells have their finding as "
+                   "region and column, and their row in MESH")
       ->type_name("FILE")
       ->check([](const std::string& name) {
         return format_of_name(name) ? std::string() : name + " has the ending of no mesh format";
       });
   command->add_flag("--homology", arguments->homology,
-                    "Compute the homology of any number of tetrahedra, and tell it");
-  command->add_option("--density", arguments->density, "Tell the mass too; kg/m^3")
+                    "Compute and print the homology, for any number of tetrahedra");
+  command
+      ->add_option("--density", arguments->density,
+                   "Print the mass too, for this density in kg/m^3")
       ->type_name("DENSITY")
       ->check(CLI::PositiveNumber);
   add_verbose_flag(*command, *arguments);

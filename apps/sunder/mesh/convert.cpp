@@ -28,21 +28,21 @@ namespace sunder {
 namespace {
 
 constexpr const char* convert_footer = R"(
-IN is recognised by its content, not by its name (TetGen's files by their names, any of which may be
-given: STEM.node, .ele, .face and .edge are read and written together); it may be packed by gzip.
+IN is recognised by its content, not by its name, and may be packed by gzip. TetGen's files are
+recognised by name: give any of STEM.node, .ele, .face and .edge, which are read and written together.
 IN - is standard input; OUT - is standard output, with --to; OUT.gz is packed.
-OUT's ending names the format, or --to does. `sunder convert --formats` lists the formats, their
-endings, versions and encodings (defaults first), and what each can hold. Points and cells keep
-their order; numbers, regions, entities and data are kept where the format holds them. Names of
-regions that it does not hold go to OUT.regions, which is read with OUT. Everything else that would
-be lost is listed first, as warnings.
-Cells of every kind go through as what they are, where the format has them; --order 1 makes those of
-second order linear; --split makes tetrahedra and triangles of all (after --merge-points, before the
-other repairs): no point is added, and neighbours are cut alike, each from its corner with the least
-row; --order 2 then puts a node in the middle of each edge. Where OUT's format would hold no cell at
-all nothing is written. Repairs are made in the order in which they are listed here, and each
-reports what it changed. A crack is opened after them, without width: points are copied exactly
-where the cut faces separate the tetrahedra around them; its front stays joined (docs/cracks.md).
+OUT's ending or --to chooses the format. `sunder convert --formats` lists the formats, their endings,
+versions and encodings (defaults first), and the contents that each can hold. Points and cells keep
+their order. Numbers, regions, entities and data are kept where the format holds them. Names of
+regions that it does not hold go to OUT.regions, which is read with OUT. All other losses are listed
+first, as warnings.
+Cells keep their kind where the format has it. --order 1 makes cells of second order linear. --split
+cuts all cells into tetrahedra and triangles (after --merge-points, before the other repairs); it adds
+no point, and cuts neighbours alike, each from its corner with the least row. --order 2 then puts a
+node in the middle of each edge. Nothing is written where OUT's format would hold no cell at all.
+Repairs run in the order of this list, and each reports its changes. A crack is opened after them,
+without width: points are copied exactly where the cut faces separate the tetrahedra around them, and
+the front of the crack stays joined (docs/cracks.md).
 
 Exit codes: 0 written, 1 something would be lost and --strict was given (nothing is written),
 2 usage, 3 the input cannot be read or repaired, 4 the output cannot be written.
@@ -133,8 +133,8 @@ void tell_split(const SplitCells& report, std::vector<Finding>& findings) {
                         .severity = Severity::warning,
                         .count = count,
                         .text = std::move(text),
-                        .remedy = "look at them: sunder check NEW tells which parts are flat or "
-                                  "folded"});
+                        .remedy = "look at them: `sunder check` on the new mesh lists flat and "
+                                  "folded tetrahedra"});
   };
   warn(report.concave_volumes, "concave_cells",
        fmt::format(
@@ -324,8 +324,7 @@ ExitCode run_convert(const ConvertArguments& arguments) {
 
 void add_convert_command(CLI::App& program, ExitCode& exit_code) {
   const auto arguments = std::make_shared<ConvertArguments>();
-  CLI::App* command =
-      program.add_subcommand("convert", "Convert a mesh file; lists what would be lost");
+  CLI::App* command = program.add_subcommand("convert", "Convert a mesh file and list the losses");
   command->add_option("IN", arguments->in, "Mesh file to read")->type_name("FILE")->required();
   command->add_option("OUT", arguments->out, "Mesh file to write")->type_name("FILE")->required();
   command->add_option("--to", arguments->to, "Format to write; default: by OUT's ending")
@@ -350,12 +349,12 @@ void add_convert_command(CLI::App& program, ExitCode& exit_code) {
   command
       ->add_option(
           "--triangles", arguments->triangles,
-          "keep, or drop: of a body only the tetrahedra, for solvers that read its triangles "
-          "as shells and its edges as beams (vertices stay: sets of nodes); default keep")
+          "keep (default), or drop: write only the tetrahedra of a body, for solvers that read its "
+          "triangles as shells and its edges as beams. Vertex cells stay as sets of nodes")
       ->type_name("WHAT")
       ->check(CLI::IsMember({"keep", "drop"}));
   command->add_flag("--tetrahedra-only", arguments->tetrahedra_only,
-                    "Leave volume cells out that are no tetrahedra");
+                    "Leave out volume cells that are no tetrahedra");
   command
       ->add_option("--order", arguments->order,
                    "1: make cells of second order linear; points that only they use are dropped. "
@@ -364,7 +363,7 @@ void add_convert_command(CLI::App& program, ExitCode& exit_code) {
       ->check(CLI::IsMember({1, 2}));
   command->add_flag(
       "--split", arguments->split,
-      "Cut hexahedra, prisms and pyramids into tetrahedra, quadrilaterals and polygons "
+      "Cut hexahedra, prisms and pyramids into tetrahedra, and quadrilaterals and polygons "
       "into triangles, so that neighbours fit together");
   command
       ->add_option(
@@ -375,9 +374,9 @@ void add_convert_command(CLI::App& program, ExitCode& exit_code) {
       ->check(CLI::NonNegativeNumber);
   Repairs& repairs = arguments->repairs;
   command->add_flag("--drop-duplicates", repairs.drop_duplicates,
-                    "Repair: of tetrahedra with the same points keep the first");
+                    "Repair: keep the first of tetrahedra with the same points");
   command->add_flag("--split-nonmanifold", repairs.split_nonmanifold,
-                    "Repair: copies of points where stars of tetrahedra only touch");
+                    "Repair: copy points at which groups of tetrahedra only touch");
   command->add_flag("--largest-component", repairs.largest_component,
                     "Repair: keep the largest component");
   command->add_flag("--fix-orientation", repairs.fix_orientation,

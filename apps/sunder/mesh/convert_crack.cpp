@@ -106,13 +106,13 @@ void add_crack_options(CLI::App& command, CrackOptions& options) {
   std::vector<CLI::Option*> cracks;
   cracks.push_back(command
                        .add_option("--crack-faces", options.faces,
-                                   "Crack: cut the faces listed here, three rows of points "
-                                   "(from 0) a line")
+                                   "Crack: cut the faces listed in this file, three rows of "
+                                   "points (from 0) per line")
                        ->type_name("FILE"));
   cracks.push_back(command
                        .add_option("--crack-plane", options.plane,
-                                   "Crack: cut where the plane NX x + NY y + NZ z = D parts "
-                                   "centres of tetrahedra")
+                                   "Crack: cut where the plane NX x + NY y + NZ z = D "
+                                   "separates centres of tetrahedra")
                        ->type_name("NX,NY,NZ,D")
                        ->check(CLI::Validator(is_plane, "", "plane")));
   cracks.push_back(command
@@ -126,7 +126,7 @@ void add_crack_options(CLI::App& command, CrackOptions& options) {
   };
   command
       .add_option("--crack-pairs", options.pairs,
-                  "Write here which points and faces lie on each other across the crack")
+                  "Write the pairs of points and faces across the crack to this file")
       ->type_name("FILE")
       ->check(CLI::Validator(has_crack, "", "crack"));
 }

@@ -18,14 +18,13 @@ namespace {
 constexpr const char* cut_footer = R"(
 With --exact the tetrahedra that the plane passes through are divided by it: the section is flat, and
 each side keeps its volume to rounding. A plane that nearly passes through a point leaves thin
-tetrahedra there (the table tells the least radius ratio). A point is taken to lie in the plane when
-an edge would be divided nearer to it than --tolerance times that edge: at the default, 1e-12, only
-where hardly a number could tell both apart; at 1e-6 nothing is left that `sunder check` calls flat or
-close, the section is flat to a millionth of an edge, and the sides' volumes are out by as much
-there. Without --exact the cut follows the faces between tetrahedra
-with their centres on different sides, and no tetrahedron changes.
+tetrahedra there (the table lists the least radius ratio). A point counts as in the plane when an edge
+would be divided nearer to it than --tolerance times that edge. The default, 1e-12, takes only points
+within rounding. With 1e-6 `sunder check` finds no flat or close tetrahedra, and the section and the
+volumes of its sides are right to a millionth of an edge. Without --exact the cut follows the faces
+between tetrahedra with their centres on different sides, and no tetrahedron changes.
 Points of the section are copied where the sides come apart; each side has its own. Triangles, edges,
-regions, entities and data go along as in `sunder refine`.
+regions, entities and data are kept as in `sunder refine`.
 
 Exit codes: 0 written, 2 usage (also a plane that no tetrahedron meets), 3 the mesh cannot be read or
 has no map, 4 OUT not written.
@@ -103,7 +102,7 @@ ExitCode run_cut(const CutArguments& arguments) {
     return refuse(arguments,
                   {{.code = "no_face",
                     .text = "the plane passes through no tetrahedron and along no inner face",
-                    .remedy = "`sunder check` tells where the body lies; give another offset D"}},
+                    .remedy = "`sunder check` prints the size of the body; give another offset D"}},
                   ExitCode::usage);
   }
   const Crack crack = open_crack(body->mesh, *links, *faces);
@@ -134,7 +133,7 @@ void add_cut_command(CLI::App& program, ExitCode& exit_code) {
       command->add_flag("--exact", arguments->exact, "Divide the tetrahedra that the plane meets");
   command
       ->add_option("--tolerance", arguments->tolerance,
-                   "Part of an edge: no edge is divided nearer to its end (default 1e-12)")
+                   "Share of an edge: no edge is divided nearer to its end (default 1e-12)")
       ->type_name("PART")
       ->check(CLI::Range(0.0, 0.01))
       ->needs(exact);

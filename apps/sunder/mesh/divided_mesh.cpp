@@ -113,9 +113,8 @@ void add_divide_arguments(CLI::App& command, DivideArguments& arguments) {
                   "others are copied")
       ->type_name("NAME,NAME");
   command
-      .add_option(
-          "--kernel", arguments.kernel,
-          "What answers for the map: dense rows (default) or lcc, CGAL's darts; same result")
+      .add_option("--kernel", arguments.kernel,
+                  "Kernel of the map: dense (rows, default) or lcc (CGAL's darts); same result")
       ->type_name("dense|lcc")
       ->transform(CLI::CheckedTransformer(std::map<std::string, MapKernel>{
                                               {"dense", MapKernel::dense}, {"lcc", MapKernel::lcc}})

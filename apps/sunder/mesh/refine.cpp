@@ -22,12 +22,12 @@ namespace {
 
 constexpr const char* refine_footer = R"(
 Each level divides every chosen tetrahedron into eight (red refinement, Bey 1995) and its neighbours
-into two or four so that faces fit; what was divided to fit is never divided again, so shapes do not
+into two or four so that faces fit. Tetrahedra divided to fit are never divided again, so shapes do not
 get worse with levels. Without --region, --plane and --crack all tetrahedra are chosen; with several
-of them, those that any chooses. Chosen is asked anew on each level.
-Triangles, edges, regions, entities and data go along: points on edges get numbers between their
-ends' (whole numbers: the nearer end's), parts get what their parent had (--share: by volume).
-Points of before keep their rows; both sides of a crack are divided alike.
+of them, those that any chooses. The choice is made again on each level.
+Triangles, edges, regions, entities and data are kept: points on edges get values between those of
+the ends (whole numbers: of the nearer end), parts get the values of their parent (--share: by
+volume). Old points keep their rows; both sides of a crack are divided alike.
 
 Exit codes: 0 written, 2 usage (also a choice of no tetrahedron), 3 the mesh cannot be read or has no map, 4 OUT not written.
 
@@ -81,8 +81,9 @@ Result<std::vector<WantedCells>> choices(const RefineArguments& arguments, const
     if (crack->triangles.empty()) {
       return Finding{.code = "no_crack",
                      .text = "no two boundary faces of the mesh lie on each other",
-                     .remedy = "open a crack first (sunder convert --crack-plane), or leave --crack "
-                               "out"};
+                     .remedy =
+                         "open a crack first, for example sunder convert FILE NEW --crack-plane "
+                         "1,0,0,D, or leave --crack out"};
     }
     wanted.emplace_back([crack, within = arguments.within](const VolumeMap& map, TetId t,
                                                                    TetId) {
@@ -153,12 +154,13 @@ ExitCode run_refine(const RefineArguments& arguments) {
       });
   if (levels.size() < arguments.levels) return refuse(arguments, {too_many(levels.size())}, ExitCode::usage);
   if (std::ranges::none_of(levels, [](const RefinedLevel& l) { return l.red > 0; })) {
-    return refuse(arguments,
-                  {{.code = "nothing_chosen",
-                    .text = "no tetrahedron is near what was named",
-                    .remedy = "`sunder check` tells where the body lies; give another plane, or a larger "
-                              "--within"}},
-                  ExitCode::usage);
+    return refuse(
+        arguments,
+        {{.code = "nothing_chosen",
+          .text = "no tetrahedron is near what was named",
+          .remedy = "`sunder check` prints the size of the body; give another plane, or a larger "
+                    "--within"}},
+        ExitCode::usage);
   }
   std::vector<CellEdit> edits;
   for (const RefinedLevel& level : levels) edits.push_back(level.edit);
@@ -184,24 +186,27 @@ void add_refine_command(CLI::App& program, ExitCode& exit_code) {
   CLI::App* command =
       program.add_subcommand("refine", "Make the tetrahedra of a mesh finer, all or some");
   add_divide_arguments(*command, *arguments);
-  command->add_option("--levels", arguments->levels, "How many times (default 1)")
+  command->add_option("--levels", arguments->levels, "Number of refinements (default 1)")
       ->type_name("N")
       ->check(CLI::Range(1, 12));
   command
       ->add_option("--region", arguments->regions,
-                   "Tetrahedra of this region, by number or name; may be given several times")
+                   "Refine tetrahedra of this region, by number or name; may be repeated")
       ->type_name("R");
   CLI::Option* plane =
       command
-          ->add_option("--plane", arguments->plane,
-                       "Tetrahedra that the plane NX x + NY y + NZ z = D meets or nearly meets")
+          ->add_option(
+              "--plane", arguments->plane,
+              "Refine tetrahedra that the plane NX x + NY y + NZ z = D meets or nearly meets")
           ->type_name("NX,NY,NZ,D")
           ->check(CLI::Validator(check_plane, "", "plane"));
-  CLI::Option* crack = command->add_flag(
-      "--crack", arguments->crack, "Tetrahedra at cracks: boundary faces that lie on each other");
+  CLI::Option* crack =
+      command->add_flag("--crack", arguments->crack,
+                        "Refine tetrahedra at cracks: boundary faces that lie on each other");
   command
       ->add_option("--within", arguments->within,
-                   "How near is near to the plane or crack, m (default 0: those that meet it)")
+                   "Distance to the plane or crack that still counts, m (default 0: only those "
+                   "that meet it)")
       ->type_name("DISTANCE")
       ->check(CLI::Validator(check_distance, "", "distance"))
       ->check(CLI::Validator(

@@ -255,7 +255,7 @@ void add_options(CLI::App& command, SplitArguments& arguments) {
       ->type_name("FILE")
       ->required();
   CLI::Option_group* which = command.add_option_group("faces to split (one of these)");
-  which->add_option("--faces", arguments.faces, "Text file: three rows of points a line")
+  which->add_option("--faces", arguments.faces, "Text file: three rows of points per line")
       ->type_name("FILE");
   which
       ->add_option("--fan", arguments.fan,
@@ -270,23 +270,23 @@ void add_options(CLI::App& command, SplitArguments& arguments) {
   which->require_option(1);
   command
       .add_option("--order", arguments.order,
-                  "given (as listed, else by rising tetrahedron; default), paper (surface first)")
+                  "Order of the splits: given (as listed, else by rising tetrahedron; default), "
+                  "paper (surface first)")
       ->type_name("given|paper")
       ->transform(
           CLI::CheckedTransformer(std::map<std::string, FaceOrder>{{"given", FaceOrder::given},
                                                                    {"paper", FaceOrder::paper}})
               .description(""));
   command
-      .add_option(
-          "--kernel", arguments.kernel,
-          "What answers for the map: dense rows (default) or lcc, CGAL's darts; same result")
+      .add_option("--kernel", arguments.kernel,
+                  "Kernel of the map: dense (rows, default) or lcc (CGAL's darts); same result")
       ->type_name("dense|lcc")
       ->transform(CLI::CheckedTransformer(std::map<std::string, MapKernel>{
                                               {"dense", MapKernel::dense}, {"lcc", MapKernel::lcc}})
                       .description(""));
   command
       .add_option("--oracle", arguments.oracle,
-                  "How components are found: exact (default), paper, walk; same result")
+                  "Search for components: exact (default), paper, walk; same result")
       ->type_name("exact|paper|walk")
       ->transform(
           CLI::CheckedTransformer(std::map<std::string, Detection>{{"exact", Detection::exact},
@@ -304,8 +304,7 @@ void add_options(CLI::App& command, SplitArguments& arguments) {
 
 void add_split_command(CLI::App& program, ExitCode& exit_code) {
   const auto arguments = std::make_shared<SplitArguments>();
-  CLI::App* command =
-      program.add_subcommand("split", "Split faces of a mesh and report what came apart");
+  CLI::App* command = program.add_subcommand("split", "Split faces of a mesh and report the parts");
   add_options(*command, *arguments);
   command->footer(split_footer);
   command->callback([=, &exit_code] { exit_code = run_split(*arguments); });

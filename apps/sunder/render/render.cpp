@@ -141,12 +141,13 @@ ExitCode render_result(const RenderArguments& a) {
 
 void add_render_command(CLI::App& program, ExitCode& exit_code) {
   const auto a = std::make_shared<RenderArguments>();
-  CLI::App* command = program.add_subcommand("render", "Draws pictures of a finished run");
+  CLI::App* command = program.add_subcommand("render", "Draw pictures of a finished run");
   command->add_option("RESULT", a->result, "Folder of a run")->required();
   command->add_option("PICTURE", a->out, "File to write: *.png")->required();
-  command->add_option("--time", a->time, "The frame nearest to so many seconds; default: the last");
-  command->add_flag("--all", a->all, "Every frame: PICTURE_000000.png and so on");
-  command->add_option("--show", a->show, "Shape: reference, deformed or both")
+  command->add_option("--time", a->time,
+                      "Draw the frame nearest to this time, s; default: the last");
+  command->add_flag("--all", a->all, "Draw every frame: PICTURE_000000.png and so on");
+  command->add_option("--show", a->show, "Draw this shape: reference, deformed or both")
       ->transform(CLI::CheckedTransformer(
                       std::map<std::string, ShownShape>{{"reference", ShownShape::reference},
                                                         {"deformed", ShownShape::deformed},
@@ -154,15 +155,16 @@ void add_render_command(CLI::App& program, ExitCode& exit_code) {
                       .description(""))
       ->type_name("reference|deformed|both");
   command
-      ->add_option("--explode", a->explode,
-                   "Pieces apart: each by so many times its distance from the middle")
+      ->add_option(
+          "--explode", a->explode,
+          "Exploded view: move each piece outward by this factor of its distance from the centre")
       ->check(CLI::Range(0.0, 100.0));
-  command->add_option("--magnify", a->magnify, "Deformations so many times as large")
+  command->add_option("--magnify", a->magnify, "Scale displayed deformations by this factor")
       ->check(CLI::Range(0.0, 1e6));
-  command->add_option("--eye", a->eye, "Place of the camera, m: X,Y,Z")
+  command->add_option("--eye", a->eye, "Position of the camera, m: X,Y,Z")
       ->expected(3)
       ->delimiter(',');
-  command->add_option("--target", a->target, "What it looks at, m: X,Y,Z")
+  command->add_option("--target", a->target, "Point in the middle of the picture, m: X,Y,Z")
       ->expected(3)
       ->delimiter(',');
   command->add_option("--fov", a->field_of_view, "With --eye: vertical angle of view, degrees")
@@ -174,7 +176,7 @@ void add_render_command(CLI::App& program, ExitCode& exit_code) {
       ->check(CLI::Range(16u, 8192u))
       ->capture_default_str();
   add_telling_flags(*command, *a);
-  command->add_flag("--json", a->json, "Print JSON instead of a line a picture");
+  command->add_flag("--json", a->json, "Print JSON instead of one line per picture");
   command->footer(footer);
   command->callback([a, &exit_code] { exit_code = render_result(*a); });
 }

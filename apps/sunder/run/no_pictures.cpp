@@ -15,8 +15,8 @@ Result<Pictures> Pictures::open(const Simulation&, const OutputSettings&) {
   return Finding{.code = "no_renderer",
                  .text = "pictures are asked for, but this sunder was built without the renderer",
                  .remedy =
-                     "leave out --png and the scene's output.pictures, or build with "
-                     "-DSUNDER_BUILD_RENDERER=ON"};
+                     "leave out --png and the scene's output.pictures, or build with the "
+                     "renderer: cmake --preset release -DSUNDER_BUILD_RENDERER=ON"};
 }
 
 std::vector<Finding> Pictures::draw(const std::filesystem::path&, const Simulation&) { return {}; }

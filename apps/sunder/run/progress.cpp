@@ -3,9 +3,13 @@
 #include "apps/sunder/run/progress.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <new>
+#include <system_error>
 
 #include "apps/sunder/telling.hpp"
 
@@ -18,41 +22,126 @@ std::string wall_time(double seconds) {
   return fmt::format("{}:{:02}", s / 60, s % 60);
 }
 
+double share_done(const ProgressState& state) {
+  if (state.steps == 0) return 1;
+  return static_cast<double>(state.step) / static_cast<double>(state.steps);
+}
+
+/// Characters in a line of the terminal behind stderr.
+std::size_t terminal_columns() {
+  winsize size = {};
+  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
 }  // namespace
 
+double seconds_left(const ProgressState& state, double elapsed) {
+  const double done = share_done(state);
+  return elapsed * (1 - done) / done;
+}
+
 std::string progress_line(const ProgressState& state, double elapsed, std::size_t width) {
-  const double part =
-      state.steps == 0 ? 1 : static_cast<double>(state.step) / static_cast<double>(state.steps);
   std::string line;
   if (width > 0) {
-    const auto filled = static_cast<std::size_t>(part * static_cast<double>(width));
+    const auto filled = static_cast<std::size_t>(share_done(state) * static_cast<double>(width));
     line = fmt::format("[{:-<{}}] ", std::string(filled, '#'), width);
   }
-  line += fmt::format("step {}/{}  t = {:.4f} s  {} pieces  {} fans", state.step, state.steps,
-                      state.time, state.pieces, state.fans);
+  line += fmt::format("step {}/{}  t = {:.6f} s  {} {}  {} {}", state.step, state.steps, state.time,
+                      state.pieces, state.pieces == 1 ? "piece" : "pieces", state.fans,
+                      state.fans == 1 ? "fan" : "fans");
   if (state.behind > 0) line += fmt::format("  {:.2f} s behind", state.behind);
-  if (state.step > 0) line += fmt::format("  {} left", wall_time(elapsed * (1 - part) / part));
+  line += fmt::format("  {} gone", wall_time(elapsed));
+  if (state.step > 0) line += fmt::format("  {} left", wall_time(seconds_left(state, elapsed)));
   return line;
 }
 
-Progress::Progress(bool quiet)
-    : quiet_(quiet), terminal_(is_terminal(STDERR_FILENO)), start_(Clock::now()), last_(start_) {}
-
-Progress::~Progress() {
-  if (shown_ && terminal_) std::fputs("\r\033[K", stderr);
+Heartbeat::Heartbeat(bool quiet, Line line)
+    : line_(std::move(line)), terminal_(is_terminal(STDERR_FILENO)), start_(Clock::now()) {
+  if (quiet) return;
+  try {
+    thread_ = std::thread([this] { print_until_end(); });
+  } catch (const std::system_error&) {
+    // Work matters more than its progress.
+  }
 }
 
-void Progress::show(const ProgressState& state) {
-  if (quiet_) return;
-  const Clock::time_point now = Clock::now();
-  const auto pause = terminal_ ? std::chrono::milliseconds(100) : std::chrono::milliseconds(3000);
-  if (now - last_ < pause) return;
-  last_ = now;
-  shown_ = true;
-  const double elapsed = std::chrono::duration<double>(now - start_).count();
-  const std::string line = progress_line(state, elapsed, terminal_ ? 24 : 0);
+Heartbeat::~Heartbeat() {
+  if (!thread_.joinable()) return;
+  {
+    const std::lock_guard<std::mutex> lock(printing_);
+    ended_ = true;
+  }
+  end_.notify_one();
+  thread_.join();
+  wipe();
+}
+
+std::unique_lock<std::mutex> Heartbeat::hold() {
+  std::unique_lock<std::mutex> lock(printing_);
+  wipe();
+  return lock;
+}
+
+void Heartbeat::print_until_end() {
+  const auto pause = std::chrono::milliseconds(terminal_ ? 200 : 1000);
+  Clock::time_point next = start_ + pause;
+  std::unique_lock<std::mutex> lock(printing_);
+  while (!end_.wait_until(lock, next, [this] { return ended_; })) {
+    try {
+      print(std::chrono::duration<double>(Clock::now() - start_).count());
+    } catch (const std::bad_alloc&) {
+      // The run itself reports that memory ran out.
+    }
+    next = std::max(next + pause, Clock::now());
+  }
+}
+
+void Heartbeat::print(double elapsed) {
+  std::string line = line_(elapsed, 0);
+  if (terminal_) {
+    // A line longer than the terminal's could not be replaced.
+    constexpr std::size_t longest_bar = 24, shortest_bar = 6, frame = 3;
+    const std::size_t room = terminal_columns() - 1;
+    if (line.size() + frame + shortest_bar <= room) {
+      line = line_(elapsed, std::min(longest_bar, room - frame - line.size()));
+    }
+    line.resize(std::min(line.size(), room));
+  }
   std::fprintf(stderr, terminal_ ? "\r%s\033[K" : "%s\n", line.c_str());
   std::fflush(stderr);
+  shown_ = true;
+}
+
+void Heartbeat::wipe() {
+  if (shown_ && terminal_) std::fputs("\r\033[K", stderr);
+  shown_ = false;
+}
+
+Heartbeat::Line line_of_work(std::string_view name) {
+  return [name = std::string(name)](double elapsed, std::size_t) {
+    return fmt::format("{}  {}", name, wall_time(elapsed));
+  };
+}
+
+Progress::Progress(bool quiet, const ProgressState& start)
+    : state_(start), heartbeat_(quiet, [this](double elapsed, std::size_t width) {
+        return progress_line(state(), elapsed, width);
+      }) {}
+
+void Progress::show(const ProgressState& state) {
+  const std::lock_guard<std::mutex> lock(changing_);
+  state_ = state;
+}
+
+void Progress::reach(double time, std::size_t fans) {
+  const std::lock_guard<std::mutex> lock(changing_);
+  state_.time = time;
+  state_.fans = fans;
+}
+
+ProgressState Progress::state() const {
+  const std::lock_guard<std::mutex> lock(changing_);
+  return state_;
 }
 
 }  // namespace sunder

@@ -1,45 +1,92 @@
 // SPDX-License-Identifier: MIT
-// How far a run is, on stderr: a bar on a terminal, a plain line every few seconds elsewhere.
+// How far a run is, on stderr: one line drawn again on a terminal, a line per second elsewhere.
 #pragma once
 
 #include <chrono>
+#include <condition_variable>
 #include <cstdint>
+#include <functional>
+#include <mutex>
 #include <string>
+#include <string_view>
+#include <thread>
 
 namespace sunder {
 
-/// What a line of progress tells.
+/// Where a run stands, for its line of progress.
 struct ProgressState {
   std::uint64_t step = 0, steps = 0;
-  /// s, simulated.
+  /// s, simulated; moves within a step too.
   double time = 0;
   std::size_t pieces = 0, fans = 0;
-  /// s, behind the clock on the wall; 0: not, or not asked.
+  /// s that simulated time is behind the clock; 0: not behind, or no real-time run.
   double behind = 0;
 };
 
-/// Writes to stderr, at most ten times a second on a terminal, every three seconds elsewhere; takes
-/// its line away from the terminal when destroyed.
-class Progress {
- public:
-  /// `quiet` shows nothing.
-  explicit Progress(bool quiet);
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
-  ~Progress();
+/// s of wall time until the end of the run, estimated from the steps done in `elapsed` seconds.
+/// Needs: at least one step done.
+double seconds_left(const ProgressState& state, double elapsed);
 
-  void show(const ProgressState& state);
+/// The line of a run: a bar of `width` characters (0: no bar), step, simulated time, pieces, fans,
+/// wall time since the start (`elapsed`, s) and, after the first step, `seconds_left`.
+std::string progress_line(const ProgressState& state, double elapsed, std::size_t width);
+
+/// Prints a line to stderr from a thread of its own, however long the caller is busy: every 0.2 s
+/// on a terminal, where it replaces the last one, every second elsewhere. Where the system gives no
+/// thread nothing is printed.
+class Heartbeat {
+ public:
+  /// Gives the line after `elapsed` seconds, with a bar of `width` characters where it has one.
+  /// Called from the thread.
+  using Line = std::function<std::string(double elapsed, std::size_t width)>;
+
+  /// `quiet` prints nothing.
+  Heartbeat(bool quiet, Line line);
+  Heartbeat(const Heartbeat&) = delete;
+  Heartbeat& operator=(const Heartbeat&) = delete;
+  /// Takes the line off the terminal.
+  ~Heartbeat();
+
+  /// Takes the line off the terminal; none is printed until the lock is released.
+  std::unique_lock<std::mutex> hold();
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  bool quiet_, terminal_;
-  bool shown_ = false;
-  Clock::time_point start_, last_;
+  void print_until_end();
+  void print(double elapsed);
+  void wipe();
+
+  Line line_;
+  bool terminal_, shown_ = false, ended_ = false;
+  std::mutex printing_;
+  std::condition_variable end_;
+  Clock::time_point start_;
+  std::thread thread_;
 };
 
-/// The line itself: `part` of a bar of `width` characters (0: no bar), step, time, pieces, fans and
-/// the wall time left, judged from `elapsed` seconds.
-std::string progress_line(const ProgressState& state, double elapsed, std::size_t width);
+/// A heartbeat for work of unknown length: its name and the time since its start.
+Heartbeat::Line line_of_work(std::string_view name);
+
+/// A heartbeat for the steps of a run. Its functions may be called while the thread prints.
+class Progress {
+ public:
+  /// `quiet` shows nothing.
+  Progress(bool quiet, const ProgressState& start);
+
+  /// After a step.
+  void show(const ProgressState& state);
+  /// Within a step that has reached `time` (s) and has made `fans` so far.
+  void reach(double time, std::size_t fans);
+  /// As `Heartbeat::hold`.
+  std::unique_lock<std::mutex> hold() { return heartbeat_.hold(); }
+
+ private:
+  ProgressState state() const;
+
+  mutable std::mutex changing_;
+  ProgressState state_;
+  Heartbeat heartbeat_;
+};
 
 }  // namespace sunder

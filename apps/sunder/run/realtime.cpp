@@ -48,7 +48,8 @@ nlohmann::ordered_json FrameClock::report() const {
 
 std::string frame_line(const nlohmann::ordered_json& report) {
   return fmt::format(
-      "frames         {} of 1/60 s, {} late; {:.3g} ms each, 99 of 100 within {:.3g}, worst {:.3g}\n"
+      "frames         {} of 1/60 s, {} late; median {:.3g} ms, 99 % within {:.3g} ms, worst {:.3g} "
+      "ms\n"
       "real time      {:.2f} s behind at the end, {:.2f} s at most\n",
       report["frames"].get<std::size_t>(), report["late"].get<std::size_t>(),
       report["median_ms"].get<double>(), report["p99_ms"].get<double>(),

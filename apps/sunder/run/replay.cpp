@@ -278,7 +278,7 @@ Finding departed(const Replay& replay, std::size_t line, std::string text) {
           .text = std::move(text),
           .remedy =
               "the log was written by another program, on another scene, or edited; the "
-              "files of this run tell until when it was the same",
+              "files of this run hold the part that was the same",
           .file = replay.file,
           .line = line};
 }

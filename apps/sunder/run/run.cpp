@@ -17,11 +17,13 @@
 #include "apps/sunder/run/realtime.hpp"
 #include "apps/sunder/run/recorder.hpp"
 #include "apps/sunder/run/replay.hpp"
+#include "apps/sunder/run/report/scene_line.hpp"
 #include "apps/sunder/run/report/settings_report.hpp"
 #include "apps/sunder/run/saved/resume.hpp"
 #include "apps/sunder/run/saved/run_folder.hpp"
 #include "fracture/saving/state_numbers.hpp"
 #include "fracture/simulation/rows.hpp"
+#include "mechanics/state/living.hpp"
 
 namespace sunder {
 namespace {
@@ -31,6 +33,13 @@ constexpr bool is_debug_build = false;
 #else
 constexpr bool is_debug_build = true;
 #endif
+
+/// What `work` returns; while it runs a line of progress has its name.
+template <class Work>
+auto with_progress(std::string_view name, const RunArguments& arguments, Work work) {
+  const Heartbeat heartbeat(arguments.quiet, line_of_work(name));
+  return work();
+}
 
 // A signal handler can reach nothing but a global.
 std::atomic<bool> interrupted = false;
@@ -87,27 +96,46 @@ std::vector<Finding> damage(const Simulation& simulation, bool check_map, bool i
   return findings;
 }
 
+/// Where the run stands after a step of `pieces`.
+ProgressState progress_of(const RunWork& work, std::size_t pieces, const FrameClock* clock) {
+  const SimulationState& state = *work.simulation.state;
+  return {.step = state.step,
+          .steps = work.steps(),
+          .time = simulated_time(work.simulation),
+          .pieces = pieces,
+          .fans = state.fans,
+          .behind = clock ? clock->behind() : 0};
+}
+
 /// Steps until the end, a failure, an interruption, a departure from the log, or an output that
 /// cannot be written.
 ExitCode step_to_end(const RunWork& work, const RunArguments& arguments, FrameClock* clock) {
   Simulation& simulation = work.simulation;
   const std::uint64_t steps = work.steps();
-  std::size_t fans = 0;
-  Progress progress(arguments.quiet);
   if (const std::vector<Finding> damaged = damage(simulation, arguments.check_map, false);
       !damaged.empty()) {
     tell_beside(damaged, arguments);
     return ExitCode::failed;
   }
+  const std::size_t pieces = living_components(simulation.state->mechanics).size();
+  Progress progress(arguments.quiet, progress_of(work, pieces, nullptr));
+  const auto say = [&](const std::vector<Finding>& findings) {
+    if (findings.empty()) return;
+    const auto held = progress.hold();
+    tell_beside(findings, arguments);
+  };
+  const StepObserver note_part = [&](const Simulation& now, const PartReport&) {
+    progress.reach(simulated_time(now), now.state->fans);
+  };
   while (simulation.state->step < steps) {
     const auto start = std::chrono::steady_clock::now();
-    const StepReport report = advance(simulation);
+    const StepReport report = advance(simulation, note_part);
     const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - start;
     const std::vector<Finding> unwritten = work.recorder.record(simulation, report, ms.count());
-    tell_beside(unwritten, arguments);
+    say(unwritten);
     if (has_error(unwritten)) return ExitCode::not_written;
     if (const std::optional<Finding> departed = departure_of(work, {})) {
-      tell_beside({*departed}, arguments);
+      say({*departed});
       return ExitCode::departed;
     }
     std::vector<Finding> damaged =
@@ -116,14 +144,12 @@ ExitCode step_to_end(const RunWork& work, const RunArguments& arguments, FrameCl
       damaged.push_back(std::move(*failure));
     }
     if (!damaged.empty()) {
-      tell_beside(damaged, arguments);
+      say(damaged);
       return ExitCode::failed;
     }
     if (interrupted) return ExitCode::interrupted;
-    fans += report.fracture.fans.size();
     if (clock) clock->keep_up(report.time);
-    progress.show(
-        {report.step, steps, report.time, report.components, fans, clock ? clock->behind() : 0});
+    progress.show(progress_of(work, report.components, clock));
   }
   return ExitCode::fine;
 }
@@ -170,12 +196,13 @@ std::optional<FolderLock> take_folder(const std::filesystem::path& folder, bool 
     return std::nullopt;
   }
   if (!may_replace && holds_a_run(folder)) {
-    tell({{.code = "folder_holds_a_run",
-           .text = fmt::format("an earlier run lies in {}", folder.string()),
-           .remedy = fmt::format("give another folder with -o, replace it with --force, or go on "
-                                 "with it: sunder run --resume {}",
-                                 folder.string())}},
-         telling);
+    tell(
+        {{.code = "folder_holds_a_run",
+          .text = fmt::format("an earlier run lies in {}", folder.string()),
+          .remedy = fmt::format("give another folder with -o, replace it with --force, or continue "
+                                "it: sunder run --resume {}",
+                                folder.string())}},
+        telling);
     return std::nullopt;
   }
   return std::move(*lock);
@@ -192,7 +219,9 @@ ExitCode end_run(const RunWork& work, const RunArguments& arguments,
   ExitCode ended = step_to_end(work, arguments, clock ? &*clock : nullptr);
   stages.done(fmt::format("stepped to step {}, {:.6g} s", steps_taken(simulation),
                           simulated_time(simulation)));
-  const std::vector<Finding> unwritten = recorder.finish(simulation, end_of(ended, work.replay));
+  const std::vector<Finding> unwritten = with_progress("writing the last files", arguments, [&] {
+    return recorder.finish(simulation, end_of(ended, work.replay));
+  });
   tell_beside(unwritten, arguments);
   if (ended == ExitCode::fine || ended == ExitCode::failed) {
     if (const std::optional<Finding> departed = departure_of(work, ended)) {
@@ -231,18 +260,24 @@ Resumed taken_up(Result<RunOnItsWay> run, const RunArguments& arguments) {
   return {std::move(*run)};
 }
 
+Result<SceneFile> read_with_progress(const RunArguments& arguments) {
+  return with_progress("reading the scene", arguments, [&] {
+    return read_scene(arguments.scene, arguments.settings, arguments.reach);
+  });
+}
+
 /// The run of a folder at step `from` in another one; by the scene's settings from there on, if a
 /// scene is given.
 Resumed branch_off(const RunArguments& arguments) {
   std::optional<SceneFile> changed;
   if (!arguments.scene.empty()) {
-    Result<SceneFile> file = read_scene(arguments.scene, arguments.settings, arguments.reach);
+    Result<SceneFile> file = read_with_progress(arguments);
     tell(file.findings, arguments);
     if (!file) return {};
     changed = std::move(*file);
   }
-  Resumed start =
-      taken_up(copy_run(arguments.resume, *arguments.from, arguments.folder), arguments);
+  const auto copy = [&] { return copy_run(arguments.resume, *arguments.from, arguments.folder); };
+  Resumed start = taken_up(with_progress("reading the checkpoint", arguments, copy), arguments);
   if (!start.run) return start;
   if (const std::uint64_t steps = step_count(start.run->simulation.scene);
       *arguments.from > steps) {
@@ -280,12 +315,16 @@ ExitCode go_on_with(const RunArguments& arguments) {
   if (!lock) return ExitCode::not_written;
   watch_for_interrupt();
   Stages stages(arguments);
-  Resumed resumed = arguments.from ? branch_off(arguments)
-                                   : taken_up(resume_run(folder, arguments.until), arguments);
+  const auto resume = [&] { return resume_run(folder, arguments.until); };
+  Resumed resumed =
+      arguments.from
+          ? branch_off(arguments)
+          : taken_up(with_progress("reading the checkpoint", arguments, resume), arguments);
   if (!resumed.run) return resumed.refused;
   stages.done(fmt::format("took up the run of {}", arguments.resume.string()));
-  remark(fmt::format("goes on from step {} (t = {:.6g} s)\n", steps_taken(resumed.run->simulation),
-                     simulated_time(resumed.run->simulation)),
+  const Simulation& simulation = resumed.run->simulation;
+  remark(fmt::format("{}; goes on from step {} (t = {:.6g} s)\n", scene_line(simulation.scene),
+                     steps_taken(simulation), simulated_time(simulation)),
          arguments);
   std::optional<Replay> none;
   return end_run({resumed.run->simulation, resumed.run->recorder, none}, arguments, folder);
@@ -296,7 +335,7 @@ ExitCode go_on_with(const RunArguments& arguments) {
 ExitCode run_scene(const RunArguments& arguments) {
   if (!arguments.resume.empty()) return go_on_with(arguments);
   Stages stages(arguments);
-  Result<SceneFile> file = read_scene(arguments.scene, arguments.settings, arguments.reach);
+  Result<SceneFile> file = read_with_progress(arguments);
   tell(file.findings, arguments);
   if (!file) return ExitCode::bad_input;
   stages.done(fmt::format("read {} with its meshes", arguments.scene.string()));
@@ -305,13 +344,16 @@ ExitCode run_scene(const RunArguments& arguments) {
       arguments.folder.empty() ? usual_folder(arguments.scene) : arguments.folder;
   std::optional<Replay> replay;
   if (!read_log(replay, arguments, *file, folder)) return ExitCode::bad_input;
-  remark(settings_lines(*file), arguments);
-  Result<Simulation> simulation = build_simulation(file->scene);
+  remark(scene_line(file->scene) + "\n", arguments);
+  if (arguments.verbose) remark(settings_lines(*file), arguments);
+  Result<Simulation> simulation = with_progress("building the simulation", arguments,
+                                                [&] { return build_simulation(file->scene); });
   tell(simulation.findings, arguments);
   if (!simulation) return ExitCode::bad_input;
   stages.done(fmt::format("built the simulation, bodies: {}", file->scene.bodies.size()));
   simulation->threads = arguments.threads;
-  // With the criterion `energy` strengths come from the search: it is made, and held to the log.
+  // With the criterion `energy` strengths come from the search: it is made and compared with the
+  // log.
   if (replay && file->scene.fracture.criterion != FractureCriterion::energy) {
     simulation->state->script = replay->script;
   }
@@ -320,9 +362,10 @@ ExitCode run_scene(const RunArguments& arguments) {
   simulation->hurry = &interrupted;
   const std::optional<FolderLock> lock = take_folder(folder, arguments.force, arguments);
   if (!lock) return ExitCode::not_written;
-  Result<Recorder> recorder =
-      Recorder::open({folder, *file, replay ? replay->counts : nlohmann::ordered_json()},
-                     *simulation, std::move(simulation.findings));
+  Result<Recorder> recorder = with_progress("opening the files", arguments, [&] {
+    return Recorder::open({folder, *file, replay ? replay->counts : nlohmann::ordered_json()},
+                          *simulation, std::move(simulation.findings));
+  });
   tell(recorder.findings, arguments);
   if (!recorder) return ExitCode::not_written;
   stages.done(fmt::format("opened the files of {}", folder.string()));

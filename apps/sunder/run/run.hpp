@@ -14,7 +14,7 @@
 
 namespace sunder {
 
-/// What a user asks of `sunder run`.
+/// The arguments of `sunder run`.
 struct RunArguments : Telling {
   std::filesystem::path scene;
   /// Empty: out/ and the scene file's name without its ending.
@@ -25,7 +25,7 @@ struct RunArguments : Telling {
   SceneReach reach = SceneReach::anywhere;
   /// Event log of an earlier run to repeat; empty: none.
   std::filesystem::path replay;
-  /// Folder of a run to go on with; empty: none. It says all that the scene file said.
+  /// Folder of a run to continue; empty: none. It holds the whole scene.
   std::filesystem::path resume;
   /// With `resume`: to this time, s; 0: to the run's own end.
   double until = 0;
@@ -40,7 +40,7 @@ struct RunArguments : Telling {
   /// Map and every number of the state are checked after every step, and the run fails where one is
   /// damaged; without it columns alone.
   bool check_map = false;
-  /// In step with the clock on the wall, with a budget for breaking.
+  /// In step with the wall clock, with a budget for cracks per frame.
   bool realtime = false;
 };
 

@@ -17,14 +17,15 @@ Files in DIR (where an earlier run lies there, --force replaces it):
   frames.pvd, frames/*.vtu  the deformed bodies, for ParaView
   picture_*.png             with --png or the scene's output.pictures
   report.json               counts, times, momentum and energy, warnings
-  fragments.csv             one line a piece
-  events.jsonl              one line a fan and a release of ties; --replay repeats the run from it
+  fragments.csv             one line per piece
+  events.jsonl              one line per fan and per release of ties; --replay repeats the run from it
   cracks.csv                area and energy of each crack
   obstacles.csv             free obstacles in each frame: place, turn, velocity, spin
-  checkpoints/*.checkpoint  what --resume goes on from: every ten minutes and at the end, or as the
-                            scene's output.checkpoint says
-One run at a time writes to a folder. Events are written as they come, tables and report with every
-checkpoint too.
+  checkpoints/*.checkpoint  saved states for --resume: every ten minutes and at the end, or as
+                            output.checkpoint of the scene asks
+One run at a time writes to a folder. Events are written at once, tables and report with every
+checkpoint too. One line before the first step names the scene; progress follows at least every
+second. --verbose adds the settings that "accuracy" chose, which report.json has too.
 
 Exit codes: 0 done, 2 usage, 3 bad scene or mesh, 4 not written, 5 the simulation failed, 6 a replay
 departed from its log, 7 done, with warnings, and --strict was given, 130 interrupted by Ctrl-C
@@ -36,7 +37,7 @@ Examples:
   sunder run meshes/scenes/block.json --set gravity.ramp_time=2 \
     --set bodies.0.material.tensile_strength=3e6 --frame-interval 0.01
   sunder run meshes/scenes/bunny.json -o out/again --replay out/bunny/events.jsonl
-  sunder run --resume out/bunny                # as if it had never stopped: the same bytes
+  sunder run --resume out/bunny                # the same bytes as without the stop
   sunder run --resume out/bunny --until 2      # a finished run, extended to 2 s
   sunder run meshes/scenes/bunny.json --set gravity.acceleration=[0,0,0] \
     --resume out/bunny --from 120 -o out/branch
@@ -58,67 +59,66 @@ void add_options(CLI::App& command, RunArguments& arguments, std::vector<std::st
       ->type_name("DIR");
   command
       .add_option("--set", arguments.settings,
-                  "Change a value of the scene: gravity.ramp_time=2; may be given often")
+                  "Change a value of the scene: gravity.ramp_time=2; may be repeated")
       ->type_name("KEY=VALUE")
       ->take_all();
   add_confined_flag(command, arguments.reach);
   add_shortcut(command, "--png", "output.pictures.count", shortcuts)
       ->type_name("N")
-      ->description("Pictures spread over the run, its start and end among them");
+      ->description("Draw N pictures spread over the run, with its start and end");
   add_shortcut(command, "--show", "output.pictures.show", shortcuts)
       ->type_name("reference|deformed|both")
-      ->description("Shape in pictures; default: the scene's, else reference");
+      ->description("Draw this shape; default: the scene's, else reference");
   CLI::Option* frames = add_shortcut(command, "--frames", "output.frames", shortcuts)
                             ->type_name("N")
-                            ->description("VTU frames spread over the run; 0: none");
+                            ->description("Write N VTU frames spread over the run; 0: none");
   add_shortcut(command, "--frame-interval", "output.frame_interval", shortcuts)
       ->type_name("SECONDS")
-      ->description("Simulated time between VTU frames, instead of --frames")
+      ->description("Write a VTU frame after each such simulated time, instead of --frames")
       ->excludes(frames);
   CLI::Option* replay =
       command
-          .add_option("--replay", arguments.replay,
-                      "Make the cracks of this event log instead of testing for any; same scene, "
-                      "same --set")
+          .add_option(
+              "--replay", arguments.replay,
+              "Repeat the cracks of this event log instead of testing for cracks; needs the "
+              "same scene and --set")
           ->type_name("EVENTS");
-  CLI::Option* resume =
+  CLI::Option* resume = command
+                            .add_option("--resume", arguments.resume,
+                                        "Continue the run in this folder from its last checkpoint")
+                            ->type_name("DIR")
+                            ->excludes(replay);
+  CLI::Option* until =
       command
-          .add_option("--resume", arguments.resume,
-                      "Go on with the run of this folder from its last checkpoint")
-          ->type_name("DIR")
-          ->excludes(replay);
-  CLI::Option* until = command
-                           .add_option("--until", arguments.until,
-                                       "With --resume: to this time of the simulation, s")
-                           ->type_name("SECONDS")
-                           ->check(CLI::PositiveNumber)
-                           ->needs(resume);
+          .add_option("--until", arguments.until, "With --resume: run to this simulated time, s")
+          ->type_name("SECONDS")
+          ->check(CLI::PositiveNumber)
+          ->needs(resume);
   command
-      .add_option("--from", arguments.from,
-                  "With --resume and -o: go on from this step in another folder; with SCENE by its "
-                  "settings from there on (not meshes, materials, obstacles, time_step)")
+      .add_option(
+          "--from", arguments.from,
+          "With --resume and -o: continue from this step in another folder. With SCENE: use "
+          "its settings from there on (not meshes, materials, obstacles, time_step)")
       ->type_name("STEP")
       ->needs(resume)
       ->excludes(until);
   command.add_flag("--force", arguments.force, "Replace an earlier run in the folder");
   command
       .add_option("--threads", arguments.threads,
-                  "Threads for factors and contact of large pieces; results do not depend on it")
+                  "Threads for factors and contact of large pieces; results do not depend on them")
       ->capture_default_str()
       ->check(CLI::Range(1, 64));
   command.add_flag(
       "--realtime", arguments.realtime,
-      "In step with the clock on the wall: frames of 1/60 s, each shown how late; what "
-      "breaks has a budget of 32 fans and 16 new pieces a frame unless the scene has "
-      "its own (fracture.mode budget)");
+      "Real-time mode: 60 frames per second; reports how late each frame is. Limits cracks to 32 "
+      "fans and 16 new pieces per frame unless the scene has its own fracture.mode budget");
   command.add_flag("--strict", arguments.strict,
                    "End with exit code 7 when the run has a warning: contacts left out or not "
-                   "converged, sub-steps that ran out, energy that does not add up");
+                   "converged, too few sub-steps, an energy balance that does not close");
   command.add_flag(
       "--check-map", arguments.check_map,
-      "Check the map, its darts, the labels of pieces and every number of the state, matrices "
-      "among "
-      "them, after every step; the run fails (exit code 5) at the first step that damages them");
+      "Check the map, its darts, the labels of pieces and every number of the state, with its "
+      "matrices, after every step. The run fails (exit code 5) at the first damaged step");
   add_telling_flags(command, arguments);
   command.add_flag("--json", arguments.json, "Print report.json instead of a table");
 }
@@ -143,16 +143,16 @@ void add_run_command(CLI::App& program, ExitCode& exit_code) {
     if (branches && arguments->folder.empty()) throw CLI::RequiredError("--from: -o DIR");
     if (!is_new && !branches && (!arguments->scene.empty() || !arguments->folder.empty())) {
       throw CLI::ValidationError("--resume",
-                                 "goes on in its own folder by the settings it has; "
-                                 "SCENE and -o belong to --from");
+                                 "continues in its own folder with its own settings; "
+                                 "SCENE and -o need --from");
     }
     if (!is_new && arguments->scene.empty() &&
         !(arguments->settings.empty() && shortcuts->empty())) {
       throw CLI::ValidationError("--set",
-                                 "a run that goes on keeps its settings; --from with SCENE "
+                                 "a continued run keeps its settings; --from with SCENE "
                                  "changes them");
     }
-    // An explicit --frames stands above a frame_interval of the scene.
+    // An explicit --frames overrides a frame_interval of the scene.
     for (const std::string& setting : *shortcuts) {
       if (setting.starts_with("output.frames=")) {
         arguments->settings.push_back("output.frame_interval=0");

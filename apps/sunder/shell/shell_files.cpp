@@ -10,6 +10,7 @@
 #include <sunder/version.hpp>
 #include <vector>
 
+#include "apps/scene/scene_text.hpp"
 #include "apps/sunder/program.hpp"
 #include "topology/base/split_text.hpp"
 
@@ -227,11 +228,14 @@ void add_shell_commands(CLI::App& program, ExitCode& exit_code) {
   });
   const auto command = std::make_shared<std::string>();
   CLI::App* man = program.add_subcommand("man", "Print a manual page (roff)");
-  man->add_option("COMMAND", *command, "Of this command; else of the program")
+  man->add_option("COMMAND", *command, "Print the page of this command instead of the program's")
       ->check([&program](const std::string& name) {
-        const auto is_it = [&](const CLI::App* one) { return one->get_name() == name; };
-        return std::ranges::any_of(commands_of(program), is_it) ? std::string()
-                                                                : "there is no command " + name;
+        std::vector<std::string> names;
+        for (const CLI::App* one : commands_of(program)) names.push_back(one->get_name());
+        if (std::ranges::find(names, name) != names.end()) return std::string();
+        const std::string nearest = nearest_word(name, names);
+        return "there is no command " + name +
+               (nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest));
       });
   man->footer("\nsunder man run | man -l -");
   man->callback([=, &program, &exit_code] {

@@ -132,20 +132,19 @@ ExitCode run_modes(const ModesArguments& arguments) {
 
 void add_modes_command(CLI::App& program, ExitCode& exit_code) {
   CLI::App* command =
-      program.add_subcommand("modes", "Natural frequencies and shapes of a scene's bodies");
+      program.add_subcommand("modes", "Find natural frequencies and shapes of a scene's bodies");
   const auto arguments = std::make_shared<ModesArguments>();
   command->add_option("SCENE", arguments->scene, "Scene file (JSON)")->required();
   command
       ->add_option("--count", arguments->count,
-                   "Modes of each piece beside its rigid motions; default 6")
+                   "Modes of each piece besides its rigid motions; default 6")
       ->type_name("N")
       ->check(CLI::Range(1, 1000));
   command->add_option("-o,--output", arguments->output, "Write the shapes as VTU")
       ->type_name("FILE.vtu");
   command
-      ->add_option(
-          "--set", arguments->settings,
-          "Change a value of the scene: bodies.0.material.density=2000; may be given often")
+      ->add_option("--set", arguments->settings,
+                   "Change a value of the scene: bodies.0.material.density=2000; may be repeated")
       ->type_name("KEY=VALUE")
       ->take_all();
   add_confined_flag(*command, arguments->reach);

@@ -27,20 +27,20 @@ using nlohmann::ordered_json;
 
 constexpr const char* static_footer = R"(
 SCENE is a scene file as `sunder run` takes it, SI units: docs/static.md. Gravity and the bodies'
-"loads" (Pa, N) act fully; "held" vertices stay, or are where their velocity (m/s) takes them by the
+"loads" (Pa, N) act fully. "held" vertices are fixed, or moved by their velocity (m/s) times the
 scene's "duration" (s). Every body needs three held vertices that are not on one line. Obstacles are
-ignored: a body that rests on one is not supported by it here. "order": 2 in a body takes its
-tetrahedra quadratic, with nodes in the middles of edges: for what bends.
+ignored: they do not support a body here. "order": 2 in a body makes its tetrahedra quadratic, with
+nodes in the middle of edges: for bodies that bend.
 
 Results, per body and over all: largest displacement (m), strain energy (J), largest principal
 stress of a vertex (Pa) and its share of the tensile strength, each with the point of the mesh
 (counted from 0) and its place (m); force (N) and moment about the mass centre (N m) of each support.
---fan V,NX,NY,NZ adds what the fan at point V (of all bodies' meshes, one after the other) with this
-normal in the mesh's axes would release: faces, area (m^2), energy (J) and energy per area (J/m^2),
-with the material's where it has a toughness (docs/energy.md). Nothing is split.
---fans SHARE lists that for the fan of every vertex with at least this share of its strength (1: what
-would break now), most energy per area first, with what the crack's front would release at vertices
-that are on one.
+--fan V,NX,NY,NZ adds the release by the fan at point V (of all bodies' meshes, one after the other)
+with this normal in the mesh's axes: faces, area (m^2), energy (J) and energy per area (J/m^2), with
+the material's value where it has a toughness (docs/energy.md). Nothing is split.
+--fans SHARE lists the same for the fan of every vertex with at least this share of its strength (1:
+the vertices that would break now), most energy per area first. Vertices on a crack front also have
+the release of that front.
 FILE.vtu holds the deformed bodies with displacement, node stress and largest principal stress.
 
 Exit codes: 0 done, 2 usage, 3 bad scene or mesh or no equilibrium, 4 not written, 5 the result is
@@ -197,22 +197,22 @@ ExitCode run_static(const StaticArguments& arguments) {
 
 void add_static_command(CLI::App& program, ExitCode& exit_code) {
   CLI::App* command =
-      program.add_subcommand("static", "Equilibrium of a scene's bodies under its loads");
+      program.add_subcommand("static", "Find the equilibrium of a scene's bodies under its loads");
   const auto arguments = std::make_shared<StaticArguments>();
   command->add_option("SCENE", arguments->scene, "Scene file (JSON)")->required();
   command->add_option("-o,--output", arguments->output, "Write the equilibrium as VTU")
       ->type_name("FILE.vtu");
   command
       ->add_option("--set", arguments->settings,
-                   "Change a value of the scene: gravity.ramp_time=2; may be given often")
+                   "Change a value of the scene: gravity.ramp_time=2; may be repeated")
       ->type_name("KEY=VALUE")
       ->take_all();
-  command->add_option("--fan", arguments->fan, "Energy that a fan would release")
+  command->add_option("--fan", arguments->fan, "Compute the energy that this fan would release")
       ->type_name("V,NX,NY,NZ")
       ->check(CLI::Validator(check_fan_text, "", "fan"));
   command
       ->add_option("--fans", arguments->fans,
-                   "Energies of the fans of all vertices at this share of their strength or more")
+                   "Compute it for all vertices at this share of their strength or more")
       ->type_name("SHARE")
       ->check(CLI::NonNegativeNumber);
   add_confined_flag(*command, arguments->reach);

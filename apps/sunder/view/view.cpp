@@ -30,21 +30,27 @@ namespace sunder {
 namespace {
 
 constexpr const char* footer = R"(
-The page shows the scene, runs it, looks back on what was recorded, and lets you shoot, pull, cut and
+The page shows and runs the scene, plays the recording back, and lets you shoot, pull, cut and
 inspect (docs/page.md). A restart on the page reads the scene's file again. Only this machine, and
 only the page whose address is printed, can reach the server. Ctrl-C ends it.
 
 Exit codes: 0 ended by Ctrl-C, 2 usage, 3 bad scene or mesh, 4 the port is taken, there is no page,
-or no thread or random number is to be had.
+or the system gives no thread or random number.
 
 Examples:
   sunder view meshes/scenes/monolith.json
   sunder view meshes/scenes/bunny.json --headless --port 8080
 )";
 
+constexpr const char* built_page = SUNDER_PAGE;
+
+bool has_page(const std::filesystem::path& folder) {
+  return std::filesystem::exists(folder / "index.html");
+}
+
 struct ViewArguments : Telling {
   std::filesystem::path scene;
-  std::filesystem::path page = SUNDER_PAGE;
+  std::filesystem::path page = built_page;
   SceneReach reach = SceneReach::anywhere;
   int port = 0;
   bool headless = false;
@@ -158,22 +164,25 @@ ExitCode view(const ViewArguments& arguments) {
   const Result<SceneFile> file = read_scene(arguments.scene, {}, arguments.reach);
   tell(file.findings, arguments);
   if (!file) return ExitCode::bad_input;
-  if (!std::filesystem::exists(arguments.page / "index.html")) {
-    return refuse({.code = "no_page",
-                   .text = fmt::format("there is no page in {}", arguments.page.string()),
-                   .remedy = "build it (needs npm): cmake --build build/release --target page; or "
-                             "name its folder with --page"},
-                  ExitCode::not_written);
+  if (!has_page(arguments.page)) {
+    return refuse(
+        {.code = "no_page",
+         .text = fmt::format("there is no page in {}", arguments.page.string()),
+         .remedy =
+             "build the page with `./bootstrap all` (needs npm), or name the folder of a built "
+             "page with --page"},
+        ExitCode::not_written);
   }
   ViewedScene viewed;
   viewed.path = arguments.scene;
   viewed.reach = arguments.reach;
   const std::optional<std::string> token = random_token();
   if (!token) {
-    return refuse({.code = "no_token",
-                   .text = "the system gives no random numbers, which keep others out",
-                   .remedy = "run it where getrandom(2) works"},
-                  ExitCode::not_written);
+    return refuse(
+        {.code = "no_token",
+         .text = "the system gives no random numbers, so the address cannot be kept secret",
+         .remedy = "run it where getrandom(2) works"},
+        ExitCode::not_written);
   }
   httplib::Server server;
   server.new_task_queue = [] { return new Workers(CPPHTTPLIB_THREAD_POOL_COUNT); };
@@ -190,18 +199,18 @@ ExitCode view(const ViewArguments& arguments) {
     port = server.bind_to_any_port("127.0.0.1");
   } else if (!server.bind_to_port("127.0.0.1", port)) {
     return refuse({.code = "port_taken",
-                   .text = fmt::format("port {} of 127.0.0.1 cannot be had", port),
-                   .remedy = "leave out --port: a free one is taken"},
+                   .text = fmt::format("port {} of 127.0.0.1 is taken or not allowed", port),
+                   .remedy = "leave out --port: the program then takes a free one"},
                   ExitCode::not_written);
   }
   const std::string url = fmt::format("http://127.0.0.1:{}/#token={}", port, *token);
   fmt::print("{}\n", url);
   std::fflush(stdout);
   if (arguments.headless || !open_browser(url)) {
-    remark(fmt::format(
-               "Open this address in a browser of this machine; of another one after: ssh -L "
-               "{0}:127.0.0.1:{0} HOST\nCtrl-C ends it.\n",
-               port),
+    remark(fmt::format("Open this address in a browser on this machine. From another machine, "
+                       "first run: ssh -L "
+                       "{0}:127.0.0.1:{0} HOST\nCtrl-C ends the server.\n",
+                       port),
            arguments);
   }
   ended = false;
@@ -219,12 +228,14 @@ ExitCode view(const ViewArguments& arguments) {
 
 }  // namespace
 
+bool page_is_built() { return has_page(built_page); }
+
 void add_view_command(CLI::App& program, ExitCode& exit_code) {
   const auto arguments = std::make_shared<ViewArguments>();
   CLI::App* command =
-      program.add_subcommand("view", "Shows a scene in the browser and runs it there");
+      program.add_subcommand("view", "Show a scene in the browser and run it there");
   command->add_option("SCENE", arguments->scene, "Scene file (JSON)")->required();
-  command->add_option("--port", arguments->port, "Port on 127.0.0.1; default: one that is free")
+  command->add_option("--port", arguments->port, "Port on 127.0.0.1; default: a free one")
       ->check(CLI::Range(1, 65535));
   command->add_option("--page", arguments->page, "Folder of the built page")->type_name("DIR");
   add_confined_flag(*command, arguments->reach);

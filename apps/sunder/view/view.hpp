@@ -8,6 +8,9 @@
 
 namespace sunder {
 
+/// Whether the page that `sunder view` serves is built.
+bool page_is_built();
+
 /// Adds the subcommand `view` to the program; `exit_code` is set when it has run.
 void add_view_command(CLI::App& program, ExitCode& exit_code);
 

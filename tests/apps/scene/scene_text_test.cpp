@@ -112,5 +112,6 @@ TEST_CASE("the nearest word has the least edits, and none is said where all diff
   CHECK(nearest_word("youngs_modulus", known) == "young_modulus");
   CHECK(nearest_word("densty", known) == "density");
   CHECK(nearest_word("colour", known).empty());
+  CHECK(nearest_word("rnu", {"cut", "run"}) == "run");
   CHECK(nearest_word("x", {}).empty());
 }

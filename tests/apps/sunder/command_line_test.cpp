@@ -43,12 +43,74 @@ TEST_CASE("commands of sunder-bench are started, and say so where it is not ther
     CHECK(help.find(purpose) != std::string::npos);
     CHECK(here.run({command, "--nothing-such"}).exit_code == 2);
   }
+  CHECK(here.run({"help", "bench"}).out == here.run({"bench", "--help"}).out);
+  CHECK(help.find("(not built)") == std::string::npos);
+
   std::filesystem::copy_file(SUNDER_PROGRAM, here.path("sunder"));
-  const std::string command = here.path("sunder") + " bench kernel 2>" + here.path("err");
-  CHECK(WEXITSTATUS(std::system(command.c_str())) == 2);
-  std::ifstream err(here.path("err"));
-  const std::string said{std::istreambuf_iterator<char>(err), {}};
-  CHECK(said.find("--target sunder-bench") != std::string::npos);
+  const auto alone = [&](const std::string& words) {
+    const std::string command =
+        here.path("sunder") + " " + words + " >" + here.path("out") + " 2>" + here.path("err");
+    return WEXITSTATUS(std::system(command.c_str()));
+  };
+  CHECK(alone("bench kernel") == 2);
+  CHECK(bytes_of(here.path("err")).find("--target sunder-bench") != std::string::npos);
+  CHECK(alone("--help") == 0);
+  const std::string lists = bytes_of(here.path("out"));
+  for (const char* command : {"suite", "bench", "chart"}) {
+    CHECK(
+        std::regex_search(lists, std::regex("\n +" + std::string(command) + " [^\n]*(not built)")));
+  }
+  CHECK(alone("suit") == 2);
+  CHECK(bytes_of(here.path("err")).find("did you mean suite?") != std::string::npos);
+}
+
+TEST_CASE("the help lists every command under its group", "[apps][command_line]") {
+  const Workplace here;
+  const std::string help = here.run({"--help"}).out;
+  INFO(help);
+  std::size_t place = 0;
+  for (const char* word : {"\nSimulate:",
+                           " demo ",
+                           " run ",
+                           " static ",
+                           " modes ",
+                           "\nLook:",
+                           " view ",
+                           " render ",
+                           " export ",
+                           " fragments ",
+                           "\nMeshes:",
+                           " check ",
+                           " convert ",
+                           " split ",
+                           " cut ",
+                           " refine ",
+                           "\nKernels and measurements:",
+                           " suite ",
+                           " bench ",
+                           " chart ",
+                           "\nShell:",
+                           " completion ",
+                           " man "}) {
+    INFO(word);
+    place = help.find(word, place);
+    REQUIRE(place != std::string::npos);
+  }
+  // Purposes are in the imperative: "Break", not "Breaks".
+  const std::regex third_person("\n  [a-z]+ +[A-Z][a-z]+s ");
+  CHECK_FALSE(std::regex_search(help, third_person));
+}
+
+TEST_CASE("help COMMAND and --help COMMAND are COMMAND --help", "[apps][command_line]") {
+  const Workplace here;
+  const std::string help = here.run({"run", "--help"}).out;
+  for (const char* word : {"help", "--help", "-h"}) {
+    const Outcome o = here.run({word, "run"});
+    CHECK(o.exit_code == 0);
+    CHECK(o.out == help);
+  }
+  CHECK(here.run({"help"}).out == here.run({"--help"}).out);
+  CHECK(here.run({"help", "rnu"}).exit_code == 2);
 }
 
 TEST_CASE("the help of check and split gives units, exit codes and examples",
@@ -141,6 +203,27 @@ TEST_CASE("mistyped commands and options get the nearest name", "[apps][command_
   CHECK(option.err.find("there is no option --orcale; did you mean --oracle?") !=
         std::string::npos);
   CHECK(here.run({"check", "x.msh", "--zzzzzzzz"}).err.find("did you mean") == std::string::npos);
+  const auto meant = [&](const std::vector<std::string>& words, const std::string& name) {
+    const Outcome o = here.run(words);
+    INFO(o.err);
+    CHECK(o.exit_code == 2);
+    CHECK(o.out.empty());
+    CHECK(o.err.find("did you mean " + name + "?") != std::string::npos);
+  };
+  meant({"rnu"}, "run");
+  meant({"rnu", "--help"}, "run");
+  meant({"help", "rnu"}, "run");
+  meant({"-h", "rnu"}, "run");
+  meant({"run", "--pgn"}, "--png");
+  meant({"run", "scene.json", "--pgn", "6"}, "--png");
+  meant({"run", "scene.json", "-png", "6"}, "--png");
+  meant({"--versoin"}, "--version");
+  meant({"suit"}, "suite");
+  meant({"bench", "kernl"}, "kernel");
+  meant({"bench", "kernel", "--quik"}, "--quick");
+  meant({"suite", "--juint", "x.xml"}, "--junit");
+  meant({"man", "rnu"}, "run");
+  meant({here.write("some.json", "{}")}, "`sunder run " + here.path("some.json") + "`");
   const Outcome nothing = here.run({});
   CHECK(nothing.exit_code == 2);
   CHECK(nothing.out.empty());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// When frames are due, what tables hold, what progress says, and a run that is interrupted.
+// Times of frames, contents of tables, and a run that is interrupted.
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -12,7 +12,6 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "apps/sunder/run/progress.hpp"
 #include "apps/sunder/run/recorder.hpp"
 #include "tests/support/shipped.hpp"
 
@@ -99,12 +98,6 @@ TEST_CASE("references jump where a piece comes off, what is drawn does not", "[r
   CHECK(jump["as_it_is"].get<double>() > 1e-3);
   CHECK(jump["smoothed"].get<double>() < 0.02 * jump["as_it_is"].get<double>());
   CHECK(most < 1.1 * jump["smoothed"].get<double>());
-}
-
-TEST_CASE("a line of progress tells step, time, pieces, fans and what is left", "[run][progress]") {
-  const std::string line = progress_line({50, 200, 0.05, 3, 7}, 10, 8);
-  CHECK(line == "[##------] step 50/200  t = 0.0500 s  3 pieces  7 fans  0:30 left");
-  CHECK(progress_line({0, 200, 0, 1, 0}, 10, 0) == "step 0/200  t = 0.0000 s  1 pieces  0 fans");
 }
 
 TEST_CASE("Ctrl-C ends a run after its step with its files written, exit code 130",

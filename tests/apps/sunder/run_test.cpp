@@ -171,7 +171,31 @@ TEST_CASE("cracks drawn smooth change pictures and nothing else", "[run][smooth_
   }
 }
 
-TEST_CASE("a run tells what was chosen and what is odd before it starts, unless it is quiet",
+TEST_CASE("a run names its scene in one line, and with --verbose the chosen settings", "[run]") {
+  const Folder folder;
+  json scene = struck_scene(0.4, 0.001);
+  scene["name"] = "struck";
+  const std::string out = " --force --frames 0 -o " + (folder.path() / "a").string();
+  const std::string words = write_scene(folder, scene).string() + " --set accuracy=preview" + out;
+  const Outcome plain = run(words);
+  CHECK(plain.exit_code == 0);
+  CHECK(plain.err.find("struck: 1 body of 424 tetrahedra, ") != std::string::npos);
+  CHECK(plain.err.find(" s in 4 steps, cracks: paper\n") != std::string::npos);
+  CHECK(plain.err.find("accuracy") == std::string::npos);
+  CHECK(plain.err.find("expected:") == std::string::npos);
+  const Outcome verbose = run(words + " --verbose");
+  const json report = json::parse(bytes_of(folder.path() / "a" / "report.json"));
+  REQUIRE(report["settings"]["chosen"].size() > 5);
+  for (const json& choice : report["settings"]["chosen"]) {
+    const std::string key = choice["key"], reason = choice["reason"];
+    INFO(key << ": " << reason);
+    CHECK_FALSE(reason.empty());
+    CHECK(verbose.err.find("accuracy preview: " + key + " = ") != std::string::npos);
+    CHECK(verbose.err.find("(" + reason + ")\n") != std::string::npos);
+  }
+}
+
+TEST_CASE("a run reports chosen settings and odd values before it starts, unless it is quiet",
           "[run]") {
   const Folder folder;
   json scene = struck_scene(0.4, 0.001);
@@ -179,7 +203,7 @@ TEST_CASE("a run tells what was chosen and what is odd before it starts, unless 
   scene["bodies"][0]["material"]["density"] = 2.4;
   const fs::path path = write_scene(folder, scene);
   const std::string out = " --force --frames 0 -o " + (folder.path() / "a").string();
-  const std::string told = run(path.string() + " --set accuracy=preview" + out).text();
+  const std::string told = run(path.string() + " --verbose --set accuracy=preview" + out).text();
   CHECK(told.find("accuracy preview: contact.max_iterations = 20 (") != std::string::npos);
   CHECK(told.find("contact.max_passes") == std::string::npos);
   CHECK(told.find("expected: 4 steps of 424 tetrahedra") != std::string::npos);

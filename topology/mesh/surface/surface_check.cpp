@@ -76,7 +76,7 @@ void find_places(Surface& s) {
   tell(s, "coincident_points", Severity::note, later, 1,
        "points are exactly where earlier ones are: "
        "they count as one here",
-       "merge them: sunder convert --merge-points 0");
+       "merge them: sunder convert FILE NEW --merge-points 0");
 }
 
 /// Where the fan of a face begins: at its least corner, or at the next one behind it from which all
@@ -268,7 +268,7 @@ void cross_itself(Surface& s) {
       {.code = "crossings_unfinished",
        .severity = Severity::warning,
        .text = "not all faces were held against those near them: too many lie through each other",
-       .remedy = "mend the other findings first"});
+       .remedy = "repair the other findings first"});
 }
 
 }  // namespace

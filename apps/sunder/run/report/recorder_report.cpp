@@ -157,9 +157,10 @@ void check_turns(RunStatistics& statistics, const Simulation& now, const StepRep
                              "{:.3g} rad against its reference; the linear model is good to {:.3g}",
                              report.step, report.time, component.id.index(), component.largest_turn,
                              valid),
-         .remedy = "read the stresses there as too high by about E theta^2 / 2, or take \"model\": "
-                   "\"corotational\", for a short blow with \"integrator\": {\"method\": "
-                   "\"sub_stepped\"} and some damping, else with implicit_euler"});
+         .remedy =
+             "stresses there are too high by about E theta^2 / 2; \"model\": \"corotational\" "
+             "avoids this, with \"integrator\": {\"method\": \"sub_stepped\"} and some "
+             "damping for a short blow, else with \"implicit_euler\""});
     return;
   }
 }
@@ -246,13 +247,13 @@ std::vector<Finding> all_warnings(const RunStatistics& statistics, const Scene& 
   std::ranges::move(warnings_of(statistics.troubles, scene), std::back_inserter(all));
   constexpr double most_residual = 0.05;
   if (statistics.ties.sum.residual > most_residual) {
-    all.push_back(
-        {.code = "ties_not_converged",
-         .severity = Severity::warning,
-         .text = fmt::format("ties of a sub-step were off their law by up to {:.2g} of the opening "
-                             "that ends them",
-                             statistics.ties.sum.residual),
-         .remedy = "take a smaller impact.fraction"});
+    all.push_back({.code = "ties_not_converged",
+                   .severity = Severity::warning,
+                   .text = fmt::format(
+                       "cohesive forces of a sub-step missed their law by up to {:.2g} of the "
+                       "opening at which they end",
+                       statistics.ties.sum.residual),
+                   .remedy = "take a smaller impact.fraction"});
   }
   return all;
 }
@@ -352,8 +353,9 @@ std::string summary_table(const ordered_json& r) {
   row("end", fmt::format("{} at t = {:.6g} s", r["end"].get<std::string>(), number("/time")));
   row("steps",
       fmt::format("{} of {:.6g} s", r["steps"].get<std::uint64_t>(), number("/time_step")));
-  row("step time", fmt::format("mean {:.3g} ms, max {:.3g} ms", number("/step_ms/mean"),
-                               number("/step_ms/max")));
+  row("step time",
+      fmt::format("mean {:.3g} ms, max {:.3g} ms, {:.3g} s in all", number("/step_ms/mean"),
+                  number("/step_ms/max"), number("/step_ms/mean") * number("/steps") / 1000));
   if (const auto sub_steps = r["impact"]["sub_steps"].get<std::uint64_t>(); sub_steps > 0) {
     row("impacts", fmt::format("{} windows, {} sub-steps over {:.4g} s",
                                r["impact"]["windows"].get<std::uint64_t>(), sub_steps,
@@ -364,7 +366,7 @@ std::string summary_table(const ordered_json& r) {
   }
   if (const auto given_up = r["integrator"]["not_converged"].get<std::uint64_t>(); given_up > 0) {
     row("integrator",
-        fmt::format("iterations given up in {} steps, which the factor took", given_up));
+        fmt::format("not converged in {} steps, which a direct solve replaced", given_up));
   }
   row("fans", fmt::format("{} ({} faces)", r["fans"].get<std::uint64_t>(),
                           r["faces_split"].get<std::uint64_t>()));

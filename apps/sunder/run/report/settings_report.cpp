@@ -46,8 +46,8 @@ std::string settings_lines(const SceneFile& file) {
   }
   const nlohmann::ordered_json& expected = settings["expected"];
   lines += fmt::format(
-      "expected: {} steps of {} tetrahedra, {:.2g} ms each while nothing touches: {:.2g} s in all; "
-      "steps of contact cost tens of times that, steps in which much breaks hundreds\n",
+      "expected: {} steps of {} tetrahedra, {:.2g} ms per step in free flight, {:.2g} s in all; a "
+      "step with contact takes tens of times as long, a step with many cracks hundreds\n",
       expected["steps"].get<std::uint64_t>(), expected["tetrahedra"].get<std::uint64_t>(),
       expected["step_ms"].get<double>(), expected["seconds"].get<double>());
   return lines;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a scene's accuracy chose and how long a run may take, for people and for report.json.
+// Settings chosen by a scene's accuracy and the expected time of its run, as text and as JSON.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -13,7 +13,7 @@ namespace sunder {
 /// the time in flight, with tetrahedra, steps, `step_ms` and `seconds`.
 nlohmann::ordered_json settings_json(const SceneFile& file);
 
-/// The same, a line each, as a run tells it before its first step.
+/// The same as text, one line each: printed by `sunder run --verbose` before its first step.
 std::string settings_lines(const SceneFile& file);
 
 }  // namespace sunder

@@ -154,7 +154,8 @@ std::vector<std::pair<std::uint64_t, fs::path>> checkpoints_of(const fs::path& f
 Finding unusable(const char* code, const fs::path& path, std::string text) {
   return {.code = code,
           .text = std::move(text),
-          .remedy = "go on from an earlier one (--from), or run the scene from its start",
+          .remedy =
+              "continue from an earlier one (--from STEP -o DIR), or run the scene from its start",
           .file = path.string()};
 }
 
@@ -233,12 +234,12 @@ Result<Checkpoint> read_checkpoint(const fs::path& folder, std::optional<std::ui
     passed_over.push_back(std::move(checkpoint.findings.front()));
     passed_over.back().severity = Severity::warning;
   }
-  Result<Checkpoint> none = Finding{
-      .code = "no_checkpoint",
-      .text = fmt::format("{} holds no checkpoint{} to go on from", folder.string(),
-                          until ? fmt::format(" up to step {}", *until) : ""),
-      .remedy = "run the scene again; output.checkpoint says when a run is saved on its way",
-      .file = folder.string()};
+  Result<Checkpoint> none =
+      Finding{.code = "no_checkpoint",
+              .text = fmt::format("{} holds no checkpoint{} to go on from", folder.string(),
+                                  until ? fmt::format(" up to step {}", *until) : ""),
+              .remedy = "run the scene again; output.checkpoint sets when a run saves checkpoints",
+              .file = folder.string()};
   none.findings.insert(none.findings.end(), passed_over.begin(), passed_over.end());
   return none;
 }
