@@ -91,7 +91,7 @@ std::optional<std::vector<double>> numbers_of(std::string_view list, std::size_t
 }
 
 std::string check_plane(const std::string& list) {
-  return numbers_of(list, 4) ? "" : "'" + list + "' is not NX,NY,NZ,D: four numbers";
+  return numbers_of(list, 4) ? "" : fmt::format("'{}' is not NX,NY,NZ,D: four numbers", list);
 }
 
 std::string_view yes_or_no(bool is_so) { return is_so ? "yes" : "no"; }
