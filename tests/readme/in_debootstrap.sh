@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # README.md from a fresh clone on an empty Debian 12: its set-ups, then each of its lines, with times, exit codes and
-# warnings. As root, with debootstrap installed and 6 GB free; three quarters of an hour on two cores.
+# warnings. As root, with debootstrap installed and 6 GB free; an hour or more on two cores.
 #   tests/readme/in_debootstrap.sh OUT.log [--test] [--setup-only] [--folder FOLDER]
-#     --test         also ./bootstrap test, between ./bootstrap run and ./bootstrap all (half an hour more)
+#     --test         also ./bootstrap test, between ./bootstrap run and ./bootstrap all (much longer)
 #     --setup-only   ends after the clone: an empty Debian, its apt, git
 #     --folder       where the Debian is made, and stays; default: a new folder in /tmp, removed at the end
 # The commit that is checked out is what runs. Packages come by this machine's own settings of apt and npm, copied when
 # the script runs. Exit codes: 0 all is well, 1 something failed or warned (the log's last table names it), 2 usage.
 set -euo pipefail
 
-usage() { sed -n 's/^# \{0,1\}//; 3,11p' "$0" >&2; exit 2; }
+usage() { sed -n 's/^# \{0,1\}//; 3,10p' "$0" >&2; exit 2; }
 
 repository=$(cd "$(dirname "$0")/../.." && pwd)
 log='' with_test=no setup_only=no root=''

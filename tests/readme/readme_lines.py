@@ -46,6 +46,7 @@ COMMENT = re.compile(r"^<!-- after: (.*) -->$")
 ASSIGNMENT = re.compile(r"^[A-Za-z_]\w*=\S*\s*(#.*)?$")
 BOOTSTRAP = re.compile(r"^\./bootstrap( [a-z]+)+\s*(#.*)?$")
 WARNING = re.compile(r"^\W*warning:|: warning:|^CMake [\w ]*Warning")  # sunder, compiler, CMake
+ERROR = re.compile(r"^\W*error:|: (fatal )?error:|^CMake Error")
 ADDRESS = re.compile(r"http://127\.0\.0\.1:\d+/")
 SCENE = re.compile(r"\bmeshes/scenes/[\w/.-]+\.json\b")
 OUTPUT = re.compile(r"\bout/[\w.-]+")
@@ -247,7 +248,8 @@ def report(number, label, outcome, text):
           flush=True)
     if not fine:
         lines = outcome.text.splitlines()
-        shown = lines[-20:] if outcome.code else [line for line in lines if WARNING.search(line)]
+        told = [line for line in lines if WARNING.search(line) or ERROR.search(line)]
+        shown = told + [line for line in lines[-10:] if outcome.code and line not in told]
         print("".join(f"       | {line}\n" for line in shown), end="", flush=True)
     return fine
 

@@ -81,6 +81,8 @@ class ReadmeLines(unittest.TestCase):
             self.assertEqual(row.split()[3], str(code))
             self.assertIn("echo after", done.stdout)  # the others are run all the same
         self.assertIn("No such file", done.stdout)
+        done = self.run_page(block("./bootstrap run", "echo 'error: why'; seq 30; exit 4"))
+        self.assertRegex(done.stdout, r"\| error: why\n +\| 21\n")
 
     def test_a_warning(self):
         done = self.run_page(block("./bootstrap run", "echo 'warning: slender' >&2"))
