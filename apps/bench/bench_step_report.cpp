@@ -14,7 +14,7 @@
 namespace sunder {
 namespace {
 
-constexpr std::size_t text_width = 44, column_width = 14;
+constexpr std::size_t step_text_width = 44, step_column_width = 14;
 
 struct BodyName {
   std::string name;
@@ -59,14 +59,14 @@ void append_range(std::string& out, const StepBench& bench) {
     if (f.quantity == "step") cases.emplace(f.young_modulus, f.time_step);
   }
   fmt::format_to(std::back_inserter(out), "\n{:<{}}\n", "Whole step, ms, over modulus and step",
-                 text_width);
+                 step_text_width);
   for (const auto& [modulus, step] : cases) {
     fmt::format_to(std::back_inserter(out), "{:<{}}",
-                   fmt::format("  {:.0e} Pa, {:.3g} ms", modulus, 1e3 * step), text_width);
+                   fmt::format("  {:.0e} Pa, {:.3g} ms", modulus, 1e3 * step), step_text_width);
     for (const BodyName& body : bodies_of(bench)) {
       fmt::format_to(std::back_inserter(out), "{:>{}}",
                      cell_of(figure_of(bench, {body.name, "step", modulus, step}), "step"),
-                     column_width);
+                     step_column_width);
     }
     out += '\n';
   }
@@ -76,20 +76,20 @@ void append_range(std::string& out, const StepBench& bench) {
 
 std::string step_table(const StepBench& bench) {
   std::string out = fmt::format("{}; medians of {} steps, ms\n\n{:<{}}", bench.machine, bench.runs,
-                                "", text_width);
+                                "", step_text_width);
   for (const BodyName& body : bodies_of(bench)) {
-    fmt::format_to(std::back_inserter(out), "{:>{}}", body.name, column_width);
+    fmt::format_to(std::back_inserter(out), "{:>{}}", body.name, step_column_width);
   }
-  fmt::format_to(std::back_inserter(out), "\n{:<{}}", "Tetrahedra", text_width);
+  fmt::format_to(std::back_inserter(out), "\n{:<{}}", "Tetrahedra", step_text_width);
   for (const BodyName& body : bodies_of(bench)) {
-    fmt::format_to(std::back_inserter(out), "{:>{}}", body.tetrahedra, column_width);
+    fmt::format_to(std::back_inserter(out), "{:>{}}", body.tetrahedra, step_column_width);
   }
   out += '\n';
   for (const StepQuantity& q : step_quantities()) {
-    fmt::format_to(std::back_inserter(out), "{:<{}}", q.text, text_width);
+    fmt::format_to(std::back_inserter(out), "{:<{}}", q.text, step_text_width);
     for (const BodyName& body : bodies_of(bench)) {
       fmt::format_to(std::back_inserter(out), "{:>{}}",
-                     cell_of(figure_of(bench, {body.name, q.name}), q.name), column_width);
+                     cell_of(figure_of(bench, {body.name, q.name}), q.name), step_column_width);
     }
     out += '\n';
   }

@@ -30,10 +30,10 @@ struct View {
   }
 };
 
-std::string percent(double value) { return fmt::format("{:.1f} %", 100 * value); }
+std::string in_percent(double value) { return fmt::format("{:.1f} %", 100 * value); }
 std::string times(double value) { return fmt::format("{:.3g} x", value); }
 std::string fine_times(double value) { return fmt::format("{:.4g} x", value); }
-std::string count(double value) { return fmt::format("{:.0f}", value); }
+std::string whole_number(double value) { return fmt::format("{:.0f}", value); }
 
 /// A claim before it is held against figures.
 struct Question {
@@ -66,10 +66,10 @@ std::vector<Question> questions_of_steps() {
        [](const View& v) { return v.ratio("corotational_force", "force"); }, times,
        [](double r) { return r > 1; }},
       {"fractures add up to 20 % (simple) and 50 % (bunny) to a step",
-       [](const View& v) { return less_one(v.ratio("fracture_av", "model_av")); }, percent,
+       [](const View& v) { return less_one(v.ratio("fracture_av", "model_av")); }, in_percent,
        [](double r) { return r <= 0.6; }},
       {"- share of the fracture process in steps with fans",
-       [](const View& v) { return v("fracture_share"); }, percent,
+       [](const View& v) { return v("fracture_share"); }, in_percent,
        [](double r) { return r <= 0.5; }},
       {"the largest step comes early among the steps with fans of its phase (1: with the first)",
        [](const View& v) {
@@ -77,9 +77,9 @@ std::vector<Question> questions_of_steps() {
          const Number length = v("phase_length");
          return length && *length > 1 ? v("max_in_phase") : std::nullopt;
        },
-       count, [](double r) { return r <= 2; }},
+       whole_number, [](double r) { return r <= 2; }},
       {"- and comes once: later steps above nine tenths of it",
-       [](const View& v) { return v("later_near_max"); }, count, [](double r) { return r == 0; }},
+       [](const View& v) { return v("later_near_max"); }, whole_number, [](double r) { return r == 0; }},
   };
 }
 
@@ -89,25 +89,25 @@ std::vector<Question> questions_of_accelerations() {
       {"Gershgorin's test is 3 times faster than eigenvalues",
        [](const View& v) { return v("test_speed"); }, times, [](double r) { return r >= 3; }},
       {"about 80 % or more of what the bound lets through is over the threshold",
-       [](const View& v) { return v("gershgorin_efficiency"); }, percent,
+       [](const View& v) { return v("gershgorin_efficiency"); }, in_percent,
        [](double r) { return r >= 0.78; }},
       {"- had vertices with empty fans been tested every step",
-       [](const View& v) { return v("gershgorin_retested"); }, percent,
+       [](const View& v) { return v("gershgorin_retested"); }, in_percent,
        [](double r) { return r >= 0.78; }},
       {"the oracle is right in over 90 % of its predictions",
-       [](const View& v) { return v("oracle_efficiency"); }, percent,
+       [](const View& v) { return v("oracle_efficiency"); }, in_percent,
        [](double r) { return r > 0.9; }},
       {"it never misses a new component",
-       [](const View& v) { return v.mode == theirs ? Number(0) : v("missed"); }, count,
+       [](const View& v) { return v.mode == theirs ? Number(0) : v("missed"); }, whole_number,
        [](double r) { return r == 0; }},
       {"without oracle the worst case is no new component: over one with",
        [](const View& v) { return v.ratio("walk_none", "walk_new"); }, times,
        [](double r) { return r > 1; }},
       {"with a new component the oracle costs at most 2 % more",
-       [](const View& v) { return less_one(v("oracle_cost")); }, percent,
+       [](const View& v) { return less_one(v("oracle_cost")); }, in_percent,
        [](double r) { return r <= 0.021; }},
       {"without one it saves at least 55 %, up to 67 %",
-       [](const View& v) { return one_less(v.ratio("oracle_none", "walk_none")); }, percent,
+       [](const View& v) { return one_less(v.ratio("oracle_none", "walk_none")); }, in_percent,
        [](double r) { return r >= 0.547; }},
   };
 }
