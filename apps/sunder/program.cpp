@@ -43,7 +43,10 @@ bool is_short_option(const CLI::App& command, char letter) {
 
 std::vector<std::string> commands_of(const CLI::App& program) {
   std::vector<std::string> names;
-  for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());
+  for (const CLI::App* command : program.get_subcommands({})) {
+    if (!command->get_name().empty())
+      names.push_back(command->get_name());  // else a group of options
+  }
   return names;
 }
 

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "topology/kernel/fan.hpp"
+#include "topology/mesh/region_list.hpp"
 
 namespace sunder {
 namespace {
@@ -49,11 +50,11 @@ std::int32_t region_of(const TetMesh& mesh, std::size_t t) {
   return mesh.region.empty() ? 0 : mesh.region[t];
 }
 
-void add_unknown_region(fields::SettingsCheck& to, const std::string& where,
-                        const RegionName& name) {
+void add_unknown_region(fields::SettingsCheck& to, const std::string& where, const RegionName& name,
+                        const TetMesh& mesh) {
   to.add("unknown_region", where,
          fmt::format("is '{}': no tetrahedron of the mesh has it", name.text),
-         "give the name or the number of a region; `sunder check` lists them");
+         region_list(mesh.region, mesh.region_name));
 }
 
 void check_regions(fields::SettingsCheck& to, const BodySettings& body) {
@@ -63,7 +64,7 @@ void check_regions(fields::SettingsCheck& to, const BodySettings& body) {
     const std::string where = fmt::format("strength.regions.{}", i);
     const auto region = find_region(body.mesh, r.region);
     if (!region) {
-      add_unknown_region(to, where + ".region", r.region);
+      add_unknown_region(to, where + ".region", r.region, body.mesh);
       continue;
     }
     if (std::ranges::find(seen, *region) != seen.end()) {
@@ -99,7 +100,7 @@ void check_unbreakable(fields::SettingsCheck& to, const BodySettings& body) {
     const std::string where = fmt::format("unbreakable.{}", i);
     const auto* name = std::get_if<RegionName>(&body.unbreakable[i].where);
     if (name != nullptr && !find_region(body.mesh, *name)) {
-      add_unknown_region(to, where + ".region", *name);
+      add_unknown_region(to, where + ".region", *name, body.mesh);
     }
   }
 }

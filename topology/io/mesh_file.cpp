@@ -166,11 +166,9 @@ Result<TetMesh> io::tetrahedra_of(Result<FileMesh>&& file, std::string_view name
         result.findings.begin(),
         {.code = "no_tetrahedron",
          .text = fmt::format("the file has {} points but no tetrahedron", file->points.size()),
-         .remedy = others.empty() ? "give a volume mesh of tetrahedra"
-                                  : "the file holds a surface; a closed one is filled with "
-                                    "tetrahedra by TetGen (Debian: tetgen): sunder convert FILE "
-                                    "surface.off && tetgen -pq surface.off writes surface.1.ele, "
-                                    "a mesh for sunder",
+         .remedy = "give a volume mesh of tetrahedra. TetGen (Debian: tetgen) fills a closed "
+                   "surface: sunder convert FILE surface.off && tetgen -pq surface.off writes "
+                   "surface.1.ele, a mesh for sunder",
          .file = std::string(name)});
   }
   if (!others.empty()) {

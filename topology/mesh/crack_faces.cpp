@@ -6,10 +6,10 @@
 #include <charconv>
 #include <optional>
 
-#include "topology/base/sort_unique.hpp"
 #include "topology/kernel/kernel.hpp"
 #include "topology/mesh/crack.hpp"
 #include "topology/mesh/face_table.hpp"
+#include "topology/mesh/region_list.hpp"
 
 namespace sunder {
 namespace {
@@ -43,10 +43,9 @@ CutFaces chosen(const FaceLinks& links, IsCut is_cut) {
 
 Result<CutFaces> some(CutFaces faces, std::string text) {
   if (!faces.empty()) return faces;
-  return Finding{
-      .code = "no_face",
-      .text = std::move(text),
-      .remedy = "name faces inside the body: `sunder check` prints its regions and size"};
+  return Finding{.code = "no_face",
+                 .text = std::move(text),
+                 .remedy = "name faces inside the body: `sunder check` prints its size"};
 }
 
 }  // namespace
@@ -62,19 +61,9 @@ Result<std::int32_t> region_called(const FileMesh& mesh, std::string_view word) 
   }
   std::vector<std::int32_t> known = label_of(mesh.tetrahedra);
   if (is_known && std::ranges::find(known, number) != known.end()) return number;
-  sort_unique(known);
-  std::string list;
-  constexpr std::size_t most = 12;
-  for (std::size_t i = 0; i < std::min(known.size(), most); ++i) {
-    const auto name = mesh.region_name[3].find(known[i]);
-    list += fmt::format("{}{}{}", i == 0 ? "" : ", ", known[i],
-                        name == mesh.region_name[3].end() ? "" : " (" + name->second + ")");
-  }
   return Finding{.code = "unknown_region",
                  .text = fmt::format("no tetrahedron is in a region '{}'", word),
-                 .remedy = known.empty() ? "the tetrahedra have no regions: choose otherwise"
-                                         : fmt::format("the regions are {}{}", list,
-                                                       known.size() > most ? ", ..." : "")};
+                 .remedy = region_list(std::move(known), mesh.region_name[3])};
 }
 
 std::optional<Finding> too_many_to_link(std::size_t tetrahedra) {

@@ -229,6 +229,7 @@ TEST_CASE("bad scenes are told with place, value and remedy, exit code 3", "[run
       {"/time_step", 0, "time_step is 0"},
       {"/time_step", "fast", "time_step"},
       {"/bodies/0/mesh", "not_there.msh", "not_there.msh"},
+      {"/bodies/0/unbreakable", json::array({{{"region", "steel"}}}), "the regions are 1"},
       {"/bodies/0/held/0/maximum", json::array({-9, -9, -9}), "held"},
   };
   for (const Case& c : cases) {

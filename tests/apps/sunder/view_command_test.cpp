@@ -147,7 +147,7 @@ TEST_CASE("sunder view says what is wrong with a scene, a port and a page", "[vi
   CHECK(taken.err.find("leave out --port") != std::string::npos);
   const auto no_page = here.run({"view", scene, "--headless", "--page", here.path("nowhere")});
   CHECK(no_page.exit_code == 4);
-  CHECK(no_page.err.find("--target page") != std::string::npos);
+  CHECK(no_page.err.find("./bootstrap all") != std::string::npos);
   const std::string broken = here.write("broken.json", "{\n  \"bodies\": [}\n");
   const auto refused = here.run({"view", broken, "--headless", "--page", here.path("page")});
   CHECK(refused.exit_code == 3);
