@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <charconv>
 
 namespace sunder {
@@ -18,11 +19,66 @@ std::string severity_word(Severity severity, bool coloured) {
   return fmt::format("\033[1;{}m{}\033[0m", severity == Severity::error ? 31 : 33, word);
 }
 
+/// The key of a body or an obstacle with which a text begins, "bodies.3.mesh"; empty without one.
+std::string_view place_of(const Finding& f) {
+  const std::string_view text = f.text;
+  if (!text.starts_with("bodies.") && !text.starts_with("obstacles.")) return {};
+  return text.substr(0, text.find(' '));
+}
+
+/// What findings that are printed together share: severity, code, and the key without its rows.
+/// Empty for findings that are printed each: errors, as each has to be mended, and those without a
+/// place.
+std::string kind_of(const Finding& f) {
+  std::string key(place_of(f));
+  if (f.severity == Severity::error || key.empty()) return {};
+  std::erase_if(key, [](char c) { return c >= '0' && c <= '9'; });
+  return fmt::format("{} {} {}", to_string(f.severity), f.code, key);
+}
+
+/// Findings of one kind, by rows.
+struct FindingsOfKind {
+  std::string kind;
+  std::vector<std::size_t> rows;
+};
+
+std::vector<FindingsOfKind> by_kind(const std::vector<Finding>& findings) {
+  std::vector<FindingsOfKind> groups;
+  for (std::size_t row = 0; row < findings.size(); ++row) {
+    const std::string kind = kind_of(findings[row]);
+    const auto group = std::ranges::find(groups, kind, &FindingsOfKind::kind);
+    if (kind.empty() || group == groups.end()) {
+      groups.push_back({kind, {row}});
+    } else {
+      group->rows.push_back(row);
+    }
+  }
+  return groups;
+}
+
+/// The text of the first, the first places of the others, a count.
+Finding joined(const std::vector<Finding>& findings, const std::vector<std::size_t>& rows) {
+  constexpr std::size_t most_named = 4;
+  Finding all = findings[rows.front()];
+  const std::size_t named = std::min(rows.size(), most_named);
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const Finding& f = findings[rows[i]];
+    if (i < named) all.text += fmt::format("{} {}", i == 1 ? "; also" : ",", place_of(f));
+    all.count += f.count;
+  }
+  if (const std::size_t more = rows.size() - named; more > 0) {
+    const bool is_body = all.text.starts_with("bodies.");
+    all.text += fmt::format(" and {} more {}", more, is_body ? "bodies" : "obstacles");
+  }
+  return all;
+}
+
 }  // namespace
 
 std::string finding_lines(const std::vector<Finding>& findings, bool coloured) {
   std::string out;
-  for (const Finding& f : findings) {
+  for (const FindingsOfKind& group : by_kind(findings)) {
+    const Finding f = joined(findings, group.rows);
     if (!f.file.empty()) out += f.file;
     if (f.line != 0) out += fmt::format(":{}", f.line);
     if (!f.file.empty() || f.line != 0) out += ": ";

@@ -13,7 +13,9 @@
 
 namespace sunder {
 
-/// Two lines a finding: "FILE:LINE: error: text [code, COUNT times: ids]", then its remedy.
+/// Two lines per finding: "FILE:LINE: error: text [code, COUNT times: ids]", then its remedy.
+/// Warnings and notes with one code about several bodies or obstacles of a scene are one: the text
+/// of the first, the places of three more, the count of all. O(findings x kinds).
 std::string finding_lines(const std::vector<Finding>& findings, bool coloured = false);
 
 /// [{code, severity, count, ids, text, remedy, file, line}].

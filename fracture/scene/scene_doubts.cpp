@@ -4,11 +4,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <span>
+#include <tuple>
 
 #include "fracture/scene/body_measures.hpp"
 #include "fracture/scene/cohesive_settings.hpp"
@@ -25,10 +27,18 @@ struct Looked {
   const Scene& scene;
   std::span<const BodyMeasures> measures;
   fields::SettingsCheck& check;
+  const std::vector<SettingFinding>& found;
+  std::vector<double>& badness;  ///< of each that was found, to compare those of one code with
 
-  void body(std::size_t b, const char* code, const char* key, const std::string& what,
-            const std::string& remedy) const {
-    check.add(code, fmt::format("bodies.{}.{}", b, key), what, remedy);
+  void add(const char* code, const std::string& place, double how_bad, const std::string& what,
+           const std::string& remedy) const {
+    check.add(code, place, what, remedy);
+    badness.resize(found.size());
+    badness.back() = how_bad;
+  }
+  void body(std::size_t b, const char* code, const char* key, double how_bad,
+            const std::string& what, const std::string& remedy) const {
+    add(code, fmt::format("bodies.{}.{}", b, key), how_bad, what, remedy);
   }
 };
 
@@ -59,6 +69,7 @@ void look_at_material(const Looked& l, std::size_t b) {
     if (!numbers[i] || (*numbers[i] >= range.low && *numbers[i] <= range.high)) continue;
     const bool is_low = *numbers[i] < range.low;
     l.body(b, "odd_unit", fmt::format("material.{}", range.key).c_str(),
+           is_low ? range.low / *numbers[i] : *numbers[i] / range.high,
            fmt::format("is {:.4g} {}, {} than {:g} {} and than that of any solid", *numbers[i],
                        range.unit, is_low ? "less" : "more", is_low ? range.low : range.high,
                        range.unit),
@@ -66,7 +77,7 @@ void look_at_material(const Looked& l, std::size_t b) {
   }
   const double strength = l.measures[b].strength, most = material.young_modulus / 10;
   if (strength < infinite && strength > most) {
-    l.body(b, "odd_unit", "material.tensile_strength",
+    l.body(b, "odd_unit", "material.tensile_strength", strength / most,
            fmt::format("is {:.4g} Pa, more than a tenth of Young's modulus ({:.4g} Pa), which no "
                        "solid bears",
                        strength, material.young_modulus),
@@ -80,6 +91,7 @@ void look_at_regions(const Looked& l, std::size_t b) {
   for (std::size_t r = 0; r < regions.size(); ++r) {
     if (!regions[r].tensile_strength || *regions[r].tensile_strength >= range.low) continue;
     l.body(b, "odd_unit", fmt::format("strength.regions.{}.tensile_strength", r).c_str(),
+           range.low / *regions[r].tensile_strength,
            fmt::format("is {:.4g} Pa, less than that of any solid", *regions[r].tensile_strength),
            range.remedy);
   }
@@ -87,18 +99,10 @@ void look_at_regions(const Looked& l, std::size_t b) {
 
 void look_at_size(const Looked& l, std::size_t b) {
   const BodyMeasures& m = l.measures[b];
-  const double way = m.extent / m.wave_speed;
   if (m.extent > 100) {
-    l.body(b, "odd_unit", "mesh",
+    l.body(b, "odd_unit", "mesh", m.extent,
            fmt::format("is {:.4g} m long: points in millimetres are read as metres", m.extent),
            "scale the mesh's points to metres, in the program that made it");
-  }
-  if (l.scene.duration < way) {
-    l.check.add("run_too_short", "duration",
-                fmt::format("is {:.4g} s, and a wave needs {:.4g} s through bodies.{}, which is "
-                            "{:.4g} m long: what strikes one end is not known at the other",
-                            l.scene.duration, way, b, m.extent),
-                "take a longer duration, or look whether the mesh is in metres");
   }
 }
 
@@ -107,7 +111,7 @@ void look_at_speeds(const Looked& l, std::size_t b) {
   const double most = l.measures[b].wave_speed;
   const auto look = [&](double speed, const std::string& key, const char* what) {
     if (!(speed > most)) return;
-    l.body(b, "faster_than_waves", key.c_str(),
+    l.body(b, "faster_than_waves", key.c_str(), speed / most,
            fmt::format("{} {:.4g} m/s, faster than the waves in the body ({:.4g} m/s): linear "
                        "elasticity says nothing there",
                        what, speed, most),
@@ -120,13 +124,62 @@ void look_at_speeds(const Looked& l, std::size_t b) {
   }
 }
 
+/// Pa, at the clamped end of a beam as long as the body that bends by its weight.
+double stress_of_weight(const Scene& scene, const BodySettings& body, const BodyMeasures& m) {
+  const double load = body.material.density * scene.gravity.acceleration.norm();
+  return 3 * load * m.extent * m.slenderness;
+}
+
+/// The middle of the mesh's points in a box, in the mesh's own coordinates.
+Vec3 middle_of(const TetMesh& mesh, const HeldBox& box) {
+  const Eigen::AlignedBox3d inside(box.minimum, box.maximum);
+  Vec3 sum = Vec3::Zero();
+  double count = 0;
+  for (const Point& p : mesh.points) {
+    const Vec3 x(p[0], p[1], p[2]);
+    if (!inside.contains(x)) continue;
+    sum += x;
+    ++count;
+  }
+  return count > 0 ? Vec3(sum / count) : Vec3((box.minimum + box.maximum) / 2);
+}
+
+/// Whether held boxes move against each other in another way than to and from each other.
+bool is_led_sideways(const BodySettings& body) {
+  for (const HeldBox& a : body.held) {
+    for (const HeldBox& b : body.held) {
+      const Vec3 speed = b.velocity - a.velocity;
+      if (speed.isZero(0)) continue;
+      const Vec3 apart = middle_of(body.mesh, b) - middle_of(body.mesh, a);
+      if (speed.cross(apart).norm() > 0.01 * speed.norm() * apart.norm()) return true;
+    }
+  }
+  return false;
+}
+
+/// Whether something in the scene can bend the body until it breaks: what it may meet, loads, its
+/// spin, its weight or supports that go sideways. A body that is only pulled lengthwise, or that
+/// flies alone, keeps straight.
+bool can_be_bent(const Looked& l, std::size_t b) {
+  const BodySettings& body = l.scene.bodies[b];
+  if (!l.scene.obstacles.empty() || l.scene.bodies.size() > 1) return true;
+  if (!body.loads.empty() || !body.spin.isZero(0) || is_led_sideways(body)) return true;
+  return !body.held.empty() &&
+         stress_of_weight(l.scene, body, l.measures[b]) > 0.1 * l.measures[b].strength;
+}
+
+/// Bending is less than half of the deflection of what is shorter than 1.7 times its thickness (the
+/// rest is shear: 2.4 (1 + nu) (t / L)^2 of it), and its diagonal than 2.2 times.
+constexpr double compact = 2.2;
+
 void look_at_layers(const Looked& l, std::size_t b) {
   const BodySettings& body = l.scene.bodies[b];
   if (l.scene.fracture.mode == FractureMode::off || !(l.measures[b].strength < infinite)) return;
-  if (body.order == 2) return;
+  if (body.order == 2 || body.rigid || !can_be_bent(l, b)) return;
   const double layers = layers_through(body, l.measures[b]);
-  if (layers >= too_few_layers) return;
-  l.body(b, "few_layers", "mesh",
+  const double thickness = layers * l.measures[b].cell;
+  if (layers >= too_few_layers || l.measures[b].extent < compact * thickness) return;
+  l.body(b, "few_layers", "mesh", -layers,
          fmt::format("has {:.1f} layers of cells through its thickness (median of 200 rays): "
                      "linear tetrahedra show 22, 50, 79, 89 per cent of the deflection in bending "
                      "with 1, 2, 4, 6, and what breaks in bending breaks late",
@@ -141,14 +194,15 @@ void look_at_slenderness(const Looked& l, std::size_t b) {
   const double strain = m.strength / l.scene.bodies[b].material.young_modulus;
   const double share = false_strain(l.scene.bodies[b], m);
   const bool is_rigid = l.scene.integrator.model == ElasticModel::rigid_reference;
-  if (!is_rigid || l.scene.bodies[b].mesh.tetrahedra.size() < 2) return;
+  if (!is_rigid || l.scene.bodies[b].rigid || l.scene.bodies[b].mesh.tetrahedra.size() < 2) return;
+  if (!can_be_bent(l, b)) return;
   // A strength that no solid has is told as such.
   if (!(strain <= 0.1) || !(share > 0.05)) return;
   const std::string false_strain =
       share < 1 ? fmt::format("a false strain of up to {:.0f} per cent of it", 100 * share)
                 : "a false strain larger than the true one";
   l.body(
-      b, "slender_body", "mesh",
+      b, "slender_body", "mesh", share,
       fmt::format("is {:.3g} times as long as thick and breaks at a strain of {:.3g}: bent so "
                   "far, one rigid reference sees {}",
                   m.slenderness, strain, false_strain),
@@ -169,32 +223,48 @@ void look_at_obstacles(const Looked& l) {
     const std::string place = fmt::format("obstacles.{}", k);
     const double speed = obstacle.velocity.norm();
     if (speed > slowest) {
-      l.check.add("faster_than_waves", place + ".velocity",
-                  fmt::format("is {:.4g} m/s, faster than the waves in what it could strike "
-                              "({:.4g} m/s): linear elasticity says nothing there",
-                              speed, slowest),
-                  "give m/s, or take it slower");
+      l.add("faster_than_waves", place + ".velocity", speed / slowest,
+            fmt::format("is {:.4g} m/s, faster than the waves in what it could strike "
+                        "({:.4g} m/s): linear elasticity says nothing there",
+                        speed, slowest),
+            "give m/s, or take it slower");
     }
     if (!obstacle.mass || !has_volume(obstacle.shape)) continue;
     const double volume = volume_of(obstacle.shape);
     const double density = *obstacle.mass / volume;
     if (density >= material_ranges[0].low && density <= material_ranges[0].high) continue;
-    l.check.add("odd_unit", place + ".mass",
-                fmt::format("is {:.4g} kg in {:.4g} m^3: {:.4g} kg/m^3, which no solid has",
-                            *obstacle.mass, volume, density),
-                "give kg and m: 1000 kg are a tonne; a steel ball has 33e3 kg times its radius "
-                "cubed");
+    l.add("odd_unit", place + ".mass", std::abs(std::log(density / material_ranges[0].low)),
+          fmt::format("is {:.4g} kg in {:.4g} m^3: {:.4g} kg/m^3, which no solid has",
+                      *obstacle.mass, volume, density),
+          "give kg and m: 1000 kg are a tonne; a steel ball has 33e3 kg times its radius cubed");
   }
+}
+
+/// The body through which waves need longest.
+void look_at_duration(const Looked& l) {
+  std::size_t slowest = 0;
+  double longest = 0;
+  for (std::size_t b = 0; b < l.measures.size(); ++b) {
+    const double way = l.measures[b].extent / l.measures[b].wave_speed;
+    if (way > longest) slowest = b;
+    longest = std::max(longest, way);
+  }
+  if (l.scene.duration >= longest) return;
+  l.add("run_too_short", "duration", longest,
+        fmt::format("is {:.4g} s, and a wave needs {:.4g} s through bodies.{}, which is {:.4g} m "
+                    "long: what strikes one end is not known at the other",
+                    l.scene.duration, longest, slowest, l.measures[slowest].extent),
+        "take a longer duration, or look whether the mesh is in metres");
 }
 
 void look_at_times(const Looked& l) {
   const double step = l.scene.integrator.time_step;
   if (step <= l.scene.duration) return;
-  l.check.add("step_over_duration", "time_step",
-              fmt::format("is {:.4g} s, longer than the whole run ({:.4g} s): its one step goes on "
-                          "beyond the end",
-                          step, l.scene.duration),
-              "take a shorter time_step or a longer duration");
+  l.add("step_over_duration", "time_step", step,
+        fmt::format("is {:.4g} s, longer than the whole run ({:.4g} s): its one step goes on "
+                    "beyond the end",
+                    step, l.scene.duration),
+        "take a shorter time_step or a longer duration");
 }
 
 void look_at_places(const Looked& l) {
@@ -204,7 +274,7 @@ void look_at_places(const Looked& l) {
   for (const Overlap& o : overlaps_at_start(l.scene, l.measures, allowed)) {
     const std::string other =
         fmt::format("{}.{}", o.with_obstacle ? "obstacles" : "bodies", o.other);
-    l.body(o.body, "overlap_at_start", "translation",
+    l.body(o.body, "overlap_at_start", "translation", o.depth,
            fmt::format("puts the body {:.3g} m deep into {}: they are pushed apart at "
                        "contact.push_out_speed ({:.3g} m/s) at most, and what lies deep stays",
                        o.depth, other, l.scene.contact.push_out_speed),
@@ -243,8 +313,28 @@ std::optional<SettingFinding> note_on_tips(const Looked& l) {
 constexpr std::array<void (*)(const Looked&, std::size_t), 6> of_bodies = {
     look_at_size,   look_at_material, look_at_regions,
     look_at_speeds, look_at_layers,   look_at_slenderness};
-constexpr std::array<void (*)(const Looked&), 4> of_scenes = {look_at_obstacles, look_at_times,
-                                                              look_at_places, look_at_materials};
+constexpr std::array<void (*)(const Looked&), 5> of_scenes = {
+    look_at_obstacles, look_at_duration, look_at_times, look_at_places, look_at_materials};
+
+/// In the order of codes as they were found, of each code the worst first.
+std::vector<SettingFinding> worst_first(const std::vector<SettingFinding>& found,
+                                        std::span<const double> badness) {
+  const auto code_row = [&](std::size_t i) {
+    const auto is_same = [&](const SettingFinding& f) {
+      return f.finding.code == found[i].finding.code;
+    };
+    return std::ranges::find_if(found, is_same) - found.begin();
+  };
+  // What differs by rounding alone stays in order.
+  std::vector<std::tuple<std::ptrdiff_t, float, std::size_t>> order;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    order.emplace_back(code_row(i), -static_cast<float>(badness[i]), i);
+  }
+  std::ranges::sort(order);
+  std::vector<SettingFinding> sorted;
+  for (const auto& [code, good, i] : order) sorted.push_back(found[i]);
+  return sorted;
+}
 
 }  // namespace
 
@@ -253,12 +343,15 @@ std::vector<SettingFinding> scene_doubts(const Scene& scene) {
   for (const BodySettings& body : scene.bodies) measures.push_back(measure(body));
   std::vector<SettingFinding> found;
   fields::SettingsCheck check("", found);
-  const Looked looked{scene, measures, check};
+  std::vector<double> badness;
+  const Looked looked{scene, measures, check, found, badness};
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     for (const auto look : of_bodies) look(looked, b);
   }
   for (const auto look : of_scenes) look(looked);
+  badness.resize(found.size());
   for (SettingFinding& f : found) f.finding.severity = Severity::warning;
+  found = worst_first(found, badness);
   if (std::optional<SettingFinding> note = note_on_tips(looked)) found.push_back(std::move(*note));
   return found;
 }

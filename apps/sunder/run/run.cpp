@@ -231,7 +231,7 @@ ExitCode end_run(const RunWork& work, const RunArguments& arguments,
   }
   stages.done("finished the files");
   const std::vector<Finding> warnings = all_warnings(recorder.statistics(), simulation.scene);
-  tell_beside(warnings_of(recorder.statistics().troubles, simulation.scene), arguments);
+  tell_beside(warnings_on_the_way(recorder.statistics(), simulation.scene), arguments);
   if (ended == ExitCode::fine && arguments.strict && !warnings.empty()) ended = ExitCode::warned;
   const nlohmann::ordered_json& report = recorder.report();
   fmt::print("{}", arguments.json ? report.dump(2) + "\n" : summary_table(report));

@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "apps/sunder/run/report/recorder_report.hpp"
+#include "fracture/scene/choose_settings.hpp"
+#include "mechanics/state/material.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
 using namespace sunder;
@@ -61,11 +64,6 @@ TEST_CASE("each trouble of a step is a warning of its own", "[run]") {
   stopped.impact.stopped = true;
   given_up.status.solve.not_converged = 1;
   using Codes = std::vector<std::string>;
-  CHECK(codes(sim, {left_out}) == Codes{"contacts_left_out"});
-  CHECK(codes(sim, {unconverged}) == Codes{"contact_not_converged"});
-  StepReport nearly = unconverged;
-  nearly.contact.residual = 0.009 * sim.scene.contact.allowed_penetration;
-  CHECK(codes(sim, {nearly}).empty());
   CHECK(codes(sim, {stopped}) == Codes{"sub_steps_ran_out"});
   CHECK(codes(sim, {given_up}) == Codes{"integrator_not_converged"});
   // Edges of 0.1 m, face diagonals and the long one: 0.121 m in the mean.
@@ -77,12 +75,56 @@ TEST_CASE("each trouble of a step is a warning of its own", "[run]") {
   CHECK(codes(sim, {left_out, unconverged, stopped, given_up, deep}).size() == 5);
 }
 
+TEST_CASE("contact that left work undone is a warning where it did harm", "[run]") {
+  Simulation sim = falling_box();
+  for (Vec3& v : sim.state->mechanics.vertices.velocity) v = {0, 0, 1};
+  StepReport left_out = step(3), unconverged = step(4), nearly = step(4), deep = step(7),
+             gain = step(8);
+  left_out.contact.left_out = 7;
+  unconverged.contact.converged = nearly.contact.converged = false;
+  unconverged.contact.residual = 1e-4;
+  nearly.contact.residual = 0.009 * sim.scene.contact.allowed_penetration;
+  deep.contact.deepest = 0.0065;
+  gain.energy.kinetic = 0.1;
+  using Codes = std::vector<std::string>;
+  CHECK(codes(sim, {left_out, unconverged}).empty());
+  CHECK(codes(sim, {left_out, deep}) == Codes{"contacts_left_out", "deep_overlap"});
+  CHECK(codes(sim, {left_out, gain}) == Codes{"contacts_left_out", "energy_rises"});
+  CHECK(codes(sim, {unconverged, deep}) == Codes{"contact_not_converged", "deep_overlap"});
+  CHECK(codes(sim, {unconverged, gain}) == Codes{"contact_not_converged", "energy_rises"});
+  CHECK(codes(sim, {nearly, gain}) == Codes{"energy_rises"});
+  // Without a ledger nobody knows whether energy rose.
+  sim.scene.energy_ledger = false;
+  CHECK(codes(sim, {left_out}) == Codes{"contacts_left_out"});
+  CHECK(codes(sim, {unconverged}) == Codes{"contact_not_converged"});
+  CHECK(codes(sim, {nearly}).empty());
+}
+
+TEST_CASE("what was found on the way is told at the end, what the start had is not told again",
+          "[run]") {
+  const Simulation sim = falling_box();
+  RunStatistics statistics =
+      begin_statistics(sim, {{.code = "few_layers", .severity = Severity::warning},
+                             {.code = "turned_too_far", .severity = Severity::warning}});
+  statistics.ties.sum.residual = 1;
+  const auto codes_of = [](const std::vector<Finding>& findings) {
+    std::vector<std::string> found;
+    for (const Finding& f : findings) found.push_back(f.code);
+    return found;
+  };
+  CHECK(codes_of(warnings_on_the_way(statistics, sim.scene)) ==
+        std::vector<std::string>{"turned_too_far", "ties_not_converged"});
+  CHECK(codes_of(all_warnings(statistics, sim.scene)) ==
+        std::vector<std::string>{"few_layers", "turned_too_far", "ties_not_converged"});
+}
+
 TEST_CASE("a warning tells the first and the last step and how bad it was", "[run]") {
   const Simulation sim = falling_box();
   RunTroubles troubles = begin_troubles(sim);
   for (const std::uint64_t k : {12u, 13u, 40u}) {
     StepReport report = step(k);
     report.contact.left_out = k;
+    report.contact.deepest = 0.05;
     note_troubles(troubles, sim, report);
   }
   const std::string text = warnings_of(troubles, sim.scene).front().text;
@@ -116,4 +158,86 @@ TEST_CASE("energy that does not add up, or rises, is a warning", "[run]") {
   // A scene that keeps no ledger has nothing to say.
   sim.scene.energy_ledger = false;
   CHECK(codes(sim, {off, gain, loss, back}).empty());
+}
+
+namespace {
+
+/// Codes of the warnings about energy of a run of so many steps; a run that fails ends there.
+std::vector<std::string> energy_warnings(Scene scene, int steps) {
+  scene.fracture.mode = FractureMode::off;
+  Result<Simulation> sim = build_simulation(std::move(scene));
+  REQUIRE(sim);
+  RunTroubles troubles = begin_troubles(*sim);
+  for (int i = 0; i < steps; ++i) {
+    const StepReport report = advance(*sim);
+    note_troubles(troubles, *sim, report);
+    if (report.status.outcome != StepOutcome::fine) break;
+  }
+  UNSCOPED_INFO("residuals " << troubles.residual_size << " J of " << troubles.moved << ", risen "
+                             << troubles.balance.level - troubles.balance.lowest
+                             << ", most that there was " << troubles.balance.most
+                             << ", the scene's " << energy_of_scene(troubles.balance));
+  std::vector<std::string> found;
+  for (const Finding& f : warnings_of(troubles, sim->scene)) {
+    if (f.code.starts_with("energy_")) found.push_back(f.code);
+  }
+  return found;
+}
+
+/// A box of 2 x 3 x 2 cells, `length` m each, with the settings of contact for that length; its
+/// weight strains it by about 1 / `stiffness`.
+Scene box_of_cells(double length, double stiffness = 1e6) {
+  Scene scene;
+  scene.bodies.push_back({.name = "box", .mesh = suite::kuhn_box({2, 3, 2}, length)});
+  Material& material = scene.bodies[0].material;
+  material.young_modulus = stiffness * material.density * 9.81 * length;
+  choose_settings(scene, Accuracy::good, std::vector<std::string>{"bodies.0.order"});
+  scene.integrator.time_step = 0.04 * std::sqrt(length);  // a fall by 0.008 cells
+  return scene;
+}
+
+bool has(const std::vector<std::string>& found, const char* code) {
+  return std::ranges::count(found, code) == 1;
+}
+
+}  // namespace
+
+TEST_CASE("rounding and what contact leaves are no warning about energy, at every scale",
+          "[run][energy]") {
+  const double length = GENERATE(1e-6, 1e-3, 1.0, 1e3);
+  const double stiffness = GENERATE(1e4, 1e7, 1e10);
+  const bool rigid = GENERATE(false, true);
+  INFO("cells of " << length << " m, stiffness " << stiffness << ", rigid " << rigid);
+  Scene rests = box_of_cells(length, stiffness);
+  rests.bodies[0].rigid = rigid;
+  rests.obstacles = {{Plane{}}};
+  CHECK(energy_warnings(rests, 300) == std::vector<std::string>{});
+  Scene spins = box_of_cells(length, stiffness);
+  spins.bodies[0].rigid = rigid;
+  spins.gravity.acceleration.setZero();
+  spins.bodies[0].spin = Vec3(0.01, 1, 0.02) / std::sqrt(length);
+  CHECK(energy_warnings(spins, 300) == std::vector<std::string>{});
+}
+
+TEST_CASE("energy that a scheme gains or loses is a warning, at every scale", "[run][energy]") {
+  const double length = GENERATE(1e-6, 1e-3, 1.0, 1e3);
+  INFO("cells of " << length << " m");
+  // Explicit steps beyond the critical one: what rings grows.
+  Scene rings = box_of_cells(length);
+  rings.integrator.integrator = Integrator::verlet;
+  rings.integrator.time_step = length / compression_wave_speed(rings.bodies[0].material);
+  rings.obstacles = {{Plane{}}};
+  CHECK(has(energy_warnings(rings, 60), "energy_rises"));
+  // Implicit Euler brakes what spins: by a twentieth in these steps.
+  Scene brakes = box_of_cells(length);
+  brakes.integrator.integrator = Integrator::implicit_euler;
+  brakes.gravity.acceleration.setZero();
+  brakes.bodies[0].spin = Vec3(0, 2.5, 0) / std::sqrt(length);
+  CHECK(has(energy_warnings(brakes, 10), "energy_residual"));
+  // A body that begins in the ground and is thrown out.
+  Scene apart = box_of_cells(length);
+  apart.obstacles = {{Plane{}}};
+  apart.bodies[0].translation.z() = -0.1 * length;
+  apart.contact.push_out_speed = std::sqrt(length);
+  CHECK(has(energy_warnings(apart, 10), "energy_rises"));
 }

@@ -146,6 +146,22 @@ TEST_CASE("meshes too coarse or bodies too slender for what they bear are doubte
   CHECK(thin(2, [](Scene&) {}) == few);
   CHECK(thin(3, [](Scene&) {}) == All{});
   CHECK(thin(1, [](Scene& s) { s.fracture.mode = FractureMode::off; }) == All{});
+  CHECK(thin(1, [](Scene& s) { s.bodies[0].rigid = true; }) == All{});
+  // A compact body deforms more in shear; a hollow one is not compact, whatever its outline.
+  const auto cube = [](int n) {
+    return doubts([&](Scene& s) { s.bodies[0].mesh = suite::kuhn_box({n, n, n}, 0.8 / n); });
+  };
+  CHECK(cube(1) == All{});
+  CHECK(cube(2) == All{});
+  CHECK(doubts([](Scene& s) {
+          TetMesh& shell = s.bodies[0].mesh = suite::kuhn_box({6, 6, 6}, 0.1);
+          std::erase_if(shell.tetrahedra, [&](const auto& t) {
+            return std::ranges::all_of(t, [&](std::uint32_t corner) {
+              return std::ranges::all_of(shell.points[corner],
+                                         [](double x) { return x > 0.05 && x < 0.55; });
+            });
+          });
+        }) == few);
   const auto slender = [](double strength) {
     Scene scene = fine();
     scene.bodies[0].mesh = suite::kuhn_box({150, 3, 3}, 0.01);
@@ -161,6 +177,51 @@ TEST_CASE("meshes too coarse or bodies too slender for what they bear are doubte
   REQUIRE(far.size() == 1);
   CHECK(far[0].finding.text.find("per cent") == std::string::npos);
   CHECK(far[0].finding.text.find("larger than the true one") != std::string::npos);
+}
+
+TEST_CASE("bodies that nothing bends are not doubted for how they bend", "[fracture][settings]") {
+  // A bar of glass as in meshes/scenes/bar.json, two cells thick, alone.
+  const auto bar = [](auto change) {
+    return doubts([&](Scene& s) {
+      s.obstacles.clear();
+      s.bodies[0].mesh = suite::kuhn_box({30, 4, 2}, 0.03);
+      s.bodies[0].material = {.young_modulus = 70e9, .tensile_strength = 45e6};
+      change(s, s.bodies[0]);
+    });
+  };
+  const auto pull = [](BodySettings& b, const Eigen::Vector3d& velocity) {
+    b.held = {{.minimum = {0, 0, 0}, .maximum = {0, 1, 1}},
+              {.minimum = {0.89, 0, 0}, .maximum = {1, 1, 1}, .velocity = velocity}};
+  };
+  const All bent = {"few_layers bodies.0.mesh", "slender_body bodies.0.mesh"};
+  CHECK(bar([](Scene&, BodySettings&) {}) == All{});
+  CHECK(bar([&](Scene&, BodySettings& b) { pull(b, {3e-3, 0, 0}); }) == All{});
+  CHECK(bar([&](Scene&, BodySettings& b) { pull(b, {-3e-3, 0, 0}); }) == All{});
+  CHECK(bar([&](Scene&, BodySettings& b) { pull(b, {3e-3, 0, 3e-4}); }) == bent);
+  CHECK(bar([](Scene& s, BodySettings&) { s.obstacles = {{Plane{}}}; }) == bent);
+  CHECK(bar([](Scene&, BodySettings& b) { b.spin = {0, 0, 1}; }) == bent);
+  CHECK(bar([](Scene&, BodySettings& b) {
+          b.loads = {{.minimum = {0.8, 0, 0}, .maximum = {1, 1, 1}, .force = {0, 0, 1}}};
+        }) == bent);
+  // Weight: two hundredths of the strength are little, two fifths are much.
+  CHECK(bar([&](Scene& s, BodySettings& b) {
+          pull(b, {3e-3, 0, 0});
+          s.gravity.acceleration *= 20;
+        }) == bent);
+}
+
+TEST_CASE("of several bodies with one doubt the worst comes first", "[fracture][settings]") {
+  const All found = doubts([](Scene& s) {
+    for (int b = 1; b < 4; ++b) {
+      s.bodies.push_back(s.bodies[0]);
+      s.bodies.back().translation.x() = 2 * b;
+      s.bodies.back().mesh = suite::kuhn_box({8, 8, b == 2 ? 1 : 2}, 0.1);
+    }
+    s.duration = 1e-4;
+    s.integrator.time_step = 1e-5;
+  });
+  CHECK(found == All{"few_layers bodies.2.mesh", "few_layers bodies.1.mesh",
+                     "few_layers bodies.3.mesh", "run_too_short duration"});
 }
 
 TEST_CASE("cohesive cracks that the cells do not resolve are doubted by body",

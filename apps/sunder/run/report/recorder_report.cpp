@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include "apps/scene/obstacles_json.hpp"
@@ -19,6 +20,8 @@ namespace sunder {
 namespace {
 
 using nlohmann::ordered_json;
+
+constexpr const char* turned_too_far = "turned_too_far";
 
 ordered_json numbers(const Vec3& v) { return {v[0], v[1], v[2]}; }
 
@@ -150,7 +153,7 @@ void check_turns(RunStatistics& statistics, const Simulation& now, const StepRep
     if (!(component.largest_turn > valid)) continue;
     statistics.turned_too_far = true;
     statistics.warnings.push_back(
-        {.code = "turned_too_far",
+        {.code = turned_too_far,
          .severity = Severity::warning,
          .ids = {static_cast<std::int64_t>(component.id.index())},
          .text = fmt::format("from step {} (t = {:.6g} s) on parts of component {} have turned by "
@@ -242,19 +245,29 @@ void add_step(RunStatistics& statistics, const Simulation& now, const StepReport
   if (!statistics.turned_too_far) check_turns(statistics, now, report);
 }
 
-std::vector<Finding> all_warnings(const RunStatistics& statistics, const Scene& scene) {
-  std::vector<Finding> all = statistics.warnings;
-  std::ranges::move(warnings_of(statistics.troubles, scene), std::back_inserter(all));
+std::vector<Finding> warnings_on_the_way(const RunStatistics& statistics, const Scene& scene) {
+  std::vector<Finding> found;
+  std::ranges::copy_if(statistics.warnings, std::back_inserter(found),
+                       [](const Finding& f) { return f.code == turned_too_far; });
+  std::ranges::move(warnings_of(statistics.troubles, scene), std::back_inserter(found));
   constexpr double most_residual = 0.05;
   if (statistics.ties.sum.residual > most_residual) {
-    all.push_back({.code = "ties_not_converged",
-                   .severity = Severity::warning,
-                   .text = fmt::format(
-                       "cohesive forces of a sub-step missed their law by up to {:.2g} of the "
-                       "opening at which they end",
-                       statistics.ties.sum.residual),
-                   .remedy = "take a smaller impact.fraction"});
+    found.push_back({.code = "ties_not_converged",
+                     .severity = Severity::warning,
+                     .text = fmt::format(
+                         "cohesive forces of a sub-step missed their law by up to {:.2g} of the "
+                         "opening at which they end",
+                         statistics.ties.sum.residual),
+                     .remedy = "take a smaller impact.fraction"});
   }
+  return found;
+}
+
+std::vector<Finding> all_warnings(const RunStatistics& statistics, const Scene& scene) {
+  std::vector<Finding> all;
+  std::ranges::copy_if(statistics.warnings, std::back_inserter(all),
+                       [](const Finding& f) { return f.code != turned_too_far; });
+  std::ranges::move(warnings_on_the_way(statistics, scene), std::back_inserter(all));
   return all;
 }
 

@@ -79,7 +79,10 @@ RunStatistics begin_statistics(const Simulation& start, std::vector<Finding> war
 void add_step(RunStatistics& statistics, const Simulation& now, const StepReport& report,
               double step_ms);
 
-/// Everything that a run warns of.
+/// What a run warns of after its start, in the order of its report.
+std::vector<Finding> warnings_on_the_way(const RunStatistics& statistics, const Scene& scene);
+
+/// Everything that a run warns of, from its scene on.
 std::vector<Finding> all_warnings(const RunStatistics& statistics, const Scene& scene);
 
 /// What `advance` reports as a failure, as a finding with step, vertex, value and remedy; nothing

@@ -82,7 +82,8 @@ constexpr auto member_names(const RunTroubles*) {
 }
 constexpr auto member_names(const Trouble*) { return names("first", "last", "steps", "size"); }
 constexpr auto member_names(const EnergyBalance*) {
-  return names("level", "lowest", "risen", "most", "body_energy", "ball_energy", "ball_centre");
+  return names("level", "lowest", "risen", "most", "weight", "work", "body_energy", "ball_energy",
+               "ball_centre");
 }
 constexpr auto member_names(const Choice*) { return names("key", "value", "reason"); }
 constexpr auto member_names(const OutputSettings*) {

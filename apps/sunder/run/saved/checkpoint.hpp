@@ -15,7 +15,7 @@
 namespace sunder {
 
 /// Of the files below; raised whenever what they hold beside the saved state changes.
-inline constexpr std::uint32_t checkpoint_format = 2;
+inline constexpr std::uint32_t checkpoint_format = 3;
 
 /// What has been recorded of a run so far.
 struct RunRecord {
