@@ -94,7 +94,7 @@ void open_cracks(std::vector<OpenCrack>& cracks, const NewCracks& fresh,
 }
 
 void follow_cracks(std::vector<CrackEnergy>& settled, std::vector<OpenCrack>& cracks,
-                   const MechanicsState& state, const CrackStep& step) {
+                   const MechanicsState& state, const EnergyPart& step) {
   const VertexColumns& vertices = state.vertices;
   for (OpenCrack& crack : cracks) {
     bool moves = crack.sides.empty();

@@ -45,7 +45,7 @@ void open_cracks(std::vector<OpenCrack>& cracks, const NewCracks& fresh,
                  const MechanicsState& state, const Cells& cells);
 
 /// A part of a step that was just adopted.
-struct CrackStep {
+struct EnergyPart {
   std::span<const Vec3> displacement_before;
   StepMembers members;
   double length = 0;  ///< s
@@ -56,6 +56,6 @@ struct CrackStep {
 /// Steps that are longer come to rest within one. Appends what is settled to `settled` and forgets
 /// it. Pieces that became rigid tetrahedra do not open: what they give up is counted elsewhere.
 void follow_cracks(std::vector<CrackEnergy>& settled, std::vector<OpenCrack>& cracks,
-                   const MechanicsState& state, const CrackStep& step);
+                   const MechanicsState& state, const EnergyPart& step);
 
 }  // namespace sunder
