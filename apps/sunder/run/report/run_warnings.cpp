@@ -123,12 +123,14 @@ Finding warning(std::string code, std::string text, std::string remedy) {
           .remedy = std::move(remedy)};
 }
 
-/// Whether what contact left undone, here or there, did harm: energy rose or something lay deep.
-/// Both are measured of every contact, solved for or not. What breaks does not depend on it: 5 to
-/// 200 sweeps find the same cracks, one pass those of five but for two in a hundred
-/// (docs/defaults.md). Without a ledger nothing is known of energy, and harm is supposed.
-bool contact_matters(const RunTroubles& t, const Scene& scene) {
-  return !scene.energy_ledger || t.risen.steps > 0 || t.overlaps.steps > 0;
+/// Whether sweeps that ended before their tolerance matter. Gaps that are off by less than
+/// `allowed_penetration` did not change what breaks where no contact was left out: the monolith has
+/// 164.0 fans (standard deviation 0.8) with 40 sweeps and 165.2 (1.0) with 200, gaps off by 9e-6 m.
+/// They matter where energy rose or something lay deep, or where no ledger says whether energy
+/// rose.
+bool sweeps_matter(const RunTroubles& t, const Scene& scene) {
+  return t.not_converged.size > scene.contact.allowed_penetration || !scene.energy_ledger ||
+         t.risen.steps > 0 || t.overlaps.steps > 0;
 }
 
 /// "in 3 steps, from step 7 to 12": when a trouble was there.
@@ -178,15 +180,15 @@ void note_troubles(RunTroubles& troubles, const Simulation& now, const StepRepor
 
 std::vector<Finding> warnings_of(const RunTroubles& t, const Scene& scene) {
   std::vector<Finding> found;
-  const bool matters = contact_matters(t, scene);
-  if (matters && t.left_out.steps > 0) {
+  if (t.left_out.steps > 0) {
     found.push_back(warning(
         "contacts_left_out",
-        fmt::format("{} contacts were left out {}: pieces may overlap and gain energy",
-                    static_cast<std::uint64_t>(t.left_out.size), when(t.left_out)),
+        fmt::format(
+            "{} contacts were left out {}: pieces may overlap, gain energy and break otherwise",
+            static_cast<std::uint64_t>(t.left_out.size), when(t.left_out)),
         "take a shorter time_step, or raise contact.max_passes or contact.max_contacts_per_pair"));
   }
-  if (matters && t.not_converged.steps > 0) {
+  if (t.not_converged.steps > 0 && sweeps_matter(t, scene)) {
     found.push_back(warning(
         "contact_not_converged",
         fmt::format("contact did not converge {}; the worst gap is off by {:.2g} m",
