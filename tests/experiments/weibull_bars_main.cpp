@@ -37,6 +37,7 @@ struct Bars {
 /// Without lateral contraction the grips disturb nothing: the stress is uniform.
 Scene pulled_bar(const Bars& bars, std::uint32_t seed) {
   Scene scene;
+  scene.fracture.crack = CrackMode::paper;
   scene.bodies.push_back(
       {.name = "bar", .mesh = suite::kuhn_box({3 * bars.scale, bars.scale, bars.scale}, 0.1)});
   BodySettings& body = scene.bodies[0];

@@ -133,6 +133,7 @@ Scene bent_beam(const Beam& beam) {
                 line_load(-half, 0, beam.force / 2, beam.ramp_time),
                 line_load(half, 0, beam.force / 2, beam.ramp_time)};
   Scene scene;
+  scene.fracture.crack = CrackMode::paper;
   scene.bodies.push_back(std::move(body));
   scene.gravity.acceleration.setZero();
   scene.integrator.time_step = 0.02;

@@ -109,6 +109,7 @@ Cracked solved(const Case& c, std::uint32_t order) {
                  .pressure = -sigma}};
   body.cuts = {{.faces = cracked_faces(c)}};
   Scene scene;
+  scene.fracture.crack = CrackMode::paper;
   scene.bodies.push_back(std::move(body));
   scene.gravity.acceleration = Vec3::Zero();
   Result<Simulation> simulation = build_statics(std::move(scene));

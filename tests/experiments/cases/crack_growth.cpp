@@ -50,6 +50,7 @@ Scene scene_of(const NotchedBar& bar) {
                   .box = RestBox{{-1, -1, -1}, {9, 0.25 * b + eps, 9}},
                   .ball = {}}};
   Scene scene;
+  scene.fracture.crack = CrackMode::paper;
   scene.bodies = {body};
   scene.gravity.acceleration.setZero();
   scene.integrator.time_step = bar.time_step;

@@ -50,6 +50,7 @@ Scene scene_of(int cells) {
       {.minimum = {-9, edge, -9}, .maximum = {9, 9, 9}, .pressure = pressure, .ramp_time = ramp},
       {.minimum = {-9, -9, -9}, .maximum = {9, -edge, 9}, .pressure = pressure, .ramp_time = ramp}};
   Scene scene;
+  scene.fracture.crack = CrackMode::paper;
   scene.bodies = {disc};
   scene.gravity.acceleration.setZero();
   scene.integrator.time_step = 1e-3;

@@ -13,6 +13,7 @@ namespace sunder::accuracy {
 
 Scene falling_cube(int cells) {
   Scene scene;
+  scene.fracture.crack = CrackMode::paper;
   BodySettings cube;
   cube.name = "cube";
   cube.mesh = suite::jittered(suite::kuhn_box({cells, cells, cells}, 0.2 / cells), 0.01 / cells, 1);

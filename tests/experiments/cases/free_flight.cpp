@@ -22,6 +22,7 @@ constexpr double length = 1, thickness = 0.1;
 
 Scene flight_scene(const FreeFlight& flight) {
   Scene scene;
+  scene.fracture.crack = CrackMode::paper;
   BodySettings rod;
   rod.mesh = suite::kuhn_box({10, 2, 2}, 1);
   for (Point& p : rod.mesh.points) {

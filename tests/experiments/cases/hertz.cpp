@@ -45,6 +45,7 @@ TetMesh round_block(const HertzImpact& impact) {
 
 Scene scene_of(const HertzImpact& impact) {
   Scene scene;
+  scene.fracture.crack = CrackMode::paper;
   BodySettings block;
   block.name = "block";
   block.mesh = round_block(impact);

@@ -32,6 +32,7 @@ Scales scales_of(const BarImpact& impact) {
 
 Scene scene_of(const BarImpact& impact, const Scales& scales) {
   Scene scene;
+  scene.fracture.crack = CrackMode::paper;
   BodySettings bar;
   bar.name = "bar";
   bar.mesh =

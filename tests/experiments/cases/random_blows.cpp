@@ -71,6 +71,7 @@ Simulation built(Scene scene) {
 /// The scene for a unit speed, m/s.
 Scene scene_of(Random& random) {
   Scene scene;
+  scene.fracture.crack = CrackMode::paper;
   scene.gravity.acceleration = {0, 0, -9.81};
   scene.impact.negligible = 0.01;
   const double gap = between(random, 0, 0.002);

@@ -84,6 +84,7 @@ std::vector<char> rule(const Ring& ring, const RingBurst& burst) {
 
 Scene scene_of(const Ring& ring, const RingBurst& burst) {
   Scene scene;
+  scene.fracture.crack = CrackMode::paper;
   BodySettings body;
   body.name = "ring";
   body.mesh = ring.mesh;

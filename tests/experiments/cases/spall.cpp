@@ -28,6 +28,7 @@ double duration(const Spall& spall, double c) { return 1.3 * spall.length / c; }
 
 Scene scene_of(const Spall& spall, double cell) {
   Scene scene;
+  scene.fracture.crack = CrackMode::paper;
   BodySettings bar;
   bar.name = "bar";
   bar.mesh = suite::kuhn_box({spall.cells, spall.across, spall.across}, cell);

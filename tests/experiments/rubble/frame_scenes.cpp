@@ -28,6 +28,7 @@ BodySettings box_body(const Vec3& sides) {
 /// What the scenes share: a floor, rubble on, steps of 1/240 s.
 Scene rubble_on_floor() {
   Scene scene;
+  scene.fracture.crack = CrackMode::paper;
   scene.obstacles = {{.shape = Plane{}, .friction = 0.5}};
   scene.integrator.time_step = 1.0 / 240;
   scene.ladder.rubble = RubbleMode::certified;

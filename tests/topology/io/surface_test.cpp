@@ -112,7 +112,7 @@ TEST_CASE("a surface is no body, and the message says what to do", "[io][surface
     const Result<TetMesh> mesh = read_mesh(sample(name));
     REQUIRE_FALSE(mesh);
     CHECK(mesh.findings[0].code == "no_tetrahedron");
-    CHECK(mesh.findings[0].remedy.find("sunder-mesh") != std::string::npos);
+    CHECK(mesh.findings[0].remedy.find("tetgen -pq") != std::string::npos);
   }
 }
 
