@@ -286,30 +286,6 @@ void look_at_materials(const Looked& l) {
   if (l.scene.fracture.crack == CrackMode::cohesive) judge_materials(l.check, l.scene);
 }
 
-/// Bodies that can break and name neither a toughness nor a fracture energy: one note for all.
-std::optional<SettingFinding> note_on_tips(const Looked& l) {
-  if (l.scene.fracture.mode == FractureMode::off) return std::nullopt;
-  if (l.scene.fracture.crack != CrackMode::object) return std::nullopt;
-  std::size_t bodies = 0, first = 0;
-  for (std::size_t b = 0; b < l.scene.bodies.size(); ++b) {
-    const bool breaks = l.measures[b].strength < infinite && !l.scene.bodies[b].rigid;
-    if (!breaks || std::isfinite(toughness_of(l.scene.bodies[b].material))) continue;
-    if (bodies++ == 0) first = b;
-  }
-  if (bodies == 0) return std::nullopt;
-  const std::string more = bodies > 1 ? fmt::format(" and {} more bodies", bodies - 1) : "";
-  return SettingFinding{
-      .place = fmt::format("bodies.{}.material", first),
-      .finding = {.code = "no_toughness",
-                  .severity = Severity::note,
-                  .text = fmt::format("bodies.{}.material{}: neither toughness nor fracture_energy "
-                                      "is given, so crack tips break at the tensile strength, "
-                                      "which makes fewer and larger pieces",
-                                      first, more),
-                  .remedy = "give \"toughness\" in Pa sqrt(m): about 1e5 for plaster, 1e6 for "
-                            "concrete and 0.75e6 for glass"}};
-}
-
 constexpr std::array<void (*)(const Looked&, std::size_t), 6> of_bodies = {
     look_at_size,   look_at_material, look_at_regions,
     look_at_speeds, look_at_layers,   look_at_slenderness};
@@ -351,9 +327,7 @@ std::vector<SettingFinding> scene_doubts(const Scene& scene) {
   for (const auto look : of_scenes) look(looked);
   badness.resize(found.size());
   for (SettingFinding& f : found) f.finding.severity = Severity::warning;
-  found = worst_first(found, badness);
-  if (std::optional<SettingFinding> note = note_on_tips(looked)) found.push_back(std::move(*note));
-  return found;
+  return worst_first(found, badness);
 }
 
 }  // namespace sunder

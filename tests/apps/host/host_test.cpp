@@ -43,7 +43,7 @@ Engine create(const std::string& text, const std::string& mesh, const std::strin
 }
 
 Engine monolith(const std::vector<const char*>& settings = {}) {
-  return create(bytes_of(SUNDER_SCENES "/monolith.json"), "../monolith.msh",
+  return create(bytes_of(SUNDER_SCENES "/paper/monolith.json"), "../../monolith.msh",
                 bytes_of(SUNDER_MESHES "/monolith.msh"), settings);
 }
 
@@ -91,7 +91,7 @@ TEST_CASE("structs of the C functions have the layout that the page reads", "[ho
 }
 
 TEST_CASE("a host's steps are the library's", "[host]") {
-  auto file = sunder::read_scene(SUNDER_SCENES "/monolith.json");
+  auto file = sunder::read_scene(SUNDER_SCENES "/paper/monolith.json");
   REQUIRE(file);
   auto simulation = sunder::build_simulation(file->scene);
   REQUIRE(simulation);
@@ -323,7 +323,7 @@ TEST_CASE("pieces tell where they came from, crack fronts are edges inside a bod
 }
 
 TEST_CASE("a piece that comes off is drawn where it was, and follows smoothly", "[host]") {
-  const Engine engine = create(bytes_of(SUNDER_SCENES "/block.json"), "../monolith.msh",
+  const Engine engine = create(bytes_of(SUNDER_SCENES "/block.json"), "../../monolith.msh",
                                bytes_of(SUNDER_MESHES "/monolith.msh"), {"gravity.ramp_time=0.3"});
   REQUIRE(engine);
   std::vector<float> old_centre;
@@ -366,9 +366,9 @@ TEST_CASE("points on cracks that are surfaces are brought near them", "[host]") 
 TEST_CASE("a host is told what is wrong with a scene", "[host]") {
   CHECK_FALSE(create("{", "a.msh", ""));
   CHECK(std::string(sunder_error(nullptr)).find("syntax_error") != std::string::npos);
-  const std::string scene = bytes_of(SUNDER_SCENES "/monolith.json");
+  const std::string scene = bytes_of(SUNDER_SCENES "/paper/monolith.json");
   CHECK_FALSE(create(scene, "other.msh", ""));
   CHECK(std::string(sunder_error(nullptr)).find("there are: other.msh") != std::string::npos);
-  CHECK_FALSE(create(scene, "../monolith.msh", "$MeshFormat\nnonsense"));
+  CHECK_FALSE(create(scene, "../../monolith.msh", "$MeshFormat\nnonsense"));
   CHECK_FALSE(std::string(sunder_error(nullptr)).empty());
 }

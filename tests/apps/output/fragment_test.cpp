@@ -19,6 +19,7 @@ TEST_CASE("fragments share mass and surface, and were parted by the faces that s
   auto file = read_scene(std::string(SUNDER_SCENES "/monolith.json"));
   REQUIRE(file);
   file->scene.bodies[0].material.tensile_strength = 1e6;
+  file->scene.fracture.crack = CrackMode::paper;
   Simulation sim = std::move(*build_simulation(file->scene));
   const Fragment whole = fragments(sim).at(0);
   CHECK(whole.crack_area == 0);

@@ -333,7 +333,7 @@ TEST_CASE("windows asked for with a method that has none are noted, defaults are
 TEST_CASE("cracks are drawn smooth only where they have planes", "[run][scene]") {
   const json scene = cube_scene();
   CHECK(read(scene)->output.crack_surface == CrackSurface::mesh);
-  const Result<SceneFile> refused = read(scene, {"output.crack_surface=smooth"});
+  const Result<SceneFile> refused = read(scene, {"output.crack_surface=smooth", "fracture.crack=paper"});
   REQUIRE_FALSE(refused);
   REQUIRE(refused.findings.size() == 1);
   CHECK(refused.findings[0].code == "no_crack_planes");

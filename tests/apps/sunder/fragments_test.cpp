@@ -182,7 +182,7 @@ TEST_CASE("sunder fragments reads a run and tells its sizes", "[run][fragments]"
   const Folder folder;
   const std::string out = (folder.path() / "out").string();
   const Outcome ran = run_program("run " SUNDER_SCENES
-                                  "/monolith.json --set duration=0.05 --quiet "
+                                  "/monolith.json --set duration=0.05 --set fracture.crack=paper --quiet "
                                   "--frames 2 -o " +
                                   out);
   INFO(ran.text());

@@ -45,6 +45,7 @@ void wait_a_little() { std::this_thread::sleep_for(std::chrono::milliseconds(10)
 
 Scene scene_of(std::size_t bodies) {
   Scene scene;
+  scene.fracture.crack = CrackMode::paper;
   scene.name = "test";
   scene.duration = 0.12;
   scene.integrator.time_step = 2e-5;

@@ -73,6 +73,7 @@ std::vector<Vec3> drawn_places(const Simulation& sim) {
 TEST_CASE("references jump where a piece comes off, what is drawn does not", "[run][display]") {
   Scene scene = shipped("block").scene;
   scene.bodies[0].material.tensile_strength = 4e3;
+  scene.fracture.crack = CrackMode::paper;
   Result<Simulation> built = build_simulation(scene);
   REQUIRE(built);
   Simulation& sim = *built;

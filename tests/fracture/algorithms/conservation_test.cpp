@@ -214,6 +214,7 @@ TEST_CASE("steps that break keep across their fans what the state had before the
   std::size_t fans = 0, rigid_steps = 0;
   for (int number = 0; number < 4; ++number) {
     Scene scene;
+    scene.fracture.crack = CrackMode::paper;
     scene.bodies.push_back(
         {.name = "bar",
          .mesh = jittered(kuhn_box({6, 2, 2}, 0.1), 0.015, static_cast<unsigned>(number))});
@@ -259,6 +260,7 @@ struct PulledRun {
 
 Simulation pulled() {
   Scene scene;
+  scene.fracture.crack = CrackMode::paper;
   scene.bodies.push_back({.name = "bar", .mesh = jittered(kuhn_box({6, 2, 2}, 0.1), 0.01, 4)});
   scene.bodies[0].held = {
       {.minimum = {-0.02, -1, -1}, .maximum = {0.02, 1, 1}, .velocity = {-0.05, 0, 0}},

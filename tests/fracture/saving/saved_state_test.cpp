@@ -68,6 +68,7 @@ Seen run_paused(const Scene& scene, int steps, int pause) {
 /// A bar that falls on a sphere and breaks over it.
 Scene breaking_scene(const IntegratorSettings& integrator) {
   Scene scene;
+  scene.fracture.crack = CrackMode::paper;
   scene.bodies.push_back({.name = "bar",
                           .mesh = jittered(kuhn_box({6, 2, 2}, 0.1), 0.01, 4),
                           .material = {.young_modulus = 1e8, .tensile_strength = 2e5},
@@ -83,6 +84,7 @@ Scene breaking_scene(const IntegratorSettings& integrator) {
 /// everything.
 Simulation small_one() {
   Scene scene;
+  scene.fracture.crack = CrackMode::paper;
   scene.bodies.push_back({.name = "block",
                           .mesh = kuhn_box({2, 1, 1}, 0.1),
                           .material = {.young_modulus = 1e8, .tensile_strength = 1e5},
@@ -154,6 +156,7 @@ TEST_CASE("cracks go on to the same bytes however they are found", "[fracture][s
 
 TEST_CASE("windows, borders and open cracks go on to the same bytes", "[fracture][saved_state]") {
   Scene scene;
+  scene.fracture.crack = CrackMode::paper;
   scene.integrator.time_step = 1e-4;
   scene.bodies.push_back({.mesh = kuhn_box({6, 4, 3}, 0.05),
                           .material = {.tensile_strength = 3e6},
@@ -172,6 +175,7 @@ TEST_CASE("windows, borders and open cracks go on to the same bytes", "[fracture
 
 TEST_CASE("what sleeps, flies and creeps goes on to the same bytes", "[fracture][saved_state]") {
   Scene scene;
+  scene.fracture.crack = CrackMode::paper;
   scene.ladder.sleep_after = 0.01;
   scene.bodies.push_back({.mesh = kuhn_box({2, 2, 2}, 0.1), .translation = {0, 0, 0}});
   scene.bodies.push_back(

@@ -29,6 +29,7 @@ Simulation stepped(const Scene& scene, int steps) {
 /// factors, contacts, pieces and windows.
 Scene busy_scene() {
   Scene scene;
+  scene.fracture.crack = CrackMode::paper;
   scene.bodies.push_back({.name = "block",
                           .mesh = kuhn_box({3, 2, 1}, 0.1),
                           .material = {.young_modulus = 1e8, .tensile_strength = 1e5},
@@ -66,6 +67,7 @@ Scene object_scene() {
 /// Rubble: rigid pieces of several tetrahedra on the floor.
 Scene rubble_scene() {
   Scene scene;
+  scene.fracture.crack = CrackMode::paper;
   scene.ladder.rubble = RubbleMode::certified;
   scene.ladder.sleep_after = 0.02;
   for (int k = 0; k < 3; ++k) {

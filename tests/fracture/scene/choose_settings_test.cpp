@@ -81,9 +81,9 @@ TEST_CASE("what is told is what is set, and what is given stays", "[fracture][se
     const auto values = values_of(scene);
     for (const Choice& c : choices) {
       INFO(c.key);
-      const double told = c.value == "\"off\""         ? 0
-                          : c.value == "\"certified\"" ? 1
-                                                       : std::stod(c.value);
+      const std::map<std::string, double> words = {
+          {"\"off\"", 0}, {"\"certified\"", 1}, {"\"dense\"", 0}, {"\"lcc\"", 1}};
+      const double told = words.contains(c.value) ? words.at(c.value) : std::stod(c.value);
       CHECK(told == values.at(c.key));
       CHECK_FALSE(c.reason.empty());
     }
@@ -148,7 +148,7 @@ TEST_CASE("more accuracy is finer in everything, and what a scene does not use i
   Scene penalty = falling(5);
   penalty.contact.method = ContactMethod::penalty;
   for (const Choice& c : choose_settings(penalty, Accuracy::good, {})) {
-    CHECK(c.key == "contact.max_contacts_per_pair");
+    if (c.key != "topology.kernel") CHECK(c.key == "contact.max_contacts_per_pair");
   }
 }
 

@@ -18,6 +18,7 @@ struct Run {
 
 Run run(bool with_borders, int order) {
   Scene scene;
+  scene.fracture.crack = CrackMode::paper;
   scene.integrator.time_step = 2e-5;
   scene.impact.window = false;  // so that systems can be thrown away between any two parts
   scene.bodies.push_back({.mesh = suite::kuhn_box({6, 4, 3}, 0.05),

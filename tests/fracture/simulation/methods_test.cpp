@@ -18,6 +18,7 @@ namespace {
 /// A bar that falls on a sphere and breaks over it.
 Scene breaking_scene(const IntegratorSettings& integrator) {
   Scene scene;
+  scene.fracture.crack = CrackMode::paper;
   scene.bodies.push_back({.name = "bar",
                           .mesh = jittered(kuhn_box({6, 2, 2}, 0.1), 0.01, 4),
                           .material = {.young_modulus = 1e8, .tensile_strength = 2e5},

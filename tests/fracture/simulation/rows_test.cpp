@@ -19,6 +19,7 @@ namespace {
 
 Scene flying_bar(CrackMode crack, MapKernel kernel) {
   Scene scene;
+  scene.fracture.crack = CrackMode::paper;
   scene.bodies.push_back({.name = "bar",
                           .mesh = jittered(kuhn_box({6, 2, 2}, 0.1), 0.01, 4),
                           .material = {.fracture_energy = 10},
