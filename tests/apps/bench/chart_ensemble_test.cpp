@@ -24,6 +24,7 @@ std::string thrown_cube(const test::Workplace& here) {
                         {"velocity", {0, 0, -20}}}}},
                      {"obstacles", {{{"plane", {{"normal", {0, 0, 1}}}}}}},
                      {"time_step", 1e-3},
+                     {"fracture", {{"crack", "paper"}}},
                      {"duration", 0.008}};
   return here.write("scene.json", text.dump());
 }

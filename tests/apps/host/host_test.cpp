@@ -323,7 +323,7 @@ TEST_CASE("pieces tell where they came from, crack fronts are edges inside a bod
 }
 
 TEST_CASE("a piece that comes off is drawn where it was, and follows smoothly", "[host]") {
-  const Engine engine = create(bytes_of(SUNDER_SCENES "/block.json"), "../../monolith.msh",
+  const Engine engine = create(bytes_of(SUNDER_SCENES "/paper/block.json"), "../../monolith.msh",
                                bytes_of(SUNDER_MESHES "/monolith.msh"), {"gravity.ramp_time=0.3"});
   REQUIRE(engine);
   std::vector<float> old_centre;

@@ -50,7 +50,7 @@ BendingTable bend_static(int layers);
 /// A beam bent in time, the load raised by 0.0028 of the expected one in steps of 20 ms.
 struct SlowBend {
   int layers = 4;
-  FractureSettings fracture = {};
+  FractureSettings fracture = {.crack = CrackMode::paper};
   std::optional<double> toughness = {};  ///< Pa sqrt(m)
   int divided = 1;  ///< a step in which something breaks is taken again in as many
 };

@@ -24,7 +24,7 @@ struct NotchedBar {
   double grip = 0;  ///< over b: as far from the ends vertices never split, as in a tester's grips
   double damping = 0;  ///< Rayleigh's, of the stiffness, s
   double in_vain = 10;
-  FractureSettings fracture;
+  FractureSettings fracture = {.crack = CrackMode::paper};
   /// In place of the cubes: a mesh of the box [0, 2 b] x [0, b] x [0, thickness b / cells].
   std::optional<TetMesh> mesh = {};
 };
