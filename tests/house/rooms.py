@@ -62,7 +62,7 @@ ROOMS = (
      ("topology/base", "topology/kernel", "mechanics/state", "mechanics/frame", "mechanics/element",
       "fracture/cracks")),
     ("fracture/strength", "strength drawn at random, faces cut before the start",
-     ("topology/base", "topology/kernel", "mechanics/state", "fracture/cracks", "fracture/algorithms")),
+     ("topology/base", "topology/kernel", "topology/mesh", "mechanics/state", "fracture/cracks", "fracture/algorithms")),
     ("fracture/energy", "energy that a crack releases, and what it leaves in motion",
      ("topology/base", "topology/kernel", "mechanics/*", "fracture/algorithms")),
     ("fracture/scene", "bodies and all that a user chooses of a simulation; every key once",

@@ -75,7 +75,7 @@ TEST_CASE("each trouble of a step is a warning of its own", "[run]") {
   CHECK(codes(sim, {left_out, unconverged, stopped, given_up, deep}).size() == 5);
 }
 
-TEST_CASE("contacts left out are a warning; sweeps that ended early are where it matters",
+TEST_CASE("contacts left out are a warning, sweeps that ended early are where it matters",
           "[run]") {
   Simulation sim = falling_box();
   for (Vec3& v : sim.state->mechanics.vertices.velocity) v = {0, 0, 1};

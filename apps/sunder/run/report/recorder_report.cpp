@@ -172,7 +172,7 @@ void check_turns(RunStatistics& statistics, const Simulation& now, const StepRep
     const double valid = largest_valid_turn(mechanics.materials[material.index()]);
     if (!(component.largest_turn > valid)) continue;
     const double share = share_turned(*now.state, component, valid);
-  if (!(share > allowed_share_turned)) continue;
+    if (!(share > allowed_share_turned)) continue;
     statistics.turned_too_far = true;
     statistics.warnings.push_back(
         {.code = turned_too_far,
