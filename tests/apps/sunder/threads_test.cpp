@@ -20,7 +20,7 @@ namespace {
 /// the largest.
 Simulation shattered(unsigned threads) {
   const std::vector<std::string> settings = {"time_step=5e-5"};
-  Result<SceneFile> file = read_scene(SUNDER_SCENES "/bunny.json", settings);
+  Result<SceneFile> file = read_scene(SUNDER_SCENES "/paper/bunny.json", settings);
   REQUIRE(file);
   Result<Simulation> sim = build_simulation(std::move(file->scene));
   REQUIRE(sim);
