@@ -160,8 +160,8 @@ double share_turned(const SimulationState& state, const Component& component, do
   return turned / whole;
 }
 
-/// Cells at a crack turn before they come off, in every body that breaks. Their false strain
-/// presses and opens nothing; that of a larger part bends the body beside it.
+/// Cells at a crack turn before they come off, in every body that breaks, so a small share is no
+/// sign of a body that bends too far. The value is a choice; no measurement stands behind it.
 constexpr double allowed_share_turned = 0.05;
 
 void check_turns(RunStatistics& statistics, const Simulation& now, const StepReport& report) {
