@@ -22,10 +22,10 @@ Scene sample_scene(const char* name, double duration) {
 }  // namespace
 
 TEST_CASE("the fans of the sample scenes are those of always-full dynamics", "[ladder][scenes]") {
-  // The bunny shatters within a few sub-steps, and then pieces that touch at a vertex make rounding
-  // decide: a start moved by 1e-12 tells from which fan on.
-  const auto [name, duration, least] = GENERATE(std::tuple{"block", 2.0, std::size_t{40}},
-                                                std::tuple{"bunny", 0.0204, std::size_t{90}},
+  // The bunny breaks within a few sub-steps, and rounding decides from some fan on: a start moved by
+  // 1e-12 changes it. `least` fans come before that.
+  const auto [name, duration, least] = GENERATE(std::tuple{"block", 2.0, std::size_t{50}},
+                                                std::tuple{"bunny", 0.005, std::size_t{90}},
                                                 std::tuple{"monolith", 0.1, std::size_t{40}});
   const Scene scene = sample_scene(name, duration);
   const LadderOutcome full = run_on_ladder(always_full(scene));
@@ -34,7 +34,7 @@ TEST_CASE("the fans of the sample scenes are those of always-full dynamics", "[l
   const std::size_t decided = same_fans(moved, full);
   CAPTURE(name, full.fans.size(), ladder.fans.size());
   CHECK(decided >= least);
-  CHECK(same_fans(ladder, full) >= decided);
+  CHECK(same_fans(ladder, full) >= least);
   if (decided == full.fans.size()) CHECK(ladder.fans.size() == full.fans.size());
   const auto full_rung = static_cast<std::size_t>(Rung::full);
   // The slab lies on its supports while gravity grows: nothing of it flies or rests.

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <initializer_list>
 #include <iterator>
+#include <nlohmann/json.hpp>
 
 #include "apps/sunder/run/saved/run_folder.hpp"
 #include "fracture/saving/archive.hpp"
@@ -191,6 +192,8 @@ Result<Checkpoint> read_one(const fs::path& path) {
   const std::vector<PvdFrame>& frames = checkpoint.record.frames;
   bool fits = !reader.failed && reader.bytes.empty();
   for (std::size_t k = 0; k < frames.size(); ++k) fits = fits && frames[k].file == frame_name(k);
+  // The report parses these values.
+  for (const Choice& c : checkpoint.file.choices) fits = fits && nlohmann::json::accept(c.value);
   if (!fits) return unusable("damaged", path, "what it holds does not fit together");
   checkpoint.simulation = std::move(*simulation);
   checkpoint.file.scene = checkpoint.simulation.scene;
