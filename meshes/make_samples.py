@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Makes the structured sample meshes: ring, cube, two_tets, bar and monolith (MSH 4.1 ASCII).
+"""Makes the structured sample meshes: ring, cube, two_tets, bar, monolith and slab (MSH 4.1 ASCII).
 
     python3 make_samples.py [FOLDER]        write them into FOLDER (default: this script's)
     python3 make_samples.py --check         say which committed files differ; exit 1 if any does
 
-The bytes depend on nothing but this script. bunny.msh is made by sunder-mesh: see README.md.
+The bytes depend on nothing but this script. bunny.msh and ball.msh are made by sunder-mesh: see README.md.
 """
 
 import itertools
@@ -114,6 +114,16 @@ def monolith():
     return points, oriented(points, tets)
 
 
+def slab():
+    """The monolith's box in 12 x 4 x 14 cells of five tetrahedra, shaken: four layers, which bend."""
+    divisions, lengths = (12, 4, 14), (1.0, 0.3, 2.0)
+    points, tets = five_tets(divisions, lengths)
+    cell = [length / n for length, n in zip(lengths, divisions)]
+    points = jitter(points, lengths, [0.2 * c for c in cell], seed=7)
+    points = [(round(x - 0.5, 6), round(y - 0.15, 6), round(z, 6)) for x, y, z in points]
+    return points, oriented(points, tets)
+
+
 def bar():
     """A bar of 0.8 x 0.06 x 0.4 m in 24 x 2 x 12 Kuhn cells, shaken but for the lower quarter of its
     middle section, where a notch can be cut."""
@@ -138,6 +148,7 @@ SAMPLES = {
     "two_tets": two_tets,
     "bar": bar,
     "monolith": monolith,
+    "slab": slab,
 }
 
 

@@ -26,7 +26,7 @@ draw() { # result, picture, then options
 }
 
 # Figures 1, 2, 7: the block sags on its supports, then breaks under its own weight.
-run block block --frame-interval 0.01 --set bodies.0.material.tensile_strength=6e3 --set fracture.crack=object
+run paper/block block --frame-interval 0.01 --set bodies.0.material.tensile_strength=6e3 --set fracture.crack=object
 draw block figure_1 --show both --magnify 50 --time "$(python3 "$here/moment.py" "$work/block" first_fan -0.004)" --eye 0.5,-3.2,1.5 --target 0,0,0.65 --fov 32
 for part in a b c d; do
   case $part in a) at=1.1 ;; b) at=1.6 ;; c) at=2.0 ;; d) at=2.5 ;; esac
@@ -35,7 +35,7 @@ done
 python3 "$here/moment.py" "$work/block" jump
 
 # Figure 6: two balls strike the monolith.
-run monolith monolith --frame-interval 0.01 --set fracture.crack=paper
+run paper/monolith monolith --frame-interval 0.01 --set fracture.crack=paper
 for part in a:0.05 b:0.07 c:0.17 d:0.4; do
   draw monolith "figure_6${part%%:*}" --time "${part##*:}" --eye 2.2,-3.6,2.0 --target 0,0.15,0.8 --fov 36
 done

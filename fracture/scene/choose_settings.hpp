@@ -43,8 +43,4 @@ std::vector<std::string_view> chosen_keys();
 std::vector<Choice> choose_settings(Scene& scene, Accuracy accuracy,
                                     std::span<const std::string> given);
 
-/// ms that a step of the whole scene in full takes in flight, where nothing touches or breaks: from
-/// the number of tetrahedra and their order, mostly to a factor of two on one core of a server (docs/defaults.md).
-double flight_ms(const Scene& scene);
-
 }  // namespace sunder

@@ -8,6 +8,6 @@ namespace sunder {
 
 extern const std::string_view demo_scene;  ///< JSON; names demo_mesh_name
 extern const std::string_view demo_mesh;   ///< Gmsh MSH
-inline constexpr std::string_view demo_mesh_name = "monolith.msh";
+inline constexpr std::string_view demo_mesh_name = "ball.msh";
 
 }  // namespace sunder

@@ -35,12 +35,8 @@ std::size_t terminal_columns() {
 
 }  // namespace
 
-double seconds_left(const ProgressState& state, double elapsed) {
-  const double done = share_done(state);
-  return elapsed * (1 - done) / done;
-}
-
-std::string progress_line(const ProgressState& state, double elapsed, std::size_t width) {
+std::string progress_line(const ProgressState& state, double elapsed, double left,
+                          std::size_t width) {
   std::string line;
   if (width > 0) {
     const auto filled = static_cast<std::size_t>(share_done(state) * static_cast<double>(width));
@@ -50,8 +46,7 @@ std::string progress_line(const ProgressState& state, double elapsed, std::size_
                       state.pieces, state.pieces == 1 ? "piece" : "pieces", state.fans,
                       state.fans == 1 ? "fan" : "fans");
   if (state.behind > 0) line += fmt::format("  {:.2f} s behind", state.behind);
-  line += fmt::format("  {} gone", wall_time(elapsed));
-  if (state.step > 0) line += fmt::format("  {} left", wall_time(seconds_left(state, elapsed)));
+  line += fmt::format("  {} gone  {} left", wall_time(elapsed), wall_time(left));
   return line;
 }
 
@@ -123,25 +118,32 @@ Heartbeat::Line line_of_work(std::string_view name) {
   };
 }
 
-Progress::Progress(bool quiet, const ProgressState& start)
-    : state_(start), heartbeat_(quiet, [this](double elapsed, std::size_t width) {
-        return progress_line(state(), elapsed, width);
-      }) {}
+Progress::Progress(bool quiet, const ProgressState& start, RemainingTime remaining)
+    : state_(start),
+      remaining_(std::move(remaining)),
+      heartbeat_(quiet,
+                 [this](double elapsed, std::size_t width) { return line(elapsed, width); }) {}
+
+double Progress::elapsed() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
 
 void Progress::show(const ProgressState& state) {
   const std::lock_guard<std::mutex> lock(changing_);
   state_ = state;
+  remaining_.reach(state.time, elapsed());
 }
 
 void Progress::reach(double time, std::size_t fans) {
   const std::lock_guard<std::mutex> lock(changing_);
   state_.time = time;
   state_.fans = fans;
+  remaining_.reach(time, elapsed());
 }
 
-ProgressState Progress::state() const {
+std::string Progress::line(double elapsed, std::size_t width) const {
   const std::lock_guard<std::mutex> lock(changing_);
-  return state_;
+  return progress_line(state_, elapsed, remaining_.left(), width);
 }
 
 }  // namespace sunder

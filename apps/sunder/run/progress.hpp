@@ -11,6 +11,8 @@
 #include <string_view>
 #include <thread>
 
+#include "apps/sunder/run/remaining_time.hpp"
+
 namespace sunder {
 
 /// Where a run stands, for its line of progress.
@@ -23,13 +25,10 @@ struct ProgressState {
   double behind = 0;
 };
 
-/// s of wall time until the end of the run, estimated from the steps done in `elapsed` seconds.
-/// Needs: at least one step done.
-double seconds_left(const ProgressState& state, double elapsed);
-
 /// The line of a run: a bar of `width` characters (0: no bar), step, simulated time, pieces, fans,
-/// wall time since the start (`elapsed`, s) and, after the first step, `seconds_left`.
-std::string progress_line(const ProgressState& state, double elapsed, std::size_t width);
+/// wall time since the start (`elapsed`, s) and until the end (`left`, s).
+std::string progress_line(const ProgressState& state, double elapsed, double left,
+                          std::size_t width);
 
 /// Prints a line to stderr from a thread of its own, however long the caller is busy: every 0.2 s
 /// on a terminal, where it replaces the last one, every second elsewhere. Where the system gives no
@@ -71,8 +70,8 @@ Heartbeat::Line line_of_work(std::string_view name);
 /// A heartbeat for the steps of a run. Its functions may be called while the thread prints.
 class Progress {
  public:
-  /// `quiet` shows nothing.
-  Progress(bool quiet, const ProgressState& start);
+  /// `quiet` shows nothing. `remaining`: of the run from here on.
+  Progress(bool quiet, const ProgressState& start, RemainingTime remaining);
 
   /// After a step.
   void show(const ProgressState& state);
@@ -82,10 +81,13 @@ class Progress {
   std::unique_lock<std::mutex> hold() { return heartbeat_.hold(); }
 
  private:
-  ProgressState state() const;
+  std::string line(double elapsed, std::size_t width) const;
+  double elapsed() const;
 
   mutable std::mutex changing_;
   ProgressState state_;
+  RemainingTime remaining_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   Heartbeat heartbeat_;
 };
 

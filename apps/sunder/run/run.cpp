@@ -118,7 +118,9 @@ ExitCode step_to_end(const RunWork& work, const RunArguments& arguments, FrameCl
     return ExitCode::failed;
   }
   const std::size_t pieces = living_components(simulation.state->mechanics).size();
-  Progress progress(arguments.quiet, progress_of(work, pieces, nullptr));
+  const double end = static_cast<double>(steps) * simulation.scene.integrator.time_step;
+  Progress progress(arguments.quiet, progress_of(work, pieces, nullptr),
+                    {expected_time(simulation.scene), simulated_time(simulation), end});
   const auto say = [&](const std::vector<Finding>& findings) {
     if (findings.empty()) return;
     const auto held = progress.hold();
@@ -344,7 +346,10 @@ ExitCode run_scene(const RunArguments& arguments) {
       arguments.folder.empty() ? usual_folder(arguments.scene) : arguments.folder;
   std::optional<Replay> replay;
   if (!read_log(replay, arguments, *file, folder)) return ExitCode::bad_input;
-  remark(scene_line(file->scene) + "\n", arguments);
+  const double seconds = expected_time(file->scene).between(0, file->scene.duration);
+  remark(
+      fmt::format("{}; {} of computing expected\n", scene_line(file->scene), time_words(seconds)),
+      arguments);
   if (arguments.verbose) remark(settings_lines(*file), arguments);
   Result<Simulation> simulation = with_progress("building the simulation", arguments,
                                                 [&] { return build_simulation(file->scene); });

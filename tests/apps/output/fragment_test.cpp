@@ -16,7 +16,7 @@ using namespace sunder::test;
 
 TEST_CASE("fragments share mass and surface, and were parted by the faces that split",
           "[output][fragments]") {
-  auto file = read_scene(std::string(SUNDER_SCENES "/monolith.json"));
+  auto file = read_scene(std::string(SUNDER_SCENES "/charts/monolith.json"));
   REQUIRE(file);
   file->scene.bodies[0].material.tensile_strength = 1e6;
   file->scene.fracture.crack = CrackMode::paper;
@@ -51,7 +51,7 @@ TEST_CASE("fragments share mass and surface, and were parted by the faces that s
 }
 
 TEST_CASE("crack faces count on their crack's plane where they know it", "[output][fragments]") {
-  auto file = read_scene(std::string(SUNDER_SCENES "/monolith.json"));
+  auto file = read_scene(std::string(SUNDER_SCENES "/charts/monolith.json"));
   REQUIRE(file);
   file->scene.fracture.crack = CrackMode::object;
   Simulation sim = std::move(*build_simulation(file->scene));
@@ -69,7 +69,7 @@ TEST_CASE("crack faces count on their crack's plane where they know it", "[outpu
 
 TEST_CASE("fragments of an intact body have the solid's mass, volume and inertia",
           "[output][fragments]") {
-  const Simulation simulation = shipped("monolith");
+  const Simulation simulation = shipped("charts/monolith");
   const std::vector<Fragment> pieces = fragments(simulation);
   REQUIRE(pieces.size() == 1);
   const Fragment& slab = pieces[0];
@@ -91,7 +91,7 @@ TEST_CASE("fragments of an intact body have the solid's mass, volume and inertia
 
 TEST_CASE("a step reports the pieces that came off in it, and they know when and from what",
           "[output][fragments]") {
-  Simulation sim = shipped("monolith");
+  Simulation sim = shipped("charts/monolith");
   std::size_t pieces = fragments(sim).size(), born = 0;
   while (simulated_time(sim) < 0.06) {
     const StepReport report = advance(sim);
@@ -113,7 +113,7 @@ TEST_CASE("a step reports the pieces that came off in it, and they know when and
 
 TEST_CASE("a piece's surface is closed, outward, and has the piece's areas and volume",
           "[output][fragments]") {
-  Simulation sim = shipped("monolith");
+  Simulation sim = shipped("charts/monolith");
   const FragmentSurface start = fragment_surface(sim, ComponentId{0});
   for (std::size_t i = 0; i < start.vertex.size(); ++i) {
     CHECK((start.drawn_position[i] - start.position[i]).norm() < 1e-12);

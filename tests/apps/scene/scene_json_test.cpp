@@ -185,9 +185,8 @@ TEST_CASE("of the scenes that are shipped those with coarse meshes are doubted, 
   }
   CHECK(scenes > 10);
   // Two layers of cells, and one in the pane: none of these measures bending.
-  CHECK(doubted == std::map<std::string, std::string>{{"block.json", "few_layers"},
+  CHECK(doubted == std::map<std::string, std::string>{{"charts/monolith.json", "few_layers"},
                                                       {"ensembles/pane.json", "few_layers"},
-                                                      {"monolith.json", "few_layers"},
                                                       {"paper/block.json", "few_layers"},
                                                       {"paper/monolith.json", "few_layers"}});
 }

@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "apps/sunder/run/report/scene_line.hpp"
+#include "apps/sunder/run/report/settings_report.hpp"
 #include "tests/support/program.hpp"
 
 using namespace sunder;
@@ -112,11 +113,19 @@ TEST_CASE("a scene's name moves no cursor and breaks no line", "[run][progress]"
 
 TEST_CASE("a line of progress has step, time, pieces, fans and wall time", "[run][progress]") {
   const ProgressState state{50, 200, 0.05, 3, 7};
-  CHECK(progress_line(state, 10, 8) ==
+  CHECK(progress_line(state, 10, 30, 8) ==
         "[##------] step 50/200  t = 0.050000 s  3 pieces  7 fans  0:10 gone  0:30 left");
-  CHECK(progress_line({0, 200, 0, 1, 1}, 10, 0) ==
-        "step 0/200  t = 0.000000 s  1 piece  1 fan  0:10 gone");
-  CHECK(seconds_left(state, 10) == Approx(30));
+  CHECK(progress_line({0, 200, 0, 1, 1}, 10, 4000, 0) ==
+        "step 0/200  t = 0.000000 s  1 piece  1 fan  0:10 gone  1:06:40 left");
+}
+
+TEST_CASE("the expected time is told in words", "[run][progress]") {
+  CHECK(time_words(0.3) == "less than a second");
+  CHECK(time_words(4.4) == "about 4 s");
+  CHECK(time_words(57) == "about 57 s");
+  CHECK(time_words(150) == "about 3 min");
+  CHECK(time_words(5000) == "about 83 min");
+  CHECK(time_words(1e6) == "about 280 h");
 }
 
 TEST_CASE("progress is printed while the step goes on, from where the step has come to",
@@ -125,7 +134,7 @@ TEST_CASE("progress is printed while the step goes on, from where the step has c
   const std::string path = here.path("err");
   {
     const StderrTo file(path);
-    Progress progress(false, {.step = 3, .steps = 9, .pieces = 1});
+    Progress progress(false, {.step = 3, .steps = 9, .pieces = 1}, {{}, 0, 1});
     progress.reach(0.0125, 42);
     // The caller is busy here; the thread prints.
     while (bytes_of(path).find('\n') == std::string::npos) wait_a_little();
@@ -140,8 +149,8 @@ TEST_CASE("quiet progress prints nothing and holding it keeps it silent", "[run]
   const std::string path = here.path("err");
   {
     const StderrTo file(path);
-    Progress quiet(true, {});
-    Progress progress(false, {});
+    Progress quiet(true, {}, {{}, 0, 1});
+    Progress progress(false, {}, {{}, 0, 1});
     const auto held = progress.hold();
     std::this_thread::sleep_for(std::chrono::milliseconds(1300));
     CHECK(bytes_of(path).empty());
@@ -158,7 +167,7 @@ TEST_CASE("a run reports its progress within a step that does not end", "[run][p
     dup2(file, STDERR_FILENO);
     dup2(open("/dev/null", O_WRONLY), STDOUT_FILENO);
     // One step, in which the balls strike: sub-steps of an impact, too many to come to an end here.
-    execl(SUNDER_PROGRAM, SUNDER_PROGRAM, "run", SUNDER_SCENES "/monolith.json", "--set",
+    execl(SUNDER_PROGRAM, SUNDER_PROGRAM, "run", SUNDER_SCENES "/charts/monolith.json", "--set",
           "time_step=0.8", "--set", "impact.fraction=1e-5", "--set", "impact.max_sub_steps=1000000",
           "--set", "fracture.mode=off", "-o", out.c_str(), nullptr);
     _exit(127);

@@ -37,7 +37,7 @@ TEST_CASE("frames are spread evenly with both ends, or by their interval", "[run
 }
 
 TEST_CASE("every momentum is accounted for to rounding", "[run][recorder]") {
-  Simulation simulation = shipped("monolith");
+  Simulation simulation = shipped("charts/monolith");
   RunStatistics statistics = begin_statistics(simulation, {});
   double largest = 0;
   while (simulation.state->mechanics.time < 0.06) {
@@ -71,7 +71,7 @@ std::vector<Vec3> drawn_places(const Simulation& sim) {
 }  // namespace
 
 TEST_CASE("references jump where a piece comes off, what is drawn does not", "[run][display]") {
-  Scene scene = shipped("block").scene;
+  Scene scene = shipped("paper/block").scene;
   scene.bodies[0].material.tensile_strength = 4e3;
   scene.fracture.crack = CrackMode::paper;
   Result<Simulation> built = build_simulation(scene);

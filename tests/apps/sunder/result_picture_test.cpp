@@ -93,7 +93,7 @@ TEST_CASE("a run is drawn, exported with keys where it is struck, and its end wr
           "[render]") {
   const Workplace here;
   const std::string out = here.path("out");
-  REQUIRE(here.run({"run", (fs::path(SUNDER_MESHES) / "scenes/monolith.json").string(), "-o", out,
+  REQUIRE(here.run({"run", (fs::path(SUNDER_MESHES) / "scenes/charts/monolith.json").string(), "-o", out,
                     "--frames", "3", "--quiet", "--set", "duration=0.06", "--set",
                     "output.frames_at_impacts=true"})
               .exit_code == 0);
@@ -158,9 +158,9 @@ TEST_CASE("the demo breaks something, and keeps its hands off other files", "[de
     CHECK(shell(i->str(1) + brief + " --quiet >out.txt 2>&1") == 0);
   }
   CHECK(hints == 2);
-  std::ofstream(here.path("demo/monolith.json")) << "{}";
+  std::ofstream(here.path("demo/ball.json")) << "{}";
   const auto refused = here.run({"demo", "-o", here.path("demo")});
   CHECK(refused.exit_code == 4);
   CHECK(refused.err.find("in_the_way") != std::string::npos);
-  CHECK(fs::file_size(here.path("demo/monolith.json")) == 2);
+  CHECK(fs::file_size(here.path("demo/ball.json")) == 2);
 }

@@ -132,7 +132,7 @@ TEST_CASE("verbose tells each stage with its time and leaves the result as it is
   const Workplace here;
   const std::string cube = sample_mesh("cube.msh"), run = here.path("run");
   const std::regex stage(" *\\d+\\.\\d{3} s  [a-z]");
-  REQUIRE(here.run({"run", SUNDER_SCENES "/monolith.json", "-o", run, "--quiet", "--set",
+  REQUIRE(here.run({"run", SUNDER_SCENES "/charts/monolith.json", "-o", run, "--quiet", "--set",
                     "duration=0.02"})
               .exit_code == 0);
   for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{

@@ -26,7 +26,7 @@ class Server {
     std::filesystem::create_directories(here.path("page"));
     here.write("page/index.html", "the page");
     const std::string command = "echo $$; exec '" SUNDER_PROGRAM "' view '" SUNDER_SCENES
-                                "/monolith.json' --headless --page '" +
+                                "/charts/monolith.json' --headless --page '" +
                                 here.path("page") + "' 2>'" + here.path("said") + "'";
     pipe_ = popen(command.c_str(), "r");
     process_ = std::stoi(line());
@@ -139,7 +139,7 @@ TEST_CASE("sunder view outlives a page that is closed while it waits", "[view]")
 TEST_CASE("sunder view says what is wrong with a scene, a port and a page", "[view]") {
   const Workplace here;
   const Server server(here);
-  const std::string scene = SUNDER_SCENES "/monolith.json";
+  const std::string scene = SUNDER_SCENES "/charts/monolith.json";
   const auto taken = here.run({"view", scene, "--headless", "--page", here.path("page"), "--port",
                                std::to_string(server.port)});
   CHECK(taken.exit_code == 4);

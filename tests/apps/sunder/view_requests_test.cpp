@@ -49,7 +49,7 @@ TEST_CASE("only the page itself is answered", "[view]") {
 
 TEST_CASE("a page's requests load, step, go back and come to the same again", "[view]") {
   ViewedScene viewed;
-  viewed.path = SUNDER_SCENES "/monolith.json";
+  viewed.path = SUNDER_SCENES "/charts/monolith.json";
   CHECK_FALSE(do_view_request(viewed, "step", "{}").fine);
   REQUIRE(do_view_request(viewed, "load", own_scene).fine);
   REQUIRE(do_view_request(viewed, "step", R"({"count": 150})").fine);
@@ -79,7 +79,7 @@ TEST_CASE("a scene dropped on the page comes with its files", "[view]") {
                             {"files", {"meshes/own.vtu"}},
                             {"sizes", {mesh.size()}}};
   ViewedScene viewed;
-  viewed.path = SUNDER_SCENES "/monolith.json";
+  viewed.path = SUNDER_SCENES "/charts/monolith.json";
   const ViewAnswer loaded = do_view_request(viewed, "load", load_body(request.dump(), mesh));
   REQUIRE(loaded.fine);
   CHECK(report_of(loaded).pieces == 1);

@@ -45,7 +45,7 @@ def bunny_surface(sunder):
 
 # What is run: its scene, how long (s), its surface, whether that has edges, and sizes of tetrahedra (m) at 1x and 2x.
 BODIES = {
-    "monolith": dict(scene=SCENES / "monolith.json", duration=0.16, sharp=True, size={"1x": 0.2, "2x": 0.131},
+    "monolith": dict(scene=SCENES / "charts/monolith.json", duration=0.16, sharp=True, size={"1x": 0.2, "2x": 0.131},
                      surface=lambda sunder: members.box((-0.5, -0.15, 0), (0.5, 0.15, 2))),
     "ball": dict(scene=SCENES / "ensembles/ball.json", duration=0.01, sharp=False, size={"1x": 0.0182, "2x": 0.0145},
                  surface=lambda sunder: members.ball(0.1)),

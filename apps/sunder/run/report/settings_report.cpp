@@ -4,7 +4,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 #include "apps/scene/scene_fields.hpp"
+#include "fracture/scene/expected_time.hpp"
 
 namespace sunder {
 namespace {
@@ -26,15 +31,20 @@ nlohmann::ordered_json settings_json(const SceneFile& file) {
   }
   std::size_t tetrahedra = 0;
   for (const BodySettings& body : file.scene.bodies) tetrahedra += body.mesh.tetrahedra.size();
-  const double step = flight_ms(file.scene);
   const std::uint64_t steps = step_count(file.scene);
+  const ExpectedTime time = expected_time(file.scene);
+  nlohmann::ordered_json phases = nlohmann::ordered_json::array();
+  for (const ExpectedTime::Phase& p : time.phases) {
+    phases.push_back({{"begin", p.begin}, {"seconds_per_second", p.rate}});
+  }
   return {{"accuracy", word_of(file.accuracy)},
           {"chosen", std::move(chosen)},
           {"expected",
            {{"tetrahedra", tetrahedra},
             {"steps", steps},
-            {"step_ms", step},
-            {"seconds", static_cast<double>(steps) * step / 1000}}}};
+            {"step_ms", flight_ms(file.scene)},
+            {"seconds", time.between(0, file.scene.duration)},
+            {"phases", std::move(phases)}}}};
 }
 
 std::string settings_lines(const SceneFile& file) {
@@ -46,11 +56,23 @@ std::string settings_lines(const SceneFile& file) {
   }
   const nlohmann::ordered_json& expected = settings["expected"];
   lines += fmt::format(
-      "expected: {} steps of {} tetrahedra, {:.2g} ms per step in free flight, {:.2g} s in all; a "
-      "step with contact takes tens of times as long, a step with many cracks hundreds\n",
+      "expected: {} steps of {} tetrahedra, {:.2g} ms per step in free flight, {:.2g} s in all\n",
       expected["steps"].get<std::uint64_t>(), expected["tetrahedra"].get<std::uint64_t>(),
       expected["step_ms"].get<double>(), expected["seconds"].get<double>());
   return lines;
+}
+
+std::string time_words(double seconds) {
+  constexpr double minute = 60, hour = 3600;
+  // Two digits are more than an estimate has.
+  const auto about = [](double value, const char* unit) {
+    const double tens = value < 10 ? 1 : std::pow(10, std::floor(std::log10(value)) - 1);
+    return fmt::format("about {:.0f} {}", std::max(1.0, std::round(value / tens) * tens), unit);
+  };
+  if (seconds < 1) return "less than a second";
+  if (seconds < 2 * minute) return about(seconds, "s");
+  if (seconds < 2 * hour) return about(seconds / minute, "min");
+  return about(seconds / hour, "h");
 }
 
 }  // namespace sunder

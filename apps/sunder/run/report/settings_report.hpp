@@ -10,10 +10,14 @@
 namespace sunder {
 
 /// `settings` of report.json: `accuracy`; `chosen`, each with key, value and reason; `expected`,
-/// the time in flight, with tetrahedra, steps, `step_ms` and `seconds`.
+/// with tetrahedra, steps, `step_ms` (of a step in flight), `seconds` of computing and their
+/// `phases` (`ExpectedTime`).
 nlohmann::ordered_json settings_json(const SceneFile& file);
 
 /// The same as text, one line each: printed by `sunder run --verbose` before its first step.
 std::string settings_lines(const SceneFile& file);
+
+/// The expected time of a run in words: "about 40 s", "about 3 min", "less than a second".
+std::string time_words(double seconds);
 
 }  // namespace sunder

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: MIT
+// Flight until things meet, resting contact, and the sub-steps after a blow that breaks.
+#include "fracture/scene/expected_time.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <variant>
+
+#include "fracture/scene/body_measures.hpp"
+#include "mechanics/contact/shapes/obstacle_geometry.hpp"
+
+namespace sunder {
+namespace {
+
+constexpr double never = std::numeric_limits<double>::infinity();
+
+// Measured by tests/experiments/expected_time/expected_time.py.
+/// s per tetrahedron of a step in resting contact, where bodies lie on bodies and where they do
+/// not.
+constexpr double of_heap = 30e-6, of_rest = 4e-6;
+/// s per tetrahedron of a sub-step of what breaks, with 40 sweeps in one pass.
+constexpr double of_sub_step = 2.4e-6;
+/// Several passes take (1 + n / this) times as long, n tetrahedra per body.
+constexpr double of_passes = 2000;
+/// Blows that break most bodies have this stress rho c v over the strength.
+constexpr double breaks_most = 1.3;
+
+/// A body as its bounding box, which neither turns nor rebounds.
+struct MovingBody {
+  Vec3 way = Vec3::Zero(), velocity = Vec3::Zero();
+  /// kg; infinite where it is held.
+  double mass = never;
+  /// s: its first contact, its first contact with another body, the first blow that may break it.
+  double touched = never, piled = never, broken = never;
+};
+
+struct MovingObstacle {
+  Obstacle obstacle;
+  double mass = never;
+};
+
+/// The velocities of two that meet are made the same along the normal. Returns their closing speed.
+double stop(Vec3& first, double first_mass, Vec3& second, double second_mass, const Vec3& normal) {
+  const double closing = -normal.dot(first - second);
+  if (!(closing > 0)) return 0;
+  const double share = first_mass == never    ? 0
+                       : second_mass == never ? 1
+                                              : second_mass / (first_mass + second_mass);
+  first += share * closing * normal;
+  second -= (1 - share) * closing * normal;
+  return closing;
+}
+
+/// The scene as boxes among obstacles, in 400 steps: enough to see who meets whom, when and how
+/// fast. Above 500 bodies each meets obstacles only.
+class BoxWorld {
+ public:
+  BoxWorld(const Scene& scene, const std::vector<BodyMeasures>& measures)
+      : scene_(scene), measures_(measures) {
+    for (std::size_t b = 0; b < measures.size(); ++b) {
+      const BodySettings& settings = scene.bodies[b];
+      MovingBody body;
+      if (settings.held.empty()) {
+        body.velocity = settings.velocity;
+        body.mass = settings.material.density * measures[b].volume;
+      }
+      bodies_.push_back(body);
+    }
+    for (const Obstacle& o : scene.obstacles) obstacles_.push_back({o, o.mass.value_or(never)});
+    constexpr int steps = 400;
+    const double step = scene.duration / steps;
+    for (int k = 0; k < steps; ++k) {
+      meet_all(k * step, step);
+      move_all(step);
+    }
+  }
+
+  const std::vector<MovingBody>& bodies() const { return bodies_; }
+
+ private:
+  void move_all(double step) {
+    const Vec3 gravity = scene_.gravity.acceleration;
+    for (MovingBody& body : bodies_) {
+      if (body.mass != never) body.velocity += step * gravity;
+      body.way += step * body.velocity;
+    }
+    for (MovingObstacle& o : obstacles_) {
+      if (o.mass != never) o.obstacle.velocity += step * gravity;
+      translate(o.obstacle.shape, step * o.obstacle.velocity);
+    }
+  }
+
+  void meet_all(double time, double step) {
+    for (std::size_t a = 0; a < bodies_.size(); ++a) {
+      for (MovingObstacle& obstacle : obstacles_) meet(a, obstacle, time, step);
+    }
+    constexpr std::size_t most = 500;
+    for (std::size_t a = 0; a < bodies_.size() && bodies_.size() <= most; ++a) {
+      for (std::size_t b = 0; b < a; ++b) meet(a, b, time, step);
+    }
+  }
+
+  void meet(std::size_t a, MovingObstacle& o, double time, double step) {
+    MovingBody& body = bodies_[a];
+    const BodyMeasures& m = measures_[a];
+    const double reach = near(m, step * (body.velocity - o.obstacle.velocity).norm());
+    if (is_far(a, o.obstacle.shape, reach)) return;
+    SurfaceDistance nearest{.gap = never};
+    for (const OuterFace& face : m.outside) {
+      const Vec3 point = m.points[face.points[0]] + body.way;
+      const SurfaceDistance here = surface_distance(o.obstacle.shape, point);
+      if (here.gap < nearest.gap) nearest = here;
+    }
+    if (nearest.gap > reach) return;
+    body.touched = std::min(body.touched, time);
+    strike(a, stop(body.velocity, body.mass, o.obstacle.velocity, o.mass, nearest.normal), time);
+  }
+
+  void meet(std::size_t a, std::size_t b, double time, double step) {
+    MovingBody &first = bodies_[a], &second = bodies_[b];
+    const Eigen::AlignedBox3d box = box_of(a), other = box_of(b);
+    const double reach = std::min(near(measures_[a], 0), near(measures_[b], 0)) +
+                         step * (first.velocity - second.velocity).norm();
+    if (box.exteriorDistance(other) > reach) return;
+    // Along the axis on which they overlap least.
+    const Vec3 overlap = box.max().cwiseMin(other.max()) - box.min().cwiseMax(other.min());
+    int axis = 0;
+    overlap.minCoeff(&axis);
+    Vec3 normal = Vec3::Zero();
+    normal[axis] = box.center()[axis] < other.center()[axis] ? -1 : 1;
+    const double closing = stop(first.velocity, first.mass, second.velocity, second.mass, normal);
+    for (const std::size_t body : {a, b}) {
+      bodies_[body].touched = std::min(bodies_[body].touched, time);
+      bodies_[body].piled = std::min(bodies_[body].piled, time);
+      strike(body, closing, time);
+    }
+  }
+
+  void strike(std::size_t b, double speed, double time) {
+    const BodySettings& settings = scene_.bodies[b];
+    if (settings.rigid || scene_.fracture.mode == FractureMode::off) return;
+    const double stress = settings.material.density * measures_[b].wave_speed * speed;
+    if (stress > breaks_most * measures_[b].strength) {
+      bodies_[b].broken = std::min(bodies_[b].broken, time);
+    }
+  }
+
+  Eigen::AlignedBox3d box_of(std::size_t b) const {
+    Eigen::AlignedBox3d box = measures_[b].box;
+    return box.translate(bodies_[b].way);
+  }
+
+  /// m: a gap that counts as none, `way` (m) being that of a step.
+  static double near(const BodyMeasures& m, double way) { return 0.01 * m.cell + way; }
+
+  bool is_far(std::size_t b, const Shape& shape, double reach) const {
+    if (!has_volume(shape)) return !std::holds_alternative<Plane>(shape);
+    return box_of(b).exteriorDistance(pose_of(shape).centre) > radius_of(shape) + reach;
+  }
+
+  const Scene& scene_;
+  const std::vector<BodyMeasures>& measures_;
+  std::vector<MovingBody> bodies_;
+  std::vector<MovingObstacle> obstacles_;
+};
+
+/// s: when supports that move towards or along each other have strained the body to its strength.
+/// Those that move apart leave nothing that touches.
+double pressed_time(const BodySettings& body, const BodyMeasures& m) {
+  const auto middle = [&](const HeldBox& held) -> Vec3 {
+    return (held.minimum.cwiseMax(m.box.min()) + held.maximum.cwiseMin(m.box.max())) / 2;
+  };
+  double fastest = 0;
+  for (const HeldBox& a : body.held) {
+    for (const HeldBox& b : body.held) {
+      const Vec3 speed = a.velocity - b.velocity, way = middle(a) - middle(b);
+      if (speed.dot(way) <= 0.1 * speed.norm() * way.norm()) {
+        fastest = std::max(fastest, speed.norm());
+      }
+    }
+  }
+  const double strain = m.strength / body.material.young_modulus;
+  return strain * m.extent / fastest;
+}
+
+class Forecast {
+ public:
+  explicit Forecast(const Scene& scene) : scene_(scene) {
+    for (const BodySettings& body : scene.bodies) measures_.push_back(measure(body));
+    bodies_ = BoxWorld(scene, measures_).bodies();
+    if (scene.fracture.mode == FractureMode::off) return;
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+      const double pressed = pressed_time(scene.bodies[b], measures_[b]);
+      bodies_[b].broken = std::min(bodies_[b].broken, pressed);
+      bodies_[b].touched = std::min(bodies_[b].touched, pressed);
+    }
+  }
+
+  ExpectedTime phases() const {
+    double broken = never;
+    std::vector<double> changes = {0};
+    for (const MovingBody& body : bodies_) {
+      broken = std::min(broken, body.broken);
+      for (const double t : {body.touched, body.touched + time_to_sleep(), body.broken}) {
+        if (t < scene_.duration) changes.push_back(t);
+      }
+    }
+    std::ranges::sort(changes);
+    changes.erase(std::ranges::unique(changes).begin(), changes.end());
+    ExpectedTime expected;
+    expected.phases.clear();
+    for (const double t : changes) expected.phases.push_back({t, rate(t, t >= broken)});
+    return expected;
+  }
+
+ private:
+  /// s from the first contact until what rests is asleep; `never` where loads keep it awake.
+  double time_to_sleep() const {
+    const bool loaded = scene_.gravity.ramp_time > 0 ||
+                        std::ranges::any_of(scene_.bodies, [](const BodySettings& body) {
+                          return !body.held.empty() || !body.loads.empty();
+                        });
+    return scene_.ladder.sleep && !loaded ? 1.5 * scene_.ladder.sleep_after : never;
+  }
+
+  /// s of computing per simulated second at the time t.
+  double rate(double t, bool breaking) const {
+    const double steps = 1 / scene_.integrator.time_step;
+    double seconds = 1e-3 * flight_ms(scene_) * steps;
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+      const MovingBody& body = bodies_[b];
+      if (scene_.bodies[b].rigid || t < body.touched) continue;
+      const double size = weight(scene_.bodies[b]);
+      if (breaking) {
+        seconds += of_sub_step * size * sweeps(size) / sub_step();
+      } else if (t < body.touched + time_to_sleep()) {
+        seconds += (t < body.piled ? of_rest : of_heap) * size * steps;
+      }
+    }
+    return seconds;
+  }
+
+  /// Tetrahedra, those of second order as what they cost.
+  static double weight(const BodySettings& body) {
+    return static_cast<double>(body.mesh.tetrahedra.size()) * (body.order == 2 ? 15 : 1);
+  }
+
+  double sweeps(double size) const {
+    const ContactSettings& contact = scene_.contact;
+    if (contact.method != ContactMethod::impulses) return 1;
+    return contact.max_iterations / 40.0 * (contact.max_passes > 1 ? 1 + size / of_passes : 1);
+  }
+
+  /// s: the shortest that the blows on the bodies ask for (mechanics/contact/impact.cpp).
+  double sub_step() const {
+    const double step = scene_.integrator.time_step;
+    if (!scene_.impact.window || scene_.integrator.integrator != Integrator::floating_frame ||
+        scene_.contact.method != ContactMethod::impulses) {
+      return step;
+    }
+    double wanted = step;
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+      const BodyMeasures& m = measures_[b];
+      if (bodies_[b].broken == never) continue;
+      wanted =
+          std::min(wanted, std::max(scene_.impact.fraction * m.extent, m.cell / 2) / m.wave_speed);
+    }
+    return step * std::exp2(-std::ceil(std::log2(step / wanted)));
+  }
+
+  const Scene& scene_;
+  std::vector<BodyMeasures> measures_;
+  std::vector<MovingBody> bodies_;
+};
+
+}  // namespace
+
+double ExpectedTime::between(double from, double to) const {
+  double seconds = 0;
+  for (std::size_t k = 0; k < phases.size(); ++k) {
+    const double end = k + 1 < phases.size() ? phases[k + 1].begin : never;
+    seconds += phases[k].rate * std::max(0.0, std::min(to, end) - std::max(from, phases[k].begin));
+  }
+  return seconds;
+}
+
+double flight_ms(const Scene& scene) {
+  // Measured: 6 to 8 times (docs/second_order.md, the slender strip).
+  const double model = scene.integrator.model == ElasticModel::corotational ? 7 : 1;
+  double ms = 0;
+  for (const BodySettings& b : scene.bodies) {
+    const auto tetrahedra = static_cast<double>(b.mesh.tetrahedra.size());
+    // Large bodies' factors fill in; of second order 12 to 30 times as much (docs/bending.md).
+    const double order = b.order == 2 ? 15 : 1;
+    ms += model * order * 1e-4 * tetrahedra * (1 + tetrahedra / 8000);
+  }
+  return ms;
+}
+
+ExpectedTime expected_time(const Scene& scene) { return Forecast(scene).phases(); }
+
+}  // namespace sunder
