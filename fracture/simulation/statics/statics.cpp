@@ -85,7 +85,7 @@ std::vector<Finding> notes(const Simulation& sim) {
 void check_turn(const Simulation& sim, const Component& component, std::vector<Finding>& findings) {
   const Material& material = sim.scene.bodies[body_of(sim, component)].material;
   const double turn = component.largest_turn;
-  const double valid = std::sqrt(0.2 * material.tensile_strength / material.young_modulus);
+  const double valid = largest_valid_turn(material);
   if (!(turn > valid)) return;
   findings.push_back(
       {.code = "turned_too_far",

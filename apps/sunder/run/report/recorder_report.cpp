@@ -8,21 +8,21 @@
 #include <cmath>
 #include <iterator>
 #include <numeric>
+#include <optional>
+#include <utility>
 
 #include "apps/scene/obstacles_json.hpp"
 #include "apps/scene/words.hpp"
 #include "apps/sunder/run/event_log.hpp"
 #include "apps/sunder/run/report/counters_json.hpp"
+#include "apps/sunder/run/report/turn_check.hpp"
 #include "fracture/simulation/ledger/momentum_ledger.hpp"
 #include "mechanics/element/energy.hpp"
-#include "mechanics/element/strain_displacement.hpp"
 
 namespace sunder {
 namespace {
 
 using nlohmann::ordered_json;
-
-constexpr const char* turned_too_far = "turned_too_far";
 
 ordered_json numbers(const Vec3& v) { return {v[0], v[1], v[2]}; }
 
@@ -139,58 +139,6 @@ ordered_json energy_ledger(const RunStatistics& statistics, const Simulation& no
   return report;
 }
 
-/// Past this turn a part's false strain theta^2 / 2 reaches a tenth of the breaking strain xi /
-/// E.
-double largest_valid_turn(const Material& material) {
-  return std::sqrt(0.2 * material.tensile_strength / material.young_modulus);
-}
-
-/// Of a component's volume: the elements that have turned further than `valid`, rad.
-double share_turned(const SimulationState& state, const Component& component, double valid) {
-  const MechanicsState& m = state.mechanics;
-  double turned = 0, whole = 0;
-  for (const TetId t : component.tetrahedra) {
-    const CornerVectors d = at_corners(m.vertices.displacement, state.cells.map.corners(t));
-    const double volume = m.elements.rest_volume[t.index()];
-    whole += volume;
-    if (turn_of(displacement_gradient(m.elements.shape_gradient[t.index()], d)) > valid) {
-      turned += volume;
-    }
-  }
-  return turned / whole;
-}
-
-/// Cells at a crack turn before they come off, in every body that breaks, so a small share is no
-/// sign of a body that bends too far. The value is a choice; no measurement stands behind it.
-constexpr double allowed_share_turned = 0.05;
-
-void check_turns(RunStatistics& statistics, const Simulation& now, const StepReport& report) {
-  const MechanicsState& mechanics = now.state->mechanics;
-  for (const Component& component : mechanics.components) {
-    if (component.tetrahedra.empty() || component.rigid) continue;
-    const MaterialId material = mechanics.elements.material[component.tetrahedra[0].index()];
-    const double valid = largest_valid_turn(mechanics.materials[material.index()]);
-    if (!(component.largest_turn > valid)) continue;
-    const double share = share_turned(*now.state, component, valid);
-    if (!(share > allowed_share_turned)) continue;
-    statistics.turned_too_far = true;
-    statistics.warnings.push_back(
-        {.code = turned_too_far,
-         .severity = Severity::warning,
-         .ids = {static_cast<std::int64_t>(component.id.index())},
-         .text = fmt::format("from step {} (t = {:.6g} s) on {:.0f} per cent of component {} have "
-                             "turned by up to {:.3g} rad against its reference; the linear model is "
-                             "good to {:.3g}",
-                             report.step, report.time, 100 * share, component.id.index(),
-                             component.largest_turn, valid),
-         .remedy =
-             "stresses there are too high by about E theta^2 / 2; \"model\": \"corotational\" "
-             "avoids this, with \"integrator\": {\"method\": \"sub_stepped\"} and some "
-             "damping for a short blow, else with \"implicit_euler\""});
-    return;
-  }
-}
-
 /// How far pieces are still drawn from their targets after this step.
 void note_drawn(RunStatistics& statistics, const Simulation& now) {
   const SimulationState& s = *now.state;
@@ -265,7 +213,11 @@ void add_step(RunStatistics& statistics, const Simulation& now, const StepReport
   statistics.energy_released += report.energy_released;
   note_troubles(statistics.troubles, now, report);
   note_drawn(statistics, now);
-  if (!statistics.turned_too_far) check_turns(statistics, now, report);
+  if (statistics.turned_too_far) return;
+  if (std::optional<Finding> turned = check_turns(now, report)) {
+    statistics.turned_too_far = true;
+    statistics.warnings.push_back(std::move(*turned));
+  }
 }
 
 std::vector<Finding> warnings_on_the_way(const RunStatistics& statistics, const Scene& scene) {
