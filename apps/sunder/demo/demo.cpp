@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* footer = R"(
+constexpr const char* demo_footer = R"(
 The paper's figure 6: two balls of 120 kg strike a standing monolith of 424 tetrahedra at 14 m/s; its
 first sixth of a second.
 Files in DIR: the scene and its mesh, to be changed and run again, and in DIR/run what `sunder run`
@@ -98,7 +98,7 @@ void add_demo_command(CLI::App& program, ExitCode& exit_code) {
       ->capture_default_str();
   const auto telling = std::make_shared<Telling>();
   add_telling_flags(*command, *telling);
-  command->footer(footer);
+  command->footer(demo_footer);
   command->callback([=, &exit_code] { exit_code = show_demo(*folder, *telling); });
 }
 
