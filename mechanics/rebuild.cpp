@@ -10,6 +10,7 @@
 #include "mechanics/integrators/baseline_system.hpp"
 #include "mechanics/integrators/scratch.hpp"
 #include "mechanics/solver/component_system.hpp"
+#include "mechanics/state/dense_solve.hpp"
 #include "mechanics/state/supports.hpp"
 #include "topology/base/assert.hpp"
 
@@ -152,7 +153,7 @@ void set_rigid_rows(MechanicsState& state, const Component& component) {
   VertexColumns& vertices = state.vertices;
   const Mat3 R = component.orientation.toRotationMatrix();
   const Vec3 spin =
-      R * component.rest_inertia.ldlt().solve(R.transpose() * component.angular_momentum);
+      R * solve3(component.rest_inertia, R.transpose() * component.angular_momentum);
   for (VertexId v : component.vertices) {
     const Vec3 arm = R * (vertices.rest_position[v.index()] - component.rest_centre);
     vertices.position[v.index()] = component.centre + arm;

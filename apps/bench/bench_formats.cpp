@@ -20,7 +20,7 @@
 namespace sunder {
 namespace {
 
-constexpr const char* footer = R"(
+constexpr const char* formats_footer = R"(
 The body is a box of 6 N^3 tetrahedra with two regions and coordinates of 17 digits; surfaces are
 written of its boundary. Times are milliseconds on the wall, medians over the runs, of
 write_file_mesh and read_file_mesh: from memory to a whole file (not flushed to the disk) and back.
@@ -204,7 +204,7 @@ void add_formats_command(CLI::App& bench, ExitCode& exit_code) {
       ->type_name("FOLDER");
   add_quiet_flag(*command, *settings);
   command->add_flag("--json", settings->json, "Print JSON instead of the table");
-  command->footer(footer);
+  command->footer(formats_footer);
   command->callback([=, &exit_code] { exit_code = run_formats_bench(*settings); });
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "fracture/simulation/simulation_state.hpp"
+#include "mechanics/state/dense_solve.hpp"
 #include "topology/base/assert.hpp"
 #include "topology/base/sort_unique.hpp"
 #include "topology/kernel/kernel.hpp"
@@ -37,7 +38,7 @@ void add_spin(Fragment& f, const Component& component, const VertexColumns& v) {
     moment += v.mass[i.index()] * r * r.transpose();
   }
   f.lumped_inertia = inertia_of(moment);
-  f.spin = f.lumped_inertia.ldlt().solve(L);
+  f.spin = solve3(f.lumped_inertia, L);
 }
 
 /// What a face counts of its crack, along the mean normal of the crack's anchors around; whole

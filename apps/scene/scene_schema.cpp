@@ -40,7 +40,7 @@ ordered_json vector_schema(const Range& range) {
   return schema;
 }
 
-ordered_json numbers(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
+ordered_json three_numbers(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
 
 /// A visitor of scene_fields.hpp that turns a default-constructed struct into an object's schema.
 class SchemaWriter {
@@ -108,7 +108,7 @@ class SchemaWriter {
     return with_default({{"type", "string"}}, member);
   }
   static ordered_json schema_of(const Key& key, const Eigen::Vector3d& member) {
-    return with_default(vector_schema(key.range), numbers(member));
+    return with_default(vector_schema(key.range), three_numbers(member));
   }
   static ordered_json schema_of(const Key& key, const std::vector<double>&) {
     return with_default(array_schema(number_schema(key.range)), ordered_json::array());

@@ -27,7 +27,7 @@ namespace sunder {
 namespace {
 
 /// Long names of a command's options, with their dashes.
-std::vector<std::string> options_of(const CLI::App& command) {
+std::vector<std::string> long_options_of(const CLI::App& command) {
   std::vector<std::string> names;
   for (const CLI::Option* option : all_options(command)) {
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
@@ -41,7 +41,7 @@ bool is_short_option(const CLI::App& command, char letter) {
   });
 }
 
-std::vector<std::string> commands_of(const CLI::App& program) {
+std::vector<std::string> command_names(const CLI::App& program) {
   std::vector<std::string> names;
   for (const CLI::App* command : program.get_subcommands({})) {
     if (!command->get_name().empty())
@@ -72,15 +72,15 @@ std::string misread_word(const CLI::App& program, std::span<const std::string> w
     if (word == "--") return {};  // no options follow
     if (word.starts_with("--")) {
       const std::string name = word.substr(0, word.find('='));
-      const std::vector<std::string> options = options_of(*command);
+      const std::vector<std::string> options = long_options_of(*command);
       if (std::ranges::find(options, name) == options.end()) {
         return misread("option", name, where, options);
       }
     } else if (word.size() > 2 && word.starts_with("-") && !is_short_option(*command, word[1]) &&
-               !nearest_word(word, options_of(*command)).empty()) {
-      return misread("option", word, where, options_of(*command));  // -png
+               !nearest_word(word, long_options_of(*command)).empty()) {
+      return misread("option", word, where, long_options_of(*command));  // -png
     } else if (!word.starts_with("-")) {
-      const std::vector<std::string> commands = commands_of(*command);
+      const std::vector<std::string> commands = command_names(*command);
       if (commands.empty()) continue;
       if (std::ranges::find(commands, word) == commands.end()) {
         return misread("command", word, where, commands);
@@ -110,7 +110,7 @@ int parse_and_run(std::vector<std::string> words, const AddCommands& add_command
     fmt::print(stderr, "{}", message);
     return static_cast<int>(ExitCode::usage);
   };
-  const std::vector<std::string> names = commands_of(program);
+  const std::vector<std::string> names = command_names(program);
   if (!words[0].starts_with("-") && std::ranges::find(names, words[0]) == names.end()) {
     return refuse(misread("command", words[0], "", names));  // with --help behind it too
   }

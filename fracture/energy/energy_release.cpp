@@ -11,12 +11,13 @@
 #include "mechanics/element/second_order.hpp"
 #include "mechanics/integrators/component_step.hpp"
 #include "mechanics/integrators/quasi_static.hpp"
+#include "mechanics/state/dense_solve.hpp"
 
 namespace sunder {
 namespace {
 
 using Eigen::Index;
-constexpr std::uint32_t none = Supernode::none;
+constexpr std::uint32_t no_row = Supernode::none;
 
 /// Rows that loads have for a tetrahedron.
 std::size_t most_nodes(const ElementColumns& elements) {
@@ -41,18 +42,18 @@ struct Trial {
 
   std::uint32_t extended_row(VertexId v) const {
     const std::uint32_t local = local_row[v.index()];
-    if (local >= system.free_count) return none;
+    if (local >= system.free_count) return no_row;
     return system.factor_row.empty() ? local : system.factor_row[local];
   }
 };
 
-/// Row of a corner once the faces are split; none where it is held.
+/// Row of a corner once the faces are split; no_row where it is held.
 std::uint32_t row_after(const Trial& trial, TetId t, VertexId v) {
   const std::uint32_t own = trial.extended_row(v);
-  if (own == none) return none;
+  if (own == no_row) return no_row;
   std::size_t copy = trial.border.base + trial.first;
   for (const PartedVertex& p : trial.parted) {
-    if (trial.extended_row(p.vertex) == none) continue;
+    if (trial.extended_row(p.vertex) == no_row) continue;
     if (p.vertex != v) {
       copy += p.sides.size() - 1;
       continue;
@@ -76,7 +77,7 @@ void fill_column(Trial& trial, FactorBorder::Column& column, VertexId vertex,
     const Lame constants = lame(material_of(m, t));
     for (std::size_t b = 0; b < nodes.count; ++b) {
       const std::uint32_t row = row_after(trial, t, nodes.row[b]);
-      if (row == none) continue;
+      if (row == no_row) continue;
       add_block(trial.border, column, row,
                 node_block(m.elements.shape_gradient[t.index()], m.elements.rest_volume[t.index()],
                            constants, nodes.count, b, own));
@@ -106,7 +107,7 @@ void add_copies(Trial& trial) {
   FactorBorder& border = trial.border;
   for (const PartedVertex& p : trial.parted) {
     const std::uint32_t origin = trial.extended_row(p.vertex);
-    if (origin == none) continue;
+    if (origin == no_row) continue;
     for (std::size_t s = 1; s < p.sides.size(); ++s) {
       border.columns.push_back({.origin = origin, .vertex_mass = 0, .row = {}, .stiffness = {}});
     }
@@ -114,7 +115,7 @@ void add_copies(Trial& trial) {
   trial.missing.resize(static_cast<Index>(3 * (border.columns.size() - trial.first)));
   std::size_t column = trial.first;
   for (const PartedVertex& p : trial.parted) {
-    if (trial.extended_row(p.vertex) == none) continue;
+    if (trial.extended_row(p.vertex) == no_row) continue;
     for (std::size_t s = 1; s < p.sides.size(); ++s, ++column) {
       // Apart, because rows of other new copies are looked up in the border meanwhile.
       FactorBorder::Column full = border.columns[column];
@@ -165,14 +166,14 @@ double energy_of_free_piece(const Trial& trial) {
   std::size_t j = 0;
   const MechanicsState& m = trial.input.mechanics;
   for (const PartedVertex& p : trial.parted) {
-    if (trial.extended_row(p.vertex) == none) continue;
+    if (trial.extended_row(p.vertex) == no_row) continue;
     for (std::size_t s = 1; s < p.sides.size(); ++s, ++j) {
       for (const TetId t : p.sides[s]) {
         const auto [nodes, own] = node_in(trial.input, t, p.vertex);
         const Lame constants = lame(material_of(m, t));
         for (std::size_t b = 0; b < nodes.count; ++b) {
           const std::uint32_t row = trial.extended_row(nodes.row[b]);
-          if (row == none) continue;
+          if (row == no_row) continue;
           B.block<3, 3>(local[row], static_cast<Index>(3 * j)) +=
               node_block(m.elements.shape_gradient[t.index()], m.elements.rest_volume[t.index()],
                          constants, nodes.count, b, own);
@@ -184,7 +185,7 @@ double energy_of_free_piece(const Trial& trial) {
   solve_system(trial.system, X);
   const double scale = S.diagonal().cwiseAbs().maxCoeff();
   S.noalias() -= B.transpose() * X;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(0.5 * (S + S.transpose()));
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen = symmetric_eigen(0.5 * (S + S.transpose()));
   const Eigen::VectorXd along = eigen.eigenvectors().transpose() * trial.missing;
   double energy = 0;
   for (Index k = 0; k < along.size(); ++k) {

@@ -8,6 +8,7 @@
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/frame/mean_axis.hpp"
 #include "mechanics/integrators/rigid_motion.hpp"
+#include "mechanics/state/dense_solve.hpp"
 #include "mechanics/state/supports.hpp"
 
 namespace sunder {
@@ -137,7 +138,7 @@ void write_rows(MechanicsState& state, const Component& c, bool with_rates) {
           vertices.rest_position[v.index()] - c.rest_centre + vertices.displacement[v.index()];
       l -= vertices.mass[v.index()] * q.cross(vertices.displacement_rate[v.index()]);
     }
-    spin = deformed_inertia(vertices, c).ldlt().solve(l);
+    spin = solve3(deformed_inertia(vertices, c), l);
     velocity = c.momentum / c.mass;
   }
   for (VertexId v : c.vertices) {
@@ -176,7 +177,7 @@ double astray(const Boundary& boundary, const MechanicsState& state, const Compo
   if (c.supported) return 0;
   const Component& was = boundary.frame[c.id.index()];
   const Vec3 turn = c.orientation.conjugate() * (c.angular_momentum - was.angular_momentum);
-  const double spin = deformed_inertia(state.vertices, c).ldlt().solve(turn).norm();
+  const double spin = solve3(deformed_inertia(state.vertices, c), turn).norm();
   return left * ((c.momentum - was.momentum).norm() / c.mass + spin * c.rest_radius);
 }
 

@@ -12,6 +12,7 @@
 #include "mechanics/contact/impact.hpp"
 #include "mechanics/element/energy.hpp"
 #include "mechanics/integrators/impulse_response.hpp"
+#include "mechanics/state/dense_solve.hpp"
 #include "mechanics/state/supports.hpp"
 
 namespace sunder {
@@ -44,7 +45,7 @@ double stop_deforming(MechanicsState& state, const Component& component) {
   for (VertexId v : component.vertices) {
     before += 0.5 * vertices.mass[v.index()] * vertices.velocity[v.index()].squaredNorm();
   }
-  const Vec3 spin = world_inertia(state, component).ldlt().solve(component.angular_momentum);
+  const Vec3 spin = solve3(world_inertia(state, component), component.angular_momentum);
   for (VertexId v : component.vertices) {
     const Vec3 arm = vertices.position[v.index()] - component.centre;
     vertices.velocity[v.index()] = component.momentum / component.mass + spin.cross(arm);

@@ -6,12 +6,11 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/Eigenvalues>
-
 #include "mechanics/element/corotational_force.hpp"
 #include "mechanics/element/second_order.hpp"
 #include "mechanics/integrators/model_force.hpp"
 #include "mechanics/integrators/rigid_motion.hpp"
+#include "mechanics/state/dense_solve.hpp"
 
 namespace sunder {
 namespace {
@@ -63,7 +62,7 @@ double element_bound(const MechanicsState& state, std::size_t t) {
           node_block(elements.shape_gradient[t], elements.rest_volume[t], constants, count, b, a);
     }
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(K, Eigen::EigenvaluesOnly);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver = symmetric_eigen(K, Eigen::EigenvaluesOnly);
   const double highest = solver.eigenvalues().tail<1>()[0];
   return highest > 0 ? 2 / std::sqrt(highest) : std::numeric_limits<double>::infinity();
 }

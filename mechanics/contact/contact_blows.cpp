@@ -3,6 +3,7 @@
 #include "mechanics/contact/contact_bodies.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/integrators/rigid_motion.hpp"
+#include "mechanics/state/dense_solve.hpp"
 #include "topology/base/assert.hpp"
 
 namespace sunder {
@@ -77,7 +78,7 @@ void deforming_forces(std::vector<Vec3>& force, const StepBlows& blows, const Co
   // sum m q x (alpha x r0) = (tr(Q) I - Q) alpha with Q = sum m r0 q^T.
   Mat3 H = -second;
   H.diagonal().array() += second.trace();
-  const Vec3 alpha = H.partialPivLu().solve(moment);
+  const Vec3 alpha = solve3_by_lu(H, moment);
   for (VertexId v : component.vertices) {
     const Vec3 rest_arm = R * (vertices.rest_position[v.index()] - component.rest_centre);
     force[v.index()] = blows.vertex_impulse[v.index()] / h -

@@ -7,6 +7,7 @@
 #include "mechanics/frame/mean_axis.hpp"
 #include "mechanics/integrators/coefficients.hpp"
 #include "mechanics/integrators/component_step.hpp"
+#include "mechanics/state/dense_solve.hpp"
 #include "mechanics/state/supports.hpp"
 
 namespace sunder {
@@ -102,9 +103,8 @@ void settle_rates(MechanicsState& state, const Component& component) {
   project_rate(rate, shape, q);
   project_acceleration(acceleration, shape);
   const Vec3 spin =
-      inertia_of(shape.mass, q)
-          .ldlt()
-          .solve(R.transpose() * component.angular_momentum - moment_of(shape.mass, q, rate));
+      solve3(inertia_of(shape.mass, q),
+             R.transpose() * component.angular_momentum - moment_of(shape.mass, q, rate));
   for (Eigen::Index i = 0; i < q.cols(); ++i) {
     const std::size_t v = component.vertices[static_cast<std::size_t>(i)].index();
     vertices.displacement_rate[v] = rate.col(i);

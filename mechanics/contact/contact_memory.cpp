@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mechanics/contact/contact_step.hpp"
+#include "mechanics/frame/rotation.hpp"
 
 namespace sunder {
 namespace {
@@ -41,8 +42,7 @@ Vec3 last_impulse(const ContactStep& step, const ContactPoint& contact) {
   const auto found = std::lower_bound(last.begin(), last.end(), sought, by_key);
   if (found == last.end() || key_of(found->contact) != key_of(contact)) return Vec3::Zero();
   // Turned with the normal, so that it stays inside the bounds and the circle.
-  const Eigen::Quaterniond turn =
-      Eigen::Quaterniond::FromTwoVectors(found->contact.normal, contact.normal);
+  const Eigen::Quaterniond turn = least_rotation(found->contact.normal, contact.normal);
   return step.h() / found->step * (turn * found->contact.impulse);
 }
 

@@ -6,6 +6,7 @@
 #include "mechanics/contact/contact_step.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/integrators/coefficients.hpp"
+#include "mechanics/state/dense_solve.hpp"
 
 namespace sunder {
 namespace {
@@ -135,7 +136,7 @@ void predict_struck(ContactStep& step) {
     const Vec3& twist = blows.component_twist[component.id.index()];
     const Vec3 spin = component.supported || twist.isZero(0)
                           ? Vec3::Zero()
-                          : Vec3(world_inertia(pass.state, component).ldlt().solve(twist));
+                          : solve3(world_inertia(pass.state, component), twist);
     const Vec3 push = blows.component_push[component.id.index()] / component.mass;
     for (VertexId v : component.vertices) {
       const std::size_t i = v.index();

@@ -12,7 +12,7 @@
 namespace sunder {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 double strain_energy(const MechanicsState& state, const Component& component) {
   double energy = 0;
@@ -59,9 +59,9 @@ void ImpactEnergy::join(std::uint32_t a, std::uint32_t b) {
     node.other = other;
   }
   // What is driven or held is the ground of islands and joins none.
-  if (mass_of(b) == infinite) grounds_.emplace_back(a, b);
-  if (mass_of(a) == infinite) grounds_.emplace_back(b, a);
-  if (mass_of(a) == infinite || mass_of(b) == infinite) return;
+  if (mass_of(b) == unbounded) grounds_.emplace_back(a, b);
+  if (mass_of(a) == unbounded) grounds_.emplace_back(b, a);
+  if (mass_of(a) == unbounded || mass_of(b) == unbounded) return;
   joined_.join(a, b);
 }
 
@@ -70,9 +70,9 @@ bool ImpactEnergy::is_driven(std::uint32_t node) const {
 }
 
 double ImpactEnergy::mass_of(std::uint32_t node) const {
-  if (node >= components_) return step_.pass.obstacles[node - components_].mass.value_or(infinite);
+  if (node >= components_) return step_.pass.obstacles[node - components_].mass.value_or(unbounded);
   const Component& c = step_.pass.state.components[node];
-  return c.supported ? infinite : c.mass;
+  return c.supported ? unbounded : c.mass;
 }
 
 Vec3 ImpactEnergy::velocity_of(std::uint32_t node) const {
@@ -134,7 +134,7 @@ const ImpactEnergy::Island& ImpactEnergy::island_of(std::uint32_t node) {
   double mass = 0;
   Vec3 momentum = Vec3::Zero();
   for (const std::uint32_t k : members) {
-    if (mass_of(k) == infinite) {
+    if (mass_of(k) == unbounded) {
       rest_on(velocity_of(k));  // held or driven: an island of its own
       continue;
     }
@@ -157,7 +157,7 @@ const ImpactEnergy::Island& ImpactEnergy::island_of(std::uint32_t node) {
     island.fastest = std::max(island.fastest, speed);
   }
   if (torn) {
-    island.kinetic = island.fastest = infinite;
+    island.kinetic = island.fastest = unbounded;
   } else if (grounded) {
     const double fall = step_.h() * step_.pass.input.loads.gravity.norm();
     island.gravity = mass * fall * (island.fastest + fall);
@@ -167,13 +167,13 @@ const ImpactEnergy::Island& ImpactEnergy::island_of(std::uint32_t node) {
 
 double ImpactEnergy::pair_bound(std::uint32_t node) {
   const Node& self = nodes_[node];
-  if (self.meets_several) return infinite;
+  if (self.meets_several) return unbounded;
   const std::uint32_t other = self.other;
   const double fall = step_.h() * step_.pass.input.loads.gravity.norm();
   double speed = (velocity_of(node) - velocity_of(other)).norm() + surface_speed_of(node) +
                  surface_speed_of(other) + fall;
   double mass = std::min(mass_of(node), mass_of(other));
-  if (nodes_[other].meets_several && mass_of(other) != infinite) {
+  if (nodes_[other].meets_several && mass_of(other) != unbounded) {
     mass = mass_of(node);
     speed += 2 * island_of(node).fastest;
   }
@@ -190,8 +190,8 @@ double ImpactEnergy::energy_round_held(std::uint32_t node) {
   std::vector<std::uint32_t> seen;
   for (const auto& [member, ground] : grounds_) {
     if (ground != node) continue;
-    if (mass_of(member) == infinite) {
-      if (velocity_of(member) != velocity_of(node)) return infinite;
+    if (mass_of(member) == unbounded) {
+      if (velocity_of(member) != velocity_of(node)) return unbounded;
       continue;
     }
     const std::uint32_t root = joined_.root(member);

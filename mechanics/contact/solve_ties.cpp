@@ -117,9 +117,9 @@ double lower_bounds(TieProblem& p, std::span<const Vec3> moved) {
 }
 
 /// Shares of openings from which on bounds follow (those on the way there would end ties), and
-/// beyond which the solve is given `far` times as many back-solves; both as multiples of the
+/// beyond which the solve is given `extra` times as many back-solves; both as multiples of the
 /// tolerance. Bounds that still fall by more than `settled` are not settled.
-constexpr double nearly = 100, coarse = 20, far = 4, settled = 1e-3;
+constexpr double nearly = 100, coarse = 20, extra = 4, settled = 1e-3;
 
 TieOutcome solve(TieProblem& p, double tolerance, int most) {
   const std::size_t n = p.members.size();
@@ -129,7 +129,7 @@ TieOutcome solve(TieProblem& p, double tolerance, int most) {
   for (std::size_t i = 0; i < n; ++i) start[i] = now[i] = ahead[i] = p.rows[p.members[i]].impulse;
   TieOutcome outcome{.residual = std::numeric_limits<double>::infinity()};
   double inertia = 1;
-  while (outcome.iterations < (outcome.residual > coarse * tolerance ? far * most : most)) {
+  while (outcome.iterations < (outcome.residual > coarse * tolerance ? extra * most : most)) {
     ++outcome.iterations;
     for (std::size_t i = 0; i < n; ++i) change[i] = ahead[i] - start[i];
     const std::vector<Vec3> moved = openings(p, change);

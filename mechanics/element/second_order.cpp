@@ -26,9 +26,9 @@ constexpr Terms terms_of(std::size_t node) {
   return {{{{i, j}, {j, i}}}, 2, false};
 }
 
-/// Barycentric coordinates of Gauss' points of degree 2: one `near`, three `far`.
-constexpr double far = 0.13819660112501051518;  // (5 - sqrt 5) / 20
-constexpr double near = 1 - 3 * far;
+/// Barycentric coordinates of Gauss' points of degree 2: one `near_share`, three `far_share`.
+constexpr double far_share = 0.13819660112501051518;  // (5 - sqrt 5) / 20
+constexpr double near_share = 1 - 3 * far_share;
 
 }  // namespace
 
@@ -87,16 +87,16 @@ std::array<Mat3, 4> corner_gradients(const ElementColumns& elements,
 }
 
 std::array<Mat3, 4> at_points(const std::array<Mat3, 4>& at_corners) {
-  const Mat3 shared = far * (at_corners[0] + at_corners[1] + at_corners[2] + at_corners[3]);
+  const Mat3 shared = far_share * (at_corners[0] + at_corners[1] + at_corners[2] + at_corners[3]);
   std::array<Mat3, 4> at;
-  for (std::size_t q = 0; q < 4; ++q) at[q] = (near - far) * at_corners[q] + shared;
+  for (std::size_t q = 0; q < 4; ++q) at[q] = (near_share - far_share) * at_corners[q] + shared;
   return at;
 }
 
 std::array<Mat3, 4> at_corners_of(const std::array<Mat3, 4>& at_points) {
-  const Mat3 shared = far * (at_points[0] + at_points[1] + at_points[2] + at_points[3]);
+  const Mat3 shared = far_share * (at_points[0] + at_points[1] + at_points[2] + at_points[3]);
   std::array<Mat3, 4> at;
-  for (std::size_t c = 0; c < 4; ++c) at[c] = (at_points[c] - shared) / (near - far);
+  for (std::size_t c = 0; c < 4; ++c) at[c] = (at_points[c] - shared) / (near_share - far_share);
   return at;
 }
 
@@ -105,7 +105,7 @@ Vec3 node_gradient(const ShapeGradient& G, std::size_t a, std::size_t point) {
   Vec3 gradient = Vec3::Zero();
   for (std::size_t i = 0; i < terms.count; ++i) {
     const auto [factor, along] = terms.term[i];
-    const double L = static_cast<std::size_t>(factor) == point ? near : far;
+    const double L = static_cast<std::size_t>(factor) == point ? near_share : far_share;
     gradient += (4 * L - (terms.is_corner ? 1 : 0)) * G.col(along);
   }
   return gradient;

@@ -2,13 +2,9 @@
 // Splitting fields into a rigid part and one that obeys the mean-axis conditions.
 #include "mechanics/frame/mean_axis.hpp"
 
+#include "mechanics/state/dense_solve.hpp"
+
 namespace sunder {
-namespace {
-
-/// x = S^-1 y for a symmetric positive definite 3 x 3.
-Vec3 solve3(const Mat3& S, const Vec3& y) { return S.ldlt().solve(y); }
-
-}  // namespace
 
 RestShape rest_shape(const VertexColumns& vertices, std::span<const VertexId> order,
                      const Vec3& rest_centre) {
@@ -100,7 +96,7 @@ RigidField project_rate(LocalField rate, const RestShape& shape, ConstLocalField
   // sum m r0 x (phi x q) = (tr(Q) I - Q) phi with Q = sum m q r0^T.
   Mat3 H = -product_of(shape.mass, q, shape.arm);
   H.diagonal().array() -= H.trace();
-  rigid.rotation = H.partialPivLu().solve(moment_of(shape.mass, shape.arm, rate));
+  rigid.rotation = solve3_by_lu(H, moment_of(shape.mass, shape.arm, rate));
   for (Eigen::Index i = 0; i < rate.cols(); ++i) {
     rate.col(i) -= rigid.translation + rigid.rotation.cross(Vec3(q.col(i)));
   }

@@ -13,17 +13,16 @@ namespace {
 /// Below this ratio of singular values the second direction is noise: a thousand roundings.
 constexpr double rank_tolerance = 1e3 * std::numeric_limits<double>::epsilon();
 
-/// The least rotation that takes unit vector `from` to unit vector `to`.
-Eigen::Quaterniond least_rotation(const Vec3& from, const Vec3& to) {
-  return Eigen::Quaterniond::FromTwoVectors(from, to);
-}
-
 /// Twice the axial vector of the skew part.
 Vec3 twice_axial(const Mat3& P) {
   return {P(2, 1) - P(1, 2), P(0, 2) - P(2, 0), P(1, 0) - P(0, 1)};
 }
 
 }  // namespace
+
+Eigen::Quaterniond least_rotation(const Vec3& from, const Vec3& to) {
+  return Eigen::Quaterniond::FromTwoVectors(from, to);
+}
 
 Eigen::Quaterniond rotation_of(const Vec3& turn) {
   const double angle = turn.norm();

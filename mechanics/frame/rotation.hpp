@@ -16,6 +16,9 @@ inline Mat3 cross_matrix(const Vec3& v) {
   return m;
 }
 
+/// The least rotation that takes unit vector `from` to unit vector `to`.
+Eigen::Quaterniond least_rotation(const Vec3& from, const Vec3& to);
+
 /// The rotation by the vector `turn` (rad times axis); exact for turns of any size.
 Eigen::Quaterniond rotation_of(const Vec3& turn);
 

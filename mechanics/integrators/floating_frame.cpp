@@ -6,6 +6,7 @@
 #include "mechanics/integrators/coefficients.hpp"
 #include "mechanics/integrators/modal.hpp"
 #include "mechanics/integrators/rigid_motion.hpp"
+#include "mechanics/state/dense_solve.hpp"
 #include "mechanics/state/supports.hpp"
 
 namespace sunder {
@@ -269,7 +270,7 @@ void step_free(const ComponentStep& step) {
   settle_frame(step, d, next);
   q = system.shape.arm + d.displacement;
   const Vec3 l = next.orientation.conjugate() * next.angular_momentum;
-  const Vec3 w = inertia_of(mass, q).ldlt().solve(l - moment_of(mass, q, d.rate));
+  const Vec3 w = solve3(inertia_of(mass, q), l - moment_of(mass, q, d.rate));
   write_rows(step, d, next, w, next.momentum / step.component.mass);
 }
 

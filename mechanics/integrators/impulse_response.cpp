@@ -8,6 +8,7 @@
 #include "mechanics/frame/rotation.hpp"
 #include "mechanics/integrators/coefficients.hpp"
 #include "mechanics/integrators/component_step.hpp"
+#include "mechanics/state/dense_solve.hpp"
 #include "mechanics/state/supports.hpp"
 #include "topology/base/assert.hpp"
 
@@ -60,7 +61,7 @@ void add_rates(MechanicsState& state, const BodyBlow& blow) {
 void set_rigid_velocities(MechanicsState& state, const Component& component) {
   const Mat3 R = component.orientation.toRotationMatrix();
   const Vec3 spin =
-      R * component.rest_inertia.ldlt().solve(R.transpose() * component.angular_momentum);
+      R * solve3(component.rest_inertia, R.transpose() * component.angular_momentum);
   for (VertexId v : component.vertices) {
     const Vec3 arm = R * (state.vertices.rest_position[v.index()] - component.rest_centre);
     state.vertices.velocity[v.index()] = component.momentum / component.mass + spin.cross(arm);
@@ -194,7 +195,7 @@ void apply_twist(MechanicsState& state, ComponentId id, const Vec3& twist) {
   if (component.supported || twist.isZero(0)) return;
   component.angular_momentum += twist;
   if (component.rigid) return set_rigid_velocities(state, component);
-  const Vec3 spin = world_inertia(state, component).ldlt().solve(twist);
+  const Vec3 spin = solve3(world_inertia(state, component), twist);
   for (VertexId v : component.vertices) {
     state.vertices.velocity[v.index()] +=
         spin.cross(state.vertices.position[v.index()] - component.centre);

@@ -7,6 +7,7 @@
 #include "mechanics/element/strain_displacement.hpp"
 #include "mechanics/frame/rigid_reference.hpp"
 #include "mechanics/integrators/model_force.hpp"
+#include "mechanics/state/dense_solve.hpp"
 
 namespace sunder {
 namespace {
@@ -37,7 +38,7 @@ Corner4 corners_at_start(const ComponentStep& step) {
     inertia -= m * arm * arm.transpose();
     inertia.diagonal().array() += m * arm.squaredNorm();
   }
-  const Vec3 spin = inertia.ldlt().solve(angular);
+  const Vec3 spin = solve3(inertia, angular);
   for (int a = 0; a < 4; ++a) {
     const Vec3 arm = c.position.col(a) - body.centre;
     c.velocity.col(a) += momentum / body.mass + spin.cross(arm);

@@ -4,9 +4,8 @@
 
 #include <cmath>
 
-#include <Eigen/Eigenvalues>
-
 #include "mechanics/integrators/baseline_system.hpp"
+#include "mechanics/state/dense_solve.hpp"
 #include "mechanics/state/elementary.hpp"
 #include "topology/base/assert.hpp"
 
@@ -27,7 +26,7 @@ void make_basis(ModalBasis& basis, const ComponentStep& step) {
   const Eigen::VectorXd scale = dof_masses(system).cwiseSqrt().cwiseInverse();
   Eigen::MatrixXd A = leading_scalars(system.stiffness, system.free_count);
   A = scale.asDiagonal() * A * scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(A);  // reads the lower triangle
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver = symmetric_eigen(A);
   const Eigen::Index rigid = step.component.supported ? 0 : 6;
   const Eigen::Index count = A.cols() - rigid;
   basis.frequency = solver.eigenvalues().tail(count).cwiseMax(0).cwiseSqrt();

@@ -8,6 +8,7 @@
 
 #include "mechanics/frame/rotation.hpp"
 #include "mechanics/integrators/coefficients.hpp"
+#include "mechanics/state/dense_solve.hpp"
 
 namespace sunder {
 namespace {
@@ -57,7 +58,7 @@ void move_rigidly(const ComponentStep& step, const RigidLoad& load) {
                    step.input.settings.time_step},
                   load);
   const Mat3 R = next.orientation.toRotationMatrix();
-  const Vec3 spin = R * inertia.ldlt().solve(R.transpose() * next.angular_momentum);
+  const Vec3 spin = R * solve3(inertia, R.transpose() * next.angular_momentum);
   MechanicsScratch::Predicted& predicted = step.scratch.predicted;
   for (VertexId v : body.vertices) {
     const Vec3 arm = R * arm_of(v);

@@ -10,7 +10,7 @@
 namespace sunder {
 namespace {
 
-using Cell = std::array<std::int64_t, 3>;
+using GridCell = std::array<std::int64_t, 3>;
 constexpr std::int64_t most_cells = 4096;
 
 bool may_pair(const BoxQuery& query, std::uint32_t a, std::uint32_t b) {
@@ -31,12 +31,12 @@ Bounds swept(const BoxQuery& query, std::uint32_t k) {
 }
 
 /// Of the grid in units of its cells.
-struct Grid {
+struct BoxGrid {
   Vec3 origin = Vec3::Zero();
   double over_cell = 1;
   std::size_t mask = 0;
 
-  Cell cell_of(const Vec3& p) const {
+  GridCell cell_of(const Vec3& p) const {
     const Vec3 q = (p - origin) * over_cell;
     return {static_cast<std::int64_t>(std::floor(q[0])), static_cast<std::int64_t>(std::floor(q[1])),
             static_cast<std::int64_t>(std::floor(q[2]))};
@@ -48,8 +48,8 @@ struct Grid {
 
 bool is_finite(const Bounds& b) { return b.low.allFinite() && b.high.allFinite(); }
 
-struct Range {
-  Cell low, high;
+struct CellRange {
+  GridCell low, high;
   std::int64_t count() const {
     std::int64_t n = 1;
     for (std::size_t i = 0; i < 3; ++i) n *= high[i] - low[i] + 1;
@@ -57,10 +57,10 @@ struct Range {
   }
 };
 
-Range range_of(const Grid& grid, const Bounds& b) { return {grid.cell_of(b.low), grid.cell_of(b.high)}; }
+CellRange range_of(const BoxGrid& grid, const Bounds& b) { return {grid.cell_of(b.low), grid.cell_of(b.high)}; }
 
 template <class Visit>
-void for_cells(const Range& r, const Visit& visit) {
+void for_cells(const CellRange& r, const Visit& visit) {
   for (std::int64_t x = r.low[0]; x <= r.high[0]; ++x) {
     for (std::int64_t y = r.low[1]; y <= r.high[1]; ++y) {
       for (std::int64_t z = r.low[2]; z <= r.high[2]; ++z) visit(x, y, z);
@@ -69,19 +69,19 @@ void for_cells(const Range& r, const Visit& visit) {
 }
 
 /// The bucket of the lowest cell that both boxes cover: the one in which they pair.
-std::size_t first_common_bucket(const Grid& grid, const Bounds& a, const Bounds& b) {
-  const Cell cell = grid.cell_of(a.low.cwiseMax(b.low));
+std::size_t first_common_bucket(const BoxGrid& grid, const Bounds& a, const Bounds& b) {
+  const GridCell cell = grid.cell_of(a.low.cwiseMax(b.low));
   return grid.bucket_of(cell[0], cell[1], cell[2]);
 }
 
 /// Whether a box spans so much that cells do not help. Asked in reals: counts could overflow.
-bool is_large(const Grid& grid, const Bounds& b) {
+bool is_large(const BoxGrid& grid, const Bounds& b) {
   const Vec3 cells = (b.high - b.low) * grid.over_cell + Vec3::Ones();
   return cells.prod() > static_cast<double>(most_cells);
 }
 
-Grid grid_of(std::span<const Bounds> boxes) {
-  Grid grid;
+BoxGrid grid_of(std::span<const Bounds> boxes) {
+  BoxGrid grid;
   // The middle of the sizes: a few large boxes must not widen the cells.
   std::vector<double> sizes;
   for (const Bounds& b : boxes) {
@@ -100,7 +100,7 @@ Grid grid_of(std::span<const Bounds> boxes) {
 /// All pairs of boxes that overlap, each once; none of boxes that are not finite.
 void find_overlaps(std::vector<RowPair>& pairs, BoxScratch& scratch, std::span<const Bounds> boxes) {
   pairs.clear();
-  const Grid grid = grid_of(boxes);
+  const BoxGrid grid = grid_of(boxes);
   std::vector<std::uint32_t> large, small;
   for (std::uint32_t k = 0; k < boxes.size(); ++k) {
     if (!is_finite(boxes[k])) continue;

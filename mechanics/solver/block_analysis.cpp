@@ -12,7 +12,7 @@
 namespace sunder {
 namespace {
 
-constexpr std::uint32_t none = Supernode::none;
+constexpr std::uint32_t no_node = Supernode::none;
 using Rows = std::vector<std::uint32_t>;
 
 Rows minimum_degree(const VertexGraph& graph) {
@@ -46,8 +46,8 @@ struct Tree {
 Tree elimination_tree(const VertexGraph& graph, const Rows& order) {
   const std::size_t n = order.size();
   const Rows place = inverse_of(order);
-  Tree tree{Rows(n, none), Rows(n, 0)};
-  Rows ancestor(n, none), mark(n, none);
+  Tree tree{Rows(n, no_node), Rows(n, 0)};
+  Rows ancestor(n, no_node), mark(n, no_node);
   for (std::uint32_t i = 0; i < n; ++i) {
     mark[i] = i;
     for (std::uint32_t neighbour : graph.of(order[i])) {
@@ -56,8 +56,8 @@ Tree elimination_tree(const VertexGraph& graph, const Rows& order) {
       for (std::uint32_t r = k; r != i;) {
         const std::uint32_t next = ancestor[r];
         ancestor[r] = i;
-        if (next == none) tree.parent[r] = i;
-        r = next == none ? i : next;
+        if (next == no_node) tree.parent[r] = i;
+        r = next == no_node ? i : next;
       }
       for (; mark[k] != i; k = tree.parent[k]) {
         mark[k] = i;
@@ -77,22 +77,22 @@ Rows postorder(const Tree& tree) {
   std::stable_sort(by_count.begin(), by_count.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return tree.count[a] < tree.count[b]; });
   // Heads of lists of children, the one with the most rows first; roots hang under column n.
-  Rows child(n + 1, none), sibling(n, none);
-  const auto above = [&](std::uint32_t j) { return tree.parent[j] == none ? n : tree.parent[j]; };
+  Rows child(n + 1, no_node), sibling(n, no_node);
+  const auto above = [&](std::uint32_t j) { return tree.parent[j] == no_node ? n : tree.parent[j]; };
   for (std::uint32_t j : by_count) {
     sibling[j] = child[above(j)];
     child[above(j)] = j;
   }
   // Reversed preorder: a column, then its children, the one with the most rows first.
   Rows order, stack;
-  for (std::uint32_t root = child[n]; root != none; root = sibling[root]) stack.push_back(root);
+  for (std::uint32_t root = child[n]; root != no_node; root = sibling[root]) stack.push_back(root);
   std::reverse(stack.begin(), stack.end());
   while (!stack.empty()) {
     const std::uint32_t j = stack.back();
     stack.pop_back();
     order.push_back(j);
     const std::size_t begin = stack.size();
-    for (std::uint32_t c = child[j]; c != none; c = sibling[c]) stack.push_back(c);
+    for (std::uint32_t c = child[j]; c != no_node; c = sibling[c]) stack.push_back(c);
     std::reverse(stack.begin() + static_cast<std::ptrdiff_t>(begin), stack.end());
   }
   std::reverse(order.begin(), order.end());
@@ -104,28 +104,28 @@ Tree renamed(const Tree& tree, const Rows& order) {
   const Rows place = inverse_of(order);
   Tree next;
   for (std::uint32_t old : order) {
-    next.parent.push_back(tree.parent[old] == none ? none : place[tree.parent[old]]);
+    next.parent.push_back(tree.parent[old] == no_node ? no_node : place[tree.parent[old]]);
     next.count.push_back(tree.count[old]);
   }
   return next;
 }
 
 /// A supernode in the making: columns, rows below, and blocks of zeros that merging cost.
-struct Range {
+struct NodeRange {
   std::uint32_t first, end, height;
   double zeros;
   std::uint32_t width() const { return end - first; }
 };
 
 /// The range of `child` and `parent`, which follows it, together.
-Range merged(const Range& child, const Range& parent) {
+NodeRange merged(const NodeRange& child, const NodeRange& parent) {
   const double more = static_cast<double>(parent.width()) + parent.height - child.height;
   return {child.first, parent.end, parent.height,
           child.zeros + parent.zeros + child.width() * more};
 }
 
 /// Merging saves indices and small products, and pays with arithmetic on zeros.
-bool pays(const Range& range) {
+bool pays(const NodeRange& range) {
   const double width = range.width();
   const double blocks = width * (width + 1) / 2 + width * range.height;
   const double share = range.zeros / blocks;
@@ -135,15 +135,15 @@ bool pays(const Range& range) {
   return share < 0.05;
 }
 
-std::vector<Range> find_ranges(const Tree& tree) {
-  std::vector<Range> ranges;
+std::vector<NodeRange> find_ranges(const Tree& tree) {
+  std::vector<NodeRange> ranges;
   for (std::uint32_t j = 0; j < tree.parent.size(); ++j) {
-    Range range{j, j + 1, tree.count[j], 0};
+    NodeRange range{j, j + 1, tree.count[j], 0};
     while (!ranges.empty()) {
-      const Range& last = ranges.back();
+      const NodeRange& last = ranges.back();
       const std::uint32_t above = tree.parent[last.end - 1];
-      if (above == none || above >= range.end) break;
-      const Range both = merged(last, range);
+      if (above == no_node || above >= range.end) break;
+      const NodeRange both = merged(last, range);
       // Columns one row shorter each make one supernode whatever their number.
       if (both.zeros > last.zeros + range.zeros && !pays(both)) break;
       range = both;
@@ -158,7 +158,7 @@ std::vector<Range> find_ranges(const Tree& tree) {
 void find_rows(BlockAnalysis& analysis, const VertexGraph& graph) {
   const Rows place = inverse_of(analysis.order);
   const auto count = static_cast<std::uint32_t>(analysis.supernodes.size());
-  Rows mark(analysis.order.size(), none), child(count, none), sibling(count, none);
+  Rows mark(analysis.order.size(), no_node), child(count, no_node), sibling(count, no_node);
   for (std::uint32_t s = 0; s < count; ++s) {
     Supernode& node = analysis.supernodes[s];
     node.below_begin = static_cast<std::uint32_t>(analysis.below.size());
@@ -171,7 +171,7 @@ void find_rows(BlockAnalysis& analysis, const VertexGraph& graph) {
       analysis.supernode_of[j] = s;
       for (std::uint32_t neighbour : graph.of(analysis.order[j])) add(place[neighbour]);
     }
-    for (std::uint32_t c = child[s]; c != none; c = sibling[c]) {
+    for (std::uint32_t c = child[s]; c != no_node; c = sibling[c]) {
       const Supernode& below = analysis.supernodes[c];
       for (std::uint32_t e = below.below_begin; e < below.below_end; ++e) add(analysis.below[e]);
     }
@@ -199,7 +199,7 @@ void lay_out(BlockAnalysis& analysis) {
     const std::size_t own = update_doubles(node.height());
     analysis.stack_size = std::max(analysis.stack_size, top + own);
     top = top - children[s] + own;
-    if (node.parent != none) children[node.parent] += own;
+    if (node.parent != no_node) children[node.parent] += own;
   }
 }
 
@@ -212,7 +212,7 @@ BlockAnalysis analyse(const VertexGraph& graph) {
   const Tree unordered = elimination_tree(graph, first);
   const Rows post = postorder(unordered);
   for (std::uint32_t j : post) analysis.order.push_back(first[j]);
-  for (const Range& range : find_ranges(renamed(unordered, post))) {
+  for (const NodeRange& range : find_ranges(renamed(unordered, post))) {
     analysis.supernodes.push_back({.first = range.first, .end = range.end});
   }
   analysis.supernode_of.resize(graph.size());

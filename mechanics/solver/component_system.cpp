@@ -174,9 +174,9 @@ void assemble_system(ComponentSystem& system, std::span<std::uint32_t> local_row
   }
   system.held_scalars.clear();
   for (std::uint32_t i = 0; i < system.free_count; ++i) {
-    const AxisSet held = held_axes(input.state, system.order[i]);
+    const AxisSet axes = held_axes(input.state, system.order[i]);
     for (std::uint32_t axis = 0; axis < 3; ++axis) {
-      if (held[axis]) system.held_scalars.push_back(3 * i + axis);
+      if (axes[axis]) system.held_scalars.push_back(3 * i + axis);
     }
   }
   const Component& component = input.component;

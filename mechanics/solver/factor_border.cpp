@@ -194,10 +194,10 @@ void solve_bordered(double* x, const BorderFactor& part, const BorderedMatrix& A
 
 void solve_bordered_12(double* X, const BorderFactor& part, const BorderedMatrix& A,
                        std::span<const char> loaded, std::span<const char> needed) {
-  using Rows = Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, 12, Eigen::RowMajor>>;
+  using RowsOf12 = Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, 12, Eigen::RowMajor>>;
   fold(X, A.border, 12);
   solve_lower_12(X, A.factor, A.analysis, loaded);
-  Rows z(X + 36 * A.border.base, static_cast<Index>(3 * part.copies), 12);
+  RowsOf12 z(X + 36 * A.border.base, static_cast<Index>(3 * part.copies), 12);
   const std::vector<char> met = both(part.needed, loaded);
   for (const BorderFactor::Block& block : part.blocks) {
     const auto count = static_cast<Index>(3 * block.count);
@@ -213,7 +213,7 @@ void solve_bordered_12(double* X, const BorderFactor& part, const BorderedMatrix
       const auto rows = static_cast<Index>(end - first);
       const Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, 12, Eigen::RowMajor>> W(
           block.W.data() + 12 * first, rows, 12);
-      Rows(X + 12 * first, rows, 12).noalias() -= W.leftCols(own.rows()) * own;
+      RowsOf12(X + 12 * first, rows, 12).noalias() -= W.leftCols(own.rows()) * own;
     });
   }
   solve_upper_12(X, A.factor, A.analysis, needed);

@@ -13,6 +13,7 @@
 #include <Eigen/SparseCholesky>
 
 #include "mechanics/integrators/component_step.hpp"
+#include "mechanics/state/dense_solve.hpp"
 
 namespace sunder {
 namespace {
@@ -129,7 +130,7 @@ void find_densely(Problem& problem, Index wanted) {
   const MatrixXd& R = problem.found;
   const double bound = K.cwiseAbs().rowwise().sum().maxCoeff();
   K += 2 * bound * (R * R.transpose());
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(K);
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver = symmetric_eigen(K);
   keep(problem, solver.eigenvectors().leftCols(wanted - R.cols()));
 }
 

@@ -15,7 +15,7 @@ constexpr std::size_t place_among_others(CellKind kind) {
   return place;
 }
 
-constexpr auto places = [] {
+constexpr auto kind_places = [] {
   std::array<std::uint8_t, cell_kinds> all{};
   for (const CellKind kind : all_cell_kinds) {
     all[index_of(kind)] = static_cast<std::uint8_t>(place_among_others(kind));
@@ -35,7 +35,7 @@ Columns& columns_in(Mesh& mesh, CellKind kind) {
     case CellKind::tetrahedron:
       return mesh.tetrahedra;
     default:
-      return mesh.others[places[index_of(kind)]];
+      return mesh.others[kind_places[index_of(kind)]];
   }
 }
 
@@ -48,10 +48,10 @@ CellRows rows_in(const CellList<Corners>& cells) {
 }  // namespace
 
 OtherCells& other_cells(FileMesh& mesh, CellKind kind) {
-  return mesh.others[places[index_of(kind)]];
+  return mesh.others[kind_places[index_of(kind)]];
 }
 const OtherCells& other_cells(const FileMesh& mesh, CellKind kind) {
-  return mesh.others[places[index_of(kind)]];
+  return mesh.others[kind_places[index_of(kind)]];
 }
 
 CellColumns& columns_of(FileMesh& mesh, CellKind kind) {

@@ -38,7 +38,7 @@ struct Bench {
 };
 
 /// Adds the figures of one scene and mode.
-struct Sink {
+struct PaperSink {
   std::vector<PaperFigure>& figures;
   std::string scene, mode;
 
@@ -110,14 +110,14 @@ double mean(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-void add_times(const Sink& sink, const std::string& column, const PaperRun& run) {
+void add_times(const PaperSink& sink, const std::string& column, const PaperRun& run) {
   if (run.step_ms.empty()) return;
   sink(column + "_av", mean(run.step_ms));
   sink(column + "_max", *std::ranges::max_element(run.step_ms));
   sink(column + "_median", median(run.step_ms));
 }
 
-void add_table_2(const Sink& sink, const Columns& columns) {
+void add_table_2(const PaperSink& sink, const Columns& columns) {
   add_times(sink, "corotational", columns.corotational);
   add_times(sink, "model", columns.model);
   add_times(sink, "fracture", columns.fracture);
@@ -126,7 +126,7 @@ void add_table_2(const Sink& sink, const Columns& columns) {
              static_cast<double>(columns.model.step_ms.size()));
 }
 
-void add_table_3(const Sink& sink, const PaperCounts& counts) {
+void add_table_3(const PaperSink& sink, const PaperCounts& counts) {
   const auto number = [](std::size_t count) { return static_cast<double>(count); };
   sink.ratio("gershgorin_efficiency", number(counts.reached), number(counts.suspects));
   sink.ratio("gershgorin_retested", number(counts.reached + counts.still_empty),
@@ -142,7 +142,7 @@ void add_table_3(const Sink& sink, const PaperCounts& counts) {
   sink.ratio("face_efficiency", number(counts.created), number(counts.predicted_faces));
 }
 
-void add_table_4(const Sink& sink, const FanReplay& replay) {
+void add_table_4(const PaperSink& sink, const FanReplay& replay) {
   constexpr std::array<const char*, 4> ways = {"walk", "dirty", "oracle", "exact"};
   constexpr std::array<const char*, 2> classes = {"_none", "_new"};
   for (std::size_t c = 0; c < classes.size(); ++c) {
@@ -161,7 +161,7 @@ void add_table_4(const Sink& sink, const FanReplay& replay) {
 }
 
 /// What fractures take of the steps in which there are some.
-void add_fracture_share(const Sink& sink, const PaperRun& run) {
+void add_fracture_share(const PaperSink& sink, const PaperRun& run) {
   double part = 0, whole = 0;
   std::vector<double> per_fan;
   for (std::size_t k = 0; k < run.step_fans.size(); ++k) {
@@ -174,7 +174,7 @@ void add_fracture_share(const Sink& sink, const PaperRun& run) {
   if (!per_fan.empty()) sink("fracture_fan", median(std::move(per_fan)));
 }
 
-void add_phases(const Sink& sink, const PaperRun& run) {
+void add_phases(const PaperSink& sink, const PaperRun& run) {
   const FracturePhases phases = fracture_phases(run.step_ms, run.step_fans);
   if (phases.breaking_steps == 0) return;
   sink("fracture_max_step", phases.max_step);
@@ -187,7 +187,7 @@ void add_phases(const Sink& sink, const PaperRun& run) {
   sink("later_near_max", phases.later_near_max);
 }
 
-void add_tests(const Sink& sink, const PaperRun& run) {
+void add_tests(const PaperSink& sink, const PaperRun& run) {
   const TestTimes times = time_threshold_tests(run.stress_samples, 5);
   if (times.bound == 0) return;
   sink("test_bound", times.bound);
@@ -198,7 +198,7 @@ void add_tests(const Sink& sink, const PaperRun& run) {
 }
 
 /// Forces and stresses of both models at the same positions.
-void add_models(const Sink& sink, const PaperRun& run) {
+void add_models(const PaperSink& sink, const PaperRun& run) {
   if (run.model_samples.empty()) return;
   std::vector<double> force, corotational;
   for (const ModelSample& sample : run.model_samples) {
@@ -212,7 +212,7 @@ void add_models(const Sink& sink, const PaperRun& run) {
 }
 
 /// Cuts the fans of a run again.
-void add_replay(Bench& bench, const Sink& sink, const PaperRunSettings& settings,
+void add_replay(Bench& bench, const PaperSink& sink, const PaperRunSettings& settings,
                 const PaperRun& run) {
   if (bench.failed()) return;
   const Result<FanReplay> replay = replay_fans(settings, run.fans, bench.settings.quick ? 1 : 9);
@@ -220,7 +220,7 @@ void add_replay(Bench& bench, const Sink& sink, const PaperRunSettings& settings
 }
 
 /// What shatters less: corotational elements (section 5), and one crack a step (section 7).
-void add_gentler_fractures(Bench& bench, const Sink& sink, const PaperScene& scene,
+void add_gentler_fractures(Bench& bench, const PaperSink& sink, const PaperScene& scene,
                            const PaperMode& mode) {
   const auto add = [&](const char* name, std::span<const std::string_view> changes) {
     const PaperRun run = run_column(bench, run_settings(bench, scene, mode, changes),
@@ -237,7 +237,7 @@ void add_gentler_fractures(Bench& bench, const Sink& sink, const PaperScene& sce
 void measure_mode(Bench& bench, const PaperScene& scene, const PaperMode& mode) {
   const Columns columns = run_columns(bench, scene, mode);
   if (bench.failed()) return;
-  const Sink sink{bench.result.figures, std::string(scene.name), std::string(mode.name)};
+  const PaperSink sink{bench.result.figures, std::string(scene.name), std::string(mode.name)};
   sink("tetrahedra", columns.model.tetrahedra);
   sink("vertices", columns.model.vertices);
   add_table_2(sink, columns);

@@ -44,7 +44,7 @@ constexpr auto printed = std::to_array<Printed>({
     {"oracle_cost", {0.99 / 0.97, 0.98 / 0.96, 31.2 / 30.73}},
 });
 
-constexpr auto quantities = std::to_array<PaperQuantity>({
+constexpr auto claimed_quantities = std::to_array<PaperQuantity>({
     {"tetrahedra", "", 1, "#Tetras"},
     {"vertices", "", 1, "#Vertices"},
     {"corotational_av", "ms", 2, "Corotational av."},
@@ -159,7 +159,7 @@ std::span<const PaperMode> paper_modes() {
   return modes;
 }
 
-std::span<const PaperQuantity> paper_quantities() { return quantities; }
+std::span<const PaperQuantity> paper_quantities() { return claimed_quantities; }
 
 std::optional<double> paper_value(std::string_view scene, std::string_view quantity) {
   for (const Printed& row : printed) {

@@ -23,7 +23,7 @@
 namespace sunder {
 namespace {
 
-constexpr const char* footer = R"(
+constexpr const char* suite_footer = R"(
 Every fixture is a body, operations on it (face splits, glues, fans, planes, shatters) and the
 expected results. Each kernel runs it; each answer is compared with union-find and with the fixture.
 Kernels that come with Sunder: sunder (its own, answered by CGAL's darts), dense (its rows alone),
@@ -279,7 +279,7 @@ void add_suite_command(CLI::App& program, ExitCode& exit_code) {
   for (CLI::Option* const other : {kernel, timeout, fail_fast, junit, json})
     archive->excludes(other);
   add_random_options(*command, {filter, fixtures, fail_fast, junit, archive}, arguments->random);
-  command->footer(footer);
+  command->footer(suite_footer);
   command->callback([=, &exit_code] { exit_code = run_suite(*arguments); });
 }
 

@@ -22,7 +22,7 @@
 namespace sunder {
 namespace {
 
-const std::string folder = "sunder-suite/";
+const std::string archive_folder = "sunder-suite/";
 
 /// What lies in the source tree as it is in the archive.
 struct Source {
@@ -55,9 +55,9 @@ std::string sha256(const std::string& bytes) {
 
 /// What `sha256sum --check` reads.
 PackedFile checksums(const std::vector<PackedFile>& files) {
-  PackedFile sums{.name = folder + "SHA256SUMS", .bytes = {}};
+  PackedFile sums{.name = archive_folder + "SHA256SUMS", .bytes = {}};
   for (const PackedFile& f : files) {
-    sums.bytes += fmt::format("{}  {}\n", sha256(f.bytes), f.name.substr(folder.size()));
+    sums.bytes += fmt::format("{}  {}\n", sha256(f.bytes), f.name.substr(archive_folder.size()));
   }
   return sums;
 }
@@ -83,7 +83,7 @@ ExitCode export_suite(const std::vector<suite::Fixture>& fixtures,
                  path.string());
       return ExitCode::bad_input;
     }
-    files.push_back({folder + source.in_archive, *bytes, source.executable});
+    files.push_back({archive_folder + source.in_archive, *bytes, source.executable});
   }
   for (const suite::Fixture& fixture : fixtures) {
     const suite::Truth truth = suite::truth_of(fixture);
@@ -96,7 +96,7 @@ ExitCode export_suite(const std::vector<suite::Fixture>& fixtures,
       return ExitCode::problems;
     }
     files.push_back(
-        {folder + "fixtures/" + file_name(fixture), suite::fixture_json(fixture, truth)});
+        {archive_folder + "fixtures/" + file_name(fixture), suite::fixture_json(fixture, truth)});
   }
   std::sort(files.begin(), files.end(),
             [](const PackedFile& a, const PackedFile& b) { return a.name < b.name; });

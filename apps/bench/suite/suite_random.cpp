@@ -109,12 +109,12 @@ std::string efficiency(const FamilyReport& family) {
                      100.0 * static_cast<double>(separations) / static_cast<double>(alarms));
 }
 
-constexpr const char* row =
+constexpr const char* row_format =
     "{:<{}}{:>8}{:>10}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}{:>7}{:>8}{:>8}{:>7}{:>6}\n";
 
 void print_line(const FamilyReport& f, std::size_t width, std::size_t mismatches) {
   const std::string sizes = fmt::format("{}-{}", f.fewest, f.most);
-  fmt::print(row, f.name, width, f.bodies, sizes, f.counts.fans, f.counts.labelled_fans,
+  fmt::print(row_format, f.name, width, f.bodies, sizes, f.counts.fans, f.counts.labelled_fans,
              f.counts.faces, f.counts.vertices, f.counts.alarms, f.counts.separations,
              f.counts.missed, efficiency(f), f.counts.glues, f.checks.homologies, mismatches);
 }
@@ -122,7 +122,7 @@ void print_line(const FamilyReport& f, std::size_t width, std::size_t mismatches
 void print_table(const KernelRun& run) {
   std::size_t width = 0;
   for (const FamilyReport& f : run.report.families) width = std::max(width, f.name.size());
-  fmt::print(row, "family", width, "bodies", "tets", "fans", "labelled", "faces", "vertices",
+  fmt::print(row_format, "family", width, "bodies", "tets", "fans", "labelled", "faces", "vertices",
              "alarms", "parted", "missed", "true %", "glues", "homol.", "wrong");
   for (const FamilyReport& f : run.report.families) print_line(f, width, f.failure ? 1 : 0);
   print_line(suite::total_of(run.report), width, failures_of(run));

@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* footer = R"(
+constexpr const char* demo_footer = R"(
 A ball of plaster, 0.2 m wide, of 1303 tetrahedra, falls from 1.8 m on a stone floor; the first 0.02 s.
 Files in DIR: the scene and its mesh, to be changed and run again, and in DIR/run what `sunder run`
 writes. A scene or mesh of that name that is there with other contents is not overwritten.
@@ -97,7 +97,7 @@ void add_demo_command(CLI::App& program, ExitCode& exit_code) {
       ->capture_default_str();
   const auto telling = std::make_shared<Telling>();
   add_telling_flags(*command, *telling);
-  command->footer(footer);
+  command->footer(demo_footer);
   command->callback([=, &exit_code] { exit_code = show_demo(*folder, *telling); });
 }
 

@@ -19,7 +19,7 @@
 namespace sunder {
 namespace {
 
-constexpr const char* footer = R"(
+constexpr const char* export_footer = R"(
 The ending of OUT chooses the format:
   .glb  glTF 2.0: one node per piece, moved by its rigid reference with one key per frame; materials
         for the body's own surface, cracks and obstacles; mass (kg) and birth_step as extras of each
@@ -156,7 +156,7 @@ void add_export_command(CLI::App& program, ExitCode& exit_code) {
   command->add_option("OUT", arguments->out, "File to write: *.glb, *.obj or *.msh")->required();
   add_telling_flags(*command, *arguments);
   command->add_flag("--json", arguments->json, "Print JSON instead of a line");
-  command->footer(footer);
+  command->footer(export_footer);
   command->callback([arguments, &exit_code] { exit_code = export_result(*arguments); });
 }
 

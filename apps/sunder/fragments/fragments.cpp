@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* footer = R"(
+constexpr const char* fragments_footer = R"(
 DIR is the folder of a run (or its fragments.csv). Laws are fitted to the sizes of the pieces by
 maximum likelihood, and to those of the mesh's elements as a control: docs/fragments.md. The
 elements are those of --mesh, else of the run's first frame.
@@ -100,7 +100,7 @@ void add_fragments_command(CLI::App& program, ExitCode& exit_code) {
       ->type_name("FILE.png");
   add_verbose_flag(*command, *arguments);
   command->add_flag("--json", arguments->json, "Print JSON instead of a table");
-  command->footer(footer);
+  command->footer(fragments_footer);
   command->callback([=, &exit_code] { exit_code = measure_folder(*arguments); });
 }
 

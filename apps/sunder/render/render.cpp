@@ -19,7 +19,7 @@
 namespace sunder {
 namespace {
 
-constexpr const char* footer = R"(
+constexpr const char* render_footer = R"(
 RESULT is the folder of a run with frames (--frames of `sunder run`, or output.frames of its scene).
 Without --eye and --target the camera sees the bodies as they started, and the ground below them.
 
@@ -177,7 +177,7 @@ void add_render_command(CLI::App& program, ExitCode& exit_code) {
       ->capture_default_str();
   add_telling_flags(*command, *a);
   command->add_flag("--json", a->json, "Print JSON instead of one line per picture");
-  command->footer(footer);
+  command->footer(render_footer);
   command->callback([a, &exit_code] { exit_code = render_result(*a); });
 }
 

@@ -11,7 +11,7 @@
 namespace sunder {
 namespace {
 
-constexpr const char* footer = R"(
+constexpr const char* run_footer = R"(
 The scene is a JSON file in SI units: docs/scene.md explains it, --schema prints every key.
 Files in DIR (where an earlier run lies there, --force replaces it):
   frames.pvd, frames/*.vtu  the deformed bodies, for ParaView
@@ -132,7 +132,7 @@ void add_run_command(CLI::App& program, ExitCode& exit_code) {
   const auto schema = std::make_shared<bool>(false);
   add_options(*command, *arguments, *shortcuts);
   command->add_flag("--schema", *schema, "Print the JSON schema of scenes and do nothing else");
-  command->footer(footer);
+  command->footer(run_footer);
   command->callback([=, &exit_code] {
     if (*schema) {
       fmt::print("{}\n", scene_schema().dump(2));

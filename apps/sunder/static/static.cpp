@@ -59,17 +59,17 @@ struct StaticArguments : Telling {
   SceneReach reach = SceneReach::anywhere;
 };
 
-ordered_json numbers(const Vec3& v) { return {v[0], v[1], v[2]}; }
+ordered_json components_json(const Vec3& v) { return {v[0], v[1], v[2]}; }
 
 ordered_json extreme_json(const Extreme& e) {
-  return {{"value", e.value}, {"vertex", e.point}, {"position", numbers(e.position)}};
+  return {{"value", e.value}, {"vertex", e.point}, {"position", components_json(e.position)}};
 }
 
 ordered_json body_json(const BodyEquilibrium& body) {
   ordered_json supports = ordered_json::array();
   for (const SupportReaction& s : body.supports) {
     supports.push_back(
-        {{"vertices", s.vertices}, {"force", numbers(s.force)}, {"moment", numbers(s.moment)}});
+        {{"vertices", s.vertices}, {"force", components_json(s.force)}, {"moment", components_json(s.moment)}});
   }
   return {{"name", body.name},
           {"vertices", body.vertices},
@@ -80,7 +80,7 @@ ordered_json body_json(const BodyEquilibrium& body) {
           {"strain_energy", body.strain_energy},
           {"max_principal_stress", extreme_json(body.principal_stress)},
           {"max_strength_share", extreme_json(body.strength_share)},
-          {"load", numbers(body.load)},
+          {"load", components_json(body.load)},
           {"supports", supports},
           {"residual", body.residual}};
 }

@@ -29,7 +29,7 @@
 namespace sunder {
 namespace {
 
-constexpr const char* footer = R"(
+constexpr const char* view_footer = R"(
 The page shows and runs the scene, plays the recording back, and lets you shoot, pull, cut and
 inspect (docs/page.md). A restart on the page reads the scene's file again. Only this machine, and
 only the page whose address is printed, can reach the server. Ctrl-C ends it.
@@ -241,7 +241,7 @@ void add_view_command(CLI::App& program, ExitCode& exit_code) {
   add_confined_flag(*command, arguments->reach);
   add_quiet_flag(*command, *arguments);
   command->add_flag("--headless", arguments->headless, "Print the address and start no browser");
-  command->footer(footer);
+  command->footer(view_footer);
   command->callback([arguments, &exit_code] { exit_code = view(*arguments); });
 }
 

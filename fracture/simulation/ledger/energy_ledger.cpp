@@ -9,6 +9,7 @@
 #include "mechanics/integrators/coefficients.hpp"
 #include "mechanics/integrators/component_step.hpp"
 #include "mechanics/integrators/numerical_loss.hpp"
+#include "mechanics/state/dense_solve.hpp"
 #include "mechanics/state/living.hpp"
 #include "mechanics/state/supports.hpp"
 
@@ -90,7 +91,7 @@ double frame_loss(const AdoptedPart& part, const Component& component) {
   const Vec3 turn =
       R.conjugate() * (component.angular_momentum - before.angular_momentum[row]);
   return 0.5 * (change.squaredNorm() / component.mass +
-                turn.dot(component.rest_inertia.ldlt().solve(turn)));
+                turn.dot(solve3(component.rest_inertia, turn)));
 }
 
 void add_losses(EnergyLedger& ledger, const AdoptedPart& part) {
@@ -122,7 +123,7 @@ Vec3 start_of_side_a(const AdoptedPart& part, const ContactPoint& c) {
 Vec3 way_after_blow(const AdoptedPart& part, const Component& c, const Vec3& place) {
   const std::size_t row = c.id.index();
   const Eigen::Quaterniond& R = part.before.orientation[row];
-  const Vec3 spin = R * Vec3(c.rest_inertia.ldlt().solve(R.conjugate() * c.angular_momentum));
+  const Vec3 spin = R * solve3(c.rest_inertia, R.conjugate() * c.angular_momentum);
   return part.input.settings.time_step *
          (c.momentum / c.mass + spin.cross(place - part.before.centre[row]));
 }

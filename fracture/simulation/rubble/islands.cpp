@@ -15,7 +15,7 @@
 namespace sunder {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double boundless = std::numeric_limits<double>::infinity();
 
 /// A node is a component, or a free obstacle ("ball") behind all components.
 struct Nodes {
@@ -60,7 +60,7 @@ std::vector<char> find_candidates(const Simulation& sim, const Nodes& nodes,
     }
     const Component& c = nodes.component(k);
     const bool is_open = k < s.impact.quiet.size() && s.impact.quiet[k] != ImpactWindow::closed;
-    const bool cannot_break = input.threshold[k] == infinite || input.declared[k];
+    const bool cannot_break = input.threshold[k] == boundless || input.declared[k];
     may[k] = !c.supported && (cannot_break || (certifies && !is_open));
   }
   for (const CornerLoad& load : s.loads) {
@@ -110,7 +110,7 @@ void add_surface(Reach& reach, const SimulationState& s, const Component& c, con
     const auto& neighbours = s.cells.map.neighbours()[t.index()];
     if (std::ranges::none_of(neighbours, [](HalfFaceId f) { return f.is_none(); })) continue;
     const Corners& corners = s.cells.map.corners()[t.index()];
-    Bounds box{Vec3::Constant(infinite), Vec3::Constant(-infinite)};
+    Bounds box{Vec3::Constant(boundless), Vec3::Constant(-boundless)};
     for (VertexId v : corners) {
       const Vec3& x = vertices.position[v.index()];
       const Vec3 way =
@@ -216,7 +216,7 @@ bool all_are_safe(RubbleChoice& choice, const Nodes& nodes, const std::vector<ch
   if (std::ranges::any_of(nodes.s.obstacles, is_solid)) return false;
   for (std::size_t k = 0; k < nodes.count(); ++k) {
     if (!nodes.lives(k) || nodes.is_ball(k)) continue;
-    if (!may[k] || (input.threshold[k] < infinite && !input.declared[k])) return false;
+    if (!may[k] || (input.threshold[k] < boundless && !input.declared[k])) return false;
   }
   bool any_awake = false;
   for (std::size_t k = 0; k < nodes.count(); ++k) {
@@ -291,10 +291,10 @@ RubbleChoice choose_rubble(const Simulation& sim, const RubbleInput& input) {
   for (const std::uint32_t k : members) {
     Island& island = island_of(k);
     if (!island.is_rubble || nodes.is_ball(k)) continue;
-    if (threshold[k] == infinite || declared[k]) continue;
+    if (threshold[k] == boundless || declared[k]) continue;
     const double weight = island.is_grounded ? island.mass * fall * (island.fastest + fall) : 0;
     const double spent = k < s.ladder.rubble.spent.size() ? s.ladder.rubble.spent[k] : 0;
-    const double bound = island.is_torn ? infinite : island.kinetic + island.strain + weight + spent;
+    const double bound = island.is_torn ? boundless : island.kinetic + island.strain + weight + spent;
     if (bound < threshold[k]) continue;
     island.is_rubble = false;
     ++choice.refused;
@@ -320,7 +320,7 @@ RubbleChoice choose_rubble(const Simulation& sim, const RubbleInput& input) {
     }
     // A ball alone flies as it always has, and so does what could break once it has calmed here.
     const bool is_alone = island.members == 1 && !island.is_grounded;
-    if (!island.has_candidate || (is_alone && !nodes.is_ball(k) && is_calm(k) && threshold[k] < infinite &&
+    if (!island.has_candidate || (is_alone && !nodes.is_ball(k) && is_calm(k) && threshold[k] < boundless &&
                                   !declared[k])) {
       continue;
     }

@@ -14,6 +14,7 @@
 #include "mechanics/contact/impact_energy.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/integrators/rigid_motion.hpp"
+#include "mechanics/state/dense_solve.hpp"
 
 namespace sunder {
 namespace {
@@ -23,7 +24,7 @@ void write_rows(MechanicsState& state, const Component& c, const RubbleBody& bod
   const Mat3 R = c.orientation.toRotationMatrix();
   const Vec3 velocity = c.momentum / c.mass;
   const Vec3 own = R.transpose() * c.angular_momentum;
-  const Vec3 spin = R * body.inertia.ldlt().solve(own);
+  const Vec3 spin = R * solve3(body.inertia, own);
   for (VertexId v : c.vertices) {
     const std::size_t i = v.index();
     const Vec3 arm =

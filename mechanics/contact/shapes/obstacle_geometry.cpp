@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "mechanics/contact/shapes/solid_surface.hpp"
+#include "mechanics/state/dense_solve.hpp"
 #include "topology/base/assert.hpp"
 
 namespace sunder {
@@ -191,7 +192,7 @@ Vec3 angular_momentum_of(const Obstacle& free) {
 Vec3 spin_of(const Obstacle& free, const Vec3& angular_momentum) {
   if (std::holds_alternative<Sphere>(free.shape)) return angular_momentum / moment_of_inertia(free);
   const Eigen::Quaterniond R = pose_of(free.shape).orientation;
-  return R * Vec3(own_inertia(free).ldlt().solve(R.conjugate() * angular_momentum));
+  return R * solve3(own_inertia(free), R.conjugate() * angular_momentum);
 }
 
 double kinetic_energy(const Obstacle& free, const Vec3& velocity) {

@@ -16,7 +16,7 @@
 namespace sunder {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double far_off = std::numeric_limits<double>::infinity();
 
 std::array<Vec3, 3> corners_of(const SolidSurface& s, std::size_t t) {
   const auto& c = s.triangles[t];
@@ -90,7 +90,7 @@ void find_rings(SolidSurface& s) {
 /// Fills node `at` with the triangles [first, end) of the order.
 void build_node(SolidSurface& s, std::size_t at, std::uint32_t first, std::uint32_t end) {
   constexpr std::uint32_t few = 4;
-  Vec3 low = Vec3::Constant(infinite), high = -low, low_middle = low, high_middle = high;
+  Vec3 low = Vec3::Constant(far_off), high = -low, low_middle = low, high_middle = high;
   const auto middle_of = [&](std::uint32_t t) -> Vec3 {
     const auto x = corners_of(s, t);
     return (x[0] + x[1] + x[2]) / 3;
@@ -126,7 +126,7 @@ double distance_to_box(const SolidSurface::Node& node, const Vec3& x) {
 
 /// The nearest point, the triangle it is of, and its shares of that one's corners.
 struct NearestFace {
-  double squared = infinite;
+  double squared = far_off;
   std::size_t triangle = 0;
   std::array<double, 3> share{};
   Vec3 place = Vec3::Zero();

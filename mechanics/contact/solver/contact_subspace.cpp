@@ -26,13 +26,13 @@ struct Subspace {
   std::span<RespondingBody> bodies;
   double step;
   std::vector<Free> free;
-  std::vector<std::uint32_t> place;  ///< of bodies with rigid motions in the equations; or none
+  std::vector<std::uint32_t> place;  ///< of bodies with rigid motions in the equations; or no_place
   BodyFactor factor;
   std::vector<BodyMotion> spare;  ///< |bodies|, whose room each product takes
   int products = 0;
 };
 
-constexpr std::uint32_t none = 0xffffffffu;
+constexpr std::uint32_t no_place = 0xffffffffu;
 
 bool is_free(const Free& free) { return free.basis.cols() > 0; }
 
@@ -110,18 +110,18 @@ Arm arm_of(const RowSide& side) {
 }
 
 bool is_rigid_side(const RowSide& side, const Subspace& s) {
-  return s.place[side.body] != none && (side.weight != 0 || !side.arm.isZero(0));
+  return s.place[side.body] != no_place && (side.weight != 0 || !side.arm.isZero(0));
 }
 
 /// W^-1 + G^T D^-1 G of the bodies that free rows act on, factored. False: it has no factor.
 bool factor_bodies(Subspace& s) {
-  s.place.assign(s.bodies.size(), none);
+  s.place.assign(s.bodies.size(), no_place);
   std::vector<std::uint32_t> moved;
   for (std::size_t k = 0; k < s.rows.size(); ++k) {
     if (!is_free(s.free[k])) continue;
     for (std::uint32_t e = 0; e < s.rows[k].side_count; ++e) {
       const std::uint32_t b = s.rows[k].sides[e].body;
-      if (s.place[b] != none || !(s.bodies[b].inverse_mass > 0)) continue;
+      if (s.place[b] != no_place || !(s.bodies[b].inverse_mass > 0)) continue;
       s.place[b] = static_cast<std::uint32_t>(moved.size());
       moved.push_back(b);
     }

@@ -23,7 +23,7 @@ struct TypeName {
   NumberType type;
   std::size_t components;
 };
-constexpr TypeName types[] = {
+constexpr TypeName value_types[] = {
     {"int", NumberType::int32, 1},     {"uint", NumberType::uint32, 1},
     {"short", NumberType::int16, 1},   {"long", NumberType::int64, 1},
     {"ulong", NumberType::uint64, 1},  {"bool", NumberType::uint8, 1},
@@ -44,8 +44,8 @@ std::size_t rows_of(const OvmReader& r, std::size_t dimension) {
 }
 
 const TypeName* type_of(const OvmProperty& p) {
-  const auto* const found = std::ranges::find(types, lower_case(p.type), &TypeName::name);
-  return found == std::end(types) ? nullptr : found;
+  const auto* const found = std::ranges::find(value_types, lower_case(p.type), &TypeName::name);
+  return found == std::end(value_types) ? nullptr : found;
 }
 
 /// Calls `take(row, component, value)` for every value.

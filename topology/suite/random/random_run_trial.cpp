@@ -20,7 +20,7 @@ CellCounts cell_counts(const TwinCounts& c) {
           c.components, c.boundary_faces, c.boundary_sheets};
 }
 
-SplitAnswer answer_of(const LocalTruth& truth) {
+SplitAnswer answer_to_trial(const LocalTruth& truth) {
   SplitAnswer answer;
   answer.did = true;
   answer.separated = truth.separated;
@@ -157,7 +157,7 @@ SplitAnswer split(Trial& trial, HalfFaceId face) {
   const FaceSide side = side_of(trial.twin, face);
   trial.steps.push_back({.kind = Step::Kind::split, .a = side, .b = {}});
   trial.checks.step = trial.steps.size();
-  if (!trial.twin.glued[face.index()].is_none()) truth = answer_of(unglue(trial.twin, face));
+  if (!trial.twin.glued[face.index()].is_none()) truth = answer_to_trial(unglue(trial.twin, face));
   const SplitAnswer answered = trial.kernel.split(side);
   ++(truth.did ? trial.times.splits : trial.times.refusals);
   if (!(answered == truth)) compare(trial.checks, face_text(trial, side), truth, answered);
@@ -186,7 +186,7 @@ bool glue(Trial& trial, HalfFaceId a, HalfFaceId b) {
   if (!can) return false;
   // What gluing joins is what parting it again would part.
   glue_again(trial.twin, a, b);
-  const SplitAnswer truth = answer_of(unglue(trial.twin, a));
+  const SplitAnswer truth = answer_to_trial(unglue(trial.twin, a));
   glue_again(trial.twin, a, b);
   trial.counts = counts_before(trial.counts, truth);
   if (trial.closed_intact > 0) trial.closed = count_closed(trial.twin);

@@ -24,7 +24,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json numbers(const Vec3& v) { return {v[0], v[1], v[2]}; }
+ordered_json three_numbers(const Vec3& v) { return {v[0], v[1], v[2]}; }
 
 Energies energies(const Simulation& s) {
   const MechanicsState& m = s.state->mechanics;
@@ -93,7 +93,7 @@ ordered_json ladder_report(const LadderReport& ladder) {
 ordered_json momentum_ledger(const RunStatistics& statistics, const Simulation& now,
                              Eigen::Index first) {
   const auto part_of = [&](const Impulse& impulse) -> ordered_json {
-    return numbers(impulse.segment<3>(first));
+    return three_numbers(impulse.segment<3>(first));
   };
   const Impulse& start = statistics.momentum_at_start;
   const Impulse end = total_momentum(*now.state);
@@ -322,7 +322,7 @@ ordered_json run_report(const RunStatistics& s, const Simulation& now,
       {"cracks", crack_ledger(s.cracks)},
       {"warnings", findings_json(all_warnings(s, now.scene))}};
   report["display"] = display_report(s, now.scene);
-  report["gravity"] = numbers(now.scene.gravity.acceleration);
+  report["gravity"] = three_numbers(now.scene.gravity.acceleration);
   report["obstacles"] = obstacles_json(now.scene.obstacles);
   if (now.state->cells.pieces) report["ties"] = tie_report(s.ties, now);
   report.update(search);
