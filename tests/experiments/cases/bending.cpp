@@ -42,7 +42,7 @@ double thread_ns() {
   return 1e9 * double(t.tv_sec) + double(t.tv_nsec);
 }
 
-Simulation built(Scene scene) {
+Simulation built_beam(Scene scene) {
   Result<Simulation> sim = build_simulation(std::move(scene));
   if (!sim) throw std::runtime_error(sim.findings.front().text);
   return std::move(*sim);
@@ -145,7 +145,7 @@ double beam_breaking_load() {
 }
 
 BendingTable bend_static(int layers) {
-  Simulation sim = built(bent_beam({.layers = layers, .force = beam_breaking_load()}));
+  Simulation sim = built_beam(bent_beam({.layers = layers, .force = beam_breaking_load()}));
   MechanicsState& m = sim.state->mechanics;
   const auto corners = sim.state->cells.map.corners();
   Loads loads;
@@ -214,7 +214,7 @@ BendingRun bend_slowly(const SlowBend& bend) {
   // A crack is through in some thousand sub-steps, within one step of the load.
   if (bend.fracture.crack == CrackMode::cohesive) scene.impact.max_sub_steps = 100000;
   scene.bodies.front().material.toughness = bend.toughness;
-  Simulation sim = built(std::move(scene));
+  Simulation sim = built_beam(std::move(scene));
   BendingRun run;
   int left = 0;  // short steps that a divided one still has
   while (sim.state->mechanics.time < ramp * (1 - 1e-9)) {

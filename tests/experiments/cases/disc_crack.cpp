@@ -17,12 +17,12 @@ namespace sunder::accuracy {
 namespace {
 
 using std::numbers::pi;
-constexpr double strength = 5e6, alpha = pi / 18, rate = 1e7, eps = 1e-6;
+constexpr double strength = 5e6, alpha = pi / 18, rate = 1e7, rounding = 1e-6;
 
 /// Pressure at which the centre reaches the strength, Pa.
 double hondros_pressure() { return strength * pi / (2 * (std::sin(2 * alpha) - alpha)); }
 
-double thickness(int cells) { return 2 * 2.0 / cells; }
+double disc_thickness(int cells) { return 2 * 2.0 / cells; }
 
 /// Squares about the centre become circles, so that arcs of 10 degrees end at vertices where
 /// `cells` is a multiple of 18.
@@ -44,7 +44,7 @@ Scene scene_of(int cells) {
                    .tensile_strength = strength,
                    .toughness = 1.5e6};
   disc.held = {{.minimum = {1 - 0.5 * cell, -1.1 * cell, -1}, .maximum = {2, 1.1 * cell, 9}}};
-  const double pressure = 2 * hondros_pressure(), edge = std::cos(alpha) - eps;
+  const double pressure = 2 * hondros_pressure(), edge = std::cos(alpha) - rounding;
   const double ramp = pressure / rate;
   disc.loads = {
       {.minimum = {-9, edge, -9}, .maximum = {9, 9, 9}, .pressure = pressure, .ramp_time = ramp},
@@ -127,7 +127,7 @@ DiscAnswer brazilian_disc(int cells) {
     add_fans(answer, crack, sim.state->cells, report);
   }
   answer.length = crack.length();
-  answer.area = crack.area / (2 * crack.length() * thickness(cells));
+  answer.area = crack.area / (2 * crack.length() * disc_thickness(cells));
   answer.upright = crack.area > 0 ? crack.across / crack.area : 0;
   return answer;
 }

@@ -14,7 +14,7 @@ namespace sunder::accuracy {
 namespace {
 
 using std::numbers::pi;
-constexpr double half_width = 0.5, height = 1, round = 1;
+constexpr double half_width = 0.5, block_height = 1, round = 1;
 
 /// k of sinh(k u) / sinh(k), the place of the u-th part of an edge of length 1 in `n` cells, the
 /// first of which is `first` wide.
@@ -33,12 +33,12 @@ TetMesh round_block(const HertzImpact& impact) {
   const int n = impact.cells, nz = std::max(2, 2 * n / 3 + 1);
   TetMesh mesh = suite::kuhn_box({2 * n, 2 * n, nz}, 1);
   const double k = grading(impact.smallest / half_width, n);
-  const double kz = grading(impact.smallest / height, nz);
+  const double kz = grading(impact.smallest / block_height, nz);
   for (Point& p : mesh.points) {
     const double x = half_width * graded(p[0] / n - 1, k);
     const double y = half_width * graded(p[1] / n - 1, k);
-    const double z = height * graded(p[2] / nz, kz);
-    p = {x, y, z + (1 - z / height) * (x * x + y * y) / (2 * round)};
+    const double z = block_height * graded(p[2] / nz, kz);
+    p = {x, y, z + (1 - z / block_height) * (x * x + y * y) / (2 * round)};
   }
   return mesh;
 }

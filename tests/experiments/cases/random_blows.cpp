@@ -62,7 +62,7 @@ double height_of(const BodySettings& body) {
   return high - low;
 }
 
-Simulation built(Scene scene) {
+Simulation built_body(Scene scene) {
   Result<Simulation> sim = build_simulation(std::move(scene));
   if (!sim) throw std::runtime_error("random_blows: " + sim.findings.front().text);
   return std::move(*sim);
@@ -99,7 +99,7 @@ Scene scene_of(Random& random) {
 
 /// Scales velocities so that a blow has `part` of the energy that the weakest star needs.
 void set_energy(Scene& scene, double part) {
-  const Simulation sim = built(scene);
+  const Simulation sim = built_body(scene);
   std::vector<double> energy;
   BreakEnergyScratch scratch;
   note_break_energies(energy, sim.state->mechanics, sim.state->cells, scene.fracture.node_stress,
@@ -121,7 +121,7 @@ struct Run {
 
 Run run(Scene scene, bool by_energy, int steps) {
   scene.impact.by_energy = by_energy;
-  Simulation sim = built(std::move(scene));
+  Simulation sim = built_body(std::move(scene));
   Run sum;
   for (int k = 0; k < steps; ++k) {
     const StepReport report = advance(sim);
@@ -179,7 +179,7 @@ CertificateCounts run_certificates(std::uint64_t first, std::uint64_t count) {
     scene.integrator.time_step = rubble_clock(1).tick / 8;
     scene.impact.by_energy = false;
     const double tick = rubble_clock(scene.integrator.time_step).tick;
-    Simulation sim = built(scene);
+    Simulation sim = built_body(scene);
     std::vector<double> threshold;
     BreakEnergyScratch scratch;
     note_break_energies(threshold, sim.state->mechanics, sim.state->cells,
