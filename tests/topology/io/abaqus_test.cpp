@@ -102,8 +102,8 @@ fixed, 1, 3
   INFO(summary(mesh.findings));
   REQUIRE(mesh);
   CHECK(summary(mesh.findings) ==
-        "warning curved_cells 14, note unknown_section 0, note corners_only 14, "
-        "note skipped_cells 21");
+        "warning curved_cells 14, note corners_only 14, note skipped_cells 21, "
+        "note skipped_data 26");
   CHECK(mesh->points == std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
   CHECK(mesh->source_point_id == std::vector<std::int64_t>{10, 20, 30, 40});
   CHECK(mesh->tetrahedra.corners[0] == std::array<std::uint32_t, 4>{0, 1, 2, 3});

@@ -30,14 +30,16 @@ TEST_CASE("references of tetrahedra become regions, unless all are 0", "[io][med
   CHECK(mesh->tetrahedra[1] == std::array<std::uint32_t, 4>{1, 2, 3, 4});
 }
 
-TEST_CASE("sections that are not used are passed over, unknown ones with a note", "[io][medit]") {
+TEST_CASE("sections that are not used are passed over and reported", "[io][medit]") {
   const Result<TetMesh> mesh = read_mesh(
       "MeshVersionFormatted 1\nDimension\n3\nVertices\n4\n0 0 0 1\n1 0 0 1\n0 1 0 1\n0 0 1 1\n"
       "Corners 2\n1 2\nNormals 1\n0 0 1\nTriangles 1\n1 2 3 4\nFancyThings 2\n1 2 3\n4.5 -6 7\n"
       "Tetrahedra 1\n1 2 3 4 1\n",
       "a.mesh");
   REQUIRE(mesh);
-  CHECK(summary(mesh.findings) == "note skipped_cells 0, note unknown_section 16");
+  CHECK(summary(mesh.findings) == "note skipped_cells 0, note skipped_data 10");
+  CHECK(mesh.findings[1].text == "sections are left out: Corners, Normals, FancyThings");
+  CHECK(mesh.findings[1].count == 4);
 }
 
 TEST_CASE("MEDIT to MSH to memory keeps what MEDIT carries", "[io][medit][round_trip]") {
