@@ -53,3 +53,27 @@ TEST_CASE("MEDIT to MSH to memory keeps what MEDIT carries", "[io][medit][round_
   CHECK(write_mesh(folder.path() / "a.mesh", *mesh).empty());
   CHECK(identical(*mesh, *read_mesh(folder.path() / "a.mesh")));
 }
+
+TEST_CASE("a planar mesh lies at z = 0, in text and binary", "[io][medit]") {
+  const std::string text =
+      "MeshVersionFormatted 1\nDimension 2\nVertices\n3\n0 0 0\n1 0 5\n0.5 2 0\nNormals 1\n0 1\n"
+      "Triangles\n1\n1 2 3 4\nEnd\n";
+  std::string binary;
+  const auto put = [&binary](auto... numbers) {
+    (binary.append(reinterpret_cast<const char*>(&numbers), sizeof numbers), ...);
+  };
+  put(1, 2, 3, 20, 2);
+  put(4, 92, 3, 0.0, 0.0, 0, 1.0, 0.0, 5, 0.5, 2.0, 0);
+  put(6, 120, 1, 1, 2, 3, 4);
+  put(54, 0);
+  REQUIRE(binary.size() == 128);
+  for (const std::string& file : {text, binary}) {
+    const Result<FileMesh> mesh = read_file_mesh(file, "a.mesh");
+    INFO(summary(mesh.findings));
+    REQUIRE(mesh);
+    CHECK(mesh->points == std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0.5, 2, 0}});
+    CHECK(mesh->point_region == std::vector<std::int32_t>{0, 5, 0});
+    CHECK(mesh->triangles.region == std::vector<std::int32_t>{4});
+    CHECK(mesh.findings.size() == (file == text ? 1 : 0));
+  }
+}

@@ -214,3 +214,25 @@ TEST_CASE("numbers that count on once hexahedra are left out say nothing, with v
   CHECK(part->vertices.corners.size() == 1);
   CHECK(part->tetrahedra.source_id.empty());
 }
+
+TEST_CASE("lengths in units of the file's own become metres", "[io][unv]") {
+  const auto with = [](const std::string& factor) {
+    return section("164", "         1SI                           2\n" + factor + " 1. 1.\n273.15\n") + nodes +
+           tetrahedra;
+  };
+  for (const std::string factor : {"1000.", "1.0D+03", "1.0e3"}) {
+    const Result<FileMesh> mesh = read_file_mesh(with(factor), "a.unv");
+    INFO(summary(mesh.findings));
+    REQUIRE(mesh);
+    CHECK(mesh->points[1] == Point{0.001, 0, 0});
+    CHECK(summary(mesh.findings) == "note units_converted 3");
+    CHECK(mesh.findings[0].text.find("divided by 1000") != std::string::npos);
+  }
+  CHECK(read_file_mesh(with("1.0D+00"), "a.unv").findings.empty());
+  for (const std::string factor : {"0.", "-1.", "nan", "x"}) {
+    const Result<FileMesh> mesh = read_file_mesh(with(factor), "a.unv");
+    REQUIRE_FALSE(mesh);
+    CHECK(mesh.findings[0].code == "bad_number");
+    CHECK(mesh.findings[0].line == 4);
+  }
+}
