@@ -93,6 +93,7 @@ void read_nodes_4(MshReader& r) {
       if (r.version == 40) number(at);
       add_point(r.draft, read_point(r), at);
       skip_numbers(r.in, parameters, 8 * parameters, "a parametric coordinate");
+      if (parameters > 0) add_skipped(r.draft, "parametric coordinates of points", {}, at);
       end_row(r);
     }
   }

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
+#include <optional>
+#include <utility>
 
+#include "topology/base/sort_unique.hpp"
 #include "topology/io/msh/msh_reader.hpp"
 
 namespace sunder::io {
@@ -30,6 +32,27 @@ std::int32_t read_group(MshReader& r) {
   const auto group = read_number<std::int32_t>(number, "the number of a physical group");
   s.at = number.at;
   return group;
+}
+
+/// Calls `take(dimension, group, name)` for each row of $PhysicalNames. MSH 2.0 gives the group
+/// alone, later versions its dimension before it.
+template <class Take>
+void for_each_name(MshReader& r, Take take) {
+  Scanner& s = r.in.s;
+  const std::size_t names = read_count(s, "physical names", 4);
+  for (std::size_t i = 0; i < names; ++i) {
+    std::int32_t group = read_group(r);
+    Scanner ahead = s;
+    const bool has_dimension = !peek_word(ahead).starts_with('"');
+    const std::int64_t dimension = has_dimension ? group : 3;
+    if (has_dimension) group = read_group(r);
+    const std::size_t at = s.at;
+    const std::string_view name = rest_of_line(s);
+    const bool is_quoted = name.size() >= 2 && name.front() == '"' && name.back() == '"';
+    if (!is_quoted || dimension < 0 || dimension > 3) fail_name(r, at, name, dimension);
+    take(has_dimension ? std::optional(static_cast<std::size_t>(dimension)) : std::nullopt, group,
+         name.substr(1, name.size() - 2));
+  }
 }
 
 /// The first group of an entity, 0 for none.
@@ -90,27 +113,12 @@ void read_part(MshReader& r, std::size_t dimension) {
 }  // namespace
 
 void read_msh_names(MshReader& r) {
-  Scanner& s = r.in.s;
-  r.names_at = s.at;
-  const std::size_t names = read_count(s, "physical names", 4);
-  for (std::size_t i = 0; i < names; ++i) {
-    // MSH 2.0 gives the group alone, later versions its dimension before it.
-    std::int32_t group = read_group(r);
-    Scanner ahead = s;
-    const bool has_dimension = !peek_word(ahead).starts_with('"');
-    const std::int64_t dimension = has_dimension ? group : 3;
-    if (has_dimension) group = read_group(r);
-    const std::size_t at = s.at;
-    const std::string_view name = rest_of_line(s);
-    const bool is_quoted = name.size() >= 2 && name.front() == '"' && name.back() == '"';
-    if (!is_quoted || dimension < 0 || dimension > 3) fail_name(r, at, name, dimension);
-    std::string plain(name.substr(1, name.size() - 2));
-    if (has_dimension) {
-      r.draft.mesh.region_name[static_cast<std::size_t>(dimension)][group] = std::move(plain);
-    } else {
-      r.name_of_group[group] = std::move(plain);
-    }
-  }
+  r.names_at = r.in.s.at;
+  for_each_name(r, [&](std::optional<std::size_t> dimension, std::int32_t group,
+                       std::string_view name) {
+    r.has_plain_names = r.has_plain_names || !dimension;
+    if (dimension) r.draft.mesh.region_name[*dimension][group] = std::string(name);
+  });
 }
 
 void read_msh_entities(MshReader& r) {
@@ -140,17 +148,29 @@ void read_msh_partitioned(MshReader& r) {
 }
 
 void name_msh_groups(MshReader& r) {
+  if (!r.has_plain_names) return;
   FileMesh& mesh = r.draft.mesh;
-  for (auto& [group, name] : r.name_of_group) {
-    bool is_used = false;
-    for (const CellKind kind : all_cell_kinds) {
-      const std::vector<std::int32_t>& region = columns_of(mesh, kind).region;
-      if (std::ranges::find(region, group) == region.end()) continue;
-      mesh.region_name[static_cast<std::size_t>(traits_of(kind).dimension)][group] = name;
+  std::array<std::vector<std::int32_t>, 4> groups;
+  for (const CellKind kind : all_cell_kinds) {
+    auto& of_dimension = groups[static_cast<std::size_t>(traits_of(kind).dimension)];
+    std::vector<std::int32_t> own = columns_of(mesh, kind).region;
+    sort_unique(own);
+    of_dimension.insert(of_dimension.end(), own.begin(), own.end());
+  }
+  for (std::vector<std::int32_t>& of_dimension : groups) sort_unique(of_dimension);
+  // Once more: the cells had to be there.
+  const std::size_t end = std::exchange(r.in.s.at, r.names_at);
+  for_each_name(r, [&](std::optional<std::size_t> dimension, std::int32_t group,
+                       std::string_view name) {
+    bool is_used = dimension.has_value();
+    for (std::size_t d = 0; d < 4 && !dimension; ++d) {
+      if (!std::ranges::binary_search(groups[d], group)) continue;
+      mesh.region_name[d][group] = std::string(name);
       is_used = true;
     }
     if (!is_used) add_skipped(r.draft, "names of groups without elements", name, r.names_at);
-  }
+  });
+  r.in.s.at = end;
 }
 
 void add_msh_partitions(MshReader& r) {

@@ -4,9 +4,7 @@
 
 #include <array>
 #include <cstdint>
-#include <map>
 #include <optional>
-#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -40,9 +38,9 @@ struct MshReader {
   std::array<std::unordered_map<std::int64_t, MshPart>, 4> part_of_entity;
   /// Of each cell, by kind; empty where the file has no partitions.
   std::array<std::vector<std::int64_t>, cell_kinds> partition;
-  /// Names that MSH 2.0 gives to groups of no dimension.
-  std::map<std::int32_t, std::string> name_of_group;
+  /// Where $PhysicalNames begins, and whether it has names of no dimension, as MSH 2.0 writes them.
   std::size_t names_at = 0;
+  bool has_plain_names = false;
   NumberIndex nodes;
   /// A row whose place is sought for a message, and that place.
   std::size_t sought_node = static_cast<std::size_t>(-1);

@@ -30,7 +30,8 @@ LineKind kind_of(std::string_view line) {
   LineKind kind;
   const std::size_t comma = line.find(',');
   // A comma behind the first field only: fixed fields may hold words with commas further on.
-  kind.is_free = comma != std::string_view::npos && comma <= small_width + 1;
+  const bool is_image = trimmed(line).starts_with('=');
+  kind.is_free = comma != std::string_view::npos && (comma <= small_width + 1 || is_image);
   kind.name = trimmed(line.substr(0, kind.is_free ? comma : byte_of_column(line, small_width)));
   kind.goes_on = kind.name.empty() || kind.name.front() == '+' || kind.name.front() == '*';
   kind.is_large = kind.name.starts_with('*') || kind.name.ends_with('*');
@@ -185,7 +186,7 @@ void begin_replication(CardLines& lines, std::string_view line, std::size_t begi
   if (digits == "=") own.fields.assign(1, "==");
   if (!is_bare || digits == "=") replication.fields = std::move(own.fields);
   if (replication.fields.empty()) replication.fields.assign(1, "==");
-  const std::size_t most = 1000 + lines.text.size() / 8;
+  const std::size_t most = 2000 + lines.text.size() / 32;
   if (images > most - std::min(most, replication.made)) {
     fail(lines.text, begin,
          {.code = "count_too_big",

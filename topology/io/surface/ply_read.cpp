@@ -326,7 +326,7 @@ void read_element(PlyReader& r, Element& e) {
           .text = fmt::format("the element {} stands before the vertices", e.name),
           .remedy = "put the element vertex first"});
   }
-  if (is_strip) return read_strips(r, e);
+  if (is_strip) return pass_strips(r, e);
   e.name == "face" ? read_faces(r, e) : read_edges(r, e);
 }
 

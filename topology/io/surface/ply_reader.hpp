@@ -2,7 +2,6 @@
 // Internal to the reader of PLY: what its elements share.
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "topology/io/draft.hpp"
@@ -13,9 +12,9 @@
 
 namespace sunder::io {
 
-/// A triangle of a strip: rows of points, and where its strip stands.
-struct StripTriangle {
-  std::array<std::int64_t, 3> points{};
+/// Where the rows of an element tristrips begin.
+struct StripPlace {
+  const Element* element = nullptr;
   std::size_t at = 0;
 };
 
@@ -24,8 +23,9 @@ struct PlyReader {
   Draft draft;
   RowWatch watch;
   PlyHeader header;
-  /// Triangles of strips, added behind those of all faces.
-  std::vector<StripTriangle> strips;
+  /// Strips are read behind all faces; how many triangles they have.
+  std::vector<StripPlace> strips;
+  std::size_t strip_triangles = 0;
 };
 
 /// The bytes of a raw number.
@@ -60,8 +60,10 @@ void end_row(PlyReader& r);
 /// Finds the list of corners of faces or strips. Fails with missing_array.
 void assign_corners(const PlyReader& r, Element& e);
 
-/// The element tristrips: its triangles are kept until all faces are there.
-void read_strips(PlyReader& r, Element& e);
+/// Passes an element tristrips, and counts its triangles. Fails with count_too_big.
+void pass_strips(PlyReader& r, Element& e);
+
+/// Triangles of all strips, behind those of the faces.
 void add_strips(PlyReader& r);
 
 }  // namespace sunder::io

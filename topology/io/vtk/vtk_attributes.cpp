@@ -96,36 +96,36 @@ void skip_strings(VtkReader& r, const ArrayHead& head, std::size_t words) {
   skip_array(r, head, "data that are strings");
 }
 
-/// Bits: 0 or 1 in text, eight a byte in binary files.
-std::vector<std::int64_t> read_bits(VtkReader& r, std::size_t n) {
-  std::vector<std::int64_t> bits;
+/// Bits, one after the other: 0 or 1 in text, eight a byte in binary files.
+template <class Take>
+void read_bits(VtkReader& r, std::size_t n, Take take) {
   if (r.in.is_binary) rest_of_line(r.in.s);
-  const std::size_t left = r.in.s.text.size() - r.in.s.at;
-  check_count(r.in.s, r.in.s.at, static_cast<std::int64_t>(r.in.is_binary ? n / 8 : n), "bits", 1);
-  if (r.in.is_binary && (n + 7) / 8 > left) fail_short(r.in.s, "bits", (n + 7) / 8);
-  bits.reserve(n);
+  const std::size_t least = r.in.is_binary ? (n + 7) / 8 : n;
+  check_count(r.in.s, r.in.s.at, static_cast<std::int64_t>(least), "bits", 1);
   std::uint8_t byte = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    if (!r.in.is_binary) {
-      bits.push_back(read_number<std::int64_t>(r.in.s, "a bit"));
-      continue;
-    }
-    if (i % 8 == 0) byte = read_raw<std::uint8_t>(r.in, "eight bits");
-    bits.push_back((byte >> (7 - i % 8)) & 1);
+    if (r.in.is_binary && i % 8 == 0) byte = read_raw<std::uint8_t>(r.in, "eight bits");
+    take(r.in.is_binary ? (byte >> (7 - i % 8)) & 1
+                        : read_number<std::int64_t>(r.in.s, "a bit"));
   }
-  return bits;
+}
+
+/// Whether the bits of an array are kept: each takes 64 in memory, so all of them are bounded by the
+/// file's size. A bit for each point or cell stays far below.
+bool has_room(VtkReader& r, std::size_t n) {
+  r.bits += n;
+  return r.bits <= 1000 + r.in.s.text.size() / 8;
 }
 
 void take_bits(VtkReader& r, const ArrayHead& head) {
   check_rows(r, head);
+  const std::size_t n = product(r, head.rows, head.components, "bits");
   const VtkArrayHead column{decoded(head.name), head.components, NumberType::uint8,
                             r.data_of == 2, head.at};
-  const std::vector<std::int64_t> bits =
-      read_bits(r, product(r, head.rows, head.components, "bits"));
-  if (!is_of_rows(r, head) || head.rows == 0) return skip_array(r, head, {});
-  if (!is_new_name(r.draft, r.names, column)) return;
-  auto sink = begin_vtk_data<std::int64_t>(r.draft, r.piece, column, bits.size());
-  sink(bits);
+  const bool is_kept = is_of_rows(r, head) && head.rows > 0 && has_room(r, n);
+  if (!is_kept) skip_array(r, head, "data that are bits");
+  if (!is_kept || !is_new_name(r.draft, r.names, column)) return read_bits(r, n, [](auto) {});
+  read_bits(r, n, begin_vtk_data<std::int64_t>(r.draft, r.piece, column, n));
 }
 
 void take_numbers(VtkReader& r, const ArrayHead& array, const VtkType& type) {

@@ -30,6 +30,8 @@ struct VtkReader {
   /// What data belong to that come next: 0 nothing, 1 points, 2 cells.
   int data_of = 0;
   std::size_t rows = 0;
+  /// Bits that were kept as numbers.
+  std::size_t bits = 0;
 };
 
 /// In lower case: keywords may be written either way.
