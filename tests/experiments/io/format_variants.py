@@ -449,7 +449,7 @@ def others(variant, folder):
         if program == "gmsh":
             source = folder / "gmsh.msh"
             source.unlink(missing_ok=True)
-            command = ["gmsh", str(file), "-0", "-save_all", "-format", "msh41", "-o", str(source)]
+            command = ["gmsh", str(file), "-0", "-save_all", "-format", "msh22", "-o", str(source)]
             if shutil.which("gmsh") is None or subprocess.run(command, capture_output=True, timeout=60).returncode != 0:
                 answers.append(None)
                 continue

@@ -175,7 +175,8 @@ TEST_CASE("cells of which only some have numbers are numbered anew, and it is sa
 
 TEST_CASE("partitions of MSH 2.2 are a column, ghosts are reported", "[io][msh]") {
   const std::string head =
-      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n"
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 "
+      "1\n$EndNodes\n"
       "$Elements\n";
   const auto read = [&](const std::string& elements) {
     Result<FileMesh> mesh = read_file_mesh(head + elements + "$EndElements\n", "a.msh");

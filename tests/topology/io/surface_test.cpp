@@ -84,8 +84,9 @@ TEST_CASE("surfaces of other programs are read", "[io][surface]") {
     const Result<FileMesh> mesh = read_file_mesh(sample(s.name));
     INFO(summary(mesh.findings));
     REQUIRE(mesh);
-    CHECK(summary(mesh.findings) ==
-          (s.name == std::string("assimp.obj") ? "warning skipped_data 4, warning skipped_data 28" : ""));
+    CHECK(summary(mesh.findings) == (s.name == std::string("assimp.obj")
+                                         ? "warning skipped_data 4, warning skipped_data 28"
+                                         : ""));
     CHECK(mesh->points.size() == s.points);
     CHECK(mesh->triangles.corners.size() == s.triangles);
     if (s.volume > 0) CHECK(volume6(*mesh) / 6 == Approx(s.volume).epsilon(1e-12));

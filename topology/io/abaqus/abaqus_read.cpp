@@ -250,8 +250,8 @@ void read_nodes(Pass& p, std::size_t begin) {
       {.set = p.place.set, .before = -1, .is_block = true, .at = first, .end = mesh.points.size()});
 }
 
-/// Behind *INSTANCE stands its offset, then two points of an axis and an angle. One that is 0 leaves
-/// the part at its place.
+/// Behind *INSTANCE stands its offset, then two points of an axis and an angle. One that is 0
+/// leaves the part at its place.
 void expect_unmoved(const Pass& p, std::size_t begin, bool is_offset) {
   DataLines lines{.text = p.text, .next = begin};
   next_data_line(lines);

@@ -114,11 +114,11 @@ void read_part(MshReader& r, std::size_t dimension) {
 
 void read_msh_names(MshReader& r) {
   r.names_at = r.in.s.at;
-  for_each_name(r, [&](std::optional<std::size_t> dimension, std::int32_t group,
-                       std::string_view name) {
-    r.has_plain_names = r.has_plain_names || !dimension;
-    if (dimension) r.draft.mesh.region_name[*dimension][group] = std::string(name);
-  });
+  for_each_name(
+      r, [&](std::optional<std::size_t> dimension, std::int32_t group, std::string_view name) {
+        r.has_plain_names = r.has_plain_names || !dimension;
+        if (dimension) r.draft.mesh.region_name[*dimension][group] = std::string(name);
+      });
 }
 
 void read_msh_entities(MshReader& r) {
@@ -160,16 +160,16 @@ void name_msh_groups(MshReader& r) {
   for (std::vector<std::int32_t>& of_dimension : groups) sort_unique(of_dimension);
   // Once more: the cells had to be there.
   const std::size_t end = std::exchange(r.in.s.at, r.names_at);
-  for_each_name(r, [&](std::optional<std::size_t> dimension, std::int32_t group,
-                       std::string_view name) {
-    bool is_used = dimension.has_value();
-    for (std::size_t d = 0; d < 4 && !dimension; ++d) {
-      if (!std::ranges::binary_search(groups[d], group)) continue;
-      mesh.region_name[d][group] = std::string(name);
-      is_used = true;
-    }
-    if (!is_used) add_skipped(r.draft, "names of groups without elements", name, r.names_at);
-  });
+  for_each_name(
+      r, [&](std::optional<std::size_t> dimension, std::int32_t group, std::string_view name) {
+        bool is_used = dimension.has_value();
+        for (std::size_t d = 0; d < 4 && !dimension; ++d) {
+          if (!std::ranges::binary_search(groups[d], group)) continue;
+          mesh.region_name[d][group] = std::string(name);
+          is_used = true;
+        }
+        if (!is_used) add_skipped(r.draft, "names of groups without elements", name, r.names_at);
+      });
   r.in.s.at = end;
 }
 

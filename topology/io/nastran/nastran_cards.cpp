@@ -167,7 +167,8 @@ void begin_replication(CardLines& lines, std::string_view line, std::size_t begi
   Replication& replication = lines.replication;
   const std::string_view name = kind_of(line).name;
   std::string_view digits = name.substr(1);
-  if (digits.starts_with('(') && digits.ends_with(')')) digits = digits.substr(1, digits.size() - 2);
+  if (digits.starts_with('(') && digits.ends_with(')'))
+    digits = digits.substr(1, digits.size() - 2);
   std::size_t images = 1;
   const char* const end = digits.data() + digits.size();
   const auto [stop, reason] = std::from_chars(digits.data(), end, images);
@@ -219,7 +220,8 @@ bool next_card(CardLines& lines, Card& card) {
     if (card.name.empty()) {
       fail(lines.text, begin,
            {.code = "wrong_section_order",
-            .text = fmt::format("{} repeats a card, but none stands before it", in_quotes(kind.name)),
+            .text =
+                fmt::format("{} repeats a card, but none stands before it", in_quotes(kind.name)),
             .remedy = "put the card that is repeated before this line"});
     }
     begin_replication(lines, line, begin);

@@ -43,10 +43,10 @@ struct Card {
 };
 inline constexpr std::size_t most_fields = 40;
 
-/// The next card with the lines that it goes on in; false behind the last. `card` is the one before,
-/// which replication goes on from: a name = repeats it, a field = or == keeps one or all that follow,
-/// *1 adds, and a line =(3) makes three more. Fails with bad_number, wrong_section_order or
-/// count_too_big.
+/// The next card with the lines that it goes on in; false behind the last. `card` is the one
+/// before, which replication goes on from: a name = repeats it, a field = or == keeps one or all
+/// that follow, *1 adds, and a line =(3) makes three more. Fails with bad_number,
+/// wrong_section_order or count_too_big.
 bool next_card(CardLines& lines, Card& card);
 
 /// Makes `card` the next image of itself. `text`: the whole file.

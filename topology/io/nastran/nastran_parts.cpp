@@ -32,7 +32,8 @@ void refuse_superelements(std::string_view text, std::size_t at) {
         .text = fmt::format("{} begins the bulk data of another part (a superelement): its points "
                             "and elements have their own numbers",
                             in_quotes(trimmed(card_line(text, at)))),
-        .remedy = "write the model as one part, with one BEGIN BULK, or give each part its own file"});
+        .remedy =
+            "write the model as one part, with one BEGIN BULK, or give each part its own file"});
 }
 
 [[noreturn]] void fail_include(std::string_view text, std::size_t at, std::string_view code,

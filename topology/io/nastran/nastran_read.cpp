@@ -53,14 +53,15 @@ void expect_basic_system(std::string_view text, const Card& card, std::size_t fi
             "write the points in the basic system (in most programs an option of the export)"});
 }
 
-/// Fields from `first` on that say something, but not to the mesh: constraints of points, angles and
-/// offsets of shells, orientations of beams.
+/// Fields from `first` on that say something, but not to the mesh: constraints of points, angles
+/// and offsets of shells, orientations of beams.
 void skip_fields(NastranReader& r, const Card& card, std::size_t first) {
   const auto is_set = [](std::string_view field) {
     return field.find_first_not_of("+-0. ") != std::string_view::npos;
   };
   for (std::size_t i = first; i < card.fields.size(); ++i) {
-    if (is_set(card.fields[i])) return add_skipped(r.draft, "further fields of cards", card.name, card.at);
+    if (is_set(card.fields[i]))
+      return add_skipped(r.draft, "further fields of cards", card.name, card.at);
   }
 }
 

@@ -36,7 +36,8 @@ inline void end_row(RowWatch& watch, const Scanner& s) {
   const char* const begin = s.text.data() + row;
   const bool goes_on = std::memchr(begin, '\n', s.at - row) != nullptr;
   std::size_t end = s.at;
-  while (end < s.text.size() && (s.text[end] == ' ' || s.text[end] == '\r' || s.text[end] == '\t')) {
+  while (end < s.text.size() &&
+         (s.text[end] == ' ' || s.text[end] == '\r' || s.text[end] == '\t')) {
     ++end;
   }
   const bool is_end = end == s.text.size() || s.text[end] == '\n' || s.text[end] == '#';

@@ -105,13 +105,12 @@ void read_bits(VtkReader& r, std::size_t n, Take take) {
   std::uint8_t byte = 0;
   for (std::size_t i = 0; i < n; ++i) {
     if (r.in.is_binary && i % 8 == 0) byte = read_raw<std::uint8_t>(r.in, "eight bits");
-    take(r.in.is_binary ? (byte >> (7 - i % 8)) & 1
-                        : read_number<std::int64_t>(r.in.s, "a bit"));
+    take(r.in.is_binary ? (byte >> (7 - i % 8)) & 1 : read_number<std::int64_t>(r.in.s, "a bit"));
   }
 }
 
-/// Whether the bits of an array are kept: each takes 64 in memory, so all of them are bounded by the
-/// file's size. A bit for each point or cell stays far below.
+/// Whether the bits of an array are kept: each takes 64 in memory, so all of them are bounded by
+/// the file's size. A bit for each point or cell stays far below.
 bool has_room(VtkReader& r, std::size_t n) {
   r.bits += n;
   return r.bits <= 1000 + r.in.s.text.size() / 8;
@@ -120,8 +119,8 @@ bool has_room(VtkReader& r, std::size_t n) {
 void take_bits(VtkReader& r, const ArrayHead& head) {
   check_rows(r, head);
   const std::size_t n = product(r, head.rows, head.components, "bits");
-  const VtkArrayHead column{decoded(head.name), head.components, NumberType::uint8,
-                            r.data_of == 2, head.at};
+  const VtkArrayHead column{decoded(head.name), head.components, NumberType::uint8, r.data_of == 2,
+                            head.at};
   const bool is_kept = is_of_rows(r, head) && head.rows > 0 && has_room(r, n);
   if (!is_kept) skip_array(r, head, "data that are bits");
   if (!is_kept || !is_new_name(r.draft, r.names, column)) return read_bits(r, n, [](auto) {});
@@ -215,8 +214,8 @@ bool read_attribute(VtkReader& r, std::string_view keyword) {
     std::string_view keyword;
     std::size_t components;
   };
-  constexpr Fixed fixed[] = {{"vectors", 3},    {"normals", 3},      {"tangents", 3},
-                             {"tensors", 9},    {"tensors6", 6},     {"global_ids", 1},
+  constexpr Fixed fixed[] = {{"vectors", 3},    {"normals", 3},     {"tangents", 3},
+                             {"tensors", 9},    {"tensors6", 6},    {"global_ids", 1},
                              {"edge_flags", 1}, {"pedigree_ids", 1}};
   if (const auto* const it = std::ranges::find(fixed, keyword, &Fixed::keyword);
       it != std::end(fixed)) {

@@ -150,8 +150,8 @@ void skip_content(VtuParser& p, std::string_view kind, std::string_view name) {
 /// A tag that is neither read nor known to hold no data of the mesh.
 void skip_unknown(VtuParser& p, std::string_view name) {
   constexpr std::string_view known[] = {
-      "VTKFile",  "UnstructuredGrid", "PolyData",  "Piece", "Points", "Cells",  "PointData",
-      "CellData", "FieldData",        "DataArray", "Array", "Verts",  "Lines",  "Polys",
+      "VTKFile",  "UnstructuredGrid", "PolyData",  "Piece",       "Points", "Cells", "PointData",
+      "CellData", "FieldData",        "DataArray", "Array",       "Verts",  "Lines", "Polys",
       "Strips",   "InformationKey",   "Value",     "AppendedData"};
   if (std::ranges::find(known, name) == std::end(known)) skip_content(p, "tags", name);
 }
@@ -159,7 +159,8 @@ void skip_unknown(VtuParser& p, std::string_view name) {
 /// Whether the array that opens is read. Others are of the whole grid, or of an unknown part of it.
 std::list<VtuArray>* place_of_array(VtuParser& p, Attributes attributes) {
   const std::string_view name = attribute(attributes, "Name").value_or("");
-  const std::string_view parent = p.open.size() < 2 ? std::string_view{} : p.open[p.open.size() - 2];
+  const std::string_view parent =
+      p.open.size() < 2 ? std::string_view{} : p.open[p.open.size() - 2];
   const bool in_piece = p.open.size() >= 3 && p.open[p.open.size() - 3] == "Piece";
   std::list<VtuArray>* const arrays = in_piece && !p.document.pieces.empty()
                                           ? arrays_of(p.document.pieces.back(), parent)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A row with a number too many or too few gets the blame, and not the line where the numbers that it
-// shifts do not fit any more.
+// A row with a number too many or too few gets the blame, and not the line where the numbers that
+// it shifts do not fit any more.
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <sstream>
@@ -34,12 +34,15 @@ struct Rows {
 
 const Rows files[] = {
     {"a.ply",
-     "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
-     "element face 2\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
+     "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float "
+     "z\n"
+     "element face 2\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n0 0 "
+     "1\n"
      "3 0 1 2\n3 0 1 3\n",
      10, 15},
     {"a.msh",
-     "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n"
+     "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 "
+     "1\n$EndNodes\n"
      "$Elements\n2\n1 4 2 1 1 1 2 3 4\n2 2 2 1 1 1 2 3\n$EndElements\n",
      6, 9},
     {"a.mesh",
@@ -105,10 +108,13 @@ TEST_CASE("the second of two nodes of one number is at fault", "[io][line_at_fau
     return mesh.findings[0].line;
   };
   const std::string behind = "$EndNodes\n$Elements\n0\n$EndElements\n";
-  CHECK(line("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n2 1 0 0\n1 0 1 0\n" + behind,
-             "a.msh") == 8);
+  CHECK(
+      line("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n2 1 0 0\n1 0 1 0\n" + behind,
+           "a.msh") == 8);
   CHECK(line("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 3 1 2\n3 1 0 3\n1\n2\n2\n0 0 0\n"
-             "1 0 0\n0 1 0\n" + behind, "a.msh") == 9);
+             "1 0 0\n0 1 0\n" +
+                 behind,
+             "a.msh") == 9);
   CHECK(line("    -1\n  2411\n1 1 1 11\n0. 0. 0.\n2 1 1 11\n1. 0. 0.\n1 1 1 11\n0. 1. 0.\n    -1\n",
              "a.unv") == 7);
   CHECK(line("    -1\n    15\n1 1 1 11 0. 0. 0.\n\n1 1 1 11 1. 0. 0.\n    -1\n", "a.unv") == 5);

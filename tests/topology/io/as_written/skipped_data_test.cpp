@@ -45,18 +45,22 @@ TEST_CASE("content that no mesh holds is reported by every reader", "[io][skippe
     std::string name, text, said;
   };
   const Case cases[] = {
-      {"a.ply", "ply\nformat ascii 1.0\n" + ply_points + "element camera 1\nproperty int k\n"
-                "end_header\n0 0 0\n1 0 0\n0 1 0\n7\n",
+      {"a.ply",
+       "ply\nformat ascii 1.0\n" + ply_points +
+           "element camera 1\nproperty int k\n"
+           "end_header\n0 0 0\n1 0 0\n0 1 0\n7\n",
        "7 elements are left out: camera\n"},
-      {"a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 0.5\n", "6 colours of faces are left out\n"},
+      {"a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 0.5\n",
+       "6 colours of faces are left out\n"},
       {"a.off", "NSTOFF\n3 1 0\n0 0 0 0 0 1 0 0\n1 0 0 0 0 1 0 0\n0 1 0 0 0 1 0 0\n3 0 1 2\n",
        "3 data of points are left out: normals, texture coordinates\n"},
       {"a.obj", obj_head + "mtllib a.mtl\ns 1\nvn 0 0 1\n",
        "5 lines are left out: mtllib, s, normals\n"},
       {"a.obj", obj_head + "g a\nusemtl red\no b\n",
        "6 names are left out: of materials (usemtl), of objects (o)\n"},
-      {"a.obj", "v 0 0 0 1\nsomething else\n", "2 lines of an unknown kind are left out: something\n"
-                                               "1 weights or colours of points are left out\n"},
+      {"a.obj", "v 0 0 0 1\nsomething else\n",
+       "2 lines of an unknown kind are left out: something\n"
+       "1 weights or colours of points are left out\n"},
       {"a.mesh", medit_head + "Corners\n2\n1\n2\nRidges\n0\nEnd\n",
        "11 sections are left out: Corners\n"},
       {"a.mesh", medit_head + "Wonders\n1\n1.5 7\nEnd\n", "11 sections are left out: Wonders\n"},
@@ -71,7 +75,8 @@ TEST_CASE("content that no mesh holds is reported by every reader", "[io][skippe
        "12 field data of the grid are left out: steps\n"},
       {"a.vtk", vtk_head + "POINT_DATA 4\nLOOKUP_TABLE t 1\n0 0 0 1\n",
        "12 tables of colours are left out: t\n"},
-      {"a.vtk", vtk_head + "CELL_DATA 1\nFIELD f 1\nx 2 1 int\n1 2\nMETADATA\nCOMPONENT_NAMES\nu\nv\n\n",
+      {"a.vtk",
+       vtk_head + "CELL_DATA 1\nFIELD f 1\nx 2 1 int\n1 2\nMETADATA\nCOMPONENT_NAMES\nu\nv\n\n",
        "16 names of components are left out\n"},
   };
   for (const Case& c : cases) CHECK(skipped(c.text, c.name) == c.said);
@@ -83,15 +88,17 @@ TEST_CASE("tags of VTK's XML that are not read are reported", "[io][skipped][vtu
     return "<VTKFile type=\"UnstructuredGrid\" byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n" +
            of_grid + "<Piece NumberOfPoints=\"1\" NumberOfCells=\"1\">\n<PointData>" + of_points +
            "</PointData>\n" + of_piece +
-           "<Points><DataArray type=\"Float64\" NumberOfComponents=\"3\">0 0 0</DataArray></Points>\n"
+           "<Points><DataArray type=\"Float64\" NumberOfComponents=\"3\">0 0 "
+           "0</DataArray></Points>\n"
            "<Cells><DataArray type=\"Int32\" Name=\"connectivity\">0</DataArray>"
            "<DataArray type=\"Int32\" Name=\"offsets\">1</DataArray>"
            "<DataArray type=\"UInt8\" Name=\"types\">1</DataArray></Cells>\n"
            "</Piece></UnstructuredGrid></VTKFile>\n";
   };
   const std::string words = "<Array type=\"String\" Name=\"w\">65 0</Array>";
-  const std::string key = "<DataArray type=\"Int8\" Name=\"k\">1<InformationKey name=\"u\">m"
-                          "<Value index=\"0\">2</Value></InformationKey></DataArray>";
+  const std::string key =
+      "<DataArray type=\"Int8\" Name=\"k\">1<InformationKey name=\"u\">m"
+      "<Value index=\"0\">2</Value></InformationKey></DataArray>";
   CHECK(skipped(vtu("", key, ""), "a.vtu").empty());
   CHECK(skipped(vtu("<FieldData>" + words + "</FieldData>", "", ""), "a.vtu") ==
         "3 field data of the grid are left out: w\n");
@@ -99,22 +106,27 @@ TEST_CASE("tags of VTK's XML that are not read are reported", "[io][skipped][vtu
         "4 data that are no numbers are left out: w of type String\n");
   CHECK(skipped(vtu("", "", "<Extra>\n" + key + "</Extra>"), "a.vtu") ==
         "6 arrays outside of the grid are left out: k\n5 tags are left out: Extra\n");
-  CHECK(skipped(vtu("", "<DataArray type=\"Int8\" Name=\"n\" ComponentName0=\"x\">1</DataArray>", ""),
-                "a.vtu") == "4 names of components are left out: n\n");
+  CHECK(
+      skipped(vtu("", "<DataArray type=\"Int8\" Name=\"n\" ComponentName0=\"x\">1</DataArray>", ""),
+              "a.vtu") == "4 names of components are left out: n\n");
 }
 
 TEST_CASE("comments, titles and what repeats the mesh are not reported", "[io][skipped]") {
   CHECK(skipped("ply\nformat ascii 1.0\ncomment by hand\nobj_info 7\n" + ply_points +
                     "end_header\n0 0 0\n1 0 0\n0 1 0\n",
-                "a.ply").empty());
+                "a.ply")
+            .empty());
   CHECK(skipped(obj_head + "# words\ns off\ns 0\n", "a.obj").empty());
   CHECK(skipped("*HEADING\na title\n" + abaqus_head + "** words\n", "a.inp").empty());
   CHECK(skipped("$ words\nTITLE = a\nCEND\nBEGIN BULK\n" + nastran_head + "ENDDATA\n", "a.bdf")
             .empty());
   CHECK(skipped("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
-                "vertex 0 1 0\nendloop\nendfacet\nendsolid a\n", "a.stl").empty());
+                "vertex 0 1 0\nendloop\nendfacet\nendsolid a\n",
+                "a.stl")
+            .empty());
   CHECK(skipped(vtk_head + "CELL_DATA 1\nFIELD f 1\nx 1 1 int\n1\nMETADATA\nINFORMATION 1\n"
-                           "NAME L2_NORM_RANGE LOCATION vtkDataArray\nDATA 2 1 1\n\n", "a.vtk")
+                           "NAME L2_NORM_RANGE LOCATION vtkDataArray\nDATA 2 1 1\n\n",
+                "a.vtk")
             .empty());
 }
 

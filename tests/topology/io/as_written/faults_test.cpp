@@ -69,9 +69,9 @@ TEST_CASE("Nastran's replication and tabs are read", "[io][faults][nastran]") {
 
 TEST_CASE("decks are known by what stands before BEGIN BULK", "[io][faults][nastran]") {
   const std::string cards = "cards are left out: PSOLID; lines before BEGIN BULK are left out: ";
-  for (const auto& [name, words] :
-       {std::pair{"deck.fem", "ANALYSIS, SUBCASE, LOAD; "},
-        {"case_first.bdf", "DISPLACEMENT, SUBCASE, LOAD; "}, {"control.bdf", "SOL; "}}) {
+  for (const auto& [name, words] : {std::pair{"deck.fem", "ANALYSIS, SUBCASE, LOAD; "},
+                                    {"case_first.bdf", "DISPLACEMENT, SUBCASE, LOAD; "},
+                                    {"control.bdf", "SOL; "}}) {
     Result<FileMesh> mesh = read_file_mesh(sample(std::string("faults/") + name));
     std::erase_if(mesh.findings, [](const Finding& f) { return f.code == "misleading_name"; });
     REQUIRE(mesh);
@@ -100,8 +100,8 @@ TEST_CASE("attributes of VTK are kept, or left out with a warning", "[io][faults
       {"lower_case_lookup.vtk", "", "a", {1, 2, 3, 4}},
       {"color_scalars.vtk", "", "c", {0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1}},
       {"tangents.vtk", "", "t", {1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0}},
-      {"tensors6.vtk", "", "q", {1, 1, 1, 0, 0, 0, 1, 1, 1, 0, 0, 0, 1, 1, 1, 0, 0, 0,
-                                 1, 1, 1, 0, 0, 0}}};
+      {"tensors6.vtk", "", "q", {1, 1, 1, 0, 0, 0, 1, 1, 1, 0, 0, 0,
+                                 1, 1, 1, 0, 0, 0, 1, 1, 1, 0, 0, 0}}};
   for (const Case& c : cases) {
     const FileMesh mesh = fault(c.name, c.said);
     INFO(c.name);

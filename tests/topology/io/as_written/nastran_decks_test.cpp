@@ -35,9 +35,12 @@ const std::string body = points + "CTETRA,1,1,1,2,3,4\n";
 
 TEST_CASE("a tab goes to the next column of 8", "[io][nastran][tabs]") {
   const std::string rows[] = {
-      "GRID\t5\t\t1.5\t-2.\t3.25\n",        "GRID    5\t\t1.5     -2.\t3.25\n",
-      "GRID    5       \t1.5\t-2.     3.25", "\t\n  GRID\t5       \t1.5\t-2.\t3.25\n",
-      "GRID*\t5\t\t\t\t1.5\t\t-2.\n*\t3.25\n", "GRID,\t5,,\t1.5,-2.,3.25\n",
+      "GRID\t5\t\t1.5\t-2.\t3.25\n",
+      "GRID    5\t\t1.5     -2.\t3.25\n",
+      "GRID    5       \t1.5\t-2.     3.25",
+      "\t\n  GRID\t5       \t1.5\t-2.\t3.25\n",
+      "GRID*\t5\t\t\t\t1.5\t\t-2.\n*\t3.25\n",
+      "GRID,\t5,,\t1.5,-2.,3.25\n",
       "GRID*   5\t\t                1.5             -2.\t\t\n*       3.25\n"};
   for (const std::string& row : rows) {
     const FileMesh mesh = read_whole(points + row);
@@ -47,10 +50,11 @@ TEST_CASE("a tab goes to the next column of 8", "[io][nastran][tabs]") {
 }
 
 TEST_CASE("a card of tabs goes on in the next line", "[io][nastran][tabs]") {
-  const FileMesh mesh = read_whole(
-      points + "GRID,5,,.5,0.,0.\nGRID,6,,.5,.5,0.\nGRID,7,,0.,.5,0.\nGRID,8,,0.,0.,.5\n"
-               "GRID,9,,.5,0.,.5\nGRID,10,,0.,.5,.5\n"
-               "CTETRA\t1\t1\t1\t2\t3\t4\t5\t6\n\t7\t8\t9\t10\n");
+  const FileMesh mesh =
+      read_whole(points +
+                 "GRID,5,,.5,0.,0.\nGRID,6,,.5,.5,0.\nGRID,7,,0.,.5,0.\nGRID,8,,0.,0.,.5\n"
+                 "GRID,9,,.5,0.,.5\nGRID,10,,0.,.5,.5\n"
+                 "CTETRA\t1\t1\t1\t2\t3\t4\t5\t6\n\t7\t8\t9\t10\n");
   CHECK(rows_of(mesh, CellKind::tetrahedron10).count == 1);
 }
 
@@ -79,9 +83,10 @@ TEST_CASE("elements are repeated with the lines that they go on in", "[io][nastr
     text += "GRID," + std::to_string(i) + ",," + std::to_string((i - 1) / 4) + ".," +
             std::to_string(i % 4 / 2) + "." + "," + std::to_string(i % 2) + ".\n";
   }
-  const FileMesh mesh = read_whole(
-      text + "CHEXA,1,3,1,2,4,3,5,6,\n+,8,7\n=,*1,=,*4,*4,*4,*4,*4,*4,\n+,*4,*4\n=(2)\n"
-             "CTETRA,9,3,1,2,3,5\n=,*1,4,==\n");
+  const FileMesh mesh =
+      read_whole(text +
+                 "CHEXA,1,3,1,2,4,3,5,6,\n+,8,7\n=,*1,=,*4,*4,*4,*4,*4,*4,\n+,*4,*4\n=(2)\n"
+                 "CTETRA,9,3,1,2,3,5\n=,*1,4,==\n");
   CHECK(rows_of(mesh, CellKind::hexahedron8).count == 4);
   CHECK(rows_of(mesh, CellKind::hexahedron8)[3][7] == 18);
   CHECK(mesh.tetrahedra.region == std::vector<std::int32_t>{3, 4});

@@ -24,11 +24,11 @@ std::string raw(std::initializer_list<Number> numbers) {
 const std::string text_head =
     "# vtk DataFile Version 4.2\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n"
     "0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n";
-const std::string raw_head = "# vtk DataFile Version 4.2\nx\nBINARY\nDATASET UNSTRUCTURED_GRID\n"
-                             "POINTS 4 double\n" +
-                             raw<double>({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}) + "\nCELLS 1 5\n" +
-                             raw<std::int32_t>({4, 0, 1, 2, 3}) + "\nCELL_TYPES 1\n" +
-                             raw<std::int32_t>({10}) + "\n";
+const std::string raw_head =
+    "# vtk DataFile Version 4.2\nx\nBINARY\nDATASET UNSTRUCTURED_GRID\n"
+    "POINTS 4 double\n" +
+    raw<double>({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}) + "\nCELLS 1 5\n" +
+    raw<std::int32_t>({4, 0, 1, 2, 3}) + "\nCELL_TYPES 1\n" + raw<std::int32_t>({10}) + "\n";
 
 FileMesh read_whole(const std::string& text) {
   const Result<FileMesh> mesh = read_file_mesh(text, "a.vtk");
@@ -48,18 +48,18 @@ std::vector<double> numbers_of(const DataColumn& column) {
 TEST_CASE("bits are numbers, in text and eight a byte", "[io][vtk][attributes]") {
   const std::string of_points = "POINT_DATA 4\nFIELD f 2\nb 3 4 bit\n";
   const std::string behind = "after 1 4 int\n";
-  const FileMesh text = read_whole(text_head + of_points + "1 0 1 1 0 0 0 1 0 1 1 1\n" + behind +
-                                   "5 6 7 8\n");
-  const FileMesh binary = read_whole(raw_head + of_points + "\xb1\x70\n" + behind +
-                                     raw<std::int32_t>({5, 6, 7, 8}));
+  const FileMesh text =
+      read_whole(text_head + of_points + "1 0 1 1 0 0 0 1 0 1 1 1\n" + behind + "5 6 7 8\n");
+  const FileMesh binary =
+      read_whole(raw_head + of_points + "\xb1\x70\n" + behind + raw<std::int32_t>({5, 6, 7, 8}));
   CHECK(text.point_data == binary.point_data);
   REQUIRE(text.point_data.size() == 2);
   CHECK(text.point_data[0].type == NumberType::uint8);
   CHECK(text.point_data[0].components == 3);
-  CHECK(numbers_of(text.point_data[0]) ==
-        std::vector<double>{1, 0, 1, 1, 0, 0, 0, 1, 0, 1, 1, 1});
+  CHECK(numbers_of(text.point_data[0]) == std::vector<double>{1, 0, 1, 1, 0, 0, 0, 1, 0, 1, 1, 1});
   CHECK(numbers_of(text.point_data[1]) == std::vector<double>{5, 6, 7, 8});
-  const FileMesh scalars = read_whole(raw_head + "POINT_DATA 4\nSCALARS s bit\nLOOKUP_TABLE d\n\xa0");
+  const FileMesh scalars =
+      read_whole(raw_head + "POINT_DATA 4\nSCALARS s bit\nLOOKUP_TABLE d\n\xa0");
   CHECK(numbers_of(scalars.point_data.at(0)) == std::vector<double>{1, 0, 1, 0});
 }
 
@@ -67,15 +67,15 @@ TEST_CASE("strings are passed over whatever their lengths", "[io][vtk][attribute
   const std::string longer(100, 'x'), longest(20000, 'y');
   const std::string of_points = "POINT_DATA 4\nFIELD f 2\ns 1 4 string\n";
   const std::string behind = "\nafter 1 4 int\n";
-  std::string raw_strings = "\xc1"
-                            "a\xc0";
+  std::string raw_strings =
+      "\xc1"
+      "a\xc0";
   raw_strings += raw<std::uint16_t>({0x8000 | 100}) + longer;
   raw_strings += raw<std::uint32_t>({0x40000000 | 20000}) + longest;
   const Result<FileMesh> binary = read_file_mesh(
       raw_head + of_points + raw_strings + behind + raw<std::int32_t>({5, 6, 7, 8}), "a.vtk");
-  const Result<FileMesh> text =
-      read_file_mesh(text_head + of_points + "a\n\n" + longer + "\n" + longest + behind + "5 6 7 8\n",
-                     "a.vtk");
+  const Result<FileMesh> text = read_file_mesh(
+      text_head + of_points + "a\n\n" + longer + "\n" + longest + behind + "5 6 7 8\n", "a.vtk");
   for (const auto* mesh : {&binary, &text}) {
     INFO(summary(mesh->findings));
     REQUIRE(*mesh);
@@ -94,8 +94,10 @@ TEST_CASE("colours are real numbers in text and bytes in raw data", "[io][vtk][a
 }
 
 TEST_CASE("keywords may be written in lower case", "[io][vtk][attributes]") {
-  std::string text = text_head + "POINT_DATA 4\nSCALARS s int 1\nLOOKUP_TABLE default\n1 2 3 4\n"
-                                 "TENSORS6 t float\n" + std::string("1 2 3 4 5 6\n1 2 3 4 5 6\n") +
+  std::string text = text_head +
+                     "POINT_DATA 4\nSCALARS s int 1\nLOOKUP_TABLE default\n1 2 3 4\n"
+                     "TENSORS6 t float\n" +
+                     std::string("1 2 3 4 5 6\n1 2 3 4 5 6\n") +
                      "1 2 3 4 5 6\n1 2 3 4 5 6\nGLOBAL_IDS g vtkIdType\n9 8 7 6\n";
   const FileMesh upper = read_whole(text);
   for (std::size_t i = text.find("ASCII"); i < text.size(); ++i) {
@@ -115,7 +117,7 @@ TEST_CASE("keywords may be written in lower case", "[io][vtk][attributes]") {
 
 TEST_CASE("data without arrays are none", "[io][vtk][attributes]") {
   for (const std::string behind : {"POINT_DATA 4\n", "POINT_DATA 4\nCELL_DATA 1\n", "CELL_DATA 1",
-                                    "POINT_DATA 4\nFIELD f 0\n", "CELL_DATA 1\nPOINT_DATA 4"}) {
+                                   "POINT_DATA 4\nFIELD f 0\n", "CELL_DATA 1\nPOINT_DATA 4"}) {
     CHECK(read_file_mesh(text_head + behind, "a.vtk").findings.empty());
     CHECK(read_file_mesh(raw_head + behind, "a.vtk").findings.empty());
   }
