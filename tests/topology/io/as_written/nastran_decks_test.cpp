@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "tests/support/io_support.hpp"
+#include "topology/io/format_traits.hpp"
 
 using namespace sunder;
 using namespace sunder::test;
