@@ -159,7 +159,7 @@ void judge_other_cells(Draft& draft, const ReadOptions& options) {
   if (!draft.curved_cells.empty()) {
     add(draft.curved_cells,
         {.code = "corners_only",
-         .severity = options.simplices ? Severity::note : Severity::warning,
+         .severity = Severity::warning,
          .remedy = "nothing to do, if their sides are straight; their other points stay as unused "
                    "points"},
         " are read by their corners");
@@ -167,7 +167,7 @@ void judge_other_cells(Draft& draft, const ReadOptions& options) {
   if (!draft.surface_cells.empty()) {
     add(draft.surface_cells,
         {.code = "skipped_cells",
-         .severity = Severity::note,
+         .severity = Severity::warning,
          .remedy = options.simplices ? "nothing to do: only simplices are used"
                                      : "write them in another way, if they matter"},
         " are left out");
@@ -293,21 +293,6 @@ void add_curved_cells(Draft& draft, std::string_view plural_name, std::size_t co
   count_cells(draft, draft.curved_cells, plural_name, count, at);
 }
 
-void note_passed_over(Draft& draft, const std::set<std::string>& names, std::string_view mark) {
-  if (names.empty()) return;
-  std::string text;
-  for (const std::string& name : names) {
-    const std::string quoted = in_quotes(name);
-    text += fmt::format("{}{}{}", text.empty() ? "" : ", ", mark,
-                        quoted.substr(1, quoted.size() - 2));
-  }
-  draft.findings.push_back({.code = "unknown_section",
-                            .severity = Severity::note,
-                            .count = names.size(),
-                            .text = fmt::format("passed over: {}", text),
-                            .remedy = "nothing to do: they hold no mesh"});
-}
-
 void check_end(Draft& draft, NumberSource& in, std::string_view row) {
   const std::size_t left = in.s.text.size() - in.s.at;
   if (in.is_binary && left > 0) {
@@ -335,6 +320,15 @@ void drop_columns_of_nothing(FileMesh& mesh) {
   }
 }
 
+/// Who computes with simplices asked for no more than those.
+void lower_left_out(std::vector<Finding>& findings) {
+  for (Finding& f : findings) {
+    const bool is_left_out =
+        f.code == "skipped_data" || f.code == "skipped_cells" || f.code == "corners_only";
+    if (is_left_out && f.severity == Severity::warning) f.severity = Severity::note;
+  }
+}
+
 }  // namespace
 
 Result<FileMesh> finish(Draft&& draft, const ReadOptions& options) {
@@ -343,6 +337,8 @@ Result<FileMesh> finish(Draft&& draft, const ReadOptions& options) {
   drop_usual_numbers(draft.mesh);  // without what was taken out they may repeat the row too
   judge_other_cells(draft, options);
   drop_columns_of_nothing(draft.mesh);
+  report_skipped(draft);
+  if (options.simplices) lower_left_out(draft.findings);
   Result<FileMesh> result;
   result.findings = std::move(draft.findings);
   std::stable_sort(result.findings.begin(), result.findings.end(),

@@ -5,13 +5,13 @@
 #include <array>
 #include <cstdint>
 #include <map>
-#include <set>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "topology/base/finding.hpp"
+#include "topology/io/skipped.hpp"
 #include "topology/io/text/number_source.hpp"
 #include "topology/io/read_options.hpp"
 #include "topology/mesh/file_mesh.hpp"
@@ -59,6 +59,8 @@ struct Draft {
   std::map<std::string, Others> volume_cells;
   /// Cells of higher order than the kinds that are kept, read by their corners.
   std::map<std::string, Others> curved_cells;
+  /// Other content that is left out (add_skipped).
+  SkippedKinds skipped;
 };
 
 /// Appends a point; counts it under nan_coordinate where one is no finite number.
@@ -105,15 +107,13 @@ void add_counted(Draft& draft, std::string_view code, Words words) {
   draft.findings.back().code = code;
 }
 
-/// One note of all keywords that are passed over, as they hold no mesh; `mark` stands before each.
-void note_passed_over(Draft& draft, const std::set<std::string>& names, std::string_view mark = "");
-
 /// Looks at what stands behind the last `row` ("face"): in text anything but blanks ends the
 /// reading (wrong_count), raw bytes are a warning (trailing_bytes).
 void check_end(Draft& draft, NumberSource& in, std::string_view row);
 
 /// Ends the reading: numbers that only repeat the row are dropped, and cells that are not kept
-/// become findings, as ReadOptions has it. Errors stand first; no value when there is one.
+/// become findings, as ReadOptions has it: what is left out is a warning, to those who compute with
+/// simplices a note. Errors stand first; no value when there is one.
 Result<FileMesh> finish(Draft&& draft, const ReadOptions& options);
 
 }  // namespace sunder::io

@@ -39,23 +39,23 @@ enum class Encoding { text, binary, base64 };
 /// Formats: Gmsh MSH 1, 2.x, 4.0, 4.1 (text and binary), MEDIT (text and binary), VTU (text,
 /// base64, raw; plain or zlib; both byte orders), legacy VTK 1.0 to 5.1 (text and binary), TetGen,
 /// Abaqus, Nastran's bulk data, universal files (UNV); of surfaces, which have no volume cells, PLY
-/// (text, binary of both orders), OFF (text and binary), OBJ, STL (text and binary), VTP: what else stands in these is left out with a
-/// note (skipped_data). Files of numbers alone are known by their names. Names of
-/// regions that the format cannot hold are taken from `NAME.regions` beside it, if that is there
-/// (see write_file_mesh). Leaves in the value: every tetrahedron with four different rows below the
-/// number of points, finite coordinates, columns as long as what they belong to. Orientation,
-/// flatness and gluing are not judged: see build_map. Regions: MSH's physical groups, MEDIT's
-/// references (unless all are 0), VTU's cell array `region`, `gmsh:physical`, `medit:ref`,
-/// `CellEntityIds` or `cell_tags`, the first that is there. Cells of no kind of ours are left out
-/// with a note (skipped_cells; volume cells: a warning, an error where nothing else is there),
-/// those of order 3 and above read by their corners (corners_only). Errors, with file and line
-/// (byte in raw data): cannot_open, empty_file, bad_gzip, unknown_format, unknown_version,
-/// truncated_file, bad_number, number_out_of_range, count_too_big, wrong_count,
-/// wrong_section_order, missing_section, unknown_section, bad_name, unsupported_cells,
-/// unknown_cell_type, index_out_of_range, repeated_vertex, nan_coordinate, duplicate_id, bad_xml,
-/// bad_attribute, missing_array, bad_offsets, bad_base64, bad_zlib, unsupported_compressor. No
-/// count is trusted beyond what the file's bytes can hold. Cost: O(file), the file is held in
-/// memory once.
+/// (text, binary of both orders), OFF (text and binary), OBJ, STL (text and binary), VTP. What else
+/// stands in a file is left out with a warning (skipped_data; a note with `simplices`). Files of
+/// numbers alone are known by their names. Names of regions that the format cannot hold are taken
+/// from `NAME.regions` beside it, if that is there (see write_file_mesh). Leaves in the value:
+/// every tetrahedron with four different rows below the number of points, finite coordinates,
+/// columns as long as what they belong to. Orientation, flatness and gluing are not judged: see
+/// build_map. Regions: MSH's physical groups, MEDIT's references (unless all are 0), VTU's cell
+/// array `region`, `gmsh:physical`, `medit:ref`, `CellEntityIds` or `cell_tags`, the first that is
+/// there. Cells of no kind of ours are left out with a warning (skipped_cells, unsupported_cells;
+/// volume cells: an error where nothing else is there), those of order 3 and above read by their
+/// corners (corners_only). Errors, with file and line (byte in raw data): cannot_open, empty_file,
+/// bad_gzip, unknown_format, unknown_version, truncated_file, bad_number, number_out_of_range,
+/// count_too_big, wrong_count, wrong_section_order, missing_section, unknown_section, bad_name,
+/// unsupported_cells, unknown_cell_type, index_out_of_range, repeated_vertex, nan_coordinate,
+/// duplicate_id, bad_xml, bad_attribute, missing_array, bad_offsets, bad_base64, bad_zlib,
+/// unsupported_compressor. No count is trusted beyond what the file's bytes can hold. Cost:
+/// O(file), the file is held in memory once.
 Result<FileMesh> read_file_mesh(const std::filesystem::path& path, const ReadOptions& options = {});
 
 /// The same for a file's bytes already in memory; `name` stands in the findings.

@@ -102,8 +102,8 @@ fixed, 1, 3
   INFO(summary(mesh.findings));
   REQUIRE(mesh);
   CHECK(summary(mesh.findings) ==
-        "warning curved_cells 14, note unknown_section 0, note corners_only 14, "
-        "note skipped_cells 21");
+        "warning curved_cells 14, note corners_only 14, note skipped_cells 21, "
+        "note skipped_data 26");
   CHECK(mesh->points == std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
   CHECK(mesh->source_point_id == std::vector<std::int64_t>{10, 20, 30, 40});
   CHECK(mesh->tetrahedra.corners[0] == std::array<std::uint32_t, 4>{0, 1, 2, 3});
@@ -244,4 +244,25 @@ TEST_CASE("what Abaqus' input does not hold is told", "[io][abaqus]") {
   mesh.point_region = {1, 2, 3, 4, 5};
   CHECK(summary(lost_on_writing(mesh, options)) ==
         "warning entities_lost 0, warning point_regions_lost 0");
+}
+
+TEST_CASE("an instance that is moved by nothing is read", "[io][abaqus]") {
+  const std::string head =
+      "*PART, NAME=p\n*NODE\n1,0,0,0\n2,1,0,0\n3,0,1,0\n4,0,0,1\n*ELEMENT, TYPE=C3D4\n1,1,2,3,4\n"
+      "*END PART\n*ASSEMBLY, NAME=a\n*INSTANCE, NAME=i, PART=p\n";
+  const std::string tail = "*END INSTANCE\n*END ASSEMBLY\n";
+  for (const std::string place :
+       {"", "0,0,0\n", "0., -0.0, 0.D0\n", "0\n", ", ,\n", "0,0,0\n1,2,3,4,5,6,0.\n"}) {
+    const Result<FileMesh> mesh = read_file_mesh(head + place + tail, "a.inp");
+    INFO(place << summary(mesh.findings));
+    REQUIRE(mesh);
+    CHECK(mesh.findings.empty());
+    CHECK(mesh->tetrahedra.corners.size() == 1);
+  }
+  for (const std::string place : {"0,0,1e-9\n", "1,0,0\n", "0,0,0\n0,0,0,0,0,1,90.\n", "0,x,0\n"}) {
+    const Result<FileMesh> mesh = read_file_mesh(head + place + tail, "a.inp");
+    INFO(place << summary(mesh.findings));
+    REQUIRE_FALSE(mesh);
+    CHECK(mesh.findings[0].line == 11 + static_cast<std::size_t>(std::ranges::count(place, '\n')));
+  }
 }

@@ -161,7 +161,7 @@ TEST_CASE("each defect of an MSH 2.2 file is found at its line", "[io][defects][
        "1 2 3 3"},
       {"not a number", changed(good, "0 0 1", "0 nan 1"), "nan_coordinate", 9, "nan"},
       {"infinite", changed(good, "0 0 1", "0 -inf 1"), "nan_coordinate", 9, "-inf"},
-      {"same number twice", changed(good, "4 0 0 1", "3 0 0 1"), "duplicate_id", 4, "number 3"},
+      {"same number twice", changed(good, "4 0 0 1", "3 0 0 1"), "duplicate_id", 9, "number 3"},
       {"hexahedra", changed(good, "4 2 1 1 1 2 3 4", "5 2 1 1 1 2 3 4 5 1 2 3"),
        "unsupported_cells", 14, "1 hexahedra"},
       {"unknown element", changed(good, "4 2 1 1 1 2 3 4", "77 2 1 1 1 2 3 4"), "unknown_cell_type",
@@ -216,7 +216,11 @@ TEST_CASE("each defect of an MSH 4.1 file is found at its line", "[io][defects][
 TEST_CASE("each defect of a MEDIT file is found at its line", "[io][defects][medit]") {
   const std::string& good = good_medit;
   check_defects({
-      {"plane", changed(good, "Dimension 3", "Dimension 2"), "unsupported_cells", 2, "dimension 2"},
+      {"plane", changed(good, "Dimension 3", "Dimension 2"), "wrong_count", 4, "'0' stands behind"},
+      {"four dimensions", changed(good, "Dimension 3", "Dimension 4"), "unsupported_cells", 2,
+       "dimension 4"},
+      {"dimension last", changed(good, "End", "Dimension 2\nEnd"), "wrong_section_order", 10,
+       "behind Vertices"},
       {"cut", changed(good, "1 2 3 4 0\nEnd\n", "1 2 3 0000004"), "truncated_file", 9,
        "a cell's reference"},
       {"count far too big", changed(good, "Vertices 4", "Vertices 4000"), "count_too_big", 3,
@@ -312,7 +316,7 @@ TEST_CASE("each defect of a binary MEDIT file is found", "[io][defects][medit]")
   const std::size_t vertices = 24, tetrahedra = vertices + 16 + 5 * 28;
   check_defects({
       {"version", with(4, 9), "unknown_version", 0, "version 9"},
-      {"dimension", with(20, 2), "unsupported_cells", 0, "dimension 2"},
+      {"dimension", with(20, 4), "unsupported_cells", 0, "dimension 4"},
       {"cut", good.substr(0, 100), "count_too_big", 0, "5 vertices"},
       {"count", with(vertices + 12, 1000000), "count_too_big", 0, "1000000 vertices"},
       {"below 0", with(vertices + 12, -1), "bad_number", 0, "below 0"},

@@ -30,14 +30,16 @@ TEST_CASE("references of tetrahedra become regions, unless all are 0", "[io][med
   CHECK(mesh->tetrahedra[1] == std::array<std::uint32_t, 4>{1, 2, 3, 4});
 }
 
-TEST_CASE("sections that are not used are passed over, unknown ones with a note", "[io][medit]") {
+TEST_CASE("sections that are not used are passed over and reported", "[io][medit]") {
   const Result<TetMesh> mesh = read_mesh(
       "MeshVersionFormatted 1\nDimension\n3\nVertices\n4\n0 0 0 1\n1 0 0 1\n0 1 0 1\n0 0 1 1\n"
       "Corners 2\n1 2\nNormals 1\n0 0 1\nTriangles 1\n1 2 3 4\nFancyThings 2\n1 2 3\n4.5 -6 7\n"
       "Tetrahedra 1\n1 2 3 4 1\n",
       "a.mesh");
   REQUIRE(mesh);
-  CHECK(summary(mesh.findings) == "note skipped_cells 0, note unknown_section 16");
+  CHECK(summary(mesh.findings) == "note skipped_cells 0, note skipped_data 10");
+  CHECK(mesh.findings[1].text == "sections are left out: Corners, Normals, FancyThings");
+  CHECK(mesh.findings[1].count == 4);
 }
 
 TEST_CASE("MEDIT to MSH to memory keeps what MEDIT carries", "[io][medit][round_trip]") {
@@ -50,4 +52,28 @@ TEST_CASE("MEDIT to MSH to memory keeps what MEDIT carries", "[io][medit][round_
   CHECK(identical(*mesh, *read_mesh(folder.path() / "a.vtu")));
   CHECK(write_mesh(folder.path() / "a.mesh", *mesh).empty());
   CHECK(identical(*mesh, *read_mesh(folder.path() / "a.mesh")));
+}
+
+TEST_CASE("a planar mesh lies at z = 0, in text and binary", "[io][medit]") {
+  const std::string text =
+      "MeshVersionFormatted 1\nDimension 2\nVertices\n3\n0 0 0\n1 0 5\n0.5 2 0\nNormals 1\n0 1\n"
+      "Triangles\n1\n1 2 3 4\nEnd\n";
+  std::string binary;
+  const auto put = [&binary](auto... numbers) {
+    (binary.append(reinterpret_cast<const char*>(&numbers), sizeof numbers), ...);
+  };
+  put(1, 2, 3, 20, 2);
+  put(4, 92, 3, 0.0, 0.0, 0, 1.0, 0.0, 5, 0.5, 2.0, 0);
+  put(6, 120, 1, 1, 2, 3, 4);
+  put(54, 0);
+  REQUIRE(binary.size() == 128);
+  for (const std::string& file : {text, binary}) {
+    const Result<FileMesh> mesh = read_file_mesh(file, "a.mesh");
+    INFO(summary(mesh.findings));
+    REQUIRE(mesh);
+    CHECK(mesh->points == std::vector<Point>{{0, 0, 0}, {1, 0, 0}, {0.5, 2, 0}});
+    CHECK(mesh->point_region == std::vector<std::int32_t>{0, 5, 0});
+    CHECK(mesh->triangles.region == std::vector<std::int32_t>{4});
+    CHECK(mesh.findings.size() == (file == text ? 1 : 0));
+  }
 }

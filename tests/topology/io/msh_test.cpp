@@ -172,3 +172,25 @@ TEST_CASE("cells of which only some have numbers are numbered anew, and it is sa
   CHECK(write_file_mesh(folder.path() / "a.msh", mesh).empty());
   CHECK(read_file_mesh(folder.path() / "a.msh")->tetrahedra.source_id == mesh.tetrahedra.source_id);
 }
+
+TEST_CASE("partitions of MSH 2.2 are a column, ghosts are reported", "[io][msh]") {
+  const std::string head =
+      "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 "
+      "1\n$EndNodes\n"
+      "$Elements\n";
+  const auto read = [&](const std::string& elements) {
+    Result<FileMesh> mesh = read_file_mesh(head + elements + "$EndElements\n", "a.msh");
+    INFO(summary(mesh.findings));
+    REQUIRE(mesh);
+    return mesh;
+  };
+  const Result<FileMesh> plain = read("2\n1 2 2 7 1 1 2 3\n2 4 4 5 1 1 3 1 2 3 4\n");
+  CHECK(plain.findings.empty());
+  CHECK(plain.value->triangles.data.empty());
+  REQUIRE(plain.value->tetrahedra.data.size() == 1);
+  CHECK(std::get<1>(plain.value->tetrahedra.data[0].values) == std::vector<std::int64_t>{3});
+  const Result<FileMesh> ghosts = read("1\n2 4 6 5 1 3 2 -1 -4 1 2 3 4\n");
+  CHECK(summary(ghosts.findings) == "warning skipped_data 13");
+  CHECK(ghosts.findings[0].count == 2);
+  CHECK(std::get<1>(ghosts.value->tetrahedra.data.at(0).values) == std::vector<std::int64_t>{2});
+}

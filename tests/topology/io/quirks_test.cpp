@@ -117,3 +117,48 @@ TEST_CASE("PLY's comments stand anywhere", "[io][quirks][surface]") {
   }
   CHECK(read_whole("ply " + ply_with("format", "").substr(3), "a.ply") == expected);
 }
+
+TEST_CASE("triangle strips of PLY beside faces keep the data of these", "[io][quirks][ply]") {
+  const std::string points =
+      "element vertex 5\nproperty float x\nproperty float y\nproperty float z\n";
+  const std::string faces =
+      "element face 1\nproperty list uchar int vertex_indices\nproperty int region\n"
+      "property float heat\n";
+  const std::string strips =
+      "element tristrips 2\nproperty list int int vertex_indices\nend_header\n";
+  const FileMesh mesh = read_whole(
+      "ply\nformat ascii 1.0\n" + points + faces + strips +
+          "0 0 0\n1 0 0\n0 1 0\n1 1 0\n2 0 0\n3 0 1 2 7 0.5\n9 0 0 1 2 3 3 -1 1 3\n3 4 3 2\n",
+      "a.ply");
+  using Corners = std::array<std::uint32_t, 3>;
+  CHECK(mesh.triangles.corners == std::vector<Corners>{{0, 1, 2}, {1, 0, 2}, {1, 2, 3}, {4, 3, 2}});
+  CHECK(mesh.triangles.region == std::vector<std::int32_t>{7, 0, 0, 0});
+  CHECK(std::get<0>(mesh.triangles.data.at(0).values).size() == 4);
+}
+
+TEST_CASE("text STL is read with short normals, and without", "[io][quirks][stl]") {
+  for (const std::string normal :
+       {"facet\n", "facet normal\n", "FACET NORMAL 0 0\n", "facet normal nan nan nan\n"}) {
+    const FileMesh mesh = read_whole("solid\n" + normal +
+                                         "outer loop\nvertex 0 0 0\nvertex 1 0 0\n"
+                                         "vertex 0 1 0\nendloop\nendfacet\nendsolid\n",
+                                     "a.stl");
+    CHECK(mesh.triangles.corners.size() == 1);
+  }
+}
+
+TEST_CASE("headers of OFF have their letters in any order", "[io][quirks][off]") {
+  for (const std::string letters : {"CNST", "STNC", "NC", "NSTC", "CST", "CN"}) {
+    const bool has_texture = letters.find("ST") != std::string::npos;
+    const std::size_t more = (letters.find('C') != std::string::npos ? 4 : 0) +
+                             (letters.find('N') != std::string::npos ? 3 : 0) +
+                             (has_texture ? 2 : 0);
+    std::string text = letters + "OFF\n3 1 0\n";
+    for (const std::string point : {"0 0 0", "1 0 0", "0 1 0"}) {
+      text += point;
+      for (std::size_t i = 0; i < more; ++i) text += " 1";
+      text += "\n";
+    }
+    CHECK(read_whole(text + "3 0 1 2\n", "a.off").triangles.corners.size() == 1);
+  }
+}

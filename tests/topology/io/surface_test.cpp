@@ -84,8 +84,9 @@ TEST_CASE("surfaces of other programs are read", "[io][surface]") {
     const Result<FileMesh> mesh = read_file_mesh(sample(s.name));
     INFO(summary(mesh.findings));
     REQUIRE(mesh);
-    CHECK(summary(mesh.findings) ==
-          (s.name == std::string("assimp.obj") ? "note skipped_data 19" : ""));
+    CHECK(summary(mesh.findings) == (s.name == std::string("assimp.obj")
+                                         ? "warning skipped_data 4, warning skipped_data 28"
+                                         : ""));
     CHECK(mesh->points.size() == s.points);
     CHECK(mesh->triangles.corners.size() == s.triangles);
     if (s.volume > 0) CHECK(volume6(*mesh) / 6 == Approx(s.volume).epsilon(1e-12));
@@ -268,7 +269,7 @@ STCNOFF # header
   CHECK(mesh->edges.corners == std::vector<std::array<std::uint32_t, 2>>{{1, 3}});
   CHECK(mesh->vertices.corners == std::vector<std::array<std::uint32_t, 1>>{{3}});
   CHECK(summary(mesh.findings) ==
-        "warning degenerate_cell 13, note skipped_data 1, note skipped_data 9");
+        "warning degenerate_cell 13, warning skipped_data 9, warning skipped_data 4");
   CHECK(other_cells(*mesh, CellKind::polygon).points == std::vector<std::uint32_t>{0, 1, 2, 3, 0});
 }
 
@@ -289,7 +290,7 @@ TEST_CASE("binary OFF is read", "[io][off]") {
   CHECK(mesh->points == std::vector<Point>{{0, 0, 0}, {1.5, 0, 0}, {0, -2, 0}});
   CHECK(mesh->triangles.corners == std::vector<Key>{{0, 1, 2}});
   CHECK(mesh->edges.corners.size() == 1);
-  CHECK(summary(mesh.findings) == "note skipped_data 0");
+  CHECK(summary(mesh.findings) == "warning skipped_data 0");
 }
 
 namespace {
@@ -362,7 +363,7 @@ TEST_CASE("PLY with data, lists, other elements and polygons is read", "[io][ply
         std::vector<DataColumn>{{"kind", 1, NumberType::int8, std::vector<std::int64_t>{-1, 2}}});
   CHECK(mesh->edges.corners == std::vector<std::array<std::uint32_t, 2>>{{3, 0}});
   CHECK(std::get<0>(mesh->edges.data.at(0).values) == std::vector<double>{0.1});
-  CHECK(summary(mesh.findings) == "note skipped_data 8, note skipped_data 18");
+  CHECK(summary(mesh.findings) == "warning skipped_data 18, warning skipped_data 8");
   CHECK(rows_of(*mesh, CellKind::quad4).count == 1);
 }
 
@@ -458,8 +459,8 @@ strange things
   CHECK(mesh->edges.region.empty());
   CHECK(mesh->vertices.corners == std::vector<std::array<std::uint32_t, 1>>{{3}, {0}});
   CHECK(summary(mesh.findings) ==
-        "note skipped_data 11, note skipped_data 12, note skipped_data 24, note skipped_data 27, "
-        "note skipped_data 1, note skipped_cells 25");
+        "warning skipped_cells 25, warning skipped_data 2, warning skipped_data 27, "
+        "warning skipped_data 24, warning skipped_data 3, warning skipped_data 7");
   CHECK(rows_of(*mesh, CellKind::quad4).count == 1);
   CHECK(columns_of(*mesh, CellKind::quad4).region == std::vector<std::int32_t>{2});
 }

@@ -136,7 +136,7 @@ TEST_CASE("what is no part of the mesh is passed over, and told", "[io][unv]") {
   REQUIRE(mesh);
   std::string said;
   for (const Finding& f : mesh.findings) said += f.text + "\n";
-  CHECK(said.find("the data sets 55, 2414 are passed over") != std::string::npos);
+  CHECK(said.find("data sets are left out: 55, 2414") != std::string::npos);
   CHECK(said.find("1 elements of type 136 are left out") != std::string::npos);
 }
 
@@ -154,7 +154,7 @@ TEST_CASE("what the reader of universal files does not take is named", "[io][unv
       {turned + nodes, "unsupported_keyword", 14, "node 1 is given in the coordinate system 1"},
       {section("2411", "1 1 1 11\n0. 0.\n"), "bad_number", 4, "the end of a line"},
       {section("2411", "1 1 1 11\n"), "truncated_file", 4, "coordinates"},
-      {nodes + section("2411", "3 1 1 11\n0. 0. 0.\n"), "duplicate_id", 0, "same number 3"},
+      {nodes + section("2411", "3 1 1 11\n0. 0. 0.\n"), "duplicate_id", 14, "same number 3"},
       {nodes + section("2412", "7 111 1 1 7 4\n1 2 3\n5 111 1 1 7 4\n"), "wrong_count", 16,
        "6 in this line"},
       {nodes + section("2412", "7 111 1 1 7 4\n1 2 3 4 1\n"), "wrong_count", 15, "5 in this line"},
@@ -213,4 +213,26 @@ TEST_CASE("numbers that count on once hexahedra are left out say nothing, with v
   REQUIRE(part);
   CHECK(part->vertices.corners.size() == 1);
   CHECK(part->tetrahedra.source_id.empty());
+}
+
+TEST_CASE("lengths in units of the file's own become metres", "[io][unv]") {
+  const auto with = [](const std::string& factor) {
+    return section("164", "         1SI                           2\n" + factor + " 1. 1.\n273.15\n") + nodes +
+           tetrahedra;
+  };
+  for (const std::string factor : {"1000.", "1.0D+03", "1.0e3"}) {
+    const Result<FileMesh> mesh = read_file_mesh(with(factor), "a.unv");
+    INFO(summary(mesh.findings));
+    REQUIRE(mesh);
+    CHECK(mesh->points[1] == Point{0.001, 0, 0});
+    CHECK(summary(mesh.findings) == "note units_converted 3");
+    CHECK(mesh.findings[0].text.find("divided by 1000") != std::string::npos);
+  }
+  CHECK(read_file_mesh(with("1.0D+00"), "a.unv").findings.empty());
+  for (const std::string factor : {"0.", "-1.", "nan", "x"}) {
+    const Result<FileMesh> mesh = read_file_mesh(with(factor), "a.unv");
+    REQUIRE_FALSE(mesh);
+    CHECK(mesh.findings[0].code == "bad_number");
+    CHECK(mesh.findings[0].line == 4);
+  }
 }

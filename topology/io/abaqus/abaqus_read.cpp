@@ -191,8 +191,7 @@ void begin_other(Pass& p, const Keyword& k) {
   constexpr std::string_view silent[] = {"heading", "preprint",    "assembly",
                                          "endpart", "endassembly", "endinstance"};
   if (std::ranges::find(silent, k.name) != std::end(silent)) return;
-  constexpr std::size_t most = 12;
-  if (p.r.others.size() < most) p.r.others.insert(k.name.substr(0, 40));
+  add_skipped(p.r.draft, "keywords", "*" + k.name, k.at);
 }
 
 void begin_keyword(Pass& p, const Keyword& k, int depth) {
@@ -251,6 +250,25 @@ void read_nodes(Pass& p, std::size_t begin) {
       {.set = p.place.set, .before = -1, .is_block = true, .at = first, .end = mesh.points.size()});
 }
 
+/// Behind *INSTANCE stands its offset, then two points of an axis and an angle. One that is 0
+/// leaves the part at its place.
+void expect_unmoved(const Pass& p, std::size_t begin, bool is_offset) {
+  DataLines lines{.text = p.text, .next = begin};
+  next_data_line(lines);
+  double last = 0;
+  bool is_moved = false;
+  while (has_field(lines)) {
+    const std::string_view field = next_field(lines);
+    if (!field.empty()) last = real_of(lines, field, "a number of an instance's place");
+    is_moved = is_moved || (is_offset && last != 0);
+  }
+  if (!is_moved && (is_offset || last == 0)) return;
+  refuse(p, begin,
+         {.code = "several_parts",
+          .text = "the instance is moved or turned: its nodes would be elsewhere",
+          .remedy = "write the model without parts and assemblies"});
+}
+
 /// A line of data at `begin`, of whatever keyword.
 void read_data(Pass& p, std::size_t begin) {
   const bool is_first = !std::exchange(p.place.has_begun, true);
@@ -271,10 +289,7 @@ void read_data(Pass& p, std::size_t begin) {
                         .generate = p.place.generate,
                         .at = begin});
     case Card::instance:
-      refuse(p, begin,
-             {.code = "several_parts",
-              .text = "the instance is moved or turned: its nodes would be elsewhere",
-              .remedy = "write the model without parts and assemblies"});
+      return expect_unmoved(p, begin, is_first);
     case Card::other:
       return;
   }
@@ -374,7 +389,6 @@ Draft read_abaqus(const FileSource& source) {
   index_nodes(r);
   read_abaqus_elements(r);
   read_abaqus_sets(r);
-  note_passed_over(r.draft, r.others, "*");
   return std::move(r.draft);
 }
 

@@ -9,7 +9,6 @@
 #include <deque>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -109,8 +108,6 @@ struct AbaqusReader {
   AbaqusSets node_sets, element_sets;
   /// Rows of all elements, by kind.
   NumberIndex node_rows, element_rows;
-  /// Keywords that are passed over.
-  std::set<std::string> others;
   /// By the word of their type; "" for all behind the first few types.
   std::map<std::string, UnknownElements> unknown;
   std::size_t parts = 0, instances = 0;

@@ -8,32 +8,12 @@
 #include <algorithm>
 
 #include "topology/io/medit/medit_order.hpp"
+#include "topology/io/medit/medit_skipped.hpp"
 #include "topology/io/text/number_source.hpp"
+#include "topology/io/text/row_watch.hpp"
 
 namespace sunder::io {
 namespace {
-
-/// Sections whose rows are passed over: numbers in a row. What is said there of cells (which must
-/// stay, what their normals are) is none of ours.
-struct Section {
-  std::string_view keyword;
-  std::size_t numbers;
-};
-constexpr Section sections[] = {
-    {"Corners", 1},
-    {"RequiredVertices", 1},
-    {"Ridges", 1},
-    {"RequiredEdges", 1},
-    {"RequiredTriangles", 1},
-    {"RequiredTetrahedra", 1},
-    {"Normals", 3},
-    {"NormalAtVertices", 2},
-    {"NormalAtTriangleVertices", 3},
-    {"NormalAtQuadrilateralVertices", 3},
-    {"Tangents", 3},
-    {"TangentAtVertices", 2},
-    {"TangentAtEdges", 3},
-};
 
 /// Sections of cells: their nodes, then a reference.
 struct CellSection {
@@ -69,8 +49,11 @@ constexpr CellSection cell_sections[] = {
 struct MeditReader {
   NumberSource in;
   Draft draft;
+  RowWatch watch;
   /// Of binary files: 1 has floats, 3 wide places, 4 wide integers too.
   int version = 2;
+  /// 2 or 3: how many coordinates a vertex has.
+  std::size_t dimension = 3;
   bool has_vertices = false;
   /// Whether a section of cells was read, by its place in the table.
   std::array<bool, std::size(cell_sections)> has_cells{};
@@ -102,6 +85,16 @@ void refuse_second(MeditReader& r, bool seen, std::string_view keyword) {
         .remedy = "join the two sections"});
 }
 
+std::size_t begin_row(MeditReader& r) {
+  const std::size_t at = place_of_next(r.in);
+  begin_row(r.watch, at);
+  return at;
+}
+
+void end_row(MeditReader& r) {
+  if (!r.in.is_binary) end_row(r.watch, r.in.s);
+}
+
 /// Integers of rows: 4 bytes, from version 4 on 8.
 std::int64_t read_integer(MeditReader& r, std::string_view what) {
   return r.version == 4 ? read_next<std::int64_t>(r.in, what)
@@ -131,12 +124,18 @@ std::size_t read_rows(MeditReader& r, std::string_view what, std::size_t numbers
 }
 
 void read_dimension(MeditReader& r) {
+  const std::size_t at = place_of_next(r.in);
   const auto dimension = read_next<std::int64_t, std::int32_t>(r.in, "the dimension");
-  if (dimension == 3) return;
-  fail(r.in.s.text, r.in.s.at,
-       {.code = "unsupported_cells",
-        .text = fmt::format("the mesh has dimension {}: 3 was expected", dimension),
-        .remedy = "give a volume mesh of tetrahedra"});
+  if ((dimension == 2 || dimension == 3) && !r.has_vertices) {
+    r.dimension = static_cast<std::size_t>(dimension);
+    return;
+  }
+  const bool is_late = dimension == 2 || dimension == 3;
+  fail(r.in.s.text, at,
+       {.code = is_late ? "wrong_section_order" : "unsupported_cells",
+        .text = is_late ? std::string("Dimension stands behind Vertices")
+                        : fmt::format("the mesh has dimension {}: 2 or 3 was expected", dimension),
+        .remedy = is_late ? "put Dimension first" : "give a mesh in the plane or in space"});
 }
 
 /// The rows of a section whose keyword was passed.
@@ -154,7 +153,7 @@ void read_cell_rows(MeditReader& r, std::size_t place, std::size_t section_at) {
   cells.region.reserve(cells.region.size() + n);
   FileCell& cell = r.draft.cell;
   for (std::size_t i = 0; i < n; ++i) {
-    cell.begin(nodes, place_of_next(r.in));
+    cell.begin(nodes, begin_row(r));
     for (std::size_t k = 0; k < nodes; ++k) {
       const std::int64_t number = read_integer(r, "a vertex number");
       const std::size_t node = order.empty() ? k : order[k];
@@ -165,6 +164,7 @@ void read_cell_rows(MeditReader& r, std::size_t place, std::size_t section_at) {
     skip_numbers(r.in, others, (r.version == 4 ? 8 : 4) * others, "a vertex number");
     add_cell(r.draft, kind, cell);
     cells.region.push_back(read_reference(r, "a cell's reference"));
+    end_row(r);
   }
 }
 
@@ -179,7 +179,11 @@ void read_cells(MeditReader& r, std::size_t place, std::size_t section_at) {
   if (r.in.is_binary) {
     skip_numbers(r.in, 0, (r.version == 4 ? 8 : 4) * n * numbers, "a vertex number");
   } else {
-    for (std::size_t i = 0; i < n * numbers; ++i) read_integer(r, "a vertex number");
+    for (std::size_t i = 0; i < n; ++i) {
+      begin_row(r);
+      for (std::size_t k = 0; k < numbers; ++k) read_integer(r, "a vertex number");
+      end_row(r);
+    }
   }
 }
 
@@ -219,48 +223,18 @@ void read_order(MeditReader& r, const MeditOrder& section) {
 void read_vertices(MeditReader& r) {
   refuse_second(r, r.has_vertices, "Vertices");
   r.has_vertices = true;
-  const std::size_t n = read_rows(r, "vertices", 4);
+  const std::size_t n = read_rows(r, "vertices", r.dimension + 1);
   r.draft.mesh.points.reserve(n);
   r.draft.mesh.point_region.reserve(n);
   for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t at = place_of_next(r.in);
-    Point p;
-    for (double& x : p) x = read_real(r, "a coordinate");
+    const std::size_t at = begin_row(r);
+    Point p{};  // those of the plane have z = 0
+    for (std::size_t k = 0; k < r.dimension; ++k) p[k] = read_real(r, "a coordinate");
     add_point(r.draft, p, at);
     r.draft.mesh.point_region.push_back(read_reference(r, "a vertex's reference"));
+    end_row(r);
   }
   read_early_cells(r, false);
-}
-
-/// Rows that are not used; an unknown keyword is passed up to the next word that is no number.
-void skip_section(MeditReader& r, std::string_view keyword, std::size_t at) {
-  const bool letters = std::all_of(keyword.begin(), keyword.end(),
-                                   [](unsigned char c) { return std::isalnum(c) || c == '_'; }) &&
-                       std::isalpha(static_cast<unsigned char>(keyword.front()));
-  if (!letters) {
-    fail(r.in.s.text, at,
-         {.code = "wrong_count",
-          .text = fmt::format("{} stands where a section's name (Tetrahedra, ...) was expected",
-                              in_quotes(keyword)),
-          .remedy = "the section before has more rows than it announces: correct its count"});
-  }
-  const auto* const section = std::find_if(std::begin(sections), std::end(sections),
-                                           [&](const Section& x) { return x.keyword == keyword; });
-  if (section != std::end(sections)) {
-    const std::size_t rows = read_count(r.in.s, "rows", 2 * section->numbers);
-    skip_words(r.in.s, rows * section->numbers, "a number");
-    return;
-  }
-  add_counted(r.draft, "unknown_section", [&] {
-    return Finding{.severity = Severity::note,
-                   .text = fmt::format("section {} is passed over", in_quotes(keyword)),
-                   .remedy = "nothing to do, if it holds no cells",
-                   .line = line_of(r.in.s.text, at)};
-  });
-  for (std::string_view word = peek_word(r.in.s); !word.empty(); word = peek_word(r.in.s)) {
-    if (std::isalpha(static_cast<unsigned char>(word.front())) || word.front() == '#') return;
-    next_word(r.in.s);
-  }
 }
 
 void read_section(MeditReader& r, std::string_view keyword, std::size_t at) {
@@ -277,7 +251,7 @@ void read_section(MeditReader& r, std::string_view keyword, std::size_t at) {
     for (const MeditOrder& order : medit_orders) {
       if (order.keyword == keyword) return read_order(r, order);
     }
-    skip_section(r, keyword, at);
+    skip_medit_section(r.in.s, r.draft, keyword, r.dimension, at);
   }
 }
 
@@ -291,7 +265,7 @@ void drop_empty_references(MeditReader& r) {
   for (const CellKind kind : all_cell_kinds) drop_zeros(columns_of(r.draft.mesh, kind).region);
 }
 
-/// One keyword of a binary file, up to where the next stands; what is not used is passed over.
+/// One keyword of a binary file, up to where the next stands; what is not used is reported.
 void read_binary_section(MeditReader& r, int code, std::size_t at) {
   if (code == dimension_code) return read_dimension(r);
   if (code == vertices_code) return read_vertices(r);
@@ -301,6 +275,11 @@ void read_binary_section(MeditReader& r, int code, std::size_t at) {
   for (const MeditOrder& order : medit_orders) {
     if (order.code == code) return read_order(r, order);
   }
+  // One without a row is none.
+  NumberSource ahead = r.in;
+  const bool has_count = ahead.s.text.size() - ahead.s.at >= 4;
+  if (has_count && read_raw<std::int32_t>(ahead, "a count") == 0) return;
+  add_skipped(r.draft, "sections", medit_keyword_of(code), at);
 }
 
 [[noreturn]] void fail_place(const MeditReader& r, std::size_t at, int code, std::int64_t next) {
@@ -368,7 +347,12 @@ Draft read_medit(std::string_view text) {
     r.draft.text = {};  // there are no lines to count
     read_binary(r);
   } else {
-    read_text(r);
+    try {
+      read_text(r);
+    } catch (ReadFailure& failure) {
+      blame_row(r.watch, text, failure);
+      throw;
+    }
   }
   if (!r.has_vertices) {
     fail(text, text.size(),

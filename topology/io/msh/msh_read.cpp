@@ -60,51 +60,6 @@ void read_format(MshReader& r) {
   expect_word(s, "$EndMeshFormat");
 }
 
-void read_physical_names(MshReader& r) {
-  Scanner& s = r.in.s;
-  const std::size_t names = read_count(s, "physical names", 6);
-  for (std::size_t i = 0; i < names; ++i) {
-    const auto dimension = read_number<std::int64_t>(s, "the dimension of a physical group");
-    const auto tag = read_number<std::int32_t>(s, "the number of a physical group");
-    const std::size_t at = s.at;
-    const std::string_view name = rest_of_line(s);
-    if (name.size() < 2 || name.front() != '"' || name.back() != '"' || dimension < 0 ||
-        dimension > 3) {
-      fail(s.text, at,
-           {.code = "bad_name",
-            .text = fmt::format("{} of dimension {} stands where a name in double quotes, of "
-                                "dimension 0 to 3, was expected",
-                                in_quotes(name), dimension),
-            .remedy = "write the name as \"name\""});
-    }
-    r.draft.mesh.region_name[static_cast<std::size_t>(dimension)][tag] =
-        std::string(name.substr(1, name.size() - 2));
-  }
-}
-
-/// 4.0 and 4.1: of the entities only the physical groups are kept.
-void read_entities(MshReader& r) {
-  std::array<std::size_t, 4> entities;
-  for (std::size_t& n : entities) n = read_bounded<std::uint64_t>(r.in, "entities", 8, 12);
-  for (std::size_t dimension = 0; dimension < 4; ++dimension) {
-    // Version 4.0 gives points a box too.
-    const std::size_t extent = dimension == 0 && r.version == 41 ? 3 : 6;
-    for (std::size_t i = 0; i < entities[dimension]; ++i) {
-      const std::int64_t tag = read_int(r, "an entity's number");
-      skip_numbers(r.in, extent, 8 * extent, "an entity's extent");
-      const std::size_t groups = read_bounded<std::uint64_t>(r.in, "physical groups", 2, 4);
-      r.entities_of_several_groups += groups > 1;
-      for (std::size_t g = 0; g < groups; ++g) {
-        const std::int32_t group = read_tag(r, "a physical group");
-        if (g == 0) r.physical_of_entity[dimension][tag] = group;
-      }
-      if (dimension == 0) continue;
-      const std::size_t bounding = read_bounded<std::uint64_t>(r.in, "bounding entities", 2, 4);
-      skip_numbers(r.in, bounding, 4 * bounding, "a bounding entity");
-    }
-  }
-}
-
 [[noreturn]] void fail_order(MshReader& r, std::size_t at, std::string text, std::string remedy) {
   fail(r.in.s.text, at,
        {.code = "wrong_section_order", .text = std::move(text), .remedy = std::move(remedy)});
@@ -118,14 +73,21 @@ void pass_line_end(MshReader& r) {
 void read_nodes(MshReader& r, std::size_t at) {
   if (r.has_nodes) fail_order(r, at, "a second $Nodes section", "join the two sections");
   r.has_nodes = true;
+  const std::size_t begin = r.in.s.at;
   read_msh_nodes(r);
   std::array<std::int64_t, 2> twice;
   const std::vector<std::int64_t>& numbers = r.draft.mesh.source_point_id;
   if (index_numbers(r.nodes, numbers, twice)) return;
-  fail(r.in.s.text, at,
+  // Once more, for the line of the second.
+  MshReader again{.in = r.in, .draft = {}};
+  again.in.s.at = begin;
+  again.version = r.version;
+  again.sought_node = static_cast<std::size_t>(twice[1]);
+  read_msh_nodes(again);
+  fail(r.in.s.text, again.sought_at,
        {.code = "duplicate_id",
         .ids = {twice[0], twice[1]},
-        .text = fmt::format("the points in rows {} and {} of this section have the same number {}",
+        .text = fmt::format("the points in rows {} and {} of the section have the same number {}",
                             twice[0], twice[1], numbers[static_cast<std::size_t>(twice[0])]),
         .remedy = "give every point its own number"});
 }
@@ -139,7 +101,7 @@ void read_elements(MshReader& r, std::size_t at) {
   read_msh_elements(r);
 }
 
-/// Periodic links, partitions, and whatever else comes.
+/// Comments, and whatever else comes, which is reported.
 void skip_section(MshReader& r, std::string_view name, std::size_t at) {
   Scanner& s = r.in.s;
   const std::string end = fmt::format("$End{}", name.substr(1));
@@ -151,6 +113,7 @@ void skip_section(MshReader& r, std::string_view name, std::size_t at) {
           .remedy = "the file was cut short, or the section's name is wrong"});
   }
   s.at = found + end.size();
+  if (name != "$Comments") add_skipped(r.draft, "sections", name, at);
 }
 
 void refuse_before_format(MshReader& r, std::string_view name, std::size_t at) {
@@ -188,16 +151,17 @@ void read_section(MshReader& r, std::string_view name, std::size_t at) {
     return expect_word(r.in.s, name == "$ELM" ? "$ENDELM" : "$EndElements");
   }
   if (name == "$PhysicalNames") {
-    read_physical_names(r);
+    read_msh_names(r);
     return expect_word(r.in.s, "$EndPhysicalNames");
   }
-  if (name == "$Entities" && r.version >= 40) {
+  const bool is_partitioned = name == "$PartitionedEntities";
+  if ((name == "$Entities" || is_partitioned) && r.version >= 40) {
     if (r.has_elements) {
-      fail_order(r, at, "$Entities stands behind $Elements", "move it before $Nodes");
+      fail_order(r, at, fmt::format("{} stands behind $Elements", name), "move it before $Nodes");
     }
     pass_line_end(r);
-    read_entities(r);
-    return expect_word(r.in.s, "$EndEntities");
+    is_partitioned ? read_msh_partitioned(r) : read_msh_entities(r);
+    return expect_word(r.in.s, fmt::format("$End{}", name.substr(1)));
   }
   if (name == "$NodeData" || name == "$ElementData") {
     if (!r.has_elements) {
@@ -208,6 +172,13 @@ void read_section(MshReader& r, std::string_view name, std::size_t at) {
     return expect_word(r.in.s, fmt::format("$End{}", name.substr(1)));
   }
   skip_section(r, name, at);
+}
+
+void read_sections(MshReader& r) {
+  while (!peek_word(r.in.s).empty()) {
+    const std::size_t at = r.in.s.at;
+    read_section(r, next_word(r.in.s), at);
+  }
 }
 
 /// A column that says nothing is dropped: groups that are all 0, entities that repeat the groups.
@@ -222,15 +193,23 @@ void drop_empty_labels(CellColumns& cells) {
 }  // namespace
 
 bool is_msh(std::string_view text) {
-  // Comments of Nastran's bulk data begin with $ too.
-  return first_word(text).starts_with('$') && !is_nastran(text);
+  Scanner s{text};
+  const std::string_view name = next_word(s);
+  if (!name.starts_with('$')) return false;
+  constexpr std::string_view first_sections[] = {"$MeshFormat", "$Comments", "$NOD", "$PostFormat"};
+  if (std::ranges::find(first_sections, name) != std::end(first_sections)) return true;
+  // Comments of Nastran's bulk data begin with $ too: a section's name has an end that fits.
+  return text.find(fmt::format("$End{}", name.substr(1)), s.at) != std::string_view::npos &&
+         !is_nastran(text);
 }
 
 Draft read_msh(std::string_view text) {
   MshReader r{.in = {.s = {.text = text}}, .draft = {.text = text}};
-  while (!peek_word(r.in.s).empty()) {
-    const std::size_t at = r.in.s.at;
-    read_section(r, next_word(r.in.s), at);
+  try {
+    read_sections(r);
+  } catch (ReadFailure& failure) {
+    if (!r.in.is_binary) blame_row(r.watch, text, failure);
+    throw;
   }
   for (const auto& [seen, name] :
        {std::pair{r.version != 0, "$MeshFormat"}, std::pair{r.has_nodes, "$Nodes"},
@@ -241,6 +220,8 @@ Draft read_msh(std::string_view text) {
           .text = fmt::format("the file ends without a section {}", name),
           .remedy = "the file was cut short, or holds no mesh: write it again"});
   }
+  name_msh_groups(r);
+  add_msh_partitions(r);
   for (const CellKind kind : all_cell_kinds) drop_empty_labels(columns_of(r.draft.mesh, kind));
   if (r.entities_of_several_groups > 0) {
     r.draft.findings.push_back(

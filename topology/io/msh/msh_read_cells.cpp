@@ -31,6 +31,11 @@ void check_total(MshReader& r, std::string_view what, std::size_t announced, std
         .remedy = "correct the counts, or write the file again"});
 }
 
+/// Remembers where the node that is sought has its number.
+void note_place(MshReader& r, std::size_t at) {
+  if (r.draft.mesh.source_point_id.size() == r.sought_node) r.sought_at = at;
+}
+
 /// Versions 1 and 2: the count is text in binary files too.
 void read_nodes_2(MshReader& r) {
   const std::size_t nodes = read_count(r.in.s, "nodes", 8);
@@ -38,9 +43,11 @@ void read_nodes_2(MshReader& r) {
   r.draft.mesh.points.reserve(nodes);
   r.draft.mesh.source_point_id.reserve(nodes);
   for (std::size_t i = 0; i < nodes; ++i) {
-    const std::size_t at = place_of_next(r.in);
+    const std::size_t at = begin_row(r);
+    note_place(r, at);
     r.draft.mesh.source_point_id.push_back(read_int(r, node_number));
     add_point(r.draft, read_point(r), at);
+    end_row(r);
   }
 }
 
@@ -67,19 +74,27 @@ void read_nodes_4(MshReader& r) {
   FileMesh& mesh = r.draft.mesh;
   mesh.points.reserve(nodes);
   mesh.source_point_id.reserve(nodes);
-  const auto number = [&] { mesh.source_point_id.push_back(read_number_of_cell(r, node_number)); };
+  const auto number = [&](std::size_t at) {
+    note_place(r, at);
+    mesh.source_point_id.push_back(read_number_of_cell(r, node_number));
+  };
   for (std::size_t b = 0; b < blocks; ++b) {
     const EntityHead head = read_entity_head(r);
     const std::int64_t parametric = read_int(r, "0 or 1 (parametric)");
     const std::size_t in_block = read_bounded<std::uint64_t>(r.in, "nodes", 8, 28);
     const auto parameters = static_cast<std::size_t>(
         parametric == 0 ? 0 : std::clamp<std::int64_t>(head.dimension, 0, 3));
-    for (std::size_t i = 0; r.version == 41 && i < in_block; ++i) number();
+    for (std::size_t i = 0; r.version == 41 && i < in_block; ++i) {
+      number(begin_row(r));
+      end_row(r);
+    }
     for (std::size_t i = 0; i < in_block; ++i) {
-      const std::size_t at = place_of_next(r.in);
-      if (r.version == 40) number();
+      const std::size_t at = begin_row(r);
+      if (r.version == 40) number(at);
       add_point(r.draft, read_point(r), at);
       skip_numbers(r.in, parameters, 8 * parameters, "a parametric coordinate");
+      if (parameters > 0) add_skipped(r.draft, "parametric coordinates of points", {}, at);
+      end_row(r);
     }
   }
   check_total(r, "nodes", nodes, mesh.points.size());
@@ -95,6 +110,14 @@ const ElementType& read_element_type(MshReader& r) {
        {.code = "unknown_cell_type",
         .text = fmt::format("element type {} is not known", number),
         .remedy = "save the mesh with first-order elements only"});
+}
+
+/// Partitions are kept from the first cell of a kind that has one.
+void add_partition(MshReader& r, CellKind kind, std::size_t cells, std::int64_t partition) {
+  std::vector<std::int64_t>& list = r.partition[index_of(kind)];
+  if (list.empty() && partition == 0) return;
+  list.resize(cells - 1, 0);
+  list.push_back(partition);
 }
 
 /// The nodes of an element, behind its number and tags, into the list of its kind.
@@ -117,6 +140,7 @@ void read_element(MshReader& r, const ElementType& type, std::int64_t number, Ms
   cells.source_id.push_back(number);
   cells.region.push_back(tags.physical);
   cells.entity.push_back(tags.entity);
+  add_partition(r, type.kind, cells.entity.size(), tags.partition);
 }
 
 /// Counts elements whose order is too high.
@@ -124,19 +148,23 @@ void count_kind(MshReader& r, const ElementType& type, std::size_t count, std::s
   if (is_curved(type)) add_curved_cells(r.draft, type.name, count, at);
 }
 
-/// Tags of version 2: physical group, entity, and what partitions need.
-MshTags read_tags_2(MshReader& r, std::size_t tags) {
+/// Tags of version 2: physical group, entity, how many partitions, then those; ghosts are negative.
+MshTags read_tags_2(MshReader& r, std::size_t tags, std::size_t at) {
   MshTags read;
   if (tags > 0) read.physical = read_tag(r, "a physical group");
   if (tags > 1) read.entity = read_tag(r, "an entity's number");
-  if (tags > 2) skip_numbers(r.in, tags - 2, 4 * (tags - 2), "a tag");
+  if (tags > 2) read_int(r, "a number of partitions");
+  if (tags > 3) read.partition = read_int(r, "a partition");
+  if (tags <= 4) return read;
+  skip_numbers(r.in, tags - 4, 4 * (tags - 4), "a tag");
+  add_skipped(r.draft, "further tags of elements: ghosts of partitions", {}, at, tags - 4);
   return read;
 }
 
 void read_elements_1(MshReader& r) {
   const std::size_t elements = read_count(r.in.s, "elements", 8);
   for (std::size_t i = 0; i < elements; ++i) {
-    const std::size_t at = place_of_next(r.in);
+    const std::size_t at = begin_row(r);
     const std::int64_t number = read_int(r, "an element number");
     const ElementType& type = read_element_type(r);
     MshTags tags;
@@ -152,6 +180,7 @@ void read_elements_1(MshReader& r) {
     }
     count_kind(r, type, 1, at);
     read_element(r, type, number, tags, at);
+    end_row(r);
   }
 }
 
@@ -160,7 +189,7 @@ void read_elements_2(MshReader& r) {
   const std::size_t elements = read_count(r.in.s, "elements", 8);
   if (r.in.is_binary) rest_of_line(r.in.s);
   for (std::size_t found = 0; found < elements;) {
-    const std::size_t at = place_of_next(r.in);
+    const std::size_t at = begin_row(r);
     std::int64_t number = r.in.is_binary ? 0 : read_int(r, "an element number");
     const ElementType& type = read_element_type(r);
     const std::size_t in_block =
@@ -173,9 +202,10 @@ void read_elements_2(MshReader& r) {
     count_kind(r, type, in_block, at);
     for (std::size_t i = 0; i < in_block; ++i) {
       if (r.in.is_binary) number = read_int(r, "an element number");
-      const MshTags read = read_tags_2(r, tags);
+      const MshTags read = read_tags_2(r, tags, at);
       read_element(r, type, number, read, at);
     }
+    end_row(r);
   }
 }
 
@@ -200,10 +230,16 @@ void read_elements_4(MshReader& r) {
     if (const auto group = groups.find(head.tag); group != groups.end()) {
       tags.physical = group->second;
     }
+    const auto& parts = r.part_of_entity[dimension];
+    if (const auto part = parts.find(head.tag); part != parts.end()) {
+      tags.entity = part->second.parent;
+      tags.partition = part->second.partition;
+    }
     for (std::size_t i = 0; i < in_block; ++i) {
-      const std::size_t element_at = place_of_next(r.in);
+      const std::size_t element_at = begin_row(r);
       const std::int64_t number = read_number_of_cell(r, "an element number");
       read_element(r, type, number, tags, element_at);
+      end_row(r);
     }
   }
   check_total(r, "elements", elements, found);
@@ -214,8 +250,7 @@ void read_elements_4(MshReader& r) {
 void read_msh_nodes(MshReader& r) { r.version < 40 ? read_nodes_2(r) : read_nodes_4(r); }
 
 void read_msh_elements(MshReader& r) {
-  if (r.version == 10) return read_elements_1(r);
-  r.version < 40 ? read_elements_2(r) : read_elements_4(r);
+  r.version == 10 ? read_elements_1(r) : r.version < 40 ? read_elements_2(r) : read_elements_4(r);
 }
 
 }  // namespace sunder::io

@@ -23,12 +23,19 @@ DataHead read_head(MshReader& r) {
   const std::size_t strings = read_count(s, "string tags", 2);
   rest_of_line(s);
   for (std::size_t i = 0; i < strings; ++i) {
+    const std::size_t at = s.at;
     const std::string_view line = rest_of_line(s);
+    if (i > 0) add_skipped(r.draft, "further strings of data", line, at);
     if (i > 0) continue;
     const bool quoted = line.size() >= 2 && line.front() == '"' && line.back() == '"';
     head.name = quoted ? line.substr(1, line.size() - 2) : line;
   }
-  skip_words(s, read_count(s, "real tags", 2), "a real tag");
+  const std::size_t reals = read_count(s, "real tags", 2);
+  skip_blanks(s);
+  const std::size_t time_at = s.at;
+  const double time = reals > 0 ? read_number<double>(s, "a time") : 0;
+  skip_words(s, reals - (reals > 0), "a real tag");
+  if (reals > 1) add_skipped(r.draft, "further numbers of data", head.name, time_at, reals - 1);
   const std::size_t at = s.at;
   const std::size_t integers = read_count(s, "integer tags", 2);
   if (integers < 3) {
@@ -37,10 +44,17 @@ DataHead read_head(MshReader& r) {
           .text = fmt::format("{} integer tags: step, components and rows were expected", integers),
           .remedy = "write the section again"});
   }
-  skip_words(s, 1, "a time step");
+  const auto step = read_number<std::int64_t>(s, "a time step");
+  if (time != 0 || step != 0) {
+    add_skipped(r.draft, "times of data",
+                fmt::format("{} of step {}, time {}", head.name, step, time), time_at);
+  }
   head.components = read_count(s, "components", 1);
   head.rows = read_count(s, "rows", 4);
-  skip_words(s, integers - 3, "an integer tag");
+  for (std::size_t i = 3; i < integers; ++i) {
+    const auto tag = read_number<std::int64_t>(s, "an integer tag");
+    if (tag != 0) add_skipped(r.draft, "partitions of data", head.name, time_at);
+  }
   check_count(s, s.at, static_cast<std::int64_t>(head.components), "components", 2);
   if (r.in.is_binary) rest_of_line(s);
   return head;

@@ -11,12 +11,21 @@
 #include "topology/io/draft.hpp"
 #include "topology/io/text/number_index.hpp"
 #include "topology/io/text/number_source.hpp"
+#include "topology/io/text/row_watch.hpp"
 
 namespace sunder::io {
+
+/// An entity that lies in a part of a partitioned mesh.
+struct MshPart {
+  /// The entity that it is a part of, where that has its dimension; else the entity itself.
+  std::int32_t parent = 0;
+  std::int64_t partition = 0;
+};
 
 struct MshReader {
   NumberSource in;
   Draft draft;
+  RowWatch watch;
   /// 0 until the first section was read, then 10, 20, 40 or 41.
   int version = 0;
   bool has_nodes = false;
@@ -25,12 +34,33 @@ struct MshReader {
   std::array<std::unordered_map<std::int64_t, std::int32_t>, 4> physical_of_entity;
   /// Whether some entity belongs to further groups, which one label cannot say.
   std::size_t entities_of_several_groups = 0;
+  /// Where entities of a partitioned mesh lie (4.0 and 4.1), by dimension.
+  std::array<std::unordered_map<std::int64_t, MshPart>, 4> part_of_entity;
+  /// Of each cell, by kind; empty where the file has no partitions.
+  std::array<std::vector<std::int64_t>, cell_kinds> partition;
+  /// Where $PhysicalNames begins, and whether it has names of no dimension, as MSH 2.0 writes them.
+  std::size_t names_at = 0;
+  bool has_plain_names = false;
   NumberIndex nodes;
+  /// A row whose place is sought for a message, and that place.
+  std::size_t sought_node = static_cast<std::size_t>(-1);
+  std::size_t sought_at = 0;
   /// Of cells by kind; made when the first data of cells come.
   std::optional<std::array<NumberIndex, cell_kinds>> cells;
   /// Numbers in the columns of data so far, those that no section gave too.
   std::size_t data_numbers = 0;
 };
+
+/// Where the next row begins, which is watched in text.
+inline std::size_t begin_row(MshReader& r) {
+  const std::size_t at = place_of_next(r.in);
+  begin_row(r.watch, at);
+  return at;
+}
+
+inline void end_row(MshReader& r) {
+  if (!r.in.is_binary) end_row(r.watch, r.in.s);
+}
 
 /// An integer that binary files store in 4 bytes.
 inline std::int64_t read_int(MshReader& r, std::string_view what) {
@@ -46,11 +76,23 @@ inline std::int64_t read_number_of_cell(MshReader& r, std::string_view what) {
   return r.version >= 41 ? read_next<std::int64_t>(r.in, what) : read_int(r, what);
 }
 
-/// The physical and elementary tags of one element.
+/// The physical and elementary tags of one element, and its partition; 0 for none.
 struct MshTags {
   std::int32_t physical = 0;
   std::int32_t entity = 0;
+  std::int64_t partition = 0;
 };
+
+/// $PhysicalNames, $Entities and $PartitionedEntities, to the end of their rows.
+void read_msh_names(MshReader& r);
+void read_msh_entities(MshReader& r);
+void read_msh_partitioned(MshReader& r);
+
+/// Names without a dimension go to the dimensions whose cells have the group.
+void name_msh_groups(MshReader& r);
+
+/// The partitions of the cells become a column of data.
+void add_msh_partitions(MshReader& r);
 
 /// $Nodes (or $NOD) and $Elements (or $ELM), to the end of their rows.
 void read_msh_nodes(MshReader& r);

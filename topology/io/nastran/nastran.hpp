@@ -11,7 +11,8 @@
 namespace sunder::io {
 
 /// Whether a file looks like Nastran's: behind comments ($) and blank lines it begins with a card
-/// of bulk data that we know, or with what stands before BEGIN BULK, and has that line.
+/// of bulk data that we know, or with lines of executive and case control, which lead to BEGIN BULK
+/// or to points and elements.
 bool is_nastran(std::string_view text);
 
 /// Reads GRID and elements of a file and of those it includes, free, small and large fields; the

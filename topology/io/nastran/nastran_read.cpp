@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Nastran's bulk data read: the parts of the files that hold it, points, then elements, which may
-// stand before their points.
+// Nastran's bulk data read: points, then elements, which may stand before their points.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
-#include <deque>
-#include <filesystem>
 #include <limits>
-#include <map>
-#include <set>
 
 #include "topology/io/abaqus/abaqus_lines.hpp"
 #include "topology/io/nastran/nastran.hpp"
@@ -20,115 +15,6 @@
 
 namespace sunder::io {
 namespace {
-
-constexpr int deepest_include = 8;
-
-/// The mesh's file or one that is included.
-struct NastranText {
-  /// Empty for the mesh's file.
-  std::string name;
-  std::string_view text;
-};
-
-/// Bytes of a file that hold cards and nothing else.
-struct Part {
-  std::uint32_t file;
-  std::size_t begin, end;
-};
-
-struct NastranReader {
-  const FileSource& source;
-  Draft draft;
-  std::deque<NastranText> files;
-  std::deque<std::string> included;
-  std::vector<Part> parts;
-  bool is_ended = false;
-  NumberIndex rows;
-  /// Cards that are passed over.
-  std::set<std::string> others;
-  /// The property that stands for no region, in files of ours; else 0.
-  std::int32_t no_region = 0;
-};
-
-[[noreturn]] void fail_include(std::string_view text, std::size_t at, std::string_view code,
-                               std::string words, std::string_view remedy) {
-  fail(text, at,
-       {.code = std::string(code), .text = std::move(words), .remedy = std::string(remedy)});
-}
-
-void find_parts(NastranReader& r, std::uint32_t file, std::size_t begin, int depth);
-
-/// INCLUDE 'name': its bulk data stand in place of the line. Gives where the next line begins.
-std::size_t include(NastranReader& r, std::uint32_t file, std::size_t at, int depth) {
-  const std::string_view text = r.files[file].text;
-  const std::size_t end = std::min(text.find('\n', at), text.size());
-  std::string_view name = trimmed(trimmed(text.substr(at, end - at)).substr(7));
-  const char quote = name.empty() ? ' ' : name.front();
-  if (quote == '\'' || quote == '"') {
-    name = name.substr(1, std::min(name.find(quote, 1), name.size()) - 1);
-  }
-  if (name.empty()) {
-    fail_include(text, at, "bad_keyword", "INCLUDE names no file",
-                 "name it in quotes, in the same line");
-  }
-  const std::string path = std::filesystem::path(name).lexically_normal().string();
-  const bool is_known =
-      path == r.source.name ||
-      std::ranges::any_of(r.files, [&](const NastranText& f) { return f.name == path; });
-  if (is_known || depth >= deepest_include) {
-    fail_include(text, at, "include_cycle",
-                 fmt::format("{} is included {}", in_quotes(path),
-                             is_known ? "a second time" : "too deeply"),
-                 "include every file once");
-  }
-  std::optional<std::string> other = other_text(r.source, path);
-  if (!other) {
-    fail_include(text, at, "missing_file",
-                 fmt::format("{} is not there, which this file includes", in_quotes(path)),
-                 "put it beside the mesh");
-  }
-  r.included.push_back(std::move(*other));
-  r.files.push_back({path, r.included.back()});
-  in_file(r.draft, path, r.included.back(),
-          [&] { find_parts(r, static_cast<std::uint32_t>(r.files.size() - 1), 0, depth + 1); });
-  return end + 1;
-}
-
-/// The cards of a file from byte `begin` on, up to ENDDATA.
-void find_parts(NastranReader& r, std::uint32_t file, std::size_t begin, int depth) {
-  const std::string_view text = r.files[file].text;
-  const auto add = [&](std::size_t end) {
-    if (end > begin) r.parts.push_back({file, begin, end});
-  };
-  std::size_t next = begin;
-  while (next < text.size() && !r.is_ended) {
-    const std::size_t at = next;
-    next = std::min(text.find('\n', at), text.size() - 1) + 1;
-    const char first = text[std::min(text.find_first_not_of(" \t", at), text.size() - 1)];
-    if (first != 'I' && first != 'i' && first != 'E' && first != 'e') continue;
-    const std::string word = card_word(card_line(text, at));
-    if (word == "INCLUDE") {
-      add(at);
-      begin = next = include(r, file, at, depth);
-    } else if (word == "ENDDATA") {
-      add(at);
-      begin = text.size();
-      r.is_ended = true;
-    }
-  }
-  add(text.size());
-}
-
-/// Where bulk data begin: behind BEGIN BULK, or at once.
-std::size_t begin_of_bulk(std::string_view text) {
-  for (std::size_t at = 0; at < text.size();) {
-    const std::string_view line = card_line(text, at);
-    const std::size_t next = std::min(text.find('\n', at), text.size() - 1) + 1;
-    if (card_word(line) == "BEGIN") return next;
-    at = next;
-  }
-  return 0;
-}
 
 /// What the comment in files of ours says.
 std::int32_t property_without_region(std::string_view text) {
@@ -167,6 +53,18 @@ void expect_basic_system(std::string_view text, const Card& card, std::size_t fi
             "write the points in the basic system (in most programs an option of the export)"});
 }
 
+/// Fields from `first` on that say something, but not to the mesh: constraints of points, angles
+/// and offsets of shells, orientations of beams.
+void skip_fields(NastranReader& r, const Card& card, std::size_t first) {
+  const auto is_set = [](std::string_view field) {
+    return field.find_first_not_of("+-0. ") != std::string_view::npos;
+  };
+  for (std::size_t i = first; i < card.fields.size(); ++i) {
+    if (is_set(card.fields[i]))
+      return add_skipped(r.draft, "further fields of cards", card.name, card.at);
+  }
+}
+
 void read_point(NastranReader& r, std::string_view text, const Card& card) {
   FileMesh& mesh = r.draft.mesh;
   mesh.source_point_id.push_back(card_integer(text, card, 0, "the number of a point"));
@@ -174,16 +72,19 @@ void read_point(NastranReader& r, std::string_view text, const Card& card) {
   Point point;
   for (std::size_t k = 0; k < 3; ++k) point[k] = card_real(text, card, 2 + k, "a coordinate");
   add_point(r.draft, point, card.at);
+  skip_fields(r, card, 5);
 }
 
 void read_points(NastranReader& r) {
   for_each_card(r, [&](std::string_view text, const Card& card) {
     if (card.name == "GRID") return read_point(r, text, card);
-    if (card.name == "GRDSET") return expect_basic_system(text, card, 1);
+    if (card.name == "GRDSET") {
+      skip_fields(r, card, 5);
+      return expect_basic_system(text, card, 1);
+    }
     if (card.name == "BEGIN") return;
     const bool is_known = nastran_type(card.name) != nullptr || is_other_element(card.name);
-    constexpr std::size_t most = 12, longest = 40;
-    if (!is_known && r.others.size() < most) r.others.insert(card.name.substr(0, longest));
+    if (!is_known) add_skipped(r.draft, "cards", card.name, card.at);
   });
   const std::vector<std::int64_t>& numbers = r.draft.mesh.source_point_id;
   if (numbers.empty()) {
@@ -264,6 +165,7 @@ void read_element(NastranReader& r, std::string_view text, const Card& card,
   columns.source_id.push_back(number);
   const std::int32_t property = property_of(text, card, type);
   columns.region.push_back(property == r.no_region ? 0 : property);
+  skip_fields(r, card, type.first_node + type.most_nodes);
 }
 
 void read_elements(NastranReader& r) {
@@ -282,30 +184,13 @@ void read_elements(NastranReader& r) {
 
 }  // namespace
 
-bool is_nastran(std::string_view text) {
-  constexpr std::string_view before_bulk[] = {"SOL",    "CEND", "ID",    "NASTRAN", "TIME",
-                                              "ASSIGN", "INIT", "TITLE", "ECHO",    "DIAG"};
-  for (std::size_t at = 0; at < text.size();) {
-    const std::string word = card_word(card_line(text, at));
-    at = std::min(text.find('\n', at), text.size() - 1) + 1;
-    if (word.empty()) continue;
-    if (word == "BEGIN") return true;
-    if (std::ranges::find(before_bulk, word) != std::end(before_bulk)) {
-      return begin_of_bulk(text) > 0;
-    }
-    return is_bulk_card(word);
-  }
-  return false;
-}
-
 Draft read_nastran(const FileSource& source) {
   NastranReader r{.source = source, .draft = {.text = source.text}};
   r.files.push_back({"", source.text});
   r.no_region = property_without_region(source.text);
-  find_parts(r, 0, begin_of_bulk(source.text), 0);
+  find_bulk_data(r);
   read_points(r);
   read_elements(r);
-  note_passed_over(r.draft, r.others);
   return std::move(r.draft);
 }
 

@@ -1,15 +1,50 @@
 // SPDX-License-Identifier: MIT
-// Internal to the Nastran reader: which cards are elements, and what of what kind.
+// Internal to the Nastran reader: what is kept between its passes; which cards are elements, and of
+// what kind.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
+#include "topology/io/format_traits.hpp"
+#include "topology/io/text/number_index.hpp"
 #include "topology/mesh/kinds/cell_kinds.hpp"
 
 namespace sunder::io {
+
+/// The mesh's file or one that is included.
+struct NastranText {
+  /// Empty for the mesh's file.
+  std::string name;
+  std::string_view text;
+};
+
+/// Bytes of a file that hold cards and nothing else.
+struct Part {
+  std::uint32_t file;
+  std::size_t begin, end;
+};
+
+struct NastranReader {
+  const FileSource& source;
+  Draft draft;
+  std::deque<NastranText> files;
+  std::deque<std::string> included;
+  std::vector<Part> parts;
+  bool is_ended = false;
+  NumberIndex rows;
+  /// The property that stands for no region, in files of ours; else 0.
+  std::int32_t no_region = 0;
+};
+
+/// Finds the bulk data of the file and of those that it includes; what stands before BEGIN BULK is
+/// reported. Fails with unsupported_keyword, bad_keyword, missing_file or include_cycle.
+void find_bulk_data(NastranReader& r);
 
 /// A card that gives elements of one shape.
 struct NastranType {

@@ -164,11 +164,13 @@ void join_parts(std::vector<DataColumn>& columns) {
   columns = std::move(joined);
 }
 
-/// Notes, once, that a property is passed over.
-void skip_property(OvmReader& r, std::string_view name) {
-  std::string quoted = in_quotes(name);
-  const bool is_told = std::ranges::find(r.skipped, quoted) != r.skipped.end();
-  if (!is_told) r.skipped.push_back(std::move(quoted));
+constexpr std::string_view left_out = "properties";
+
+/// Properties of other things than numbers.
+void skip_words_of(OvmReader& r) {
+  for (const OvmProperty& p : r.properties) {
+    if (type_of(p) == nullptr) add_skipped(r.draft, left_out, p.name, p.at);
+  }
 }
 
 /// Data of the dimension's rows that are kept.
@@ -176,11 +178,7 @@ std::vector<DataColumn> read_data(OvmReader& r, std::size_t dimension,
                                   const std::vector<bool>& is_kept) {
   std::vector<DataColumn> columns;
   for (const OvmProperty& p : r.properties) {
-    if (p.dimension != dimension || is_own(r, p)) continue;
-    if (type_of(p) == nullptr) {
-      skip_property(r, p.name);
-      continue;
-    }
+    if (p.dimension != dimension || is_own(r, p) || type_of(p) == nullptr) continue;
     columns.push_back(read_column(r, p, is_kept));
   }
   join_parts(columns);
@@ -213,6 +211,19 @@ void turn_cells(OvmReader& r, CellKind kind, const std::vector<bool>& is_cell) {
   }
 }
 
+/// Values of edges, faces and polyhedra that are no cells. Our own files mark those that are, and
+/// fill the others.
+void skip_others(OvmReader& r, std::size_t dimension,
+                 const std::vector<std::optional<CellKind>>& kind_of_row) {
+  const auto others = std::ranges::count_if(kind_of_row, [](const auto& kind) { return !kind; });
+  const bool is_ours = find_own(r, dimension, OvmOwn::cell) != nullptr;
+  for (const OvmProperty& p : r.properties) {
+    if (p.dimension != dimension || is_own(r, p) || type_of(p) == nullptr || is_ours) continue;
+    add_skipped(r.draft, "properties of edges, faces or polyhedra that are no cells", p.name, p.at,
+                static_cast<std::size_t>(others));
+  }
+}
+
 /// What is said of the cells of one dimension; `kind_of_row`: those of its edges, faces or
 /// polyhedra that are cells.
 void read_columns(OvmReader& r, std::size_t dimension,
@@ -231,11 +242,7 @@ void read_columns(OvmReader& r, std::size_t dimension,
     cells.data = read_data(r, dimension, is_cell);
     if (dimension == 3) turn_cells(r, kind, is_cell);
   }
-  if (kinds == 0) {
-    for (const OvmProperty& p : r.properties) {
-      if (p.dimension == dimension && !is_own(r, p)) skip_property(r, p.name);
-    }
-  }
+  skip_others(r, dimension, kind_of_row);
   if (kinds < 2) return;
   for (const CellKind kind : all_cell_kinds) {
     if (traits_of(kind).dimension != static_cast<int>(dimension)) continue;
@@ -309,7 +316,8 @@ void find_ovm_properties(OvmReader& r) {
             .text = fmt::format("there are more than {} properties", most),
             .remedy = "leave some out"});
     }
-    entity <= 3 ? r.properties.push_back(p) : r.skipped.push_back(in_quotes(p.name));
+    if (entity <= 3) r.properties.push_back(p);
+    if (entity > 3) add_skipped(r.draft, left_out, p.name, p.at);
   }
 }
 
@@ -321,20 +329,7 @@ void read_ovm_properties(OvmReader& r) {
   read_edge_properties(r);
   read_faces(r);
   read_columns(r, 3, r.polyhedra);
-  if (r.skipped.empty()) return;
-  constexpr std::size_t most = 8;
-  std::string names;
-  for (std::size_t i = 0; i < std::min(most, r.skipped.size()); ++i) {
-    names += fmt::format("{}{}", i == 0 ? "" : ", ", r.skipped[i]);
-  }
-  r.draft.findings.push_back(
-      {.code = "skipped_data",
-       .severity = Severity::note,
-       .count = r.skipped.size(),
-       .text = fmt::format("properties are left out: {}{}", names,
-                           r.skipped.size() > most ? ", ..." : ""),
-       .remedy = "nothing to do: they are of half-edges, half-faces or faces that are no cells, or "
-                 "hold no numbers"});
+  skip_words_of(r);
 }
 
 }  // namespace sunder::io

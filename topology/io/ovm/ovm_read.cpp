@@ -16,6 +16,13 @@ void skip_comments(Scanner& s) {
   while (peek_word(s).starts_with('#')) rest_of_line(s);
 }
 
+/// Where the next row begins, comments passed.
+std::size_t begin_row(OvmReader& r) {
+  skip_comments(r.s);
+  begin_row(r.watch, r.s.at);
+  return r.s.at;
+}
+
 /// The name of a section, in any case, then its number of rows of at least `least_bytes` each.
 std::size_t read_head(OvmReader& r, std::string_view name, std::string_view rows,
                       std::size_t least_bytes) {
@@ -54,11 +61,11 @@ void read_vertices(OvmReader& r) {
   const std::size_t n = read_head(r, "Vertices", "vertices", 6);
   r.draft.mesh.points.reserve(n);
   for (std::size_t i = 0; i < n; ++i) {
-    skip_comments(r.s);
-    const std::size_t at = r.s.at;
+    const std::size_t at = begin_row(r);
     Point p;
     for (double& x : p) x = read_number<double>(r.s, "a coordinate");
     add_point(r.draft, p, at);
+    end_row(r.watch, r.s);
   }
 }
 
@@ -68,8 +75,9 @@ void read_edges(OvmReader& r) {
   r.edges.resize(n);
   r.edge_has_face.resize(n, false);
   for (auto& edge : r.edges) {
-    skip_comments(r.s);
+    begin_row(r);
     for (std::uint32_t& vertex : edge) vertex = read_index(r, "a vertex", points);
+    end_row(r.watch, r.s);
   }
 }
 
@@ -81,8 +89,7 @@ std::array<std::uint32_t, 2> ends_of(const OvmReader& r, std::uint32_t half_edge
 
 /// A face: its half-edges are to follow each other around.
 void read_face(OvmReader& r, std::size_t row) {
-  skip_comments(r.s);
-  const std::size_t at = r.s.at;
+  const std::size_t at = begin_row(r);
   const std::size_t edges = read_count(r.s, "half-edges of a face", 2);
   std::uint32_t first = 0, end = 0;
   bool follows = true;
@@ -95,6 +102,7 @@ void read_face(OvmReader& r, std::size_t row) {
     end = to;
     r.face_points.push_back(from);
   }
+  end_row(r.watch, r.s);
   if (edges == 0 || !follows || end != first) {
     fail(r.s.text, at,
          {.code = "broken_face",
@@ -197,8 +205,7 @@ std::vector<std::uint32_t> nodes_of_cell(CellKind kind, const std::vector<HalfFa
 }
 
 void read_polyhedron(OvmReader& r, std::size_t row) {
-  skip_comments(r.s);
-  const std::size_t at = r.s.at;
+  const std::size_t at = begin_row(r);
   const std::size_t faces = read_count(r.s, "half-faces of a polyhedron", 2);
   constexpr std::size_t most = 6;
   std::vector<HalfFace> half_faces;
@@ -207,6 +214,7 @@ void read_polyhedron(OvmReader& r, std::size_t row) {
     r.face_has_cell[half_face / 2] = true;
     if (k <= most) half_faces.push_back(half_face_of(r, half_face));
   }
+  end_row(r.watch, r.s);
   std::optional<CellKind> kind = kind_of(half_faces);
   std::vector<std::uint32_t> nodes;
   if (kind) nodes = nodes_of_cell(*kind, half_faces);
@@ -226,6 +234,19 @@ void read_polyhedron(OvmReader& r, std::size_t row) {
   std::ranges::copy(nodes, cell.rows.begin());
   cell.numbers = cell.rows;
   add_cell(r.draft, *kind, cell);
+}
+
+void read_topology(OvmReader& r) {
+  read_vertices(r);
+  read_edges(r);
+  const std::size_t faces = read_head(r, "Faces", "faces", 4);
+  r.face_ends.reserve(faces);
+  r.face_points.reserve(3 * faces);
+  for (std::size_t i = 0; i < faces; ++i) read_face(r, i);
+  r.face_has_cell.resize(faces, false);
+  const std::size_t cells = read_head(r, "Polyhedra", "polyhedra", 4);
+  r.draft.mesh.tetrahedra.corners.reserve(cells);
+  for (std::size_t i = 0; i < cells; ++i) read_polyhedron(r, i);
 }
 
 }  // namespace
@@ -250,16 +271,12 @@ Draft read_ovm(std::string_view text) {
           .text = fmt::format("OVM {} is not read: ASCII is", in_quotes(kind)),
           .remedy = "write the file as OVM ASCII"});
   }
-  read_vertices(r);
-  read_edges(r);
-  const std::size_t faces = read_head(r, "Faces", "faces", 4);
-  r.face_ends.reserve(faces);
-  r.face_points.reserve(3 * faces);
-  for (std::size_t i = 0; i < faces; ++i) read_face(r, i);
-  r.face_has_cell.resize(faces, false);
-  const std::size_t cells = read_head(r, "Polyhedra", "polyhedra", 4);
-  r.draft.mesh.tetrahedra.corners.reserve(cells);
-  for (std::size_t i = 0; i < cells; ++i) read_polyhedron(r, i);
+  try {
+    read_topology(r);
+  } catch (ReadFailure& failure) {
+    blame_row(r.watch, text, failure);
+    throw;
+  }
   find_ovm_properties(r);
   read_ovm_properties(r);
   return std::move(r.draft);

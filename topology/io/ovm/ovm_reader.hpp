@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "topology/io/draft.hpp"
+#include "topology/io/text/row_watch.hpp"
 #include "topology/io/text/scan.hpp"
 
 namespace sunder::io {
@@ -31,6 +32,7 @@ struct OvmProperty {
 struct OvmReader {
   Scanner s;
   Draft draft;
+  RowWatch watch;
   std::vector<std::array<std::uint32_t, 2>> edges;
   /// The vertices of the faces, one after the other, and where those of each end.
   std::vector<std::uint32_t> face_points;
@@ -39,8 +41,6 @@ struct OvmReader {
   /// The kind of each polyhedron; none where it is left out.
   std::vector<std::optional<CellKind>> polyhedra;
   std::vector<OvmProperty> properties;
-  /// Names of properties that are passed over.
-  std::vector<std::string> skipped;
 };
 
 /// The vertices of a face.

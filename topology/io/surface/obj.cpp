@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
 #include "topology/io/named_regions.hpp"
 #include "topology/io/text/scan.hpp"
@@ -33,8 +32,8 @@ struct Keyword {
   std::string_view word;
   Kind kind;
 };
-/// `look`: passed over, as it says nothing of the shape. `freedom`: belongs to free-form curves and
-/// surfaces.
+/// `look`: says nothing of the shape. `freedom`: belongs to free-form curves and surfaces. Both are
+/// left out.
 constexpr Keyword keywords[] = {
     {"v", Kind::point},         {"f", Kind::face},        {"l", Kind::line},
     {"p", Kind::vertex},        {"g", Kind::group},       {"o", Kind::object},
@@ -107,19 +106,8 @@ struct ObjReader {
   std::array<WordList, 3> words;
   /// The name's place among the words; -1 for no name, `unknown_place` until a cell asks.
   std::array<std::int32_t, 3> place{-1, -1, -1};
-  std::size_t points_with_more = 0;
 };
 constexpr std::int32_t unknown_place = -2;
-
-/// Counts lines that are left out; `at`: the place of the first.
-void note(ObjReader& r, std::string text, std::size_t count, std::size_t at) {
-  r.draft.findings.push_back({.code = "skipped_data",
-                              .severity = Severity::note,
-                              .count = count,
-                              .text = std::move(text),
-                              .remedy = "nothing to do: shape is read, not looks",
-                              .line = line_of(r.s.text, at)});
-}
 
 void read_point(ObjReader& r, std::size_t at) {
   Point p;
@@ -137,7 +125,7 @@ void read_point(ObjReader& r, std::size_t at) {
     x = read_number<double>(number, "a coordinate");
   }
   add_point(r.draft, p, at);
-  if (!next_in_line(r.s).empty()) ++r.points_with_more;
+  if (!next_in_line(r.s).empty()) add_skipped(r.draft, "weights or colours of points", {}, at);
 }
 
 /// The number of a point: what stands before the first slash.
@@ -253,47 +241,58 @@ void make_room(FileMesh& mesh, const Room& room) {
   reserve(mesh.triangles, room.triangles);
 }
 
+/// What stands in a line that is left out.
+std::string_view name_of_look(std::string_view word) {
+  return word == "vn" ? "normals" : word == "vt" ? "texture coordinates" : word;
+}
+
+/// Smoothing that is switched off says nothing.
+bool is_off_line(Scanner s, std::string_view word) {
+  const std::string_view value = next_in_line(s);
+  return word == "s" && (value == "off" || value == "0");
+}
+
+/// Reports a line that is left out, unless it is read.
+void skip_line(ObjReader& r, const Keyword* keyword, std::size_t at) {
+  Scanner line{r.s.text, at};
+  const std::string_view word = next_in_line(line);
+  if (keyword == nullptr) return add_skipped(r.draft, "lines of an unknown kind", word, at);
+  if (keyword->kind == Kind::freedom) {
+    return add_skipped(r.draft, "lines of free-form shapes", word, at);
+  }
+  if (keyword->kind == Kind::curve) add_other_cells(r.draft, "free-form curves", 1, 1, at);
+  if (keyword->kind == Kind::surface) add_other_cells(r.draft, "free-form surfaces", 2, 1, at);
+  if (keyword->kind == Kind::look && !is_off_line(line, word)) {
+    add_skipped(r.draft, "lines", name_of_look(word), at);
+  }
+}
+
+/// Names of groups are regions; those of objects and materials beside them are left out.
+void skip_other_names(ObjReader& r) {
+  for_each_line(r.s, [&](const Keyword* keyword, std::size_t at) {
+    if (keyword == nullptr || keyword->kind == r.label) return;
+    if (keyword->kind == Kind::object) add_skipped(r.draft, "names", "of objects (o)", at);
+    if (keyword->kind == Kind::material) {
+      add_skipped(r.draft, "names", "of materials (usemtl)", at);
+    }
+  });
+}
+
 /// What the file has: room is made for it, and what is left out is told.
 void survey(ObjReader& r) {
-  struct Passed {
-    std::size_t count = 0, first = 0;
-  };
-  std::map<std::string_view, Passed> looks;
-  Passed freedom, unknown;
-  const auto pass = [](Passed& passed, std::size_t at) {
-    if (passed.count++ == 0) passed.first = at;
-  };
-  bool has_groups = false, has_objects = false;
+  bool has_groups = false, has_objects = false, has_materials = false;
   Room room;
   for_each_line(r.s, [&](const Keyword* keyword, std::size_t at) {
-    if (keyword == nullptr) return pass(unknown, at);
+    skip_line(r, keyword, at);
+    if (keyword == nullptr) return;
     room.count(r.s, keyword->kind);
     has_groups = has_groups || keyword->kind == Kind::group;
     has_objects = has_objects || keyword->kind == Kind::object;
-    const bool is_told = keyword->word == "vn" || keyword->word == "vt";
-    if (is_told) pass(looks[keyword->word], at);
-    if (keyword->kind == Kind::freedom) pass(freedom, at);
-    if (keyword->kind == Kind::curve) add_other_cells(r.draft, "free-form curves", 1, 1, at);
-    if (keyword->kind == Kind::surface) add_other_cells(r.draft, "free-form surfaces", 2, 1, at);
+    has_materials = has_materials || keyword->kind == Kind::material;
   });
   make_room(r.draft.mesh, room);
   r.label = has_groups ? Kind::group : has_objects ? Kind::object : Kind::material;
-  for (const auto& [word, passed] : looks) {
-    note(r,
-         fmt::format("{} {} are left out", passed.count,
-                     word == "vn" ? "normals" : "texture coordinates"),
-         passed.count, passed.first);
-  }
-  if (freedom.count > 0) {
-    note(r, fmt::format("{} lines of free-form shapes are left out", freedom.count), freedom.count,
-         freedom.first);
-  }
-  if (unknown.count == 0) return;
-  Scanner first{r.s.text, unknown.first};
-  note(r,
-       fmt::format("{} lines of an unknown kind are left out, the first is {}", unknown.count,
-                   in_quotes(next_in_line(first))),
-       unknown.count, unknown.first);
+  if (has_groups + has_objects + has_materials > 1) skip_other_names(r);
 }
 
 /// Points are read before the cells, which may stand before them.
@@ -301,9 +300,6 @@ void read_points(ObjReader& r) {
   for_each_line(r.s, [&](const Keyword* keyword, std::size_t at) {
     if (keyword != nullptr && keyword->kind == Kind::point) read_point(r, at);
   });
-  if (r.points_with_more == 0) return;
-  note(r, fmt::format("weights or colours of {} points are left out", r.points_with_more),
-       r.points_with_more, 0);
 }
 
 void read_cells(ObjReader& r) {

@@ -8,11 +8,12 @@
 
 #include "topology/io/text/number_sink.hpp"
 #include "topology/io/text/number_source.hpp"
+#include "topology/io/text/row_watch.hpp"
 
 namespace sunder::io {
 namespace {
 
-/// What the header's word says: [ST][C][N][4][n]OFF.
+/// What the header's word says: OFF behind any of ST, C, N, 4 and n.
 struct Header {
   bool is_off = false;
   bool has_texture = false, has_colors = false, has_normals = false;
@@ -29,12 +30,17 @@ Header header_of(std::string_view word) {
     word.remove_prefix(prefix.size());
     return true;
   };
-  h.has_texture = takes("ST");
-  h.has_colors = takes("C");
-  h.has_normals = takes("N");
-  h.has_other_dimension = takes("4");
-  h.has_other_dimension = takes("n") || h.has_other_dimension;
-  h.is_off = word == "OFF";
+  // The format's description has ST, C, N, 4, n in this order, programs have any.
+  for (bool goes_on = true; goes_on;) {
+    const bool texture = takes("ST"), colors = takes("C"), normals = takes("N");
+    const bool other = takes("4") || takes("n");
+    h.has_texture = h.has_texture || texture;
+    h.has_colors = h.has_colors || colors;
+    h.has_normals = h.has_normals || normals;
+    h.has_other_dimension = h.has_other_dimension || other;
+    goes_on = texture || colors || normals || other;
+  }
+  h.is_off = word == "OFF" || word == "off";
   return h;
 }
 
@@ -45,10 +51,8 @@ void skip_comments(Scanner& s) {
 struct OffReader {
   NumberSource in;
   Draft draft;
+  RowWatch watch;
   Header header;
-  /// Faces that carry colours, and the place of the first.
-  std::size_t colored = 0;
-  std::size_t colored_at = 0;
 };
 
 void read_header(OffReader& r) {
@@ -92,13 +96,22 @@ void skip_behind_point(OffReader& r, std::size_t at) {
                   "must begin with COFF or NOFF"});
 }
 
+/// What stands behind a row in its line are colours; a row that goes on in the next may be short.
+void watch_short(OffReader& r) {
+  if (r.in.is_binary) return;
+  const Scanner ended{r.in.s.text.substr(0, r.in.s.at), r.in.s.at};
+  end_row(r.watch, ended);
+}
+
 void read_points(OffReader& r, std::size_t n) {
   r.draft.mesh.points.reserve(n);
   for (std::size_t i = 0; i < n; ++i) {
     if (!r.in.is_binary) skip_comments(r.in.s);
     const std::size_t at = place_of_next(r.in);
     Point p;
+    begin_row(r.watch, at);
     for (double& x : p) x = read_next<double, float>(r.in, "a coordinate");
+    watch_short(r);
     add_point(r.draft, p, at);
     skip_behind_point(r, at);
   }
@@ -113,12 +126,13 @@ void skip_colors(OffReader& r, std::size_t at) {
   } else {
     any = !rest_of_row(r.in.s).empty();
   }
-  if (any && r.colored++ == 0) r.colored_at = at;
+  if (any) add_skipped(r.draft, "colours of faces", {}, at);
 }
 
 void read_face(OffReader& r) {
   if (!r.in.is_binary) skip_comments(r.in.s);
   const std::size_t at = place_of_next(r.in);
+  begin_row(r.watch, at);
   const std::size_t corners = read_bounded<std::int32_t>(r.in, "corners of a face", 2, 4);
   FileCell& cell = r.draft.cell;
   const std::size_t taken = std::min(corners, most_corners + 1);
@@ -127,6 +141,7 @@ void read_face(OffReader& r) {
     cell.numbers[k] = cell.rows[k] = read_next<std::int64_t, std::int32_t>(r.in, "a point's row");
   }
   skip_numbers(r.in, corners - taken, 4 * (corners - taken), "a point's row");
+  watch_short(r);
   if (corners == 0) {
     add_other_cells(r.draft, "faces without corners", 2, 1, at);
   } else if (corners < 3) {
@@ -137,22 +152,15 @@ void read_face(OffReader& r) {
   skip_colors(r, at);
 }
 
-void note_skipped(OffReader& r) {
-  const auto note = [&r](std::string text, std::size_t count, std::size_t at) {
-    r.draft.findings.push_back({.code = "skipped_data",
-                                .severity = Severity::note,
-                                .count = count,
-                                .text = std::move(text),
-                                .remedy = "nothing to do: shape is read, not looks",
-                                .line = r.draft.text.empty() ? 0 : line_of(r.draft.text, at)});
+/// What the header announces of every point.
+void skip_looks(OffReader& r, std::size_t at) {
+  const std::size_t points = r.draft.mesh.points.size();
+  const auto skip = [&](bool is_there, std::string_view what) {
+    if (is_there) add_skipped(r.draft, "data of points", what, at, points);
   };
-  if (r.header.has_more() && !r.draft.mesh.points.empty()) {
-    note("normals, colours or texture coordinates of points are left out",
-         r.draft.mesh.points.size(), 0);
-  }
-  if (r.colored > 0) {
-    note(fmt::format("colours of {} faces are left out", r.colored), r.colored, r.colored_at);
-  }
+  skip(r.header.has_normals, "normals");
+  skip(r.header.has_colors, "colours");
+  skip(r.header.has_texture, "texture coordinates");
 }
 
 }  // namespace
@@ -175,11 +183,17 @@ Draft read_off(std::string_view text) {
   const std::size_t faces = read_bounded<std::int32_t>(r.in, "faces", 2, 8);
   // The number of edges is checked by nobody, and sometimes missing.
   r.in.is_binary ? skip_numbers(r.in, 0, 4, "a number of edges") : void(rest_of_line(r.in.s));
-  read_points(r, points);
-  for (std::size_t i = 0; i < faces; ++i) read_face(r);
-  if (!r.in.is_binary) skip_comments(r.in.s);
-  check_end(r.draft, r.in, "face");
-  note_skipped(r);
+  const std::size_t points_at = place_of_next(r.in);
+  try {
+    read_points(r, points);
+    skip_looks(r, points_at);
+    for (std::size_t i = 0; i < faces; ++i) read_face(r);
+    if (!r.in.is_binary) skip_comments(r.in.s);
+    check_end(r.draft, r.in, "face");
+  } catch (ReadFailure& failure) {
+    if (!r.in.is_binary) blame_row(r.watch, text, failure);
+    throw;
+  }
   return std::move(r.draft);
 }
 

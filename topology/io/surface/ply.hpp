@@ -18,7 +18,8 @@ bool is_ply(std::string_view text);
 /// triangles, edges. Scalar properties are data, but for `region`, `entity` and the numbers
 /// `source_point_id` and `source_cell_id` (and the other names that VTK's files know them by).
 /// Comments "column ELEMENT PROPERTY COMPONENTS "NAME"" make one column of several properties.
-/// Lists, other elements and faces of fewer than three corners are left out. Throws ReadFailure.
+/// Triangle strips are triangles. Lists, other elements and faces of fewer corners are left out.
+/// Throws ReadFailure.
 Draft read_ply(std::string_view text);
 
 /// The bytes of a PLY file with points, edges and faces: text or little-endian.

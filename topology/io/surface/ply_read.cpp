@@ -4,13 +4,63 @@
 
 #include <algorithm>
 
-#include "topology/io/text/number_source.hpp"
 #include "topology/io/surface/ply.hpp"
-#include "topology/io/surface/ply_header.hpp"
+#include "topology/io/surface/ply_reader.hpp"
 #include "topology/io/vtk/vtk_columns.hpp"
 #include "topology/mesh/kinds/move_cells.hpp"
 
 namespace sunder::io {
+
+std::int64_t read_integer(PlyReader& r, NumberType type, std::string_view what) {
+  return with_stored(type, [&](auto zero) {
+    return static_cast<std::int64_t>(read_scalar<decltype(zero)>(r, what));
+  });
+}
+
+/// The length of a list that stands next.
+std::size_t read_length(PlyReader& r, const Property& p) {
+  const std::size_t at = place_of_next(r.in);
+  const std::int64_t length = read_integer(r, p.count_type, "the length of a list");
+  check_count(r.in.s, at, length, "items of a list", r.in.is_binary ? size_of(p.type) : 2);
+  return static_cast<std::size_t>(length);
+}
+
+void skip_property(PlyReader& r, const Property& p) {
+  const std::size_t length = p.is_list ? read_length(r, p) : 1;
+  skip_numbers(r.in, length, length * size_of(p.type), "a number");
+}
+
+std::size_t begin_row(PlyReader& r) {
+  Scanner& s = r.in.s;
+  std::size_t at = place_of_next(r.in);
+  while (!r.in.is_binary && at < s.text.size() && (s.text[at] == 'c' || s.text[at] == 'o')) {
+    const std::string_view word = peek_word(s);
+    if (word != "comment" && word != "obj_info") break;
+    rest_of_line(s);
+    at = place_of_next(r.in);
+  }
+  begin_row(r.watch, at);
+  return at;
+}
+
+void end_row(PlyReader& r) {
+  if (!r.in.is_binary) end_row(r.watch, r.in.s);
+}
+
+/// The list of a face's corners.
+void assign_corners(const PlyReader& r, Element& e) {
+  for (Property& p : e.properties) {
+    if (!p.is_list || (p.name != "vertex_indices" && p.name != "vertex_index")) continue;
+    if (is_real(p.type)) continue;
+    p.role = Role::corners;
+    return;
+  }
+  fail(r.in.s.text, e.at,
+       {.code = "missing_array",
+        .text = fmt::format("the element {} has no list of integers vertex_indices", e.name),
+        .remedy = "correct the header, or write the file again"});
+}
+
 namespace {
 
 struct Column {
@@ -18,16 +68,6 @@ struct Column {
   /// Named by a comment: data whatever the name is.
   bool is_joined = false;
 };
-
-struct PlyReader {
-  NumberSource in;
-  Draft draft;
-  PlyHeader header;
-};
-
-std::size_t size_of(NumberType type) {
-  return with_stored(type, [](auto zero) { return sizeof zero; });
-}
 
 /// How many properties from `first` on a comment joins to one column, and its name.
 const JoinedColumn* joined_from(const PlyReader& r, const Element& e, std::size_t first) {
@@ -63,28 +103,11 @@ std::vector<Column> plan_columns(const PlyReader& r, Element& e) {
   return columns;
 }
 
-/// A number of `type`; fails with number_out_of_range where the text's is not of that type.
-template <class Stored>
-Stored read_scalar(PlyReader& r, std::string_view what) {
-  if (r.in.is_binary) return read_raw<Stored>(r.in, what);
-  if constexpr (std::is_same_v<Stored, float>) {
-    return static_cast<float>(read_number<double>(r.in.s, what));
-  } else {
-    return read_number<Stored>(r.in.s, what);
-  }
-}
-
 double read_coordinate(PlyReader& r, NumberType type) {
   // A text's digits are more than a float keeps.
   if (!r.in.is_binary) return read_number<double>(r.in.s, "a coordinate");
   return with_stored(type, [&](auto zero) {
     return static_cast<double>(read_raw<decltype(zero)>(r.in, "a coordinate"));
-  });
-}
-
-std::int64_t read_integer(PlyReader& r, NumberType type, std::string_view what) {
-  return with_stored(type, [&](auto zero) {
-    return static_cast<std::int64_t>(read_scalar<decltype(zero)>(r, what));
   });
 }
 
@@ -98,19 +121,6 @@ void read_value(PlyReader& r, const Property& p, DataColumn& column) {
           .push_back(static_cast<std::int64_t>(value));
     }
   });
-}
-
-/// The length of a list that stands next.
-std::size_t read_length(PlyReader& r, const Property& p) {
-  const std::size_t at = place_of_next(r.in);
-  const std::int64_t length = read_integer(r, p.count_type, "the length of a list");
-  check_count(r.in.s, at, length, "items of a list", r.in.is_binary ? size_of(p.type) : 2);
-  return static_cast<std::size_t>(length);
-}
-
-void skip_property(PlyReader& r, const Property& p) {
-  const std::size_t length = p.is_list ? read_length(r, p) : 1;
-  skip_numbers(r.in, length, length * size_of(p.type), "a number");
 }
 
 /// What a row gives beside data.
@@ -129,20 +139,8 @@ void read_corners(PlyReader& r, const Property& p, Row& row) {
   skip_numbers(r.in, corners - taken, (corners - taken) * size_of(p.type), "a point's row");
 }
 
-/// Comments between the rows of a text, which some programs write.
-void pass_comments(PlyReader& r, std::size_t& at) {
-  Scanner& s = r.in.s;
-  while (at < s.text.size() && (s.text[at] == 'c' || s.text[at] == 'o')) {
-    const std::string_view word = peek_word(s);
-    if (word != "comment" && word != "obj_info") return;
-    rest_of_line(s);
-    at = place_of_next(r.in);
-  }
-}
-
 void read_row(PlyReader& r, const Element& e, Row& row, std::vector<Column>& columns) {
-  row.cell.at = place_of_next(r.in);
-  if (!r.in.is_binary) pass_comments(r, row.cell.at);
+  row.cell.at = begin_row(r);
   for (const Property& p : e.properties) {
     switch (p.role) {
       case Role::skipped:
@@ -162,6 +160,7 @@ void read_row(PlyReader& r, const Element& e, Row& row, std::vector<Column>& col
         read_value(r, p, columns[p.place].data);
     }
   }
+  end_row(r);
 }
 
 /// The fewest bytes that a row takes.
@@ -196,38 +195,13 @@ void assign(const PlyReader& r, Element& e, Role role,
   }
 }
 
-/// The list of a face's corners.
-void assign_corners(const PlyReader& r, Element& e) {
-  for (Property& p : e.properties) {
-    if (!p.is_list || (p.name != "vertex_indices" && p.name != "vertex_index")) continue;
-    if (is_real(p.type)) continue;
-    p.role = Role::corners;
-    return;
-  }
-  fail(r.in.s.text, e.at,
-       {.code = "missing_array",
-        .text = "the element face has no list of integers vertex_indices",
-        .remedy = "correct the header, or write the file again"});
-}
-
-void note_skipped(PlyReader& r, std::string text, std::size_t count, std::size_t at) {
-  if (count == 0) return;
-  r.draft.findings.push_back({.code = "skipped_data",
-                              .severity = Severity::note,
-                              .count = count,
-                              .text = std::move(text),
-                              .remedy = "nothing to do, unless they matter",
-                              .line = r.draft.text.empty() ? 0 : line_of(r.draft.text, at)});
-}
-
 /// What is not told to be something else is data, lists are left out.
 void assign_data(PlyReader& r, Element& e) {
   for (Property& p : e.properties) {
     if (p.role != Role::skipped) continue;
     if (!p.is_list) p.role = Role::data;
-    if (p.is_list && e.count > 0) {
-      note_skipped(r, fmt::format("the lists {} of {} are left out", in_quotes(p.name), e.name),
-                   e.count, e.at);
+    if (p.is_list) {
+      add_skipped(r.draft, "lists", fmt::format("{} of {}", p.name, e.name), e.at, e.count);
     }
   }
 }
@@ -333,8 +307,7 @@ void skip_element(PlyReader& r, const Element& e) {
   std::vector<Column> none;
   Row row{.cell = r.draft.cell};
   for (std::size_t i = 0; i < e.count; ++i) read_row(r, e, row, none);
-  note_skipped(r, fmt::format("{} rows of the element {} are left out", e.count, in_quotes(e.name)),
-               e.count, e.at);
+  add_skipped(r.draft, "elements", e.name, e.at, e.count);
 }
 
 void read_element(PlyReader& r, Element& e) {
@@ -344,7 +317,8 @@ void read_element(PlyReader& r, Element& e) {
                 fmt::format("rows of {}", in_quotes(e.name)), least);
   }
   if (e.name == "vertex") return read_vertices(r, e);
-  const bool is_cell = e.name == "face" || e.name == "edge";
+  const bool is_strip = e.name == "tristrips";
+  const bool is_cell = e.name == "face" || e.name == "edge" || is_strip;
   if (!is_cell) return skip_element(r, e);
   if (e.count > 0 && &e == &r.header.elements.front()) {
     fail(r.in.s.text, e.at,
@@ -352,6 +326,7 @@ void read_element(PlyReader& r, Element& e) {
           .text = fmt::format("the element {} stands before the vertices", e.name),
           .remedy = "put the element vertex first"});
   }
+  if (is_strip) return pass_strips(r, e);
   e.name == "face" ? read_faces(r, e) : read_edges(r, e);
 }
 
@@ -369,8 +344,14 @@ Draft read_ply(std::string_view text) {
   r.in.is_binary = r.header.is_binary;
   r.in.swap = r.header.swap;
   if (r.in.is_binary) r.draft.text = {};  // there are no lines to count
-  for (Element& e : r.header.elements) read_element(r, e);
-  check_end(r.draft, r.in, "row");
+  try {
+    for (Element& e : r.header.elements) read_element(r, e);
+    add_strips(r);
+    check_end(r.draft, r.in, "row");
+  } catch (ReadFailure& failure) {
+    if (!r.in.is_binary) blame_row(r.watch, text, failure);
+    throw;
+  }
   return std::move(r.draft);
 }
 

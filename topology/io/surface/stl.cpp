@@ -13,6 +13,7 @@
 #include "topology/io/named_regions.hpp"
 #include "topology/io/text/number_sink.hpp"
 #include "topology/io/text/number_source.hpp"
+#include "topology/io/text/row_watch.hpp"
 
 namespace sunder::io {
 namespace {
@@ -67,6 +68,7 @@ std::vector<std::uint32_t> first_of_place(const std::vector<Point>& corners) {
 
 /// Corners of facets while they are read, three each, and where each facet stands.
 struct Facets {
+  RowWatch watch;
   std::vector<Point> corners;
   std::vector<std::size_t> at;
   /// Of each facet, in text: the place of its solid's name among the words, -1 for none.
@@ -118,17 +120,26 @@ void expect_end(Scanner& s, std::string_view word) {
   if (is_word(next_word(s), "end")) next_word(s);
 }
 
+/// A normal is computed from the corners: it may be short, or missing.
+void skip_normal(Scanner& s) {
+  if (!is_word(peek_word(s), "normal")) return;
+  next_word(s);
+  for (int k = 0; k < 3 && !is_word(peek_word(s), "outer"); ++k) skip_words(s, 1, "a normal");
+}
+
 void read_text_facet(Scanner& s, Facets& facets) {
   facets.at.push_back(s.at);
   expect(s, "facet");
-  expect(s, "normal");
-  skip_words(s, 3, "a normal");
+  skip_normal(s);
   expect(s, "outer");
   expect(s, "loop");
   for (std::size_t k = 0; k < 3; ++k) {
+    skip_blanks(s);
+    begin_row(facets.watch, s.at);
     expect(s, "vertex");
     Point& p = facets.corners.emplace_back();
     for (double& x : p) x = read_number<double>(s, "a coordinate");
+    end_row(facets.watch, s);
   }
   if (is_word(peek_word(s), "vertex")) {
     fail(s.text, s.at,
@@ -148,7 +159,12 @@ void read_text(Draft& draft) {
     expect(s, "solid");
     const std::string_view name = rest_of_line(s);
     const std::size_t first = facets.at.size();
-    while (!is_end(s, "solid")) read_text_facet(s, facets);
+    try {
+      while (!is_end(s, "solid")) read_text_facet(s, facets);
+    } catch (ReadFailure& failure) {
+      blame_row(facets.watch, draft.text, failure);
+      throw;
+    }
     if (facets.at.size() > first) {
       facets.solid.resize(facets.at.size(), name.empty() ? -1 : place_of_word(facets.words, name));
     }
@@ -172,7 +188,9 @@ void read_binary(Draft& draft, std::string_view text) {
       Point& p = facets.corners.emplace_back();
       for (double& x : p) x = read_raw<float>(in, "a coordinate");
     }
-    skip_numbers(in, 0, 2, "attribute bytes");
+    const std::size_t at = in.s.at;
+    const auto attribute = read_raw<std::uint16_t>(in, "attribute bytes");
+    if (attribute != 0) add_skipped(draft, "attribute bytes of facets", {}, at);
   }
   check_end(draft, in, "facet");
   take_facets(draft, std::move(facets));

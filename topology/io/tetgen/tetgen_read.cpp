@@ -49,6 +49,12 @@ void expect_number(const Table& table, std::int64_t number, std::int64_t expecte
         .remedy = "number the points one after the other, from 0 or 1"});
 }
 
+/// What stands in a row behind the numbers that the first line announces.
+void skip_rest(TetgenReader& r, Table& table, std::string_view what) {
+  if (at_line_end(table)) return;
+  add_skipped(r.draft, "numbers behind the rows", what, table.line.at);
+}
+
 void refuse_plane(const Table& table, std::string_view text) {
   fail(table.text, table.line.at,
        {.code = "unsupported_cells",
@@ -87,6 +93,7 @@ void read_points(TetgenReader& r, Table table) {
     add_point(r.draft, p, at);
     read_columns(table, columns);
     if (markers == 1) marker.push_back(read_in_line<double>(table, "a boundary marker"));
+    skip_rest(r, table, "points");
   }
   expect_end(table, rows, "points");
   mesh.point_data = std::move(columns);
@@ -154,6 +161,7 @@ void read_tetrahedra(TetgenReader& r, Table table) {
     cells.source_id.push_back(read_cell(r, table, kind));
     if (has_region) region.push_back(read_in_line<double>(table, "an attribute"));
     read_columns(table, columns);
+    skip_rest(r, table, "tetrahedra");
   }
   expect_end(table, rows, "tetrahedra");
   drop_counting(cells.source_id);
@@ -166,7 +174,7 @@ void read_tetrahedra(TetgenReader& r, Table table) {
   cells.data = std::move(columns);
 }
 
-/// Triangles or edges, which have a marker each at most; what stands behind it is not ours.
+/// Triangles or edges, which have a marker each at most.
 void read_marked_cells(TetgenReader& r, Table table, CellKind kind) {
   const std::string_view what = traits_of(linear_kind(kind)).plural;
   const std::size_t rows = read_rows(table, what);
@@ -177,6 +185,7 @@ void read_marked_cells(TetgenReader& r, Table table, CellKind kind) {
     expect_row(table, i, rows, what);
     cells.source_id.push_back(read_cell(r, table, kind));
     if (has_marker) cells.region.push_back(read_in_line<std::int32_t>(table, "a marker"));
+    skip_rest(r, table, what);
   }
   expect_end(table, rows, what);
   drop_counting(cells.source_id);

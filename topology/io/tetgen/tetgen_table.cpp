@@ -68,11 +68,6 @@ bool next_line(Table& table) {
   return false;
 }
 
-bool at_line_end(Table& table) {
-  skip_blanks(table.line);
-  return table.line.at == table.line.text.size();
-}
-
 std::size_t numbers_of(std::span<const ColumnName> names) {
   std::size_t numbers = 0;
   for (const ColumnName& n : names) numbers += n.components;
@@ -80,6 +75,11 @@ std::size_t numbers_of(std::span<const ColumnName> names) {
 }
 
 }  // namespace
+
+bool at_line_end(Table& table) {
+  skip_blanks(table.line);
+  return table.line.at == table.line.text.size();
+}
 
 std::size_t numbers_named(const Table& table) { return numbers_of(table.names); }
 

@@ -43,6 +43,9 @@ std::size_t numbers_named(const Table& table);
 template <class Number>
 Number read_in_line(Table& table, std::string_view what);
 
+/// Passes the blanks of the line; whether it ends there.
+bool at_line_end(Table& table);
+
 /// The next count of the first line; `usual` where the line ends before.
 std::int64_t read_head(Table& table, std::string_view what, std::int64_t usual,
                        std::int64_t highest);

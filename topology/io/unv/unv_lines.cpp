@@ -109,21 +109,34 @@ std::size_t integers_of(const UnvLines& lines, std::span<std::int64_t> numbers,
   return n;
 }
 
+namespace {
+
+double next_real(const UnvLines& lines, Scanner& s, std::string_view what) {
+  const std::string_view word = next_word(s);
+  std::string number(word);
+  std::ranges::replace(number, 'D', 'e');
+  std::ranges::replace(number, 'd', 'e');
+  const std::size_t plus = number.starts_with('+') ? 1 : 0;
+  double x = 0;
+  const auto [stop, reason] =
+      std::from_chars(number.data() + plus, number.data() + number.size(), x);
+  if (word.empty() || reason != std::errc{} || stop != number.data() + number.size()) {
+    fail_number(lines, word, what, reason);
+  }
+  return x;
+}
+
+}  // namespace
+
+double first_real_of(const UnvLines& lines, std::string_view what) {
+  Scanner s{lines.line};
+  return next_real(lines, s, what);
+}
+
 Point point_of(const UnvLines& lines, std::string_view what) {
   Scanner s{lines.line};
   Point point;
-  for (double& x : point) {
-    const std::string_view word = next_word(s);
-    std::string number(word);
-    std::ranges::replace(number, 'D', 'e');
-    std::ranges::replace(number, 'd', 'e');
-    const std::size_t plus = number.starts_with('+') ? 1 : 0;
-    const auto [stop, reason] =
-        std::from_chars(number.data() + plus, number.data() + number.size(), x);
-    if (word.empty() || reason != std::errc{} || stop != number.data() + number.size()) {
-      fail_number(lines, word, what, reason);
-    }
-  }
+  for (double& x : point) x = next_real(lines, s, what);
   return point;
 }
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Universal files read: data sets between lines of -1; coordinate systems, nodes, elements, groups.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
-#include <set>
 
 #include "topology/io/text/scan.hpp"
 #include "topology/io/unv/unv.hpp"
@@ -100,7 +99,40 @@ void add_node(UnvReader& r, const UnvLines& lines, std::int64_t number, std::int
           .remedy = "write the nodes in the global Cartesian system"});
   }
   r.draft.mesh.source_point_id.push_back(number);
-  add_point(r.draft, point, at);
+  const double u = r.unit;
+  add_point(r.draft, u == 1 ? point : Point{point[0] / u, point[1] / u, point[2] / u}, at);
+}
+
+/// 164: which units, their name; then what lengths, forces and temperatures are to be divided by to
+/// be in SI units.
+double read_length_unit(UnvLines lines) {
+  expect_line(lines, "the number and name of a system of units");
+  expect_line(lines, "the factors of units");
+  const double unit = first_real_of(lines, "the factor of lengths");
+  if (unit > 0 && std::isfinite(unit)) return unit;
+  fail(lines.text, lines.at,
+       {.code = "bad_number",
+        .text = fmt::format("lengths are to be divided by {}: a number above 0 was expected", unit),
+        .remedy = "correct the data set 164: 1 stands for metres, 1000 for millimetres"});
+}
+
+/// The units that hold for a data set: those before it, else the first of the file.
+void take_units(UnvReader& r, const UnvSection& of) {
+  const UnvSection* units = nullptr;
+  for (const UnvSection& section : r.sections) {
+    if (section.number != 164) continue;
+    if (units == nullptr || section.begin < of.begin) units = &section;
+  }
+  r.unit = units == nullptr ? 1 : read_length_unit(lines_of(r, *units));
+  if (r.unit == 1) return;
+  add_counted(r.draft, "units_converted", [&] {
+    return Finding{.severity = Severity::note,
+                   .text = fmt::format("the file has its own units (data set 164): lengths are "
+                                       "divided by {} to be metres",
+                                       r.unit),
+                   .remedy = "nothing to do, if the data set 164 is right",
+                   .line = line_of(r.draft.text, units->begin)};
+  });
 }
 
 /// 2411 and 781: a line with the number, a line with the place.
@@ -134,6 +166,20 @@ void read_old_nodes(UnvReader& r, UnvLines& lines) {
   }
 }
 
+/// Where the node of a row stands.
+std::size_t place_of_node(UnvReader& r, std::int64_t row) {
+  std::size_t place = 0;
+  for_each_section(r, {2411, 781, 15}, [&](const UnvSection& section, UnvLines& lines) {
+    while (row >= 0 && next_line(lines)) {
+      if (first_word(lines.line).empty()) continue;
+      place = lines.at;
+      if (section.number != 15) next_line(lines);
+      --row;
+    }
+  });
+  return place;
+}
+
 void index_nodes(UnvReader& r) {
   const std::vector<std::int64_t>& numbers = r.draft.mesh.source_point_id;
   if (numbers.empty()) {
@@ -144,12 +190,12 @@ void index_nodes(UnvReader& r) {
   }
   std::array<std::int64_t, 2> twice;
   if (index_numbers(r.node_rows, numbers, twice)) return;
-  throw ReadFailure{
-      {.code = "duplicate_id",
-       .ids = {twice[0], twice[1]},
-       .text = fmt::format("the nodes in rows {} and {} have the same number {}", twice[0],
-                           twice[1], numbers[static_cast<std::size_t>(twice[0])]),
-       .remedy = "give every node its own number"}};
+  fail(r.draft.text, place_of_node(r, twice[1]),
+       {.code = "duplicate_id",
+        .ids = {twice[0], twice[1]},
+        .text = fmt::format("the nodes in rows {} and {} have the same number {}", twice[0],
+                            twice[1], numbers[static_cast<std::size_t>(twice[0])]),
+        .remedy = "give every node its own number"});
 }
 
 /// The nodes of an element that begins at `at`, on as many lines as they need.
@@ -252,23 +298,14 @@ void take_tables(FileMesh& mesh) {
   }
 }
 
-/// Data sets that are neither read nor about the file itself.
-void note_others(UnvReader& r) {
+/// Data sets that are neither read nor about the file itself (151, 2400: its header).
+void skip_others(UnvReader& r) {
   constexpr std::int64_t ours[] = {15,   151,  164,  780,  781,  2400, 2411, 2412, 2417,
                                    2420, 2429, 2430, 2432, 2435, 2452, 2467, 2477};
-  std::set<std::int64_t> others;
   for (const UnvSection& section : r.sections) {
-    const bool is_known = std::ranges::find(ours, section.number) != std::end(ours);
-    if (!is_known && others.size() < 12) others.insert(section.number);
+    if (std::ranges::find(ours, section.number) != std::end(ours)) continue;
+    add_skipped(r.draft, "data sets", std::to_string(section.number), section.begin);
   }
-  if (others.empty()) return;
-  r.draft.findings.push_back(
-      {.code = "skipped_data",
-       .severity = Severity::note,
-       .count = others.size(),
-       .text = fmt::format("the data sets {} are passed over", fmt::join(others, ", ")),
-       .remedy = "nothing to do, unless results or loads are wanted: of "
-                 "universal files the mesh is read"});
 }
 
 }  // namespace
@@ -288,16 +325,17 @@ Draft read_unv(std::string_view text) {
   UnvReader r{.draft = {.text = text}};
   find_sections(r);
   for_each_section(r, {2420}, [&](const UnvSection&, UnvLines& lines) { read_systems(r, lines); });
-  for_each_section(r, {2411, 781},
-                   [&](const UnvSection&, UnvLines& lines) { read_nodes(r, lines); });
-  for_each_section(r, {15}, [&](const UnvSection&, UnvLines& lines) { read_old_nodes(r, lines); });
+  for_each_section(r, {2411, 781, 15}, [&](const UnvSection& section, UnvLines& lines) {
+    take_units(r, section);
+    section.number == 15 ? read_old_nodes(r, lines) : read_nodes(r, lines);
+  });
   index_nodes(r);
   for_each_section(r, {2412, 780}, [&](const UnvSection& section, UnvLines& lines) {
     read_elements(r, lines, section.number == 780);
   });
   read_unv_groups(r);
   take_tables(r.draft.mesh);
-  note_others(r);
+  skip_others(r);
   return std::move(r.draft);
 }
 

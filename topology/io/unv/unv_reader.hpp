@@ -42,6 +42,8 @@ struct UnvReader {
   NumberIndex node_rows;
   /// Coordinate systems that are not the basic one, by their number.
   std::map<std::int64_t, std::string> systems;
+  /// What the lengths that are read are to be divided by to be metres.
+  double unit = 1;
   /// Numbers of types that are left out, the first few.
   std::set<std::int64_t> other_types;
 };
@@ -64,6 +66,9 @@ void expect_line(UnvLines& lines, std::string_view what);
 /// The whole numbers of the line, `most` of them or fewer. Fails with bad_number.
 std::size_t integers_of(const UnvLines& lines, std::span<std::int64_t> numbers,
                         std::string_view what);
+
+/// The first real of the line; its exponent may be written with D.
+double first_real_of(const UnvLines& lines, std::string_view what);
 
 /// The three reals of the line; exponents may be written with D.
 Point point_of(const UnvLines& lines, std::string_view what);

@@ -61,12 +61,12 @@ void read_counted_cells(VtkReader& r, std::size_t n, std::size_t size) {
 
 /// From version 5.0 on: where each cell begins, and all points.
 void read_offset_cells(VtkReader& r, std::size_t offsets, std::size_t size) {
-  expect_word(r.in.s, "OFFSETS");
+  expect_keyword(r, "OFFSETS");
   const VtkType& offset_type = read_integer_type(r);
   begin_numbers(r, offsets, offset_type, "offsets");
   const std::size_t at = r.in.s.at;
   std::vector<std::int64_t> begins = read_integers(r, offsets, offset_type);
-  expect_word(r.in.s, "CONNECTIVITY");
+  expect_keyword(r, "CONNECTIVITY");
   const VtkType& type = read_integer_type(r);
   begin_numbers(r, size, type, "numbers of cells");
   r.cells.points = read_integers(r, size, type);
@@ -108,7 +108,7 @@ void read_cell_list(VtkReader& r) {
   const std::size_t n = read_count(r.in.s, "cells", 1);
   const std::size_t size = read_count(r.in.s, "numbers of cells", 1);
   Scanner ahead = r.in.s;  // raw numbers may begin with what looks like blanks
-  const bool has_offsets = peek_word(ahead) == "OFFSETS";
+  const bool has_offsets = lower(peek_word(ahead)) == "offsets";
   r.cells_at = ahead.at;
   has_offsets ? read_offset_cells(r, n, size) : read_counted_cells(r, n, size);
 }
@@ -134,9 +134,10 @@ void read_types(VtkReader& r) {
 }
 
 void read_data_head(VtkReader& r, std::size_t at, bool of_points) {
-  const std::size_t rows = read_count(r.in.s, "rows", 1);
+  // No array has to follow, so the file may end here.
+  const auto rows = read_number<std::int64_t>(r.in.s, "a number of rows");
   const std::size_t expected = of_points ? r.piece.points : r.piece.list_of_cell.size();
-  if (rows != expected) {
+  if (rows != static_cast<std::int64_t>(expected)) {
     fail(r.in.s.text, at,
          {.code = "wrong_count",
           .text = fmt::format("data of {} {} are announced: the file has {}", rows,
@@ -144,12 +145,12 @@ void read_data_head(VtkReader& r, std::size_t at, bool of_points) {
           .remedy = "correct the count, or write the file again"});
   }
   r.data_of = of_points ? 1 : 2;
-  r.rows = rows;
+  r.rows = expected;
 }
 
 /// Tables of colours belong to no row.
-void skip_lookup_table(VtkReader& r) {
-  next_word(r.in.s);
+void skip_lookup_table(VtkReader& r, std::size_t at) {
+  add_skipped(r.draft, "tables of colours", next_word(r.in.s), at);
   const std::size_t n = read_count(r.in.s, "colours", 1);
   const std::size_t numbers = product(r, n, 4, "numbers");
   if (r.in.is_binary) rest_of_line(r.in.s);
@@ -168,21 +169,9 @@ void read_keyword(VtkReader& r, std::string_view word, std::size_t at) {
   if (keyword == "cell_types") return read_types(r);
   if (keyword == "point_data") return read_data_head(r, at, true);
   if (keyword == "cell_data") return read_data_head(r, at, false);
-  if (keyword == "field") return read_field(r);
-  if (keyword == "scalars") return read_scalars(r);
-  if (keyword == "lookup_table") return skip_lookup_table(r);
+  if (keyword == "lookup_table") return skip_lookup_table(r, at);
   if (keyword == "metadata") return skip_metadata(r);
-  const bool is_vector = keyword == "vectors" || keyword == "normals";
-  if (is_vector || keyword == "tensors") {
-    const std::string_view name = next_word(r.in.s);
-    const VtkType& type = read_type(r);
-    return take_column(r, name, is_vector ? 3 : 9, r.rows, type);
-  }
-  if (keyword == "texture_coordinates") {
-    const std::string_view name = next_word(r.in.s);
-    const std::size_t components = read_count(r.in.s, "components", 1);
-    return take_column(r, name, components, r.rows, read_type(r));
-  }
+  if (read_attribute(r, keyword)) return;
   fail(r.in.s.text, at,
        {.code = "unknown_section",
         .text = fmt::format("{} stands where a keyword (POINTS, CELLS, ...) was expected",
@@ -209,7 +198,7 @@ bool read_head(VtkReader& r) {
   r.in.is_binary = kind == "binary";
   r.in.swap = std::endian::native == std::endian::little;
   if (r.in.is_binary) r.draft.text = {};
-  expect_word(s, "DATASET");
+  expect_keyword(r, "DATASET");
   const std::size_t kind_at = s.at;
   const std::string_view dataset = next_word(s);
   const bool is_polydata = lower(dataset) == "polydata";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers and columns of legacy VTK, text or big-endian.
+// Numbers of legacy VTK, text or big-endian.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -34,23 +34,6 @@ constexpr VtkType number_types[] = {
     {"vtktypeuint64", NumberType::uint64, 8},
 };
 
-/// Names have blanks and the like as %20.
-std::string decoded(std::string_view name) {
-  std::string text;
-  for (std::size_t i = 0; i < name.size(); ++i) {
-    unsigned code = 0;
-    if (name[i] == '%' && i + 2 < name.size() &&
-        std::from_chars(name.data() + i + 1, name.data() + i + 3, code, 16).ptr ==
-            name.data() + i + 3) {
-      text += static_cast<char>(code);
-      i += 2;
-    } else {
-      text += name[i];
-    }
-  }
-  return text;
-}
-
 }  // namespace
 
 std::string lower(std::string_view word) {
@@ -59,6 +42,14 @@ std::string lower(std::string_view word) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   }
   return text;
+}
+
+void expect_keyword(VtkReader& r, std::string_view word) {
+  if (lower(peek_word(r.in.s)) == lower(word)) {
+    next_word(r.in.s);
+    return;
+  }
+  expect_word(r.in.s, word);
 }
 
 const VtkType& read_type(VtkReader& r) {
@@ -112,62 +103,10 @@ const VtkType& int_type() { return *std::ranges::find(number_types, "int", &VtkT
 
 const VtkType& double_type() { return number_types[0]; }
 
-void take_column(VtkReader& r, std::string_view name, std::size_t components, std::size_t rows,
-                 const VtkType& type) {
-  const std::size_t n = product(r, rows, components, "numbers");
-  begin_numbers(r, n, type, "numbers");
-  const VtkArrayHead head{decoded(name), components, type.type, r.data_of == 2, r.in.s.at};
-  const bool is_of_rows = r.data_of != 0 && components > 0;  // others: a time, a cycle
-  if (is_of_rows && rows != r.rows) {
-    fail(r.in.s.text, head.at,
-         {.code = "wrong_count",
-          .text =
-              fmt::format("array {} has {} rows: {} were expected", in_quotes(name), rows, r.rows),
-          .remedy = "give one row for each point or cell"});
-  }
-  if (!is_of_rows || rows == 0 || !is_new_name(r.draft, r.names, head)) {
-    is_real(type.type) ? read_numbers<double>(r, n, type, [](double) {})
-                       : read_numbers<std::int64_t>(r, n, type, [](std::int64_t) {});
-  } else if (is_vtk_label(head)) {
-    add_vtk_label(r.draft, r.piece, head, read_integers(r, n, type));
-  } else if (is_real(type.type)) {
-    read_numbers<double>(r, n, type, begin_vtk_data<double>(r.draft, r.piece, head, n));
-  } else {
-    read_numbers<std::int64_t>(r, n, type, begin_vtk_data<std::int64_t>(r.draft, r.piece, head, n));
-  }
-}
+const VtkType& float_type() { return number_types[1]; }
 
-/// Names of components and units, up to a blank line.
-void skip_metadata(VtkReader& r) {
-  rest_of_line(r.in.s);
-  while (r.in.s.at < r.in.s.text.size() && !rest_of_line(r.in.s).empty()) continue;
-}
-
-void read_field(VtkReader& r) {
-  next_word(r.in.s);  // the field's own name
-  const std::size_t arrays = read_count(r.in.s, "arrays", 4);
-  for (std::size_t i = 0; i < arrays; ++i) {
-    std::string_view name = next_word(r.in.s);
-    if (name == "METADATA") {  // of the array before
-      skip_metadata(r);
-      name = next_word(r.in.s);
-    }
-    const std::size_t components = read_count(r.in.s, "components", 1);
-    const std::size_t rows = read_count(r.in.s, "rows", 1);
-    take_column(r, name, components, rows, read_type(r));
-  }
-}
-
-void read_scalars(VtkReader& r) {
-  const std::string_view name = next_word(r.in.s);
-  const VtkType& type = read_type(r);
-  std::size_t components = 1;
-  Scanner line = r.in.s;
-  const std::string_view rest = rest_of_line(line);
-  if (!rest.empty()) components = read_count(r.in.s, "components", 1);
-  expect_word(r.in.s, "LOOKUP_TABLE");
-  next_word(r.in.s);
-  take_column(r, name, components, r.rows, type);
+const VtkType& byte_type() {
+  return *std::ranges::find(number_types, "unsigned_char", &VtkType::name);
 }
 
 }  // namespace sunder::io

@@ -30,6 +30,8 @@ struct VtkReader {
   /// What data belong to that come next: 0 nothing, 1 points, 2 cells.
   int data_of = 0;
   std::size_t rows = 0;
+  /// Bits that were kept as numbers.
+  std::size_t bits = 0;
 };
 
 /// In lower case: keywords may be written either way.
@@ -39,9 +41,11 @@ std::string lower(std::string_view word);
 const VtkType& read_type(VtkReader& r);
 const VtkType& read_integer_type(VtkReader& r);
 
-/// The type of lists of cells and of exact coordinates.
+/// The type of lists of cells, of exact coordinates, and of colours in text and raw.
 const VtkType& int_type();
 const VtkType& double_type();
+const VtkType& float_type();
+const VtkType& byte_type();
 
 /// Raw numbers begin behind the line's end. Fails where the rest cannot hold `n` of them.
 void begin_numbers(VtkReader& r, std::size_t n, const VtkType& type, std::string_view what);
@@ -74,11 +78,14 @@ void read_cell_list(VtkReader& r);
 /// A section with everything in it, from behind its keyword. Fails with unknown_section.
 void read_keyword(VtkReader& r, std::string_view word, std::size_t at);
 
-/// Columns, each from behind its keyword to its last number.
-void read_field(VtkReader& r);
-void read_scalars(VtkReader& r);
-void take_column(VtkReader& r, std::string_view name, std::size_t components, std::size_t rows,
-                 const VtkType& type);
+/// Passes a keyword, in upper or lower case, or fails because it was expected.
+void expect_keyword(VtkReader& r, std::string_view word);
+
+/// Data, from behind their keyword (in lower case) to their last value: SCALARS, VECTORS, FIELD and
+/// their kin; false where the keyword is none of these.
+bool read_attribute(VtkReader& r, std::string_view keyword);
+
+/// METADATA, up to the blank line behind it.
 void skip_metadata(VtkReader& r);
 
 }  // namespace sunder::io

@@ -133,16 +133,6 @@ std::size_t numbers_of(const VtuDocument& document, const VtuArray& array, std::
         .remedy = "correct NumberOfComponents, or write the file again"});
 }
 
-void skip_column(const VtuDocument& document, const VtuArray& array, Draft& draft) {
-  add_counted(draft, "skipped_data", [&] {
-    return Finding{.severity = Severity::warning,
-                   .text = fmt::format("the data {} of type {} are left out", in_quotes(array.name),
-                                       in_quotes(array.type)),
-                   .remedy = "give them as numbers, if they matter",
-                   .line = line_of(document.layout.text, array.at)};
-  });
-}
-
 /// Where an array goes, and the names that its piece has given before.
 struct ColumnPlace {
   Draft& draft;
@@ -155,7 +145,10 @@ void read_column(VtuDocument& document, const VtuArray& array, const ColumnPlace
   const std::size_t rows = to.of_cells ? to.piece.list_of_cell.size() : to.piece.points;
   if (rows == 0 || array.components == 0) return;
   const auto* const word = std::ranges::find(vtu_types, array.type);
-  if (word == std::end(vtu_types)) return skip_column(document, array, to.draft);
+  if (word == std::end(vtu_types)) {
+    return add_skipped(to.draft, "data that are no numbers",
+                       fmt::format("{} of type {}", array.name, array.type), array.at);
+  }
   const auto type = static_cast<NumberType>(word - vtu_types);
   const VtkArrayHead head{array.name, array.components, type, to.of_cells, array.at};
   if (!is_new_name(to.draft, to.names, head)) return;
@@ -196,6 +189,7 @@ bool is_vtp(std::string_view text) {
 Draft read_vtu(std::string_view text) {
   VtuDocument document = parse_vtu(text);
   Draft draft{.text = text};
+  for (const VtuSkipped& s : document.skipped) add_skipped(draft, s.kind, s.name, s.at);
   std::size_t points = 0;
   for (const VtuPiece& piece : document.pieces) points += piece.points;
   const bool is_one = document.pieces.size() == 1 || document.layout.is_compressed;

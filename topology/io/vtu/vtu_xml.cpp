@@ -138,10 +138,42 @@ std::list<VtuArray>* arrays_of(VtuPiece& piece, std::string_view parent) {
   return nullptr;
 }
 
-void start_array(VtuParser& p, Attributes attributes) {
+/// What is passed over, each kind and name once: a file has as many tags as bytes.
+void skip_content(VtuParser& p, std::string_view kind, std::string_view name) {
+  constexpr std::size_t most = 64;
+  const auto is_same = [&](const VtuSkipped& s) { return s.kind == kind && s.name == name; };
+  if (std::ranges::any_of(p.document.skipped, is_same)) return;
+  if (p.document.skipped.size() >= most) return;
+  p.document.skipped.push_back({std::string(kind), std::string(name), place(p)});
+}
+
+/// A tag that is neither read nor known to hold no data of the mesh.
+void skip_unknown(VtuParser& p, std::string_view name) {
+  constexpr std::string_view known[] = {
+      "VTKFile",  "UnstructuredGrid", "PolyData",  "Piece",       "Points", "Cells", "PointData",
+      "CellData", "FieldData",        "DataArray", "Array",       "Verts",  "Lines", "Polys",
+      "Strips",   "InformationKey",   "Value",     "AppendedData"};
+  if (std::ranges::find(known, name) == std::end(known)) skip_content(p, "tags", name);
+}
+
+/// Whether the array that opens is read. Others are of the whole grid, or of an unknown part of it.
+std::list<VtuArray>* place_of_array(VtuParser& p, Attributes attributes) {
+  const std::string_view name = attribute(attributes, "Name").value_or("");
+  const std::string_view parent =
+      p.open.size() < 2 ? std::string_view{} : p.open[p.open.size() - 2];
   const bool in_piece = p.open.size() >= 3 && p.open[p.open.size() - 3] == "Piece";
-  if (!in_piece || p.document.pieces.empty()) return;
-  std::list<VtuArray>* arrays = arrays_of(p.document.pieces.back(), p.open[p.open.size() - 2]);
+  std::list<VtuArray>* const arrays = in_piece && !p.document.pieces.empty()
+                                          ? arrays_of(p.document.pieces.back(), parent)
+                                          : nullptr;
+  if (arrays == nullptr) {
+    const bool is_of_grid = parent == "FieldData";
+    skip_content(p, is_of_grid ? "field data of the grid" : "arrays outside of the grid", name);
+  }
+  return arrays;
+}
+
+void start_array(VtuParser& p, Attributes attributes) {
+  std::list<VtuArray>* const arrays = place_of_array(p, attributes);
   if (arrays == nullptr) return;
   VtuArray array{.at = place(p)};
   const auto* const list = std::ranges::find(poly_tags, p.open[p.open.size() - 2]);
@@ -162,6 +194,7 @@ void start_array(VtuParser& p, Attributes attributes) {
     fail_tag(p, "bad_attribute", fmt::format("format={} is not known", in_quotes(format)),
              "write ascii, binary or appended");
   }
+  if (attribute(attributes, "ComponentName0")) skip_content(p, "names of components", array.name);
   if (array.is_appended) array.offset = count_attribute(p, attributes, "offset");
   const std::size_t begin = array.at + static_cast<std::size_t>(XML_GetCurrentByteCount(p.xml));
   array.content = p.document.layout.text.substr(begin, 0);
@@ -207,7 +240,8 @@ void start_element(VtuParser& p, std::string_view name, Attributes attributes) {
   }
   if (name == "VTKFile") return start_file(p, attributes);
   if (name == "Piece") return start_piece(p, attributes);
-  if (name == "DataArray") return start_array(p, attributes);
+  // VTK's tag for arrays of strings is Array.
+  if (name == "DataArray" || name == "Array") return start_array(p, attributes);
   if (name == "AppendedData") {
     p.appended_encoding = attribute(attributes, "encoding").value_or("base64");
     p.stopped_at_appended = true;
@@ -215,6 +249,7 @@ void start_element(VtuParser& p, std::string_view name, Attributes attributes) {
     p.document.layout.appended = p.document.layout.text.substr(end);
     XML_StopParser(p.xml, XML_FALSE);
   }
+  skip_unknown(p, name);
 }
 
 void end_element(VtuParser& p) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <list>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -24,8 +25,16 @@ struct VtuPiece {
   std::list<VtuArray> cell_data;
 };
 
+/// Content that is passed over: its kind and name as add_skipped takes them, and its tag's place.
+struct VtuSkipped {
+  std::string kind;
+  std::string name;
+  std::size_t at = 0;
+};
+
 struct VtuDocument {
   VtuLayout layout;
+  std::vector<VtuSkipped> skipped;
   bool is_polydata = false;
   std::vector<VtuPiece> pieces;
 };
