@@ -61,11 +61,11 @@ def pages(project):
 
 
 def missing_sources(pages, exists):
-    """Sources that pages cite and that are not there. CHANGELOG.md speaks of the past, and
-    <sunder/...> of headers that the build makes: neither is looked at."""
+    """Sources that pages cite and that are not there. CHANGELOG.md speaks of the past,
+    <sunder/...> of headers that the build makes, and out/... of files that commands write: none is looked at."""
     return [f"{name} cites {cited}" for name, text in pages.items() if name != "CHANGELOG.md"
             for cited in sorted(set(SOURCE.findall(text)))
-            if not (cited.startswith("sunder/") or exists(cited) or exists(f"tests/{cited}"))]
+            if not (cited.startswith(("sunder/", "out/")) or exists(cited) or exists(f"tests/{cited}"))]
 
 
 def read_list(text):
@@ -185,7 +185,7 @@ class ThisTest(unittest.TestCase):
                              ["a/c.cpp cites design.md", "a/c.cpp cites docs/gone.md"])
 
     def test_a_missing_source_is_found(self):
-        texts = {"docs/a.md": "`tests/a_test.cpp`, x/c_test.cpp, kernel.hpp; ../x/y.hpp, apps/b.hpp",
+        texts = {"docs/a.md": "`tests/a_test.cpp`, x/c_test.cpp, kernel.hpp; ../x/y.hpp, apps/b.hpp, out/d.py",
                  "CHANGELOG.md": "apps/gone.hpp"}
         there = {"tests/a_test.cpp", "tests/x/c_test.cpp"}
         self.assertEqual(missing_sources(texts, there.__contains__),
