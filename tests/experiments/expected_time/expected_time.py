@@ -65,7 +65,7 @@ def main():
     parser.add_argument("sunder")
     parser.add_argument("scenes", nargs="*", type=pathlib.Path)
     parser.add_argument("--limit", type=float, default=300)
-    arguments = parser.parse_args()
+    arguments = parser.parse_intermixed_args()
     with tempfile.TemporaryDirectory() as folder:
         files = arguments.scenes or [f for f in sorted(SAMPLES.glob("*.json")) if "schema" not in f.name] + \
             scenes.write_all(pathlib.Path(folder) / "scenes")
