@@ -44,7 +44,7 @@ def measure(program, scene, limit, folder):
 
     def stop():
         if not ended.wait(limit):
-            child.send_signal(2)
+            child.terminate()
     watch = threading.Thread(target=stop)
     watch.start()
     lines = child.stderr.read().splitlines()
