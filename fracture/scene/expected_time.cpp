@@ -19,7 +19,7 @@ constexpr double never = std::numeric_limits<double>::infinity();
 /// s per tetrahedron of a step in resting contact, where bodies lie on bodies and where they do
 /// not.
 constexpr double of_heap = 30e-6, of_rest = 4e-6;
-/// s per tetrahedron of a sub-step of what breaks, with 40 sweeps in one pass, for a body of 3000;
+/// s per tetrahedron of a sub-step after a breaking blow, with 40 sweeps in one pass, for a body of 3000;
 /// it grows with this power of the number.
 constexpr double of_sub_step = 2.4e-6, growth = 0.15;
 /// Several passes take (1 + n / this) times as long, n tetrahedra per body.
@@ -45,6 +45,7 @@ struct MovingObstacle {
 double stop(Vec3& first, double first_mass, Vec3& second, double second_mass, const Vec3& normal) {
   const double closing = -normal.dot(first - second);
   if (!(closing > 0)) return 0;
+  if (first_mass == never && second_mass == never) return closing;
   const double share = first_mass == never    ? 0
                        : second_mass == never ? 1
                                               : second_mass / (first_mass + second_mass);
@@ -53,8 +54,8 @@ double stop(Vec3& first, double first_mass, Vec3& second, double second_mass, co
   return closing;
 }
 
-/// The scene as boxes among obstacles, in 400 steps: enough to see who meets whom, when and how
-/// fast. Above 500 bodies each meets obstacles only.
+/// The scene as boxes among obstacles, in 400 steps: enough to find the meetings of bodies, their times and
+/// speeds. Above 500 bodies each meets obstacles only.
 class BoxWorld {
  public:
   BoxWorld(const Scene& scene, const std::vector<BodyMeasures>& measures)
@@ -216,7 +217,7 @@ class Forecast {
   }
 
  private:
-  /// s from the first contact until what rests is asleep; `never` where loads keep it awake.
+  /// s from the first contact until resting bodies are asleep; `never` where loads keep them awake.
   double time_to_sleep() const {
     const bool loaded = scene_.gravity.ramp_time > 0 ||
                         std::ranges::any_of(scene_.bodies, [](const BodySettings& body) {
@@ -242,7 +243,7 @@ class Forecast {
     return seconds;
   }
 
-  /// Tetrahedra, those of second order as what they cost.
+  /// Tetrahedra, those of second order weighted by their cost.
   static double weight(const BodySettings& body) {
     return static_cast<double>(body.mesh.tetrahedra.size()) * (body.order == 2 ? 15 : 1);
   }

@@ -60,7 +60,7 @@ def words(sentence):
 
 
 def faults(page):
-    """What is wrong with a page."""
+    """The faults of a page."""
     wrong = []
     found = paragraphs(page)
     if not found or not found[0][1].startswith(BEGINNING):

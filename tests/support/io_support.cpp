@@ -7,6 +7,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <catch2/catch.hpp>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -35,6 +36,14 @@ std::string summary(const std::vector<Finding>& findings) {
         fmt::format("{}{} {} {}", out.empty() ? "" : ", ", to_string(f.severity), f.code, f.line);
   }
   return out;
+}
+
+FileMesh read_whole(const std::string& text, const std::string& name) {
+  const Result<FileMesh> mesh = read_file_mesh(text, name);
+  INFO(text << summary(mesh.findings));
+  for (const Finding& f : mesh.findings) UNSCOPED_INFO(f.text);
+  REQUIRE(mesh);
+  return *mesh;
 }
 
 bool identical(const TetMesh& a, const TetMesh& b) {

@@ -320,7 +320,7 @@ void drop_columns_of_nothing(FileMesh& mesh) {
   }
 }
 
-/// Who computes with simplices asked for no more than those.
+/// A caller that computes with simplices needs no other content.
 void lower_left_out(std::vector<Finding>& findings) {
   for (Finding& f : findings) {
     const bool is_left_out =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What readers leave out, counted by kind and named.
+// Content that readers leave out, counted by kind and named.
 #include "topology/io/skipped.hpp"
 
 #include <fmt/format.h>

@@ -87,7 +87,7 @@ struct Conversion {
   bool is_refused = false;
 };
 
-/// What was left out on reading is as lost as what cannot be written: both are warnings.
+/// Data left out on reading are as lost as data that cannot be written: both are warnings.
 bool is_loss(const Finding& finding) { return finding.severity == Severity::warning; }
 
 Finding asked_for(std::string_view code, std::size_t count, std::string text) {

@@ -130,9 +130,9 @@ ExitCode render_result(const RenderArguments& a) {
   if (has_error(findings)) return ExitCode::not_written;
   stages.done(fmt::format("drew the pictures: {}", pictures.size()));
   if (a.json) {
-    const nlohmann::ordered_json json{{"pictures", pictures},
-                                      {"findings", findings_json(run.findings)}};
-    fmt::print("{}\n", json.dump(2));
+    const nlohmann::ordered_json answer{{"pictures", pictures},
+                                        {"findings", findings_json(run.findings)}};
+    fmt::print("{}\n", answer.dump(2));
   }
   return ExitCode::fine;
 }

@@ -29,6 +29,7 @@ struct Recorder::Parts {
   RunRecord done;
   EventLog events;
   std::optional<AppendedFile> log;
+  ExpectedTime expected;
   nlohmann::ordered_json counts, settings;
   std::optional<Pictures> drawn;
   nlohmann::ordered_json report;
@@ -114,14 +115,17 @@ Recorder::Recorder(Recorder&&) noexcept = default;
 Recorder& Recorder::operator=(Recorder&&) noexcept = default;
 Recorder::~Recorder() = default;
 
+const ExpectedTime& Recorder::expected() const { return parts_->expected; }
+
 Recorder::Parts::Parts(const RecordedRun& run, EventLog so_far)
     : folder(run.folder),
       file(run.file),
       frame_steps(due_frames(run.file)),
       picture_steps(due_pictures(run.file)),
       events(std::move(so_far)),
+      expected(run.expected),
       counts(run.counts),
-      settings(settings_json(run.file)) {
+      settings(settings_json(run.file, run.expected)) {
   file.scene = {};
 }
 

@@ -12,6 +12,7 @@
 #include "apps/sunder/run/event_log.hpp"
 #include "apps/sunder/run/report/recorder_report.hpp"
 #include "apps/sunder/run/saved/checkpoint.hpp"
+#include "fracture/scene/expected_time.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 
 namespace sunder {
@@ -29,6 +30,8 @@ struct RecordedRun {
   /// Of a replay: what the searches of the run it repeats counted (`SearchCounts`). A replay writes
   /// no checkpoints.
   nlohmann::ordered_json counts = nullptr;
+  /// Of the whole scene.
+  ExpectedTime expected = {};
 };
 
 /// Keeps the files of a run. Guarded: `frames.pvd` lists exactly the frames that are there, and a
@@ -51,6 +54,9 @@ class Recorder {
   /// Goes on where `record` left off: what the folder holds beyond it is taken away. `log`: its
   /// events.jsonl up to there. Errors: as `open`.
   static Result<Recorder> go_on(const RecordedRun& run, RunRecord record, EventLog log);
+
+  /// That of its `RecordedRun`.
+  const ExpectedTime& expected() const;
 
   Recorder(Recorder&&) noexcept;
   Recorder& operator=(Recorder&&) noexcept;

@@ -14,13 +14,17 @@ RemainingTime::RemainingTime(ExpectedTime expected, double begin, double end)
       time_(begin),
       fade_(std::max(0.0, end - begin) / 20) {
   enter(0);
-  while (time_ >= end_of(phase_)) enter(phase_ + 1);
+  reach_phase();
 }
 
 void RemainingTime::enter(std::size_t phase) {
   phase_ = phase;
   simulated_ = fade_ / 5;
   computed_ = expected_.phases[phase].rate * simulated_;
+}
+
+void RemainingTime::reach_phase() {
+  while (time_ < end_ && time_ >= end_of(phase_)) enter(phase_ + 1);
 }
 
 double RemainingTime::end_of(std::size_t phase) const {
@@ -36,7 +40,7 @@ void RemainingTime::reach(double time, double elapsed) {
   simulated_ = keep * simulated_ + step;
   time_ = time;
   elapsed_ = elapsed;
-  while (time_ < end_ && time_ >= end_of(phase_)) enter(phase_ + 1);
+  reach_phase();
 }
 
 double RemainingTime::left() const {

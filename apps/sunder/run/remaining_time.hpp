@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The computing time that a run still needs: what was expected, corrected by what was measured.
+// The computing time that a run still needs: the expected rate, corrected by the measured one.
 #pragma once
 
 #include "fracture/scene/expected_time.hpp"
@@ -22,6 +22,8 @@ class RemainingTime {
 
  private:
   void enter(std::size_t phase);
+  /// Enters the phase of the time reached.
+  void reach_phase();
   double end_of(std::size_t phase) const;
 
   ExpectedTime expected_;

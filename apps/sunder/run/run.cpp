@@ -120,7 +120,7 @@ ExitCode step_to_end(const RunWork& work, const RunArguments& arguments, FrameCl
   const std::size_t pieces = living_components(simulation.state->mechanics).size();
   const double end = static_cast<double>(steps) * simulation.scene.integrator.time_step;
   Progress progress(arguments.quiet, progress_of(work, pieces, nullptr),
-                    {expected_time(simulation.scene), simulated_time(simulation), end});
+                    {work.recorder.expected(), simulated_time(simulation), end});
   const auto say = [&](const std::vector<Finding>& findings) {
     if (findings.empty()) return;
     const auto held = progress.hold();
@@ -346,11 +346,12 @@ ExitCode run_scene(const RunArguments& arguments) {
       arguments.folder.empty() ? usual_folder(arguments.scene) : arguments.folder;
   std::optional<Replay> replay;
   if (!read_log(replay, arguments, *file, folder)) return ExitCode::bad_input;
-  const double seconds = expected_time(file->scene).between(0, file->scene.duration);
+  const ExpectedTime expected = expected_time(file->scene);
+  const double seconds = expected.between(0, file->scene.duration);
   remark(
       fmt::format("{}; {} of computing expected\n", scene_line(file->scene), time_words(seconds)),
       arguments);
-  if (arguments.verbose) remark(settings_lines(*file), arguments);
+  if (arguments.verbose) remark(settings_lines(*file, expected), arguments);
   Result<Simulation> simulation = with_progress("building the simulation", arguments,
                                                 [&] { return build_simulation(file->scene); });
   tell(simulation.findings, arguments);
@@ -368,7 +369,7 @@ ExitCode run_scene(const RunArguments& arguments) {
   const std::optional<FolderLock> lock = take_folder(folder, arguments.force, arguments);
   if (!lock) return ExitCode::not_written;
   Result<Recorder> recorder = with_progress("opening the files", arguments, [&] {
-    return Recorder::open({folder, *file, replay ? replay->counts : nlohmann::ordered_json()},
+    return Recorder::open({folder, *file, replay ? replay->counts : nlohmann::ordered_json(), expected},
                           *simulation, std::move(simulation.findings));
   });
   tell(recorder.findings, arguments);

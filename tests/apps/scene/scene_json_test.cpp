@@ -14,30 +14,14 @@
 #include "fracture/scene/scene_doubts.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/contact/shapes/solid_surface.hpp"
+#include "tests/support/scene_texts.hpp"
 #include "topology/io/vtu/vtu.hpp"
 
 using namespace sunder;
+using namespace sunder::test;
 using nlohmann::json;
 
 namespace {
-
-/// Reads a scene given as JSON, with its meshes in the repository's meshes/.
-Result<SceneFile> read(const json& scene, const std::vector<std::string>& settings = {}) {
-  const std::filesystem::path path = std::filesystem::temp_directory_path() /
-                                     ("sunder_scene_" + std::to_string(getpid()) + ".json");
-  std::ofstream(path) << scene.dump(1);
-  Result<SceneFile> file = read_scene(path, settings);
-  std::filesystem::remove(path);
-  return file;
-}
-
-json cube_scene() { return {{"bodies", {{{"mesh", SUNDER_MESHES "/cube.msh"}}}}}; }
-
-std::multiset<std::string> codes(const std::vector<Finding>& findings) {
-  std::multiset<std::string> all;
-  for (const Finding& f : findings) all.insert(f.code);
-  return all;
-}
 
 /// Every object schema and what it describes, by pointer into a scene.
 void visit_objects(const json& schema, const std::string& at,

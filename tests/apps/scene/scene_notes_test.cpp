@@ -1,39 +1,17 @@
 // SPDX-License-Identifier: MIT
-// What a scene asks for in vain is noted.
+// Keys of a scene that have no effect are noted.
 #include "apps/scene/scene_notes.hpp"
 
-#include <unistd.h>
 #include <catch2/catch.hpp>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 
+#include "tests/support/scene_texts.hpp"
+
 using namespace sunder;
+using namespace sunder::test;
 using nlohmann::json;
-
-namespace {
-
-/// Reads a scene given as JSON, with its meshes in the repository's meshes/.
-Result<SceneFile> read(const json& scene, const std::vector<std::string>& settings = {}) {
-  const std::filesystem::path path = std::filesystem::temp_directory_path() /
-                                     ("sunder_notes_" + std::to_string(getpid()) + ".json");
-  std::ofstream(path) << scene.dump(1);
-  Result<SceneFile> file = read_scene(path, settings);
-  std::filesystem::remove(path);
-  return file;
-}
-
-json cube_scene() { return {{"bodies", {{{"mesh", SUNDER_MESHES "/cube.msh"}}}}}; }
-
-std::multiset<std::string> codes(const std::vector<Finding>& findings) {
-  std::multiset<std::string> all;
-  for (const Finding& f : findings) all.insert(f.code);
-  return all;
-}
-
-}  // namespace
 
 TEST_CASE("windows asked for with a method that has none are noted, defaults are not",
           "[run][scene]") {

@@ -119,7 +119,7 @@ TEST_CASE("a line of progress has step, time, pieces, fans and wall time", "[run
         "step 0/200  t = 0.000000 s  1 piece  1 fan  0:10 gone  1:06:40 left");
 }
 
-TEST_CASE("the expected time is told in words", "[run][progress]") {
+TEST_CASE("the expected time is printed in words", "[run][progress]") {
   CHECK(time_words(0.3) == "less than a second");
   CHECK(time_words(4.4) == "about 4 s");
   CHECK(time_words(57) == "about 57 s");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The time left follows what is measured.
+// The time left follows the measured rate.
 #include "apps/sunder/run/remaining_time.hpp"
 
 #include <algorithm>
@@ -26,7 +26,7 @@ double worst_factor(const ExpectedTime& expected, double turn, double late, doub
 
 }  // namespace
 
-TEST_CASE("the time left is what was expected, then what was measured", "[run][progress]") {
+TEST_CASE("the time left follows the expected rate, then the measured one", "[run][progress]") {
   const ExpectedTime right{{{0, 1}, {0.3, 20}}};
   const RemainingTime start(right, 0, 1);
   CHECK(start.left() == Approx(14.3));
@@ -44,4 +44,7 @@ TEST_CASE("the time left is what was expected, then what was measured", "[run][p
   CHECK(resumed.left() == Approx(2));
   resumed.reach(1, 4);
   CHECK(resumed.left() == 0);
+  // A run that has ended has nothing left.
+  CHECK(RemainingTime(right, 1, 1).left() == 0);
+  CHECK(RemainingTime(right, 1.1, 1).left() == 0);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bodies that bend too far for one rigid reference are warned about, a corner that turns is not.
+// Bodies that bend too far for one rigid reference get a warning, a corner that turns gets none.
 #include "apps/sunder/run/report/turn_check.hpp"
 
 #include <catch2/catch.hpp>
@@ -51,7 +51,7 @@ TEST_CASE("a strip that bends too far for its reference is warned about", "[run]
   CHECK_FALSE(first_warning(0.01, 0.199));
 }
 
-TEST_CASE("a component whose smallest part turns too far is not", "[run][turn]") {
+TEST_CASE("one cell that turns too far gives no warning", "[run][turn]") {
   Scene scene;
   BodySettings body;
   body.mesh = suite::kuhn_box({20, 2, 2}, 0.01);

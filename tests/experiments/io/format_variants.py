@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Variants of mesh files as people and programs write them: what sunder makes of them, beside meshio and gmsh.
+"""Variants of mesh files as people and programs write them: the answers of sunder, compared with those of meshio and gmsh.
 
 Usage: format_variants.py SUNDER [--seeds N] [--only KIND ...] [--keep FOLDER]
 
@@ -373,7 +373,7 @@ KINDS = {"nastran": nastran, "nastran replication": nastran_replication, "MSH 2.
          "rows at fault": rows_at_fault}
 
 
-# What sunder, meshio and gmsh make of them --------------------------------------------------------------------------
+# The answers of sunder, meshio and gmsh -----------------------------------------------------------------------------
 
 def read_cells(path, surface):
     with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
@@ -406,7 +406,7 @@ def convert(sunder, file, out, *words):
 
 
 def judge(sunder, variant, folder):
-    """What went wrong with sunder; empty where all is as it is meant."""
+    """The faults of sunder's answer; empty if the answer is as meant."""
     file, out = folder / variant.name, folder / "out.vtu"
     file.write_bytes(variant.content)
     status, answer = convert(sunder, file, out, "--text")

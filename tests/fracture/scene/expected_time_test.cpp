@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The expected time of a run: when things meet, what breaks, and what that costs.
+// The expected time of a run: times of contact, blows that break, and their cost.
 #include "fracture/scene/expected_time.hpp"
 
 #include <catch2/catch.hpp>
@@ -38,7 +38,7 @@ TEST_CASE("a step in flight is expected to take time by its tetrahedra", "[fract
   CHECK(flight_ms(scene) > 10 * one);
 }
 
-TEST_CASE("what flies alone takes the time of its steps", "[fracture][expected]") {
+TEST_CASE("a body that flies alone takes the time of its steps", "[fracture][expected]") {
   Scene scene = falling(1, 0);
   scene.obstacles.clear();
   const ExpectedTime flight = expected_time(scene);
@@ -83,7 +83,7 @@ TEST_CASE("a blow above the strength is expected to take sub-steps to the end",
   strong.bodies[0].material.tensile_strength = 1e9;
   const double whole = expected_time(strong).between(0, 1);
   CHECK(breaking > 20 * whole);
-  // What rests falls asleep.
+  // Bodies at rest fall asleep.
   CHECK(expected_time(strong).between(0.9, 1) == Approx(100 * 1e-3 * flight_ms(scene)));
   Scene off = scene;
   off.fracture.mode = FractureMode::off;

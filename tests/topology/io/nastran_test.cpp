@@ -13,13 +13,7 @@ using namespace sunder::test;
 
 namespace {
 
-FileMesh read_whole(const std::string& text) {
-  const Result<FileMesh> mesh = read_file_mesh(text, "a.bdf");
-  INFO(text << summary(mesh.findings));
-  for (const Finding& f : mesh.findings) UNSCOPED_INFO(f.text);
-  REQUIRE(mesh);
-  return *mesh;
-}
+FileMesh read_whole(const std::string& text) { return test::read_whole(text, "a.bdf"); }
 
 const std::string points =
     "GRID,1,,0.,0.,0.\nGRID,2,,1.,0.,0.\nGRID,3,,0.,1.,0.\nGRID,4,,0.,0.,1.\n";

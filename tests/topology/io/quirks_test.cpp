@@ -10,14 +10,6 @@ using namespace sunder::test;
 
 namespace {
 
-FileMesh read_whole(const std::string& text, const std::string& name) {
-  const Result<FileMesh> mesh = read_file_mesh(text, name);
-  INFO(text << summary(mesh.findings));
-  for (const Finding& f : mesh.findings) UNSCOPED_INFO(f.text);
-  REQUIRE(mesh);
-  return *mesh;
-}
-
 const std::string abaqus_nodes = "*NODE\n1,0,0,0\n2,1,0,0\n3,0,1,0\n4,0,0,1\n";
 
 /// A text PLY of one triangle, with `more` lines put before the line that begins with `before`.
@@ -118,7 +110,7 @@ TEST_CASE("PLY's comments stand anywhere", "[io][quirks][surface]") {
   CHECK(read_whole("ply " + ply_with("format", "").substr(3), "a.ply") == expected);
 }
 
-TEST_CASE("triangle strips of PLY beside faces keep the data of these", "[io][quirks][ply]") {
+TEST_CASE("faces of PLY keep their data in a file with triangle strips", "[io][quirks][ply]") {
   const std::string points =
       "element vertex 5\nproperty float x\nproperty float y\nproperty float z\n";
   const std::string faces =

@@ -265,7 +265,7 @@ void drop_empty_references(MeditReader& r) {
   for (const CellKind kind : all_cell_kinds) drop_zeros(columns_of(r.draft.mesh, kind).region);
 }
 
-/// One keyword of a binary file, up to where the next stands; what is not used is reported.
+/// One keyword of a binary file, up to the next; unused content is reported.
 void read_binary_section(MeditReader& r, int code, std::size_t at) {
   if (code == dimension_code) return read_dimension(r);
   if (code == vertices_code) return read_vertices(r);

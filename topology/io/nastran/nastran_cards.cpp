@@ -206,7 +206,7 @@ bool next_card(CardLines& lines, Card& card) {
   while (replication.left == 0) {
     std::size_t begin = 0;
     std::string_view line = next_line(lines, begin);
-    // What goes on without a card before it belongs to nothing.
+    // A continuation without a card before it belongs to nothing.
     while (!line.empty() && kind_of(line).goes_on) line = next_line(lines, begin);
     if (line.empty()) return false;
     const LineKind kind = kind_of(line);

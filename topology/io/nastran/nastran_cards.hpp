@@ -12,7 +12,7 @@
 
 namespace sunder::io {
 
-/// What a card is repeated by: its fields as they stand in the file (`=`, `==`, `*1`, words).
+/// The fields of a replication, as the file has them (`=`, `==`, `*1`, words).
 struct Replication {
   std::vector<std::string_view> fields;
   /// How many more cards are still to be made.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Nastran's decks: how they are known, where their bulk data stand, what stands before them.
+// Nastran's decks: their signs, the place of their bulk data, the lines before these.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -114,7 +114,7 @@ std::optional<std::size_t> begin_of_bulk(std::string_view text) {
   return std::nullopt;
 }
 
-/// What to compute with the mesh and what to print; titles and marks are nothing.
+/// Commands of solution and output; titles and marks are no commands.
 void skip_control(NastranReader& r, std::size_t end) {
   constexpr std::string_view silent[] = {"CEND",  "ID",   "TITLE",    "SUBTITLE",
                                          "LABEL", "ECHO", "MAXLINES", "LINE"};

@@ -11,7 +11,7 @@
 namespace sunder::io {
 namespace {
 
-/// What *1 or *(1) adds; empty for other fields.
+/// The increment of *1 or *(1); empty for other fields.
 std::string_view increment_of(std::string_view field) {
   if (!field.starts_with('*')) return {};
   field.remove_prefix(1);

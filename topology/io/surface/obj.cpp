@@ -241,7 +241,7 @@ void make_room(FileMesh& mesh, const Room& room) {
   reserve(mesh.triangles, room.triangles);
 }
 
-/// What stands in a line that is left out.
+/// The content of a line that is left out.
 std::string_view name_of_look(std::string_view word) {
   return word == "vn" ? "normals" : word == "vt" ? "texture coordinates" : word;
 }
@@ -267,7 +267,7 @@ void skip_line(ObjReader& r, const Keyword* keyword, std::size_t at) {
   }
 }
 
-/// Names of groups are regions; those of objects and materials beside them are left out.
+/// Names of groups are regions; those of objects and materials are left out.
 void skip_other_names(ObjReader& r) {
   for_each_line(r.s, [&](const Keyword* keyword, std::size_t at) {
     if (keyword == nullptr || keyword->kind == r.label) return;

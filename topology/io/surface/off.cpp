@@ -13,7 +13,7 @@
 namespace sunder::io {
 namespace {
 
-/// What the header's word says: OFF behind any of ST, C, N, 4 and n.
+/// The meaning of the header's word: OFF behind any of ST, C, N, 4 and n.
 struct Header {
   bool is_off = false;
   bool has_texture = false, has_colors = false, has_normals = false;
@@ -96,7 +96,7 @@ void skip_behind_point(OffReader& r, std::size_t at) {
                   "must begin with COFF or NOFF"});
 }
 
-/// What stands behind a row in its line are colours; a row that goes on in the next may be short.
+/// Words behind a row in its line are colours; a row that goes on in the next may be short.
 void watch_short(OffReader& r) {
   if (r.in.is_binary) return;
   const Scanner ended{r.in.s.text.substr(0, r.in.s.at), r.in.s.at};
@@ -152,7 +152,7 @@ void read_face(OffReader& r) {
   skip_colors(r, at);
 }
 
-/// What the header announces of every point.
+/// The data of every point that the header announces.
 void skip_looks(OffReader& r, std::size_t at) {
   const std::size_t points = r.draft.mesh.points.size();
   const auto skip = [&](bool is_there, std::string_view what) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Internal to the reader of PLY: what its elements share.
+// Internal to the reader of PLY: functions that its elements share.
 #pragma once
 
 #include <vector>

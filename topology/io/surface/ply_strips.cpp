@@ -59,7 +59,7 @@ void drop_wide_columns(PlyReader& r, std::size_t rows) {
   columns.clear();
 }
 
-/// Strips have no data: faces beside them may have some.
+/// Strips have no data; faces of the same file may have some.
 void fill_columns(PlyReader& r) {
   CellColumns& cells = r.draft.mesh.triangles;
   const std::size_t rows = r.draft.mesh.triangles.corners.size();

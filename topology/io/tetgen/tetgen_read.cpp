@@ -49,7 +49,7 @@ void expect_number(const Table& table, std::int64_t number, std::int64_t expecte
         .remedy = "number the points one after the other, from 0 or 1"});
 }
 
-/// What stands in a row behind the numbers that the first line announces.
+/// The content of a row behind the numbers that the first line announces.
 void skip_rest(TetgenReader& r, Table& table, std::string_view what) {
   if (at_line_end(table)) return;
   add_skipped(r.draft, "numbers behind the rows", what, table.line.at);

@@ -42,7 +42,7 @@ struct UnvReader {
   NumberIndex node_rows;
   /// Coordinate systems that are not the basic one, by their number.
   std::map<std::int64_t, std::string> systems;
-  /// What the lengths that are read are to be divided by to be metres.
+  /// The divisor that makes metres of the lengths read.
   double unit = 1;
   /// Numbers of types that are left out, the first few.
   std::set<std::int64_t> other_types;

@@ -203,7 +203,7 @@ void skip_metadata(VtkReader& r) {
     const std::size_t at = r.in.s.at;
     const std::string_view line = rest_of_line(r.in.s);
     if (line.empty()) return;
-    // What else VTK writes there are ranges of the numbers.
+    // Other words of VTK there are ranges of the numbers.
     if (lower(first_word(line)) != "component_names") continue;
     add_skipped(r.draft, "names of components", {}, at);
   }

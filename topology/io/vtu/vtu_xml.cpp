@@ -138,7 +138,7 @@ std::list<VtuArray>* arrays_of(VtuPiece& piece, std::string_view parent) {
   return nullptr;
 }
 
-/// What is passed over, each kind and name once: a file has as many tags as bytes.
+/// The content passed over, each kind and name once: a file has as many tags as bytes.
 void skip_content(VtuParser& p, std::string_view kind, std::string_view name) {
   constexpr std::size_t most = 64;
   const auto is_same = [&](const VtuSkipped& s) { return s.kind == kind && s.name == name; };

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "apps/scene/scene_fields.hpp"
-#include "fracture/scene/expected_time.hpp"
 
 namespace sunder {
 namespace {
@@ -23,7 +22,7 @@ std::string_view word_of(Accuracy accuracy) {
 
 }  // namespace
 
-nlohmann::ordered_json settings_json(const SceneFile& file) {
+nlohmann::ordered_json settings_json(const SceneFile& file, const ExpectedTime& time) {
   nlohmann::ordered_json chosen = nlohmann::ordered_json::array();
   for (const Choice& c : file.choices) {
     chosen.push_back(
@@ -32,7 +31,6 @@ nlohmann::ordered_json settings_json(const SceneFile& file) {
   std::size_t tetrahedra = 0;
   for (const BodySettings& body : file.scene.bodies) tetrahedra += body.mesh.tetrahedra.size();
   const std::uint64_t steps = step_count(file.scene);
-  const ExpectedTime time = expected_time(file.scene);
   nlohmann::ordered_json phases = nlohmann::ordered_json::array();
   for (const ExpectedTime::Phase& p : time.phases) {
     phases.push_back({{"begin", p.begin}, {"seconds_per_second", p.rate}});
@@ -47,8 +45,8 @@ nlohmann::ordered_json settings_json(const SceneFile& file) {
             {"phases", std::move(phases)}}}};
 }
 
-std::string settings_lines(const SceneFile& file) {
-  const nlohmann::ordered_json settings = settings_json(file);
+std::string settings_lines(const SceneFile& file, const ExpectedTime& time) {
+  const nlohmann::ordered_json settings = settings_json(file, time);
   std::string lines;
   for (const Choice& c : file.choices) {
     lines += fmt::format("accuracy {}: {} = {} ({})\n", word_of(file.accuracy), c.key, c.value,

@@ -6,16 +6,17 @@
 #include <string>
 
 #include "apps/scene/scene_json.hpp"
+#include "fracture/scene/expected_time.hpp"
 
 namespace sunder {
 
 /// `settings` of report.json: `accuracy`; `chosen`, each with key, value and reason; `expected`,
 /// with tetrahedra, steps, `step_ms` (of a step in flight), `seconds` of computing and their
 /// `phases` (`ExpectedTime`).
-nlohmann::ordered_json settings_json(const SceneFile& file);
+nlohmann::ordered_json settings_json(const SceneFile& file, const ExpectedTime& time);
 
 /// The same as text, one line each: printed by `sunder run --verbose` before its first step.
-std::string settings_lines(const SceneFile& file);
+std::string settings_lines(const SceneFile& file, const ExpectedTime& time);
 
 /// The expected time of a run in words: "about 40 s", "about 3 min", "less than a second".
 std::string time_words(double seconds);

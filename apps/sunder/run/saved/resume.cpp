@@ -95,7 +95,8 @@ Result<RunOnItsWay> go_on(const fs::path& folder, Checkpoint checkpoint, std::st
     return result;
   }
   Result<Recorder> recorder =
-      Recorder::go_on({folder, checkpoint.file}, std::move(checkpoint.record), std::move(*log));
+      Recorder::go_on({folder, checkpoint.file, nullptr, expected_time(checkpoint.file.scene)},
+                      std::move(checkpoint.record), std::move(*log));
   for (Finding& f : recorder.findings) result.findings.push_back(std::move(f));
   if (!recorder) return result;
   result.value.emplace(RunOnItsWay{std::move(checkpoint.file), std::move(checkpoint.simulation),

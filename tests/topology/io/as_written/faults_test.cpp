@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files that were read wrongly once, each with what it holds: cells, labels, and what is reported.
+// Files that were read wrongly once, each with its content: cells, labels, and findings.
 #include <catch2/catch.hpp>
 
 #include "tests/support/io_support.hpp"
@@ -67,7 +67,7 @@ TEST_CASE("Nastran's replication and tabs are read", "[io][faults][nastran]") {
   CHECK(volume_of(fault("tab_xyz.bdf")) == Approx(10 / 6.0));
 }
 
-TEST_CASE("decks are known by what stands before BEGIN BULK", "[io][faults][nastran]") {
+TEST_CASE("decks are known by the lines before BEGIN BULK", "[io][faults][nastran]") {
   const std::string cards = "cards are left out: PSOLID; lines before BEGIN BULK are left out: ";
   for (const auto& [name, words] : {std::pair{"deck.fem", "ANALYSIS, SUBCASE, LOAD; "},
                                     {"case_first.bdf", "DISPLACEMENT, SUBCASE, LOAD; "},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Nastran as people write it: tabs, replication, what stands before BEGIN BULK, superelements.
+// Nastran as people write it: tabs, replication, the lines before BEGIN BULK, superelements.
 #include <catch2/catch.hpp>
 
 #include "tests/support/io_support.hpp"
@@ -12,13 +12,7 @@ namespace {
 
 using Corners = std::array<std::uint32_t, 4>;
 
-FileMesh read_whole(const std::string& text) {
-  const Result<FileMesh> mesh = read_file_mesh(text, "a.bdf");
-  INFO(text << summary(mesh.findings));
-  for (const Finding& f : mesh.findings) UNSCOPED_INFO(f.text);
-  REQUIRE(mesh);
-  return *mesh;
-}
+FileMesh read_whole(const std::string& text) { return test::read_whole(text, "a.bdf"); }
 
 Finding refused(const std::string& text) {
   const Result<FileMesh> mesh = read_file_mesh(text, "a.bdf");
@@ -73,7 +67,7 @@ TEST_CASE("cards repeat the one before them", "[io][nastran][replication]") {
   CHECK(xs(grid + "=,*1,=,7.,==\n=,*1,=,*-1.,==$ words\n") == std::vector<double>{0, 7, 6});
   CHECK(xs(grid + "=       *(1)    =       *(2.)   ==\n=(1)\n") == std::vector<double>{0, 2, 4});
   CHECK(xs(grid + "=,*1,=,*1.5-1,==\n") == std::vector<double>{0, 0.15});
-  // What follows is a card of its own again, and =(0) makes none.
+  // The next line is a card of its own again, and =(0) makes none.
   CHECK(xs(grid + "=,*1,=,*1.,==\n=(0)\nGRID,9,,5.,0.,0.\n=,*1,=,=,==\n") ==
         std::vector<double>{0, 1, 5, 5});
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every reader reports what it leaves out, at its line; comments and what repeats the mesh it does
+// Every reader reports the data it leaves out, at their line; comments and repeated data it does
 // not report.
 #include <catch2/catch.hpp>
 
@@ -111,7 +111,7 @@ TEST_CASE("tags of VTK's XML that are not read are reported", "[io][skipped][vtu
               "a.vtu") == "4 names of components are left out: n\n");
 }
 
-TEST_CASE("comments, titles and what repeats the mesh are not reported", "[io][skipped]") {
+TEST_CASE("comments, titles and repeated data of the mesh are not reported", "[io][skipped]") {
   CHECK(skipped("ply\nformat ascii 1.0\ncomment by hand\nobj_info 7\n" + ply_points +
                     "end_header\n0 0 0\n1 0 0\n0 1 0\n",
                 "a.ply")
@@ -130,7 +130,7 @@ TEST_CASE("comments, titles and what repeats the mesh are not reported", "[io][s
             .empty());
 }
 
-TEST_CASE("who computes with simplices gets notes, whoever converts warnings", "[io][skipped]") {
+TEST_CASE("readers of simplices for computing give notes, conversions give warnings", "[io][skipped]") {
   const std::string text = abaqus_head + "*MATERIAL, NAME=steel\n";
   CHECK(summary(read_file_mesh(text, "a.inp").findings) == "warning skipped_data 7");
   CHECK(summary(read_file_mesh(text, "a.inp", {.simplices = true}).findings) ==

@@ -30,13 +30,7 @@ const std::string raw_head =
     raw<double>({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}) + "\nCELLS 1 5\n" +
     raw<std::int32_t>({4, 0, 1, 2, 3}) + "\nCELL_TYPES 1\n" + raw<std::int32_t>({10}) + "\n";
 
-FileMesh read_whole(const std::string& text) {
-  const Result<FileMesh> mesh = read_file_mesh(text, "a.vtk");
-  INFO(text << summary(mesh.findings));
-  for (const Finding& f : mesh.findings) UNSCOPED_INFO(f.text);
-  REQUIRE(mesh);
-  return *mesh;
-}
+FileMesh read_whole(const std::string& text) { return test::read_whole(text, "a.vtk"); }
 
 std::vector<double> numbers_of(const DataColumn& column) {
   return std::visit([](const auto& v) { return std::vector<double>(v.begin(), v.end()); },
