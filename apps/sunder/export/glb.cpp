@@ -10,8 +10,6 @@
 namespace sunder {
 namespace {
 
-using nlohmann::json;
-
 // Numbers of the format.
 constexpr int float_type = 5126, index_type = 5125;
 constexpr int vertex_target = 34962, index_target = 34963;
@@ -23,17 +21,17 @@ void append(std::string& bytes, T value) {
 
 class GlbWriter {
  public:
-  json root = {{"asset", {{"version", "2.0"}, {"generator", "sunder"}}}};
+  nlohmann::json root = {{"asset", {{"version", "2.0"}, {"generator", "sunder"}}}};
 
   /// Appends floats as rows of `width`; gives the accessor. Bounds where they are asked for.
   std::size_t add_floats(const std::vector<float>& values, std::size_t width, bool has_bounds,
                          int target = 0) {
     const std::size_t view = add_view(values, target);
     constexpr const char* types[] = {"", "SCALAR", "", "VEC3", "VEC4"};
-    json accessor = {{"bufferView", view},
-                     {"componentType", float_type},
-                     {"count", values.size() / width},
-                     {"type", types[width]}};
+    nlohmann::json accessor = {{"bufferView", view},
+                               {"componentType", float_type},
+                               {"count", values.size() / width},
+                               {"type", types[width]}};
     if (has_bounds) {
       std::vector<float> low(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(width));
       std::vector<float> high = low;
@@ -57,15 +55,16 @@ class GlbWriter {
                              {"type", "SCALAR"}});
   }
 
-  std::size_t add(const char* list, json item) {
-    json& items = root[list];
-    if (items.is_null()) items = json::array();  // a null cannot become one where memory runs out
+  std::size_t add(const char* list, nlohmann::json item) {
+    nlohmann::json& items = root[list];
+    if (items.is_null())
+      items = nlohmann::json::array();  // a null cannot become one where memory runs out
     items.push_back(std::move(item));
     return items.size() - 1;
   }
 
   std::string bytes() {
-    root["buffers"] = json::array({{{"byteLength", binary_.size()}}});
+    root["buffers"] = nlohmann::json::array({{{"byteLength", binary_.size()}}});
     std::string text = root.dump();
     text.resize((text.size() + 3) / 4 * 4, ' ');
     std::string file = "glTF";
@@ -81,9 +80,8 @@ class GlbWriter {
  private:
   template <class T>
   std::size_t add_view(const std::vector<T>& values, int target) {
-    json view = {{"buffer", 0},
-                 {"byteOffset", binary_.size()},
-                 {"byteLength", values.size() * sizeof(T)}};
+    nlohmann::json view = {
+        {"buffer", 0}, {"byteOffset", binary_.size()}, {"byteLength", values.size() * sizeof(T)}};
     if (target != 0) view["target"] = target;
     for (const T value : values) append(binary_, value);
     return add("bufferViews", std::move(view));
@@ -104,10 +102,10 @@ class Materials {
     std::optional<std::size_t>& known = rows_[material];
     if (!known) {
       known = glb.add("materials", {{"name", names[material]},
-                                  {"pbrMetallicRoughness",
-                                   {{"baseColorFactor", colours[material]},
-                                    {"metallicFactor", 0.0},
-                                    {"roughnessFactor", 0.9}}}});
+                                    {"pbrMetallicRoughness",
+                                     {{"baseColorFactor", colours[material]},
+                                      {"metallicFactor", 0.0},
+                                      {"roughnessFactor", 0.9}}}});
     }
     return *known;
   }
@@ -122,13 +120,14 @@ std::size_t add_mesh(GlbWriter& glb, Materials& materials, const PieceTrack& tra
     for (int i = 0; i < 3; ++i) place.push_back(static_cast<float>(x[i]));
   }
   const std::size_t position = glb.add_floats(place, 3, true, vertex_target);
-  json primitives = json::array();
+  nlohmann::json primitives = nlohmann::json::array();
   for (const Material material : {outside, crack}) {
     const auto& triangles = material == outside ? track.outer : track.crack;
     if (triangles.empty()) continue;
-    primitives.push_back({{"attributes", {{"POSITION", position}}},
-                          {"indices", glb.add_triangles(triangles)},
-                          {"material", materials.row(glb, track.is_obstacle ? obstacle : material)}});
+    primitives.push_back(
+        {{"attributes", {{"POSITION", position}}},
+         {"indices", glb.add_triangles(triangles)},
+         {"material", materials.row(glb, track.is_obstacle ? obstacle : material)}});
   }
   return glb.add("meshes", {{"name", track.name}, {"primitives", primitives}});
 }
@@ -143,12 +142,12 @@ std::array<float, 4> in_floats(const Eigen::Quaterniond& q) {
 
 struct Animation {
   std::size_t times = 0;
-  json channels = json::array(), samplers = json::array();
+  nlohmann::json channels = nlohmann::json::array(), samplers = nlohmann::json::array();
 };
 
 void add_channel(Animation& animation, std::size_t node, const char* path, std::size_t output) {
-  animation.channels.push_back({{"sampler", animation.samplers.size()},
-                                {"target", {{"node", node}, {"path", path}}}});
+  animation.channels.push_back(
+      {{"sampler", animation.samplers.size()}, {"target", {{"node", node}, {"path", path}}}});
   animation.samplers.push_back(
       {{"input", animation.times}, {"interpolation", "LINEAR"}, {"output", output}});
 }
@@ -174,13 +173,13 @@ std::string glb_bytes(const std::vector<PieceTrack>& tracks, const std::vector<d
   for (const double t : times) seconds.push_back(static_cast<float>(t - times.front()));
   Animation animation;
   if (times.size() > 1) animation.times = glb.add_floats(seconds, 1, true);
-  json children = json::array();
+  nlohmann::json children = nlohmann::json::array();
   for (const PieceTrack& track : tracks) {
     const Vec3& c = track.centre.front();
-    json node = {{"name", track.name},
-                 {"mesh", add_mesh(glb, materials, track)},
-                 {"translation", {c[0], c[1], c[2]}},
-                 {"rotation", in_floats(track.orientation.front())}};
+    nlohmann::json node = {{"name", track.name},
+                           {"mesh", add_mesh(glb, materials, track)},
+                           {"translation", {c[0], c[1], c[2]}},
+                           {"rotation", in_floats(track.orientation.front())}};
     const auto piece = track.is_obstacle ? pieces.end() : pieces.find(track.component);
     if (piece != pieces.end()) {
       node["extras"] = {{"mass", piece->second.mass}, {"birth_step", piece->second.birth_step}};
@@ -192,12 +191,12 @@ std::string glb_bytes(const std::vector<PieceTrack>& tracks, const std::vector<d
   constexpr double half = 0.70710678118654752;
   const std::size_t top = glb.add(
       "nodes", {{"name", "z_up"}, {"rotation", {-half, 0, 0, half}}, {"children", children}});
-  glb.root["scenes"] = json::array({{{"nodes", {top}}}});
+  glb.root["scenes"] = nlohmann::json::array({{{"nodes", {top}}}});
   glb.root["scene"] = 0;
   if (times.size() > 1) {
-    glb.root["animations"] = json::array({{{"name", "breaking"},
-                                           {"channels", animation.channels},
-                                           {"samplers", animation.samplers}}});
+    glb.root["animations"] = nlohmann::json::array({{{"name", "breaking"},
+                                                     {"channels", animation.channels},
+                                                     {"samplers", animation.samplers}}});
   }
   return glb.bytes();
 }

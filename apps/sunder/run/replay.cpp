@@ -15,7 +15,6 @@
 namespace sunder {
 namespace {
 
-using nlohmann::json;
 using nlohmann::ordered_json;
 
 constexpr const char* mend = "replay the log as the run wrote it; edited logs are refused";
@@ -267,8 +266,8 @@ std::string first_difference(std::string_view theirs, std::string_view ours) {
   for (const auto& [key, value] : a.items()) {
     const ordered_json here = b.value(key, ordered_json());
     if (value.dump() == here.dump()) continue;
-    return fmt::format("{} is {} in the log and {} in the replay", key, shown(json(value)),
-                       shown(json(here)));
+    return fmt::format("{} is {} in the log and {} in the replay", key,
+                       shown(nlohmann::json(value)), shown(nlohmann::json(here)));
   }
   return "is not what the replay writes, byte by byte";
 }

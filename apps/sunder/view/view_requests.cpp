@@ -17,8 +17,6 @@
 namespace sunder {
 namespace {
 
-using nlohmann::json;
-
 ViewAnswer refusal(std::string words) { return {false, std::move(words)}; }
 
 template <class T>
@@ -50,7 +48,7 @@ std::string answer_of(ViewedScene& viewed, const std::vector<std::uint32_t>& col
   return bytes;
 }
 
-std::vector<std::uint32_t> ids(const json& request, const char* key) {
+std::vector<std::uint32_t> ids(const nlohmann::json& request, const char* key) {
   return request.value(key, std::vector<std::uint32_t>{});
 }
 
@@ -67,7 +65,7 @@ std::unique_ptr<sunder_engine> engine_of_file(ViewedScene& viewed,
 
 /// A scene that was dropped on the page: its text, and the `bytes` of its files one after the
 /// other.
-std::unique_ptr<sunder_engine> engine_of_drop(ViewedScene& viewed, const json& dropped,
+std::unique_ptr<sunder_engine> engine_of_drop(ViewedScene& viewed, const nlohmann::json& dropped,
                                               const std::vector<std::string>& settings,
                                               std::string_view bytes) {
   const std::string text = dropped.at("text"), name = dropped.at("name");
@@ -101,7 +99,7 @@ ViewAnswer load(ViewedScene& viewed, std::string_view body) {
   if (body.size() < sizeof size) return refusal("a scene to load begins with 8 bytes");
   std::memcpy(&size, body.data(), sizeof size);
   body.remove_prefix(sizeof size);
-  const json request = json::parse(body.substr(0, size));
+  const nlohmann::json request = nlohmann::json::parse(body.substr(0, size));
   body.remove_prefix(std::min<std::size_t>(size, body.size()));
   const std::vector<std::string> settings = request.at("settings");
   std::unique_ptr<sunder_engine> engine = request.contains("text")
@@ -113,7 +111,7 @@ ViewAnswer load(ViewedScene& viewed, std::string_view body) {
   return {true, answer_of(viewed, {})};
 }
 
-ViewAnswer step(ViewedScene& viewed, const json& request) {
+ViewAnswer step(ViewedScene& viewed, const nlohmann::json& request) {
   for (int left = request.value("count", 1); left > 0; --left) {
     if (sunder_step(viewed.engine.get(), nullptr) != 0) break;
   }
@@ -135,7 +133,7 @@ ViewAnswer act(ViewedScene& viewed, std::string_view body) {
   return {true, answer_of(viewed, {})};
 }
 
-ViewAnswer inspect(ViewedScene& viewed, const json& request) {
+ViewAnswer inspect(ViewedScene& viewed, const nlohmann::json& request) {
   sunder_vertex vertex{};
   vertex.size = sizeof vertex;
   const auto row = request.at("vertex").get<std::uint32_t>();
@@ -159,7 +157,7 @@ ViewAnswer save(ViewedScene& viewed) {
   return answer;
 }
 
-ViewAnswer restore_saved(ViewedScene& viewed, const json& request) {
+ViewAnswer restore_saved(ViewedScene& viewed, const nlohmann::json& request) {
   const auto state = viewed.saved.find(request.at("step").get<std::uint64_t>());
   if (state == viewed.saved.end()) return refusal("that step was not saved");
   sunder_engine* engine = sunder_restore(state->second.data(), state->second.size());
@@ -171,14 +169,15 @@ ViewAnswer restore_saved(ViewedScene& viewed, const json& request) {
 ViewAnswer scene_text(const ViewedScene& viewed) {
   std::ifstream in(viewed.path, std::ios::binary);
   const std::string text(std::istreambuf_iterator<char>(in), {});
-  return {true, json{{"name", viewed.path.stem().string()}, {"text", text}}.dump()};
+  return {true, nlohmann::json{{"name", viewed.path.stem().string()}, {"text", text}}.dump()};
 }
 
 /// Adds to `stamp` every string in a scene that is the name of a file beside it, and when that file
 /// was last written.
-void stamp_files(std::string& stamp, const std::filesystem::path& folder, const json& value) {
+void stamp_files(std::string& stamp, const std::filesystem::path& folder,
+                 const nlohmann::json& value) {
   if (value.is_structured()) {
-    for (const json& part : value) stamp_files(stamp, folder, part);
+    for (const nlohmann::json& part : value) stamp_files(stamp, folder, part);
   } else if (value.is_string()) {
     const std::filesystem::path file = folder / value.get<std::string>();
     std::error_code none;
@@ -192,7 +191,7 @@ void stamp_files(std::string& stamp, const std::filesystem::path& folder, const 
 ViewAnswer stamp_of(const ViewedScene& viewed) {
   std::ifstream in(viewed.path, std::ios::binary);
   ViewAnswer answer{true, std::string(std::istreambuf_iterator<char>(in), {})};
-  const json scene = json::parse(answer.bytes, nullptr, false);
+  const nlohmann::json scene = nlohmann::json::parse(answer.bytes, nullptr, false);
   if (!scene.is_discarded()) stamp_files(answer.bytes, viewed.path.parent_path(), scene);
   return answer;
 }
@@ -204,7 +203,7 @@ ViewAnswer do_work(ViewedScene& viewed, std::string_view work, std::string_view 
   if (work != "load" && viewed.engine == nullptr) return refusal("no scene is loaded");
   if (work == "act") return act(viewed, body);
   if (work == "load") return load(viewed, body);
-  const json request = json::parse(body);
+  const nlohmann::json request = nlohmann::json::parse(body);
   if (work == "step") return step(viewed, request);
   if (work == "read") return {true, answer_of(viewed, ids(request, "columns"))};
   if (work == "inspect") return inspect(viewed, request);
@@ -223,7 +222,7 @@ ViewAnswer do_view_request(ViewedScene& viewed, std::string_view work, std::stri
   const std::lock_guard<std::mutex> alone(viewed.one_at_a_time);
   try {
     return do_work(viewed, work, body);
-  } catch (const json::exception& error) {
+  } catch (const nlohmann::json::exception& error) {
     return refusal(fmt::format("the request cannot be read: {}", error.what()));
   } catch (const std::out_of_range&) {
     return refusal("the request cannot be read: it has fewer sizes than files");
