@@ -36,8 +36,8 @@ double toughness_of(const Material& material) {
   return std::sqrt(material.young_modulus * *material.fracture_energy / (1 - nu * nu));
 }
 
-double largest_valid_turn(const Material& material) {
-  return std::sqrt(0.2 * material.tensile_strength / material.young_modulus);
+double largest_valid_turn(const Material& material, double share) {
+  return std::sqrt(2 * share * material.tensile_strength / material.young_modulus);
 }
 
 }  // namespace sunder

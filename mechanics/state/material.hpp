@@ -52,8 +52,8 @@ double fracture_energy_of(const Material& material);
 /// Pa sqrt(m): `toughness`, or K_Ic = sqrt(E G_c / (1 - nu^2)); infinite with neither.
 double toughness_of(const Material& material);
 
-/// rad: past this turn a part's false strain theta^2 / 2 in one rigid reference reaches a tenth of
+/// rad: past this turn a part's false strain theta^2 / 2 in one rigid reference exceeds `share` of
 /// the breaking strain xi / E (docs/decisions.md, Validity).
-double largest_valid_turn(const Material& material);
+double largest_valid_turn(const Material& material, double share);
 
 }  // namespace sunder

@@ -45,7 +45,8 @@ TEST_CASE("A shattering body takes the same bytes on one, two and three threads"
   for (const unsigned threads : {2u, 3u}) {
     const Simulation together = shattered(threads);
     CHECK(together.state->fans == alone.state->fans);
-    const VertexColumns &a = alone.state->mechanics.vertices, &b = together.state->mechanics.vertices;
+    const VertexColumns &a = alone.state->mechanics.vertices,
+                        &b = together.state->mechanics.vertices;
     CHECK(same_bytes(a.position, b.position));
     CHECK(same_bytes(a.velocity, b.velocity));
     CHECK(same_bytes(a.displacement, b.displacement));
@@ -55,8 +56,9 @@ TEST_CASE("A shattering body takes the same bytes on one, two and three threads"
 }
 
 TEST_CASE("A scene takes the same bytes by rows and by CGAL's darts", "[run][kernel]") {
-  const auto [scene, steps] = GENERATE(std::pair<const char*, std::uint64_t>("monolith", 330),
-                                       std::pair<const char*, std::uint64_t>("bar", 300));
+  const auto [scene, steps] =
+      GENERATE(std::pair<const char*, std::uint64_t>("charts/monolith", 330),
+               std::pair<const char*, std::uint64_t>("bar", 300));
   INFO(scene);
   std::vector<Simulation> by;
   for (const char* kernel : {"dense", "lcc"}) {

@@ -28,6 +28,10 @@ double share_turned(const SimulationState& state, const Component& component, do
 /// sign of a body that bends too far. The value is a choice; no measurement stands behind it.
 constexpr double allowed_share_turned = 0.05;
 
+/// Of the breaking strain. Parts of a cracked body hinge about its cracks: the sample `block` with
+/// 0.12 has 349 fans and a largest piece of 1435 kg, with a frame per tetrahedron 375 and 1437 kg.
+constexpr double allowed_false_strain = 0.5;
+
 }  // namespace
 
 std::optional<Finding> check_turns(const Simulation& now, const StepReport& report) {
@@ -35,7 +39,8 @@ std::optional<Finding> check_turns(const Simulation& now, const StepReport& repo
   for (const Component& component : mechanics.components) {
     if (component.tetrahedra.empty() || component.rigid) continue;
     const MaterialId material = mechanics.elements.material[component.tetrahedra[0].index()];
-    const double valid = largest_valid_turn(mechanics.materials[material.index()]);
+    const double valid =
+        largest_valid_turn(mechanics.materials[material.index()], allowed_false_strain);
     if (!(component.largest_turn > valid)) continue;
     const double share = share_turned(*now.state, component, valid);
     if (!(share > allowed_share_turned)) continue;
@@ -44,8 +49,8 @@ std::optional<Finding> check_turns(const Simulation& now, const StepReport& repo
         .severity = Severity::warning,
         .ids = {static_cast<std::int64_t>(component.id.index())},
         .text = fmt::format("from step {} (t = {:.6g} s) on {:.0f} per cent of component {} have "
-                            "turned by up to {:.3g} rad against its reference; the linear model is "
-                            "good to {:.3g}",
+                            "turned by up to {:.3g} rad against its reference; beyond {:.3g} the "
+                            "false strain is over half of the strain that breaks it",
                             report.step, report.time, 100 * share, component.id.index(),
                             component.largest_turn, valid),
         .remedy =
