@@ -38,6 +38,15 @@ void find_loaded(std::vector<char>& loaded, const SimulationState& s) {
   }
 }
 
+/// Marks components with bonds: what is held together by bonds alone has no equilibrium by K.
+void find_tied(std::vector<char>& tied, const SimulationState& s) {
+  tied.assign(s.mechanics.components.size(), 0);
+  for (const Tie& tie : s.contact.ties) {
+    const TetId t = tetrahedron_of(tie.face);
+    tied[s.mechanics.elements.component[t.index()].index()] = 1;
+  }
+}
+
 /// J that a component gives up when it stops deforming: its vertices move with the frame alone.
 double stop_deforming(MechanicsState& state, const Component& component) {
   VertexColumns& vertices = state.vertices;
@@ -266,6 +275,7 @@ LadderReport choose_rungs(GivenUp& given_up, SimulationState& s, const RungInput
   scratch.rested.assign(s.mechanics.components.size(), 0);
   if (climbs && settings.sleep) find_rested(scratch, s, input.scene);
   find_loaded(scratch.loaded, s);
+  find_tied(scratch.tied, s);
   LadderReport report;
   for (Component& c : s.mechanics.components) {
     if (c.tetrahedra.empty()) continue;
@@ -283,7 +293,8 @@ LadderReport choose_rungs(GivenUp& given_up, SimulationState& s, const RungInput
     } else if (may_leave && settings.rigid && !scratch.loaded[row] && flies_safely(s, c)) {
       if (c.rung != Rung::rigid) given_up.energy += stop_deforming(s.mechanics, c);
       c.rung = Rung::rigid;
-    } else if (may_leave && settings.quasi_static && is_loaded_slowly(s, c)) {
+    } else if (may_leave && settings.quasi_static && !scratch.tied[row] &&
+               is_loaded_slowly(s, c)) {
       c.rung = Rung::quasi_static;
     } else {
       c.rung = Rung::full;

@@ -49,10 +49,10 @@ bool all_rest(const SimulationState& state);
 ///   `flight_stress_bound` below half of the lowest strength of its vertices, no vertex swinging at
 ///   more than 1e-7 of the critical speed. Its rates of deformation are given up and counted. It
 ///   stays while the bound holds and nothing overlaps it.
-/// - `quasi_static`: supported by three vertices off one line, not touched in this step, in no
-///   impact window, and no free vertex moving in its frame at more than a thousandth of the
-///   critical speed xi / (rho c): inertia could not add more than that part of the strength. It
-///   stays while that holds.
+/// - `quasi_static`: supported by three vertices off one line, without cohesive bonds, not touched
+///   in this step, in no impact window, and no free vertex moving in its frame at more than a
+///   thousandth of the critical speed xi / (rho c): inertia could not add more than that part of
+///   the strength. It stays while that holds.
 /// - `asleep`: no vertex of it and of all that it touches has been faster than the step allows to
 ///   be called rest for `sleep_after`, with gravity and loads fully raised. Touched by what is
 ///   awake, or overlapped on the way of anything, it wakes (mechanics/contact/contact.cpp).

@@ -73,7 +73,7 @@ struct PartStart {
 
 /// What the choice of rungs looks at, rows = ComponentId.
 struct LadderScratch {
-  std::vector<char> rested, loaded;
+  std::vector<char> rested, loaded, tied;
   std::vector<std::array<std::size_t, 2>> touching;
 };
 

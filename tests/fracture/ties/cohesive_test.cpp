@@ -162,6 +162,44 @@ TEST_CASE("a crack takes G_c times its area, whatever the scene's step", "[ties]
   CHECK(taken.residual < 1e-4 * energy * section);
 }
 
+/// A notched bar, held at one end, whose other end is pulled by a force that rises over a second.
+TEST_CASE("a bar under a load that is raised slowly opens its bonds and parts in two", "[ties]") {
+  const auto order = GENERATE(1u, 2u);
+  constexpr double cell = 0.05, eps = 1e-3 * cell;
+  Scene scene;
+  BodySettings bar{.name = "bar", .mesh = suite::kuhn_box({6, 3, 1}, cell)};
+  bar.material.fracture_energy = energy;
+  bar.order = order;
+  bar.held = {{.minimum = {-1, -1, -1}, .maximum = {eps, 9, 9}}};
+  bar.cuts = {{.faces = CutPlane{.point = {3 * cell, 0, 0}, .normal = {1, 0, 0}},
+               .box = RestBox{{-1, -1, -1}, {9, cell + eps, 9}},
+               .ball = {}}};
+  LoadBox load{.minimum = {6 * cell - eps, -1, -1}, .maximum = {9, 9, 9}, .ramp_time = 1};
+  load.force = Vec3(bar.material.tensile_strength * 3 * cell * cell, 0, 0);
+  bar.loads = {load};
+  scene.bodies.push_back(std::move(bar));
+  scene.gravity.acceleration.setZero();
+  scene.integrator.time_step = 2e-3;
+  scene.fracture.crack = CrackMode::cohesive;
+  Simulation sim = built(scene);
+  double taken = 0;
+  std::size_t in_equilibrium = 0, tied = 0;
+  while (living_components(sim.state->mechanics).size() == 1 && sim.state->step < 500) {
+    const StepReport report = advance_fine(sim);
+    CHECK(report.contact.converged);
+    taken += report.ties.dissipated;
+    const Rung rung = sim.state->mechanics.components[0].rung;
+    in_equilibrium += rung == Rung::quasi_static;
+    if (sim.state->contact.ties.empty()) continue;
+    ++tied;
+    CHECK(rung == Rung::full);
+  }
+  CHECK(in_equilibrium > 50);
+  CHECK(tied > 0);
+  CHECK(living_components(sim.state->mechanics).size() == 2);
+  CHECK(taken == Approx(energy * 2 * cell * cell).epsilon(0.05));
+}
+
 TEST_CASE("what is sewn and what is tied are nested maps after every step", "[ties]") {
   Scene scene = pulled_bar(1e-4, 1, GENERATE(1u, 2u));
   scene.bodies[0].cuts.clear();
@@ -330,7 +368,7 @@ TEST_CASE("ties of a body without load do nothing", "[ties]") {
   for (const Vec3& v : sim.state->mechanics.vertices.velocity) {
     fastest = std::max(fastest, v.norm());
   }
-  CHECK(fastest == 0);
+  CHECK(fastest < 1e-15);  // m/s
 }
 
 TEST_CASE("what does not go with ties is refused, and doubtful materials are told", "[ties]") {
