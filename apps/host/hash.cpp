@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "apps/host/sunder.h"
+#include "apps/scene/scene_text.hpp"
 #include "topology/base/fnv1a.hpp"
 
 namespace {
@@ -28,8 +29,9 @@ int main(int count, char** arguments) {
   const std::filesystem::path path = arguments[1];
   const std::string text = bytes_of(path);
   std::vector<std::string> names, contents;
-  const auto json = nlohmann::json::parse(text);
-  for (const auto& body : json["bodies"]) {
+  const sunder::Result<sunder::SceneText> read = sunder::parse_scene_text(text, arguments[1]);
+  if (!read) return std::fprintf(stderr, "%s is no JSON of a scene\n", arguments[1]), 4;
+  for (const auto& body : read->root.value("bodies", nlohmann::json::array())) {
     names.push_back(body["mesh"]);
     contents.push_back(bytes_of(path.parent_path() / names.back()));
   }

@@ -14,6 +14,7 @@
 #include <variant>
 
 #include "apps/scene/obstacles_json.hpp"
+#include "apps/scene/scene_text.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "topology/base/split_text.hpp"
 #include "topology/io/mesh_file.hpp"
@@ -180,7 +181,8 @@ std::vector<Finding> add_world(RunResult& run, const std::filesystem::path& fold
   const std::string text = text_of(folder / "report.json", unread);
   const std::string moved = text_of(folder / "obstacles.csv", unread);
   if (!unread.empty()) return unread;
-  const nlohmann::json report = nlohmann::json::parse(text, nullptr, false);
+  const Result<SceneText> read = parse_scene_text(text, "");
+  const nlohmann::json report = read ? read->root : nlohmann::json();
   if (!report.is_object() || !report.contains("obstacles") || !report.contains("gravity"))
     return {};
   Result<std::vector<Obstacle>> obstacles = read_obstacles(report["obstacles"]);
