@@ -12,12 +12,26 @@
 #include <stdexcept>
 
 #include "apps/scene/scene_json.hpp"
+#include "apps/scene/scene_text.hpp"
 #include "apps/scene/words.hpp"
 
 namespace sunder {
 namespace {
 
 ViewAnswer refusal(std::string words) { return {false, std::move(words)}; }
+
+/// A request that cannot be understood.
+struct BadRequest : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// JSON of the page, by the reader of scenes: it bounds how deeply lists may lie in lists, since
+/// what walks through them calls itself.
+nlohmann::json json_of(std::string_view text) {
+  Result<SceneText> read = parse_scene_text(text, "");
+  if (!read) throw BadRequest(read.findings.front().text);
+  return std::move(read->root);
+}
 
 template <class T>
 void append(std::string& bytes, const T& value) {
@@ -48,13 +62,35 @@ std::string answer_of(ViewedScene& viewed, const std::vector<std::uint32_t>& col
   return bytes;
 }
 
+/// Ids of columns. More than there are would be the same ones again, and make an answer of any
+/// size.
 std::vector<std::uint32_t> ids(const nlohmann::json& request, const char* key) {
-  return request.value(key, std::vector<std::uint32_t>{});
+  constexpr std::size_t most = 64;
+  auto list = request.value(key, std::vector<std::uint32_t>{});
+  if (list.size() > most) throw BadRequest(fmt::format("more than {} columns", most));
+  return list;
 }
 
-/// Reads the file again: a restart has what was saved in the meantime.
+/// Whether a setting puts in a number or a list of numbers, as the sliders of the page do.
+bool sets_numbers(const std::string& setting) {
+  const std::size_t equals = setting.find('=');
+  if (equals == std::string::npos) return false;
+  const Result<SceneText> value = parse_scene_text(setting.substr(equals + 1), "");
+  if (!value) return false;
+  const nlohmann::json& root = value->root;
+  const auto is_number = [](const nlohmann::json& part) { return part.is_number(); };
+  return root.is_number() || (root.is_array() && std::ranges::all_of(root, is_number));
+}
+
+/// Reads the file again: a restart has what was saved in the meantime. Which files are read is
+/// the scene's affair, never the page's.
 std::unique_ptr<sunder_engine> engine_of_file(ViewedScene& viewed,
                                               const std::vector<std::string>& settings) {
+  for (const std::string& setting : settings) {
+    if (sets_numbers(setting)) continue;
+    viewed.words = fmt::format("{}: the page sets numbers only\n", setting);
+    return nullptr;
+  }
   Result<SceneFile> file = read_scene(viewed.path, settings, viewed.reach);
   viewed.words = finding_lines(file.findings);
   if (!file) return nullptr;
@@ -99,7 +135,7 @@ ViewAnswer load(ViewedScene& viewed, std::string_view body) {
   if (body.size() < sizeof size) return refusal("a scene to load begins with 8 bytes");
   std::memcpy(&size, body.data(), sizeof size);
   body.remove_prefix(sizeof size);
-  const nlohmann::json request = nlohmann::json::parse(body.substr(0, size));
+  const nlohmann::json request = json_of(body.substr(0, size));
   body.remove_prefix(std::min<std::size_t>(size, body.size()));
   const std::vector<std::string> settings = request.at("settings");
   std::unique_ptr<sunder_engine> engine = request.contains("text")
@@ -191,8 +227,8 @@ void stamp_files(std::string& stamp, const std::filesystem::path& folder,
 ViewAnswer stamp_of(const ViewedScene& viewed) {
   std::ifstream in(viewed.path, std::ios::binary);
   ViewAnswer answer{true, std::string(std::istreambuf_iterator<char>(in), {})};
-  const nlohmann::json scene = nlohmann::json::parse(answer.bytes, nullptr, false);
-  if (!scene.is_discarded()) stamp_files(answer.bytes, viewed.path.parent_path(), scene);
+  const Result<SceneText> scene = parse_scene_text(answer.bytes, "");
+  if (scene) stamp_files(answer.bytes, viewed.path.parent_path(), scene->root);
   return answer;
 }
 
@@ -203,7 +239,7 @@ ViewAnswer do_work(ViewedScene& viewed, std::string_view work, std::string_view 
   if (work != "load" && viewed.engine == nullptr) return refusal("no scene is loaded");
   if (work == "act") return act(viewed, body);
   if (work == "load") return load(viewed, body);
-  const nlohmann::json request = nlohmann::json::parse(body);
+  const nlohmann::json request = json_of(body);
   if (work == "step") return step(viewed, request);
   if (work == "read") return {true, answer_of(viewed, ids(request, "columns"))};
   if (work == "inspect") return inspect(viewed, request);
@@ -222,6 +258,8 @@ ViewAnswer do_view_request(ViewedScene& viewed, std::string_view work, std::stri
   const std::lock_guard<std::mutex> alone(viewed.one_at_a_time);
   try {
     return do_work(viewed, work, body);
+  } catch (const BadRequest& error) {
+    return refusal(fmt::format("the request cannot be read: {}", error.what()));
   } catch (const nlohmann::json::exception& error) {
     return refusal(fmt::format("the request cannot be read: {}", error.what()));
   } catch (const std::out_of_range&) {
@@ -229,14 +267,10 @@ ViewAnswer do_view_request(ViewedScene& viewed, std::string_view work, std::stri
   }
 }
 
-bool is_allowed(const ViewRequestHead& head, int port, std::string_view token, bool needs_token) {
-  const std::string own = fmt::format("127.0.0.1:{}", port);
-  const std::string named = fmt::format("localhost:{}", port);
-  if (head.host != own && head.host != named) return false;
-  if (!head.origin.empty() && head.origin != "http://" + own && head.origin != "http://" + named) {
-    return false;
-  }
-  return !needs_token || head.token == token;
+bool is_view_work(std::string_view work) {
+  constexpr std::string_view known[] = {"open", "scene",   "stamp", "load",    "act",   "step",
+                                        "read", "inspect", "save",  "restore", "forget"};
+  return std::ranges::find(known, work) != std::end(known);
 }
 
 }  // namespace sunder

@@ -40,11 +40,7 @@ struct ViewAnswer {
 /// bytes).
 ViewAnswer do_view_request(ViewedScene& viewed, std::string_view work, std::string_view body);
 
-/// Whether a request may be answered: its Host is this server, it comes from no other page, and
-/// (of requests to the engine) it has the token.
-struct ViewRequestHead {
-  std::string host, origin, token;
-};
-bool is_allowed(const ViewRequestHead& head, int port, std::string_view token, bool needs_token);
+/// Whether `do_view_request` knows a word.
+bool is_view_work(std::string_view work);
 
 }  // namespace sunder
