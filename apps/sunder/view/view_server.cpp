@@ -77,6 +77,7 @@ void keep_known_headers(httplib::Request& request) {
     known.insert(begin, end);
   }
   request.headers = std::move(known);
+  request.ranges.clear();
 }
 
 /// How many connections there may be at once.

@@ -5,6 +5,7 @@
 #include <signal.h>
 #include <stdio.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <cstdint>
 #include <memory>
@@ -22,12 +23,14 @@ namespace {
 /// A server of the monolith with a page of one line.
 class Server {
  public:
-  explicit Server(const Workplace& here) {
+  explicit Server(const Workplace& here, const std::string& environment = "",
+                  const std::string& how = "--headless") {
     std::filesystem::create_directories(here.path("page"));
     here.write("page/index.html", "the page");
-    const std::string command = "echo $$; exec '" SUNDER_PROGRAM "' view '" SUNDER_SCENES
-                                "/charts/monolith.json' --headless --page '" +
-                                here.path("page") + "' 2>'" + here.path("said") + "'";
+    const std::string command =
+        "echo $$; exec env " + environment +
+        " '" SUNDER_PROGRAM "' view '" SUNDER_SCENES "/charts/monolith.json' " + how + " --page '" +
+        here.path("page") + "' 2>'" + here.path("said") + "'";
     pipe_ = popen(command.c_str(), "r");
     process_ = std::stoi(line());
     const std::string address = line();
@@ -116,7 +119,6 @@ TEST_CASE("sunder view answers its own page alone, on this machine's own address
   CHECK(server.status("open", {}) == 200);
   CHECK(server.status("open", {{"Origin", "http://" + own}}) == 200);
   CHECK(server.status("open", {{"X-Sunder-Token", "guess"}}) == 403);
-  CHECK(server.status("open", {{"X-Sunder-Token", ""}}) == 403);
   CHECK(server.status("open", {{"Host", "sunder.example"}}) == 403);
   CHECK(server.status("open", {{"Host", "127.0.0.1:1"}}) == 403);
   CHECK(server.status("open", {{"Origin", "http://other.example"}}) == 403);
@@ -125,6 +127,67 @@ TEST_CASE("sunder view answers its own page alone, on this machine's own address
   CHECK(server.end(SIGINT) == 0);
   CHECK(bytes_of(here.path("said")).find("ssh -L " + std::to_string(server.port)) !=
         std::string::npos);
+}
+
+TEST_CASE("every answer of sunder view says what its page may load, and that no frame may show it",
+          "[view]") {
+  const Workplace here;
+  Server server(here);
+  httplib::Client page("127.0.0.1", server.port);
+  const httplib::Headers token = {{"X-Sunder-Token", server.token}};
+  const httplib::Result answers[] = {page.Get("/"),
+                                     page.Head("/"),
+                                     page.Get("/none"),
+                                     page.Get("/", {{"Host", "other.example"}}),
+                                     page.Post("/api/open", token, "{}", "text/plain"),
+                                     page.Post("/api/step", token, "", ""),
+                                     page.Post("/api/open"),
+                                     page.Get("/", {{"X", std::string(9000, 'x')}}),
+                                     page.Get("/", {{"X", std::string(40'000, 'x')}})};
+  for (const httplib::Result& answer : answers) {
+    REQUIRE(answer);
+    CAPTURE(answer->status);
+    const std::string policy = answer->get_header_value("Content-Security-Policy");
+    CHECK(policy.find("default-src 'none'") != std::string::npos);
+    CHECK(policy.find("frame-ancestors 'none'") != std::string::npos);
+    CHECK(policy.find("unsafe-inline") == std::string::npos);
+    CHECK(answer->get_header_value("X-Content-Type-Options") == "nosniff");
+    CHECK(answer->get_header_value("Referrer-Policy") == "no-referrer");
+    CHECK(answer->get_header_value_count("X-Content-Type-Options") == 1);
+  }
+  CHECK(page.Get("/", {{"Range", "bytes=0-1,0-1,0-1"}})->status == 200);
+  CHECK(page.Get("/", {{"Range", "bytes=0-1,0-1,0-1"}})->body == "the page");
+}
+
+TEST_CASE("the token is in no argument of the browser", "[view]") {
+  namespace fs = std::filesystem;
+  const Workplace here;
+  std::filesystem::create_directories(here.path("bin"));
+  std::filesystem::create_directories(here.path("own"));
+  const std::string browser = here.write(
+      "bin/xdg-open", "#!/bin/sh\ncp \"$1\" '" + here.path("copy") +
+                          "'\nstat -c '%a' \"$1\" "
+                          "\"${1%/*}\" >'" +
+                          here.path("modes") + "'\nprintf '%s|' \"$@\" >'" + here.path("part") +
+                          "'\nmv '" + here.path("part") + "' '" + here.path("arguments") + "'\n");
+  fs::permissions(browser, fs::perms::owner_all);
+  Server server(here,
+                "DISPLAY=:0 PATH='" + here.path("bin") + "':\"$PATH\" XDG_RUNTIME_DIR='" +
+                    here.path("own") + "'",
+                "");
+  while (!fs::exists(here.path("arguments"))) usleep(1000);
+  const std::string arguments = bytes_of(here.path("arguments"));
+  CHECK(arguments.find(server.token) == std::string::npos);
+  CHECK(arguments.starts_with(here.path("own") + "/sunder-view-"));
+  CHECK(arguments.find('|') == arguments.size() - 1);
+  CHECK(bytes_of(here.path("modes")) == "600\n700\n");
+  CHECK(bytes_of(here.path("copy"))
+            .find("location.replace(\"http://127.0.0.1:" + std::to_string(server.port) +
+                  "/#token=" + server.token + "\")") != std::string::npos);
+  CHECK(fs::exists(arguments.substr(0, arguments.size() - 1)));
+  CHECK(server.end(SIGTERM) == 0);
+  CHECK(fs::is_empty(here.path("own")));
+  CHECK(bytes_of(here.path("said")).empty());
 }
 
 TEST_CASE("sunder view outlives a page that is closed while it waits", "[view]") {

@@ -34,19 +34,6 @@ const std::string own_scene = load_body(R"({"settings": []})");
 
 }  // namespace
 
-TEST_CASE("only the page itself is answered", "[view]") {
-  const std::string own = "127.0.0.1:8080";
-  CHECK(is_allowed({own, "", "secret"}, 8080, "secret", true));
-  CHECK(is_allowed({own, "http://127.0.0.1:8080", "secret"}, 8080, "secret", true));
-  CHECK(is_allowed({"localhost:8080", "http://localhost:8080", ""}, 8080, "secret", false));
-  CHECK_FALSE(is_allowed({own, "", "guess"}, 8080, "secret", true));
-  CHECK_FALSE(is_allowed({own, "", ""}, 8080, "secret", true));
-  CHECK_FALSE(is_allowed({"sunder.example:8080", "", "secret"}, 8080, "secret", true));
-  CHECK_FALSE(is_allowed({"127.0.0.1:8081", "", "secret"}, 8080, "secret", true));
-  CHECK_FALSE(is_allowed({own, "http://other.example", "secret"}, 8080, "secret", true));
-  CHECK_FALSE(is_allowed({own, "null", "secret"}, 8080, "secret", true));
-}
-
 TEST_CASE("a page's requests load, step, go back and come to the same again", "[view]") {
   ViewedScene viewed;
   viewed.path = SUNDER_SCENES "/charts/monolith.json";
@@ -64,6 +51,63 @@ TEST_CASE("a page's requests load, step, go back and come to the same again", "[
   CHECK_FALSE(do_view_request(viewed, "act", "short").fine);
   CHECK_FALSE(do_view_request(viewed, "step", "{").fine);
   CHECK_FALSE(do_view_request(viewed, "nothing", "{}").fine);
+  const std::string columns = nlohmann::json{{"columns", std::vector<int>(65, 0)}}.dump();
+  CHECK_FALSE(do_view_request(viewed, "read", columns).fine);
+}
+
+TEST_CASE("lists in lists end no request and no server", "[view]") {
+  const test::Folder folder;
+  const std::string deep(60'000, '[');
+  ViewedScene viewed;
+  viewed.path = folder.path() / "scene.json";
+  std::ofstream(viewed.path) << R"({"bodies": )" << deep << std::string(60'000, ']') << "}";
+  CHECK(do_view_request(viewed, "stamp", "").fine);
+  const ViewAnswer scene = do_view_request(viewed, "load", own_scene);
+  CHECK_FALSE(scene.fine);
+  CHECK(scene.bytes.find("nested_too_deeply") != std::string::npos);
+  viewed.path = SUNDER_SCENES "/charts/monolith.json";
+  REQUIRE(do_view_request(viewed, "load", own_scene).fine);
+  const std::string closed = deep + std::string(60'000, ']');
+  for (const std::string& text : {deep, closed, R"({"count": )" + closed + "}"}) {
+    CHECK_FALSE(do_view_request(viewed, "step", text).fine);
+    CHECK_FALSE(do_view_request(viewed, "load", load_body(text)).fine);
+  }
+  CHECK(do_view_request(viewed, "step", "{}").fine);
+}
+
+TEST_CASE("a page reads no other files than the scene names, and sees none that is no mesh", "[view]") {
+  const test::Folder folder;
+  std::ofstream(folder.path() / "secret") << "root:x:0:0:secret\n";
+  const std::string mesh = nlohmann::json(SUNDER_IO_DATA "/meshio_zlib.vtu").dump();
+  const auto write_scene = [&](const std::string& body) {
+    std::ofstream(folder.path() / "scene.json")
+        << R"({"bodies": [{)" << body
+        << R"(, "material": {"young_modulus": 1e9, "poisson_ratio": 0.2, "density": 1000}}]})";
+  };
+  ViewedScene viewed;
+  viewed.path = folder.path() / "scene.json";
+  write_scene(R"("mesh": )" + mesh);
+  REQUIRE(do_view_request(viewed, "load", own_scene).fine);
+  REQUIRE(do_view_request(viewed, "load", load_body(R"({"settings": ["gravity.acceleration=[0,0,-1]"]})")).fine);
+  for (const std::string setting :
+       {"bodies.0.mesh=secret", R"(bodies=[{\"mesh\":\"secret\"}])", R"(bodies.0={\"mesh\":1})",
+        "bodies.0.mesh", "=", ""}) {
+    const ViewAnswer set =
+        do_view_request(viewed, "load", load_body(R"({"settings": [")" + setting + R"("]})"));
+    CAPTURE(setting, set.bytes);
+    CHECK_FALSE(set.fine);
+    CHECK(set.bytes.find("numbers only") != std::string::npos);
+  }
+  for (const std::string& body :
+       {std::string(R"("mesh": "secret")"),
+        R"("mesh": )" + mesh + R"(, "cuts": [{"faces": "secret"}])",
+        R"("mesh": )" + mesh + R"(, "crack": "secret")"}) {
+    write_scene(body);
+    const ViewAnswer named = do_view_request(viewed, "load", own_scene);
+    CAPTURE(named.bytes);
+    CHECK_FALSE(named.fine);
+    CHECK(named.bytes.find("root") == std::string::npos);
+  }
 }
 
 TEST_CASE("a scene dropped on the page comes with its files", "[view]") {
