@@ -54,12 +54,13 @@ class BoundedStream : public httplib::Stream {
 
   bool wait(short event, Clock::time_point until) const;
   ssize_t receive(char* to, size_t size);
+  void hide_range(char& next);
 
   socket_t socket_;
   std::array<char, 4096> ahead_{};
   std::size_t at_ = 0, end_ = 0;
   Clock::time_point deadline_;
-  bool in_head_ = false;
+  bool in_head_ = false, at_line_begin_ = false;
   std::size_t head_bytes_ = 0;
   HeadFault fault_ = HeadFault::none;
 };

@@ -67,8 +67,8 @@ ViewRequestHead head_of(const httplib::Request& request) {
           .has_transfer_encoding = request.has_header("Transfer-Encoding")};
 }
 
-/// Leaves the headers that this server knows. The library would act on others: send ranges (the
-/// whole file once for each that is asked for), pack answers, unpack bodies, part forms.
+/// Leaves the headers that this server knows. The library would act on others: pack answers, unpack
+/// bodies, part forms. (Ranges are hidden from it by the stream.)
 void keep_known_headers(httplib::Request& request) {
   httplib::Headers known;
   for (const char* name : {"Host", "Origin", "X-Sunder-Token", "Content-Length",
@@ -77,7 +77,6 @@ void keep_known_headers(httplib::Request& request) {
     known.insert(begin, end);
   }
   request.headers = std::move(known);
-  request.ranges.clear();
 }
 
 /// How many connections there may be at once.

@@ -315,6 +315,25 @@ def answers_and_bodies_that_swell(server):
     return wrong, f"{growth:.1f} MB"
 
 
+@attack
+def long_headers_on_a_small_stack(server):
+    """A regular expression that calls itself for each character needs more."""
+    usual = resource.getrlimit(resource.RLIMIT_STACK)
+    resource.setrlimit(resource.RLIMIT_STACK, (2 * MEGABYTE, usual[1]))
+    try:
+        with Server(server.process.args[0]) as other:
+            for header in ("Range: bytes=" + "1" * 8100, "range: bytes=" + ",".join(["0-"] * 2700),
+                           "Accept-Encoding: " + "a," * 4000, "Content-Type: " + "a;" * 4000):
+                with other.connect() as client:
+                    client.sendall(other.head("GET /", header, "Connection: close"))
+                    status, body = answer_of(client)
+                if (status, body) != (200, b"the page"):
+                    return [f"{header[:20]}: {status}"], ""
+    finally:
+        resource.setrlimit(resource.RLIMIT_STACK, usual)
+    return [], ""
+
+
 def page_among(server, crowd, *, count=5):
     """The longest that the page takes, asked for a few times."""
     times = [server.page_time() for _ in range(count)]
