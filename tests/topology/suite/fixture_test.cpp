@@ -204,6 +204,12 @@ TEST_CASE("a missing key, a repeated key and broken JSON are told", "[suite][fix
   CHECK(has(complaints(R"({"name": "a",)"), "parse error at line 1"));
   CHECK(has(complaints(""), "parse error"));
   CHECK(has(complaints("[]"), "the document is an array of 0; an object was expected"));
+  for (const char* more : {"", "]"}) {  // not closed, too
+    std::string deep = R"({"name": )" + std::string(60'000, '[');
+    for (int k = 0; k < 60'000; ++k) deep += more;
+    CHECK_FALSE(complaints(deep + "}").empty());
+  }
+  CHECK(has(complaints(std::string(65, '[') + std::string(65, ']')), "64 levels of nesting"));
 }
 
 TEST_CASE("all complaints of a file come at once", "[suite][fixture]") {

@@ -119,6 +119,7 @@ TEST_CASE("sunder view answers its own page alone, on this machine's own address
   CHECK(server.status("open", {}) == 200);
   CHECK(server.status("open", {{"Origin", "http://" + own}}) == 200);
   CHECK(server.status("open", {{"X-Sunder-Token", "guess"}}) == 403);
+  CHECK(server.status("open", {{"X-Sunder-Token", ""}}) == 403);
   CHECK(server.status("open", {{"Host", "sunder.example"}}) == 403);
   CHECK(server.status("open", {{"Host", "127.0.0.1:1"}}) == 403);
   CHECK(server.status("open", {{"Origin", "http://other.example"}}) == 403);

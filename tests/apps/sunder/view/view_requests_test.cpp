@@ -98,14 +98,15 @@ TEST_CASE("a page reads no other files than the scene names, and sees none that 
     CHECK_FALSE(set.fine);
     CHECK(set.bytes.find("numbers only") != std::string::npos);
   }
-  for (const std::string& body :
-       {std::string(R"("mesh": "secret")"),
-        R"("mesh": )" + mesh + R"(, "cuts": [{"faces": "secret"}])",
-        R"("mesh": )" + mesh + R"(, "crack": "secret")"}) {
+  const std::pair<std::string, std::string> scenes[] = {
+      {R"("mesh": "secret")", "unknown_format"},
+      {R"("mesh": )" + mesh + R"(, "cuts": [{"faces": "secret"}])", "bad_face"}};
+  for (const auto& [body, code] : scenes) {
     write_scene(body);
     const ViewAnswer named = do_view_request(viewed, "load", own_scene);
     CAPTURE(named.bytes);
     CHECK_FALSE(named.fine);
+    CHECK(named.bytes.find(code) != std::string::npos);
     CHECK(named.bytes.find("root") == std::string::npos);
   }
 }
