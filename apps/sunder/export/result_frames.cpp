@@ -181,8 +181,9 @@ std::vector<Finding> add_world(RunResult& run, const std::filesystem::path& fold
   const std::string text = text_of(folder / "report.json", unread);
   const std::string moved = text_of(folder / "obstacles.csv", unread);
   if (!unread.empty()) return unread;
-  const Result<SceneText> read = parse_scene_text(text, "");
-  const nlohmann::json report = read ? read->root : nlohmann::json();
+  const Result<SceneText> read = parse_scene_text(text, (folder / "report.json").string());
+  if (!read) return read.findings;
+  const nlohmann::json& report = read->root;
   if (!report.is_object() || !report.contains("obstacles") || !report.contains("gravity"))
     return {};
   Result<std::vector<Obstacle>> obstacles = read_obstacles(report["obstacles"]);

@@ -8,6 +8,7 @@
 #include "apps/sunder/export/obstacle_tracks.hpp"
 #include "apps/sunder/export/piece_tracks.hpp"
 #include "apps/sunder/export/result_frames.hpp"
+#include "tests/support/program.hpp"
 
 using namespace sunder;
 
@@ -116,4 +117,19 @@ TEST_CASE("what is no result of a run is refused", "[export]") {
   CHECK_FALSE(run);
   REQUIRE(run.findings.size() == 1);
   CHECK(run.findings[0].code == "no_result");
+}
+
+TEST_CASE("a report that was damaged is refused, lists in lists too", "[export]") {
+  const test::Workplace here;
+  REQUIRE(here.run({"run", SUNDER_SCENES "/charts/monolith.json", "-o", here.path("run"), "--quiet",
+                    "--set", "duration=0.001"})
+              .exit_code == 0);
+  REQUIRE(read_run_result(here.path("run")));
+  const std::string deep = std::string(60'000, '[') + std::string(60'000, ']');
+  here.write("run/report.json", R"({"gravity": [0, 0, -1], "obstacles": )" + deep + "}");
+  const Result<RunResult> nested = read_run_result(here.path("run"));
+  CHECK_FALSE(nested);
+  CHECK(nested.findings.back().code == "nested_too_deeply");
+  here.write("run/report.json", R"({"gravity": [0, 0)");
+  CHECK(read_run_result(here.path("run")).findings.back().code == "syntax_error");
 }

@@ -209,7 +209,7 @@ TEST_CASE("a missing key, a repeated key and broken JSON are told", "[suite][fix
     for (int k = 0; k < 60'000; ++k) deep += more;
     CHECK_FALSE(complaints(deep + "}").empty());
   }
-  CHECK(has(complaints(std::string(65, '[') + std::string(65, ']')), "64 levels of nesting"));
+  CHECK(has(complaints(std::string(100, '[') + std::string(100, ']')), "64 levels of nesting"));
 }
 
 TEST_CASE("all complaints of a file come at once", "[suite][fixture]") {
