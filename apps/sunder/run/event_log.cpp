@@ -58,6 +58,17 @@ std::string_view to_string(RunEnd end) {
   return ends[static_cast<std::size_t>(end)];
 }
 
+ordered_json parse_line(std::string_view text) {
+  constexpr int most = 64;
+  bool is_too_deep = false;
+  const auto watch = [&](int depth, ordered_json::parse_event_t, ordered_json&) {
+    is_too_deep = is_too_deep || depth > most;
+    return !is_too_deep;
+  };
+  ordered_json line = ordered_json::parse(text, watch, false);
+  return is_too_deep ? ordered_json(ordered_json::value_t::discarded) : line;
+}
+
 ordered_json event_of(const FanEvent& event, const EventTime& when, const VolumeMap& map) {
   ordered_json faces = ordered_json::array();
   for (const FaceSplit& split : event.faces) faces.push_back(face_of(split, map));
@@ -162,7 +173,7 @@ std::optional<EventLog> EventLog::of(const SceneFile& file, std::string_view tex
       log->add_line(std::move(line));
       continue;
     }
-    ordered_json head = ordered_json::parse(line, nullptr, false);
+    ordered_json head = parse_line(line);
     if (!head.is_object() || !head.value("scene_hash", ordered_json()).is_string()) {
       return std::nullopt;
     }

@@ -244,7 +244,7 @@ bool read_end(LogReader& reader, const ordered_json& end, std::string_view text)
 
 bool read_line(LogReader& reader, std::string_view text) {
   if (reader.ended) return reader.refuse("bad_event_log", "stands after the end of the log");
-  const ordered_json line = ordered_json::parse(text, nullptr, false);
+  const ordered_json line = parse_line(text);
   if (!line.is_object()) {
     return reader.refuse("bad_event_log",
                          "is not a JSON object; the file was cut off or is no event log");
@@ -261,8 +261,8 @@ std::string_view line_at(std::string_view text, std::size_t begin) {
 
 /// Which key of two lines differs, and how.
 std::string first_difference(std::string_view theirs, std::string_view ours) {
-  const ordered_json a = ordered_json::parse(theirs, nullptr, false);
-  const ordered_json b = ordered_json::parse(ours, nullptr, false);
+  const ordered_json a = parse_line(theirs);
+  const ordered_json b = parse_line(ours);
   for (const auto& [key, value] : a.items()) {
     const ordered_json here = b.value(key, ordered_json());
     if (value.dump() == here.dump()) continue;

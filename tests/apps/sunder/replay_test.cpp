@@ -25,10 +25,10 @@ using namespace sunder;
 using nlohmann::json;
 using nlohmann::ordered_json;
 using test::bytes_of;
-using test::Outcome;
-using test::Place;
 using test::forge;
 using test::lines_of;
+using test::Outcome;
+using test::Place;
 using test::place_of;
 using test::run;
 using test::struck_scene;
@@ -105,7 +105,8 @@ TEST_CASE("a replay, and a run on a busy machine, leave the bytes of the run", "
 
 TEST_CASE("replays repeat limits, budgets, sub-steps and drawn strengths", "[run][replay]") {
   std::map<std::string, json> scenes;
-  for (const char* name : {"limits", "budget", "fit", "relax", "energy", "object", "sub_stepped", "cohesive"}) {
+  for (const char* name :
+       {"limits", "budget", "fit", "relax", "energy", "object", "sub_stepped", "cohesive"}) {
     scenes[name] = struck_scene();
     scenes[name]["duration"] = 0.002;
   }
@@ -187,6 +188,13 @@ TEST_CASE("tampered and foreign logs are refused with line and reason", "[run][r
       {"cut off", [](Lines& l) { l.pop_back(); }, good.size() - 1, "bad_event_log", "cut off"},
       {"cut in a line", [](Lines& l) { l.resize(8), l.back().resize(40); }, 8, "bad_event_log",
        "not a JSON object"},
+      {"nested", [](Lines& l) { l[4] = "{\"fan\":" + std::string(200000, '['); }, 5,
+       "bad_event_log", "not a JSON object"},
+      {"nested and closed",
+       [](Lines& l) {
+         l[4] = "{\"faces\":" + std::string(200000, '[') + std::string(200000, ']') + "}";
+       },
+       5, "bad_event_log", "not a JSON object"},
       {"only a head", [](Lines& l) { l.resize(1); }, 1, "bad_event_log", "cut off"},
       {"empty", [](Lines& l) { l.clear(); }, 0, "bad_event_log", "cut off"},
       {"not JSON", [](Lines& l) { l[3] = "component,body"; }, 4, "bad_event_log",

@@ -11,6 +11,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "apps/sunder/run/event_log.hpp"
 #include "apps/sunder/run/saved/run_folder.hpp"
 #include "fracture/saving/archive.hpp"
 #include "fracture/saving/saved_state.hpp"
@@ -193,7 +194,7 @@ Result<Checkpoint> read_one(const fs::path& path) {
   bool fits = !reader.failed && reader.bytes.empty();
   for (std::size_t k = 0; k < frames.size(); ++k) fits = fits && frames[k].file == frame_name(k);
   // The report parses these values.
-  for (const Choice& c : checkpoint.file.choices) fits = fits && nlohmann::json::accept(c.value);
+  for (const Choice& c : checkpoint.file.choices) fits = fits && !parse_line(c.value).is_discarded();
   if (!fits) return unusable("damaged", path, "what it holds does not fit together");
   checkpoint.simulation = std::move(*simulation);
   checkpoint.file.scene = checkpoint.simulation.scene;
