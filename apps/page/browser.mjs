@@ -45,8 +45,8 @@ function changed(scene) {
 /// `sunder view` on a copy of a scene that may be saved anew: {address, scene, child, close()}.
 export async function view(program, folder, path = join(scenes, 'monolith.json')) {
   const home = mkdtempSync(join(tmpdir(), 'sunder_view_'));
-  const scene = join(home, 'scenes', basename(path));
-  mkdirSync(dirname(scene));
+  const scene = join(home, 'scenes', 'one', basename(path)); // meshes lie up to two folders above
+  mkdirSync(dirname(scene), { recursive: true });
   const content = changed(JSON.parse(readFileSync(path)));
   writeFileSync(scene, JSON.stringify(content));
   for (const { mesh } of content.bodies) copyFileSync(join(dirname(path), mesh), join(dirname(scene), mesh));

@@ -29,7 +29,8 @@ if (!chromium()) {
   process.exit(77);
 }
 const program = option('--program');
-const viewed = program ? await view(program, folder) : null;
+const scene = join(scenes, short ? 'charts/monolith.json' : 'monolith.json');
+const viewed = program ? await view(program, folder, scene) : null;
 const server = viewed ?? (await serve(folder));
 const browser = await launch();
 const page = await browser.newPage();
@@ -69,7 +70,7 @@ expect(report.fansTotal > 0 && report.pieces > 1, 'the body breaks');
 if (program ?? option('--run')) {
   const out = mkdtempSync(join(tmpdir(), 'sunder_run_'));
   const duration = `duration=${report.time}`;
-  execFileSync(resolve(program ?? option('--run')), ['run', join(scenes, 'monolith.json'), '-o', out, '--quiet', '--set', duration], { stdio: 'ignore' });
+  execFileSync(resolve(program ?? option('--run')), ['run', scene, '-o', out, '--quiet', '--set', duration], { stdio: 'ignore' });
   const run = JSON.parse(readFileSync(join(out, 'report.json')));
   expect(run.steps === report.step && run.fans === report.fansTotal && run.components === report.pieces,
     `the command line: ${run.steps} steps, ${run.fans} fans, ${run.components} pieces`);
