@@ -14,9 +14,11 @@
 #include "apps/bench/bench_report.hpp"
 #include "apps/bench/bench_step.hpp"
 #include "apps/bench/bench_threshold.hpp"
+#include "apps/scene/json_text.hpp"
 #include "apps/scene/words.hpp"
 #include "apps/sunder/telling.hpp"
 #include "topology/io/output_file.hpp"
+#include "topology/io/printing.hpp"
 
 namespace sunder {
 namespace {
@@ -54,9 +56,9 @@ ExitCode run_kernel_bench(const BenchArguments& arguments) {
   const KernelBench bench = bench_kernel(
       arguments.settings, [&](const BenchBody& body) { tell_next(body.name, arguments); });
   if (arguments.json) {
-    fmt::print("{}\n", bench_json(bench).dump(2));
+    print_json(bench_json(bench));
   } else {
-    fmt::print("{}", bench_table(bench));
+    print("{}", bench_table(bench));
   }
   std::vector<Finding> findings;
   if (!arguments.csv.empty()) {
@@ -127,7 +129,7 @@ ExitCode run_step_bench(const StepArguments& arguments) {
     tell_beside(bench.findings, arguments);
     return ExitCode::bad_input;
   }
-  fmt::print("{}", arguments.json ? step_json(*bench) : step_table(*bench));
+  print("{}", arguments.json ? step_json(*bench) : step_table(*bench));
   if (arguments.csv.empty()) return ExitCode::fine;
   if (auto failure = write_file(arguments.csv, step_csv(*bench))) {
     tell_beside({*failure}, arguments);
@@ -184,7 +186,7 @@ ExitCode run_method_bench(const MethodArguments& arguments) {
     tell_beside(bench.findings, arguments);
     return ExitCode::bad_input;
   }
-  fmt::print("{}", arguments.json ? methods_json(*bench) : methods_table(*bench));
+  print("{}", arguments.json ? methods_json(*bench) : methods_table(*bench));
   if (arguments.csv.empty()) return ExitCode::fine;
   if (auto failure = write_file(arguments.csv, methods_csv(*bench))) {
     tell_beside({*failure}, arguments);
@@ -245,7 +247,7 @@ ExitCode run_paper_bench(PaperArguments arguments) {
     tell_beside(bench.findings, arguments);
     return ExitCode::bad_input;
   }
-  fmt::print("{}", paper_text(*bench));
+  print("{}", paper_text(*bench));
   std::vector<Finding> findings;
   const auto write = [&](const std::filesystem::path& path, const std::string& text) {
     if (path.empty()) return;
@@ -305,7 +307,7 @@ ExitCode run_threshold_bench(ThresholdArguments arguments) {
     tell_beside(bench.findings, arguments);
     return ExitCode::bad_input;
   }
-  fmt::print("{}", arguments.json ? threshold_json(*bench) : threshold_table(*bench));
+  print("{}", arguments.json ? threshold_json(*bench) : threshold_table(*bench));
   if (arguments.csv.empty()) return ExitCode::fine;
   if (auto failure = write_file(arguments.csv, threshold_csv(*bench))) {
     tell_beside({*failure}, arguments);

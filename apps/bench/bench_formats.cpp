@@ -12,10 +12,12 @@
 #include <vector>
 
 #include "apps/bench/clock.hpp"
+#include "apps/scene/json_text.hpp"
 #include "apps/scene/words.hpp"
 #include "apps/sunder/telling.hpp"
 #include "topology/io/format_traits.hpp"
 #include "topology/io/mesh_file.hpp"
+#include "topology/io/printing.hpp"
 
 namespace sunder {
 namespace {
@@ -137,7 +139,7 @@ std::vector<Finding> measure(Row& row, const FileMesh& mesh, const Settings& set
   return {};
 }
 
-void print(const FileMesh& mesh, const std::vector<Row>& rows, bool as_json) {
+void print_rows(const FileMesh& mesh, const std::vector<Row>& rows, bool as_json) {
   if (as_json) {
     nlohmann::ordered_json json{{"tetrahedra", mesh.tetrahedra.corners.size()},
                                 {"points", mesh.points.size()},
@@ -152,16 +154,16 @@ void print(const FileMesh& mesh, const std::vector<Row>& rows, bool as_json) {
                                  {"write_ms", row.write_ms},
                                  {"read_ms", row.read_ms}});
     }
-    fmt::print("{}\n", json.dump(2));
+    print_json(json);
     return;
   }
-  fmt::print("{} tetrahedra, {} points\n", mesh.tetrahedra.corners.size(), mesh.points.size());
-  fmt::print("{:<10} {:>7} {:<12} {:>8} {:>9} {:>8}\n", "format", "version", "encoding", "MB",
-             "write ms", "read ms");
+  print("{} tetrahedra, {} points\n", mesh.tetrahedra.corners.size(), mesh.points.size());
+  print("{:<10} {:>7} {:<12} {:>8} {:>9} {:>8}\n", "format", "version", "encoding", "MB",
+        "write ms", "read ms");
   for (const Row& row : rows) {
-    fmt::print("{:<10} {:>7} {:<12} {:>8.1f} {:>9.1f} {:>8.1f}\n", row.format->name, row.version,
-               fmt::format("{}{}", encoding_word(row.encoding), row.pack ? ", zlib" : ""),
-               1e-6 * static_cast<double>(row.bytes), row.write_ms, row.read_ms);
+    print("{:<10} {:>7} {:<12} {:>8.1f} {:>9.1f} {:>8.1f}\n", row.format->name, row.version,
+          fmt::format("{}{}", encoding_word(row.encoding), row.pack ? ", zlib" : ""),
+          1e-6 * static_cast<double>(row.bytes), row.write_ms, row.read_ms);
   }
 }
 
@@ -184,7 +186,7 @@ ExitCode run_formats_bench(Settings settings) {
   if (!is_kept) std::filesystem::remove_all(settings.keep, failure);
   tell_beside(findings, settings);
   if (!findings.empty()) return ExitCode::not_written;
-  print(mesh, rows, settings.json);
+  print_rows(mesh, rows, settings.json);
   return ExitCode::fine;
 }
 

@@ -11,6 +11,7 @@
 
 #include "apps/bench/bench_figures.hpp"
 #include "apps/bench/clock.hpp"
+#include "apps/scene/json_text.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/integrators/modal.hpp"
 #include "mechanics/rebuild.hpp"
@@ -194,7 +195,7 @@ std::string methods_json(const MethodBench& bench) {
   }
   const nlohmann::ordered_json answer = {
       {"machine", bench.machine}, {"runs", bench.runs}, {"figures", figures}};
-  return answer.dump(2) + "\n";
+  return json_text(answer) + "\n";
 }
 
 }  // namespace sunder

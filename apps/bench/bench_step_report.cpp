@@ -10,6 +10,7 @@
 #include <set>
 
 #include "apps/bench/bench_step.hpp"
+#include "apps/scene/json_text.hpp"
 
 namespace sunder {
 namespace {
@@ -123,7 +124,7 @@ std::string step_json(const StepBench& bench) {
   }
   const nlohmann::ordered_json answer = {
       {"machine", bench.machine}, {"runs", bench.runs}, {"figures", figures}};
-  return answer.dump(2) + "\n";
+  return json_text(answer) + "\n";
 }
 
 }  // namespace sunder

@@ -14,6 +14,7 @@
 #include "apps/bench/clock.hpp"
 #include "apps/bench/paper/bench_paper_run.hpp"
 #include "apps/bench/paper/bench_paper_tables.hpp"
+#include "apps/scene/json_text.hpp"
 #include "fracture/algorithms/threshold_test.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
@@ -157,7 +158,7 @@ std::string threshold_json(const ThresholdBench& bench) {
   }
   const nlohmann::ordered_json answer = {
       {"machine", bench.machine}, {"runs", bench.runs}, {"seed", bench.seed}, {"figures", figures}};
-  return answer.dump(2) + "\n";
+  return json_text(answer) + "\n";
 }
 
 }  // namespace sunder

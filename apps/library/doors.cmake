@@ -2,8 +2,9 @@
 # The public headers <sunder/NAME.hpp>, and the headers of the tree that each is made of, in the order in which they need
 # each other. (version.hpp is made from version.hpp.in.) A host needs Eigen for them and nothing else, but for cgal_map.
 
-door(finding "What is wrong with an input, and results that carry it."
-  topology/base/finding.hpp)
+door(finding "What is wrong with an input, and results that carry it; the exception for mistakes of a caller."
+  topology/base/finding.hpp
+  topology/base/misuse.hpp)
 
 door(mesh "Tetrahedral meshes: cells, files in and out, checks."
   topology/base/ids.hpp

@@ -8,7 +8,6 @@
 
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/state/dense_solve.hpp"
-#include "topology/base/assert.hpp"
 #include "topology/base/sort_unique.hpp"
 #include "topology/kernel/kernel.hpp"
 
@@ -73,8 +72,10 @@ void add_surface(Fragment& f, const Cells& cells, TetId t) {
 }
 
 const Component& component_of(const Simulation& sim, ComponentId id) {
-  SUNDER_ASSERT(id.index() < sim.state->mechanics.components.size(), "fragment: no such piece");
-  return sim.state->mechanics.components[id.index()];
+  const std::vector<Component>& all = sim.state->mechanics.components;
+  require(id.index() < all.size() && !all[id.index()].tetrahedra.empty(),
+          "fragment: there is no piece of this id");
+  return all[id.index()];
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ struct Fragment {
 };
 
 /// One piece as it is now. Needs: the id of a piece that is there (`StepReport::new_components`,
-/// `Fragment::id`). O(its size).
+/// `Fragment::id`); another throws Misuse. O(its size).
 Fragment fragment(const Simulation& simulation, ComponentId id);
 
 /// Every piece in the order of the ids. O(|V| + |T|).

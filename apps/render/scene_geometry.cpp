@@ -7,6 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "topology/base/whole_number.hpp"
+
 namespace sunder::render {
 namespace {
 
@@ -16,7 +18,7 @@ std::array<float, 3> packed(const Eigen::Vector3f& v) { return {v.x(), v.y(), v.
 
 std::array<std::uint8_t, 4> packed(Color c) {
   const auto byte = [](float v) {
-    return static_cast<std::uint8_t>(std::lround(255 * std::clamp(v, 0.0f, 1.0f)));
+    return whole_number<std::uint8_t>(std::round(255 * std::clamp(v, 0.0f, 1.0f)));
   };
   return {byte(c.r), byte(c.g), byte(c.b), 255};
 }

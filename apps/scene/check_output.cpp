@@ -27,13 +27,20 @@ std::vector<SettingFinding> check_output(const OutputSettings& output, const Sce
               "is smooth, but with fracture.crack paper cracks have no planes of their own",
               "take mesh, or set fracture.crack to object or cohesive");
   }
-  if (output.frame_interval > 0 && frames_by_interval(output, scene) > most_frames) {
+  if (output.frame_interval > 0 && frames_by_interval(output, scene) > most_frames()) {
     check.add(
         "too_many_frames", "frame_interval",
-        fmt::format("is {} s: {:.3g} frames in {} s; allowed are {:.0e}", output.frame_interval,
-                    frames_by_interval(output, scene), scene.duration, most_frames),
+        fmt::format("is {} s: {:.3g} frames in {} s; allowed are {:.6g}", output.frame_interval,
+                    frames_by_interval(output, scene), scene.duration, most_frames()),
         "take a longer interval or a shorter duration");
   }
+  const auto limit = [&](std::uint32_t count, const char* code, const char* key) {
+    if (count <= most_frames()) return;
+    check.add(code, key, fmt::format("is {}; allowed are {:.6g}", count, most_frames()),
+              "ask for fewer, or look at SUNDER_LIMITS");
+  };
+  limit(output.frame_interval > 0 ? 0 : output.frames, "too_many_frames", "frames");
+  limit(output.pictures.count, "too_many_pictures", "pictures.count");
   return findings;
 }
 

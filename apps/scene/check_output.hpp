@@ -7,15 +7,17 @@
 #include "apps/scene/output_settings.hpp"
 #include "fracture/scene/scene.hpp"
 #include "mechanics/state/check_settings.hpp"
+#include "topology/io/limits.hpp"
 
 namespace sunder {
 
-/// As many frames as the key `frames` may ask for, whichever key asks.
-inline constexpr double most_frames = 1e6;
+/// As many frames, or pictures, as a run may have, whichever key asks.
+inline double most_frames() { return static_cast<double>(limits().frames); }
 
 /// Numbers out of range, which files that others made may hold, and what does not go together.
-/// no_crack_planes: `CrackSurface::smooth` with `CrackMode::paper`. too_many_frames: an interval
-/// that is too short for the duration. Places are keys of the whole scene ("output.frames").
+/// no_crack_planes: `CrackSurface::smooth` with `CrackMode::paper`. too_many_frames,
+/// too_many_pictures: more than `Limits::frames`. Places are keys of the whole scene
+/// ("output.frames").
 std::vector<SettingFinding> check_output(const OutputSettings& output, const Scene& scene);
 
 }  // namespace sunder

@@ -17,6 +17,7 @@
 #include "apps/scene/scene_text.hpp"
 #include "fracture/scene/check_scene.hpp"
 #include "mechanics/state/elementary.hpp"
+#include "topology/base/whole_number.hpp"
 
 namespace sunder {
 namespace {
@@ -73,7 +74,7 @@ bool read_number(const Context& c, const Key& key, const json& value, const std:
   }
   number = value.get<double>();
   if (fields::is_allowed(number, key.range)) return true;
-  c.add(fields::out_of_range(key, dotted(at), shown(value)), at);
+  c.add(fields::out_of_range(key, dotted(at), shown(value), number), at);
   return false;
 }
 
@@ -90,7 +91,7 @@ void read(const Context& c, const Key& key, const json& value, const std::string
   if (!value.is_number() || std::floor(value.get<double>()) != value.get<double>()) {
     c.wrong_type(value, at, "a whole number");
   } else if (read_number(c, key, value, at, number)) {
-    member = static_cast<Integer>(number);
+    member = whole_number<Integer>(number);
   }
 }
 

@@ -29,6 +29,11 @@ Result<TetMesh> refuse_curved(Result<TetMesh> mesh) {
 
 /// Why a file that a scene names is not read where it may only name its own.
 std::optional<Finding> refusal(const std::filesystem::path& folder, const std::string& name) {
+  if (name == "-") {
+    return Finding{.code = "not_a_file",
+                   .text = "it is standard input, which is not read with --confined",
+                   .remedy = "name a file in the scene's folder"};
+  }
   std::error_code none, unknown;
   const std::filesystem::path root =
       std::filesystem::canonical(folder.empty() ? "." : folder, unknown);

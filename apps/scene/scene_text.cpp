@@ -11,12 +11,13 @@
 #include <numeric>
 #include <utility>
 
+#include "topology/io/limits.hpp"
+#include "topology/io/printing.hpp"
+
 namespace sunder {
 namespace {
 
 using nlohmann::json;
-
-constexpr std::size_t max_depth = 64;
 
 /// Walks over characters and counts them where its owner can see: the only way to learn from
 /// nlohmann's parser where an event happens.
@@ -138,8 +139,9 @@ class Builder {
   }
 
   bool open(json value) {
-    if (open_.size() == max_depth) {
-      add("nested_too_deeply", read, fmt::format("more than {} levels of nesting", max_depth),
+    if (open_.size() >= limits().scene_levels) {
+      add("nested_too_deeply", read,
+          fmt::format("more than {} levels of nesting", limits().scene_levels),
           "a scene needs six levels: look for a bracket too many");
       return false;
     }
@@ -227,7 +229,7 @@ std::vector<Finding> apply_setting(SceneText& text, const std::string& setting) 
                         "write --set key=value, such as --set gravity.ramp_time=2")};
   }
   const std::vector<std::string> path = split_path(setting.substr(0, equals));
-  if (path.size() > max_depth) {
+  if (path.size() > limits().scene_levels) {
     return {bad_setting(setting, fmt::format("the path has {} steps", path.size()),
                         "no key of a scene lies deeper than six steps")};
   }
@@ -316,17 +318,9 @@ std::string shown(const json& value) {
 }
 
 void make_plain(std::vector<Finding>& findings) {
-  const auto plain = [](const std::string& text) {
-    std::string all;
-    for (const char c : text) {
-      const auto byte = static_cast<unsigned char>(c);
-      all += byte < ' ' || byte == 0x7f ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
-    }
-    return all;
-  };
   for (Finding& f : findings) {
-    f.text = plain(f.text);
-    f.remedy = plain(f.remedy);
+    f.text = plain_line(f.text);
+    f.remedy = plain_line(f.remedy);
   }
 }
 

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "topology/io/printing.hpp"
+
 namespace sunder {
 
 namespace {
@@ -79,16 +81,17 @@ std::string finding_lines(const std::vector<Finding>& findings, bool coloured) {
   std::string out;
   for (const FindingsOfKind& group : by_kind(findings)) {
     const Finding f = joined(findings, group.rows);
-    if (!f.file.empty()) out += f.file;
+    if (!f.file.empty()) out += plain_line(f.file);
     if (f.line != 0) out += fmt::format(":{}", f.line);
     if (!f.file.empty() || f.line != 0) out += ": ";
-    out += fmt::format("{} {} [{}", severity_word(f.severity, coloured), f.text, f.code);
+    out +=
+        fmt::format("{} {} [{}", severity_word(f.severity, coloured), plain_line(f.text), f.code);
     if (f.count > 1) out += fmt::format(", {} times", f.count);
     if (!f.ids.empty()) {
       out += fmt::format(": {}{}", fmt::join(f.ids, " "), f.count > f.ids.size() ? " ..." : "");
     }
     out += "]\n";
-    if (!f.remedy.empty()) out += fmt::format("  {}\n", f.remedy);
+    if (!f.remedy.empty()) out += fmt::format("  {}\n", plain_line(f.remedy));
   }
   return out;
 }

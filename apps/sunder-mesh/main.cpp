@@ -10,6 +10,7 @@
 #include "apps/sunder-mesh/mesh_quality.hpp"
 #include "apps/sunder-mesh/report.hpp"
 #include "topology/io/mesh_file.hpp"
+#include "topology/io/printing.hpp"
 
 namespace {
 
@@ -19,7 +20,7 @@ constexpr int exit_bad_input = 3;
 constexpr int exit_not_written = 4;
 
 void say(const std::vector<Finding>& findings) {
-  for (const Finding& f : findings) fmt::print(stderr, "{}", finding_line(f));
+  for (const Finding& f : findings) print(stderr, "{}", finding_line(f));
 }
 
 Result<Surface> surface_of(const MeshJob& job) {
@@ -53,8 +54,8 @@ Result<TetMesh> mesh_of(const MeshJob& job, const Surface& surface) {
   };
   if (!job.tetrahedra) return mesh_at(1);
   return mesh_with_count(mesh_at, {*job.tetrahedra, job.tries}, [&](const CountTry& t) {
-    fmt::print(stderr, "try {:2}: facet size {:.6g} m: {} tetrahedra, {} vertices\n", t.number,
-               sizes.facet * t.scale, t.tetrahedra, t.vertices);
+    print(stderr, "try {:2}: facet size {:.6g} m: {} tetrahedra, {} vertices\n", t.number,
+          sizes.facet * t.scale, t.tetrahedra, t.vertices);
   });
 }
 
@@ -62,13 +63,13 @@ int run(const MeshJob& job) {
   const Result<Surface> surface = surface_of(job);
   say(surface.findings);
   if (!surface) return exit_bad_input;
-  fmt::print(stderr, "surface: {} points, {} triangles\n", surface->points.size(),
-             surface->triangles.size());
+  print(stderr, "surface: {} points, {} triangles\n", surface->points.size(),
+        surface->triangles.size());
   Result<TetMesh> mesh = mesh_of(job, *surface);
   say(mesh.findings);
   if (!mesh) return exit_bad_input;
   if (job.largest_component) {
-    fmt::print(stderr, "left out: {} tetrahedra\n", keep_largest_component(*mesh));
+    print(stderr, "left out: {} tetrahedra\n", keep_largest_component(*mesh));
   }
   if (job.stand_on_ground) stand_on_ground(mesh->points);
   mesh->region.assign(mesh->tetrahedra.size(), 1);
@@ -77,7 +78,7 @@ int run(const MeshJob& job) {
   say(findings);
   if (has_error(findings)) return exit_not_written;
   const MeshQuality quality = quality_of(*mesh);
-  fmt::print("{}", job.json ? report_json(*mesh, quality) : report_text(*mesh, quality));
+  print("{}", job.json ? report_json(*mesh, quality) : report_text(*mesh, quality));
   return 0;
 }
 
@@ -90,7 +91,7 @@ int main(int argc, char** argv) {
     return run(*command.job);
   } catch (const std::exception& error) {
     // CGAL's checks throw; on a surface that passed ours that means a geometry it cannot mesh.
-    fmt::print(stderr, "error: the surface cannot be meshed: {} [mesher_failed]\n", error.what());
+    print(stderr, "error: the surface cannot be meshed: {} [mesher_failed]\n", error.what());
     return exit_bad_input;
   }
 }

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "apps/scene/json_text.hpp"
+
 namespace sunder {
 namespace {
 
@@ -48,7 +50,7 @@ std::string report_json(const TetMesh& mesh, const MeshQuality& quality) {
       {"volume", quality.volume},
       {"tetrahedron_volume", {quality.least_volume, quality.largest_volume}},
       {"dihedral_angle", {quality.least_dihedral_angle, quality.largest_dihedral_angle}}};
-  return json.dump(2) + "\n";
+  return json_text(json) + "\n";
 }
 
 std::string finding_line(const Finding& finding) {

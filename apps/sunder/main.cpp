@@ -26,6 +26,7 @@
 #endif
 #if defined(SUNDER_HAS_VIEW)
 #include "apps/sunder/view/view.hpp"
+#include "topology/io/printing.hpp"
 #endif
 
 namespace {
@@ -64,8 +65,8 @@ std::filesystem::path bench_program() {
 
 /// Reports a command that is not built.
 int refuse(const OptionalCommand& command) {
-  fmt::print(stderr, "sunder: {} is not built here [not_built]\n  Build it: {}\n", command.name,
-             command.remedy);
+  sunder::print(stderr, "sunder: {} is not built here [not_built]\n  Build it: {}\n", command.name,
+        command.remedy);
   return static_cast<int>(sunder::ExitCode::usage);
 }
 

@@ -2,26 +2,31 @@
 // Parsing, version, exit codes.
 #include "apps/sunder/program.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cctype>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
-#include <iostream>
 #include <new>
 #include <span>
+#include <sstream>
 #include <sunder/version.hpp>
 #include <system_error>
 
 #include "apps/scene/scene_text.hpp"
 #include "apps/scene/words.hpp"
 #include "topology/base/split_text.hpp"
+#include "topology/io/limits.hpp"
 #include "topology/io/output_file.hpp"
+#include "topology/io/printing.hpp"
 
 namespace sunder {
 namespace {
@@ -99,15 +104,20 @@ int parse_and_run(std::vector<std::string> words, const AddCommands& add_command
   program.footer(
       "`sunder COMMAND --help` lists the options, units and exit codes of a command. Every command "
       "ends with exit code 5 where memory runs out. \"error:\" and \"warning:\" are coloured on "
-      "terminals, unless NO_COLOR is set or TERM is dumb.");
+      "terminals, unless NO_COLOR is set or TERM is dumb. SUNDER_LIMITS=\"unpacked_bytes=1e8 "
+      "steps=1e6\" lowers what input may ask for (docs/hostile.md).");
   ExitCode exit_code = ExitCode::fine;
+  if (const std::string fault = limits_fault(); !fault.empty()) {
+    print(stderr, "sunder: SUNDER_LIMITS: {}\n", fault);
+    return static_cast<int>(ExitCode::usage);
+  }
   add_commands(program, exit_code);
   if (words.empty()) {
-    fmt::print(stderr, "{}\n", program.help());
+    print(stderr, "{}\n", program.help());
     return static_cast<int>(ExitCode::usage);
   }
   const auto refuse = [](const std::string& message) {
-    fmt::print(stderr, "{}", message);
+    print(stderr, "{}", message);
     return static_cast<int>(ExitCode::usage);
   };
   const std::vector<std::string> names = command_names(program);
@@ -118,10 +128,13 @@ int parse_and_run(std::vector<std::string> words, const AddCommands& add_command
     program.parse(std::vector<std::string>(words.rbegin(), words.rend()));
   } catch (const CLI::ParseError& error) {
     // CLI11 has its own numbers for mistakes; ours is one.
-    if (error.get_exit_code() == 0) return program.exit(error);  // help, version
+    std::ostringstream out, err;
+    program.exit(error, out, err);
+    print_text(stdout, out.str());
+    if (error.get_exit_code() == 0) return 0;  // help, version
     const std::string message = misread_word(program, words);
     if (!message.empty()) return refuse(message);
-    program.exit(error);
+    print_text(stderr, err.str());
     return static_cast<int>(ExitCode::usage);
   }
   return static_cast<int>(exit_code);
@@ -129,19 +142,54 @@ int parse_and_run(std::vector<std::string> words, const AddCommands& add_command
 
 /// What was printed may still wait in memory: a full device shows only now.
 int with_all_printed(int exit_code) {
-  std::cout.flush();
-  if (std::fflush(stdout) == 0 && std::cout.good() && std::ferror(stdout) == 0) return exit_code;
-  fmt::print(stderr, "sunder: the result cannot be written to standard output: {}\n",
-             std::generic_category().message(errno));
+  errno = 0;
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit_code;
+  // Whoever reads may go when it has enough (| head): that is no news.
+  if (errno == EPIPE) return static_cast<int>(ExitCode::not_written);
+  print(stderr, "sunder: the result cannot be written to standard output{}{}\n",
+        errno == 0 ? "" : ": ", errno == 0 ? "" : std::generic_category().message(errno));
   return static_cast<int>(ExitCode::not_written);
 }
 
 void tell_out_of_memory() {
-  std::fputs(
-      "sunder: memory ran out [out_of_memory]\n"
-      "  take a coarser mesh or fewer bodies, or allow more memory (ulimit -v); no file is half "
-      "written\n",
-      stderr);
+  write_text(stderr,
+             "sunder: memory ran out [out_of_memory]\n"
+             "  take a coarser mesh or fewer bodies, or allow more memory (ulimit -v); no file is "
+             "half written\n");
+}
+
+/// Without memory for escapes nothing of the exception is said but that there was one.
+void tell_exception(const std::exception& error) noexcept {
+  try {
+    print(stderr, "sunder: {}\n", error.what());
+  } catch (const std::exception&) {
+    tell_out_of_memory();
+  }
+}
+
+/// A standard stream that is closed stays unusable: the first file that is opened would take its
+/// number, and messages would be written into it.
+void keep_streams_apart() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (fcntl(stream, F_GETFD) >= 0 || errno != EBADF) continue;
+    // Reading from what is open for writing fails, and the other way round.
+    const int file = open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+    if (file >= 0 && file != stream) close(file);
+  }
+}
+
+/// A pipe whose reader is gone, and a limit on the size of files (ulimit -f), are errors of the
+/// write that meets them, which is reported and cleans up; the signals would end the program. A
+/// handler, not SIG_IGN: what this program starts has its own way again.
+void let_writes_fail() {
+  struct sigaction action = {};
+  action.sa_handler = [](int) {};
+  action.sa_flags = SA_RESTART;
+  for (const int signal : {SIGPIPE, SIGXFSZ}) {
+    struct sigaction before = {};
+    sigaction(signal, nullptr, &before);
+    if (before.sa_handler == SIG_DFL) sigaction(signal, &action, nullptr);
+  }
 }
 
 // Handlers of the language can reach nothing but a global.
@@ -166,9 +214,14 @@ std::atomic<bool> memory_ran_out = false;
 
 void add_confined_flag(CLI::App& command, SceneReach& reach) {
   command.add_flag_callback(
-      "--confined", [&reach] { reach = SceneReach::own_folder; },
-      "For scenes that you do not trust: read only files in the scene's folder and below. A mesh "
-      "key that leads elsewhere, by .., / or a link, is an error");
+      "--confined",
+      [&reach] {
+        reach = SceneReach::own_folder;
+        lower_limits(confined_limits);
+      },
+      "For scenes that you do not trust: read only files in the scene's folder and below, of at "
+      "most 4 GiB, which unfold to at most 256 MiB where they are packed. A mesh key that leads "
+      "elsewhere, by .., / or a link, or to standard input, is an error");
 }
 
 std::vector<const CLI::Option*> all_options(const CLI::App& command) {
@@ -220,16 +273,18 @@ std::vector<std::string> command_words(int argc, char** argv) {
 }
 
 int run_program(const std::vector<std::string>& words, const AddCommands& add_commands) {
+  keep_streams_apart();
+  let_writes_fail();
   try {
     return with_all_printed(parse_and_run(words, add_commands));
   } catch (const std::bad_alloc&) {
     tell_out_of_memory();
     return static_cast<int>(ExitCode::failed);
   } catch (const std::system_error& error) {
-    fmt::print(stderr, "sunder: {}\n", error.what());
+    tell_exception(error);
     return static_cast<int>(ExitCode::not_written);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "sunder: {}\n", error.what());
+    tell_exception(error);
     return static_cast<int>(ExitCode::failed);
   }
 }

@@ -8,7 +8,9 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "apps/scene/json_text.hpp"
 #include "apps/scene/words.hpp"
+#include "topology/io/printing.hpp"
 
 namespace sunder {
 
@@ -32,17 +34,18 @@ void tell_beside(const std::vector<Finding>& findings, const Telling& telling) {
   for (const Finding& f : findings) {
     if (!telling.quiet || f.severity == Severity::error) told.push_back(f);
   }
-  fmt::print(stderr, "{}", finding_lines(told, shows_colours(STDERR_FILENO)));
+  // Plain but for the colours, which are ours.
+  write_text(stderr, finding_lines(told, shows_colours(STDERR_FILENO)));
 }
 
 void tell(const std::vector<Finding>& findings, const Telling& telling) {
   tell_beside(findings, telling);
   if (!telling.json || !has_error(findings)) return;
-  fmt::print("{}\n", nlohmann::ordered_json{{"findings", findings_json(findings)}}.dump(2));
+  print_json(nlohmann::ordered_json{{"findings", findings_json(findings)}});
 }
 
 void remark(std::string_view words, const Telling& telling) {
-  if (!telling.quiet) fmt::print(stderr, "{}", words);
+  if (!telling.quiet) print(stderr, "{}", words);
 }
 
 Stages::Stages(const Telling& telling) : shown_(telling.verbose), last_(Clock::now()) {}
@@ -51,7 +54,7 @@ void Stages::done(std::string_view what) {
   if (!shown_) return;
   const Clock::time_point now = Clock::now();
   const double seconds = std::chrono::duration<double>(now - last_).count();
-  fmt::print(stderr, "{:9.3f} s  {}\n", seconds, what);
+  print(stderr, "{:9.3f} s  {}\n", seconds, plain_line(what));
   last_ = now;
 }
 

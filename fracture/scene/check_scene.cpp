@@ -121,6 +121,38 @@ bool has_second_order(const Scene& scene) {
   return std::ranges::any_of(scene.bodies, [](const BodySettings& b) { return b.order == 2; });
 }
 
+/// Coordinates so large, in themselves or against the mesh, that its cells are lost in rounding or
+/// their volumes and inertia leave the real numbers.
+void check_size(fields::SettingsCheck& check, const BodySettings& body) {
+  constexpr double most_sizes = 1e10;  // a cell of a millionth of the body has some digits left
+  Eigen::AlignedBox3d box;
+  for (const auto& corners : body.mesh.tetrahedra) {
+    for (const std::uint32_t p : corners) {
+      if (p < body.mesh.points.size()) box.extend(Eigen::Vector3d(body.mesh.points[p].data()));
+    }
+  }
+  if (box.isEmpty()) return;
+  const double size = box.sizes().maxCoeff();
+  const double far = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+  if (!(far <= fields::most_number && size >= fields::least_number)) {
+    check.add("mesh_size", "mesh",
+              fmt::format("is {:.3g} m large, up to {:.3g} m from its origin; allowed are {:.0e} to "
+                          "{:.0e} m",
+                          size, far, fields::least_number, fields::most_number),
+              "scale the mesh: lengths are m");
+  } else if (far > most_sizes * size) {
+    check.add("too_far", "mesh",
+              fmt::format("is {:.3g} m large and {:.3g} m from its origin: rounding loses its cells",
+                          size, far),
+              "move the mesh to its origin");
+  } else if (body.translation.cwiseAbs().maxCoeff() > most_sizes * size) {
+    check.add("too_far", "translation",
+              fmt::format("moves a mesh of {:.3g} m by {:.3g} m: rounding loses its cells", size,
+                          body.translation.norm()),
+              fmt::format("stay within {:.0e} times the size of the mesh", most_sizes));
+  }
+}
+
 void check_unbreakable_boxes(fields::SettingsCheck& check, const BodySettings& body) {
   for (std::size_t i = 0; i < body.unbreakable.size(); ++i) {
     const auto* box = std::get_if<RestBox>(&body.unbreakable[i].where);
@@ -172,6 +204,7 @@ void check_together(fields::SettingsCheck& check, const BodySettings& body) {
               "leave rigid or order out");
   }
   if (body.mesh.tetrahedra.empty()) return;
+  check_size(check, body);
   check_boxes(check, body, body.held, "held", "nothing_held");
   check_boxes(check, body, body.loads, "loads", "nothing_loaded");
   check_axes(check, body);
@@ -192,10 +225,10 @@ void check_together(fields::SettingsCheck& check, const Scene& scene) {
               "leave it out: of second order the stresses at the nodes are averaged");
   }
   const double steps = scene.duration / scene.integrator.time_step;
-  if (scene.integrator.time_step > 0 && steps > most_steps) {
+  if (scene.integrator.time_step > 0 && steps > most_steps()) {
     check.add("too_many_steps", "time_step",
-              fmt::format("is {} s: {:.3g} steps for a duration of {} s; allowed are {:.0e}",
-                          scene.integrator.time_step, steps, scene.duration, most_steps),
+              fmt::format("is {} s: {:.3g} steps for a duration of {} s; allowed are {:.6g}",
+                          scene.integrator.time_step, steps, scene.duration, most_steps()),
               "take a longer step or a shorter duration");
   }
 }

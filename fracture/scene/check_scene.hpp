@@ -6,11 +6,12 @@
 
 #include "fracture/scene/scene_fields.hpp"
 #include "mechanics/state/check_settings.hpp"
+#include "topology/io/limits.hpp"
 
 namespace sunder {
 
 /// More steps than these no run takes.
-inline constexpr double most_steps = 1e9;
+inline double most_steps() { return static_cast<double>(limits().steps); }
 
 /// All errors in a scene's settings, each with its place ("bodies.0.held.1"): numbers out of range
 /// and the rules between keys below. The meshes may be faulty; a body without one is held to its
@@ -25,8 +26,8 @@ void check_together(fields::SettingsCheck& check, const HeldBox& box);
 void check_together(fields::SettingsCheck& check, const LoadBox& box);
 void check_together(fields::SettingsCheck& check, const RestBox& box);
 /// nothing_held, nothing_loaded, nothing_unbreakable: a box without a vertex of the mesh;
-/// velocity_not_held: a velocity along an axis on which its vertices are free; and those
-/// of `check_strength`.
+/// mesh_size, too_far: coordinates that reals do not tell apart; velocity_not_held: a velocity
+/// along an axis on which its vertices are free; and those of `check_strength`.
 void check_together(fields::SettingsCheck& check, const BodySettings& body);
 /// no_body; too_many_steps; axes_not_supported: what cannot go with vertices held along some axes;
 /// fit_of_second_order: a node stress that is no average; free_not_supported, rubble_not_supported:

@@ -10,6 +10,7 @@
 #include "mechanics/contact/shapes/nearest_point.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/state/elementary.hpp"
+#include "topology/base/whole_number.hpp"
 
 namespace sunder {
 namespace {
@@ -31,7 +32,7 @@ class TetGrid {
     const double width = cube_root(m.box.volume() / static_cast<double>(count));
     for (int i = 0; i < 3; ++i) {
       const double cells = width > 0 ? std::ceil(m.box.sizes()[i] / width) : 1;
-      counts_[i] = static_cast<int>(std::clamp(cells, 1.0, 200.0));
+      counts_[i] = std::max(1, whole_number<int>(cells, 200));
     }
     rows_.resize(static_cast<std::size_t>(counts_[0]) * static_cast<std::size_t>(counts_[1]) *
                  static_cast<std::size_t>(counts_[2]));
@@ -63,7 +64,7 @@ class TetGrid {
     for (int i = 0; i < 3; ++i) {
       const double size = measures_.box.sizes()[i];
       const double part = size > 0 ? (x[i] - measures_.box.min()[i]) / size : 0;
-      cell[i] = std::clamp(static_cast<int>(part * counts_[i]), 0, counts_[i] - 1);
+      cell[i] = std::clamp(whole_number<int>(part * counts_[i]), 0, counts_[i] - 1);
     }
     return cell;
   }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "topology/base/whole_number.hpp"
+
 namespace sunder {
 
 Vec3 gravity_at(const GravitySettings& gravity, double time) {
@@ -14,7 +16,7 @@ Vec3 gravity_at(const GravitySettings& gravity, double time) {
 
 std::uint64_t step_count(const Scene& scene) {
   // 1 s of 1 ms steps is 1000 steps, although 1 / 1e-3 may come out a little above.
-  return static_cast<std::uint64_t>(std::ceil(scene.duration / scene.integrator.time_step - 1e-6));
+  return whole_number<std::uint64_t>(std::ceil(scene.duration / scene.integrator.time_step - 1e-6));
 }
 
 }  // namespace sunder

@@ -18,6 +18,7 @@
 #include "fracture/ties/release_ties.hpp"
 #include "mechanics/element/energy.hpp"
 #include "mechanics/state/living.hpp"
+#include "topology/base/whole_number.hpp"
 
 namespace sunder {
 namespace {
@@ -46,7 +47,7 @@ bool has_failed(const StepReport& report) {
 
 std::uint64_t budget_steps(const Scene& scene) {
   const double steps = std::round(scene.fracture.budget_time / scene.integrator.time_step);
-  return static_cast<std::uint64_t>(std::max(1.0, steps));
+  return std::max<std::uint64_t>(1, whole_number<std::uint64_t>(steps));
 }
 
 /// The settings with what is left of the budget at hand.

@@ -14,6 +14,7 @@
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/state/living.hpp"
 #include "topology/base/sort_unique.hpp"
+#include "topology/base/whole_number.hpp"
 
 namespace sunder {
 namespace {
@@ -38,11 +39,13 @@ void open(StepPlan& plan, ImpactWindow& window, const Blows& blows, const Scene&
   const double time_step = scene.integrator.time_step;
   const bool refines = scene.fracture.crack == CrackMode::cohesive;
   const double halvings = std::ceil(std::log2(time_step / blows.sub_step));
-  double sub_step = time_step * std::exp2(-std::max(0.0, halvings));
+  // No computer takes more sub-steps than that; their count stays exact.
+  constexpr double most_halvings = 40;
+  double sub_step = time_step * std::exp2(-std::min(most_halvings, std::max(0.0, halvings)));
   if (open_windows(window).empty() || (refines && sub_step < window.sub_step)) {
     if (plan.phase == StepPlan::Phase::members) {
       sub_step = std::min(sub_step, window.sub_step);
-      plan.left *= static_cast<std::uint64_t>(std::round(window.sub_step / sub_step));
+      plan.left *= whole_number<std::uint64_t>(std::round(window.sub_step / sub_step));
     }
     window.sub_step = sub_step;
   }
@@ -97,7 +100,7 @@ void release_struck(StepPlan& plan, SimulationState& s) {
 /// blow falls.
 std::uint64_t sub_steps_before(double blow, std::uint64_t left, double sub_step) {
   const double most = static_cast<double>(left - 1);
-  return static_cast<std::uint64_t>(std::clamp(std::floor(blow / sub_step), 0.0, most));
+  return whole_number<std::uint64_t>(std::clamp(std::floor(blow / sub_step), 0.0, most));
 }
 
 /// Driven obstacles where they are as the step ends.
@@ -129,7 +132,7 @@ void begin_members(StepPlan& plan, const Scene& scene, SimulationState& s) {
   s.mechanics.time = plan.start;
   const double count = std::round(scene.integrator.time_step / s.impact.sub_step);
   plan.throughout = count <= waves_stay / scene.impact.fraction;
-  plan.left = static_cast<std::uint64_t>(count);
+  plan.left = whole_number<std::uint64_t>(count);
   if (plan.throughout) {
     // Quiet begins with the blow, which lies ahead.
     for (double& quiet : s.impact.quiet) quiet = quiet == 0 ? -plan.blow : quiet;

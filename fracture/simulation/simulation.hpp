@@ -20,7 +20,8 @@ struct PartReport;
 struct SimulationScratch;
 struct SimulationState;
 
-/// A scene with its state. The scene's settings do not change while it runs.
+/// A scene with its state. The scene's settings do not change while it runs. One that was moved
+/// from can be destroyed or assigned to; whatever else is asked of it throws Misuse.
 struct Simulation {
   Simulation();
   ~Simulation();
@@ -67,7 +68,8 @@ std::uint64_t steps_taken(const Simulation& simulation);
 /// Simulated time since the start, s.
 double simulated_time(const Simulation& simulation);
 
-/// Row of the body that a tetrahedron belongs to, whatever has come off.
+/// Row of the body that a tetrahedron belongs to, whatever has come off. Throws Misuse where there
+/// is no such tetrahedron.
 std::size_t body_of(const Simulation& simulation, TetId tetrahedron);
 
 }  // namespace sunder

@@ -11,6 +11,7 @@
 #include "mechanics/integrators/model_force.hpp"
 #include "mechanics/integrators/rigid_motion.hpp"
 #include "mechanics/state/dense_solve.hpp"
+#include "topology/base/whole_number.hpp"
 
 namespace sunder {
 namespace {
@@ -96,8 +97,7 @@ void step_verlet(const ComponentStep& step, std::uint32_t count) {
 std::uint32_t sub_step_count(double length, double bound) {
   constexpr double share = 0.9;
   const double count = std::ceil(length / (share * bound));
-  constexpr double most = std::numeric_limits<std::uint32_t>::max();
-  return static_cast<std::uint32_t>(std::clamp(count, 1.0, most));
+  return whole_number<std::uint32_t>(std::max(1.0, count));
 }
 
 double damped_step_bound(double bound, double stiffness_factor) {

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "topology/base/whole_number.hpp"
+
 namespace sunder {
 namespace {
 
@@ -30,6 +32,12 @@ Bounds swept(const BoxQuery& query, std::uint32_t k) {
   return box;
 }
 
+/// Far cells are one: sums of their numbers stay whole numbers.
+std::int64_t cell_index(double coordinate) {
+  constexpr double farthest = 1e18;
+  return whole_number<std::int64_t>(std::clamp(std::floor(coordinate), -farthest, farthest));
+}
+
 /// Of the grid in units of its cells.
 struct BoxGrid {
   Vec3 origin = Vec3::Zero();
@@ -38,11 +46,12 @@ struct BoxGrid {
 
   GridCell cell_of(const Vec3& p) const {
     const Vec3 q = (p - origin) * over_cell;
-    return {static_cast<std::int64_t>(std::floor(q[0])), static_cast<std::int64_t>(std::floor(q[1])),
-            static_cast<std::int64_t>(std::floor(q[2]))};
+    return {cell_index(q[0]), cell_index(q[1]), cell_index(q[2])};
   }
   std::size_t bucket_of(std::int64_t x, std::int64_t y, std::int64_t z) const {
-    return static_cast<std::size_t>(x * 73856093 ^ y * 19349663 ^ z * 83492791) & mask;
+    const auto bits = [](std::int64_t i) { return static_cast<std::uint64_t>(i); };
+    return static_cast<std::size_t>(bits(x) * 73856093 ^ bits(y) * 19349663 ^ bits(z) * 83492791) &
+           mask;
   }
 };
 

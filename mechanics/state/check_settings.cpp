@@ -20,6 +20,18 @@ std::string allowed(const Range& range) {
   return text.empty() ? "a finite number" : text;
 }
 
+/// Whether squares and products of the number stay finite, and so does what it divides.
+bool has_usual_size(double value, const Range& range) {
+  const double size = std::abs(value);
+  return size <= most_number && !(range.low >= 0 && size > 0 && size < least_number);
+}
+
+std::string allowed_sizes(const Range& range) {
+  const std::string most = "at most " + text_of(most_number);
+  return (range.low >= 0 ? "at least " + text_of(least_number) + " and " + most : most) +
+         " in size";
+}
+
 }  // namespace
 
 std::string text_of(double number) {
@@ -30,16 +42,20 @@ std::string text_of(double number) {
 
 bool is_allowed(double value, const Range& range) {
   if (!std::isfinite(value)) return range.with_infinity && value == infinity;
+  if (!has_usual_size(value, range)) return false;
   return value <= range.high && (range.without_low ? value > range.low : value >= range.low);
 }
 
-Finding out_of_range(const Key& key, std::string_view place, std::string_view seen) {
+Finding out_of_range(const Key& key, std::string_view place, std::string_view seen, double value) {
+  const bool has_wrong_size = std::isfinite(value) && !has_usual_size(value, key.range) &&
+                              !(value < key.range.low) && !(value > key.range.high);
+  const std::string wanted = has_wrong_size ? allowed_sizes(key.range) : allowed(key.range);
   const std::string unit = key.unit.empty() ? "" : " " + std::string(key.unit);
   Finding finding;
   finding.code = "out_of_range";
   finding.text.append(place).append(" is ").append(seen).append(unit);
-  finding.text.append("; allowed is ").append(allowed(key.range));
-  finding.remedy = "give a value " + allowed(key.range) + unit;
+  finding.text.append("; allowed is ").append(wanted);
+  finding.remedy = "give a value " + wanted + unit;
   if (!key.remedy.empty()) finding.remedy += ": " + std::string(key.remedy);
   return finding;
 }
@@ -61,7 +77,7 @@ void SettingsCheck::add(const char* code, std::string_view key, const std::strin
 
 void SettingsCheck::number(const Key& key, const std::string& place, double number) {
   if (is_allowed(number, key.range)) return;
-  findings_.push_back({place, out_of_range(key, place, text_of(number))});
+  findings_.push_back({place, out_of_range(key, place, text_of(number), number)});
 }
 
 void SettingsCheck::direction(const Key& key, const Eigen::Vector3d& member) {

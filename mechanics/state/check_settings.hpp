@@ -28,11 +28,12 @@ namespace fields {
 /// A number as messages show it, with six digits.
 std::string text_of(double number);
 
-/// Whether a number is in the range: finite, or the infinity that the range allows.
+/// Whether a number is in the range: not beyond `most_number` nor, where it cannot be below 0,
+/// under `least_number`; or the infinity that the range allows.
 bool is_allowed(double value, const Range& range);
 
 /// The error out_of_range of the key at `place`; `seen`: its value as the user knows it.
-Finding out_of_range(const Key& key, std::string_view place, std::string_view seen);
+Finding out_of_range(const Key& key, std::string_view place, std::string_view seen, double value);
 
 /// A visitor of descriptions that checks what it visits. Each struct may have beside its
 /// description a function `check_together(SettingsCheck&, const T&)` for what concerns several of

@@ -13,7 +13,14 @@ namespace sunder::fields {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Numbers that are allowed, all of them finite; each element of a vector is held to it.
+/// No setting is larger in size, so that squares and products of several stay finite.
+inline constexpr double most_number = 1e20;
+/// Nor smaller, where it cannot be below 0: what is divided by its square stays finite. 0 itself is
+/// another matter.
+inline constexpr double least_number = 1e-30;
+
+/// Numbers that are allowed, all of them within `most_number`; each element of a vector is held to
+/// it.
 struct Range {
   double low = -infinity;
   double high = infinity;

@@ -22,7 +22,7 @@ std::string changed(std::string bytes, std::mt19937_64& random) {
   for (std::uint64_t n = 1 + random() % 3; n > 0 && !bytes.empty(); --n) {
     const std::size_t at = random() % bytes.size();
     const std::size_t size = std::min<std::size_t>(1 + random() % 24, bytes.size() - at);
-    switch (random() % 8) {
+    switch (random() % 9) {
       case 0:
         bytes[at] = static_cast<char>(bytes[at] ^ (1 << random() % 8));
         break;
@@ -59,6 +59,18 @@ std::string changed(std::string bytes, std::mt19937_64& random) {
         // A digit, or a number in the text, becomes another.
         const std::size_t digit = bytes.find_first_of("0123456789", at);
         if (digit != std::string::npos) bytes[digit] = static_cast<char>('0' + random() % 10);
+        break;
+      }
+      case 7: {
+        // A whole number of a text, with its sign, point and exponent, becomes an extreme one.
+        constexpr const char* extremes[] = {"1e17",       "1e308", "-1e300", "1e-300", "1e16",
+                                            "1e-22",      "1e20",  "-1e20",  "1e-30",  "5e-324",
+                                            "4294967296", "-1e17", "0.1e-6", "1e9"};
+        const std::size_t begin = bytes.find_first_of("0123456789", at);
+        if (begin == std::string::npos) break;
+        const std::size_t end = bytes.find_first_not_of("0123456789.eE+-", begin);
+        const std::size_t length = (end == std::string::npos ? bytes.size() : end) - begin;
+        bytes.replace(begin, length, extremes[random() % std::size(extremes)]);
         break;
       }
       default:

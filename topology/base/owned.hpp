@@ -5,20 +5,28 @@
 #include <memory>
 #include <utility>
 
+#include "topology/base/misuse.hpp"
+
 namespace sunder {
 
-/// Owns one `T` and is const where it is; `T` may be incomplete where this is only held.
+/// Owns one `T` and is const where it is; `T` may be incomplete where this is only held. What was
+/// moved from, or never filled, throws Misuse when it is used.
 template <class T>
 class Owned {
  public:
   Owned() = default;
   explicit Owned(std::unique_ptr<T> value) : value_(std::move(value)) {}
-  T& operator*() { return *value_; }
-  const T& operator*() const { return *value_; }
-  T* operator->() { return value_.get(); }
-  const T* operator->() const { return value_.get(); }
+  T& operator*() { return *there(); }
+  const T& operator*() const { return *there(); }
+  T* operator->() { return there(); }
+  const T* operator->() const { return there(); }
 
  private:
+  T* there() const {
+    require(value_ != nullptr, "the simulation is empty: it was moved from, or never built");
+    return value_.get();
+  }
+
   std::unique_ptr<T> value_;
 };
 

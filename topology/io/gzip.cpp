@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "topology/io/limits.hpp"
 #include "topology/io/text/scan.hpp"
 
 namespace sunder::io {
@@ -17,6 +18,14 @@ namespace {
   throw ReadFailure{{.code = std::string(code),
                      .text = std::move(text),
                      .remedy = "the file is damaged: copy or pack it again"}};
+}
+
+[[noreturn]] void fail_too_large(std::size_t packed) {
+  throw ReadFailure{
+      {.code = "too_large",
+       .text = fmt::format("{} packed bytes unfold to more than {}, the limit unpacked_bytes",
+                           packed, limits().unpacked_bytes),
+       .remedy = "unpack it first if you trust it, or look at SUNDER_LIMITS and --confined"}};
 }
 
 }  // namespace
@@ -32,7 +41,12 @@ std::string unpacked(std::string_view bytes) {
   std::size_t filled = 0, taken = 0;
   constexpr std::size_t most = std::size_t{1} << 30;  // zlib counts in 32 bits
   while (true) {
-    if (filled == out.size()) out.resize(std::max<std::size_t>(4096, 2 * filled));
+    if (filled == out.size()) {
+      if (filled > limits().unpacked_bytes) fail_too_large(bytes.size());
+      // One byte beyond the limit shows that there is more.
+      out.resize(std::min<std::size_t>(std::max<std::size_t>(4096, 2 * filled),
+                                       limits().unpacked_bytes + 1));
+    }
     const std::size_t in = std::min(most, bytes.size() - taken);
     const std::size_t room = std::min(most, out.size() - filled);
     stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data() + taken));
@@ -54,6 +68,7 @@ std::string unpacked(std::string_view bytes) {
                                         stream.msg == nullptr ? zError(status) : stream.msg));
     }
   }
+  if (filled > limits().unpacked_bytes) fail_too_large(bytes.size());
   out.resize(filled);
   return out;
 }

@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "topology/io/gzip.hpp"
+#include "topology/io/limits.hpp"
 #include "topology/io/text/scan.hpp"
 
 namespace sunder::io {
@@ -22,6 +23,14 @@ Finding cannot_open(const std::filesystem::path& path, int error) {
       .text = fmt::format("the file cannot be read: {}", std::generic_category().message(error)),
       .remedy = "check the name and the permissions",
       .file = path.string()};
+}
+
+Finding too_large(const std::filesystem::path& path) {
+  return {.code = "too_large",
+          .text = fmt::format("the file has more than {} bytes, the limit file_bytes",
+                              limits().file_bytes),
+          .remedy = "give a smaller file, or look at SUNDER_LIMITS and --confined",
+          .file = path.string()};
 }
 
 /// Whether `path` is `folder` or lies below it; both without links and dots.
@@ -39,11 +48,13 @@ Result<std::string> bytes_of_file(const std::filesystem::path& path) {
   std::string bytes;
   std::error_code unknown;
   const auto size = std::filesystem::file_size(name, unknown);
+  if (!unknown && size > limits().file_bytes) return too_large(path);
   // One byte more than the file has, so that the first read already meets its end.
   std::size_t filled = 0;
   bytes.resize(unknown ? 1 << 16 : size + 1);
   while (const std::size_t n = std::fread(&bytes[filled], 1, bytes.size() - filled, file.get())) {
     filled += n;
+    if (filled > limits().file_bytes) return too_large(path);
     if (filled == bytes.size()) bytes.resize(2 * filled);
   }
   if (std::ferror(file.get())) return cannot_open(path, errno);

@@ -9,11 +9,12 @@
 
 namespace sunder::io {
 
-/// The file's bytes; `-` is standard input. Errors: cannot_open, with the system's reason.
+/// The file's bytes; `-` is standard input. Errors: cannot_open, with the system's
+/// reason; too_large, beyond `Limits::file_bytes`.
 Result<std::string> bytes_of_file(const std::filesystem::path& path);
 
 /// The unpacked bytes of `name` (or `name`.gz) in `folder` or below it; links are followed first.
-/// Errors: missing_file, cannot_open, outside_folder, bad_gzip, truncated_file.
+/// Errors: missing_file, cannot_open, outside_folder, bad_gzip, truncated_file, too_large.
 Result<std::string> bytes_beside(const std::filesystem::path& folder, const std::string& name);
 
 }  // namespace sunder::io

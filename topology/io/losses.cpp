@@ -279,12 +279,13 @@ void lose_in_stl(Losses& losses, const FileMesh& mesh, bool is_binary) {
   losses.findings.back().remedy = "write text (--text), which keeps every digit";
 }
 
-/// A file without a cell says nothing of a mesh that has some; an OBJ file without a point is none.
+/// A file without a cell says nothing of a mesh that has some; one without a point says nothing,
+/// and would replace one that does.
 std::optional<Finding> nothing_left(const Written& written, const FormatTraits& t) {
-  if (t.format == MeshFormat::obj && written.mesh().points.empty()) {
+  if (written.mesh().points.empty()) {
     return Finding{.code = "nothing_left",
-                   .text = "the mesh has no points, and OBJ has no file for that",
-                   .remedy = "write another format, or look why the mesh is empty"};
+                   .text = "the mesh has no points: an empty file would be written",
+                   .remedy = "look at the file that it was read from"};
   }
   if (cell_count(written.original) == 0 || cell_count(written.mesh()) > 0) return std::nullopt;
   return Finding{

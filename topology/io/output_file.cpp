@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -58,12 +59,32 @@ int write_all(int file, std::span<const std::string_view> parts) {
   return 0;
 }
 
-/// The file that a name stands for: links followed, so that renaming does not replace a link.
-std::filesystem::path target_of(const std::filesystem::path& path) {
+/// The file that a name stands for: links followed, so that renaming does not replace a link; the
+/// last one may lead to what is not there yet.
+std::filesystem::path target_of(std::filesystem::path path) {
+  constexpr int most_links = 40;  // as many as Linux follows
   std::error_code error;
-  if (!std::filesystem::is_symlink(path, error)) return path;
-  const std::filesystem::path target = std::filesystem::weakly_canonical(path, error);
-  return error ? path : target;
+  for (int k = 0; k < most_links && std::filesystem::is_symlink(path, error); ++k) {
+    const std::filesystem::path target = std::filesystem::read_symlink(path, error);
+    if (error) break;
+    path = path.parent_path() / target;
+  }
+  return path;
+}
+
+/// Opens a new file that is to replace `target`, for its readers alone: with the mode of that, and
+/// its owner and group as far as the system lets us. -1 where it cannot be made.
+int open_beside(const std::filesystem::path& beside, const std::filesystem::path& target) {
+  struct stat old = {};
+  const bool replaces = ::stat(target.c_str(), &old) == 0;
+  const int file =
+      ::open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, replaces ? 0600 : 0666);
+  if (file < 0 || !replaces) return file;
+  const bool is_owner = old.st_uid == ::geteuid() && old.st_gid == ::getegid();
+  const bool changed = is_owner || ::fchown(file, old.st_uid, old.st_gid) == 0;
+  // Rights of another group must not become those of ours.
+  static_cast<void>(::fchmod(file, old.st_mode & (changed ? 0777 : 0707)));
+  return file;
 }
 
 }  // namespace
@@ -93,7 +114,7 @@ std::optional<Finding> write_file(const std::filesystem::path& path,
   static std::atomic<unsigned> serial = 0;
   const std::filesystem::path beside =
       fmt::format("{}.{}-{}.part", target.string(), ::getpid(), serial++);
-  const int file = ::open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  const int file = open_beside(beside, target);
   if (file < 0) return cannot_write(path, errno, remedy_for(errno));
   int failure = write_all(file, parts);
   if (durable == Durable::yes && failure == 0 && ::fsync(file) != 0) failure = errno;

@@ -18,7 +18,8 @@ enum class Durable : bool { no, yes };
 
 /// Writes `parts`, one after the other, as the file `path`.
 /// Leaves: the new file complete, or on an error the old one (or none) as it was; nothing beside.
-/// A symbolic link is followed. What is named *.gz is packed. `-` is standard output, where what
+/// A symbolic link is followed and stays; a file that is replaced leaves its mode, and its owner
+/// where the system lets us. What is named *.gz is packed. `-` is standard output, where what
 /// failed half-way stays half.
 /// Errors: cannot_write, with the system's reason and the remedy; none when it is written.
 std::optional<Finding> write_file(const std::filesystem::path& path,

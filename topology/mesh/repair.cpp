@@ -14,6 +14,7 @@
 
 #include "topology/base/point_math.hpp"
 #include "topology/base/union_find.hpp"
+#include "topology/base/whole_number.hpp"
 #include "topology/mesh/build_map.hpp"
 #include "topology/mesh/face_table.hpp"
 #include "topology/mesh/kinds/split_cells.hpp"
@@ -64,7 +65,7 @@ struct PointGrid {
     std::array<std::int64_t, 3> c{};
     for (std::size_t k = 0; k < 3; ++k) {
       // What is no number merges with nothing: its cube does not matter.
-      c[k] = static_cast<std::int64_t>(std::clamp(std::floor(p[k] / size), -9e18, 9e18));
+      c[k] = whole_number<std::int64_t>(std::clamp(std::floor(p[k] / size), -9e18, 9e18));
     }
     return c;
   }

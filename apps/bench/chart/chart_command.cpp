@@ -8,12 +8,14 @@
 #include "apps/bench/chart/chart.hpp"
 #include "apps/bench/chart/chart_mesh.hpp"
 #include "apps/bench/chart/chart_report.hpp"
+#include "apps/scene/json_text.hpp"
 #include "apps/scene/scene_json.hpp"
 #include "apps/scene/words.hpp"
 #include "apps/sunder/gnuplot.hpp"
 #include "apps/sunder/telling.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/io/output_file.hpp"
+#include "topology/io/printing.hpp"
 
 namespace sunder {
 namespace {
@@ -96,7 +98,7 @@ std::string answer_text(const Chart& chart) {
   }
   const ChartPoint& p = chart.points[*chart.cheapest];
   return fmt::format("Cheapest inside an error of {:.3g}: {}\n{}\n", chart.within,
-                     setting_text(chart, p.setting), setting_json(p.setting).dump(2));
+                     setting_text(chart, p.setting), json_text(setting_json(p.setting)));
 }
 
 ExitCode write_chart(const ChartArguments& arguments, const Chart& chart) {
@@ -117,9 +119,9 @@ ExitCode write_chart(const ChartArguments& arguments, const Chart& chart) {
   }
   tell_beside(findings, arguments);
   if (arguments.json) {
-    fmt::print("{}\n", chart_json(chart).dump(2));
+    print_json(chart_json(chart));
   } else {
-    fmt::print("{}{:<14} {}\n\n{}{}", chart_table(chart), "written to", arguments.folder.string(),
+    print("{}{:<14} {}\n\n{}{}", chart_table(chart), "written to", arguments.folder.string(),
                answer_text(chart), meshes);
   }
   if (has_error(findings)) return ExitCode::not_written;

@@ -15,9 +15,11 @@
 #include "apps/bench/suite/suite_junit.hpp"
 #include "apps/bench/suite/suite_random.hpp"
 #include "apps/bench/suite/suite_report.hpp"
+#include "apps/scene/json_text.hpp"
 #include "apps/scene/words.hpp"
 #include "apps/sunder/telling.hpp"
 #include "topology/io/output_file.hpp"
+#include "topology/io/printing.hpp"
 #include "topology/suite/judge/judge.hpp"
 
 namespace sunder {
@@ -168,19 +170,20 @@ ExitCode judge_all(const std::vector<suite::Fixture>& fixtures, std::vector<Defe
   }
   std::vector<SuiteRow> rows;
   bool wrong = false;
-  if (!arguments.json) fmt::print("{}", suite_heading(table));
+  if (!arguments.json) print("{}", suite_heading(table));
   for (const suite::Fixture& fixture : fixtures) {
     rows.push_back(judge_fixture(fixture, defendants));
     const SuiteRow& row = rows.back();
-    if (!arguments.json) fmt::print("{}{}", suite_line(table, row), suite_details(row));
+    if (!arguments.json) print("{}{}", suite_line(table, row), suite_details(row));
     std::fflush(stdout);
     wrong = wrong || any_wrong(row);
     if (wrong && arguments.fail_fast) break;
   }
-  // What a kernel's command is called need not be UTF-8.
-  constexpr auto as_is = nlohmann::ordered_json::error_handler_t::replace;
-  fmt::print("{}", arguments.json ? suite_json(table, rows).dump(2, ' ', false, as_is) + "\n"
-                                  : suite_totals(table, rows));
+  if (arguments.json) {
+    print_json(suite_json(table, rows));
+  } else {
+    print_text(stdout, suite_totals(table, rows));
+  }
   if (!arguments.junit.empty()) {
     if (const auto failure = write_file(arguments.junit, suite_junit(table, rows))) {
       tell({*failure}, {});
@@ -208,8 +211,8 @@ ExitCode run_suite(const SuiteArguments& arguments) {
     return !passes(arguments.filter, f.name);
   });
   if (fixtures->empty()) {
-    fmt::print(stderr, "sunder suite: no fixture of {} is called like '{}'\n", folder.string(),
-               arguments.filter);
+    print(stderr, "sunder suite: no fixture of {} is called like '{}'\n", folder.string(),
+          arguments.filter);
     return ExitCode::usage;
   }
   if (!arguments.archive.empty()) return export_suite(*fixtures, arguments.archive);
@@ -220,7 +223,7 @@ ExitCode run_suite(const SuiteArguments& arguments) {
       defendants.push_back({maker_of(name, arguments.timeout)()});
     }
   } catch (const suite::KernelLost& lost) {
-    fmt::print(stderr, "sunder suite: {}\n", lost.what());
+    print(stderr, "sunder suite: {}\n", lost.what());
     return ExitCode::usage;
   }
   return judge_all(*fixtures, std::move(defendants), arguments);

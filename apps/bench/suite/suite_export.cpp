@@ -16,6 +16,7 @@
 #include "apps/scene/words.hpp"
 #include "apps/sunder/telling.hpp"
 #include "topology/io/output_file.hpp"
+#include "topology/io/printing.hpp"
 #include "topology/suite/fixtures/fixture_json_write.hpp"
 #include "topology/suite/judge/judge_truth.hpp"
 
@@ -77,10 +78,10 @@ ExitCode export_suite(const std::vector<suite::Fixture>& fixtures,
     const std::filesystem::path path = std::filesystem::path(SUNDER_SOURCE_DIR) / source.in_tree;
     const std::optional<std::string> bytes = bytes_of(path);
     if (!bytes) {
-      fmt::print(stderr,
-                 "sunder suite: {} cannot be read: --export needs the source tree that the "
-                 "program was built from\n",
-                 path.string());
+      print(stderr,
+            "sunder suite: {} cannot be read: --export needs the source tree that the "
+            "program was built from\n",
+            path.string());
       return ExitCode::bad_input;
     }
     files.push_back({archive_folder + source.in_archive, *bytes, source.executable});
@@ -89,10 +90,10 @@ ExitCode export_suite(const std::vector<suite::Fixture>& fixtures,
     const suite::Truth truth = suite::truth_of(fixture);
     if (truth.checks.first) {
       const suite::Mismatch& m = *truth.checks.first;
-      fmt::print(stderr,
-                 "sunder suite: {} is not true of its body: operation {}: {}: expected {}, "
-                 "union-find has {}; nothing was written\n",
-                 fixture.name, m.operation, m.what, m.expected, m.answered);
+      print(stderr,
+            "sunder suite: {} is not true of its body: operation {}: {}: expected {}, "
+            "union-find has {}; nothing was written\n",
+            fixture.name, m.operation, m.what, m.expected, m.answered);
       return ExitCode::problems;
     }
     files.push_back(
@@ -106,7 +107,7 @@ ExitCode export_suite(const std::vector<suite::Fixture>& fixtures,
     tell({*failure}, {});
     return ExitCode::not_written;
   }
-  fmt::print("{}: {} fixtures\n", archive.string(), fixtures.size());
+  print("{}: {} fixtures\n", archive.string(), fixtures.size());
   return ExitCode::fine;
 }
 

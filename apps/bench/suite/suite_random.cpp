@@ -10,8 +10,10 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "apps/scene/json_text.hpp"
 #include "apps/scene/words.hpp"
 #include "topology/io/mesh_file.hpp"
+#include "topology/io/printing.hpp"
 #include "topology/mesh/check.hpp"
 #include "topology/suite/random/random_run.hpp"
 #include "topology/suite/random/random_run_numbers.hpp"
@@ -42,7 +44,7 @@ class FanProgress {
   FanProgress(const FanProgress&) = delete;
   FanProgress& operator=(const FanProgress&) = delete;
   ~FanProgress() {
-    if (terminal_) fmt::print(stderr, "\r\033[K");
+    if (terminal_) write_text(stderr, "\r\033[K");
   }
 
   void show(std::size_t done) {
@@ -50,7 +52,8 @@ class FanProgress {
     last_ = Clock::now();
     const double elapsed = seconds_since(start_);
     const double left = elapsed * static_cast<double>(fans_ - done) / static_cast<double>(done + 1);
-    fmt::print(stderr, "\r{}: {} of {} fans, {:.0f} s left\033[K", kernel_, done, fans_, left);
+    write_text(stderr, fmt::format("\r{}: {} of {} fans, {:.0f} s left\033[K", plain_line(kernel_),
+                                   done, fans_, left));
     std::fflush(stderr);
   }
 
@@ -114,16 +117,16 @@ constexpr const char* row_format =
 
 void print_line(const FamilyReport& f, std::size_t width, std::size_t mismatches) {
   const std::string sizes = fmt::format("{}-{}", f.fewest, f.most);
-  fmt::print(row_format, f.name, width, f.bodies, sizes, f.counts.fans, f.counts.labelled_fans,
-             f.counts.faces, f.counts.vertices, f.counts.alarms, f.counts.separations,
-             f.counts.missed, efficiency(f), f.counts.glues, f.checks.homologies, mismatches);
+  print(row_format, f.name, width, f.bodies, sizes, f.counts.fans, f.counts.labelled_fans,
+        f.counts.faces, f.counts.vertices, f.counts.alarms, f.counts.separations, f.counts.missed,
+        efficiency(f), f.counts.glues, f.checks.homologies, mismatches);
 }
 
 void print_table(const KernelRun& run) {
   std::size_t width = 0;
   for (const FamilyReport& f : run.report.families) width = std::max(width, f.name.size());
-  fmt::print(row_format, "family", width, "bodies", "tets", "fans", "labelled", "faces", "vertices",
-             "alarms", "parted", "missed", "true %", "glues", "homol.", "wrong");
+  print(row_format, "family", width, "bodies", "tets", "fans", "labelled", "faces", "vertices",
+        "alarms", "parted", "missed", "true %", "glues", "homol.", "wrong");
   for (const FamilyReport& f : run.report.families) print_line(f, width, f.failure ? 1 : 0);
   print_line(suite::total_of(run.report), width, failures_of(run));
 }
@@ -133,15 +136,15 @@ void print_failure(const FamilyReport& family) {
   const auto line = [](const suite::Mismatch& m) {
     return fmt::format("{}: expected {}, answered {}", m.what, m.expected, m.answered);
   };
-  fmt::print("\n{}: after {} steps on {} tetrahedra: {}\n", family.name, failure.found.steps.size(),
-             failure.found.body.tetrahedra.size(), line(failure.first));
+  print("\n{}: after {} steps on {} tetrahedra: {}\n", family.name, failure.found.steps.size(),
+        failure.found.body.tetrahedra.size(), line(failure.first));
   if (failure.last) {
-    fmt::print("Shrunk to {} steps on {} tetrahedra: {}\n", failure.shrunk.steps.size(),
-               failure.shrunk.body.tetrahedra.size(), line(*failure.last));
+    print("Shrunk to {} steps on {} tetrahedra: {}\n", failure.shrunk.steps.size(),
+          failure.shrunk.body.tetrahedra.size(), line(*failure.last));
   } else {
-    fmt::print("No answer to a step was wrong when all were asked again: nothing taken away.\n");
+    print("No answer to a step was wrong when all were asked again: nothing taken away.\n");
   }
-  fmt::print("As a fixture:\n{}\n", failure.fixture);
+  print("As a fixture:\n{}\n", failure.fixture);
 }
 
 /// Which checks ran how often: what costs as much as the body is large does not run every time.
@@ -149,9 +152,9 @@ void print_checks(const FamilyReport& total) {
   const suite::CheckCounts& c = total.checks;
   const suite::TearCounts& t = total.counts;
   const auto line = [](std::size_t times, std::string_view what) {
-    fmt::print("{:>12}  {}\n", times, what);
+    print("{:>12}  {}\n", times, what);
   };
-  fmt::print("\nChecks made\n");
+  print("\nChecks made\n");
   line(c.splits, "splits: vertices, edges, separation against union-find; laws of the answer");
   line(c.laws, "of them: all cells counted by the kernel against the running counts");
   line(c.betti_changes, "of them: change of the Betti numbers against the table of laws");
@@ -171,15 +174,15 @@ void print_checks(const FamilyReport& total) {
 }
 
 void print_run(const RandomArguments& arguments, const KernelRun& run) {
-  fmt::print("kernel {}, seed {}\n\n", run.kernel, arguments.seed);
+  print("kernel {}, seed {}\n\n", run.kernel, arguments.seed);
   print_table(run);
   const FamilyReport total = suite::total_of(run.report);
   print_checks(total);
   for (const FamilyReport& f : run.report.families) {
     if (f.failure) print_failure(f);
   }
-  fmt::print("\n{} fans and {} by labels, {} mismatches, {:.1f} minutes\n", total.counts.fans,
-             total.counts.labelled_fans, failures_of(run), run.seconds / 60);
+  print("\n{} fans and {} by labels, {} mismatches, {:.1f} minutes\n", total.counts.fans,
+        total.counts.labelled_fans, failures_of(run), run.seconds / 60);
 }
 
 ordered_json mismatch_json(const suite::Mismatch& m) {
@@ -255,7 +258,7 @@ ExitCode run_random_suite(const RandomArguments& arguments,
     json ? answer["runs"].push_back(run_json(run)) : print_run(arguments, run);
     std::fflush(stdout);
   }
-  if (json) fmt::print("{}\n", answer.dump(2));
+  if (json) print_json(answer);
   return wrong ? ExitCode::problems : ExitCode::fine;
 }
 

@@ -18,6 +18,7 @@
 #include "apps/sunder/view/view.hpp"
 #endif
 #include "topology/io/output_file.hpp"
+#include "topology/io/printing.hpp"
 
 namespace sunder {
 namespace {
@@ -71,18 +72,18 @@ ExitCode show_demo(const fs::path& folder, const Telling& telling) {
   const std::string sunder = program_word();
   const auto in_folder = [&](const char* name) { return shell_word((folder / name).string()); };
 #if defined(SUNDER_HAS_RENDERER)
-  fmt::print("\nLook at   {}\nThen      {} render {} pieces.png --explode 0.6\n",
-             in_folder("run/picture_005.png"), sunder, in_folder("run"));
+  print("\nLook at   {}\nThen      {} render {} pieces.png --explode 0.6\n",
+        in_folder("run/picture_005.png"), sunder, in_folder("run"));
 #else
-  fmt::print("\nLook at   {} with ParaView\n", in_folder("run/frames.pvd"));
+  print("\nLook at   {} with ParaView\n", in_folder("run/frames.pvd"));
 #endif
 #if defined(SUNDER_HAS_VIEW)
-  fmt::print("and       {} view {}    ({})\n", sunder, in_folder("ball.json"),
-             page_is_built() ? "in the browser: throw balls, pull, cut"
-                             : "in the browser, once `./bootstrap all` has built the page");
+  print("and       {} view {}    ({})\n", sunder, in_folder("ball.json"),
+        page_is_built() ? "in the browser: throw balls, pull, cut"
+                        : "in the browser, once `./bootstrap all` has built the page");
 #endif
-  fmt::print("and       {} run {} --set bodies.0.material.toughness=4e5\n", sunder,
-             in_folder("ball.json"));
+  print("and       {} run {} --set bodies.0.material.toughness=4e5\n", sunder,
+        in_folder("ball.json"));
   return ExitCode::fine;
 }
 

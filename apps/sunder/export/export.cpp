@@ -9,12 +9,14 @@
 #include <iterator>
 #include <memory>
 
+#include "apps/scene/json_text.hpp"
 #include "apps/scene/words.hpp"
 #include "apps/sunder/export/glb.hpp"
 #include "apps/sunder/export/obstacle_tracks.hpp"
 #include "apps/sunder/program.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/io/output_file.hpp"
+#include "topology/io/printing.hpp"
 
 namespace sunder {
 namespace {
@@ -42,8 +44,6 @@ Examples:
 struct ExportArguments : Telling {
   std::filesystem::path result, out;
 };
-
-void print_json(const nlohmann::ordered_json& json) { fmt::print("{}\n", json.dump(2)); }
 
 std::string obj_text(const std::vector<PieceTrack>& tracks, std::size_t frame) {
   std::string text = "# sunder export, m, z up\n";
@@ -89,23 +89,23 @@ ExitCode write_broken(const ExportArguments& arguments, const ResultFrame& last,
   if (has_error(findings)) return mesh ? ExitCode::not_written : ExitCode::bad_input;
   stages.done(fmt::format("wrote {}", arguments.out.string()));
   if (arguments.json) {
-    print_json({{"written", arguments.out.string()},
-                {"tetrahedra", last.tetrahedra.size()},
-                {"points", last.position.size()},
-                {"time", last.time},
-                {"findings", findings_json(findings)}});
+    print_json(nlohmann::ordered_json{{"written", arguments.out.string()},
+                                      {"tetrahedra", last.tetrahedra.size()},
+                                      {"points", last.position.size()},
+                                      {"time", last.time},
+                                      {"findings", findings_json(findings)}});
     return ExitCode::fine;
   }
-  fmt::print("{} tetrahedra, {} points at {:.6g} s\n", last.tetrahedra.size(), last.position.size(),
-             last.time);
+  print("{} tetrahedra, {} points at {:.6g} s\n", last.tetrahedra.size(), last.position.size(),
+        last.time);
   return ExitCode::fine;
 }
 
 ExitCode export_result(const ExportArguments& arguments) {
   const std::string ending = arguments.out.extension().string();
   if (ending != ".glb" && ending != ".obj" && ending != ".msh") {
-    fmt::print(stderr, "sunder export: {} ends neither in .glb nor in .obj nor in .msh\n",
-               arguments.out.string());
+    print(stderr, "sunder export: {} ends neither in .glb nor in .obj nor in .msh\n",
+          arguments.out.string());
     return ExitCode::usage;
   }
   Stages stages(arguments);
@@ -134,15 +134,15 @@ ExitCode export_result(const ExportArguments& arguments) {
   double departure = 0;
   for (const PieceTrack& track : tracks) departure = std::max(departure, track.departure);
   if (arguments.json) {
-    print_json({{"written", arguments.out.string()},
-                {"pieces", pieces},
-                {"frames", run->frames.size()},
-                {"largest_departure", departure},
-                {"findings", findings_json(run.findings)}});
+    print_json(nlohmann::ordered_json{{"written", arguments.out.string()},
+                                      {"pieces", pieces},
+                                      {"frames", run->frames.size()},
+                                      {"largest_departure", departure},
+                                      {"findings", findings_json(run.findings)}});
     return ExitCode::fine;
   }
-  fmt::print("{} pieces, {} frames; tracks within {:.1e} m of the rigid references\n", pieces,
-             run->frames.size(), departure);
+  print("{} pieces, {} frames; tracks within {:.1e} m of the rigid references\n", pieces,
+        run->frames.size(), departure);
   return ExitCode::fine;
 }
 

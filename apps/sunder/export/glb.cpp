@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "apps/scene/json_text.hpp"
+
 namespace sunder {
 namespace {
 
@@ -65,7 +67,7 @@ class GlbWriter {
 
   std::string bytes() {
     root["buffers"] = nlohmann::json::array({{{"byteLength", binary_.size()}}});
-    std::string text = root.dump();
+    std::string text = json_text(root, -1);
     text.resize((text.size() + 3) / 4 * 4, ' ');
     std::string file = "glTF";
     append(file, std::uint32_t{2});

@@ -17,6 +17,7 @@
 #include "apps/scene/scene_text.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "topology/base/split_text.hpp"
+#include "topology/base/whole_number.hpp"
 #include "topology/io/mesh_file.hpp"
 
 namespace sunder {
@@ -130,8 +131,8 @@ std::map<std::int64_t, ResultPiece> read_pieces(const std::string& text) {
   for (std::size_t k = 0; k < component.size(); ++k) {
     if (std::isnan(component[k]) || std::isnan(mass[k])) continue;
     // Bodies as they began have no birth.
-    pieces[std::llround(component[k])] = {mass[k],
-                                          std::isnan(birth[k]) ? 0 : std::llround(birth[k])};
+    pieces[whole_number<std::int64_t>(std::round(component[k]))] = {
+        mass[k], whole_number<std::int64_t>(std::round(birth[k]))};
   }
   return pieces;
 }
@@ -166,7 +167,8 @@ std::vector<Obstacle> obstacles_at(double time, std::vector<Obstacle> obstacles,
     if (!o.mass) translate(o.shape, time * o.velocity);
   }
   for (std::size_t k = 0; k < places.time.size(); ++k) {
-    const auto row = static_cast<std::size_t>(places.row[k]);
+    if (!(places.row[k] >= 0)) continue;  // no number
+    const auto row = whole_number<std::size_t>(places.row[k]);
     if (row >= obstacles.size() || std::abs(places.time[k] - time) > 1e-9) continue;
     const auto& p = places.pose;
     put(obstacles[row].shape,

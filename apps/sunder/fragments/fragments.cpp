@@ -11,10 +11,12 @@
 #include <string>
 #include <vector>
 
+#include "apps/scene/json_text.hpp"
 #include "apps/scene/words.hpp"
 #include "apps/sunder/fragments/fragments_report.hpp"
 #include "apps/sunder/gnuplot.hpp"
 #include "apps/sunder/program.hpp"
+#include "topology/io/printing.hpp"
 
 namespace sunder {
 namespace {
@@ -59,9 +61,9 @@ ExitCode measure_folder(FragmentsArguments arguments) {
   const FragmentSizes sizes = measure_fragments(*pieces, *elements, arguments.measure);
   stages.done("fitted the laws");
   if (arguments.json) {
-    fmt::print("{}\n", fragments_json(sizes).dump(2));
+    print_json(fragments_json(sizes));
   } else {
-    fmt::print("{}", fragments_text(sizes));
+    print("{}", fragments_text(sizes));
   }
   if (arguments.png.empty()) return ExitCode::fine;
   const fs::path folder = fs::absolute(csv).parent_path();

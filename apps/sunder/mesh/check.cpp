@@ -10,10 +10,12 @@
 #include <memory>
 #include <stdexcept>
 
+#include "apps/scene/json_text.hpp"
 #include "apps/sunder/mesh/check_report.hpp"
 #include "apps/sunder/telling.hpp"
 #include "topology/io/format_traits.hpp"
 #include "topology/io/mesh_file.hpp"
+#include "topology/io/printing.hpp"
 #include "topology/mesh/boundary_surface.hpp"
 #include "topology/mesh/finding_cells.hpp"
 #include "topology/mesh/surface/surface_check.hpp"
@@ -223,10 +225,11 @@ ExitCode run_checks(CheckArguments arguments) {
       all.push_back(std::move(json));
       continue;
     }
-    if (several) fmt::print("{}{}:\n", &mesh == arguments.meshes.data() ? "" : "\n", mesh.string());
+    if (several) print("{}{}:\n", &mesh == arguments.meshes.data() ? "" : "\n",
+                       plain_line(mesh.string()));
     print_table(report);
   }
-  if (arguments.json) fmt::print("{}\n", (several ? all : all.front()).dump(2));
+  if (arguments.json) print_json(several ? all : all.front());
   return worst;
 }
 

@@ -10,6 +10,7 @@
 
 #include "apps/scene/words.hpp"
 #include "apps/sunder/telling.hpp"
+#include "topology/io/printing.hpp"
 
 namespace sunder {
 namespace {
@@ -59,34 +60,32 @@ std::string group_text(const suite::IntegerHomology& homology, std::size_t dimen
 }
 
 void print_homology(const suite::IntegerHomology& homology) {
-  fmt::print("homology            ");
-  for (std::size_t d = 0; d < 4; ++d) fmt::print(" H{} = {}", d, group_text(homology, d));
-  fmt::print("\n");
+  print("homology            ");
+  for (std::size_t d = 0; d < 4; ++d) print(" H{} = {}", d, group_text(homology, d));
+  print("\n");
 }
 
 void print_counts(const Counts& c) {
-  fmt::print("vertices            {:>10}\nedges               {:>10}\nfaces               {:>10}\n",
-             c.vertices, c.edges, c.faces);
-  fmt::print("components          {:>10}\nboundary faces      {:>10}\nboundary sheets     {:>10}\n",
-             c.components, c.boundary_faces, c.boundary_sheets);
-  fmt::print(
-      "Euler characteristic{:>10}\nBetti numbers       {:>10}\nvolume, m^3         {:>10.6g}\n",
-      c.euler_characteristic, betti_text(c), c.volume);
+  print("vertices            {:>10}\nedges               {:>10}\nfaces               {:>10}\n",
+        c.vertices, c.edges, c.faces);
+  print("components          {:>10}\nboundary faces      {:>10}\nboundary sheets     {:>10}\n",
+        c.components, c.boundary_faces, c.boundary_sheets);
+  print("Euler characteristic{:>10}\nBetti numbers       {:>10}\nvolume, m^3         {:>10.6g}\n",
+        c.euler_characteristic, betti_text(c), c.volume);
 }
 
 void print_range(const char* name, const Quality::Extreme& from, const Quality::Extreme& to) {
-  fmt::print("{:<20}{:>10.4g} to {:.4g}  [{} {}]\n", name, from.value, to.value, from.tetrahedron,
-             to.tetrahedron);
+  print("{:<20}{:>10.4g} to {:.4g}  [{} {}]\n", name, from.value, to.value, from.tetrahedron,
+        to.tetrahedron);
 }
 
 void print_quality(const Quality& q) {
   print_range("dihedral angles, deg", q.smallest_dihedral, q.largest_dihedral);
-  fmt::print("radius ratios       {:>10.4g} at least, {:.4g} on average  [{}]\n",
-             q.smallest_radius_ratio.value, q.mean_radius_ratio,
-             q.smallest_radius_ratio.tetrahedron);
+  print("radius ratios       {:>10.4g} at least, {:.4g} on average  [{}]\n",
+        q.smallest_radius_ratio.value, q.mean_radius_ratio, q.smallest_radius_ratio.tetrahedron);
   print_range("volumes, m^3", q.smallest_volume, q.largest_volume);
   if (std::isfinite(volume_ratio(q))) {
-    fmt::print("volume ratio        {:>10.4g}\n", volume_ratio(q));
+    print("volume ratio        {:>10.4g}\n", volume_ratio(q));
   }
   print_range("edges, m", q.shortest_edge, q.longest_edge);
 }
@@ -97,10 +96,10 @@ Json extent_json(const Extent& extent) {
 
 void print_extent(const Extent& extent) {
   const auto& [low, high] = extent.box;
-  fmt::print("bounding box, m      ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g})\n", low[0],
-             low[1], low[2], high[0], high[1], high[2]);
-  fmt::print("centre, m            ({:.6g}, {:.6g}, {:.6g})\n", extent.centre[0], extent.centre[1],
-             extent.centre[2]);
+  print("bounding box, m      ({:.6g}, {:.6g}, {:.6g}) to ({:.6g}, {:.6g}, {:.6g})\n", low[0],
+        low[1], low[2], high[0], high[1], high[2]);
+  print("centre, m            ({:.6g}, {:.6g}, {:.6g})\n", extent.centre[0], extent.centre[1],
+        extent.centre[2]);
 }
 
 /// kg; none without a density or a volume.
@@ -142,9 +141,7 @@ Json surface_json(const CheckReport& report) {
 
 void print_surface(const CheckReport& report) {
   const SurfaceCheck& s = *report.surface;
-  const auto count = [](std::string_view name, std::size_t n) {
-    fmt::print("{:<20}{:>10}\n", name, n);
-  };
+  const auto count = [](std::string_view name, std::size_t n) { print("{:<20}{:>10}\n", name, n); };
   count("points in the file", report.points);
   count("triangles", s.triangles);
   count("quadrilaterals", s.quadrilaterals);
@@ -153,16 +150,16 @@ void print_surface(const CheckReport& report) {
   count("edges", s.edges);
   count("components", s.components);
   count("boundary edges", s.boundary_edges);
-  fmt::print("Euler characteristic{:>10}\n", s.euler_characteristic);
+  print("Euler characteristic{:>10}\n", s.euler_characteristic);
   const auto answer = [](std::string_view name, std::string_view is_so) {
-    fmt::print("{:<20}{:>10}\n", name, is_so);
+    print("{:<20}{:>10}\n", name, is_so);
   };
   answer("closed", yes_or_no(s.is_closed));
   answer("manifold", yes_or_no(s.is_manifold));
   answer("oriented", yes_or_no(s.is_oriented));
   answer("crosses itself", s.crosses_itself ? yes_or_no(*s.crosses_itself) : "-");
-  fmt::print("area, m^2           {:>10.6g}\n", s.area);
-  if (s.volume) fmt::print("volume, m^3         {:>10.6g}\n", *s.volume);
+  print("area, m^2           {:>10.6g}\n", s.area);
+  if (s.volume) print("volume, m^3         {:>10.6g}\n", *s.volume);
   print_extent(s.extent);
 }
 
@@ -208,22 +205,21 @@ void print_table(const CheckReport& report) {
   if (report.surface) {
     print_surface(report);
   } else if (report.is_read) {
-    fmt::print("points in the file  {:>10}\ntetrahedra          {:>10}\n", report.points,
-               report.tetrahedra);
+    print("points in the file  {:>10}\ntetrahedra          {:>10}\n", report.points,
+          report.tetrahedra);
   }
   if (report.counts) print_counts(*report.counts);
   if (report.homology) print_homology(*report.homology);
   if (report.extent) print_extent(*report.extent);
-  if (const auto mass = mass_of(report)) fmt::print("mass, kg            {:>10.6g}\n", *mass);
+  if (const auto mass = mass_of(report)) print("mass, kg            {:>10.6g}\n", *mass);
   if (report.quality) print_quality(*report.quality);
-  fmt::print("{}", finding_lines(report.findings, shows_colours(STDOUT_FILENO)));
+  write_text(stdout, finding_lines(report.findings, shows_colours(STDOUT_FILENO)));
   if (report.cells_written > 0) {
-    fmt::print("{}: {} cells that findings name\n", report.findings_file.string(),
-               report.cells_written);
+    print("{}: {} cells that findings name\n", report.findings_file.string(), report.cells_written);
   } else if (!report.findings_file.empty()) {
-    fmt::print("no finding names a cell: nothing is written\n");
+    print("no finding names a cell: nothing is written\n");
   }
-  fmt::print("{}\n", has_error(report.findings) ? "not valid" : "valid");
+  print("{}\n", has_error(report.findings) ? "not valid" : "valid");
 }
 
 }  // namespace sunder

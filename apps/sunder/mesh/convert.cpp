@@ -19,6 +19,7 @@
 #include "topology/io/format_traits.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/io/output_file.hpp"
+#include "topology/io/printing.hpp"
 #include "topology/mesh/kinds/move_cells.hpp"
 #include "topology/mesh/kinds/second_order.hpp"
 #include "topology/mesh/kinds/split_cells.hpp"
@@ -223,6 +224,12 @@ Conversion convert(ConvertArguments arguments) {
   result.mesh = std::move(*mesh);
   // A repair was asked for: what it drops is no loss.
   result.has_losses = std::ranges::any_of(result.findings, is_loss);
+  // Points alone are a mesh too, where the file has nothing else.
+  const bool lost_cells =
+      cell_count(result.mesh) > 0 || std::ranges::any_of(result.findings, [](const Finding& f) {
+        return f.code == "skipped_cells" || f.code == "unsupported_cells" ||
+               f.code == "unknown_cells";
+      });
   simplify(result.mesh, arguments, result.findings);
   if (arguments.triangles == "drop") result.findings.push_back(drop_shells_and_beams(result.mesh));
   std::ranges::move(repair(result.mesh, arguments.repairs), std::back_inserter(result.findings));
@@ -231,6 +238,13 @@ Conversion convert(ConvertArguments arguments) {
   std::ranges::move(crack.findings, std::back_inserter(result.findings));
   if (has_error(result.findings)) {
     result.is_repaired = false;
+    return result;
+  }
+  if (lost_cells && cell_count(result.mesh) == 0) {
+    result.findings.push_back({.code = "nothing_left",
+                               .text = "no cell is left to write",
+                               .remedy = "look at the warnings and at what was to be left out",
+                               .file = arguments.in.string()});
     return result;
   }
   stages.done("made the changes that were asked for");
@@ -284,14 +298,14 @@ std::string counts_text(const FileMesh& mesh) {
   return text.empty() ? "a mesh without points" : text;
 }
 
-void print(const ConvertArguments& arguments, const Conversion& result) {
+void print_conversion(const ConvertArguments& arguments, const Conversion& result) {
   if (arguments.json) {
     nlohmann::ordered_json json = nlohmann::ordered_json::object();
     json["counts"] = result.is_read ? counts_json(result.mesh) : nlohmann::ordered_json{};
     json["written"] = result.is_written;
     json["lossless"] = result.is_written && !result.has_losses;
     json["findings"] = findings_json(result.findings);
-    fmt::print(arguments.out == "-" ? stderr : stdout, "{}\n", json.dump(2));
+    print_json(json, arguments.out == "-" ? stderr : stdout);
     return;
   }
   tell_beside(result.findings, arguments);
@@ -301,12 +315,12 @@ void print(const ConvertArguments& arguments, const Conversion& result) {
                         counts_text(result.mesh), result.has_losses ? "" : "; nothing is lost")
           : "nothing is written\n";
   // Where the mesh itself goes to standard output, what is said of it goes beside.
-  arguments.out == "-" ? remark(words, arguments) : fmt::print("{}", words);
+  arguments.out == "-" ? remark(words, arguments) : print("{}", words);
 }
 
 ExitCode run_convert(const ConvertArguments& arguments) {
   const Conversion result = convert(arguments);
-  print(arguments, result);
+  print_conversion(arguments, result);
   if (!result.is_read || !result.is_repaired) return ExitCode::bad_input;
   if (result.is_written) return ExitCode::fine;
   const auto is_usage = [](const Finding& f) {
@@ -385,7 +399,7 @@ void add_convert_command(CLI::App& program, ExitCode& exit_code) {
   command->add_flag_callback(
       "--formats",
       [] {
-        fmt::print("{}", formats_table());
+        print("{}", formats_table());
         throw CLI::Success();
       },
       "Print what each format can hold, as a table, and end");

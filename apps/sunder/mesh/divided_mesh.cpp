@@ -9,10 +9,12 @@
 #include <iterator>
 #include <map>
 
+#include "apps/scene/json_text.hpp"
 #include "apps/scene/words.hpp"
 #include "apps/sunder/program.hpp"
 #include "topology/base/split_text.hpp"
 #include "topology/io/mesh_file.hpp"
+#include "topology/io/printing.hpp"
 #include "topology/mesh/build_map.hpp"
 
 namespace sunder {
@@ -72,9 +74,9 @@ std::array<std::string, 10> column_of(const MeshState& state) {
 
 void print_table(const MeshState& before, const MeshState& after) {
   const auto left = column_of(before), right = column_of(after);
-  fmt::print("{:<22}{:>18}{:>18}\n", "", "before", "after");
+  print("{:<22}{:>18}{:>18}\n", "", "before", "after");
   for (std::size_t i = 0; i < row_names.size(); ++i) {
-    fmt::print("{:<22}{:>18}{:>18}\n", row_names[i], left[i], right[i]);
+    print("{:<22}{:>18}{:>18}\n", row_names[i], left[i], right[i]);
   }
 }
 
@@ -167,10 +169,10 @@ ExitCode finish(const DivideArguments& arguments, DividedMesh& body, const std::
     nlohmann::ordered_json all{{"before", state_json(body.before)}, {"after", state_json(after)}};
     all.update(json);
     all["findings"] = findings_json(body.findings);
-    fmt::print("{}\n", all.dump(2));
+    print_json(all);
   } else {
     print_table(body.before, after);
-    fmt::print("\n{}", lines);
+    print("\n{}", lines);
   }
   tell_beside(body.findings, arguments);
   return has_error(written) ? ExitCode::not_written : ExitCode::fine;

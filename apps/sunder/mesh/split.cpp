@@ -9,12 +9,15 @@
 #include <filesystem>
 #include <memory>
 
+#include "apps/scene/json_text.hpp"
 #include "apps/scene/words.hpp"
 #include "apps/sunder/mesh/split_faces.hpp"
 #include "apps/sunder/mesh/split_output.hpp"
 #include "apps/sunder/program.hpp"
 #include "apps/sunder/static/static_fan.hpp"
+#include "topology/base/whole_number.hpp"
 #include "topology/io/mesh_file.hpp"
+#include "topology/io/printing.hpp"
 #include "topology/kernel/invariants.hpp"
 #include "topology/kernel/split_face.hpp"
 #include "topology/mesh/build_map.hpp"
@@ -133,7 +136,7 @@ nlohmann::ordered_json counts_json(std::size_t file_vertices, const Counts& coun
   return json;
 }
 
-void print_json(const SplitAnswer& answer, const std::vector<Finding>& findings) {
+void print_split_json(const SplitAnswer& answer, const std::vector<Finding>& findings) {
   nlohmann::ordered_json splits = nlohmann::ordered_json::array();
   for (const SplitRow& row : answer.rows) {
     if (!row.error.empty()) {
@@ -152,12 +155,12 @@ void print_json(const SplitAnswer& answer, const std::vector<Finding>& findings)
                                     {"splits", splits},
                                     {"visited", visited_by_all(answer)},
                                     {"findings", findings_json(findings)}};
-  fmt::print("{}\n", json.dump(2));
+  print_json(json);
 }
 
 void print_counts(const SplitAnswer& answer) {
   const auto line = [](std::string_view name, auto before, auto after) {
-    fmt::print("{:<22}{:>12}{:>12}\n", name, before, after);
+    print("{:<22}{:>12}{:>12}\n", name, before, after);
   };
   const Counts &a = answer.before, &b = answer.after;
   line("", "before", "after");
@@ -171,27 +174,27 @@ void print_counts(const SplitAnswer& answer) {
   line("Euler characteristic", a.euler_characteristic, b.euler_characteristic);
   line("Betti numbers", betti_text(a), betti_text(b));
   line("volume, m^3", fmt::format("{:.6g}", a.volume), fmt::format("{:.6g}", b.volume));
-  fmt::print("\nvisited by the search for components: {} tetrahedra\n", visited_by_all(answer));
+  print("\nvisited by the search for components: {} tetrahedra\n", visited_by_all(answer));
 }
 
 void print_table(const SplitAnswer& answer) {
   print_counts(answer);
-  fmt::print("\n{:<22}{:<20}{:<36}{:<8}{:<15}{}\n", "face", "vertices split", "edges split",
-             "oracle", "new component", "visited");
+  print("\n{:<22}{:<20}{:<36}{:<8}{:<15}{}\n", "face", "vertices split", "edges split", "oracle",
+        "new component", "visited");
   for (const SplitRow& row : answer.rows) {
     const std::string face = fmt::format("{}", fmt::join(row.request.points, " "));
     if (!row.error.empty()) {
-      fmt::print("{:<22}{}\n", face, row.error);
+      print("{:<22}{}\n", face, row.error);
       continue;
     }
     std::string edges;
     for (const auto& edge : row.edges) {
       edges += fmt::format("{}{}-{}", edges.empty() ? "" : " ", edge[0], edge[1]);
     }
-    fmt::print("{:<22}{:<20}{:<36}{:<8}{:<15}{}\n", face,
-               row.vertices.empty() ? "-" : fmt::format("{}", fmt::join(row.vertices, " ")),
-               edges.empty() ? "-" : edges, row.oracle ? "yes" : "no",
-               row.new_component ? "yes" : "no", row.visited);
+    print("{:<22}{:<20}{:<36}{:<8}{:<15}{}\n", face,
+          row.vertices.empty() ? "-" : fmt::format("{}", fmt::join(row.vertices, " ")),
+          edges.empty() ? "-" : edges, row.oracle ? "yes" : "no", row.new_component ? "yes" : "no",
+          row.visited);
   }
 }
 
@@ -200,7 +203,7 @@ Result<std::vector<FaceRequest>> requested_faces(const VolumeMap& map,
                                                  const SplitArguments& arguments) {
   if (!arguments.fan.empty()) {
     const std::vector<double> x = *numbers_of(arguments.fan, 4);
-    return faces_of_fan(map, static_cast<std::uint32_t>(x[0]), {x[1], x[2], x[3]});
+    return faces_of_fan(map, whole_number<std::uint32_t>(x[0]), {x[1], x[2], x[3]});
   }
   if (!arguments.plane.empty()) {
     const std::vector<double> x = *numbers_of(arguments.plane, 4);
@@ -245,7 +248,7 @@ ExitCode run_split(const SplitArguments& arguments) {
     findings.insert(findings.end(), written.begin(), written.end());
     if (!has_error(written)) stages.done(fmt::format("wrote {}", arguments.output.string()));
   }
-  arguments.json ? print_json(answer, findings) : print_table(answer);
+  arguments.json ? print_split_json(answer, findings) : print_table(answer);
   tell_beside(findings, arguments);
   return has_error(findings) ? ExitCode::not_written : ExitCode::fine;
 }

@@ -12,9 +12,11 @@
 
 #include "apps/render/image.hpp"
 #include "apps/render/renderer.hpp"
+#include "apps/scene/json_text.hpp"
 #include "apps/scene/words.hpp"
 #include "apps/sunder/program.hpp"
 #include "apps/sunder/render/result_picture.hpp"
+#include "topology/io/printing.hpp"
 
 namespace sunder {
 namespace {
@@ -99,13 +101,13 @@ std::vector<Finding> draw(const RenderArguments& a, const RunResult& run,
       return findings;
     }
     pictures.push_back({{"file", path.string()}, {"time", run.frames[k].time}});
-    if (!a.json) fmt::print("{} {:.6g} s\n", path.string(), run.frames[k].time);
+    if (!a.json) print("{} {:.6g} s\n", path.string(), run.frames[k].time);
   }
   return {};
 }
 
 ExitCode usage(const std::string& text) {
-  fmt::print(stderr, "sunder render: {}\n", text);
+  print(stderr, "sunder render: {}\n", text);
   return ExitCode::usage;
 }
 
@@ -132,7 +134,7 @@ ExitCode render_result(const RenderArguments& a) {
   if (a.json) {
     const nlohmann::ordered_json answer{{"pictures", pictures},
                                         {"findings", findings_json(run.findings)}};
-    fmt::print("{}\n", answer.dump(2));
+    print_json(answer);
   }
   return ExitCode::fine;
 }

@@ -6,6 +6,7 @@
 #include <sunder/version.hpp>
 #include <utility>
 
+#include "apps/scene/json_text.hpp"
 #include "apps/scene/scene_hash.hpp"
 
 namespace sunder {
@@ -155,7 +156,7 @@ EventLog::EventLog(const ordered_json& head, std::string hash) {
 EventLog::EventLog(const SceneFile& file)
     : EventLog(event_log_head(file, scene_hash(file)), scene_hash(file)) {}
 
-void EventLog::add(const ordered_json& line) { add_line(line.dump()); }
+void EventLog::add(const ordered_json& line) { add_line(json_text(line, -1)); }
 
 std::optional<EventLog> EventLog::of(const SceneFile& file, std::string_view text,
                                      std::optional<std::uint64_t> branched_at) {

@@ -12,12 +12,13 @@
 #include <system_error>
 
 #include "apps/sunder/telling.hpp"
+#include "topology/base/whole_number.hpp"
 
 namespace sunder {
 namespace {
 
 std::string wall_time(double seconds) {
-  const auto s = static_cast<std::uint64_t>(seconds + 0.5);
+  const auto s = whole_number<std::uint64_t>(seconds + 0.5);
   if (s >= 3600) return fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
   return fmt::format("{}:{:02}", s / 60, s % 60);
 }
@@ -39,7 +40,8 @@ std::string progress_line(const ProgressState& state, double elapsed, double lef
                           std::size_t width) {
   std::string line;
   if (width > 0) {
-    const auto filled = static_cast<std::size_t>(share_done(state) * static_cast<double>(width));
+    const auto filled =
+        whole_number<std::size_t>(share_done(state) * static_cast<double>(width), width);
     line = fmt::format("[{:-<{}}] ", std::string(filled, '#'), width);
   }
   line += fmt::format("step {}/{}  t = {:.6f} s  {} {}  {} {}", state.step, state.steps, state.time,

@@ -11,10 +11,12 @@
 
 #include "apps/output/frame.hpp"
 #include "apps/output/tables.hpp"
+#include "apps/scene/json_text.hpp"
 #include "apps/sunder/run/pictures.hpp"
 #include "apps/sunder/run/report/counters_json.hpp"
 #include "apps/sunder/run/report/settings_report.hpp"
 #include "apps/sunder/run/saved/run_folder.hpp"
+#include "topology/base/whole_number.hpp"
 #include "topology/io/output_file.hpp"
 #include "topology/io/vtu/vtu.hpp"
 
@@ -36,6 +38,12 @@ struct Recorder::Parts {
   /// Of the last checkpoint: when it was, and the frames and pictures that are on the disk.
   std::chrono::steady_clock::time_point saved_at = std::chrono::steady_clock::now();
   std::uint64_t frames_on_disk = 0, pictures_on_disk = 0;
+  /// Of the last step that was kept: what it is, when that was and how long it took.
+  std::optional<CheckpointBytes> kept;
+  std::chrono::steady_clock::time_point kept_at;
+  std::chrono::steady_clock::duration keeping = {};
+  bool last_is_whole = true;  ///< the step at which the run stands
+  std::optional<std::uint64_t> saved_step;
 
   Parts(const RecordedRun& run, EventLog so_far);
   std::vector<Finding> open_log(Durable durable);
@@ -44,7 +52,10 @@ struct Recorder::Parts {
   std::vector<Finding> write_frame_of(const Simulation& now);
   std::vector<Finding> draw_picture(const Simulation& now);
   std::vector<Finding> write_due(const Simulation& now);
+  bool saves() const;
+  std::vector<Finding> save(const CheckpointBytes& checkpoint);
   std::vector<Finding> save(const Simulation& now);
+  std::vector<Finding> save_interrupted(const Simulation& now);
   bool is_time_for_impact(const Simulation& now) const;
   bool is_time_to_save(const Simulation& now) const;
 };
@@ -78,7 +89,7 @@ std::vector<std::uint64_t> due_pictures(const SceneFile& file) {
   std::vector<std::uint64_t> due = even_steps(steps, file.output.pictures.count);
   for (const double time : file.output.pictures.times) {
     const double step = std::round(time / file.scene.integrator.time_step);
-    if (step <= static_cast<double>(steps)) due.push_back(static_cast<std::uint64_t>(step));
+    if (step <= static_cast<double>(steps)) due.push_back(whole_number<std::uint64_t>(step));
   }
   std::ranges::sort(due);
   due.erase(std::unique(due.begin(), due.end()), due.end());
@@ -93,7 +104,8 @@ std::vector<std::uint64_t> even_steps(std::uint64_t steps, std::uint64_t count) 
   if (count == 1) due = {steps};
   for (std::uint64_t k = 0; count > 1 && k < count; ++k) {
     const double part = static_cast<double>(k) / static_cast<double>(count - 1);
-    due.push_back(static_cast<std::uint64_t>(std::llround(part * static_cast<double>(steps))));
+    due.push_back(
+        whole_number<std::uint64_t>(std::round(part * static_cast<double>(steps)), steps));
   }
   due.erase(std::unique(due.begin(), due.end()), due.end());
   return due;
@@ -106,7 +118,7 @@ std::vector<std::uint64_t> interval_steps(const Scene& scene, double interval) {
   for (std::uint64_t k = 0;; ++k) {
     const double step = std::round(static_cast<double>(k) * stride);
     if (step > static_cast<double>(steps)) return due;
-    due.push_back(static_cast<std::uint64_t>(step));
+    due.push_back(whole_number<std::uint64_t>(step));
   }
 }
 
@@ -226,9 +238,15 @@ bool Recorder::Parts::is_time_for_impact(const Simulation& now) const {
          (done.frames.empty() || now.state->mechanics.time - done.frames.back().time >= least);
 }
 
+/// Whether checkpoints are written at all.
+bool Recorder::Parts::saves() const {
+  const CheckpointSettings& when = file.output.checkpoint;
+  return counts.is_null() && (when.steps > 0 || when.minutes > 0);
+}
+
 bool Recorder::Parts::is_time_to_save(const Simulation& now) const {
   const CheckpointSettings& when = file.output.checkpoint;
-  if (!counts.is_null()) return false;
+  if (!saves()) return false;
   if (when.steps > 0 && now.state->step % when.steps == 0) return true;
   const std::chrono::duration<double> since = std::chrono::steady_clock::now() - saved_at;
   return when.minutes > 0 && since.count() >= 60 * when.minutes;
@@ -250,8 +268,8 @@ std::vector<Finding> Recorder::record(const Simulation& now, const StepReport& r
     append(findings, p.write_frame_of(now));
   }
   // A step that failed or was cut short is nothing to go on from.
-  const bool is_whole = report.status.outcome == StepOutcome::fine && !(now.hurry && *now.hurry);
-  if (is_whole && p.is_time_to_save(now)) {
+  p.last_is_whole = report.status.outcome == StepOutcome::fine && !(now.hurry && *now.hurry);
+  if (p.last_is_whole && p.is_time_to_save(now)) {
     append(findings, p.write_tables(now, RunEnd::running));
     append(findings, p.save(now));
   }
@@ -260,6 +278,11 @@ std::vector<Finding> Recorder::record(const Simulation& now, const StepReport& r
 
 /// Everything of the run so far on the disk, then the checkpoint that speaks of it.
 std::vector<Finding> Recorder::Parts::save(const Simulation& now) {
+  kept = checkpoint_bytes(file, done, now);
+  return save(*kept);
+}
+
+std::vector<Finding> Recorder::Parts::save(const CheckpointBytes& checkpoint) {
   std::vector<Finding> findings;
   std::error_code error;
   fs::create_directories(folder / "checkpoints", error);
@@ -273,12 +296,48 @@ std::vector<Finding> Recorder::Parts::save(const Simulation& now) {
   for (const char* place : {"events.jsonl", "frames", ""}) {
     append(findings, sync_file(folder / place));
   }
-  if (findings.empty()) findings = write_checkpoint(folder, file, done, now);
+  if (findings.empty()) {
+    findings = write_checkpoint(folder, checkpoint, file.output.checkpoint.keep);
+  }
   saved_at = std::chrono::steady_clock::now();
   return findings;
 }
 
 std::vector<Finding> Recorder::save(const Simulation& now) { return parts_->save(now); }
+
+bool Recorder::keep(const Simulation& now) {
+  using Clock = std::chrono::steady_clock;
+  Parts& p = *parts_;
+  const Clock::time_point start = Clock::now();
+  if (!p.saves() || (p.kept && start - p.kept_at < 100 * p.keeping)) return false;
+  p.kept.reset();  // never two of them in memory
+  p.kept = checkpoint_bytes(p.file, p.done, now);
+  p.kept_at = Clock::now();
+  p.keeping = p.kept_at - start;
+  return true;
+}
+
+/// Before the files of the end are written, which the run that goes on must not have.
+std::vector<Finding> Recorder::Parts::save_interrupted(const Simulation& now) {
+  if (!saves() || !(last_is_whole || kept)) return {};
+  std::vector<Finding> findings = last_is_whole ? save(now) : save(*kept);
+  if (!has_error(findings)) saved_step = last_is_whole ? now.state->step : kept->step;
+  return findings;
+}
+
+std::optional<Finding> Recorder::report_fault(const Simulation& now) const {
+  const std::vector<Fragment> pieces = fragments(now);
+  const nlohmann::ordered_json end =
+      run_report(parts_->done.statistics, now, pieces, RunEnd::finished);
+  const std::optional<std::string> key = first_no_number(end);
+  if (!key) return std::nullopt;
+  return Finding{.code = "not_a_number",
+                 .text = fmt::format("{} of the report is no number, or infinite", *key),
+                 .remedy = "look for values of the scene that are far too large or too small",
+                 .file = (parts_->folder / "report.json").string()};
+}
+
+std::optional<std::uint64_t> Recorder::saved_step() const { return parts_->saved_step; }
 
 std::vector<Finding> Recorder::Parts::write_tables(const Simulation& now, RunEnd end) {
   const std::vector<Fragment> pieces = fragments(now);
@@ -293,23 +352,21 @@ std::vector<Finding> Recorder::Parts::write_tables(const Simulation& now, RunEnd
   std::vector<ObstacleMotion> obstacles = done.obstacles;
   if (done.last_frame != now.state->step) append(obstacles, free_obstacles(now));
   if (!obstacles.empty()) write("obstacles.csv", obstacles_csv(obstacles));
-  write("report.json", report.dump(2) + "\n");
+  write("report.json", json_text(report) + "\n");
   return findings;
 }
 
 std::vector<Finding> Recorder::finish(const Simulation& now, RunEnd end) {
   Parts& p = *parts_;
   std::vector<Finding> findings;
+  if (end == RunEnd::interrupted) findings = p.save_interrupted(now);
   if (end != RunEnd::finished) {
     if (!p.frame_steps.empty() && p.done.last_frame != now.state->step) {
-      findings = p.write_frame_of(now);
+      append(findings, p.write_frame_of(now));
     }
     if (p.drawn && p.done.last_picture != now.state->step) append(findings, p.draw_picture(now));
   }
-  const CheckpointSettings& saves = p.file.output.checkpoint;
-  if (end == RunEnd::finished && p.counts.is_null() && (saves.steps > 0 || saves.minutes > 0)) {
-    append(findings, p.save(now));
-  }
+  if (end == RunEnd::finished && p.saves()) append(findings, p.save(now));
   if (!p.counts.is_null()) read_counters(p.done.statistics.search, p.counts);
   p.events.add({{"end", to_string(end)},
                 {"steps", now.state->step},

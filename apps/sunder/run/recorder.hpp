@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <vector>
 
 #include "apps/scene/scene_json.hpp"
@@ -69,9 +70,23 @@ class Recorder {
   /// Writes a checkpoint now, whatever the settings say. Errors: cannot_write.
   std::vector<Finding> save(const Simulation& now);
 
+  /// After the start and after whole steps: holds what a checkpoint of now would have, in memory,
+  /// so that a run whose next step is cut short can go on from here. Whether it does so: not where
+  /// the scene wants no checkpoints, nor before a hundred times as long has passed as the last time
+  /// took, so that all of them take a hundredth of the run.
+  bool keep(const Simulation& now);
+
   /// Writes what is only known at the end; a run that ended early gets its last state as a frame,
-  /// one that came to its end a checkpoint. Errors: cannot_write.
+  /// one that came to its end a checkpoint, and one that was interrupted a checkpoint of its last
+  /// whole step, or, where that was not kept, of the last one that was. Errors: cannot_write.
   std::vector<Finding> finish(const Simulation& now, RunEnd end);
+
+  /// What is wrong with the report of a run that ends now: not_a_number with the key of the first
+  /// number that is none. JSON has no such numbers, and would have null.
+  std::optional<Finding> report_fault(const Simulation& now) const;
+
+  /// The step of the checkpoint that `finish` wrote of an interrupted run, if it did.
+  std::optional<std::uint64_t> saved_step() const;
 
   const RunStatistics& statistics() const;
   /// events.jsonl as far as it goes; whole after `finish`.

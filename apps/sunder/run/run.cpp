@@ -3,13 +3,18 @@
 #include "apps/sunder/run/run.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
+#include <ctime>
 
+#include "apps/scene/json_text.hpp"
 #include "apps/scene/scene_hash.hpp"
 #include "apps/scene/words.hpp"
 #include "apps/sunder/program.hpp"
@@ -24,6 +29,7 @@
 #include "fracture/saving/state_numbers.hpp"
 #include "fracture/simulation/rows.hpp"
 #include "mechanics/state/living.hpp"
+#include "topology/io/printing.hpp"
 
 namespace sunder {
 namespace {
@@ -42,22 +48,61 @@ auto with_progress(std::string_view name, const RunArguments& arguments, Work wo
 }
 
 // A signal handler can reach nothing but a global.
-std::atomic<bool> interrupted = false;
+std::atomic<bool> interrupted = false;  ///< the run ends after this step
+std::atomic<bool> hurry = false;        ///< and the step is cut short
+/// Whether the run could go on from where the step at hand began.
+std::atomic<bool> start_is_kept = false;
+std::atomic<bool> writes_files = false;  ///< else there is nothing to end in good order
+std::atomic<std::int64_t> interrupted_at = 0;  ///< s
 static_assert(std::atomic<bool>::is_always_lock_free);
+static_assert(std::atomic<std::int64_t>::is_always_lock_free);
 
-/// Ctrl-C, and what ends programs politely, ends the step at hand as soon as it can, and the run
-/// after it; a second one of the same kind ends the program at once.
+/// Wall time that a step may take to its end where its start is not kept, s.
+constexpr unsigned grace = 2;
+
+/// Ends the program; what may be called in a handler only.
+[[noreturn]] void leave_at_once() {
+  constexpr std::string_view words = "sunder: interrupted\n";
+  static_cast<void>(::write(STDERR_FILENO, words.data(), words.size()) > 0);
+  _exit(static_cast<int>(ExitCode::interrupted));
+}
+
+void on_signal(int) {
+  const int error = errno;
+  timespec now = {};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  if (!writes_files) leave_at_once();
+  if (interrupted.exchange(true)) {
+    // A terminal and `timeout` signal a program and its group: twice at once.
+    if (now.tv_sec > interrupted_at + 1) leave_at_once();
+  } else {
+    interrupted_at = now.tv_sec;
+    if (start_is_kept) {
+      hurry = true;
+    } else {
+      alarm(grace);
+    }
+  }
+  errno = error;
+}
+
+/// Ctrl-C, and what ends programs politely, ends the program at once while nothing is written yet.
+/// Then it ends the run after the step at hand, and that step as soon as it can: at once where the
+/// run can go on from the step's start, else after a time in which most steps end. A later one ends
+/// the program at once.
 void watch_for_interrupt() {
-  interrupted = false;
+  interrupted = hurry = start_is_kept = writes_files = false;
   struct sigaction action = {};
-  action.sa_handler = [](int) { interrupted = true; };
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  action.sa_handler = on_signal;
+  action.sa_flags = SA_RESTART;
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction before = {};
     sigaction(signal, nullptr, &before);
     // nohup has SIGHUP ignored, and wants it to stay so.
     if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
   }
+  action.sa_handler = [](int) { hurry = true; };
+  sigaction(SIGALRM, &action, nullptr);
 }
 
 /// A run on its way; `replay` where it repeats another; `last_step` where it ends before its scene
@@ -129,7 +174,10 @@ ExitCode step_to_end(const RunWork& work, const RunArguments& arguments, FrameCl
   const StepObserver note_part = [&](const Simulation& now, const PartReport&) {
     progress.reach(simulated_time(now), now.state->fans);
   };
+  const auto keep = [&] { start_is_kept = work.recorder.keep(simulation); };
+  keep();
   while (simulation.state->step < steps) {
+    if (interrupted) return ExitCode::interrupted;
     const auto start = std::chrono::steady_clock::now();
     const StepReport report = advance(simulation, note_part);
     const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - start;
@@ -150,6 +198,7 @@ ExitCode step_to_end(const RunWork& work, const RunArguments& arguments, FrameCl
       return ExitCode::failed;
     }
     if (interrupted) return ExitCode::interrupted;
+    keep();
     if (clock) clock->keep_up(report.time);
     progress.show(progress_of(work, report.components, clock));
   }
@@ -221,6 +270,12 @@ ExitCode end_run(const RunWork& work, const RunArguments& arguments,
   ExitCode ended = step_to_end(work, arguments, clock ? &*clock : nullptr);
   stages.done(fmt::format("stepped to step {}, {:.6g} s", steps_taken(simulation),
                           simulated_time(simulation)));
+  if (ended == ExitCode::fine) {
+    if (const std::optional<Finding> fault = recorder.report_fault(simulation)) {
+      tell_beside({*fault}, arguments);
+      ended = ExitCode::failed;
+    }
+  }
   const std::vector<Finding> unwritten = with_progress("writing the last files", arguments, [&] {
     return recorder.finish(simulation, end_of(ended, work.replay));
   });
@@ -236,9 +291,18 @@ ExitCode end_run(const RunWork& work, const RunArguments& arguments,
   tell_beside(warnings_on_the_way(recorder.statistics(), simulation.scene), arguments);
   if (ended == ExitCode::fine && arguments.strict && !warnings.empty()) ended = ExitCode::warned;
   const nlohmann::ordered_json& report = recorder.report();
-  fmt::print("{}", arguments.json ? report.dump(2) + "\n" : summary_table(report));
-  if (clock) fmt::print(arguments.json ? stderr : stdout, "{}", frame_line(clock->report()));
-  if (!arguments.json) fmt::print("{:<14} {}\n", "written to", folder.string());
+  if (arguments.json) {
+    print_json(report);
+  } else {
+    print_text(stdout, summary_table(report));
+  }
+  if (clock) print(arguments.json ? stderr : stdout, "{}", frame_line(clock->report()));
+  if (!arguments.json) print("{:<14} {}\n", "written to", folder.string());
+  if (const std::optional<std::uint64_t> step = recorder.saved_step()) {
+    remark(fmt::format("saved after step {}: sunder run --resume {} goes on from there\n", *step,
+                       shell_word(folder.string())),
+           arguments);
+  }
   const bool reached_end = ended == ExitCode::fine || ended == ExitCode::warned;
   return reached_end && has_error(unwritten) ? ExitCode::not_written : ended;
 }
@@ -258,7 +322,7 @@ Resumed taken_up(Result<RunOnItsWay> run, const RunArguments& arguments) {
                                                                 : ExitCode::bad_input};
   }
   run->simulation.threads = arguments.threads;
-  run->simulation.hurry = &interrupted;
+  run->simulation.hurry = &hurry;
   return {std::move(*run)};
 }
 
@@ -315,7 +379,7 @@ ExitCode go_on_with(const RunArguments& arguments) {
   const std::optional<FolderLock> lock =
       take_folder(folder, !arguments.from || arguments.force, arguments);
   if (!lock) return ExitCode::not_written;
-  watch_for_interrupt();
+  writes_files = true;
   Stages stages(arguments);
   const auto resume = [&] { return resume_run(folder, arguments.until); };
   Resumed resumed =
@@ -335,6 +399,7 @@ ExitCode go_on_with(const RunArguments& arguments) {
 }  // namespace
 
 ExitCode run_scene(const RunArguments& arguments) {
+  watch_for_interrupt();
   if (!arguments.resume.empty()) return go_on_with(arguments);
   Stages stages(arguments);
   Result<SceneFile> file = read_with_progress(arguments);
@@ -364,8 +429,8 @@ ExitCode run_scene(const RunArguments& arguments) {
     simulation->state->script = replay->script;
   }
 
-  watch_for_interrupt();
-  simulation->hurry = &interrupted;
+  writes_files = true;
+  simulation->hurry = &hurry;
   const std::optional<FolderLock> lock = take_folder(folder, arguments.force, arguments);
   if (!lock) return ExitCode::not_written;
   Result<Recorder> recorder = with_progress("opening the files", arguments, [&] {

@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "apps/scene/json_text.hpp"
 #include "apps/scene/scene_schema.hpp"
 #include "apps/sunder/program.hpp"
 #include "apps/sunder/run/run.hpp"
@@ -29,8 +30,9 @@ second. --verbose adds the settings that "accuracy" chose, which report.json has
 
 Exit codes: 0 done, 2 usage, 3 bad scene or mesh, 4 not written, 5 the simulation failed, 6 a replay
 departed from its log, 7 done, with warnings, and --strict was given, 130 interrupted by Ctrl-C
-(SIGINT), SIGTERM or SIGHUP. After 5, 6 and 130 the files hold the run up to that moment; the step
-that the signal met is cut short. --resume goes on from the last checkpoint, also after a crash.
+(SIGINT), SIGTERM or SIGHUP. After 5, 6 and 130 the files hold the run up to that moment. A signal
+leaves a checkpoint of the last whole step; a step that does not end within 2 s is cut short.
+--resume goes on from the last checkpoint, also after a crash.
 
 Examples:
   sunder run meshes/scenes/bunny.json -o out/bunny --png 6
@@ -135,7 +137,7 @@ void add_run_command(CLI::App& program, ExitCode& exit_code) {
   command->footer(run_footer);
   command->callback([=, &exit_code] {
     if (*schema) {
-      fmt::print("{}\n", scene_schema().dump(2));
+      print_json(scene_schema());
       return;
     }
     const bool is_new = arguments->resume.empty(), branches = arguments->from.has_value();

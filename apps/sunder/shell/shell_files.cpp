@@ -13,6 +13,7 @@
 #include "apps/scene/scene_text.hpp"
 #include "apps/sunder/program.hpp"
 #include "topology/base/split_text.hpp"
+#include "topology/io/printing.hpp"
 
 namespace sunder {
 namespace {
@@ -223,7 +224,7 @@ void add_shell_commands(CLI::App& program, ExitCode& exit_code) {
       ->check(CLI::IsMember({"bash", "zsh", "fish"}));
   completion->footer("\nsource <(sunder completion bash)");
   completion->callback([=, &program, &exit_code] {
-    fmt::print("{}", completion_script(program, *shell));
+    print("{}", completion_script(program, *shell));
     exit_code = ExitCode::fine;
   });
   const auto command = std::make_shared<std::string>();
@@ -239,7 +240,7 @@ void add_shell_commands(CLI::App& program, ExitCode& exit_code) {
       });
   man->footer("\nsunder man run | man -l -");
   man->callback([=, &program, &exit_code] {
-    fmt::print("{}", manual_page(program, *command));
+    print("{}", manual_page(program, *command));
     exit_code = ExitCode::fine;
   });
 }

@@ -13,12 +13,14 @@
 #include <vector>
 
 #include "apps/output/node_mesh.hpp"
+#include "apps/scene/json_text.hpp"
 #include "apps/scene/scene_json.hpp"
 #include "apps/scene/words.hpp"
 #include "apps/sunder/program.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "fracture/simulation/statics/statics.hpp"
 #include "topology/io/mesh_file.hpp"
+#include "topology/io/printing.hpp"
 
 namespace sunder {
 namespace {
@@ -63,11 +65,11 @@ ordered_json answer_json(const Simulation& sim, const std::vector<PieceModes>& p
 
 void print_table(const Simulation& sim, const std::vector<PieceModes>& pieces) {
   for (const PieceModes& piece : pieces) {
-    fmt::print("body {} {}, piece {}: {} rigid\n", piece.body, sim.scene.bodies[piece.body].name,
-               piece.component.value, piece.rigid);
+    print("body {} {}, piece {}: {} rigid\n", piece.body,
+          plain_line(sim.scene.bodies[piece.body].name), piece.component.value, piece.rigid);
     for (std::size_t k = 0; k < piece.frequency.size(); ++k) {
-      fmt::print("  mode {:<4} {:.6g} Hz{}\n", k + 1, piece.frequency[k],
-                 k < piece.rigid ? " (rigid)" : "");
+      print("  mode {:<4} {:.6g} Hz{}\n", k + 1, piece.frequency[k],
+            k < piece.rigid ? " (rigid)" : "");
     }
   }
 }
@@ -121,7 +123,7 @@ ExitCode run_modes(const ModesArguments& arguments) {
     stages.done(fmt::format("wrote {}", arguments.output.string()));
   }
   if (arguments.json) {
-    fmt::print("{}\n", answer_json(*sim, *pieces).dump(2));
+    print_json(answer_json(*sim, *pieces));
   } else {
     print_table(*sim, *pieces);
   }

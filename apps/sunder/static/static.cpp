@@ -13,12 +13,14 @@
 #include <vector>
 
 #include "apps/output/frame.hpp"
+#include "apps/scene/json_text.hpp"
 #include "apps/scene/scene_json.hpp"
 #include "apps/scene/words.hpp"
 #include "apps/sunder/program.hpp"
 #include "apps/sunder/static/static_fan.hpp"
 #include "fracture/simulation/statics/statics.hpp"
 #include "mechanics/rebuild.hpp"
+#include "topology/io/printing.hpp"
 
 namespace sunder {
 namespace {
@@ -120,12 +122,12 @@ std::string place(const Extreme& e) {
 
 void print_table(const Equilibrium& answer) {
   const auto row = [](const char* name, const std::string& value) {
-    fmt::print("{:<18} {}\n", name, value);
+    print("{:<18} {}\n", name, value);
   };
   for (std::size_t b = 0; b < answer.bodies.size(); ++b) {
     const BodyEquilibrium& body = answer.bodies[b];
     row("body",
-        fmt::format("{} {} ({} tetrahedra, {} nodes, {:.6g} kg)", b, body.name, body.tetrahedra,
+        fmt::format("{} {} ({} tetrahedra, {} nodes, {:.6g} kg)", b, plain_line(body.name), body.tetrahedra,
                     body.nodes, body.mass));
     row("displacement",
         fmt::format("{:.6g} m {}", body.displacement.value, place(body.displacement)));
@@ -184,11 +186,11 @@ ExitCode run_static(const StaticArguments& arguments) {
     ordered_json json = answer_json(sim->scene.name, *answer, answer.findings);
     if (fan) json["fan"] = to_json(*fan);
     if (arguments.fans) json["fans"] = to_json(candidates);
-    fmt::print("{}\n", json.dump(2));
+    print_json(json);
   } else {
     print_table(*answer);
-    if (fan) fmt::print("{}", to_table(*fan));
-    if (arguments.fans) fmt::print("{}", to_table(candidates));
+    if (fan) print("{}", to_table(*fan));
+    if (arguments.fans) print("{}", to_table(candidates));
   }
   return ExitCode::fine;
 }

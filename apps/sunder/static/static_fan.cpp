@@ -12,6 +12,7 @@
 #include "apps/scene/words.hpp"
 #include "fracture/algorithms/choose_fan.hpp"
 #include "fracture/energy/tip_energy.hpp"
+#include "topology/base/whole_number.hpp"
 #include "topology/kernel/fan.hpp"
 
 namespace sunder {
@@ -48,13 +49,13 @@ std::vector<Finding> add_release(FanAnswer& answer, const LoadedBody& body, Vert
 std::string check_fan_text(const std::string& list) {
   const auto x = numbers_of(list, 4);
   const bool is_row = x && (*x)[0] >= 0 && (*x)[0] < 4294967295.0 &&
-                      (*x)[0] == static_cast<double>(static_cast<std::uint32_t>((*x)[0]));
+                      (*x)[0] == std::floor((*x)[0]);
   return is_row ? "" : "'" + list + "' is not V,NX,NY,NZ: a row of a point and three numbers";
 }
 
 Result<FanAnswer> fan_answer(Simulation& sim, const std::string& list) {
   const std::vector<double> x = *numbers_of(list, 4);
-  FanAnswer answer{.point = static_cast<std::uint32_t>(x[0]), .normal = {x[1], x[2], x[3]}};
+  FanAnswer answer{.point = whole_number<std::uint32_t>(x[0]), .normal = {x[1], x[2], x[3]}};
   const Cells& cells = sim.state->cells;
   std::size_t row = 0;
   const auto is_asked_for = [&](VertexId v) {

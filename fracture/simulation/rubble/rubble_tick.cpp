@@ -15,6 +15,7 @@
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/integrators/rigid_motion.hpp"
 #include "mechanics/state/dense_solve.hpp"
+#include "topology/base/whole_number.hpp"
 
 namespace sunder {
 namespace {
@@ -173,9 +174,9 @@ void take_ticks(StepReport& report, Simulation& sim, RubbleWorld& world, const R
 RubbleClock rubble_clock(double time_step) {
   constexpr double wanted = 1.0 / 240;
   RubbleClock clock;
-  clock.steps = static_cast<std::uint64_t>(std::max(1.0, std::round(wanted / time_step)));
+  clock.steps = whole_number<std::uint64_t>(std::max(1.0, std::round(wanted / time_step)));
   if (clock.steps == 1) {
-    clock.ticks = static_cast<std::uint64_t>(std::max(1.0, std::round(time_step / wanted)));
+    clock.ticks = whole_number<std::uint64_t>(std::max(1.0, std::round(time_step / wanted)));
   }
   clock.tick = time_step * static_cast<double>(clock.steps) / static_cast<double>(clock.ticks);
   return clock;

@@ -6,8 +6,10 @@
 #include <string>
 
 #include "apps/output/fragment.hpp"
+#include "apps/output/frame.hpp"
 #include "apps/output/tables.hpp"
 #include "apps/scene/scene_json.hpp"
+#include "fracture/saving/saved_state.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "tests/support/shipped.hpp"
 
@@ -48,6 +50,28 @@ TEST_CASE("fragments share mass and surface, and were parted by the faces that s
   CHECK(mass == Approx(whole.mass).epsilon(1e-12));
   CHECK(surface - cracks == Approx(whole.surface).epsilon(1e-12));
   CHECK(cracks == Approx(2 * split).epsilon(1e-12));
+}
+
+TEST_CASE(
+    "pieces that are not there, and a simulation that was moved from, are refused in every build",
+    "[output][fragments]") {
+  Simulation sim = shipped("charts/monolith");
+  CHECK_NOTHROW(fragment(sim, ComponentId{0}));
+  for (const ComponentId id : {ComponentId{1}, ComponentId{4000000000u}, ComponentId::none()}) {
+    CHECK_THROWS_AS(fragment(sim, id), Misuse);
+    CHECK_THROWS_AS(fragment_surface(sim, id), Misuse);
+  }
+  CHECK_THROWS_AS(body_of(sim, TetId::none()), Misuse);
+  const Simulation other = std::move(sim);
+  CHECK_NOTHROW(fragments(other));
+  CHECK_THROWS_AS(advance(sim), Misuse);
+  CHECK_THROWS_AS(fragments(sim), Misuse);
+  CHECK_THROWS_AS(fragment(sim, ComponentId{0}), Misuse);
+  CHECK_THROWS_AS(steps_taken(sim), Misuse);
+  CHECK_THROWS_AS(simulated_time(sim), Misuse);
+  CHECK_THROWS_AS(body_of(sim, TetId{0}), Misuse);
+  CHECK_THROWS_AS(saved_state(sim), Misuse);
+  CHECK_THROWS_AS(write_frame("never.vtu", sim), Misuse);
 }
 
 TEST_CASE("crack faces count on their crack's plane where they know it", "[output][fragments]") {

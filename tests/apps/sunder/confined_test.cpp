@@ -111,6 +111,33 @@ TEST_CASE("confined: holds for every key that names a file", "[confined]") {
           "obstacles.0.mesh.file (../other/cube.msh)");
 }
 
+TEST_CASE("confined: standard input is no file of the scene", "[confined]") {
+  const Place p;
+  const std::string scene = p.scene({{"mesh", "-"}});
+  // By its name alone, so that the folder before `-` is empty.
+  const auto run = [&](const std::string& confined) {
+    const std::string command =
+        "cd '" + (p.root / "mine").string() + "' && '" SUNDER_PROGRAM "' run scene.json " +
+        confined + " --quiet -o '" + p.here.path("out") + "' <cube.msh >/dev/null 2>err";
+    return std::system(command.c_str());
+  };
+  CHECK(run("--confined") != 0);
+  CHECK_THAT(bytes_of(p.root / "mine/err"),
+             Contains("not_a_file") && Contains("bodies.0.mesh (-)"));
+  CHECK(run("") == 0);
+}
+
+TEST_CASE("confined: what is packed unfolds to no more than 256 MiB", "[confined]") {
+  const Place p;
+  const std::string mesh = (p.root / "mine/cube.msh.gz").string();
+  const std::string zeros = "head -c 300000000 /dev/zero | gzip -1 > '" + mesh + "'";
+  REQUIRE(std::system(zeros.c_str()) == 0);
+  const Outcome o = p.here.run({"run", p.scene({{"mesh", "cube.msh.gz"}}), "--confined", "--quiet",
+                                "-o", p.here.path("out")});
+  CHECK(o.exit_code == 3);
+  CHECK_THAT(o.err, Contains("too_large") && Contains("268435456"));
+}
+
 TEST_CASE("confined: waits for no pipe", "[confined]") {
   const Place p;
   REQUIRE(mkfifo((p.root / "mine/pipe.msh").c_str(), 0600) == 0);
@@ -184,7 +211,8 @@ TEST_CASE("a checkpoint whose frames lie elsewhere is damaged", "[confined]") {
   whole->record.frames.at(1).file = "../mine/scene.json";
   fs::remove_all(out / "checkpoints");
   fs::create_directories(out / "checkpoints");
-  REQUIRE(write_checkpoint(out, whole->file, whole->record, whole->simulation).empty());
+  REQUIRE(write_checkpoint(out, checkpoint_bytes(whole->file, whole->record, whole->simulation), 0)
+              .empty());
   const Result<Checkpoint> changed = read_checkpoint(out);
   CHECK(!changed);
   CHECK(changed.findings.back().code == "damaged");

@@ -63,6 +63,26 @@ TEST_CASE("numbers out of range are refused wherever they stand in a scene",
         }) == All{"out_of_range obstacles.0.sphere.radius"});
 }
 
+TEST_CASE("coordinates that reals do not tell apart are refused", "[fracture][settings]") {
+  using All = std::vector<std::string>;
+  const auto scaled = [](double factor, double offset) {
+    return wrong([=](Scene& s) {
+      for (Point& p : s.bodies[0].mesh.points) {
+        for (double& x : p) x = factor * x + offset;
+      }
+    });
+  };
+  CHECK(scaled(1e25, 0) == All{"mesh_size bodies.0.mesh"});
+  CHECK(scaled(1e-35, 0) == All{"mesh_size bodies.0.mesh"});
+  CHECK(scaled(1, 1e12) == All{"too_far bodies.0.mesh"});
+  CHECK(wrong([](Scene& s) {
+          s.bodies[0].translation = {0, -1e17, 0};
+        }) == All{"too_far bodies.0.translation"});
+  CHECK(wrong([](Scene& s) {
+          s.bodies[0].translation = {1e300, 0, 0};
+        }) == All{"out_of_range bodies.0.translation.0", "too_far bodies.0.translation"});
+}
+
 TEST_CASE("what keys say together is refused at its place", "[fracture][settings]") {
   using All = std::vector<std::string>;
   CHECK(wrong([](Scene& s) { s.bodies.clear(); }) == All{"no_body bodies"});

@@ -17,6 +17,16 @@ TEST_CASE("what is owned is const where its owner is", "[kernel][owned]") {
   STATIC_REQUIRE(std::is_same_v<decltype(seen.operator->()), const int*>);
 }
 
+TEST_CASE("what was moved from, or never filled, says so in every build", "[kernel][owned]") {
+  Owned<int> empty;
+  CHECK_THROWS_AS(*empty, sunder::Misuse);
+  Owned<int> owner(std::make_unique<int>(3));
+  const Owned<int> other = std::move(owner);
+  CHECK_THROWS_AS(*owner, sunder::Misuse);
+  CHECK_THROWS_AS(owner.operator->(), sunder::Misuse);
+  CHECK(*other == 3);
+}
+
 TEST_CASE("owners move and do not copy", "[kernel][owned]") {
   STATIC_REQUIRE(std::is_nothrow_move_constructible_v<Owned<int>>);
   STATIC_REQUIRE(!std::is_copy_constructible_v<Owned<int>>);

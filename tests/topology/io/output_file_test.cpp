@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Files are there whole or not at all, and every reason why not is said.
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 #include <catch2/catch.hpp>
 #include <csignal>
@@ -43,6 +44,40 @@ TEST_CASE("a link stays a link", "[io][output_file]") {
   CHECK_FALSE(write_file(folder.path() / "link", "new"));
   CHECK(std::filesystem::is_symlink(folder.path() / "link"));
   CHECK(bytes_of(folder.path() / "target") == "new");
+}
+
+TEST_CASE("links in a row stay, and the last one may lead to nothing yet", "[io][output_file]") {
+  const Folder folder;
+  std::filesystem::create_directory(folder.path() / "below");
+  std::filesystem::create_symlink("below/second", folder.path() / "first");
+  std::filesystem::create_symlink("../target", folder.path() / "below/second");
+  for (const char* text : {"new", "newer"}) {
+    CHECK_FALSE(write_file(folder.path() / "first", text));
+    CHECK(std::filesystem::is_symlink(folder.path() / "first"));
+    CHECK(std::filesystem::is_symlink(folder.path() / "below/second"));
+    CHECK(bytes_of(folder.path() / "target") == text);
+  }
+  std::filesystem::create_symlink("round", folder.path() / "round");
+  CHECK(write_file(folder.path() / "round", "x")->code == "cannot_write");
+  CHECK(std::filesystem::is_symlink(folder.path() / "round"));
+}
+
+TEST_CASE("a file that is replaced leaves its mode", "[io][output_file]") {
+  const Folder folder;
+  const auto mode_of = [&] {
+    struct stat now = {};
+    REQUIRE(stat((folder.path() / "a.txt").c_str(), &now) == 0);
+    return now.st_mode & 07777;
+  };
+  const mode_t before = umask(022);
+  CHECK_FALSE(write_file(folder.path() / "a.txt", "new"));
+  CHECK(mode_of() == 0644);
+  for (const mode_t mode : {0600, 0640, 0666, 0755}) {
+    REQUIRE(chmod((folder.path() / "a.txt").c_str(), mode) == 0);
+    CHECK_FALSE(write_file(folder.path() / "a.txt", "newer"));
+    CHECK(mode_of() == mode);
+  }
+  umask(before);
 }
 
 TEST_CASE("when the disk is full the old file stays and nothing is left beside it",

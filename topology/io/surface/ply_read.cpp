@@ -13,7 +13,7 @@ namespace sunder::io {
 
 std::int64_t read_integer(PlyReader& r, NumberType type, std::string_view what) {
   return with_stored(type, [&](auto zero) {
-    return static_cast<std::int64_t>(read_scalar<decltype(zero)>(r, what));
+    return number_cast<std::int64_t>(read_scalar<decltype(zero)>(r, what));
   });
 }
 

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "topology/base/whole_number.hpp"
 #include "topology/io/format_traits.hpp"
 #include "topology/io/named_regions.hpp"
 #include "topology/io/tetgen/tetgen.hpp"
@@ -27,7 +28,7 @@ std::vector<std::int32_t> labels_of(const std::vector<double>& values) {
   if (std::ranges::all_of(values, [](double x) { return x == 0; })) return {};
   std::vector<std::int32_t> labels;
   labels.reserve(values.size());
-  for (const double x : values) labels.push_back(static_cast<std::int32_t>(x));
+  for (const double x : values) labels.push_back(number_cast<std::int32_t>(x));
   return labels;
 }
 

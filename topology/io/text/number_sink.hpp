@@ -33,7 +33,7 @@ inline void put_text(NumberSink& out, std::string_view text) { out.bytes += text
 /// Appends a raw number, stored as `Stored`.
 template <class Stored, class Number>
 void put_raw(NumberSink& out, Number number) {
-  const auto stored = static_cast<Stored>(number);
+  const auto stored = number_cast<Stored>(number);
   out.bytes.append(reinterpret_cast<const char*>(&stored), sizeof stored);
 }
 

@@ -7,6 +7,7 @@
 #include <bit>
 #include <cstring>
 
+#include "topology/base/whole_number.hpp"
 #include "topology/io/text/scan.hpp"
 
 namespace sunder::io {
@@ -43,7 +44,7 @@ Value read_raw(NumberSource& in, std::string_view what) {
 template <class Value, class Stored = Value>
 Value read_next(NumberSource& in, std::string_view what) {
   if (!in.is_binary) return read_number<Value>(in.s, what);
-  return static_cast<Value>(read_raw<Stored>(in, what));
+  return number_cast<Value>(read_raw<Stored>(in, what));
 }
 
 /// A count of things that take at least `least_bytes` of the rest each: of text, or of raw bytes

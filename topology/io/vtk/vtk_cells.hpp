@@ -12,6 +12,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "topology/base/whole_number.hpp"
 #include "topology/io/draft.hpp"
 #include "topology/io/text/scan.hpp"
 
@@ -100,9 +101,9 @@ Value read_text_as(Scanner& s, std::string_view what) {
     const double x = read_number<double>(s, what);
     constexpr double most = std::numeric_limits<Stored>::max();
     if (std::abs(x) > most) {
-      return static_cast<Value>(std::copysign(std::numeric_limits<double>::infinity(), x));
+      return number_cast<Value>(std::copysign(std::numeric_limits<double>::infinity(), x));
     }
-    return static_cast<Value>(static_cast<Stored>(x));
+    return number_cast<Value>(static_cast<Stored>(x));
   }
 }
 

@@ -55,7 +55,7 @@ template <class Value, class Take>
 void read_numbers(VtkReader& r, std::size_t n, const VtkType& type, Take&& take) {
   with_stored(type.type, [&]<class Stored>(Stored) {
     for (std::size_t i = 0; i < n; ++i) {
-      take(r.in.is_binary ? static_cast<Value>(read_raw<Stored>(r.in, "a number"))
+      take(r.in.is_binary ? number_cast<Value>(read_raw<Stored>(r.in, "a number"))
                           : read_text_as<Stored, Value>(r.in.s, "a number"));
     }
   });

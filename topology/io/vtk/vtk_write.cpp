@@ -16,8 +16,8 @@ namespace {
 /// Raw numbers are big-endian.
 template <class Stored, class Number>
 void put_vtk(NumberSink& out, Number number, char after) {
-  if (!out.is_binary) return put<Stored>(out, static_cast<Stored>(number), after);
-  const auto stored = static_cast<Stored>(number);
+  if (!out.is_binary) return put<Stored>(out, number_cast<Stored>(number), after);
+  const auto stored = number_cast<Stored>(number);
   put_raw<Stored>(out, std::endian::native == std::endian::little ? byte_swapped(stored) : stored);
 }
 

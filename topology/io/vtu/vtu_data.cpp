@@ -12,6 +12,7 @@
 #include <memory>
 #include <new>
 
+#include "topology/io/limits.hpp"
 #include "topology/io/text/number_source.hpp"
 #include "topology/io/vtk/vtk_cells.hpp"
 
@@ -184,6 +185,12 @@ std::string take_compressed(ByteSource& in, std::size_t expected) {
     fail_short(in, blocks * in.layout.header_bytes - most_left(in));
   }
   if (expected / most_unfolding > most_left(in)) fail_short(in, expected);
+  if (expected > limits().unpacked_bytes) {
+    fail_array(in.layout, in.array, "too_large",
+               fmt::format("it unfolds to {} bytes; the limit unpacked_bytes is {}", expected,
+                           limits().unpacked_bytes),
+               "write it unpacked if you trust it, or look at SUNDER_LIMITS and --confined");
+  }
   // The last block may be shorter; where it is the only one, the size of the others means nothing.
   const std::uint64_t whole = blocks == 0 || last_bytes == 0 ? blocks : blocks - 1;
   const bool too_many = whole > 0 && (block_bytes == 0 || whole > expected / block_bytes);
@@ -242,7 +249,7 @@ void take_raw(const std::string& bytes, bool swap, const TakeValues<Value>& take
     for (; n < block_size && at < bytes.size(); ++n, at += sizeof(Stored)) {
       Stored stored;
       std::memcpy(&stored, bytes.data() + at, sizeof(Stored));
-      block[n] = static_cast<Value>(swap ? byte_swapped(stored) : stored);
+      block[n] = number_cast<Value>(swap ? byte_swapped(stored) : stored);
     }
     take({block.data(), n});
   }

@@ -181,7 +181,7 @@ template <class Stored, class Value>
 std::string stored_as(const std::vector<Value>& values) {
   std::string bytes(values.size() * sizeof(Stored), '\0');
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const auto stored = static_cast<Stored>(values[i]);
+    const auto stored = number_cast<Stored>(values[i]);
     std::memcpy(bytes.data() + i * sizeof(Stored), &stored, sizeof(Stored));
   }
   return bytes;

@@ -12,6 +12,7 @@
 #include <optional>
 #include <set>
 
+#include "topology/io/limits.hpp"
 #include "topology/io/text/scan.hpp"
 
 namespace sunder::io {
@@ -204,8 +205,9 @@ void start_array(VtuParser& p, Attributes attributes) {
 
 /// What a VTU file needs is far below these bounds; a hostile one would fill memory with tags.
 void bound_tags(VtuParser& p, std::string_view name, Attributes attributes) {
-  constexpr std::size_t deepest = 64, most_names = 1024;
-  if (p.open.size() == deepest) {
+  const std::size_t deepest = limits().xml_levels;
+  constexpr std::size_t most_names = 1024;
+  if (p.open.size() >= deepest) {
     fail_tag(p, "bad_xml", fmt::format("tags are nested more than {} deep", deepest),
              "this is no VTU file: its tags are nested five deep");
   }

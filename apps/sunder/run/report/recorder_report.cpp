@@ -18,6 +18,7 @@
 #include "apps/sunder/run/report/turn_check.hpp"
 #include "fracture/simulation/ledger/momentum_ledger.hpp"
 #include "mechanics/element/energy.hpp"
+#include "topology/io/printing.hpp"
 
 namespace sunder {
 namespace {
@@ -48,10 +49,9 @@ void note_contact(RunStatistics& statistics, const StepReport& report) {
   }
 }
 
-/// A part of a whole; nothing (null) where there is no whole.
-ordered_json ratio(std::size_t part, std::size_t whole) {
-  if (whole == 0) return nullptr;
-  return static_cast<double>(part) / static_cast<double>(whole);
+/// Adds a part of a whole; nothing where there is no whole.
+void add_ratio(ordered_json& report, const char* key, std::size_t part, std::size_t whole) {
+  if (whole > 0) report[key] = static_cast<double>(part) / static_cast<double>(whole);
 }
 
 ordered_json contact_report(const RunStatistics& s) {
@@ -65,7 +65,10 @@ ordered_json contact_report(const RunStatistics& s) {
 
 ordered_json integrator_report(const RunStatistics& s, std::uint64_t steps) {
   ordered_json report = counters_json(s.solve);
-  report["iterations"] = {{"mean", ratio(s.solve.iterations, steps)}, {"max", s.most_iterations}};
+  ordered_json iterations = ordered_json::object();
+  add_ratio(iterations, "mean", s.solve.iterations, steps);
+  iterations["max"] = s.most_iterations;
+  report["iterations"] = std::move(iterations);
   return report;
 }
 
@@ -155,12 +158,11 @@ void note_drawn(RunStatistics& statistics, const Simulation& now) {
 }
 
 /// The largest jump of a drawn point (figure 2): a piece that comes off is drawn where it was, and
-/// goes the same share of the way to its target in every step. Without smoothing none is known.
+/// goes the same share of the way to its target in every step. Needs: smoothing.
 ordered_json display_report(const RunStatistics& s, const Scene& scene) {
   const double time_constant = scene.display_time_constant;
-  if (time_constant == 0) return {};
   const double stays = std::exp(-scene.integrator.time_step / time_constant),
-               whole = s.drawn_off / stays;
+               whole = stays > 0 ? s.drawn_off / stays : s.drawn_off;
   return {{"time_constant", time_constant},
           {"largest_jump",
            {{"step", s.drawn_off_step}, {"as_it_is", whole}, {"smoothed", whole * (1 - stays)}}}};
@@ -279,7 +281,10 @@ ordered_json run_report(const RunStatistics& s, const Simulation& now,
     gershgorin[key] = search[key];
     search.erase(key);
   }
-  gershgorin["efficiency"] = ratio(s.search.reached, s.search.suspects);
+  add_ratio(gershgorin, "efficiency", s.search.reached, s.search.suspects);
+  ordered_json oracle = {{"fans", s.fans}, {"predicted", s.predicted}, {"separated", s.separated}};
+  add_ratio(oracle, "efficiency", s.predicted_rightly, s.predicted);
+  oracle["missed"] = s.separated - s.predicted_rightly;
   const DenseMap& dense = now.state->cells.map.dense();
   ordered_json report = {
       {"scene", now.scene.name},
@@ -305,12 +310,7 @@ ordered_json run_report(const RunStatistics& s, const Simulation& now,
         {"mass", mass},
         {"mass_error", (mass - s.mass_at_start) / s.mass_at_start}}},
       {"gershgorin", gershgorin},
-      {"oracle",
-       {{"fans", s.fans},
-        {"predicted", s.predicted},
-        {"separated", s.separated},
-        {"efficiency", ratio(s.predicted_rightly, s.predicted)},
-        {"missed", s.separated - s.predicted_rightly}}},
+      {"oracle", std::move(oracle)},
       {"contact", contact_report(s)},
       {"impact", impact_report(s)},
       {"ladder", ladder_report(s.ladder)},
@@ -321,7 +321,7 @@ ordered_json run_report(const RunStatistics& s, const Simulation& now,
       {"energy", energy_ledger(s, now)},
       {"cracks", crack_ledger(s.cracks)},
       {"warnings", findings_json(all_warnings(s, now.scene))}};
-  report["display"] = display_report(s, now.scene);
+  if (now.scene.display_time_constant > 0) report["display"] = display_report(s, now.scene);
   report["gravity"] = three_numbers(now.scene.gravity.acceleration);
   report["obstacles"] = obstacles_json(now.scene.obstacles);
   if (now.state->cells.pieces) report["ties"] = tie_report(s.ties, now);
@@ -337,7 +337,7 @@ std::string summary_table(const ordered_json& r) {
   const auto row = [&](std::string_view name, const std::string& value) {
     text += fmt::format("{:<14} {}\n", name, value);
   };
-  row("scene", r["scene"].get<std::string>());
+  row("scene", plain_line(r["scene"].get<std::string>()));
   row("end", fmt::format("{} at t = {:.6g} s", r["end"].get<std::string>(), number("/time")));
   row("steps",
       fmt::format("{} of {:.6g} s", r["steps"].get<std::uint64_t>(), number("/time_step")));

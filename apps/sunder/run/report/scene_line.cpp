@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "fracture/scene/scene_fields.hpp"
+#include "topology/io/printing.hpp"
 
 namespace sunder {
 namespace {
@@ -125,13 +126,10 @@ std::string scene_line(const Scene& scene) {
   const std::string cracks = scene.fracture.mode == FractureMode::off
                                  ? std::string("nothing breaks")
                                  : fmt::format("cracks: {}", word_of(scene.fracture.crack));
-  std::string line = fmt::format(
-      "{}: {}; {:.4g} s in {}, {}", scene.name.empty() ? "scene" : scene.name,
-      fmt::join(words, ", "), scene.duration, counted(step_count(scene), "step", "steps"), cracks);
   // A name may hold anything; the line is one, and moves no cursor.
-  std::ranges::replace_if(
-      line, [](unsigned char c) { return c < ' ' || c == 127; }, ' ');
-  return line;
+  return plain_line(fmt::format(
+      "{}: {}; {:.4g} s in {}, {}", scene.name.empty() ? "scene" : scene.name,
+      fmt::join(words, ", "), scene.duration, counted(step_count(scene), "step", "steps"), cracks));
 }
 
 }  // namespace sunder

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "topology/base/whole_number.hpp"
+
 namespace sunder {
 
 void add(TimeSample& s, double time) {
@@ -28,7 +30,7 @@ nlohmann::ordered_json distribution(const TimeSample& s) {
   std::ranges::sort(sorted);
   const auto rank = [&](double part) {
     const double row = std::ceil(part * static_cast<double>(sorted.size())) - 1;
-    return static_cast<double>(sorted[static_cast<std::size_t>(std::max(row, 0.0))]);
+    return static_cast<double>(sorted[whole_number<std::size_t>(row)]);
   };
   return {{"mean", s.sum / static_cast<double>(s.count)},
           {"median", rank(0.5)},

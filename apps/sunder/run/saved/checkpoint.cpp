@@ -203,8 +203,8 @@ Result<Checkpoint> read_one(const fs::path& path) {
 
 }  // namespace
 
-std::vector<Finding> write_checkpoint(const fs::path& folder, const SceneFile& file,
-                                      const RunRecord& record, const Simulation& simulation) {
+CheckpointBytes checkpoint_bytes(const SceneFile& file, const RunRecord& record,
+                                 const Simulation& simulation) {
   StateWriter recorded;
   archive(recorded, file);
   archive(recorded, record);
@@ -216,11 +216,20 @@ std::vector<Finding> write_checkpoint(const fs::path& folder, const SceneFile& f
   head.bytes = magic;
   archive(head, checkpoint_format);
   archive(head, sum);
-  const fs::path path =
-      place_of(folder) / fmt::format("step_{:010}{}", steps_taken(simulation), ending);
-  const std::array<std::string_view, 4> parts = {head.bytes, length.bytes, recorded.bytes, state};
-  if (auto finding = write_file(path, parts, Durable::yes)) return {std::move(*finding)};
-  const std::uint32_t keep = file.output.checkpoint.keep;
+  CheckpointBytes whole{steps_taken(simulation), std::move(head.bytes)};
+  whole.bytes.reserve(whole.bytes.size() + length.bytes.size() + recorded.bytes.size() +
+                      state.size());
+  whole.bytes.append(length.bytes).append(recorded.bytes).append(state);
+  return whole;
+}
+
+std::vector<Finding> write_checkpoint(const fs::path& folder, const CheckpointBytes& checkpoint,
+                                      std::uint32_t keep) {
+  const fs::path path = place_of(folder) / fmt::format("step_{:010}{}", checkpoint.step, ending);
+  const std::string_view bytes = checkpoint.bytes;
+  if (auto finding = write_file(path, std::span(&bytes, 1), Durable::yes)) {
+    return {std::move(*finding)};
+  }
   const auto old = checkpoints_of(folder);
   std::error_code error;  // one more than wanted does no harm
   for (std::size_t i = keep; keep > 0 && i < old.size(); ++i) fs::remove(old[i].second, error);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "apps/output/tables.hpp"
@@ -36,12 +37,20 @@ struct Checkpoint {
   Simulation simulation;
 };
 
-/// Writes a run as checkpoints/step_0000000120.checkpoint in its folder: "SunderCp", format (4
-/// bytes), checksum (FNV-1a, 8) of all that follows, length (8) and bytes of what was recorded, and
-/// the saved state (saved_state.hpp). The file is on the disk when this returns; older ones beyond
-/// `output.checkpoint.keep` are removed then. Needs: the folder checkpoints. Errors: cannot_write.
-std::vector<Finding> write_checkpoint(const std::filesystem::path& folder, const SceneFile& file,
-                                      const RunRecord& record, const Simulation& simulation);
+/// A run as the bytes of a file: "SunderCp", format (4 bytes), checksum (FNV-1a, 8) of all that
+/// follows, length (8) and bytes of what was recorded, and the saved state (saved_state.hpp).
+struct CheckpointBytes {
+  std::uint64_t step = 0;
+  std::string bytes;
+};
+CheckpointBytes checkpoint_bytes(const SceneFile& file, const RunRecord& record,
+                                 const Simulation& simulation);
+
+/// Writes them as checkpoints/step_0000000120.checkpoint in the run's folder. The file is on the
+/// disk when this returns; older ones beyond `keep` (0: none) are removed then. Needs: the folder
+/// checkpoints. Errors: cannot_write.
+std::vector<Finding> write_checkpoint(const std::filesystem::path& folder,
+                                      const CheckpointBytes& checkpoint, std::uint32_t keep);
 
 /// The latest whole checkpoint of a folder, of those not after step `until`. Warnings: one that is
 /// damaged and passed over. Errors: no_checkpoint, other_version, cannot_open.

@@ -30,10 +30,10 @@ std::string log_of(const fs::path& folder, std::uint64_t bytes) {
 /// What no run can have: more steps, frames or pictures than any.
 std::optional<Finding> too_long(const SceneFile& file, const fs::path& folder) {
   const double step = file.scene.integrator.time_step, steps = file.scene.duration / step;
-  if (!(steps <= most_steps)) {
+  if (!(steps <= most_steps())) {
     return Finding{.code = "too_many_steps",
-                   .text = fmt::format("{:.6g} s are {:.3g} steps of {:.6g} s; allowed are {:.0e}",
-                                       file.scene.duration, steps, step, most_steps),
+                   .text = fmt::format("{:.6g} s are {:.3g} steps of {:.6g} s; allowed are {:.6g}",
+                                       file.scene.duration, steps, step, most_steps()),
                    .remedy = "end the run earlier",
                    .file = folder.string()};
   }
@@ -55,11 +55,11 @@ std::optional<Finding> extend(SceneFile& file, double until, const fs::path& fol
   PictureSettings& pictures = output.pictures;
   if (pictures.count <= 1) return std::nullopt;
   const double interval = before / (pictures.count - 1);
-  if (!(until / interval <= most_frames)) {
+  if (!(until / interval <= most_frames())) {
     return Finding{.code = "too_many_pictures",
                    .text = fmt::format("a picture every {:.6g} s up to {:.6g} s: {:.3g}; allowed "
-                                       "are {:.0e}",
-                                       interval, until, until / interval, most_frames),
+                                       "are {:.6g}",
+                                       interval, until, until / interval, most_frames()),
                    .remedy = "end the run earlier",
                    .file = folder.string()};
   }
