@@ -162,13 +162,18 @@ std::vector<Overlap> overlaps_at_start(const Scene& scene, std::span<const BodyM
       const double depth = depth_in(scene.obstacles[k].shape, scene.bodies[b], measures[b]);
       if (depth > allowed) found.push_back({b, k, true, depth});
     }
-    for (std::size_t o = 0; o < b; ++o) {
+    std::size_t whole = 0;
+    for (std::size_t o = 0; o < b && whole <= most_whole_overlaps; ++o) {
       const Eigen::AlignedBox3d both = measures[b].box.intersection(measures[o].box);
       if (both.isEmpty() || !(both.sizes().minCoeff() > allowed)) continue;
       const double depth = std::max(
           deepest_in(grid_of(o), measures[o], points_in(scene.bodies[b], measures[b], both)),
           deepest_in(grid_of(b), measures[b], points_in(scene.bodies[o], measures[o], both)));
-      if (depth > allowed) found.push_back({b, o, false, depth});
+      if (!(depth > allowed)) continue;
+      const bool is_whole = both.contains(measures[b].box.center()) &&
+                            both.contains(measures[o].box.center());
+      whole += is_whole;
+      found.push_back({b, o, false, depth, is_whole});
     }
   }
   return found;

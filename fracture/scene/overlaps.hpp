@@ -19,7 +19,13 @@ struct Overlap {
   bool with_obstacle = false;
   /// m, how deep the deepest point seen lies.
   double depth = 0;
+  /// Of two bodies: the middle of each lies in the box round the other.
+  bool is_whole = false;
 };
+
+/// Of a body that lies whole in more others than these no further ones are looked for: contact of
+/// so many at one place has no end (`scene_doubts` refuses it).
+inline constexpr std::size_t most_whole_overlaps = 8;
 
 /// Overlaps deeper than `allowed` (m). Looked at are vertices of bodies in obstacles, nearest
 /// points of balls, corners of boxes in bodies, and vertices and centres of tetrahedra of one body

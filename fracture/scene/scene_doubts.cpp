@@ -23,6 +23,9 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// A scene as the checks see it.
+/// The one code that is an error.
+constexpr const char* at_one_place = "bodies_at_one_place";
+
 struct Looked {
   const Scene& scene;
   std::span<const BodyMeasures> measures;
@@ -271,7 +274,9 @@ void look_at_places(const Looked& l) {
   double cell = infinite;
   for (const BodyMeasures& m : l.measures) cell = std::min(cell, m.cell);
   const double allowed = std::max(l.scene.contact.allowed_penetration, 1e-3 * cell);
+  std::vector<std::size_t> whole(l.scene.bodies.size());
   for (const Overlap& o : overlaps_at_start(l.scene, l.measures, allowed)) {
+    whole[o.body] += o.is_whole;
     const std::string other =
         fmt::format("{}.{}", o.with_obstacle ? "obstacles" : "bodies", o.other);
     l.body(o.body, "overlap_at_start", "translation", o.depth,
@@ -279,6 +284,15 @@ void look_at_places(const Looked& l) {
                        "contact.push_out_speed ({:.3g} m/s) at most, and what lies deep stays",
                        o.depth, other, l.scene.contact.push_out_speed),
            fmt::format("move one of them by {:.3g} m or more", o.depth));
+  }
+  for (std::size_t b = 0; b < whole.size(); ++b) {
+    if (whole[b] <= most_whole_overlaps) continue;
+    l.body(b, at_one_place, "translation", static_cast<double>(whole[b]),
+           fmt::format("puts the body into more than {} others, middle in middle: contact of so many "
+                       "at one place has no end",
+                       most_whole_overlaps),
+           "give each body a place of its own");
+    return;  // the others have the same place
   }
 }
 
@@ -326,7 +340,9 @@ std::vector<SettingFinding> scene_doubts(const Scene& scene) {
   }
   for (const auto look : of_scenes) look(looked);
   badness.resize(found.size());
-  for (SettingFinding& f : found) f.finding.severity = Severity::warning;
+  for (SettingFinding& f : found) {
+    if (f.finding.code != at_one_place) f.finding.severity = Severity::warning;
+  }
   return worst_first(found, badness);
 }
 

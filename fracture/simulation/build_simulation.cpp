@@ -212,6 +212,7 @@ Result<Simulation> build_statics(Scene scene) {
          check_integrator_bounds(sim.scene, sim.state->mechanics, sim.scratch->mechanics));
   if (has_error(result.findings)) return result;
   for (SettingFinding& f : scene_doubts(sim.scene)) result.findings.push_back(std::move(f.finding));
+  if (has_error(result.findings)) return result;
   result.value = std::move(sim);
   return result;
 }

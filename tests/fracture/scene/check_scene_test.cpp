@@ -83,6 +83,28 @@ TEST_CASE("coordinates that reals do not tell apart are refused", "[fracture][se
         }) == All{"out_of_range bodies.0.translation.0", "too_far bodies.0.translation"});
 }
 
+TEST_CASE("more bodies at one place than contact can part are refused, beside each other they are not",
+          "[fracture][settings]") {
+  Scene scene = cube();
+  scene.bodies.resize(9, scene.bodies[0]);
+  CHECK(build_simulation(scene));
+  scene.bodies.resize(300, scene.bodies[0]);
+  const Result<Simulation> built = build_simulation(scene);
+  REQUIRE_FALSE(built);
+  std::size_t errors = 0;
+  for (const Finding& f : built.findings) {
+    if (f.severity != Severity::error) continue;
+    ++errors;
+    CHECK(f.code == "bodies_at_one_place");
+    CHECK(f.text.starts_with("bodies.9.translation puts the body into more than 8 others"));
+  }
+  CHECK(errors == 1);
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    scene.bodies[b].translation.x() = 3.0 * static_cast<double>(b);
+  }
+  CHECK(build_simulation(scene));
+}
+
 TEST_CASE("what keys say together is refused at its place", "[fracture][settings]") {
   using All = std::vector<std::string>;
   CHECK(wrong([](Scene& s) { s.bodies.clear(); }) == All{"no_body bodies"});
