@@ -22,10 +22,10 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// A scene as the checks see it.
 /// The one code that is an error.
 constexpr const char* at_one_place = "bodies_at_one_place";
 
+/// A scene as the checks see it.
 struct Looked {
   const Scene& scene;
   std::span<const BodyMeasures> measures;

@@ -255,6 +255,8 @@ bool Recorder::Parts::is_time_to_save(const Simulation& now) const {
 std::vector<Finding> Recorder::record(const Simulation& now, const StepReport& report,
                                       double step_ms) {
   Parts& p = *parts_;
+  // A step that failed or was cut short is nothing to go on from.
+  p.last_is_whole = report.status.outcome == StepOutcome::fine && !(now.hurry && *now.hurry);
   RunStatistics& statistics = p.done.statistics;
   add_step(statistics, now, report, step_ms);
   const std::uint64_t fans = statistics.fans - report.fracture.fans.size();
@@ -267,8 +269,6 @@ std::vector<Finding> Recorder::record(const Simulation& now, const StepReport& r
   if (report.impact.opened > 0 && p.is_time_for_impact(now)) {
     append(findings, p.write_frame_of(now));
   }
-  // A step that failed or was cut short is nothing to go on from.
-  p.last_is_whole = report.status.outcome == StepOutcome::fine && !(now.hurry && *now.hurry);
   if (p.last_is_whole && p.is_time_to_save(now)) {
     append(findings, p.write_tables(now, RunEnd::running));
     append(findings, p.save(now));

@@ -180,6 +180,7 @@ ExitCode step_to_end(const RunWork& work, const RunArguments& arguments, FrameCl
     if (interrupted) return ExitCode::interrupted;
     const auto start = std::chrono::steady_clock::now();
     const StepReport report = advance(simulation, note_part);
+    start_is_kept = false;  // the step has come to its end: nothing of it is to be cut short
     const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - start;
     const std::vector<Finding> unwritten = work.recorder.record(simulation, report, ms.count());
     say(unwritten);
