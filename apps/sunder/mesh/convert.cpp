@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 
+#include "apps/scene/json_text.hpp"
 #include "apps/scene/words.hpp"
 #include "apps/sunder/mesh/convert_crack.hpp"
 #include "apps/sunder/mesh/formats_table.hpp"
