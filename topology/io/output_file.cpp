@@ -104,6 +104,9 @@ std::optional<Finding> write_file(const std::filesystem::path& path,
   }
   const std::filesystem::path target = target_of(path);
   std::error_code error;
+  if (std::filesystem::is_symlink(target, error)) {
+    return cannot_write(path, ELOOP, "name a file: these links lead to each other");
+  }
   const auto status = std::filesystem::status(target, error);
   if (std::filesystem::is_directory(status)) return cannot_write(path, EISDIR, remedy_for(EISDIR));
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {

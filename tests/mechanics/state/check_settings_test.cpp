@@ -70,7 +70,7 @@ std::vector<std::string> places(const Sample& sample) {
 TEST_CASE("ranges allow what they say, and nothing that is not finite", "[mechanics][settings]") {
   CHECK(is_allowed(0, at_least(0)));
   CHECK_FALSE(is_allowed(0, above(0)));
-  CHECK(is_allowed(5e-324, above(0)));
+  CHECK(is_allowed(2e-30, above(0)));
   CHECK(is_allowed(1, between(0, 1)));
   CHECK_FALSE(is_allowed(1.0000001, between(0, 1)));
   for (const double x : {no_number, infinite, -infinite}) {
