@@ -82,7 +82,8 @@ TEST_CASE("messages of a program without standard error are written into no file
   CHECK(exit_of_shell("\"$sunder\" convert --verbose " + mesh + " " + here.path("b.vtk") +
                       " >&- 2>&- <&-") == 4);  // that standard output is closed is an error
   CHECK(bytes_of(here.path("a.vtk")) == bytes_of(here.path("b.vtk")));
-  CHECK(here.names() == std::vector<std::string>{"a.vtk", "b.vtk"});
+  CHECK(here.names() ==
+        std::vector<std::string>{"a.vtk", "a.vtk.regions", "b.vtk", "b.vtk.regions"});
 }
 
 TEST_CASE("a result that standard output does not take is told, and files are written",
@@ -252,7 +253,8 @@ TEST_CASE("numbers of any size are refused, or run without a number that is none
       INFO(setting);
       std::vector<std::string> words = {"run", file, "--quiet", "--force", "-o", here.path("out")};
       for (const std::string& one :
-           {std::string("output={\"frames\": 0}"), std::string("fracture.mode=budget"), setting}) {
+           {std::string("output={\"frames\": 0}"), std::string("fracture.mode=budget"),
+            std::string("impact.max_sub_steps=50"), setting}) {
         words.insert(words.end(), {"--set", one});
       }
       const Outcome o = here.run(words);
