@@ -10,6 +10,7 @@
 #include <span>
 
 #include "mechanics/element/strain_displacement.hpp"
+#include "topology/base/elementary.hpp"
 #include "topology/base/sort_unique.hpp"
 
 namespace sunder {
@@ -117,7 +118,7 @@ SkinAtPoint skin_at(const Body& body, const CrackPoint& p) {
     const Vec3 to_a = body.at(a) - body.at(p.point), to_b = body.at(b) - body.at(p.point);
     const Vec3 area = to_a.cross(to_b);
     if (area.isZero(0)) continue;
-    const double angle = std::atan2(area.norm(), to_a.dot(to_b));
+    const double angle = direction_angle(area.norm(), to_a.dot(to_b));
     const Vec3 n = area.normalized();
     skin.normal += angle * n;
     spread += angle * n * n.transpose();
@@ -194,7 +195,7 @@ struct MovedTetrahedron {
   bool is_kept(const Body& body, std::span<const Vec3> moves) const {
     std::array<Vec3, 4> x;
     for (std::size_t i = 0; i < 4; ++i) x[i] = body.at(points[i]) + moves[points[i]];
-    static const double share = std::pow(smooth_shape_share, 1.5);
+    static const double share = smooth_shape_share * std::sqrt(smooth_shape_share);
     return (shape < 0 ? -1 : 1) * shape_of(x) >= share * std::abs(shape);
   }
 };

@@ -16,7 +16,7 @@
 #include "apps/scene/scene_paint.hpp"
 #include "apps/scene/scene_text.hpp"
 #include "fracture/scene/check_scene.hpp"
-#include "mechanics/state/elementary.hpp"
+#include "topology/base/elementary.hpp"
 #include "topology/base/whole_number.hpp"
 
 namespace sunder {

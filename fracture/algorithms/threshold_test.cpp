@@ -52,8 +52,8 @@ ThresholdAnswer test_threshold(const Eigen::Matrix3d& sigma, double xi, Threshol
 }
 
 double largest_principal_stress(const Eigen::Matrix3d& sigma) {
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(sigma, Eigen::EigenvaluesOnly);
+  // compute(), not computeDirect(): that one's functions of angles differ from machine to machine.
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(sigma, Eigen::EigenvaluesOnly);
   return solver.eigenvalues()(2);
 }
 

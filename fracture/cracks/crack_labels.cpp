@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mechanics/state/elementary.hpp"
+#include "topology/base/elementary.hpp"
 #include "topology/base/assert.hpp"
 
 namespace sunder {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "mechanics/state/elementary.hpp"
+#include "topology/base/elementary.hpp"
 #include "mechanics/state/material.hpp"
 
 namespace sunder {

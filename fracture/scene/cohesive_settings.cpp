@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "fracture/strength/draw_strength.hpp"
-#include "mechanics/state/elementary.hpp"
+#include "topology/base/elementary.hpp"
 #include "mechanics/state/wave_travel.hpp"
 
 namespace sunder {

@@ -9,6 +9,7 @@
 
 #include "fracture/scene/body_measures.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
+#include "topology/base/elementary.hpp"
 
 namespace sunder {
 namespace {
@@ -235,7 +236,7 @@ class Forecast {
       if (scene_.bodies[b].rigid || t < body.touched) continue;
       const double size = weight(scene_.bodies[b]);
       if (breaking) {
-        seconds += of_sub_step * size * std::pow(size / 3000, growth) * sweeps(size) / sub_step();
+        seconds += of_sub_step * size * exponential(growth * logarithm(size / 3000)) * sweeps(size) / sub_step();
       } else if (t < body.touched + time_to_sleep()) {
         seconds += (t < body.piled ? of_rest : of_heap) * size * steps;
       }
@@ -256,7 +257,7 @@ class Forecast {
 
   /// s: the shortest that the blows on the bodies ask for (mechanics/contact/impact.cpp).
   double sub_step() const {
-    const double step = scene_.integrator.time_step;
+    double step = scene_.integrator.time_step;
     if (!scene_.impact.window || scene_.integrator.integrator != Integrator::floating_frame ||
         scene_.contact.method != ContactMethod::impulses) {
       return step;
@@ -268,7 +269,8 @@ class Forecast {
       wanted =
           std::min(wanted, std::max(scene_.impact.fraction * m.extent, m.cell / 2) / m.wave_speed);
     }
-    return step * std::exp2(-std::ceil(std::log2(step / wanted)));
+    while (step > wanted) step /= 2;
+    return step;
   }
 
   const Scene& scene_;

@@ -9,7 +9,7 @@
 
 #include "mechanics/contact/shapes/nearest_point.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
-#include "mechanics/state/elementary.hpp"
+#include "topology/base/elementary.hpp"
 #include "topology/base/whole_number.hpp"
 
 namespace sunder {

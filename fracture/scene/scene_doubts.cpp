@@ -16,6 +16,7 @@
 #include "fracture/scene/cohesive_settings.hpp"
 #include "fracture/scene/overlaps.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
+#include "topology/base/elementary.hpp"
 
 namespace sunder {
 namespace {
@@ -236,7 +237,7 @@ void look_at_obstacles(const Looked& l) {
     const double volume = volume_of(obstacle.shape);
     const double density = *obstacle.mass / volume;
     if (density >= material_ranges[0].low && density <= material_ranges[0].high) continue;
-    l.add("odd_unit", place + ".mass", std::abs(std::log(density / material_ranges[0].low)),
+    l.add("odd_unit", place + ".mass", std::abs(logarithm(density / material_ranges[0].low)),
           fmt::format("is {:.4g} kg in {:.4g} m^3: {:.4g} kg/m^3, which no solid has",
                       *obstacle.mass, volume, density),
           "give kg and m: 1000 kg are a tonne; a steel ball has 33e3 kg times its radius cubed");

@@ -38,10 +38,10 @@ bool is_open(const ImpactWindow& window, std::size_t component) {
 void open(StepPlan& plan, ImpactWindow& window, const Blows& blows, const Scene& scene) {
   const double time_step = scene.integrator.time_step;
   const bool refines = scene.fracture.crack == CrackMode::cohesive;
-  const double halvings = std::ceil(std::log2(time_step / blows.sub_step));
   // No computer takes more sub-steps than that; their count stays exact.
-  constexpr double most_halvings = 40;
-  double sub_step = time_step * std::exp2(-std::min(most_halvings, std::max(0.0, halvings)));
+  constexpr int most_halvings = 40;
+  double sub_step = time_step;
+  for (int k = 0; k < most_halvings && sub_step > blows.sub_step; ++k) sub_step /= 2;
   if (open_windows(window).empty() || (refines && sub_step < window.sub_step)) {
     if (plan.phase == StepPlan::Phase::members) {
       sub_step = std::min(sub_step, window.sub_step);

@@ -104,7 +104,7 @@ double damped_step_bound(double bound, double stiffness_factor) {
   // Written so that nothing cancels where the damping is strong.
   return std::isinf(bound)
              ? bound
-             : bound * bound / (std::hypot(bound, stiffness_factor) + stiffness_factor);
+             : bound * bound / (std::sqrt(bound * bound + stiffness_factor * stiffness_factor) + stiffness_factor);
 }
 
 double component_step_bound(MechanicsScratch& scratch, const MechanicsState& state,

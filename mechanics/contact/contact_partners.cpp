@@ -7,7 +7,7 @@
 #include <numbers>
 #include <tuple>
 
-#include "mechanics/state/elementary.hpp"
+#include "topology/base/elementary.hpp"
 #include "topology/base/sort_unique.hpp"
 
 namespace sunder {

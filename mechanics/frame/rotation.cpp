@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "mechanics/state/elementary.hpp"
+#include "topology/base/elementary.hpp"
 
 namespace sunder {
 namespace {

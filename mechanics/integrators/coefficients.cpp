@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The coefficients that follow from the settings.
 #include "mechanics/integrators/coefficients.hpp"
+#include "topology/base/elementary.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,7 @@ namespace sunder {
 double followed_rho(double rho_infinity, double time_step, double extent_travel) {
   constexpr double resolved = 0.3, unresolved = 3;
   const double turn = M_PI * time_step / extent_travel;
-  const double part = std::log(unresolved / turn) / std::log(unresolved / resolved);
+  const double part = logarithm(unresolved / turn) / logarithm(unresolved / resolved);
   return rho_infinity * std::clamp(part, 0.0, 1.0);
 }
 

@@ -6,7 +6,7 @@
 
 #include "mechanics/integrators/baseline_system.hpp"
 #include "mechanics/state/dense_solve.hpp"
-#include "mechanics/state/elementary.hpp"
+#include "topology/base/elementary.hpp"
 #include "topology/base/assert.hpp"
 
 namespace sunder {

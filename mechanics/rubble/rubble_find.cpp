@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "mechanics/frame/rotation.hpp"
 #include "mechanics/rubble/merge_patches.hpp"
 #include "mechanics/rubble/rubble.hpp"
 #include "mechanics/rubble/rubble_partners.hpp"
@@ -33,7 +34,7 @@ FindScratch::Turn turn_of(const FindInput& input, std::uint32_t row) {
   turn.turn = input.time * body.spin;
   const double angle = turn.turn.norm();
   if (angle == 0) return turn;
-  turn.chord = Eigen::AngleAxisd(angle, turn.turn / angle).toRotationMatrix();
+  turn.chord = rotation_of(turn.turn).toRotationMatrix();
   turn.chord -= Mat3::Identity();
   return turn;
 }

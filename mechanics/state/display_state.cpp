@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "mechanics/state/elementary.hpp"
+#include "topology/base/elementary.hpp"
 #include "topology/base/assert.hpp"
 
 namespace sunder {

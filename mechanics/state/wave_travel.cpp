@@ -2,7 +2,7 @@
 // Times of travel, from the mean size of cells and from the radius.
 #include "mechanics/state/wave_travel.hpp"
 
-#include "mechanics/state/elementary.hpp"
+#include "topology/base/elementary.hpp"
 
 namespace sunder {
 

@@ -19,7 +19,8 @@ double area_under(const TieCorner& corner, double opening) {
 /// Squared: along the normal, where it pulls, and across.
 std::array<double, 2> squared_parts(const Vec3& v, const Vec3& normal) {
   const double along = normal.dot(v);
-  return {std::pow(std::max(0.0, along), 2), (v - along * normal).squaredNorm()};
+  const double opens = std::max(0.0, along);
+  return {opens * opens, (v - along * normal).squaredNorm()};
 }
 
 }  // namespace

@@ -26,6 +26,10 @@ TOOL = "apps/sunder-mesh/"
 TOOL_TEST = "tests/meshes/sunder_mesh_parts_test.cpp"
 # Where files must not lead back to themselves, a header and its source taken as one.
 NO_CIRCLES = "fracture/simulation/"
+# Functions of libm that round by the processor, and Eigen's that call them: topology/base/elementary.hpp has ours.
+OF_PROCESSOR = re.compile(r"\bstd::(?:a?(?:sin|cos|tan)h?|atan2|exp2?|expm1|log2?|log10|log1p|pow|cbrt|hypot|"
+                          r"[tl]gamma|erfc?)\(|\bcomputeDirect\(|\bAngleAxisd?\(|\bslerp\(|\bangularDistance\(")
+RESULTS = ("topology/", "mechanics/", "fracture/", "apps/output/", "apps/scene/", "apps/host/")
 
 
 def reach(graph, start):
@@ -217,6 +221,9 @@ class TheProject(unittest.TestCase):
             looked_at += 1
         self.assertGreater(looked_at, 0, "no source of the build sees CGAL: this test looks away")
 
+    def test_no_result_depends_on_the_processor(self):
+        self.assertEqual(calls_of_processor(sources(self.project)), [])
+
     def test_every_source_carries_its_licence(self):
         for name, text in sources(self.project).items():
             expected = "GPL-3.0-or-later" if is_of_tool(name) else "MIT"
@@ -225,12 +232,31 @@ class TheProject(unittest.TestCase):
                                  f"// SPDX-License-Identifier: {expected}")
 
 
+def calls_of_processor(texts):
+    """Calls in the sources of results whose last bit depends on the processor: file, line, call."""
+    found = []
+    for name, text in texts.items():
+        if not name.startswith(RESULTS):
+            continue
+        for number, line in enumerate(text.splitlines(), 1):
+            call = OF_PROCESSOR.search(line.split("//")[0])
+            if call:
+                found.append((name, number, call.group()))
+    return found
+
+
 class ThisTest(unittest.TestCase):
     """The checks above can fail."""
 
     def graph(self, **files):
         return includes({name.replace("__", "/") + (".cpp" if name.endswith("_cpp") else ".hpp"): t
                          for name, t in files.items()})
+
+    def test_a_call_of_the_processor_is_found(self):
+        texts = {"mechanics/a.cpp": "x = std::pow(y, 3);\n// std::sin(x) is not ours\nz = sine(y);",
+                 "apps/render/b.cpp": "x = std::sin(y);", "fracture/c.cpp": "s.computeDirect(m);"}
+        self.assertEqual(calls_of_processor(texts), [("mechanics/a.cpp", 1, "std::pow("),
+                                                     ("fracture/c.cpp", 1, "computeDirect(")])
 
     def test_cgal_behind_two_headers_is_found(self):
         graph = self.graph(mechanics__a='#include "topology/b.hpp"',

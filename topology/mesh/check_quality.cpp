@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "topology/base/elementary.hpp"
 #include "topology/base/point_math.hpp"
 #include "topology/kernel/kernel.hpp"
 #include "topology/mesh/radius_ratio.hpp"
@@ -83,7 +84,7 @@ std::optional<double> cosine(const Shape& s, int i, int j) {
 /// The angle itself, degrees; near 0 and 180 as good as in the middle.
 double angle(const Shape& s, int i, int j) {
   const Point c = cross(s.normal[i], s.normal[j]);
-  return std::atan2(length(c), -dot(s.normal[i], s.normal[j])) * 180 / std::numbers::pi;
+  return direction_angle(length(c), -dot(s.normal[i], s.normal[j])) * 180 / std::numbers::pi;
 }
 
 using Extreme = Quality::Extreme;

@@ -125,7 +125,7 @@ bool has_volume(const Shape& shape) {
 double volume_of(const Shape& shape) {
   SUNDER_ASSERT(has_volume(shape), "a plane has no volume");
   if (const auto* sphere = std::get_if<Sphere>(&shape)) {
-    return 4 * M_PI / 3 * std::pow(sphere->radius, 3);
+    return 4 * M_PI / 3 * (sphere->radius * sphere->radius * sphere->radius);
   }
   if (const auto* box = std::get_if<Box>(&shape)) return 8 * box->half_extent.prod();
   return std::get<Solid>(shape).surface->volume;

@@ -11,7 +11,7 @@
 
 #include "mechanics/contact/shapes/nearest_point.hpp"
 #include "mechanics/contact/shapes/solid_surface_check.hpp"
-#include "mechanics/state/elementary.hpp"
+#include "topology/base/elementary.hpp"
 
 namespace sunder {
 namespace {

@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "topology/base/elementary.hpp"
 #include "topology/base/sort_unique.hpp"
 #include "topology/base/union_find.hpp"
 
@@ -141,7 +142,7 @@ double winding(const SolidSurface& s, UnionFind& shells, std::uint32_t without, 
     if (shells.root(t[0]) == without) continue;
     const Vec3 a = s.points[t[0]] - x, b = s.points[t[1]] - x, c = s.points[t[2]] - x;
     const double la = a.norm(), lb = b.norm(), lc = c.norm();
-    sum += 2 * std::atan2(a.dot(b.cross(c)),
+    sum += 2 * direction_angle(a.dot(b.cross(c)),
                           la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
   }
   return sum / (4 * M_PI);
@@ -222,7 +223,7 @@ std::vector<Finding> check_triangles(const TriangleSurface& surface) {
 }
 
 std::vector<Finding> check_solid(const SolidSurface& s) {
-  if (!(s.volume > 1e-12 * std::pow(s.radius, 3))) {
+  if (!(s.volume > 1e-12 * s.radius * s.radius * s.radius)) {
     return {finding("no_volume", {}, "the surface has no volume",
                     "give a surface that bounds a solid")};
   }

@@ -38,7 +38,8 @@ Vec3 tie_kept(const ContactRow& row, const Vec3& impulse) {
 
 bool tie_is_free(const ContactRow& row) {
   constexpr double short_of = 1 - 1e-9;
-  return squared_pull(row, row.impulse) < std::pow(short_of * row.tie_most, 2);
+  const double most = short_of * row.tie_most;
+  return squared_pull(row, row.impulse) < most * most;
 }
 
 double tie_way(const ContactRow& row, const Vec3& change) {
@@ -64,8 +65,8 @@ double tie_response_of(const ContactRow& row) {
   const Mat3 along = n * n.transpose();
   const Mat3 scale = along + root * (Mat3::Identity() - along);
   const Mat3 scaled = scale * row.response * scale;
-  Eigen::SelfAdjointEigenSolver<Mat3> solver;
-  solver.computeDirect(scaled, Eigen::EigenvaluesOnly);
+  // compute(), not computeDirect(): that one's functions of angles differ from machine to machine.
+  const Eigen::SelfAdjointEigenSolver<Mat3> solver(scaled, Eigen::EigenvaluesOnly);
   return solver.eigenvalues()[2] + row.compliance;
 }
 

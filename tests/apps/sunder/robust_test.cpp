@@ -91,9 +91,9 @@ TEST_CASE("a result that standard output does not take is told, and files are wr
   const Workplace here;
   const std::string scene = here.write("scene.json", cube_scene().dump());
   for (const char* out : {">/dev/full", ">&-"}) {
-    for (const char* json : {"", " --json"}) {
-      INFO(out << json);
-      CHECK(exit_of_shell("\"$sunder\" run " + scene + json + " --force -o " + here.path("out") +
+    for (const char* format : {"", " --json"}) {
+      INFO(out << format);
+      CHECK(exit_of_shell("\"$sunder\" run " + scene + format + " --force -o " + here.path("out") +
                           " " + out + " 2>" + here.path("err")) == 4);
       CHECK_THAT(bytes_of(here.path("err")), Contains("cannot be written to standard output"));
       CHECK(fs::exists(here.path("out/report.json")));

@@ -21,6 +21,10 @@ double cube_root(double x);
 /// e^x within two units in the last place; 0 below -700, infinite above 700.
 double exponential(double x);
 
+/// Natural logarithm within two units in the last place; of 0 minus infinity, of a negative number
+/// not a number.
+double logarithm(double x);
+
 /// The angle in (-pi, pi] of the direction (x, y), radians, within three units in the last place; 0 of
 /// (0, 0).
 double direction_angle(double y, double x);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reduction by pi/2 in three parts, Taylor series below pi/4, Newton's method for the root.
-#include "mechanics/state/elementary.hpp"
+#include "topology/base/elementary.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +17,8 @@ constexpr double half_pi_3 = 2.02226624879595063154e-21;
 constexpr double two_over_pi = 6.36619772367581382433e-01;
 constexpr double two_pi = 6.28318530717958647693e+00;
 constexpr double most_quarters = 1048576;  // 2^20
+/// ln 2 as a sum: the first has 33 bits.
+constexpr double ln2_1 = 6.93147180369123816490e-01, ln2_2 = 1.90821492927058770002e-10;
 
 /// An angle as whole quarter turns and a rest of at most pi/4 = `rest` + `tail`.
 struct ReducedAngle {
@@ -85,12 +87,28 @@ double cosine(double angle) {
   return quarter_wave(a, a.quarter + 1);
 }
 
+double logarithm(double x) {
+  if (x == 0) return -std::numeric_limits<double>::infinity();
+  if (!(x > 0)) return std::numeric_limits<double>::quiet_NaN();
+  if (std::isinf(x)) return x;
+  int exponent = 0;
+  double m = std::frexp(x, &exponent);  // 0.5 to 1
+  if (m < 0.70710678118654752) {
+    m *= 2;
+    --exponent;
+  }
+  // ln m = 2 artanh s; s is at most 0.172, and the first term left out below 1e-18.
+  const double f = m - 1, s = f / (2 + f), z = s * s;
+  double sum = 0;
+  for (int k = 21; k > 1; k -= 2) sum = z * (1. / k + sum);
+  // f - s f is 2 s: s alone is rounded, f is not.
+  return exponent * ln2_1 + ((f - s * (f - 2 * sum)) + exponent * ln2_2);
+}
+
 double exponential(double x) {
   if (!(std::abs(x) <= 700)) {
     return x > 0 ? std::numeric_limits<double>::infinity() : x < 0 ? 0 : x;
   }
-  // ln 2 as a sum: the first has 33 bits.
-  constexpr double ln2_1 = 6.93147180369123816490e-01, ln2_2 = 1.90821492927058770002e-10;
   const double n = std::floor(x / (ln2_1 + ln2_2) + 0.5);
   const double rest = (x - n * ln2_1) - n * ln2_2;  // at most 0.35
   double sum = 1;
