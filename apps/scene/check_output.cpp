@@ -35,7 +35,10 @@ std::vector<SettingFinding> check_output(const OutputSettings& output, const Sce
         "take a longer interval or a shorter duration");
   }
   const auto limit = [&](std::uint32_t count, const char* code, const char* key) {
-    if (count <= most_frames()) return;
+    const bool is_refused = std::ranges::any_of(findings, [&](const SettingFinding& found) {
+      return found.place == std::string("output.") + key;
+    });
+    if (count <= most_frames() || is_refused) return;
     check.add(code, key, fmt::format("is {}; allowed are {:.6g}", count, most_frames()),
               "ask for fewer, or look at SUNDER_LIMITS");
   };

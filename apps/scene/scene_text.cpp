@@ -11,7 +11,7 @@
 #include <numeric>
 #include <utility>
 
-#include "topology/io/limits.hpp"
+#include "topology/base/limits.hpp"
 #include "topology/io/printing.hpp"
 
 namespace sunder {

@@ -40,14 +40,15 @@ bool fits_together(const CrackLabels& c, std::size_t vertices, std::size_t tetra
          std::ranges::all_of(c.of_face, [&](CrackId k) { return k.is_none() || is_crack(k); });
 }
 
-/// Whether ties name faces that the map has apart and the pieces have sewn.
-bool fits_together(const std::vector<Tie>& ties, const Cells& cells) {
+/// Whether ties name faces that the map has apart and the pieces have sewn, and nodes that their
+/// tetrahedra have, `nodes` each.
+bool fits_together(const std::vector<Tie>& ties, const Cells& cells, std::uint8_t nodes) {
   if (!cells.pieces) return ties.empty();
   const std::size_t faces = 4 * cells.map.tetrahedra();
   return cells.pieces->map.tetrahedra() == cells.map.tetrahedra() &&
          cells.pieces->labels.of_tetrahedron == cells.labels.of_tetrahedron &&
          std::ranges::all_of(ties, [&](const Tie& tie) {
-           const auto is_place = [](std::uint8_t place) { return place < 4; };
+           const auto is_place = [&](std::uint8_t place) { return place < nodes; };
            return tie.face.index() < faces && tie.opposite.index() < faces &&
                   cells.map.neighbour(tie.face).is_none() &&
                   cells.pieces->map.neighbour(tie.face) == tie.opposite &&
@@ -61,6 +62,16 @@ bool fits_together(const ElementColumns& e, const VolumeMap& map) {
   if (e.edge_nodes.empty()) return e.corner_stress.empty();
   return e.edge_nodes.size() == map.tetrahedra() && e.corner_stress.size() == map.tetrahedra() &&
          check(e.edge_nodes, map).empty();
+}
+
+/// Whether the meshes of the scene's bodies name points that they have.
+bool fits_together(const Scene& scene) {
+  return std::ranges::all_of(scene.bodies, [](const BodySettings& body) {
+    const std::size_t points = body.mesh.points.size();
+    return std::ranges::all_of(body.mesh.tetrahedra, [&](const auto& t) {
+      return std::ranges::all_of(t, [&](std::uint32_t corner) { return corner < points; });
+    });
+  });
 }
 
 /// Whether columns are as long as each other, as far as a step relies on it without a look.
@@ -86,9 +97,8 @@ bool fits_together(const SimulationState& s) {
   if (!rubble.ball_apart.empty() && rubble.ball_apart.size() != s.obstacles.size()) return false;
   return s.display.size() == components && s.display_target.size() == components &&
          s.cells.labels.size.size() == components && s.cells.skin.size() == 4 * tetrahedra &&
-         fits_together(s.cells.cracks, vertices, tetrahedra) &&
-         fits_together(e, s.cells.map) &&
-         fits_together(s.contact.ties, s.cells);
+         fits_together(s.cells.cracks, vertices, tetrahedra) && fits_together(e, s.cells.map) &&
+         fits_together(s.contact.ties, s.cells, e.edge_nodes.empty() ? 4 : 10);
 }
 
 std::uint64_t checksum(std::string_view bytes) {
@@ -145,7 +155,8 @@ Result<Simulation> restore(std::string_view bytes) {
       std::make_unique<SimulationState>(SimulationState{.cells = {.map = VolumeMap(MapRows{})}}));
   sim.scratch = Owned(std::make_unique<SimulationScratch>());
   sections(reader, sim);
-  if (reader.failed || !reader.bytes.empty() || !fits_together(*sim.state)) {
+  if (reader.failed || !reader.bytes.empty() || !fits_together(*sim.state) ||
+      !fits_together(sim.scene)) {
     return damaged("its sections do not fit together");
   }
   sim.state->cells.map.set_kernel(sim.scene.topology.kernel);

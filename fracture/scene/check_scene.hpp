@@ -6,7 +6,7 @@
 
 #include "fracture/scene/scene_fields.hpp"
 #include "mechanics/state/check_settings.hpp"
-#include "topology/io/limits.hpp"
+#include "topology/base/limits.hpp"
 
 namespace sunder {
 

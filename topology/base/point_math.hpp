@@ -2,6 +2,7 @@
 // Differences and products of points, for sources that need no more than that.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "topology/base/tet_mesh.hpp"
@@ -31,5 +32,13 @@ inline Point middle(const Point& a, const Point& b) {
 }
 
 inline double length(const Point& a) { return std::sqrt(dot(a, a)); }
+
+/// The distance, for all points that there are: no square overflows or vanishes.
+inline double distance(const Point& a, const Point& b) {
+  const Point d = difference(a, b);
+  const double largest = std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])});
+  if (!(largest > 0) || std::isinf(largest)) return largest;
+  return largest * length({d[0] / largest, d[1] / largest, d[2] / largest});
+}
 
 }  // namespace sunder::detail

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "topology/io/limits.hpp"
+#include "topology/base/limits.hpp"
 #include "topology/io/text/scan.hpp"
 
 namespace sunder::io {

@@ -11,7 +11,7 @@
 #include <system_error>
 
 #include "topology/io/gzip.hpp"
-#include "topology/io/limits.hpp"
+#include "topology/base/limits.hpp"
 #include "topology/io/text/scan.hpp"
 
 namespace sunder::io {

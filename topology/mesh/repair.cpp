@@ -89,7 +89,7 @@ std::optional<std::uint32_t> kept_near(const PointGrid& grid, const FileMesh& me
     if (at == grid.kept.end()) continue;
     for (const std::uint32_t row : at->second) {
       const Point& q = mesh.points[row];
-      const bool is_near = detail::length(detail::difference(q, p)) <= distance;
+      const bool is_near = detail::distance(q, p) <= distance;
       if (is_near && (!found || row < *found)) found = row;
     }
   }

@@ -20,6 +20,7 @@
 #include "apps/sunder/view/open_page.hpp"
 #include "apps/sunder/view/view_requests.hpp"
 #include "apps/sunder/view/view_server.hpp"
+#include "topology/io/printing.hpp"
 
 namespace sunder {
 namespace {
@@ -100,7 +101,7 @@ ExitCode view(const ViewArguments& arguments) {
   std::signal(SIGINT, [](int) { ended = true; });
   std::signal(SIGTERM, [](int) { ended = true; });
   const std::string url = fmt::format("http://127.0.0.1:{}/#token={}", port, *token);
-  fmt::print("{}\n", url);
+  print("{}\n", url);
   std::fflush(stdout);
   std::optional<std::filesystem::path> way_in;
   if (!arguments.headless) way_in = open_page(url);

@@ -39,7 +39,7 @@ TEST_CASE("an interval that asks for more frames than the key frames may is refu
   output.frame_interval = 1e-4;
   CHECK(wrong(output, scene) == All{"too_many_frames output.frame_interval"});
   // No frame falls between two steps.
-  output.frame_interval = 1e-300;
+  output.frame_interval = 1e-30;
   CHECK(wrong(output, scene) == All{"too_many_frames output.frame_interval"});
   scene.duration = 0.5;
   CHECK(wrong(output, scene).empty());

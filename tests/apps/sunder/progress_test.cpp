@@ -108,7 +108,9 @@ TEST_CASE("the line of a scene names what drives it and where bodies differ", "[
 TEST_CASE("a scene's name moves no cursor and breaks no line", "[run][progress]") {
   Scene scene = scene_of(1);
   scene.name = "a\nb\033[2Jc\rd";
-  CHECK(scene_line(scene).starts_with("a b [2Jc d: "));
+  const std::string line = scene_line(scene);
+  INFO(line);
+  CHECK(line.starts_with(R"(a\x0ab\x1b[2Jc\x0dd: )"));
 }
 
 TEST_CASE("a line of progress has step, time, pieces, fans and wall time", "[run][progress]") {

@@ -404,7 +404,7 @@ TEST_CASE("what does not go with ties is refused, and doubtful materials are tol
 }
 
 TEST_CASE("a run saved amid open ties goes on to the same bytes", "[ties]") {
-  Simulation sim = built(pulled_bar(1e-4));
+  Simulation sim = built(pulled_bar(1e-4, 0.05, GENERATE(1u, 2u)));
   while (sim.state->contact.ties.empty()) advance_fine(sim);
   for (int i = 0; i < 2; ++i) advance_fine(sim);
   REQUIRE_FALSE(sim.state->contact.ties.empty());

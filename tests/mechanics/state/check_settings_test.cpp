@@ -105,9 +105,9 @@ TEST_CASE("every kind of member is held to its description, at its place",
 
 TEST_CASE("numbers whose squares and products overflow are refused with what is allowed",
           "[mechanics][settings]") {
-  CHECK(is_allowed(1e20, {}));
-  CHECK(is_allowed(-1e20, {}));
-  CHECK_FALSE(is_allowed(1.01e20, {}));
+  CHECK(is_allowed(1e30, {}));
+  CHECK(is_allowed(-1e30, {}));
+  CHECK_FALSE(is_allowed(1.01e30, {}));
   CHECK_FALSE(is_allowed(-1e300, {}));
   CHECK(is_allowed(1e-300, {}));  // a coordinate that is 0 but for rounding
   CHECK(is_allowed(1e-30, above(0)));
@@ -116,7 +116,7 @@ TEST_CASE("numbers whose squares and products overflow are refused with what is 
   CHECK(is_allowed(0, at_least(0)));
   CHECK(is_allowed(infinite, {.with_infinity = true}));
   CHECK(check_settings(Sample{.length = 1e300}, "a")[0].text ==
-        "a.length is 1e+300 m; allowed is at least 1e-30 and at most 1e+20 in size");
+        "a.length is 1e+300 m; allowed is at least 1e-30 and at most 1e+30 in size");
   CHECK(check_settings(Sample{.place = {-1e300, 0, 0}}, "a")[0].text ==
-        "a.place.0 is -1e+300 m; allowed is at most 1e+20 in size");
+        "a.place.0 is -1e+300 m; allowed is at most 1e+30 in size");
 }

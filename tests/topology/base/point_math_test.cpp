@@ -18,6 +18,10 @@ TEST_CASE("cross products stand on both factors and turn right-handed", "[kernel
   CHECK(detail::dot(b, c) == 0);
   CHECK(detail::length({2, 3, 6}) == 7);
   CHECK(detail::difference(a, b) == Point{-3, 7, -9});
+  CHECK(detail::distance({1, 1, 1}, {3, 4, 7}) == 7);
+  CHECK(detail::distance({5e-324, 0, 0}, {0, 0, 0}) > 0);
+  CHECK(detail::distance({3e300, 0, 0}, {0, 4e300, 0}) == Approx(5e300));
+  CHECK(detail::distance(a, a) == 0);
 }
 
 TEST_CASE("six volumes are the determinant, for whole numbers to the last one",

@@ -120,8 +120,8 @@ TEST_CASE("what is no mesh file is named", "[io][defects]") {
   check_defects({
       {"empty", "", "empty_file", 0, "0 bytes"},
       {"blank", " \n\n\t", "empty_file", 0, "4 bytes"},
-      {"garbage", std::string("\x7f\x45\x4c\x46\0\0\0", 7), "unknown_format", 0, R"(\x7fELF\x00)"},
-      {"prose", "Dear reader,\n", "unknown_format", 0, "'Dear reader,"},
+      {"garbage", std::string("\x7f\x45\x4c\x46\0\0\0", 7), "unknown_format", 0, "begins like none"},
+      {"prose", "Dear reader,\n", "unknown_format", 0, "begins like none"},
       {"another VTK", "# vtk DataFile Version 2.0\nx\nASCII\nDATASET STRUCTURED_GRID\n",
        "unknown_format", 4, "STRUCTURED_GRID"},
       {"HDF5", "\x89HDF\r\n", "unknown_format", 0, "HDF5"},

@@ -12,7 +12,7 @@
 #include <memory>
 #include <new>
 
-#include "topology/io/limits.hpp"
+#include "topology/base/limits.hpp"
 #include "topology/io/text/number_source.hpp"
 #include "topology/io/vtk/vtk_cells.hpp"
 

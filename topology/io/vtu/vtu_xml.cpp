@@ -12,7 +12,7 @@
 #include <optional>
 #include <set>
 
-#include "topology/io/limits.hpp"
+#include "topology/base/limits.hpp"
 #include "topology/io/text/scan.hpp"
 
 namespace sunder::io {

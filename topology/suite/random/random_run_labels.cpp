@@ -37,7 +37,7 @@ void label_by_plane(const TetMesh& body, std::mt19937_64& random, CrackSides& si
 /// By the cubes that a lattice of any width puts the centres in.
 void label_like_a_board(const TetMesh& body, std::mt19937_64& random, CrackSides& sides) {
   const Point from = center_of(body, 0), to = center_of(body, below(random, sides.size()));
-  const double reach = detail::length(detail::difference(from, to));
+  const double reach = detail::distance(from, to);
   const double width = reach > 0 ? reach / static_cast<double>(1 + below(random, 4)) : 1;
   for (std::size_t t = 0; t < sides.size(); ++t) {
     double cubes = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Limits of input: lowered by name, never raised, and held by what reads.
-#include "topology/io/limits.hpp"
+#include "topology/base/limits.hpp"
 
 #include <catch2/catch.hpp>
 

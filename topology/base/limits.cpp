@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Limits by name, from the environment.
-#include "topology/io/limits.hpp"
-
-#include <fmt/format.h>
+#include "topology/base/limits.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
 
 #include "topology/base/whole_number.hpp"
-#include "topology/io/text/scan.hpp"
 
 namespace sunder {
 namespace {
@@ -71,9 +68,9 @@ std::string lower_limits(Limits& lowered, std::string_view list) {
         end != number.data() + number.size() || !(value >= 0)) {
       std::string names;
       for (const NamedLimit& known : named_limits) {
-        names += fmt::format("{}{}", names.empty() ? "" : ", ", known.name);
+        names += (names.empty() ? "" : ", ") + std::string(known.name);
       }
-      return fmt::format("{} is no limit with a number; limits are {}", io::in_quotes(part), names);
+      return "'" + std::string(part) + "' is no limit with a number; limits are " + names;
     }
     all.*limit->member = std::min(all.*limit->member, whole_number<std::uint64_t>(value));
   }
