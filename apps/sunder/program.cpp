@@ -143,7 +143,7 @@ int parse_and_run(std::vector<std::string> words, const AddCommands& add_command
 /// What was printed may still wait in memory: a full device shows only now.
 int with_all_printed(int exit_code) {
   errno = 0;
-  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit_code;
+  if (!output_was_lost()) return exit_code;
   // Whoever reads may go when it has enough (| head): that is no news.
   if (errno == EPIPE) return static_cast<int>(ExitCode::not_written);
   print(stderr, "sunder: the result cannot be written to standard output{}{}\n",

@@ -3,10 +3,14 @@
 #include "topology/io/printing.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 
 namespace sunder {
 namespace {
+
+/// Whether standard output did not take something.
+std::atomic<bool> is_output_lost = false;
 
 /// The length of the character with which the text begins, and its number; length 0: no UTF-8.
 struct Utf8 {
@@ -76,8 +80,12 @@ std::string json_escaped(std::string_view json) {
 }
 
 void write_text(std::FILE* stream, std::string_view text) noexcept {
-  // The stream itself keeps that it failed.
-  static_cast<void>(std::fwrite(text.data(), 1, text.size(), stream));
+  const std::size_t taken = std::fwrite(text.data(), 1, text.size(), stream);
+  if (taken < text.size() && stream == stdout) is_output_lost = true;
+}
+
+bool output_was_lost() noexcept {
+  return std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || is_output_lost;
 }
 
 void print_text(std::FILE* stream, std::string_view text) { write_text(stream, plain_lines(text)); }

@@ -25,8 +25,11 @@ std::string plain_lines(std::string_view text);
 std::string json_escaped(std::string_view json);
 
 /// Writes bytes as they are, colours of our own for example, or JSON. Never throws: what a stream
-/// does not take is lost, and std::ferror of the stream says so.
+/// does not take is lost, and `output_was_lost` reports it of standard output.
 void write_text(std::FILE* stream, std::string_view text) noexcept;
+
+/// Flushes standard output; whether it has not taken all that was written to it so far.
+bool output_was_lost() noexcept;
 
 /// Writes `plain_lines(text)`. Throws std::bad_alloc alone.
 void print_text(std::FILE* stream, std::string_view text);

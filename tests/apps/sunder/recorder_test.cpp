@@ -113,9 +113,9 @@ TEST_CASE("Ctrl-C ends a run with its files written, exit code 130", "[run][inte
     const int nothing = open("/dev/null", O_WRONLY);
     dup2(nothing, STDOUT_FILENO);
     dup2(nothing, STDERR_FILENO);
-    // Steps without end, for our purposes: a thousand simulated seconds.
+    // Steps without end, for our purposes: a hundred simulated seconds.
     execl(SUNDER_PROGRAM, SUNDER_PROGRAM, "run", SUNDER_SCENES "/block.json", "--quiet", "--set",
-          "fracture.mode=off", "--set", "duration=1000", "--set", "output.frame_interval=0.001",
+          "fracture.mode=off", "--set", "duration=100", "--set", "output.frame_interval=0.001",
           "-o", out.c_str(), nullptr);
     _exit(127);
   }
