@@ -12,7 +12,7 @@
 namespace sunder {
 
 /// The value as text, in lines where `indent` is not negative. Bytes that are not UTF-8, such as a
-/// file's name may have, become U+FFFD; what could move a terminal is escaped as JSON allows.
+/// file's name may have, become U+FFFD; control characters are escaped as JSON allows.
 template <class Json>
 std::string json_text(const Json& json, int indent = 2) {
   return json_escaped(json.dump(indent, ' ', false, Json::error_handler_t::replace));

@@ -38,7 +38,7 @@ void find_loaded(std::vector<char>& loaded, const SimulationState& s) {
   }
 }
 
-/// Marks components with bonds: what is held together by bonds alone has no equilibrium by K.
+/// Marks components with bonds: parts that bonds alone hold together have no equilibrium by K.
 void find_tied(std::vector<char>& tied, const SimulationState& s) {
   tied.assign(s.mechanics.components.size(), 0);
   for (const Tie& tie : s.contact.ties) {

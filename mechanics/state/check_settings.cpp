@@ -20,7 +20,7 @@ std::string allowed(const Range& range) {
   return text.empty() ? "a finite number" : text;
 }
 
-/// Whether squares and products of the number stay finite, and so does what it divides.
+/// Whether squares and products of the number, and quotients by it, stay finite.
 bool has_usual_size(double value, const Range& range) {
   const double size = std::abs(value);
   return size <= most_number && !(range.low >= 0 && size > 0 && size < least_number);

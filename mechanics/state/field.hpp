@@ -15,7 +15,7 @@ inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// No setting is larger in size, so that squares and products of several stay finite.
 inline constexpr double most_number = 1e30;
-/// Nor smaller, where it cannot be below 0: what is divided by its square stays finite. 0 itself is
+/// Nor smaller, where it cannot be below 0: quotients by its square stay finite. 0 itself is
 /// another matter.
 inline constexpr double least_number = 1e-30;
 

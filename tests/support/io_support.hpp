@@ -22,7 +22,7 @@ TetMesh two_tetrahedra();
 /// Severity, code and line of every finding: "error wrong_count 12".
 std::string summary(const std::vector<Finding>& findings);
 
-/// What the text of a file called `name` holds; fails the test where it cannot be read.
+/// The mesh in the text of a file called `name`; fails the test where it cannot be read.
 FileMesh read_whole(const std::string& text, const std::string& name);
 
 /// Equal in every bit and in every list.

@@ -22,7 +22,7 @@ constexpr NamedLimit named_limits[] = {{"file_bytes", &Limits::file_bytes},
                                        {"steps", &Limits::steps},
                                        {"frames", &Limits::frames}};
 
-/// Of this process, with what SUNDER_LIMITS gets wrong.
+/// Those of this process, with the mistake in SUNDER_LIMITS.
 struct ProcessLimits {
   Limits now;
   std::string fault;

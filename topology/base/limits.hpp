@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What input may ask of the process at most: one list. docs/hostile.md has it as a table.
+// The most that input may ask of the process: one list. docs/hostile.md has it as a table.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ struct Limits {
   std::uint64_t frames = 1'000'000;
 };
 
-/// What `--confined` allows of files that somebody else made.
+/// Those of `--confined`, for files that somebody else made.
 inline constexpr Limits confined_limits = {.file_bytes = std::uint64_t{1} << 32,
                                            .unpacked_bytes = std::uint64_t{1} << 28};
 
@@ -37,11 +37,11 @@ const Limits& limits();
 void lower_limits(const Limits& wanted);
 
 /// Lowers limits by a list "unpacked_bytes=1e8 steps=1000": names of the members above, `=`, a
-/// number; spaces or commas between. Returns what is wrong with the list, empty where nothing is; a
+/// number; spaces or commas between. Returns the mistake in the list, empty where there is none; a
 /// list with a mistake lowers nothing.
 std::string lower_limits(Limits& lowered, std::string_view list);
 
-/// What is wrong with SUNDER_LIMITS; empty where nothing is.
+/// The mistake in SUNDER_LIMITS; empty where there is none.
 std::string limits_fault();
 
 }  // namespace sunder

@@ -6,7 +6,7 @@
 
 namespace sunder {
 
-/// A caller broke what a function needs: an id of what is not there, a simulation that was moved
+/// A caller broke what a function needs: an id that was never given out, a simulation that was moved
 /// from. Nothing has changed then. In every build; other such mistakes only debug builds find.
 class Misuse : public std::logic_error {
  public:

@@ -9,12 +9,12 @@
 namespace sunder {
 
 /// The whole part of `value` (cut towards 0, as a cast does), kept between the lowest value of the
-/// type and `most`. 0 for what is no number. O(1).
+/// type and `most`. 0 for NaN. O(1).
 template <std::integral Whole>
 constexpr Whole whole_number(double value, Whole most = std::numeric_limits<Whole>::max()) {
   constexpr Whole least = std::numeric_limits<Whole>::lowest();
   if (value != value) return 0;
-  // The largest 64-bit numbers round up as doubles: what is not below them would not fit.
+  // The largest 64-bit numbers round up as doubles: equal numbers would not fit.
   if (value >= static_cast<double>(most)) return most;
   if (value <= static_cast<double>(least)) return least;
   return static_cast<Whole>(value);

@@ -60,7 +60,7 @@ int write_all(int file, std::span<const std::string_view> parts) {
 }
 
 /// The file that a name stands for: links followed, so that renaming does not replace a link; the
-/// last one may lead to what is not there yet.
+/// last one may lead to a file that is not there yet.
 std::filesystem::path target_of(std::filesystem::path path) {
   constexpr int most_links = 40;  // as many as Linux follows
   std::error_code error;

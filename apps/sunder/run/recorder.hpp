@@ -70,7 +70,7 @@ class Recorder {
   /// Writes a checkpoint now, whatever the settings say. Errors: cannot_write.
   std::vector<Finding> save(const Simulation& now);
 
-  /// After the start and after whole steps: holds what a checkpoint of now would have, in memory,
+  /// After the start and after whole steps: holds the content of a checkpoint of now, in memory,
   /// so that a run whose next step is cut short can go on from here. Whether it does so: not where
   /// the scene wants no checkpoints, nor before a hundred times as long has passed as the last time
   /// took, so that all of them take a hundredth of the run.
@@ -81,7 +81,7 @@ class Recorder {
   /// whole step, or, where that was not kept, of the last one that was. Errors: cannot_write.
   std::vector<Finding> finish(const Simulation& now, RunEnd end);
 
-  /// What is wrong with the report of a run that ends now: not_a_number with the key of the first
+  /// The fault of the report of a run that ends now, if it has one: not_a_number with the key of the first
   /// number that is none. JSON has no such numbers, and would have null.
   std::optional<Finding> report_fault(const Simulation& now) const;
 

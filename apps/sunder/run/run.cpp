@@ -60,7 +60,7 @@ static_assert(std::atomic<std::int64_t>::is_always_lock_free);
 /// Wall time that a step may take to its end where its start is not kept, s.
 constexpr unsigned grace = 2;
 
-/// Ends the program; what may be called in a handler only.
+/// Ends the program, with calls that a handler of signals may make.
 [[noreturn]] void leave_at_once() {
   constexpr std::string_view words = "sunder: interrupted\n";
   static_cast<void>(::write(STDERR_FILENO, words.data(), words.size()) > 0);
@@ -86,7 +86,7 @@ void on_signal(int) {
   errno = error;
 }
 
-/// Ctrl-C, and what ends programs politely, ends the program at once while nothing is written yet.
+/// SIGINT, SIGTERM and SIGHUP end the program at once while nothing is written yet.
 /// Then it ends the run after the step at hand, and that step as soon as it can: at once where the
 /// run can go on from the step's start, else after a time in which most steps end. A later one ends
 /// the program at once.

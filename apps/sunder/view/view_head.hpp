@@ -12,7 +12,7 @@
 
 namespace sunder {
 
-/// What of a request's head decides. A header that comes several times has several values.
+/// The parts of a request's head that decide on it. A header that comes several times has several values.
 struct ViewRequestHead {
   std::string method, path;
   std::vector<std::string> hosts, origins, tokens, lengths;
@@ -20,7 +20,7 @@ struct ViewRequestHead {
   bool has_transfer_encoding = false;
 };
 
-/// What requests are held against.
+/// The server's own address and token, with which requests are compared.
 struct ViewRules {
   int port = 0;
   std::string token;

@@ -26,7 +26,7 @@ struct BadRequest : std::runtime_error {
 };
 
 /// JSON of the page, by the reader of scenes: it bounds how deeply lists may lie in lists, since
-/// what walks through them calls itself.
+/// code that walks through them calls itself.
 nlohmann::json json_of(std::string_view text) {
   Result<SceneText> read = parse_scene_text(text, "");
   if (!read) throw BadRequest(read.findings.front().text);
@@ -82,7 +82,7 @@ bool sets_numbers(const std::string& setting) {
   return root.is_number() || (root.is_array() && std::ranges::all_of(root, is_number));
 }
 
-/// Reads the file again: a restart has what was saved in the meantime. Which files are read is
+/// Reads the file again: a restart has the text that was saved in the meantime. Which files are read is
 /// the scene's affair, never the page's.
 std::unique_ptr<sunder_engine> engine_of_file(ViewedScene& viewed,
                                               const std::vector<std::string>& settings) {

@@ -186,7 +186,7 @@ class ViewServer::Http : public httplib::Server {
   }
 
  private:
-  /// What is refused and the page's files are answered from the head; only requests to the engine
+  /// Refusals and the page's files are answered from the head; only requests to the engine
   /// are left for a route, which reads the body.
   void add_routes() {
     set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
@@ -237,7 +237,7 @@ class ViewServer::Http : public httplib::Server {
     if (stream.head_fault() != BoundedStream::HeadFault::none) {
       stream.send_after_fault(answer_to_fault(stream.head_fault()));
     }
-    // What was not read of a head or a body would be taken for the next request.
+    // Bytes of a head or a body that were not read would be taken for the next request.
     if (stream.is_in_head() || is_refused) stream.part();
     return is_answered && !is_last && !is_refused && !stream.is_in_head();
   }

@@ -127,7 +127,7 @@ TEST_CASE("confined: standard input is no file of the scene", "[confined]") {
   CHECK(run("") == 0);
 }
 
-TEST_CASE("confined: what is packed unfolds to no more than 256 MiB", "[confined]") {
+TEST_CASE("confined: a packed file unfolds to no more than 256 MiB", "[confined]") {
   const Place p;
   const std::string mesh = (p.root / "mine/cube.msh.gz").string();
   const std::string zeros = "head -c 300000000 /dev/zero | gzip -1 > '" + mesh + "'";

@@ -15,7 +15,7 @@ import sys
 import tempfile
 
 OLDER = "glibc.cpu.hwcaps=-AVX512F,-AVX2,-AVX2_Usable,-FMA,-FMA_Usable,-FMA4,-FMA4_Usable"
-# What each run tries: the paper's mode, crack objects under impact, bonds, rubble, order 2.
+# The runs: the paper's mode, crack objects under impact, bonds, rubble, order 2.
 RUNS = [
     ("charts/monolith.json", ["duration=0.05", "fracture.crack=paper"]),
     ("charts/monolith.json", ["duration=0.04"]),
@@ -38,7 +38,7 @@ def has_choice():
 
 
 def files_of(folder):
-    """Bytes of what is compared, by name."""
+    """Bytes of the compared files, by name."""
     names = [path for path in folder.rglob("*") if path.suffix in (".jsonl", ".vtu", ".csv")]
     return {str(path.relative_to(folder)): path.read_bytes() for path in names}
 

@@ -86,7 +86,7 @@ TEST_CASE("messages of a program without standard error are written into no file
         std::vector<std::string>{"a.vtk", "a.vtk.regions", "b.vtk", "b.vtk.regions"});
 }
 
-TEST_CASE("a result that standard output does not take is told, and files are written",
+TEST_CASE("a result that standard output does not take is reported, and files are written",
           "[apps][robust]") {
   const Workplace here;
   const std::string scene = here.write("scene.json", cube_scene().dump());

@@ -83,7 +83,7 @@ TEST_CASE("coordinates that reals do not tell apart are refused", "[fracture][se
         }) == All{"out_of_range bodies.0.translation.0", "too_far bodies.0.translation"});
 }
 
-TEST_CASE("more bodies at one place than contact can part are refused, beside each other they are not",
+TEST_CASE("more bodies at one place than contact can part are refused, side by side they are not",
           "[fracture][settings]") {
   Scene scene = cube();
   scene.bodies.resize(9, scene.bodies[0]);

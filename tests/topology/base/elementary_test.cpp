@@ -66,7 +66,7 @@ TEST_CASE("logarithms are right to about the last place", "[base][elementary]") 
   CHECK(worst <= 2);
 }
 
-TEST_CASE("directions along axes, and what is beyond doubles", "[base][elementary]") {
+TEST_CASE("directions along axes, and numbers beyond doubles", "[base][elementary]") {
   CHECK(direction_angle(0, 1) == 0);
   CHECK(direction_angle(1, 0) == Approx(M_PI / 2).epsilon(1e-16));
   CHECK(direction_angle(0, -1) == Approx(M_PI).epsilon(1e-16));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Limits of input: lowered by name, never raised, and held by what reads.
+// Limits of input: lowered by name, never raised, and kept by all readers.
 #include "topology/base/limits.hpp"
 
 #include <catch2/catch.hpp>

@@ -9,7 +9,7 @@
 
 using namespace sunder;
 
-TEST_CASE("what could move a terminal is escaped, all other text stays", "[io][printing]") {
+TEST_CASE("control characters are escaped, all other text stays", "[io][printing]") {
   const std::string text = "a 12 \xc3\xa4 \xe2\x82\xac \xf0\x9f\x98\x80 ~";
   CHECK(plain_line(text) == text);
   CHECK(plain_line("a\x1b[31m\r\n\tb\x7f") == "a\\x1b[31m\\x0d\\x0a\\x09b\\x7f");

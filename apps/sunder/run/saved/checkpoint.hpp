@@ -38,7 +38,7 @@ struct Checkpoint {
 };
 
 /// A run as the bytes of a file: "SunderCp", format (4 bytes), checksum (FNV-1a, 8) of all that
-/// follows, length (8) and bytes of what was recorded, and the saved state (saved_state.hpp).
+/// follows, length (8) and bytes of the record, and the saved state (saved_state.hpp).
 struct CheckpointBytes {
   std::uint64_t step = 0;
   std::string bytes;

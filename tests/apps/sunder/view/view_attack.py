@@ -231,6 +231,14 @@ def refused(server, first, *headers, token=False, expect, body=400 * MEGABYTE):
     return wrong, growth
 
 
+def growth_since(server, before, wrong):
+    """MB by which the server's peak has grown; more than 100 are noted in `wrong`."""
+    growth = server.peak() - before
+    if growth > 100:
+        wrong.append(f"{growth:.0f} MB")
+    return growth
+
+
 @attack
 def bodies_that_are_refused(server):
     length = f"Content-Length: {400 * MEGABYTE}"
@@ -289,9 +297,7 @@ def heads_without_end(server):
         status, _ = answer_of(client)
     if status not in (0, 431):
         wrong.append(f"a head of 120 kB is answered by {status}")
-    growth = server.peak() - before
-    if growth > 100:
-        wrong.append(f"{growth:.0f} MB")
+    growth = growth_since(server, before, wrong)
     return wrong, f"{growth:.1f} MB for heads of 300 MB"
 
 
@@ -309,9 +315,7 @@ def answers_and_bodies_that_swell(server):
         headers = [f"Content-Length: {len(bomb)}", "Content-Encoding: gzip", "Connection: close"]
         client.sendall(server.head("POST /api/step", *headers, token=True) + bomb)
         answer_of(client)
-    growth = server.peak() - before
-    if growth > 100:
-        wrong.append(f"{growth:.0f} MB")
+    growth = growth_since(server, before, wrong)
     return wrong, f"{growth:.1f} MB"
 
 
@@ -384,9 +388,7 @@ def slow_readers(server):
     with Crowd() as crowd:
         crowd.add(server, 64, server.head("GET /main.js"), room=2048)
         wrong, longest = page_among(server, crowd)
-    growth = server.peak() - before
-    if growth > 100:
-        wrong.append(f"{growth:.0f} MB")
+    growth = growth_since(server, before, wrong)
     return wrong, f"page in {longest:.3f} s, {growth:.1f} MB"
 
 
@@ -409,9 +411,7 @@ def more_connections_than_there_may_be(server):
     with Crowd() as crowd:
         crowd.add(server, 700)
         wrong, longest = page_among(server, crowd)
-    growth = server.peak() - before
-    if growth > 100:
-        wrong.append(f"{growth:.0f} MB")
+    growth = growth_since(server, before, wrong)
     return wrong, f"page in {longest:.3f} s among {len(crowd.clients)}, {growth:.1f} MB"
 
 
