@@ -66,7 +66,7 @@ std::filesystem::path bench_program() {
 /// Reports a command that is not built.
 int refuse(const OptionalCommand& command) {
   sunder::print(stderr, "sunder: {} is not built here [not_built]\n  Build it: {}\n", command.name,
-        command.remedy);
+                command.remedy);
   return static_cast<int>(sunder::ExitCode::usage);
 }
 

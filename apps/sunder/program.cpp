@@ -23,8 +23,8 @@
 
 #include "apps/scene/scene_text.hpp"
 #include "apps/scene/words.hpp"
-#include "topology/base/split_text.hpp"
 #include "topology/base/limits.hpp"
+#include "topology/base/split_text.hpp"
 #include "topology/io/output_file.hpp"
 #include "topology/io/printing.hpp"
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "topology/base/elementary.hpp"
 #include "topology/base/assert.hpp"
+#include "topology/base/elementary.hpp"
 
 namespace sunder {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "topology/base/elementary.hpp"
 #include "mechanics/state/material.hpp"
+#include "topology/base/elementary.hpp"
 
 namespace sunder {
 namespace {

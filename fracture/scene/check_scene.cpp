@@ -135,16 +135,18 @@ void check_size(fields::SettingsCheck& check, const BodySettings& body) {
   const double size = box.sizes().maxCoeff();
   const double far = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
   if (!(far <= fields::most_number && size >= fields::least_number)) {
-    check.add("mesh_size", "mesh",
-              fmt::format("is {:.3g} m large, up to {:.3g} m from its origin; allowed are {:.0e} to "
-                          "{:.0e} m",
-                          size, far, fields::least_number, fields::most_number),
-              "scale the mesh: lengths are m");
+    check.add(
+        "mesh_size", "mesh",
+        fmt::format("is {:.3g} m large, up to {:.3g} m from its origin; allowed are {:.0e} to "
+                    "{:.0e} m",
+                    size, far, fields::least_number, fields::most_number),
+        "scale the mesh: lengths are m");
   } else if (far > most_sizes * size) {
-    check.add("too_far", "mesh",
-              fmt::format("is {:.3g} m large and {:.3g} m from its origin: rounding loses its cells",
-                          size, far),
-              "move the mesh to its origin");
+    check.add(
+        "too_far", "mesh",
+        fmt::format("is {:.3g} m large and {:.3g} m from its origin: rounding loses its cells",
+                    size, far),
+        "move the mesh to its origin");
   } else if (body.translation.cwiseAbs().maxCoeff() > most_sizes * size) {
     check.add("too_far", "translation",
               fmt::format("moves a mesh of {:.3g} m by {:.3g} m: rounding loses its cells", size,

@@ -84,8 +84,8 @@ Outlook look_ahead(const Scene& scene, Accuracy accuracy, std::span<const BodyMe
   for (const Obstacle& k : scene.obstacles)
     of_obstacles = std::max(of_obstacles, k.velocity.norm());
   const double apart = of_bodies + of_obstacles;
-  o.speed = std::sqrt(apart * apart +
-                      2 * scene.gravity.acceleration.norm() * fall_of(scene, measures));
+  o.speed =
+      std::sqrt(apart * apart + 2 * scene.gravity.acceleration.norm() * fall_of(scene, measures));
   o.is_heap = is_heap(scene, measures);
   o.fits = scene.fracture.node_stress == NodeStress::fit;
   for (const BodySettings& body : scene.bodies) o.tetrahedra += body.mesh.tetrahedra.size();

@@ -9,8 +9,8 @@
 #include <limits>
 
 #include "fracture/strength/draw_strength.hpp"
-#include "topology/base/elementary.hpp"
 #include "mechanics/state/wave_travel.hpp"
+#include "topology/base/elementary.hpp"
 
 namespace sunder {
 namespace {

@@ -20,8 +20,8 @@ constexpr double never = std::numeric_limits<double>::infinity();
 /// s per tetrahedron of a step in resting contact, where bodies lie on bodies and where they do
 /// not.
 constexpr double of_heap = 30e-6, of_rest = 4e-6;
-/// s per tetrahedron of a sub-step after a breaking blow, with 40 sweeps in one pass, for a body of 3000;
-/// it grows with this power of the number.
+/// s per tetrahedron of a sub-step after a breaking blow, with 40 sweeps in one pass, for a body of
+/// 3000; it grows with this power of the number.
 constexpr double of_sub_step = 2.4e-6, growth = 0.15;
 /// Several passes take (1 + n / this) times as long, n tetrahedra per body.
 constexpr double of_passes = 1500;
@@ -55,8 +55,8 @@ double stop(Vec3& first, double first_mass, Vec3& second, double second_mass, co
   return closing;
 }
 
-/// The scene as boxes among obstacles, in 400 steps: enough to find the meetings of bodies, their times and
-/// speeds. Above 500 bodies each meets obstacles only.
+/// The scene as boxes among obstacles, in 400 steps: enough to find the meetings of bodies, their
+/// times and speeds. Above 500 bodies each meets obstacles only.
 class BoxWorld {
  public:
   BoxWorld(const Scene& scene, const std::vector<BodyMeasures>& measures)
@@ -236,7 +236,8 @@ class Forecast {
       if (scene_.bodies[b].rigid || t < body.touched) continue;
       const double size = weight(scene_.bodies[b]);
       if (breaking) {
-        seconds += of_sub_step * size * exponential(growth * logarithm(size / 3000)) * sweeps(size) / sub_step();
+        seconds += of_sub_step * size * exponential(growth * logarithm(size / 3000)) *
+                   sweeps(size) / sub_step();
       } else if (t < body.touched + time_to_sleep()) {
         seconds += (t < body.piled ? of_rest : of_heap) * size * steps;
       }

@@ -170,8 +170,8 @@ std::vector<Overlap> overlaps_at_start(const Scene& scene, std::span<const BodyM
           deepest_in(grid_of(o), measures[o], points_in(scene.bodies[b], measures[b], both)),
           deepest_in(grid_of(b), measures[b], points_in(scene.bodies[o], measures[o], both)));
       if (!(depth > allowed)) continue;
-      const bool is_whole = both.contains(measures[b].box.center()) &&
-                            both.contains(measures[o].box.center());
+      const bool is_whole =
+          both.contains(measures[b].box.center()) && both.contains(measures[o].box.center());
       whole += is_whole;
       found.push_back({b, o, false, depth, is_whole});
     }

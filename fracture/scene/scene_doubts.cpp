@@ -288,11 +288,12 @@ void look_at_places(const Looked& l) {
   }
   for (std::size_t b = 0; b < whole.size(); ++b) {
     if (whole[b] <= most_whole_overlaps) continue;
-    l.body(b, at_one_place, "translation", static_cast<double>(whole[b]),
-           fmt::format("puts the body into more than {} others, middle in middle: contact of so many "
-                       "at one place has no end",
-                       most_whole_overlaps),
-           "give each body a place of its own");
+    l.body(
+        b, at_one_place, "translation", static_cast<double>(whole[b]),
+        fmt::format("puts the body into more than {} others, middle in middle: contact of so many "
+                    "at one place has no end",
+                    most_whole_overlaps),
+        "give each body a place of its own");
     return;  // the others have the same place
   }
 }

@@ -16,8 +16,8 @@ namespace sunder {
 /// few_layers: fewer than three through a body that may break, is not compact and can be bent;
 /// slender_body: one that can be bent breaks only after it has turned too far for one frame; and
 /// those of `judge_materials`; and the one error, bodies_at_one_place: more than
-/// `most_whole_overlaps` others around the middle of a body. Of each code the worst comes first. O(n log n) in the tetrahedra.
-/// Needs: a scene and meshes without errors.
+/// `most_whole_overlaps` others around the middle of a body. Of each code the worst comes first.
+/// O(n log n) in the tetrahedra. Needs: a scene and meshes without errors.
 std::vector<SettingFinding> scene_doubts(const Scene& scene);
 
 }  // namespace sunder

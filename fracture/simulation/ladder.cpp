@@ -293,8 +293,7 @@ LadderReport choose_rungs(GivenUp& given_up, SimulationState& s, const RungInput
     } else if (may_leave && settings.rigid && !scratch.loaded[row] && flies_safely(s, c)) {
       if (c.rung != Rung::rigid) given_up.energy += stop_deforming(s.mechanics, c);
       c.rung = Rung::rigid;
-    } else if (may_leave && settings.quasi_static && !scratch.tied[row] &&
-               is_loaded_slowly(s, c)) {
+    } else if (may_leave && settings.quasi_static && !scratch.tied[row] && is_loaded_slowly(s, c)) {
       c.rung = Rung::quasi_static;
     } else {
       c.rung = Rung::full;

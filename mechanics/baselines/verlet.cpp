@@ -102,9 +102,10 @@ std::uint32_t sub_step_count(double length, double bound) {
 
 double damped_step_bound(double bound, double stiffness_factor) {
   // Written so that nothing cancels where the damping is strong.
-  return std::isinf(bound)
-             ? bound
-             : bound * bound / (std::sqrt(bound * bound + stiffness_factor * stiffness_factor) + stiffness_factor);
+  return std::isinf(bound) ? bound
+                           : bound * bound /
+                                 (std::sqrt(bound * bound + stiffness_factor * stiffness_factor) +
+                                  stiffness_factor);
 }
 
 double component_step_bound(MechanicsScratch& scratch, const MechanicsState& state,

@@ -6,8 +6,8 @@
 
 #include "mechanics/integrators/baseline_system.hpp"
 #include "mechanics/state/dense_solve.hpp"
-#include "topology/base/elementary.hpp"
 #include "topology/base/assert.hpp"
+#include "topology/base/elementary.hpp"
 
 namespace sunder {
 namespace {

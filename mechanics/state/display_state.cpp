@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "topology/base/elementary.hpp"
 #include "topology/base/assert.hpp"
+#include "topology/base/elementary.hpp"
 
 namespace sunder {
 namespace {

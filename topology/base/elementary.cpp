@@ -42,10 +42,9 @@ double sine_series(double x, double tail) {
   const double z = x * x;
   const double v = z * x;
   const double r =
-      1. / 120 +
-      z * (-1. / 5040 +
-           z * (1. / 362880 +
-                z * (-1. / 39916800 + z * (1. / 6227020800. + z * (-1. / 1307674368000.)))));
+      1. / 120 + z * (-1. / 5040 +
+                      z * (1. / 362880 + z * (-1. / 39916800 + z * (1. / 6227020800. +
+                                                                    z * (-1. / 1307674368000.)))));
   return x - ((z * (0.5 * tail - v * r) - tail) + v / 6);
 }
 
@@ -56,9 +55,8 @@ double cosine_series(double x, double tail) {
       1. / 24 +
       z * (-1. / 720 +
            z * (1. / 40320 +
-                z * (-1. / 3628800 +
-                     z * (1. / 479001600 +
-                          z * (-1. / 87178291200. + z * (1. / 20922789888000.))))));
+                z * (-1. / 3628800 + z * (1. / 479001600 +
+                                          z * (-1. / 87178291200. + z * (1. / 20922789888000.))))));
   const double half = 0.5 * z;
   const double w = 1 - half;
   return w + (((1 - w) - half) + (z * z * r - x * tail));
@@ -66,10 +64,14 @@ double cosine_series(double x, double tail) {
 
 double quarter_wave(const ReducedAngle& a, int quarter) {
   switch (quarter & 3) {
-    case 0: return sine_series(a.rest, a.tail);
-    case 1: return cosine_series(a.rest, a.tail);
-    case 2: return -sine_series(a.rest, a.tail);
-    default: return -cosine_series(a.rest, a.tail);
+    case 0:
+      return sine_series(a.rest, a.tail);
+    case 1:
+      return cosine_series(a.rest, a.tail);
+    case 2:
+      return -sine_series(a.rest, a.tail);
+    default:
+      return -cosine_series(a.rest, a.tail);
   }
 }
 

@@ -8,8 +8,9 @@ namespace sunder {
 // crack that a last bit decides would then be another one. These need additions, products and
 // divisions only, which IEEE 754 rounds alike everywhere.
 
-/// Sine of an angle, radians, within 1.1 units in the last place up to 1 000 radians and within two up
-/// to 1.6e6; beyond, that of the angle reduced by a rounded 2 pi. Not a number for what is not finite.
+/// Sine of an angle, radians, within 1.1 units in the last place up to 1 000 radians and within two
+/// up to 1.6e6; beyond, that of the angle reduced by a rounded 2 pi. Not a number for what is not
+/// finite.
 double sine(double angle);
 
 /// Cosine, as `sine`.
@@ -25,8 +26,8 @@ double exponential(double x);
 /// not a number.
 double logarithm(double x);
 
-/// The angle in (-pi, pi] of the direction (x, y), radians, within three units in the last place; 0 of
-/// (0, 0).
+/// The angle in (-pi, pi] of the direction (x, y), radians, within three units in the last place; 0
+/// of (0, 0).
 double direction_angle(double y, double x);
 
 }  // namespace sunder

@@ -6,8 +6,9 @@
 
 namespace sunder {
 
-/// A caller broke what a function needs: an id that was never given out, a simulation that was moved
-/// from. Nothing has changed then. In every build; other such mistakes only debug builds find.
+/// A caller broke what a function needs: an id that was never given out, a simulation that was
+/// moved from. Nothing has changed then. In every build; other such mistakes only debug builds
+/// find.
 class Misuse : public std::logic_error {
  public:
   using std::logic_error::logic_error;

@@ -12,7 +12,8 @@ namespace sunder::io {
 bool is_gzip(std::string_view bytes);
 
 /// What was packed, all members of the file one after the other. Throws ReadFailure (bad_gzip,
-/// truncated_file; too_large, beyond `Limits::unpacked_bytes`). Allocates at most twice the unpacked size.
+/// truncated_file; too_large, beyond `Limits::unpacked_bytes`). Allocates at most twice the
+/// unpacked size.
 std::string unpacked(std::string_view bytes);
 
 /// The parts as one member of a gzip file, without name or time: the same bytes whenever it is made.

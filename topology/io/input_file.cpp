@@ -10,8 +10,8 @@
 #include <memory>
 #include <system_error>
 
-#include "topology/io/gzip.hpp"
 #include "topology/base/limits.hpp"
+#include "topology/io/gzip.hpp"
 #include "topology/io/text/scan.hpp"
 
 namespace sunder::io {

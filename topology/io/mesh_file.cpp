@@ -47,9 +47,10 @@ Finding unknown_content(std::string_view bytes, const std::filesystem::path& nam
   // Its bytes are not shown: whoever names files to a program learns nothing of those that are no
   // meshes.
   return {.code = "unknown_format",
-          .text = "the file begins like none that is read: MSH begins with $MeshFormat, MEDIT with "
-                  "MeshVersionFormatted, VTU with <VTKFile, VTK with # vtk DataFile, Abaqus with *, "
-                  "OpenVolumeMesh with OVM, PLY with ply, OFF with OFF, STL with solid, OBJ with v",
+          .text =
+              "the file begins like none that is read: MSH begins with $MeshFormat, MEDIT with "
+              "MeshVersionFormatted, VTU with <VTKFile, VTK with # vtk DataFile, Abaqus with *, "
+              "OpenVolumeMesh with OVM, PLY with ply, OFF with OFF, STL with solid, OBJ with v",
           .remedy = "give a tetrahedral mesh in one of these formats"};
 }
 

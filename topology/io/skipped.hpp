@@ -28,8 +28,8 @@ using SkippedKinds = std::map<std::string, Skipped, std::less<>>;
 
 /// Counts content of the file that the mesh does not hold, at the place where it is passed over.
 /// Each kind becomes one warning `skipped_data` with its names. The rule for readers: all content
-/// that they do not know is reported; exempt are only comments, titles and repeated data of the mesh.
-/// `name` may be empty; `at`: byte of the draft's text.
+/// that they do not know is reported; exempt are only comments, titles and repeated data of the
+/// mesh. `name` may be empty; `at`: byte of the draft's text.
 void add_skipped(Draft& draft, std::string_view kind, std::string_view name, std::size_t at,
                  std::size_t count = 1);
 

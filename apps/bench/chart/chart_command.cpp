@@ -122,7 +122,7 @@ ExitCode write_chart(const ChartArguments& arguments, const Chart& chart) {
     print_json(chart_json(chart));
   } else {
     print("{}{:<14} {}\n\n{}{}", chart_table(chart), "written to", arguments.folder.string(),
-               answer_text(chart), meshes);
+          answer_text(chart), meshes);
   }
   if (has_error(findings)) return ExitCode::not_written;
   return chart.cheapest ? ExitCode::fine : ExitCode::problems;

@@ -46,8 +46,8 @@ std::vector<char> boundary_of(const ResultFrame& frame);
 
 /// Reads frames.pvd, the frames that it names, fragments.csv, and gravity and obstacles of
 /// report.json and obstacles.csv in `folder`, as `sunder run` leaves them. Errors: no_result (files
-/// or columns that are not there), those of `read_file_mesh`, `read_obstacles` and, of a report that
-/// was damaged, `parse_scene_text`.
+/// or columns that are not there), those of `read_file_mesh`, `read_obstacles` and, of a report
+/// that was damaged, `parse_scene_text`.
 Result<RunResult> read_run_result(const std::filesystem::path& folder);
 
 }  // namespace sunder

@@ -225,8 +225,8 @@ ExitCode run_checks(CheckArguments arguments) {
       all.push_back(std::move(json));
       continue;
     }
-    if (several) print("{}{}:\n", &mesh == arguments.meshes.data() ? "" : "\n",
-                       plain_line(mesh.string()));
+    if (several)
+      print("{}{}:\n", &mesh == arguments.meshes.data() ? "" : "\n", plain_line(mesh.string()));
     print_table(report);
   }
   if (arguments.json) print_json(several ? all : all.front());

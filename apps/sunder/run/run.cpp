@@ -52,7 +52,7 @@ std::atomic<bool> interrupted = false;  ///< the run ends after this step
 std::atomic<bool> hurry = false;        ///< and the step is cut short
 /// Whether the run could go on from where the step at hand began.
 std::atomic<bool> start_is_kept = false;
-std::atomic<bool> writes_files = false;  ///< else there is nothing to end in good order
+std::atomic<bool> writes_files = false;        ///< else there is nothing to end in good order
 std::atomic<std::int64_t> interrupted_at = 0;  ///< s
 static_assert(std::atomic<bool>::is_always_lock_free);
 static_assert(std::atomic<std::int64_t>::is_always_lock_free);
@@ -435,8 +435,9 @@ ExitCode run_scene(const RunArguments& arguments) {
   const std::optional<FolderLock> lock = take_folder(folder, arguments.force, arguments);
   if (!lock) return ExitCode::not_written;
   Result<Recorder> recorder = with_progress("opening the files", arguments, [&] {
-    return Recorder::open({folder, *file, replay ? replay->counts : nlohmann::ordered_json(), expected},
-                          *simulation, std::move(simulation.findings));
+    return Recorder::open(
+        {folder, *file, replay ? replay->counts : nlohmann::ordered_json(), expected}, *simulation,
+        std::move(simulation.findings));
   });
   tell(recorder.findings, arguments);
   if (!recorder) return ExitCode::not_written;

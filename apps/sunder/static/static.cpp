@@ -126,9 +126,8 @@ void print_table(const Equilibrium& answer) {
   };
   for (std::size_t b = 0; b < answer.bodies.size(); ++b) {
     const BodyEquilibrium& body = answer.bodies[b];
-    row("body",
-        fmt::format("{} {} ({} tetrahedra, {} nodes, {:.6g} kg)", b, plain_line(body.name), body.tetrahedra,
-                    body.nodes, body.mass));
+    row("body", fmt::format("{} {} ({} tetrahedra, {} nodes, {:.6g} kg)", b, plain_line(body.name),
+                            body.tetrahedra, body.nodes, body.mass));
     row("displacement",
         fmt::format("{:.6g} m {}", body.displacement.value, place(body.displacement)));
     row("strain energy", fmt::format("{:.6g} J", body.strain_energy));

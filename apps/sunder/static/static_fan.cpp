@@ -48,8 +48,7 @@ std::vector<Finding> add_release(FanAnswer& answer, const LoadedBody& body, Vert
 
 std::string check_fan_text(const std::string& list) {
   const auto x = numbers_of(list, 4);
-  const bool is_row = x && (*x)[0] >= 0 && (*x)[0] < 4294967295.0 &&
-                      (*x)[0] == std::floor((*x)[0]);
+  const bool is_row = x && (*x)[0] >= 0 && (*x)[0] < 4294967295.0 && (*x)[0] == std::floor((*x)[0]);
   return is_row ? "" : "'" + list + "' is not V,NX,NY,NZ: a row of a point and three numbers";
 }
 

@@ -12,7 +12,8 @@
 
 namespace sunder {
 
-/// The parts of a request's head that decide on it. A header that comes several times has several values.
+/// The parts of a request's head that decide on it. A header that comes several times has several
+/// values.
 struct ViewRequestHead {
   std::string method, path;
   std::vector<std::string> hosts, origins, tokens, lengths;

@@ -82,8 +82,8 @@ bool sets_numbers(const std::string& setting) {
   return root.is_number() || (root.is_array() && std::ranges::all_of(root, is_number));
 }
 
-/// Reads the file again: a restart has the text that was saved in the meantime. Which files are read is
-/// the scene's affair, never the page's.
+/// Reads the file again: a restart has the text that was saved in the meantime. Which files are
+/// read is the scene's affair, never the page's.
 std::unique_ptr<sunder_engine> engine_of_file(ViewedScene& viewed,
                                               const std::vector<std::string>& settings) {
   for (const std::string& setting : settings) {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fracture/simulation/ledger/break_energy.hpp"
 #include "fracture/simulation/ladder.hpp"
+#include "fracture/simulation/ledger/break_energy.hpp"
 #include "fracture/simulation/rubble/islands.hpp"
 #include "fracture/simulation/rubble/rigid_pieces.hpp"
 #include "fracture/simulation/rubble/rubble_world.hpp"

@@ -143,7 +143,7 @@ double winding(const SolidSurface& s, UnionFind& shells, std::uint32_t without, 
     const Vec3 a = s.points[t[0]] - x, b = s.points[t[1]] - x, c = s.points[t[2]] - x;
     const double la = a.norm(), lb = b.norm(), lc = c.norm();
     sum += 2 * direction_angle(a.dot(b.cross(c)),
-                          la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+                               la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
   }
   return sum / (4 * M_PI);
 }

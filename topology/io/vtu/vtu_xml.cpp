@@ -237,7 +237,8 @@ void start_element(VtuParser& p, std::string_view name, Attributes attributes) {
   end_array(p);  // VTK puts <InformationKey> behind the numbers
   p.open.emplace_back(name);
   if (p.open.size() == 1 && name != "VTKFile") {
-    fail_tag(p, "unknown_format", "the document is XML, but no VTKFile", "give a .vtu or .vtp file");
+    fail_tag(p, "unknown_format", "the document is XML, but no VTKFile",
+             "give a .vtu or .vtp file");
   }
   if (name == "VTKFile") return start_file(p, attributes);
   if (name == "Piece") return start_piece(p, attributes);

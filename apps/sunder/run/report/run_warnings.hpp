@@ -60,9 +60,10 @@ RunTroubles begin_troubles(const Simulation& start);
 void note_troubles(RunTroubles& troubles, const Simulation& now, const StepReport& report);
 
 /// A warning per kind that there was, with first and last step, size and remedy. Of energy only
-/// where the scene keeps its ledger, and above rounding: a millionth of `energy_of_scene`. Sweeps of
-/// contact that did not converge count where a gap is off by more than `allowed_penetration`
-/// and than a thousandth of the mean edge, where energy rose or something lay deep, or without a ledger.
+/// where the scene keeps its ledger, and above rounding: a millionth of `energy_of_scene`. Sweeps
+/// of contact that did not converge count where a gap is off by more than `allowed_penetration` and
+/// than a thousandth of the mean edge, where energy rose or something lay deep, or without a
+/// ledger.
 std::vector<Finding> warnings_of(const RunTroubles& troubles, const Scene& scene);
 
 }  // namespace sunder

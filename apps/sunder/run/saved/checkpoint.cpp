@@ -194,7 +194,8 @@ Result<Checkpoint> read_one(const fs::path& path) {
   bool fits = !reader.failed && reader.bytes.empty();
   for (std::size_t k = 0; k < frames.size(); ++k) fits = fits && frames[k].file == frame_name(k);
   // The report parses these values.
-  for (const Choice& c : checkpoint.file.choices) fits = fits && !parse_line(c.value).is_discarded();
+  for (const Choice& c : checkpoint.file.choices)
+    fits = fits && !parse_line(c.value).is_discarded();
   if (!fits) return unusable("damaged", path, "what it holds does not fit together");
   checkpoint.simulation = std::move(*simulation);
   checkpoint.file.scene = checkpoint.simulation.scene;
