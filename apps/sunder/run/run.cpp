@@ -3,21 +3,17 @@
 #include "apps/sunder/run/run.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
-#include <cerrno>
 #include <chrono>
-#include <csignal>
 #include <cstdint>
 #include <cstdio>
-#include <ctime>
 
 #include "apps/scene/json_text.hpp"
 #include "apps/scene/scene_hash.hpp"
 #include "apps/scene/words.hpp"
 #include "apps/sunder/program.hpp"
+#include "apps/sunder/run/interrupt.hpp"
 #include "apps/sunder/run/progress.hpp"
 #include "apps/sunder/run/realtime.hpp"
 #include "apps/sunder/run/recorder.hpp"
@@ -45,64 +41,6 @@ template <class Work>
 auto with_progress(std::string_view name, const RunArguments& arguments, Work work) {
   const Heartbeat heartbeat(arguments.quiet, line_of_work(name));
   return work();
-}
-
-// A signal handler can reach nothing but a global.
-std::atomic<bool> interrupted = false;  ///< the run ends after this step
-std::atomic<bool> hurry = false;        ///< and the step is cut short
-/// Whether the run could go on from where the step at hand began.
-std::atomic<bool> start_is_kept = false;
-std::atomic<bool> writes_files = false;        ///< else there is nothing to end in good order
-std::atomic<std::int64_t> interrupted_at = 0;  ///< s
-static_assert(std::atomic<bool>::is_always_lock_free);
-static_assert(std::atomic<std::int64_t>::is_always_lock_free);
-
-/// Wall time that a step may take to its end where its start is not kept, s.
-constexpr unsigned grace = 2;
-
-/// Ends the program, with calls that a handler of signals may make.
-[[noreturn]] void leave_at_once() {
-  constexpr std::string_view words = "sunder: interrupted\n";
-  static_cast<void>(::write(STDERR_FILENO, words.data(), words.size()) > 0);
-  _exit(static_cast<int>(ExitCode::interrupted));
-}
-
-void on_signal(int) {
-  const int error = errno;
-  timespec now = {};
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  if (!writes_files) leave_at_once();
-  if (interrupted.exchange(true)) {
-    // A terminal and `timeout` signal a program and its group: twice at once.
-    if (now.tv_sec > interrupted_at + 1) leave_at_once();
-  } else {
-    interrupted_at = now.tv_sec;
-    if (start_is_kept) {
-      hurry = true;
-    } else {
-      alarm(grace);
-    }
-  }
-  errno = error;
-}
-
-/// SIGINT, SIGTERM and SIGHUP end the program at once while nothing is written yet.
-/// Then it ends the run after the step at hand, and that step as soon as it can: at once where the
-/// run can go on from the step's start, else after a time in which most steps end. A later one ends
-/// the program at once.
-void watch_for_interrupt() {
-  interrupted = hurry = start_is_kept = writes_files = false;
-  struct sigaction action = {};
-  action.sa_handler = on_signal;
-  action.sa_flags = SA_RESTART;
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    struct sigaction before = {};
-    sigaction(signal, nullptr, &before);
-    // nohup has SIGHUP ignored, and wants it to stay so.
-    if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
-  }
-  action.sa_handler = [](int) { hurry = true; };
-  sigaction(SIGALRM, &action, nullptr);
 }
 
 /// A run on its way; `replay` where it repeats another; `last_step` where it ends before its scene
@@ -177,7 +115,7 @@ ExitCode step_to_end(const RunWork& work, const RunArguments& arguments, FrameCl
   const auto keep = [&] { start_is_kept = work.recorder.keep(simulation); };
   keep();
   while (simulation.state->step < steps) {
-    if (interrupted) return ExitCode::interrupted;
+    if (was_interrupted) return ExitCode::interrupted;
     const auto start = std::chrono::steady_clock::now();
     const StepReport report = advance(simulation, note_part);
     start_is_kept = false;  // the step has come to its end: nothing of it is to be cut short
@@ -198,7 +136,7 @@ ExitCode step_to_end(const RunWork& work, const RunArguments& arguments, FrameCl
       say(damaged);
       return ExitCode::failed;
     }
-    if (interrupted) return ExitCode::interrupted;
+    if (was_interrupted) return ExitCode::interrupted;
     keep();
     if (clock) clock->keep_up(report.time);
     progress.show(progress_of(work, report.components, clock));
