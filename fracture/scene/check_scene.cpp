@@ -121,9 +121,11 @@ bool has_second_order(const Scene& scene) {
   return std::ranges::any_of(scene.bodies, [](const BodySettings& b) { return b.order == 2; });
 }
 
-/// Coordinates so large, in themselves or against the mesh, that its cells are lost in rounding or
-/// their volumes and inertia leave the real numbers.
+/// Coordinates so large, in themselves or compared with the mesh, that rounding loses its cells, or
+/// that squares of volumes and inertia leave the real numbers.
 void check_size(fields::SettingsCheck& check, const BodySettings& body) {
+  constexpr double largest = 1e20;
+  constexpr double smallest = 1e-20;
   constexpr double most_sizes = 1e10;  // a cell of a millionth of the body has some digits left
   Eigen::AlignedBox3d box;
   for (const auto& corners : body.mesh.tetrahedra) {
@@ -134,12 +136,12 @@ void check_size(fields::SettingsCheck& check, const BodySettings& body) {
   if (box.isEmpty()) return;
   const double size = box.sizes().maxCoeff();
   const double far = std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
-  if (!(far <= fields::most_number && size >= fields::least_number)) {
+  if (!(far <= largest && size >= smallest)) {
     check.add(
         "mesh_size", "mesh",
         fmt::format("is {:.3g} m large, up to {:.3g} m from its origin; allowed are {:.0e} to "
                     "{:.0e} m",
-                    size, far, fields::least_number, fields::most_number),
+                    size, far, smallest, largest),
         "scale the mesh: lengths are m");
   } else if (far > most_sizes * size) {
     check.add(
