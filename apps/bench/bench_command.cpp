@@ -106,7 +106,7 @@ search, floating_frame, element and node stress, threshold tests, energy ledger,
 Times are milliseconds on the wall, medians; parts of a step are called by themselves. Over modulus
 and step the simulations take turns (bodies of up to 10 000 tetrahedra). A crack splits the vertices
 nearest to a corner; the old factor is kept under a border, or order, K and factor are made again
-(docs/factor.md). Give the
+(docs/lab/factor.md). Give the
 process its priority on a busy machine: echo -15 > /proc/self/autogroup. Ours and Eigen's factor
 have the same order of elimination. The build type is Release: -O3, no -march; AVX2 where there is.
 
@@ -218,7 +218,7 @@ one solve a step; our defaults. Parts of the scenes are run: the column of steps
 fans of a run are cut again with every way of finding components; threshold tests, forces and
 stresses of both models are measured on moments of the run in the paper's mode.
 
-Times of steps are this thread's own, of fans medians of nine on the wall. docs/paper.md reads them.
+Times of steps are this thread's own, of fans medians of nine on the wall. docs/lab/paper.md reads them.
 
 Exit codes: 0 done, 2 usage, 3 a scene has errors, 4 an output was not written.
 

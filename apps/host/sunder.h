@@ -28,7 +28,7 @@ typedef struct sunder_file {
 typedef struct sunder_scene {
   uint32_t size; /**< sizeof(sunder_scene) */
   uint32_t file_count;
-  const char* text; /**< JSON, as docs/scene.md has it */
+  const char* text; /**< JSON, as docs/reference/scene.md has it */
   size_t text_size;
   const char* name; /**< of the scene's file, for messages */
   const sunder_file* files;
@@ -183,7 +183,7 @@ int sunder_inspect(sunder_engine* engine, uint32_t vertex, sunder_vertex* result
 /** Does what `action` says. 0, or 1 where it cannot be done, which sunder_error then tells. */
 int sunder_act(sunder_engine* engine, const sunder_action* action);
 
-/** The whole simulation as bytes (docs/saved_state.md); a spring that pulls is not among them. None
+/** The whole simulation as bytes (docs/lab/saved_state.md); a spring that pulls is not among them. None
     (null) where memory ran out. */
 void sunder_save(sunder_engine* engine, sunder_span* span);
 

@@ -83,7 +83,7 @@ void raise_order(BreakableBody body, TetId first, TetId end);
 
 /// C of the threshold at a crack tip, C K_Ic / sqrt(h): with it an edge crack breaks within 5 per cent
 /// of the closed form at any size of elements from an eighth of its length down, of second order a
-/// penny crack of at least two elements too (docs/energy.md). `order`: of the tetrahedra round the tip.
+/// penny crack of at least two elements too (docs/lab/energy.md). `order`: of the tetrahedra round the tip.
 constexpr double crack_tip_factor(int order) { return order == 2 ? 1.03 : 0.54; }
 
 /// Threshold xi of one vertex, Pa: the smallest tensile strength around it or that painted on it,

@@ -23,7 +23,7 @@ struct CrackChoice {
 };
 
 /// A crack goes on at a vertex whose tension is turned from it by less, else it branches; and a
-/// flank holds back what is turned less. cos 50 degrees (measured: docs/crack_objects.md).
+/// flank holds back what is turned less. cos 50 degrees (measured: docs/lab/crack_objects.md).
 inline constexpr double cos_branch_angle = 0.643;
 
 /// Where and when a vertex is looked at.

@@ -38,7 +38,7 @@ void note_fan(RelaxedState& relaxed, const Cells& cells, const MechanicsState& m
 /// that an earlier patch left out of balance on its rim come to rest once they lie inside of one:
 /// patches are blocks of a Gauss-Seidel iteration towards the whole body's equilibrium. A rim that
 /// holds lets a crack open less than the body would: the stress at its new tip is a lower bound
-/// (docs/energy.md has by how much).
+/// (docs/lab/energy.md has by how much).
 /// Needs: `rings` of 1 or more. `mechanics` is changed during the call only (rims are held).
 /// Cost: assembly, factor and solve of the patch: 0.07 ms for two rings around a fan, 0.5 for four.
 void relax_around(RelaxedState& relaxed, const Cells& cells, MechanicsState& mechanics,

@@ -13,7 +13,7 @@ struct CrackEnergy {
   double area = 0;  ///< m^2, of its faces at rest
   /// m^2: of them on its plane, sum A |n . n_f|. The faces zigzag about the plane, and their area
   /// is 1.5 to 1.6 of it on even meshes [Rimoli and Rojas, arXiv 1302.1161]; this one is the
-  /// crack's, within 4 per cent (docs/crack_objects.md).
+  /// crack's, within 4 per cent (docs/lab/crack_objects.md).
   double projected = 0;
   double energy = 0;  ///< J
   /// J/m^2, over the projected area.

@@ -20,7 +20,7 @@ inline constexpr std::uint32_t saved_state_format = 16;
 /// and observers are not part of it.
 /// Little endian: "SunderSt", format (4 bytes), then sections of a name (4 bytes), a length (8) and
 /// so many bytes, and last a checksum (FNV-1a, 8 bytes) over all before it.
-/// O(state); 1 to 5 kB a tetrahedron, mostly factors (docs/saved_state.md).
+/// O(state); 1 to 5 kB a tetrahedron, mostly factors (docs/lab/saved_state.md).
 std::string saved_state(const Simulation& simulation);
 
 /// The simulation of such bytes. It needs no scene: the file has it. Errors: not_a_saved_state,

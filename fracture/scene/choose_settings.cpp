@@ -189,7 +189,7 @@ Chosen declared(const Outlook& o) {
   return {by(o, 0.02, 0, 0), "pieces up to this share of their body's mass never break again"};
 }
 
-/// Darts take 850 bytes per tetrahedron (docs/kernel.md): up to 0.85 GB.
+/// Darts take 850 bytes per tetrahedron (docs/lab/kernel.md): up to 0.85 GB.
 constexpr std::size_t most_with_darts = 1'000'000;
 
 Chosen kernel(const Outlook& o) {
@@ -244,7 +244,7 @@ bool takes_second_order(const Scene& scene) {
 }
 
 /// Second order for thin bodies that have few layers of cells and are no larger than what can be
-/// paid for (docs/defaults.md has the charts). `measures`: of each body.
+/// paid for (docs/lab/defaults.md has the charts). `measures`: of each body.
 void choose_orders(std::vector<Choice>& choices, Scene& scene, Accuracy accuracy,
                    std::span<const std::string> given, std::span<const BodyMeasures> measures) {
   if (accuracy == Accuracy::preview) return;

@@ -15,7 +15,7 @@ namespace sunder {
 /// How exact a run should be.
 enum class Accuracy {
   preview,    ///< what roughly happens, for the least time
-  good,       ///< the settings that the charts recommend (docs/defaults.md)
+  good,       ///< the settings that the charts recommend (docs/lab/defaults.md)
   reference,  ///< what others are held against: several times the time of good
 };
 

@@ -291,12 +291,12 @@ double ExpectedTime::between(double from, double to) const {
 }
 
 double flight_ms(const Scene& scene) {
-  // Measured: 6 to 8 times (docs/second_order.md, the slender strip).
+  // Measured: 6 to 8 times (docs/lab/second_order.md, the slender strip).
   const double model = scene.integrator.model == ElasticModel::corotational ? 7 : 1;
   double ms = 0;
   for (const BodySettings& b : scene.bodies) {
     const auto tetrahedra = static_cast<double>(b.mesh.tetrahedra.size());
-    // Large bodies' factors fill in; of second order 12 to 30 times as much (docs/bending.md).
+    // Large bodies' factors fill in; of second order 12 to 30 times as much (docs/lab/bending.md).
     const double order = b.order == 2 ? 15 : 1;
     ms += model * order * 1e-4 * tetrahedra * (1 + tetrahedra / 8000);
   }

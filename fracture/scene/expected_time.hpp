@@ -25,7 +25,7 @@ struct ExpectedTime {
 };
 
 /// ms that a step of the whole scene in full takes in flight, where nothing touches or breaks: from
-/// the number of tetrahedra and their order, mostly to a factor of two (docs/defaults.md).
+/// the number of tetrahedra and their order, mostly to a factor of two (docs/lab/defaults.md).
 double flight_ms(const Scene& scene);
 
 /// Estimates a run of the scene. Bodies move as boxes that stop each other. Resting contact ends

@@ -189,7 +189,7 @@ void look_at_layers(const Looked& l, std::size_t b) {
                      "with 1, 2, 4, 6, and what breaks in bending breaks late",
                      layers),
          "take \"order\": 2 for the body, or a mesh of at least four layers where bending matters "
-         "(docs/bending.md)");
+         "(docs/lab/bending.md)");
 }
 
 /// A twentieth of the strain it breaks at is still nothing (docs/decisions.md, Validity).

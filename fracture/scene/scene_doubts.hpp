@@ -10,7 +10,7 @@
 namespace sunder {
 
 /// Warnings of a scene, each with place and remedy; `build_simulation` gives them too
-/// (docs/scene.md has the figures). odd_unit: a size, a material's number or a ball's mass beyond
+/// (docs/reference/scene.md has the figures). odd_unit: a size, a material's number or a ball's mass beyond
 /// all solids; run_too_short: it ends before a wave has crossed a body, the slowest of all;
 /// step_over_duration; overlap_at_start; faster_than_waves: bodies, spins, held boxes, obstacles;
 /// few_layers: fewer than three through a body that may break, is not compact and can be bent;

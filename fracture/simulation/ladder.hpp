@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which rung each component takes its next step on: no more than the scene needs (docs/ladder.md).
+// Which rung each component takes its next step on: no more than the scene needs (docs/lab/ladder.md).
 #pragma once
 
 #include <span>

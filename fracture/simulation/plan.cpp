@@ -63,7 +63,7 @@ double crack_sub_step(const Scene& scene, const MechanicsState& m, const Compone
 }
 
 /// Where cracks take energy, not every peak of a wave front decides: a third of the viscosity that
-/// bare strengths need, which cost rings a tenth of their fragments (docs/accuracy.md).
+/// bare strengths need, which cost rings a tenth of their fragments (docs/lab/accuracy.md).
 double wave_viscosity(const Scene& scene) {
   return scene.fracture.crack == CrackMode::cohesive ? 0.1 : StepPart{}.viscosity;
 }

@@ -41,7 +41,7 @@ SystemMatrix system_matrix(const IntegratorSettings& settings);
 /// viscosity of explicit codes does [von Neumann and Richtmyer 1950]:
 ///   M dv = h (b - C (d' + theta dv) - K (d + theta h d' + theta^2 h^2 dv)),  d += h (d' + theta
 ///   dv)
-/// Chosen by figures (docs/impact.md): with them the peak of a flat impact is within 8 per cent for
+/// Chosen by figures (docs/lab/impact.md): with them the peak of a flat impact is within 8 per cent for
 /// sub-steps from 0.01 to 0.1 L/c on 20 to 100 cells.
 struct WaveScheme {
   static constexpr double theta = 0.65;

@@ -245,7 +245,7 @@ TEST_CASE("case 13: a disc pressed along a diameter is pulled apart at its middl
 TEST_CASE("case 13: a bar on end supports carries 3 rho g L^2 / (4 h) below its middle",
           "[accuracy][case13]") {
   // Node averages lie low at surfaces, and few layers lock: shares of the outer-fibre stress in
-  // bending as docs/bending.md gives them, 0.70 with four and 0.87 with eight layers.
+  // bending as docs/lab/bending.md gives them, 0.70 with four and 0.87 with eight layers.
   const auto [layers, share] = GENERATE(table<int, double>({{4, 0.70}, {8, 0.87}}));
   const double height = 0.1, length = 0.8, g = 9.81;
   const Material material{.young_modulus = 3e10, .poisson_ratio = 0, .density = 2400};

@@ -22,7 +22,7 @@ TEST_CASE(
   CHECK(o.rebound > 0.7);
   CHECK(o.energy_peak <= 1 + 1e-12);
   // Any front that a mesh spreads over some cells is half reflected as tension when the bar parts
-  // from the wall: up to 0.5 rho c v = 0.75 xi (docs/impact.md).
+  // from the wall: up to 0.5 rho c v = 0.75 xi (docs/lab/impact.md).
   CHECK(o.element_tension < 0.75);
   CHECK(!o.broke);
 }

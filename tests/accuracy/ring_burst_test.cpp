@@ -41,7 +41,7 @@ TEST_CASE("case 13: a ring whose cracks take energy breaks as the one-dimensiona
   const ChainRingOutcome fine = run_ring_on_chain(burst, 1600);
   INFO(seen.fragments << ", by the program " << fine.fragments << ", by Zhou "
                       << zhou_fragments(burst));
-  // On 400 cells the viscosity of the sub-steps costs fragments: docs/accuracy.md.
+  // On 400 cells the viscosity of the sub-steps costs fragments: docs/lab/accuracy.md.
   CHECK(double(seen.fragments) == Approx(double(fine.fragments)).epsilon(spread < 1 ? 0.1 : 0.2));
   if (spread < 1) CHECK(double(seen.fragments) == Approx(zhou_fragments(burst)).epsilon(0.25));
 }

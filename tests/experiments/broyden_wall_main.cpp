@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Command: iterations of Broyden's method in one step of a block, over the step; docs/baselines.md.
+// Command: iterations of Broyden's method in one step of a block, over the step; docs/lab/baselines.md.
 #include <cmath>
 #include <cstdio>
 

@@ -30,7 +30,7 @@ double slope(std::size_t few, std::size_t many, double rates) {
   return -std::log(double(many) / double(few)) / std::log(rates);
 }
 
-/// The rings with ties to run; as they stand, those of docs/accuracy.md.
+/// The rings with ties to run; as they stand, those of docs/lab/accuracy.md.
 struct Plan {
   std::vector<double> spreads = {0.5, 3}, rates = {1.5, 6};
   std::vector<int> meshes = {400, 800, 1600};

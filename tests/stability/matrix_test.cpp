@@ -45,7 +45,7 @@ TEST_CASE("of second order the default does in everything what it does of first"
   }
 }
 
-// Ten minutes: for the command that docs/stability.md names.
+// Ten minutes: for the command that docs/lab/stability.md names.
 TEST_CASE("of second order every method does in everything what it does of first",
           "[.second_order]") {
   for (const auto& scenarios : {motions(), contacts()}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which side of a plane a tetrahedron is on: one rule with one tolerance for runs, `sunder split`,
-// `sunder convert --crack-plane` and fixtures (docs/suite.md). No map here.
+// `sunder convert --crack-plane` and fixtures (docs/reference/suite.md). No map here.
 #pragma once
 
 #include <array>

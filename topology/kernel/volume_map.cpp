@@ -70,7 +70,7 @@ void VolumeMap::unsew(HalfFaceId face) {
   const HalfFaceId across = neighbour(face);
   SUNDER_ASSERT(!across.is_none(), "unsewing a boundary face");
   if (darts_) {
-    // A third of the time of a fan in a body of 384 000 tetrahedra (docs/kernel.md).
+    // A third of the time of a fan in a body of 384 000 tetrahedra (docs/lab/kernel.md).
     darts_->prefetch(tetrahedron_of(face));
     darts_->prefetch(tetrahedron_of(across));
     darts_->unsew(face);

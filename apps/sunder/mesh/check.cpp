@@ -39,7 +39,7 @@ tetrahedra overlap. Where the two differ the body overlaps itself, or does not l
 homology is printed with its torsion.
 Dihedral angles lie between two faces of a tetrahedron (70.5 degrees in a regular one). Radius
 ratios are 3 r / R of the spheres inside and around it: 1 for a regular one, 0 for a flat one.
-docs/checks.md explains every finding, its tolerance and its remedy.
+docs/reference/checks.md explains every finding, its tolerance and its remedy.
 
 Exit codes: 0 no error found (warnings and notes may be), 1 a mesh with errors, 2 usage, 3 no mesh
 can be read from the file, 4 FILE of --write-findings cannot be written.
@@ -112,7 +112,7 @@ void find_homology(CheckReport& report, const FileMesh& mesh, const CheckArgumen
   report.homology = homology;
   if (told == found) return;
   if (told) {
-    // In space the sheets tell them (docs/checks.md).
+    // In space the sheets tell them (docs/reference/checks.md).
     report.findings.push_back(
         {.code = "overlapping_body",
          .text = fmt::format(

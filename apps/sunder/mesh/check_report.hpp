@@ -37,7 +37,7 @@ struct CheckReport {
   std::size_t cells_written = 0;
 };
 
-/// What `--json` prints of a mesh, keys as docs/checks.md has them.
+/// What `--json` prints of a mesh, keys as docs/reference/checks.md has them.
 nlohmann::ordered_json report_json(const CheckReport& report);
 void print_table(const CheckReport& report);
 

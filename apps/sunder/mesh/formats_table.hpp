@@ -9,7 +9,7 @@
 
 namespace sunder {
 
-/// The Markdown table of docs/formats.md: a row a format.
+/// The Markdown table of docs/reference/formats.md: a row a format.
 std::string formats_table();
 
 /// The format of this name; none where there is none.

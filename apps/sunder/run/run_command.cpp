@@ -13,7 +13,7 @@ namespace sunder {
 namespace {
 
 constexpr const char* run_footer = R"(
-The scene is a JSON file in SI units: docs/scene.md explains it, --schema prints every key.
+The scene is a JSON file in SI units: docs/reference/scene.md explains it, --schema prints every key.
 Files in DIR (where an earlier run lies there, --force replaces it):
   frames.pvd, frames/*.vtu  the deformed bodies, for ParaView
   picture_*.png             with --png or the scene's output.pictures

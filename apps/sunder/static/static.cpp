@@ -28,7 +28,7 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr const char* static_footer = R"(
-SCENE is a scene file as `sunder run` takes it, SI units: docs/static.md. Gravity and the bodies'
+SCENE is a scene file as `sunder run` takes it, SI units: docs/lab/static.md. Gravity and the bodies'
 "loads" (Pa, N) act fully. "held" vertices are fixed, or moved by their velocity (m/s) times the
 scene's "duration" (s). Every body needs three held vertices that are not on one line. Obstacles are
 ignored: they do not support a body here. "order": 2 in a body makes its tetrahedra quadratic, with
@@ -39,7 +39,7 @@ stress of a vertex (Pa) and its share of the tensile strength, each with the poi
 (counted from 0) and its place (m); force (N) and moment about the mass centre (N m) of each support.
 --fan V,NX,NY,NZ adds the release by the fan at point V (of all bodies' meshes, one after the other)
 with this normal in the mesh's axes: faces, area (m^2), energy (J) and energy per area (J/m^2), with
-the material's value where it has a toughness (docs/energy.md). Nothing is split.
+the material's value where it has a toughness (docs/lab/energy.md). Nothing is split.
 --fans SHARE lists the same for the fan of every vertex with at least this share of its strength (1:
 the vertices that would break now), most energy per area first. Vertices on a crack front also have
 the release of that front.

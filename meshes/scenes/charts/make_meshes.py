@@ -44,7 +44,7 @@ def medit(points, tetrahedra):
 
 
 MESHES = {
-    # 1 m long, square, one cell thick: the flat bar of docs/impact.md in fewer cells.
+    # 1 m long, square, one cell thick: the flat bar of docs/lab/impact.md in fewer cells.
     "bar": box((20, 1, 1), (0, 0, 0), (1, 0.05, 0.05)),
     # Slender enough to bend, short enough to be small; x = 0 is held.
     "cantilever": box((8, 2, 2), (0, -0.1, -0.1), (1, 0.2, 0.2)),

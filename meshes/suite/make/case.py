@@ -36,7 +36,7 @@ def box_case(name, cells, operations=(), **more):
     return Case(name, kuhn_box(*cells), operations, written={"kuhn_box": list(cells)}, **more)
 
 
-# Directions and centres that differ by less are equal (docs/suite.md).
+# Directions and centres that differ by less are equal (docs/reference/suite.md).
 EQUAL = Fraction(1, 10**6)
 
 
@@ -194,7 +194,7 @@ def state(glued):
 
 
 def check_laws(before, after, answer):
-    """The laws of a split (docs/suite.md), for an operation that is a single one."""
+    """The laws of a split (docs/reference/suite.md), for an operation that is a single one."""
     s_v, s_e = len(answer["vertices"]), len(answer["edges"])
     change = {key: after["counts"][key] - before["counts"][key] for key in before["counts"]}
     assert (change["vertices"], change["edges"], change["faces"]) == (s_v, s_e, 1), change

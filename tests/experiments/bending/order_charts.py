@@ -4,7 +4,7 @@
 
     tests/experiments/bending/order_charts.py SUNDER [--only PART ...] [--page PAGE.md] [--repeats N]
 
-Prints the tables of docs/second_order.md; with --page they take the place of what stands there between
+Prints the tables of docs/lab/second_order.md; with --page they take the place of what stands there between
 `<!-- PART -->` and `<!-- end of PART -->`, and charts (by gnuplot) are written to charts/ beside the page.
 Times are of the processor, not of the wall, both orders in turn, the median of N runs (3).
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `bullet_heap SEED SECONDS PER_SECOND [MARGIN mm] [sat|gjk] [ours a second]`: the same chips by the
-// rubble solver and by Bullet in double, in one run. Not part of the build: docs/rubble_measured.md
+// rubble solver and by Bullet in double, in one run. Not part of the build: docs/lab/rubble_measured.md
 // has the line that compiles it.
 #include <btBulletDynamicsCommon.h>
 

@@ -285,7 +285,7 @@ def content(path):
 
 def labelled(text):
     """The file without regions and entities of cells, and one label a cell: its region, or its entity where it has
-    none: formats with one label get that (docs/formats.md)."""
+    none: formats with one label get that (docs/reference/formats.md)."""
     points, _, cells = text.partition("CELL_DATA ")
     labels = {}
     for name in ("region", "entity"):

@@ -152,7 +152,7 @@ TEST_CASE("a bar of order 2 breaks: energy and momentum are accounted for, rows 
   }
   left += total_momentum(*sim.state);
   CHECK(fans > 5);
-  // What blows leave over in their sub-steps, as of order 1 (docs/accuracy.md, Energy ledger).
+  // What blows leave over in their sub-steps, as of order 1 (docs/lab/accuracy.md, Energy ledger).
   CHECK(std::abs(residual) < 2e-4 * moved);
   CHECK(left.head<3>().norm() < 1e-10 * 4 * sim.state->mechanics.elements.size());
   double mass = 0, of_nodes = 0;

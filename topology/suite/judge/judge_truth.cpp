@@ -58,7 +58,7 @@ TrueStep take(GlueTwin& twin, const Step& step) {
   return done;
 }
 
-/// The laws of one split that need no counting (docs/suite.md).
+/// The laws of one split that need no counting (docs/reference/suite.md).
 void check_laws(Checks& checks, const GlueTwin& twin, const TrueStep& step) {
   const std::size_t s_v = step.split.vertices.size(), s_e = step.split.edges.size();
   const bool lawful =

@@ -38,7 +38,7 @@ struct RandomFailure {
   /// The first mismatch of the shrunk run. None: the kernel did right when asked the same again, or
   /// the wrong answer was not one to a step (a fan's faces, homology); then nothing was taken away.
   std::optional<Mismatch> last;
-  /// A fixture file (docs/suite.md) with the shrunk run, ready to be saved.
+  /// A fixture file (docs/reference/suite.md) with the shrunk run, ready to be saved.
   std::string fixture;
 };
 

@@ -190,7 +190,7 @@ TEST_CASE("the table of formats in the documentation is the program's own", "[ap
   const Workplace here;
   const Outcome table = here.run({"convert", "--formats"});
   CHECK(table.exit_code == 0);
-  const std::string page = bytes_of(std::string(SUNDER_MESHES) + "/../docs/formats.md");
+  const std::string page = bytes_of(std::string(SUNDER_MESHES) + "/../docs/reference/formats.md");
   CHECK(page.find(table.out) != std::string::npos);
   for (const FormatTraits& t : format_traits()) {
     CHECK(table.out.find("| " + std::string(t.name) + " |") != std::string::npos);
