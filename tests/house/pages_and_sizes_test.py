@@ -138,7 +138,7 @@ class TheProject(unittest.TestCase):
 
     def test_cited_documents_are_there(self):
         # What `bench paper --markdown`, the scripts of conversions and `suite --export` write.
-        written = ("paper.md", "p.md", "PAGE.md", "suite.md")
+        written = ("paper.md", "p.md", "PAGE.md", "page.md", "suite.md")
         texts = self.files | scripts(self.project)
         texts.pop("tests/house/pages_and_sizes_test.py")  # makes up names below
         self.assertEqual(missing_documents(self.project, texts, written), [])
