@@ -4,7 +4,7 @@
 
 namespace sunder {
 
-/// Whether pieces that cannot break meet each other as rigid bodies (docs/lab/rubble.md).
+/// Whether pieces that cannot break meet each other as rigid bodies (docs/howto/real_time.md).
 enum class RubbleMode {
   off,        ///< never
   certified,  ///< where a bound says that none of them can break before the next look
