@@ -304,8 +304,8 @@ void describe(V& v, LadderSettings& l) {
               "",
               "Motion of pieces that cannot break, with their contacts. off: as all others; "
               "certified: as rigid bodies in steps of about 1/240 s, where a bound shows that they "
-              "cannot break within the step (docs/howto/real_time.md). With node_stress fit only for single "
-              "tetrahedra; not with contact.method penalty",
+              "cannot break within the step (docs/howto/real_time.md). With node_stress fit only for "
+              "single tetrahedra; not with contact.method penalty",
               {},
               false,
               "",
