@@ -137,8 +137,8 @@ class TheProject(unittest.TestCase):
         return entries
 
     def test_cited_documents_are_there(self):
-        # What `bench paper --markdown` and the scripts of conversions write.
-        written = ("paper.md", "p.md", "PAGE.md")
+        # What `bench paper --markdown`, the scripts of conversions and `suite --export` write.
+        written = ("paper.md", "p.md", "PAGE.md", "page.md", "suite.md")
         texts = self.files | scripts(self.project)
         texts.pop("tests/house/pages_and_sizes_test.py")  # makes up names below
         self.assertEqual(missing_documents(self.project, texts, written), [])
