@@ -4,7 +4,7 @@
     python3 pages_and_sizes_test.py PROJECT
 
 Documents: every name that ends in .md, in a C++ file or a script, is a file of the project: from
-its root, from beside the file that cites it, or in docs/.
+its root, from beside the file that cites it, in docs/ or in docs/reference.
 Headers: each has a test of its own name (tests/**/NAME_test.cpp) or a line in untested_headers.txt.
 Sizes: a C++ file has at most 400 lines and a folder 25 C++ files, or a line in large.txt.
 Faults: the text that one of tests/mutants/*.json changes stands once in its source.
@@ -45,7 +45,7 @@ def missing_documents(project, texts, written=()):
             # In code a path may begin with that of a folder of the project.
             inner = re.sub(r"^(\.\.|/)+", "", cited)
             places = (project / inner, (project / name).parent / cited,
-                      project / "docs" / cited)
+                      project / "docs" / cited, project / "docs/reference" / cited)
             if not any(place.is_file() for place in places):
                 missing.append(f"{name} cites {cited}")
     return missing
