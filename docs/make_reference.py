@@ -248,6 +248,14 @@ def anchor(heading):
     return re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-")
 
 
+SMALLEST_SCENE = """{
+  "bodies": [{"mesh": "body.msh", "translation": [0, 0, 1]}],
+  "obstacles": [{"plane": {}}],
+  "time_step": 1e-3,
+  "duration": 1
+}"""
+
+
 def scene_page(sunder):
     schema = json.loads(run(sunder, "run", "--schema"))
     lines = ["# Scene files", "", MARK, "",
@@ -259,8 +267,7 @@ def scene_page(sunder):
              "An unknown key is an error, and the message names the nearest known key.",
              "`--set` changes one key for one run: `--set bodies.0.material.tensile_strength=2e6`.", "",
              "The smallest scene has one body that falls on the ground:", "",
-             "```json", json.dumps({"bodies": [{"mesh": "body.msh", "translation": [0, 0, 1]}],
-                                    "obstacles": [{"plane": {}}], "time_step": 1e-3, "duration": 1}), "```", ""]
+             "```json", SMALLEST_SCENE, "```", ""]
     schema = {**schema, "description": ""}
     scene_section(schema, "", lines)
     return "\n".join(lines).rstrip("\n") + "\n"
