@@ -36,7 +36,7 @@ enum class FractureCriterion {
   /// Its largest principal stress: C K_Ic / sqrt(h) (`vertex_strength`).
   stress,
   /// The energy that the crack's front would release there per area: K_Ic^2 (1 - nu^2) / E
-  /// (docs/lab/energy.md).
+  /// (docs/explanation/cracks.md).
   energy,
 };
 
@@ -44,10 +44,10 @@ enum class FractureCriterion {
 enum class CrackMode {
   /// Faces that were unsewn: the plane of each fan is its vertex' own (the paper's).
   paper,
-  /// A surface with sides that grows along its front (docs/lab/crack_objects.md).
+  /// A surface with sides that grows along its front (docs/explanation/cracks.md).
   object,
   /// The same, and what has come apart is tied until the crack has taken its fracture energy
-  /// (docs/lab/cohesive.md).
+  /// (docs/explanation/cracks.md).
   cohesive,
 };
 
@@ -75,7 +75,7 @@ struct FractureSettings {
   ThresholdTest test = ThresholdTest::chain;
   /// What breaks a crack tip of a material with a toughness.
   FractureCriterion criterion = FractureCriterion::stress;
-  /// `paper` and `cohesive` on request (docs/lab/crack_objects.md compares the three).
+  /// `paper` and `cohesive` on request (docs/explanation/cracks.md compares the three).
   CrackMode crack = CrackMode::object;
   /// Rings of tetrahedra around each fan whose stresses are solved for again within the step, so
   /// that the load of the crack passes to its tip at once; 0: none (the paper's).

@@ -187,6 +187,16 @@ double pressed_time(const BodySettings& body, const BodyMeasures& m) {
   return strain * m.extent / fastest;
 }
 
+/// ms of a step of the body in flight.
+double flight_ms(const Scene& scene, const BodySettings& body) {
+  // Measured: 6 to 8 times (docs/lab/second_order.md, the slender strip).
+  const double model = scene.integrator.model == ElasticModel::corotational ? 7 : 1;
+  // Large bodies' factors fill in; of second order 12 to 30 times as much (docs/lab/bending.md).
+  const double order = body.order == 2 ? 15 : 1;
+  const auto tetrahedra = static_cast<double>(body.mesh.tetrahedra.size());
+  return model * order * 1e-4 * tetrahedra * (1 + tetrahedra / 8000);
+}
+
 class Forecast {
  public:
   explicit Forecast(const Scene& scene) : scene_(scene) {
@@ -234,20 +244,20 @@ class Forecast {
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
       const MovingBody& body = bodies_[b];
       if (scene_.bodies[b].rigid || t < body.touched) continue;
-      const double size = weight(scene_.bodies[b]);
+      const BodySettings& settings = scene_.bodies[b];
+      const auto size = static_cast<double>(settings.mesh.tetrahedra.size());
       if (breaking) {
-        seconds += of_sub_step * size * exponential(growth * logarithm(size / 3000)) *
-                   sweeps(size) / sub_step();
+        // Contact, for which the order counts little, and the solve where its order makes it dear.
+        const double contact =
+            of_sub_step * size * exponential(growth * logarithm(size / 3000)) * sweeps(size);
+        const double solve = settings.order == 2 ? 1e-3 * flight_ms(scene_, settings) : 0;
+        seconds += (contact + solve) / sub_step();
       } else if (t < body.touched + time_to_sleep()) {
-        seconds += (t < body.piled ? of_rest : of_heap) * size * steps;
+        seconds +=
+            (t < body.piled ? of_rest : of_heap) * size * (settings.order == 2 ? 15 : 1) * steps;
       }
     }
     return seconds;
-  }
-
-  /// Tetrahedra, those of second order weighted by their cost.
-  static double weight(const BodySettings& body) {
-    return static_cast<double>(body.mesh.tetrahedra.size()) * (body.order == 2 ? 15 : 1);
   }
 
   double sweeps(double size) const {
@@ -291,15 +301,8 @@ double ExpectedTime::between(double from, double to) const {
 }
 
 double flight_ms(const Scene& scene) {
-  // Measured: 6 to 8 times (docs/lab/second_order.md, the slender strip).
-  const double model = scene.integrator.model == ElasticModel::corotational ? 7 : 1;
   double ms = 0;
-  for (const BodySettings& b : scene.bodies) {
-    const auto tetrahedra = static_cast<double>(b.mesh.tetrahedra.size());
-    // Large bodies' factors fill in; of second order 12 to 30 times as much (docs/lab/bending.md).
-    const double order = b.order == 2 ? 15 : 1;
-    ms += model * order * 1e-4 * tetrahedra * (1 + tetrahedra / 8000);
-  }
+  for (const BodySettings& body : scene.bodies) ms += flight_ms(scene, body);
   return ms;
 }
 

@@ -4,13 +4,15 @@
 
 namespace sunder {
 
-/// Whether pieces that cannot break meet each other as rigid bodies (docs/lab/rubble.md).
+/// Whether pieces that cannot break meet each other as rigid bodies
+/// (docs/explanation/time_and_contact.md).
 enum class RubbleMode {
   off,        ///< never
   certified,  ///< where a bound says that none of them can break before the next look
 };
 
-/// Which components may be computed with less than full dynamics (docs/lab/ladder.md).
+/// Which components may be computed with less than full dynamics
+/// (docs/explanation/time_and_contact.md).
 struct LadderSettings {
   /// Whether components in free flight that cannot break move as rigid bodies.
   bool rigid = true;

@@ -202,7 +202,7 @@ void describe(V& v, BodySettings& b) {
   v.field(Key{"held", "", "Boxes whose vertices are fixed, or moved at a given velocity"}, b.held);
   v.field(Key{"loads", "", "Boxes in which pressure or force acts on the body"}, b.loads);
   v.field(Key{"cuts", "", "Cracks that exist from the start, closed and without load"}, b.cuts);
-  v.field(Key{"strength", "", "Strengths other than the material's (docs/lab/strength.md)"},
+  v.field(Key{"strength", "", "Strengths other than the material's (docs/explanation/cracks.md)"},
           b.strength);
   v.field(Key{"unbreakable", "", "Parts whose vertices never split"}, b.unbreakable);
   v.field(
@@ -210,7 +210,7 @@ void describe(V& v, BodySettings& b) {
           "Order of the tetrahedra. 1: linear displacement; 2: quadratic, with a node in the "
           "middle "
           "of each edge, for bodies that bend; needs contact by impulses. Left out: 2 for small "
-          "thin bodies of few layers (docs/lab/defaults.md), else 1",
+          "thin bodies of few layers (docs/howto/choose.md), else 1",
           between(1, 2)},
       b.order);
   v.field(Key{"rigid", "",
@@ -255,9 +255,9 @@ void describe(V& v, FractureSettings& f) {
           f.criterion);
   v.field(Key{"crack", "",
               "Crack model. paper: each vertex is cut along its own plane; object: a surface that "
-              "keeps its sides and grows along its front (docs/lab/crack_objects.md); cohesive: the "
+              "keeps its sides and grows along its front; cohesive: the "
               "same, held together until it has taken the material's fracture energy "
-              "(docs/lab/cohesive.md)"},
+              "(docs/explanation/cracks.md)"},
           f.crack);
   v.field(Key{"relax", "",
               "Rings of tetrahedra around each fan in which stresses are computed again within the "
@@ -304,7 +304,8 @@ void describe(V& v, LadderSettings& l) {
               "",
               "Motion of pieces that cannot break, with their contacts. off: as all others; "
               "certified: as rigid bodies in steps of about 1/240 s, where a bound shows that they "
-              "cannot break within the step (docs/lab/rubble.md). With node_stress fit only for single "
+              "cannot break within the step (docs/explanation/time_and_contact.md). With node_stress "
+              "fit only for single "
               "tetrahedra; not with contact.method penalty",
               {},
               false,
@@ -354,13 +355,16 @@ void describe(V& v, Scene& s) {
       s.integrator.isolated);
   v.field(Key{"integrator", "", "Time integration"}, s.integrator);
   v.field(Key{"contact", "", "Contact"}, s.contact);
-  v.field(Key{"impact", "", "Sub-steps at impacts (docs/lab/impact.md)"}, s.impact);
+  v.field(Key{"impact", "", "Sub-steps at impacts (docs/explanation/time_and_contact.md)"},
+          s.impact);
   v.field(Key{"energy_ledger", "",
               "Whether work, losses and the residual of every step are added up; without it a step "
               "without contact and cracks takes a tenth less time"},
           s.energy_ledger);
   v.field(Key{"fracture", "", "Cracks: criterion, model and search for pieces"}, s.fracture);
-  v.field(Key{"ladder", "", "Pieces that may be rigid, quasi-static or asleep (docs/lab/ladder.md)"},
+  v.field(Key{"ladder", "",
+              "Pieces that may be rigid, quasi-static or asleep "
+              "(docs/explanation/time_and_contact.md)"},
           s.ladder);
   v.field(Key{"topology", "", "The bodies' map (docs/lab/kernel.md)"}, s.topology);
   v.field(Key{"display_time_constant", "s",

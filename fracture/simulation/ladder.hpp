@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which rung each component takes its next step on: no more than the scene needs (docs/lab/ladder.md).
+// Which rung each component takes its next step on: no more than the scene needs
+// (docs/explanation/time_and_contact.md).
 #pragma once
 
 #include <span>

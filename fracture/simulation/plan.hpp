@@ -12,7 +12,8 @@
 namespace sunder {
 
 /// The plan of a step from the state as it is. With impact windows a part may be refused for blows
-/// that lie ahead; windows open, and the plan goes on from there (docs/lab/impact.md).
+/// that lie ahead; windows open, and the plan goes on from there
+/// (docs/explanation/time_and_contact.md).
 StepPlan plan_step(const Scene& scene, SimulationState& state, SimulationScratch& scratch);
 
 /// The next part; nothing when the step is through. Times and driven obstacles go back to where the

@@ -55,7 +55,7 @@ Result<Simulation> build_simulation(Scene scene);
 /// in which something is struck is divided for the components struck and those they can reach:
 /// deformations are frozen up to the impact, sub-steps follow while the waves run, each with its
 /// own search for fractures, and the remainder is taken at once; all other components take the
-/// whole step (docs/lab/impact.md). `observe` is called after each part.
+/// whole step (docs/explanation/time_and_contact.md). `observe` is called after each part.
 /// With a script its fans are made instead of looking for any.
 /// After an outcome other than fine in `status`, a stress that is not a number, or a departure from
 /// the script, the simulation must not be advanced further; the state is as computed, to be looked

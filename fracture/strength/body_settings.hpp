@@ -70,7 +70,7 @@ struct WeibullSettings {
   std::uint32_t seed = 1;
 };
 
-/// Strengths beside that of the material (docs/lab/strength.md).
+/// Strengths beside that of the material (docs/explanation/cracks.md).
 struct StrengthSettings {
   std::vector<RegionStrength> regions;
   /// Pa, one a point of the mesh, in place of those of material and regions; empty: none.

@@ -113,7 +113,7 @@ void sweep(RubblePatch& patch, MovingBody& a, MovingBody& b, const SweepRule& ru
 
 SweepRule pushing_rule(double sub_step, double slop, double push) {
   // A quarter turn of the spring a sub-step, five times overdamped: stiffer ones make towers
-  // tremble, softer ones let them buckle (docs/lab/rubble.md).
+  // tremble, softer ones let them buckle (docs/lab/rubble_measured.md).
   constexpr double turn = 0.5 * std::numbers::pi, damping = 5;
   constexpr double a1 = 2 * damping + turn, a2 = turn * a1;
   return {1 / sub_step, turn / a1 / sub_step, a2 / (1 + a2), 1 / (1 + a2), slop, push};

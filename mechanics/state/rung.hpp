@@ -6,7 +6,8 @@
 
 namespace sunder {
 
-/// How much of a component's motion a step computes: no more than it needs (docs/lab/ladder.md).
+/// How much of a component's motion a step computes: no more than it needs
+/// (docs/explanation/time_and_contact.md).
 enum class Rung : unsigned char {
   full,          ///< rigid motion and deformation
   quasi_static,  ///< the equilibrium under the present load; supported components only

@@ -137,8 +137,8 @@ class TheProject(unittest.TestCase):
         return entries
 
     def test_cited_documents_are_there(self):
-        # What `bench paper --markdown` and the scripts of conversions write.
-        written = ("paper.md", "p.md", "PAGE.md")
+        # What `bench paper --markdown`, the scripts of conversions and `suite --export` write.
+        written = ("paper.md", "p.md", "PAGE.md", "page.md", "suite.md")
         texts = self.files | scripts(self.project)
         # These make up names, and name pages as the site has them.
         for name in ("tests/house/pages_and_sizes_test.py", "tests/house/prose_test.py", "tests/docs/site_test.py",

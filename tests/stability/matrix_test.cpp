@@ -37,7 +37,8 @@ TEST_CASE("every method does in every contact what is expected of it", "[stabili
   }
 }
 
-TEST_CASE("of second order the default does in everything what it does of first", "[stability]") {
+TEST_CASE("of second order the default does in everything what it does of first",
+          "[stability][long]") {
   for (const auto& scenarios : {motions(), contacts()}) {
     for (const Scenario& scenario : scenarios) {
       check(scenario, of_second_order({methods().front()}).front());

@@ -15,7 +15,7 @@ struct ChartMethod {
   std::string_view name;
   /// `key=value` changes as `--set` takes them, separated by spaces; no key twice.
   std::string_view changes;
-  /// Whether impact windows exist for it (docs/lab/impact.md).
+  /// Whether impact windows exist for it (docs/explanation/time_and_contact.md).
   bool has_windows = false;
   /// Whether it holds only below about `explicit_step_bound`: its steps are shares of that.
   bool has_wall = false;

@@ -31,7 +31,7 @@ expected results. Each kernel runs it; each answer is compared with union-find a
 Kernels that come with Sunder: sunder (its own, answered by CGAL's darts), dense (its rows alone),
 nested (rows as the coarser of the two nested maps of tied cracks), cgal (CGAL's map with its managed unsew), twin (union-find). --kernel
 takes one of these names, or a shell command of a program that speaks the protocol of
-docs/judge_your_kernel.md on stdin and stdout; where given, only those are judged.
+docs/reference/suite.md on stdin and stdout; where given, only those are judged.
 FILTER is a part of a fixture's name, or a pattern with * ? [ ] for the whole of it.
 Without --fixtures the folder is meshes/suite in the current directory, else that of the source tree
 the program was built from.

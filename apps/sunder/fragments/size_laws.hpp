@@ -41,7 +41,8 @@ struct FittedLaw {
 /// lognormal (deviation without bounds) are power laws.
 bool is_power_limit(const FittedLaw& law);
 
-/// Fewest values a law is fitted to: below it laws cannot be told apart (docs/lab/fragments.md).
+/// Fewest values a law is fitted to: below it laws cannot be told apart
+/// (docs/explanation/validation_and_limits.md).
 inline constexpr std::size_t fewest_for_fit = 50;
 
 /// P(X >= x) under a law, for x >= cut.

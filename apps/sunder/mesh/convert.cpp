@@ -44,7 +44,7 @@ no point, and cuts neighbours alike, each from its corner with the least row. --
 node in the middle of each edge. Nothing is written where OUT's format would hold no cell at all.
 Repairs run in the order of this list, and each reports its changes. A crack is opened after them,
 without width: points are copied exactly where the cut faces separate the tetrahedra around them, and
-the front of the crack stays joined (docs/cracks.md).
+the front of the crack stays joined (docs/reference/checks.md).
 
 Exit codes: 0 written, 1 something would be lost and --strict was given (nothing is written),
 2 usage, 3 the input cannot be read or repaired, 4 the output cannot be written.

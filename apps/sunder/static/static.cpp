@@ -39,7 +39,7 @@ stress of a vertex (Pa) and its share of the tensile strength, each with the poi
 (counted from 0) and its place (m); force (N) and moment about the mass centre (N m) of each support.
 --fan V,NX,NY,NZ adds the release by the fan at point V (of all bodies' meshes, one after the other)
 with this normal in the mesh's axes: faces, area (m^2), energy (J) and energy per area (J/m^2), with
-the material's value where it has a toughness (docs/lab/energy.md). Nothing is split.
+the material's value where it has a toughness (docs/explanation/cracks.md). Nothing is split.
 --fans SHARE lists the same for the fan of every vertex with at least this share of its strength (1:
 the vertices that would break now), most energy per area first. Vertices on a crack front also have
 the release of that front.

@@ -221,7 +221,7 @@ def screw_side(centre):
     return 1 if 4 * z >= 2 * quarter - 3 else -1
 
 
-LABELS = "docs/lab/crack_objects.md"
+LABELS = "docs/explanation/cracks.md"
 FAMILIES = [
     Family("45-labelled-cracks", "one crack by labels given beforehand: any order of its breaks "
            "leaves the same map", LABELS, one_crack),

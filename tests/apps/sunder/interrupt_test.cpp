@@ -107,11 +107,11 @@ TEST_CASE("a signal in a step that does not end leaves the step's start", "[run]
   const std::string out = here.path("out"), err = here.path("err");
   // One step, in which the balls strike: sub-steps of an impact, too many to come to an end here.
   const pid_t child =
-      start({"run", SUNDER_SCENES "/charts/monolith.json", "--set", "time_step=0.8", "--set",
+      start({"run", SUNDER_SCENES "/charts/monolith.json", "--set", "time_step=2", "--set",
              "impact.fraction=1e-5", "--set", "impact.max_sub_steps=1000000", "--set",
              "fracture.mode=off", "-o", out},
             err);
-  wait_for(child, [&] { return bytes_of(err).find("step 0/1  t = 0.3") != std::string::npos; });
+  wait_for(child, [&] { return bytes_of(err).find("step 0/1  t = ") != std::string::npos; });
   kill(child, SIGTERM);
   CHECK(ended(child) == 130);
   const Result<Checkpoint> saved = read_checkpoint(out);

@@ -102,12 +102,12 @@ void check_heap(double time_step) {
   sums.check();
 }
 
-TEST_CASE("a heap that breaks keeps its momenta at long steps", "[momentum]") {
-  check_heap(GENERATE(4e-3, 1.0 / 60));
+TEST_CASE("a heap that breaks keeps its momenta at a step of a display", "[momentum]") {
+  check_heap(1.0 / 60);
 }
 
-TEST_CASE("a heap that breaks keeps its momenta at short steps", "[momentum][long]") {
-  check_heap(GENERATE(1e-4, 1e-3));
+TEST_CASE("a heap that breaks keeps its momenta at shorter steps", "[momentum][long]") {
+  check_heap(GENERATE(1e-4, 1e-3, 4e-3));
 }
 
 TEST_CASE("loads on a free body that turns: their moments are named", "[momentum]") {

@@ -13,7 +13,7 @@ namespace sunder::suite {
 
 /// The faces that `breaks` split, in whatever order they come, each by its lower half-face: those
 /// glued now of which some break has a point, with opposite sides of that break's crack across
-/// (docs/lab/crack_objects.md). Needs: one side for each tetrahedron.
+/// (docs/explanation/cracks.md). Needs: one side for each tetrahedron.
 std::set<HalfFaceId> crack_faces(const GlueTwin& now, std::span<const BreakPoint> breaks);
 
 /// The body without the glue of these faces: its corner classes are the vertices after the breaks.
