@@ -189,10 +189,10 @@ void look_at_layers(const Looked& l, std::size_t b) {
                      "with 1, 2, 4, 6, and what breaks in bending breaks late",
                      layers),
          "take \"order\": 2 for the body, or a mesh of at least four layers where bending matters "
-         "(docs/lab/bending.md)");
+         "(docs/explanation/theory.md)");
 }
 
-/// A twentieth of the strain it breaks at is still nothing (docs/decisions.md, Validity).
+/// A twentieth of the strain it breaks at is still nothing (docs/explanation/theory.md).
 void look_at_slenderness(const Looked& l, std::size_t b) {
   const BodyMeasures& m = l.measures[b];
   const double strain = m.strength / l.scene.bodies[b].material.young_modulus;

@@ -366,7 +366,7 @@ void describe(V& v, Scene& s) {
               "Pieces that may be rigid, quasi-static or asleep "
               "(docs/explanation/time_and_contact.md)"},
           s.ladder);
-  v.field(Key{"topology", "", "The bodies' map (docs/lab/kernel.md)"}, s.topology);
+  v.field(Key{"topology", "", "The bodies' map (docs/explanation/topology.md)"}, s.topology);
   v.field(Key{"display_time_constant", "s",
               "Time constant with which the drawn reference of a new piece approaches its own "
               "(section 3.3); 0: at once",

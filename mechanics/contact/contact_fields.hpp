@@ -77,7 +77,7 @@ void describe(V& v, ContactSettings& c) {
   v.field(Key{"method", "",
               "impulses: unilateral contact solved with the response of the bodies, the default; "
               "penalty: the paper's, springs on overlaps at the start of a step, without impact "
-              "windows (docs/lab/baselines.md)"},
+              "windows (docs/explanation/paper.md)"},
           c.method);
   v.field(Key{"penalty_stiffness", "N/m",
               "penalty: stiffness of the spring between one vertex and one obstacle or ball of a "

@@ -28,9 +28,10 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr const char* modes_footer = R"(
-SCENE is a scene file as `sunder run` takes it, SI units: docs/lab/static.md. For every piece of every
-body: the N lowest natural frequencies (Hz), with held vertices at rest, without gravity, loads and
-obstacles. A free piece has six rigid motions besides, listed first with frequency 0.
+SCENE is a scene file as `sunder run` takes it, SI units: docs/explanation/theory.md. For every
+piece of every body: the N lowest natural frequencies (Hz), with held vertices at rest, without
+gravity, loads and obstacles. A free piece has six rigid motions besides, listed first with
+frequency 0.
 FILE.vtu holds the undeformed bodies with displacement columns mode_1, mode_2, ..., the rigid
 motions included; the largest displacement of a piece in a mode is 1 m.
 

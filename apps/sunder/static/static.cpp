@@ -28,11 +28,11 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr const char* static_footer = R"(
-SCENE is a scene file as `sunder run` takes it, SI units: docs/lab/static.md. Gravity and the bodies'
-"loads" (Pa, N) act fully. "held" vertices are fixed, or moved by their velocity (m/s) times the
-scene's "duration" (s). Every body needs three held vertices that are not on one line. Obstacles are
-ignored: they do not support a body here. "order": 2 in a body makes its tetrahedra quadratic, with
-nodes in the middle of edges: for bodies that bend.
+SCENE is a scene file as `sunder run` takes it, SI units: docs/explanation/theory.md. Gravity and
+the bodies' "loads" (Pa, N) act fully. "held" vertices are fixed, or moved by their velocity (m/s)
+times the scene's "duration" (s). Every body needs three held vertices that are not on one line.
+Obstacles are ignored: they do not support a body here. "order": 2 in a body makes its tetrahedra
+quadratic, with nodes in the middle of edges: for bodies that bend.
 
 Results, per body and over all: largest displacement (m), strain energy (J), largest principal
 stress of a vertex (Pa) and its share of the tensile strength, each with the point of the mesh
