@@ -27,7 +27,7 @@ LINKED_PAGE = re.compile(r"\(?\b(docs/[\w/-]+\.md(?:#[\w-]+)?)\)?")
 def run(sunder, *words):
     done = subprocess.run([sunder, *words], capture_output=True, text=True, check=False)
     if done.returncode != 0:
-        sys.exit(f"error: sunder {' '.join(words)} ended with {done.returncode}: {done.stderr.strip()}")
+        sys.exit(f"error: sunder {' '.join(map(str, words))} ended with {done.returncode}: {done.stderr.strip()}")
     return done.stdout
 
 

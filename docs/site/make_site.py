@@ -6,7 +6,7 @@
 
 Needs sphinx, MyST, furo, sphinx-copybutton, breathe, doxygen, cmake and KaTeX, all of them Debian packages that
 `./bootstrap docs` installs. Pages are those of docs/ and the README files; a page of the API comes from each public header.
---page: the built page of the simulator (docs/howto/look_and_export.md); default: build/wasm/page, else build/page, where it is there.
+--page: the built page of the simulator (docs/howto/embed.md); default: build/wasm/page, else build/page, where it is there.
 
 Warnings of Sphinx are errors. Each link to a file of the site, and each anchor, is checked in the HTML.
 Exit codes: 0 done, 1 a page or link is wrong, 2 usage, 77 a program is missing.

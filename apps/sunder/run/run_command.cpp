@@ -24,15 +24,16 @@ Files in DIR (where an earlier run lies there, --force replaces it):
   cracks.csv                area and energy of each crack
   obstacles.csv             free obstacles in each frame: place, turn, velocity, spin
   checkpoints/*.checkpoint  saved states for --resume: every ten minutes and at the end, or as
-                            output.checkpoint of the scene asks
+                            output.checkpoint of the scene
 One run at a time writes to a folder. Events are written at once, tables and report with every
-checkpoint too. One line before the first step names the scene; progress follows at least every
-second. --verbose adds the settings that "accuracy" chose, which report.json has too.
+checkpoint too. One line before the first step names the scene. Progress follows at least every
+second. --verbose adds the settings that "accuracy" chose, which report.json has too. --columns
+prints the columns and keys of each file (docs/reference/output.md).
 
 Exit codes: 0 done, 2 usage, 3 bad scene or mesh, 4 not written, 5 the simulation failed, 6 a replay
 departed from its log, 7 done, with warnings, and --strict was given, 130 interrupted by Ctrl-C
 (SIGINT), SIGTERM or SIGHUP. After 5, 6 and 130 the files hold the run up to that moment. A signal
-leaves a checkpoint of the last whole step; a step that does not end within 2 s is cut short.
+leaves a checkpoint of the last whole step. A step that does not end within 2 s is cut short.
 --resume goes on from the last checkpoint, also after a crash.
 
 Examples:
