@@ -261,7 +261,7 @@ void describe(V& v, FractureSettings& f) {
           f.crack);
   v.field(Key{"relax", "",
               "Rings of tetrahedra around each fan in which stresses are computed again within the "
-              "step, so that the load of the crack passes to its tip at once; 0: none",
+              "step. The load of the crack then passes to its tip at once; 0: none",
               between(0, 1000)},
           f.relax);
   v.field(Key{"test", "",
