@@ -17,7 +17,7 @@ run. A line fails where it ends with another code than 0, or with another than i
 prints a warning. Words in capitals alone (SCENE) are refused: no line has a gap to fill. `sunder` is that of the build
 folder; scene.json, body.msh and mesh.msh are the reader's own, here the sample ball.
 
-A line whose comment says `ends with Ctrl-C` is started without a display, asked for the page whose
+A line of `sunder view`, or whose comment says `ends with Ctrl-C`, is started without a display, asked for the page whose
 address it prints and for the files that this page names, and ended by SIGINT. A line whose comment
 says `minute` has the label `long`, every other one `quick`.
 
@@ -127,7 +127,7 @@ def is_long(text):
 
 
 def is_interactive(text):
-    return "ends with Ctrl-C" in comment_of(text)
+    return "ends with Ctrl-C" in comment_of(text) or re.match(r"(?:\S*/)?(?:\$S|sunder) view ", text) is not None
 
 
 def gaps(text):
