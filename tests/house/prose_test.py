@@ -38,7 +38,7 @@ PATTERNS = (
     ("a commit", re.compile(r"(?<![\w#-])(?=[0-9a-f]*[a-f])(?=[0-9a-f]*\d)[0-9a-f]{7,40}(?![\w-])")),
     ("a number without its leading zero", re.compile(r"(?:^|[\s(|=<>~±-])\.\d")),
     ("`us` for µs", re.compile(r"\d\s?us\b|\(us\)")),
-    ("`a` for `per`", re.compile(r"\d[\w.,]*\s+[\w/^µ]+\s+an?\s+(?:step|sub-step|frame|tetrahedron|piece|fan|second|element"
+    ("`a` for `per`", re.compile(r"\d[\w.,]*\s+(?!in |for |of |at |as |to |by |or |is )[\w/^µ]+\s+an?\s+(?:step|sub-step|frame|tetrahedron|piece|fan|second|element"
                                  r"|node|split|face|cell|body|iteration|vertex|minute|run|call)\b")),
 )
 TEST_PATH = re.compile(r"\b[\w/]*_test\.(?:cpp|py)\b")
