@@ -210,7 +210,7 @@ void describe(V& v, BodySettings& b) {
           "Order of the tetrahedra. 1: linear displacement; 2: quadratic, with a node in the "
           "middle "
           "of each edge, for bodies that bend; needs contact by impulses. Left out: 2 for small "
-          "thin bodies of few layers (docs/lab/defaults.md), else 1",
+          "thin bodies of few layers (docs/howto/choose.md), else 1",
           between(1, 2)},
       b.order);
   v.field(Key{"rigid", "",
@@ -261,7 +261,7 @@ void describe(V& v, FractureSettings& f) {
           f.crack);
   v.field(Key{"relax", "",
               "Rings of tetrahedra around each fan in which stresses are computed again within the "
-              "step, so that the load of the crack passes to its tip at once; 0: none",
+              "step. The load of the crack then passes to its tip at once; 0: none",
               between(0, 1000)},
           f.relax);
   v.field(Key{"test", "",

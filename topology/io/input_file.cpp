@@ -71,14 +71,14 @@ Result<std::string> bytes_beside(const std::filesystem::path& folder, const std:
                    .text = fmt::format("{} is not in the folder of the mesh: nothing outside it is "
                                        "read",
                                        in_quotes(name)),
-                   .remedy = "put that file beside the mesh and name it without folders"};
+                   .remedy = "put that file next to the mesh and name it without folders"};
   }
   const std::filesystem::path packed = root / (name + ".gz");
   if (!std::filesystem::exists(path, unknown)) {
     if (!std::filesystem::exists(packed, unknown)) {
       return Finding{.code = "missing_file",
                      .text = fmt::format("there is no file {}", in_quotes(name)),
-                     .remedy = "put that file beside the mesh"};
+                     .remedy = "put that file next to the mesh"};
     }
     path = std::filesystem::weakly_canonical(packed, unknown);
     if (unknown || !is_below(path, root)) return cannot_open(packed, ENOENT);

@@ -31,8 +31,9 @@ struct Source {
   const char* in_archive;
   bool executable = false;
 };
-constexpr std::array<Source, 5> sources = {{
-    {"docs/judge_your_kernel.md", "README.md"},
+constexpr std::array<Source, 6> sources = {{
+    {"apps/bench/suite/export/README.md", "README.md"},
+    {"docs/reference/suite.md", "suite.md"},
     {"LICENSE", "LICENSE"},
     {"apps/bench/suite/export/judge.py", "judge.py", true},
     {"tests/topology/suite/adapters/minimal.py", "minimal.py", true},

@@ -30,7 +30,7 @@ def table():
 
 
 def main():
-    picture = sys.argv[1] if len(sys.argv) > 1 else TREE / "docs/lab/ensembles/fragmentation.png"
+    picture = sys.argv[1] if len(sys.argv) > 1 else TREE / "docs/images/three_modes.png"
     pyplot.rcParams.update({"font.size": 12.5, "axes.titlesize": 13.5})
     shown, panels = pyplot.subplots(1, 3, figsize=(12, 4.4))
     for axes, (title, column, factor, top) in zip(panels, PANELS):

@@ -73,7 +73,7 @@ def modes(program, folder, out):
                "0.25,-0.34,0.24", "--target", "0.004,0,0.088", "--fov", 29)
         pieces = json.loads((folder / mode / "report.json").read_text())["components"]
         pictures.append(labelled(folder / "one.png", f"{mode}: {words}, {pieces} pieces", 16))
-    lay_out(pictures, 3, out / "modes.png")
+    lay_out(pictures, 3, out / "three_modes_bunny.png")
 
 
 def struck(program, folder, out):

@@ -4,8 +4,8 @@
 
 Usage: foreign_files.py SUNDER FOLDER [--most N] [--seed K] [--seconds S] [--differences]
 
-FOLDER has one folder per project. Each file with an ending of a mesh is converted to VTK. A file is `read`, `reported`
-(read, and something is lost or left out), `refused` (exit code 3 with a message), or `broken` (a signal, a hang, or an
+FOLDER has one folder per project. Each file with an ending of a mesh is converted to VTU. A file is `read`, `reported`
+(read, and something is lost or left out), `refused` (a message and exit code 3, or 4 where no cell is left), or `broken` (a signal, a hang, or an
 answer of another kind). meshio and gmsh read it too, each in a process of its own. Two readers `agree` if they find the
 same number of cells of each kind and the same sum of their centres, up to rounding; vertex cells, which readers keep or
 leave out by taste, do not count. --most takes at most N files per project and ending, drawn by --seed.
@@ -81,7 +81,7 @@ def by_sunder(sunder, path, out, seconds):
     except ValueError:
         return "broken", f"exit code {done.returncode}, no JSON"
     words = "; ".join(f"{f['code']}: {f['text']}" for f in answer.get("findings", []) if f["severity"] != "remark")
-    if done.returncode == 3 and words:
+    if words and (done.returncode == 3 or (done.returncode == 4 and "nothing_left" in words)):
         return "refused", words
     if done.returncode != 0:
         return "broken", f"exit code {done.returncode}: {words}"
@@ -150,8 +150,9 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         scratch = pathlib.Path(name)
         for project, ending, path in files_of(options.folder, options.most, options.seed):
-            out = scratch / "out.vtk"
-            out.unlink(missing_ok=True)
+            out = scratch / "out.vtu"
+            for old in scratch.glob("out.*"):
+                old.unlink()
             state, words = by_sunder(options.sunder.resolve(), path, out, options.seconds)
             row = rows[project, ending]
             row.update(["files", state])
