@@ -51,6 +51,11 @@ def written(step):
     return f"{1e6 * step:.0f} µs" if step < 9e-4 else f"{1e3 * step:.0f} ms"
 
 
+def heading(method):
+    name, _, kind = method.replace(" .5", " 0.5").partition(", ")
+    return f"{textwrap.fill(name, 12)},\n{kind}" if kind else textwrap.fill(name, 12)
+
+
 def main():
     found, methods = read(sys.argv[1])
     rows = [(name, value) for name in found for value in sorted(found[name], reverse=True)]
@@ -71,7 +76,7 @@ def main():
             words = LETTERS[beyond] if not step else written(step) + (f" {LETTERS[beyond]}" if beyond else "")
             axes.text(column, y, words, ha="center", va="center", fontsize=8.5)
     axes.set_yticks(places, [ROWS[name][1](value) for name, value in rows])
-    axes.set_xticks(range(len(methods)), [textwrap.fill(m, 12) for m in methods])
+    axes.set_xticks(range(len(methods)), [heading(m) for m in methods])
     axes.xaxis.tick_top()
     axes.tick_params(length=0)
     axes.set_xlim(-0.5, len(methods) - 0.5)
