@@ -163,8 +163,8 @@ void add_step_command(CLI::App& bench, ExitCode& exit_code) {
 }
 
 constexpr const char* methods_footer = R"(
-Bodies: boxes of 414 and 6 120 tetrahedra in flight, turning and a little deformed, of 30 GPa at 1 ms
-and 1e7 Pa at 10 ms. One step is repeated from the same state: prediction and element stress, no
+Bodies: boxes of 414 and 6 120 tetrahedra in flight, turning and a little deformed. They have 30 GPa at
+a step of 1 ms, and 1e7 Pa at 10 ms. One step is repeated from the same state: prediction and element stress, no
 contact, no cracks. Every method that factors uses the same block factor, and reassembled makes it
 again every step. Iterations end at 1e-6 or are given up at 1 000, and the factor steps.
 

@@ -24,9 +24,8 @@ namespace {
 
 constexpr const char* formats_footer = R"(
 The body is a box of 6 N^3 tetrahedra with two regions and coordinates of 17 digits. Surfaces are
-those of its boundary. Times are medians over the runs, in milliseconds on the wall, of
-write_file_mesh and read_file_mesh. They are from memory to a whole file, not flushed to the disk, and
-back.
+those of its boundary. Times are medians over the runs, in milliseconds on the wall. Writing
+is write_file_mesh from memory to a whole file, not flushed to the disk. Reading is read_file_mesh.
 
 Exit codes: 0 done, 2 usage, 4 a file was not written or not read again.
 

@@ -43,7 +43,7 @@ def footer_faults(text):
             paragraph.append(line)
         if (not line or line.endswith(":")) and paragraph:
             whole = CODE.sub("`code`", " ".join(paragraph))
-            if not whole.startswith("Exit codes:"):
+            if not whole.startswith("Exit codes:"):  # a list
                 for sentence in prose_test.sentences(whole):
                     found += prose_test.sentence_faults(sentence)
             found += prose_test.word_faults(whole)
@@ -126,7 +126,7 @@ class ThisTest(unittest.TestCase):
         self.assertEqual(len(cell_faults(long)), 1)
         self.assertEqual(len(cell_faults("It tells it")), 1)
         self.assertEqual(cell_faults("Folder; default: out/ and the name"), [])
-        self.assertEqual(len(footer_faults(f"{long}.\nExit codes: {long}")), 1)
+        self.assertEqual(len(footer_faults(f"{long}.\n\nExit codes: {long}")), 1)
         self.assertEqual(len(footer_faults("All is well; nothing breaks.")), 1)
         self.assertEqual(len(footer_faults("Files:\n  a.csv  what somebody asked")), 1)
         self.assertEqual(footer_faults(f"Fine.\n\nExamples:\n  told {long}"), [])

@@ -13,11 +13,11 @@ Each block ```sh or ```cpp of the page stands after a comment:
 A block of another kind after <!-- file: PATH --> is written to that file, as a reader would. Blocks after `git clone`
 hold calls of ./bootstrap only; in_debootstrap.sh runs those. Of the others each line of sh is run by bash with the
 variables that lines before it set; a block of cpp is compiled against the installed libraries of the build folder, and
-run. A line fails where it ends with another code than 0, or with another than its comment names (`exit code 1`), or
+run. A line fails where it ends with another code than 0, or with another than its comment names (`ends with exit code 1`), or
 prints a warning. Words in capitals alone (SCENE) are refused: no line has a gap to fill. `sunder` is that of the build
 folder; scene.json, body.msh and mesh.msh are the reader's own, here the sample ball.
 
-A line whose comment says `ends with Ctrl-C` is started without a display, asked for the page whose
+A line of `sunder view`, or whose comment says `ends with Ctrl-C`, is started without a display, asked for the page whose
 address it prints and for the files that this page names, and ended by SIGINT. A line whose comment
 says `minute` has the label `long`, every other one `quick`.
 
@@ -49,7 +49,7 @@ import urllib.request
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
 SET_UPS = ("git clone", "./bootstrap run", "./bootstrap all")
 COMMENT = re.compile(r"^<!-- (after|not run|file): (.*) -->$")
-EXIT_CODE = re.compile(r"\bexit code (\d+)")
+EXIT_CODE = re.compile(r"\bends with exit code (\d+)")
 ASSIGNMENT = re.compile(r"^[A-Za-z_]\w*=\S*\s*(#.*)?$")
 BOOTSTRAP = re.compile(r"^\./bootstrap( [a-z]+)+\s*(#.*)?$")
 WARNING = re.compile(r"^\W*warning:|: warning:|^CMake [\w ]*Warning")  # sunder, compiler, CMake
@@ -127,7 +127,7 @@ def is_long(text):
 
 
 def is_interactive(text):
-    return "ends with Ctrl-C" in comment_of(text)
+    return "ends with Ctrl-C" in comment_of(text) or re.match(r"(?:\S*/)?(?:\$S|sunder) view ", text) is not None
 
 
 def gaps(text):
@@ -162,12 +162,14 @@ def shorten_scenes(folder):
         path.write_text(shorter(path.read_text(encoding="utf-8")), encoding="utf-8")
 
 
-def write_own_files(scratch):
+def write_own_files(scratch, quick):
     """The reader's own scene and meshes."""
     scene = json.loads((scratch / "meshes/scenes/ball.json").read_text(encoding="utf-8"))
     scene["name"] = "scene"
     scene["bodies"][0]["mesh"] = "body.msh"
     scene.pop("$schema", None)
+    if quick:
+        scene["duration"] = 4.2e-3  # a step of 1/240 s fits in
     (scratch / "scene.json").write_text(json.dumps(scene))
     for name in ("body.msh", "mesh.msh"):
         shutil.copyfile(scratch / "meshes/ball.msh", scratch / name)
@@ -186,7 +188,7 @@ def make_scratch(scratch, build, quick):
     shutil.copytree(PROJECT / "meshes", scratch / "meshes")
     if quick:
         shorten_scenes(scratch / "meshes/scenes")
-    write_own_files(scratch)
+    write_own_files(scratch, quick)
     (scratch / "out").mkdir()
     if (PROJECT / "out/bunny").is_dir():
         shutil.copytree(PROJECT / "out/bunny", scratch / "out/bunny")

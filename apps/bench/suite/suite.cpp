@@ -51,8 +51,9 @@ explains. Below a mismatch the program prints the first wrong number and the sma
 steps with one. --junit writes the same as JUnit XML, a testsuite per kernel: failure is a wrong
 answer, error a kernel lost, skipped a known difference.
 
---export judges nothing. It packs an archive that needs nothing of Sunder: the fixtures with every
-step and answer, a judge in plain Python, a kernel to start from, and a page of instructions.
+--export judges nothing. It packs an archive that needs nothing of Sunder. The archive holds the
+fixtures with every step and answer, a judge in plain Python, a kernel to start from, and a page of
+instructions.
 
 With --random no fixture is run. Bodies of a dozen families, and those of --mesh, are torn apart at
 random: by fans, faces, planes, breaks by labels and glues. Every answer is compared with union-find
