@@ -33,6 +33,8 @@ OTHER_PAGES = {"README.md": "project/readme.md", "CONTRIBUTING.md": "project/con
                "SECURITY.md": "project/security.md", "THIRD_PARTY.md": "project/third_party.md",
                "CHANGELOG.md": "project/changelog.md", "meshes/README.md": "project/meshes.md",
                "meshes/scenes/README.md": "project/scenes.md", "meshes/suite/README.md": "project/suite.md",
+               "tests/README.md": "project/tests.md", "tests/mutants/README.md": "project/mutants.md",
+               "tests/experiments/io/README.md": "project/conversions.md",
                "tests/topology/io/data/README.md": "project/mesh_file_data.md"}
 SECTIONS = (("Start", ""), ("Tutorials", "tutorial/"), ("How-to guides", "howto/"), ("Reference", "reference/"),
             ("Explanation", "explanation/"), ("API", "api/"), ("Project", "project/"), ("Lab notebook", "lab/"))
