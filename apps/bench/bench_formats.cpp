@@ -15,9 +15,9 @@
 #include "apps/scene/json_text.hpp"
 #include "apps/scene/words.hpp"
 #include "apps/sunder/telling.hpp"
+#include "topology/io/files/printing.hpp"
 #include "topology/io/format_traits.hpp"
 #include "topology/io/mesh_file.hpp"
-#include "topology/io/printing.hpp"
 
 namespace sunder {
 namespace {

@@ -135,7 +135,7 @@ constexpr OutputColumn report_list[] = {
     {"energy.residual_over_energy_moved", "",
      "Sum of the sizes of the residuals of all steps over the sum of the sizes of all terms.",
      has_ledger},
-    {"cracks.measured", "", "Fans that have opened, and whose energy is known."},
+    {"cracks.measured", "", "Fans that have opened, with known energy."},
     {"cracks.area", "m^2", "Area of their faces."},
     {"cracks.projected_area", "m^2", "Area of their faces, projected on their planes."},
     {"cracks.energy", "J", "Energy that the bodies lost as they opened."},

@@ -25,8 +25,8 @@
 #include "apps/scene/words.hpp"
 #include "topology/base/limits.hpp"
 #include "topology/base/split_text.hpp"
-#include "topology/io/output_file.hpp"
-#include "topology/io/printing.hpp"
+#include "topology/io/files/output_file.hpp"
+#include "topology/io/files/printing.hpp"
 
 namespace sunder {
 namespace {

@@ -138,8 +138,8 @@ void describe(V& v, CutSettings& c) {
           "Cuts the faces in this text file, relative to the scene file: three rows of the mesh's "
           "points per line, counted from 0 (as `sunder split --faces`)"},
       FaceList{}, c.faces);
-  v.field(Key{"box", "", "Where given, only faces whose three vertices lie in it"}, c.box);
-  v.field(Key{"ball", "", "Where given, only faces whose three vertices lie in it"}, c.ball);
+  v.field(Key{"box", "", "Where given, only faces with all three vertices in it"}, c.box);
+  v.field(Key{"ball", "", "Where given, only faces with all three vertices in it"}, c.ball);
 }
 
 template <class V>
@@ -179,7 +179,7 @@ template <class V>
 void describe(V& v, UnbreakablePart& u) {
   v.alternative(Key{"region", "", "Name or number of a region; its vertices never split"},
                 RegionName{}, u.where);
-  v.alternative(Key{"box", "", "Box whose vertices never split"}, RestBox{}, u.where);
+  v.alternative(Key{"box", "", "Box of vertices that never split"}, RestBox{}, u.where);
 }
 
 template <class V>
@@ -199,12 +199,13 @@ void describe(V& v, BodySettings& b) {
           b.rotation);
   v.field(Key{"velocity", "m/s", "Velocity of the mass centre at the start"}, b.velocity);
   v.field(Key{"spin", "rad/s", "Angular velocity about the mass centre at the start"}, b.spin);
-  v.field(Key{"held", "", "Boxes whose vertices are fixed, or moved at a given velocity"}, b.held);
+  v.field(Key{"held", "", "Boxes of vertices that are fixed, or moved at a given velocity"},
+          b.held);
   v.field(Key{"loads", "", "Boxes in which pressure or force acts on the body"}, b.loads);
   v.field(Key{"cuts", "", "Cracks that exist from the start, closed and without load"}, b.cuts);
   v.field(Key{"strength", "", "Strengths other than the material's (docs/explanation/cracks.md)"},
           b.strength);
-  v.field(Key{"unbreakable", "", "Parts whose vertices never split"}, b.unbreakable);
+  v.field(Key{"unbreakable", "", "Parts that never break"}, b.unbreakable);
   v.field(
       Key{"order", "",
           "Order of the tetrahedra. 1: linear displacement; 2: quadratic, with a node in the "

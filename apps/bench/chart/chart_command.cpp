@@ -13,9 +13,9 @@
 #include "apps/scene/words.hpp"
 #include "apps/sunder/gnuplot.hpp"
 #include "apps/sunder/telling.hpp"
+#include "topology/io/files/output_file.hpp"
+#include "topology/io/files/printing.hpp"
 #include "topology/io/mesh_file.hpp"
-#include "topology/io/output_file.hpp"
-#include "topology/io/printing.hpp"
 
 namespace sunder {
 namespace {
@@ -194,8 +194,7 @@ void add_grid_options(CLI::App& command, ChartArguments& a) {
 
 void add_options(CLI::App& command, ChartArguments& a) {
   command.add_option("SCENE", a.scene, "Scene file (JSON)")->required();
-  command
-      .add_option("--quantity", a.quantity, "Quantity whose error is charted; default: position")
+  command.add_option("--quantity", a.quantity, "Quantity of the charted error; default: position")
       ->type_name("NAME");
   command.add_option("-o,--out", a.folder, "Folder; default: out/chart_ and the scene's name")
       ->type_name("DIR");

@@ -18,8 +18,8 @@
 #include "apps/scene/json_text.hpp"
 #include "apps/scene/words.hpp"
 #include "apps/sunder/telling.hpp"
-#include "topology/io/output_file.hpp"
-#include "topology/io/printing.hpp"
+#include "topology/io/files/output_file.hpp"
+#include "topology/io/files/printing.hpp"
 #include "topology/suite/judge/judge.hpp"
 
 namespace sunder {
@@ -251,7 +251,7 @@ std::string check_archive_name(const std::string& name) {
 void add_suite_command(CLI::App& program, ExitCode& exit_code) {
   const auto arguments = std::make_shared<SuiteArguments>();
   CLI::App* command =
-      program.add_subcommand("suite", "Judge topology kernels by bodies whose answers are known");
+      program.add_subcommand("suite", "Judge topology kernels by bodies with known answers");
   CLI::Option* const filter =
       command->add_option("FILTER", arguments->filter, "Run the fixtures with this in their name");
   CLI::Option* const fixtures =

@@ -15,8 +15,8 @@
 #include "apps/bench/suite/tar.hpp"
 #include "apps/scene/words.hpp"
 #include "apps/sunder/telling.hpp"
-#include "topology/io/output_file.hpp"
-#include "topology/io/printing.hpp"
+#include "topology/io/files/output_file.hpp"
+#include "topology/io/files/printing.hpp"
 #include "topology/suite/fixtures/fixture_json_write.hpp"
 #include "topology/suite/judge/judge_truth.hpp"
 

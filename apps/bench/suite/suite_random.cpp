@@ -12,8 +12,8 @@
 
 #include "apps/scene/json_text.hpp"
 #include "apps/scene/words.hpp"
+#include "topology/io/files/printing.hpp"
 #include "topology/io/mesh_file.hpp"
-#include "topology/io/printing.hpp"
 #include "topology/mesh/check.hpp"
 #include "topology/suite/random/random_run.hpp"
 #include "topology/suite/random/random_run_numbers.hpp"

@@ -17,8 +17,8 @@
 #if defined(SUNDER_HAS_VIEW)
 #include "apps/sunder/view/view.hpp"
 #endif
-#include "topology/io/output_file.hpp"
-#include "topology/io/printing.hpp"
+#include "topology/io/files/output_file.hpp"
+#include "topology/io/files/printing.hpp"
 
 namespace sunder {
 namespace {

@@ -17,10 +17,10 @@
 #include "apps/sunder/mesh/convert_crack.hpp"
 #include "apps/sunder/mesh/formats_table.hpp"
 #include "apps/sunder/telling.hpp"
+#include "topology/io/files/output_file.hpp"
+#include "topology/io/files/printing.hpp"
 #include "topology/io/format_traits.hpp"
 #include "topology/io/mesh_file.hpp"
-#include "topology/io/output_file.hpp"
-#include "topology/io/printing.hpp"
 #include "topology/mesh/kinds/move_cells.hpp"
 #include "topology/mesh/kinds/second_order.hpp"
 #include "topology/mesh/kinds/split_cells.hpp"
@@ -403,7 +403,7 @@ void add_convert_command(CLI::App& program, ExitCode& exit_code) {
         print("{}", formats_table());
         throw CLI::Success();
       },
-      "Print what each format can hold, as a table, and end");
+      "Print the contents that each format can hold, as a table, and end");
   command->footer(convert_footer);
   command->callback([=, &exit_code] { exit_code = run_convert(*arguments); });
 }

@@ -11,9 +11,9 @@
 #include <string>
 
 #include "topology/base/split_text.hpp"
+#include "topology/io/files/output_file.hpp"
 #include "topology/io/format_traits.hpp"
 #include "topology/io/mesh_file.hpp"
-#include "topology/io/output_file.hpp"
 #include "topology/kernel/map_mesh.hpp"
 
 namespace sunder {

@@ -149,7 +149,7 @@ nlohmann::ordered_json columns_json() {
 }  // namespace
 
 void add_run_command(CLI::App& program, ExitCode& exit_code) {
-  CLI::App* command = program.add_subcommand("run", "Simulate a scene whose bodies break");
+  CLI::App* command = program.add_subcommand("run", "Simulate a scene of bodies that break");
   const auto arguments = std::make_shared<RunArguments>();
   const auto shortcuts = std::make_shared<std::vector<std::string>>();
   const auto schema = std::make_shared<bool>(false), columns = std::make_shared<bool>(false);

@@ -19,8 +19,8 @@
 #include "apps/sunder/program.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "fracture/simulation/statics/statics.hpp"
+#include "topology/io/files/printing.hpp"
 #include "topology/io/mesh_file.hpp"
-#include "topology/io/printing.hpp"
 
 namespace sunder {
 namespace {

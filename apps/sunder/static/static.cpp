@@ -20,7 +20,7 @@
 #include "apps/sunder/static/static_fan.hpp"
 #include "fracture/simulation/statics/statics.hpp"
 #include "mechanics/rebuild.hpp"
-#include "topology/io/printing.hpp"
+#include "topology/io/files/printing.hpp"
 
 namespace sunder {
 namespace {

@@ -20,7 +20,7 @@
 #include "apps/sunder/view/open_page.hpp"
 #include "apps/sunder/view/view_requests.hpp"
 #include "apps/sunder/view/view_server.hpp"
-#include "topology/io/printing.hpp"
+#include "topology/io/files/printing.hpp"
 
 namespace sunder {
 namespace {

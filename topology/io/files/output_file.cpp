@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Writing beside and renaming, with every system error said.
-#include "topology/io/output_file.hpp"
+#include "topology/io/files/output_file.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -12,7 +12,7 @@
 #include <string>
 #include <system_error>
 
-#include "topology/io/gzip.hpp"
+#include "topology/io/files/gzip.hpp"
 
 namespace sunder {
 namespace {

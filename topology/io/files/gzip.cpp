@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Packing and unpacking gzip through zlib, member by member.
-#include "topology/io/gzip.hpp"
+#include "topology/io/files/gzip.hpp"
 
 #include <fmt/format.h>
 #include <zlib.h>

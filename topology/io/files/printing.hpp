@@ -24,6 +24,13 @@ std::string plain_lines(std::string_view text);
 /// on; they can only stand in its strings.
 std::string json_escaped(std::string_view json);
 
+/// A value of nlohmann's JSON as text, in lines where `indent` is not negative. Bytes that are not
+/// UTF-8, such as a file's name may have, become U+FFFD; control characters are escaped.
+template <class Json>
+std::string json_text(const Json& json, int indent = 2) {
+  return json_escaped(json.dump(indent, ' ', false, Json::error_handler_t::replace));
+}
+
 /// Writes bytes as they are, colours of our own for example, or JSON. Never throws: what a stream
 /// does not take is lost, and `output_was_lost` reports it of standard output.
 void write_text(std::FILE* stream, std::string_view text) noexcept;

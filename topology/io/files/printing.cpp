@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Escaping and writing of text for people.
-#include "topology/io/printing.hpp"
+#include "topology/io/files/printing.hpp"
 
 #include <algorithm>
 #include <atomic>

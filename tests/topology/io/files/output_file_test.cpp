@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "tests/support/io_support.hpp"
-#include "topology/io/output_file.hpp"
+#include "topology/io/files/output_file.hpp"
 
 using namespace sunder;
 using namespace sunder::test;

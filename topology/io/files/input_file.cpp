@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reading whole files, and no file outside the folder of the mesh.
-#include "topology/io/input_file.hpp"
+#include "topology/io/files/input_file.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include <system_error>
 
 #include "topology/base/limits.hpp"
-#include "topology/io/gzip.hpp"
+#include "topology/io/files/gzip.hpp"
 #include "topology/io/text/scan.hpp"
 
 namespace sunder::io {

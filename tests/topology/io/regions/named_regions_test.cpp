@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Regions that a format knows by words: the words, the numbers they get, the list beside.
-#include "topology/io/named_regions.hpp"
+#include "topology/io/regions/named_regions.hpp"
 
 #include <catch2/catch.hpp>
 #include <random>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The list of names beside a mesh: text that a person can write too.
-#include "topology/io/region_names.hpp"
+#include "topology/io/regions/region_names.hpp"
 
 #include <fmt/format.h>
 
 #include <iterator>
 
-#include "topology/io/output_file.hpp"
-#include "topology/io/text/scan.hpp"
+#include "topology/io/files/output_file.hpp"
 #include "topology/io/tetgen/tetgen.hpp"
+#include "topology/io/text/scan.hpp"
 
 namespace sunder::io {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Words for regions, and regions for words.
-#include "topology/io/named_regions.hpp"
+#include "topology/io/regions/named_regions.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Text for people moves no terminal, and streams that take nothing end no program.
-#include "topology/io/printing.hpp"
+#include "topology/io/files/printing.hpp"
 
 #include <catch2/catch.hpp>
 #include <cstdio>

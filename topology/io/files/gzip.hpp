@@ -16,7 +16,8 @@ bool is_gzip(std::string_view bytes);
 /// unpacked size.
 std::string unpacked(std::string_view bytes);
 
-/// The parts as one member of a gzip file, without name or time: the same bytes whenever it is made.
+/// The parts as one member of a gzip file, without name or time: the same bytes whenever it is
+/// made.
 std::string packed(std::span<const std::string_view> parts);
 
 }  // namespace sunder::io
