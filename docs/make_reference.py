@@ -94,7 +94,7 @@ class Help:
 
 
 def option_cells(names, text):
-    """An option's names and its text; what excludes or needs it joins the text."""
+    """An option's names and its text. The options that exclude it or that it needs join the text."""
     extra = []
     for word in ("Excludes", "Needs"):
         if match := re.search(rf"\s{word}: ((?:-\S+|[A-Z]+)(?: (?:-\S+|[A-Z]+))*)", names):
@@ -107,6 +107,10 @@ def option_cells(names, text):
     names = names.replace("FLOAT x 3", "X,Y,Z").replace("UINT=[1280,720] x 2", "WIDTH,HEIGHT=1280,720")
     names = re.sub(r" (?:UINT|INT)\b", " N", names).replace(" FLOAT", " X")
     return code_cell(names), cell(" ".join([text + ("." if text and text[-1] not in ".!?" else ""), *extra]))
+
+
+def page(title, lines):
+    return "\n".join([f"# {title}", "", MARK, "", *lines]).rstrip("\n") + "\n"
 
 
 def table(head, rows):
@@ -137,18 +141,17 @@ def command_section(sunder, words, level):
 
 def commands_page(sunder):
     program = Help(run(sunder, "--help"))
-    lines = ["# Commands", "", MARK, "",
-             "This page lets you look up every command of `sunder` with its options, units and exit codes.",
+    lines = ["This page lets you look up every command of `sunder` with its options, units and exit codes.",
              "`sunder COMMAND --help` prints the same text.", ""]
     groups = [(heading, rows) for heading, rows in program.groups if heading not in ("Options", "Positionals")]
     lines += ["The commands by purpose:", ""]
     rows = [(heading, f"[`{names}`](#{names})", cell(text) + ".") for heading, rows in groups for names, text in rows]
-    lines += table(("group", "command", "what it does"), rows) + [""]
-    lines += [linked(program.footer.replace("`sunder COMMAND --help` lists", "`sunder COMMAND --help` lists")), ""]
+    lines += table(("group", "command", "purpose"), rows) + [""]
+    lines += [linked(program.footer), ""]
     for _, rows in groups:
         for name, _ in rows:
             lines += command_section(sunder, [name], 2)
-    return "\n".join(lines).rstrip("\n") + "\n"
+    return page("Commands", lines)
 
 
 # scene.md
@@ -258,8 +261,7 @@ SMALLEST_SCENE = """{
 
 def scene_page(sunder):
     schema = json.loads(run(sunder, "run", "--schema"))
-    lines = ["# Scene files", "", MARK, "",
-             "This page lets you look up every key of a scene file with its type, unit, default and meaning.",
+    lines = ["This page lets you look up every key of a scene file with its type, unit, default and meaning.",
              "A scene is a JSON file in SI units. `sunder run --schema` prints the same keys as a JSON schema, with which "
              "an editor completes and checks them.", "",
              "A default of *chosen* means that the program chooses the value by `accuracy`, from mesh, material and speeds.",
@@ -270,15 +272,14 @@ def scene_page(sunder):
              "```json", SMALLEST_SCENE, "```", ""]
     schema = {**schema, "description": ""}
     scene_section(schema, "", lines)
-    return "\n".join(lines).rstrip("\n") + "\n"
+    return page("Scene files", lines)
 
 
 # output.md
 
 def output_page(sunder):
     files = json.loads(run(sunder, "run", "--columns"))
-    lines = ["# Files of a run", "", MARK, "",
-             "This page lets you look up every file that `sunder run` writes, with each column and key.",
+    lines = ["This page lets you look up every file that `sunder run` writes, with each column and key.",
              "`sunder run --columns` prints the same list as JSON. Units are SI, and a column without a unit is a number, "
              "a word or a ratio.", "",
              "All values except wall times are the same bytes on every run of the same scene, with any number of threads.",
@@ -302,16 +303,12 @@ def output_page(sunder):
         if one["part"]:
             lines += [f"### {one['file']}: {one['part']}", ""]
         lines += [cell(one["meaning"]), ""]
-        whens = {column["when"] for column in one["columns"]}
-        if whens == {""}:
-            lines += table(("name", "unit", "meaning"), [(code_cell(c["name"]), c["unit"], cell(c["meaning"]))
-                                                          for c in one["columns"]])
-        else:
-            lines += table(("name", "unit", "meaning", "present if"),
-                           [(code_cell(c["name"]), c["unit"], cell(c["meaning"]), cell(c["when"] or "always"))
-                            for c in one["columns"]])
+        head = ("name", "unit", "meaning", "present if")
+        rows = [(code_cell(c["name"]), c["unit"], cell(c["meaning"]), cell(c["when"] or "always")) for c in one["columns"]]
+        width = 4 if any(c["when"] for c in one["columns"]) else 3
+        lines += table(head[:width], [row[:width] for row in rows])
         lines += [""]
-    return "\n".join(lines).rstrip("\n") + "\n"
+    return page("Files of a run", lines)
 
 
 PAGES = {"commands.md": commands_page, "scene.md": scene_page, "output.md": output_page}

@@ -16,7 +16,7 @@ source_suffix = {".md": "markdown"}
 myst_enable_extensions = ["dollarmath", "colon_fence"]
 myst_heading_anchors = 4
 myst_dmath_allow_digits = False  # 5$ and $x are no formulas
-suppress_warnings = ["myst.header"]  # pages whose headings skip a level
+suppress_warnings = ["myst.header"]  # headings that skip a level
 
 # Formulas are drawn by KaTeX from the site's own files.
 mathjax_path = "render_math.js"

@@ -96,7 +96,7 @@ class Pages:
             target = self.target(page, match[2], in_html=True)
             return f'{match[1]}="{target}"' if target else match[0]
 
-        # Code is put aside, for links that stand in code and for links whose words have code.
+        # Code is put aside, for links in code and for code in links.
         aside = []
 
         def put_aside(code):
@@ -131,12 +131,12 @@ class Pages:
 
 
 def doors():
-    """The public headers and what each is about."""
+    """The public headers, each with its subject."""
     text = (PROJECT / "apps/library/doors.cmake").read_text(encoding="utf-8")
     return re.findall(r'^door\((\w+) "([^"]+)"', text, re.MULTILINE)
 
 
-# What Sphinx 5 takes for an error in a header, and what stands there instead.
+# Code in headers that Sphinx 5 takes for an error, and its replacement.
 FOR_SPHINX = (
     # The same namespace on several pages; each page names it.
     (r"^(?:namespace sunder \{|\}  // namespace sunder)$", ""),
@@ -150,7 +150,7 @@ FOR_SPHINX = (
 
 
 def for_sphinx(header):
-    """A header without what Sphinx cannot read."""
+    """A header without the code that Sphinx cannot read."""
     for pattern, text in FOR_SPHINX:
         header = re.sub(pattern, text, header, flags=re.MULTILINE | re.DOTALL)
     return header
@@ -226,7 +226,7 @@ class Links(html.parser.HTMLParser):
 
 
 def broken_links(html_folder):
-    """Links of the site to files and anchors that are not there. What is below live/ is not ours."""
+    """Links of the site to files and anchors that are not there. Files below live/ are not ours."""
     pages = {path: Links(path.read_text(encoding="utf-8")) for path in html_folder.rglob("*.html")
              if "live" not in path.relative_to(html_folder).parts[:-1]}
     wrong = []
@@ -245,7 +245,7 @@ def broken_links(html_folder):
 
 
 def build(out, page):
-    """Builds the site; returns what is wrong."""
+    """Builds the site; returns the faults."""
     source, extra, result = out / "source", out / "extra", out / "html"
     for folder in (source, extra, out / "static"):
         shutil.rmtree(folder, ignore_errors=True)

@@ -34,12 +34,13 @@ SCENES = {
                            {"sphere": {"center": [0, -0.36, 1], "radius": 0.2}, "velocity": [0, 10, 0], "mass": 80}],
              "time_step": 1e-3, "duration": 0.03, "output": {"frames": 3}},
 }
-SHARED = {"when": "the run continues another with `--from`"}
+# Keys of runs that this test does not make.
+OF_OTHER_RUNS = "the run continues another with `--from`"
 
 
 def nested(value, listed, prefix=""):
-    """Keys of a value in the way of the list: dots, [] for elements; a listed key ends the search, and the names of
-    what it holds come as `key/name`."""
+    """Keys of a value in the way of the list: dots, [] for elements; a listed key ends the search, and the names in
+    its value come as `key/name`."""
     found = set()
     for key, inner in value.items():
         name = f"{prefix}{key}"
@@ -117,7 +118,7 @@ class Columns(unittest.TestCase):
         self.assertEqual(set().union(*plain) - set(columns), set(), f"{key}: written and not listed")
         seen = set().union(*plain)
         for name, column in columns.items():
-            if column["when"] != SHARED["when"]:
+            if column["when"] != OF_OTHER_RUNS:
                 self.assertIn(name, seen, f"{key}: listed and never written")
             # Keys of lists are missing where a list is empty.
             if not column["when"] and "[]" not in name:

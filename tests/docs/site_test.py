@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What make_site.py does with links and headers; needs none of the site's packages.
+"""Links and headers as make_site.py treats them; needs none of the site's packages.
 
     python3 site_test.py
 """

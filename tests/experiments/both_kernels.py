@@ -63,7 +63,7 @@ def cases(program, work, quick):
 
 
 def plot(table, path):
-    """What CGAL's darts take, over what rows alone take: a bar per case of half a second or more."""
+    """The cost of CGAL's darts over that of rows alone: a bar per case of half a second or more."""
     import matplotlib
 
     matplotlib.use("Agg")
@@ -96,7 +96,7 @@ def main():
     words.add_argument("--csv", type=pathlib.Path)
     words.add_argument("--plot", type=pathlib.Path)
     said = words.parse_args()
-    if not said.program:  # draws what an earlier run has measured
+    if not said.program:  # draws the figures of an earlier run
         plot(said.csv, said.plot)
         return 0
     differing, rows = 0, []

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Draws what `plates CASE --csv FILE` wrote: the crack by the time at which it opened, and what is published.
+"""Draws the table of `plates CASE --csv FILE`: the crack by the time at which it opened, and the published place.
 
     tests/experiments/plates.py FILE.csv PICTURE.png
 
@@ -75,7 +75,7 @@ def lines(faces, **style):
 
 
 def published(axes, case, plate):
-    """What publications have: a sector of directions, or where the branching plate forks."""
+    """The published results: a sector of directions, or where the branching plate forks."""
     _, angles, length = CASES[case]
     if angles:
         rim = [math.radians(angles[0] + k / 20 * (angles[1] - angles[0])) for k in range(21)]

@@ -49,7 +49,7 @@ def statements(page):
 
 
 def figures(page, samples):
-    """Figures of samples in a page: (line, sample, number, unit), without those whose sentence links to the owner."""
+    """Figures of samples in a page: (line, sample, number, unit), without sentences that link to the owner."""
     named = re.compile(rf"\b({'|'.join(sorted(samples))})(?:\.json)?\b")
     for line, text in statements(page):
         sample = named.search(text)

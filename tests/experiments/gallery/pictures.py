@@ -20,7 +20,7 @@ TREE = pathlib.Path(__file__).resolve().parents[3]
 FONTS = pathlib.Path("/usr/share/fonts/truetype/dejavu")
 sys.path.insert(0, str(TREE / "tests/experiments/bending"))
 
-MODES = {  # what the label adds to the name of a mode, then settings
+MODES = {  # mode: words of its label, settings
     "paper": ("dust along each crack", []),
     "object": ("few large pieces", ["output.crack_surface=smooth"]),
     "cohesive": ("cracks take energy", ["output.crack_surface=smooth", "bodies.0.material.fracture_energy=11"]),
@@ -98,7 +98,7 @@ def struck(program, folder, out):
 
 
 def check(program, folder, out):
-    """What `sunder check` prints of the faulty mesh of the tutorial, as a terminal of 100 columns shows it."""
+    """The answer of `sunder check` about the faulty mesh of the tutorial, as a terminal of 100 columns shows it."""
     (folder / "faulty.mesh").write_text(
         "MeshVersionFormatted 2\nDimension 3\nVertices 7\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n1.00000001 0 0 0\n"
         "1 1 1 0\n5 5 5 0\nTetrahedra 3\n1 2 3 4 1\n5 3 4 6 1\n1 3 2 4 1\nEnd\n")

@@ -61,7 +61,7 @@ def files_of(folder, most, seed):
 
 
 def measured(path):
-    """What meshio finds in a file, as MEASURE prints it; None if it cannot read it."""
+    """The cells that meshio finds in a file, as MEASURE prints them; None if it cannot read it."""
     done = subprocess.run(["/usr/bin/python3", "-c", MEASURE, path], capture_output=True, text=True, timeout=120)
     try:
         return json.loads(done.stdout.splitlines()[-1]) if done.returncode == 0 else None
@@ -88,25 +88,26 @@ def by_sunder(sunder, path, out, seconds):
     return ("read" if answer["lossless"] else "reported"), words
 
 
-def by_meshio(path, scratch):
-    plain = path
+def with_known_ending(path, scratch):
+    """The file, unpacked, with an ending by which meshio and gmsh recognise a Nastran deck."""
     if path.suffix == ".gz":
         plain = scratch / path.stem
         with plain.open("wb") as file:
             subprocess.run(["gzip", "-dc", path], stdout=file, check=False)
-    elif path.suffix == ".dat":
-        plain = scratch / (path.stem + ".bdf")
-        shutil.copy(path, plain)
-    return measured(plain)
+        return plain
+    if path.suffix.lower() == ".dat":
+        return pathlib.Path(shutil.copy(path, scratch / (path.stem + ".bdf")))
+    return path
+
+
+def by_meshio(path, scratch):
+    return measured(with_known_ending(path, scratch))
 
 
 def by_gmsh(path, scratch):
-    plain, out = path, scratch / "gmsh.msh"
+    out = scratch / "gmsh.msh"
     out.unlink(missing_ok=True)
-    if path.suffix == ".dat":
-        plain = scratch / (path.stem + ".bdf")
-        shutil.copy(path, plain)
-    subprocess.run(["gmsh", plain, "-save", "-save_all", "-format", "msh22", "-o", out, "-v", "0"],
+    subprocess.run(["gmsh", with_known_ending(path, scratch), "-save", "-save_all", "-format", "msh22", "-o", out, "-v", "0"],
                    capture_output=True, timeout=120, check=False)
     return measured(out) if out.exists() else None
 

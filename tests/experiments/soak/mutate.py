@@ -74,7 +74,7 @@ def base_scene(name):
 
 
 def run(program, scene, folder, timeout=60):
-    """The exit code, or words of how it did not end; what it printed."""
+    """The exit code, or the reason why it did not end, and its standard error."""
     file = folder / "scene.json"
     file.write_text(json.dumps(scene))
     with open(folder / "err", "w+b") as err:
