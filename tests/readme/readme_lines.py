@@ -273,7 +273,7 @@ def run_program(block, build, scratch, compiler):
     return run_line(
         ["{",
          "cmake --install {build} --component library --prefix {prefix}".format(**quoted),
-         "cmake -S {host} -B {host}/built -DCMAKE_PREFIX_PATH={prefix} -DCMAKE_BUILD_TYPE=Release "
+         "cmake -S {host} -B {host}/built -G Ninja -DCMAKE_PREFIX_PATH={prefix} -DCMAKE_BUILD_TYPE=Release "
          "-DCMAKE_CXX_COMPILER={compiler}".format(**quoted),
          "cmake --build {host}/built".format(**quoted), "} 2>&1"],
         "{host}/built/host".format(**quoted), scratch)
