@@ -27,6 +27,9 @@ constexpr double of_sub_step = 2.4e-6, growth = 0.15;
 constexpr double of_passes = 1500;
 /// Blows that break most bodies have this stress rho c v over the strength.
 constexpr double breaks_most = 1.3;
+/// Wave travels through a held body until it is quiet after a blow. The pieces of free bodies go on
+/// meeting each other.
+constexpr double ringing = 50;
 
 /// A body as its bounding box, which neither turns nor rebounds.
 struct MovingBody {
@@ -35,6 +38,7 @@ struct MovingBody {
   double mass = never;
   /// s: its first contact, its first contact with another body, the first blow that may break it.
   double touched = never, piled = never, broken = never;
+  double quiet = 0;  ///< s: when it no longer rings from the last such blow
 };
 
 struct MovingObstacle {
@@ -144,9 +148,11 @@ class BoxWorld {
     const BodySettings& settings = scene_.bodies[b];
     if (settings.rigid || scene_.fracture.mode == FractureMode::off) return;
     const double stress = settings.material.density * measures_[b].wave_speed * speed;
-    if (stress > breaks_most * measures_[b].strength) {
-      bodies_[b].broken = std::min(bodies_[b].broken, time);
-    }
+    if (!(stress > breaks_most * measures_[b].strength)) return;
+    MovingBody& body = bodies_[b];
+    body.broken = std::min(body.broken, time);
+    const double rings = ringing * measures_[b].extent / measures_[b].wave_speed;
+    body.quiet = body.mass != never ? never : std::max(body.quiet, time + rings);
   }
 
   Eigen::AlignedBox3d box_of(std::size_t b) const {
@@ -208,16 +214,19 @@ class Forecast {
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
       const double pressed = pressed_time(scene.bodies[b], measures_[b]);
       bodies_[b].broken = std::min(bodies_[b].broken, pressed);
+      if (pressed < never) bodies_[b].quiet = never;
       bodies_[b].touched = std::min(bodies_[b].touched, pressed);
     }
   }
 
   ExpectedTime phases() const {
-    double broken = never;
+    double broken = never, quiet = 0;
     std::vector<double> changes = {0};
     for (const MovingBody& body : bodies_) {
       broken = std::min(broken, body.broken);
-      for (const double t : {body.touched, body.touched + time_to_sleep(), body.broken}) {
+      quiet = std::max(quiet, body.quiet);
+      for (const double t :
+           {body.touched, body.touched + time_to_sleep(), body.broken, body.quiet}) {
         if (t < scene_.duration) changes.push_back(t);
       }
     }
@@ -225,7 +234,8 @@ class Forecast {
     changes.erase(std::ranges::unique(changes).begin(), changes.end());
     ExpectedTime expected;
     expected.phases.clear();
-    for (const double t : changes) expected.phases.push_back({t, rate(t, t >= broken)});
+    for (const double t : changes)
+      expected.phases.push_back({t, rate(t, t >= broken && t < quiet)});
     return expected;
   }
 

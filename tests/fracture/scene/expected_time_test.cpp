@@ -75,6 +75,24 @@ TEST_CASE("a fall is expected to end where the floor is, whatever it falls on",
   CHECK(expected_time(scene).phases.size() == 1);
 }
 
+TEST_CASE("a held body is expected to ring out after a blow that nothing repeats",
+          "[fracture][expected]") {
+  Scene scene = falling(0, 0);
+  scene.bodies[0].held = {{.minimum = Vec3::Constant(-1), .maximum = {1, 1, 0.01}}};
+  Obstacle ball{.shape = Sphere{.center = {0.05, -0.3, 0.05}, .radius = 0.05},
+                .velocity = {0, 10, 0}};
+  ball.mass = 1;
+  scene.obstacles = {ball};
+  const ExpectedTime struck = expected_time(scene);
+  // The ball arrives after 25 ms.
+  CHECK(struck.between(0.02, 0.03) > 20 * struck.between(0.03, 0.04));
+  CHECK(struck.between(0.03, 0.04) == Approx(struck.between(0.9, 0.91)));
+  // One that is driven goes on through the body for 10 ms.
+  scene.obstacles[0].mass.reset();
+  const ExpectedTime driven = expected_time(scene);
+  CHECK(driven.between(0.03, 0.035) > 20 * struck.between(0.03, 0.035));
+}
+
 TEST_CASE("a blow above the strength is expected to take sub-steps to the end",
           "[fracture][expected]") {
   Scene scene = falling(0.1, 5);

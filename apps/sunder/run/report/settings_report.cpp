@@ -67,7 +67,8 @@ std::string time_words(double seconds) {
     const double tens = value < 10 ? 1 : std::pow(10, std::floor(std::log10(value)) - 1);
     return fmt::format("about {:.0f} {}", std::max(1.0, std::round(value / tens) * tens), unit);
   };
-  if (seconds < 1) return "less than a second";
+  // Shorter estimates are worth no number: start and files take as long.
+  if (seconds < 3) return "at most a few seconds";
   if (seconds < 2 * minute) return about(seconds, "s");
   if (seconds < 2 * hour) return about(seconds / minute, "min");
   return about(seconds / hour, "h");

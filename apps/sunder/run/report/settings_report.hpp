@@ -18,7 +18,7 @@ nlohmann::ordered_json settings_json(const SceneFile& file, const ExpectedTime& 
 /// The same as text, one line each: printed by `sunder run --verbose` before its first step.
 std::string settings_lines(const SceneFile& file, const ExpectedTime& time);
 
-/// The expected time of a run in words: "about 40 s", "about 3 min", "less than a second".
+/// The expected time of a run in words: "about 40 s", "about 3 min", "at most a few seconds".
 std::string time_words(double seconds);
 
 }  // namespace sunder
