@@ -47,7 +47,7 @@ enum class PlaneSide { negative, on, positive };
 /// The centre of a tetrahedron as seen from a point of the plane.
 struct CentreOffset {
   Point away;            ///< m, from the point to the centre
-  double tolerance = 0;  ///< m, largest distance of a plane through the centre
+  double tolerance = 0;  ///< m; a plane nearer to the centre than this contains it
 };
 
 /// `corners`: rest positions of a tetrahedron, m. The tolerance is 1e-6 of the tetrahedron's radius
