@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tetrahedra divided at the middles of their edges: what every operation that changes cells is made of.
+// Division of tetrahedra at the middles of their edges, the basis of all operations on cells.
 #pragma once
 
 #include <array>
