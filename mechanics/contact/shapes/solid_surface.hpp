@@ -36,7 +36,8 @@ struct SolidSurface {
   /// Normal of the edge from corner k to the next: the mean of its two triangles, not of unit
   /// length.
   std::vector<std::array<Vec3, 3>> edge_normal;
-  /// Other ends of the edges at each point (`ring`), and where those of each point start.
+  /// Other ends of the edges at each point (`ring`), and the start of each point's part of that
+  /// list.
   std::vector<std::uint32_t> ring_first, ring;
 
   /// A tree of boxes of triangles. The two children of a node are consecutive.
