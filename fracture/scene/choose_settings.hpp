@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Settings that choose themselves: those of contact and impacts that follow from mesh, material and
-// speeds once a user has said how exact a run should be.
+// Settings of contact and impacts that follow from mesh, material, speeds and the accuracy of a run.
 #pragma once
 
 #include <span>

@@ -123,7 +123,7 @@ class DartMap {
   void remove_tetrahedron(TetId t);
   void add_tetrahedron(TetId t, const std::array<VertexAttributeDescriptor, 4>& corners);
   void rename(CornerId c, VertexAttributeDescriptor to);
-  /// Needs: v is not retired.
+  /// Requires: v is not retired.
   VertexAttributeDescriptor attribute_of(VertexId v) const;
 
   DartComplex complex_;
