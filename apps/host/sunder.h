@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* A simulation for hosts in any language: plain C, one opaque handle, structs that carry their
-   size. The page (docs/howto/embed.md) is one such host, through WebAssembly and through a server. */
+   size. The page (docs/howto/embed.md) is one such host, through WebAssembly and through a server.
+ */
 #pragma once
 
 #include <stddef.h>
@@ -10,8 +11,9 @@
 extern "C" {
 #endif
 
-/** Version of this interface. It rises when a function or the meaning of a field changes. Fields added
-    at the end of a struct do not raise it, because `size` shows which fields the caller knows. */
+/** Version of this interface. It rises when a function or the meaning of a field changes. Fields
+   added at the end of a struct do not raise it, because `size` shows which fields the caller knows.
+ */
 #define SUNDER_ABI 1
 
 /** A scene with its state and the actions on it. One thread at a time may use it. */
@@ -66,10 +68,10 @@ typedef struct sunder_report {
 /** Columns of the state. Rows of vertices, tetrahedra and pieces are never renumbered, and a split
     appends rows. Former pieces have no faces. */
 typedef enum sunder_column {
-  SUNDER_POSITION = 0,     /**< float 3 per vertex: present position, m */
-  SUNDER_REST = 1,         /**< float 3 per vertex: position in the body's mesh, m */
-  SUNDER_PIECE = 2,        /**< uint32 per vertex: row of its piece */
-  SUNDER_FACE = 3,         /**< uint32 3 per boundary face: vertices, counterclockwise from outside */
+  SUNDER_POSITION = 0, /**< float 3 per vertex: present position, m */
+  SUNDER_REST = 1,     /**< float 3 per vertex: position in the body's mesh, m */
+  SUNDER_PIECE = 2,    /**< uint32 per vertex: row of its piece */
+  SUNDER_FACE = 3,     /**< uint32 3 per boundary face: vertices, counterclockwise from outside */
   SUNDER_FACE_IS_CRACK = 4, /**< uint32 per boundary face: 1 for a face of a crack or cut */
   /** float 8 per piece: drawn pose (section 3.3 of the paper) as centre, m, 0, and rotation as a
       quaternion x, y, z, w. A vertex is drawn at centre + R (rest - rest centre). */
@@ -85,8 +87,8 @@ typedef enum sunder_column {
       radius (4), half extents (3), rotation x, y, z, w (4), velocity, m/s (3), mass, kg, or 0.
       The corners of a mesh are at centre + rotation * corner (SUNDER_SOLID). */
   SUNDER_OBSTACLE = 13,
-  SUNDER_HALF_FACE = 14, /**< uint32 per boundary face: 4 times its tetrahedron, plus its place */
-  SUNDER_PARENT = 15, /**< uint32 per piece: the piece that it came off; 0xffffffff: none */
+  SUNDER_HALF_FACE = 14,  /**< uint32 per boundary face: 4 times its tetrahedron, plus its place */
+  SUNDER_PARENT = 15,     /**< uint32 per piece: the piece that it came off; 0xffffffff: none */
   SUNDER_TETRAHEDRA = 16, /**< uint32 per piece: number of tetrahedra */
   SUNDER_VELOCITY = 17,   /**< float 3 per piece: velocity of its mass centre, m/s */
   /** float 3 per vertex: as SUNDER_REST, with points on cracks moved near the crack's plane (the
@@ -120,8 +122,8 @@ typedef struct sunder_span {
 } sunder_span;
 
 typedef enum sunder_action_kind {
-  SUNDER_SHOOT = 0,  /**< a free ball from `point` with `vector` m/s, `radius`, `mass` */
-  SUNDER_PULL = 1,   /**< a spring from `vertex` to `point`, until SUNDER_RELEASE */
+  SUNDER_SHOOT = 0,   /**< a free ball from `point` with `vector` m/s, `radius`, `mass` */
+  SUNDER_PULL = 1,    /**< a spring from `vertex` to `point`, until SUNDER_RELEASE */
   SUNDER_RELEASE = 2, /**< the spring ends */
   SUNDER_CUT = 3 /**< parts all pieces by the plane through `point` with the normal `vector`, along
                       faces of the mesh */
@@ -180,7 +182,8 @@ int sunder_read(sunder_engine* engine, uint32_t column, sunder_span* span);
 /** Gives the state of one vertex. Returns 0, or 1 if there is no such vertex. */
 int sunder_inspect(sunder_engine* engine, uint32_t vertex, sunder_vertex* result);
 
-/** Carries out an action. Returns 0, or 1 if that is impossible, and sunder_error has the reason. */
+/** Carries out an action. Returns 0, or 1 if that is impossible, and sunder_error has the reason.
+ */
 int sunder_act(sunder_engine* engine, const sunder_action* action);
 
 /** Gives the whole simulation as bytes (docs/lab/saved_state.md), without the spring of a pull. The

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The 3-map of a body: dense rows and, on request CGAL's darts kept equal to them.
+// The 3-map of a body: dense rows and, on request, CGAL's darts kept equal to them.
 // CGAL stays behind a pointer.
 #pragma once
 
