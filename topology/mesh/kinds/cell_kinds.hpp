@@ -123,14 +123,16 @@ constexpr CellKind held_kind(KindSet set, CellKind kind) {
   }
 }
 
+/// Corners of a face.
+using FaceCorners = std::array<std::uint8_t, 4>;
 /// Corners of the faces of a volume cell of first order; empty for other kinds. The normals point
 /// outward if the volume is positive. A face of three corners repeats the last one.
-using FaceCorners = std::array<std::uint8_t, 4>;
 std::span<const FaceCorners> faces_of(CellKind linear);
 
+/// Corners of an edge.
+using EdgeCorners = std::array<std::uint8_t, 2>;
 /// Corners at the ends of the edges of a kind of first order; empty for vertices and polygons. The
 /// order is that of the midpoints in the kind of second order.
-using EdgeCorners = std::array<std::uint8_t, 2>;
 std::span<const EdgeCorners> edges_of(CellKind linear);
 
 /// The kind with one more node in the middle of each edge; `kind` itself for vertices, polygons and
