@@ -2,13 +2,14 @@
 # SPDX-License-Identifier: MIT
 """Writes the generated reference pages from the program: commands.md, scene.md and output.md.
 
-    docs/make_reference.py SUNDER [--check] [--pages docs/reference]
+    docs/make_reference.py SUNDER [--mesh SUNDER_MESH] [--check] [--pages docs/reference]
 
 SUNDER: the built program, with sunder-bench next to it. commands.md comes from --help of every command, scene.md from
 `sunder run --schema`, output.md from `sunder run --columns`.
+--mesh: the built sunder-mesh, the last section of commands.md. Left out: that section stays as the page has it.
 --check: writes nothing, compares the pages with those that would be written.
 
-Exit codes: 0 done, 1 a page differs, 2 usage or the program cannot be run.
+Exit codes: 0 done, 1 a page differs, 2 usage or the program cannot be run, 77 the rest is done and sunder-mesh is not built.
 """
 
 import argparse
@@ -67,13 +68,18 @@ class Help:
         while place < len(lines):
             line = lines[place]
             place += 1
-            if re.fullmatch(r"\S[^:]*:", line) and lines[place].startswith("  ") and any(lines[place - 3:place - 1]):
+            if line != "Examples:" and re.fullmatch(r"\S[^:]*:", line) and lines[place].startswith("  ") \
+                    and any(lines[place - 3:place - 1]):
                 self.groups.append((line[:-1], []))
             elif self.groups and line.startswith("  ") and line.strip():
                 overflows = place < len(lines) and lines[place].startswith(" " * 30)
                 self.add_row(line, overflows)
             elif line.startswith("[Option Group"):
-                self.groups.append((line.strip("[]").removeprefix("Option Group: "), []))
+                heading = line.strip("[]").removeprefix("Option Group: ")
+                if lines[place].strip() and not lines[place].strip().startswith(("[", "Options:", "Positionals:")):
+                    heading = lines[place].strip()
+                    place += 1
+                self.groups.append((heading, []))
             elif line.strip() and not line.startswith(" "):
                 self.footer = "\n".join(lines[place - 1:]).strip("\n")
                 break
@@ -83,7 +89,7 @@ class Help:
         rows = self.groups[-1][1]
         indent = len(line) - len(line.lstrip())
         text_column = 28 + indent
-        if line.strip() == "Options:" or line.strip().startswith("[Exactly"):
+        if line.strip() in ("Options:", "Positionals:") or line.strip().startswith("[Exactly"):
             return
         if indent >= 30:
             rows[-1] = (rows[-1][0], line.strip())
@@ -101,6 +107,11 @@ def option_cells(names, text):
             others = " ".join(f"`{name}`" for name in match[1].split())
             extra.append(f"{'Not together with' if word == 'Excludes' else 'Needs'} {others}.")
             names = names.replace(match[0], "")
+    if match := re.search(r" ENUM:\{(.*?)\}", names):
+        values = [value.partition("->")[0] for value in match[1].split(",")]
+        extra.append("One of " + ", ".join(f"`{value}`" for value in values) + ".")
+        names = names.replace(match[0], " WORD")
+    names = names.replace("{false}", "")
     names = re.sub(r":(?:POSITIVE|NONNEGATIVE|\{[^}]*\}|(?:INT|UINT|FLOAT) in \[[^]]*\]|\(.*\)|[\d|]+:\{.*\})",
                    "", names)
     names = names.replace(" REQUIRED", "").replace(" TEXT", "").replace("-o,--", "-o, --")
@@ -118,9 +129,9 @@ def table(head, rows):
     return lines + ["| " + " | ".join(row) + " |" for row in rows]
 
 
-def command_section(sunder, words, level):
-    shown = Help(run(sunder, *words, "--help"))
-    lines = [f"{'#' * level} {' '.join(words)}", "", linked(shown.summary) + ".", "", "```text", shown.usage, "```", ""]
+def help_section(shown, name, level):
+    """A section for a help text, and the names of its subcommands."""
+    lines = [f"{'#' * level} {name}", "", linked(shown.summary) + ".", "", "```text", shown.usage, "```", ""]
     nested = []
     for heading, rows in shown.groups:
         if heading == "Subcommands":
@@ -134,12 +145,27 @@ def command_section(sunder, words, level):
         lines += [intro, "", *table((kind, "meaning"), cells), ""]
     if shown.footer:
         lines += ["```text", shown.footer, "```", ""]
+    return lines, nested
+
+
+def command_section(sunder, words, level):
+    lines, nested = help_section(Help(run(sunder, *words, "--help")), " ".join(words), level)
     for name in nested:
         lines += command_section(sunder, [*words, name], level + 1)
     return lines
 
 
-def commands_page(sunder):
+def mesh_section(mesh, old):
+    """The section of sunder-mesh, a program of its own. Where it is not built, as the page has it."""
+    if not mesh or not mesh.is_file():
+        _, heading, section = old.partition("\n## sunder-mesh\n")
+        return (heading + section).strip("\n").splitlines()
+    lines, _ = help_section(Help(run(mesh.resolve(), "--help")), "sunder-mesh", 2)
+    return lines[:4] + ["It is a program of its own: `cmake --build build/release --target sunder-mesh` builds "
+                        "`build/release/apps/sunder-mesh/sunder-mesh`.", ""] + lines[4:]
+
+
+def commands_page(sunder, mesh, old):
     program = Help(run(sunder, "--help"))
     lines = ["This page lets you look up every command of `sunder` with its options, units and exit codes.",
              "`sunder COMMAND --help` prints the same text.", ""]
@@ -151,7 +177,7 @@ def commands_page(sunder):
     for _, rows in groups:
         for name, _ in rows:
             lines += command_section(sunder, [name], 2)
-    return page("Commands", lines)
+    return page("Commands", lines + mesh_section(mesh, old))
 
 
 # scene.md
@@ -312,11 +338,13 @@ def output_page(sunder):
 
 
 PAGES = {"commands.md": commands_page, "scene.md": scene_page, "output.md": output_page}
+SKIPPED = 77
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("sunder", type=pathlib.Path)
+    parser.add_argument("--mesh", type=pathlib.Path)
     parser.add_argument("--check", action="store_true")
     parser.add_argument("--pages", type=pathlib.Path, default=PROJECT / "docs/reference")
     arguments = parser.parse_args()
@@ -325,16 +353,22 @@ def main():
         return 2
     fine = True
     for name, make in PAGES.items():
-        path, text = arguments.pages / name, make(arguments.sunder.resolve())
+        path = arguments.pages / name
+        old = path.read_text(encoding="utf-8") if path.is_file() else ""
+        more = (arguments.mesh, old) if make is commands_page else ()
+        text = make(arguments.sunder.resolve(), *more)
         if not arguments.check:
             path.write_text(text, encoding="utf-8")
             continue
-        old = path.read_text(encoding="utf-8") if path.is_file() else ""
         if old != text:
             fine = False
             print("".join(line + "\n" for line in list(difflib.unified_diff(
                 old.splitlines(), text.splitlines(), f"docs/reference/{name}", "by the program", "", "", 1, ""))[:40]))
-            print(f"docs/reference/{name} differs: run docs/make_reference.py build/release/sunder", file=sys.stderr)
+            print(f"docs/reference/{name} differs: run docs/make_reference.py build/release/sunder "
+                  "--mesh build/release/apps/sunder-mesh/sunder-mesh", file=sys.stderr)
+    if fine and arguments.mesh and not arguments.mesh.is_file():
+        print(f"skipped: {arguments.mesh} is not built, the section sunder-mesh of commands.md is not compared", file=sys.stderr)
+        return SKIPPED
     return 0 if fine else 1
 
 

@@ -18,11 +18,11 @@ struct Curve {
 };
 
 constexpr auto operations = std::to_array<Curve>({
-    {"managed_unsew", "CGAL managed unsew<3>, a face", 7, false},
-    {"split_first", "split face, intact body", 6, false},
-    {"split_components", "split face + components, to total shatter", 2, false},
-    {"build", "build with findings, a tetrahedron", 8, true},
-    {"quiet_total", "a fan that parts nothing, with components", 4, false},
+    {"managed_unsew", "CGAL managed unsew<3>, per face", 7, false},
+    {"split_first", "split, intact body, per face", 6, false},
+    {"split_components", "split and search, to total shatter, per face", 2, false},
+    {"build", "build with findings, per tetrahedron", 8, true},
+    {"quiet_total", "split and search without a new component, per fan", 4, false},
 });
 constexpr auto searches = std::to_array<Curve>({
     {"search_kept_us_walk", "full walk, nothing new", 7, false},
@@ -58,12 +58,11 @@ std::string plot_script(const KernelBench& bench) {
   std::string script =
       "set terminal pngcairo size 1500,720 font 'DejaVu Sans,13'\n"
       "set logscale xy\nset format x '10^{%T}'\nset format y '%g'\nset grid\n"
-      "set xlabel 'tetrahedra (cubes)' offset 0,0.4\nset ylabel 'microseconds'\nset xrange "
-      "[200:800000]\n"
-      "set key below maxcols 2 spacing 1.1 font ',11' samplen 2\n";
+      "set xlabel 'tetrahedra (cubes)'\nset ylabel 'time, µs'\nset xrange [200:800000]\n"
+      "set bmargin 9.5\nset key below maxcols 2 spacing 1.1 font ',11' samplen 2\n";
   script += fmt::format("set multiplot layout 1,2 title '{}'\n", bench.machine);
   add_panel(script, bench, "Operations", operations);
-  add_panel(script, bench, "Search for components, a fan (mean)", searches);
+  add_panel(script, bench, "Search for components, per fan (mean)", searches);
   return script + "unset multiplot\n";
 }
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* A scene in motion for hosts in any language: plain C, one opaque handle, structs that say their
-   size. The page (docs/howto/embed.md) is one such host, through WebAssembly and through a server. */
+/* A simulation for hosts in any language: plain C, one opaque handle, structs that carry their
+   size. The page (docs/howto/embed.md) is one such host, through WebAssembly and through a server.
+ */
 #pragma once
 
 #include <stddef.h>
@@ -10,14 +11,15 @@
 extern "C" {
 #endif
 
-/** Raised when a function or the meaning of a field changes; fields that are added at the end of a
-    struct do not raise it: `size` tells which fields the caller knows. */
+/** Version of this interface. It rises when a function or the meaning of a field changes. Fields
+   added at the end of a struct do not raise it, because `size` shows which fields the caller knows.
+ */
 #define SUNDER_ABI 1
 
-/** A scene, its state, and what was done to it from outside. Not for two threads at once. */
+/** A scene with its state and the actions on it. One thread at a time may use it. */
 typedef struct sunder_engine sunder_engine;
 
-/** A file in memory, under the name by which the scene calls it ("../bar.msh"). */
+/** A file in memory, under the name that the scene uses for it ("../bar.msh"). */
 typedef struct sunder_file {
   const char* name;
   const void* bytes;
@@ -28,19 +30,19 @@ typedef struct sunder_file {
 typedef struct sunder_scene {
   uint32_t size; /**< sizeof(sunder_scene) */
   uint32_t file_count;
-  const char* text; /**< JSON, as docs/reference/scene.md has it */
+  const char* text; /**< JSON (docs/reference/scene.md) */
   size_t text_size;
   const char* name; /**< of the scene's file, for messages */
   const sunder_file* files;
-  const char* const* settings; /**< each "dotted.path=value", applied on the text first */
+  const char* const* settings; /**< each "dotted.path=value", applied before reading */
   uint32_t setting_count;
 } sunder_scene;
 
-/** What one step did, and where the simulation is after it. */
+/** Report of one step, and the state of the simulation after it. */
 typedef struct sunder_report {
   uint32_t size;    /**< sizeof(sunder_report), set by the caller */
-  uint32_t outcome; /**< 0: go on; 1: the simulation failed (sunder_error says how) */
-  uint64_t step;    /**< taken since the start */
+  uint32_t outcome; /**< 0: fine; 1: the simulation failed (sunder_error has the reason) */
+  uint64_t step;    /**< number of steps since the start */
   double time;      /**< s, since the start */
   double time_step; /**< s */
   double duration;  /**< s, of the scene */
@@ -49,86 +51,85 @@ typedef struct sunder_report {
   uint32_t pieces;
   uint32_t new_pieces;
   uint32_t fans;       /**< of this step */
-  uint32_t parts;      /**< of the step; above 1 where something was struck */
-  uint32_t shape;      /**< raised whenever faces, vertices or pieces are others than before */
+  uint32_t parts;      /**< parts of the step; above 1 after an impact */
+  uint32_t shape;      /**< rises with every change of faces, vertices or pieces */
   uint32_t contacts;   /**< with an impulse */
   uint64_t fans_total; /**< since the start */
-  uint64_t tested;     /**< vertices: table 3 of the paper, */
-  uint64_t suspects;   /**< those that Gershgorin's bound let through, */
-  uint64_t reached;    /**< and those that reach their threshold */
-  uint64_t predicted;  /**< faces after which the oracle predicts new pieces: table 4, */
-  uint64_t created;    /**< and pieces that fans made */
+  uint64_t tested;     /**< vertices tested (table 3 of the paper) */
+  uint64_t suspects;   /**< vertices over Gershgorin's bound */
+  uint64_t reached;    /**< vertices that reach their threshold */
+  uint64_t predicted;  /**< faces with a piece predicted by the oracle (table 4) */
+  uint64_t created;    /**< pieces that fans made */
   double kinetic;      /**< J, change over the step */
   double strain;       /**< J, change over the step */
-  double cracks;       /**< J, taken by ties */
+  double cracks;       /**< J, work on ties over the step */
 } sunder_report;
 
-/** Columns of the state. Rows of vertices, tetrahedra and pieces are never renumbered; a split
-    appends rows. Pieces that are no more have no faces. */
+/** Columns of the state. Rows of vertices, tetrahedra and pieces are never renumbered, and a split
+    appends rows. Former pieces have no faces. */
 typedef enum sunder_column {
-  SUNDER_POSITION = 0,     /**< float 3, a vertex: where it is, m */
-  SUNDER_REST = 1,         /**< float 3, a vertex: in its body's mesh, m */
-  SUNDER_PIECE = 2,        /**< uint32, a vertex */
-  SUNDER_FACE = 3,         /**< uint32 3, a boundary face: vertices, counterclockwise from outside */
-  SUNDER_FACE_IS_CRACK = 4, /**< uint32, a boundary face: 1 where a crack or a cut made it */
-  /** float 8, a piece: the pose at which it is drawn (section 3.3), its centre, m, 0, its rotation
-      as a quaternion x, y, z, w. A vertex is drawn at centre + R (rest - rest centre). */
+  SUNDER_POSITION = 0, /**< float 3 per vertex: present position, m */
+  SUNDER_REST = 1,     /**< float 3 per vertex: position in the body's mesh, m */
+  SUNDER_PIECE = 2,    /**< uint32 per vertex: row of its piece */
+  SUNDER_FACE = 3,     /**< uint32 3 per boundary face: vertices, counterclockwise from outside */
+  SUNDER_FACE_IS_CRACK = 4, /**< uint32 per boundary face: 1 for a face of a crack or cut */
+  /** float 8 per piece: drawn pose (section 3.3 of the paper) as centre, m, 0, and rotation as a
+      quaternion x, y, z, w. A vertex is drawn at centre + R (rest - rest centre). */
   SUNDER_DRAWN_POSE = 5,
-  SUNDER_POSE = 6,        /**< float 8, a piece: the same of its rigid reference */
-  SUNDER_REST_CENTRE = 7, /**< float 4, a piece: m, and its mass, kg */
-  SUNDER_STRESS = 8,      /**< float, a vertex: largest principal stress, Pa */
-  SUNDER_LOAD_RATIO = 9,  /**< float, a vertex: that over its threshold */
-  SUNDER_SPEED = 10,      /**< float, a vertex: m/s */
-  SUNDER_BIRTH = 11,      /**< uint32, a piece: the step in which it came off; 0: the start */
-  SUNDER_BODY = 12,       /**< uint32, a piece: row of its body */
-  /** double 16, an obstacle: kind (0 plane, 1 ball, 2 box, 3 mesh), normal and offset or centre and
-      radius (4), half extents (3), rotation x, y, z, w (4), velocity (3), mass or 0. Of a mesh its
-      corners are at centre + rotation * corner (SUNDER_SOLID). */
+  SUNDER_POSE = 6,        /**< float 8 per piece: the same for its rigid reference */
+  SUNDER_REST_CENTRE = 7, /**< float 4 per piece: rest centre, m, and mass, kg */
+  SUNDER_STRESS = 8,      /**< float per vertex: largest principal stress, Pa */
+  SUNDER_LOAD_RATIO = 9,  /**< float per vertex: that stress over its threshold */
+  SUNDER_SPEED = 10,      /**< float per vertex: speed, m/s */
+  SUNDER_BIRTH = 11,      /**< uint32 per piece: step in which it came off; 0: the start */
+  SUNDER_BODY = 12,       /**< uint32 per piece: row of its body */
+  /** double 16 per obstacle: kind (0 plane, 1 ball, 2 box, 3 mesh), normal and offset or centre and
+      radius (4), half extents (3), rotation x, y, z, w (4), velocity, m/s (3), mass, kg, or 0.
+      The corners of a mesh are at centre + rotation * corner (SUNDER_SOLID). */
   SUNDER_OBSTACLE = 13,
-  SUNDER_HALF_FACE = 14, /**< uint32, a boundary face: 4 times its tetrahedron, plus its place */
-  SUNDER_PARENT = 15, /**< uint32, a piece: the one it came off; 0xffffffff: there at the start */
-  SUNDER_TETRAHEDRA = 16, /**< uint32, a piece: how many it has */
-  SUNDER_VELOCITY = 17,   /**< float 3, a piece: of its mass centre, m/s */
-  /** float 3, a vertex: as SUNDER_REST, with the points on cracks near the planes of those (the
-      scene's output.crack_surface: smooth); as SUNDER_REST where cracks have no planes. */
+  SUNDER_HALF_FACE = 14,  /**< uint32 per boundary face: 4 times its tetrahedron, plus its place */
+  SUNDER_PARENT = 15,     /**< uint32 per piece: the piece that it came off; 0xffffffff: none */
+  SUNDER_TETRAHEDRA = 16, /**< uint32 per piece: number of tetrahedra */
+  SUNDER_VELOCITY = 17,   /**< float 3 per piece: velocity of its mass centre, m/s */
+  /** float 3 per vertex: as SUNDER_REST, with points on cracks moved near the crack's plane (the
+      scene's output.crack_surface: smooth). Without planes it equals SUNDER_REST. m. */
   SUNDER_SMOOTH = 18,
-  SUNDER_SOLID = 19, /**< float 10, a triangle of a mesh: row of its obstacle, its corners, m */
-  /** float 8, a contact with an impulse, among resting rubble none: its place, m, the length of the
-      part of the step that it had the impulse in, s, the impulse on the vertex, ball or corner
-      there, N s, 0. */
+  SUNDER_SOLID = 19, /**< float 10 per triangle of a mesh: row of its obstacle, its corners, m */
+  /** float 8 per contact with an impulse, without resting rubble: place, m; duration of the part of
+      the step with the impulse, s; impulse on the vertex, ball or corner there, N s; 0. */
   SUNDER_CONTACT = 20,
-  /** uint32 2, an edge of a crack front, where a crack ends inside a body: its vertices. */
+  /** uint32 2 per edge of a crack front, where a crack ends inside a body: its vertices. */
   SUNDER_CRACK_FRONT = 21,
-  /** double 16, a fan of the last step, in order, and before them the cuts by hand since the step
-      before: number from 0 since the start (-1: a cut), time, s, the vertex that broke, how many
-      faces, after how many of them the oracle predicted a piece, pieces made, the first of them or
-      -1, stress and threshold, Pa, normal of the plane and rest position, m, both rest frame (6),
+  /** double 16 per fan of the last step, in order, after the cuts by hand since the previous step:
+      number from 0 since the start (-1: a cut); time, s; vertex that broke; number of faces; number
+      of faces with a piece predicted by the oracle; pieces made; the first of these or -1; stress
+      and threshold, Pa; normal of the plane, and rest position, m, both in the rest frame (6);
       tetrahedra visited. Empty after sunder_restore until the next step. */
   SUNDER_FAN = 22,
-  /** uint32 12, a face of those fans in order: the half-face passed and the one opposite, rows of
-      its vertices before, in the order of darts (3), the new rows of those that came apart or
-      0xffffffff (3), bit i: the edge from vertex i to the next came apart; 1 where the oracle says
-      that a piece may have come off, row of SUNDER_FAN, 0. All but the first 0xffffffff or 0 where
-      another fan had split the face already. */
+  /** uint32 12 per face of those fans, in order: the half-face of the call and the opposite one;
+      rows of its vertices before the split, in the order of darts (3); new rows of vertices that
+      split, or 0xffffffff (3); bits of split edges, bit i for the edge from vertex i to the next;
+      1 if the oracle predicts a piece; row of SUNDER_FAN; 0. For a face that another fan had split,
+      all but the first are 0xffffffff or 0. */
   SUNDER_FAN_FACE = 23,
   SUNDER_COLUMNS = 24
 } sunder_column;
 
-/** Bytes that belong to the engine: valid until its next call. */
+/** Bytes of the engine, valid until its next call. */
 typedef struct sunder_span {
   const void* bytes;
   size_t size;
 } sunder_span;
 
 typedef enum sunder_action_kind {
-  SUNDER_SHOOT = 0,  /**< a free ball from `point` with `vector` m/s, `radius`, `mass` */
-  SUNDER_PULL = 1,   /**< a spring from `vertex` to `point`, until it is released */
+  SUNDER_SHOOT = 0,   /**< a free ball from `point` with `vector` m/s, `radius`, `mass` */
+  SUNDER_PULL = 1,    /**< a spring from `vertex` to `point`, until SUNDER_RELEASE */
   SUNDER_RELEASE = 2, /**< the spring ends */
   SUNDER_CUT = 3 /**< parts all pieces by the plane through `point` with the normal `vector`, along
                       faces of the mesh */
 } sunder_action_kind;
 
-/** Something done to the scene from outside, between two steps. World coordinates, SI units. */
+/** An action on the scene between two steps. World coordinates, SI units. */
 typedef struct sunder_action {
   uint32_t size; /**< sizeof(sunder_action) */
   uint32_t kind;
@@ -145,53 +146,56 @@ typedef struct sunder_vertex {
   uint32_t size; /**< sizeof(sunder_vertex), set by the caller */
   uint32_t piece;
   uint32_t tetrahedra; /**< of its star */
-  uint32_t fan;        /**< faces that would part on the plane of its largest stress */
+  uint32_t fan;        /**< faces that would split on the plane of its largest stress */
   double stress[6];    /**< Pa, frame of its piece: xx, yy, zz, xy, yz, xz */
-  double principal[3]; /**< Pa, falling */
-  double direction[9]; /**< of each of them, unit length, world */
+  double principal[3]; /**< Pa, largest first */
+  double direction[9]; /**< direction of each, unit length, world */
   double threshold;    /**< Pa; infinite where it cannot break */
   double gershgorin;   /**< Pa, the bound of eq. 7 */
   double position[3];  /**< m */
   double speed;        /**< m/s */
 } sunder_vertex;
 
-/* No function throws. Where memory runs out it says 1 or null and sunder_error "out of memory"; out of a
-   step or an action that ran out nothing comes any more but that: destroy the engine. */
+/* No function throws. Without memory a function returns 1 or null, and sunder_error returns "out of
+   memory". After that in a step or an action every call fails in this way: destroy the engine. */
 
 /** SUNDER_ABI of the library. */
 uint32_t sunder_abi(void);
 
-/** A scene at its start; null where it has errors, which sunder_error(null) then tells. */
+/** Creates an engine with a scene at its start. Returns null for a scene with errors, and
+    sunder_error(null) returns them. */
 sunder_engine* sunder_create(const sunder_scene* scene);
 
+/** Ends an engine and frees its memory. Null is allowed. */
 void sunder_destroy(sunder_engine* engine);
 
-/** One step of the scene's length. 0, or 1 where the simulation has failed, now or before: its
-    state may be looked at and not be advanced. `report` may be null. */
+/** Takes one step of the scene's length. Returns 0, or 1 if the simulation has failed in this or an
+    earlier step. Its state can then be read, and not advanced. `report` may be null. */
 int sunder_step(sunder_engine* engine, sunder_report* report);
 
-/** The report of the last step, or of the start. */
+/** Gives the report of the last step, or of the start. */
 void sunder_last_report(const sunder_engine* engine, sunder_report* report);
 
-/** One column as it is now; its bytes are those of rows one after the other. 0, or 1 for a column
-    that is not known. */
+/** Gives the present bytes of one column, row after row. Returns 0, or 1 for an unknown column. */
 int sunder_read(sunder_engine* engine, uint32_t column, sunder_span* span);
 
-/** One vertex. 0, or 1 where there is no such vertex. */
+/** Gives the state of one vertex. Returns 0, or 1 if there is no such vertex. */
 int sunder_inspect(sunder_engine* engine, uint32_t vertex, sunder_vertex* result);
 
-/** Does what `action` says. 0, or 1 where it cannot be done, which sunder_error then tells. */
+/** Carries out an action. Returns 0, or 1 if that is impossible, and sunder_error has the reason.
+ */
 int sunder_act(sunder_engine* engine, const sunder_action* action);
 
-/** The whole simulation as bytes (docs/lab/saved_state.md); a spring that pulls is not among them. None
-    (null) where memory ran out. */
+/** Gives the whole simulation as bytes (docs/lab/saved_state.md), without the spring of a pull. The
+    bytes are null if memory ran out. */
 void sunder_save(sunder_engine* engine, sunder_span* span);
 
-/** A simulation from such bytes; null where they are none, which sunder_error(null) then tells. */
+/** Creates an engine from such bytes. Returns null for other bytes, and sunder_error(null) has the
+    reason. */
 sunder_engine* sunder_restore(const void* bytes, size_t size);
 
-/** What was wrong last, a line each, UTF-8; empty when nothing was. Of create and restore: null.
-    Warnings about a scene are told after a successful create. */
+/** Returns the last errors, one per line, UTF-8, or an empty text. With null it returns those of
+    create and restore. After a successful create it returns warnings about the scene. */
 const char* sunder_error(const sunder_engine* engine);
 
 #ifdef __cplusplus

@@ -2,7 +2,7 @@
 # The public headers <sunder/NAME.hpp>, and the headers of the tree that each is made of, in the order in which they need
 # each other. (version.hpp is made from version.hpp.in.) A host needs Eigen for them and nothing else, but for cgal_map.
 
-door(finding "What is wrong with an input, and results that carry it; the exception for mistakes of a caller."
+door(finding "Findings about an input, results that carry them, and the exception for mistakes of a caller."
   topology/base/finding.hpp
   topology/base/misuse.hpp)
 
@@ -16,7 +16,7 @@ door(mesh "Tetrahedral meshes: cells, files in and out, checks."
   topology/kernel/counts.hpp
   topology/mesh/check.hpp)
 
-door(map "The 3-map of a body: faces split and glued, fans, components, invariants."
+door(map "The 3-map of a body: splitting and gluing faces, fans, components, invariants."
   topology/base/cell_change.hpp
   topology/kernel/kernel.hpp
   topology/kernel/dense_map.hpp
@@ -31,14 +31,14 @@ door(map "The 3-map of a body: faces split and glued, fans, components, invarian
   topology/kernel/edge_nodes.hpp
   topology/kernel/map_mesh.hpp)
 
-door(cells "Operations that change cells: edges divided, red refinement, exact plane cuts, a journal that undoes them."
+door(cells "Operations that change cells: division of edges, red refinement, exact plane cuts, a journal for undo."
   topology/cells/subdivide.hpp
   topology/cells/refine.hpp
   topology/cells/plane_cut.hpp
   topology/cells/columns.hpp
   topology/cells/journal.hpp)
 
-door(mechanics "Materials, obstacles, and what a user chooses about integration, contact and impacts."
+door(mechanics "Materials, obstacles, and settings of integration, contact and impacts."
   mechanics/state/vec3.hpp
   mechanics/state/impulse.hpp
   topology/base/counters.hpp
@@ -53,7 +53,7 @@ door(mechanics "Materials, obstacles, and what a user chooses about integration,
   mechanics/state/step_status.hpp
   mechanics/state/rung.hpp)
 
-door(simulation "Scenes, how to build, step, save and load them, and what a step reports."
+door(simulation "Scenes: building, stepping, saving and loading them, and the report of a step."
   fracture/strength/body_settings.hpp
   fracture/algorithms/fracture_settings.hpp
   fracture/scene/ladder_settings.hpp
@@ -71,10 +71,10 @@ door(simulation "Scenes, how to build, step, save and load them, and what a step
   fracture/simulation/simulation.hpp
   fracture/saving/saved_state.hpp)
 
-door(rows "For researchers: the map and the columns of a running simulation, faces split by a law of one's own."
+door(rows "For researchers: the map and the columns of a running simulation, and face splits by a law of one's own."
   fracture/simulation/rows.hpp)
 
-door(scene "Scene files: JSON, every key checked."
+door(scene "Scene files in JSON. Every key is checked."
   apps/scene/output_settings.hpp
   apps/scene/scene_json.hpp)
 
@@ -89,5 +89,5 @@ door(frames "VTU frames of a simulation for viewers, and their list."
 door(statics "Equilibrium of a scene's bodies, and their natural modes."
   fracture/simulation/statics/statics.hpp)
 
-door(cgal_map "For researchers: CGAL's combinatorial map behind a VolumeMap. Needs CGAL; 12 s a source."
+door(cgal_map "For researchers: CGAL's combinatorial map behind a VolumeMap. It needs CGAL, and 12 s per source to compile."
   topology/kernel/dart_map.hpp)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The pieces of a simulation: mass, motion, inertia, surface, and which faces cracks have made.
+// The pieces of a simulation: mass, motion, inertia, surface, crack faces.
 #pragma once
 
 #include <array>
@@ -18,17 +18,17 @@ struct Fragment {
   std::int32_t body = 0;
   std::size_t tetrahedra = 0;
   std::size_t vertices = 0;
-  /// kg; m^3 at rest.
+  /// Mass, kg; volume at rest, m^3.
   double mass = 0;
   double volume = 0;
-  /// m^2 at rest: of all its boundary faces, and of those among them that cracks (cuts at the start
-  /// too) have made; the difference was the body's own surface.
+  /// Areas at rest, m^2: of all boundary faces, and of those from cracks and initial cuts. The
+  /// difference was the body's own surface.
   double surface = 0;
   double crack_area = 0;
-  /// m^2: `crack_area` with the faces of cracks that know their plane (`CrackMode::object`)
-  /// projected on it, which is the crack's own area whatever the mesh; others count whole.
+  /// `crack_area` with faces projected on the plane of their crack (`CrackMode::object`), m^2: the
+  /// crack's own area, independent of the mesh. Faces of cracks without a plane count whole.
   double crack_projected = 0;
-  /// What it came off, none() for what was there at the start, and the step in which it did.
+  /// The piece that it came off, none() for a piece of the start; and the step of that separation.
   ComponentId parent;
   std::uint64_t birth_step = 0;
   /// Mass centre, m, its velocity, m/s, and the spin of the rigid motion with the same angular
@@ -37,33 +37,34 @@ struct Fragment {
   Vec3 velocity = Vec3::Zero();
   Vec3 spin = Vec3::Zero();
   /// Inertia about the mass centre, kg m^2, world: of the solid, and of the masses lumped at its
-  /// vertices, which the simulation moves; the latter is larger, less so the finer the mesh.
+  /// vertices, which the simulation moves. The latter is larger, and approaches the former on finer
+  /// meshes.
   Mat3 inertia = Mat3::Zero();
   Mat3 lumped_inertia = Mat3::Zero();
 };
 
-/// One piece as it is now. Needs: the id of a piece that is there (`StepReport::new_components`,
-/// `Fragment::id`); another throws Misuse. O(its size).
+/// The present state of one piece. Requires: the id of an existing piece
+/// (`StepReport::new_components`, `Fragment::id`); any other throws Misuse. O(size of the piece).
 Fragment fragment(const Simulation& simulation, ComponentId id);
 
-/// Every piece in the order of the ids. O(|V| + |T|).
+/// All pieces in the order of their ids. O(|V| + |T|).
 std::vector<Fragment> fragments(const Simulation& simulation);
 
-/// The boundary of one piece as triangles; columns have a row a vertex of the surface.
+/// The boundary of one piece as triangles; columns have one row per vertex of the surface.
 struct FragmentSurface {
-  /// Rows of the simulation's vertices, ascending. They stay what they are while a piece does not
-  /// split there.
+  /// Rows of the simulation's vertices, ascending. They stay the same until the piece splits there.
   std::vector<VertexId> vertex;
-  /// m: in the bodies' meshes, deformed in the world, and on the rigid reference that is drawn
-  /// (section 3.3 of the paper: what a brittle body looks like), which follows a split smoothly.
+  /// Positions, m: in the bodies' meshes, deformed in the world, and on the drawn rigid reference
+  /// (section 3.3 of the paper), which follows a split smoothly.
   std::vector<Vec3> rest_position, position, drawn_position;
-  /// Three rows of this surface each, counterclockwise from outside.
+  /// Triangles by three rows of this surface, counterclockwise from outside.
   std::vector<std::array<std::uint32_t, 3>> triangles;
-  /// Row = triangle: 1 where a crack (or a cut at the start) has made the face.
+  /// One entry per triangle: 1 for a face from a crack or an initial cut.
   std::vector<char> is_crack;
 };
 
-/// The surface of one piece as it is now. Needs: as `fragment`. O(n log n) in its size.
+/// The present surface of one piece. Requires: the id of an existing piece, as for `fragment`. O(n
+/// log n) in its size.
 FragmentSurface fragment_surface(const Simulation& simulation, ComponentId id);
 
 }  // namespace sunder

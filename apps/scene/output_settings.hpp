@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What `sunder run` writes of a run: frames, pictures and their camera. Settings only.
+// Output of `sunder run`: frames, pictures and their camera. Settings only.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,9 +9,9 @@
 
 namespace sunder {
 
-/// Which shape of the body a picture shows (figure 1).
+/// The shape of the body in a picture (figure 1 of the paper).
 enum class ShownShape {
-  /// The rigid reference: what a brittle body looks like (section 3.3).
+  /// The rigid reference, the look of a brittle body (section 3.3 of the paper).
   reference,
   /// The deformed mesh.
   deformed,
@@ -19,11 +19,11 @@ enum class ShownShape {
   both,
 };
 
-/// Where pictures show the faces of cracks.
+/// Position of the faces of cracks in pictures.
 enum class CrackSurface {
-  /// Where the mesh has them.
+  /// The position in the mesh.
   mesh,
-  /// Near the planes of their cracks (`smooth_crack_moves`). Needs `CrackMode::object` or
+  /// Near the planes of their cracks (`smooth_crack_moves`). Requires: `CrackMode::object` or
   /// `CrackMode::cohesive`.
   smooth,
 };
@@ -37,34 +37,36 @@ struct CameraSettings {
 };
 
 struct PictureSettings {
-  /// Spread evenly over the run: 1 shows its end, 2 start and end, and so on.
+  /// Number of pictures, spread evenly over the run: 1 shows its end, 2 its start and end, and so
+  /// on.
   std::uint32_t count = 0;
-  /// Further moments, s.
+  /// Times of further pictures, s.
   std::vector<double> times;
-  /// Pixels.
+  /// Size, pixels.
   std::uint32_t width = 1280;
   std::uint32_t height = 720;
   ShownShape show = ShownShape::reference;
-  /// Absent: found from the bodies' start and the ground.
+  /// Empty: chosen from the bodies' start and the ground.
   std::optional<CameraSettings> camera;
 };
 
-/// When a run is saved on its way, so that it can go on after an end that nobody wanted.
+/// Checkpoints of a run, from which it can continue after an interruption.
 struct CheckpointSettings {
-  /// After every so many steps; 0: not by steps.
+  /// Number of steps between checkpoints; 0: not by steps.
   std::uint64_t steps = 0;
-  /// After every so many minutes on the wall; 0: not by time. With both 0 nothing is saved.
+  /// Wall time between checkpoints, minutes; 0: not by time. With both 0 nothing is saved.
   double minutes = 10;
-  /// The latest so many stay; 0: all.
+  /// Number of checkpoints that are kept, the latest ones; 0: all.
   std::uint32_t keep = 2;
 };
 
 struct OutputSettings {
-  /// VTU frames, spread evenly over the run with its start and its end; 0 writes none.
+  /// Number of VTU frames, spread evenly over the run, including its start and its end; 0: none.
   std::uint32_t frames = 51;
-  /// Time between frames, s; above 0 it is used instead of `frames`.
+  /// Time between frames, s; above 0 it replaces `frames`.
   double frame_interval = 0;
-  /// A frame more at the end of steps in which a blow opens a window, no two within 1/240 s.
+  /// True: writes another frame at the end of each step with a new impact window, at most one per
+  /// 1/240 s.
   bool frames_at_impacts = false;
   CrackSurface crack_surface = CrackSurface::mesh;
   PictureSettings pictures;

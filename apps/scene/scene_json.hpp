@@ -19,37 +19,36 @@
 
 namespace sunder {
 
-/// What a scene file says: the scene, and what a run shall write of it.
+/// Content of a scene file: the scene, and the output of a run.
 struct SceneFile {
   /// For editors only.
   std::string schema;
   std::string description;
   Accuracy accuracy = Accuracy::good;
-  /// What `accuracy` chose of the scene below (`choose_settings`).
+  /// Settings of `scene` that `accuracy` chose (`choose_settings`).
   std::vector<Choice> choices;
   Scene scene;
   OutputSettings output;
 };
 
-/// Which files a scene may name: any, or, of a scene that somebody else made, only ordinary files
-/// in its own folder and below, once links are followed.
+/// Files that a scene may name: any, or (for untrusted scenes) only ordinary files in its own
+/// folder and below, after following links.
 enum class SceneReach : bool { anywhere, own_folder };
 
-/// The scene in the JSON file `path` with its meshes, after `settings` (each `dotted.path=value`,
-/// such as "bodies.0.material.density=2000"). Mesh files are relative to the scene's folder.
-/// Rotations are
-/// `{"axis": [x, y, z], "angle": degrees}`. What is not said `choose_settings`
-/// chooses, or is the C++ structs' default.
-/// Errors, all of them at once, with file, line, place, value, what is allowed and a remedy:
-/// cannot_open, syntax_error, repeated_key, nested_too_deeply, bad_setting, unknown_key (naming the
-/// nearest known one), missing_key, wrong_type, unknown_name, zero_direction, the findings of
-/// `read_mesh` and `check_mesh`, and those of `check_scene` and `check_output`, outside_folder and
-/// not_a_file (`SceneReach::own_folder`).
+/// Reads the scene in the JSON file `path` with its meshes, after applying `settings` (each
+/// `dotted.path=value`, such as "bodies.0.material.density=2000"). Mesh files are relative to the
+/// scene's folder. Rotations are `{"axis": [x, y, z], "angle": degrees}`. Keys that are left out
+/// are set by `choose_settings`, or have the defaults of the C++ structs. Errors, all at once, with
+/// file, line, place, value, allowed values and a remedy: cannot_open, syntax_error, repeated_key,
+/// nested_too_deeply, bad_setting, unknown_key (naming the nearest known one), missing_key,
+/// wrong_type, unknown_name, zero_direction, the findings of `read_mesh` and `check_mesh`, and
+/// those of `check_scene` and `check_output`, outside_folder and not_a_file
+/// (`SceneReach::own_folder`).
 Result<SceneFile> read_scene(const std::filesystem::path& path,
                              std::span<const std::string> settings = {},
                              SceneReach reach = SceneReach::anywhere);
 
-/// What reads the files that a scene names, each by its name as it stands in the scene.
+/// Readers of the files that a scene names. Each gets the name as it stands in the scene.
 struct SceneFiles {
   std::function<Result<TetMesh>(const std::string& name)> mesh;
   std::function<Result<FileMesh>(const std::string& name)> surface;
@@ -64,7 +63,7 @@ struct SceneBytes {
   std::string name;
 };
 
-/// The same for a scene in memory, whose other files `files` reads.
+/// The same for a scene in memory. `files` reads its other files.
 Result<SceneFile> read_scene(const SceneBytes& scene, const SceneFiles& files,
                              std::span<const std::string> settings = {});
 

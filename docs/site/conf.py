@@ -35,4 +35,5 @@ html_extra_path = [os.environ["SUNDER_EXTRA"]]
 html_copy_source = False
 html_show_sphinx = False
 pygments_style = "friendly"
+highlight_language = "text"  # of blocks that name none
 copybutton_exclude = ".linenos, .gp"

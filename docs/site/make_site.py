@@ -114,12 +114,12 @@ class Pages:
             out.write_text(self.staged(page, text), encoding="utf-8")
 
     def toctree(self, more):
-        """The hidden list of all pages, in the order in which index.md links them."""
+        """The hidden list of all pages, in the order of the lists of index.md, which follow its first links."""
         index = self.source / "index.md"
         text = index.read_text(encoding="utf-8")
-        linked = [match[2].partition("#")[0] for match in LINK.finditer(text)]
+        linked = {match[2].partition("#")[0]: place for place, match in enumerate(LINK.finditer(text))}
         names = [name for name in (*self.places.values(), *more) if name != "index.md"]
-        order = {name: (linked.index(name) if name in linked else len(linked), name) for name in names}
+        order = {name: (linked.get(name, len(text)), name) for name in names}
         order["api/headers.md"] = (0, "")
         blocks = []
         for caption, folder in SECTIONS:

@@ -14,7 +14,7 @@
 
 namespace sunder {
 
-/// What one fan did. Rows as they are after it; nothing is renumbered later.
+/// The effect of one fan. Rows are those after the fan and are never renumbered.
 struct FanEvent {
   /// The vertex that broke, its point in the body's mesh, and its rest position, m.
   VertexId vertex;
@@ -22,29 +22,30 @@ struct FanEvent {
   Vec3 rest_position = Vec3::Zero();
   /// Normal of the fracture plane, rest frame, unit length.
   Vec3 normal = Vec3::Zero();
-  /// Largest principal stress and the threshold it reached, Pa.
+  /// Largest principal stress, and the threshold that it reached, Pa.
   double stress = 0;
   double strength = 0;
-  /// Round of its search, counted from 0: fans of one round were decided on the same state.
+  /// Round of the search, counted from 0. Fans of one round were chosen in the same state.
   std::uint32_t round = 0;
-  /// The crack that it is of, with `CrackMode::object`, its anchor (m, rest frame, a point of the
-  /// plane) and the tetrahedra that the crack decided on with it.
+  /// The crack of the fan with `CrackMode::object`, its anchor (a point of the plane, m, rest
+  /// frame), and the tetrahedra that the crack took a side for.
   CrackId crack;
   Vec3 anchor = Vec3::Zero();
   std::vector<CrackLabel> labels;
-  /// One entry a face, in the order in which they were split; empty when every tetrahedron lay on
-  /// one side of the plane, or other fans have split them all: then nothing changed.
+  /// One entry per face, in the order of the splits. Empty if all tetrahedra lay on one side of the
+  /// plane, or other fans had split the faces: then nothing changed.
   std::vector<FaceSplit> faces;
-  /// Nodes in the middles of edges that came apart with them, in bodies of second order.
+  /// Nodes in the middles of edges that split with the faces, in bodies of order 2.
   std::vector<VertexCopy> nodes;
-  /// What the oracle predicted and what there was to find.
+  /// Predictions of the oracle, and components found.
   ComponentUpdate components;
-  /// Tetrahedra visited by splits, search and strengths: a measure of the cost without a clock.
+  /// Tetrahedra visited by splits, search and strengths: a measure of the cost that is the same on
+  /// every machine.
   std::size_t visited = 0;
 };
 
-/// Told on which vertex's fan work goes on from now (choosing it, later splitting it), `none()`
-/// when on no fan. For whoever measures time: no algorithm here reads a clock.
+/// Called with the vertex of the fan that is chosen or split from this moment on, and with none()
+/// between fans. It serves measurements of time, because no algorithm here reads a clock.
 using FanWatch = std::function<void(VertexId)>;
 
 }  // namespace sunder

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What one search for fractures found and did.
+// Results of a search for fractures.
 #pragma once
 
 #include <cstddef>
@@ -11,17 +11,17 @@
 
 namespace sunder {
 
-/// What searches for fractures counted.
+/// Counts of searches for fractures.
 struct SearchCounts {
-  /// Vertices tested; those that Gershgorin's bound let through; those of them that reach their
-  /// threshold. The last two give the bound's efficiency (table 3).
+  /// Vertices tested, vertices over Gershgorin's bound, and vertices that reach their threshold.
+  /// The last two give the bound's efficiency (table 3 of the paper).
   std::size_t tested = 0, suspects = 0, reached = 0;
-  /// Vertices newly found over their threshold that cannot split: with all tetrahedra on one side
-  /// of every allowed plane, or refused by the limits on pieces; and those counted as either
-  /// before, which are not tested again until their stress changes.
+  /// Vertices over their threshold that cannot split: `empty_fans` have all tetrahedra on one side
+  /// of every allowed plane, and `refused_fans` violate the limits on pieces. `still_empty` counts
+  /// earlier ones, which are tested again when their stress changes.
   std::size_t empty_fans = 0, refused_fans = 0, still_empty = 0;
-  /// Vertices over their threshold that fell below it, or lost their faces to a neighbour's fan,
-  /// before they were split.
+  /// Vertices over their threshold that fell below it before their split, or lost their faces to a
+  /// neighbour's fan.
   std::size_t relieved = 0;
   /// Vertices over their threshold that the budget left for a later step.
   std::size_t waiting = 0;
@@ -44,11 +44,11 @@ constexpr auto counters_of(const SearchCounts*) {
                     Counter{"waiting", &SearchCounts::waiting, Adds::last}};
 }
 
-/// What one `find_fractures` found and did.
+/// Results of one `find_fractures`.
 struct FractureReport : SearchCounts {
   /// Fans that split at least one face, in the order in which they were split.
   std::vector<FanEvent> fans;
-  /// A vertex whose stress is not a number: nothing was split, the simulation has failed.
+  /// A vertex with a stress that is not a number. Nothing was split, and the simulation has failed.
   std::optional<VertexId> not_a_number;
 };
 

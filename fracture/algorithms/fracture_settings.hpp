@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a user chooses about fracture.
+// Settings of fracture.
 #pragma once
 
 #include <cstdint>
@@ -9,29 +9,29 @@
 
 namespace sunder {
 
-/// How many cracks may be made.
+/// Limit on the number of cracks.
 enum class FractureMode {
   /// None: the threshold is never tested.
   off,
   /// Every vertex over its threshold breaks (the paper's shattering).
   all,
-  /// At most `max_fans` and `max_new_pieces` a `budget_time`, the most overstressed first; the others
-  /// wait.
+  /// At most `max_fans` and `max_new_pieces` per `budget_time`, the most overstressed first. Other
+  /// vertices wait.
   budget,
 };
 
-/// How the stress of a vertex follows from those of the tetrahedra near it.
+/// Rule for the stress of a vertex from the stresses of nearby tetrahedra.
 enum class NodeStress {
   /// Mean over the tetrahedra around it, weighted by rest volume.
   volume,
   /// The same by mass (eq. 6 as printed).
   mass,
   /// Linear least-squares fit over two rings of tetrahedra, evaluated at the vertex
-  /// (docs/explanation/theory.md); `volume` where that is not to be trusted.
+  /// (docs/explanation/theory.md); `volume` where the fit is not reliable.
   fit,
 };
 
-/// What breaks a vertex at the tip of a crack where the material has a toughness K_Ic.
+/// Criterion for a vertex at the tip of a crack in a material with a toughness K_Ic.
 enum class FractureCriterion {
   /// Its largest principal stress: C K_Ic / sqrt(h) (`vertex_strength`).
   stress,
@@ -40,53 +40,53 @@ enum class FractureCriterion {
   energy,
 };
 
-/// What a crack is.
+/// Model of a crack.
 enum class CrackMode {
-  /// Faces that were unsewn: the plane of each fan is its vertex' own (the paper's).
+  /// Unsewn faces. Each fan has a plane of its own (the paper's).
   paper,
   /// A surface with sides that grows along its front (docs/explanation/cracks.md).
   object,
-  /// The same, and what has come apart is tied until the crack has taken its fracture energy
+  /// The same. Ties hold split faces until the crack has taken its fracture energy
   /// (docs/explanation/cracks.md).
   cohesive,
 };
 
-/// How vertices are tested against their thresholds; the result is the same.
+/// Test of vertices against their thresholds. All tests give the same result.
 enum class ThresholdTest {
   /// Eigenvalues of every tensor.
   eigenvalues,
-  /// Gershgorin's bound, eigenvalues of what it lets through (the paper's).
+  /// Gershgorin's bound, then eigenvalues of the remaining tensors (the paper's).
   gershgorin,
   /// Leading minors of every tensor.
   exact,
-  /// Gershgorin's bound, leading minors of what it lets through.
+  /// Gershgorin's bound, then leading minors of the remaining tensors.
   chain,
 };
 
 struct FractureSettings {
   FractureMode mode = FractureMode::all;
-  /// Fans that may be made in a `budget_time` in the mode `budget`.
+  /// Most fans per `budget_time` in the mode `budget`.
   std::uint32_t max_fans = 64;
-  /// Pieces that may come off in that time: no fan follows the one that reaches it.
+  /// Most new pieces per `budget_time`. No fan follows the one that reaches the limit.
   std::uint32_t max_new_pieces = 4294967295u;
-  /// s, rounded to whole steps: what a budget is for, such as a frame. 0: a step.
+  /// Duration of a budget, such as a frame, s; rounded to whole steps. 0: one step.
   double budget_time = 0;
   NodeStress node_stress = NodeStress::volume;
   ThresholdTest test = ThresholdTest::chain;
-  /// What breaks a crack tip of a material with a toughness.
+  /// Criterion at the crack tips of a material with a toughness.
   FractureCriterion criterion = FractureCriterion::stress;
-  /// `paper` and `cohesive` on request (docs/explanation/cracks.md compares the three).
+  /// Model of cracks (docs/explanation/cracks.md compares the three).
   CrackMode crack = CrackMode::object;
-  /// Rings of tetrahedra around each fan whose stresses are solved for again within the step, so
-  /// that the load of the crack passes to its tip at once; 0: none (the paper's).
+  /// Number of rings of tetrahedra around each fan with stresses solved again within the step, so
+  /// that the load of the crack passes to its tip at once. 0: none (the paper's).
   std::uint32_t relax = 0;
-  /// kg; a fan that would separate a lighter piece is refused. 0: no limit.
+  /// Mass below which no piece may come off, kg: such a fan is refused. 0: no limit.
   double smallest_piece = 0;
-  /// Largest number in the scene; a fan that would make more is refused. 0: no limit.
+  /// Most pieces in the scene: a fan that would exceed it is refused. 0: no limit.
   std::uint32_t max_pieces = 0;
-  /// How new connected components are found (section 4.2).
+  /// Method of finding new components (section 4.2 of the paper).
   Detection detection = Detection::exact;
-  /// In which order the faces of a fan are unsewn (figure 5).
+  /// Order in which the faces of a fan are unsewn (figure 5 of the paper).
   FaceOrder face_order = FaceOrder::paper;
 };
 

@@ -8,12 +8,12 @@
 
 namespace sunder {
 
-/// The side of a crack that a tetrahedron is on, once decided for good.
+/// The side of a crack that a tetrahedron is on. The decision is final.
 struct CrackLabel {
   CrackId crack;
   TetId tetrahedron;
   bool positive = false;
-  /// 1 + the row of the label that the tetrahedron got before; 0: none.
+  /// 1 + the row of the tetrahedron's previous label; 0: none.
   std::uint32_t before = 0;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A simulation as a file, to go on with later: to the same bytes as without a pause.
+// A simulation as a file, to continue later with the same bytes as without a pause.
 #pragma once
 
 #include <cstdint>
@@ -12,28 +12,29 @@
 
 namespace sunder {
 
-/// Of the files that this library writes and reads; raised whenever what is saved changes.
+/// Version of the saved files; it rises with every change of their content.
 inline constexpr std::uint32_t saved_state_format = 16;
 
-/// Everything that a simulation is, between two steps: its scene, whole, and all that evolves, down
-/// to the factors of its matrices, whose rounding depends on when they were made. Scratch, threads
-/// and observers are not part of it.
-/// Little endian: "SunderSt", format (4 bytes), then sections of a name (4 bytes), a length (8) and
-/// so many bytes, and last a checksum (FNV-1a, 8 bytes) over all before it.
-/// O(state); 1 to 5 kB a tetrahedron, mostly factors (docs/lab/saved_state.md).
+/// Saves a whole simulation between two steps: its scene and everything that evolves. That includes
+/// the factors of its matrices, because their rounding depends on the step in which they were made.
+/// Scratch, threads and observers are not saved. Little endian: "SunderSt", format (4 bytes), then
+/// sections of a name (4 bytes), a length (8) and that many bytes, and last a checksum (FNV-1a, 8
+/// bytes) over all earlier bytes. O(state); 1 to 5 kB per tetrahedron, mostly factors
+/// (docs/lab/saved_state.md).
 std::string saved_state(const Simulation& simulation);
 
-/// The simulation of such bytes. It needs no scene: the file has it. Errors: not_a_saved_state,
-/// other_version (with both numbers), damaged (the checksum is another, something is missing or
-/// does not fit together). Bytes of another maker than `saved_state` are caught by the checksum,
-/// not by a look at every number: do not load files from those who may want to harm you.
+/// Restores a simulation from bytes of `saved_state`, which include the scene. Errors:
+/// not_a_saved_state, other_version (with both numbers), damaged (wrong checksum, missing or
+/// inconsistent parts). The checksum detects damage, but not every number is checked: load no files
+/// from untrusted sources.
 Result<Simulation> restore(std::string_view bytes);
 
-/// `saved_state` as a file, whole or not at all: an error leaves an older file as it was. Errors:
+/// Writes `saved_state` to a file. After an error an older file stays as it was. Errors:
 /// cannot_write.
 std::vector<Finding> save(const Simulation& simulation, const std::filesystem::path& path);
 
-/// `restore` of a file, which the findings name. Errors: cannot_open beside those.
+/// Restores a simulation from a file. The findings name the file. Errors: those of `restore`,
+/// cannot_open.
 Result<Simulation> load(const std::filesystem::path& path);
 
 }  // namespace sunder

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Settings that choose themselves: those of contact and impacts that follow from mesh, material and
-// speeds once a user has said how exact a run should be.
+// Settings of contact and impacts that follow from mesh, material, speeds and the accuracy of a run.
 #pragma once
 
 #include <span>
@@ -12,34 +11,34 @@
 
 namespace sunder {
 
-/// How exact a run should be.
+/// Accuracy of a run.
 enum class Accuracy {
-  preview,    ///< what roughly happens, for the least time
+  preview,    ///< rough result in the least time
   good,       ///< the settings that the charts recommend (docs/lab/defaults.md)
-  reference,  ///< what others are held against: several times the time of good
+  reference,  ///< for comparison with good, at several times its time
 };
 
-/// A setting that was chosen.
+/// A setting that the library chose.
 struct Choice {
-  /// As scene files have it: "contact.max_passes".
+  /// Key as in scene files: "contact.max_passes".
   std::string key;
-  /// As a scene file would say it: "1".
+  /// Value as in a scene file: "1".
   std::string value;
-  /// Why, as a user may read it.
+  /// Reason, for users.
   std::string reason;
 };
 
-/// The keys that `choose_settings` looks after, in its order.
+/// The keys that `choose_settings` can set, in its order.
 std::vector<std::string_view> chosen_keys();
 
-/// Sets each of `chosen_keys` that `given` does not name, in that order, and says to what and why;
-/// chosen again from what it made it is the same. With contact by penalty the keys of contact and of
-/// the ladder, and without impact windows those of impacts, are left alone. A scene set up in C++ has the values of
-/// the structs unless this is called. Before them, `model` and `integrator.method` where nothing of the
-/// integrator is given: frames for the tetrahedra of a single held body so slender that one frame would
-/// show half as much strain again. Last, `bodies.N.order` of bodies whose bending linear tetrahedra
-/// would show too little of: 2 where it helps and can be paid for, each with its Choice.
-/// O(n log n) in the tetrahedra. Needs: a scene and meshes without errors.
+/// Sets each of `chosen_keys` that `given` does not name, in that order, and returns the values
+/// with reasons. A second call gives the same. With penalty contact the keys of contact and
+/// activity levels stay, and without impact windows those of impacts stay. A scene set up in C++
+/// keeps the values of the structs unless this function is called. First come `model` and
+/// `integrator.method`, if no key of the integrator is given: a single constrained body gets a
+/// frame per tetrahedron if it is so slender that one frame would add half as much strain again.
+/// Last comes `bodies.N.order`: 2 for bodies that bend too little with linear tetrahedra, if the
+/// cost is acceptable. O(n log n) in the tetrahedra. Requires: a scene and meshes without errors.
 std::vector<Choice> choose_settings(Scene& scene, Accuracy accuracy,
                                     std::span<const std::string> given);
 

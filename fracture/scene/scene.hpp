@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a user says about a simulation: bodies, obstacles, time, options. Plain settings, no state.
+// Settings of a simulation: bodies, obstacles, time, options. Plain settings, no state.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -20,13 +20,14 @@ namespace sunder {
 
 /// Gravity, raised linearly from zero over `ramp_time`.
 struct GravitySettings {
-  /// m/s^2.
+  /// Acceleration, m/s^2.
   Eigen::Vector3d acceleration = {0, 0, -9.81};
-  /// Time over which it is raised, s; 0 applies it at once.
+  /// Time over which the acceleration is raised, s; 0 applies it at once.
   double ramp_time = 0;
 };
 
-/// What holds the bodies' topology. A library built without CGAL takes `dense` and notes it.
+/// The data structure of the bodies' topology. A library built without CGAL takes `dense` and adds
+/// a note.
 struct TopologySettings {
   MapKernel kernel = MapKernel::lcc;
 };
@@ -37,7 +38,7 @@ struct Scene {
   std::vector<BodySettings> bodies;
   std::vector<Obstacle> obstacles;
   GravitySettings gravity;
-  /// Length of the run, s; that of a step is `integrator.time_step`.
+  /// Duration of the run, s. The length of a step is `integrator.time_step`.
   double duration = 1;
   IntegratorSettings integrator;
   ContactSettings contact;
@@ -45,9 +46,10 @@ struct Scene {
   FractureSettings fracture;
   LadderSettings ladder;
   TopologySettings topology;
-  /// Whether each step's energy ledger is kept (a tenth of a step in which nothing else happens).
+  /// True: each step has an energy ledger. It costs a tenth of a step without contact.
   bool energy_ledger = true;
-  /// How fast what is drawn follows the simulation after a split, s (section 3.3); 0: at once.
+  /// Time constant with which the drawn pose follows the simulation after a split, s (section 3.3
+  /// of the paper); 0: at once.
   double display_time_constant = 0.1;
 };
 

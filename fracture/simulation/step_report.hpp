@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What one step did: events, counts, where its energy went.
+// Report of one step: events, counts, energies.
 #pragma once
 
 #include <array>
@@ -17,32 +17,32 @@
 
 namespace sunder {
 
-/// Stages of a step whose times are reported.
-/// `mechanics` is contact, integration and element stress.
+/// Stages of a step with reported times. `mechanics` covers contact, integration and element
+/// stress.
 enum class Stage { mechanics, fracture, rebuild, display };
 inline constexpr std::array<std::string_view, 4> stage_names = {"mechanics", "fracture", "rebuild",
                                                                 "display"};
 
-/// What impact windows did in a step.
+/// Impact windows of a step.
 struct ImpactReport {
-  /// Components for which a window opened.
+  /// Number of components with a new window.
   std::uint32_t opened = 0;
-  /// How often one was struck and judged unable to break with the energy at hand, by which bound
-  /// (`ImpactEnergy`).
+  /// Impacts without a window, because the available energy cannot break the component, by the
+  /// bound that proves it (`ImpactEnergy`).
   std::uint32_t spared_by_pair = 0, spared_by_island = 0;
-  /// Windows that closed as the waves had gone to and fro, and as they held too little energy.
+  /// Windows that closed after the waves had crossed twice, and for lack of energy.
   std::uint32_t closed_by_time = 0, closed_by_energy = 0;
-  /// Sub-steps, and the time they took together, s.
+  /// Number of sub-steps, and their total simulated time, s.
   std::uint32_t sub_steps = 0;
   double time = 0;
-  /// Most components that were sub-stepped at once: those struck and what they could meet.
+  /// Most components sub-stepped at once: the struck ones and those in reach.
   std::uint32_t components = 0;
-  /// Most that stood round those as rigid bodies.
+  /// Most neighbours of these, taken as rigid bodies.
   std::uint32_t carried = 0;
-  /// Largest sub-step over the longest that resolves a blow it met; above 1 where pieces were
-  /// struck that are smaller than the one the window was opened for.
+  /// Largest ratio of a sub-step to the longest one that resolves its impact. Above 1 if a struck
+  /// piece is smaller than the component of the window.
   double coarseness = 0;
-  /// `ImpactSettings::max_sub_steps` was reached: the rest of the step was taken at once.
+  /// True: `ImpactSettings::max_sub_steps` was reached, and the rest of the step was taken at once.
   bool stopped = false;
 };
 
@@ -59,7 +59,8 @@ constexpr auto counters_of(const ImpactReport*) {
                     Counter{"coarseness", &ImpactReport::coarseness, Adds::most}};
 }
 
-/// Components and their tetrahedra by the rung of the step to come, rows as `Rung`.
+/// Numbers of components and of their tetrahedra by their activity level in the next step, rows as
+/// `Rung`.
 struct LadderReport {
   std::array<std::size_t, rung_count> components{}, tetrahedra{};
 };
@@ -69,18 +70,18 @@ constexpr auto counters_of(const LadderReport*) {
                     Counter{"tetrahedron_steps", &LadderReport::tetrahedra}};
 }
 
-/// What the rung `rubble` did in a step.
+/// Rubble of a step.
 struct RubbleStepReport {
   std::uint32_t ticks = 0;
-  std::uint32_t awake = 0, asleep = 0;  ///< most bodies, free balls among them
-  std::uint32_t points = 0;             ///< most of contact
-  double deepest = 0;                   ///< m, overlap where patches were found
-  std::uint32_t refused = 0;  ///< islands whose certificate failed: they were stepped in full
-  std::uint32_t mixed = 0;    ///< islands of rubble and of what is none: stepped in full
-  std::uint32_t solids = 0;   ///< islands near obstacles that are meshes: stepped in full
-  std::uint32_t rigid = 0;    ///< most rigid pieces at once, single tetrahedra left out
-  std::uint32_t declared = 0;  ///< most components declared never to break again
-  double declared_share = 0;   ///< most of the mass of all bodies in them
+  std::uint32_t awake = 0, asleep = 0;  ///< most bodies, with free balls
+  std::uint32_t points = 0;             ///< most contact points
+  double deepest = 0;                   ///< m, deepest overlap of contact patches
+  std::uint32_t refused = 0;            ///< islands without a certificate: stepped in full
+  std::uint32_t mixed = 0;              ///< islands of rubble and other pieces: stepped in full
+  std::uint32_t solids = 0;             ///< islands near obstacles that are meshes: stepped in full
+  std::uint32_t rigid = 0;              ///< most rigid pieces at once, single tetrahedra left out
+  std::uint32_t declared = 0;           ///< most components declared never to break again
+  double declared_share = 0;            ///< their largest share of the mass of all bodies
 };
 
 constexpr auto counters_of(const RubbleStepReport*) {
@@ -97,30 +98,30 @@ constexpr auto counters_of(const RubbleStepReport*) {
                     Counter{"declared_share", &RubbleStepReport::declared_share, Adds::most}};
 }
 
-/// Where the energy of the bodies went in a step, J: work in = what came of it + residual,
+/// Energy balance of the bodies in a step, J:
 ///   gravity + loads + contact + supports
 ///     = kinetic + strain + cracks + damping work + numerical + energy released + residual.
-/// Every term is computed by itself, part by part of the step; none is the difference of others.
+/// Each term is computed separately for each part of the step. None is the difference of others.
 struct EnergyLedger {
   double kinetic = 0, strain = 0;  ///< change over the step
   double gravity = 0;              ///< sum m g . dx
-  double loads = 0;                ///< of surface loads, sum f . dx
-  /// Of contact on bodies: each impulse times the mean velocity of its point over the part. A wall
-  /// that stands still takes by friction, and by stopping the lumped layer that touches it.
+  double loads = 0;                ///< work of surface loads, sum f . dx
+  /// Work of contact on bodies: each impulse times the mean velocity of its point over the part. A
+  /// fixed wall takes energy by friction, and by stopping the lumped layer that touches it.
   double contact = 0;
-  double friction = 0;  ///< of that, what sliding turned into heat; free spheres' turning left out
-  double push_out = 0;  ///< of that, given by contacts that began overlapped, as they came apart
-  double supports = 0;  ///< of supports that move
-  double cracks = 0;    ///< done on ties: what cracks take, and what opens and shuts with them
-  /// What the scheme took: of deformations by its closed form (`numerical_loss`, `wave_loss`), and
-  /// of the frame of what is touched, which a blow stops without a bounce. Only of floating_frame;
-  /// what other integrators take is in the residual.
+  double friction = 0;  ///< of that, heat of sliding, without the spin of free spheres
+  double push_out = 0;  ///< of that, work of separating contacts that overlap at the start
+  double supports = 0;  ///< work of supports that move
+  double cracks = 0;    ///< work on ties: taken by cracks, or stored in ties
+  /// Loss of the integration scheme: of deformations by its closed form (`numerical_loss`,
+  /// `wave_loss`), and of the frames of touched pieces, which an impact stops without a rebound.
+  /// For floating_frame only. The losses of other integrators are in the residual.
   double numerical = 0;
   double residual = 0;
   double moved = 0;  ///< sum of the magnitudes of all terms, to compare the residual with
 };
 
-/// Kinetic and strain energy are those of the ends of a run and do not add up in it.
+/// Kinetic and strain energy of a run are those of its ends, and are not summed.
 constexpr auto counters_of(const EnergyLedger*) {
   return std::tuple{Counter{"gravity_work", &EnergyLedger::gravity},
                     Counter{"load_work", &EnergyLedger::loads},
@@ -133,15 +134,14 @@ constexpr auto counters_of(const EnergyLedger*) {
                     Counter{"residual", &EnergyLedger::residual}};
 }
 
-/// Impulses that bodies and free balls got in a step, with their moments about the origin, by where
-/// they came from. Each is measured by itself: together they give the change of momentum and
-/// angular momentum, or something is wrong.
+/// Impulses on bodies and free balls in a step, with their moments about the origin, by source.
+/// Each is measured separately. Their sum must equal the change of momentum and angular momentum.
 struct MomentumLedger {
-  Impulse gravity = Impulse::Zero();    ///< weight of what moved
-  Impulse loads = Impulse::Zero();      ///< of surface loads, what acts at supports too
-  Impulse obstacles = Impulse::Zero();  ///< of obstacles that move as they are told
-  Impulse supports = Impulse::Zero();   ///< on held components
-  Impulse sleep = Impulse::Zero();      ///< what was stopped as it fell asleep
+  Impulse gravity = Impulse::Zero();    ///< weight of moving components
+  Impulse loads = Impulse::Zero();      ///< surface loads, including those at supports
+  Impulse obstacles = Impulse::Zero();  ///< of driven obstacles
+  Impulse supports = Impulse::Zero();   ///< on supported components
+  Impulse sleep = Impulse::Zero();      ///< motion stopped at the start of sleep
 };
 
 constexpr auto counters_of(const MomentumLedger*) {
@@ -151,24 +151,24 @@ constexpr auto counters_of(const MomentumLedger*) {
       Counter{"supports", &MomentumLedger::supports}, Counter{"sleep", &MomentumLedger::sleep}};
 }
 
-/// What one step did.
+/// Report of one step.
 struct StepReport {
   std::uint64_t step = 0;
-  /// s, at the end of the step.
+  /// Simulated time at the end of the step, s.
   double time = 0;
   StepStatus status;
   ContactReport contact;
   FractureReport fracture;
-  /// s, of each fan: the end of the sub-step in which it came.
+  /// Time of each fan, s: the end of its sub-step.
   std::vector<double> fan_time;
-  /// Of each fan: which search for fractures of the step it came from, from 0; and how many
-  /// searches there were.
+  /// Number of each fan's search for fractures within the step, from 0 (`fan_part`), and the number
+  /// of searches (`parts`).
   std::vector<std::uint32_t> fan_part;
   std::uint32_t parts = 0;
-  /// Wall time of each fan, us: choosing its plane, splitting faces, rows, components, thresholds.
-  /// For reports only.
+  /// Wall time of each fan, µs: choice of its plane, face splits, rows, components, thresholds. For
+  /// reports only.
   std::vector<double> fan_us;
-  /// Whether the script has a fan that cannot be made (`FanScript::departure`).
+  /// True if the script has a fan that cannot be made (`FanScript::departure`).
   bool departed = false;
   ImpactReport impact;
   LadderReport ladder;
@@ -176,14 +176,15 @@ struct StepReport {
   MomentumLedger momentum;
   EnergyLedger energy;
   TieReport ties;
-  std::vector<TieRelease> releases;  ///< in their order; those of a part come before its fans
-  /// Fans whose energy was settled in this step; not of this step, and not in the ledger: what
-  /// they give up goes into motion and from there into losses.
+  std::vector<TieRelease> releases;  ///< in order; those of a part precede its fans
+  /// Earlier fans with their energy settled in this step. It is not in the ledger, because it goes
+  /// into motion and from there into losses.
   std::vector<CrackEnergy> cracks;
-  /// J, given up by pieces that became rigid tetrahedra and by components that took a lower rung.
+  /// Energy released by pieces that became rigid tetrahedra, and by components at a lower activity
+  /// level, J.
   double energy_released = 0;
   std::size_t components = 0;
-  /// Those that came off in this step, ascending.
+  /// Components that came off in this step, ascending.
   std::vector<ComponentId> new_components;
   /// Wall time of each stage, ms. For reports only.
   std::array<double, stage_names.size()> stage_ms{};

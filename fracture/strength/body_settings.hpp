@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a user says about a body: mesh, material, placement, supports, loads, cracks, strengths.
+// Settings of a body: mesh, material, placement, supports, loads, cracks, strengths.
 // Plain settings, no state.
 #pragma once
 
@@ -36,21 +36,21 @@ struct CutPlane {
   Eigen::Vector3d normal = {0, 0, 1};
 };
 
-/// Faces by three rows of the mesh's points each.
+/// Faces, each by three rows of the mesh's points.
 struct FaceList {
-  std::string file;  ///< they were read from
+  std::string file;  ///< the file of the faces, or empty
   std::vector<std::array<std::uint32_t, 3>> points;
 };
 
-/// A crack that is there from the start, closed and without load.
+/// A crack that exists from the start, closed and without load.
 struct CutSettings {
   std::variant<CutPlane, FaceList> faces;
-  /// Where given, only faces whose three vertices lie in them.
+  /// If given, only faces with all three vertices inside.
   std::optional<RestBox> box;
   std::optional<RestBall> ball;
 };
 
-/// A region of the mesh: by its name, else by its number.
+/// A region of the mesh, by its name or else by its number.
 struct RegionName {
   std::string text;
 };
@@ -62,26 +62,27 @@ struct RegionStrength {
   std::optional<double> toughness;         ///< Pa sqrt(m)
 };
 
-/// Weibull's law: P(sigma) = 1 - exp(-(V / V0) (sigma / sigma_0)^m), sigma_0 being the tensile
-/// strength that a vertex has without it.
+/// Weibull's law: P(sigma) = 1 - exp(-(V / V0) (sigma / sigma_0)^m), where sigma_0 is the vertex's
+/// tensile strength without the law.
 struct WeibullSettings {
   double modulus = 10;             ///< m
   double reference_volume = 1e-3;  ///< V0, m^3
   std::uint32_t seed = 1;
 };
 
-/// Strengths beside that of the material (docs/explanation/cracks.md).
+/// Strengths in addition to the material's (docs/explanation/cracks.md).
 struct StrengthSettings {
   std::vector<RegionStrength> regions;
-  /// Pa, one a point of the mesh, in place of those of material and regions; empty: none.
-  std::vector<double> painted;
-  /// The point field of the mesh's file that a scene file's reader takes `painted` from; empty:
+  /// Strength at each point of the mesh, Pa, in place of those of material and regions; empty:
   /// none.
+  std::vector<double> painted;
+  /// The point field of the mesh's file from which the reader of a scene file takes `painted`;
+  /// empty: none.
   std::string field;
   std::optional<WeibullSettings> weibull;
 };
 
-/// A part of a body whose vertices never split.
+/// A part of a body with vertices that never split.
 struct UnbreakablePart {
   std::variant<RegionName, RestBox> where;
 };
@@ -89,29 +90,29 @@ struct UnbreakablePart {
 /// An axis of a mesh's own coordinates.
 enum class Axis { x, y, z };
 
-/// Vertices held by the outside world: those whose rest position lies in a box of the body. What
-/// several boxes hold along one axis the last of them holds.
+/// A support: it constrains the vertices with rest positions in a box of the body. Along each axis
+/// the last of several boxes applies.
 struct HeldBox {
   /// Corners of the box in the mesh's own coordinates, m; its surface belongs to it.
   Eigen::Vector3d minimum = Eigen::Vector3d::Zero();
   Eigen::Vector3d maximum = Eigen::Vector3d::Zero();
-  /// Velocity the vertices are moved with, m/s; zero holds them fixed.
+  /// Velocity of the constrained vertices, m/s; zero: fixed.
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
-  /// Axes, of the mesh's own coordinates, along which the vertices are held; empty: all three.
+  /// Constrained axes of the mesh's own coordinates; empty: all three.
   std::vector<Axis> axes = {};
   /// Time over which the velocity is raised linearly from zero, s; 0: at once.
   double ramp_time = 0;
 };
 
-/// What pushes or pulls a body from outside: on its surface inside a box, or on the vertices there.
+/// External loads on a body: on its surface inside a box, or on the vertices there.
 struct LoadBox {
   /// Corners of the box in the mesh's own coordinates, m; its surface belongs to it.
   Eigen::Vector3d minimum = Eigen::Vector3d::Zero();
   Eigen::Vector3d maximum = Eigen::Vector3d::Zero();
-  /// On every boundary face whose three vertices lie in the box, Pa; positive pushes into the body.
-  /// Follows the body's rigid motion.
+  /// Pressure on every boundary face with all three vertices in the box, Pa; positive pushes into
+  /// the body. It follows the body's rigid motion.
   double pressure = 0;
-  /// In all, in equal parts on every vertex in the box, N, world; keeps its direction.
+  /// Total force, in equal parts on every vertex in the box, N, world. It keeps its direction.
   Eigen::Vector3d force = Eigen::Vector3d::Zero();
   /// Time over which both are raised linearly, s; 0 applies them at once.
   double ramp_time = 0;
@@ -122,7 +123,7 @@ struct BodySettings {
   std::string name;
   TetMesh mesh;
   Material material;
-  /// Where the mesh's coordinates are placed: x = rotation * X + translation (m).
+  /// Placement of the mesh's coordinates: x = rotation * X + translation (m).
   Eigen::Vector3d translation = Eigen::Vector3d::Zero();
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
   /// Velocity of the mass centre, m/s, and spin about it, rad/s, both in the world.
@@ -133,9 +134,10 @@ struct BodySettings {
   std::vector<CutSettings> cuts;
   StrengthSettings strength;
   std::vector<UnbreakablePart> unbreakable;
-  /// Of its tetrahedra: 1, displacement is linear in each, or 2, quadratic: ten nodes each.
+  /// Order of the tetrahedra: 1 with linear displacement, or 2 with quadratic displacement and ten
+  /// nodes.
   std::uint32_t order = 1;
-  /// Neither deforms nor breaks: a rigid body with the inertia of its lumped vertices.
+  /// True: a rigid body that neither deforms nor breaks, with the inertia of its lumped vertices.
   bool rigid = false;
 };
 

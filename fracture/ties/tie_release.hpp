@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What one release of spent ties did.
+// Effect of one release of spent ties.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,13 @@
 
 namespace sunder {
 
-/// What one release of spent ties did, and when.
+/// Effect and time of one release of spent ties.
 struct TieRelease {
-  std::vector<Tie> ties;         ///< as they were, one a face
-  std::vector<FaceSplit> faces;  ///< in the map of pieces
+  std::vector<Tie> ties;         ///< before the release, one per face
+  std::vector<FaceSplit> faces;  ///< splits in the map of pieces
   ComponentUpdate components;
-  double time = 0;         ///< s, the end of the sub-step in which they were spent
-  std::uint32_t part = 0;  ///< before which search for fractures of its step, from 0
+  double time = 0;         ///< s, end of the sub-step that spent them
+  std::uint32_t part = 0;  ///< search for fractures of the step that follows, from 0
 };
 
 }  // namespace sunder

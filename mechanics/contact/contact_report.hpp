@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How contact went in a step.
+// Reports of contact and ties of a step.
 #pragma once
 
 #include <cstddef>
@@ -12,20 +12,20 @@
 
 namespace sunder {
 
-/// How the contact problem of a step was solved.
+/// Solution of the contact problem of a step.
 struct ContactReport {
-  std::uint32_t candidates = 0;  ///< contacts solved for
-  std::uint32_t contacts = 0;    ///< those with an impulse
-  int passes = 0;                ///< times the step was predicted with impulses
+  std::uint32_t candidates = 0;  ///< contacts in the solve
+  std::uint32_t contacts = 0;    ///< contacts with an impulse
+  int passes = 0;                ///< predictions of the step with impulses
   int iterations = 0;            ///< sweeps, all passes
   double residual = 0;           ///< m, largest constraint violation left in a gap
   double tolerated = 0;          ///< m, `ContactSettings::tolerance` as a length
   bool converged = true;         ///< residual <= tolerated in the sweeps of every pass
   double deepest = 0;            ///< m, deepest overlap at the end of the step, >= 0
-  /// Contacts that were not solved for, over `max_contacts_per_pair` or met after the last pass,
-  /// and end deeper than they may.
+  /// Contacts outside the solve (over `max_contacts_per_pair`, or met after the last pass) that end
+  /// deeper than allowed.
   std::uint64_t left_out = 0;
-  /// N s, one an obstacle: the impulse it gave to the bodies and balls it touched. Empty in a step
+  /// Impulse of each obstacle on the bodies and balls that it touched, N s. Empty after a step
   /// without contact.
   std::vector<Vec3> obstacle_impulse;
 
@@ -34,7 +34,7 @@ struct ContactReport {
   }
 };
 
-/// Of the residuals `add_contact` keeps the one that is farthest from what is tolerated.
+/// `add_contact` keeps the residual that exceeds its tolerance most.
 constexpr auto counters_of(const ContactReport*) {
   return std::tuple{Counter{"", &ContactReport::candidates, Adds::most},
                     Counter{"most_contacts", &ContactReport::contacts, Adds::most},
@@ -44,17 +44,17 @@ constexpr auto counters_of(const ContactReport*) {
                     Counter{"deepest_overlap", &ContactReport::deepest, Adds::most}};
 }
 
-/// What ties did in a step.
+/// Ties in a step.
 struct TieReport {
-  std::uint32_t pairs = 0;    ///< rows solved for
-  std::uint32_t opening = 0;  ///< of them, those that opened farther than ever
-  int iterations = 0;         ///< back-solves for them in sub-steps
-  /// Farthest a tie of a sub-step was from its law, over the opening that ends it.
+  std::uint32_t pairs = 0;    ///< rows in the solve
+  std::uint32_t opening = 0;  ///< rows that opened farther than before
+  int iterations = 0;         ///< back-solves for ties in sub-steps
+  /// Largest deviation of a tie from its law in a sub-step, over the opening at which the tie ends.
   double residual = 0;
-  double work = 0;            ///< J, done on ties
-  double dissipated = 0;      ///< J of it, by the law; for good
-  double stored = 0;          ///< J of it, by the law: in ties that would give it back
-  /// Whose ties opened by more than a hundredth of what ends them, ascending.
+  double work = 0;            ///< J, work on ties
+  double dissipated = 0;      ///< J of that, lost by the law
+  double stored = 0;          ///< J of that, recoverable by the law
+  /// Components with ties that opened by more than 1 % of the opening at which they end, ascending.
   std::vector<ComponentId> torn;
 };
 

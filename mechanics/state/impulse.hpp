@@ -8,11 +8,11 @@
 
 namespace sunder {
 
-/// An impulse, N s, and below it its moment about the origin of coordinates, N m s; or momentum and
-/// angular momentum.
+/// An impulse, N s, followed by its moment about the origin of coordinates, N m s; also momentum
+/// and angular momentum.
 using Impulse = Eigen::Matrix<double, 6, 1>;
 
-/// An impulse (N s) that acts at `point` (m).
+/// The impulse `linear` (N s) at `point` (m), with its moment.
 inline Impulse impulse_at(const Vec3& point, const Vec3& linear) {
   Impulse sum;
   sum << linear, point.cross(linear);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where a component is, as a rigid body.
+// Position and orientation of a component as a rigid body.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -8,10 +8,10 @@
 
 namespace sunder {
 
-/// Where a component's rest configuration is put, simulated or drawn:
-/// x = centre + orientation (rest_position - rest_centre).
+/// Placement of a component's rest configuration, simulated or drawn: x = centre + orientation
+/// (rest_position - rest_centre).
 struct Pose {
-  Vec3 centre = Vec3::Zero();                                       ///< m, where its rest centre is
+  Vec3 centre = Vec3::Zero();                                       ///< m, of the rest centre
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< unit; body to world
 };
 

@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: MIT
-// The rungs of the ladder: how much of a motion is computed.
+// Activity levels: the computed part of a motion.
 #pragma once
 
 #include <cstddef>
 
 namespace sunder {
 
-/// How much of a component's motion a step computes: no more than it needs
+/// Activity level of a component: the part of its motion that a step computes
 /// (docs/explanation/time_and_contact.md).
 enum class Rung : unsigned char {
   full,          ///< rigid motion and deformation
   quasi_static,  ///< the equilibrium under the present load; supported components only
   rigid,         ///< rigid motion; the deformation stays as it is
   asleep,        ///< nothing: the component is at rest
-  rubble,        ///< rigid motion and contact, on a clock of its own
-  carried,       ///< inside a step only: what has taken it already meets what is sub-stepped
+  rubble,        ///< rigid motion and contact, with a clock of its own
+  carried,       ///< within a step only: has taken the step, and meets sub-stepped components
 };
-/// Those on which components are between steps.
+/// Number of levels that components can have between steps.
 inline constexpr std::size_t rung_count = 5;
 
-/// Whether displacements change on a rung.
+/// True if displacements change at this level.
 constexpr bool deforms(Rung rung) { return rung == Rung::full || rung == Rung::quasi_static; }
 
 }  // namespace sunder

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a user chooses about time integration.
+// Settings of time integration.
 #pragma once
 
 #include <cstdint>
@@ -12,16 +12,16 @@ enum class Integrator {
   verlet,          ///< explicit, symplectic; needs steps below `explicit_step_bound`
   broyden,         ///< implicit Euler by Broyden's method, as the paper solves it
   newton_cg,       ///< implicit Euler by Newton's method with conjugate gradients
-  sub_stepped,     ///< verlet, as many times a step as `explicit_step_bound` asks for
+  sub_stepped,     ///< verlet, with the sub-steps that `explicit_step_bound` needs
   modal,           ///< floating_frame with every mode exact, for small bodies
 };
 
-/// Whether the step is bounded by `explicit_step_bound`.
+/// True if `explicit_step_bound` limits the step.
 constexpr bool is_explicit(Integrator integrator) {
   return integrator == Integrator::verlet || integrator == Integrator::sub_stepped;
 }
 
-/// Whether rigid motion is integrated by itself, with momenta of its own.
+/// True if rigid motion is integrated separately, with momenta of its own.
 constexpr bool is_floating(Integrator integrator) {
   return integrator == Integrator::floating_frame || integrator == Integrator::modal;
 }
@@ -29,7 +29,7 @@ constexpr bool is_floating(Integrator integrator) {
 /// The elastic model.
 enum class ElasticModel {
   rigid_reference,  ///< linear in the frame of the component (the paper's; algorithm 1)
-  corotational,     ///< linear in a frame of each tetrahedron's own (what the paper compares with)
+  corotational,     ///< linear in a frame per tetrahedron (the paper's comparison)
 };
 
 enum class ElasticForce {
@@ -41,24 +41,24 @@ enum class ElasticForce {
 
 /// The first guess of the Jacobian in Broyden's method.
 enum class BroydenStart {
-  mass,    ///< M (the paper's): no factor, but diverges beyond some three explicit steps
+  mass,    ///< M (the paper's): no factor, but diverges beyond about three explicit steps
   factor,  ///< the factor of M + h^2 K
 };
 
-/// What a free single tetrahedron is (section 3.2 of the paper).
+/// Model of a free single tetrahedron (section 3.2 of the paper).
 enum class IsolatedTetrahedra {
   rigid,       ///< a true rigid body, which keeps its spin
-  projection,  ///< four points put back on the rigid shape every step: loses spin
+  projection,  ///< four points moved back to the rigid shape every step: loses spin
   qr,          ///< elastic, in the frame of its edges, by implicit Euler: loses spin
 };
 
-/// How `implicit_euler` solves with corotational forces.
+/// Method by which `implicit_euler` solves with corotational forces.
 enum class CorotationalSolve {
   reassembled,  ///< M + h^2 sum R K R^T assembled and factored every step
-  prefactored,  ///< M + h^2 K at rest, factored once; the difference to it is iterated
+  prefactored,  ///< M + h^2 K at rest, factored once; iterates on the difference
 };
 
-/// Which frame `implicit_euler` linearises in.
+/// Frame in which `implicit_euler` linearises.
 enum class EulerFrame {
   current,    ///< shape matching at x_n: false stress E (h w)^2 / (2 (1 - nu)) in a spinning body
   predicted,  ///< at x_n + h v_n: no false stress, but spin decays as w0 / sqrt(1 + 2 h w0^2 t)
@@ -71,15 +71,15 @@ struct RayleighDamping {
 };
 
 struct IntegratorSettings {
-  /// h, s, > 0; may change from step to step, at the cost of a new factor.
+  /// Time step h, s, > 0. It may change between steps, at the cost of a new factor.
   double time_step = 1e-3;
   Integrator integrator = Integrator::floating_frame;
-  /// Spectral radius of generalised-alpha, in [0, 0.5]: the part of an oscillation too fast for the
-  /// step that is left after one step. With 0 a suddenly applied load gives the static solution at
-  /// once, where 0.8 rings at 1.7 times of it for tens of steps and would break bodies that hold.
-  /// Above 0.5 the extrapolated Coriolis force drives oscillations: measured, spinning bodies
-  /// diverge from 0.8 on. Used where the step resolves the slowest axial mode of a component; for
-  /// longer steps it falls to 0 (`followed_rho`).
+  /// Spectral radius of generalised-alpha, in [0, 0.5]: the share of an unresolved oscillation that
+  /// remains after one step. With 0 a sudden load gives the static solution at once. With 0.8 the
+  /// solution rings at 1.7 times that value for tens of steps, which breaks bodies that should
+  /// hold. Above 0.5 the extrapolated Coriolis force drives oscillations, and spinning bodies
+  /// diverge from 0.8 on. The value applies if the step resolves the slowest axial mode of a
+  /// component. For longer steps it falls to 0 (`followed_rho`).
   double rho_infinity = 0;
   RayleighDamping damping = {};
   EulerFrame euler_frame = EulerFrame::current;
@@ -88,15 +88,15 @@ struct IntegratorSettings {
   ElasticForce elastic_force = ElasticForce::conservative;
   BroydenStart broyden_start = BroydenStart::mass;
   CorotationalSolve corotational_solve = CorotationalSolve::reassembled;
-  /// Where iterations (broyden, newton_cg, prefactored) end: residual of the step's equation over
-  /// the first residual, in (0, 0.1].
+  /// Residual of the step's equation over the first residual at which iterations (broyden,
+  /// newton_cg, prefactored) end, in (0, 0.1].
   double tolerance = 1e-6;
-  /// Iterations after which they are given up and the step is solved with the factor instead, which
-  /// the report says; for newton_cg those of conjugate gradients.
+  /// Most iterations; for newton_cg those of conjugate gradients. Afterwards the step is solved
+  /// with the factor instead, and the report counts it.
   std::uint32_t max_iterations = 1000;
-  /// Updates that Broyden's method keeps before it restarts, >= 1.
+  /// Number of updates that Broyden's method keeps before it restarts, >= 1.
   std::uint32_t broyden_memory = 200;
-  /// Sub-steps that sub_stepped may take in a step.
+  /// Most sub-steps of sub_stepped per step.
   std::uint32_t max_sub_steps = 10000;
   IsolatedTetrahedra isolated = IsolatedTetrahedra::rigid;
 };

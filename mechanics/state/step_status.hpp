@@ -15,10 +15,11 @@ struct SolveReport {
   std::uint64_t sub_steps = 0;          ///< of sub_stepped; maximum over components
   std::uint64_t iterations = 0;         ///< maximum over components
   std::uint64_t force_evaluations = 0;  ///< sum over components
-  std::uint64_t not_converged = 0;      ///< components that were solved with the factor instead
+  std::uint64_t not_converged = 0;      ///< components solved with the factor instead
 };
 
-/// Over a run: sums of the steps' worst, and the steps in which iterations were given up.
+/// Over a run: sums of the steps' maxima, and the number of steps in which iterations were given
+/// up.
 constexpr auto counters_of(const SolveReport*) {
   return std::tuple{Counter{"iterations", &SolveReport::iterations, Adds::most, Adds::sum},
                     Counter{"force_evaluations", &SolveReport::force_evaluations},
@@ -34,10 +35,10 @@ enum class StepOutcome {
   too_many_sub_steps,  ///< sub_stepped would need more than allowed; no step was taken
 };
 
-/// The outcome of a step; where it is not fine, what shows it.
+/// The outcome of a step, with the evidence of a failure.
 struct StepStatus {
   StepOutcome outcome = StepOutcome::fine;
-  VertexId vertex;          ///< the first vertex that shows it
+  VertexId vertex;          ///< the first vertex with the failure
   ComponentId component;    ///< its component
   double displacement = 0;  ///< m, of that vertex
   double turned = 0;        ///< rad, of that component, for `overturned`
@@ -46,10 +47,10 @@ struct StepStatus {
   SolveReport solve;
 };
 
-/// Adds another part of the same step: outcome, vertex and time are the part's.
+/// Adds another part of the same step. Outcome, vertex and time are taken from the part.
 void add_status(StepStatus& sum, StepStatus part);
 
-/// The finding that says a step failed: where, value, remedy. Needs an outcome other than fine.
+/// The finding of a failed step: place, value, remedy. Requires: an outcome other than fine.
 Finding to_finding(const StepStatus& status);
 
 }  // namespace sunder

@@ -131,6 +131,26 @@ class ThisTest(unittest.TestCase):
         self.assertEqual(len(footer_faults("Files:\n  a.csv  what somebody asked")), 1)
         self.assertEqual(footer_faults(f"Fine.\n\nExamples:\n  told {long}"), [])
 
+    def test_groups_with_and_without_a_text_are_read(self):
+        """The help of sunder-mesh has one empty line before its examples, and a text below the name of a group."""
+        shown = make_reference.Help(
+            "Do it\nUsage: it [OPTIONS]\n\nOptions:\n  -o,--output TEXT REQUIRED   The file\n"
+            "[Option Group: shape]\n  What to fill \n  [Exactly 1 of these]\n  Positionals:\n    surface TEXT                A file\n"
+            "[Option Group: view]\n  \n  Options:\n    --box FLOAT:POSITIVE x 3    A box\n\nExamples:\n  it -o a\nExit codes: 0 fine\n")
+        self.assertEqual(shown.groups, [("Options", [("-o,--output TEXT REQUIRED", "The file")]),
+                                        ("What to fill", [("surface TEXT", "A file")]),
+                                        ("view", [("--box FLOAT:POSITIVE x 3", "A box")])])
+        self.assertEqual(shown.footer, "Examples:\n  it -o a\nExit codes: 0 fine")
+
+    def test_names_of_options_are_cells(self):
+        self.assertEqual(make_reference.option_cells("--up ENUM:{-x->1,x->0}", "Axis"), ("`--up WORD`", "Axis. One of `-x`, `x`."))
+        self.assertEqual(make_reference.option_cells("--on,--no-on{false}", "On"), ("`--on,--no-on`", "On."))
+
+    def test_the_section_of_sunder_mesh_stays_where_it_is_not_built(self):
+        old = "# A\n\n## b\n\n## sunder-mesh\n\nIt.\n"
+        for mesh in (None, pathlib.Path("gone")):
+            self.assertEqual(make_reference.mesh_section(mesh, old), ["## sunder-mesh", "", "It."])
+
 
 if __name__ == "__main__":
     if len(sys.argv) != 2:

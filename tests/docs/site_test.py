@@ -38,6 +38,15 @@ class Site(unittest.TestCase):
         self.pages.staged("docs/index.md", "[a](gone.md) [b](../gone.txt)")
         self.assertEqual(len(self.pages.wrong), 2)
 
+    def test_pages_stand_in_the_order_of_the_lists(self):
+        """The first links of index.md, which lead in, have no say."""
+        (self.path / "source").mkdir(exist_ok=True)
+        (self.path / "source/index.md").write_text("[r](howto/real_time.md)\n\n- [c](howto/choose.md)\n- [r](howto/real_time.md)\n")
+        self.pages.places = {name: name for name in ("howto/real_time.md", "howto/embed.md", "howto/choose.md")}
+        self.pages.toctree([])
+        text = (self.path / "source/index.md").read_text()
+        self.assertIn("\nhowto/choose\nhowto/real_time\nhowto/embed\n", text)
+
     def test_broken_links_of_the_site_are_found(self):
         (self.path / "a.html").write_text('<a href="b.html#there"></a><a href="b.html#gone"></a><img src="c.png">'
                                           '<a href="#x" id="x"></a><a href="#y"></a><a href="https://example.org/z"></a>')

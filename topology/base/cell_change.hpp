@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What an operation that changes cells writes into a map: rows as they shall be. Plain data.
+// The rows that an operation on cells writes into a map. Plain data.
 #pragma once
 
 #include <array>
@@ -11,31 +11,31 @@
 
 namespace sunder {
 
-/// Rows of a map that are rewritten, appended or, as an undo has it, dropped from the end. `apply` of
-/// a map carries it out and gives the change that takes it back to the same bytes.
+/// Rows of a map that are rewritten, appended or (by an undo) dropped from the end. The map's
+/// `apply` carries the change out and returns the inverse change, which restores the same bytes.
 struct CellChange {
-  /// A tetrahedron as it shall be.
+  /// The new content of a row of tetrahedra.
   struct Cell {
     TetId row;
     std::array<VertexId, 4> corners;
     std::array<HalfFaceId, 4> neighbours;
   };
-  /// Where walks round a vertex begin.
+  /// The tetrahedron from which walks round a vertex start.
   struct Begin {
     VertexId vertex;
     TetId tetrahedron;
   };
 
-  /// How many rows stay; those behind are dropped before others are appended.
+  /// Numbers of rows that stay. The rows behind them are dropped before others are appended.
   std::size_t kept_points = 0, kept_vertices = 0, kept_tetrahedra = 0;
-  /// Rest positions of the points appended, m.
+  /// Rest positions of the appended points, m.
   std::vector<Point> points;
-  /// The point of each vertex appended.
+  /// The point of each appended vertex.
   std::vector<std::uint32_t> vertices;
-  /// Rewritten rows, each once, and behind `kept_tetrahedra` all appended ones in rising order. Both
-  /// sides of every face that is sewn, unsewn or sewn to another one are among them.
+  /// Rewritten rows, each once, and all appended rows from `kept_tetrahedra` on in rising order.
+  /// The rows include both sides of every face that is sewn, unsewn or sewn to another face.
   std::vector<Cell> cells;
-  /// Of appended vertices, and of all whose walks began in a tetrahedron that they leave.
+  /// Starts of appended vertices, and of vertices that leave the tetrahedron of their former start.
   std::vector<Begin> begins;
 };
 

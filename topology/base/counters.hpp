@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Counters of reports: each defined once by its name, its member and how it adds up.
+// Counters of reports: each is defined once, by its name, its member and its rule of addition.
 #pragma once
 
 #include <algorithm>
@@ -9,17 +9,17 @@
 
 namespace sunder {
 
-/// What a counter of two reports is together, the first one's before the second's.
+/// Rule for the sum of one counter over two reports, the earlier one first.
 enum class Adds {
   sum,
-  most,  ///< the larger one
-  last,  ///< the second one
-  once,  ///< a sum of ones: how many reports had any
+  most,  ///< the larger value
+  last,  ///< the value of the second report
+  once,  ///< the number of reports with a value other than 0
 };
 
-/// A member of a report that adds up; `name` is its key in report.json, empty where it has none. A
-/// report lists all of them, in the order of report.json, in
-/// an overload of `counters_of(const Report*)`; whatever adds, names or reads them goes by it.
+/// A member of a report that adds up. `name` is its key in report.json, or empty. A report lists
+/// all its counters, in the order of report.json, in an overload of `counters_of(const Report*)`,
+/// which everything that adds, names or reads counters uses.
 template <class Report, class Value>
 struct Counter {
   std::string_view name;

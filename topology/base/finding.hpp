@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is wrong with a user's input, said so that the user can mend it; and results that carry it.
+// Faults of a user's input, each with its remedy, and results that carry them.
 #pragma once
 
 #include <cstddef>
@@ -19,22 +19,22 @@ constexpr std::string_view to_string(Severity s) {
   return s == Severity::error ? "error" : s == Severity::warning ? "warning" : "note";
 }
 
-/// One thing found in a file, a mesh or a scene.
+/// One fault or remark about a file, a mesh or a scene.
 struct Finding {
   /// Stable machine-readable name in snake_case, such as "flat_tetrahedron".
   std::string code;
   Severity severity = Severity::error;
-  /// How many cells (or places) show it.
+  /// Number of cells or places that show it.
   std::size_t count = 1;
-  /// The first few of them, at most `max_ids`: rows counted from 0.
+  /// The first of these cells or places, at most `max_ids`: rows counted from 0.
   std::vector<std::int64_t> ids;
-  /// What was seen, where, and what was expected.
+  /// The observation, its place, and the expected value.
   std::string text;
-  /// What to do about it.
+  /// The remedy.
   std::string remedy;
-  /// The file it stands in, empty where there is none.
+  /// The file with the fault; empty without a file.
   std::string file;
-  /// Line counted from 1; 0 when it is not a line of text.
+  /// Line counted from 1; 0 if the fault has no line of text.
   std::size_t line = 0;
 
   static constexpr std::size_t max_ids = 16;
@@ -48,7 +48,7 @@ inline bool has_error(const std::vector<Finding>& findings) {
   return false;
 }
 
-/// A value, or the reasons why there is none; warnings and notes may stand beside a value.
+/// A value, or the errors that explain its absence. Warnings and notes may accompany a value.
 template <class T>
 struct Result {
   std::optional<T> value;

@@ -36,7 +36,7 @@ using ComponentId = Id<struct ComponentTag>;
 using HalfFaceId = Id<struct HalfFaceTag>;
 /// A vertex seen from one tetrahedron: 4 * tetrahedron + its place (0 to 3) there.
 using CornerId = Id<struct CornerTag>;
-/// A dart: 12 * tetrahedron + its place there (see kernel.hpp for the order).
+/// A dart: 12 * tetrahedron + its place there (`dart_order` has the order).
 using DartId = Id<struct DartTag>;
 
 constexpr HalfFaceId half_face(TetId t, int opposite_corner) {

@@ -6,9 +6,9 @@
 
 namespace sunder {
 
-/// A caller broke what a function needs: an id that was never given out, a simulation that was
-/// moved from. Nothing has changed then. In every build; other such mistakes only debug builds
-/// find.
+/// Thrown when a caller violates a requirement: an id that does not exist, or a simulation that was
+/// moved from. The call has then changed nothing. Every build checks these requirements. Only debug
+/// builds check the others.
 class Misuse : public std::logic_error {
  public:
   using std::logic_error::logic_error;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A member whose type the reader of a header need not know.
+// A member with a type that readers of a header need not know.
 #pragma once
 
 #include <memory>
@@ -9,8 +9,8 @@
 
 namespace sunder {
 
-/// Owns one `T` and is const where it is; `T` may be incomplete where this is only held. What was
-/// moved from, or never filled, throws Misuse when it is used.
+/// Owns one `T`, with the constness of the owner. `T` may be incomplete in code that only holds it.
+/// Access to an empty or moved-from owner throws Misuse.
 template <class T>
 class Owned {
  public:

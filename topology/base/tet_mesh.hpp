@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A tetrahedral mesh as files hold it: the plain data everyone exchanges. No adjacency here.
+// A tetrahedral mesh as files hold it, in plain data. No adjacency here.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace sunder {
 /// A point in space, m.
 using Point = std::array<double, 3>;
 
-/// Points and tetrahedra, with what a file said about them.
+/// Points and tetrahedra, with the regions and numbers that a file gives them.
 struct TetMesh {
   /// Coordinates, m.
   std::vector<Point> points;
@@ -21,11 +21,11 @@ struct TetMesh {
   std::vector<std::array<std::uint32_t, 4>> tetrahedra;
   /// Region (material, physical group) of each tetrahedron; empty when the file has none.
   std::vector<std::int32_t> region;
-  /// Names of regions, where the file gives any.
+  /// Names of regions, if the file has any.
   std::map<std::int32_t, std::string> region_name;
-  /// The file's own number of each point; empty when it is the row (or the row + 1 by convention).
+  /// The file's own number of each point; empty if it equals the row, or the row + 1 by convention.
   std::vector<std::int64_t> source_point_id;
-  /// The file's own number of each tetrahedron; empty likewise.
+  /// The file's own number of each tetrahedron; empty under the same condition.
   std::vector<std::int64_t> source_tetrahedron_id;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Columns beside the rows of a map go along with operations on cells and with split faces, by named
+// Columns with the rows of a map follow operations on cells and split faces, by named
 // rules.
 #pragma once
 
@@ -12,17 +12,17 @@
 
 namespace sunder {
 
-/// What the children of a tetrahedron get.
+/// Values of the children of a tetrahedron.
 enum class CellRule {
-  /// What their parent had: regions, materials, component labels, densities, stresses.
+  /// The value of the parent: regions, materials, component labels, densities, stresses.
   copy,
-  /// Their part of it by volume: masses, volumes, energies. For numbers.
+  /// A share of the parent's value by volume: masses, volumes, energies. For numbers.
   share
 };
 
-/// What a vertex on an edge gets.
+/// Value of a vertex on an edge.
 enum class VertexRule {
-  /// Between the values of the edge's ends, as it lies between them: displacements, temperatures.
+  /// Linear interpolation between the ends of the edge: displacements, temperatures.
   ///
   /// For numbers and arrays of them.
   interpolate,
@@ -30,7 +30,7 @@ enum class VertexRule {
   nearest
 };
 
-/// What a column was before it went along, to take that back to the same bytes.
+/// The earlier content of an extended column, which restores the same bytes.
 template <class T>
 struct ColumnBefore {
   std::size_t rows = 0;
@@ -43,7 +43,8 @@ void take_back(std::vector<T>& column, const ColumnBefore<T>& before) {
   for (const auto& [row, value] : before.values) column[row] = value;
 }
 
-/// A column with a row for each tetrahedron. Needs: a row for each of before the operation.
+/// Extends a column with a row per tetrahedron. Requires: a row for each tetrahedron before the
+/// operation.
 template <class T>
 ColumnBefore<T> extend_cells(std::vector<T>& column, const CellEdit& edit, CellRule rule) {
   ColumnBefore<T> before{column.size(), {}};
@@ -63,8 +64,8 @@ ColumnBefore<T> extend_cells(std::vector<T>& column, const CellEdit& edit, CellR
   return before;
 }
 
-/// A column with a row for each face of each tetrahedron (4 t + p): parts of a face get what it
-/// had, faces inside the parent get `inside`. Crack labels and sets of faces go along so.
+/// Extends a column with a row per face of each tetrahedron (4 t + p). Parts of a face get its
+/// value, and faces inside the parent get `inside`. Use: crack labels and sets of faces.
 template <class T>
 ColumnBefore<T> extend_faces(std::vector<T>& column, const CellEdit& edit, const T& inside = {}) {
   ColumnBefore<T> before{column.size(), {}};
@@ -108,7 +109,7 @@ concept Interpolated = std::floating_point<T> || requires(const T& a, double w) 
 
 }  // namespace detail
 
-/// A column with a row for each vertex. Needs: a row for each of before the operation.
+/// Extends a column with a row per vertex. Requires: a row for each vertex before the operation.
 template <class T>
 ColumnBefore<T> extend_vertices(std::vector<T>& column, const CellEdit& edit, VertexRule rule) {
   ColumnBefore<T> before{column.size(), {}};
@@ -124,8 +125,8 @@ ColumnBefore<T> extend_vertices(std::vector<T>& column, const CellEdit& edit, Ve
   return before;
 }
 
-/// A column with a row for each vertex, after a face was split: each vertex that came apart has its
-/// value on both sides (the rule copy). Columns of tetrahedra and of their faces stay as they are.
+/// Extends a column with a row per vertex after a face split. A vertex that split has its value on
+/// both sides (the rule copy). Columns of tetrahedra and of their faces stay as they are.
 template <class T>
 ColumnBefore<T> extend_vertices(std::vector<T>& column, const FaceSplit& split) {
   const ColumnBefore<T> before{column.size(), {}};
@@ -138,13 +139,13 @@ ColumnBefore<T> extend_vertices(std::vector<T>& column, const FaceSplit& split) 
   return before;
 }
 
-/// For each of `split.split_vertices` the part of the rest volume of its star that the new row has.
-/// Needs: the map as this split has left it. O(stars).
+/// For each of `split.split_vertices`, the new row's share of the rest volume of the star.
+/// Requires: the map directly after this split. O(stars).
 template <Kernel K>
 std::array<double, 3> parted_shares(const K& map, const FaceSplit& split);
 
-/// The same by the rule share: each side gets its part by volume, as masses do. `shares`: see
-/// `parted_shares`.
+/// Extends a column by the rule share: each side gets its share by volume, as with masses.
+/// `shares`: result of `parted_shares`.
 template <std::floating_point T>
 ColumnBefore<T> share_vertices(std::vector<T>& column, const FaceSplit& split,
                                const std::array<double, 3>& shares) {

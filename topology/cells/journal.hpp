@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A journal of changes of a map: any number of them taken back and done again, to the same bytes.
+// A journal of changes of a map: undo and redo of any number of them, to the same bytes.
 #pragma once
 
 #include <utility>
@@ -10,19 +10,20 @@
 
 namespace sunder {
 
-/// Changes that take back what was done, and those that do it again; the last ones at the end.
+/// Changes that undo operations, and changes that redo them; the latest stand last.
 struct Journal {
   std::vector<CellChange> undo, redo;
 };
 
-/// Enters an operation by what takes it back, as `CellEdit::undo` does. What could be done again is
-/// forgotten.
+/// Enters an operation by its inverse change, such as `CellEdit::undo`. Changes that could be
+/// redone are deleted.
 inline void enter(Journal& journal, CellChange undo) {
   journal.undo.push_back(std::move(undo));
   journal.redo.clear();
 }
 
-/// Takes back the last operation; false when there is none. Needs: all changes of the map entered.
+/// Undoes the last operation; false if there is none. Requires: a journal with all changes of the
+/// map.
 template <CellKernel K>
 bool undo(K& map, Journal& journal) {
   if (journal.undo.empty()) return false;
@@ -31,7 +32,7 @@ bool undo(K& map, Journal& journal) {
   return true;
 }
 
-/// Does again what was taken back last; false when there is nothing.
+/// Redoes the last undone operation; false if there is none.
 template <CellKernel K>
 bool redo(K& map, Journal& journal) {
   if (journal.redo.empty()) return false;
@@ -40,7 +41,7 @@ bool redo(K& map, Journal& journal) {
   return true;
 }
 
-/// `split_face`, entered. O(stars of the face's vertices).
+/// Splits a face and enters the change into the journal. O(stars of the face's vertices).
 template <CellKernel K>
 FaceSplit split_face(K& map, HalfFaceId face, Journal& journal);
 

@@ -10,26 +10,26 @@
 
 namespace sunder {
 
-/// What a plane did to cells.
+/// Result of a cut of cells by a plane.
 struct PlaneCut {
   CellEdit edit;
-  /// The interior faces that lie in the plane now, seen from the side of the normal, in rising
+  /// The interior faces in the plane after the cut, seen from the side of the normal, in rising
   /// order.
   std::vector<HalfFaceId> faces;
-  /// Vertices of before that count as lying in the plane.
+  /// Number of earlier vertices that count as lying in the plane.
   std::size_t on_plane = 0;
 };
 
-/// Divides every edge that crosses the plane where it does: no tetrahedron has corners on both
-/// sides afterwards, and the section is made of whole faces. They stay sewn: `split_face` parts
+/// Divides every edge at its intersection with the plane. Afterwards no tetrahedron has corners on
+/// both sides, and the section consists of whole faces. The faces stay sewn; `split_face` separates
 /// them.
 ///
-/// A vertex lies in the plane when it is within rounding of it (8 units in the last place of the
-/// terms of its distance) or not farther than `tolerance` times an edge that would be divided;
-/// 1e-12 is what hardly a number could tell from its end. The volume of the whole is kept to
-/// rounding at any tolerance, that of each side as far as the section goes through points beside
-/// the plane. Needs: `tolerance` from 0 to below a half. Errors: `not_a_direction`, also for an
-/// offset that is not finite. O(|T|).
+/// A vertex lies in the plane if its distance is within rounding (8 units in the last place of the
+/// terms of the distance), or at most `tolerance` times the length of an edge that would be
+/// divided. At 1e-12 such a point can hardly be distinguished from the edge's end. The total volume
+/// is kept to rounding at any tolerance. The volume of each side changes if the section passes
+/// through vertices near the plane. Requires: `tolerance` from 0 to below 0.5. Errors:
+/// `not_a_direction`, also for an offset that is not finite. O(|T|).
 template <CellKernel K>
 Result<PlaneCut> cut_cells(K& map, const CuttingPlane& plane, double tolerance = 1e-12);
 

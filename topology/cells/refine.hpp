@@ -14,32 +14,32 @@ namespace sunder {
 /// One level of a refinement.
 struct RefinedLevel {
   CellEdit edit;
-  /// Tetrahedra that became eight (red), and those divided to meet them (green).
+  /// Numbers of tetrahedra divided into eight (red), and of neighbours divided to fit (green).
   std::size_t red = 0, green = 0;
 };
 
-/// Divides each of `marked` into eight, and others as they have to be so that faces fit: into two
-/// or four where one edge, two edges or one face of theirs is divided, else into eight as well [Bey
-/// 1995, sections 3 and 4]. `as_they_stand`: see divide_edges. O(|T|).
+/// Divides each of `marked` into eight, and neighbours so that faces fit. A neighbour with one
+/// edge, two edges or one face divided gives two or four tetrahedra, any other eight [Bey 1995,
+/// sections 3 and 4]. `as_they_stand`: see divide_edges. O(|T|).
 template <CellKernel K>
 RefinedLevel refine_marked(K& map, std::span<const TetId> marked,
                            std::span<const char> as_they_stand = {});
 
-/// Tetrahedra beyond which `refine` makes no further level unless told: some ten GiB of map.
+/// Default of the most tetrahedra that `refine` makes: about 10 GiB of map.
 inline constexpr std::size_t most_refined = std::size_t{1} << 27;
 
-/// Whether a tetrahedron shall be divided; `of` is the one of the beginning that it is a part of.
+/// Returns true to divide a tetrahedron; `of` is the original tetrahedron that contains it.
 using WantedCells = std::function<bool(const VolumeMap& map, TetId cell, TetId of)>;
 
-/// Refines `levels` times what `wanted` asks for, asked anew on each level.
+/// Refines `levels` times. On each level `wanted` chooses the tetrahedra.
 ///
-/// Green tetrahedra are never divided again: where one would have to be, its parent becomes eight
-/// instead, and the levels from there on are made anew. So every tetrahedron is red or a green
-/// child of a red one, and of the three shapes (Bey) and their green parts of its tetrahedron of
-/// before, of three threes the one with the best least radius ratio: quality does not fall with
-/// levels. Gives the levels in their order, fewer than asked for where the next one would leave
-/// more than `most` tetrahedra; to take all back, apply their undos from the last to the first.
-/// O(levels x |T|) times how often levels are made anew, of which there are few.
+/// Green tetrahedra are never divided again. Instead the parent is divided into eight, and the
+/// levels from there on are repeated. So every tetrahedron is red or a green child of a red one,
+/// and has one of the three shapes (Bey) of the original tetrahedron or of their green parts. Of
+/// the three possible sets of shapes the one with the best smallest radius ratio is taken, so
+/// quality does not fall with levels. Returns the levels in order, and fewer if the next one would
+/// exceed `most` tetrahedra. To undo all, apply their undos from the last to the first. O(levels x
+/// |T|) times the few repetitions of levels.
 std::vector<RefinedLevel> refine(VolumeMap& map, std::size_t levels, const WantedCells& wanted,
                                  std::size_t most = most_refined);
 

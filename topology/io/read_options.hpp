@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// What a reader of mesh files is to keep.
+// The parts of a mesh file that a reader keeps.
 #pragma once
 
 namespace sunder {
 
 struct ReadOptions {
-  /// Volume cells that are no tetrahedra are left out with a warning.
+  /// Leaves out volume cells other than tetrahedra, with a warning.
   bool tetrahedra_only = false;
-  /// For those who compute with simplices of first order: cells of second order are read by their
-  /// corners, and what is no simplex is left out, both with a note; volume cells that are no
-  /// tetrahedra are an error instead (with `tetrahedra_only` a warning).
+  /// Keeps simplices of first order only. Cells of second order are read by their corners, and
+  /// other cells are left out, both with a note. Volume cells other than tetrahedra are an error,
+  /// or a warning with `tetrahedra_only`.
   bool simplices = false;
 };
 

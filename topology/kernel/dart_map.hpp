@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The darts behind a VolumeMap: CGAL's 3-map, and a kernel that walks nothing else.
-// Costs 12 s a source to include: who needs no dart takes VolumeMap alone.
+// An include costs 12 s per source; without a need for darts, use VolumeMap alone.
 #pragma once
 
 #include <CGAL/Cell_attribute.h>
@@ -20,7 +20,8 @@
 
 namespace sunder {
 
-/// What a vertex attribute carries beside its rest position; fills the room that alignment leaves.
+/// Content of a vertex attribute besides its rest position; it fills the space that alignment
+/// leaves.
 struct VertexInfo {
   VertexId row;
   /// Row of the file's point.
@@ -29,8 +30,8 @@ struct VertexInfo {
 };
 
 /// A dart carries its own row. Attributes: vertices (rest position, rows) and tetrahedra (row).
-/// Edges and faces carry none: 1- and 2-attributes cost 40 per cent of time and memory and nothing
-/// here needs them.
+/// Edges and faces carry none, because 1- and 2-attributes would cost 40 % of time and memory
+/// without a use.
 struct DartItems {
   template <class Refs>
   struct Dart_wrapper {
@@ -55,14 +56,14 @@ using ConstDartDescriptor = DartComplex::Dart_const_handle;
 using VertexAttributeDescriptor = DartComplex::Attribute_handle<0>::type;
 #endif
 
-/// CGAL's map kept unmanaged for good, with a handle for every row; a model of `Kernel` whose every
-/// answer is walked on darts: three to five times slower than rows, 22 times larger.
+/// CGAL's map, always unmanaged, with a handle for every row. It is a model of `Kernel` that
+/// answers by walks on darts: three to five times slower than rows, and 22 times larger.
 class DartMap {
  public:
   using Dart = DartDescriptor;
   using ConstDart = ConstDartDescriptor;
 
-  /// Needs: rows that agree with each other; corners of one vertex row form one orbit.
+  /// Requires: rows that agree with each other, and one orbit for the corners of each vertex row.
   explicit DartMap(const MapRows& rows);
   DartMap(const DartMap&) = delete;  // handles point into the complex: build again from rows
   DartMap& operator=(const DartMap&) = delete;
@@ -76,10 +77,10 @@ class DartMap {
   std::uint32_t point_of_vertex(VertexId v) const;
 
   Dart dart(HalfFaceId f, CornerId from) const;
-  /// A dart that starts at the vertex, which is not retired.
+  /// A dart that starts at the vertex. Requires: a vertex that is not retired.
   Dart dart(VertexId v) const;
-  /// A dart met in an iteration of `complex()`, such as `one_dart_per_incident_cell<2, 0>(d)`,
-  /// which CGAL gives as const: the same one for the functions here.
+  /// The same dart for the functions here, from a const dart of an iteration over `complex()`, such
+  /// as `one_dart_per_incident_cell<2, 0>(d)`.
   Dart dart(ConstDart d) const;
   /// The half-face along which a dart runs, and the corner at which it starts.
   HalfFaceId half_face_of(Dart d) const { return HalfFaceId{id(d).index() / 3}; }
@@ -98,18 +99,18 @@ class DartMap {
   void sew(Dart a, Dart b);
   VertexId split_vertex(const VertexSplit& split);
   void merge_vertices(VertexId kept, VertexId retired, std::span<const CornerId> corners);
-  /// `rows`: as the change leaves them. O(cells of the change log).
+  /// Applies a change. `rows`: the rows after the change. O(cells of the change log).
   void apply(const CellChange& change, const MapRows& rows);
-  /// As many rows, those without a corner among them.
+  /// Sets the number of vertex rows, including rows without a corner.
   void fit_rows(std::size_t rows) { corner_.resize(rows); }
 
   const DartComplex& complex() const { return complex_; }
-  /// For measurements and tests that let CGAL manage attributes; rows are not kept right then.
+  /// For measurements and tests in which CGAL manages attributes. Rows are then not updated.
   DartComplex& complex() { return complex_; }
   /// Dart k (0 to 11, canonical order) of a tetrahedron.
   Dart dart_at(TetId t, int k) const;
-  /// Asks for the darts of a tetrahedron ahead of their use: to walk to one of them is up to four
-  /// reads, each of which waits for the one before. No effect but time.
+  /// Prefetches the darts of a tetrahedron. A walk to one of them takes up to four dependent reads.
+  /// The only effect is on time.
   void prefetch(TetId t) const;
   /// Bytes of darts, attributes and handles.
   MapBytes bytes() const;
@@ -122,7 +123,7 @@ class DartMap {
   void remove_tetrahedron(TetId t);
   void add_tetrahedron(TetId t, const std::array<VertexAttributeDescriptor, 4>& corners);
   void rename(CornerId c, VertexAttributeDescriptor to);
-  /// Needs: v is not retired.
+  /// Requires: v is not retired.
   VertexAttributeDescriptor attribute_of(VertexId v) const;
 
   DartComplex complex_;

@@ -12,31 +12,31 @@
 
 namespace sunder {
 
-/// Of each tetrahedron the rows of its six edges (`edge_ends`), attributes of the orbits of beta2 and
-/// beta3: one row an orbit (`DenseMap::append_node`). All none() in tetrahedra without.
+/// Rows of the six edges (`edge_ends`) of each tetrahedron: attributes of the orbits of beta2 and
+/// beta3, one row per orbit (`DenseMap::append_node`). All are none() in tetrahedra without nodes.
 using EdgeNodeRows = std::vector<std::array<VertexId, 6>>;
 
 /// Gives every edge of the tetrahedra `first` to `end` a row, at its middle, in the order of
-/// `edge_rows`. Needs: no tetrahedron beyond shares an edge with one of them. O(|T|).
+/// `edge_rows`. Requires: no other tetrahedron shares an edge with these. O(|T|).
 void append_edge_nodes(EdgeNodeRows& nodes, VolumeMap& map, TetId first, TetId end);
 
-/// Edges that came apart: as vertices do, the side of the half-face that was passed keeps the row.
+/// Edges that split. As with vertices, the side of the passed half-face keeps the row.
 struct EdgeSplits {
   std::array<VertexCopy, 3> copies;
   int count = 0;
 };
 
-/// Follows a `split_face`: appends a row for each edge that it parted (`split_edges`), in their order,
-/// and gives it to the tetrahedra round the edge on the other side. O(their rings).
+/// Follows a `split_face`: appends a row for each split edge (`split_edges`), in their order, and
+/// gives it to the tetrahedra round the edge on the other side. O(rings of these edges).
 EdgeSplits split_edge_nodes(EdgeNodeRows& nodes, VolumeMap& map, const FaceSplit& split);
 
-/// Before a `glue_face` of the same half-faces: edges that meet have the lower of their rows, the
-/// other is retired. The inverse of `split_edge_nodes`, to the same bytes where the last split is
-/// glued first. Needs: what `glue_face` needs.
+/// Precedes a `glue_face` of the same half-faces: edges that meet keep the lower row, and the other
+/// row is retired. It is the inverse of `split_edge_nodes`, with the same bytes if the last split
+/// is glued first. Requires: the conditions of `glue_face`.
 void join_edge_nodes(EdgeNodeRows& nodes, VolumeMap& map, HalfFaceId a, HalfFaceId b);
 
-/// Everything that is wrong with rows of edges: those of a tetrahedron are nodes, all or none; one row
-/// an orbit, and one orbit a row; at the middle of the edge's ends. O(|T|).
+/// Checks rows of edges and returns all faults. A tetrahedron has nodes on all edges or on none.
+/// Rows and orbits correspond one to one. Each node is at the middle of the edge's ends. O(|T|).
 std::vector<Finding> check(const EdgeNodeRows& nodes, const VolumeMap& map);
 
 }  // namespace sunder

@@ -18,21 +18,21 @@ struct CellEdge {
   friend bool operator==(const CellEdge&, const CellEdge&) = default;
 };
 
-/// The tetrahedra round an edge (the orbit of beta2 beta3), each by its place of the edge, as a walk
-/// meets them that begins at the one given; round an edge on the boundary the walk goes on from there
-/// the other way. O(ring).
+/// The tetrahedra round an edge (the orbit of beta2 beta3), each with the edge's place, in the
+/// order of a walk from the given one. At a boundary the walk continues from the given one in the
+/// other direction. O(ring).
 template <Kernel K>
 std::vector<CellEdge> edge_ring(const K& map, CellEdge edge);
 
 /// A row for every edge orbit of a map.
 struct EdgeRows {
-  /// Of the six edges of each tetrahedron.
+  /// Rows of the six edges of each tetrahedron.
   std::vector<std::array<std::uint32_t, 6>> of_cell;
-  /// Each edge from the tetrahedron of lowest row that has it.
+  /// Each edge, seen from its tetrahedron of lowest row.
   std::vector<CellEdge> first;
 };
 
-/// In the order of their lowest tetrahedra and of places there. O(|T|).
+/// Numbers the edges in the order of their lowest tetrahedra and of the places there. O(|T|).
 template <Kernel K>
 EdgeRows edge_rows(const K& map);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kernel concept: what every topological algorithm asks of a 3-map of tetrahedra. No storage
+// The kernel concept: the calls of a 3-map that topological algorithms need. No storage
 // here.
 #pragma once
 
@@ -54,29 +54,29 @@ constexpr int beta2(int k) {
 
 }  // namespace dart_order
 
-/// Of what a tetrahedron has at its four corners (rows, points, places) that of the three of one
-/// face, in the order of its darts.
+/// Values of the three corners of a face, chosen from the values of a tetrahedron's four corners
+/// (rows, points, places), in the order of the face's darts.
 template <class T>
 constexpr std::array<T, 3> corners_of_face(const std::array<T, 4>& corners, HalfFaceId face) {
   const auto& [a, b, c] = dart_order::face_corners[place_of(face)];
   return {corners[a], corners[b], corners[c]};
 }
 
-/// One vertex orbit that has come apart in two, as a kernel needs it to give the second a row.
+/// One vertex orbit that has split in two. The kernel gives the second orbit a row.
 struct VertexSplit {
   VertexId vertex;
-  /// Every corner that gets the appended row.
+  /// All corners that get the appended row.
   std::span<const CornerId> leaving;
-  /// Corners that keep `vertex`: at least one; all of them when they are fewer than `leaving`.
+  /// Corners that keep `vertex`: at least one, and all of them if they are fewer than `leaving`.
   std::span<const CornerId> staying;
 };
 
-/// A 3-map of tetrahedra with rows. Algorithms are written once against this; `VolumeMap` (map and
-/// dense columns) and `DartMap` (darts alone) are its models.
+/// A 3-map of tetrahedra with rows. Algorithms are written once for this concept. Its models are
+/// `VolumeMap` (map and dense columns), `DenseMap` and `DartMap` (darts alone).
 ///
 /// Rows: tetrahedra 0 to tetrahedra() - 1, vertices 0 to vertices() - 1. A vertex row is one vertex
 /// orbit, or retired (no tetrahedron) after a merge. Rows never move. The four corners of one
-/// tetrahedron always have four different `point_of_vertex`, so a corner is known by its row.
+/// tetrahedron always have four different `point_of_vertex`, so a row identifies a corner.
 template <class K>
 concept Kernel = requires(const K& k, K& m, TetId t, HalfFaceId f, VertexId v, CornerId c,
                           typename K::Dart d, const VertexSplit& split,
@@ -106,21 +106,22 @@ concept Kernel = requires(const K& k, K& m, TetId t, HalfFaceId f, VertexId v, C
   m.merge_vertices(v, v, corners);  // `corners` (all of the second row) get the first row
 };
 
-/// A kernel whose cells can change: rows are rewritten, appended and dropped. `apply` gives the
-/// change that takes this one back, to the same bytes of all rows.
+/// A kernel with changeable cells: rows are rewritten, appended and dropped. `apply` returns the
+/// inverse change, which restores the same bytes of all rows.
 template <class K>
 concept CellKernel = Kernel<K> && requires(const K& k, K& m, const CellChange& change) {
   { k.points() } -> std::convertible_to<std::span<const Point>>;  // the file's, m
   { m.apply(change) } -> std::same_as<CellChange>;
 };
 
-/// A map for which others answer: algorithms ask `answer(map, ...)` (map_answers.hpp).
+/// A map that passes queries on to two other maps: algorithms call `answer(map, ...)`
+/// (map_answers.hpp).
 template <class K>
 concept HasAnswers = requires {
   typename K::TwoAnswers;
 };
 
-/// Place (0 to 3) of row `v` among the corners of a tetrahedron; 4 when it is not there.
+/// Place (0 to 3) of row `v` among the corners of a tetrahedron; 4 if it is none of them.
 constexpr int place_of_vertex(const std::array<VertexId, 4>& corners, VertexId v) {
   for (int i = 0; i < 4; ++i) {
     if (corners[i] == v) return i;

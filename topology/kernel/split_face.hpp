@@ -11,37 +11,38 @@
 
 namespace sunder {
 
-/// A vertex that came apart: the passed side kept `old_row`, the other side got `new_row`.
+/// A vertex that split: the side of the passed half-face keeps `old_row`, the other side gets
+/// `new_row`.
 struct VertexCopy {
   VertexId old_row;
   VertexId new_row;
 };
 
-/// What one `split_face` did.
+/// Result of one `split_face`.
 struct FaceSplit {
-  /// False: the face was on the boundary, nothing changed, nothing below but `face` holds.
+  /// False if the face was on the boundary. Then nothing changed, and only `face` below is valid.
   bool did = false;
-  /// The half-face that was passed; its side keeps its rows.
+  /// The half-face of the call. Its side keeps the rows.
   HalfFaceId face;
   /// The half-face that lay on the other side.
   HalfFaceId opposite;
   /// Rows of the face before the split, in the order of the darts of `face` (dart_order).
   std::array<VertexId, 3> vertices;
-  /// The first `vertex_count` hold, in the order of `vertices`.
+  /// The first `vertex_count` entries are valid, in the order of `vertices`.
   std::array<VertexCopy, 3> split_vertices;
   int vertex_count = 0;
   /// Bit i: the edge from vertices[i] to vertices[(i + 1) % 3] came apart.
   std::uint8_t split_edges = 0;
-  /// Tetrahedra visited by walks round edges and searches of stars, one visited twice counted
-  /// twice: a measure of the cost, the same on every machine.
+  /// Tetrahedra visited by walks round edges and searches of stars, counted at each visit: a
+  /// measure of the cost that is the same on every machine.
   std::uint32_t visited = 0;
 };
 
 inline int edge_count(const FaceSplit& s) { return std::popcount(s.split_edges); }
 
-/// The oracle of section 4.2: only when all three vertices of the face split can the face have been
-/// the last tie between two components. Never says no to a true separation (a vertex is an orbit);
-/// says yes falsely when a handle is cut (figure 4).
+/// The oracle of the paper's section 4.2. A face can be the last connection of two components only
+/// if all three of its vertices split. The answer is never no for a true separation, because a
+/// vertex is an orbit. A cut through a handle gives a false yes (figure 4).
 inline bool oracle_says_new(const FaceSplit& s) { return s.did && s.vertex_count == 3; }
 
 /// Unsews the face and reports which of its vertices and edges came apart.
@@ -51,19 +52,19 @@ inline bool oracle_says_new(const FaceSplit& s) { return s.did && s.vertex_count
 ///     | A | B |   ->    | A |   | B |                an edge comes apart when no chain round the
 ///     |___|___|         |___|   |___|                edge does.
 ///
-/// Edges first: an edge comes apart exactly when it was on the boundary before, which a walk round
-/// it tells (about 5 tetrahedra); a vertex can only follow when both its edges did, and only then
-/// its star is searched, in lockstep from both sides.
-/// New rows are appended in the order of `vertices`. A boundary face is refused (`did` is false).
-/// Cost: the smaller sides of the stars, plus the other side of those vertices that split.
-/// Needs: face < 4 tetrahedra(). Component labels are not touched: see components.hpp.
+/// Edges come first: an edge comes apart exactly if it was on the boundary, which a walk round it
+/// finds (about 5 tetrahedra). A vertex can come apart only if both of its edges did. Only then its
+/// star is searched, in lockstep from both sides. New rows are appended in the order of `vertices`.
+/// A boundary face is refused (`did` is false). Cost: the smaller sides of the stars, plus the
+/// other side of the vertices that split. Requires: face < 4 tetrahedra(). Component labels stay as
+/// they are: see components.hpp.
 template <Kernel K>
 FaceSplit split_face(K& map, HalfFaceId face);
 
-/// Why two half-faces could not be glued.
+/// The reason why two half-faces were not glued.
 enum class GlueRefusal { none, not_boundary, same_half_face, different_points };
 
-/// What one `glue_face` did.
+/// Result of one `glue_face`.
 struct FaceGlue {
   GlueRefusal refusal = GlueRefusal::none;
   /// Rows merged: `old_row` is kept (the lower), `new_row` is retired.
@@ -73,10 +74,10 @@ struct FaceGlue {
 
 /// Sews two boundary half-faces with the same three file points: the inverse of `split_face`.
 ///
-/// Vertices that meet are merged into the lower row; the higher is retired, and retired rows at the
-/// end are dropped, so that gluing what was split last restores the very same rows.
-/// Needs: opposite sides of one face of the file (CGAL's topological test lets more pass; equal
-/// points are asked for here because they also fix which corner meets which). O(stars).
+/// Vertices that meet are merged into the lower row. The higher row is retired, and retired rows at
+/// the end are dropped, so gluing the last split face restores the same rows. Requires: opposite
+/// sides of one face of the file. CGAL's topological test accepts more; equal points also decide
+/// which corners meet. O(stars).
 template <Kernel K>
 FaceGlue glue_face(K& map, HalfFaceId a, HalfFaceId b);
 

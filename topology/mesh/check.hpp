@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is wrong with a mesh as a file gave it: every finding, and never a crash; its cells counted
+// Faults of a mesh as a file holds it: every finding, and never a crash; its cells counted
 // and the shapes of its tetrahedra measured.
 #pragma once
 
@@ -15,8 +15,8 @@
 
 namespace sunder {
 
-/// Everything found in a mesh, errors first, then in the order of the table below; never only the
-/// first. Safe on any contents: no number is used as a row before its range was checked.
+/// Checks a mesh and returns all findings, errors first, then in the order of the table. Safe on
+/// any contents: every number is checked before it is used as a row.
 ///
 /// | code | severity | ids |
 /// |---|---|---|
@@ -32,21 +32,21 @@ namespace sunder {
 /// | pinched_vertex, pinched_edge: several orbits | note | points; pairs of points |
 /// | unused_point, coincident_points | note | points |
 ///
-/// `bad_volume`: error for those who compute with volumes, warning for those who only need the map.
-/// Cost: about 0.5 us a tetrahedron.
+/// `bad_volume`: error for computations with volumes, warning if only the map is needed. Cost:
+/// about 0.5 µs per tetrahedron.
 std::vector<Finding> check_mesh(const TetMesh& mesh, Severity bad_volume = Severity::error);
 
-/// What the rows of a place number. An edge takes two points, a face three; triangles and
-/// tetrahedra are rows of the mesh's own lists.
+/// Meaning of the rows of a place. An edge takes two points, a face three. Triangles and tetrahedra
+/// are rows of the mesh's own lists.
 enum class PlaceKind { points, edges, faces, triangles, tetrahedra };
 
-/// How many rows a place of this kind takes.
+/// Number of rows of a place of this kind.
 constexpr std::size_t rows_of_place(PlaceKind kind) {
   return kind == PlaceKind::edges ? 2 : kind == PlaceKind::faces ? 3 : 1;
 }
 
-/// All places of one finding, where a Finding keeps the first few. The faces in which vertices hang
-/// are further places of `hanging_vertex`, which its count leaves out.
+/// All places of one finding; `Finding::ids` holds only the first. The list for `hanging_vertex`
+/// also has the faces with the hanging vertices, which `Finding::count` leaves out.
 struct FindingPlaces {
   std::string code;
   PlaceKind kind = PlaceKind::points;
@@ -54,7 +54,7 @@ struct FindingPlaces {
   std::vector<std::uint32_t> rows;
 };
 
-/// Shapes of tetrahedra. Of several with one value the lowest row is told.
+/// Shapes of tetrahedra. Among equal values the lowest row is given.
 struct Quality {
   struct Extreme {
     double value = 0;
@@ -62,8 +62,8 @@ struct Quality {
   };
   /// Angles between two faces, degrees; 70.53 everywhere in a regular tetrahedron.
   Extreme smallest_dihedral, largest_dihedral;
-  /// 3 r / R, r and R the radii of the spheres inside and around: 1 for a regular tetrahedron, 0
-  /// for a flat one [Liu and Joe 1994].
+  /// 3 r / R with the radii r and R of the inscribed and circumscribed spheres: 1 for a regular
+  /// tetrahedron, 0 for a flat one [Liu and Joe 1994].
   Extreme smallest_radius_ratio;
   double mean_radius_ratio = 0;
   /// m^3, without sign.
@@ -72,23 +72,23 @@ struct Quality {
   Extreme shortest_edge, longest_edge;
 };
 
-/// What is known of a mesh after a check.
+/// Result of a check of a mesh.
 struct MeshCheck {
   std::vector<Finding> findings;
-  /// In the order in which they were found; empty unless asked for.
+  /// In the order of discovery; empty without `keeps_places`.
   std::vector<FindingPlaces> places;
-  /// Orbits, as `count_cells` gives them of the map; none where errors allow no map. `betti` is
-  /// none also where volumes are bad: the body may not lie in space.
+  /// Result of `count_cells` for the map; absent if errors prevent a map. `betti` is also absent if
+  /// volumes are bad, because the body may then not lie in space.
   std::optional<Counts> counts;
-  /// None where no tetrahedron can be measured.
+  /// Absent if no tetrahedron can be measured.
   std::optional<Quality> quality;
 };
 
-/// Relative size of a gap that a check takes for none: see `hanging_vertex` and `close_points`.
+/// Relative size of a gap that a check ignores: see `hanging_vertex` and `close_points`.
 inline constexpr double contact_tolerance = 1e-6;
 
-/// Checks all that a file holds, from adjacency alone: the findings of `check_mesh` with bad
-/// volumes as errors, and, in the order of severity,
+/// Checks the whole content of a file. The result has the findings of `check_mesh` with bad volumes
+/// as errors, and in the order of severity:
 ///
 /// | code | severity | ids |
 /// |---|---|---|
@@ -96,19 +96,19 @@ inline constexpr double contact_tolerance = 1e-6;
 /// | close_points: boundary points that miss each other by a rounding | warning | points |
 /// | overlapping_faces: boundary faces that go through others | warning | 3 points each |
 /// | stray_triangle: a face of no tetrahedron | warning | triangles |
-/// | contact_unfinished: not held against all faces | warning | points |
-/// | overlap_unfinished: faces not held against all others | warning | 3 points each |
+/// | contact_unfinished: not compared with all faces | warning | points |
+/// | overlap_unfinished: faces not compared with all others | warning | 3 points each |
 /// | nonmanifold_vertex: in one piece, but the surface touches itself there | note | points |
 /// | coincident_faces: boundary faces in one place with different points | note | 3 points each |
 /// | interface_triangle: a face of two tetrahedra | note | triangles |
 ///
-/// A vertex hangs when it is nearer to an edge than `contact_tolerance` times that edge, or to a
-/// face than that times its longest edge, and is not near a corner; points are close nearer than
-/// that times the shortest edge of a face at one of them. Either distance is never taken smaller
-/// than 8 roundings of the largest coordinate. Faces go through each other where an edge of one
-/// passes the inside of the other, its ends and that face's edges being farther away than
-/// `contact_tolerance` times the longest edge of both. `keeps_places`: whether `places` is wanted.
-/// Cost: O(n log n) whatever the mesh, about 1 us a tetrahedron.
+/// A vertex hangs if it is away from all corners, and its distance to an edge or face is below
+/// `contact_tolerance` times the longest edge there. Points are close if their distance is below
+/// that factor times the shortest edge of a face at one of them. Neither limit is below 8 roundings
+/// of the largest coordinate. Faces intersect if an edge of one crosses the inside of the other,
+/// and the edge's ends and the face's edges are farther away than `contact_tolerance` times the
+/// longest edge of both. `keeps_places`: fills `places`. Cost: O(n log n) for every mesh, about 1
+/// µs per tetrahedron.
 MeshCheck check_file_mesh(const FileMesh& mesh, bool keeps_places = false);
 
 }  // namespace sunder

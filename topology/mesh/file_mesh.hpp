@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A mesh with all that its file said about it: what mesh files are converted through.
+// A mesh with everything that its file holds; conversions read and write this struct.
 #pragma once
 
 #include <array>
@@ -16,8 +16,8 @@
 
 namespace sunder {
 
-/// The type a file gives its numbers in. Values are kept as doubles or 64-bit integers; writers of
-/// formats with types write them in their own again.
+/// Type of the numbers in a file. Values are held as doubles or 64-bit integers. Writers of formats
+/// with types restore the original type.
 enum class NumberType {
   float64,
   float32,
@@ -31,7 +31,7 @@ enum class NumberType {
   uint64
 };
 
-/// A column of data beside points or cells: `components` numbers a row, row after row.
+/// A column of data of points or cells: `components` numbers per row, row after row.
 struct DataColumn {
   std::string name;
   /// 1 for a scalar, 3 for a vector, 9 for a tensor (row by row).
@@ -42,13 +42,13 @@ struct DataColumn {
   friend bool operator==(const DataColumn&, const DataColumn&) = default;
 };
 
-/// What is said of the cells of one list; every column is empty or as long as the list.
+/// Columns of the cells of one list. Each column is empty or as long as the list.
 struct CellColumns {
   /// Region: physical group (Gmsh), reference (MEDIT), attribute or marker (TetGen), element set.
   std::vector<std::int32_t> region;
   /// Number of the model's entity that the cell meshes (Gmsh's elementary entity).
   std::vector<std::int32_t> entity;
-  /// The file's own number of the cell; empty when it is its place among all cells.
+  /// The file's own number of the cell; empty if it equals the place among all cells.
   std::vector<std::int64_t> source_id;
   std::vector<DataColumn> data;
 
@@ -66,29 +66,29 @@ struct CellList : CellColumns {
 
 /// Cells of any other kind, in the file's order.
 struct OtherCells : CellColumns {
-  /// Rows of points, the nodes of one cell after those of the other.
+  /// Rows of points, cell after cell.
   std::vector<std::uint32_t> points;
-  /// Of polygons: where each ends in `points`. Empty for all other kinds.
+  /// For polygons, the index in `points` after the last node of each. Empty for all other kinds.
   std::vector<std::size_t> ends;
 
   friend bool operator==(const OtherCells&, const OtherCells&) = default;
 };
 
-/// All that a mesh file holds, as far as Sunder knows it. Cells by kind; their order among
-/// different kinds is not kept.
+/// The content of a mesh file as far as Sunder reads it. Cells stand by kind. The order among
+/// different kinds is lost.
 struct FileMesh {
   /// m.
   std::vector<Point> points;
-  /// The file's own number of each point; empty when it is the row (or the row + 1 by convention).
+  /// The file's own number of each point; empty if it equals the row, or the row + 1 by convention.
   std::vector<std::int64_t> source_point_id;
-  /// Reference (MEDIT) or boundary marker (TetGen) of each point; empty when the file has none.
+  /// Reference (MEDIT) or boundary marker (TetGen) of each point; empty if the file has none.
   std::vector<std::int32_t> point_region;
   std::vector<DataColumn> point_data;
   CellList<1> vertices;
   CellList<2> edges;
   CellList<3> triangles;
   CellList<4> tetrahedra;
-  /// Cells of all kinds that are no simplices of first order: see other_cells.
+  /// Cells of all kinds other than simplices of first order: see other_cells.
   std::array<OtherCells, cell_kinds - 4> others;
   /// Names of regions by the dimension of their cells.
   std::array<std::map<std::int32_t, std::string>, 4> region_name;
@@ -105,18 +105,18 @@ void for_each_cell_list(Mesh&& mesh, Work&& work) {
   work(mesh.tetrahedra, 3);
 }
 
-/// The list of a kind that is no simplex of first order.
+/// The list of a kind other than a simplex of first order. Requires: such a kind.
 OtherCells& other_cells(FileMesh& mesh, CellKind kind);
 const OtherCells& other_cells(const FileMesh& mesh, CellKind kind);
 
-/// What is said of the cells of any kind.
+/// The columns of the cells of any kind.
 CellColumns& columns_of(FileMesh& mesh, CellKind kind);
 const CellColumns& columns_of(const FileMesh& mesh, CellKind kind);
 
-/// The cells of one kind, by their nodes; good while the list stays as it is.
+/// The cells of one kind by their nodes; valid until the list changes.
 struct CellRows {
   const std::uint32_t* points = nullptr;
-  /// Nodes of a cell; of polygons `ends` tells where each ends.
+  /// Nodes per cell; for polygons `ends` holds the end of each.
   std::size_t nodes = 0;
   const std::size_t* ends = nullptr;
   std::size_t count = 0;
@@ -130,25 +130,25 @@ struct CellRows {
 };
 CellRows rows_of(const FileMesh& mesh, CellKind kind);
 
-/// All nodes of the cells of a kind, to be renumbered.
+/// All nodes of the cells of a kind, writable for renumbering.
 std::span<std::uint32_t> nodes_of(FileMesh& mesh, CellKind kind);
 
-/// Appends a cell's nodes to the list of its kind; its columns are left to the caller. Needs: as
-/// many as the kind has.
+/// Appends a cell's nodes to the list of its kind. The caller extends the columns. Requires: as
+/// many nodes as the kind has.
 void append_cell(FileMesh& mesh, CellKind kind, std::span<const std::uint32_t> nodes);
 
-/// All cells together.
+/// Number of cells of all kinds together.
 std::size_t cell_count(const FileMesh& mesh);
 
-/// Names of regions of all dimensions together.
+/// Number of names of regions of all dimensions together.
 std::size_t name_count(const FileMesh& mesh);
 
-/// What stands for the region of these cells in formats that know one label a cell: `region`, or
-/// the entities where no region is given and there are several; empty otherwise.
+/// The labels of these cells in formats with one label per cell: `region`, or `entity` if there is
+/// no region and more than one entity; empty otherwise.
 const std::vector<std::int32_t>& label_of(const CellColumns& cells);
 
-/// The tetrahedra of first order with their points, labels, names and numbers, to compute with; the
-/// rest is dropped. Numbers are those of the file: readers leave out those that only count.
+/// The tetrahedra of first order with their points, labels, names and numbers. All other cells are
+/// dropped. Numbers are the file's own; readers leave out numbers that equal the row.
 TetMesh tet_mesh_of(FileMesh&& mesh);
 
 /// The same mesh as a file would hold it.

@@ -242,8 +242,8 @@ std::string fragments_script(const FragmentSizes& s, const std::string& title) {
       "set terminal pngcairo size 900,600 font 'DejaVu Sans,11'\n"
       "set title '{}' noenhanced\nset logscale xy\nset format '%.0e'\nset format y '%g'\n"
       "set xlabel '{} x of a piece, {}'\nset ylabel 'pieces of at least x'\n"
-      "set yrange [0.7:{:.6g}]\nset key outside bottom center horizontal\nset grid lc rgb "
-      "'#dddddd'\n{}\n{}",
+      "set yrange [0.7:{:.6g}]\nset bmargin 7.5\nset key below\n"
+      "set grid lc rgb '#dddddd'\n{}\n{}",
       quoted, size_measure_names[static_cast<std::size_t>(s.measure)],
       unit_of(s) == "m^3" ? "m³" : unit_of(s), 1.5 * n, curves, data);
 }

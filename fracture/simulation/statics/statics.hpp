@@ -10,16 +10,16 @@
 
 namespace sunder {
 
-/// A largest value and where it is.
+/// A largest value and its place.
 struct Extreme {
   double value = 0;
   /// Row of the body's mesh points.
   std::size_t point = 0;
-  /// m, world, of the undeformed body where the scene places it.
+  /// Position on the undeformed body as the scene places it, m, world.
   Vec3 position = Vec3::Zero();
 };
 
-/// What one box of held vertices carries.
+/// Reaction of one support, a box of constrained vertices.
 struct SupportReaction {
   std::size_t vertices = 0;
   Vec3 force = Vec3::Zero();   ///< N, world, of the support on the body
@@ -31,42 +31,44 @@ struct BodyEquilibrium {
   std::string name;
   std::size_t vertices = 0, nodes = 0, tetrahedra = 0;  ///< nodes: with those of edges
   double mass = 0;           ///< kg
-  Extreme displacement;      ///< m, size, against the place in the scene
+  Extreme displacement;      ///< m, magnitude, from the place in the scene
   double strain_energy = 0;  ///< J
   Extreme principal_stress;  ///< Pa, largest eigenvalue of a node stress (eq. 6)
-  Extreme strength_share;    ///< the same over the vertex's tensile strength; from 1 on it breaks
-  Vec3 load = Vec3::Zero();  ///< N, world: gravity, pressure and forces, those at supports too
+  Extreme strength_share;    ///< ratio to the vertex's tensile strength; from 1 on it breaks
+  Vec3 load = Vec3::Zero();  ///< N, world: gravity, pressure and forces, also at supports
   std::vector<SupportReaction> supports;  ///< as the scene's `held`
-  /// N: largest force that is missing at a free node. Rounding.
+  /// Largest unbalanced force at a free node, N: rounding.
   double residual = 0;
 };
 
 /// Equilibrium of all bodies of a scene.
 struct Equilibrium {
   std::vector<BodyEquilibrium> bodies;  ///< row = body of the scene
-  /// Row = vertex of the simulation, Pa, in the axes of the bodies' meshes, averaged as the scene
-  /// says (`FractureSettings::node_stress`); of second order the average of what the tetrahedra have
-  /// at that place. Then the nodes of edges.
+  /// Stress at each vertex of the simulation, Pa, in the axes of the bodies' meshes. The scene
+  /// chooses the averaging (`FractureSettings::node_stress`). With order 2 it is the mean over the
+  /// tetrahedra at that place, and the nodes of edges follow the vertices.
   std::vector<Mat3> node_stress;
 };
 
-/// A simulation for what stands below: `build_simulation`, but for what only a body of order 2 that
-/// moves cannot do (`second_order_findings`).
+/// Builds a simulation for the functions below, as `build_simulation` does, but allows all settings
+/// that are refused only for moving bodies of order 2 (`second_order_findings`).
 Result<Simulation> build_statics(Scene scene);
 
-/// Puts the bodies of `simulation`, which stands at its start, where a slow run of the scene would
-/// leave them at its end: gravity and loads fully raised, held vertices displaced by velocity times
-/// duration. Obstacles have no part in it. Notes tell of starting velocities, which have none
-/// either, and a warning of parts that turn too far for the linear model. Nothing breaks.
-/// Errors: "not_supported" with the body's name; "not_a_number". Cost: one factor and one solve.
+/// Moves the bodies of `simulation` to the equilibrium at the end of a slow run of the scene:
+/// gravity and loads fully raised, constrained vertices displaced by velocity times duration.
+/// Obstacles and starting velocities have no effect, with a note for the latter. A warning names
+/// parts that turn too far for the linear model. Nothing breaks. Requires: a simulation at its
+/// start. Errors: "not_supported" with the body's name; "not_a_number". Cost: one factor and one
+/// solve.
 Result<Equilibrium> solve_scene(Simulation& simulation);
 
-/// The lowest natural modes of one piece, its held vertices at rest.
+/// The lowest natural modes of one piece with its constrained vertices at rest.
 struct PieceModes {
   ComponentId component;
   std::size_t body = 0;  ///< row of its body in the scene
-  /// How many of the modes are rigid motions (6 of a free piece, fewer with one or two held
-  /// vertices or held ones on a line, 0 of a held one). They come first and have frequency 0.
+  /// Number of modes that are rigid motions: 6 for a free piece, 0 for a supported one, and fewer
+  /// than 6 if only one or two vertices, or vertices on a line, are constrained. They come first
+  /// and have frequency 0.
   std::size_t rigid = 0;
   std::vector<double> frequency;  ///< Hz, ascending
   std::vector<VertexId> vertex;   ///< rows of the piece's vertices, ascending
@@ -76,9 +78,9 @@ struct PieceModes {
   std::vector<std::vector<Vec3>> shape;
 };
 
-/// The rigid modes and the `count` lowest others of every piece of `simulation`, which stands at
-/// its start; without gravity, loads and obstacles. Errors: "modes_not_found". Cost: two factors
-/// and some 3 `count` solves a piece (docs/explanation/theory.md).
+/// The rigid modes and the `count` lowest other modes of every piece of `simulation`, without
+/// gravity, loads and obstacles. Requires: a simulation at its start. Errors: "modes_not_found".
+/// Cost: two factors and about 3 `count` solves per piece (docs/explanation/theory.md).
 Result<std::vector<PieceModes>> scene_modes(Simulation& simulation, std::size_t count);
 
 }  // namespace sunder

@@ -39,29 +39,29 @@ struct Box {
 /// A closed surface of triangles, checked, with its measures (solid_surface.hpp).
 struct SolidSurface;
 
-/// What a closed surface of triangles bounds.
+/// The solid inside a closed surface of triangles.
 struct Solid {
-  /// In coordinates of its own, m; shared by all copies.
+  /// The surface in its own coordinates, m; shared by all copies.
   std::shared_ptr<const SolidSurface> surface;
-  /// Where those are placed: x = orientation * X + translation, m.
+  /// Placement of these coordinates: x = orientation * X + translation, m.
   Vec3 translation{0, 0, 0};
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
 };
 
 using Shape = std::variant<Plane, Sphere, Box, Solid>;
 
-/// A shape with its motion. Without a mass it is driven: it keeps its velocity whatever it hits.
-/// With a mass it must have a volume: a free rigid body, of the same density everywhere, that
-/// falls, is pushed back and hits other obstacles.
+/// A shape with its motion. Without a mass it is driven and keeps its velocity in every impact.
+/// With a mass it is a free rigid body of uniform density, which falls, is pushed back and hits
+/// other obstacles. A free obstacle needs a volume.
 struct Obstacle {
   Shape shape = Plane{};
-  /// m/s, of the mass centre; zero for a static obstacle.
+  /// Velocity of the mass centre, m/s; zero for a static obstacle.
   Vec3 velocity{0, 0, 0};
-  /// Angular velocity, rad/s, world; used by free obstacles only.
+  /// Angular velocity, rad/s, world; for free obstacles only.
   Vec3 spin{0, 0, 0};
-  /// Coulomb's coefficient, >= 0. Two surfaces in contact have the mean of theirs.
+  /// Coulomb's coefficient, >= 0. Two surfaces in contact take the mean of their coefficients.
   double friction = 0.5;
-  /// kg, > 0, of a free obstacle; none for a driven one.
+  /// Mass of a free obstacle, kg, > 0; empty for a driven one.
   std::optional<double> mass = {};
 };
 

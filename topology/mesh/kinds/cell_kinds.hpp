@@ -10,7 +10,7 @@
 
 namespace sunder {
 
-/// By dimension; of one shape those with fewer nodes first.
+/// Kinds of cells in the order of their dimension. Within a shape, fewer nodes come first.
 enum class CellKind : std::uint8_t {
   vertex,
   edge,
@@ -38,23 +38,23 @@ inline constexpr std::size_t cell_kinds = 21;
 
 constexpr std::size_t index_of(CellKind kind) { return static_cast<std::size_t>(kind); }
 
-/// All of them, in their order.
+/// All kinds in their order.
 inline constexpr auto all_cell_kinds = [] {
   std::array<CellKind, cell_kinds> all{};
   for (std::size_t i = 0; i < cell_kinds; ++i) all[i] = static_cast<CellKind>(i);
   return all;
 }();
 
-/// What a kind is. Nodes stand in VTK's order: corners, then the middles of edges, of faces, of the
-/// whole; prisms as Gmsh and meshio write them there (the normal of the first three corners points
-/// to the others where the volume is positive).
+/// Properties of a kind. Nodes stand in VTK's order: corners, then midpoints of edges, of faces,
+/// and of the cell. Prisms follow Gmsh and meshio: if the volume is positive, the normal of the
+/// first three corners points to the other three.
 struct CellKindTraits {
-  /// Of one, and of several, as messages call them.
+  /// Name of one cell and of several, as messages print them.
   std::string_view name, plural;
   int dimension;
-  /// 0 for polygons, which have any number.
+  /// 0 for polygons, because their number varies.
   std::size_t corners, nodes;
-  /// The same shape with fewer nodes, which are its first ones; itself where there is none.
+  /// The same shape with only the first nodes; the kind itself if there is no such kind.
   CellKind lower;
 };
 inline constexpr CellKindTraits cell_kind_traits[cell_kinds] = {
@@ -85,7 +85,7 @@ constexpr const CellKindTraits& traits_of(CellKind kind) {
   return cell_kind_traits[index_of(kind)];
 }
 
-/// Vertices, edges, triangles and tetrahedra, which have lists of their own.
+/// True for vertices, edges, triangles and tetrahedra. They have lists of their own.
 constexpr bool is_simplex(CellKind kind) {
   return kind == CellKind::vertex || kind == CellKind::edge || kind == CellKind::triangle ||
          kind == CellKind::tetrahedron;
@@ -115,7 +115,7 @@ constexpr KindSet kind_set(std::initializer_list<CellKind> kinds) {
 constexpr bool contains(KindSet set, CellKind kind) { return (set >> index_of(kind) & 1) != 0; }
 inline constexpr KindSet all_kinds = (KindSet{1} << cell_kinds) - 1;
 
-/// The first of `kind` and its lower kinds that the set has; `kind` itself where it has none.
+/// The first of `kind` and its lower kinds that the set contains; `kind` itself if there is none.
 constexpr CellKind held_kind(KindSet set, CellKind kind) {
   for (CellKind k = kind;; k = traits_of(k).lower) {
     if (contains(set, k)) return k;
@@ -123,18 +123,20 @@ constexpr CellKind held_kind(KindSet set, CellKind kind) {
   }
 }
 
-/// The corners of the faces of volume cells of first order, outward where the volume is positive;
-/// empty for other kinds. A face of three corners repeats the last.
+/// Corners of a face.
 using FaceCorners = std::array<std::uint8_t, 4>;
+/// Corners of the faces of a volume cell of first order; empty for other kinds. The normals point
+/// outward if the volume is positive. A face of three corners repeats the last one.
 std::span<const FaceCorners> faces_of(CellKind linear);
 
-/// The corners at the ends of the edges of a kind of first order, in the order in which their middles
-/// stand behind the corners of the second; empty for vertices and polygons.
+/// Corners of an edge.
 using EdgeCorners = std::array<std::uint8_t, 2>;
+/// Corners at the ends of the edges of a kind of first order; empty for vertices and polygons. The
+/// order is that of the midpoints in the kind of second order.
 std::span<const EdgeCorners> edges_of(CellKind linear);
 
-/// The kind with a node more in the middle of each edge; itself for vertices, polygons, and what is of
-/// second order already.
+/// The kind with one more node in the middle of each edge; `kind` itself for vertices, polygons and
+/// kinds of second order.
 constexpr CellKind raised_kind(CellKind kind) {
   for (const CellKind k : all_cell_kinds) {
     if (k != kind && traits_of(k).lower == kind && linear_kind(kind) == kind) return k;
