@@ -8,6 +8,7 @@
 #include <cmath>
 #include <span>
 
+#include "topology/base/counted.hpp"
 #include "topology/io/text/scan.hpp"
 #include "topology/mesh/kinds/move_cells.hpp"
 #include "topology/mesh/kinds/second_order.hpp"
@@ -61,12 +62,29 @@ void drop_usual_numbers(FileMesh& mesh) {
   for (const CellKind kind : all_cell_kinds) columns_of(mesh, kind).source_id.clear();
 }
 
-/// "108 triangles, 12 lines", and their sum.
+/// "third-order prism" for "third-order prisms": readers name kinds by their plurals.
+std::string singular_of(std::string_view plural) {
+  constexpr std::pair<std::string_view, std::string_view> others[] = {
+      {"tetrahedra", "tetrahedron"}, {"hexahedra", "hexahedron"}, {"vertices", "vertex"}};
+  std::string text(plural);
+  for (const auto& [several, one] : others) {
+    const std::size_t at = text.find(several);
+    if (at != std::string::npos) return text.replace(at, several.size(), one);
+  }
+  for (std::size_t end = 1; end <= text.size(); ++end) {
+    const bool ends_word = end == text.size() || text[end] == ' ';
+    if (ends_word && text[end - 1] == 's') return text.erase(end - 1, 1);
+  }
+  return text;
+}
+
+/// "108 triangles, 1 line", and their sum.
 std::pair<std::string, std::size_t> listed(const std::map<std::string, Draft::Others>& cells) {
   std::string text;
   std::size_t sum = 0;
   for (const auto& [name, others] : cells) {
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", others.count, name);
+    text += fmt::format("{}{}", text.empty() ? "" : ", ",
+                        counted(others.count, singular_of(name), name));
     sum += others.count;
   }
   return {text, sum};
@@ -95,14 +113,13 @@ void add_to(std::map<std::string, Draft::Others>& cells, std::string_view name,
 void tell_curved(Draft& draft, CellKind kind) {
   const CurvedCells curved = curved_cells(draft.mesh, kind);
   if (curved.count == 0) return;
-  const std::string_view name =
-      curved.count == 1 ? traits_of(kind).name : traits_of(kind).plural;
+  const CellKindTraits& t = traits_of(kind);
   Finding finding{.code = "curved_cells",
                   .severity = Severity::warning,
-                  .text = fmt::format("{} {} {} curved: the middle of an edge lies up to {:.2g} of "
+                  .text = fmt::format("{} {} curved: the middle of an edge lies up to {:.2g} of "
                                       "its length from the straight line",
-                                      curved.count, name, curved.count == 1 ? "is" : "are",
-                                      curved.most),
+                                      counted(curved.count, t.name, t.plural),
+                                      for_count(curved.count, "is", "are"), curved.most),
                   .remedy = "make the cells straight: sunder convert --order 1 FILE NEW.msh, or mesh "
                             "finer where the surface is curved"};
   finding.count = curved.count;
@@ -137,7 +154,7 @@ void judge_other_cells(Draft& draft, const ReadOptions& options) {
   const auto add = [&draft](const std::map<std::string, Draft::Others>& cells, Finding finding,
                             std::string_view what) {
     const auto [text, sum] = listed(cells);
-    finding.text = fmt::format("{}{}", text, what);
+    finding.text = text + text_of_count(what, sum);
     finding.count = sum;
     draft.findings.push_back(at_first(cells, std::move(finding)));
   };
@@ -152,9 +169,9 @@ void judge_other_cells(Draft& draft, const ReadOptions& options) {
                  ? "mesh the body with tetrahedra, or split these cells: sunder convert "
                    "--split FILE NEW.vtu"
                  : "split these cells, in the program that made them, into cells that are kept"},
-        options.tetrahedra_only ? ": are left out, as requested"
+        options.tetrahedra_only ? " [is|are] left out, as requested"
         : options.simplices     ? ": of volume cells only tetrahedra are used here"
-                                : " are left out");
+                                : " [is|are] left out");
   }
   if (!draft.curved_cells.empty()) {
     add(draft.curved_cells,
@@ -162,7 +179,7 @@ void judge_other_cells(Draft& draft, const ReadOptions& options) {
          .severity = Severity::warning,
          .remedy = "nothing to do, if their sides are straight; their other points stay as unused "
                    "points"},
-        " are read by their corners");
+        " [is|are] read by [its|their] corners");
   }
   if (!draft.surface_cells.empty()) {
     add(draft.surface_cells,
@@ -170,7 +187,7 @@ void judge_other_cells(Draft& draft, const ReadOptions& options) {
          .severity = Severity::warning,
          .remedy = options.simplices ? "nothing to do: only simplices are used"
                                      : "write them in another way, if they matter"},
-        " are left out");
+        " [is|are] left out");
   }
 }
 
@@ -300,7 +317,8 @@ void check_end(Draft& draft, NumberSource& in, std::string_view row) {
         {.code = "trailing_bytes",
          .severity = Severity::warning,
          .count = left,
-         .text = fmt::format("{} bytes stand behind the last {}: they are not read", left, row),
+         .text = fmt::format("{} behind the last {} {} not read", counted(left, "byte"), row,
+                             for_count(left, "is", "are")),
          .remedy = "correct the counts, if they are rows too"});
   }
   if (in.is_binary || peek_word(in.s).empty()) return;

@@ -2,6 +2,7 @@
 // Which code writes each format. A source of its own: who only reads links none of it.
 #include <fmt/format.h>
 
+#include "topology/base/counted.hpp"
 #include "topology/io/abaqus/abaqus.hpp"
 #include "topology/io/files/output_file.hpp"
 #include "topology/io/formats.hpp"
@@ -34,7 +35,8 @@ std::optional<Finding> write_stl(const std::filesystem::path& path, const FileMe
   return Finding{.code = "number_out_of_range",
                  .count = too_big,
                  .text = fmt::format(
-                     "{} points have coordinates beyond 3.4e38: binary STL has floats", too_big),
+                     "{} coordinates beyond 3.4e38: binary STL has floats",
+                     counted(too_big, "point has", "points have")),
                  .remedy = "write text (--text), which keeps every digit"};
 }
 

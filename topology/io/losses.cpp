@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "topology/base/counted.hpp"
 #include "topology/io/abaqus/abaqus.hpp"
 #include "topology/io/fitted_cells.hpp"
 #include "topology/io/msh/msh.hpp"
@@ -65,7 +66,7 @@ void lose_cells(Losses& losses, const FileMesh& mesh, const FormatTraits& t) {
                        mixes ? "has cells of one order" : fmt::format("holds no {}", own.plural),
                        n == 1 ? fmt::format("one is written as {}", with_article(lower))
                               : fmt::format("{} are written as {}", n, traits_of(lower).plural),
-                       n == 1 ? "its" : "their"));
+                       for_count(n, "its", "their")));
     }
   }
 }
@@ -195,7 +196,7 @@ void lose_data(Losses& losses, const FileMesh& mesh, std::string_view version) {
   }
   if (typed > 0) {
     lose(losses, "number_types_lost", typed,
-         fmt::format("{} columns become {}", typed,
+         fmt::format("{} {}", counted(typed, "column becomes", "columns become"),
                      is_ply ? "integers of 32 bits" : "double-precision numbers"));
   }
 }
@@ -240,42 +241,48 @@ void lose_inside(Losses& losses, const FileMesh& mesh, const BoundarySurface& su
   const std::size_t triangles = rows_of(surface.mesh, CellKind::triangle).count;
   const std::size_t quads = rows_of(surface.mesh, CellKind::quad4).count;
   lose(losses, "cells_lost", volumes,
-       fmt::format("{} holds no {}: their boundary of {} triangles{} is written", name, plurals,
-                   triangles, quads == 0 ? "" : fmt::format(" and {} quadrilaterals", quads)));
+       fmt::format("{} holds no {}: their boundary of {}{} is written", name, plurals,
+                   counted(triangles, "triangle"),
+                   quads == 0 ? "" : " and " + counted(quads, "quadrilateral")));
   for (const CellKind kind : all_cell_kinds) {
     const std::size_t lost = surface.lost_cells[index_of(kind)];
     if (lost == 0 || !contains(losses.to.cells, kind)) continue;
     lose(losses, "cells_lost", lost,
-         fmt::format("{} {} are not on the boundary of the volume cells", lost,
-                     traits_of(kind).plural));
+         fmt::format("{} {} not on the boundary of the volume cells",
+                     counted(lost, traits_of(kind).name, traits_of(kind).plural),
+                     for_count(lost, "is", "are")));
   }
   if (curved > 0) {
     lose(losses, "nodes_lost", curved,
-         fmt::format("{} cells of second order are taken by their corners", curved));
+         fmt::format("{} taken by the corners",
+                     counted(curved, "cell of second order is", "cells of second order are")));
   }
   if (surface.lost_points == 0) return;
   lose(losses, "points_lost", surface.lost_points,
-       fmt::format("{} points that the boundary does not use are dropped", surface.lost_points));
+       fmt::format("{} that the boundary does not use {} dropped",
+                   counted(surface.lost_points, "point"),
+                   for_count(surface.lost_points, "is", "are")));
 }
 
 /// STL has corners of triangles and no points.
 void lose_in_stl(Losses& losses, const FileMesh& mesh, bool is_binary) {
   const StlPoints points = stl_points(mesh, is_binary);
   if (points.unused + points.merged > 0 || points.is_reordered) {
-    lose(
-        losses, "points_renumbered", mesh.points.size(),
-        fmt::format(
-            "points come back in the order in which triangles use them{}{}",
-            points.unused == 0 ? "" : fmt::format("; {} that none uses are dropped", points.unused),
-            points.merged == 0
-                ? ""
-                : fmt::format("; {} become one with another at the same place", points.merged)));
+    lose(losses, "points_renumbered", mesh.points.size(),
+         fmt::format("points come back in the order in which triangles use them{}{}",
+                     points.unused == 0
+                         ? ""
+                         : fmt::format("; {} that none uses {} dropped", points.unused,
+                                       for_count(points.unused, "is", "are")),
+                     points.merged == 0
+                         ? ""
+                         : fmt::format("; {} {} one with another at the same place", points.merged,
+                                       for_count(points.merged, "becomes", "become"))));
   }
   if (points.rounded == 0) return;
   lose(losses, "coordinates_rounded", points.rounded,
-       fmt::format("{} points have coordinates that are no floats: they change by up to {:.2g} of "
-                   "their size",
-                   points.rounded, points.largest_change));
+       fmt::format("{} coordinates that are no floats: they change by up to {:.2g} of their size",
+                   counted(points.rounded, "point has", "points have"), points.largest_change));
   losses.findings.back().remedy = "write text (--text), which keeps every digit";
 }
 
@@ -288,11 +295,11 @@ std::optional<Finding> nothing_left(const Written& written, const FormatTraits& 
                    .remedy = "look at the file that it was read from"};
   }
   if (cell_count(written.original) == 0 || cell_count(written.mesh()) > 0) return std::nullopt;
-  return Finding{
-      .code = "nothing_left",
-      .count = cell_count(written.original),
-      .text = fmt::format("{} holds none of the {} cells", t.name, cell_count(written.original)),
-      .remedy = "write another format, or the simplices of the cells with --split"};
+  return Finding{.code = "nothing_left",
+                 .count = cell_count(written.original),
+                 .text = fmt::format("{} holds none of the mesh's cells ({})", t.name,
+                                     cell_count(written.original)),
+                 .remedy = "write another format, or the simplices of the cells with --split"};
 }
 
 }  // namespace

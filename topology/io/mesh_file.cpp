@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <string>
 
+#include "topology/base/counted.hpp"
 #include "topology/io/files/gzip.hpp"
 #include "topology/io/format_traits.hpp"
 #include "topology/io/formats.hpp"
@@ -166,7 +167,8 @@ Result<TetMesh> io::tetrahedra_of(Result<FileMesh>&& file, std::string_view name
     result.findings.insert(
         result.findings.begin(),
         {.code = "no_tetrahedron",
-         .text = fmt::format("the file has {} points but no tetrahedron", file->points.size()),
+         .text = fmt::format("the file has {} but no tetrahedron",
+                             counted(file->points.size(), "point")),
          .remedy = "give a volume mesh of tetrahedra. TetGen (Debian: tetgen) fills a closed "
                    "surface: sunder convert FILE surface.off && tetgen -pq surface.off writes "
                    "surface.1.ele, a mesh for sunder",

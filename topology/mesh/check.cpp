@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "topology/base/counted.hpp"
 #include "topology/base/point_math.hpp"
 #include "topology/mesh/survey.hpp"
 
@@ -27,16 +28,20 @@ constexpr FindingWords too_large = {
     "the mesh has more tetrahedra or points than rows of 32 bits can number",
     "cut it into bodies of at most 357 913 941 tetrahedra"};
 constexpr FindingWords index_out_of_range = {
-    "index_out_of_range", Severity::error, "% tetrahedra name a point that does not exist",
+    "index_out_of_range", Severity::error,
+    "% [tetrahedron names|tetrahedra name] a point that does not exist",
     "correct the numbers: points are counted from 0 to the number of points less one"};
 constexpr FindingWords repeated_vertex = {
-    "repeated_vertex", Severity::error, "% tetrahedra name one point more than once",
+    "repeated_vertex", Severity::error,
+    "% [tetrahedron names|tetrahedra name] one point more than once",
     "remove them: they have no volume and their faces are not triangles"};
-constexpr FindingWords nan_coordinate = {"nan_coordinate", Severity::error,
-                                         "% points have a coordinate that is not a finite number",
-                                         "correct the coordinates"};
+constexpr FindingWords nan_coordinate = {
+    "nan_coordinate", Severity::error,
+    "% [point has|points have] a coordinate that is not a finite number",
+    "correct the coordinates"};
 constexpr FindingWords flat_tetrahedron = {
-    "flat_tetrahedron", Severity::error, "% tetrahedra have no volume beyond rounding",
+    "flat_tetrahedron", Severity::error,
+    "% [tetrahedron has|tetrahedra have] no volume beyond rounding",
     "remove them or move a point; without volume there is no stiffness and no mass"};
 
 // A finding about the mesh as a whole, without ids.
@@ -107,13 +112,7 @@ void report(Survey& survey, const FindingWords& words, const Places& places) {
   const std::size_t size = rows_of_place(places.kind());
   const std::size_t kept = std::min(rows.size(), Finding::max_ids / size * size);
   finding.ids.assign(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(kept));
-  for (const char* c = words.text; *c != '\0'; ++c) {
-    if (*c == '%') {
-      finding.text += std::to_string(places.count());
-    } else {
-      finding.text += *c;
-    }
-  }
+  finding.text = text_of_count(words.text, places.count());
   finding.remedy = words.remedy;
   survey.findings.push_back(std::move(finding));
   if (survey.keeps_places) survey.places.push_back({words.code, places.kind(), rows});

@@ -20,31 +20,34 @@ using detail::cross, detail::difference, detail::dot, detail::length;
 
 constexpr FindingWords hanging_vertex = {
     "hanging_vertex", Severity::warning,
-    "% points lie inside a boundary face or edge of a tetrahedron that does not have them: the "
+    "% [point lies|points lie] inside a boundary face or edge of a tetrahedron that does not have "
+    "them: the "
     "mesh is not conforming there",
     "refine the coarser side, or mesh the parts together; parts that only touch may stay so"};
 constexpr FindingWords close_points = {
     "close_points", Severity::warning,
-    "% boundary points miss an earlier one by less than a millionth of an edge",
+    "% boundary [point misses|points miss] an earlier one by less than a millionth of an edge",
     "merge them if the parts are meant to hang together: sunder convert FILE NEW --merge-points "
     "DISTANCE"};
 constexpr FindingWords coincident_faces = {
     "coincident_faces", Severity::note,
-    "% boundary faces lie where an earlier one lies, with points of their own (ids: the three "
+    "% boundary [face lies|faces lie] where an earlier one lies, with points of their own (ids: "
+    "the three "
     "points of each)",
     "nothing to do if a crack is meant there; otherwise merge the points: sunder convert FILE NEW "
     "--merge-points 0"};
 constexpr FindingWords contact_unfinished = {
     "contact_unfinished", Severity::warning,
-    "% boundary points were not held against all faces near them: too many faces overlap",
+    "% boundary [point was|points were] not held against all faces near them: too many faces "
+    "overlap",
     "repair the other findings first; the list of hanging vertices may be incomplete"};
 constexpr FindingWords overlapping_faces = {
     "overlapping_faces", Severity::warning,
-    "% boundary faces go through others: parts of the body, or bodies, overlap there",
+    "% boundary [face goes|faces go] through others: parts of the body, or bodies, overlap there",
     "cut one part out of the other, or move them apart"};
 constexpr FindingWords overlap_unfinished = {
     "overlap_unfinished", Severity::warning,
-    "% boundary faces were not held against all faces near them: too many overlap",
+    "% boundary [face was|faces were] not held against all faces near them: too many overlap",
     "mend the other findings first; what is told of overlapping faces may not be all"};
 
 /// Looks at boxes for each boundary point and face. Ordinary meshes need about 20, also when they

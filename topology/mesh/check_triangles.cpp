@@ -9,11 +9,13 @@ namespace sunder {
 namespace {
 
 constexpr FindingWords stray_triangle = {
-    "stray_triangle", Severity::warning, "% triangles of the file are faces of no tetrahedron",
+    "stray_triangle", Severity::warning,
+    "% [triangle of the file is|triangles of the file are] faces of no tetrahedron",
     "remove them, or renumber their points: they bound nothing"};
 constexpr FindingWords interface_triangle = {
     "interface_triangle", Severity::note,
-    "% triangles of the file lie between two tetrahedra, as an interface or a crack to be",
+    "% [triangle of the file lies|triangles of the file lie] between two tetrahedra, as an "
+    "interface or a crack to be",
     "nothing to do"};
 
 using Triangle = std::array<std::uint32_t, 3>;

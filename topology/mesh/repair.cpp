@@ -12,6 +12,7 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "topology/base/counted.hpp"
 #include "topology/base/point_math.hpp"
 #include "topology/base/union_find.hpp"
 #include "topology/base/whole_number.hpp"
@@ -139,9 +140,11 @@ Finding merge_points(FileMesh& mesh, double distance) {
   }
   return done(
       "merged_points", merged,
-      fmt::format(
-          "{} points were merged into others within {} m{}", merged, distance,
-          flat == 0 ? "" : fmt::format("; {} volume cells lost a corner and were dropped", flat)),
+      fmt::format("{} merged into others within {} m{}",
+                  counted(merged, "point was", "points were"), distance,
+                  flat == 0 ? ""
+                            : fmt::format("; {} dropped for a lost corner",
+                                          counted(flat, "volume cell was", "volume cells were"))),
       fmt::format("no points lie within {} m of others: none was merged", distance));
 }
 
@@ -161,7 +164,8 @@ Finding drop_duplicate_tetrahedra(FileMesh& mesh) {
         return kind != CellKind::tetrahedron || !again[row];
       });
   return done("dropped_duplicates", dropped,
-              fmt::format("{} tetrahedra with the points of an earlier one were dropped", dropped),
+              fmt::format("{} with the points of an earlier one {} dropped",
+                          counted_tetrahedra(dropped), for_count(dropped, "was", "were")),
               "no two tetrahedra have the same points: none was dropped");
 }
 
@@ -203,7 +207,8 @@ Finding split_nonmanifold(FileMesh& mesh) {
     }
   }
   return done("split_nonmanifold", copies,
-              fmt::format("{} copies of points were made where stars only touched", copies),
+              fmt::format("{} made where stars only touched",
+                          counted(copies, "copy of a point was", "copies of points were")),
               "no stars of tetrahedra only touch: nothing was split");
 }
 
@@ -223,10 +228,10 @@ Finding keep_largest_component(FileMesh& mesh) {
         if (kind == CellKind::tetrahedron) return part[row] == largest;
         return std::ranges::all_of(nodes, [&](std::uint32_t node) { return used[node] != 0; });
       });
-  return done(
-      "kept_largest_component", dropped,
-      fmt::format("of {} components the largest stays: {} tetrahedra were dropped", parts, dropped),
-      "the body is one component: nothing was dropped");
+  return done("kept_largest_component", dropped,
+              fmt::format("of {} the largest stays: {} dropped", counted(parts, "component"),
+                          counted(dropped, "tetrahedron was", "tetrahedra were")),
+              "the body is one component: nothing was dropped");
 }
 
 Finding fix_orientation(FileMesh& mesh) {
@@ -238,7 +243,8 @@ Finding fix_orientation(FileMesh& mesh) {
     ++swapped;
   }
   return done("fixed_orientation", swapped,
-              fmt::format("{} inverted tetrahedra had two points swapped", swapped),
+              fmt::format("{} had two points swapped",
+                          counted(swapped, "inverted tetrahedron", "inverted tetrahedra")),
               "no tetrahedron is inverted: none was changed");
 }
 
@@ -246,7 +252,8 @@ Finding drop_unused_points(FileMesh& mesh) {
   const std::size_t dropped =
       drop_points_out_of_use(mesh, std::vector<bool>(mesh.points.size(), true));
   return done("dropped_unused", dropped,
-              fmt::format("{} points that no cell uses were dropped", dropped),
+              fmt::format("{} that no cell uses {} dropped", counted(dropped, "point"),
+                          for_count(dropped, "was", "were")),
               "every point is used by a cell: none was dropped");
 }
 
@@ -257,13 +264,14 @@ std::optional<Finding> needs_tetrahedra(const FileMesh& mesh, std::string_view w
     const std::size_t n = rows_of(mesh, kind).count;
     if (n == 0 || kind == CellKind::tetrahedron || traits_of(kind).dimension < 3) continue;
     count += n;
-    plurals += fmt::format("{}{} {}", plurals.empty() ? "" : ", ", n, traits_of(kind).plural);
+    plurals += fmt::format("{}{}", plurals.empty() ? "" : ", ",
+                           counted(n, traits_of(kind).name, traits_of(kind).plural));
   }
   if (count == 0) return std::nullopt;
   return Finding{
       .code = "unsupported_cells",
       .count = count,
-      .text = fmt::format("{} needs tetrahedra of first order: there are {}", who, plurals),
+      .text = fmt::format("{} needs tetrahedra of first order: the mesh has {}", who, plurals),
       .remedy =
           "cut them into tetrahedra: --split, with --order 1 for those of second "
           "order"};

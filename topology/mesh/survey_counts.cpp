@@ -9,7 +9,8 @@ namespace {
 
 constexpr FindingWords nonmanifold_vertex = {
     "nonmanifold_vertex", Severity::note,
-    "% points lie where the surface of one part touches itself: the part hangs together round them",
+    "% [point lies|points lie] where the surface of one part touches itself: the part hangs "
+    "together round them",
     "nothing to do, unless a body with a manifold surface is wanted: then add or remove "
     "tetrahedra there"};
 

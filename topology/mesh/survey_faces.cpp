@@ -9,30 +9,33 @@
 namespace sunder {
 namespace {
 
-constexpr FindingWords duplicate_tetrahedron = {"duplicate_tetrahedron", Severity::error,
-                                                "% tetrahedra repeat an earlier one",
-                                                "remove the later of each pair"};
+constexpr FindingWords duplicate_tetrahedron = {
+    "duplicate_tetrahedron", Severity::error,
+    "% [tetrahedron repeats|tetrahedra repeat] an earlier one", "remove the later of each pair"};
 constexpr FindingWords mirrored_tetrahedron = {
     "mirrored_tetrahedron", Severity::error,
-    "% tetrahedra have the four points of an earlier one in the opposite orientation",
+    "% [tetrahedron has|tetrahedra have] the four points of an earlier one in the opposite "
+    "orientation",
     "remove the later of each pair"};
-constexpr FindingWords overfull_face = {
-    "overfull_face", Severity::error,
-    "% faces belong to more than two tetrahedra; the ids give the first one's three points and "
-    "then its tetrahedra",
-    "remove tetrahedra until each face has at most two"};
-constexpr FindingWords non_orientable = {
-    "non_orientable", Severity::error,
-    "% tetrahedra cannot be oriented like all their neighbours: the body closes on itself with a "
-    "twist",
-    "cut the body open: a 3-map holds orientable bodies only"};
+constexpr FindingWords overfull_face = {"overfull_face", Severity::error,
+                                        "% [face belongs|faces belong] to more than two "
+                                        "tetrahedra; the ids give the first one's three points and "
+                                        "then its tetrahedra",
+                                        "remove tetrahedra until each face has at most two"};
+constexpr FindingWords non_orientable = {"non_orientable", Severity::error,
+                                         "% [tetrahedron cannot|tetrahedra cannot] be oriented "
+                                         "like all neighbours: the body closes on itself with a "
+                                         "twist",
+                                         "cut the body open: a 3-map holds orientable bodies only"};
 constexpr FindingWords inverted_tetrahedron = {
     "inverted_tetrahedron", Severity::warning,
-    "% tetrahedra are numbered with negative volume; their last two corners are exchanged",
+    "% [tetrahedron is|tetrahedra are] numbered with negative volume; the last two corners are "
+    "exchanged",
     "nothing to do; writing the mesh again makes it permanent"};
 constexpr FindingWords folded_tetrahedron = {
     "folded_tetrahedron", Severity::error,
-    "% tetrahedra are turned inside out against the neighbours they share faces with",
+    "% [tetrahedron is|tetrahedra are] turned inside out against the neighbours they share faces "
+    "with",
     "move their points back: the body overlaps itself there"};
 
 /// Whether sorting a face's points takes an odd number of exchanges, from the order in which its

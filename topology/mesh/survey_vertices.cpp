@@ -11,18 +11,20 @@ namespace {
 
 constexpr FindingWords pinched_vertex = {
     "pinched_vertex", Severity::note,
-    "% points join parts that share no face there; each part has its own vertex",
+    "% [point joins|points join] parts that share no face there; each part has its own vertex",
     "nothing to do, unless the parts were meant to hang together: then add tetrahedra"};
 constexpr FindingWords pinched_edge = {
     "pinched_edge", Severity::note,
-    "% edges join parts that share no face there; each part has its own edge (ids: the two points "
+    "% [edge joins|edges join] parts that share no face there; each part has its own edge (ids: "
+    "the two points "
     "of each)",
     "nothing to do, unless the parts were meant to hang together: then add tetrahedra"};
-constexpr FindingWords unused_point = {"unused_point", Severity::note,
-                                       "% points belong to no tetrahedron; they get no vertex",
-                                       "nothing to do"};
+constexpr FindingWords unused_point = {
+    "unused_point", Severity::note,
+    "% [point belongs|points belong] to no tetrahedron: no vertex is made", "nothing to do"};
 constexpr FindingWords coincident_points = {
-    "coincident_points", Severity::note, "% points lie exactly where an earlier one lies",
+    "coincident_points", Severity::note,
+    "% [point lies|points lie] exactly where an earlier one lies",
     "nothing to do if a crack is meant there; otherwise merge them"};
 
 constexpr std::uint32_t none = 0xffffffffU;

@@ -53,7 +53,7 @@ TEST_CASE("defects of Abaqus' files are named", "[io][defects][abaqus]") {
        "SYSTEM='c'"},
       {"an element without type", nodes + "*ELEMENT\n1,1,2,3,4\n", "bad_keyword", 6, "type="},
       {"a hexahedron", body + "*ELEMENT,TYPE=C3D8R\n2,1,2,3,4,\n1,2,3,4\n", "unsupported_cells", 9,
-       "1 hexahedra"},
+       "1 hexahedron"},
       {"a node that is not there", body + "2,1,2,3,7\n", "index_out_of_range", 8, "point 7"},
       {"a repeated node", body + "2,1,2,3,3\n", "repeated_vertex", 8, "1 2 3 3"},
       {"an element's number twice", body + "2,1,2,4,3\n1,2,3,4,1\n", "duplicate_id", 9, "number 1"},

@@ -194,3 +194,101 @@ TEST_CASE("partitions of MSH 2.2 are a column, ghosts are reported", "[io][msh]"
   CHECK(ghosts.findings[0].count == 2);
   CHECK(std::get<1>(ghosts.value->tetrahedra.data.at(0).values) == std::vector<std::int64_t>{2});
 }
+
+namespace {
+
+/// A binary MSH 4.1 file of one tetrahedron in a partition, whose sizes are of the type `Size`.
+template <class Size>
+std::string binary_41(bool is_swapped) {
+  std::string text = "$MeshFormat\n4.1 1 " + std::to_string(sizeof(Size)) + "\n";
+  const auto put = [&](auto number) {
+    std::string bytes(reinterpret_cast<const char*>(&number), sizeof number);
+    if (is_swapped) bytes = {bytes.rbegin(), bytes.rend()};
+    text += bytes;
+  };
+  const auto sizes = [&](std::initializer_list<Size> numbers) {
+    for (const Size n : numbers) put(n);
+  };
+  const auto ints = [&](std::initializer_list<std::int32_t> numbers) {
+    for (const std::int32_t n : numbers) put(n);
+  };
+  const auto reals = [&](std::initializer_list<double> numbers) {
+    for (const double n : numbers) put(n);
+  };
+  ints({1});
+  text += "\n$EndMeshFormat\n$Entities\n";
+  sizes({0, 0, 0, 1});
+  ints({9});
+  reals({0, 0, 0, 1, 1, 1});
+  sizes({1});
+  ints({5});
+  sizes({0});
+  text += "\n$EndEntities\n$PartitionedEntities\n";
+  sizes({2, 0, 0, 0, 0, 1});
+  ints({10, 3, 9});
+  sizes({1});
+  ints({2});
+  reals({0, 0, 0, 1, 1, 1});
+  sizes({1});
+  ints({5});
+  sizes({2});
+  ints({1, 2});
+  text += "\n$EndPartitionedEntities\n$Nodes\n";
+  sizes({2, 4, 1, 40});
+  ints({2, 1, 1});
+  sizes({1, 40});
+  reals({0, 0, 1, 0.5, 0.5});
+  ints({3, 10, 0});
+  sizes({3, 1, 2, 3});
+  reals({0, 0, 0, 1, 0, 0, 0, 1, 0});
+  text += "\n$EndNodes\n$Elements\n";
+  sizes({2, 2, 70, 71});
+  ints({3, 10, 4});
+  sizes({1, 70, 1, 2, 3, 40});
+  ints({2, 1, 20});  // of nine nodes, read by its corners
+  sizes({1, 71, 1, 2, 3, 40, 40, 40, 40, 40, 40});
+  return text + "\n$EndElements\n";
+}
+
+}  // namespace
+
+TEST_CASE("sizes of binary MSH 4.1 have the bytes that its head names, 4 or 8", "[io][msh]") {
+  const Result<FileMesh> usual = read_file_mesh(binary_41<std::uint64_t>(false), "a.msh");
+  INFO(summary(usual.findings));
+  REQUIRE(usual);
+  CHECK(usual->tetrahedra.corners.size() == 1);
+  CHECK(usual->tetrahedra.source_id == std::vector<std::int64_t>{70});
+  CHECK(usual->tetrahedra.region == std::vector<std::int32_t>{5});
+  CHECK(usual->triangles.corners.size() == 1);
+  CHECK(usual->source_point_id == std::vector<std::int64_t>{40, 1, 2, 3});
+  CHECK(std::get<1>(usual->tetrahedra.data.at(0).values) == std::vector<std::int64_t>{2});
+  for (const bool is_swapped : {false, true}) {
+    const Result<FileMesh> narrow = read_file_mesh(binary_41<std::uint32_t>(is_swapped), "a.msh");
+    INFO(summary(narrow.findings));
+    REQUIRE(narrow);
+    CHECK(*narrow == *usual);
+    CHECK(summary(narrow.findings) == summary(usual.findings));
+  }
+}
+
+TEST_CASE("sizes of numbers that MSH does not have are refused, in text they do not matter",
+          "[io][msh]") {
+  const auto with = [](const std::string& head, const std::string& name) {
+    std::string text = bytes_of(sample(name));
+    const std::size_t begin = text.find('\n') + 1;
+    return text.replace(begin, text.find('\n', begin) - begin, head);
+  };
+  CHECK(*read_file_mesh(with("2.2 0 4", "gmsh_22.msh"), "a.msh") ==
+        *read_file_mesh(sample("gmsh_22.msh")));
+  CHECK(*read_file_mesh(with("4.1 0 4", "gmsh_41.msh"), "a.msh") ==
+        *read_file_mesh(sample("gmsh_41.msh")));
+  for (const auto& [head, name] :
+       {std::pair{"2.2 1 4", "gmsh_22_binary.msh"}, std::pair{"4 1 4", "gmsh_41_binary.msh"},
+        std::pair{"4.1 1 2", "gmsh_41_binary.msh"}, std::pair{"4.1 0 16", "gmsh_41.msh"},
+        std::pair{"2.2 2 8", "gmsh_22.msh"}}) {
+    const Result<FileMesh> refused = read_file_mesh(with(head, name), "a.msh");
+    INFO(head);
+    REQUIRE_FALSE(refused);
+    CHECK(refused.findings[0].code == "unknown_version");
+  }
+}

@@ -172,7 +172,7 @@ TEST_CASE("cards that hold no mesh are listed, elements of no kind of ours are l
   for (const Finding& f : mesh.findings) said += f.text + "\n";
   CHECK(said.find("cards are left out: MAT1, PSOLID") != std::string::npos);
   CHECK(said.find("lines before BEGIN BULK are left out: SOL") != std::string::npos);
-  CHECK(said.find("2 elements CELAS1, 1 elements RBE2 are left out") != std::string::npos);
+  CHECK(said.find("2 elements CELAS1, 1 element RBE2 are left out") != std::string::npos);
 }
 
 TEST_CASE("a midpoint that is left blank leaves the corners, and that is told", "[io][nastran]") {
@@ -185,8 +185,7 @@ TEST_CASE("a midpoint that is left blank leaves the corners, and that is told", 
   REQUIRE(part);
   CHECK(part->tetrahedra.corners.size() == 1);
   REQUIRE(part.findings.size() == 1);
-  CHECK(part.findings[0].text ==
-        "1 tetrahedra without some of their midpoints are read by their corners");
+  CHECK(part.findings[0].text == "1 tetrahedron without some midpoints is read by its corners");
 }
 
 TEST_CASE("files are included in their folder, and once", "[io][nastran]") {

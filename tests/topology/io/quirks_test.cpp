@@ -110,6 +110,26 @@ TEST_CASE("PLY's comments stand anywhere", "[io][quirks][surface]") {
   CHECK(read_whole("ply " + ply_with("format", "").substr(3), "a.ply") == expected);
 }
 
+TEST_CASE("unknown lines of PLY's header change no row before the first element, later they may",
+          "[io][quirks][surface]") {
+  const FileMesh expected = read_whole(ply_with("format", ""), "a.ply");
+  const std::string line =
+      "Created by Blender3D 2.47 - www.blender.org, source file: element.blend\n";
+  for (const std::string before : {"format", "element vertex"}) {
+    CHECK(read_whole(ply_with(before, line), "a.ply") == expected);
+    const Result<FileMesh> other = read_file_mesh(ply_with(before, "Property of me\n"), "a.ply");
+    REQUIRE(other);
+    CHECK(*other == expected);
+    CHECK(summary(other.findings) ==
+          (before == "format" ? "warning skipped_data 2" : "warning skipped_data 3"));
+  }
+  for (const std::string before : {"property float x", "element face", "end_header"}) {
+    const Result<FileMesh> refused = read_file_mesh(ply_with(before, line), "a.ply");
+    REQUIRE_FALSE(refused);
+    CHECK(refused.findings[0].code == "unknown_section");
+  }
+}
+
 TEST_CASE("faces of PLY keep their data in a file with triangle strips", "[io][quirks][ply]") {
   const std::string points =
       "element vertex 5\nproperty float x\nproperty float y\nproperty float z\n";

@@ -74,6 +74,35 @@ TEST_CASE("tables of properties are regions where there are no groups", "[io][un
   CHECK(with.tetrahedra.entity == std::vector<std::int32_t>{3, 5});
 }
 
+TEST_CASE("colours and materials are columns where they differ within the file", "[io][unv]") {
+  const auto color = [](const std::vector<DataColumn>& columns, const std::string& name) {
+    for (const DataColumn& c : columns) {
+      if (c.name == name) return std::get<std::vector<std::int64_t>>(c.values);
+    }
+    return std::vector<std::int64_t>{};
+  };
+  using Numbers = std::vector<std::int64_t>;
+  const FileMesh same = read_whole(nodes + tetrahedra);
+  CHECK(same.tetrahedra.data.empty());
+  CHECK(same.point_data.empty());
+  const FileMesh own =
+      read_whole(nodes + section("2412", "7 111 1 2 7 4\n1 2 3 4\n9 111 1 5 3 4\n2 1 3 4\n"));
+  CHECK(color(own.tetrahedra.data, "color") == Numbers{7, 3});
+  CHECK(color(own.tetrahedra.data, "material") == Numbers{2, 5});
+  const FileMesh old = read_whole(
+      nodes + section("780", "7 111 1 1 1 2 7 4\n1 2 3 4\n9 111 1 1 1 5 3 4\n2 1 3 4\n"));
+  CHECK(old == own);
+  // Of two kinds, each with one colour.
+  const FileMesh kinds =
+      read_whole(nodes + section("2412", "7 111 1 1 7 4\n1 2 3 4\n8 91 1 1 4 3\n1 2 3\n"));
+  CHECK(color(kinds.tetrahedra.data, "color") == Numbers{7});
+  CHECK(color(kinds.triangles.data, "color") == Numbers{4});
+  CHECK(color(kinds.tetrahedra.data, "material").empty());
+  std::string painted = nodes;
+  painted.replace(painted.find("2 1 1 11"), 8, "2 1 1 12");
+  CHECK(color(read_whole(painted + tetrahedra).point_data, "color") == Numbers{11, 12, 11, 11});
+}
+
 TEST_CASE("old data sets say the same as new ones", "[io][unv]") {
   const FileMesh expected = read_whole(nodes + tetrahedra);
   CHECK(expected.tetrahedra.source_id == std::vector<std::int64_t>{7, 9});
@@ -137,7 +166,7 @@ TEST_CASE("what is no part of the mesh is passed over, and told", "[io][unv]") {
   std::string said;
   for (const Finding& f : mesh.findings) said += f.text + "\n";
   CHECK(said.find("data sets are left out: 55, 2414") != std::string::npos);
-  CHECK(said.find("1 elements of type 136 are left out") != std::string::npos);
+  CHECK(said.find("1 element of type 136 is left out") != std::string::npos);
 }
 
 TEST_CASE("what the reader of universal files does not take is named", "[io][unv]") {

@@ -244,7 +244,7 @@ TEST_CASE("a finding says in words how many there are, and all the rest as it st
   TetMesh mesh = two_tetrahedra();
   mesh.tetrahedra.push_back({0, 1, 1, 4});
   CHECK(finding(check_mesh(mesh), "repeated_vertex").text ==
-        "1 tetrahedra name one point more than once");
+        "1 tetrahedron names one point more than once");
   mesh.tetrahedra.insert(mesh.tetrahedra.end(), 11, {2, 3, 4, 4});
   CHECK(finding(check_mesh(mesh), "repeated_vertex").text ==
         "12 tetrahedra name one point more than once");

@@ -89,7 +89,8 @@ TEST_CASE("repairs of tetrahedra refuse other cells of the volume, and tell them
   REQUIRE(refused);
   CHECK(refused->code == "unsupported_cells");
   CHECK(refused->count == 3);
-  CHECK(refused->text == "a crack needs tetrahedra of first order: there are 2 prisms, 1 pyramids");
+  CHECK(refused->text ==
+        "a crack needs tetrahedra of first order: the mesh has 2 prisms, 1 pyramid");
 }
 
 TEST_CASE("what was done is told in words, and so is that nothing was to be done",
@@ -109,8 +110,8 @@ TEST_CASE("what was done is told in words, and so is that nothing was to be done
                                  "no tetrahedron is inverted: none was changed",
                                  "every point is used by a cell: none was dropped"});
   mesh.points.push_back(mesh.points[0]);
-  CHECK(text(mesh, {.merge_points = 0}) == "1 points were merged into others within 0 m");
-  CHECK(text(mesh, {.drop_unused = true}) == "1 points that no cell uses were dropped");
+  CHECK(text(mesh, {.merge_points = 0}) == "1 point was merged into others within 0 m");
+  CHECK(text(mesh, {.drop_unused = true}) == "1 point that no cell uses was dropped");
   for (const std::uint32_t corner : {1U, 2U, 3U}) {
     mesh.points.push_back(mesh.points[corner]);
     mesh.points.back()[0] += 10;
@@ -118,11 +119,11 @@ TEST_CASE("what was done is told in words, and so is that nothing was to be done
   mesh.points[5][0] += 10;
   mesh.tetrahedra.corners.push_back({5, 6, 7, 8});
   CHECK(text(mesh, {.largest_component = true}) ==
-        "of 2 components the largest stays: 1 tetrahedra were dropped");
+        "of 2 components the largest stays: 1 tetrahedron was dropped");
   mesh.points[6] = mesh.points[5];
-  CHECK(text(mesh, {.merge_points = 0.25}) ==
-        "1 points were merged into others within 0.25 m; 1 volume cells lost a corner and were "
-        "dropped");
+  CHECK(
+      text(mesh, {.merge_points = 0.25}) ==
+      "1 point was merged into others within 0.25 m; 1 volume cell was dropped for a lost corner");
 }
 
 TEST_CASE("cells of other kinds go where two of their corners become one, and nowhere else",

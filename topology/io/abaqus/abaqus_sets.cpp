@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "topology/base/counted.hpp"
 #include "topology/io/abaqus/abaqus_reader.hpp"
 #include "topology/io/text/scan.hpp"
 #include "topology/io/usual_entities.hpp"
@@ -273,9 +274,9 @@ void read_element_sets(AbaqusReader& r) {
         {.code = "several_sets",
          .severity = Severity::warning,
          .count = several,
-         .text = fmt::format("{} elements are in several sets: the first of each is kept, that of "
-                             "a section of material before others",
-                             several),
+         .text = fmt::format("{} in several sets: the first of each is kept, that of a section of "
+                             "material before others",
+                             counted(several, "element is", "elements are")),
          .remedy = "nothing to do, if the first sets are the ones you want"});
   }
   const auto part = [&](const std::vector<std::int32_t>& all, CellKind kind) {

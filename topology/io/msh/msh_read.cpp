@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "topology/base/counted.hpp"
 #include "topology/io/msh/msh.hpp"
 #include "topology/io/msh/msh_reader.hpp"
 #include "topology/io/nastran/nastran.hpp"
@@ -35,14 +36,17 @@ void read_format(MshReader& r) {
   }
   const std::size_t kind_at = s.at;
   const auto binary = read_number<std::int64_t>(s, "0 (ASCII) or 1 (binary)");
-  const auto size = read_number<std::int64_t>(s, "the size of a floating-point number");
-  if (binary < 0 || binary > 1 || size != 8) {
+  const auto size = read_number<std::int64_t>(s, "the size of numbers in bytes");
+  // Of sizes in version 4.1, of real numbers before, for which Gmsh's manual allows 8 alone.
+  r.has_short_sizes = binary == 1 && size == 4 && r.version == 41;
+  const bool fits = size == 8 || (size == 4 && (binary == 0 || r.version == 41));
+  if (binary < 0 || binary > 1 || !fits) {
     fail(s.text, kind_at,
          {.code = "unknown_version",
-          .text = fmt::format("MSH of kind {} with numbers of {} bytes is not read: kinds 0 and 1 "
-                              "with 8 bytes are",
+          .text = fmt::format("MSH of kind {} with numbers of {} bytes is not read: kind 0 (text) "
+                              "is, and kind 1 (binary) with 8 bytes, in version 4.1 also with 4",
                               binary, size),
-          .remedy = "write the file again with a 64-bit Gmsh"});
+          .remedy = "write the file again with a 64-bit Gmsh, or as text"});
   }
   if (binary == 1) {
     rest_of_line(s);
@@ -228,9 +232,9 @@ Draft read_msh(std::string_view text) {
         {.code = "further_groups",
          .severity = Severity::warning,
          .count = r.entities_of_several_groups,
-         .text = fmt::format("{} entities belong to several physical groups: the first of each is "
-                             "kept",
-                             r.entities_of_several_groups),
+         .text = fmt::format(
+             "{} to several physical groups: the first of each is kept",
+             counted(r.entities_of_several_groups, "entity belongs", "entities belong")),
          .remedy = "give every entity one group, if the others matter"});
   }
   return std::move(r.draft);

@@ -68,9 +68,10 @@ EntityHead read_entity_head(MshReader& r) {
 }
 
 void read_nodes_4(MshReader& r) {
-  const std::size_t blocks = read_bounded<std::uint64_t>(r.in, "blocks of nodes", 8, 20);
-  const std::size_t nodes = read_bounded<std::uint64_t>(r.in, "nodes", 8, 28);
-  if (r.version == 41) skip_numbers(r.in, 2, 16, "the lowest and highest node number");
+  const std::size_t blocks = read_size(r, "blocks of nodes", 8, 16);
+  const std::size_t nodes = read_size(r, "nodes", 8, 28);
+  if (r.version == 41)
+    skip_numbers(r.in, 2, 2 * bytes_of_number(r), "the lowest and highest node number");
   FileMesh& mesh = r.draft.mesh;
   mesh.points.reserve(nodes);
   mesh.source_point_id.reserve(nodes);
@@ -81,7 +82,7 @@ void read_nodes_4(MshReader& r) {
   for (std::size_t b = 0; b < blocks; ++b) {
     const EntityHead head = read_entity_head(r);
     const std::int64_t parametric = read_int(r, "0 or 1 (parametric)");
-    const std::size_t in_block = read_bounded<std::uint64_t>(r.in, "nodes", 8, 28);
+    const std::size_t in_block = read_size(r, "nodes", 8, 28);
     const auto parameters = static_cast<std::size_t>(
         parametric == 0 ? 0 : std::clamp<std::int64_t>(head.dimension, 0, 3));
     for (std::size_t i = 0; r.version == 41 && i < in_block; ++i) {
@@ -134,7 +135,7 @@ void read_element(MshReader& r, const ElementType& type, std::int64_t number, Ms
     cell.rows[place] = row_of(r.nodes, node);
   }
   const std::size_t others = type.nodes - nodes;
-  skip_numbers(r.in, others, (r.version == 41 ? 8 : 4) * others, node_number);
+  skip_numbers(r.in, others, bytes_of_number(r) * others, node_number);
   add_cell(r.draft, type.kind, cell);
   CellColumns& cells = columns_of(r.draft.mesh, type.kind);
   cells.source_id.push_back(number);
@@ -210,18 +211,18 @@ void read_elements_2(MshReader& r) {
 }
 
 void read_elements_4(MshReader& r) {
-  const std::size_t blocks = read_bounded<std::uint64_t>(r.in, "blocks of elements", 8, 20);
-  const std::size_t elements = read_bounded<std::uint64_t>(r.in, "elements", 4, 8);
-  if (r.version == 41) skip_numbers(r.in, 2, 16, "the lowest and highest element number");
-  const std::size_t word = r.version == 41 ? 8 : 4;
+  const std::size_t blocks = read_size(r, "blocks of elements", 8, 16);
+  const std::size_t elements = read_size(r, "elements", 4, 8);
+  if (r.version == 41)
+    skip_numbers(r.in, 2, 2 * bytes_of_number(r), "the lowest and highest element number");
+  const std::size_t word = bytes_of_number(r);
   std::size_t found = 0;
   for (std::size_t b = 0; b < blocks; ++b) {
     const std::size_t at = place_of_next(r.in);
     const EntityHead head = read_entity_head(r);
     const ElementType& type = read_element_type(r);
     const std::size_t words = 1 + type.nodes;
-    const std::size_t in_block =
-        read_bounded<std::uint64_t>(r.in, "elements", 2 * words, word * words);
+    const std::size_t in_block = read_size(r, "elements", 2 * words, word * words);
     found += in_block;
     count_kind(r, type, in_block, at);
     MshTags tags{.entity = head.tag};

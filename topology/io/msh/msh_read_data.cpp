@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "topology/base/counted.hpp"
 #include "topology/io/msh/msh_reader.hpp"
 
 namespace sunder::io {
@@ -137,10 +138,12 @@ void read_msh_data(MshReader& r, bool of_nodes) {
   }
   if (strays == 0) return;
   add_counted(r.draft, "stray_data", [&] {
-    return Finding{.severity = Severity::warning,
-                   .text = fmt::format("{} rows of the data {} belong to no {} that is kept",
-                                       strays, in_quotes(head.name), of_nodes ? "point" : "cell"),
-                   .remedy = "nothing to do, if those cells are not needed"};
+    return Finding{
+        .severity = Severity::warning,
+        .text = fmt::format("{} of the data {} {} to no {} that is kept", counted(strays, "row"),
+                            in_quotes(head.name), for_count(strays, "belongs", "belong"),
+                            of_nodes ? "point" : "cell"),
+        .remedy = "nothing to do, if those cells are not needed"};
   });
 }
 

@@ -57,7 +57,7 @@ void for_each_name(MshReader& r, Take take) {
 
 /// The first group of an entity, 0 for none.
 std::int32_t read_groups(MshReader& r) {
-  const std::size_t groups = read_bounded<std::uint64_t>(r.in, "physical groups", 2, 4);
+  const std::size_t groups = read_size(r, "physical groups", 2, 4);
   r.entities_of_several_groups += groups > 1;
   std::int32_t first = 0;
   for (std::size_t g = 0; g < groups; ++g) {
@@ -75,7 +75,7 @@ void skip_extent(MshReader& r, std::size_t dimension) {
 
 void skip_boundary(MshReader& r, std::size_t dimension) {
   if (dimension == 0) return;
-  const std::size_t bounding = read_bounded<std::uint64_t>(r.in, "bounding entities", 2, 4);
+  const std::size_t bounding = read_size(r, "bounding entities", 2, 4);
   skip_numbers(r.in, bounding, 4 * bounding, "a bounding entity");
 }
 
@@ -89,7 +89,7 @@ void read_part(MshReader& r, std::size_t dimension) {
   const std::int32_t tag = read_tag(r, "an entity's number");
   const std::int64_t parent_dimension = read_int(r, "the dimension of a parent entity");
   const std::int32_t parent = read_tag(r, "the number of a parent entity");
-  const std::size_t partitions = read_bounded<std::uint64_t>(r.in, "partitions", 2, 4);
+  const std::size_t partitions = read_size(r, "partitions", 2, 4);
   const bool is_whole = parent_dimension == static_cast<std::int64_t>(dimension);
   MshPart part{.parent = is_whole ? parent : tag};
   for (std::size_t i = 0; i < partitions; ++i) {
@@ -123,7 +123,7 @@ void read_msh_names(MshReader& r) {
 
 void read_msh_entities(MshReader& r) {
   std::array<std::size_t, 4> entities;
-  for (std::size_t& n : entities) n = read_bounded<std::uint64_t>(r.in, "entities", 8, 12);
+  for (std::size_t& n : entities) n = read_size(r, "entities", 8, 12);
   for (std::size_t dimension = 0; dimension < 4; ++dimension) {
     for (std::size_t i = 0; i < entities[dimension]; ++i) {
       const std::int64_t tag = read_int(r, "an entity's number");
@@ -135,13 +135,13 @@ void read_msh_entities(MshReader& r) {
 }
 
 void read_msh_partitioned(MshReader& r) {
-  read_bounded<std::uint64_t>(r.in, "partitions", 1, 1);
+  read_size(r, "partitions", 1, 1);
   const std::size_t at = place_of_next(r.in);
-  const std::size_t ghosts = read_bounded<std::uint64_t>(r.in, "ghost entities", 4, 8);
+  const std::size_t ghosts = read_size(r, "ghost entities", 4, 8);
   skip_numbers(r.in, 2 * ghosts, 8 * ghosts, "a ghost entity");
   add_skipped(r.draft, "ghost entities of partitions", {}, at, ghosts);
   std::array<std::size_t, 4> entities;
-  for (std::size_t& n : entities) n = read_bounded<std::uint64_t>(r.in, "entities", 8, 12);
+  for (std::size_t& n : entities) n = read_size(r, "entities", 8, 12);
   for (std::size_t dimension = 0; dimension < 4; ++dimension) {
     for (std::size_t i = 0; i < entities[dimension]; ++i) read_part(r, dimension);
   }

@@ -28,6 +28,8 @@ struct MshReader {
   RowWatch watch;
   /// 0 until the first section was read, then 10, 20, 40 or 41.
   int version = 0;
+  /// Sizes and numbers of version 4.1 have 4 bytes in binary data, as 32-bit programs write them.
+  bool has_short_sizes = false;
   bool has_nodes = false;
   bool has_elements = false;
   /// First physical group of each entity, by dimension (4.0 and 4.1).
@@ -71,9 +73,22 @@ inline std::int32_t read_tag(MshReader& r, std::string_view what) {
   return read_next<std::int32_t>(r.in, what);
 }
 
-/// A number of a node or an element: 4 bytes before version 4.1, then 8.
+/// The bytes of a number of a node or an element: 4 before version 4.1, then those of a size.
+inline std::size_t bytes_of_number(const MshReader& r) {
+  return r.version >= 41 && !r.has_short_sizes ? 8 : 4;
+}
+
 inline std::int64_t read_number_of_cell(MshReader& r, std::string_view what) {
-  return r.version >= 41 ? read_next<std::int64_t>(r.in, what) : read_int(r, what);
+  if (bytes_of_number(r) == 8) return read_next<std::int64_t>(r.in, what);
+  if (r.version >= 41) return read_next<std::int64_t, std::uint32_t>(r.in, what);
+  return read_int(r, what);
+}
+
+/// A size of versions 4: as read_bounded.
+inline std::size_t read_size(MshReader& r, std::string_view what, std::size_t least_text,
+                             std::size_t least_raw) {
+  return r.has_short_sizes ? read_bounded<std::uint32_t>(r.in, what, least_text, least_raw)
+                           : read_bounded<std::uint64_t>(r.in, what, least_text, least_raw);
 }
 
 /// The physical and elementary tags of one element, and its partition; 0 for none.

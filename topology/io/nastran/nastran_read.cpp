@@ -129,8 +129,7 @@ std::size_t nodes_of_card(NastranReader& r, std::string_view text, const Card& c
           .remedy = "complete the card, or delete it"});
   }
   if (given == nodes && nodes == traits_of(nastran_kind(type.linear, nodes)).nodes) return nodes;
-  add_curved_cells(r.draft,
-                   fmt::format("{} without some of their midpoints", traits_of(type.linear).plural),
+  add_curved_cells(r.draft, fmt::format("{} without some midpoints", traits_of(type.linear).plural),
                    1, card.at);
   return corners;
 }

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "topology/base/counted.hpp"
 #include "topology/base/sort_unique.hpp"
 #include "topology/io/nastran/nastran.hpp"
 #include "topology/io/nastran/nastran_cards.hpp"
@@ -142,11 +143,12 @@ std::vector<Finding> lost_in_nastran(const FileMesh& mesh) {
                               [](auto region) { return region != 0 && !is_property(region); }));
   }
   lose("coordinates_rounded", rounded,
-       fmt::format("{} points have coordinates of more digits than sixteen characters hold: they "
-                   "change by up to {:.2g} of their size",
-                   rounded, largest));
+       fmt::format("{} coordinates of more digits than sixteen characters hold: they change by up "
+                   "to {:.2g} of their size",
+                   counted(rounded, "point has", "points have"), largest));
   lose("regions_lost", others,
-       fmt::format("{} cells have regions that are no properties, from 1 to 99999999", others));
+       fmt::format("{} no property, from 1 to 99999999",
+                   counted(others, "cell has a region that is", "cells have regions that are")));
   return lost;
 }
 

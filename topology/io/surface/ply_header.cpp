@@ -105,6 +105,28 @@ void read_comment(PlyHeader& h, std::string_view line) {
   if (h.joined.size() < most_properties) h.joined.push_back(column);
 }
 
+/// A comment without its keyword, as Blender 2.47 writes: Created by Blender3D ...
+bool names_a_program(std::string_view word, std::string_view rest) {
+  constexpr std::string_view verbs[] = {"created", "exported", "generated", "made", "written"};
+  std::string lower(word);
+  for (char& c : lower) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return std::ranges::find(verbs, lower) != std::end(verbs) && first_word(rest) == "by";
+}
+
+/// Before the first element a line cannot change what stands in the rows.
+void read_unknown_line(Scanner& s, PlyHeader& h, std::string_view word, std::size_t at) {
+  if (h.elements.empty()) {
+    if (!names_a_program(word, rest_of_line(s))) h.unknown.push_back({word, at});
+    return;
+  }
+  fail(s.text, at,
+       {.code = "unknown_section",
+        .text = fmt::format("{} stands where element, property, comment or end_header was "
+                            "expected",
+                            in_quotes(word)),
+        .remedy = "correct the header, or write the file again"});
+}
+
 }  // namespace
 
 PlyHeader read_ply_header(Scanner& s) {
@@ -129,12 +151,7 @@ PlyHeader read_ply_header(Scanner& s) {
     } else if (word.empty()) {
       fail_expected(s, "a line end_header");
     } else {
-      fail(s.text, at,
-           {.code = "unknown_section",
-            .text = fmt::format("{} stands where element, property, comment or end_header was "
-                                "expected",
-                                in_quotes(word)),
-            .remedy = "correct the header, or write the file again"});
+      read_unknown_line(s, h, word, at);
     }
   }
   rest_of_line(s);

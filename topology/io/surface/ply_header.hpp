@@ -38,12 +38,20 @@ struct JoinedColumn {
   std::string_view name;
 };
 
+/// A line before the first element that PLY does not know, by its first word.
+struct UnknownLine {
+  std::string_view word;
+  std::size_t at = 0;
+};
+
 struct PlyHeader {
   bool is_binary = false;
   /// Raw numbers have the other byte order than this machine.
   bool swap = false;
   std::vector<Element> elements;
   std::vector<JoinedColumn> joined;
+  /// Lines that name the program that wrote the file are left out.
+  std::vector<UnknownLine> unknown;
 };
 
 /// Reads up to the line end_header, that included. Throws ReadFailure.

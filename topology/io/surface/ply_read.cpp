@@ -341,6 +341,9 @@ bool is_ply(std::string_view text) {
 Draft read_ply(std::string_view text) {
   PlyReader r{.in = {.s = {.text = text}}, .draft = {.text = text}};
   r.header = read_ply_header(r.in.s);
+  for (const UnknownLine& line : r.header.unknown) {
+    add_skipped(r.draft, "unknown lines of the header", line.word, line.at);
+  }
   r.in.is_binary = r.header.is_binary;
   r.in.swap = r.header.swap;
   if (r.in.is_binary) r.draft.text = {};  // there are no lines to count

@@ -6,6 +6,7 @@
 #include <array>
 #include <limits>
 
+#include "topology/base/counted.hpp"
 #include "topology/io/abaqus/abaqus_lines.hpp"
 #include "topology/io/text/scan.hpp"
 #include "topology/io/unv/unv_reader.hpp"
@@ -202,15 +203,17 @@ void read_unv_groups(UnvReader& r) {
   const auto several =
       static_cast<std::size_t>(std::count(g.has_several.begin(), g.has_several.end(), true));
   warn(r, "several_sets", several,
-       fmt::format("{} elements are in several groups: the first of each is kept", several),
+       fmt::format("{} in several groups: the first of each is kept",
+                   counted(several, "element is", "elements are")),
        "nothing to do, if the first groups are the ones you want");
   const bool is_short = !r.draft.volume_cells.empty() || !r.draft.surface_cells.empty();
   warn(r, "unknown_member", is_short ? 0 : g.unknown,
-       fmt::format("groups name {} nodes or elements that are not there", g.unknown),
+       fmt::format("groups name {} not there",
+                   counted(g.unknown, "node or element that is", "nodes or elements that are")),
        "nothing to do, if they were left out on purpose");
   warn(r, "skipped_members", g.others,
-       fmt::format("{} members of groups are neither nodes nor elements: they are left out",
-                   g.others),
+       fmt::format("{} left out: neither nodes nor elements",
+                   counted(g.others, "member of a group is", "members of groups are")),
        "nothing to do, unless they matter");
 }
 

@@ -144,6 +144,7 @@ void read_nodes(UnvReader& r, UnvLines& lines) {
     if (found == 0) continue;
     expect_line(lines, "a node's coordinates");
     add_node(r, lines, head[0], found > 1 ? head[1] : 0, point_of(lines, "a coordinate"), at);
+    r.node_colors.add(found > 3 ? head[3] : 0);
   }
 }
 
@@ -163,6 +164,7 @@ void read_old_nodes(UnvReader& r, UnvLines& lines) {
     UnvLines rest = lines;
     rest.line = lines.line.substr(s.at);
     add_node(r, lines, head[0], head[1], point_of(rest, "a coordinate"), lines.at);
+    r.node_colors.add(head[3]);
   }
 }
 
@@ -274,7 +276,37 @@ void read_elements(UnvReader& r, UnvLines& lines, bool is_old) {
     const std::int64_t table = head[is_old ? 3 : 2];
     const bool fits = table == static_cast<std::int32_t>(table);
     columns.entity.push_back(fits ? static_cast<std::int32_t>(table) : 0);
+    r.cell_materials[index_of(type->kind)].add(head[is_old ? 5 : 3]);
+    r.cell_colors[index_of(type->kind)].add(head[is_old ? 6 : 4]);
   }
+}
+
+/// Colours or materials become columns where they differ within the file: programs give all cells
+/// the same where nobody chose any.
+void add_column(FileMesh& mesh, std::array<VaryingNumbers, cell_kinds>& numbers,
+                std::string_view name) {
+  const VaryingNumbers* known = nullptr;
+  bool varies = false;
+  for (const VaryingNumbers& n : numbers) {
+    if (n.rows == 0) continue;
+    varies = varies || !n.values.empty() || (known != nullptr && n.first != known->first);
+    known = &n;
+  }
+  for (const CellKind kind : all_cell_kinds) {
+    VaryingNumbers& n = numbers[index_of(kind)];
+    if (!varies || n.rows == 0) continue;
+    if (n.values.empty()) n.values.assign(n.rows, n.first);
+    columns_of(mesh, kind).data.push_back(
+        {std::string(name), 1, NumberType::int64, std::move(n.values)});
+  }
+}
+
+void add_columns(UnvReader& r) {
+  FileMesh& mesh = r.draft.mesh;
+  add_column(mesh, r.cell_materials, "material");
+  add_column(mesh, r.cell_colors, "color");
+  if (r.node_colors.values.empty()) return;
+  mesh.point_data.push_back({"color", 1, NumberType::int64, std::move(r.node_colors.values)});
 }
 
 /// Tables of properties: where cells of a dimension are in no group they are their regions. Those that
@@ -335,6 +367,7 @@ Draft read_unv(std::string_view text) {
   });
   read_unv_groups(r);
   take_tables(r.draft.mesh);
+  add_columns(r);
   skip_others(r);
   return std::move(r.draft);
 }

@@ -2,6 +2,7 @@
 // Internal to the reader of universal files: kinds of elements, and what is kept between data sets.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <set>
@@ -36,8 +37,25 @@ struct UnvSection {
   std::size_t begin = 0, end = 0;
 };
 
+/// A number of each row, kept from the first that differs from that of the first row.
+struct VaryingNumbers {
+  std::size_t rows = 0;
+  std::int64_t first = 0;
+  std::vector<std::int64_t> values;
+
+  void add(std::int64_t value) {
+    if (rows == 0) first = value;
+    if (values.empty() && value != first) values.assign(rows, first);
+    if (!values.empty()) values.push_back(value);
+    ++rows;
+  }
+};
+
 struct UnvReader {
   Draft draft;
+  /// Of cells by kind: colours and tables of materials. Of nodes: colours.
+  std::array<VaryingNumbers, cell_kinds> cell_colors, cell_materials;
+  VaryingNumbers node_colors;
   std::vector<UnvSection> sections;
   NumberIndex node_rows;
   /// Coordinate systems that are not the basic one, by their number.

@@ -178,9 +178,10 @@ void read_field(VtkReader& r) {
 /// NAME TYPE [COMPONENTS], then the table of colours, which may be none of the file's.
 void read_scalars(VtkReader& r) {
   ArrayHead head = read_name(r, 1);
-  const bool is_of_bits = lower(peek_word(r.in.s)) == "bit";
-  if (is_of_bits) next_word(r.in.s);
-  const VtkType* const type = is_of_bits ? nullptr : &read_type(r);
+  const std::string word = lower(peek_word(r.in.s));
+  const bool is_of_bits = without_digits(word) == "bit";
+  if (is_of_bits) r.in.s.at += std::string_view("bit").size();
+  const VtkType* const type = is_of_bits ? nullptr : &read_type(r, head.components);
   Scanner line = r.in.s;
   if (!rest_of_line(line).empty()) head.components = read_count(r.in.s, "components", 1);
   expect_keyword(r, "LOOKUP_TABLE");

@@ -10,7 +10,8 @@
 namespace sunder::io {
 namespace {
 
-/// `long` has 8 bytes where these files are written; ids are written as int.
+/// The words of VTK's own reader, then others that are no types of VTK but occur in files. `long`
+/// has 8 bytes where these files are written; ids are written as int.
 constexpr VtkType number_types[] = {
     {"double", NumberType::float64, 8},
     {"float", NumberType::float32, 4},
@@ -24,6 +25,8 @@ constexpr VtkType number_types[] = {
     {"vtkIdType", NumberType::int32, 4},
     {"long", NumberType::int64, 8},
     {"unsigned_long", NumberType::uint64, 8},
+    {"long_long", NumberType::int64, 8},
+    {"unsigned_long_long", NumberType::uint64, 8},
     {"vtktypeint8", NumberType::int8, 1},
     {"vtktypeuint8", NumberType::uint8, 1},
     {"vtktypeint16", NumberType::int16, 2},
@@ -32,7 +35,25 @@ constexpr VtkType number_types[] = {
     {"vtktypeuint32", NumberType::uint32, 4},
     {"vtktypeint64", NumberType::int64, 8},
     {"vtktypeuint64", NumberType::uint64, 8},
+    {"vtktypefloat32", NumberType::float32, 4},
+    {"vtktypefloat64", NumberType::float64, 8},
+    {"int8", NumberType::int8, 1},
+    {"uint8", NumberType::uint8, 1},
+    {"int16", NumberType::int16, 2},
+    {"uint16", NumberType::uint16, 2},
+    {"int32", NumberType::int32, 4},
+    {"uint32", NumberType::uint32, 4},
+    {"int64", NumberType::int64, 8},
+    {"uint64", NumberType::uint64, 8},
+    {"float32", NumberType::float32, 4},
+    {"float64", NumberType::float64, 8},
 };
+
+const VtkType* type_called(std::string_view word) {
+  const auto* const found = std::ranges::find_if(
+      number_types, [&](const VtkType& type) { return lower(type.name) == word; });
+  return found == std::end(number_types) ? nullptr : found;
+}
 
 }  // namespace
 
@@ -52,14 +73,28 @@ void expect_keyword(VtkReader& r, std::string_view word) {
   expect_word(r.in.s, word);
 }
 
+std::string_view without_digits(std::string_view word) {
+  return word.substr(0, word.find_last_not_of("0123456789") + 1);
+}
+
 const VtkType& read_type(VtkReader& r) {
+  std::size_t components = 0;
+  return read_type(r, components);
+}
+
+const VtkType& read_type(VtkReader& r, std::size_t& components) {
   Scanner& s = r.in.s;
   const std::string word = lower(peek_word(s));
   const std::size_t at = s.at;
-  for (const VtkType& type : number_types) {
-    if (lower(type.name) != word) continue;
+  if (const VtkType* const type = type_called(word)) {
     next_word(s);
-    return type;
+    return *type;
+  }
+  const std::string_view name = without_digits(word);
+  if (const VtkType* const type = type_called(name)) {
+    s.at += name.size();
+    components = read_count(s, "components", 1);
+    return *type;
   }
   if (word.empty()) fail_expected(s, "a type of numbers");
   fail(s.text, at,

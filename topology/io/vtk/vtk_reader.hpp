@@ -37,9 +37,14 @@ struct VtkReader {
 /// In lower case: keywords may be written either way.
 std::string lower(std::string_view word);
 
-/// The next word as a type of numbers; `read_integer_type` fails at types of reals.
+/// The next word as a type of numbers; `read_integer_type` fails at types of reals. Components may
+/// follow the type without a blank (FreeFem: int1); where they do, `components` becomes that.
+const VtkType& read_type(VtkReader& r, std::size_t& components);
 const VtkType& read_type(VtkReader& r);
 const VtkType& read_integer_type(VtkReader& r);
+
+/// A word of a type without the digits behind it.
+std::string_view without_digits(std::string_view word);
 
 /// The type of lists of cells, of exact coordinates, and of colours in text and raw.
 const VtkType& int_type();

@@ -131,3 +131,65 @@ TEST_CASE("arrays that end too early are refused", "[io][vtk][attributes]") {
     CHECK_FALSE(mesh);
   }
 }
+
+TEST_CASE("components may stand behind a type without a blank", "[io][vtk][attributes]") {
+  const FileMesh expected =
+      read_whole(text_head + "CELL_DATA 1\nSCALARS Label int 1\nLOOKUP_TABLE t\n7\n");
+  // As FreeFem writes it.
+  CHECK(read_whole(text_head + "CELL_DATA 1\nScalars  Label int1\nLOOKUP_TABLE t\n7\n") ==
+        expected);
+  CHECK(read_whole(raw_head + "CELL_DATA 1\nScalars  Label int1\nLOOKUP_TABLE t\n" +
+                   raw<std::int32_t>({7})) == expected);
+  const std::string values = "\nLOOKUP_TABLE default\n1 2 3\n";
+  const FileMesh three = read_whole(text_head + "CELL_DATA 1\nSCALARS v float 3" + values);
+  CHECK(three.tetrahedra.data.at(0).components == 3);
+  CHECK(read_whole(text_head + "CELL_DATA 1\nSCALARS v float3" + values) == three);
+  CHECK(read_whole(text_head + "CELL_DATA 1\nSCALARS b bit1\nLOOKUP_TABLE t\n1\n") ==
+        read_whole(text_head + "CELL_DATA 1\nSCALARS b bit\nLOOKUP_TABLE t\n1\n"));
+  for (const std::string type : {"int0", "int99999999999", "integer", "1", "int1x"}) {
+    const Result<FileMesh> refused = read_file_mesh(
+        text_head + "CELL_DATA 1\nSCALARS v " + type + "\nLOOKUP_TABLE t\n7\n", "a.vtk");
+    INFO(type);
+    CHECK_FALSE(refused);
+  }
+}
+
+TEST_CASE("every word that VTK has for a type is read, in any case", "[io][vtk][attributes]") {
+  struct Word {
+    std::string name;
+    NumberType type;
+    std::string bytes;
+  };
+  const Word words[] = {
+      {"char", NumberType::int8, raw<std::int8_t>({7})},
+      {"signed_char", NumberType::int8, raw<std::int8_t>({7})},
+      {"unsigned_char", NumberType::uint8, raw<std::uint8_t>({7})},
+      {"short", NumberType::int16, raw<std::int16_t>({7})},
+      {"unsigned_short", NumberType::uint16, raw<std::uint16_t>({7})},
+      {"int", NumberType::int32, raw<std::int32_t>({7})},
+      {"unsigned_int", NumberType::uint32, raw<std::uint32_t>({7})},
+      {"vtkIdType", NumberType::int32, raw<std::int32_t>({7})},
+      {"long", NumberType::int64, raw<std::int64_t>({7})},
+      {"unsigned_long", NumberType::uint64, raw<std::uint64_t>({7})},
+      {"long_long", NumberType::int64, raw<std::int64_t>({7})},
+      {"unsigned_long_long", NumberType::uint64, raw<std::uint64_t>({7})},
+      {"vtktypeint64", NumberType::int64, raw<std::int64_t>({7})},
+      {"vtktypeuint64", NumberType::uint64, raw<std::uint64_t>({7})},
+      {"vtkTypeInt8", NumberType::int8, raw<std::int8_t>({7})},
+      {"vtkTypeFloat32", NumberType::float32, raw<float>({7})},
+      {"vtkTypeFloat64", NumberType::float64, raw<double>({7})},
+      {"float", NumberType::float32, raw<float>({7})},
+      {"double", NumberType::float64, raw<double>({7})},
+      {"int16", NumberType::int16, raw<std::int16_t>({7})},
+      {"uint8", NumberType::uint8, raw<std::uint8_t>({7})},
+      {"float64", NumberType::float64, raw<double>({7})},
+  };
+  for (const Word& word : words) {
+    INFO(word.name);
+    const std::string head = "CELL_DATA 1\nSCALARS s " + word.name + "\nLOOKUP_TABLE default\n";
+    const FileMesh text = read_whole(text_head + head + "7\n");
+    CHECK(text.tetrahedra.data.at(0).type == word.type);
+    CHECK(numbers_of(text.tetrahedra.data[0]) == std::vector<double>{7});
+    CHECK(read_whole(raw_head + head + word.bytes) == text);
+  }
+}
