@@ -59,6 +59,13 @@ struct CheckpointSettings {
   std::uint32_t keep = 2;
 };
 
+/// Time between rows of history.csv.
+struct HistorySettings {
+  /// s; 0: no rows. Absent: a row after every step, or after every so many that the run has at most
+  /// 2 000 rows.
+  std::optional<double> interval;
+};
+
 struct OutputSettings {
   /// VTU frames, spread evenly over the run with its start and its end; 0 writes none.
   std::uint32_t frames = 51;
@@ -67,6 +74,7 @@ struct OutputSettings {
   /// A frame more at the end of steps in which a blow opens a window, no two within 1/240 s.
   bool frames_at_impacts = false;
   CrackSurface crack_surface = CrackSurface::mesh;
+  HistorySettings history;
   PictureSettings pictures;
   CheckpointSettings checkpoint;
 };

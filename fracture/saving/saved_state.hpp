@@ -13,7 +13,7 @@
 namespace sunder {
 
 /// Of the files that this library writes and reads; raised whenever what is saved changes.
-inline constexpr std::uint32_t saved_state_format = 16;
+inline constexpr std::uint32_t saved_state_format = 17;
 
 /// Everything that a simulation is, between two steps: its scene, whole, and all that evolves, down
 /// to the factors of its matrices, whose rounding depends on when they were made. Scratch, threads

@@ -151,6 +151,19 @@ constexpr auto counters_of(const MomentumLedger*) {
       Counter{"supports", &MomentumLedger::supports}, Counter{"sleep", &MomentumLedger::sleep}};
 }
 
+/// Impulses of a step with their moments about the origin, and works, by what the scene names.
+/// What sleeps is not solved for and gives nothing.
+struct ForceReport {
+  /// Row = obstacle: what bodies and other obstacles gave it.
+  std::vector<Impulse> obstacle;
+  /// What supports gave, a row for each of `BodySettings::held`, body by body. The sum over one
+  /// component is exact; where several boxes hold it, each has what its own nodes need against
+  /// stress, weight, loads and contact, and a share of the rest by mass.
+  std::vector<Impulse> held;
+  /// J, a row for each of `BodySettings::loads`, body by body; together `EnergyLedger::loads`.
+  std::vector<double> load_work;
+};
+
 /// What one step did.
 struct StepReport {
   std::uint64_t step = 0;
@@ -174,6 +187,7 @@ struct StepReport {
   LadderReport ladder;
   RubbleStepReport rubble;
   MomentumLedger momentum;
+  ForceReport forces;
   EnergyLedger energy;
   TieReport ties;
   std::vector<TieRelease> releases;  ///< in their order; those of a part come before its fans

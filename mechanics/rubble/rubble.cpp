@@ -76,11 +76,34 @@ void take_impulses(Tick& tick) {
     const Vec3 turning = inertia * (m.spin - tick.scratch.spin[k]);
     body.momentum += impulse;
     body.angular_momentum += turning;
-    tick.report.contact += impulse_at(m.centre, impulse);
-    tick.report.contact.tail<3>() += turning;
-    if (!body.in_ledger) continue;
+    Impulse given = impulse_at(m.centre, impulse);
+    given.tail<3>() += turning;
+    tick.report.contact += given;
+    if (!body.in_ledger) {
+      tick.report.given[k] += given;
+      continue;
+    }
     tick.report.contact_work += 0.5 * (impulse.dot(m.velocity + tick.scratch.velocity[k]) +
                                        turning.dot(m.spin + tick.scratch.spin[k]));
+  }
+}
+
+/// Adds to what driven bodies got `sign` times the impulses that patches now have, where they act
+/// now.
+void note_driven(Tick& tick, double sign) {
+  for (const RubblePatch& p : tick.scratch.patches) {
+    const auto is_driven = [&](std::uint32_t row) { return tick.bodies[row].mass == 0; };
+    if (!is_driven(p.a) && !is_driven(p.b)) continue;
+    const Vec3& centre = tick.scratch.moving[p.a].centre;
+    Impulse on_a = impulse_at(centre + p.arm_a,
+                              p.slip_impulse[0] * p.along + p.slip_impulse[1] * p.across);
+    on_a.tail<3>() += p.twist_impulse * p.normal;
+    for (int k = 0; k < p.count; ++k) {
+      const RubblePatch::Point& point = p.point[static_cast<std::size_t>(k)];
+      on_a += impulse_at(centre + point.arm_a, point.impulse * p.normal);
+    }
+    if (is_driven(p.a)) tick.report.given[p.a] += sign * on_a;
+    if (is_driven(p.b)) tick.report.given[p.b] -= sign * on_a;
   }
 }
 
@@ -269,11 +292,14 @@ void take_round(Tick& tick, int rounds) {
     warm_start(patches, moving);
     sweep_patches(patches, order, moving, pushing);
     take_impulses(tick);
+    note_driven(tick, 1);
     move(tick);
     prepare_patches(patches, moving);
     note_velocities(tick);
+    note_driven(tick, -1);
     sweep_patches(patches, order, moving, relaxing);
     take_impulses(tick);
+    note_driven(tick, 1);
   }
   remember(tick);
   tick.report.solve_ms += ms_since(start);
@@ -332,6 +358,7 @@ RubbleReport advance_rubble(std::span<RubbleBody> bodies, std::span<const Rubble
     for (const RubbleBody& body : bodies) tick.report.asleep += body.mass > 0;
     return tick.report;
   }
+  tick.report.given.assign(bodies.size(), Impulse::Zero());
   tick.scratch.moving.clear();
   for (const RubbleBody& body : bodies) tick.scratch.moving.push_back(moving_of(body));
   const int rounds = rounds_of(tick);

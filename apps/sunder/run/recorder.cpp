@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "apps/output/frame.hpp"
+#include "apps/output/history.hpp"
 #include "apps/output/tables.hpp"
 #include "apps/scene/json_text.hpp"
 #include "apps/sunder/run/pictures.hpp"
@@ -27,7 +28,7 @@ namespace fs = std::filesystem;
 struct Recorder::Parts {
   fs::path folder;
   SceneFile file;  ///< without its scene, which the simulation has
-  std::vector<std::uint64_t> frame_steps, picture_steps;
+  std::vector<std::uint64_t> frame_steps, picture_steps, history_steps;
   RunRecord done;
   EventLog events;
   std::optional<AppendedFile> log;
@@ -52,6 +53,7 @@ struct Recorder::Parts {
   std::vector<Finding> write_frame_of(const Simulation& now);
   std::vector<Finding> draw_picture(const Simulation& now);
   std::vector<Finding> write_due(const Simulation& now);
+  void note_history(const Simulation& now, const StepReport& report);
   bool saves() const;
   std::vector<Finding> save(const CheckpointBytes& checkpoint);
   std::vector<Finding> save(const Simulation& now);
@@ -96,6 +98,17 @@ std::vector<std::uint64_t> due_pictures(const SceneFile& file) {
   return due;
 }
 
+/// Steps after which the history gets a row; none: there is no history.
+std::vector<std::uint64_t> due_rows(const SceneFile& file) {
+  const std::optional<double>& interval = file.output.history.interval;
+  if (interval && *interval == 0) return {};
+  if (interval) return interval_steps(file.scene, *interval);
+  const std::uint64_t steps = step_count(file.scene), stride = usual_history_stride(steps);
+  std::vector<std::uint64_t> due;
+  for (std::uint64_t step = 0; step <= steps; step += stride) due.push_back(step);
+  return due;
+}
+
 }  // namespace
 
 std::vector<std::uint64_t> even_steps(std::uint64_t steps, std::uint64_t count) {
@@ -134,6 +147,7 @@ Recorder::Parts::Parts(const RecordedRun& run, EventLog so_far)
       file(run.file),
       frame_steps(due_frames(run.file)),
       picture_steps(due_pictures(run.file)),
+      history_steps(due_rows(run.file)),
       events(std::move(so_far)),
       expected(run.expected),
       counts(run.counts),
@@ -145,6 +159,7 @@ Result<Recorder> Recorder::open(const RecordedRun& run, const Simulation& start,
                                 std::vector<Finding> warnings) {
   auto parts = std::make_unique<Parts>(run, EventLog(run.file));
   parts->done.statistics = begin_statistics(start, std::move(warnings));
+  if (!parts->history_steps.empty()) parts->done.history = begin_history(start);
   Result<Recorder> result;
   if (!parts->picture_steps.empty()) {
     Result<Pictures> drawn = Pictures::open(start, run.file.output);
@@ -232,6 +247,14 @@ std::vector<Finding> Recorder::Parts::write_due(const Simulation& now) {
   return findings;
 }
 
+void Recorder::Parts::note_history(const Simulation& now, const StepReport& report) {
+  if (history_steps.empty()) return;
+  // A run that branched off from one without.
+  if (done.history.values.empty()) return void(done.history = begin_history(now));
+  add_step(done.history, report);
+  if (std::ranges::binary_search(history_steps, now.state->step)) add_row(done.history, now);
+}
+
 bool Recorder::Parts::is_time_for_impact(const Simulation& now) const {
   constexpr double least = 1.0 / 240;
   return file.output.frames_at_impacts &&
@@ -259,6 +282,7 @@ std::vector<Finding> Recorder::record(const Simulation& now, const StepReport& r
   p.last_is_whole = report.status.outcome == StepOutcome::fine && !(now.hurry && *now.hurry);
   RunStatistics& statistics = p.done.statistics;
   add_step(statistics, now, report, step_ms);
+  p.note_history(now, report);
   const std::uint64_t fans = statistics.fans - report.fracture.fans.size();
   const std::uint64_t releases = statistics.ties.releases - report.releases.size();
   for (const auto& line : events_of(report, fans, releases, now.state->cells.map)) {
@@ -352,6 +376,12 @@ std::vector<Finding> Recorder::Parts::write_tables(const Simulation& now, RunEnd
   std::vector<ObstacleMotion> obstacles = done.obstacles;
   if (done.last_frame != now.state->step) append(obstacles, free_obstacles(now));
   if (!obstacles.empty()) write("obstacles.csv", obstacles_csv(obstacles));
+  if (!history_steps.empty()) {
+    History history = done.history;
+    if (history.values.empty()) history = begin_history(now);
+    if (history.last_row != now.state->step) add_row(history, now);
+    write("history.csv", history_csv(history, now.scene));
+  }
   write("report.json", json_text(report) + "\n");
   return findings;
 }

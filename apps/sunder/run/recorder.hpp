@@ -40,7 +40,8 @@ struct RecordedRun {
 /// beside and renamed. A checkpoint stands on the disk only after all files that it speaks of.
 ///
 ///     folder/frames.pvd  frames/frame_000000.vtu ...   picture_000.png ...
-///            events.jsonl  cracks.csv  fragments.csv  obstacles.csv  report.json
+///            events.jsonl  cracks.csv  fragments.csv  obstacles.csv  history.csv
+///            report.json
 ///            checkpoints/step_0000000120.checkpoint ...
 ///
 /// The same scene gives the same bytes but in report.json and checkpoints, which hold wall times.

@@ -51,6 +51,10 @@ std::optional<Finding> extend(SceneFile& file, double until, const fs::path& fol
   if (output.frame_interval == 0 && output.frames > 1) {
     output.frame_interval = before / (output.frames - 1);
   }
+  if (!output.history.interval) {
+    const auto stride = static_cast<double>(usual_history_stride(step_count(file.scene)));
+    output.history.interval = stride * file.scene.integrator.time_step;
+  }
   file.scene.duration = until;
   PictureSettings& pictures = output.pictures;
   if (pictures.count <= 1) return std::nullopt;

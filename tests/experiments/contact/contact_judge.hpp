@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// Judges contact by places alone: how deep pieces lie in each other, and what passed between two
+// frames. Nothing here comes from the engine but the types of shapes.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mechanics/contact/shapes/obstacle.hpp"
+
+namespace sunder::test {
+
+/// The four corners of a tetrahedron, m, of either orientation.
+using TetCorners = std::array<Vec3, 4>;
+
+/// m: the shortest way that parts two tetrahedra, by the axes of faces and of pairs of edges;
+/// negative: they are apart by at least so much.
+double overlap(const TetCorners& a, const TetCorners& b);
+
+/// m: the shortest way that parts a tetrahedron from a shape; negative: apart. Exact for spheres,
+/// planes and boxes. For a solid of triangles it is the depth of the corners of each in the other;
+/// edges that cross with all corners outside are not seen.
+double overlap(const TetCorners& a, const Shape& shape);
+
+/// A frame as viewers have it.
+struct ContactFrame {
+  std::vector<Vec3> points;                              ///< m
+  std::vector<std::array<std::uint32_t, 4>> tetrahedra;  ///< rows of points, the same in all frames
+  std::vector<std::uint32_t> piece;                      ///< row = tetrahedron
+  std::vector<Obstacle> obstacles;                       ///< where they are now
+};
+
+/// m, mean over the edges of all tetrahedra.
+double mean_edge(const ContactFrame& frame);
+
+/// What lies in what.
+struct DeepestPair {
+  static constexpr std::uint32_t none = 0xffffffffu;
+  double depth = 0;        ///< m
+  std::uint32_t a = none;  ///< row of a tetrahedron
+  std::uint32_t b = none;  ///< row of another, or
+  std::uint32_t obstacle = none;
+  double time = 0;  ///< between the frames, 0 to 1
+};
+
+/// Overlaps of one frame.
+struct FrameOverlaps {
+  std::size_t pairs = 0;  ///< of tetrahedra that overlap by more than a millionth of an edge
+  double mean = 0;        ///< m, over these
+  DeepestPair pieces, obstacles;  ///< the deepest of each kind
+};
+FrameOverlaps judge_overlaps(const ContactFrame& frame, double edge);
+
+/// Two tetrahedra, or a tetrahedron and an obstacle, that were apart in two frames and overlap
+/// between them: they passed; or those that lie in each other in the later frame alone.
+struct Crossing {
+  DeepestPair deepest;
+  bool passed = false;  ///< apart again in the later frame
+};
+
+/// Crossings deeper than `tolerance` (m), one for each two pieces or piece and obstacle, the
+/// deepest. Corners, centres and turns go evenly from frame to frame. Depth is followed by halving
+/// the time until the motion left cannot add what is asked for: none deeper than twice the
+/// tolerance is missed, whatever the speed. Pairs that overlap in the first frame already are none,
+/// nor are those of one piece in the later frame.
+std::vector<Crossing> judge_crossings(const ContactFrame& first, const ContactFrame& second,
+                                      double tolerance);
+
+}  // namespace sunder::test
