@@ -17,24 +17,27 @@
 #include "apps/scene/json_text.hpp"
 #include "apps/scene/words.hpp"
 #include "apps/sunder/telling.hpp"
-#include "topology/io/output_file.hpp"
-#include "topology/io/printing.hpp"
+#include "topology/io/files/output_file.hpp"
+#include "topology/io/files/printing.hpp"
 
 namespace sunder {
 namespace {
 
 constexpr const char* kernel_footer = R"(
-Bodies: cubes of 384, 6 000, 48 000 and 384 000 tetrahedra; rings, one cell thick, of 48, 4 560 and
-28 320. All of them take two minutes on an idle machine and 2 GB; --quick leaves out bodies above 6 000.
+Bodies: cubes of 384, 6 000, 48 000 and 384 000 tetrahedra, and rings of 48, 4 560 and 28 320, one
+cell thick. All of them take two minutes on an idle machine and 2 GB. --quick leaves out bodies above
+6 000.
 
-Memory counts the capacities of everything a map holds, in bytes per tetrahedron: CGAL's darts and
-attributes; vertex rows and neighbours of each tetrahedron (dense adjacency); a dart of each
-tetrahedron and a corner of each vertex (handles); point and tetrahedron of each vertex and the
-file's points (vertex columns). The use of glibc's heap stands next to it.
+Memory counts the capacities of everything that a map holds, in bytes per tetrahedron:
+  darts             CGAL's darts and attributes
+  dense adjacency   vertex rows and neighbours of each tetrahedron
+  handles           a dart of each tetrahedron and a corner of each vertex
+  vertex columns    point and tetrahedron of each vertex, and the file's points
+The use of glibc's heap is in the next column.
 
 Times are microseconds, medians over the runs: this thread's own time for long stretches, wall time
 for single fans. CGAL's managed unsew<3> splits the same faces in the same run. Searches for
-components and the oracle are measured on random fans; a seed gives the same fans everywhere.
+components and the oracle are measured on random fans. A seed gives the same fans everywhere.
 
 Exit codes: 0 done, 2 usage, 4 an output was not written (or gnuplot is missing).
 
@@ -99,16 +102,17 @@ void add_kernel_command(CLI::App& bench, ExitCode& exit_code) {
 }
 
 constexpr const char* step_footer = R"(
-Bodies: boxes of 414 and 6 120 tetrahedra (with --large one of 49 152), or those of the files given;
-concrete in free fall, turning, too strong to break. A step is what `sunder run` takes: contact
-search, floating_frame, element and node stress, threshold tests, energy ledger, display.
+Bodies: boxes of 414 and 6 120 tetrahedra (with --large one of 49 152), or those of the files given.
+They are of concrete, in free fall, turning, and too strong to break. A step has the parts that it
+has in `sunder run`: contact search, floating_frame, element and node stress, threshold tests, energy
+ledger, display.
 
-Times are milliseconds on the wall, medians; parts of a step are called by themselves. Over modulus
-and step the simulations take turns (bodies of up to 10 000 tetrahedra). A crack splits the vertices
-nearest to a corner; the old factor is kept under a border, or order, K and factor are made again
-(docs/lab/factor.md). Give the
-process its priority on a busy machine: echo -15 > /proc/self/autogroup. Ours and Eigen's factor
-have the same order of elimination. The build type is Release: -O3, no -march; AVX2 where there is.
+Times are medians, in milliseconds on the wall. Parts of a step are called one at a time. Over
+modulus and step the simulations take turns (bodies of up to 10 000 tetrahedra). A crack splits the
+vertices nearest to a corner. The old factor is kept under a border, or order, K and factor are made
+again (docs/lab/factor.md). Give the process its priority on a busy machine:
+echo -15 > /proc/self/autogroup. Our factor and Eigen's have the same order of elimination. The build
+type is Release: -O3, no -march, and AVX2 if the processor has it.
 
 Exit codes: 0 done, 2 usage, 3 a body has errors, 4 an output was not written.
 
@@ -159,10 +163,10 @@ void add_step_command(CLI::App& bench, ExitCode& exit_code) {
 }
 
 constexpr const char* methods_footer = R"(
-Bodies: boxes of 414 and 6 120 tetrahedra in flight, turning and a little deformed; 30 GPa at 1 ms,
-1e7 Pa at 10 ms. One step is taken from the same state again and again: prediction and element
-stress, no contact, no cracks. Every method that factors uses the same block factor; reassembled
-makes it again every step. Iterations end at 1e-6 or are given up at 1 000, and the factor steps.
+Bodies: boxes of 414 and 6 120 tetrahedra in flight, turning and a little deformed. They have 30 GPa at
+a step of 1 ms, and 1e7 Pa at 10 ms. One step is repeated from the same state: prediction and element stress, no
+contact, no cracks. Every method that factors uses the same block factor, and reassembled makes it
+again every step. Iterations end at 1e-6 or are given up at 1 000, and the factor steps.
 
 Times are milliseconds on the wall, medians. Give the process its priority on a busy machine:
 echo -15 > /proc/self/autogroup.
@@ -210,13 +214,17 @@ void add_methods_command(CLI::App& bench, ExitCode& exit_code) {
 }
 
 constexpr const char* paper_footer = R"(
-Scenes: monolith, block and bunny of meshes/scenes/paper, which spell out every key
-(meshes/scenes/README.md lists our choices where the paper gives no value), in each mode without fractures, corotational without fractures, and with fractures.
-Modes: the paper's process (node stress by mass, Gershgorin's test, oracle, tetrahedra by QR) with
-linearised implicit Euler and with Broyden's method from M and from the factor; floating_frame with
-one solve a step; our defaults. Parts of the scenes are run: the column of steps says how much. The
-fans of a run are cut again with every way of finding components; threshold tests, forces and
-stresses of both models are measured on moments of the run in the paper's mode.
+Scenes: monolith, block and bunny of meshes/scenes/paper, which spell out every key.
+meshes/scenes/README.md lists our choices where the paper gives no value. Each mode runs without
+fractures, corotational without fractures, and with fractures.
+Modes:
+  the paper's process   node stress by mass, Gershgorin's test, oracle, tetrahedra by QR, with
+                        linearised implicit Euler, and with Broyden's method from M or the factor
+  floating_frame        one solve per step
+  our defaults
+Parts of the scenes are run, and the column of steps counts them. The fans of a run are cut again with
+every way to find components. Threshold tests, forces and stresses of both models are measured on
+moments of the run in the paper's mode.
 
 Times of steps are this thread's own, of fans medians of nine on the wall. docs/lab/paper.md reads them.
 
@@ -281,10 +289,13 @@ void add_paper_command(CLI::App& bench, ExitCode& exit_code) {
 }
 
 constexpr const char* threshold_footer = R"(
-Node stresses come from moments of the beginnings of the three scenes of meshes/scenes/paper, as
-far as they stay below their thresholds, and from a random generator. Ways of the test: eigenvalues;
-gershgorin (bound, then eigenvalues: the paper's); exact (leading minors); chain (bound, then
-minors: the default). All give the same result. Times are this thread's own.
+Node stresses come from the beginnings of the three scenes of meshes/scenes/paper, below their
+thresholds, and from a random generator. All ways of the test give the same result:
+  eigenvalues
+  gershgorin   bound, then eigenvalues: the paper's
+  exact        leading minors
+  chain        bound, then minors: the default
+Times are this thread's own.
 
 Exit codes: 0 done, 2 usage, 3 a scene has errors, 4 an output was not written.
 

@@ -21,7 +21,7 @@ constexpr std::array<BenchGroup, 5> groups = {{
     {"component search a fan, mean",
      "random fans until the largest component is half the body; all four ways on the same fans"},
     {"the oracle",
-     "random fans to total shatter; yes: all three vertices of a face split; per cent of yes that "
+     "random fans to total shatter; yes: all three vertices of a face split; % of yes that "
      "is true"},
 }};
 

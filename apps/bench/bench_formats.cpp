@@ -15,17 +15,17 @@
 #include "apps/scene/json_text.hpp"
 #include "apps/scene/words.hpp"
 #include "apps/sunder/telling.hpp"
+#include "topology/io/files/printing.hpp"
 #include "topology/io/format_traits.hpp"
 #include "topology/io/mesh_file.hpp"
-#include "topology/io/printing.hpp"
 
 namespace sunder {
 namespace {
 
 constexpr const char* formats_footer = R"(
-The body is a box of 6 N^3 tetrahedra with two regions and coordinates of 17 digits; surfaces are
-written of its boundary. Times are milliseconds on the wall, medians over the runs, of
-write_file_mesh and read_file_mesh: from memory to a whole file (not flushed to the disk) and back.
+The body is a box of 6 N^3 tetrahedra with two regions and coordinates of 17 digits. Surfaces are
+those of its boundary. Times are medians over the runs, in milliseconds on the wall. Writing
+is write_file_mesh from memory to a whole file, not flushed to the disk. Reading is read_file_mesh.
 
 Exit codes: 0 done, 2 usage, 4 a file was not written or not read again.
 

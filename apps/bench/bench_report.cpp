@@ -44,9 +44,9 @@ std::string bench_table(const KernelBench& bench) {
     out += '\n';
   }
   out +=
-      "\nThe paper's table 3, a fan: 94.1 (monolith), 93.7 (block), 91.1 (bunny) per cent true, "
+      "\nThe paper's table 3, per fan: 94.1 (monolith), 93.7 (block), 91.1 (bunny) % true, "
       "where\n"
-      "56.6, 54.7 and 46.3 per cent of the fans part a component.\n";
+      "56.6, 54.7 and 46.3 % of the fans part a component.\n";
   return out;
 }
 

@@ -311,9 +311,10 @@ std::vector<StepQuantity> step_quantities() {
   for (const std::size_t n : crack_sizes) {
     all.push_back({fmt::format("crack_{}_bordered", n), "ms",
                    fmt::format("Crack of {} vertices: K and border", n)});
-    all.push_back({fmt::format("crack_{}_rebuilt", n), "ms", "  anew: order, K, factor"});
+    all.push_back({fmt::format("crack_{}_rebuilt", n), "ms", "  made again: order, K, factor"});
     all.push_back({fmt::format("crack_{}_solve", n), "ms", "  back-solve under the border"});
-    all.push_back({fmt::format("crack_{}_even", n), "", "  back-solves until anew is cheaper"});
+    all.push_back(
+        {fmt::format("crack_{}_even", n), "", "  back-solves until a new factor is cheaper"});
   }
   return all;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* A scene in motion for hosts in any language: plain C, one opaque handle, structs that say their
-   size. The page (docs/page.md) is one such host, through WebAssembly and through a server. */
+   size. The page (docs/howto/embed.md) is one such host, through WebAssembly and through a server. */
 #pragma once
 
 #include <stddef.h>

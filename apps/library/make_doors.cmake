@@ -40,9 +40,9 @@ function(door name about)
   endforeach()
   if(outside MATCHES "Eigen")
     string(PREPEND body "\n#ifndef EIGEN_DONT_VECTORIZE\n"
-           "#error \"compile with ${FLAGS}, as sunder was (docs/library.md)\"\n#endif\n"
+           "#error \"compile with ${FLAGS}, as sunder was (docs/howto/embed.md)\"\n#endif\n"
            "static_assert(EIGEN_MAX_ALIGN_BYTES == 16,\n"
-           "              \"compile with ${FLAGS}, as sunder was (docs/library.md)\");\n")
+           "              \"compile with ${FLAGS}, as sunder was (docs/howto/embed.md)\");\n")
   endif()
   set(file ${OUTPUT}/sunder/${name}.hpp)
   file(WRITE ${file}.tmp "// SPDX-License-Identifier: MIT\n// ${about}\n#pragma once\n\n${outside}\n\n${doors}\n${body}")

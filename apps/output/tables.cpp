@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "apps/output/output_columns.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 
@@ -14,10 +15,7 @@ namespace sunder {
 
 std::string fragments_csv(std::vector<Fragment> fragments) {
   std::ranges::stable_sort(fragments, std::greater<>(), &Fragment::mass);
-  std::string text =
-      "component,body,tetrahedra,vertices,mass,volume,center_x,center_y,center_z,velocity_x,"
-      "velocity_y,velocity_z,spin_x,spin_y,spin_z,inertia_xx,inertia_yy,inertia_zz,inertia_xy,"
-      "inertia_yz,inertia_xz,surface,crack_area,crack_projected,parent,birth_step\r\n";
+  std::string text = csv_heading(fragment_columns());
   for (const Fragment& f : fragments) {
     text += fmt::format("{},{},{},{},{},{}", f.id.value, f.body, f.tetrahedra, f.vertices, f.mass,
                         f.volume);
@@ -35,7 +33,7 @@ std::string fragments_csv(std::vector<Fragment> fragments) {
 
 std::string cracks_csv(std::vector<CrackEnergy> cracks) {
   std::ranges::sort(cracks, {}, &CrackEnergy::fan);
-  std::string text = "fan,time,area,projected_area,energy,energy_per_area\r\n";
+  std::string text = csv_heading(crack_columns());
   for (const CrackEnergy& c : cracks) {
     text += fmt::format("{},{},{},{},{},{}\r\n", c.fan, c.time, c.area, c.projected, c.energy,
                         c.per_area());
@@ -54,9 +52,7 @@ std::vector<ObstacleMotion> free_obstacles(const Simulation& simulation) {
 }
 
 std::string obstacles_csv(const std::vector<ObstacleMotion>& motions) {
-  std::string text =
-      "time,obstacle,center_x,center_y,center_z,orientation_w,orientation_x,orientation_y,"
-      "orientation_z,velocity_x,velocity_y,velocity_z,spin_x,spin_y,spin_z\r\n";
+  std::string text = csv_heading(obstacle_columns());
   for (const ObstacleMotion& m : motions) {
     const auto& [c, q] = m.pose;
     text += fmt::format("{},{},{},{},{},{},{},{},{}", m.time, m.row, c[0], c[1], c[2], q.w(), q.x(),

@@ -7,16 +7,9 @@
 #include <optional>
 #include <string>
 
-#include "topology/io/printing.hpp"
+#include "topology/io/files/printing.hpp"
 
 namespace sunder {
-
-/// The value as text, in lines where `indent` is not negative. Bytes that are not UTF-8, such as a
-/// file's name may have, become U+FFFD; control characters are escaped as JSON allows.
-template <class Json>
-std::string json_text(const Json& json, int indent = 2) {
-  return json_escaped(json.dump(indent, ' ', false, Json::error_handler_t::replace));
-}
 
 /// The place of the first number that is not finite, which JSON writes as null:
 /// "energy.kinetic.end". Nothing where all are.

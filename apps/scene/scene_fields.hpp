@@ -98,7 +98,7 @@ void describe(V& v, SceneFile& s) {
       Key{"accuracy", "",
           "Chooses keys that are left out (contact, impact, ladder, topology, bodies[].order, model "
           "and integrator.method), from mesh, material and speeds. preview: fastest; good: "
-          "recommended; reference: most accurate, for comparisons (docs/lab/defaults.md)"},
+          "recommended; reference: most accurate, for comparisons (docs/howto/choose.md)"},
       s.accuracy);
   describe(v, s.scene);
   v.field(Key{"output", "", "Files of a run"}, s.output);

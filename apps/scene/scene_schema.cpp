@@ -72,7 +72,7 @@ class SchemaWriter {
  private:
   void put(const Key& key, ordered_json schema) {
     std::string text(key.text);
-    if (key.chosen) text += ". Left out: chosen by accuracy (docs/lab/defaults.md)";
+    if (key.chosen) text += ". Left out: chosen by accuracy (docs/howto/choose.md)";
     if (!key.unit.empty()) text += fmt::format(". Unit: {}", key.unit);
     ordered_json described = {{"description", text}};
     described.update(schema);

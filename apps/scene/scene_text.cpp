@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "topology/base/limits.hpp"
-#include "topology/io/printing.hpp"
+#include "topology/io/files/printing.hpp"
 
 namespace sunder {
 namespace {

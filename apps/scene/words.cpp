@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "topology/io/printing.hpp"
+#include "topology/io/files/printing.hpp"
 
 namespace sunder {
 

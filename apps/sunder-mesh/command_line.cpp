@@ -24,7 +24,8 @@ struct Shapes {
 
 void add_shape_options(CLI::App& app, MeshJob& job, Shapes& shapes) {
   auto* shape = app.add_option_group("shape", "What to fill with tetrahedra (one of)");
-  shape->add_option("surface", job.surface, "Closed surface: OFF, OBJ or STL, told by its ending");
+  shape->add_option("surface", job.surface,
+                    "Closed surface: OFF, OBJ or STL, recognised by its ending");
   shape->add_option("--box", shapes.box, "Box X,Y,Z, m, standing on z = 0")
       ->delimiter(',')
       ->expected(3)

@@ -9,8 +9,8 @@
 #include "apps/sunder-mesh/count_search.hpp"
 #include "apps/sunder-mesh/mesh_quality.hpp"
 #include "apps/sunder-mesh/report.hpp"
+#include "topology/io/files/printing.hpp"
 #include "topology/io/mesh_file.hpp"
-#include "topology/io/printing.hpp"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "topology/io/printing.hpp"
+#include "topology/io/files/printing.hpp"
 
 namespace sunder {
 namespace {
@@ -50,8 +50,7 @@ std::string report_json(const TetMesh& mesh, const MeshQuality& quality) {
       {"volume", quality.volume},
       {"tetrahedron_volume", {quality.least_volume, quality.largest_volume}},
       {"dihedral_angle", {quality.least_dihedral_angle, quality.largest_dihedral_angle}}};
-  using Json = nlohmann::ordered_json;
-  return json_escaped(json.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
+  return json_text(json) + "\n";
 }
 
 std::string finding_line(const Finding& finding) {

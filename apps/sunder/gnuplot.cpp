@@ -15,7 +15,7 @@
 #include <system_error>
 #include <utility>
 
-#include "topology/io/output_file.hpp"
+#include "topology/io/files/output_file.hpp"
 
 namespace sunder {
 namespace {

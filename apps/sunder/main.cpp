@@ -26,7 +26,7 @@
 #endif
 #if defined(SUNDER_HAS_VIEW)
 #include "apps/sunder/view/view.hpp"
-#include "topology/io/printing.hpp"
+#include "topology/io/files/printing.hpp"
 #endif
 
 namespace {
@@ -43,7 +43,7 @@ constexpr const char* build_bench =
 
 /// Commands of sunder-bench, a program of its own so that simulations are built without it.
 constexpr OptionalCommand bench_commands[] = {
-    {"suite", "Judge topology kernels by bodies whose answers are known", build_bench},
+    {"suite", "Judge topology kernels by bodies with known answers", build_bench},
     {"bench", "Measure the program on this machine", build_bench},
     {"chart", "Chart the error of a scene's runs over their computing time", build_bench}};
 

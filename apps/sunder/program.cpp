@@ -25,8 +25,8 @@
 #include "apps/scene/words.hpp"
 #include "topology/base/limits.hpp"
 #include "topology/base/split_text.hpp"
-#include "topology/io/output_file.hpp"
-#include "topology/io/printing.hpp"
+#include "topology/io/files/output_file.hpp"
+#include "topology/io/files/printing.hpp"
 
 namespace sunder {
 namespace {
@@ -105,7 +105,7 @@ int parse_and_run(std::vector<std::string> words, const AddCommands& add_command
       "`sunder COMMAND --help` lists the options, units and exit codes of a command. Every command "
       "ends with exit code 5 where memory runs out. \"error:\" and \"warning:\" are coloured on "
       "terminals, unless NO_COLOR is set or TERM is dumb. SUNDER_LIMITS=\"unpacked_bytes=1e8 "
-      "steps=1e6\" lowers the limits of input (docs/lab/hostile.md).");
+      "steps=1e6\" lowers the limits of input (docs/howto/troubleshooting.md).");
   ExitCode exit_code = ExitCode::fine;
   if (const std::string fault = limits_fault(); !fault.empty()) {
     print(stderr, "sunder: SUNDER_LIMITS: {}\n", fault);

@@ -10,7 +10,7 @@
 
 #include "apps/scene/json_text.hpp"
 #include "apps/scene/words.hpp"
-#include "topology/io/printing.hpp"
+#include "topology/io/files/printing.hpp"
 
 namespace sunder {
 

@@ -90,7 +90,7 @@ constexpr double crack_tip_factor(int order) { return order == 2 ? 1.03 : 0.54; 
 /// times its flaw; infinite where it is unbreakable. Where its material has a
 /// toughness K_Ic, given or sqrt(E G_c / (1 - nu^2)) (`toughness_of`), and the vertex is a crack tip (a cracked face lies in its star), C K_Ic / sqrt(h)
 /// (`crack_tip_factor`) alone, h the mean edge length of its star, because the stress there grows like
-/// 1 / sqrt(h) and a bare strength would depend on the mesh (docs/decisions.md).
+/// 1 / sqrt(h) and a bare strength would depend on the mesh (docs/explanation/theory.md).
 /// With `CrackMode::cohesive` the smaller of the two.
 /// `star`: every tetrahedron around `vertex`. Infinite for a material that never breaks.
 double vertex_strength(const Cells& cells, const MechanicsState& mechanics, VertexId vertex,

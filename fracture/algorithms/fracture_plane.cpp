@@ -18,7 +18,7 @@ Eigen::Vector3d canonical(const Eigen::Vector3d& n, const Eigen::Vector3d& octan
 
 PrincipalTension principal_tension(const Eigen::Matrix3d& sigma) {
   // compute(), not computeDirect(): the closed form's vectors are only 8e-8 accurate on near-equal
-  // eigenvalues (docs/decisions.md), and this runs for breaking vertices only.
+  // eigenvalues (docs/explanation/paper.md), and this runs for breaking vertices only.
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(sigma);
   const Eigen::Vector3d values = solver.eigenvalues();
   const double equal = equal_directions * sigma.cwiseAbs().maxCoeff();

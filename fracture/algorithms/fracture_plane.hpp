@@ -29,7 +29,7 @@ PrincipalTension principal_tension(const Eigen::Matrix3d& sigma);
 Eigen::Vector3d octant_of(const Eigen::Vector3d& point, const Eigen::Vector3d& centre);
 
 /// Candidate normals for a fracture plane, each the canonical direction seen in `octant`
-/// (docs/decisions.md, Splitting): the eigenvector itself when
+/// (docs/explanation/paper.md): the eigenvector itself when
 /// it is single, otherwise the projections into the eigenspace of `face_normals` (the interior
 /// faces at the vertex, so that the least misaligned fan is among them) and of the axes x, y, z.
 /// Never the solver's own arbitrary basis.

@@ -27,7 +27,7 @@ enum class NodeStress {
   /// The same by mass (eq. 6 as printed).
   mass,
   /// Linear least-squares fit over two rings of tetrahedra, evaluated at the vertex
-  /// (docs/lab/bending.md); `volume` where that is not to be trusted.
+  /// (docs/explanation/theory.md); `volume` where that is not to be trusted.
   fit,
 };
 

@@ -27,7 +27,7 @@ struct ElementStress {
 
 /// Node stress of every vertex: sum w_e sigma_e / sum w_e over the tetrahedra around it (eq. 6,
 /// after Koschier et al. 2014). The weights are summed for each vertex over its own star: the
-/// paper's `4 m` holds only where every mass was just refreshed (docs/decisions.md).
+/// paper's `4 m` holds only where every mass was just refreshed (docs/explanation/paper.md).
 /// Writes |V| symmetric tensors, Pa, into `node_stress` (resized to `vertices`); zero for a row
 /// that no tetrahedron uses. O(|T|), one pass, in the order of the rows.
 void average_node_stress(std::vector<Mat3>& node_stress, const ElementStress& elements,

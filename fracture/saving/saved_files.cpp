@@ -4,7 +4,7 @@
 #include <iterator>
 
 #include "fracture/saving/saved_state.hpp"
-#include "topology/io/output_file.hpp"
+#include "topology/io/files/output_file.hpp"
 
 namespace sunder {
 

@@ -49,7 +49,7 @@ struct BodyMeasures {
 BodyMeasures measure(const BodySettings& body);
 
 /// What one rigid reference sees of strain that is not there, eps (L/t)^2 / 2, over the strain eps
-/// at which the body breaks when it is bent (docs/decisions.md, Validity); infinite where nothing
+/// at which the body breaks when it is bent (docs/explanation/theory.md); infinite where nothing
 /// breaks. Needs: `measure(body)`.
 double false_strain(const BodySettings& body, const BodyMeasures& measures);
 

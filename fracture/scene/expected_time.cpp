@@ -187,14 +187,16 @@ double pressed_time(const BodySettings& body, const BodyMeasures& m) {
   return strain * m.extent / fastest;
 }
 
+/// Of second order 12 to 30 times as much (docs/lab/bending.md).
+double cost_of_order(const BodySettings& body) { return body.order == 2 ? 15 : 1; }
+
 /// ms of a step of the body in flight.
 double flight_ms(const Scene& scene, const BodySettings& body) {
   // Measured: 6 to 8 times (docs/lab/second_order.md, the slender strip).
   const double model = scene.integrator.model == ElasticModel::corotational ? 7 : 1;
-  // Large bodies' factors fill in; of second order 12 to 30 times as much (docs/lab/bending.md).
-  const double order = body.order == 2 ? 15 : 1;
+  // Large bodies' factors fill in.
   const auto tetrahedra = static_cast<double>(body.mesh.tetrahedra.size());
-  return model * order * 1e-4 * tetrahedra * (1 + tetrahedra / 8000);
+  return model * cost_of_order(body) * 1e-4 * tetrahedra * (1 + tetrahedra / 8000);
 }
 
 class Forecast {
@@ -253,8 +255,7 @@ class Forecast {
         const double solve = settings.order == 2 ? 1e-3 * flight_ms(scene_, settings) : 0;
         seconds += (contact + solve) / sub_step();
       } else if (t < body.touched + time_to_sleep()) {
-        seconds +=
-            (t < body.piled ? of_rest : of_heap) * size * (settings.order == 2 ? 15 : 1) * steps;
+        seconds += (t < body.piled ? of_rest : of_heap) * size * cost_of_order(settings) * steps;
       }
     }
     return seconds;

@@ -185,14 +185,14 @@ void look_at_layers(const Looked& l, std::size_t b) {
   if (layers >= too_few_layers || l.measures[b].extent < compact * thickness) return;
   l.body(b, "few_layers", "mesh", -layers,
          fmt::format("has {:.1f} layers of cells through its thickness (median of 200 rays): "
-                     "linear tetrahedra show 22, 50, 79, 89 per cent of the deflection in bending "
+                     "linear tetrahedra show 22, 50, 79, 89 % of the deflection in bending "
                      "with 1, 2, 4, 6, and what breaks in bending breaks late",
                      layers),
          "take \"order\": 2 for the body, or a mesh of at least four layers where bending matters "
-         "(docs/lab/bending.md)");
+         "(docs/explanation/theory.md)");
 }
 
-/// A twentieth of the strain it breaks at is still nothing (docs/decisions.md, Validity).
+/// A twentieth of the strain it breaks at is still nothing (docs/explanation/theory.md).
 void look_at_slenderness(const Looked& l, std::size_t b) {
   const BodyMeasures& m = l.measures[b];
   const double strain = m.strength / l.scene.bodies[b].material.young_modulus;
@@ -203,7 +203,7 @@ void look_at_slenderness(const Looked& l, std::size_t b) {
   // A strength that no solid has is told as such.
   if (!(strain <= 0.1) || !(share > 0.05)) return;
   const std::string false_strain =
-      share < 1 ? fmt::format("a false strain of up to {:.0f} per cent of it", 100 * share)
+      share < 1 ? fmt::format("a false strain of up to {:.0f} % of it", 100 * share)
                 : "a false strain larger than the true one";
   l.body(
       b, "slender_body", "mesh", share,

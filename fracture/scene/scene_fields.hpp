@@ -138,8 +138,8 @@ void describe(V& v, CutSettings& c) {
           "Cuts the faces in this text file, relative to the scene file: three rows of the mesh's "
           "points per line, counted from 0 (as `sunder split --faces`)"},
       FaceList{}, c.faces);
-  v.field(Key{"box", "", "Where given, only faces whose three vertices lie in it"}, c.box);
-  v.field(Key{"ball", "", "Where given, only faces whose three vertices lie in it"}, c.ball);
+  v.field(Key{"box", "", "Where given, only faces with all three vertices in it"}, c.box);
+  v.field(Key{"ball", "", "Where given, only faces with all three vertices in it"}, c.ball);
 }
 
 template <class V>
@@ -179,7 +179,7 @@ template <class V>
 void describe(V& v, UnbreakablePart& u) {
   v.alternative(Key{"region", "", "Name or number of a region; its vertices never split"},
                 RegionName{}, u.where);
-  v.alternative(Key{"box", "", "Box whose vertices never split"}, RestBox{}, u.where);
+  v.alternative(Key{"box", "", "Box of vertices that never split"}, RestBox{}, u.where);
 }
 
 template <class V>
@@ -199,18 +199,19 @@ void describe(V& v, BodySettings& b) {
           b.rotation);
   v.field(Key{"velocity", "m/s", "Velocity of the mass centre at the start"}, b.velocity);
   v.field(Key{"spin", "rad/s", "Angular velocity about the mass centre at the start"}, b.spin);
-  v.field(Key{"held", "", "Boxes whose vertices are fixed, or moved at a given velocity"}, b.held);
+  v.field(Key{"held", "", "Boxes of vertices that are fixed, or moved at a given velocity"},
+          b.held);
   v.field(Key{"loads", "", "Boxes in which pressure or force acts on the body"}, b.loads);
   v.field(Key{"cuts", "", "Cracks that exist from the start, closed and without load"}, b.cuts);
   v.field(Key{"strength", "", "Strengths other than the material's (docs/explanation/cracks.md)"},
           b.strength);
-  v.field(Key{"unbreakable", "", "Parts whose vertices never split"}, b.unbreakable);
+  v.field(Key{"unbreakable", "", "Parts that never break"}, b.unbreakable);
   v.field(
       Key{"order", "",
           "Order of the tetrahedra. 1: linear displacement; 2: quadratic, with a node in the "
           "middle "
           "of each edge, for bodies that bend; needs contact by impulses. Left out: 2 for small "
-          "thin bodies of few layers (docs/lab/defaults.md), else 1",
+          "thin bodies of few layers (docs/howto/choose.md), else 1",
           between(1, 2)},
       b.order);
   v.field(Key{"rigid", "",
@@ -261,7 +262,7 @@ void describe(V& v, FractureSettings& f) {
           f.crack);
   v.field(Key{"relax", "",
               "Rings of tetrahedra around each fan in which stresses are computed again within the "
-              "step, so that the load of the crack passes to its tip at once; 0: none",
+              "step. The load of the crack then passes to its tip at once; 0: none",
               between(0, 1000)},
           f.relax);
   v.field(Key{"test", "",
@@ -366,7 +367,7 @@ void describe(V& v, Scene& s) {
               "Pieces that may be rigid, quasi-static or asleep "
               "(docs/explanation/time_and_contact.md)"},
           s.ladder);
-  v.field(Key{"topology", "", "The bodies' map (docs/lab/kernel.md)"}, s.topology);
+  v.field(Key{"topology", "", "The bodies' map (docs/explanation/topology.md)"}, s.topology);
   v.field(Key{"display_time_constant", "s",
               "Time constant with which the drawn reference of a new piece approaches its own "
               "(section 3.3); 0: at once",

@@ -51,7 +51,7 @@ using StepObserver = std::function<void(const Simulation&, const PartReport&)>;
 Result<Simulation> build_simulation(Scene scene);
 
 /// One step, `scene.integrator.time_step` long: contact and external forces -> integrate -> element
-/// stress at the new state -> fracture -> components (docs/decisions.md, Order of a step). A step
+/// stress at the new state -> fracture -> components (docs/explanation/paper.md). A step
 /// in which something is struck is divided for the components struck and those they can reach:
 /// deformations are frozen up to the impact, sub-steps follow while the waves run, each with its
 /// own search for fractures, and the remainder is taken at once; all other components take the

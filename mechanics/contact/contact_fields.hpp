@@ -77,7 +77,7 @@ void describe(V& v, ContactSettings& c) {
   v.field(Key{"method", "",
               "impulses: unilateral contact solved with the response of the bodies, the default; "
               "penalty: the paper's, springs on overlaps at the start of a step, without impact "
-              "windows (docs/lab/baselines.md)"},
+              "windows (docs/explanation/paper.md)"},
           c.method);
   v.field(Key{"penalty_stiffness", "N/m",
               "penalty: stiffness of the spring between one vertex and one obstacle or ball of a "
@@ -149,7 +149,7 @@ void describe(V& v, ImpactSettings& i) {
           "Share of the tensile strength below which the stress rho c v of an impact is ignored",
           Range{.low = 0, .high = 1, .without_low = true}, false, "", true},
       i.negligible);
-  v.field(Key{"by_energy", "", "Sub-step only impacts whose energy could break the body"},
+  v.field(Key{"by_energy", "", "Sub-step only impacts with enough energy to break the body"},
           i.by_energy);
   v.field(Key{"max_sub_steps", "",
               "Sub-steps allowed per step; the remainder is then taken at once, with a warning",

@@ -13,7 +13,7 @@ namespace sunder {
 
 /// Copies of vertices that came after a factor was made, in extended rows: those of the factor
 /// first, then one a copy. With x_copy = x_origin + delta as unknowns the old matrix is the leading
-/// block of the new one (docs/decisions.md, Splits and the factor), for whatever came off too: what
+/// block of the new one (docs/explanation/theory.md, The factor), for whatever came off too: what
 /// belongs to other components by now has no load and no say.
 struct FactorBorder {
   /// One block column of the new matrix in those unknowns.

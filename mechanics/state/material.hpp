@@ -53,7 +53,7 @@ double fracture_energy_of(const Material& material);
 double toughness_of(const Material& material);
 
 /// rad: past this turn a part's false strain theta^2 / 2 in one rigid reference exceeds `share` of
-/// the breaking strain xi / E (docs/decisions.md, Validity).
+/// the breaking strain xi / E (docs/explanation/theory.md).
 double largest_valid_turn(const Material& material, double share);
 
 }  // namespace sunder

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 // `plates branching|kalthoff|tension [--KEY VALUE ...]`: published plates in which cracks run fast:
-// their tips by time, branches and angles, and a picture of where they ran.
+// their tips by time, branches and angles, and a table of when each crack face opened, for
+// plates.py to draw.
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
+#include <fstream>
+#include <map>
 #include <stdexcept>
 #include <string>
 
-#include "apps/render/image.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/state/living.hpp"
 #include "tests/experiments/cases/plates.hpp"
@@ -20,7 +22,7 @@ namespace {
 constexpr const char* usage =
     "plates branching|kalthoff|tension [--cell MM] [--cells kuhn|cross|delaunay] [--seed N]\n"
     "       [--strength MPA] [--rate M/S] [--ramp US] [--frame MM] [--step US]\n"
-    "       [--until US] [--free] [--png FILE]\n"
+    "       [--until US] [--free] [--csv FILE]\n"
     "Prints the tip of the crack at 50 times: where the released face farthest from the notch is,\n"
     "its speed by a line through 5 us, and branches. --free: plane stress, the faces of the slab free.";
 
@@ -28,7 +30,7 @@ struct Job {
   std::string name;
   PlateChoice choice;
   double until = 0;  // s; 0: the case's
-  std::string png;
+  std::string csv;
 };
 
 PlateCells cells_of(const std::string& word) {
@@ -40,7 +42,7 @@ PlateCells cells_of(const std::string& word) {
 
 Job read(int argc, char** argv) {
   if (argc < 2) throw std::invalid_argument("which plate?");
-  Job job{.name = argv[1], .choice = {}, .until = 0, .png = {}};
+  Job job{.name = argv[1], .choice = {}, .until = 0, .csv = {}};
   for (int k = 2; k < argc; ++k) {
     const std::string key = argv[k];
     if (key == "--free") {
@@ -51,7 +53,7 @@ Job read(int argc, char** argv) {
     const std::string value = argv[++k];
     const double number = std::atof(value.c_str());
     if (key == "--cells") job.choice.cells = cells_of(value);
-    else if (key == "--png") job.png = value;
+    else if (key == "--csv") job.csv = value;
     else if (key == "--ramp") job.choice.ramp = 1e-6 * number;
     else if (key == "--frame") job.choice.frame = 1e-3 * number;
     else if (!(number > 0)) throw std::invalid_argument(key + " " + value + ": a number above 0");
@@ -73,46 +75,47 @@ PlateCase plate_of(const Job& job) {
   throw std::invalid_argument(job.name + ": branching, kalthoff or tension");
 }
 
-/// The plate from +z, as it is at rest: rim, notch, tied faces in orange, released ones in black.
-void draw(const std::string& path, const PlateCase& plate, const std::vector<CrackTrace>& traces) {
-  constexpr int margin = 12, longer = 720;
-  const double scale = longer / std::max(plate.shape.length, plate.shape.height);
-  render::Image image;
-  image.width = int(plate.shape.length * scale) + 2 * margin;
-  image.height = int(plate.shape.height * scale) + 2 * margin;
-  image.rgb.assign(std::size_t(3 * image.width * image.height), 255);
-  using Color = std::array<std::uint8_t, 3>;
-  const auto line = [&](const Point& a, const Point& b, const Color& color, int thick) {
-    const double away = scale * std::hypot(b[0] - a[0], b[1] - a[1]);
-    const int n = int(2 * away) + 1;
-    for (int k = 0; k <= n; ++k) {
-      const double t = double(k) / n;
-      const int x = margin + int(scale * (a[0] + t * (b[0] - a[0])));
-      const int y = image.height - margin - int(scale * (a[1] + t * (b[1] - a[1])));
-      for (int i = 0; i < thick; ++i) {
-        for (int j = 0; j < thick; ++j) {
-          if (x + i >= image.width || y + j >= image.height) continue;
-          std::copy(color.begin(), color.end(),
-                    image.rgb.begin() + 3 * ((y + j) * image.width + x + i));
-        }
-      }
-    }
-  };
-  const double l = plate.shape.length, h = plate.shape.height;
-  const Color rim = {120, 120, 120}, tied = {240, 170, 90}, released = {20, 20, 20};
-  const Point corner[] = {{0, 0, 0}, {l, 0, 0}, {l, h, 0}, {0, h, 0}};
-  for (int k = 0; k < 4; ++k) line(corner[k], corner[(k + 1) % 4], rim, 1);
-  line({plate.notch.from, plate.notch.height, 0}, {plate.notch.to, plate.notch.height, 0},
-       {60, 90, 170}, 3);
-  for (const bool black : {false, true}) {
-    for (const CrackTrace& t : traces) {
-      if (t.released != black) continue;
-      for (std::size_t k = 0; k < 3; ++k) {
-        line(t.corners[k], t.corners[(k + 1) % 3], black ? released : tied, 2);
-      }
-    }
+/// When a crack face was first seen tied and released, s; negative: not yet.
+struct FaceHistory {
+  CrackTrace trace;
+  double tied = -1, released = -1;
+};
+
+/// Crack faces by their middles at rest, in micrometres.
+using FaceHistories = std::map<std::pair<long, long>, FaceHistory>;
+
+void record(FaceHistories& faces, const std::vector<CrackTrace>& traces, double time) {
+  for (const CrackTrace& trace : traces) {
+    FaceHistory& face = faces[{std::lround(1e6 * trace.x), std::lround(1e6 * trace.y)}];
+    face.trace = trace;
+    double& first = trace.released ? face.released : face.tied;
+    if (first < 0) first = time;
   }
-  for (const Finding& f : render::write_png(path, image)) throw std::runtime_error(f.text);
+}
+
+/// The plate as plates.py draws it: its shape, its notch, and each crack face as a line along its
+/// longest edge seen from +z, at rest.
+void write_csv(const std::string& path, const Job& job, const PlateCase& plate,
+               const FaceHistories& faces, double time) {
+  std::ofstream file(path);
+  file << "# " << job.name << ", " << 1e3 * plate.shape.length << " x " << 1e3 * plate.shape.height
+       << " mm, cells of " << 1e3 * plate.shape.cell << " mm, notch " << 1e3 * plate.notch.from
+       << " to " << 1e3 * plate.notch.to << " at " << 1e3 * plate.notch.height << " mm, to "
+       << 1e6 * time << " us\nx0_mm,y0_mm,x1_mm,y1_mm,tied_us,released_us\n";
+  for (const auto& [middle, face] : faces) {
+    std::size_t longest = 0;
+    const auto along = [&](std::size_t k) {
+      const Point &a = face.trace.corners[k], &b = face.trace.corners[(k + 1) % 3];
+      return std::hypot(b[0] - a[0], b[1] - a[1]);
+    };
+    for (std::size_t k = 1; k < 3; ++k) {
+      if (along(k) > along(longest)) longest = k;
+    }
+    const Point &a = face.trace.corners[longest], &b = face.trace.corners[(longest + 1) % 3];
+    file << 1e3 * a[0] << ',' << 1e3 * a[1] << ',' << 1e3 * b[0] << ',' << 1e3 * b[1] << ','
+         << 1e6 * face.tied << ',' << 1e6 * face.released << '\n';
+  }
+  if (!file.flush()) throw std::runtime_error("cannot write " + path);
 }
 
 void run(const Job& job) {
@@ -125,6 +128,7 @@ void run(const Job& job) {
   std::printf("# %8s %9s %9s %9s %8s %9s %6s %6s %8s %6s\n", "t, us", "x, mm", "y, mm", "reach",
               "tied", "branches", "fork", "pieces", "sub-steps", "stops");
   std::vector<TipPlace> history;
+  FaceHistories faces;
   double residual = 0, moved = 0;
   std::size_t sub_steps = 0, stopped = 0;
   const double until = job.until > 0 ? job.until : plate.duration;
@@ -137,7 +141,9 @@ void run(const Job& job) {
     sub_steps += report.impact.sub_steps;
     stopped += report.impact.stopped;
     if (report.time < next * (1 - 1e-9)) continue;
-    history.push_back(tip_of(crack_traces(sim, plate), plate, report.time));
+    const std::vector<CrackTrace> seen = crack_traces(sim, plate);
+    record(faces, seen, report.time);
+    history.push_back(tip_of(seen, plate, report.time));
     const TipPlace& tip = history.back();
     if (history.size() % 3 == 0) {
       std::printf("%10.1f %9.2f %9.2f %9.2f %8.2f %9zu %6.1f %6zu %8zu %6zu\n", 1e6 * tip.time,
@@ -145,7 +151,6 @@ void run(const Job& job) {
                   1e3 * tip.fork, living_components(sim.state->mechanics).size(), sub_steps,
                   stopped);
       std::fflush(stdout);
-      if (!job.png.empty()) draw(job.png, plate, crack_traces(sim, plate));
     }
     next = report.time + until / 150;
   }
@@ -173,12 +178,13 @@ void run(const Job& job) {
                 1e6 * forked->time, 1e3 * forked->fork, 1e6 * at_fork->time, before);
   }
   const std::vector<CrackTrace> traces = crack_traces(sim, plate);
+  record(faces, traces, simulated_time(sim));
   const double reach = history.back().reach;
   std::printf("; direction %.1f degrees (whole), %.1f (first third)\n# residual of the energy "
               "ledger over what moved: %.1e; sub-steps %zu, steps stopped short %zu\n",
               crack_angle(traces, plate, 0, reach), crack_angle(traces, plate, 0, reach / 3),
               std::abs(residual) / moved, sub_steps, stopped);
-  if (!job.png.empty()) draw(job.png, plate, traces);
+  if (!job.csv.empty()) write_csv(job.csv, job, plate, faces, simulated_time(sim));
 }
 
 }  // namespace

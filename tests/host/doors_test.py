@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Holds the public headers to their word: each compiles alone, without a warning, and leads to no forbidden header.
-The C++ that README.md and docs/library.md show compiles as well; that of docs/operations.md is tests/host/tear.
+The C++ that README.md and how-to pages show compiles as well, or is a part of tests/host/tear, whose lines docs/howto/embed.md shows.
 
     python3 doors_test.py FOLDER_OF_DOORS EIGEN "FLAG;FLAG" PROJECT COMPILER...
 
@@ -50,6 +50,15 @@ def complaints(compiler, header, folder, eigen, forbidden):
 class Doors(unittest.TestCase):
     folder, eigen, project, compilers = "", "", "", []
 
+    def blocks_of(self, page):
+        """The C++ that a page shows."""
+        text = pathlib.Path(self.project, page).read_text(encoding="utf-8")
+        return re.findall(r"^```cpp\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
+
+    def torn(self):
+        """The program of a fracture law of one's own."""
+        return pathlib.Path(self.project, "tests/host/tear/main.cpp").read_text(encoding="utf-8")
+
     def test_each_compiles_alone_and_leads_to_nothing_forbidden(self):
         doors = sorted(path.name for path in pathlib.Path(self.folder, "sunder").glob("*.hpp"))
         self.assertIn("simulation.hpp", doors)
@@ -60,22 +69,17 @@ class Doors(unittest.TestCase):
                     self.assertEqual(complaints(compiler, f"sunder/{door}", self.folder, self.eigen, forbidden), [])
 
     def test_the_lines_of_the_pages_compile(self):
-        for page in ("README.md", "docs/library.md"):
-            text = pathlib.Path(self.project, page).read_text(encoding="utf-8")
-            blocks = re.findall(r"^```cpp\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
+        for page in ("README.md", "docs/howto/embed.md", "docs/howto/resume_and_replay.md"):
+            blocks = [block for block in self.blocks_of(page) if block not in self.torn()]
             self.assertTrue(blocks, f"{page} shows no C++")
             for block in blocks:
                 said, _ = compile_text(block, self.compilers[0], self.folder, self.eigen,
                                        "-Wno-unused-variable")
                 self.assertEqual(said, "", f"{page}\n{block}")
 
-    def test_the_lines_of_the_tutorial_are_of_a_program(self):
-        text = pathlib.Path(self.project, "docs/operations.md").read_text(encoding="utf-8")
-        program = pathlib.Path(self.project, "tests/host/tear/main.cpp").read_text(encoding="utf-8")
-        blocks = re.findall(r"^```cpp\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
-        self.assertEqual(len(blocks), 3)
-        for block in blocks:
-            self.assertIn(block, program)
+    def test_the_law_of_the_page_is_of_a_program(self):
+        shown = [block for block in self.blocks_of("docs/howto/embed.md") if block in self.torn()]
+        self.assertEqual(len(shown), 3)
 
     def test_a_bad_header_is_seen(self):
         """The test itself: a header that needs another, one that warns, one that leads to fmt by a detour."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Holds the house to its table of rooms (rooms.py, docs/house.md): who may include what, no circles
+"""Holds the house to its table of rooms (rooms.py, CONTRIBUTING.md): who may include what, no circles
 in the simulation, and where CGAL and the GPL may be seen.
 
     python3 layering_test.py PROJECT COMPILE_COMMANDS
@@ -185,9 +185,9 @@ class TheProject(unittest.TestCase):
             self.assertTrue(any(f.startswith(name + "/") for f in self.graph), name)
 
     def test_the_page_shows_the_table(self):
-        page = (self.project / "docs" / "house.md").read_text(encoding="utf-8")
+        page = (self.project / "CONTRIBUTING.md").read_text(encoding="utf-8")
         self.assertEqual(rooms.with_table(page), page,
-                         "python3 tests/house/rooms.py . --write brings docs/house.md up to date")
+                         "python3 tests/house/rooms.py . --write brings CONTRIBUTING.md up to date")
 
     def test_nobody_includes_the_tool_under_the_gpl(self):
         self.assertEqual(uses_of_the_tool(self.graph), [])

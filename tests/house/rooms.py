@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""The rooms of the house: what each is for and what it may include. docs/house.md shows this table.
+"""The rooms of the house: what each is for and what it may include. CONTRIBUTING.md shows this table.
 
-    python3 rooms.py PROJECT          prints the table as docs/house.md has it
+    python3 rooms.py PROJECT          prints the table as CONTRIBUTING.md has it
     python3 rooms.py PROJECT --write  writes it there
 """
 
@@ -15,45 +15,45 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 # and the rooms named, which stand above it in this table, so nothing can go round in a circle.
 # "a/*": every room of a.
 ROOMS = (
-    ("topology/base", "ids, plain meshes, findings, counters: what knows no map and all rooms share", ()),
+    ("topology/base", "ids, plain meshes, findings, counters: shared by all, without a map", ()),
     ("topology/kernel", "the 3-map: darts, cells, attributes, `split_face`, fans, components, invariants",
      ("topology/base",)),
-    ("topology/mesh", "meshes as files hold them: check, survey, repair, crack, boundary; a map made of one",
+    ("topology/mesh", "meshes as files hold them: check, survey, repair, crack, boundary, building a map",
      ("topology/base", "topology/kernel")),
-    ("topology/cells", "operations that change cells: edges divided, refinement, plane cuts; columns, a journal",
+    ("topology/cells", "operations that change cells: divided edges, refinement, plane cuts, columns, a journal",
      ("topology/base", "topology/kernel", "topology/mesh")),
-    ("topology/io", "mesh files, a folder a format", ("topology/base", "topology/kernel", "topology/mesh")),
-    ("topology/suite", "what judges a kernel: fixtures, slow twins, homology, random runs",
+    ("topology/io", "mesh files, one folder per format", ("topology/base", "topology/kernel", "topology/mesh")),
+    ("topology/suite", "the judge of kernels: fixtures, slow twins, homology, random runs",
      ("topology/base", "topology/kernel", "topology/mesh", "topology/io")),
-    ("mechanics/state", "columns, components, materials, loads, settings: what is saved or chosen",
+    ("mechanics/state", "columns, components, materials, loads, settings",
      ("topology/base",)),
     ("mechanics/frame", "rotations, rigid frames, mean axes", ("topology/base", "mechanics/state")),
     ("mechanics/element", "strain, stress, elastic force and energy of tetrahedra",
      ("topology/base", "mechanics/state", "mechanics/frame")),
     ("mechanics/solver", "assembled stiffness, block factor, columns of the inverse",
      ("topology/base", "mechanics/state", "mechanics/frame", "mechanics/element")),
-    ("mechanics/integrators", "a step of one component in the floating frame; answers to impulses",
+    ("mechanics/integrators", "a step of one component in the floating frame, response to impulses",
      ("topology/base", "mechanics/state", "mechanics/frame", "mechanics/element", "mechanics/solver")),
-    ("mechanics/baselines", "integrators that ours is compared with",
+    ("mechanics/baselines", "integrators for comparison",
      ("topology/base", "mechanics/state", "mechanics/frame", "mechanics/element", "mechanics/solver",
       "mechanics/integrators")),
-    ("mechanics", "one step of all components; components made, placed and rebuilt",
+    ("mechanics", "one step of all components, building and rebuilding of components",
      ("topology/base", "mechanics/state", "mechanics/frame", "mechanics/element", "mechanics/solver",
       "mechanics/integrators", "mechanics/baselines")),
     ("mechanics/statics", "equilibrium and modes",
      ("topology/base", "mechanics/state", "mechanics/frame", "mechanics/element", "mechanics/solver",
       "mechanics/integrators", "mechanics")),
-    ("mechanics/ties", "faces that are apart and still hold: their data and their law",
+    ("mechanics/ties", "ties: data and law of faces that are apart and still hold",
      ("topology/base", "mechanics/state")),
-    ("mechanics/contact/shapes", "obstacles, surfaces of pieces, nearest points, pairs that are near",
+    ("mechanics/contact/shapes", "obstacles, surfaces of pieces, nearest points, near pairs",
      ("topology/base", "mechanics/state")),
-    ("mechanics/contact/solver", "impulses of rows of contacts between bodies that respond; no mesh",
+    ("mechanics/contact/solver", "impulses of contact rows between bodies, without a mesh",
      ("topology/base", "mechanics/state", "mechanics/frame", "mechanics/ties")),
     ("mechanics/contact", "a step with contact: detection, rows, passes, ties, bounces, impacts",
      ("topology/base", "mechanics/state", "mechanics/frame", "mechanics/element", "mechanics/solver",
       "mechanics/integrators", "mechanics", "mechanics/ties", "mechanics/contact/shapes",
       "mechanics/contact/solver")),
-    ("mechanics/rubble", "rigid bodies that touch, on a clock of their own",
+    ("mechanics/rubble", "rubble: rigid bodies in contact, with a clock of their own",
      ("topology/base", "mechanics/state", "mechanics/frame", "mechanics/element", "mechanics/solver",
       "mechanics/integrators", "mechanics/contact/shapes")),
     ("fracture/cracks", "cracks as surfaces: sides of tetrahedra, anchors",
@@ -61,25 +61,25 @@ ROOMS = (
     ("fracture/algorithms", "node stress, threshold, plane, fan, split: algorithms 3 and 4 of the paper",
      ("topology/base", "topology/kernel", "mechanics/state", "mechanics/frame", "mechanics/element",
       "fracture/cracks")),
-    ("fracture/strength", "strength drawn at random, faces cut before the start",
+    ("fracture/strength", "random strength, faces cut before the start",
      ("topology/base", "topology/kernel", "topology/mesh", "mechanics/state", "fracture/cracks", "fracture/algorithms")),
-    ("fracture/energy", "energy that a crack releases, and what it leaves in motion",
+    ("fracture/energy", "energy that a crack releases, and energy left in motion",
      ("topology/base", "topology/kernel", "mechanics/*", "fracture/algorithms")),
-    ("fracture/scene", "bodies and all that a user chooses of a simulation; every key once",
+    ("fracture/scene", "bodies and settings of a simulation, every key once",
      ("topology/base", "topology/kernel", "mechanics/state", "mechanics/contact",
       "mechanics/contact/shapes", "fracture/algorithms", "fracture/strength")),
-    ("fracture/breaking", "which vertices break in a run and in what order; or the fans of a script",
+    ("fracture/breaking", "choice and order of the vertices that break, or the fans of a script",
      ("topology/base", "topology/kernel", "mechanics/state", "mechanics/element", "mechanics/contact",
       "mechanics/contact/shapes",
       "fracture/cracks", "fracture/algorithms", "fracture/energy")),
-    ("fracture/ties", "faces of fans tied, and released once their ties are spent",
+    ("fracture/ties", "ties of fans, and their release",
      ("topology/base", "topology/kernel", "mechanics/state", "mechanics/element",
       "mechanics/contact", "mechanics/ties", "mechanics/contact/shapes", "fracture/cracks", "fracture/algorithms", "fracture/breaking")),
-    ("fracture/simulation", "a body in motion: its steps and what they report",
+    ("fracture/simulation", "bodies in motion: steps and their reports",
      ("topology/base", "topology/kernel", "topology/mesh", "topology/cells", "mechanics/*", "fracture/cracks", "fracture/algorithms",
       "fracture/strength", "fracture/energy", "fracture/scene", "fracture/breaking",
       "fracture/ties")),
-    ("fracture/saving", "a simulation as a file, to go on with later",
+    ("fracture/saving", "a simulation as a file",
      ("topology/base", "topology/kernel", "topology/mesh", "topology/io", "mechanics/*", "fracture/cracks",
       "fracture/algorithms", "fracture/strength", "fracture/energy", "fracture/scene", "fracture/breaking",
       "fracture/simulation")),
@@ -87,12 +87,12 @@ ROOMS = (
      ("topology/base", "topology/kernel", "topology/mesh", "topology/io", "mechanics/*", "fracture/*")),
     ("apps/output", "fragments, tables and frames of a simulation",
      ("topology/base", "topology/kernel", "topology/mesh", "topology/io", "mechanics/*", "fracture/*")),
-    ("apps/render", "pictures of triangles; knows no map and no mechanics", ("topology/base",)),
-    ("apps/host", "C functions for hosts in any language, natively and as WebAssembly",
+    ("apps/render", "pictures of triangles, without map and mechanics", ("topology/base",)),
+    ("apps/host", "C functions for hosts in any language, native and WebAssembly",
      ("topology/*", "mechanics/*", "fracture/*", "apps/scene", "apps/output")),
-    ("apps/sunder", "the program, a folder a command",
+    ("apps/sunder", "the program, one folder per command",
      ("topology/*", "mechanics/*", "fracture/*", "apps/scene", "apps/output", "apps/render", "apps/host")),
-    ("apps/bench", "sunder-bench: measurements, charts, kernels judged",
+    ("apps/bench", "sunder-bench: measurements, charts, judging kernels",
      ("topology/*", "mechanics/*", "fracture/*", "apps/scene", "apps/output", "apps/render",
       "apps/sunder")),
     ("apps/sunder-mesh", "surfaces to tetrahedra, under the GPL",
@@ -148,7 +148,7 @@ def allowed(room):
 
 def table():
     """The table of rooms in Markdown."""
-    lines = ["| room | what it is for | may include |", "|---|---|---|"]
+    lines = ["| source directory | contents | may include |", "|---|---|---|"]
     for name, purpose, sees in ROOMS:
         shown = ", ".join(f"`{s}`" for s in sees)
         lines.append(f"| `{name}` | {purpose} | {shown or 'nothing'} |")
@@ -167,8 +167,8 @@ def with_table(page):
 
 if __name__ == "__main__":
     if len(sys.argv) == 3 and sys.argv[2] == "--write":
-        house = pathlib.Path(sys.argv[1], "docs", "house.md")
-        house.write_text(with_table(house.read_text(encoding="utf-8")), encoding="utf-8")
+        page = pathlib.Path(sys.argv[1], "CONTRIBUTING.md")
+        page.write_text(with_table(page.read_text(encoding="utf-8")), encoding="utf-8")
     elif len(sys.argv) == 2:
         print(table(), end="")
     else:

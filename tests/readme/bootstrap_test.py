@@ -23,7 +23,7 @@ case "$call" in
   "dpkg-query"*) [ -n "$NOTHING_INSTALLED" ] || for name; do echo "$name install ok installed"; done ;;
 esac
 """
-TOOLS = ("cmake", "ninja", "ctest", "apt-get", "dpkg-query", "node", "npm", "sudo")
+TOOLS = ("cmake", "ninja", "ctest", "apt-get", "dpkg-query", "node", "npm", "sudo", "python3")
 NEEDED = ("bash", "sh", "dirname", "grep", "sed", "cat", "rm", "mkdir", "id", "env")
 
 
@@ -81,6 +81,10 @@ class Bootstrap(unittest.TestCase):
                                      "cmake --build --preset release",
                                      "ctest --preset release -j 2" + ending])
 
+    def test_docs_compiles_nothing(self):
+        code, calls, _ = self.bootstrap("docs")
+        self.assertEqual((code, calls), (0, ["python3 -B docs/site/make_site.py"]))
+
     def test_a_folder_with_tests_keeps_them(self):
         self.bootstrap("build")
         for word in ("run", "all"):
@@ -94,6 +98,10 @@ class Bootstrap(unittest.TestCase):
         for name in ("catch2", "ccache", "nodejs", "npm", "python3"):
             self.assertNotIn(f" {name}", run)
         self.assertIn(" catch2 ", test)
+        for name in ("python3-sphinx", "doxygen"):
+            self.assertIn(f" {name} ", test)
+            self.assertIn(f" {name} ", installed("docs"))
+        self.assertNotIn(" g++ ", installed("docs"))
         # node and npm are there already, whoever brought them.
         self.assertEqual(installed("all"), run + " gnuplot-nox")
 
@@ -113,7 +121,7 @@ class Bootstrap(unittest.TestCase):
             self.assertIn("usage:", said)
         done = subprocess.run([self.path / "bootstrap", "--help"], capture_output=True, text=True, check=True)
         named = set(re.findall(r"^(?:usage:|\s*) *(\./bootstrap [a-z]+(?: all)?)", done.stdout, re.MULTILINE))
-        self.assertEqual(named, {f"./bootstrap {word}" for word in ("run", "all", "test", "test all", "build")})
+        self.assertEqual(named, {f"./bootstrap {word}" for word in ("run", "all", "test", "test all", "build", "docs")})
 
     def test_ccache_that_comes_later_changes_no_command(self):
         """A build folder keeps to the ccache that it found, or did not find, when it was made."""

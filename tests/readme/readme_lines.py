@@ -1,18 +1,23 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Runs README.md line by line, as it stands, and judges each line.
+"""Runs README.md, or another page, line by line, as it stands, and judges each line.
 
     tests/readme/readme_lines.py [--after SET-UP] [--quick] [--build build/release] [--scratch FOLDER]
                                  [--readme README.md] [--check] [--compiler c++]
 
-Each block ```sh or ```cpp of the page stands after a comment that names its set-up, one of
-`<!-- after: git clone -->`, `<!-- after: ./bootstrap run -->`, `<!-- after: ./bootstrap all -->`.
-Blocks after `git clone` hold calls of ./bootstrap only; in_debootstrap.sh runs those. Of the others
-each line of sh is run by bash with the variables that lines before it set; a block of cpp is compiled
-against the installed libraries of the build folder, and run. A line fails where it ends with another
-code than 0, or prints a warning. Words in capitals alone (SCENE) are refused: no line has a gap to fill.
+Each block ```sh or ```cpp of the page stands after a comment:
+  <!-- after: SET-UP -->              it runs; SET-UP is `git clone`, `./bootstrap run` or `./bootstrap all`
+  <!-- after: SET-UP, warns -->       it runs, and its lines may print warnings
+  <!-- after: SET-UP, with gmsh -->   it runs where the programs named are installed
+  <!-- not run: REASON -->            it does not run
+A block of another kind after <!-- file: PATH --> is written to that file, as a reader would. Blocks after `git clone`
+hold calls of ./bootstrap only; in_debootstrap.sh runs those. Of the others each line of sh is run by bash with the
+variables that lines before it set; a block of cpp is compiled against the installed libraries of the build folder, and
+run. A line fails where it ends with another code than 0, or with another than its comment names (`ends with exit code 1`), or
+prints a warning. Words in capitals alone (SCENE) are refused: no line has a gap to fill. `sunder` is that of the build
+folder; scene.json, body.msh and mesh.msh are the reader's own, here the sample ball.
 
-A line whose comment says `ends with Ctrl-C` is started without a display, asked for the page whose
+A line of `sunder view`, or whose comment says `ends with Ctrl-C`, is started without a display, asked for the page whose
 address it prints and for the files that this page names, and ended by SIGINT. A line whose comment
 says `minute` has the label `long`, every other one `quick`.
 
@@ -27,6 +32,7 @@ Exit codes: 0 all is well, 1 a line failed or warned, 2 usage, or the page break
 
 import argparse
 import collections
+import json
 import os
 import pathlib
 import re
@@ -42,7 +48,8 @@ import urllib.request
 
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
 SET_UPS = ("git clone", "./bootstrap run", "./bootstrap all")
-COMMENT = re.compile(r"^<!-- after: (.*) -->$")
+COMMENT = re.compile(r"^<!-- (after|not run|file): (.*) -->$")
+EXIT_CODE = re.compile(r"\bends with exit code (\d+)")
 ASSIGNMENT = re.compile(r"^[A-Za-z_]\w*=\S*\s*(#.*)?$")
 BOOTSTRAP = re.compile(r"^\./bootstrap( [a-z]+)+\s*(#.*)?$")
 WARNING = re.compile(r"^\W*warning:|: warning:|^CMake [\w ]*Warning")  # sunder, compiler, CMake
@@ -53,32 +60,48 @@ OUTPUT = re.compile(r"\bout/[\w.-]+")
 LONGEST = 3600  # seconds that a line may take
 SCENES_END = 0.05  # seconds of a scene, for --quick
 
-Block = collections.namedtuple("Block", "after kind number lines")
+Block = collections.namedtuple("Block", "after kind number lines warns programs")
 Line = collections.namedtuple("Line", "number text")
 Outcome = collections.namedtuple("Outcome", "seconds code warnings text")
 
 
+def block_of(mark, kind, number, lines):
+    """A block after the comment `mark` (its word and its text, or nothing), and what is wrong with it. A block that is
+    neither run nor written is None."""
+    word, text = mark or (None, "")
+    if word == "file":
+        return Block("file", text, number, lines, False, []), []
+    if kind not in ("sh", "cpp"):
+        wrong = [] if word is None else [f"line {number}: a comment names a set-up for a block that is not run"]
+        return None, wrong
+    if word == "not run":
+        return None, [] if len(text.split()) > 1 else [f"line {number}: a reason belongs to `not run`"]
+    after, *more = [part.strip() for part in text.split(",")]
+    programs = [program for part in more if part.startswith("with ") for program in part.split()[1:]]
+    known = all(part == "warns" or part.startswith("with ") for part in more)
+    wrong = [] if after in SET_UPS and known else [
+        f"line {number}: no comment before this block names one of the set-ups {', '.join(SET_UPS)}: write "
+        f"<!-- after: {SET_UPS[1]} -->, or <!-- not run: REASON -->"]
+    return Block(after, kind, number, lines, "warns" in more, programs), wrong
+
+
 def read_blocks(page):
-    """Blocks of sh and cpp with their set-ups, and what is wrong with them."""
-    blocks, wrong, after, kind, lines = [], [], None, None, []
+    """Blocks that are run or written, and what is wrong with them."""
+    blocks, wrong, mark, kind, lines = [], [], None, None, []
     for number, text in enumerate(page.splitlines(), 1):
         if kind is None and text.startswith("```"):
             kind, first, lines = text[3:].strip(), number, []
         elif kind is not None and text.startswith("```"):
-            if kind in ("sh", "cpp"):
-                blocks.append(Block(after, kind, first, lines))
-                if after not in SET_UPS:
-                    wrong.append(f"line {first}: no comment before this block names one of the set-ups "
-                                 f"{', '.join(SET_UPS)}: write <!-- after: {SET_UPS[1]} -->")
-            elif after is not None:
-                wrong.append(f"line {first}: a set-up is named for a block that is not run")
-            kind, after = None, None
+            block, faulty = block_of(mark, kind, first, lines)
+            blocks += [block] if block else []
+            wrong += faulty
+            kind, mark = None, None
         elif kind is not None:
             lines.append(Line(number, text))
         elif match := COMMENT.match(text):
-            after = match[1]
+            mark = (match[1], match[2])
         elif text.strip():
-            after = None
+            mark = None
     return blocks, wrong
 
 
@@ -104,7 +127,7 @@ def is_long(text):
 
 
 def is_interactive(text):
-    return "ends with Ctrl-C" in comment_of(text)
+    return "ends with Ctrl-C" in comment_of(text) or re.match(r"(?:\S*/)?(?:\$S|sunder) view ", text) is not None
 
 
 def gaps(text):
@@ -128,13 +151,29 @@ def faults(blocks):
     return wrong
 
 
+def shorter(scene):
+    """A scene that ends early."""
+    return re.sub(r'("duration": )([\d.e+-]+)', lambda m: m[1] + str(min(float(m[2]), SCENES_END)), scene)
+
+
 def shorten_scenes(folder):
     """Lets every scene below a folder end early."""
     for path in folder.rglob("*.json"):
-        text = path.read_text(encoding="utf-8")
-        shorter = re.sub(r'("duration": )([\d.e+-]+)',
-                         lambda m: m[1] + str(min(float(m[2]), SCENES_END)), text)
-        path.write_text(shorter, encoding="utf-8")
+        path.write_text(shorter(path.read_text(encoding="utf-8")), encoding="utf-8")
+
+
+def write_own_files(scratch, quick):
+    """The reader's own scene and meshes."""
+    scene = json.loads((scratch / "meshes/scenes/ball.json").read_text(encoding="utf-8"))
+    scene["name"] = "scene"
+    scene["bodies"][0]["mesh"] = "body.msh"
+    scene.pop("$schema", None)
+    if quick:
+        scene["duration"] = 4.2e-3  # a step of 1/240 s fits in
+        scene["bodies"][0]["translation"] = [0, 0, 1]  # it does not come to the floor
+    (scratch / "scene.json").write_text(json.dumps(scene))
+    for name in ("body.msh", "mesh.msh"):
+        shutil.copyfile(scratch / "meshes/ball.msh", scratch / name)
 
 
 def make_scratch(scratch, build, quick):
@@ -150,6 +189,7 @@ def make_scratch(scratch, build, quick):
     shutil.copytree(PROJECT / "meshes", scratch / "meshes")
     if quick:
         shorten_scenes(scratch / "meshes/scenes")
+    write_own_files(scratch, quick)
     (scratch / "out").mkdir()
     if (PROJECT / "out/bunny").is_dir():
         shutil.copytree(PROJECT / "out/bunny", scratch / "out/bunny")
@@ -190,6 +230,7 @@ def run_line(prelude, text, scratch):
     """Runs one line in a shell of its own, without a keyboard and without a display."""
     output = scratch / "printed.tmp"
     environment = {k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY")}
+    environment["PATH"] = f"{scratch / 'build/release'}:{environment['PATH']}"
     script = "\n".join(["set -eo pipefail", *prelude, text])
     start, problem = time.monotonic(), ""
     with output.open("wb") as file:
@@ -238,12 +279,18 @@ def run_program(block, build, scratch, compiler):
         "{host}/built/host".format(**quoted), scratch)
 
 
-def report(number, label, outcome, text):
-    """One row of the table, and what a line printed that failed or warned."""
+def expected_code(text):
+    """The exit code that a line's comment names."""
+    match = EXIT_CODE.search(comment_of(text))
+    return int(match[1]) if match else 0
+
+
+def report(number, label, outcome, text, warns=False):
+    """One row of the table, and what a line printed that failed or warned. `warns`: it may."""
     if outcome is None:
         print(f"{number:5}  {label:<12} {'-':>7} {'-':>5} {'-':>5}  {text}", flush=True)
         return True
-    fine = outcome.code == 0 and outcome.warnings == 0
+    fine = outcome.code == expected_code(text) and (warns or outcome.warnings == 0)
     print(f"{number:5}  {label:<12} {outcome.seconds:7.1f} {outcome.code:5} {outcome.warnings:5}  {text}",
           flush=True)
     if not fine:
@@ -265,15 +312,26 @@ def run_shell_block(block, arguments, scratch, prelude, missing):
         if block.after == "git clone" or (arguments.after and block.after != arguments.after):
             continue
         reads = [name for name in OUTPUT.findall(text) if name in missing]
-        if arguments.quick and (reads or (is_long(text) and not SCENE.search(text))):
-            label = f"needs {missing[reads[0]]}" if reads else "long"
+        absent = [f"no {name}" for name in block.programs if not shutil.which(name)]
+        if arguments.quick and is_interactive(text) and " view " in text and not (arguments.build / "page").is_dir():
+            absent.append("no page")
+        if absent or arguments.quick and (reads or (is_long(text) and not SCENE.search(text))):
+            label = absent[0] if absent else f"needs {missing[reads[0]]}" if reads else "long"
             missing.update({name: f"line {line.number}" for name in OUTPUT.findall(text)
                             if name not in missing})
             fine &= report(line.number, label, None, text)
             continue
         fine &= report(line.number, "long" if is_long(text) else "quick",
-                       run_line(prelude, text, scratch), text)
+                       run_line(prelude, text, scratch), text, block.warns)
     return fine
+
+
+def write_block(block, scratch, quick):
+    """Writes a block to its file, as a reader does with an editor."""
+    path = scratch / block.kind
+    path.parent.mkdir(parents=True, exist_ok=True)
+    text = "\n".join(line.text for line in block.lines) + "\n"
+    path.write_text(shorter(text) if quick else text, encoding="utf-8")
 
 
 def run_blocks(blocks, arguments, scratch):
@@ -286,7 +344,9 @@ def run_blocks(blocks, arguments, scratch):
     fine, prelude = True, []
     missing = {} if (scratch / "out/bunny").is_dir() else {"out/bunny": "bootstrap"}
     for block in blocks:
-        if block.kind == "sh":
+        if block.after == "file":
+            write_block(block, scratch, arguments.quick)
+        elif block.kind == "sh":
             fine &= run_shell_block(block, arguments, scratch, prelude, missing)
         elif not arguments.after or block.after == arguments.after:
             fine &= report(block.number, "quick", run_program(block, build, scratch, arguments.compiler),
@@ -305,9 +365,10 @@ def main():
     parser.add_argument("--readme", type=pathlib.Path, default=PROJECT / "README.md")
     parser.add_argument("--compiler", default="c++")
     arguments = parser.parse_args()
-    blocks, wrong = read_blocks(arguments.readme.read_text(encoding="utf-8"))
+    page = arguments.readme.read_text(encoding="utf-8")
+    blocks, wrong = read_blocks(page)
     wrong += faults(blocks)
-    if not blocks:
+    if not re.search(r"^```(?:sh|cpp)$", page, re.MULTILINE):
         wrong.append("no block of sh or cpp: nothing to run")
     for text in wrong:
         print(f"{arguments.readme.name}, {text}", file=sys.stderr)

@@ -93,6 +93,32 @@ class ReadmeLines(unittest.TestCase):
         done = self.run_page(block("./bootstrap run", "echo 'ends with 7 on a warning: one that counts'"))
         self.assertEqual(done.returncode, 0)
 
+    def test_blocks_that_do_not_run(self):
+        self.assert_refused("<!-- not run: -->\n```sh\ntrue\n```\n", "names one of the set-ups")
+        self.assert_refused("<!-- not run: because -->\n```sh\ntrue\n```\n", "a reason belongs")
+        done = self.run_page("<!-- not run: needs another machine -->\n```sh\nfalse\n```\n")
+        self.assertEqual((done.returncode, len(done.stdout.splitlines())), (0, 1), done.stderr)
+        done = self.run_page(block("./bootstrap run, with no_such_program", "false"))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("no no_such_program", done.stdout)
+        self.assert_refused(block("./bootstrap run, maybe", "true"), "names one of the set-ups")
+
+    def test_blocks_that_are_written(self):
+        page = ("<!-- file: out/a/scene.json -->\n```json\n{\"duration\": 3}\n```\n\n"
+                + block("./bootstrap run", "grep '\"duration\": 3}' out/a/scene.json"))
+        self.assertEqual(self.run_page(page).returncode, 0)
+        self.assertEqual(self.run_page(page, "--quick").returncode, 1)  # a scene that ends early
+
+    def test_warnings_and_exit_codes_that_are_announced(self):
+        self.assertEqual(self.run_page(block("./bootstrap run, warns", "echo 'warning: slender'")).returncode, 0)
+        for code, expected in ((3, 0), (4, 1), (0, 1)):
+            line = f"sh -c 'exit {code}'  # ends with exit code 3"
+            self.assertEqual(self.run_page(block("./bootstrap run", line)).returncode, expected, code)
+
+    def test_the_readers_own_files(self):
+        line = "cmp body.msh meshes/ball.msh && cmp mesh.msh body.msh && grep body.msh scene.json"
+        self.assertEqual(self.run_page(block("./bootstrap run", line)).returncode, 0)
+
     def test_quick_leaves_out_long_lines_and_their_readers(self):
         page = block("./bootstrap run", "echo 1 >out/one  # a minute", "cat out/one", "echo short",
                      "cat out/bunny/report.json", "cat meshes/scenes/bar.json")

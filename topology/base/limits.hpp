@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The most that input may ask of the process: one list. docs/lab/hostile.md has it as a table.
+// The most that input may ask of the process: one list. docs/howto/troubleshooting.md has it as a
+// table.
 #pragma once
 
 #include <cstdint>

@@ -100,7 +100,7 @@ void tell_curved(Draft& draft, CellKind kind) {
   Finding finding{.code = "curved_cells",
                   .severity = Severity::warning,
                   .text = fmt::format("{} {} {} curved: the middle of an edge lies up to {:.2g} of "
-                                      "its length beside the straight line",
+                                      "its length from the straight line",
                                       curved.count, name, curved.count == 1 ? "is" : "are",
                                       curved.most),
                   .remedy = "make the cells straight: sunder convert --order 1 FILE NEW.msh, or mesh "
@@ -152,7 +152,7 @@ void judge_other_cells(Draft& draft, const ReadOptions& options) {
                  ? "mesh the body with tetrahedra, or split these cells: sunder convert "
                    "--split FILE NEW.vtu"
                  : "split these cells, in the program that made them, into cells that are kept"},
-        options.tetrahedra_only ? ": are left out, as was asked for"
+        options.tetrahedra_only ? ": are left out, as requested"
         : options.simplices     ? ": of volume cells only tetrahedra are used here"
                                 : " are left out");
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Lists of faces by their paths.
 #include "topology/io/face_list.hpp"
-#include "topology/io/input_file.hpp"
+#include "topology/io/files/input_file.hpp"
 
 namespace sunder {
 

@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include "topology/io/abaqus/abaqus.hpp"
+#include "topology/io/files/output_file.hpp"
 #include "topology/io/formats.hpp"
 #include "topology/io/medit/medit.hpp"
 #include "topology/io/msh/msh.hpp"
 #include "topology/io/nastran/nastran.hpp"
-#include "topology/io/output_file.hpp"
 #include "topology/io/ovm/ovm.hpp"
 #include "topology/io/surface/obj.hpp"
 #include "topology/io/surface/off.hpp"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What reading meshes is in a build that has neither files nor zlib nor Expat, as for
 // WebAssembly: refusals that say so. Meshes come from memory there, unpacked, in the other formats.
-#include "topology/io/gzip.hpp"
+#include "topology/io/files/gzip.hpp"
+#include "topology/io/files/output_file.hpp"
 #include "topology/io/nastran/nastran.hpp"
-#include "topology/io/output_file.hpp"
 #include "topology/io/text/scan.hpp"
 #include "topology/io/unv/unv.hpp"
 #include "topology/io/vtk/vtk_polydata.hpp"

@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <string>
 
+#include "topology/io/files/gzip.hpp"
 #include "topology/io/format_traits.hpp"
 #include "topology/io/formats.hpp"
-#include "topology/io/gzip.hpp"
+#include "topology/io/tetgen/tetgen.hpp"
 #include "topology/io/text/read_bytes.hpp"
 #include "topology/io/text/scan.hpp"
-#include "topology/io/tetgen/tetgen.hpp"
 
 namespace sunder {
 namespace {

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <system_error>
 
+#include "topology/io/files/input_file.hpp"
 #include "topology/io/format_traits.hpp"
-#include "topology/io/input_file.hpp"
 #include "topology/io/mesh_file.hpp"
-#include "topology/io/named_regions.hpp"
+#include "topology/io/regions/named_regions.hpp"
+#include "topology/io/regions/region_names.hpp"
 #include "topology/io/text/read_bytes.hpp"
-#include "topology/io/region_names.hpp"
 
 namespace sunder {
 namespace {

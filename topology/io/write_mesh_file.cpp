@@ -8,7 +8,7 @@
 #include "topology/io/formats.hpp"
 #include "topology/io/losses.hpp"
 #include "topology/io/mesh_file.hpp"
-#include "topology/io/region_names.hpp"
+#include "topology/io/regions/region_names.hpp"
 #include "topology/io/text/scan.hpp"
 
 namespace sunder {

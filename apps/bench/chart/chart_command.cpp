@@ -13,9 +13,9 @@
 #include "apps/scene/words.hpp"
 #include "apps/sunder/gnuplot.hpp"
 #include "apps/sunder/telling.hpp"
+#include "topology/io/files/output_file.hpp"
+#include "topology/io/files/printing.hpp"
 #include "topology/io/mesh_file.hpp"
-#include "topology/io/output_file.hpp"
-#include "topology/io/printing.hpp"
 
 namespace sunder {
 namespace {
@@ -23,10 +23,10 @@ namespace {
 std::string footer() {
   std::string text = R"(
 Runs SCENE with every method, step, impact window and mesh, and compares the error of one quantity
-with the time to compute it: DIR/QUANTITY.csv (every run; those that diverged, broke nothing or
-took too long with their reason) and DIR/QUANTITY.png (by gnuplot). Ends with the cheapest setting
-inside --within, as keys of a scene: one whose shorter steps are inside too, since an error that
-grows again with a shorter step was small by chance.
+with the time to compute it. DIR/QUANTITY.csv has a line per run, with the reason where a run
+diverged, broke nothing or took too long. DIR/QUANTITY.png is the chart, drawn by gnuplot. The last
+lines give the cheapest setting inside --within, as keys of a scene. Its shorter steps must be inside
+too: an error that grows again with a shorter step was small by chance.
 
 Quantities:
 )";
@@ -37,20 +37,20 @@ Quantities:
   text += "\nMethods:\n";
   for (const ChartMethod& m : chart_methods()) text += fmt::format("  {}\n", m.name);
   return text + R"(
-Errors are against --exact, or against the default method at half the shortest step (with impacts at
-most a quarter of the time in which a wave crosses a cell) on the finest mesh; what that run still
-changes with step, window and mesh is its own error, and no point counts as better. Times are ms of
-mechanics, fracture and rebuilding (first factors too) per simulated ms, medians of up to a hundred
-runs, without the time that other programs took of the processor: compare ratios, not machines.
-given_up counts steps whose iterations did not converge and that were solved with the factor.
+Errors are relative to --exact. Without it they are relative to the default method on the finest
+mesh, at half the shortest step. With impacts that step is at most a quarter of the time in which a
+wave crosses a cell. That run has an error of its own, estimated from step, window and mesh, and no
+point counts as better. Times are ms of mechanics, fracture and rebuilding per simulated ms, first
+factors included. They are medians of up to a hundred runs, in time of this program alone: compare
+ratios, not machines. given_up counts steps that did not converge and were solved with the factor.
 Steps are whole fractions of the duration. Those of methods that are stable only below a bound are
 fractions of that bound on each mesh.
-With --ensemble N every setting and the reference run N times, with places and velocities moved by up
-to 1e-12 and strengths by up to 1e-6 of them: the error is that of the mean, and the table has
-deviation and band next to it. Differences within a band are numerical noise.
-With --ensemble meshes the files of --mesh are these runs, one each, instead of points of their own:
-meshes of one body and one size, of which none is the right one. The first is timed; steps that are
-fractions of a bound are so of the least.
+With --ensemble N every setting and the reference run N times. Places and velocities are moved by up
+to 1e-12 of them, strengths by up to 1e-6. The error is that of the mean, and the table has deviation
+and band next to it. Differences within a band are numerical noise.
+With --ensemble meshes the files of --mesh are these runs, one each, instead of points of their own.
+The meshes are of one body and one size, and none is the right one. The first is timed. Steps that
+are fractions of a bound take the least bound.
 
 Exit codes: 0 done, 1 no run is inside --within, 2 usage, 3 bad scene, mesh or reference,
 4 not written.
@@ -194,8 +194,7 @@ void add_grid_options(CLI::App& command, ChartArguments& a) {
 
 void add_options(CLI::App& command, ChartArguments& a) {
   command.add_option("SCENE", a.scene, "Scene file (JSON)")->required();
-  command
-      .add_option("--quantity", a.quantity, "Quantity whose error is charted; default: position")
+  command.add_option("--quantity", a.quantity, "Quantity of the charted error; default: position")
       ->type_name("NAME");
   command.add_option("-o,--out", a.folder, "Folder; default: out/chart_ and the scene's name")
       ->type_name("DIR");

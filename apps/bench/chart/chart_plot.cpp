@@ -181,7 +181,7 @@ std::string chart_script(const Chart& chart) {
   add_marked(plot, chart);
   const Extent extent = extent_of(chart);
   add_unbroken(plot, chart, extent.high.error / 1.4);
-  add_level(plot, extent, chart.within, "lc rgb '#666666' dt 3 lw 1.5", "asked for");
+  add_level(plot, extent, chart.within, "lc rgb '#666666' dt 3 lw 1.5", "--within");
   if (chart.reference.own_error > 0) {
     add_level(plot, extent, chart.reference.own_error, "lc rgb '#aa3377' dt 2 lw 1.5",
               "own error of the reference");

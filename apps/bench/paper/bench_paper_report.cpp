@@ -256,7 +256,7 @@ std::string paper_text(const PaperBench& bench) {
 }
 
 std::string paper_markdown(const PaperBench& bench) {
-  std::string out = "# The paper's tables, ours beside\n\n" + heading(bench);
+  std::string out = "# The paper's tables, and ours\n\n" + heading(bench);
   for (const Grid& grid : grids(bench)) append_markdown(out, grid);
   append_notes(out, bench, "-");
   return out;

@@ -18,8 +18,8 @@
 #include "apps/scene/json_text.hpp"
 #include "apps/scene/words.hpp"
 #include "apps/sunder/telling.hpp"
-#include "topology/io/output_file.hpp"
-#include "topology/io/printing.hpp"
+#include "topology/io/files/output_file.hpp"
+#include "topology/io/files/printing.hpp"
 #include "topology/suite/judge/judge.hpp"
 
 namespace sunder {
@@ -27,11 +27,15 @@ namespace {
 
 constexpr const char* suite_footer = R"(
 Every fixture is a body, operations on it (face splits, glues, fans, planes, shatters) and the
-expected results. Each kernel runs it; each answer is compared with union-find and with the fixture.
-Kernels that come with Sunder: sunder (its own, answered by CGAL's darts), dense (its rows alone),
-nested (rows as the coarser of the two nested maps of tied cracks), cgal (CGAL's map with its managed unsew), twin (union-find). --kernel
-takes one of these names, or a shell command of a program that speaks the protocol of
-docs/judge_your_kernel.md on stdin and stdout; where given, only those are judged.
+expected results. Each kernel runs it, and each answer is compared with union-find and with the
+fixture. Kernels that come with Sunder:
+  sunder   its own, answered by CGAL's darts
+  dense    its rows alone
+  nested   rows as the coarser of the two nested maps of tied cracks
+  cgal     CGAL's map with its managed unsew
+  twin     union-find
+--kernel takes one of these names, or a shell command of a program with the protocol of
+docs/reference/suite.md on stdin and stdout. Only the kernels given are judged.
 FILTER is a part of a fixture's name, or a pattern with * ? [ ] for the whole of it.
 Without --fixtures the folder is meshes/suite in the current directory, else that of the source tree
 the program was built from.
@@ -41,20 +45,22 @@ about T tetrahedra. A program without an answer, or with a malformed one, is kil
 mismatch, and the next fixture starts the program again. After three fixtures without an answer it
 is not started any more.
 
-Table: result of each kernel (same; known: a difference that the fixture explains; DIFFERS), number
-of single comparisons, and the time inside all kernels, microseconds. Of a mismatch: the first wrong
-number and the smallest sequence of steps found that shows one. --junit: the same as JUnit XML, a
-testsuite for each kernel: failure is a wrong answer, error a kernel lost, skipped a known difference.
+The table has the result of each kernel, the number of single comparisons, and the time inside all
+kernels in microseconds. A result is `same`, `DIFFERS`, or `known` for a difference that the fixture
+explains. Below a mismatch the program prints the first wrong number and the smallest sequence of
+steps with one. --junit writes the same as JUnit XML, a testsuite per kernel: failure is a wrong
+answer, error a kernel lost, skipped a known difference.
 
---export judges nothing: it packs the fixtures with every step and answer, a judge in plain Python, a
-kernel to start from and a page of instructions into one archive that needs nothing of Sunder.
+--export judges nothing. It packs an archive that needs nothing of Sunder. The archive holds the
+fixtures with every step and answer, a judge in plain Python, a kernel to start from, and a page of
+instructions.
 
-With --random no fixture is run: bodies of a dozen families (and those of --mesh) are torn apart at
-random, fan by fan, with faces, planes, breaks by labels and glues in between, and every answer is
-compared with union-find and the laws. The table lists, for each family, the fans with at least one
-face, the fans by labels, the faces split, the vertices that came apart, the oracle's alarms,
-how many of them separated a component (true %), separations it missed, and mismatches. The run
-ends at its first mismatch, which is shrunk and printed as a fixture file.
+With --random no fixture is run. Bodies of a dozen families, and those of --mesh, are torn apart at
+random: by fans, faces, planes, breaks by labels and glues. Every answer is compared with union-find
+and the laws. The table lists per family the fans with a face, the fans by labels, the faces split
+and the vertices that came apart. Next to these are the oracle's alarms, the share of them that
+separated a component (true %), the separations that it missed, and the mismatches. The run ends at
+its first mismatch, which is shrunk and printed as a fixture file.
 
 Exit codes: 0 no mismatch, 1 mismatches, 2 usage (also a FILTER that no fixture has, or a command
 that is no kernel), 3 fixtures or meshes unreadable or invalid, 4 a file not written.
@@ -245,7 +251,7 @@ std::string check_archive_name(const std::string& name) {
 void add_suite_command(CLI::App& program, ExitCode& exit_code) {
   const auto arguments = std::make_shared<SuiteArguments>();
   CLI::App* command =
-      program.add_subcommand("suite", "Judge topology kernels by bodies whose answers are known");
+      program.add_subcommand("suite", "Judge topology kernels by bodies with known answers");
   CLI::Option* const filter =
       command->add_option("FILTER", arguments->filter, "Run the fixtures with this in their name");
   CLI::Option* const fixtures =

@@ -15,8 +15,8 @@
 #include "apps/bench/suite/tar.hpp"
 #include "apps/scene/words.hpp"
 #include "apps/sunder/telling.hpp"
-#include "topology/io/output_file.hpp"
-#include "topology/io/printing.hpp"
+#include "topology/io/files/output_file.hpp"
+#include "topology/io/files/printing.hpp"
 #include "topology/suite/fixtures/fixture_json_write.hpp"
 #include "topology/suite/judge/judge_truth.hpp"
 
@@ -31,8 +31,9 @@ struct Source {
   const char* in_archive;
   bool executable = false;
 };
-constexpr std::array<Source, 5> sources = {{
-    {"docs/judge_your_kernel.md", "README.md"},
+constexpr std::array<Source, 6> sources = {{
+    {"apps/bench/suite/export/README.md", "README.md"},
+    {"docs/reference/suite.md", "suite.md"},
     {"LICENSE", "LICENSE"},
     {"apps/bench/suite/export/judge.py", "judge.py", true},
     {"tests/topology/suite/adapters/minimal.py", "minimal.py", true},

@@ -12,8 +12,8 @@
 
 #include "apps/scene/json_text.hpp"
 #include "apps/scene/words.hpp"
+#include "topology/io/files/printing.hpp"
 #include "topology/io/mesh_file.hpp"
-#include "topology/io/printing.hpp"
 #include "topology/mesh/check.hpp"
 #include "topology/suite/random/random_run.hpp"
 #include "topology/suite/random/random_run_numbers.hpp"
@@ -142,7 +142,7 @@ void print_failure(const FamilyReport& family) {
     print("Shrunk to {} steps on {} tetrahedra: {}\n", failure.shrunk.steps.size(),
           failure.shrunk.body.tetrahedra.size(), line(*failure.last));
   } else {
-    print("No answer to a step was wrong when all were asked again: nothing taken away.\n");
+    print("No answer to a step was wrong in a second run: nothing taken away.\n");
   }
   print("As a fixture:\n{}\n", failure.fixture);
 }
@@ -169,7 +169,7 @@ void print_checks(const FamilyReport& total) {
   line(t.all_orders, "of them: in all orders");
   line(t.labelled_fans, "labelled fans: faces split against the union over the breaks");
   line(t.fans_in_other_orders, "of them: broken again on a second kernel in another order");
-  line(t.replays, "bodies cut anew on a second kernel, all faces in another order");
+  line(t.replays, "bodies cut again on a second kernel, all faces in another order");
   line(total.comparisons, "single comparisons");
 }
 
@@ -232,9 +232,7 @@ void add_random_options(CLI::App& command, const std::vector<CLI::Option*>& othe
       ->type_name("S")
       ->needs(random)
       ->capture_default_str();
-  command
-      .add_option("--mesh", arguments.meshes,
-                  "Of --random: a body beside the generated ones; may be repeated")
+  command.add_option("--mesh", arguments.meshes, "Of --random: one more body; may be repeated")
       ->type_name("FILE")
       ->needs(random)
       ->expected(1)

@@ -17,8 +17,8 @@
 #if defined(SUNDER_HAS_VIEW)
 #include "apps/sunder/view/view.hpp"
 #endif
-#include "topology/io/output_file.hpp"
-#include "topology/io/printing.hpp"
+#include "topology/io/files/output_file.hpp"
+#include "topology/io/files/printing.hpp"
 
 namespace sunder {
 namespace {
@@ -26,9 +26,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* demo_footer = R"(
-A ball of plaster, 0.2 m wide, of 1303 tetrahedra, falls from 1.8 m on a stone floor; the first 0.02 s.
-Files in DIR: the scene and its mesh, to be changed and run again, and in DIR/run what `sunder run`
-writes. A scene or mesh of that name that is there with other contents is not overwritten.
+A ball of plaster, 0.2 m wide, of 1303 tetrahedra, falls from 1.8 m on a stone floor. The run lasts
+0.02 s. DIR holds the scene and its mesh, which you can change and run again.
+DIR/run holds the files of `sunder run`. An existing scene or mesh with other contents is not
+overwritten.
 
 Exit codes: 0 done, 2 usage, 4 not written, 5 the simulation failed, 130 interrupted by Ctrl-C.
 )";

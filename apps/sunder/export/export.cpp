@@ -14,9 +14,9 @@
 #include "apps/sunder/export/glb.hpp"
 #include "apps/sunder/export/obstacle_tracks.hpp"
 #include "apps/sunder/program.hpp"
+#include "topology/io/files/output_file.hpp"
+#include "topology/io/files/printing.hpp"
 #include "topology/io/mesh_file.hpp"
-#include "topology/io/output_file.hpp"
-#include "topology/io/printing.hpp"
 
 namespace sunder {
 namespace {

@@ -16,7 +16,7 @@
 #include "apps/sunder/fragments/fragments_report.hpp"
 #include "apps/sunder/gnuplot.hpp"
 #include "apps/sunder/program.hpp"
-#include "topology/io/printing.hpp"
+#include "topology/io/files/printing.hpp"
 
 namespace sunder {
 namespace {
@@ -25,8 +25,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* fragments_footer = R"(
 DIR is the folder of a run (or its fragments.csv). Laws are fitted to the sizes of the pieces by
-maximum likelihood, and to those of the mesh's elements as a control:
-docs/explanation/validation_and_limits.md. The elements are those of --mesh, else of the run's
+maximum likelihood, and to those of the mesh's elements as a control
+(docs/explanation/validation_and_limits.md). The elements are those of --mesh, else of the run's
 first frame.
 ln L / n is the log likelihood per value, K-S the largest difference of the cumulative
 distributions.

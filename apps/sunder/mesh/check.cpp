@@ -13,9 +13,9 @@
 #include "apps/scene/json_text.hpp"
 #include "apps/sunder/mesh/check_report.hpp"
 #include "apps/sunder/telling.hpp"
+#include "topology/io/files/printing.hpp"
 #include "topology/io/format_traits.hpp"
 #include "topology/io/mesh_file.hpp"
-#include "topology/io/printing.hpp"
 #include "topology/mesh/boundary_surface.hpp"
 #include "topology/mesh/finding_cells.hpp"
 #include "topology/mesh/surface/surface_check.hpp"
@@ -29,7 +29,8 @@ of theirs.
 MESH is any mesh file that sunder convert reads (sunder convert --formats lists them), packed by
 gzip or not. Its format is recognised by content, not by name.
 A mesh of faces without volume cells is checked as a surface: whether it is closed, manifold, oriented
-and free of faces that cross (decided exactly), its area, and the volume that it encloses.
+and free of faces that cross. Crossings are decided exactly. Its area and the volume that it encloses
+are printed too.
 Volume cells that are no tetrahedra are refused: sunder convert --split cuts them.
 Coordinates are taken as metres, volumes are m^3. Vertices, edges and faces are counted as orbits
 of the 3-map: cells that only touch are not joined. Numbers in brackets are rows counted from 0.

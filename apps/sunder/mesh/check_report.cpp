@@ -10,7 +10,7 @@
 
 #include "apps/scene/words.hpp"
 #include "apps/sunder/telling.hpp"
-#include "topology/io/printing.hpp"
+#include "topology/io/files/printing.hpp"
 
 namespace sunder {
 namespace {

@@ -17,10 +17,10 @@
 #include "apps/sunder/mesh/convert_crack.hpp"
 #include "apps/sunder/mesh/formats_table.hpp"
 #include "apps/sunder/telling.hpp"
+#include "topology/io/files/output_file.hpp"
+#include "topology/io/files/printing.hpp"
 #include "topology/io/format_traits.hpp"
 #include "topology/io/mesh_file.hpp"
-#include "topology/io/output_file.hpp"
-#include "topology/io/printing.hpp"
 #include "topology/mesh/kinds/move_cells.hpp"
 #include "topology/mesh/kinds/second_order.hpp"
 #include "topology/mesh/kinds/split_cells.hpp"
@@ -32,19 +32,19 @@ namespace {
 constexpr const char* convert_footer = R"(
 IN is recognised by its content, not by its name, and may be packed by gzip. TetGen's files are
 recognised by name: give any of STEM.node, .ele, .face and .edge, which are read and written together.
-IN - is standard input; OUT - is standard output, with --to; OUT.gz is packed.
+IN - is standard input, OUT - is standard output and needs --to, and OUT.gz is packed.
 OUT's ending or --to chooses the format. `sunder convert --formats` lists the formats, their endings,
 versions and encodings (defaults first), and the contents that each can hold. Points and cells keep
 their order. Numbers, regions, entities and data are kept where the format holds them. Names of
 regions that it does not hold go to OUT.regions, which is read with OUT. All other losses are listed
 first, as warnings.
 Cells keep their kind where the format has it. --order 1 makes cells of second order linear. --split
-cuts all cells into tetrahedra and triangles (after --merge-points, before the other repairs); it adds
-no point, and cuts neighbours alike, each from its corner with the least row. --order 2 then puts a
-node in the middle of each edge. Nothing is written where OUT's format would hold no cell at all.
+cuts all cells into tetrahedra and triangles, after --merge-points and before the other repairs. It
+adds no point, and cuts neighbours alike, each from its corner with the least row. --order 2 then puts
+a node in the middle of each edge. Nothing is written where OUT's format would hold no cell at all.
 Repairs run in the order of this list, and each reports its changes. A crack is opened after them,
-without width: points are copied exactly where the cut faces separate the tetrahedra around them, and
-the front of the crack stays joined (docs/cracks.md).
+without width. Points are copied exactly where the cut faces separate the tetrahedra around them. The
+front of the crack stays joined (docs/reference/checks.md).
 
 Exit codes: 0 written, 1 something would be lost and --strict was given (nothing is written),
 2 usage, 3 the input cannot be read or repaired, 4 the output cannot be written.
@@ -97,7 +97,7 @@ Finding asked_for(std::string_view code, std::size_t count, std::string text) {
           .severity = Severity::note,
           .count = count,
           .text = std::move(text),
-          .remedy = "nothing to do: it was asked for"};
+          .remedy = "nothing to do: it was requested"};
 }
 
 /// "12 hexahedra, 4 prisms" of the kinds that are counted.
@@ -248,7 +248,7 @@ Conversion convert(ConvertArguments arguments) {
                                .file = arguments.in.string()});
     return result;
   }
-  stages.done("made the changes that were asked for");
+  stages.done("made the requested changes");
   WriteOptions options{
       .version = arguments.version, .encoding = arguments.encoding, .pack = arguments.zlib};
   options.format =
@@ -403,7 +403,7 @@ void add_convert_command(CLI::App& program, ExitCode& exit_code) {
         print("{}", formats_table());
         throw CLI::Success();
       },
-      "Print what each format can hold, as a table, and end");
+      "Print the contents that each format can hold, as a table, and end");
   command->footer(convert_footer);
   command->callback([=, &exit_code] { exit_code = run_convert(*arguments); });
 }

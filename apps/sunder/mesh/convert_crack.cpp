@@ -52,7 +52,7 @@ Finding note(std::string_view code, std::size_t count, std::string text) {
           .severity = Severity::note,
           .count = count,
           .text = std::move(text),
-          .remedy = "nothing to do: this was asked for"};
+          .remedy = "nothing to do: it was requested"};
 }
 
 std::vector<Finding> notes_of(const Crack& crack) {

@@ -20,11 +20,11 @@ With --exact the tetrahedra that the plane passes through are divided by it: the
 each side keeps its volume to rounding. A plane that nearly passes through a point leaves thin
 tetrahedra there (the table lists the least radius ratio). A point counts as in the plane when an edge
 would be divided nearer to it than --tolerance times that edge. The default, 1e-12, takes only points
-within rounding. With 1e-6 `sunder check` finds no flat or close tetrahedra, and the section and the
-volumes of its sides are right to a millionth of an edge. Without --exact the cut follows the faces
+within rounding. With 1e-6 `sunder check` finds no flat or close tetrahedra. The section and the
+volumes of its sides are then right to a millionth of an edge. Without --exact the cut follows the faces
 between tetrahedra with their centres on different sides, and no tetrahedron changes.
-Points of the section are copied where the sides come apart; each side has its own. Triangles, edges,
-regions, entities and data are kept as in `sunder refine`.
+Points of the section are copied where the sides come apart, and each side has its own. Triangles,
+edges, regions, entities and data are kept as in `sunder refine`.
 
 Exit codes: 0 written, 2 usage (also a plane that no tetrahedron meets), 3 the mesh cannot be read or
 has no map, 4 OUT not written.

@@ -13,8 +13,8 @@
 #include "apps/scene/words.hpp"
 #include "apps/sunder/program.hpp"
 #include "topology/base/split_text.hpp"
+#include "topology/io/files/printing.hpp"
 #include "topology/io/mesh_file.hpp"
-#include "topology/io/printing.hpp"
 #include "topology/mesh/build_map.hpp"
 
 namespace sunder {

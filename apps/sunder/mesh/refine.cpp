@@ -23,11 +23,11 @@ namespace {
 constexpr const char* refine_footer = R"(
 Each level divides every chosen tetrahedron into eight (red refinement, Bey 1995) and its neighbours
 into two or four so that faces fit. Tetrahedra divided to fit are never divided again, so shapes do not
-get worse with levels. Without --region, --plane and --crack all tetrahedra are chosen; with several
+get worse with levels. Without --region, --plane and --crack all tetrahedra are chosen. With several
 of them, those that any chooses. The choice is made again on each level.
-Triangles, edges, regions, entities and data are kept: points on edges get values between those of
-the ends (whole numbers: of the nearer end), parts get the values of their parent (--share: by
-volume). Old points keep their rows; both sides of a crack are divided alike.
+Triangles, edges, regions, entities and data are kept. Points on edges get values between those of
+the ends (whole numbers: of the nearer end). Parts get the values of their parent, with --share by
+volume. Old points keep their rows, and both sides of a crack are divided alike.
 
 Exit codes: 0 written, 2 usage (also a choice of no tetrahedron), 3 the mesh cannot be read or has no map, 4 OUT not written.
 

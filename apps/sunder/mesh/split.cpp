@@ -16,8 +16,8 @@
 #include "apps/sunder/program.hpp"
 #include "apps/sunder/static/static_fan.hpp"
 #include "topology/base/whole_number.hpp"
+#include "topology/io/files/printing.hpp"
 #include "topology/io/mesh_file.hpp"
-#include "topology/io/printing.hpp"
 #include "topology/kernel/invariants.hpp"
 #include "topology/kernel/split_face.hpp"
 #include "topology/mesh/build_map.hpp"
@@ -26,21 +26,23 @@ namespace sunder {
 namespace {
 
 constexpr const char* split_footer = R"(
-One of --faces, --fan and --plane chooses the faces; all are found on the intact mesh and then split
-one after the other. Points are rows of the mesh file, counted from 0; lengths are metres. A face
+One of --faces, --fan and --plane chooses the faces. All are found on the intact mesh and then split
+one after the other. Points are rows of the mesh file, counted from 0, and lengths are metres. A face
 that is not interior is reported in its row of the result, and changes nothing.
 
-Result: the counts before and after, and for each face, in the order of splitting, which of its
-vertices and edges came apart, whether all three vertices did (the oracle), whether a new component
-came off, and how many tetrahedra the search for components visited. --oracle chooses that search;
-the result is the same, the cost is not:
-  exact  when the oracle says yes, from both sides of the face until one side is complete
-  paper  when the oracle says yes, the whole component (algorithm 4 of the paper)
+The result has the counts before and after, and a row per face in the order of splitting:
+  the vertices and edges that came apart
+  whether all three vertices did, which is the oracle
+  whether a new component came off
+  the number of tetrahedra that the search for components visited
+--oracle chooses that search. The result is the same, and only the cost differs:
+  exact  if the oracle predicts a component, from both sides of the face until one side is complete
+  paper  if the oracle predicts a component, the whole component (algorithm 4 of the paper)
   walk   the whole component after every face
 
-With -o the cut mesh is written: every copy of a vertex is a point of its own, and the region of a
-tetrahedron is its component, numbered from 1. A cut face whose two sides still have the same three
-points cannot be expressed by vertex numbers: such faces are listed in OUT.cuts, and
+With -o the cut mesh is written. Every copy of a vertex is a point of its own, and the region of a
+tetrahedron is its component, numbered from 1. Vertex numbers cannot express a cut face whose two
+sides still have the same three points. Such faces are listed in OUT.cuts, and
 `sunder split OUT --faces OUT.cuts` restores the same map. Where there is none, an OUT.cuts of an
 earlier run is removed.
 

@@ -11,9 +11,9 @@
 #include <string>
 
 #include "topology/base/split_text.hpp"
+#include "topology/io/files/output_file.hpp"
 #include "topology/io/format_traits.hpp"
 #include "topology/io/mesh_file.hpp"
-#include "topology/io/output_file.hpp"
 #include "topology/kernel/map_mesh.hpp"
 
 namespace sunder {
@@ -44,7 +44,7 @@ std::vector<Finding> remove_stale_cuts(const std::filesystem::path& path) {
   if (!reason) return {};
   return {{.code = "cannot_write",
            .text = "a list of cuts of an earlier run cannot be removed: " + reason.message(),
-           .remedy = "remove it: it does not belong to the mesh beside it",
+           .remedy = "remove it: it does not belong to the mesh next to it",
            .file = path.string()}};
 }
 
@@ -57,7 +57,7 @@ std::vector<Finding> write_cuts(const std::filesystem::path& path, const TetMesh
            .count = faces.size(),
            .text =
                "cut faces have the same three points on both sides, which vertex numbers cannot "
-               "say; they are listed in this file beside the mesh",
+               "say; they are listed in this file next to the mesh",
            .remedy = "split the mesh with --faces and this list to have the same cuts again",
            .file = path.string()}};
 }

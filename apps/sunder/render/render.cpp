@@ -16,7 +16,7 @@
 #include "apps/scene/words.hpp"
 #include "apps/sunder/program.hpp"
 #include "apps/sunder/render/result_picture.hpp"
-#include "topology/io/printing.hpp"
+#include "topology/io/files/printing.hpp"
 
 namespace sunder {
 namespace {

@@ -13,7 +13,7 @@ Pictures::~Pictures() = default;
 
 Result<Pictures> Pictures::open(const Simulation&, const OutputSettings&) {
   return Finding{.code = "no_renderer",
-                 .text = "pictures are asked for, but this sunder was built without the renderer",
+                 .text = "pictures are requested, but this sunder was built without the renderer",
                  .remedy =
                      "leave out --png and the scene's output.pictures, or build with the "
                      "renderer: cmake --preset release -DSUNDER_BUILD_RENDERER=ON"};

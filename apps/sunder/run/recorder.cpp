@@ -18,7 +18,7 @@
 #include "apps/sunder/run/report/settings_report.hpp"
 #include "apps/sunder/run/saved/run_folder.hpp"
 #include "topology/base/whole_number.hpp"
-#include "topology/io/output_file.hpp"
+#include "topology/io/files/output_file.hpp"
 #include "topology/io/vtu/vtu.hpp"
 
 namespace sunder {

@@ -25,7 +25,7 @@
 #include "fracture/saving/state_numbers.hpp"
 #include "fracture/simulation/rows.hpp"
 #include "mechanics/state/living.hpp"
-#include "topology/io/printing.hpp"
+#include "topology/io/files/printing.hpp"
 
 namespace sunder {
 namespace {

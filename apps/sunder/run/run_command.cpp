@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "apps/output/output_columns.hpp"
 #include "apps/scene/json_text.hpp"
 #include "apps/scene/scene_schema.hpp"
 #include "apps/sunder/program.hpp"
@@ -25,15 +26,16 @@ Files in DIR (where an earlier run lies there, --force replaces it):
                             one line per step, or per output.history of the scene
   obstacles.csv             free obstacles in each frame: place, turn, velocity, spin
   checkpoints/*.checkpoint  saved states for --resume: every ten minutes and at the end, or as
-                            output.checkpoint of the scene asks
+                            output.checkpoint of the scene
 One run at a time writes to a folder. Events are written at once, tables and report with every
-checkpoint too. One line before the first step names the scene; progress follows at least every
-second. --verbose adds the settings that "accuracy" chose, which report.json has too.
+checkpoint too. One line before the first step names the scene. Progress follows at least every
+second. --verbose adds the settings that "accuracy" chose, which report.json has too. --columns
+prints the columns and keys of each file (docs/reference/output.md).
 
 Exit codes: 0 done, 2 usage, 3 bad scene or mesh, 4 not written, 5 the simulation failed, 6 a replay
 departed from its log, 7 done, with warnings, and --strict was given, 130 interrupted by Ctrl-C
 (SIGINT), SIGTERM or SIGHUP. After 5, 6 and 130 the files hold the run up to that moment. A signal
-leaves a checkpoint of the last whole step; a step that does not end within 2 s is cut short.
+leaves a checkpoint of the last whole step. A step that does not end within 2 s is cut short.
 --resume goes on from the last checkpoint, also after a crash.
 
 Examples:
@@ -127,19 +129,45 @@ void add_options(CLI::App& command, RunArguments& arguments, std::vector<std::st
   command.add_flag("--json", arguments.json, "Print report.json instead of a table");
 }
 
+/// The files of a run with their columns and keys, as `--columns` prints them.
+nlohmann::ordered_json columns_json() {
+  nlohmann::ordered_json files = nlohmann::ordered_json::array();
+  for (const OutputFile& file : output_files()) {
+    nlohmann::ordered_json columns = nlohmann::ordered_json::array();
+    for (const OutputColumn& column : file.columns) {
+      columns.push_back({{"name", column.name},
+                         {"unit", column.unit},
+                         {"meaning", column.meaning},
+                         {"when", column.when}});
+    }
+    files.push_back({{"file", file.file},
+                     {"part", file.part},
+                     {"meaning", file.meaning},
+                     {"columns", std::move(columns)}});
+  }
+  return files;
+}
+
 }  // namespace
 
 void add_run_command(CLI::App& program, ExitCode& exit_code) {
-  CLI::App* command = program.add_subcommand("run", "Simulate a scene whose bodies break");
+  CLI::App* command = program.add_subcommand("run", "Simulate a scene of bodies that break");
   const auto arguments = std::make_shared<RunArguments>();
   const auto shortcuts = std::make_shared<std::vector<std::string>>();
-  const auto schema = std::make_shared<bool>(false);
+  const auto schema = std::make_shared<bool>(false), columns = std::make_shared<bool>(false);
   add_options(*command, *arguments, *shortcuts);
   command->add_flag("--schema", *schema, "Print the JSON schema of scenes and do nothing else");
+  command->add_flag("--columns", *columns,
+                    "Print the files of a run with their columns, keys and units as JSON, and do "
+                    "nothing else");
   command->footer(run_footer);
   command->callback([=, &exit_code] {
     if (*schema) {
       print_json(scene_schema());
+      return;
+    }
+    if (*columns) {
+      print_json(columns_json());
       return;
     }
     const bool is_new = arguments->resume.empty(), branches = arguments->from.has_value();

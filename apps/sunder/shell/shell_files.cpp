@@ -13,7 +13,7 @@
 #include "apps/scene/scene_text.hpp"
 #include "apps/sunder/program.hpp"
 #include "topology/base/split_text.hpp"
-#include "topology/io/printing.hpp"
+#include "topology/io/files/printing.hpp"
 
 namespace sunder {
 namespace {

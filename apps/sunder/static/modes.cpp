@@ -19,8 +19,8 @@
 #include "apps/sunder/program.hpp"
 #include "fracture/simulation/simulation_state.hpp"
 #include "fracture/simulation/statics/statics.hpp"
+#include "topology/io/files/printing.hpp"
 #include "topology/io/mesh_file.hpp"
-#include "topology/io/printing.hpp"
 
 namespace sunder {
 namespace {
@@ -28,11 +28,12 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr const char* modes_footer = R"(
-SCENE is a scene file as `sunder run` takes it, SI units: docs/lab/static.md. For every piece of every
-body: the N lowest natural frequencies (Hz), with held vertices at rest, without gravity, loads and
-obstacles. A free piece has six rigid motions besides, listed first with frequency 0.
+SCENE is a scene file as `sunder run` takes it, in SI units (docs/explanation/theory.md). The program
+computes the N lowest natural frequencies (Hz) of every piece of every body. Held vertices are at
+rest. Gravity, loads and obstacles are left out. A free piece has six more modes, its rigid motions,
+listed first with frequency 0.
 FILE.vtu holds the undeformed bodies with displacement columns mode_1, mode_2, ..., the rigid
-motions included; the largest displacement of a piece in a mode is 1 m.
+motions included. The largest displacement of a piece in a mode is 1 m.
 
 Exit codes: 0 done, 2 usage, 3 bad scene or mesh, 4 not written, 5 the modes were not found.
 

@@ -20,7 +20,7 @@
 #include "apps/sunder/static/static_fan.hpp"
 #include "fracture/simulation/statics/statics.hpp"
 #include "mechanics/rebuild.hpp"
-#include "topology/io/printing.hpp"
+#include "topology/io/files/printing.hpp"
 
 namespace sunder {
 namespace {
@@ -28,21 +28,24 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr const char* static_footer = R"(
-SCENE is a scene file as `sunder run` takes it, SI units: docs/lab/static.md. Gravity and the bodies'
-"loads" (Pa, N) act fully. "held" vertices are fixed, or moved by their velocity (m/s) times the
-scene's "duration" (s). Every body needs three held vertices that are not on one line. Obstacles are
-ignored: they do not support a body here. "order": 2 in a body makes its tetrahedra quadratic, with
-nodes in the middle of edges: for bodies that bend.
+SCENE is a scene file as `sunder run` takes it, in SI units (docs/explanation/theory.md). Gravity and
+the bodies' "loads" (Pa, N) act fully. "held" vertices are fixed, or moved by their velocity (m/s)
+times the scene's "duration" (s). Every body needs three held vertices that are not on one line.
+Obstacles are ignored, and do not support a body here. The key "order": 2 makes the tetrahedra of a
+body quadratic, with nodes in the middle of edges, for bodies that bend.
 
-Results, per body and over all: largest displacement (m), strain energy (J), largest principal
-stress of a vertex (Pa) and its share of the tensile strength, each with the point of the mesh
-(counted from 0) and its place (m); force (N) and moment about the mass centre (N m) of each support.
---fan V,NX,NY,NZ adds the release by the fan at point V (of all bodies' meshes, one after the other)
-with this normal in the mesh's axes: faces, area (m^2), energy (J) and energy per area (J/m^2), with
-the material's value where it has a toughness (docs/explanation/cracks.md). Nothing is split.
---fans SHARE lists the same for the fan of every vertex with at least this share of its strength (1:
-the vertices that would break now), most energy per area first. Vertices on a crack front also have
-the release of that front.
+Results per body and over all:
+  largest displacement (m), with the point of the mesh (counted from 0) and its place (m)
+  strain energy (J)
+  largest principal stress of a vertex (Pa) and its share of the tensile strength, with its point
+  force (N) and moment about the mass centre (N m) of each support
+--fan V,NX,NY,NZ adds the release by one fan: faces, area (m^2), energy (J) and energy per area
+(J/m^2). V counts the points of all bodies' meshes, one after the other, and the normal is in the
+mesh's axes. The material's value is printed too if it has a toughness (docs/explanation/cracks.md).
+Nothing is split.
+--fans SHARE lists the same for the fan of every vertex with at least this share of its strength,
+most energy per area first. Vertices with a share of 1 or more would break. Vertices on a crack front
+also have the release of that front.
 FILE.vtu holds the deformed bodies with displacement, node stress and largest principal stress.
 
 Exit codes: 0 done, 2 usage, 3 bad scene or mesh or no equilibrium, 4 not written, 5 the result is

@@ -20,16 +20,16 @@
 #include "apps/sunder/view/open_page.hpp"
 #include "apps/sunder/view/view_requests.hpp"
 #include "apps/sunder/view/view_server.hpp"
-#include "topology/io/printing.hpp"
+#include "topology/io/files/printing.hpp"
 
 namespace sunder {
 namespace {
 
 constexpr const char* view_footer = R"(
 The page shows and runs the scene, plays the recording back, and lets you shoot, pull, cut and
-inspect (docs/page.md). A restart on the page reads the scene's file again. Only this machine, and
-only the page whose address is printed, can reach the server. Ctrl-C ends it, also while a step is
-computed.
+inspect (docs/howto/look_and_export.md). A restart on the page reads the scene's file again. Only this
+machine, and only the page whose address is printed, can reach the server. Ctrl-C ends it, also
+while a step is computed.
 
 Exit codes: 0 ended by Ctrl-C or SIGTERM, 2 usage, 3 bad scene or mesh, 4 the port is taken, there is no page,
 or the system gives no thread, connection or random number.

@@ -28,9 +28,8 @@ draw() { # result, picture, then options
 # Figures 1, 2, 7: the block sags on its supports, then breaks under its own weight.
 run paper/block block --frame-interval 0.01 --set bodies.0.material.tensile_strength=6e3 --set fracture.crack=object
 draw block figure_1 --show both --magnify 50 --time "$(python3 "$here/moment.py" "$work/block" first_fan -0.004)" --eye 0.5,-3.2,1.5 --target 0,0,0.65 --fov 32
-for part in a b c d; do
-  case $part in a) at=1.1 ;; b) at=1.6 ;; c) at=2.0 ;; d) at=2.5 ;; esac
-  draw block figure_7$part --time $at --eye 0.9,-3.2,1.6 --target 0,0,0.45 --fov 34
+for part in a:1.1 b:1.6; do
+  draw block "figure_7${part%%:*}" --time "${part##*:}" --eye 0.9,-3.2,1.6 --target 0,0,0.45 --fov 34
 done
 python3 "$here/moment.py" "$work/block" jump
 
@@ -40,10 +39,9 @@ for part in a:0.05 b:0.07 c:0.17 d:0.4; do
   draw monolith "figure_6${part%%:*}" --time "${part##*:}" --eye 2.2,-3.6,2.0 --target 0,0.15,0.8 --fov 36
 done
 
-# Figure 8: the bunny, and its pieces apart.
+# Figure 8: the bunny in pieces.
 run paper/bunny bunny --set duration=0.05 --set fracture.crack=object --frame-interval 0.005
-draw bunny figure_8a --time 0.05
-draw bunny figure_8b --time 0.05 --explode 0.35
+draw bunny figure_8 --time 0.05
 
 # Figures 3 to 5: what comes apart with one face.
 python3 "$here/splits.py" "$sunder" "$meshes" "$out"

@@ -78,7 +78,7 @@ struct PieceModes {
 
 /// The rigid modes and the `count` lowest others of every piece of `simulation`, which stands at
 /// its start; without gravity, loads and obstacles. Errors: "modes_not_found". Cost: two factors
-/// and some 3 `count` solves a piece (docs/lab/static.md).
+/// and some 3 `count` solves a piece (docs/explanation/theory.md).
 Result<std::vector<PieceModes>> scene_modes(Simulation& simulation, std::size_t count);
 
 }  // namespace sunder

@@ -67,7 +67,7 @@ class Archive(unittest.TestCase):
         sums = dict(reversed(line.split("  ")) for line in lines)
         there = {str(p.relative_to(self.suite)) for p in self.suite.rglob("*") if p.is_file()}
         self.assertEqual(there, {*sums, "SHA256SUMS"})
-        self.assertLess({"README.md", "LICENSE", "judge.py", "minimal.py",
+        self.assertLess({"README.md", "suite.md", "LICENSE", "judge.py", "minimal.py",
                          "fixtures/fixture.schema.json"}, there)
         for name, digest in sums.items():
             self.assertEqual(hashlib.sha256((self.suite / name).read_bytes()).hexdigest(), digest)

@@ -13,7 +13,6 @@ unstructured also gmsh.
 """
 import argparse
 import subprocess
-import tempfile
 from pathlib import Path
 
 import order_modes
@@ -61,20 +60,6 @@ def draw(path, chart):
     subprocess.run(["gnuplot"], input="\n".join(script + ["unset multiplot", ""]), text=True, check=True)
 
 
-def lay_out(path, pictures):
-    """One PNG picture of several of one size, two in a row."""
-    with tempfile.TemporaryDirectory() as folder:
-        rows = (len(pictures) + 1) // 2
-        script = [f"set terminal pngcairo size {2 * 640},{rows * 420}", f"set output '{path}'", "unset key",
-                  "unset border", "unset tics", "set lmargin 0", "set rmargin 0", "set tmargin 0", "set bmargin 0",
-                  "set xrange [0:639]", "set yrange [0:419]", f"set multiplot layout {rows},2"]
-        for number, picture in enumerate(pictures):
-            name = Path(folder) / f"{number}.png"
-            name.write_bytes(picture)
-            script.append(f"plot '{name}' binary filetype=png with rgbimage")
-        subprocess.run(["gnuplot"], input="\n".join(script + ["unset multiplot", ""]), text=True, check=True)
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("sunder", type=lambda p: Path(p).resolve())
@@ -87,9 +72,7 @@ def main():
         print("\n".join(lines), flush=True)
         if arguments.page:
             put_into(arguments.page, part, lines)
-            if part == "broken":
-                lay_out(arguments.page.parent / "images" / "second_order_struck.png", chart)
-            elif chart:
+            if chart:
                 draw(arguments.page.parent / "charts" / f"order_{part}.png", chart)
 
 

@@ -9,7 +9,7 @@ The ball of ensembles.py (falls at 10 m/s; 2.9, 5.8 and 11.6 thousand tetrahedra
 the ball after it touched the floor. Beside it ten runs of one mesh moved by nothing (the null band), and five meshes of 2x with
 sub-steps of at most 1/4, 1/16 and 1/64 of that way. Distances are Kolmogorov's, of mass-weighted distributions of the pieces'
 sizes, each the mean of its group. A run that is there already in OUT is kept; --table runs nothing. Written: the tables to
-stdout, fragmentation.csv (a row a run), and fragmentation.png (gnuplot)."""
+stdout, and fragmentation.csv (a row per run). mode_chart.py draws the table."""
 import csv
 import os
 import statistics
@@ -19,7 +19,7 @@ import ensembles
 import figures
 import report
 
-MODES = {"paper": "#d55e00", "object": "#0072b2", "cohesive": "#009e73"}
+MODES = ["paper", "object", "cohesive"]
 LEVELS = {"1x": 10, "2x": 10, "4x": 5}
 STEPS = {" 1/4": ["impact.fraction=0.25"], " 1/16": ["impact.fraction=0.0625"],
          " 1/64": ["impact.fraction=0.015625", "time_step=3.125e-6"]}
@@ -89,32 +89,6 @@ def table(rows, records):
     return "\n".join(lines)
 
 
-def picture(rows, records):
-    """gnuplot's script: distance against time, and debris against time; lines join 1x, 2x and 4x of a mode."""
-    data, error, debris = "", [], []
-    for mode, color in MODES.items():
-        mine = [r for r in rows if r["mode"] == mode]
-        by_level = [r for r in mine if r["group"] in LEVELS]
-        by_step = [r for r in mine if r["group"].startswith("2x ")]
-        data += report.block(f"L{mode}", [(r["seconds"], r["distance"]) for r in by_level if r["distance"] is not None])
-        data += report.block(f"D{mode}", [(r["seconds"], 100 * r["debris"]) for r in by_level])
-        data += report.block(f"S{mode}", [(r["seconds"], r["distance"]) for r in by_step if r["distance"] is not None])
-        data += report.block(f"E{mode}", [(r["seconds"], 100 * r["debris"]) for r in by_step])
-        style = f"lc rgb '{color}' lw 2 pt 7 ps 1.4"
-        error += [f"$L{mode} using 1:2 with linespoints {style} title '{mode}: 1x, 2x to 4x'",
-                  f"$S{mode} using 1:2 with points lc rgb '{color}' lw 2 pt 4 ps 1.6 title '{mode}: sub-steps 1/4, 1/16 to 1/64'"]
-        debris += [f"$D{mode} using 1:2 with linespoints {style} title '{mode}: 1x, 2x, 4x'",
-                   f"$E{mode} using 1:2 with points lc rgb '{color}' lw 2 pt 4 ps 1.6 notitle"]
-    band = max((x for mode in MODES if (x := null_distance(records, mode)[1]) is not None), default=0)
-    return ("set terminal pngcairo noenhanced size 1300,560 font 'DejaVu Sans,11'\n" + data +
-            "set multiplot layout 1,2\nset logscale x\nset grid lc rgb '#e4e4e4'\nset key top right font ',9' samplen 2\n"
-            "set xlabel 's of one core a run'\nset ylabel 'distance of distributions of sizes to the finest'\nset yrange [0:*]\n"
-            f"set arrow 1 from graph 0,first {band:.4g} to graph 1,first {band:.4g} nohead lc rgb '#888888' dt 4\n"
-            f"set label 1 'two halves of ten meshes' at graph 0.02,first {band:.4g} offset 0,0.6 tc rgb '#666666' font ',9'\n"
-            f"plot {', '.join(error)}\nunset arrow 1\nunset label 1\nset ylabel 'per cent of the mass smaller than two coarse cells'\n"
-            f"plot {', '.join(debris)}\n")
-
-
 def main():
     said = ensembles.options(__doc__, "out/fragmentation", 600).parse_args()
     os.nice(5)
@@ -140,7 +114,6 @@ def main():
         for r in records:
             o = figures.outcomes(r["volumes"], debris) if r["volumes"] else dict.fromkeys(("pieces", "largest", "debris"), "")
             out.writerow([r["mode"], r["group"], r["member"], r["end"], r["seconds"], r.get("tetrahedra", ""), *o.values()])
-    report.draw(picture(rows, records), said.out / "fragmentation.png")
 
 
 if __name__ == "__main__":

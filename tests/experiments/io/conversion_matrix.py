@@ -347,7 +347,7 @@ def main():
                    if not given.carry or name in CARRY_SOURCES}
         results = convert_all(given.sunder, sources, targets, folder, programs)
     names = list(targets)
-    lines = [f"Beside sunder: {versions()}.", ""]
+    lines = [f"Compared with sunder: {versions()}.", ""]
     if given.carry:
         lines += carried(results, names, programs)
     else:

@@ -3,7 +3,8 @@
 """Runs shipped scenes with some of their numbers changed: tests/experiments/soak/mutate.py SUNDER
 
 Each run takes a few steps. It must end with a documented exit code and say what is wrong where that
-is not 0; with exit code 0 its report has neither null nor NaN.
+is not 0; with exit code 0 its report has neither null nor NaN. A run that takes
+longer than a minute (by a changed duration, or sub-steps of a stiff body) is interrupted, and must end with 130.
 Prints the counts, and ends with 1 where something is wrong. What is wrong is kept in found-mutated/.
   --seconds S   how long (300); --seed N; --scenes N: so many and no more"""
 import argparse
@@ -22,7 +23,7 @@ TREE = pathlib.Path(__file__).resolve().parents[3]
 SCENES = ["block.json", "charts/monolith.json", "bar.json", "ball.json"]
 EXTREMES = [1e17, 1e308, -1e300, 1e-300, 1e16, 1e-22, 1e20, -1e20, 1e-30, 5e-324, 0, -1, 1e9, 1e12, 1e-9,
             4294967295, 4294967296, -0.0, 1e100, 1e5]
-DOCUMENTED = {0, 3, 4, 5}
+DOCUMENTED = {0, 3, 4, 5, 130}
 
 
 def numbers(value, path=()):
@@ -72,15 +73,26 @@ def base_scene(name):
     return scene
 
 
-def run(program, scene, folder, timeout=120):
+def run(program, scene, folder, timeout=60):
+    """The exit code, or the reason why it did not end, and its standard error."""
     file = folder / "scene.json"
     file.write_text(json.dumps(scene))
-    try:
-        done = subprocess.run([program, "run", file, "--quiet", "--force", "-o", folder / "out"], timeout=timeout,
-                              stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
-    except subprocess.TimeoutExpired:
-        return "timeout", ""
-    return done.returncode, done.stderr.decode(errors="replace")
+    with open(folder / "err", "w+b") as err:
+        child = subprocess.Popen([program, "run", file, "--quiet", "--force", "-o", folder / "out"],
+                                 stdout=subprocess.DEVNULL, stderr=err)
+        try:
+            code = child.wait(timeout)
+        except subprocess.TimeoutExpired:
+            child.terminate()
+            try:
+                code = child.wait(timeout)
+            except subprocess.TimeoutExpired:
+                child.kill()
+                child.wait()
+                return "no answer to SIGTERM", ""
+        err.seek(0)
+        text = err.read().decode(errors="replace")
+    return code, text
 
 
 def report_of(folder):
@@ -117,9 +129,9 @@ def main():
             fault = None
             if code not in DOCUMENTED:
                 fault = f"ended with {code}"
-            elif code != 0 and "error:" not in err:
+            elif code not in (0, 130) and "error:" not in err:
                 fault = f"exit code {code} without a word"
-            elif code == 0:
+            elif code in (0, 130):
                 try:
                     found = nulls(report_of(folder))
                     fault = f"null at {sorted(found)}" if found else None

@@ -10,8 +10,7 @@ namespace sunder::stability {
 
 /// A map: outcome over the time step and one other quantity.
 struct Map {
-  std::string name;      ///< in the CSV
-  std::string quantity;  ///< y axis with its unit
+  std::string name;  ///< in the CSV
   std::vector<double> values, time_steps;
   std::function<Cell(const Method&, double value, double time_step)> run;
 };
@@ -23,15 +22,5 @@ std::vector<Map> maps();
 /// The methods of the maps: without those that differ only in isolated tetrahedra, which no map
 /// has.
 std::vector<Method> mapped_methods();
-
-/// One cell of a map.
-struct SweepRow {
-  std::string map, method;
-  double value = 0, time_step = 0;
-  Cell cell;
-};
-
-/// A script for gnuplot that writes a PNG to its output: a row a map, a column a method.
-std::string sweep_script(const std::vector<Map>& maps, const std::vector<SweepRow>& rows);
 
 }  // namespace sunder::stability

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// `stability_sweep [CSV [PNG]]`: every method over stiffness, step, spin, nu, slivers and masses.
+// `stability_sweep [CSV]`: every method over stiffness, step, spin, nu, slivers and masses. maps.py
+// draws the table.
 #include <chrono>
 #include <cstdio>
 #include <string>
 
-#include "apps/sunder/gnuplot.hpp"
 #include "tests/experiments/stability/sweep.hpp"
 
 using namespace sunder::stability;
@@ -18,15 +18,13 @@ int main(int count, char** words) {
   }
   std::fputs("map,method,value,step / s,outcome,figure\n", file);
   const std::vector<Map> all = maps();
-  std::vector<SweepRow> rows;
   for (const Method& method : mapped_methods()) {
     const auto start = std::chrono::steady_clock::now();
     std::size_t tally[std::size(outcome_names)] = {};
     for (const Map& map : all) {
       for (const double value : map.values) {
         for (const double step : map.time_steps) {
-          rows.push_back({map.name, method.name, value, step, map.run(method, value, step)});
-          const Cell& cell = rows.back().cell;
+          const Cell cell = map.run(method, value, step);
           ++tally[static_cast<std::size_t>(cell.outcome)];
           std::fprintf(file, "%s,\"%s\",%g,%g,%s,%.3g\n", map.name.c_str(), method.name.c_str(),
                        value, step, std::string(name_of(cell.outcome)).c_str(), cell.figure);
@@ -42,9 +40,4 @@ int main(int count, char** words) {
     std::fflush(stdout);
   }
   std::fclose(file);
-  if (count < 3) return 0;
-  if (const auto finding = sunder::draw_png(sweep_script(all, rows), words[2])) {
-    std::fprintf(stderr, "%s\n%s\n", finding->text.c_str(), finding->remedy.c_str());
-    return 2;
-  }
 }

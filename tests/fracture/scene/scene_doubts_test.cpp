@@ -171,11 +171,11 @@ TEST_CASE("meshes too coarse or bodies too slender for what they bear are doubte
   const auto some = slender(3e6), far = slender(3e8);
   REQUIRE(some.size() == 1);
   CHECK(some[0].finding.code == "slender_body");
-  CHECK(some[0].finding.text.find("per cent of it") != std::string::npos);
+  CHECK(some[0].finding.text.find("% of it") != std::string::npos);
   CHECK(some[0].finding.remedy.find("corotational") != std::string::npos);
   // More than all of it is no figure.
   REQUIRE(far.size() == 1);
-  CHECK(far[0].finding.text.find("per cent") == std::string::npos);
+  CHECK(far[0].finding.text.find("% of it") == std::string::npos);
   CHECK(far[0].finding.text.find("larger than the true one") != std::string::npos);
 }
 

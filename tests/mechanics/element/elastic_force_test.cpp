@@ -134,5 +134,5 @@ TEST_CASE("forces turn with the body and never push it along", "[mechanics][algo
     work += at.force[v].dot(component.orientation * at.displacement[v]);
   }
   CHECK(std::sqrt(difference) < 1e-11 * std::sqrt(size));
-  CHECK(work < 0);  // the sign (docs/decisions.md): forces work against the displacement
+  CHECK(work < 0);  // the sign (docs/explanation/paper.md): forces work against the displacement
 }

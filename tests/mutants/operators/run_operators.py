@@ -225,7 +225,7 @@ def table(mutants, known, proved):
 
 
 def publish(listed, known, proved):
-    """Writes score and proofs into docs/lab/mutation.md, and what is not yet looked at beside this."""
+    """Writes score and proofs into tests/mutants/README.md, and what is not yet looked at beside this."""
     mutants = listed["mutants"]
     lines = ["", *table(mutants, known, proved), "", "Left out: " + ", ".join(
         f"{n} x {why}" for why, n in sorted(listed["left_out"].items())) + ".", "",
@@ -238,7 +238,7 @@ def publish(listed, known, proved):
         change = "; ".join(f"`{c[0]}` as `{c[1]}`" for c in changes) or "whatever is changed"
         lines.append(f"- `{entry['file']}`, `{entry['function']}`: {change}"
                      + (f" ({count} places)" if count > max(1, len(changes)) else "") + ". " + " ".join(entry["proof"]))
-    page = PROJECT / "docs/lab/mutation.md"
+    page = PROJECT / "tests/mutants/README.md"
     head, rest = page.read_text(encoding="utf-8").split(BEGIN)
     page.write_text(head + BEGIN + "\n".join(lines) + "\n" + END + rest.split(END)[1], encoding="utf-8")
     left = [f"{m['file']}: {m['function']}: {m['original']}  ->  {m['mutant']}" + (f"  (no. {m['nth']})" if m["nth"] > 1 else "")
@@ -260,7 +260,7 @@ def main():
     parser.add_argument("--until", type=float, help="stop to begin mutants at this time (epoch)")
     parser.add_argument("--survivors", action="store_true", help="list survivors without a proof")
     parser.add_argument("--no-run", action="store_true", help="tell what is known")
-    parser.add_argument("--publish", action="store_true", help="write score and proofs into docs/lab/mutation.md")
+    parser.add_argument("--publish", action="store_true", help="write score and proofs into tests/mutants/README.md")
     arguments = parser.parse_args()
     listed = json.loads((arguments.build / "mutated/mutants.json").read_text(encoding="utf-8"))
     mutants = [m for m in listed["mutants"] if m["file"].startswith(arguments.only)]

@@ -5,8 +5,8 @@
 #include <catch2/catch.hpp>
 
 #include "tests/support/io_support.hpp"
+#include "topology/io/files/output_file.hpp"
 #include "topology/io/mesh_file.hpp"
-#include "topology/io/output_file.hpp"
 
 using namespace sunder;
 using namespace sunder::test;

@@ -328,7 +328,7 @@ void read_include(Pass& p, std::string_view name, std::size_t at, int depth) {
     refuse(p, at,
            {.code = "missing_file",
             .text = fmt::format("{} is not there, which this file includes", in_quotes(path)),
-            .remedy = "put it beside the mesh"});
+            .remedy = "put it next to the mesh"});
   }
   p.r.included.push_back(std::move(*text));
   p.r.bytes += p.r.included.back().size();

@@ -15,7 +15,7 @@
 
 #include "topology/io/abaqus/abaqus_lines.hpp"
 #include "topology/io/formats.hpp"
-#include "topology/io/named_regions.hpp"
+#include "topology/io/regions/named_regions.hpp"
 #include "topology/io/text/number_index.hpp"
 
 namespace sunder::io {

@@ -8,7 +8,7 @@
 
 #include "topology/base/sort_unique.hpp"
 #include "topology/io/abaqus/abaqus.hpp"
-#include "topology/io/named_regions.hpp"
+#include "topology/io/regions/named_regions.hpp"
 #include "topology/io/text/number_sink.hpp"
 
 namespace sunder::io {

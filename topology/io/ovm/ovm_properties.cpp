@@ -6,9 +6,9 @@
 #include <charconv>
 #include <optional>
 
-#include "topology/io/named_regions.hpp"
 #include "topology/io/ovm/ovm.hpp"
 #include "topology/io/ovm/ovm_reader.hpp"
+#include "topology/io/regions/named_regions.hpp"
 #include "topology/io/tetgen/tetgen.hpp"
 #include "topology/mesh/kinds/move_cells.hpp"
 

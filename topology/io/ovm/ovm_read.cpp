@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "topology/io/named_regions.hpp"
 #include "topology/io/ovm/ovm.hpp"
 #include "topology/io/ovm/ovm_reader.hpp"
+#include "topology/io/regions/named_regions.hpp"
 
 namespace sunder::io {
 namespace {

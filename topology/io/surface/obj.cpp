@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "topology/io/named_regions.hpp"
+#include "topology/io/regions/named_regions.hpp"
 #include "topology/io/text/scan.hpp"
 
 namespace sunder::io {

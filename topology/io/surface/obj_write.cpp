@@ -2,9 +2,9 @@
 // OBJ written: points, then cells, a group for each run of a region.
 #include <fmt/format.h>
 
-#include "topology/io/named_regions.hpp"
-#include "topology/io/text/number_sink.hpp"
+#include "topology/io/regions/named_regions.hpp"
 #include "topology/io/surface/obj.hpp"
+#include "topology/io/text/number_sink.hpp"
 
 namespace sunder::io {
 

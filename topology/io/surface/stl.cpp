@@ -10,7 +10,7 @@
 #include <cstring>
 #include <limits>
 
-#include "topology/io/named_regions.hpp"
+#include "topology/io/regions/named_regions.hpp"
 #include "topology/io/text/number_sink.hpp"
 #include "topology/io/text/number_source.hpp"
 #include "topology/io/text/row_watch.hpp"

@@ -9,7 +9,7 @@
 
 #include "topology/base/whole_number.hpp"
 #include "topology/io/format_traits.hpp"
-#include "topology/io/named_regions.hpp"
+#include "topology/io/regions/named_regions.hpp"
 #include "topology/io/tetgen/tetgen.hpp"
 #include "topology/io/tetgen/tetgen_table.hpp"
 

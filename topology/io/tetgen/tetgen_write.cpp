@@ -6,9 +6,9 @@
 #include <system_error>
 #include <variant>
 
-#include "topology/io/text/number_sink.hpp"
-#include "topology/io/output_file.hpp"
+#include "topology/io/files/output_file.hpp"
 #include "topology/io/tetgen/tetgen.hpp"
+#include "topology/io/text/number_sink.hpp"
 
 namespace sunder::io {
 namespace {

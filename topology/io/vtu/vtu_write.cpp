@@ -11,7 +11,7 @@
 #include <iterator>
 #include <optional>
 
-#include "topology/io/output_file.hpp"
+#include "topology/io/files/output_file.hpp"
 #include "topology/io/vtk/vtk_cells.hpp"
 #include "topology/io/vtu/vtu_encode.hpp"
 #include "topology/io/vtu/vtu_read.hpp"

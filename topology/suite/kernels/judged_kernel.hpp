@@ -76,7 +76,7 @@ JudgedKernel twin_kernel();
 /// body.
 constexpr double default_answer_seconds = 10;
 
-/// A kernel in another process that speaks the protocol of docs/judge_your_kernel.md on its stdin
+/// A kernel in another process that speaks the protocol of docs/reference/suite.md on its stdin
 /// and stdout. `command` goes to /bin/sh. It has `seconds` (> 0) to say hello, and (1 + T / 10 000)
 /// times as long for an answer about T tetrahedra: kernels in slow languages take some 0.1 ms a
 /// tetrahedron to count cells. An answer that is not one, or none within that time, ends the

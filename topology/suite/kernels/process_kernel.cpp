@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The suite's side of the protocol of docs/judge_your_kernel.md: questions as lines, answers parsed
+// The suite's side of the protocol of docs/reference/suite.md: questions as lines, answers parsed
 // strictly.
 #include <fmt/format.h>
 

@@ -18,7 +18,7 @@
 #include "apps/sunder/run/report/turn_check.hpp"
 #include "fracture/simulation/ledger/momentum_ledger.hpp"
 #include "mechanics/element/energy.hpp"
-#include "topology/io/printing.hpp"
+#include "topology/io/files/printing.hpp"
 
 namespace sunder {
 namespace {

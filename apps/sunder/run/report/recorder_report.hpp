@@ -68,7 +68,7 @@ struct RunStatistics {
   std::uint64_t drawn_off_step = 0;
   std::vector<Finding> warnings;  ///< of the scene, and of the model where it was left
   RunTroubles troubles;
-  /// Whether the small-displacement model was left once (docs/decisions.md, Validity).
+  /// Whether the small-displacement model was left once (docs/explanation/theory.md, Limits).
   bool turned_too_far = false;
 };
 

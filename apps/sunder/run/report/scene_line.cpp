@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "fracture/scene/scene_fields.hpp"
-#include "topology/io/printing.hpp"
+#include "topology/io/files/printing.hpp"
 
 namespace sunder {
 namespace {

@@ -48,7 +48,7 @@ std::optional<Finding> check_turns(const Simulation& now, const StepReport& repo
         .code = turned_too_far,
         .severity = Severity::warning,
         .ids = {static_cast<std::int64_t>(component.id.index())},
-        .text = fmt::format("from step {} (t = {:.6g} s) on {:.0f} per cent of component {} have "
+        .text = fmt::format("from step {} (t = {:.6g} s) on {:.0f} % of component {} have "
                             "turned by up to {:.3g} rad against its reference; beyond {:.3g} the "
                             "false strain is over half of the strain that breaks it",
                             report.step, report.time, 100 * share, component.id.index(),

@@ -16,7 +16,7 @@
 #include "fracture/saving/archive.hpp"
 #include "fracture/saving/saved_state.hpp"
 #include "topology/base/fnv1a.hpp"
-#include "topology/io/output_file.hpp"
+#include "topology/io/files/output_file.hpp"
 
 namespace sunder {
 

@@ -178,7 +178,7 @@ Result<RunOnItsWay> change_settings(const fs::path& folder, const SceneFile& cha
         .code = "not_in_mid_run",
         .text = "the scene differs from the run's in what cannot change once it has begun",
         .remedy =
-            "give the run's scene and its --set changes; beside them only gravity, contact, "
+            "give the run's scene and its --set changes; besides them only gravity, contact, "
             "impact, ladder, duration, energy_ledger, output, topology and fracture (but "
             "crack and criterion) may change"};
   }

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 # The smallest kernel that the suite can judge: glued faces, searches and union-find. README.md beside
-# it (in Sunder docs/judge_your_kernel.md) tells its heart; take it as a start for one of your own.
+# it (in Sunder docs/reference/suite.md) tells its heart; take it as a start for one of your own.
 import sys
 from itertools import combinations
 from math import isfinite

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every adapter in C++ shares: the loop over questions of docs/judge_your_kernel.md, common
+// What every adapter in C++ shares: the loop over questions of docs/reference/suite.md, common
 // faces of a body as it is read, and turning its tetrahedra round until they lie alike. It knows no
 // library, and nothing of Sunder.
 #pragma once
