@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-// history.csv: energies, works, forces and counts of a run, a row for each interval. No file is
-// written here.
+// history.csv: energies, works, forces and counts of a run, one row per interval. No file is
+// written here. `history_columns` in output_columns.hpp lists the columns.
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
@@ -14,56 +12,40 @@
 
 namespace sunder {
 
-/// Of what happened since the row before, and of what adds up over the run.
+/// Sums over the steps of a run. Rows of forces and works are those of `ForceReport`.
 struct HistorySums {
-  double since = 0;                     ///< s, time of the row before
-  std::vector<Impulse> obstacle, held;  ///< since then, as `ForceReport`
-  double gap_error = 0, overlap = 0;    ///< m, largest since then
-  std::vector<double> load_work;        ///< J, over the run
-  double released = 0, taken = 0;       ///< J, of cracks, over the run
+  double since = 0;                     ///< s, time of the last row
+  std::vector<Impulse> obstacle, held;  ///< since the last row
+  double gap_error = 0, overlap = 0;    ///< m, largest since the last row
+  std::vector<double> load_work;        ///< J, since the first row
+  double released = 0, taken = 0;       ///< J, of cracks, since the first row
 };
 
 /// The rows of a run so far. Plain data, for checkpoints.
 struct History {
   static constexpr std::uint64_t no_step = std::numeric_limits<std::uint64_t>::max();
   HistorySums sums;
+  /// m, world: the points about which moments are, by obstacles and by held boxes.
+  std::vector<Vec3> obstacle_centre, held_centre;
   std::vector<double> values;        ///< row by row
   std::uint64_t last_row = no_step;  ///< step of the last row
 };
 
-/// What the columns of a row are taken from.
-struct HistoryMoment {
-  const Simulation& simulation;
-  const HistorySums& sums;
-  std::array<double, 3> energy{};  ///< J: kinetic, elastic, potential
-  std::size_t pieces = 0;
-  double largest_mass = 0, asleep_mass = 0;  ///< kg
-  double interval = 0;                       ///< s
-};
-
-/// A column: its name in the first line, its unit and a sentence for readers, its value in a row.
-struct HistoryColumn {
-  std::string name, unit, text;
-  std::function<double(const HistoryMoment&)> value;
-};
-
-/// The columns of a scene's history, in their order: the one list of them.
-std::vector<HistoryColumn> history_columns(const Scene& scene);
-
-/// A history whose first row is now, with forces of 0.
+/// A history whose first row is the present state, with forces of 0.
 History begin_history(const Simulation& start);
 
-/// Adds what a step did. O(obstacles + held boxes + loads).
+/// Adds the forces, works and overlaps of one step. O(obstacles + held boxes + loads).
 void add_step(History& history, const StepReport& report);
 
-/// Adds a row of now. Forces are means over the time since the row before. O(tetrahedra).
+/// Adds a row of the present state. Forces are means over the time since the last row.
+/// O(tetrahedra).
 void add_row(History& history, const Simulation& now);
 
 /// The table as CSV (RFC 4180, one header line, SI units, numbers that read back exactly).
 std::string history_csv(const History& history, const Scene& scene);
 
-/// Steps between rows where the scene names no interval: 1, or the least that makes 2 000 rows with
-/// start and end.
+/// Steps between rows where the scene names no interval: the least number that gives at most
+/// 2 000 rows with start and end.
 std::uint64_t usual_history_stride(std::uint64_t steps);
 
 }  // namespace sunder

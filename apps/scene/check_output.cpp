@@ -11,13 +11,12 @@
 namespace sunder {
 namespace {
 
-/// Frames or rows that an interval makes; never more than there are steps, and one for the start.
+/// Frames or rows of an interval: one for the start, and at most one per step.
 double count_by_interval(double interval, const Scene& scene) {
   return scene.duration / std::max(interval, scene.integrator.time_step) + 1;
 }
 
-void check_history(fields::SettingsCheck& check, const OutputSettings& output,
-                   const Scene& scene) {
+void check_history(fields::SettingsCheck& check, const OutputSettings& output, const Scene& scene) {
   if (!output.history.interval) return;
   const double interval = *output.history.interval;
   if (!(interval >= 0)) {
@@ -42,7 +41,8 @@ std::vector<SettingFinding> check_output(const OutputSettings& output, const Sce
               "is smooth, but with fracture.crack paper cracks have no planes of their own",
               "take mesh, or set fracture.crack to object or cohesive");
   }
-  if (output.frame_interval > 0 && count_by_interval(output.frame_interval, scene) > most_frames()) {
+  if (output.frame_interval > 0 &&
+      count_by_interval(output.frame_interval, scene) > most_frames()) {
     check.add(
         "too_many_frames", "frame_interval",
         fmt::format("is {} s: {:.3g} frames in {} s; allowed are {:.6g}", output.frame_interval,

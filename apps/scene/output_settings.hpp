@@ -61,8 +61,7 @@ struct CheckpointSettings {
 
 /// Time between rows of history.csv.
 struct HistorySettings {
-  /// s; 0: no rows. Absent: a row after every step, or after every so many that the run has at most
-  /// 2 000 rows.
+  /// s; 0: no rows. Absent: `usual_history_stride` chooses.
   std::optional<double> interval;
 };
 

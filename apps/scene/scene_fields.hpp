@@ -74,8 +74,8 @@ void describe(V& v, OutputSettings& o) {
               "within 1/240 s: films and exported tracks then have a key at each impact"},
           o.frames_at_impacts);
   v.field(Key{"history", "s",
-              "Time between rows of history.csv; 0 or off: no such file. Left out: a row after every "
-              "step, or after every so many steps that the run has at most 2 000 rows",
+              "Time between lines of history.csv; 0 or off: no such file. Left out: one line per "
+              "step, or per several steps so that the run has at most 2 000 lines",
               at_least(0)},
           o.history);
   v.field(

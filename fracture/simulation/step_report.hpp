@@ -151,16 +151,16 @@ constexpr auto counters_of(const MomentumLedger*) {
       Counter{"supports", &MomentumLedger::supports}, Counter{"sleep", &MomentumLedger::sleep}};
 }
 
-/// Impulses of a step with their moments about the origin, and works, by what the scene names.
-/// What sleeps is not solved for and gives nothing.
+/// Impulses of a step with their moments about the origin, and works, by rows of the scene.
+/// Contact of sleeping pieces is not solved and is left out.
 struct ForceReport {
-  /// Row = obstacle: what bodies and other obstacles gave it.
+  /// Of bodies and other obstacles on the obstacle. Row = obstacle.
   std::vector<Impulse> obstacle;
-  /// What supports gave, a row for each of `BodySettings::held`, body by body. The sum over one
-  /// component is exact; where several boxes hold it, each has what its own nodes need against
-  /// stress, weight, loads and contact, and a share of the rest by mass.
+  /// Of supports on held boxes. Rows: `BodySettings::held`, body by body. The sum over one
+  /// component is exact. Where several boxes hold it, each takes the impulses that balance stress,
+  /// weight, loads and contact at its nodes, and a share of the rest by mass.
   std::vector<Impulse> held;
-  /// J, a row for each of `BodySettings::loads`, body by body; together `EnergyLedger::loads`.
+  /// J. Rows: `BodySettings::loads`, body by body. Their sum is `EnergyLedger::loads`.
   std::vector<double> load_work;
 };
 

@@ -88,22 +88,27 @@ void take_impulses(Tick& tick) {
   }
 }
 
-/// Adds to what driven bodies got `sign` times the impulses that patches now have, where they act
-/// now.
+/// Impulse of a patch on its body `a`, whose mass centre is at `centre`.
+Impulse impulse_on_a(const RubblePatch& p, const Vec3& centre) {
+  Impulse given =
+      impulse_at(centre + p.arm_a, p.slip_impulse[0] * p.along + p.slip_impulse[1] * p.across);
+  given.tail<3>() += p.twist_impulse * p.normal;
+  for (int k = 0; k < p.count; ++k) {
+    const RubblePatch::Point& point = p.point[static_cast<std::size_t>(k)];
+    given += impulse_at(centre + point.arm_a, point.impulse * p.normal);
+  }
+  return given;
+}
+
+/// Adds `sign` times the present impulses of patches on driven bodies, at their present places.
+/// Around a sweep with signs -1 and 1 this adds the change of the impulses.
 void note_driven(Tick& tick, double sign) {
   for (const RubblePatch& p : tick.scratch.patches) {
-    const auto is_driven = [&](std::uint32_t row) { return tick.bodies[row].mass == 0; };
-    if (!is_driven(p.a) && !is_driven(p.b)) continue;
-    const Vec3& centre = tick.scratch.moving[p.a].centre;
-    Impulse on_a = impulse_at(centre + p.arm_a,
-                              p.slip_impulse[0] * p.along + p.slip_impulse[1] * p.across);
-    on_a.tail<3>() += p.twist_impulse * p.normal;
-    for (int k = 0; k < p.count; ++k) {
-      const RubblePatch::Point& point = p.point[static_cast<std::size_t>(k)];
-      on_a += impulse_at(centre + point.arm_a, point.impulse * p.normal);
-    }
-    if (is_driven(p.a)) tick.report.given[p.a] += sign * on_a;
-    if (is_driven(p.b)) tick.report.given[p.b] -= sign * on_a;
+    const bool drives_a = tick.bodies[p.a].mass == 0, drives_b = tick.bodies[p.b].mass == 0;
+    if (!drives_a && !drives_b) continue;
+    const Impulse on_a = impulse_on_a(p, tick.scratch.moving[p.a].centre);
+    if (drives_a) tick.report.given[p.a] += sign * on_a;
+    if (drives_b) tick.report.given[p.b] -= sign * on_a;
   }
 }
 
@@ -307,10 +312,7 @@ void take_round(Tick& tick, int rounds) {
 
 void note_touches(std::vector<RubbleTouch>& touches, const Tick& tick) {
   for (const RubblePatch& p : tick.scratch.patches) {
-    Vec3 impulse = p.slip_impulse[0] * p.along + p.slip_impulse[1] * p.across;
-    for (int k = 0; k < p.count; ++k) {
-      impulse += p.point[static_cast<std::size_t>(k)].impulse * p.normal;
-    }
+    const Vec3 impulse = impulse_on_a(p, tick.scratch.moving[p.a].centre).head<3>();
     if (!impulse.isZero(0)) touches.push_back({p.a, p.b, impulse});
   }
 }

@@ -23,11 +23,11 @@ struct CornerLoad {
   /// Turns with the frame of the corner's component (pressure); else it keeps its direction.
   bool turns = false;
   double ramp_time = 0;  ///< s over which it is raised linearly; 0: at once
-  /// Which load of the scene it is a part of: rows of `BodySettings::loads`, body by body.
+  /// Its load of the scene: row of `BodySettings::loads`, body by body.
   std::uint32_t load = 0;
 };
 
-/// The node that a load acts on. `corners`: |T|, as they are now.
+/// The node on which a load acts. `corners`: |T|, the present ones.
 VertexId node_of(const CornerLoad& load, const ElementColumns& elements,
                  std::span<const Corners> corners);
 

@@ -98,7 +98,7 @@ std::vector<std::uint64_t> due_pictures(const SceneFile& file) {
   return due;
 }
 
-/// Steps after which the history gets a row; none: there is no history.
+/// Steps after which the history gets a row; empty without a history.
 std::vector<std::uint64_t> due_rows(const SceneFile& file) {
   const std::optional<double>& interval = file.output.history.interval;
   if (interval && *interval == 0) return {};
@@ -248,8 +248,8 @@ std::vector<Finding> Recorder::Parts::write_due(const Simulation& now) {
 }
 
 void Recorder::Parts::note_history(const Simulation& now, const StepReport& report) {
-  if (history_steps.empty()) return;
-  // A run that branched off from one without.
+  // A branch may leave the history out, and a later branch may begin it.
+  if (history_steps.empty()) return void(done.history = {});
   if (done.history.values.empty()) return void(done.history = begin_history(now));
   add_step(done.history, report);
   if (std::ranges::binary_search(history_steps, now.state->step)) add_row(done.history, now);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who pressed on what: sums by obstacle, by held box and by load.
+// Sums of impulses by obstacle and by held box, and of works by load.
 #include "fracture/simulation/ledger/force_report.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace sunder {
 namespace {
 
-/// What the supports of one node gave it.
+/// Impulse of the supports on one node.
 struct NodeImpulse {
   VertexId node;
   Vec3 impulse;  ///< N s, world
@@ -44,7 +44,8 @@ Vec3 along_axis(const Component& component, const Vec3& vector, int axis) {
   return e * e.dot(vector);
 }
 
-/// Gives each box its nodes' impulses, axis by axis, and what is left of `total` by their mass.
+/// Adds to each box the impulses on its nodes, axis by axis. The rest of `total` goes to the nodes
+/// by mass, and the moment left after that in equal parts to the boxes.
 void divide(ForceReport& forces, const HeldNodes& held, const MechanicsState& m,
             const Component& component, const Impulse& total,
             std::span<const NodeImpulse> impulses) {
@@ -88,8 +89,8 @@ std::optional<std::size_t> held_row(const HeldNodes& held, VertexId v) {
   return static_cast<std::size_t>(at - held.node.begin());
 }
 
-/// N s, of each held node: what keeps it at rest against stress at the end of the part, weight,
-/// loads and contact.
+/// The impulse on each held node that balances stress at the end of the part, weight, loads and
+/// contact.
 std::vector<NodeImpulse> node_impulses(const HeldNodes& held, const AdoptedPart& part,
                                        const Component& component) {
   const MechanicsState& m = part.state.mechanics;
@@ -149,7 +150,7 @@ void add_contacts(ForceReport& forces, const ContactStepResult& result) {
   }
 }
 
-/// As `add_work` of the energy ledger counts them, one by one.
+/// Works of single loads, as `add_work` of the energy ledger sums them.
 void add_loads(ForceReport& forces, const AdoptedPart& part, double end) {
   const MechanicsState& m = part.state.mechanics;
   for (const CornerLoad& load : part.state.loads) {

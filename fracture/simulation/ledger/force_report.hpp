@@ -15,7 +15,7 @@ namespace sunder {
 /// Zeros, as many as the scene has obstacles, held boxes and loads.
 ForceReport no_forces(const Scene& scene);
 
-/// Which held boxes of a scene hold a node. Looks each motion up once.
+/// Finds the held boxes that hold a node. Looks each motion up once.
 class HeldRegions {
  public:
   static constexpr std::size_t none = no_holder;
@@ -32,18 +32,19 @@ class HeldRegions {
   std::vector<std::optional<Holders>> of_motion_;
 };
 
-/// A held component whose nodes took up the velocities of their supports.
+/// A held component whose nodes took the raised velocities of their supports.
 struct RaisedComponent {
   const Component& component;
-  const Impulse& given;             ///< to all of it
+  const Impulse& given;             ///< on the whole component
   const std::vector<Vec3>& before;  ///< m/s, velocities of all nodes
 };
+/// Adds the impulses with which supports changed the velocities of a component's nodes.
 void add_raised_forces(ForceReport& forces, HeldRegions& regions, const MechanicsState& state,
                        const RaisedComponent& raised);
 
-/// Adds what a part that was just adopted gave obstacles, boxes and loads. `supports`: its
-/// `support_impulses`. `end`: s, of the part. O(contacts + loads + held nodes), and one pass over
-/// the tetrahedra of components that several boxes hold.
+/// Adds the impulses of an adopted part on obstacles and held boxes, and the works of its loads.
+/// `supports`: its `support_impulses`. `end`: s, of the part. O(contacts + loads + held nodes), and
+/// one pass over the tetrahedra of components that several boxes hold.
 void add_part_forces(ForceReport& forces, HeldRegions& regions, const AdoptedPart& part,
                      std::span<const Impulse> supports, double end);
 

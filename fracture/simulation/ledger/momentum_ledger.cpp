@@ -56,7 +56,7 @@ Impulse momentum_of(const Vec3& centre, const Vec3& momentum, const Vec3& angula
   return sum;
 }
 
-/// Of contacts on held components the part that their supports had to bear.
+/// Takes the impulses of contacts on held components off those of their supports.
 void take_contacts(std::vector<Impulse>& supports, const AdoptedPart& part) {
   const MechanicsState& m = part.state.mechanics;
   const auto is_held = [&](ComponentId id) { return m.components[id.index()].supported; };
@@ -87,7 +87,7 @@ void for_each_load(const AdoptedPart& part, Visit visit) {
   }
 }
 
-/// What weight gave a component in the part; nothing where it is carried.
+/// Impulse of weight on a component in the part; zero for a carried one.
 Impulse weight_of(const AdoptedPart& part, const Component& c) {
   if (c.rung == Rung::carried) return Impulse::Zero();
   const Vec3 fall = part.input.settings.time_step * part.input.loads.gravity;

@@ -20,12 +20,12 @@ Impulse momentum_of(const Component& component);
 /// held component's momentum changed by beside those. What sleeps moves nothing and counts for
 /// nothing. Exact for floating_frame but where surface loads turn a body far in a part; other
 /// integrators turn bodies by schemes of their own. O(components + contacts + loads).
-/// `supports`: of the part.
+/// `supports`: `support_impulses` of the part.
 void add_part_momentum(MomentumLedger& ledger, const AdoptedPart& part,
                        std::span<const Impulse> supports);
 
-/// What supports gave each held component in a part that was just adopted, row = ComponentId: its
-/// change of momentum less weight, surface loads and contact. Empty where nothing is held.
+/// Impulse of supports on each held component in an adopted part, row = ComponentId: its change of
+/// momentum less weight, surface loads and contact. Empty where nothing is held.
 std::vector<Impulse> support_impulses(const AdoptedPart& part);
 
 }  // namespace sunder

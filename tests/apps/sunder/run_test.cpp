@@ -144,8 +144,9 @@ TEST_CASE("two runs of a scene that breaks leave the same bytes", "[run]") {
   CHECK(std::abs(report["fragments"]["mass_error"].get<double>()) < 1e-12);
 }
 
-TEST_CASE("the history of a run is the same on any threads and kernel, and comes when it is asked for",
-          "[run][history]") {
+TEST_CASE(
+    "the history of a run is the same on any threads and kernel, at the interval of the scene",
+    "[run][history]") {
   const Folder folder;
   const std::string scene = write_scene(folder, struck_scene(0.4, 0.02)).string();
   const auto history = [&](const std::string& name, const std::string& options) {
@@ -168,8 +169,8 @@ TEST_CASE("the history of a run is the same on any threads and kernel, and comes
     history("off", std::string("--force --set output.history=") + off);
     CHECK_FALSE(fs::exists(folder.path() / "off/history.csv"));
   }
-  const Outcome bad = run(scene + " -o " + (folder.path() / "bad").string() +
-                          " --set output.history=often");
+  const Outcome bad =
+      run(scene + " -o " + (folder.path() / "bad").string() + " --set output.history=often");
   CHECK(bad.exit_code == 3);
   CHECK(bad.text().find("output.history is \"often\"; a number or \"off\" is wanted") !=
         std::string::npos);

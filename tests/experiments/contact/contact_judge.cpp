@@ -23,7 +23,7 @@ constexpr std::array<std::array<int, 3>, 4> faces = {{{1, 2, 3}, {0, 2, 3}, {0, 
 
 const Vec3& corner(const TetCorners& t, int k) { return t[static_cast<std::size_t>(k)]; }
 
-/// Where points lie along an axis.
+/// The interval of points along an axis.
 struct Extent {
   double low = far_away, high = -far_away;
   void add(double x) {
@@ -39,7 +39,7 @@ Extent extent(const Points& points, const Vec3& axis) {
   return e;
 }
 
-/// Takes the least overlap over axes; an axis of no length parts nothing.
+/// Lowers `least` to the overlap along an axis. An axis without length is left out.
 template <class A, class B>
 void try_axis(double& least, const A& a, const B& b, const Vec3& axis, double scale) {
   const double length = axis.norm();
@@ -203,7 +203,7 @@ Shape between(const Shape& a, const Shape& b, double time) {
   return at;
 }
 
-/// m: at most so far two tetrahedra move against each other.
+/// m: a bound on the motion of two tetrahedra against each other.
 double way_between(const TetCorners& a0, const TetCorners& a1, const TetCorners& b0,
                    const TetCorners& b1) {
   double most = 0;
@@ -222,8 +222,8 @@ double way_between(const TetCorners& a0, const TetCorners& a1, const Shape& s0, 
   return most + turn_of(s0).angularDistance(turn_of(s1)) * reach_of(s0);
 }
 
-/// The largest of a depth over times 0 to 1, to within `tolerance`, where it is over `tolerance`;
-/// what cannot be is left out. It changes by no more than `way` in all, evenly bounded.
+/// The largest depth over times 0 to 1, to within `tolerance`, where it is above `tolerance`. In a
+/// part of the time the depth changes by at most that part of `way`.
 template <class Depth>
 DeepestPair deepest_on_way(const Depth& depth, double way, double tolerance) {
   DeepestPair best;
@@ -272,7 +272,7 @@ void for_each_pair(const std::vector<Bounds>& boxes, Visit visit) {
     size += (b.high - b.low).maxCoeff();
   }
   size = std::max(size / static_cast<double>(boxes.size()), 1e-300);
-  // Few cells beside the boxes, however far apart these are.
+  // The number of cells stays near the number of boxes, at any distance between these.
   const double most_cells = std::max(8.0, std::cbrt(8.0 * static_cast<double>(boxes.size())));
   const double cell = std::max(size, (all.high - all.low).maxCoeff() / most_cells);
   const auto place = [&](double x, int axis) {
@@ -297,7 +297,7 @@ void for_each_pair(const std::vector<Bounds>& boxes, Visit visit) {
       for (std::size_t j = i + 1; j < end; ++j) {
         const Bounds &a = boxes[entries[i].second], &b = boxes[entries[j].second];
         if (!a.meets(b)) continue;
-        // In the cell where both begin to lie, and in no other.
+        // Only in the first cell that both share.
         std::array<std::int64_t, 3> own;
         for (int axis = 0; axis < 3; ++axis) {
           own[static_cast<std::size_t>(axis)] = place(std::max(a.low[axis], b.low[axis]), axis);
@@ -320,7 +320,7 @@ std::vector<Bounds> bounds_of(const ContactFrame& first, const ContactFrame* sec
   return boxes;
 }
 
-/// Box of a shape's way; a plane's is everything below it.
+/// Box of a shape's way; of a plane, all space.
 Bounds bounds_of(const Shape& first, const Shape& second) {
   Bounds b;
   if (std::holds_alternative<Plane>(first)) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Judges contact by places alone: how deep pieces lie in each other, and what passed between two
-// frames. Nothing here comes from the engine but the types of shapes.
+// Judges contact by places alone: overlaps in one frame, and passes between two frames. Only the
+// types of shapes come from the engine.
 #pragma once
 
 #include <array>
@@ -24,18 +24,18 @@ double overlap(const TetCorners& a, const TetCorners& b);
 /// edges that cross with all corners outside are not seen.
 double overlap(const TetCorners& a, const Shape& shape);
 
-/// A frame as viewers have it.
+/// The part of a frame that viewers read.
 struct ContactFrame {
   std::vector<Vec3> points;                              ///< m
   std::vector<std::array<std::uint32_t, 4>> tetrahedra;  ///< rows of points, the same in all frames
   std::vector<std::uint32_t> piece;                      ///< row = tetrahedron
-  std::vector<Obstacle> obstacles;                       ///< where they are now
+  std::vector<Obstacle> obstacles;                       ///< at their places in the frame
 };
 
 /// m, mean over the edges of all tetrahedra.
 double mean_edge(const ContactFrame& frame);
 
-/// What lies in what.
+/// The two that overlap most.
 struct DeepestPair {
   static constexpr std::uint32_t none = 0xffffffffu;
   double depth = 0;        ///< m
@@ -53,18 +53,18 @@ struct FrameOverlaps {
 };
 FrameOverlaps judge_overlaps(const ContactFrame& frame, double edge);
 
-/// Two tetrahedra, or a tetrahedron and an obstacle, that were apart in two frames and overlap
-/// between them: they passed; or those that lie in each other in the later frame alone.
+/// Two tetrahedra, or a tetrahedron and an obstacle. They are apart in the first of two frames, and
+/// overlap between them or in the second.
 struct Crossing {
   DeepestPair deepest;
   bool passed = false;  ///< apart again in the later frame
 };
 
-/// Crossings deeper than `tolerance` (m), one for each two pieces or piece and obstacle, the
-/// deepest. Corners, centres and turns go evenly from frame to frame. Depth is followed by halving
-/// the time until the motion left cannot add what is asked for: none deeper than twice the
-/// tolerance is missed, whatever the speed. Pairs that overlap in the first frame already are none,
-/// nor are those of one piece in the later frame.
+/// Crossings deeper than `tolerance` (m): the deepest of each two pieces, and of each piece and
+/// obstacle. Corners, centres and rotations go evenly from frame to frame. Time is halved until the
+/// motion left cannot reach the tolerance, so no crossing deeper than twice the tolerance is
+/// missed, at any speed. Pairs that overlap in the first frame do not count, nor do pairs that are
+/// one piece in the second.
 std::vector<Crossing> judge_crossings(const ContactFrame& first, const ContactFrame& second,
                                       double tolerance);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// `contact_judge FOLDER...`: what an outside judge of contact sees in the frames of `sunder run`.
+// `contact_judge FOLDER...`: overlaps and crossings in the frames of `sunder run`.
 #include <cstdio>
 #include <cstdlib>
 #include <string>
@@ -18,12 +18,12 @@ constexpr const char* usage = R"(usage: contact_judge [--tolerance SHARE] [--fra
 Judges folders of `sunder run` by their frames alone:
   overlap   the deepest overlap of tetrahedra of different pieces, and of tetrahedra with obstacles,
             by all separating axes
-  crossing  what overlaps between two frames but in the first of them not, with corners that go
-            evenly from frame to frame; `passed`: nor in the second. Deeper than SHARE of the mean
-            edge (0.02); nothing twice as deep is missed.
-A body is named by its piece in the first frame. --frames prints every frame, else the worst.
-Take frames that are close in time: --frame-interval of one step.
-Exit code 0; 1: something crossed; 2: usage; 3: no result.
+  crossing  pairs that overlap between two frames or in the second, and not in the first, deeper
+            than SHARE of the mean edge (0.02). Corners go evenly from frame to frame. `passed`:
+            apart again in the second. None twice as deep is missed.
+The number of a body is that of its piece in the first frame. --frames prints every frame.
+Frames should be close in time: --frame-interval of one step.
+Exit codes: 0 nothing crossed, 1 something crossed, 2 usage, 3 no result.
 )";
 
 ContactFrame frame_of(const ResultFrame& result) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Forces on obstacles and held boxes and works of loads against closed forms and the ledgers.
+// Forces on obstacles and held boxes and works of loads, compared with closed forms and the
+// ledgers.
 #include "fracture/simulation/ledger/force_report.hpp"
 
 #include <catch2/catch.hpp>
@@ -32,7 +33,7 @@ Scene still_scene() {
   return scene;
 }
 
-/// Reports of so many steps, added up.
+/// Sums over the reports of several steps.
 struct Sum {
   ForceReport forces;
   MomentumLedger momentum;
@@ -103,7 +104,7 @@ TEST_CASE("impulses of obstacles and held boxes are those of the momentum ledger
   CHECK(sum.forces.obstacle[1].head<3>().norm() > 1);
 }
 
-TEST_CASE("rubble on driven obstacles: what they get is what the ledger has", "[forces]") {
+TEST_CASE("impulses of rubble on driven obstacles are those of the momentum ledger", "[forces]") {
   Scene scene = still_scene();
   scene.gravity.acceleration = {0, 0, -9.81};
   scene.obstacles.push_back({Plane{}});
@@ -116,7 +117,7 @@ TEST_CASE("rubble on driven obstacles: what they get is what the ledger has", "[
   }
   scene.bodies[3].translation = {0.5, 0.1, 0.01};
   scene.ladder.rubble = RubbleMode::certified;
-  scene.ladder.sleep = false;  // what sleeps counts as an obstacle in the ledger of rubble
+  scene.ladder.sleep = false;  // the ledger counts sleeping rubble as an obstacle
   Simulation sim = built(std::move(scene));
   const Sum sum(sim, 300);
   const Impulse all = sum.forces.obstacle[0] + sum.forces.obstacle[1];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The outside judge of contact on places and motions with known answers.
+// The judge of contact on places and motions with known answers.
 #include "tests/experiments/contact/contact_judge.hpp"
 
 #include <catch2/catch.hpp>
@@ -129,14 +129,14 @@ TEST_CASE("a body that passes through another between two frames is caught at an
   CHECK(seen[0].passed);
   CHECK(seen[0].deepest.depth > tolerance);
   CHECK(before.piece[seen[0].deepest.a] != before.piece[seen[0].deepest.b]);
-  // When it is in the block it is as far as this.
+  // The small block has reached the large one and has not left it.
   CHECK(seen[0].deepest.time * (way + size) > 0.01);
   CHECK(seen[0].deepest.time * (way + size) < 1.02 + size);
 }
 
-TEST_CASE("what passes by, slides, or rests is no crossing", "[contact][judge]") {
+TEST_CASE("a body that passes by, slides or rests does not cross", "[contact][judge]") {
   const Vec3 size = Vec3::Constant(0.2);
-  // Beside it, over it by a hair, and resting a little too deep.
+  // Past its side, just above it, just too deep, and at rest a little too deep.
   for (const auto& [from, to] : {std::pair{Vec3(1.01, 0.3, 3), Vec3(1.01, 0.3, -3)},
                                  std::pair{Vec3(-2, 0.3, 1.0001), Vec3(3, 0.3, 1.0001)},
                                  std::pair{Vec3(-2, 0.3, 0.9999), Vec3(3, 0.3, 0.9999)},
@@ -164,7 +164,7 @@ TEST_CASE("an edge that goes through an edge is a crossing", "[contact][judge]")
   const std::vector<Crossing> seen = judge_crossings(before, after, 0.01);
   REQUIRE(seen.size() == 1);
   CHECK(seen[0].passed);
-  // They are a tenth of a metre high: deepest is when each stands in all of the other.
+  // They are 0.1 m high: the overlap is deepest when one is fully in the other.
   CHECK(seen[0].deepest.time == Approx(0.6).margin(0.02));
 }
 
@@ -180,7 +180,7 @@ TEST_CASE("obstacles that pass through bodies are caught", "[contact][judge]") {
   CHECK(seen[0].passed);
   CHECK(seen[0].deepest.obstacle == 0);
   CHECK(seen[0].deepest.b == DeepestPair::none);
-  // A box that turns on the spot by a quarter, whose corner sweeps through.
+  // A box turns by a quarter in place, and its corner sweeps through.
   const Eigen::Quaterniond turned(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitY()));
   before.obstacles = {
       {.shape = Box{{0.5, 0.5, 0.35}, Eigen::Quaterniond::Identity(), {0.2, 0.2, 0.2}}}};
