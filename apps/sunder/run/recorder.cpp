@@ -53,7 +53,7 @@ struct Recorder::Parts {
   std::vector<Finding> write_frame_of(const Simulation& now);
   std::vector<Finding> draw_picture(const Simulation& now);
   std::vector<Finding> write_due(const Simulation& now);
-  void note_history(const Simulation& now, const StepReport& report);
+  void note_history(const Simulation& now, const StepReport& step);
   bool saves() const;
   std::vector<Finding> save(const CheckpointBytes& checkpoint);
   std::vector<Finding> save(const Simulation& now);
@@ -247,11 +247,11 @@ std::vector<Finding> Recorder::Parts::write_due(const Simulation& now) {
   return findings;
 }
 
-void Recorder::Parts::note_history(const Simulation& now, const StepReport& report) {
+void Recorder::Parts::note_history(const Simulation& now, const StepReport& step) {
   // A branch may leave the history out, and a later branch may begin it.
   if (history_steps.empty()) return void(done.history = {});
   if (done.history.values.empty()) return void(done.history = begin_history(now));
-  add_step(done.history, report);
+  add_step(done.history, step);
   if (std::ranges::binary_search(history_steps, now.state->step)) add_row(done.history, now);
 }
 
