@@ -191,14 +191,9 @@ void read(const Context& c, const Key&, const json& value, const std::string& at
 
 void read(const Context& c, const Key& key, const json& value, const std::string& at,
           HistorySettings& member) {
+  if (value != "off" && !value.is_number()) return c.wrong_type(value, at, "a number or \"off\"");
   double number = 0;
-  if (value == "off") {
-    member.interval = 0;
-  } else if (!value.is_number()) {
-    c.wrong_type(value, at, "a number or \"off\"");
-  } else if (read_number(c, key, value, at, number)) {
-    member.interval = number;
-  }
+  if (value == "off" || read_number(c, key, value, at, number)) member.interval = number;
 }
 
 /// What one of the functions above reads; everything else is an enum, a list or an object.

@@ -6,18 +6,17 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <optional>
 
 #include "apps/output/frame.hpp"
 #include "apps/output/history.hpp"
 #include "apps/output/tables.hpp"
 #include "apps/scene/json_text.hpp"
+#include "apps/sunder/run/due_steps.hpp"
 #include "apps/sunder/run/pictures.hpp"
 #include "apps/sunder/run/report/counters_json.hpp"
 #include "apps/sunder/run/report/settings_report.hpp"
 #include "apps/sunder/run/saved/run_folder.hpp"
-#include "topology/base/whole_number.hpp"
 #include "topology/io/files/output_file.hpp"
 #include "topology/io/vtu/vtu.hpp"
 
@@ -81,59 +80,7 @@ std::optional<Finding> cannot_write(const fs::path& path, const std::error_code&
                  .file = path.string()};
 }
 
-std::vector<std::uint64_t> due_frames(const SceneFile& file) {
-  return file.output.frame_interval > 0 ? interval_steps(file.scene, file.output.frame_interval)
-                                        : even_steps(step_count(file.scene), file.output.frames);
-}
-
-std::vector<std::uint64_t> due_pictures(const SceneFile& file) {
-  const std::uint64_t steps = step_count(file.scene);
-  std::vector<std::uint64_t> due = even_steps(steps, file.output.pictures.count);
-  for (const double time : file.output.pictures.times) {
-    const double step = std::round(time / file.scene.integrator.time_step);
-    if (step <= static_cast<double>(steps)) due.push_back(whole_number<std::uint64_t>(step));
-  }
-  std::ranges::sort(due);
-  due.erase(std::unique(due.begin(), due.end()), due.end());
-  return due;
-}
-
-/// Steps after which the history gets a row; empty without a history.
-std::vector<std::uint64_t> due_rows(const SceneFile& file) {
-  const std::optional<double>& interval = file.output.history.interval;
-  if (interval && *interval == 0) return {};
-  if (interval) return interval_steps(file.scene, *interval);
-  const std::uint64_t steps = step_count(file.scene), stride = usual_history_stride(steps);
-  std::vector<std::uint64_t> due;
-  for (std::uint64_t step = 0; step <= steps; step += stride) due.push_back(step);
-  return due;
-}
-
 }  // namespace
-
-std::vector<std::uint64_t> even_steps(std::uint64_t steps, std::uint64_t count) {
-  std::vector<std::uint64_t> due;
-  if (count > steps) count = steps + 1;  // there are no more
-  if (count == 1) due = {steps};
-  for (std::uint64_t k = 0; count > 1 && k < count; ++k) {
-    const double part = static_cast<double>(k) / static_cast<double>(count - 1);
-    due.push_back(
-        whole_number<std::uint64_t>(std::round(part * static_cast<double>(steps)), steps));
-  }
-  due.erase(std::unique(due.begin(), due.end()), due.end());
-  return due;
-}
-
-std::vector<std::uint64_t> interval_steps(const Scene& scene, double interval) {
-  const std::uint64_t steps = step_count(scene);
-  const double stride = std::max(interval / scene.integrator.time_step, 1.0);
-  std::vector<std::uint64_t> due;
-  for (std::uint64_t k = 0;; ++k) {
-    const double step = std::round(static_cast<double>(k) * stride);
-    if (step > static_cast<double>(steps)) return due;
-    due.push_back(whole_number<std::uint64_t>(step));
-  }
-}
 
 Recorder::Recorder(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 Recorder::Recorder(Recorder&&) noexcept = default;
@@ -147,7 +94,7 @@ Recorder::Parts::Parts(const RecordedRun& run, EventLog so_far)
       file(run.file),
       frame_steps(due_frames(run.file)),
       picture_steps(due_pictures(run.file)),
-      history_steps(due_rows(run.file)),
+      history_steps(due_history_rows(run.file)),
       events(std::move(so_far)),
       expected(run.expected),
       counts(run.counts),

@@ -18,12 +18,6 @@
 
 namespace sunder {
 
-/// The steps after which something is written, ascending, from 0 (the start) to `steps`: `count` of
-/// them spread evenly with both ends (1: the end only), or every `interval` s where that is above
-/// 0.
-std::vector<std::uint64_t> even_steps(std::uint64_t steps, std::uint64_t count);
-std::vector<std::uint64_t> interval_steps(const Scene& scene, double interval);
-
 /// Where a run stands for its recorder.
 struct RecordedRun {
   std::filesystem::path folder;

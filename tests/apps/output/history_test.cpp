@@ -72,7 +72,8 @@ History history_of(Simulation& sim, int steps, int stride) {
 
 }  // namespace
 
-TEST_CASE("columns of the history have distinct names, those of the rows of the scene", "[history]") {
+TEST_CASE("columns of the history have distinct names, those of the rows of the scene",
+          "[history]") {
   Scene scene = press(0.01);
   scene.obstacles.push_back({.shape = Sphere{{0, 0, 3}, 0.1}, .mass = 2.0});
   scene.bodies[0].held = {{.minimum = {-1, -1, -1}, .maximum = {1, 1, 0.01}}};

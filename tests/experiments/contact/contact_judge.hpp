@@ -5,24 +5,12 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "mechanics/contact/shapes/obstacle.hpp"
+#include "tests/experiments/contact/overlap.hpp"
 
 namespace sunder::test {
-
-/// The four corners of a tetrahedron, m, of either orientation.
-using TetCorners = std::array<Vec3, 4>;
-
-/// m: the shortest way that parts two tetrahedra, by the axes of faces and of pairs of edges;
-/// negative: they are apart by at least so much.
-double overlap(const TetCorners& a, const TetCorners& b);
-
-/// m: the shortest way that parts a tetrahedron from a shape; negative: apart. Exact for spheres,
-/// planes and boxes. For a solid of triangles it is the depth of the corners of each in the other;
-/// edges that cross with all corners outside are not seen.
-double overlap(const TetCorners& a, const Shape& shape);
 
 /// The part of a frame that viewers read.
 struct ContactFrame {
