@@ -153,6 +153,7 @@ TEST_CASE("the support of a loaded bar bears its weight, its load and their mome
   scene.fracture.mode = FractureMode::off;
   scene.gravity = {.acceleration = {0, 0, -9.81}, .ramp_time = 0.1};
   scene.integrator.damping.stiffness_factor = 1e-4;
+  scene.ladder.sleep = false;
   scene.bodies.resize(1);
   BodySettings& bar = scene.bodies[0];
   bar.mesh = suite::kuhn_box({8, 2, 2}, 0.05);
