@@ -184,6 +184,10 @@ def commands_page(sunder, mesh, old):
 
 def type_of(schema):
     """The type of a value in words."""
+    if "anyOf" in schema:
+        return " or ".join(type_of(one) for one in schema["anyOf"])
+    if "const" in schema:
+        return f"`{json.dumps(schema['const'])}`"
     if "enum" in schema:
         return ", ".join(f"`{word}`" for word in schema["enum"])
     kind = schema.get("type")

@@ -97,6 +97,10 @@ std::vector<OutputFile> output_files() {
        crack_columns()},
       {"obstacles.csv", "", "One line per free obstacle and frame. Other scenes have no such file.",
        obstacle_columns()},
+      {"history.csv", "",
+       "One line per step or per `output.history`. B, L, H and K stand for rows of `bodies`, "
+       "`loads`, `held` and `obstacles`.",
+       history_columns()},
       {"events.jsonl", "first line", "Format, program and scene of the log.", event_head_keys()},
       {"events.jsonl", "line per fan", "One fan, with the faces that it split.", event_fan_keys()},
       {"events.jsonl", "line per release",

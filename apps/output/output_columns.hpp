@@ -31,6 +31,9 @@ std::span<const OutputColumn> fragment_columns();
 std::span<const OutputColumn> crack_columns();
 std::span<const OutputColumn> obstacle_columns();
 
+/// Columns of history.csv. B, L, H and K in names stand for rows of the scene's lists.
+std::span<const OutputColumn> history_columns();
+
 /// Keys of report.json, and of each kind of line of events.jsonl.
 std::span<const OutputColumn> report_keys();
 std::span<const OutputColumn> event_head_keys();

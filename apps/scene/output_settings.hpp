@@ -60,6 +60,12 @@ struct CheckpointSettings {
   std::uint32_t keep = 2;
 };
 
+/// Time between rows of history.csv.
+struct HistorySettings {
+  /// s; 0: no rows. Absent: `usual_history_stride` chooses.
+  std::optional<double> interval;
+};
+
 struct OutputSettings {
   /// Number of VTU frames, spread evenly over the run, including its start and its end; 0: none.
   std::uint32_t frames = 51;
@@ -69,6 +75,7 @@ struct OutputSettings {
   /// 1/240 s.
   bool frames_at_impacts = false;
   CrackSurface crack_surface = CrackSurface::mesh;
+  HistorySettings history;
   PictureSettings pictures;
   CheckpointSettings checkpoint;
 };

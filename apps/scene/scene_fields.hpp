@@ -73,6 +73,11 @@ void describe(V& v, OutputSettings& o) {
               "Whether a frame is added after each step in which an impact window opens, no two "
               "within 1/240 s: films and exported tracks then have a key at each impact"},
           o.frames_at_impacts);
+  v.field(Key{"history", "s",
+              "Time between lines of history.csv; 0 or off: no such file. Left out: one line per "
+              "step, or per several steps so that the run has at most 2 000 lines",
+              at_least(0)},
+          o.history);
   v.field(
       Key{"crack_surface", "",
           "Place of cracks in pictures. mesh: on the faces of the mesh; smooth: near the plane of "

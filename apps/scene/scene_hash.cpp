@@ -57,6 +57,7 @@ class SceneHasher {
     for (int i = 0; i < 4; ++i) add(q.coeffs()[i]);
   }
   void add(RegionName& region) { add(region.text); }
+  void add(HistorySettings& history) { add(history.interval); }
   void add(FaceList& faces) { add(faces.points); }
   void add(std::shared_ptr<const SolidSurface>& surface) {
     if (!surface) return;

@@ -189,6 +189,13 @@ void read(const Context& c, const Key&, const json& value, const std::string& at
   }
 }
 
+void read(const Context& c, const Key& key, const json& value, const std::string& at,
+          HistorySettings& member) {
+  if (value != "off" && !value.is_number()) return c.wrong_type(value, at, "a number or \"off\"");
+  double number = 0;
+  if (value == "off" || read_number(c, key, value, at, number)) member.interval = number;
+}
+
 /// What one of the functions above reads; everything else is an enum, a list or an object.
 template <class T>
 concept Plain = requires(const Context& c, const Key& k, const json& j, T& t) {

@@ -113,6 +113,9 @@ class SchemaWriter {
   static ordered_json schema_of(const Key& key, const std::vector<double>&) {
     return with_default(array_schema(number_schema(key.range)), ordered_json::array());
   }
+  static ordered_json schema_of(const Key& key, const HistorySettings&) {
+    return {{"anyOf", {number_schema(key.range), {{"const", "off"}}}}};
+  }
   static ordered_json schema_of(const Key&, const TetMesh&) {
     return {{"type", "string"}, {"minLength", 1}};
   }

@@ -180,7 +180,7 @@ constexpr auto member_names(const OpenCrack*) {
 }
 constexpr auto member_names(const CrackSide*) { return names("vertex", "force", "opening"); }
 constexpr auto member_names(const CornerLoad*) {
-  return names("corner", "edge", "force", "turns", "ramp_time");
+  return names("corner", "edge", "force", "turns", "ramp_time", "load");
 }
 constexpr auto member_names(const FanScript*) { return names("fans", "next", "departure"); }
 constexpr auto member_names(const ScriptedFan*) {

@@ -9,6 +9,7 @@
 #include "fracture/simulation/attempt.hpp"
 #include "fracture/simulation/ladder.hpp"
 #include "fracture/simulation/ledger/energy_ledger.hpp"
+#include "fracture/simulation/ledger/force_report.hpp"
 #include "fracture/simulation/part.hpp"
 #include "fracture/simulation/plan.hpp"
 #include "fracture/simulation/rebuild_pieces.hpp"
@@ -133,6 +134,7 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
   SimulationState& s = *sim.state;
   SimulationScratch& scratch = *sim.scratch;
   StepReport report;
+  report.forces = no_forces(scene);
   const std::size_t components_before = s.cells.labels.size.size();
   const auto kinetic_now = [&] {
     return scene.energy_ledger && !all_rest(s) ? kinetic_energy(s.mechanics.vertices) : 0;
@@ -153,7 +155,7 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
     ContactStepResult taken;
     if (part->moves) {
       const StageTimer timer(report, Stage::mechanics);
-      const PartInput input{scene,        *part,       plan.members(),
+      const PartInput input{scene,        sim.bodies,  *part,    plan.members(),
                             plan.gravity, sim.threads, sim.hurry};
       const std::optional<Attempt> attempt = begin_attempt(scene, *part, s, report);
       taken = take_part(report, s, input, scratch);

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "fracture/simulation/ledger/energy_ledger.hpp"
+#include "fracture/simulation/ledger/force_report.hpp"
 #include "fracture/simulation/ledger/momentum_ledger.hpp"
 #include "mechanics/state/living.hpp"
 #include "mechanics/state/supports.hpp"
@@ -30,16 +31,20 @@ void update_forces(Loads& loads, const SimulationState& s, double time) {
 }
 
 /// Supports whose velocity is raised go on at its mean over the part.
-void raise_supports(StepReport& report, MechanicsState& m, const PartInput& part) {
+void raise_supports(StepReport& report, MechanicsState& m, const PartInput& part,
+                    HeldRegions& regions) {
   const auto is_raised = [](const PrescribedMotion& motion) { return !motion.raised.empty(); };
   if (std::ranges::none_of(m.motions, is_raised)) return;
   sunder::raise_supports(m, m.time + part.plan.length);
+  const std::vector<Vec3> velocity = m.vertices.velocity;
   for (const ComponentId id : living_components(m, part.members)) {
     const Component& component = m.components[id.index()];
     if (!component.supported || component.rung == Rung::carried) continue;
     const Impulse before = momentum_of(component);
     report.energy.supports += follow_supports(m, id);
-    report.momentum.supports += momentum_of(component) - before;
+    const Impulse given = momentum_of(component) - before;
+    report.momentum.supports += given;
+    add_raised_forces(report.forces, regions, m, {component, given, velocity});
   }
 }
 
@@ -60,14 +65,19 @@ ContactStepResult take_part(StepReport& report, SimulationState& s, const PartIn
                         .measures_strain = part.scene.energy_ledger,
                         .threads = part.threads,
                         .hurry = part.hurry};
-  raise_supports(report, s.mechanics, part);
+  HeldRegions regions(part.scene, part.bodies);
+  const double end = s.mechanics.time + part.plan.length;
+  raise_supports(report, s.mechanics, part, regions);
   remember_start(scratch.before, s, part.scene.energy_ledger);
   ContactStepResult result =
       advance_with_contact({s.mechanics, s.obstacles, s.contact}, input, part.scene.contact,
                            {scratch.mechanics, scratch.contact});
   if (!result.adopted) return result;
-  add_part_momentum(report.momentum, {s, input, result, scratch.before});
-  add_part_energy(report, {s, input, result, scratch.before}, part.scene.energy_ledger);
+  const AdoptedPart adopted{s, input, result, scratch.before};
+  const std::vector<Impulse> supports = support_impulses(adopted);
+  add_part_momentum(report.momentum, adopted, supports);
+  add_part_forces(report.forces, regions, adopted, supports, end);
+  add_part_energy(report, adopted, part.scene.energy_ledger);
   return result;
 }
 

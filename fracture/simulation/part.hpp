@@ -2,6 +2,8 @@
 // One part of a step: contact and mechanics, and where the energy of it went.
 #pragma once
 
+#include <span>
+
 #include "fracture/scene/scene.hpp"
 #include "fracture/simulation/state.hpp"
 #include "fracture/simulation/step_report.hpp"
@@ -19,6 +21,7 @@ struct PlannedPart {
 /// What a part is given beside the state.
 struct PartInput {
   const Scene& scene;
+  std::span<const BodyRows> bodies;
   PlannedPart plan;
   StepMembers members;
   Vec3 gravity = Vec3::Zero();  ///< m/s^2
@@ -27,8 +30,8 @@ struct PartInput {
 };
 
 /// Takes one part of a step for its members: surface loads at its end, contact, mechanics. What it
-/// did with energy and impulses of loads is added to `report.energy`, `report.momentum`
-/// and `report.cracks`; all else is returned. Where there are blows ahead
+/// did with energy and impulses of loads is added to `report.energy`, `report.momentum`,
+/// `report.forces` and `report.cracks`; all else is returned. Where there are blows ahead
 /// that the part must not run into, nothing is done (`ContactStepResult::adopted`).
 ContactStepResult take_part(StepReport& report, SimulationState& state, const PartInput& input,
                             SimulationScratch& scratch);

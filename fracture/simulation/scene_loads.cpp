@@ -26,8 +26,7 @@ std::size_t add_pressure(Simulation& sim, const BodyRows& rows, const LoadBox& b
       }
       if (!inside) continue;
       ++count;
-      for (CornerLoad load : face_pressure(m.elements, TetId{t}, place, box.pressure)) {
-        load.ramp_time = box.ramp_time;
+      for (const CornerLoad& load : face_pressure(m.elements, TetId{t}, place, box.pressure)) {
         sim.state->loads.push_back(load);
       }
     }
@@ -49,13 +48,9 @@ void add_force(Simulation& sim, const BodyRows& rows, const LoadBox& box) {
   }
   std::size_t count = 0;
   for (const auto& corners : star) count += !corners.empty();
-  const std::size_t first = sim.state->loads.size();
   for (const auto& corners : star) {
     if (corners.empty()) continue;
     add_vertex_force(sim.state->loads, m, corners, box.force / static_cast<double>(count));
-  }
-  for (std::size_t i = first; i < sim.state->loads.size(); ++i) {
-    sim.state->loads[i].ramp_time = box.ramp_time;
   }
 }
 
@@ -63,9 +58,11 @@ void add_force(Simulation& sim, const BodyRows& rows, const LoadBox& box) {
 
 std::vector<Finding> make_scene_loads(Simulation& sim) {
   std::vector<Finding> findings;
+  std::uint32_t row = 0;
   for (std::size_t b = 0; b < sim.bodies.size(); ++b) {
     const std::vector<LoadBox>& boxes = sim.scene.bodies[b].loads;
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
+    for (std::size_t i = 0; i < boxes.size(); ++i, ++row) {
+      const std::size_t first = sim.state->loads.size();
       if (!boxes[i].force.isZero(0)) add_force(sim, sim.bodies[b], boxes[i]);
       if (boxes[i].pressure != 0 && add_pressure(sim, sim.bodies[b], boxes[i]) == 0) {
         findings.push_back(
@@ -74,6 +71,10 @@ std::vector<Finding> make_scene_loads(Simulation& sim) {
                  fmt::format("bodies.{}.loads.{}: no boundary face lies in its box whole", b, i),
              .remedy = "give the box in the mesh's own coordinates, m, large enough for all three "
                        "vertices of a face"});
+      }
+      for (std::size_t k = first; k < sim.state->loads.size(); ++k) {
+        sim.state->loads[k].ramp_time = boxes[i].ramp_time;
+        sim.state->loads[k].load = row;
       }
     }
   }

@@ -151,6 +151,19 @@ constexpr auto counters_of(const MomentumLedger*) {
       Counter{"supports", &MomentumLedger::supports}, Counter{"sleep", &MomentumLedger::sleep}};
 }
 
+/// Impulses of a step with their moments about the origin, and works, by rows of the scene.
+/// Contact of sleeping pieces is not solved and is left out.
+struct ForceReport {
+  /// Of bodies and other obstacles on the obstacle. Row = obstacle.
+  std::vector<Impulse> obstacle;
+  /// Of supports on held boxes. Rows: `BodySettings::held`, body by body. The sum over one
+  /// component is exact. Where several boxes hold it, each takes the impulses that balance stress,
+  /// weight, loads and contact at its nodes, and a share of the rest by mass.
+  std::vector<Impulse> held;
+  /// J. Rows: `BodySettings::loads`, body by body. Their sum is `EnergyLedger::loads`.
+  std::vector<double> load_work;
+};
+
 /// Report of one step.
 struct StepReport {
   std::uint64_t step = 0;
@@ -174,6 +187,7 @@ struct StepReport {
   LadderReport ladder;
   RubbleStepReport rubble;
   MomentumLedger momentum;
+  ForceReport forces;
   EnergyLedger energy;
   TieReport ties;
   std::vector<TieRelease> releases;  ///< in order; those of a part precede its fans

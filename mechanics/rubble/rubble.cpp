@@ -76,11 +76,39 @@ void take_impulses(Tick& tick) {
     const Vec3 turning = inertia * (m.spin - tick.scratch.spin[k]);
     body.momentum += impulse;
     body.angular_momentum += turning;
-    tick.report.contact += impulse_at(m.centre, impulse);
-    tick.report.contact.tail<3>() += turning;
-    if (!body.in_ledger) continue;
+    Impulse given = impulse_at(m.centre, impulse);
+    given.tail<3>() += turning;
+    tick.report.contact += given;
+    if (!body.in_ledger) {
+      tick.report.given[k] += given;
+      continue;
+    }
     tick.report.contact_work += 0.5 * (impulse.dot(m.velocity + tick.scratch.velocity[k]) +
                                        turning.dot(m.spin + tick.scratch.spin[k]));
+  }
+}
+
+/// Impulse of a patch on its body `a`, whose mass centre is at `centre`.
+Impulse impulse_on_a(const RubblePatch& p, const Vec3& centre) {
+  Impulse given =
+      impulse_at(centre + p.arm_a, p.slip_impulse[0] * p.along + p.slip_impulse[1] * p.across);
+  given.tail<3>() += p.twist_impulse * p.normal;
+  for (int k = 0; k < p.count; ++k) {
+    const RubblePatch::Point& point = p.point[static_cast<std::size_t>(k)];
+    given += impulse_at(centre + point.arm_a, point.impulse * p.normal);
+  }
+  return given;
+}
+
+/// Adds `sign` times the present impulses of patches on driven bodies, at their present places.
+/// Around a sweep with signs -1 and 1 this adds the change of the impulses.
+void note_driven(Tick& tick, double sign) {
+  for (const RubblePatch& p : tick.scratch.patches) {
+    const bool drives_a = tick.bodies[p.a].mass == 0, drives_b = tick.bodies[p.b].mass == 0;
+    if (!drives_a && !drives_b) continue;
+    const Impulse on_a = impulse_on_a(p, tick.scratch.moving[p.a].centre);
+    if (drives_a) tick.report.given[p.a] += sign * on_a;
+    if (drives_b) tick.report.given[p.b] -= sign * on_a;
   }
 }
 
@@ -269,11 +297,14 @@ void take_round(Tick& tick, int rounds) {
     warm_start(patches, moving);
     sweep_patches(patches, order, moving, pushing);
     take_impulses(tick);
+    note_driven(tick, 1);
     move(tick);
     prepare_patches(patches, moving);
     note_velocities(tick);
+    note_driven(tick, -1);
     sweep_patches(patches, order, moving, relaxing);
     take_impulses(tick);
+    note_driven(tick, 1);
   }
   remember(tick);
   tick.report.solve_ms += ms_since(start);
@@ -281,10 +312,7 @@ void take_round(Tick& tick, int rounds) {
 
 void note_touches(std::vector<RubbleTouch>& touches, const Tick& tick) {
   for (const RubblePatch& p : tick.scratch.patches) {
-    Vec3 impulse = p.slip_impulse[0] * p.along + p.slip_impulse[1] * p.across;
-    for (int k = 0; k < p.count; ++k) {
-      impulse += p.point[static_cast<std::size_t>(k)].impulse * p.normal;
-    }
+    const Vec3 impulse = impulse_on_a(p, tick.scratch.moving[p.a].centre).head<3>();
     if (!impulse.isZero(0)) touches.push_back({p.a, p.b, impulse});
   }
 }
@@ -332,6 +360,7 @@ RubbleReport advance_rubble(std::span<RubbleBody> bodies, std::span<const Rubble
     for (const RubbleBody& body : bodies) tick.report.asleep += body.mass > 0;
     return tick.report;
   }
+  tick.report.given.assign(bodies.size(), Impulse::Zero());
   tick.scratch.moving.clear();
   for (const RubbleBody& body : bodies) tick.scratch.moving.push_back(moving_of(body));
   const int rounds = rounds_of(tick);

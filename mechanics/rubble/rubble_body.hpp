@@ -92,6 +92,8 @@ struct RubbleReport {
   Impulse gravity = Impulse::Zero();         ///< of weight, about the origin
   Impulse contact = Impulse::Zero();         ///< of all contact: what driven and sleeping bodies gave
   Impulse sleep = Impulse::Zero();           ///< what bodies had that fell asleep
+  /// Impulse of contact on bodies without `in_ledger`. Row = body. Empty where nothing moved.
+  std::vector<Impulse> given;
   double narrow_ms = 0, broad_ms = 0, solve_ms = 0;  ///< wall time
 };
 

@@ -16,7 +16,7 @@ std::array<CornerLoad, 3> face_pressure(const ElementColumns& elements, TetId t,
   for (int k = 0; k < 3; ++k) {
     const int at = (place + 1 + k) % 4, next = (place + 1 + (k + 1) % 3) % 4;
     loads[static_cast<std::size_t>(k)] = {
-        corner(t, at), is_second_order(elements, t) ? edge_between(at, next) : -1, force, true, 0};
+        corner(t, at), is_second_order(elements, t) ? edge_between(at, next) : -1, force, true};
   }
   return loads;
 }
@@ -27,8 +27,21 @@ void add_vertex_force(std::vector<CornerLoad>& loads, const MechanicsState& stat
   for (CornerId c : star) mass += state.elements.mass[tetrahedron_of(c).index()];
   for (CornerId c : star) {
     const double share = state.elements.mass[tetrahedron_of(c).index()] / mass;
-    loads.push_back({c, -1, share * force, false, 0});
+    loads.push_back({.corner = c, .force = share * force});
   }
+}
+
+VertexId node_of(const CornerLoad& load, const ElementColumns& elements,
+                 std::span<const Corners> corners) {
+  const std::size_t t = tetrahedron_of(load.corner).index();
+  return load.edge < 0 ? corners[t][static_cast<std::size_t>(place_of(load.corner))]
+                       : elements.edge_nodes[t][static_cast<std::size_t>(load.edge)];
+}
+
+Vec3 force_at(const CornerLoad& load, double time, const Eigen::Quaterniond& orientation) {
+  const double raised = load.ramp_time > 0 ? std::min(1.0, time / load.ramp_time) : 1.0;
+  const Vec3 force = raised * load.force;
+  return load.turns ? Vec3(orientation * force) : force;
 }
 
 void add_corner_loads(std::vector<Vec3>& force, std::span<const CornerLoad> loads,
@@ -45,15 +58,10 @@ void add_corner_loads(Loads& sum, std::span<const CornerLoad> loads, const Mecha
   sum.turning.resize(state.vertices.size(), Vec3::Zero());
   for (const CornerLoad& load : loads) {
     const std::size_t t = tetrahedron_of(load.corner).index();
-    const VertexId v = load.edge < 0
-                           ? corners[t][static_cast<std::size_t>(place_of(load.corner))]
-                           : state.elements.edge_nodes[t][static_cast<std::size_t>(load.edge)];
-    const double raised = load.ramp_time > 0 ? std::min(1.0, time / load.ramp_time) : 1.0;
-    Vec3 f = raised * load.force;
-    if (load.turns) {
-      f = state.components[state.elements.component[t].index()].orientation * f;
-      sum.turning[v.index()] += f;
-    }
+    const VertexId v = node_of(load, state.elements, corners);
+    const Component& component = state.components[state.elements.component[t].index()];
+    const Vec3 f = force_at(load, time, component.orientation);
+    if (load.turns) sum.turning[v.index()] += f;
     sum.force[v.index()] += f;
   }
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -22,7 +23,16 @@ struct CornerLoad {
   /// Turns with the frame of the corner's component (pressure); else it keeps its direction.
   bool turns = false;
   double ramp_time = 0;  ///< s over which it is raised linearly; 0: at once
+  /// Its load of the scene: row of `BodySettings::loads`, body by body.
+  std::uint32_t load = 0;
 };
+
+/// The node on which a load acts. `corners`: |T|, the present ones.
+VertexId node_of(const CornerLoad& load, const ElementColumns& elements,
+                 std::span<const Corners> corners);
+
+/// N, world, at `time` (s). `orientation`: of the component that the corner belongs to.
+Vec3 force_at(const CornerLoad& load, double time, const Eigen::Quaterniond& orientation);
 
 /// A pressure on the face of tetrahedron `t` opposite to `place`, as three equal loads in the body
 /// frame, on its corners, or of second order in the middles of its edges, where an even traction

@@ -6,17 +6,17 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <optional>
 
 #include "apps/output/frame.hpp"
+#include "apps/output/history.hpp"
 #include "apps/output/tables.hpp"
 #include "apps/scene/json_text.hpp"
+#include "apps/sunder/run/due_steps.hpp"
 #include "apps/sunder/run/pictures.hpp"
 #include "apps/sunder/run/report/counters_json.hpp"
 #include "apps/sunder/run/report/settings_report.hpp"
 #include "apps/sunder/run/saved/run_folder.hpp"
-#include "topology/base/whole_number.hpp"
 #include "topology/io/files/output_file.hpp"
 #include "topology/io/vtu/vtu.hpp"
 
@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 struct Recorder::Parts {
   fs::path folder;
   SceneFile file;  ///< without its scene, which the simulation has
-  std::vector<std::uint64_t> frame_steps, picture_steps;
+  std::vector<std::uint64_t> frame_steps, picture_steps, history_steps;
   RunRecord done;
   EventLog events;
   std::optional<AppendedFile> log;
@@ -52,6 +52,7 @@ struct Recorder::Parts {
   std::vector<Finding> write_frame_of(const Simulation& now);
   std::vector<Finding> draw_picture(const Simulation& now);
   std::vector<Finding> write_due(const Simulation& now);
+  void note_history(const Simulation& now, const StepReport& step);
   bool saves() const;
   std::vector<Finding> save(const CheckpointBytes& checkpoint);
   std::vector<Finding> save(const Simulation& now);
@@ -79,48 +80,7 @@ std::optional<Finding> cannot_write(const fs::path& path, const std::error_code&
                  .file = path.string()};
 }
 
-std::vector<std::uint64_t> due_frames(const SceneFile& file) {
-  return file.output.frame_interval > 0 ? interval_steps(file.scene, file.output.frame_interval)
-                                        : even_steps(step_count(file.scene), file.output.frames);
-}
-
-std::vector<std::uint64_t> due_pictures(const SceneFile& file) {
-  const std::uint64_t steps = step_count(file.scene);
-  std::vector<std::uint64_t> due = even_steps(steps, file.output.pictures.count);
-  for (const double time : file.output.pictures.times) {
-    const double step = std::round(time / file.scene.integrator.time_step);
-    if (step <= static_cast<double>(steps)) due.push_back(whole_number<std::uint64_t>(step));
-  }
-  std::ranges::sort(due);
-  due.erase(std::unique(due.begin(), due.end()), due.end());
-  return due;
-}
-
 }  // namespace
-
-std::vector<std::uint64_t> even_steps(std::uint64_t steps, std::uint64_t count) {
-  std::vector<std::uint64_t> due;
-  if (count > steps) count = steps + 1;  // there are no more
-  if (count == 1) due = {steps};
-  for (std::uint64_t k = 0; count > 1 && k < count; ++k) {
-    const double part = static_cast<double>(k) / static_cast<double>(count - 1);
-    due.push_back(
-        whole_number<std::uint64_t>(std::round(part * static_cast<double>(steps)), steps));
-  }
-  due.erase(std::unique(due.begin(), due.end()), due.end());
-  return due;
-}
-
-std::vector<std::uint64_t> interval_steps(const Scene& scene, double interval) {
-  const std::uint64_t steps = step_count(scene);
-  const double stride = std::max(interval / scene.integrator.time_step, 1.0);
-  std::vector<std::uint64_t> due;
-  for (std::uint64_t k = 0;; ++k) {
-    const double step = std::round(static_cast<double>(k) * stride);
-    if (step > static_cast<double>(steps)) return due;
-    due.push_back(whole_number<std::uint64_t>(step));
-  }
-}
 
 Recorder::Recorder(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 Recorder::Recorder(Recorder&&) noexcept = default;
@@ -134,6 +94,7 @@ Recorder::Parts::Parts(const RecordedRun& run, EventLog so_far)
       file(run.file),
       frame_steps(due_frames(run.file)),
       picture_steps(due_pictures(run.file)),
+      history_steps(due_history_rows(run.file)),
       events(std::move(so_far)),
       expected(run.expected),
       counts(run.counts),
@@ -145,6 +106,7 @@ Result<Recorder> Recorder::open(const RecordedRun& run, const Simulation& start,
                                 std::vector<Finding> warnings) {
   auto parts = std::make_unique<Parts>(run, EventLog(run.file));
   parts->done.statistics = begin_statistics(start, std::move(warnings));
+  if (!parts->history_steps.empty()) parts->done.history = begin_history(start);
   Result<Recorder> result;
   if (!parts->picture_steps.empty()) {
     Result<Pictures> drawn = Pictures::open(start, run.file.output);
@@ -232,6 +194,14 @@ std::vector<Finding> Recorder::Parts::write_due(const Simulation& now) {
   return findings;
 }
 
+void Recorder::Parts::note_history(const Simulation& now, const StepReport& step) {
+  // A branch may leave the history out, and a later branch may begin it.
+  if (history_steps.empty()) return void(done.history = {});
+  if (done.history.values.empty()) return void(done.history = begin_history(now));
+  add_step(done.history, step);
+  if (std::ranges::binary_search(history_steps, now.state->step)) add_row(done.history, now);
+}
+
 bool Recorder::Parts::is_time_for_impact(const Simulation& now) const {
   constexpr double least = 1.0 / 240;
   return file.output.frames_at_impacts &&
@@ -259,6 +229,7 @@ std::vector<Finding> Recorder::record(const Simulation& now, const StepReport& r
   p.last_is_whole = report.status.outcome == StepOutcome::fine && !(now.hurry && *now.hurry);
   RunStatistics& statistics = p.done.statistics;
   add_step(statistics, now, report, step_ms);
+  p.note_history(now, report);
   const std::uint64_t fans = statistics.fans - report.fracture.fans.size();
   const std::uint64_t releases = statistics.ties.releases - report.releases.size();
   for (const auto& line : events_of(report, fans, releases, now.state->cells.map)) {
@@ -352,6 +323,12 @@ std::vector<Finding> Recorder::Parts::write_tables(const Simulation& now, RunEnd
   std::vector<ObstacleMotion> obstacles = done.obstacles;
   if (done.last_frame != now.state->step) append(obstacles, free_obstacles(now));
   if (!obstacles.empty()) write("obstacles.csv", obstacles_csv(obstacles));
+  if (!history_steps.empty()) {
+    History history = done.history;
+    if (history.values.empty()) history = begin_history(now);
+    if (history.last_row != now.state->step) add_row(history, now);
+    write("history.csv", history_csv(history, now.scene));
+  }
   write("report.json", json_text(report) + "\n");
   return findings;
 }

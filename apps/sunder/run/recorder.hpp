@@ -18,12 +18,6 @@
 
 namespace sunder {
 
-/// The steps after which something is written, ascending, from 0 (the start) to `steps`: `count` of
-/// them spread evenly with both ends (1: the end only), or every `interval` s where that is above
-/// 0.
-std::vector<std::uint64_t> even_steps(std::uint64_t steps, std::uint64_t count);
-std::vector<std::uint64_t> interval_steps(const Scene& scene, double interval);
-
 /// Where a run stands for its recorder.
 struct RecordedRun {
   std::filesystem::path folder;
@@ -40,7 +34,8 @@ struct RecordedRun {
 /// beside and renamed. A checkpoint stands on the disk only after all files that it speaks of.
 ///
 ///     folder/frames.pvd  frames/frame_000000.vtu ...   picture_000.png ...
-///            events.jsonl  cracks.csv  fragments.csv  obstacles.csv  report.json
+///            events.jsonl  cracks.csv  fragments.csv  obstacles.csv  history.csv
+///            report.json
 ///            checkpoints/step_0000000120.checkpoint ...
 ///
 /// The same scene gives the same bytes but in report.json and checkpoints, which hold wall times.

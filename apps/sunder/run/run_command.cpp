@@ -22,6 +22,8 @@ Files in DIR (where an earlier run lies there, --force replaces it):
   fragments.csv             one line per piece
   events.jsonl              one line per fan and per release of ties; --replay repeats the run from it
   cracks.csv                area and energy of each crack
+  history.csv               energies, work of loads, forces on obstacles and held regions, pieces:
+                            one line per step, or per output.history of the scene
   obstacles.csv             free obstacles in each frame: place, turn, velocity, spin
   checkpoints/*.checkpoint  saved states for --resume: every ten minutes and at the end, or as
                             output.checkpoint of the scene

@@ -56,31 +56,42 @@ Impulse momentum_of(const Vec3& centre, const Vec3& momentum, const Vec3& angula
   return sum;
 }
 
-/// Of contacts and loads on held components the part that their supports had to bear.
-void take_contacts(Impulse& supports, const AdoptedPart& part) {
+/// Takes the impulses of contacts on held components off those of their supports.
+void take_contacts(std::vector<Impulse>& supports, const AdoptedPart& part) {
   const MechanicsState& m = part.state.mechanics;
   const auto is_held = [&](ComponentId id) { return m.components[id.index()].supported; };
   for (std::size_t k = 0; k < part.result.contacts.size(); ++k) {
     const ContactPoint& c = part.result.contacts[k];
     const Impulse given = impulse_of(part.result, k);
-    if (!c.vertex.is_none() && is_held(m.vertices.component[c.vertex.index()])) supports -= given;
-    if (!c.tetrahedron.is_none() && is_held(m.elements.component[c.tetrahedron.index()])) {
-      supports += given;
+    if (!c.vertex.is_none()) {
+      const ComponentId id = m.vertices.component[c.vertex.index()];
+      if (is_held(id)) supports[id.index()] -= given;
+    }
+    if (!c.tetrahedron.is_none()) {
+      const ComponentId id = m.elements.component[c.tetrahedron.index()];
+      if (is_held(id)) supports[id.index()] += given;
     }
   }
 }
 
-void add_loads(MomentumLedger& ledger, const AdoptedPart& part) {
+/// Calls `visit(component, impulse)` for the surface load of each node that the part moved.
+template <class Visit>
+void for_each_load(const AdoptedPart& part, Visit visit) {
   const MechanicsState& m = part.state.mechanics;
   const std::vector<Vec3>& force = part.input.loads.force;
   for (std::size_t v = 0; v < force.size(); ++v) {
     const Component& c = m.components[m.vertices.component[v].index()];
     if (!part.input.members.has(c.id) || force[v].isZero(0)) continue;
-    const Impulse given =
-        impulse_at(place_of_load(part, c, VertexId{v}), part.input.settings.time_step * force[v]);
-    ledger.loads += given;
-    if (c.supported) ledger.supports -= given;
+    visit(c, impulse_at(place_of_load(part, c, VertexId{v}),
+                        part.input.settings.time_step * force[v]));
   }
+}
+
+/// Impulse of weight on a component in the part; zero for a carried one.
+Impulse weight_of(const AdoptedPart& part, const Component& c) {
+  if (c.rung == Rung::carried) return Impulse::Zero();
+  const Vec3 fall = part.input.settings.time_step * part.input.loads.gravity;
+  return impulse_at(place_of_weight(part, c), c.mass * fall);
 }
 
 void add_obstacles(MomentumLedger& ledger, const AdoptedPart& part) {
@@ -127,25 +138,34 @@ Impulse total_momentum(const SimulationState& state) {
   return sum;
 }
 
-void add_part_momentum(MomentumLedger& ledger, const AdoptedPart& part) {
+std::vector<Impulse> support_impulses(const AdoptedPart& part) {
   const MechanicsState& m = part.state.mechanics;
-  const Vec3 fall = part.input.settings.time_step * part.input.loads.gravity;
-  bool any_held = false;
+  std::vector<Impulse> supports;
   for_each_living(m, part.input.members, [&](const Component& c) {
-    if (c.rung == Rung::asleep) return;
-    const std::size_t row = c.id.index();
-    Impulse weight = impulse_at(place_of_weight(part, c), c.mass * fall);
-    if (c.rung == Rung::carried) weight.setZero();
-    ledger.gravity += weight;
-    if (!c.supported) return;
-    any_held = true;
+    if (!c.supported || c.rung == Rung::asleep) return;
+    supports.resize(m.components.size(), Impulse::Zero());
     const PartStart& start = part.before;
-    ledger.supports +=
+    const std::size_t row = c.id.index();
+    supports[row] =
         momentum_of(c) -
-        momentum_of(start.centre[row], start.momentum[row], start.angular_momentum[row]) - weight;
+        momentum_of(start.centre[row], start.momentum[row], start.angular_momentum[row]) -
+        weight_of(part, c);
   });
-  add_loads(ledger, part);
-  if (any_held) take_contacts(ledger.supports, part);
+  if (supports.empty()) return supports;
+  for_each_load(part, [&](const Component& c, const Impulse& given) {
+    if (c.supported) supports[c.id.index()] -= given;
+  });
+  take_contacts(supports, part);
+  return supports;
+}
+
+void add_part_momentum(MomentumLedger& ledger, const AdoptedPart& part,
+                       std::span<const Impulse> supports) {
+  for_each_living(part.state.mechanics, part.input.members, [&](const Component& c) {
+    if (c.rung != Rung::asleep) ledger.gravity += weight_of(part, c);
+  });
+  for (const Impulse& given : supports) ledger.supports += given;
+  for_each_load(part, [&](const Component&, const Impulse& given) { ledger.loads += given; });
   add_obstacles(ledger, part);
   add_weight_of_balls(ledger, part);
 }

@@ -2,6 +2,9 @@
 // Where the momentum of a step comes from and goes to: added up part by part.
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "fracture/simulation/ledger/energy_ledger.hpp"
 
 namespace sunder {
@@ -17,6 +20,12 @@ Impulse momentum_of(const Component& component);
 /// held component's momentum changed by beside those. What sleeps moves nothing and counts for
 /// nothing. Exact for floating_frame but where surface loads turn a body far in a part; other
 /// integrators turn bodies by schemes of their own. O(components + contacts + loads).
-void add_part_momentum(MomentumLedger& ledger, const AdoptedPart& part);
+/// `supports`: `support_impulses` of the part.
+void add_part_momentum(MomentumLedger& ledger, const AdoptedPart& part,
+                       std::span<const Impulse> supports);
+
+/// Impulse of supports on each held component in an adopted part, row = ComponentId: its change of
+/// momentum less weight, surface loads and contact. Empty where nothing is held.
+std::vector<Impulse> support_impulses(const AdoptedPart& part);
 
 }  // namespace sunder

@@ -166,6 +166,10 @@ void take_ticks(StepReport& report, Simulation& sim, RubbleWorld& world, const R
       if (world.of_component[c] != RubbleWorld::no_row) s.ladder.rubble.spent[c] += std::max(0.0, lost);
     }
     add_tick(report, tick);
+    for (std::size_t o = 0; o < world.of_obstacle.size() && !tick.given.empty(); ++o) {
+      const std::uint32_t row = world.of_obstacle[o];
+      if (row != RubbleWorld::no_row) report.forces.obstacle[o] += tick.given[row];
+    }
   }
 }
 

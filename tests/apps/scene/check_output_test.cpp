@@ -45,6 +45,21 @@ TEST_CASE("an interval that asks for more frames than the key frames may is refu
   CHECK(wrong(output, scene).empty());
 }
 
+TEST_CASE("a history of more rows than may be is refused", "[run][scene]") {
+  Scene scene;
+  scene.integrator.time_step = 1e-6;
+  scene.duration = 500;
+  OutputSettings output;
+  for (const double interval : {0.0, 1e-3}) {
+    output.history.interval = interval;
+    CHECK(wrong(output, scene).empty());
+  }
+  output.history.interval = 1e-4;
+  CHECK(wrong(output, scene) == All{"too_many_rows output.history"});
+  output.history.interval = -1;
+  CHECK(wrong(output, scene) == All{"out_of_range output.history"});
+}
+
 TEST_CASE("numbers that a scene file could not have are refused too", "[run][scene]") {
   OutputSettings output;
   output.frames = 4'000'000'000;

@@ -96,7 +96,7 @@ TEST_CASE(
   INFO(o.text());
   REQUIRE(o.exit_code == 0);
   for (const char* name : {"events.jsonl", "fragments.csv", "cracks.csv", "frames.pvd",
-                           "frames/frame_000010.vtu", "obstacles.csv"}) {
+                           "frames/frame_000010.vtu", "obstacles.csv", "history.csv"}) {
     INFO(name);
     CHECK(bytes_of(here.path("whole/") + name) == bytes_of(out + "/" + name));
   }

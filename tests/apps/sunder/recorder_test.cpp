@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Times of frames, contents of tables, and a run that is interrupted.
+// Contents of tables, and a run that is interrupted.
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -18,23 +18,6 @@
 using namespace sunder;
 using namespace sunder::test;
 namespace fs = std::filesystem;
-
-TEST_CASE("frames are spread evenly with both ends, or by their interval", "[run][recorder]") {
-  using Steps = std::vector<std::uint64_t>;
-  CHECK(even_steps(100, 0).empty());
-  CHECK(even_steps(100, 1) == Steps{100});
-  CHECK(even_steps(100, 3) == Steps{0, 50, 100});
-  CHECK(even_steps(2, 10) == Steps{0, 1, 2});
-  Scene scene;
-  scene.integrator.time_step = 1e-3;
-  scene.duration = 0.01;
-  CHECK(step_count(scene) == 10);
-  CHECK(interval_steps(scene, 4e-3) == Steps{0, 4, 8});
-  // No frame falls between two steps.
-  CHECK(interval_steps(scene, 1e-5).size() == 11);
-  scene.duration = 0.0101;
-  CHECK(step_count(scene) == 11);
-}
 
 TEST_CASE("every momentum is accounted for to rounding", "[run][recorder]") {
   Simulation simulation = shipped("charts/monolith");

@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <filesystem>
@@ -90,7 +91,9 @@ int run_until(const Workplace& here, const std::string& scene, const std::string
 
 TEST_CASE("a killed run goes on to the bytes of one that never stopped", "[run][resume]") {
   const Workplace here;
-  const std::string scene = here.write("scene.json", saved_scene().dump());
+  json settings = saved_scene();
+  settings["output"]["history"] = 7.5e-4;  // three steps: checkpoints fall between lines
+  const std::string scene = here.write("scene.json", settings.dump());
   REQUIRE(here.run({"run", scene, "--quiet", "-o", here.path("whole")}).exit_code == 0);
   const int signal = GENERATE(SIGKILL, SIGTERM, SIGHUP);
   const int frames = GENERATE(3, 8);
@@ -196,6 +199,27 @@ TEST_CASE("a branch begins as its run and goes on by other settings", "[run][res
                 here.path("run"), "--from", "40", "-o", here.path("other")});
   CHECK(o.exit_code == 3);
   CHECK(o.err.find("not_in_mid_run") != std::string::npos);
+}
+
+TEST_CASE("a branch may leave the history out and begin it again", "[run][resume][history]") {
+  const Workplace here;
+  json scene = saved_scene();
+  scene["output"]["checkpoint"]["keep"] = 0;
+  const std::string file = here.write("scene.json", scene.dump());
+  REQUIRE(here.run({"run", file, "--quiet", "-o", here.path("run")}).exit_code == 0);
+  const auto branch = [&](const char* from, const char* step, const char* history, const char* to) {
+    const Outcome o =
+        here.run({"run", file, "--set", std::string("output.history=") + history, "--resume",
+                  here.path(from), "--from", step, "--quiet", "-o", here.path(to)});
+    INFO(o.text());
+    REQUIRE(o.exit_code == 0);
+    return bytes_of(here.path(to) + "/history.csv");
+  };
+  CHECK(branch("run", "42", "off", "without") == "");
+  const std::string again = branch("without", "70", "2.5e-4", "again");
+  CHECK(std::ranges::count(again, '\n') == 1 + 30);  // steps 71 to 100
+  const std::string whole = bytes_of(here.path("run/history.csv"));
+  CHECK(again.substr(0, again.find('\n')) == whole.substr(0, whole.find('\n')));
 }
 
 TEST_CASE("one run at a time, and none is replaced unasked", "[run][resume]") {

@@ -116,6 +116,7 @@ TEST_CASE("two runs of a scene that breaks leave the same bytes", "[run]") {
   CHECK(!events.empty());
   CHECK(events == bytes_of(folder.path() / "b/events.jsonl"));
   CHECK(bytes_of(folder.path() / "a/fragments.csv") == bytes_of(folder.path() / "b/fragments.csv"));
+  CHECK(bytes_of(folder.path() / "a/history.csv") == bytes_of(folder.path() / "b/history.csv"));
   std::size_t frames = 0;
   for (const auto& entry : fs::directory_iterator(folder.path() / "a/frames")) {
     ++frames;
@@ -141,6 +142,38 @@ TEST_CASE("two runs of a scene that breaks leave the same bytes", "[run]") {
   CHECK(settings["expected"]["steps"] == report["steps"]);
   CHECK(settings["expected"]["seconds"].get<double>() > 0);
   CHECK(std::abs(report["fragments"]["mass_error"].get<double>()) < 1e-12);
+}
+
+TEST_CASE(
+    "the history of a run is the same on any threads and kernel, at the interval of the scene",
+    "[run][history]") {
+  const Folder folder;
+  const std::string scene = write_scene(folder, struck_scene(0.4, 0.02)).string();
+  const auto history = [&](const std::string& name, const std::string& options) {
+    const std::string out = (folder.path() / name).string();
+    const Outcome o = run(scene + " --quiet --frames 0 -o " + out + " " + options);
+    INFO(o.text());
+    REQUIRE(o.exit_code == 0);
+    return bytes_of(out + "/history.csv");
+  };
+  const auto lines = [](const std::string& text) { return std::ranges::count(text, '\n'); };
+  const std::string one = history("one", "");
+  CHECK(lines(one) == 1 + 81);  // the start and 80 steps
+  CHECK(one.starts_with("time,kinetic_energy,"));
+  CHECK(history("two", "--threads 2") == one);
+  CHECK(history("three", "--threads 3 --set topology.kernel=lcc") == one);
+  CHECK(history("dense", "--set topology.kernel=dense") == one);
+  // At 0, 3, ... 18 ms, and the end at 20.
+  CHECK(lines(history("seldom", "--set output.history=0.003")) == 1 + 8);
+  for (const char* off : {"0", "off"}) {
+    history("off", std::string("--force --set output.history=") + off);
+    CHECK_FALSE(fs::exists(folder.path() / "off/history.csv"));
+  }
+  const Outcome bad =
+      run(scene + " -o " + (folder.path() / "bad").string() + " --set output.history=often");
+  CHECK(bad.exit_code == 3);
+  CHECK(bad.text().find("output.history is \"often\"; a number or \"off\" is wanted") !=
+        std::string::npos);
 }
 
 TEST_CASE("cracks drawn smooth change pictures and nothing else", "[run][smooth_cracks]") {

@@ -25,13 +25,21 @@ namespace fs = std::filesystem;
 // One that gains or loses a member does not compile until this and `checkpoint_format` are looked
 // at.
 constexpr auto member_names(const RunRecord*) {
-  return names("statistics", "frames", "obstacles", "pictures", "last_frame", "last_picture",
-               "log_bytes");
+  return names("statistics", "frames", "obstacles", "history", "pictures", "last_frame",
+               "last_picture", "log_bytes");
 }
 constexpr auto member_names(const PvdFrame*) { return names("time", "file"); }
 constexpr auto member_names(const ObstacleMotion*) {
   return names("time", "row", "pose", "velocity", "spin");
 }
+constexpr auto member_names(const History*) {
+  return names("sums", "obstacle_centre", "held_centre", "values", "last_row");
+}
+constexpr auto member_names(const HistorySums*) {
+  return names("since", "obstacle", "held", "gap_error", "overlap", "load_work", "released",
+               "taken");
+}
+constexpr auto member_names(const HistorySettings*) { return names("interval"); }
 constexpr auto member_names(const Pose*) { return names("centre", "orientation"); }
 constexpr auto member_names(const TimeSample*) {
   return names("count", "sum", "largest", "kept", "stride");
@@ -89,8 +97,8 @@ constexpr auto member_names(const EnergyBalance*) {
 }
 constexpr auto member_names(const Choice*) { return names("key", "value", "reason"); }
 constexpr auto member_names(const OutputSettings*) {
-  return names("frames", "frame_interval", "frames_at_impacts", "crack_surface", "pictures",
-               "checkpoint");
+  return names("frames", "frame_interval", "frames_at_impacts", "crack_surface", "history",
+               "pictures", "checkpoint");
 }
 constexpr auto member_names(const PictureSettings*) {
   return names("count", "times", "width", "height", "show", "camera");

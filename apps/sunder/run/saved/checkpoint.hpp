@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/output/history.hpp"
 #include "apps/output/tables.hpp"
 #include "apps/scene/scene_json.hpp"
 #include "apps/sunder/run/report/recorder_report.hpp"
@@ -16,13 +17,14 @@
 namespace sunder {
 
 /// Of the files below; raised whenever what they hold beside the saved state changes.
-inline constexpr std::uint32_t checkpoint_format = 3;
+inline constexpr std::uint32_t checkpoint_format = 4;
 
 /// What has been recorded of a run so far.
 struct RunRecord {
   RunStatistics statistics;
   std::vector<PvdFrame> frames;
   std::vector<ObstacleMotion> obstacles;  ///< of every frame
+  History history;
   std::uint64_t pictures = 0;
   std::optional<std::uint64_t> last_frame, last_picture;  ///< their steps
   /// Bytes of events.jsonl.

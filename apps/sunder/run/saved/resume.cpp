@@ -27,7 +27,7 @@ std::string log_of(const fs::path& folder, std::uint64_t bytes) {
   return text;
 }
 
-/// What no run can have: more steps, frames or pictures than any.
+/// The refusal of a run with more steps, frames, pictures or lines than any may have.
 std::optional<Finding> too_long(const SceneFile& file, const fs::path& folder) {
   const double step = file.scene.integrator.time_step, steps = file.scene.duration / step;
   if (!(steps <= most_steps())) {
@@ -43,13 +43,17 @@ std::optional<Finding> too_long(const SceneFile& file, const fs::path& folder) {
   return std::move(asked.front().finding);
 }
 
-/// Frames and pictures of a longer run come at the distance they had. Pictures become moments: too
-/// many of them are refused before there is a list of them.
+/// Frames, pictures and lines of the history keep their distances in a longer run. Pictures become
+/// moments: too many of them are refused before there is a list of them.
 std::optional<Finding> extend(SceneFile& file, double until, const fs::path& folder) {
   OutputSettings& output = file.output;
   const double before = file.scene.duration;
   if (output.frame_interval == 0 && output.frames > 1) {
     output.frame_interval = before / (output.frames - 1);
+  }
+  if (!output.history.interval) {
+    const auto stride = static_cast<double>(usual_history_stride(step_count(file.scene)));
+    output.history.interval = stride * file.scene.integrator.time_step;
   }
   file.scene.duration = until;
   PictureSettings& pictures = output.pictures;

@@ -80,8 +80,9 @@ std::string whole_name(const std::string& name) {
 
 bool is_ours(const std::string& written) {
   const std::string name = whole_name(written);
-  constexpr std::array<std::string_view, 6> tables = {
-      "frames.pvd", "events.jsonl", "cracks.csv", "fragments.csv", "obstacles.csv", "report.json"};
+  constexpr std::array<std::string_view, 7> tables = {
+      "frames.pvd",    "events.jsonl", "cracks.csv", "fragments.csv",
+      "obstacles.csv", "history.csv",  "report.json"};
   return number_in(name, "frame_", ".vtu") || number_in(name, "picture_", ".png") ||
          number_in(name, "step_", ".checkpoint") || std::ranges::find(tables, name) != tables.end();
 }
