@@ -129,7 +129,8 @@ void take_prediction(MechanicsState& state, MechanicsScratch& scratch, const Ste
 }
 
 /// The first vertex that is not a number, or else the first that has left its body.
-StepStatus judge(const MechanicsState& state, const StepMembers& members) {
+StepStatus judge(const MechanicsState& state, const MechanicsScratch& scratch,
+                 const StepMembers& members) {
   // Ten radii: no linear displacement means anything there, and no bounded motion gets there.
   constexpr double most_radii = 10;
   const VertexColumns& vertices = state.vertices;
@@ -147,9 +148,25 @@ StepStatus judge(const MechanicsState& state, const StepMembers& members) {
     status.vertex = VertexId{v};
     status.component = component.id;
     status.displacement = displacement;
+    status.turned = scratch.predicted.frame[component.id.index()].spun;
     if (!finite) break;
   }
   return status;
+}
+
+/// A component that turns farther than a step follows: the cause of what else is wrong with it.
+void judge_spins(StepStatus& status, const MechanicsState& state, const MechanicsScratch& scratch,
+                 const StepMembers& members) {
+  for (const Component& component : state.components) {
+    if (component.tetrahedra.empty() || !members.has(component.id)) continue;
+    const double spun = scratch.predicted.frame[component.id.index()].spun;
+    if (!(spun > longest_turn)) continue;
+    status.outcome = StepOutcome::spun_too_far;
+    status.vertex = component.vertices.front();
+    status.component = component.id;
+    status.turned = spun;
+    return;
+  }
 }
 
 /// A component whose loads keep their direction while it turns away under them by more than half a
@@ -229,11 +246,13 @@ StepStatus adopt(MechanicsState& state, MechanicsScratch& scratch, const StepInp
   state.time += input.settings.time_step;
   measure_elements(state, scratch, input.corners,
                    {input.members, input.settings.model, input.measures_strain});
-  StepStatus status = judge(state, input.members);
+  StepStatus status = judge(state, scratch, input.members);
   status.damping_work = damping_work;
+  status.time_step = input.settings.time_step;
   if (status.outcome != StepOutcome::not_a_number) {
     judge_turns(status, state, scratch, input.members);
   }
+  judge_spins(status, state, scratch, input.members);
   status.solve = solve;
   if (solve.sub_steps > input.settings.max_sub_steps) {
     status.outcome = StepOutcome::too_many_sub_steps;

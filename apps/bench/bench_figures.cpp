@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Names, units and words of the quantities.
 #include "apps/bench/bench_figures.hpp"
+#include "topology/base/counted.hpp"
 #include "topology/base/split_text.hpp"
 
 #include <fmt/format.h>
@@ -129,7 +130,7 @@ std::string machine_name() {
     model = line.substr(line.find(':') + 2);
     break;
   }
-  return fmt::format("{}, {} cores", model, std::thread::hardware_concurrency());
+  return fmt::format("{}, {}", model, counted(std::thread::hardware_concurrency(), "core"));
 }
 
 }  // namespace sunder

@@ -15,6 +15,7 @@
 #include "apps/scene/json_text.hpp"
 #include "apps/scene/words.hpp"
 #include "apps/sunder/telling.hpp"
+#include "topology/io/files/output_file.hpp"
 #include "topology/io/files/printing.hpp"
 #include "topology/io/format_traits.hpp"
 #include "topology/io/mesh_file.hpp"
@@ -174,7 +175,10 @@ ExitCode run_formats_bench(Settings settings) {
     settings.keep = std::filesystem::temp_directory_path() /
                     fmt::format("sunder-formats-{}", static_cast<long>(getpid()));
   }
-  std::filesystem::create_directories(settings.keep, failure);
+  if (const std::optional<Finding> finding = make_folder(settings.keep)) {
+    tell_beside({*finding}, settings);
+    return ExitCode::not_written;
+  }
   const FileMesh mesh = box(settings.cells);
   std::vector<Row> rows = all_rows();
   std::vector<Finding> findings;

@@ -11,6 +11,7 @@
 #include <numeric>
 #include <utility>
 
+#include "topology/base/counted.hpp"
 #include "topology/base/limits.hpp"
 #include "topology/io/files/printing.hpp"
 
@@ -141,7 +142,7 @@ class Builder {
   bool open(json value) {
     if (open_.size() >= limits().scene_levels) {
       add("nested_too_deeply", read,
-          fmt::format("more than {} levels of nesting", limits().scene_levels),
+          fmt::format("more than {} of nesting", counted(limits().scene_levels, "level")),
           "a scene needs six levels: look for a bracket too many");
       return false;
     }
@@ -230,7 +231,7 @@ std::vector<Finding> apply_setting(SceneText& text, const std::string& setting) 
   }
   const std::vector<std::string> path = split_path(setting.substr(0, equals));
   if (path.size() > limits().scene_levels) {
-    return {bad_setting(setting, fmt::format("the path has {} steps", path.size()),
+    return {bad_setting(setting, fmt::format("the path has {}", counted(path.size(), "step")),
                         "no key of a scene lies deeper than six steps")};
   }
   json* at = &text.root;

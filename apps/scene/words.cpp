@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "topology/base/counted.hpp"
 #include "topology/io/files/printing.hpp"
 
 namespace sunder {
@@ -70,7 +71,8 @@ Finding joined(const std::vector<Finding>& findings, const std::vector<std::size
   }
   if (const std::size_t more = rows.size() - named; more > 0) {
     const bool is_body = all.text.starts_with("bodies.");
-    all.text += fmt::format(" and {} more {}", more, is_body ? "bodies" : "obstacles");
+    all.text += is_body ? " and " + counted(more, "more body", "more bodies")
+                        : " and " + counted(more, "more obstacle");
   }
   return all;
 }

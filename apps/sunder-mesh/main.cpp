@@ -9,6 +9,7 @@
 #include "apps/sunder-mesh/count_search.hpp"
 #include "apps/sunder-mesh/mesh_quality.hpp"
 #include "apps/sunder-mesh/report.hpp"
+#include "topology/base/counted.hpp"
 #include "topology/io/files/printing.hpp"
 #include "topology/io/mesh_file.hpp"
 
@@ -54,8 +55,8 @@ Result<TetMesh> mesh_of(const MeshJob& job, const Surface& surface) {
   };
   if (!job.tetrahedra) return mesh_at(1);
   return mesh_with_count(mesh_at, {*job.tetrahedra, job.tries}, [&](const CountTry& t) {
-    print(stderr, "try {:2}: facet size {:.6g} m: {} tetrahedra, {} vertices\n", t.number,
-          sizes.facet * t.scale, t.tetrahedra, t.vertices);
+    print(stderr, "try {:2}: facet size {:.6g} m: {}, {}\n", t.number, sizes.facet * t.scale,
+          counted_tetrahedra(t.tetrahedra), counted(t.vertices, "vertex", "vertices"));
   });
 }
 
@@ -69,7 +70,7 @@ int run(const MeshJob& job) {
   say(mesh.findings);
   if (!mesh) return exit_bad_input;
   if (job.largest_component) {
-    print(stderr, "left out: {} tetrahedra\n", keep_largest_component(*mesh));
+    print(stderr, "left out: {}\n", counted_tetrahedra(keep_largest_component(*mesh)));
   }
   if (job.stand_on_ground) stand_on_ground(mesh->points);
   mesh->region.assign(mesh->tetrahedra.size(), 1);

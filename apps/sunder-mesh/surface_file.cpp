@@ -16,6 +16,7 @@
 #include <string>
 
 #include "apps/sunder-mesh/surface.hpp"
+#include "topology/base/counted.hpp"
 
 namespace sunder {
 namespace {
@@ -120,7 +121,8 @@ Result<Surface> read_surface(const std::filesystem::path& path) {
   Surface surface = triangulated(soup);
   if (const std::size_t open = count_open_edges(surface)) {
     return refusal(path, "open_surface",
-                   fmt::format("{} edges have only one triangle: the surface has holes", open),
+                   fmt::format("{} only one triangle: the surface has holes",
+                               counted(open, "edge has", "edges have")),
                    "fill the holes; only a closed surface bounds a solid");
   }
   Result<Surface> result;

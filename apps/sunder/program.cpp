@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cctype>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
@@ -97,6 +96,15 @@ std::string misread_word(const CLI::App& program, std::span<const std::string> w
   return {};
 }
 
+/// A list takes one value per use of its option, so that a positional argument may follow. Options
+/// with a fixed number of values keep that.
+void take_one_value_per_use(CLI::App& command) {
+  for (CLI::Option* const option : command.get_options()) {
+    if (!option->get_positional()) option->allow_extra_args(false);
+  }
+  for (CLI::App* const part : command.get_subcommands({})) take_one_value_per_use(*part);
+}
+
 int parse_and_run(std::vector<std::string> words, const AddCommands& add_commands) {
   CLI::App program{"Break bodies of tetrahedra; an exact 3-map finds the pieces.", "sunder"};
   program.set_version_flag("--version", "sunder " SUNDER_VERSION);
@@ -112,6 +120,7 @@ int parse_and_run(std::vector<std::string> words, const AddCommands& add_command
     return static_cast<int>(ExitCode::usage);
   }
   add_commands(program, exit_code);
+  take_one_value_per_use(program);
   if (words.empty()) {
     print(stderr, "{}\n", program.help());
     return static_cast<int>(ExitCode::usage);
@@ -249,17 +258,6 @@ std::string program_word() {
   }
   const fs::path here = fs::proximate(own, error);
   return shell_word(error || here.string().starts_with("..") ? own.string() : here.string());
-}
-
-std::string shell_word(std::string_view word) {
-  const auto is_plain = [](unsigned char c) {
-    return std::isalnum(c) != 0 ||
-           std::string_view("/._-").find(static_cast<char>(c)) != std::string_view::npos;
-  };
-  if (!word.empty() && std::ranges::all_of(word, is_plain)) return std::string(word);
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
 }
 
 std::vector<std::string> command_words(int argc, char** argv) {

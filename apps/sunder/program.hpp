@@ -27,9 +27,6 @@ int run_program(const std::vector<std::string>& words, const AddCommands& add_co
 /// The word that starts this program from a shell: `sunder` where PATH leads to it, else its path.
 std::string program_word();
 
-/// A word as a shell reads it: in quotes where it holds more than letters, digits and / . _ -.
-std::string shell_word(std::string_view word);
-
 /// Adds `--confined` to a command that reads a scene: its files must lie in its own folder.
 void add_confined_flag(CLI::App& command, SceneReach& reach);
 

@@ -10,6 +10,7 @@
 #include "fracture/scene/cohesive_settings.hpp"
 #include "fracture/strength/draw_strength.hpp"
 #include "fracture/strength/held_boxes.hpp"
+#include "mechanics/integrators/rigid_motion.hpp"
 #include "topology/base/ids.hpp"
 
 namespace sunder {
@@ -234,6 +235,17 @@ void check_together(fields::SettingsCheck& check, const Scene& scene) {
               fmt::format("is {} s: {:.3g} steps for a duration of {} s; allowed are {:.6g}",
                           scene.integrator.time_step, steps, scene.duration, most_steps()),
               "take a longer step or a shorter duration");
+  }
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const double turn = scene.bodies[b].spin.norm() * scene.integrator.time_step;
+    if (!(turn > longest_turn)) continue;
+    check.add("spun_too_far", "time_step",
+              fmt::format("is {} s: bodies.{}.spin turns the body by {:.3g} rad per step, and up to "
+                          "{:.0f} rad are followed",
+                          scene.integrator.time_step, b, turn, longest_turn),
+              fmt::format("take a time_step below {:.3g} s",
+                          M_PI / scene.bodies[b].spin.norm()));
+    break;
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include "mechanics/baselines/verlet.hpp"
 #include "mechanics/integrators/modal.hpp"
+#include "topology/base/counted.hpp"
 
 namespace sunder {
 namespace {
@@ -30,10 +31,9 @@ void check_explicit(std::vector<Finding>& findings, const Scene& scene, double b
   if (settings.integrator == Integrator::sub_stepped && count > settings.max_sub_steps) {
     findings.push_back(
         {.code = "too_many_sub_steps",
-         .text =
-             fmt::format("time_step is {:.6g} s; sub_stepped needs {} sub-steps of {:.6g} s for "
-                         "it, and integrator.max_sub_steps is {}",
-                         h, count, h / count, settings.max_sub_steps),
+         .text = fmt::format("time_step is {:.6g} s; sub_stepped needs {} of {:.6g} s for it, and "
+                             "integrator.max_sub_steps is {}",
+                             h, counted(count, "sub-step"), h / count, settings.max_sub_steps),
          .remedy = "raise integrator.max_sub_steps, take a shorter time_step, or the method "
                    "floating_frame"});
   }

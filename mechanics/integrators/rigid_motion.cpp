@@ -123,10 +123,9 @@ Eigen::Quaterniond turn_through_step(const Eigen::Quaterniond& start, const Spin
   const Mat3 inverse_inertia = spin.inertia.inverse();
   const Vec3 w = inverse_inertia * (start.conjugate() * spin.momentum_old - spin.inner);
   const double turn = spin.time_step * w.norm();
-  constexpr int most_substeps = 256;
-  const int substeps = turn < 0.25 * most_substeps
-                           ? std::max(1, static_cast<int>(std::ceil(4 * turn)))
-                           : most_substeps;
+  constexpr int most_substeps = static_cast<int>(4 * longest_turn);
+  const int substeps =
+      turn < longest_turn ? std::max(1, static_cast<int>(std::ceil(4 * turn))) : most_substeps;
   Eigen::Quaterniond R = start;
   SpinStep part = spin;
   part.time_step = spin.time_step / substeps;
@@ -141,6 +140,9 @@ Eigen::Quaterniond turn_through_step(const Eigen::Quaterniond& start, const Spin
 
 void turn_under_load(PredictedFrame& next, const Component& body, const SpinStep& spin,
                      const RigidLoad& load) {
+  next.spun =
+      spin.time_step *
+      solve3(spin.inertia, body.orientation.conjugate() * spin.momentum_old - spin.inner).norm();
   if (load.dead.isZero(0)) {
     next.orientation = turn_through_step(body.orientation, spin);
     return;

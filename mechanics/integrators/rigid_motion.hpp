@@ -36,17 +36,20 @@ struct SpinStep {
   double time_step = 0;
 };
 
+/// rad: a longer turn within one step is not followed.
+inline constexpr double longest_turn = 1024;
+
 /// R at the end of the step: the implicit midpoint rule w = I^-1 ((l_old + l_new) / 2 - inner),
 /// l = R^T L, with R_new = R exp(h w). |L| is exact because L is kept and R follows; the energy
 /// l . I^-1 l of a rigid body is kept exactly too, and a steady spin turns by the exact angle.
-/// Turns of more than a quarter radian are cut into sub-steps, 256 at most.
+/// Turns of more than a quarter radian are cut into sub-steps, up to `longest_turn`: 1 us each.
 Eigen::Quaterniond turn_through_step(const Eigen::Quaterniond& start, const SpinStep& spin);
 
 /// The same into `next`, with the moment of forces that keep their direction while the body turns
 /// under them: half a kick, a turn, half a kick in each of so many sub-steps that the fastest
 /// oscillation about an equilibrium is resolved by 12 of them (4096 at most, 1 us each). Taken at
 /// the start of the step alone that moment feeds energy in at any step: an amplitude grows by
-/// 1 + h^2 k / (4 I) a step. Writes orientation, angular momentum and `turned`.
+/// 1 + h^2 k / (4 I) a step. Writes orientation, angular momentum, `turned` and `spun`.
 void turn_under_load(PredictedFrame& next, const Component& body, const SpinStep& spin,
                      const RigidLoad& load);
 

@@ -23,6 +23,7 @@ struct PredictedFrame {
   Vec3 angular_momentum = Vec3::Zero();
   double damping_work = 0;  ///< J taken by Rayleigh damping in this step
   double turned = 0;        ///< rad: h^2 / I times the largest moment of forces that do not turn
+  double spun = 0;  ///< rad: h times the spin at the start of the step, of what turns freely
   SolveReport solve = {};
   Vec3 spin = Vec3::Zero();  ///< rad/s, world; of what floats in its frame
 };

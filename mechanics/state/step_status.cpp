@@ -2,6 +2,7 @@
 // Parts of a step added up, and the finding that says a step failed.
 #include "mechanics/state/step_status.hpp"
 
+#include <cmath>
 #include <cstdio>
 #include <string>
 #include <utility>
@@ -21,9 +22,17 @@ Finding to_finding(const StepStatus& status) {
   Finding finding;
   finding.ids = {static_cast<std::int64_t>(status.vertex.value)};
   finding.remedy =
-      "Take the integrator floating_frame, or for verlet a time step below explicit_step_bound; "
-      "look for loads that are too large for the material.";
+      "Take a shorter time_step (for verlet below explicit_step_bound) or the integrator "
+      "floating_frame; look for loads that are too large for young_modulus.";
   char text[200];
+  char shorter[120];
+  if (status.turned > M_PI) {
+    // Half a turn per step: what an extrapolation through the step can follow.
+    std::snprintf(shorter, sizeof shorter,
+                  "Take a time_step below %.3g s: the component turns by %.3g rad within %.3g s.",
+                  status.time_step * M_PI / status.turned, status.turned, status.time_step);
+    finding.remedy = shorter;
+  }
   if (status.outcome == StepOutcome::overturned) {
     finding.code = "overturned";
     finding.ids = {static_cast<std::int64_t>(status.component.value)};
@@ -34,6 +43,13 @@ Finding to_finding(const StepStatus& status) {
     finding.remedy =
         "Take a shorter time step, hold the body, or give the load as a pressure, which turns with "
         "it.";
+  } else if (status.outcome == StepOutcome::spun_too_far) {
+    finding.code = "spun_too_far";
+    finding.ids = {static_cast<std::int64_t>(status.component.value)};
+    std::snprintf(text, sizeof text,
+                  "At %.9g s component %u spins by %.3g rad within one step: up to 1024 rad are "
+                  "followed.",
+                  status.time, status.component.value, status.turned);
   } else if (status.outcome == StepOutcome::too_many_sub_steps) {
     finding.code = "too_many_sub_steps";
     finding.ids.clear();

@@ -32,6 +32,7 @@ enum class StepOutcome {
   not_a_number,        ///< a position or velocity is not finite
   diverged,            ///< a vertex is farther from its reference than ten radii of its component
   overturned,          ///< loads turn a component by more than half a turn within the step
+  spun_too_far,        ///< a component turns by more than `longest_turn` within the step
   too_many_sub_steps,  ///< sub_stepped would need more than allowed; no step was taken
 };
 
@@ -41,7 +42,8 @@ struct StepStatus {
   VertexId vertex;          ///< the first vertex with the failure
   ComponentId component;    ///< its component
   double displacement = 0;  ///< m, of that vertex
-  double turned = 0;        ///< rad, of that component, for `overturned`
+  double turned = 0;        ///< rad, of that component within the step, where it turns freely
+  double time_step = 0;     ///< s, of the part of the step
   double time = 0;          ///< s, end of the step
   double damping_work = 0;  ///< J taken by Rayleigh damping in this step
   SolveReport solve;

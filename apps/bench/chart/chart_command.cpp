@@ -102,14 +102,13 @@ std::string answer_text(const Chart& chart) {
 }
 
 ExitCode write_chart(const ChartArguments& arguments, const Chart& chart) {
-  std::error_code error;
-  std::filesystem::create_directories(arguments.folder, error);
   const std::string name(traits_of(chart.probe.quantity).name);
   std::vector<Finding> findings;
   const auto keep = [&](std::optional<Finding> f) {
     if (f) findings.push_back(std::move(*f));
   };
-  keep(write_file(arguments.folder / (name + ".csv"), chart_csv(chart)));
+  keep(make_folder(arguments.folder));
+  if (!has_error(findings)) keep(write_file(arguments.folder / (name + ".csv"), chart_csv(chart)));
   if (!has_error(findings)) keep(draw_png(chart_script(chart), arguments.folder / (name + ".png")));
   std::string meshes;
   if (chart.cheapest) {

@@ -9,6 +9,7 @@
 
 #include "apps/bench/chart/chart_pareto.hpp"
 #include "apps/bench/chart/chart_report.hpp"
+#include "topology/base/counted.hpp"
 
 namespace sunder {
 namespace {
@@ -200,9 +201,9 @@ std::string chart_script(const Chart& chart) {
       title(fmt::format("{}: error of {}", chart.scene, q.name)),
       title(fmt::format("ms of computing per simulated ms{}",
                         missing == 0 ? ""
-                                     : fmt::format("    ({} of {} runs have no point: see "
-                                                   "the table)",
-                                                   missing, chart.points.size()))),
+                                     : fmt::format("    ({} of {} {} no point: see the table)",
+                                                   missing, counted(chart.points.size(), "run"),
+                                                   for_count(missing, "has", "have")))),
       title(fmt::format("error over {}", q.scale)));
   return script + plot.curves + "\n" + plot.data;
 }

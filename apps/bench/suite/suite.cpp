@@ -35,7 +35,8 @@ fixture. Kernels that come with Sunder:
   cgal     CGAL's map with its managed unsew
   twin     union-find
 --kernel takes one of these names, or a shell command of a program with the protocol of
-docs/reference/suite.md on stdin and stdout. Only the kernels given are judged.
+docs/reference/suite.md on stdin and stdout. It takes one kernel and may be repeated. Only the
+kernels given are judged.
 FILTER is a part of a fixture's name, or a pattern with * ? [ ] for the whole of it.
 Without --fixtures the folder is meshes/suite in the current directory, else that of the source tree
 the program was built from.
@@ -68,7 +69,7 @@ that is no kernel), 3 fixtures or meshes unreadable or invalid, 4 a file not wri
 Examples:
   sunder suite
   sunder suite figure
-  sunder suite '09-*' --kernel sunder --json
+  sunder suite --kernel sunder --json '09-*'
   sunder suite --kernel 'python3 tests/topology/suite/adapters/minimal.py'
   sunder suite --kernel ./my_adapter --timeout 2 --fail-fast --junit suite.xml
   sunder suite --export sunder-suite.tar.gz
@@ -260,9 +261,8 @@ void add_suite_command(CLI::App& program, ExitCode& exit_code) {
   CLI::Option* const kernel =
       command
           ->add_option("--kernel", arguments->kernels,
-                       "sunder, dense, nested, cgal, twin, or a shell command")
+                       "sunder, dense, nested, cgal, twin, or a shell command; may be repeated")
           ->type_name("KERNEL")
-          ->expected(1)
           ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   CLI::Option* const timeout =
       command

@@ -15,6 +15,7 @@
 #include "apps/bench/suite/tar.hpp"
 #include "apps/scene/words.hpp"
 #include "apps/sunder/telling.hpp"
+#include "topology/base/counted.hpp"
 #include "topology/io/files/output_file.hpp"
 #include "topology/io/files/printing.hpp"
 #include "topology/suite/fixtures/fixture_json_write.hpp"
@@ -108,7 +109,7 @@ ExitCode export_suite(const std::vector<suite::Fixture>& fixtures,
     tell({*failure}, {});
     return ExitCode::not_written;
   }
-  print("{}: {} fixtures\n", archive.string(), fixtures.size());
+  print("{}: {}\n", archive.string(), counted(fixtures.size(), "fixture"));
   return ExitCode::fine;
 }
 

@@ -12,6 +12,7 @@
 
 #include "apps/scene/json_text.hpp"
 #include "apps/scene/words.hpp"
+#include "topology/base/counted.hpp"
 #include "topology/io/files/printing.hpp"
 #include "topology/io/mesh_file.hpp"
 #include "topology/mesh/check.hpp"
@@ -52,8 +53,8 @@ class FanProgress {
     last_ = Clock::now();
     const double elapsed = seconds_since(start_);
     const double left = elapsed * static_cast<double>(fans_ - done) / static_cast<double>(done + 1);
-    write_text(stderr, fmt::format("\r{}: {} of {} fans, {:.0f} s left\033[K", plain_line(kernel_),
-                                   done, fans_, left));
+    write_text(stderr, fmt::format("\r{}: {} of {}, {:.0f} s left\033[K", plain_line(kernel_), done,
+                                   counted(fans_, "fan"), left));
     std::fflush(stderr);
   }
 
@@ -136,11 +137,11 @@ void print_failure(const FamilyReport& family) {
   const auto line = [](const suite::Mismatch& m) {
     return fmt::format("{}: expected {}, answered {}", m.what, m.expected, m.answered);
   };
-  print("\n{}: after {} steps on {} tetrahedra: {}\n", family.name, failure.found.steps.size(),
-        failure.found.body.tetrahedra.size(), line(failure.first));
+  print("\n{}: after {} on {}: {}\n", family.name, counted(failure.found.steps.size(), "step"),
+        counted_tetrahedra(failure.found.body.tetrahedra.size()), line(failure.first));
   if (failure.last) {
-    print("Shrunk to {} steps on {} tetrahedra: {}\n", failure.shrunk.steps.size(),
-          failure.shrunk.body.tetrahedra.size(), line(*failure.last));
+    print("Shrunk to {} on {}: {}\n", counted(failure.shrunk.steps.size(), "step"),
+          counted_tetrahedra(failure.shrunk.body.tetrahedra.size()), line(*failure.last));
   } else {
     print("No answer to a step was wrong in a second run: nothing taken away.\n");
   }
@@ -181,8 +182,9 @@ void print_run(const RandomArguments& arguments, const KernelRun& run) {
   for (const FamilyReport& f : run.report.families) {
     if (f.failure) print_failure(f);
   }
-  print("\n{} fans and {} by labels, {} mismatches, {:.1f} minutes\n", total.counts.fans,
-        total.counts.labelled_fans, failures_of(run), run.seconds / 60);
+  print("\n{} and {} by labels, {}, {:.1f} minutes\n", counted(total.counts.fans, "fan"),
+        total.counts.labelled_fans, counted(failures_of(run), "mismatch", "mismatches"),
+        run.seconds / 60);
 }
 
 ordered_json mismatch_json(const suite::Mismatch& m) {
@@ -235,7 +237,6 @@ void add_random_options(CLI::App& command, const std::vector<CLI::Option*>& othe
   command.add_option("--mesh", arguments.meshes, "Of --random: one more body; may be repeated")
       ->type_name("FILE")
       ->needs(random)
-      ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   add_quiet_flag(command, arguments.telling)->needs(random);
 }

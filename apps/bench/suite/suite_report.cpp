@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "topology/base/counted.hpp"
+
 namespace sunder {
 namespace {
 
@@ -117,7 +119,7 @@ std::string verdict_details(const Verdict& v, const std::vector<std::string>& st
   text += fmt::format("{}: {}: expected {}, answered {}\n", when, m.what, m.expected, m.answered);
   constexpr std::size_t most = 20;
   if (steps.empty()) return text;
-  text += fmt::format("    seen with {} step{}:\n", steps.size(), steps.size() == 1 ? "" : "s");
+  text += fmt::format("    seen with {}:\n", counted(steps.size(), "step"));
   for (std::size_t i = 0; i < std::min(most, steps.size()); ++i) {
     text += fmt::format("      {}\n", steps[i]);
   }
@@ -151,12 +153,14 @@ std::string suite_totals(const SuiteTable& table, const std::vector<SuiteRow>& r
   }
   const std::size_t left = table.fixtures - rows.size();
   const std::string ended =
-      left == 0 ? "" : fmt::format("ended at a mismatch, {} fixtures not judged; ", left);
-  return fmt::format(
-      "{}{} fixtures, {} kernels: {} operations, {} steps, {} checks, {} not asked, {} known "
-      "differences, {} mismatches; {}truth {:.2f} s\n",
-      ended, t.fixtures, table.kernels.size(), t.operations, t.steps, t.checks, t.not_asked,
-      t.known_differences, t.mismatches, times, t.truth_us * 1e-6);
+      left == 0 ? ""
+                : fmt::format("ended at a mismatch, {} not judged; ", counted(left, "fixture"));
+  return fmt::format("{}{}, {}: {}, {}, {}, {} not asked, {}, {}; {}truth {:.2f} s\n", ended,
+                     counted(t.fixtures, "fixture"), counted(table.kernels.size(), "kernel"),
+                     counted(t.operations, "operation"), counted(t.steps, "step"),
+                     counted(t.checks, "check"), t.not_asked,
+                     counted(t.known_differences, "known difference"),
+                     counted(t.mismatches, "mismatch", "mismatches"), times, t.truth_us * 1e-6);
 }
 
 nlohmann::ordered_json suite_json(const SuiteTable& table, const std::vector<SuiteRow>& rows) {

@@ -50,8 +50,10 @@ std::optional<Finding> put(const fs::path& path, std::string_view text) {
 }
 
 ExitCode show_demo(const fs::path& folder, const Telling& telling) {
-  std::error_code error;
-  fs::create_directories(folder, error);
+  if (const std::optional<Finding> finding = make_folder(folder)) {
+    tell({*finding}, telling);
+    return ExitCode::not_written;
+  }
   const fs::path scene = folder / "ball.json";
   for (const auto& [path, text] :
        {std::pair{scene, demo_scene}, std::pair{folder / demo_mesh_name, demo_mesh}}) {

@@ -14,6 +14,7 @@
 #include "apps/sunder/export/glb.hpp"
 #include "apps/sunder/export/obstacle_tracks.hpp"
 #include "apps/sunder/program.hpp"
+#include "topology/base/counted.hpp"
 #include "topology/io/files/output_file.hpp"
 #include "topology/io/files/printing.hpp"
 #include "topology/io/mesh_file.hpp"
@@ -96,8 +97,8 @@ ExitCode write_broken(const ExportArguments& arguments, const ResultFrame& last,
                                       {"findings", findings_json(findings)}});
     return ExitCode::fine;
   }
-  print("{} tetrahedra, {} points at {:.6g} s\n", last.tetrahedra.size(), last.position.size(),
-        last.time);
+  print("{}, {} at {:.6g} s\n", counted_tetrahedra(last.tetrahedra.size()),
+        counted(last.position.size(), "point"), last.time);
   return ExitCode::fine;
 }
 
@@ -141,8 +142,8 @@ ExitCode export_result(const ExportArguments& arguments) {
                                       {"findings", findings_json(run.findings)}});
     return ExitCode::fine;
   }
-  print("{} pieces, {} frames; tracks within {:.1e} m of the rigid references\n", pieces,
-        run->frames.size(), departure);
+  print("{}, {}; tracks within {:.1e} m of the rigid references\n", counted(pieces, "piece"),
+        counted(run->frames.size(), "frame"), departure);
   return ExitCode::fine;
 }
 

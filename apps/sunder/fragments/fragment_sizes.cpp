@@ -13,6 +13,7 @@
 #include <numeric>
 #include <string>
 
+#include "topology/base/counted.hpp"
 #include "topology/base/split_text.hpp"
 #include "topology/io/mesh_file.hpp"
 
@@ -83,7 +84,8 @@ Result<PieceColumns> read_fragments(const std::filesystem::path& csv) {
   for (std::size_t row = 2; row <= lines.size(); ++row) {
     const std::vector<std::string_view> cells = split_text(lines[row - 1], ',');
     if (cells.size() != width) {
-      return bad_table(csv, row, fmt::format("has {} cells, not {}", cells.size(), width));
+      return bad_table(csv, row,
+                       fmt::format("has {}, not {}", counted(cells.size(), "cell"), width));
     }
     for (WantedColumn& column : columns) {
       const std::optional<double> value = positive_number(cells[column.place]);

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "topology/base/counted.hpp"
+
 namespace sunder {
 namespace {
 
@@ -114,8 +116,8 @@ std::string verdict(const SampleLaws& laws) {
 
 /// What is larger than any element.
 std::string beyond_text(const FragmentSizes& s) {
-  std::string text =
-      fmt::format("{} pieces are larger than the largest element", s.beyond_elements);
+  std::string text = fmt::format("{} larger than the largest element",
+                                 counted(s.beyond_elements, "piece is", "pieces are"));
   if (!s.beyond) {
     return text + fmt::format(": too few (below {}) to show more than the mesh\n", fewest_for_fit);
   }
@@ -150,18 +152,20 @@ std::string fragments_text(const FragmentSizes& s) {
   const std::string_view unit = unit_of(s);
   const auto n = s.pieces.size();
   std::string text = fmt::format(
-      "{} pieces, {} to {:.4g} {}, median {:.4g}\n{} of them single tetrahedra with {:.1f} % of "
+      "{}, {} to {:.4g} {}, median {:.4g}\n{} with {:.1f} % of "
       "the volume; the largest piece has {:.1f} %\n",
-      n, fmt::format("{:.4g}", s.pieces.front()), s.pieces.back(), unit, s.pieces[n / 2],
-      s.single_tetrahedra, 100 * s.single_part, 100 * s.largest_part);
+      counted(n, "piece"), fmt::format("{:.4g}", s.pieces.front()), s.pieces.back(), unit,
+      s.pieces[n / 2],
+      counted(s.single_tetrahedra, "of them a single tetrahedron", "of them single tetrahedra"),
+      100 * s.single_part, 100 * s.largest_part);
   if (s.elements.empty()) {
     text += "The mesh's elements are not known: give --mesh, or run with frames.\n";
   } else {
     text += fmt::format(
-        "{} elements, {:.4g} to {:.4g} {}, median {:.4g}\nDistance of all pieces from the "
+        "{}, {:.4g} to {:.4g} {}, median {:.4g}\nDistance of all pieces from the "
         "elements {:.3f} (probability {:.2g} if they were the same), of single tetrahedra {:.3f} "
         "({:.2g})\n",
-        s.elements.size(), s.elements.front(), s.elements.back(), unit,
+        counted(s.elements.size(), "element"), s.elements.front(), s.elements.back(), unit,
         s.elements[s.elements.size() / 2], s.from_elements.distance, s.from_elements.probability,
         s.singles_from_elements.distance, s.singles_from_elements.probability);
     text += beyond_text(s);

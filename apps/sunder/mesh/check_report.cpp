@@ -10,6 +10,7 @@
 
 #include "apps/scene/words.hpp"
 #include "apps/sunder/telling.hpp"
+#include "topology/base/counted.hpp"
 #include "topology/io/files/printing.hpp"
 
 namespace sunder {
@@ -215,7 +216,8 @@ void print_table(const CheckReport& report) {
   if (report.quality) print_quality(*report.quality);
   write_text(stdout, finding_lines(report.findings, shows_colours(STDOUT_FILENO)));
   if (report.cells_written > 0) {
-    print("{}: {} cells that findings name\n", report.findings_file.string(), report.cells_written);
+    print("{}: {} that findings name\n", report.findings_file.string(),
+          counted(report.cells_written, "cell"));
   } else if (!report.findings_file.empty()) {
     print("no finding names a cell: nothing is written\n");
   }

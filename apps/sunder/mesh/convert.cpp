@@ -17,6 +17,7 @@
 #include "apps/sunder/mesh/convert_crack.hpp"
 #include "apps/sunder/mesh/formats_table.hpp"
 #include "apps/sunder/telling.hpp"
+#include "topology/base/counted.hpp"
 #include "topology/io/files/output_file.hpp"
 #include "topology/io/files/printing.hpp"
 #include "topology/io/format_traits.hpp"
@@ -107,7 +108,7 @@ std::string listed(const std::array<std::size_t, cell_kinds>& counts) {
     const std::size_t n = counts[index_of(kind)];
     if (n == 0) continue;
     const CellKindTraits& t = traits_of(kind);
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", n, n == 1 ? t.name : t.plural);
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", counted(n, t.name, t.plural));
   }
   return text;
 }
@@ -124,8 +125,8 @@ void tell_split(const SplitCells& report, std::vector<Finding>& findings) {
                : fmt::format("{} became {}{}", listed(report.cut), listed(parts),
                              report.numbers_added == 0
                                  ? ""
-                                 : fmt::format("; {} of them have numbers behind the highest",
-                                               report.numbers_added))));
+                                 : fmt::format("; {} behind the highest for them",
+                                               counted(report.numbers_added, "number")))));
   const auto warn = [&](std::size_t count, std::string_view code, std::string text) {
     if (count == 0) return;
     findings.push_back({.code = std::string(code),
@@ -137,17 +138,22 @@ void tell_split(const SplitCells& report, std::vector<Finding>& findings) {
   };
   warn(report.concave_volumes, "concave_cells",
        fmt::format(
-           "{} volume cells are concave or flat: parts of them are flat or turned inside out",
-           report.concave_volumes));
+           "{} {} concave or flat: parts are flat or turned inside out",
+           counted(report.concave_volumes, "volume cell"),
+           for_count(report.concave_volumes, "is", "are")));
   warn(report.concave_faces, "concave_faces",
-       fmt::format("{} faces are concave or flat: triangles of them look the other way",
-                   report.concave_faces));
+       fmt::format("{} {} concave or flat: some triangles look the other way",
+                   counted(report.concave_faces, "face"),
+                   for_count(report.concave_faces, "is", "are")));
   warn(report.bent_polygons, "bent_polygons",
-       fmt::format("{} polygons are not plane: their triangles are one of several surfaces through "
-                   "their corners",
-                   report.bent_polygons));
+       fmt::format("{} {} not plane: the triangles are one of several surfaces through the "
+                   "corners",
+                   counted(report.bent_polygons, "polygon"),
+                   for_count(report.bent_polygons, "is", "are")));
   warn(report.empty_parts, "empty_parts",
-       fmt::format("{} parts of cells that repeat a corner are left out", report.empty_parts));
+       fmt::format("{} of cells that repeat a corner {} left out",
+                   counted(report.empty_parts, "part"),
+                   for_count(report.empty_parts, "is", "are")));
 }
 
 /// Makes cells linear, simplices, or of second order, as was asked for. Points are merged before: parts of
@@ -171,19 +177,22 @@ void simplify(FileMesh& mesh, ConvertArguments& arguments, std::vector<Finding>&
     findings.push_back(asked_for("made_linear", sum,
                                  sum == 0 ? std::string("all cells are linear")
                                           : fmt::format("{} {} made linear", listed(curved),
-                                                        sum == 1 ? "is" : "are")));
+                                                        for_count(sum, "is", "are"))));
   }
   if (arguments.split) tell_split(split_cells(mesh), findings);
   const std::size_t dropped = drop_points_out_of_use(mesh, used);
   if (dropped > 0) {
     findings.push_back(asked_for(
         "dropped_unused", dropped,
-        fmt::format("{} points that only cells of second order used were dropped", dropped)));
+        fmt::format("{} that only cells of second order used {} dropped",
+                    counted(dropped, "point"), for_count(dropped, "was", "were"))));
   }
   if (arguments.order == 2) {
     const std::size_t added = raise_order(mesh);
     findings.push_back(asked_for("made_second_order", added,
-                                 fmt::format("{} points were added in the middles of edges", added)));
+                                 fmt::format("{} {} added in the middles of edges",
+                                             counted(added, "point"),
+                                             for_count(added, "was", "were"))));
   }
 }
 
@@ -210,7 +219,9 @@ Finding drop_shells_and_beams(FileMesh& mesh) {
   return asked_for("dropped_shells", dropped,
                    dropped == 0
                        ? std::string("there are no triangles and no edges: nothing was dropped")
-                       : fmt::format("{} triangles, other faces and edges were dropped", dropped));
+                       : fmt::format("{} {} dropped",
+                                     counted(dropped, "face or edge", "faces and edges"),
+                                     for_count(dropped, "was", "were")));
 }
 
 Conversion convert(ConvertArguments arguments) {
@@ -289,7 +300,7 @@ std::string counts_text(const FileMesh& mesh) {
   std::string text;
   const auto add = [&text](std::size_t count, std::string_view one, std::string_view several) {
     if (count == 0) return;
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, count == 1 ? one : several);
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", counted(count, one, several));
   };
   add(mesh.points.size(), "point", "points");
   for (std::size_t i = cell_kinds; i-- > 0;) {

@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "apps/scene/words.hpp"
+#include "topology/base/counted.hpp"
 #include "topology/io/face_list.hpp"
 #include "topology/mesh/crack.hpp"
 #include "topology/mesh/repair.hpp"
@@ -60,20 +61,25 @@ std::vector<Finding> notes_of(const Crack& crack) {
   for (std::size_t i = 0; i < crack.copies.size(); ++i) {
     points += i == 0 || crack.copies[i][0] != crack.copies[i - 1][0];
   }
-  std::vector<Finding> notes{note("cracked", crack.faces.size(),
-                                  fmt::format("{} faces are cut: {} points have {} copies",
-                                              crack.faces.size(), points, crack.copies.size()))};
+  std::vector<Finding> notes{
+      note("cracked", crack.faces.size(),
+           fmt::format("{} {} cut: {} {} {}", counted(crack.faces.size(), "face"),
+                       for_count(crack.faces.size(), "is", "are"), counted(points, "point"),
+                       for_count(points, "has", "have"),
+                       counted(crack.copies.size(), "copy", "copies")))};
   if (crack.closed_faces > 0) {
-    notes.push_back(note("closed_faces", crack.closed_faces,
-                         fmt::format("{} of the faces do not open: all their points lie on the "
-                                     "crack's front and stay joined",
-                                     crack.closed_faces)));
+    notes.push_back(
+        note("closed_faces", crack.closed_faces,
+             fmt::format("{} of the faces {} not open: all points lie on the crack's "
+                         "front and stay joined",
+                         crack.closed_faces, for_count(crack.closed_faces, "does", "do"))));
   }
   if (crack.triangles_on_it > 0) {
     notes.push_back(note("triangles_on_crack", crack.triangles_on_it,
-                         fmt::format("{} triangles lie on the crack: each goes with the "
-                                     "tetrahedron of the lower row",
-                                     crack.triangles_on_it)));
+                         fmt::format("{} {} on the crack: each goes with the tetrahedron of the "
+                                     "lower row",
+                                     counted(crack.triangles_on_it, "triangle"),
+                                     for_count(crack.triangles_on_it, "lies", "lie"))));
   }
   return notes;
 }

@@ -9,6 +9,7 @@
 
 #include "apps/scene/words.hpp"
 #include "apps/sunder/mesh/divided_mesh.hpp"
+#include "topology/base/counted.hpp"
 #include "topology/cells/plane_cut.hpp"
 #include "topology/mesh/crack.hpp"
 
@@ -63,8 +64,9 @@ Result<CutFaces> exact_faces(const CuttingPlane& plane, double tolerance, Divide
   }
   std::ranges::sort(faces);
   lines += fmt::format(
-      "{} tetrahedra divided at {} new points; {} points of before lie in the plane\n",
-      file.divided[3], cut->edit.vertices.size(), cut->on_plane);
+      "{} divided at {}; {} of before {} in the plane\n", counted_tetrahedra(file.divided[3]),
+      counted(cut->edit.vertices.size(), "new point"), counted(cut->on_plane, "point"),
+      for_count(cut->on_plane, "lies", "lie"));
   json["divided"] = file.divided[3];
   json["new_vertices"] = cut->edit.vertices.size();
   json["on_plane"] = cut->on_plane;
@@ -106,10 +108,12 @@ ExitCode run_cut(const CutArguments& arguments) {
                   ExitCode::usage);
   }
   const Crack crack = open_crack(body->mesh, *links, *faces);
-  lines += fmt::format("{} faces cut, {} points copied{}\n", faces->size(), crack.copies.size(),
+  lines += fmt::format("{} cut, {} copied{}\n", counted(faces->size(), "face"),
+                       counted(crack.copies.size(), "point"),
                        crack.closed_faces == 0
                            ? ""
-                           : fmt::format("; {} of the faces do not open", crack.closed_faces));
+                           : fmt::format("; {} of the faces {} not open", crack.closed_faces,
+                                         for_count(crack.closed_faces, "does", "do")));
   json["faces_cut"] = faces->size();
   json["points_copied"] = crack.copies.size();
   json["closed_faces"] = crack.closed_faces;

@@ -13,6 +13,7 @@
 #include "apps/scene/words.hpp"
 #include "apps/sunder/mesh/divided_mesh.hpp"
 #include "apps/sunder/mesh/near_crack.hpp"
+#include "topology/base/counted.hpp"
 #include "topology/cells/refine.hpp"
 #include "topology/kernel/plane_side.hpp"
 #include "topology/mesh/crack.hpp"
@@ -111,15 +112,16 @@ void tell(const std::vector<RefinedLevel>& levels, const DividedFile& file, std:
   json["levels"] = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < levels.size(); ++i) {
     const RefinedLevel& level = levels[i];
-    lines += fmt::format("level {}: {} tetrahedra into eight, {} divided to fit, {} new vertices\n",
-                         i + 1, level.red, level.green, level.edit.vertices.size());
+    lines += fmt::format("level {}: {} into eight, {} divided to fit, {}\n", i + 1,
+                         counted_tetrahedra(level.red), level.green,
+                         counted(level.edit.vertices.size(), "new vertex", "new vertices"));
     json["levels"].push_back({{"red", level.red},
                               {"green", level.green},
                               {"new_vertices", level.edit.vertices.size()}});
   }
   if (file.numbers_added > 0) {
-    lines += fmt::format("{} new points and cells have numbers behind the file's highest\n",
-                         file.numbers_added);
+    lines += fmt::format("{} behind the file's highest for new points and cells\n",
+                         counted(file.numbers_added, "number"));
   }
   json["numbers_added"] = file.numbers_added;
 }
@@ -128,7 +130,8 @@ Finding too_many(std::size_t levels) {
   return {.code = "too_many_tetrahedra",
           .text = fmt::format("the levels make more than {} tetrahedra", most_refined),
           .remedy = levels == 0 ? std::string("each level of all makes eight times as many: give fewer")
-                                : fmt::format("{} levels are within that", levels)};
+                                : fmt::format("{} {} within that", counted(levels, "level"),
+                                              for_count(levels, "is", "are"))};
 }
 
 ExitCode run_refine(const RefineArguments& arguments) {

@@ -15,6 +15,7 @@
 #include "apps/sunder/mesh/split_output.hpp"
 #include "apps/sunder/program.hpp"
 #include "apps/sunder/static/static_fan.hpp"
+#include "topology/base/counted.hpp"
 #include "topology/base/whole_number.hpp"
 #include "topology/io/files/printing.hpp"
 #include "topology/io/mesh_file.hpp"
@@ -176,7 +177,7 @@ void print_counts(const SplitAnswer& answer) {
   line("Euler characteristic", a.euler_characteristic, b.euler_characteristic);
   line("Betti numbers", betti_text(a), betti_text(b));
   line("volume, m^3", fmt::format("{:.6g}", a.volume), fmt::format("{:.6g}", b.volume));
-  print("\nvisited by the search for components: {} tetrahedra\n", visited_by_all(answer));
+  print("\nvisited by the search for components: {}\n", counted_tetrahedra(visited_by_all(answer)));
 }
 
 void print_table(const SplitAnswer& answer) {

@@ -16,6 +16,7 @@
 #include "apps/scene/words.hpp"
 #include "apps/sunder/program.hpp"
 #include "apps/sunder/render/result_picture.hpp"
+#include "topology/io/files/output_file.hpp"
 #include "topology/io/files/printing.hpp"
 
 namespace sunder {
@@ -97,6 +98,7 @@ std::vector<Finding> draw(const RenderArguments& a, const RunResult& run,
     if (!image) return std::move(image.findings);
     std::filesystem::path path = a.out;
     if (a.all) path.replace_filename(fmt::format("{}_{:06}.png", a.out.stem().string(), k));
+    if (auto finding = make_folder_of(path)) return {*finding};
     if (std::vector<Finding> findings = render::write_png(path, *image); has_error(findings)) {
       return findings;
     }

@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "apps/sunder/telling.hpp"
+#include "topology/base/counted.hpp"
 #include "topology/base/whole_number.hpp"
 
 namespace sunder {
@@ -44,9 +45,8 @@ std::string progress_line(const ProgressState& state, double elapsed, double lef
         whole_number<std::size_t>(share_done(state) * static_cast<double>(width), width);
     line = fmt::format("[{:-<{}}] ", std::string(filled, '#'), width);
   }
-  line += fmt::format("step {}/{}  t = {:.6f} s  {} {}  {} {}", state.step, state.steps, state.time,
-                      state.pieces, state.pieces == 1 ? "piece" : "pieces", state.fans,
-                      state.fans == 1 ? "fan" : "fans");
+  line += fmt::format("step {}/{}  t = {:.6f} s  {}  {}", state.step, state.steps, state.time,
+                      counted(state.pieces, "piece"), counted(state.fans, "fan"));
   if (state.behind > 0) line += fmt::format("  {:.2f} s behind", state.behind);
   line += fmt::format("  {} gone  {} left", wall_time(elapsed), wall_time(left));
   return line;
@@ -103,10 +103,13 @@ void Heartbeat::print(double elapsed) {
       line = line_(elapsed, std::min(longest_bar, room - frame - line.size()));
     }
     line.resize(std::min(line.size(), room));
+  } else if (line == last_) {
+    return;
   }
   std::fprintf(stderr, terminal_ ? "\r%s\033[K" : "%s\n", line.c_str());
   std::fflush(stderr);
   shown_ = true;
+  last_ = std::move(line);
 }
 
 void Heartbeat::wipe() {
@@ -115,8 +118,9 @@ void Heartbeat::wipe() {
 }
 
 Heartbeat::Line line_of_work(std::string_view name) {
-  return [name = std::string(name)](double elapsed, std::size_t) {
-    return fmt::format("{}  {}", name, wall_time(elapsed));
+  return [name = std::string(name), terminal = is_terminal(STDERR_FILENO)](double elapsed,
+                                                                           std::size_t) {
+    return terminal ? fmt::format("{}  {}", name, wall_time(elapsed)) : name;
   };
 }
 

@@ -32,7 +32,7 @@ std::string progress_line(const ProgressState& state, double elapsed, double lef
 
 /// Prints a line to stderr from a thread of its own, however long the caller is busy: every 0.2 s
 /// on a terminal, where it replaces the last one, every second elsewhere. Where the system gives no
-/// thread nothing is printed.
+/// thread nothing is printed. Elsewhere than on a terminal the same line is not printed twice.
 class Heartbeat {
  public:
   /// Gives the line after `elapsed` seconds, with a bar of `width` characters where it has one.
@@ -58,13 +58,15 @@ class Heartbeat {
 
   Line line_;
   bool terminal_, shown_ = false, ended_ = false;
+  std::string last_;
   std::mutex printing_;
   std::condition_variable end_;
   Clock::time_point start_;
   std::thread thread_;
 };
 
-/// A heartbeat for work of unknown length: its name and the time since its start.
+/// A heartbeat for work of unknown length: its name and, on a terminal, the time since its start.
+/// Elsewhere its line comes once, as further ones would say nothing new.
 Heartbeat::Line line_of_work(std::string_view name);
 
 /// A heartbeat for the steps of a run. Its functions may be called while the thread prints.

@@ -304,13 +304,19 @@ std::optional<Finding> Recorder::report_fault(const Simulation& now) const {
   if (!key) return std::nullopt;
   return Finding{.code = "not_a_number",
                  .text = fmt::format("{} of the report is no number, or infinite", *key),
-                 .remedy = "look for values of the scene that are far too large or too small",
+                 .remedy =
+                     "take a shorter time_step; look for values of the scene that are far "
+                     "too large or too small",
                  .file = (parts_->folder / "report.json").string()};
 }
 
 std::optional<std::uint64_t> Recorder::saved_step() const { return parts_->saved_step; }
 
 std::vector<Finding> Recorder::Parts::write_tables(const Simulation& now, RunEnd end) {
+  // A folder that somebody took away is not made again for the last files of a run.
+  if (!file_exists(folder)) {
+    return {*cannot_write(folder, std::make_error_code(std::errc::no_such_file_or_directory))};
+  }
   const std::vector<Fragment> pieces = fragments(now);
   report = run_report(done.statistics, now, pieces, end);
   report["settings"] = settings;

@@ -11,6 +11,7 @@
 
 #include "apps/scene/scene_text.hpp"
 #include "apps/sunder/run/report/counters_json.hpp"
+#include "topology/base/counted.hpp"
 
 namespace sunder {
 namespace {
@@ -211,12 +212,12 @@ bool read_end(LogReader& reader, const ordered_json& end, std::string_view text)
   }
   if (end["fans"] != replay.script.fans.size()) {
     return reader.refuse("bad_event_log",
-                         fmt::format("says {} fans, and there are {}: lines are missing",
+                         fmt::format("says fans {}, and there are {}: lines are missing",
                                      end["fans"].dump(), replay.script.fans.size()));
   }
   if (end["releases"] != replay.releases) {
     return reader.refuse("bad_event_log",
-                         fmt::format("says {} releases, and there are {}: lines are missing",
+                         fmt::format("says releases {}, and there are {}: lines are missing",
                                      end["releases"].dump(), replay.releases));
   }
   if (!holds_check(reader, text)) return false;
@@ -235,8 +236,8 @@ bool read_end(LogReader& reader, const ordered_json& end, std::string_view text)
   replay.steps = end["steps"].get<std::uint64_t>();
   const std::uint64_t all = reader.scene.steps;
   if (replay.steps > all || (replay.end == RunEnd::finished && replay.steps < all)) {
-    return reader.refuse("bad_event_log", fmt::format("says {} after {} steps; the scene has {}",
-                                                      word, replay.steps, all));
+    return reader.refuse("bad_event_log", fmt::format("says {} after {}; the scene has {}", word,
+                                                      counted(replay.steps, "step"), all));
   }
   reader.ended = true;
   return true;

@@ -25,6 +25,7 @@
 #include "fracture/saving/state_numbers.hpp"
 #include "fracture/simulation/rows.hpp"
 #include "mechanics/state/living.hpp"
+#include "topology/base/counted.hpp"
 #include "topology/io/files/printing.hpp"
 
 namespace sunder {
@@ -286,11 +287,11 @@ Resumed branch_off(const RunArguments& arguments) {
   if (!start.run) return start;
   if (const std::uint64_t steps = step_count(start.run->simulation.scene);
       *arguments.from > steps) {
-    tell_beside(
-        {{.code = "step_after_end",
-          .text = fmt::format("the run has {} steps; there is no step {}", steps, *arguments.from),
-          .remedy = "give an earlier step; --until extends a run"}},
-        arguments);
+    tell_beside({{.code = "step_after_end",
+                  .text = fmt::format("the run has {}; there is no step {}", counted(steps, "step"),
+                                      *arguments.from),
+                  .remedy = "give an earlier step; --until extends a run"}},
+                arguments);
     return {};
   }
   std::optional<Replay> none;

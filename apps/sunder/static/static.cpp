@@ -20,6 +20,7 @@
 #include "apps/sunder/static/static_fan.hpp"
 #include "fracture/simulation/statics/statics.hpp"
 #include "mechanics/rebuild.hpp"
+#include "topology/base/counted.hpp"
 #include "topology/io/files/printing.hpp"
 
 namespace sunder {
@@ -129,8 +130,9 @@ void print_table(const Equilibrium& answer) {
   };
   for (std::size_t b = 0; b < answer.bodies.size(); ++b) {
     const BodyEquilibrium& body = answer.bodies[b];
-    row("body", fmt::format("{} {} ({} tetrahedra, {} nodes, {:.6g} kg)", b, plain_line(body.name),
-                            body.tetrahedra, body.nodes, body.mass));
+    row("body", fmt::format("{} {} ({}, {}, {:.6g} kg)", b, plain_line(body.name),
+                            counted_tetrahedra(body.tetrahedra), counted(body.nodes, "node"),
+                            body.mass));
     row("displacement",
         fmt::format("{:.6g} m {}", body.displacement.value, place(body.displacement)));
     row("strain energy", fmt::format("{:.6g} J", body.strain_energy));
@@ -139,8 +141,10 @@ void print_table(const Equilibrium& answer) {
     row("share of strength",
         fmt::format("{:.4g} {}", body.strength_share.value, place(body.strength_share)));
     for (const SupportReaction& s : body.supports) {
-      row("support", fmt::format("{} vertices push with ({:.6g}, {:.6g}, {:.6g}) N", s.vertices,
-                                 s.force[0], s.force[1], s.force[2]));
+      row("support", fmt::format("{} {} with ({:.6g}, {:.6g}, {:.6g}) N",
+                                 counted(s.vertices, "vertex", "vertices"),
+                                 for_count(s.vertices, "pushes", "push"), s.force[0], s.force[1],
+                                 s.force[2]));
     }
   }
 }

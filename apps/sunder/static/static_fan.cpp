@@ -12,6 +12,7 @@
 #include "apps/scene/words.hpp"
 #include "fracture/algorithms/choose_fan.hpp"
 #include "fracture/energy/tip_energy.hpp"
+#include "topology/base/counted.hpp"
 #include "topology/base/whole_number.hpp"
 #include "topology/kernel/fan.hpp"
 
@@ -121,10 +122,11 @@ nlohmann::ordered_json to_json(const FanAnswer& answer) {
 
 std::string to_table(const FanAnswer& answer) {
   std::string text = fmt::format(
-      "{:<18} at vertex {}, normal ({:.6g}, {:.6g}, {:.6g}): {} faces, {:.6g} m^2 ({:.6g} "
-      "projected), {} copies{}\n",
-      "fan", answer.point, answer.normal[0], answer.normal[1], answer.normal[2], answer.faces,
-      answer.release.area, answer.release.projected, answer.release.copies,
+      "{:<18} at vertex {}, normal ({:.6g}, {:.6g}, {:.6g}): {}, {:.6g} m^2 "
+      "({:.6g} projected), {}{}\n",
+      "fan", answer.point, answer.normal[0], answer.normal[1], answer.normal[2],
+      counted(answer.faces, "face"), answer.release.area, answer.release.projected,
+      counted(answer.release.copies, "copy", "copies"),
       answer.release.comes_free ? "; a piece comes free" : "");
   text += fmt::format("{:<18} {:.6g} J, {:.6g} J/m^2", "energy released", answer.release.energy,
                       answer.release.per_area());

@@ -84,6 +84,22 @@ TEST_CASE("a filter is a part of the name or a pattern for it", "[suite][command
   CHECK(here.run({"suite", "igure*", "--fixtures", data + "/good"}).exit_code == 2);
 }
 
+TEST_CASE("a filter may stand behind --kernel, which takes one kernel per use",
+          "[suite][command]") {
+  const Workplace here;
+  for (const std::vector<std::string> last :
+       {std::vector<std::string>{"--kernel", "twin", "small/[mn]*"},
+        {"--kernel", "sunder", "--kernel", "twin", "small/[mn]*"}}) {
+    std::vector<std::string> words = {"suite", "--fixtures", data + "/good", "--json"};
+    words.insert(words.end(), last.begin(), last.end());
+    const Outcome outcome = here.run(words);
+    INFO(outcome.err);
+    REQUIRE(outcome.exit_code == 0);
+    CHECK(outcome.json()["totals"]["fixtures"] == 2);
+    CHECK(outcome.json()["kernels"].size() == last.size() / 2);
+  }
+}
+
 TEST_CASE("unreadable fixtures end with 3 and the place", "[suite][command]") {
   const Workplace here;
   here.write("bad.json", R"({"name": "bad", "shows": "", "source": "", "cases": [{"name": 1}]})");
@@ -139,7 +155,7 @@ TEST_CASE(
   const Outcome table =
       here.run({"suite", "--fixtures", data + "/good", "--kernel", liar, "--fail-fast"});
   CHECK(table.exit_code == 1);
-  CHECK(table.out.find("ended at a mismatch, 8 fixtures not judged; 1 fixtures") !=
+  CHECK(table.out.find("ended at a mismatch, 8 fixtures not judged; 1 fixture,") !=
         std::string::npos);
   const auto json =
       here.run({"suite", "--fixtures", data + "/good", "--kernel", liar, "--fail-fast", "--json"})
@@ -228,9 +244,8 @@ TEST_CASE("a JUnit file has a testsuite a kernel and a testcase a fixture", "[su
   CHECK(count(lost, "<testsuite name=\"a&lt;b&amp;c\"") == 1);
   CHECK(std::all_of(lost.begin(), lost.end(),
                     [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); }));
-  CHECK(
-      here.run({"suite", "01-*", "--kernel", "twin", "--junit", here.path("no/x.xml")}).exit_code ==
-      4);
+  CHECK(here.run({"suite", "01-*", "--kernel", "twin", "--junit", here.path("no/such/x.xml")})
+            .exit_code == 4);
 }
 
 TEST_CASE("an export is one archive, and mistakes write none", "[suite][command]") {

@@ -192,6 +192,21 @@ TEST_CASE("mistakes on the command line end with 2 and are told on stderr",
   }
 }
 
+TEST_CASE("an option that may be repeated takes one value per use: a file may follow it",
+          "[apps][command_line]") {
+  const Workplace here;
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {"run", "--set", "duration=0.001", "--set", "output.frames=1", "--quiet", "-o",
+            here.path("out"), "--set", "output.checkpoint.minutes=0",
+            SUNDER_SCENES "/charts/monolith.json"},
+           {"refine", "--region", "1", "--region", "1", sample_mesh("cube.msh"),
+            here.path("a.msh")}}) {
+    const Outcome outcome = here.run(words);
+    INFO(words[0] << ": " << outcome.text());
+    CHECK(outcome.exit_code == 0);
+  }
+}
+
 TEST_CASE("mistyped commands and options get the nearest name", "[apps][command_line]") {
   const Workplace here;
   const Outcome command = here.run({"chekc", "x.msh"});

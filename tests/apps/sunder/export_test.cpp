@@ -133,3 +133,44 @@ TEST_CASE("a report that was damaged is refused, lists in lists too", "[export]"
   here.write("run/report.json", R"({"gravity": [0, 0)");
   CHECK(read_run_result(here.path("run")).findings.back().code == "syntax_error");
 }
+
+TEST_CASE("commands make the folder of a file where only its last part is missing, and no more",
+          "[export][output]") {
+  const test::Workplace here;
+  const std::string scene = SUNDER_SCENES "/charts/monolith.json";
+  const std::string mesh = test::sample_mesh("two_tets.msh");
+  REQUIRE(here.run({"run", scene, "-o", here.path("out/run"), "--quiet", "--set",
+                    "duration=0.001", "--set", "output.frames=1"})
+              .exit_code == 0);
+  const std::string run = here.path("out/run");
+  std::vector<std::vector<std::string>> commands;
+  for (const std::string place : {"one/", "one/"}) {  // the second time it is there
+    commands.push_back({"export", run, here.path(place + "x.obj")});
+  }
+  commands.push_back({"export", run, here.path("two/x.glb")});
+  commands.push_back({"export", run, here.path("three/x.msh")});
+  commands.push_back({"convert", mesh, here.path("four/x.vtu")});
+  commands.push_back({"split", mesh, "--plane", "0,0,1,0", "-o", here.path("five/x.msh")});
+  commands.push_back({"check", mesh, "--write-findings", here.path("six/x.vtu")});
+  commands.push_back({"cut", mesh, here.path("seven/x.msh"), "--plane", "1,0,0,0.3"});
+  for (const std::vector<std::string>& command : commands) {
+    const test::Outcome outcome = here.run(command);
+    INFO(command[0] << ": " << outcome.text());
+    CHECK(outcome.exit_code == 0);
+  }
+  CHECK(std::filesystem::exists(here.path("one/x_000000.obj")));
+  for (std::vector<std::string> command : commands) {
+    const bool is_last = command[0] == "split" || command[0] == "check";
+    const std::size_t place = is_last ? command.size() - 1 : 2;
+    command[place] = here.path("far/" + command[0] + "/x" +
+                               std::filesystem::path(command[place]).extension().string());
+    const test::Outcome outcome = here.run(command);
+    INFO(command[0] << ": " << outcome.text());
+    CHECK(outcome.exit_code == 4);
+    CHECK(outcome.err.find("mkdir -p " + here.path("far/" + command[0])) != std::string::npos);
+  }
+  const test::Outcome far = here.run({"run", scene, "-o", here.path("far/out/run"), "--quiet"});
+  CHECK(far.exit_code == 4);
+  CHECK(far.err.find("mkdir -p " + here.path("far/out")) != std::string::npos);
+  CHECK_FALSE(std::filesystem::exists(here.path("far")));
+}

@@ -146,6 +146,19 @@ TEST_CASE("progress is printed while the step goes on, from where the step has c
   CHECK(text.starts_with("step 3/9  t = 0.012500 s  1 piece  42 fans  "));
 }
 
+TEST_CASE("work of unknown length has one line in a file, however long it takes",
+          "[run][progress]") {
+  const Workplace here;
+  const std::string path = here.path("err");
+  {
+    const StderrTo file(path);
+    const Heartbeat work(false, line_of_work("opening the files"));
+    while (bytes_of(path).empty()) wait_a_little();
+    std::this_thread::sleep_for(std::chrono::milliseconds(2300));  // two more beats
+  }
+  CHECK(bytes_of(path) == "opening the files\n");
+}
+
 TEST_CASE("quiet progress prints nothing and holding it keeps it silent", "[run][progress]") {
   const Workplace here;
   const std::string path = here.path("err");

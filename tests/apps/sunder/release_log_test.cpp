@@ -46,7 +46,7 @@ TEST_CASE("releases are held to their places, and to what the replay releases", 
   const std::size_t row = releases[3];
   refused([&](Lines& l) { l.erase(l.begin() + static_cast<std::ptrdiff_t>(row)); },
           "release 3 is due");
-  refused([&](Lines& l) { l.back()["releases"] = 1; }, "says 1 releases");
+  refused([&](Lines& l) { l.back()["releases"] = 1; }, "says releases 1");
   refused([&](Lines& l) { l[row].erase("part"); }, "\"part\"");
   refused([&](Lines& l) { l[row]["step"] = 0; }, "comes before");
   // What no reader can tell the replay finds, in its line.

@@ -301,3 +301,53 @@ TEST_CASE("limits of the environment hold for scenes, and a mistake in them is r
   CHECK(run("unpacked_byte=1") == 2);
   CHECK_THAT(bytes_of(here.path("err")), Contains("SUNDER_LIMITS") && Contains("unpacked_bytes"));
 }
+
+TEST_CASE("giant steps end with a result or with an error that names time_step", "[apps][robust]") {
+  const Workplace here;
+  json spinning = cube_scene();
+  spinning["gravity"]["acceleration"] = {0, 0, 0};
+  json resting = cube_scene();
+  resting["bodies"][0]["translation"] = {0, 0, 0.05};
+  resting["bodies"][0]["material"] = {{"young_modulus", 30e9}, {"tensile_strength", 3e6}};
+  resting["fracture"]["mode"] = "off";
+  resting["obstacles"] = {{{"plane", {{"normal", {0, 0, 1}}}}}};
+  std::vector<json> scenes = {resting};
+  for (const double spin : {1.0, 10.0, 1000.0}) {
+    for (const bool rigid : {false, true}) {
+      scenes.push_back(spinning);
+      scenes.back()["bodies"][0]["spin"] = {0, 0.1 * spin, spin};
+      scenes.back()["bodies"][0]["rigid"] = rigid;
+    }
+  }
+  for (json& scene : scenes) {
+    for (const double step : {40.0, 80.0, 1e4}) {
+      scene["time_step"] = step;
+      scene["duration"] = 3 * step;
+      const std::string file = here.write("scene.json", scene.dump());
+      const Outcome o = here.run({"run", file, "--force", "-o", here.path("out")});
+      INFO(scene.dump() << "\n" << o.err);
+      if (o.exit_code == 0) {
+        CHECK_FALSE(has_null(json::parse(bytes_of(here.path("out/report.json")))));
+      } else {
+        CHECK((o.exit_code == 3 || o.exit_code == 5));
+        CHECK_THAT(o.err, Contains("time_step"));
+        CHECK_THAT(o.err, !Contains("turned_too_far"));
+      }
+    }
+  }
+}
+
+TEST_CASE("a free rigid body of 80 s per step keeps its energy", "[apps][robust]") {
+  const Workplace here;
+  json scene = cube_scene();
+  scene["gravity"]["acceleration"] = {0, 0, 0};
+  scene["bodies"][0]["rigid"] = true;
+  scene["bodies"][0]["spin"] = {0.01, 10, 0.02};
+  scene["time_step"] = 80;
+  scene["duration"] = 240;
+  const Outcome o =
+      here.run({"run", here.write("scene.json", scene.dump()), "-o", here.path("out")});
+  INFO(o.err);
+  CHECK(o.exit_code == 0);
+  CHECK_THAT(o.err, !Contains("energy_rises") && !Contains("energy_residual"));
+}

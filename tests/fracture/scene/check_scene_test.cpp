@@ -110,6 +110,10 @@ TEST_CASE("what keys say together is refused at its place", "[fracture][settings
   CHECK(wrong([](Scene& s) { s.bodies.clear(); }) == All{"no_body bodies"});
   CHECK(wrong([](Scene& s) { s.integrator.time_step = 1e-12; }) == All{"too_many_steps time_step"});
   CHECK(wrong([](Scene& s) {
+          s.integrator.time_step = s.duration = 80;
+          s.bodies[0].spin = {0, 0, 100};
+        }) == All{"spun_too_far time_step"});
+  CHECK(wrong([](Scene& s) {
           s.bodies[0].held = {{.minimum = {5, 5, 5}, .maximum = {6, 6, 6}},
                               {.minimum = {1, 1, 1}, .maximum = {0, 0, 0}}};
         }) == All{"bad_box bodies.0.held.1", "nothing_held bodies.0.held.0"});

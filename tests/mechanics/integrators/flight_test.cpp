@@ -253,3 +253,39 @@ TEST_CASE("verlet is bounded below the element bound and reports what happens fa
   CHECK(finding.ids.size() == 1);
   CHECK(finding.remedy.find("explicit_step_bound") != std::string::npos);
 }
+
+TEST_CASE("a rigid body turns by the exact angle in a step of many turns", "[mechanics][flight]") {
+  const Body body = kuhn_block({2, 2, 2}, Vec3(1, 0.7, 0.5));
+  const Material material{.young_modulus = 1e9};
+  MechanicsState state = state_of(body, material);
+  state.components[0].rung = Rung::rigid;
+  place(state, ComponentId{0}, {.spin = Vec3(0, 0, 10)});
+  MechanicsScratch scratch;
+  const Loads none;
+  const IntegratorSettings settings{.time_step = 80};
+  const StepStatus status = advance(state, scratch, {body.corners, none, settings});
+  REQUIRE(status.outcome == StepOutcome::fine);
+  const Eigen::Quaterniond& R = state.components[0].orientation;
+  // 800 rad about z.
+  CHECK(std::abs(R.w()) == Approx(std::abs(std::cos(400.0))).margin(1e-9));
+  CHECK(std::abs(R.z()) == Approx(std::abs(std::sin(400.0))).margin(1e-9));
+}
+
+TEST_CASE("a step that a body spins through too often is refused by the key time_step",
+          "[mechanics][flight][failure]") {
+  const Body body = kuhn_block({2, 2, 2}, Vec3(1, 0.7, 0.5));
+  const Rung rung = GENERATE(Rung::rigid, Rung::full);
+  MechanicsState state = state_of(body, {.young_modulus = 1e9});
+  state.components[0].rung = rung;
+  place(state, ComponentId{0}, {.spin = Vec3(1, 2, 100)});
+  MechanicsScratch scratch;
+  const Loads none;
+  const IntegratorSettings settings{.time_step = 80};
+  const StepStatus status = advance(state, scratch, {body.corners, none, settings});
+  REQUIRE(status.outcome == StepOutcome::spun_too_far);
+  CHECK(status.turned == Approx(80 * Vec3(1, 2, 100).norm()).epsilon(1e-6));
+  const Finding finding = to_finding(status);
+  CHECK(finding.code == "spun_too_far");
+  CHECK(finding.text.find("spins by 8e+03 rad within one step") != std::string::npos);
+  CHECK(finding.remedy.find("time_step below 0.0314 s") != std::string::npos);
+}

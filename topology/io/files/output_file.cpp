@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "topology/io/files/gzip.hpp"
+#include "topology/io/files/printing.hpp"
 
 namespace sunder {
 namespace {
@@ -44,6 +45,23 @@ std::string remedy_for(int error) {
     default:
       return "write elsewhere";
   }
+}
+
+/// `path`: of what lies in the folder, for the finding.
+std::optional<Finding> make_last_part(const std::filesystem::path& folder,
+                                      const std::filesystem::path& path) {
+  std::error_code error;
+  if (std::filesystem::is_directory(folder, error)) return std::nullopt;
+  error.clear();
+  std::filesystem::create_directory(folder, error);
+  if (!error) return std::nullopt;
+  const bool lacks_more = error == std::errc::no_such_file_or_directory;
+  return Finding{
+      .code = "cannot_write",
+      .text = fmt::format("the folder {} cannot be made: {}", folder.string(), error.message()),
+      .remedy = lacks_more ? fmt::format("make it first: mkdir -p {}", shell_word(folder.string()))
+                           : remedy_for(error.value()),
+      .file = path.string()};
 }
 
 /// 0, or the system's error number.
@@ -103,6 +121,7 @@ std::optional<Finding> write_file(const std::filesystem::path& path,
                         : std::optional(cannot_write(path, failure, remedy_for(failure)));
   }
   const std::filesystem::path target = target_of(path);
+  if (auto finding = make_folder_of(target)) return finding;
   std::error_code error;
   if (std::filesystem::is_symlink(target, error)) {
     return cannot_write(path, ELOOP, "name a file: these links lead to each other");
@@ -130,6 +149,19 @@ std::optional<Finding> write_file(const std::filesystem::path& path,
   }
   ::unlink(beside.c_str());
   return cannot_write(path, failure, remedy_for(failure));
+}
+
+std::optional<Finding> make_folder_of(const std::filesystem::path& path) {
+  const std::filesystem::path folder = path.parent_path();
+  return folder.empty() ? std::nullopt : make_last_part(folder, path);
+}
+
+std::optional<Finding> make_folder(const std::filesystem::path& path) {
+  const std::filesystem::path folder = path.has_filename() ? path : path.parent_path();
+  std::error_code error;
+  if (std::filesystem::is_directory(folder, error)) return std::nullopt;
+  if (auto finding = make_folder_of(folder)) return finding;
+  return make_last_part(folder, path);
 }
 
 std::optional<Finding> write_file(const std::filesystem::path& path, std::string_view text) {

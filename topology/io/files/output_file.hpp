@@ -18,6 +18,7 @@ enum class Durable : bool { no, yes };
 
 /// Writes `parts`, one after the other, as the file `path`.
 /// Leaves: the new file complete, or on an error the old one (or none) as it was; nothing beside.
+/// Makes the folder of the file as make_folder_of does.
 /// A symbolic link is followed and stays; a file that is replaced leaves its mode, and its owner
 /// where the system lets us. What is named *.gz is packed. `-` is standard output, where what
 /// failed half-way stays half.
@@ -28,6 +29,14 @@ std::optional<Finding> write_file(const std::filesystem::path& path,
 
 /// The same for a single piece of text.
 std::optional<Finding> write_file(const std::filesystem::path& path, std::string_view text);
+
+/// Makes the folder that `path` lies in, where only the last part of that folder is missing. This
+/// is the rule for all that a user names as a place for results. Errors: cannot_write, with `mkdir
+/// -p FOLDER` as the remedy where more than the last part is missing.
+std::optional<Finding> make_folder_of(const std::filesystem::path& path);
+
+/// Makes the folder `path` itself by the same rule: the folder around it may be missing too.
+std::optional<Finding> make_folder(const std::filesystem::path& path);
 
 /// A file that grows at its end as a program goes.
 class AppendedFile {

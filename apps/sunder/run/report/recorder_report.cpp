@@ -18,6 +18,7 @@
 #include "apps/sunder/run/report/turn_check.hpp"
 #include "fracture/simulation/ledger/momentum_ledger.hpp"
 #include "mechanics/element/energy.hpp"
+#include "topology/base/counted.hpp"
 #include "topology/io/files/printing.hpp"
 
 namespace sunder {
@@ -215,7 +216,8 @@ void add_step(RunStatistics& statistics, const Simulation& now, const StepReport
   statistics.energy_released += report.energy_released;
   note_troubles(statistics.troubles, now, report);
   note_drawn(statistics, now);
-  if (statistics.turned_too_far) return;
+  // What failed has an error of its own.
+  if (statistics.turned_too_far || report.status.outcome != StepOutcome::fine) return;
   if (std::optional<Finding> turned = check_turns(now, report)) {
     statistics.turned_too_far = true;
     statistics.warnings.push_back(std::move(*turned));
@@ -345,32 +347,33 @@ std::string summary_table(const ordered_json& r) {
       fmt::format("mean {:.3g} ms, max {:.3g} ms, {:.3g} s in all", number("/step_ms/mean"),
                   number("/step_ms/max"), number("/step_ms/mean") * number("/steps") / 1000));
   if (const auto sub_steps = r["impact"]["sub_steps"].get<std::uint64_t>(); sub_steps > 0) {
-    row("impacts", fmt::format("{} windows, {} sub-steps over {:.4g} s",
-                               r["impact"]["windows"].get<std::uint64_t>(), sub_steps,
-                               number("/impact/time")));
+    row("impacts", fmt::format("{}, {} over {:.4g} s",
+                               counted(r["impact"]["windows"].get<std::uint64_t>(), "window"),
+                               counted(sub_steps, "sub-step"), number("/impact/time")));
   }
   if (const auto stopped = r["impact"]["stopped_steps"].get<std::uint64_t>(); stopped > 0) {
-    row("", fmt::format("impact.max_sub_steps was reached in {} steps", stopped));
+    row("", fmt::format("impact.max_sub_steps was reached in {}", counted(stopped, "step")));
   }
   if (const auto given_up = r["integrator"]["not_converged"].get<std::uint64_t>(); given_up > 0) {
     row("integrator",
-        fmt::format("not converged in {} steps, which a direct solve replaced", given_up));
+        fmt::format("not converged in {}, replaced by a direct solve", counted(given_up, "step")));
   }
-  row("fans", fmt::format("{} ({} faces)", r["fans"].get<std::uint64_t>(),
-                          r["faces_split"].get<std::uint64_t>()));
-  row("pieces", fmt::format("{} ({} single tetrahedra)", r["components"].get<std::uint64_t>(),
-                            r["fragments"]["single_tetrahedra"].get<std::uint64_t>()));
+  row("fans", fmt::format("{} ({})", r["fans"].get<std::uint64_t>(),
+                          counted(r["faces_split"].get<std::uint64_t>(), "face")));
+  row("pieces", fmt::format("{} ({})", r["components"].get<std::uint64_t>(),
+                            counted(r["fragments"]["single_tetrahedra"].get<std::uint64_t>(),
+                                    "single tetrahedron", "single tetrahedra")));
   if (r.contains("ties")) {
     row("cracks took",
-        fmt::format("{:.4g} J of {:.4g} J due over {:.4g} m^2 released, {} faces tied",
+        fmt::format("{:.4g} J of {:.4g} J due over {:.4g} m^2 released, {} tied",
                     number("/ties/dissipated"), number("/ties/fracture_energy_of_released"),
                     number("/ties/released_projected_area"),
-                    r["ties"]["tied_faces"].get<std::uint64_t>()));
+                    counted(r["ties"]["tied_faces"].get<std::uint64_t>(), "face")));
   }
   row("largest piece", fmt::format("{:.4g} kg of {:.4g} kg", number("/fragments/largest_mass"),
                                    number("/fragments/mass")));
   if (const auto missed = r["contact"]["not_converged"].get<std::uint64_t>(); missed > 0) {
-    row("contact", fmt::format("not converged in {} steps, worst {:.2g} m", missed,
+    row("contact", fmt::format("not converged in {}, worst {:.2g} m", counted(missed, "step"),
                                number("/contact/worst_residual")));
   }
   row("mass error", fmt::format("{:.1e}", number("/fragments/mass_error")));

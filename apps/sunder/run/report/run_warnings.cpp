@@ -10,6 +10,7 @@
 
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/element/energy.hpp"
+#include "topology/base/counted.hpp"
 
 namespace sunder {
 namespace {
@@ -185,8 +186,9 @@ std::vector<Finding> warnings_of(const RunTroubles& t, const Scene& scene) {
     found.push_back(warning(
         "contacts_left_out",
         fmt::format(
-            "{} contacts were left out {}: pieces may overlap, gain energy and break otherwise",
-            static_cast<std::uint64_t>(t.left_out.size), when(t.left_out)),
+            "{} left out {}: pieces may overlap, gain energy and break otherwise",
+            counted(static_cast<std::uint64_t>(t.left_out.size), "contact was", "contacts were"),
+            when(t.left_out)),
         "take a shorter time_step, or raise contact.max_passes or contact.max_contacts_per_pair"));
   }
   if (t.not_converged.steps > 0 && sweeps_matter(t, scene)) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "fracture/scene/scene_fields.hpp"
+#include "topology/base/counted.hpp"
 #include "topology/io/files/printing.hpp"
 
 namespace sunder {
@@ -25,8 +26,8 @@ std::string grouped(std::uint64_t number) {
   return digits;
 }
 
-std::string counted(std::uint64_t number, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", grouped(number), number == 1 ? one : many);
+std::string in_groups(std::uint64_t number, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", grouped(number), for_count(number, one, many));
 }
 
 /// 6e5 as "600 kPa"; a range where the values differ.
@@ -93,7 +94,7 @@ std::vector<std::string> motion_words(const Scene& scene) {
   add(falls(scene) ? (one ? "falls at" : "falling at") : (one ? "moves at" : "moving at"),
       speeds(of_bodies, "m/s"));
   add(one ? "spins at" : "spinning at", speeds(spins, "rad/s"));
-  add(counted(moving, "obstacle at", "obstacles at"), speeds(of_obstacles, "m/s"));
+  add(in_groups(moving, "obstacle at", "obstacles at"), speeds(of_obstacles, "m/s"));
   add("supports move at", speeds(of_supports, "m/s"));
   if (loads > 0) words.emplace_back("loaded");
   const bool is_driven = !words.empty();
@@ -118,18 +119,19 @@ std::string_view word_of(CrackMode mode) {
 std::string scene_line(const Scene& scene) {
   std::size_t tetrahedra = 0;
   for (const BodySettings& body : scene.bodies) tetrahedra += body.mesh.tetrahedra.size();
-  std::vector<std::string> words = {fmt::format("{} of {}",
-                                                counted(scene.bodies.size(), "body", "bodies"),
-                                                counted(tetrahedra, "tetrahedron", "tetrahedra"))};
+  std::vector<std::string> words = {
+      fmt::format("{} of {}", in_groups(scene.bodies.size(), "body", "bodies"),
+                  in_groups(tetrahedra, "tetrahedron", "tetrahedra"))};
   std::ranges::move(material_words(scene), std::back_inserter(words));
   std::ranges::move(motion_words(scene), std::back_inserter(words));
   const std::string cracks = scene.fracture.mode == FractureMode::off
                                  ? std::string("nothing breaks")
                                  : fmt::format("cracks: {}", word_of(scene.fracture.crack));
   // A name may hold anything; the line is one, and moves no cursor.
-  return plain_line(fmt::format(
-      "{}: {}; {:.4g} s in {}, {}", scene.name.empty() ? "scene" : scene.name,
-      fmt::join(words, ", "), scene.duration, counted(step_count(scene), "step", "steps"), cracks));
+  return plain_line(fmt::format("{}: {}; {:.4g} s in {}, {}",
+                                scene.name.empty() ? "scene" : scene.name, fmt::join(words, ", "),
+                                scene.duration, in_groups(step_count(scene), "step", "steps"),
+                                cracks));
 }
 
 }  // namespace sunder

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "apps/scene/scene_fields.hpp"
+#include "topology/base/counted.hpp"
 
 namespace sunder {
 namespace {
@@ -53,10 +54,10 @@ std::string settings_lines(const SceneFile& file, const ExpectedTime& time) {
                          c.reason);
   }
   const nlohmann::ordered_json& expected = settings["expected"];
-  lines += fmt::format(
-      "expected: {} steps of {} tetrahedra, {:.2g} ms per step in free flight, {:.2g} s in all\n",
-      expected["steps"].get<std::uint64_t>(), expected["tetrahedra"].get<std::uint64_t>(),
-      expected["step_ms"].get<double>(), expected["seconds"].get<double>());
+  lines += fmt::format("expected: {} of {}, {:.2g} ms per step in free flight, {:.2g} s in all\n",
+                       counted(expected["steps"].get<std::uint64_t>(), "step"),
+                       counted_tetrahedra(expected["tetrahedra"].get<std::uint64_t>()),
+                       expected["step_ms"].get<double>(), expected["seconds"].get<double>());
   return lines;
 }
 

@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
@@ -15,6 +16,8 @@
 #include <optional>
 #include <system_error>
 #include <utility>
+
+#include "topology/io/files/output_file.hpp"
 
 namespace sunder {
 
@@ -108,10 +111,8 @@ std::error_code remove_files(const fs::path& folder,
 }  // namespace
 
 Result<FolderLock> FolderLock::take(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
+  if (auto finding = make_folder(folder)) return std::move(*finding);
   const fs::path path = folder / "run.lock";
-  if (error) return cannot_lock(folder, error.value());
   for (;;) {
     const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (file < 0) return cannot_lock(path, errno);

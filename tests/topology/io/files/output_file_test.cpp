@@ -26,15 +26,38 @@ TEST_CASE("a file is written whole and nothing is left beside it", "[io][output_
 TEST_CASE("places that cannot be written to are named with the reason", "[io][output_file]") {
   const Folder folder;
   std::ofstream(folder.path() / "file") << "x";
-  const auto missing = write_file(folder.path() / "no" / "a.txt", "x");
-  REQUIRE(missing);
-  CHECK(missing->code == "cannot_write");
-  CHECK(missing->text.find("No such file or directory") != std::string::npos);
-  CHECK(missing->remedy == "create the folder first, or name another one");
   CHECK(write_file(folder.path(), "x")->text.find("Is a directory") != std::string::npos);
   CHECK(write_file(folder.path() / "file" / "a.txt", "x")->code == "cannot_write");
   CHECK(write_file("/dev/null", "x")->remedy == "name an ordinary file");
   CHECK(folder.names() == std::vector<std::string>{"file"});
+}
+
+TEST_CASE("the last part of a folder is made, more than that is refused", "[io][output_file]") {
+  const Folder folder;
+  CHECK_FALSE(write_file(folder.path() / "film" / "a.txt", "x"));
+  CHECK(bytes_of(folder.path() / "film" / "a.txt") == "x");
+  CHECK_FALSE(write_file(folder.path() / "film" / "b.txt", "y"));
+  const auto missing = write_file(folder.path() / "no" / "such one" / "a.txt", "x");
+  REQUIRE(missing);
+  CHECK(missing->code == "cannot_write");
+  CHECK(missing->file == (folder.path() / "no" / "such one" / "a.txt").string());
+  CHECK(missing->text.find("No such file or directory") != std::string::npos);
+  CHECK(missing->remedy ==
+        "make it first: mkdir -p '" + (folder.path() / "no" / "such one").string() + "'");
+  for (const char* name : {"out/run", "out/run/", "out"}) {
+    CHECK_FALSE(make_folder(folder.path() / name));
+  }
+  CHECK(std::filesystem::is_directory(folder.path() / "out" / "run"));
+  REQUIRE(make_folder(folder.path() / "far" / "out" / "run"));
+  CHECK(make_folder(folder.path() / "film" / "a.txt")->code == "cannot_write");
+  CHECK(folder.names() == std::vector<std::string>{"film", "out"});
+}
+
+TEST_CASE("a link into a missing folder has that made", "[io][output_file]") {
+  const Folder folder;
+  std::filesystem::create_symlink("below/target", folder.path() / "link");
+  CHECK_FALSE(write_file(folder.path() / "link", "new"));
+  CHECK(bytes_of(folder.path() / "below/target") == "new");
 }
 
 TEST_CASE("a link stays a link", "[io][output_file]") {
