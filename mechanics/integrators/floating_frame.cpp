@@ -266,6 +266,8 @@ void step_free(const ComponentStep& step) {
       {0.5 * (spin.inertia + inertia_new), 0.5 * (spin.inner + inner_new),
        step.component.angular_momentum, next.angular_momentum, step.input.settings.time_step},
       load);
+  // With the inertia of the start: that of the end means nothing after a step that went too far.
+  next.spun = step.input.settings.time_step * spin.velocity.norm();
 
   settle_frame(step, d, next);
   q = system.shape.arm + d.displacement;

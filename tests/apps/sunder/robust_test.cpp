@@ -340,6 +340,7 @@ TEST_CASE("giant steps end with a result or with an error that names time_step",
 TEST_CASE("a free rigid body of 80 s per step keeps its energy", "[apps][robust]") {
   const Workplace here;
   json scene = cube_scene();
+  scene["bodies"][0]["mesh"] = sample_mesh("bar.msh");
   scene["gravity"]["acceleration"] = {0, 0, 0};
   scene["bodies"][0]["rigid"] = true;
   scene["bodies"][0]["spin"] = {0.01, 10, 0.02};
