@@ -13,7 +13,6 @@
 #include <system_error>
 
 #include "topology/io/files/gzip.hpp"
-#include "topology/io/files/printing.hpp"
 
 namespace sunder {
 namespace {
@@ -45,23 +44,6 @@ std::string remedy_for(int error) {
     default:
       return "write elsewhere";
   }
-}
-
-/// `path`: of what lies in the folder, for the finding.
-std::optional<Finding> make_last_part(const std::filesystem::path& folder,
-                                      const std::filesystem::path& path) {
-  std::error_code error;
-  if (std::filesystem::is_directory(folder, error)) return std::nullopt;
-  error.clear();
-  std::filesystem::create_directory(folder, error);
-  if (!error) return std::nullopt;
-  const bool lacks_more = error == std::errc::no_such_file_or_directory;
-  return Finding{
-      .code = "cannot_write",
-      .text = fmt::format("the folder {} cannot be made: {}", folder.string(), error.message()),
-      .remedy = lacks_more ? fmt::format("make it first: mkdir -p {}", shell_word(folder.string()))
-                           : remedy_for(error.value()),
-      .file = path.string()};
 }
 
 /// 0, or the system's error number.
@@ -152,16 +134,20 @@ std::optional<Finding> write_file(const std::filesystem::path& path,
 }
 
 std::optional<Finding> make_folder_of(const std::filesystem::path& path) {
-  const std::filesystem::path folder = path.parent_path();
-  return folder.empty() ? std::nullopt : make_last_part(folder, path);
+  return path.has_parent_path() ? make_folder(path.parent_path()) : std::nullopt;
 }
 
 std::optional<Finding> make_folder(const std::filesystem::path& path) {
-  const std::filesystem::path folder = path.has_filename() ? path : path.parent_path();
   std::error_code error;
-  if (std::filesystem::is_directory(folder, error)) return std::nullopt;
-  if (auto finding = make_folder_of(folder)) return finding;
-  return make_last_part(folder, path);
+  if (std::filesystem::is_directory(path, error)) return std::nullopt;
+  error.clear();
+  std::filesystem::create_directories(path, error);
+  if (!error) return std::nullopt;
+  return Finding{
+      .code = "cannot_write",
+      .text = fmt::format("the folder {} cannot be made: {}", path.string(), error.message()),
+      .remedy = remedy_for(error.value()),
+      .file = path.string()};
 }
 
 std::optional<Finding> write_file(const std::filesystem::path& path, std::string_view text) {
