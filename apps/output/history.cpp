@@ -14,6 +14,7 @@
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/element/energy.hpp"
 #include "mechanics/state/living.hpp"
+#include "topology/base/assert.hpp"
 
 namespace sunder {
 namespace {
@@ -257,6 +258,7 @@ HistoryMoment moment_of(const History& history, const Simulation& now) {
 }
 
 void add(std::vector<Impulse>& sums, const std::vector<Impulse>& more) {
+  SUNDER_ASSERT(more.size() == sums.size(), "the simulation reports forces");
   for (std::size_t k = 0; k < sums.size(); ++k) sums[k] += more[k];
 }
 

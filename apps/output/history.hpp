@@ -34,7 +34,8 @@ struct History {
 /// A history whose first row is the present state, with forces of 0.
 History begin_history(const Simulation& start);
 
-/// Adds the forces, works and overlaps of one step. O(obstacles + held boxes + loads).
+/// Adds the forces, works and overlaps of one step. O(obstacles + held boxes + loads). Needs:
+/// `Simulation::reports_forces`.
 void add_step(History& history, const StepReport& report);
 
 /// Adds a row of the present state. Forces are means over the time since the last row.

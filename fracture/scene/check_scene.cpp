@@ -239,12 +239,12 @@ void check_together(fields::SettingsCheck& check, const Scene& scene) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const double turn = scene.bodies[b].spin.norm() * scene.integrator.time_step;
     if (!(turn > longest_turn)) continue;
-    check.add("spun_too_far", "time_step",
-              fmt::format("is {} s: bodies.{}.spin turns the body by {:.3g} rad per step, and up to "
-                          "{:.0f} rad are followed",
-                          scene.integrator.time_step, b, turn, longest_turn),
-              fmt::format("take a time_step below {:.3g} s",
-                          M_PI / scene.bodies[b].spin.norm()));
+    check.add(
+        "spun_too_far", "time_step",
+        fmt::format("is {} s: bodies.{}.spin turns the body by {:.3g} rad per step, and up to "
+                    "{:.0f} rad are followed",
+                    scene.integrator.time_step, b, turn, longest_turn),
+        fmt::format("take a time_step below {:.3g} s", M_PI / scene.bodies[b].spin.norm()));
     break;
   }
 }

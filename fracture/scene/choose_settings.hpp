@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Settings of contact and impacts that follow from mesh, material, speeds and the accuracy of a run.
+// Settings of contact and impacts that follow from mesh, material, speeds and the accuracy of a
+// run.
 #pragma once
 
 #include <span>

@@ -134,7 +134,7 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
   SimulationState& s = *sim.state;
   SimulationScratch& scratch = *sim.scratch;
   StepReport report;
-  report.forces = no_forces(scene);
+  if (sim.reports_forces) report.forces = no_forces(scene);
   const std::size_t components_before = s.cells.labels.size.size();
   const auto kinetic_now = [&] {
     return scene.energy_ledger && !all_rest(s) ? kinetic_energy(s.mechanics.vertices) : 0;
@@ -155,8 +155,8 @@ StepReport advance(Simulation& sim, const StepObserver& observe) {
     ContactStepResult taken;
     if (part->moves) {
       const StageTimer timer(report, Stage::mechanics);
-      const PartInput input{scene,        sim.bodies,  *part,    plan.members(),
-                            plan.gravity, sim.threads, sim.hurry};
+      const PartInput input{scene,        sim.bodies,  *part,     plan.members(),
+                            plan.gravity, sim.threads, sim.hurry, sim.reports_forces};
       const std::optional<Attempt> attempt = begin_attempt(scene, *part, s, report);
       taken = take_part(report, s, input, scratch);
       const bool fails = taken.status.outcome != StepOutcome::fine;

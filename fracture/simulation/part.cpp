@@ -3,6 +3,7 @@
 #include "fracture/simulation/part.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "fracture/simulation/ledger/energy_ledger.hpp"
 #include "fracture/simulation/ledger/force_report.hpp"
@@ -32,11 +33,12 @@ void update_forces(Loads& loads, const SimulationState& s, double time) {
 
 /// Supports whose velocity is raised go on at its mean over the part.
 void raise_supports(StepReport& report, MechanicsState& m, const PartInput& part,
-                    HeldRegions& regions) {
+                    std::optional<HeldRegions>& regions) {
   const auto is_raised = [](const PrescribedMotion& motion) { return !motion.raised.empty(); };
   if (std::ranges::none_of(m.motions, is_raised)) return;
   sunder::raise_supports(m, m.time + part.plan.length);
-  const std::vector<Vec3> velocity = m.vertices.velocity;
+  std::vector<Vec3> velocity;
+  if (regions) velocity = m.vertices.velocity;
   for (const ComponentId id : living_components(m, part.members)) {
     const Component& component = m.components[id.index()];
     if (!component.supported || component.rung == Rung::carried) continue;
@@ -44,7 +46,7 @@ void raise_supports(StepReport& report, MechanicsState& m, const PartInput& part
     report.energy.supports += follow_supports(m, id);
     const Impulse given = momentum_of(component) - before;
     report.momentum.supports += given;
-    add_raised_forces(report.forces, regions, m, {component, given, velocity});
+    if (regions) add_raised_forces(report.forces, *regions, m, {component, given, velocity});
   }
 }
 
@@ -65,7 +67,8 @@ ContactStepResult take_part(StepReport& report, SimulationState& s, const PartIn
                         .measures_strain = part.scene.energy_ledger,
                         .threads = part.threads,
                         .hurry = part.hurry};
-  HeldRegions regions(part.scene, part.bodies);
+  std::optional<HeldRegions> regions;
+  if (part.reports_forces) regions.emplace(part.scene, part.bodies);
   const double end = s.mechanics.time + part.plan.length;
   raise_supports(report, s.mechanics, part, regions);
   remember_start(scratch.before, s, part.scene.energy_ledger);
@@ -74,9 +77,9 @@ ContactStepResult take_part(StepReport& report, SimulationState& s, const PartIn
                            {scratch.mechanics, scratch.contact});
   if (!result.adopted) return result;
   const AdoptedPart adopted{s, input, result, scratch.before};
-  const std::vector<Impulse> supports = support_impulses(adopted);
-  add_part_momentum(report.momentum, adopted, supports);
-  add_part_forces(report.forces, regions, adopted, supports, end);
+  support_impulses(scratch.supports, adopted);
+  add_part_momentum(report.momentum, adopted, scratch.supports);
+  if (regions) add_part_forces(report.forces, *regions, adopted, scratch.supports, end);
   add_part_energy(report, adopted, part.scene.energy_ledger);
   return result;
 }

@@ -27,6 +27,7 @@ struct PartInput {
   Vec3 gravity = Vec3::Zero();  ///< m/s^2
   unsigned threads = 1;
   const std::atomic<bool>* hurry = nullptr;  ///< `Simulation::hurry`
+  bool reports_forces = false;               ///< `Simulation::reports_forces`
 };
 
 /// Takes one part of a step for its members: surface loads at its end, contact, mechanics. What it

@@ -36,6 +36,8 @@ struct Simulation {
   /// If given and true, a step ends as soon as possible: its remainder is taken at once and the
   /// sweeps of contact are cut short, as its report shows. For programs that can be interrupted.
   const std::atomic<bool>* hurry = nullptr;
+  /// True: each step fills `StepReport::forces`. It may change between steps.
+  bool reports_forces = false;
   /// The evolving state. Internal: its type is not part of the public headers.
   Owned<SimulationState> state;
   /// Working memory, replaceable by an empty one between any two steps. Internal.

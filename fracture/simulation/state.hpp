@@ -16,6 +16,7 @@
 #include "fracture/simulation/rubble/rubble_state.hpp"
 #include "mechanics/contact/contact.hpp"
 #include "mechanics/state/display_state.hpp"
+#include "mechanics/state/impulse.hpp"
 #include "mechanics/state/loads.hpp"
 #include "mechanics/step.hpp"
 
@@ -96,6 +97,7 @@ struct SimulationScratch {
   LadderScratch ladder;
   RubbleTickScratch rubble;
   PartStart before;
+  std::vector<Impulse> supports;  ///< of the part at hand
   Loads loads;
   std::vector<double> strength;   ///< |C|, Pa: `StepPlan::strength`
   std::vector<double> threshold;  ///< |C|, J: `StepPlan::threshold`

@@ -187,7 +187,7 @@ struct StepReport {
   LadderReport ladder;
   RubbleStepReport rubble;
   MomentumLedger momentum;
-  ForceReport forces;
+  ForceReport forces;  ///< empty without `Simulation::reports_forces`
   EnergyLedger energy;
   TieReport ties;
   std::vector<TieRelease> releases;  ///< in order; those of a part precede its fans

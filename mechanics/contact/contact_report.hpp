@@ -51,9 +51,9 @@ struct TieReport {
   int iterations = 0;         ///< back-solves for ties in sub-steps
   /// Largest deviation of a tie from its law in a sub-step, over the opening at which the tie ends.
   double residual = 0;
-  double work = 0;            ///< J, work on ties
-  double dissipated = 0;      ///< J of that, lost by the law
-  double stored = 0;          ///< J of that, recoverable by the law
+  double work = 0;        ///< J, work on ties
+  double dissipated = 0;  ///< J of that, lost by the law
+  double stored = 0;      ///< J of that, recoverable by the law
   /// Components with ties that opened by more than 1 % of the opening at which they end, ascending.
   std::vector<ComponentId> torn;
 };

@@ -189,6 +189,7 @@ const SceneFile& small_file() {
 
 Simulation small_simulation() {
   Result<Simulation> built = build_simulation(small_file().scene);
+  built->reports_forces = true;
   return std::move(*built);
 }
 

@@ -120,8 +120,9 @@ void tell_curved(Draft& draft, CellKind kind) {
                                       "its length from the straight line",
                                       counted(curved.count, t.name, t.plural),
                                       for_count(curved.count, "is", "are"), curved.most),
-                  .remedy = "make the cells straight: sunder convert --order 1 FILE NEW.msh, or mesh "
-                            "finer where the surface is curved"};
+                  .remedy =
+                      "make the cells straight: sunder convert --order 1 FILE NEW.msh, or mesh "
+                      "finer where the surface is curved"};
   finding.count = curved.count;
   const Draft::Others& others = draft.kept[index_of(kind)];
   finding.file = others.file;

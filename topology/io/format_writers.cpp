@@ -34,9 +34,8 @@ std::optional<Finding> write_stl(const std::filesystem::path& path, const FileMe
   if (too_big == 0) return write_file(path, io::write_stl(mesh, how.is_binary()));
   return Finding{.code = "number_out_of_range",
                  .count = too_big,
-                 .text = fmt::format(
-                     "{} coordinates beyond 3.4e38: binary STL has floats",
-                     counted(too_big, "point has", "points have")),
+                 .text = fmt::format("{} coordinates beyond 3.4e38: binary STL has floats",
+                                     counted(too_big, "point has", "points have")),
                  .remedy = "write text (--text), which keeps every digit"};
 }
 

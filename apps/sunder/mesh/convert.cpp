@@ -137,10 +137,9 @@ void tell_split(const SplitCells& report, std::vector<Finding>& findings) {
                                   "folded tetrahedra"});
   };
   warn(report.concave_volumes, "concave_cells",
-       fmt::format(
-           "{} {} concave or flat: parts are flat or turned inside out",
-           counted(report.concave_volumes, "volume cell"),
-           for_count(report.concave_volumes, "is", "are")));
+       fmt::format("{} {} concave or flat: parts are flat or turned inside out",
+                   counted(report.concave_volumes, "volume cell"),
+                   for_count(report.concave_volumes, "is", "are")));
   warn(report.concave_faces, "concave_faces",
        fmt::format("{} {} concave or flat: some triangles look the other way",
                    counted(report.concave_faces, "face"),
@@ -150,10 +149,10 @@ void tell_split(const SplitCells& report, std::vector<Finding>& findings) {
                    "corners",
                    counted(report.bent_polygons, "polygon"),
                    for_count(report.bent_polygons, "is", "are")));
-  warn(report.empty_parts, "empty_parts",
-       fmt::format("{} of cells that repeat a corner {} left out",
-                   counted(report.empty_parts, "part"),
-                   for_count(report.empty_parts, "is", "are")));
+  warn(
+      report.empty_parts, "empty_parts",
+      fmt::format("{} of cells that repeat a corner {} left out",
+                  counted(report.empty_parts, "part"), for_count(report.empty_parts, "is", "are")));
 }
 
 /// Makes cells linear, simplices, or of second order, as was asked for. Points are merged before: parts of
@@ -174,25 +173,25 @@ void simplify(FileMesh& mesh, ConvertArguments& arguments, std::vector<Finding>&
       sum += rows_of(mesh, kind).count;
     }
     make_linear(mesh);
-    findings.push_back(asked_for("made_linear", sum,
-                                 sum == 0 ? std::string("all cells are linear")
-                                          : fmt::format("{} {} made linear", listed(curved),
-                                                        for_count(sum, "is", "are"))));
+    findings.push_back(asked_for(
+        "made_linear", sum,
+        sum == 0 ? std::string("all cells are linear")
+                 : fmt::format("{} {} made linear", listed(curved), for_count(sum, "is", "are"))));
   }
   if (arguments.split) tell_split(split_cells(mesh), findings);
   const std::size_t dropped = drop_points_out_of_use(mesh, used);
   if (dropped > 0) {
-    findings.push_back(asked_for(
-        "dropped_unused", dropped,
-        fmt::format("{} that only cells of second order used {} dropped",
-                    counted(dropped, "point"), for_count(dropped, "was", "were"))));
+    findings.push_back(
+        asked_for("dropped_unused", dropped,
+                  fmt::format("{} that only cells of second order used {} dropped",
+                              counted(dropped, "point"), for_count(dropped, "was", "were"))));
   }
   if (arguments.order == 2) {
     const std::size_t added = raise_order(mesh);
-    findings.push_back(asked_for("made_second_order", added,
-                                 fmt::format("{} {} added in the middles of edges",
-                                             counted(added, "point"),
-                                             for_count(added, "was", "were"))));
+    findings.push_back(
+        asked_for("made_second_order", added,
+                  fmt::format("{} {} added in the middles of edges", counted(added, "point"),
+                              for_count(added, "was", "were"))));
   }
 }
 
@@ -216,12 +215,12 @@ Finding drop_shells_and_beams(FileMesh& mesh) {
   }
   mesh.region_name[1].clear();
   mesh.region_name[2].clear();
-  return asked_for("dropped_shells", dropped,
-                   dropped == 0
-                       ? std::string("there are no triangles and no edges: nothing was dropped")
-                       : fmt::format("{} {} dropped",
-                                     counted(dropped, "face or edge", "faces and edges"),
-                                     for_count(dropped, "was", "were")));
+  return asked_for(
+      "dropped_shells", dropped,
+      dropped == 0
+          ? std::string("there are no triangles and no edges: nothing was dropped")
+          : fmt::format("{} {} dropped", counted(dropped, "face or edge", "faces and edges"),
+                        for_count(dropped, "was", "were")));
 }
 
 Conversion convert(ConvertArguments arguments) {

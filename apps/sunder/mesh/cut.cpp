@@ -63,10 +63,10 @@ Result<CutFaces> exact_faces(const CuttingPlane& plane, double tolerance, Divide
     faces.push_back(std::min(f, body.map.neighbour(f)).value);
   }
   std::ranges::sort(faces);
-  lines += fmt::format(
-      "{} divided at {}; {} of before {} in the plane\n", counted_tetrahedra(file.divided[3]),
-      counted(cut->edit.vertices.size(), "new point"), counted(cut->on_plane, "point"),
-      for_count(cut->on_plane, "lies", "lie"));
+  lines += fmt::format("{} divided at {}; {} of before {} in the plane\n",
+                       counted_tetrahedra(file.divided[3]),
+                       counted(cut->edit.vertices.size(), "new point"),
+                       counted(cut->on_plane, "point"), for_count(cut->on_plane, "lies", "lie"));
   json["divided"] = file.divided[3];
   json["new_vertices"] = cut->edit.vertices.size();
   json["on_plane"] = cut->on_plane;

@@ -129,9 +129,10 @@ void tell(const std::vector<RefinedLevel>& levels, const DividedFile& file, std:
 Finding too_many(std::size_t levels) {
   return {.code = "too_many_tetrahedra",
           .text = fmt::format("the levels make more than {} tetrahedra", most_refined),
-          .remedy = levels == 0 ? std::string("each level of all makes eight times as many: give fewer")
-                                : fmt::format("{} {} within that", counted(levels, "level"),
-                                              for_count(levels, "is", "are"))};
+          .remedy = levels == 0
+                        ? std::string("each level of all makes eight times as many: give fewer")
+                        : fmt::format("{} {} within that", counted(levels, "level"),
+                                      for_count(levels, "is", "are"))};
 }
 
 ExitCode run_refine(const RefineArguments& arguments) {

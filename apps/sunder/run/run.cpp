@@ -262,6 +262,7 @@ Resumed taken_up(Result<RunOnItsWay> run, const RunArguments& arguments) {
                                                                 : ExitCode::bad_input};
   }
   run->simulation.threads = arguments.threads;
+  run->simulation.reports_forces = true;
   run->simulation.hurry = &hurry;
   return {std::move(*run)};
 }
@@ -363,6 +364,7 @@ ExitCode run_scene(const RunArguments& arguments) {
   if (!simulation) return ExitCode::bad_input;
   stages.done(fmt::format("built the simulation, bodies: {}", file->scene.bodies.size()));
   simulation->threads = arguments.threads;
+  simulation->reports_forces = true;
   // With the criterion `energy` strengths come from the search: it is made and compared with the
   // log.
   if (replay && file->scene.fracture.criterion != FractureCriterion::energy) {

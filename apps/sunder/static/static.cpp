@@ -130,9 +130,9 @@ void print_table(const Equilibrium& answer) {
   };
   for (std::size_t b = 0; b < answer.bodies.size(); ++b) {
     const BodyEquilibrium& body = answer.bodies[b];
-    row("body", fmt::format("{} {} ({}, {}, {:.6g} kg)", b, plain_line(body.name),
-                            counted_tetrahedra(body.tetrahedra), counted(body.nodes, "node"),
-                            body.mass));
+    row("body",
+        fmt::format("{} {} ({}, {}, {:.6g} kg)", b, plain_line(body.name),
+                    counted_tetrahedra(body.tetrahedra), counted(body.nodes, "node"), body.mass));
     row("displacement",
         fmt::format("{:.6g} m {}", body.displacement.value, place(body.displacement)));
     row("strain energy", fmt::format("{:.6g} J", body.strain_energy));
@@ -141,10 +141,10 @@ void print_table(const Equilibrium& answer) {
     row("share of strength",
         fmt::format("{:.4g} {}", body.strength_share.value, place(body.strength_share)));
     for (const SupportReaction& s : body.supports) {
-      row("support", fmt::format("{} {} with ({:.6g}, {:.6g}, {:.6g}) N",
-                                 counted(s.vertices, "vertex", "vertices"),
-                                 for_count(s.vertices, "pushes", "push"), s.force[0], s.force[1],
-                                 s.force[2]));
+      row("support",
+          fmt::format("{} {} with ({:.6g}, {:.6g}, {:.6g}) N",
+                      counted(s.vertices, "vertex", "vertices"),
+                      for_count(s.vertices, "pushes", "push"), s.force[0], s.force[1], s.force[2]));
     }
   }
 }

@@ -138,9 +138,9 @@ Impulse total_momentum(const SimulationState& state) {
   return sum;
 }
 
-std::vector<Impulse> support_impulses(const AdoptedPart& part) {
+void support_impulses(std::vector<Impulse>& supports, const AdoptedPart& part) {
   const MechanicsState& m = part.state.mechanics;
-  std::vector<Impulse> supports;
+  supports.clear();
   for_each_living(m, part.input.members, [&](const Component& c) {
     if (!c.supported || c.rung == Rung::asleep) return;
     supports.resize(m.components.size(), Impulse::Zero());
@@ -151,12 +151,11 @@ std::vector<Impulse> support_impulses(const AdoptedPart& part) {
         momentum_of(start.centre[row], start.momentum[row], start.angular_momentum[row]) -
         weight_of(part, c);
   });
-  if (supports.empty()) return supports;
+  if (supports.empty()) return;
   for_each_load(part, [&](const Component& c, const Impulse& given) {
     if (c.supported) supports[c.id.index()] -= given;
   });
   take_contacts(supports, part);
-  return supports;
 }
 
 void add_part_momentum(MomentumLedger& ledger, const AdoptedPart& part,

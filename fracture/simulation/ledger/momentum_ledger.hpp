@@ -24,8 +24,8 @@ Impulse momentum_of(const Component& component);
 void add_part_momentum(MomentumLedger& ledger, const AdoptedPart& part,
                        std::span<const Impulse> supports);
 
-/// Impulse of supports on each held component in an adopted part, row = ComponentId: its change of
-/// momentum less weight, surface loads and contact. Empty where nothing is held.
-std::vector<Impulse> support_impulses(const AdoptedPart& part);
+/// Finds the impulse of supports on each held component in an adopted part, row = ComponentId: its
+/// change of momentum less weight, surface loads and contact. Empty where nothing is held.
+void support_impulses(std::vector<Impulse>& supports, const AdoptedPart& part);
 
 }  // namespace sunder

@@ -168,7 +168,8 @@ void take_ticks(StepReport& report, Simulation& sim, RubbleWorld& world, const R
     add_tick(report, tick);
     for (std::size_t o = 0; o < world.of_obstacle.size() && !tick.given.empty(); ++o) {
       const std::uint32_t row = world.of_obstacle[o];
-      if (row != RubbleWorld::no_row) report.forces.obstacle[o] += tick.given[row];
+      if (row == RubbleWorld::no_row || !sim.reports_forces) continue;
+      report.forces.obstacle[o] += tick.given[row];
     }
   }
 }

@@ -62,6 +62,7 @@ Scene press(double speed) {
 }
 
 History history_of(Simulation& sim, int steps, int stride) {
+  sim.reports_forces = true;
   History history = begin_history(sim);
   for (int k = 1; k <= steps; ++k) {
     add_step(history, advance(sim));

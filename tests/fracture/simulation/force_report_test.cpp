@@ -40,6 +40,7 @@ struct Sum {
   double load_work = 0;
 
   Sum(Simulation& sim, int steps) : forces(no_forces(sim.scene)) {
+    sim.reports_forces = true;
     for (int k = 0; k < steps; ++k) {
       const StepReport report = advance(sim);
       for (std::size_t i = 0; i < forces.obstacle.size(); ++i) {

@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "topology/io/files/gzip.hpp"
+#include "topology/io/files/printing.hpp"
 
 namespace sunder {
 namespace {
@@ -44,6 +45,17 @@ std::string remedy_for(int error) {
     default:
       return "write elsewhere";
   }
+}
+
+Finding no_folder(const std::filesystem::path& folder, const std::error_code& error,
+                  const std::filesystem::path& place) {
+  const bool lacks_more = error == std::errc::no_such_file_or_directory;
+  return {.code = "cannot_write",
+          .text = fmt::format("the folder {} cannot be made: {}", folder.string(), error.message()),
+          .remedy = lacks_more
+                        ? fmt::format("make it first: mkdir -p {}", shell_word(folder.string()))
+                        : remedy_for(error.value()),
+          .file = place.string()};
 }
 
 /// 0, or the system's error number.
@@ -134,7 +146,12 @@ std::optional<Finding> write_file(const std::filesystem::path& path,
 }
 
 std::optional<Finding> make_folder_of(const std::filesystem::path& path) {
-  return path.has_parent_path() ? make_folder(path.parent_path()) : std::nullopt;
+  const std::filesystem::path folder = path.parent_path();
+  std::error_code error;
+  if (folder.empty() || std::filesystem::is_directory(folder, error)) return std::nullopt;
+  error.clear();
+  std::filesystem::create_directory(folder, error);
+  return error ? std::optional(no_folder(folder, error, path)) : std::nullopt;
 }
 
 std::optional<Finding> make_folder(const std::filesystem::path& path) {
@@ -142,12 +159,7 @@ std::optional<Finding> make_folder(const std::filesystem::path& path) {
   if (std::filesystem::is_directory(path, error)) return std::nullopt;
   error.clear();
   std::filesystem::create_directories(path, error);
-  if (!error) return std::nullopt;
-  return Finding{
-      .code = "cannot_write",
-      .text = fmt::format("the folder {} cannot be made: {}", path.string(), error.message()),
-      .remedy = remedy_for(error.value()),
-      .file = path.string()};
+  return error ? std::optional(no_folder(path, error, path)) : std::nullopt;
 }
 
 std::optional<Finding> write_file(const std::filesystem::path& path, std::string_view text) {

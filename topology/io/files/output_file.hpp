@@ -30,11 +30,13 @@ std::optional<Finding> write_file(const std::filesystem::path& path,
 /// The same for a single piece of text.
 std::optional<Finding> write_file(const std::filesystem::path& path, std::string_view text);
 
-/// Makes the folder that `path` lies in, with all folders around it. This is the rule for every place
-/// that a user names for results. Errors: cannot_write.
+/// Makes the folder that `path` lies in, where only the last part of that folder is missing. This
+/// is the rule for all files that a user names as a place for results. Errors: cannot_write, with
+/// `mkdir -p FOLDER` as the remedy where more than the last part is missing.
 std::optional<Finding> make_folder_of(const std::filesystem::path& path);
 
-/// Makes the folder `path` itself, with all folders around it. Errors: cannot_write.
+/// Makes the folder `path` itself, for the results of a run, and all folders around it. Errors:
+/// cannot_write.
 std::optional<Finding> make_folder(const std::filesystem::path& path);
 
 /// A file that grows at its end as a program goes.

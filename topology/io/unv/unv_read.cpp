@@ -296,8 +296,8 @@ void add_column(FileMesh& mesh, std::array<VaryingNumbers, cell_kinds>& numbers,
     VaryingNumbers& n = numbers[index_of(kind)];
     if (!varies || n.rows == 0) continue;
     if (n.values.empty()) n.values.assign(n.rows, n.first);
-    columns_of(mesh, kind).data.push_back(
-        {std::string(name), 1, NumberType::int64, std::move(n.values)});
+    columns_of(mesh, kind)
+        .data.push_back({std::string(name), 1, NumberType::int64, std::move(n.values)});
   }
 }
 

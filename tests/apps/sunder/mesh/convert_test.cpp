@@ -130,8 +130,7 @@ TEST_CASE("for solvers that read triangles as shells they are dropped, and that 
     const Outcome dropped = here.run({"convert", box, out, "--triangles", "drop"});
     INFO(dropped.out << dropped.err);
     REQUIRE(dropped.exit_code == 0);
-    CHECK(dropped.err.find("faces and edges were dropped") !=
-          std::string::npos);
+    CHECK(dropped.err.find("faces and edges were dropped") != std::string::npos);
     const Result<FileMesh> mesh = read_file_mesh(out);
     REQUIRE(mesh);
     CHECK(mesh->triangles.corners.empty());

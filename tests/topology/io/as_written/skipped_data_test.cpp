@@ -50,8 +50,9 @@ TEST_CASE("content that no mesh holds is reported by every reader", "[io][skippe
            "element camera 1\nproperty int k\n"
            "end_header\n0 0 0\n1 0 0\n0 1 0\n7\n",
        "7 elements are left out: camera\n"},
-      {"a.ply", "ply\nformat ascii 1.0\nauthor me\nscale 2\n" + ply_points +
-                    "end_header\n0 0 0\n1 0 0\n0 1 0\n",
+      {"a.ply",
+       "ply\nformat ascii 1.0\nauthor me\nscale 2\n" + ply_points +
+           "end_header\n0 0 0\n1 0 0\n0 1 0\n",
        "3 unknown lines of the header are left out: author, scale\n"},
       {"a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 0.5\n",
        "6 colours of faces are left out\n"},

@@ -32,22 +32,25 @@ TEST_CASE("places that cannot be written to are named with the reason", "[io][ou
   CHECK(folder.names() == std::vector<std::string>{"file"});
 }
 
-TEST_CASE("all missing folders of a file are made", "[io][output_file]") {
+TEST_CASE("the last part of a folder is made, more than that is refused", "[io][output_file]") {
   const Folder folder;
   CHECK_FALSE(write_file(folder.path() / "film" / "a.txt", "x"));
   CHECK(bytes_of(folder.path() / "film" / "a.txt") == "x");
   CHECK_FALSE(write_file(folder.path() / "film" / "b.txt", "y"));
-  CHECK_FALSE(write_file(folder.path() / "no" / "such one" / "a.txt", "x"));
-  CHECK(bytes_of(folder.path() / "no" / "such one" / "a.txt") == "x");
+  const auto missing = write_file(folder.path() / "no" / "such one" / "a.txt", "x");
+  REQUIRE(missing);
+  CHECK(missing->code == "cannot_write");
+  CHECK(missing->file == (folder.path() / "no" / "such one" / "a.txt").string());
+  CHECK(missing->text.find("No such file or directory") != std::string::npos);
+  CHECK(missing->remedy ==
+        "make it first: mkdir -p '" + (folder.path() / "no" / "such one").string() + "'");
   for (const char* name : {"out/run", "out/run/", "out"}) {
     CHECK_FALSE(make_folder(folder.path() / name));
   }
   CHECK(std::filesystem::is_directory(folder.path() / "out" / "run"));
   CHECK_FALSE(make_folder(folder.path() / "far" / "out" / "run"));
-  const auto in_the_way = make_folder(folder.path() / "film" / "a.txt" / "run");
-  REQUIRE(in_the_way);
-  CHECK(in_the_way->code == "cannot_write");
-  CHECK(folder.names() == std::vector<std::string>{"far", "film", "no", "out"});
+  CHECK(make_folder(folder.path() / "film" / "a.txt" / "run")->code == "cannot_write");
+  CHECK(folder.names() == std::vector<std::string>{"far", "film", "out"});
 }
 
 TEST_CASE("a link into a missing folder has that made", "[io][output_file]") {
