@@ -10,7 +10,7 @@
 #include "fracture/scene/cohesive_settings.hpp"
 #include "fracture/strength/draw_strength.hpp"
 #include "fracture/strength/held_boxes.hpp"
-#include "mechanics/integrators/rigid_motion.hpp"
+#include "mechanics/state/step_status.hpp"
 #include "topology/base/ids.hpp"
 
 namespace sunder {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "mechanics/integrators/component_step.hpp"
+#include "mechanics/state/step_status.hpp"
 
 namespace sunder {
 
@@ -35,9 +36,6 @@ struct SpinStep {
   Vec3 momentum_old = Vec3::Zero(), momentum_new = Vec3::Zero();  ///< L, world, start and end
   double time_step = 0;
 };
-
-/// rad: a longer turn within one step is not followed.
-inline constexpr double longest_turn = 1024;
 
 /// R at the end of the step: the implicit midpoint rule w = I^-1 ((l_old + l_new) / 2 - inner),
 /// l = R^T L, with R_new = R exp(h w). |L| is exact because L is kept and R follows; the energy

@@ -27,6 +27,9 @@ constexpr auto counters_of(const SolveReport*) {
                     Counter{"sub_steps", &SolveReport::sub_steps, Adds::most, Adds::sum}};
 }
 
+/// rad: a longer turn within one step is not followed.
+inline constexpr double longest_turn = 1024;
+
 enum class StepOutcome {
   fine,
   not_a_number,        ///< a position or velocity is not finite

@@ -172,7 +172,7 @@ class Archive(unittest.TestCase):
         done = self.judge(kernel, "--fixtures", FIXTURES)  # not exported: operations to resolve
         self.assertEqual(done.returncode, 3, done.stdout)
         self.assertIn("not an exported fixture", done.stderr)
-        self.assertEqual(self.judge(kernel, "two-tetrahedra", "--junit", "/nowhere/x.xml").returncode, 4)
+        self.assertEqual(self.judge(kernel, "two-tetrahedra", "--junit", "/nowhere/at/all.xml").returncode, 4)
 
 
 if __name__ == "__main__":

@@ -192,5 +192,5 @@ TEST_CASE("refine and cut: what cannot be is refused in words", "[apps][cells]")
   refused({"cut", bar, out}, 2, "--plane");
   refused({"cut", bar, out, "--plane", "1,0,0,0.5", "--exact", "--tolerance", "0.3"}, 2, "0.01");
   refused({"cut", bar, out, "--plane", "1,0,0,0.5", "--tolerance", "1e-6"}, 2, "--exact");
-  CHECK(here.run({"cut", bar, "/nowhere/out.msh", "--plane", "1,0,0,0.5"}).exit_code == 4);
+  CHECK(here.run({"cut", bar, "/nowhere/at/all.msh", "--plane", "1,0,0,0.5"}).exit_code == 4);
 }
