@@ -256,7 +256,7 @@ TEST_CASE("an export is one archive, and mistakes write none", "[suite][command]
   CHECK(written.out.find("suite.tar.gz: 9 fixtures\n") != std::string::npos);
   CHECK(here.run({"suite", "--fixtures", data + "/good", "--export", here.path("folder")})
             .exit_code == 2);
-  CHECK(here.run({"suite", "--fixtures", data + "/good", "--export", here.path("no/x.tar.gz")})
+  CHECK(here.run({"suite", "--fixtures", data + "/good", "--export", here.path("no/such/x.tar.gz")})
             .exit_code == 4);
   const Outcome untrue =
       here.run({"suite", "--fixtures", data + "/wrong", "--export", here.path("wrong.tar.gz")});
