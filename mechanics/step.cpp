@@ -154,33 +154,30 @@ StepStatus judge(const MechanicsState& state, const MechanicsScratch& scratch,
   return status;
 }
 
+/// A turn of a component within a step that is too far.
+struct TurnLimit {
+  double PredictedFrame::*angle;  ///< rad
+  double most;                    ///< rad
+  StepOutcome outcome;
+};
+
 /// A component that turns farther than a step follows: the cause of what else is wrong with it.
-void judge_spins(StepStatus& status, const MechanicsState& state, const MechanicsScratch& scratch,
-                 const StepMembers& members) {
-  for (const Component& component : state.components) {
-    if (component.tetrahedra.empty() || !members.has(component.id)) continue;
-    const double spun = scratch.predicted.frame[component.id.index()].spun;
-    if (!(spun > longest_turn)) continue;
-    status.outcome = StepOutcome::spun_too_far;
-    status.vertex = component.vertices.front();
-    status.component = component.id;
-    status.turned = spun;
-    return;
-  }
-}
+constexpr TurnLimit spin_limit{&PredictedFrame::spun, longest_turn, StepOutcome::spun_too_far};
 
 /// A component whose loads keep their direction while it turns away under them by more than half a
 /// turn: what deforms it is not known at any time of the step.
+constexpr TurnLimit load_limit{&PredictedFrame::turned, M_PI, StepOutcome::overturned};
+
 void judge_turns(StepStatus& status, const MechanicsState& state, const MechanicsScratch& scratch,
-                 const StepMembers& members) {
+                 const StepMembers& members, const TurnLimit& limit) {
   for (const Component& component : state.components) {
     if (component.tetrahedra.empty() || !members.has(component.id)) continue;
-    const double turned = scratch.predicted.frame[component.id.index()].turned;
-    if (!(turned > M_PI)) continue;
-    status.outcome = StepOutcome::overturned;
+    const double angle = scratch.predicted.frame[component.id.index()].*limit.angle;
+    if (!(angle > limit.most)) continue;
+    status.outcome = limit.outcome;
     status.vertex = component.vertices.front();
     status.component = component.id;
-    status.turned = turned;
+    status.turned = angle;
     return;
   }
 }
@@ -250,9 +247,9 @@ StepStatus adopt(MechanicsState& state, MechanicsScratch& scratch, const StepInp
   status.damping_work = damping_work;
   status.time_step = input.settings.time_step;
   if (status.outcome != StepOutcome::not_a_number) {
-    judge_turns(status, state, scratch, input.members);
+    judge_turns(status, state, scratch, input.members, load_limit);
   }
-  judge_spins(status, state, scratch, input.members);
+  judge_turns(status, state, scratch, input.members, spin_limit);
   status.solve = solve;
   if (solve.sub_steps > input.settings.max_sub_steps) {
     status.outcome = StepOutcome::too_many_sub_steps;

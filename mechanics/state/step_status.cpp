@@ -47,9 +47,9 @@ Finding to_finding(const StepStatus& status) {
     finding.code = "spun_too_far";
     finding.ids = {static_cast<std::int64_t>(status.component.value)};
     std::snprintf(text, sizeof text,
-                  "At %.9g s component %u spins by %.3g rad within one step: up to 1024 rad are "
+                  "At %.9g s component %u spins by %.3g rad within one step: up to %g rad are "
                   "followed.",
-                  status.time, status.component.value, status.turned);
+                  status.time, status.component.value, status.turned, longest_turn);
   } else if (status.outcome == StepOutcome::too_many_sub_steps) {
     finding.code = "too_many_sub_steps";
     finding.ids.clear();

@@ -14,7 +14,8 @@
 
 #include "apps/scene/json_text.hpp"
 #include "apps/scene/words.hpp"
-#include "apps/sunder/mesh/convert_crack.hpp"
+#include "apps/sunder/mesh/convert/cell_counts.hpp"
+#include "apps/sunder/mesh/convert/convert_crack.hpp"
 #include "apps/sunder/mesh/formats_table.hpp"
 #include "apps/sunder/telling.hpp"
 #include "topology/base/counted.hpp"
@@ -101,18 +102,6 @@ Finding asked_for(std::string_view code, std::size_t count, std::string text) {
           .remedy = "nothing to do: it was requested"};
 }
 
-/// "12 hexahedra, 4 prisms" of the kinds that are counted.
-std::string listed(const std::array<std::size_t, cell_kinds>& counts) {
-  std::string text;
-  for (const CellKind kind : all_cell_kinds) {
-    const std::size_t n = counts[index_of(kind)];
-    if (n == 0) continue;
-    const CellKindTraits& t = traits_of(kind);
-    text += fmt::format("{}{}", text.empty() ? "" : ", ", counted(n, t.name, t.plural));
-  }
-  return text;
-}
-
 void tell_split(const SplitCells& report, std::vector<Finding>& findings) {
   std::size_t cut = 0;
   for (const std::size_t n : report.cut) cut += n;
@@ -122,7 +111,7 @@ void tell_split(const SplitCells& report, std::vector<Finding>& findings) {
   findings.push_back(asked_for(
       "split_cells", cut,
       cut == 0 ? std::string("all cells are simplices: none is split")
-               : fmt::format("{} became {}{}", listed(report.cut), listed(parts),
+               : fmt::format("{} became {}{}", counts_text(report.cut), counts_text(parts),
                              report.numbers_added == 0
                                  ? ""
                                  : fmt::format("; {} behind the highest for them",
@@ -173,10 +162,10 @@ void simplify(FileMesh& mesh, ConvertArguments& arguments, std::vector<Finding>&
       sum += rows_of(mesh, kind).count;
     }
     make_linear(mesh);
-    findings.push_back(asked_for(
-        "made_linear", sum,
-        sum == 0 ? std::string("all cells are linear")
-                 : fmt::format("{} {} made linear", listed(curved), for_count(sum, "is", "are"))));
+    findings.push_back(asked_for("made_linear", sum,
+                                 sum == 0 ? std::string("all cells are linear")
+                                          : fmt::format("{} {} made linear", counts_text(curved),
+                                                        for_count(sum, "is", "are"))));
   }
   if (arguments.split) tell_split(split_cells(mesh), findings);
   const std::size_t dropped = drop_points_out_of_use(mesh, used);
@@ -282,31 +271,6 @@ Conversion convert(ConvertArguments arguments) {
   result.has_losses = result.has_losses || std::ranges::any_of(written, is_loss);
   std::ranges::move(written, std::back_inserter(result.findings));
   return result;
-}
-
-/// Simplices of first order always, other kinds where there are cells of them.
-nlohmann::ordered_json counts_json(const FileMesh& mesh) {
-  nlohmann::ordered_json json{{"points", mesh.points.size()}};
-  for (const CellKind kind : all_cell_kinds) {
-    const std::size_t n = rows_of(mesh, kind).count;
-    if (n > 0 || is_simplex(kind)) json[std::string(traits_of(kind).plural)] = n;
-  }
-  return json;
-}
-
-/// "8 points, 12 triangles": what there is, and nothing of which there is none.
-std::string counts_text(const FileMesh& mesh) {
-  std::string text;
-  const auto add = [&text](std::size_t count, std::string_view one, std::string_view several) {
-    if (count == 0) return;
-    text += fmt::format("{}{}", text.empty() ? "" : ", ", counted(count, one, several));
-  };
-  add(mesh.points.size(), "point", "points");
-  for (std::size_t i = cell_kinds; i-- > 0;) {
-    const CellKindTraits& kind = traits_of(all_cell_kinds[i]);
-    add(rows_of(mesh, all_cell_kinds[i]).count, kind.name, kind.plural);
-  }
-  return text.empty() ? "a mesh without points" : text;
 }
 
 void print_conversion(const ConvertArguments& arguments, const Conversion& result) {

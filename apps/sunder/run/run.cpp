@@ -13,6 +13,7 @@
 #include "apps/scene/scene_hash.hpp"
 #include "apps/scene/words.hpp"
 #include "apps/sunder/program.hpp"
+#include "apps/sunder/run/due_steps.hpp"
 #include "apps/sunder/run/interrupt.hpp"
 #include "apps/sunder/run/progress.hpp"
 #include "apps/sunder/run/realtime.hpp"
@@ -262,7 +263,7 @@ Resumed taken_up(Result<RunOnItsWay> run, const RunArguments& arguments) {
                                                                 : ExitCode::bad_input};
   }
   run->simulation.threads = arguments.threads;
-  run->simulation.reports_forces = true;
+  run->simulation.reports_forces = !due_history_rows(run->file).empty();
   run->simulation.hurry = &hurry;
   return {std::move(*run)};
 }
@@ -364,7 +365,7 @@ ExitCode run_scene(const RunArguments& arguments) {
   if (!simulation) return ExitCode::bad_input;
   stages.done(fmt::format("built the simulation, bodies: {}", file->scene.bodies.size()));
   simulation->threads = arguments.threads;
-  simulation->reports_forces = true;
+  simulation->reports_forces = !due_history_rows(*file).empty();
   // With the criterion `energy` strengths come from the search: it is made and compared with the
   // log.
   if (replay && file->scene.fracture.criterion != FractureCriterion::energy) {

@@ -2,6 +2,7 @@
 // `sunder check`: counts of known bodies, and defective inputs with one defect each.
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -19,7 +20,7 @@ using namespace sunder::test;
 namespace {
 
 std::string io_sample(const std::string& name) {
-  std::ifstream in(std::string(SUNDER_IO_DATA) + "/" + name, std::ios::binary);
+  std::ifstream in(std::filesystem::path(SUNDER_IO_DATA) / name, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
