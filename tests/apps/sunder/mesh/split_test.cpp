@@ -25,8 +25,7 @@ std::string events(const json& answer) {
       out += "refused";
       continue;
     }
-    out += "(" + std::to_string(split["split_vertices"].size()) + "," +
-           std::to_string(split["split_edges"].size()) + ")";
+    out += fmt::format("({},{})", split["split_vertices"].size(), split["split_edges"].size());
     if (split["oracle"]) out += "!";
     if (split["new_component"]) out += "N";
   }
