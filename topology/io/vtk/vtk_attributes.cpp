@@ -96,7 +96,15 @@ void skip_strings(VtkReader& r, const ArrayHead& head, std::size_t words) {
   skip_array(r, head, "data that are strings");
 }
 
-/// Bits, one after the other: 0 or 1 in text, eight a byte in binary files.
+/// In text. Fails where the number is neither 0 nor 1.
+std::int64_t read_bit(VtkReader& r) {
+  const Scanner before = r.in.s;
+  const auto bit = read_number<std::int64_t>(r.in.s, "a bit");
+  if (bit != 0 && bit != 1) fail_expected(before, "a bit (0 or 1)");
+  return bit;
+}
+
+/// Bits, one after the other: 0 or 1 in text, eight in each byte in binary files.
 template <class Take>
 void read_bits(VtkReader& r, std::size_t n, Take take) {
   if (r.in.is_binary) rest_of_line(r.in.s);
@@ -105,7 +113,7 @@ void read_bits(VtkReader& r, std::size_t n, Take take) {
   std::uint8_t byte = 0;
   for (std::size_t i = 0; i < n; ++i) {
     if (r.in.is_binary && i % 8 == 0) byte = read_raw<std::uint8_t>(r.in, "eight bits");
-    take(r.in.is_binary ? (byte >> (7 - i % 8)) & 1 : read_number<std::int64_t>(r.in.s, "a bit"));
+    take(r.in.is_binary ? (byte >> (7 - i % 8)) & 1 : read_bit(r));
   }
 }
 
@@ -124,6 +132,11 @@ void take_bits(VtkReader& r, const ArrayHead& head) {
   const bool is_kept = is_of_rows(r, head) && head.rows > 0 && has_room(r, n);
   if (!is_kept) skip_array(r, head, "data that are bits");
   if (!is_kept || !is_new_name(r.draft, r.names, column)) return read_bits(r, n, [](auto) {});
+  if (is_vtk_label(column)) {
+    std::vector<std::int64_t> labels;
+    read_bits(r, n, [&](std::int64_t bit) { labels.push_back(bit); });
+    return add_vtk_label(r.draft, r.piece, column, labels);
+  }
   read_bits(r, n, begin_vtk_data<std::int64_t>(r.draft, r.piece, column, n));
 }
 

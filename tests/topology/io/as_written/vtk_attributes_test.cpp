@@ -57,6 +57,12 @@ TEST_CASE("bits are numbers, in text and eight a byte", "[io][vtk][attributes]")
   CHECK(numbers_of(scalars.point_data.at(0)) == std::vector<double>{1, 0, 1, 0});
 }
 
+TEST_CASE("bits with the name of a label are labels", "[io][vtk][attributes]") {
+  const std::string of_cells = "CELL_DATA 1\nFIELD f 1\nregion 1 1 ";
+  CHECK(read_whole(text_head + of_cells + "bit\n1\n") == read_whole(text_head + of_cells + "int\n1\n"));
+  CHECK(read_whole(raw_head + of_cells + "bit\n\x80") == read_whole(text_head + of_cells + "bit\n1\n"));
+}
+
 TEST_CASE("strings are passed over whatever their lengths", "[io][vtk][attributes]") {
   const std::string longer(100, 'x'), longest(20000, 'y');
   const std::string of_points = "POINT_DATA 4\nFIELD f 2\ns 1 4 string\n";
@@ -125,6 +131,7 @@ TEST_CASE("arrays that end too early are refused", "[io][vtk][attributes]") {
        {raw_head + field + "s 1 4 string\n\xc1" + "a", raw_head + field + "b 9 4 bit\n\x01\x02",
         raw_head + field + "s 1 4 string\n" + std::string(8, '\0') + "\x7f",
         text_head + field + "s 1 4 string\na\n", text_head + field + "b 1 4 bit\n1 0\n",
+        text_head + field + "b 1 4 bit\n1 0 2 1\n",
         text_head + field + "b 1 99999999 bit\n1 0\n"}) {
     const Result<FileMesh> mesh = read_file_mesh(bad, "a.vtk");
     INFO(summary(mesh.findings));
