@@ -21,12 +21,12 @@
 #include "apps/sunder/shell/shell_files.hpp"
 #include "apps/sunder/static/modes.hpp"
 #include "apps/sunder/static/static.hpp"
+#include "topology/io/files/printing.hpp"
 #if defined(SUNDER_HAS_RENDERER)
 #include "apps/sunder/render/render.hpp"
 #endif
 #if defined(SUNDER_HAS_VIEW)
 #include "apps/sunder/view/view.hpp"
-#include "topology/io/files/printing.hpp"
 #endif
 
 namespace {
