@@ -40,7 +40,7 @@ struct ContactSettings {
   /// regular tetrahedron 1/3 is the inscribed ball.
   double ball_share = 0.5;
   /// Most sweeps of projected Gauss-Seidel per pass.
-  int max_iterations = 200;
+  int max_iterations = 2000;
   /// Constraint violation of an end-of-step gap at which the sweeps end, relative to the deepest
   /// overlap that the step would have had without contact.
   double tolerance = 1e-5;

@@ -114,6 +114,10 @@ TEST_CASE("speeds and the strength decide for how a blow is solved", "[fracture]
   CHECK(chosen(fall).contact.max_passes == 1);
   fall.duration = 0.01;
   CHECK(chosen(fall).contact.max_passes == 10);
+  // A body that stands does not fall, however long it could.
+  fall.bodies[0].translation.z() = 0;
+  fall.duration = 100;
+  CHECK(chosen(fall).contact.max_iterations == 2000);
   // A ball that flies counts; bodies on each other keep their passes.
   Scene struck = falling(0);
   struck.obstacles.push_back({.shape = Sphere{{0, 0, 2}, 0.1}, .velocity = {0, 0, -9}});

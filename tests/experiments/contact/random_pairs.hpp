@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Random pairs of solids thrown at each other, and an independent judge of what they do.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace sunder::test {
+
+/// One pair, and what the judge saw.
+struct RandomPair {
+  std::string kinds;     ///< such as "chip on plate"
+  double ratio = 1;      ///< size of the first over that of the second, 1 to 1 000
+  double speed = 0;      ///< m/s
+  double turn = 0;       ///< rad per step, of the one that spins faster
+  double time_step = 0;  ///< s
+  bool is_elastic = false;
+  bool met = false;     ///< a contact had an impulse
+  bool passed = false;  ///< through each other between two moments, or in and out
+  double deepest = 0;   ///< mean edges of the smaller one: overlap at the end of a step
+  double last = 0;      ///< mean edges: overlap as the run ends
+};
+
+/// Makes the pair of a seed, lets it meet and judges it: by separating axes at the end of each
+/// step, and by `judge_crossings` within, over moments in which nothing turns by more than 0.05
+/// rad. The same seed gives the same pair.
+RandomPair run_random_pair(std::uint64_t seed);
+
+}  // namespace sunder::test
