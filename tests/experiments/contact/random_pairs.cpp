@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <span>
 
-#include "mechanics/frame/rotation.hpp"
 #include "tests/experiments/contact/contact_judge.hpp"
 #include "tests/mechanics/contact/contact_scene.hpp"
 
@@ -67,53 +67,58 @@ double distance_of(const Body& first, const Body& second, double radius, const V
   return least;
 }
 
-/// Where everything is after a part of a step: frames turn evenly, the rest goes evenly in them.
-struct Motion {
-  std::vector<Vec3> from, to;
-  std::vector<Pose> from_frame, to_frame;
-  std::vector<Obstacle> from_obstacles, to_obstacles;
-
-  Pose frame_at(std::size_t k, double part) const {
-    return {(1 - part) * from_frame[k].centre + part * to_frame[k].centre,
-            from_frame[k].orientation.slerp(part, to_frame[k].orientation)};
-  }
+/// The places of a scene at one moment.
+struct Moment {
+  std::vector<Vec3> at;
+  std::vector<Pose> frames;
+  std::vector<Obstacle> obstacles;
 };
 
-std::vector<Pose> frames_of(const MechanicsState& state) {
-  std::vector<Pose> frames;
-  for (const Component& c : state.components) frames.push_back({c.centre, c.orientation});
-  return frames;
+Moment moment_of(const ContactScene& scene) {
+  Moment now{scene.state.vertices.position, {}, scene.obstacles};
+  for (const Component& c : scene.state.components) now.frames.push_back({c.centre, c.orientation});
+  return now;
 }
 
+/// One step, or a part of it.
+struct Motion {
+  Moment from, to;
+};
+
+/// Appends tetrahedra for the judge.
+void add_tetrahedra(ContactFrame& frame, std::span<const Corners> tetrahedra) {
+  for (const Corners& t : tetrahedra) {
+    frame.tetrahedra.push_back({t[0].value, t[1].value, t[2].value, t[3].value});
+  }
+}
+
+/// Places after a share of a motion. Frames turn evenly, and vertices move evenly in their frames.
 ContactFrame frame_at(const Motion& motion, const ContactScene& scene, double part) {
   ContactFrame frame;
-  frame.points.resize(motion.from.size());
-  for (std::size_t v = 0; v < motion.from.size(); ++v) {
+  frame.points.resize(motion.from.at.size());
+  for (std::size_t v = 0; v < frame.points.size(); ++v) {
     const std::size_t k = scene.state.vertices.component[v].index();
-    const Pose &a = motion.from_frame[k], &b = motion.to_frame[k], now = motion.frame_at(k, part);
-    const Vec3 x = a.orientation.conjugate() * (motion.from[v] - a.centre);
-    const Vec3 y = b.orientation.conjugate() * (motion.to[v] - b.centre);
-    frame.points[v] = now.centre + now.orientation * ((1 - part) * x + part * y);
+    const Pose &a = motion.from.frames[k], &b = motion.to.frames[k];
+    const Vec3 x = a.orientation.conjugate() * (motion.from.at[v] - a.centre);
+    const Vec3 y = b.orientation.conjugate() * (motion.to.at[v] - b.centre);
+    frame.points[v] = (1 - part) * a.centre + part * b.centre +
+                      a.orientation.slerp(part, b.orientation) * ((1 - part) * x + part * y);
   }
-  for (std::size_t t = 0; t < scene.body.corners.size(); ++t) {
-    std::array<std::uint32_t, 4> corners{};
-    for (std::size_t i = 0; i < 4; ++i) corners[i] = scene.body.corners[t][i].value;
-    frame.tetrahedra.push_back(corners);
-    frame.piece.push_back(scene.state.elements.component[t].value);
-  }
-  frame.obstacles = motion.from_obstacles;
+  add_tetrahedra(frame, scene.body.corners);
+  for (const ComponentId id : scene.state.elements.component) frame.piece.push_back(id.value);
+  frame.obstacles = motion.from.obstacles;
   for (std::size_t k = 0; k < frame.obstacles.size(); ++k) {
     Vec3& centre = std::get<Sphere>(frame.obstacles[k].shape).center;
-    centre = (1 - part) * centre + part * std::get<Sphere>(motion.to_obstacles[k].shape).center;
+    centre = (1 - part) * centre + part * std::get<Sphere>(motion.to.obstacles[k].shape).center;
   }
   return frame;
 }
 
 double turn_of(const Motion& motion) {
   double most = 0;
-  for (std::size_t k = 0; k < motion.from_frame.size(); ++k) {
+  for (std::size_t k = 0; k < motion.from.frames.size(); ++k) {
     most = std::max(
-        most, motion.from_frame[k].orientation.angularDistance(motion.to_frame[k].orientation));
+        most, motion.from.frames[k].orientation.angularDistance(motion.to.frames[k].orientation));
   }
   return most;
 }
@@ -122,7 +127,7 @@ double deepest_of(const FrameOverlaps& overlaps) {
   return std::max(overlaps.pieces.depth, overlaps.obstacles.depth);
 }
 
-/// Adds what the judge sees of one step.
+/// Adds the judgement of one step.
 void judge_step(RandomPair& pair, const Motion& motion, const ContactScene& scene, double edge) {
   constexpr double tolerance = 0.02, most_turn = 0.05;
   const int moments = 1 + static_cast<int>(turn_of(motion) / most_turn);
@@ -138,7 +143,7 @@ void judge_step(RandomPair& pair, const Motion& motion, const ContactScene& scen
   pair.deepest = std::max(pair.deepest, pair.last);
 }
 
-/// What a seed draws: the two solids about the origin, and how the second comes to the first.
+/// The draw of a seed. Both solids are about the origin, and the second is thrown at the first.
 struct Throw {
   RandomPair pair;
   Body first, second;            ///< the second is empty if it is a ball
@@ -237,20 +242,8 @@ double edge_of(const Throw& thrown) {
   if (thrown.ball > 0) return thrown.ball;
   ContactFrame smaller;
   smaller.points = thrown.second.rest;
-  for (const Corners& t : thrown.second.corners) {
-    std::array<std::uint32_t, 4> corners{};
-    for (std::size_t i = 0; i < 4; ++i) corners[i] = t[i].value;
-    smaller.tetrahedra.push_back(corners);
-  }
+  add_tetrahedra(smaller, thrown.second.corners);
   return mean_edge(smaller);
-}
-
-/// The places of everything now.
-void note(std::vector<Vec3>& at, std::vector<Pose>& frames, std::vector<Obstacle>& balls,
-          const ContactScene& scene) {
-  at = scene.state.vertices.position;
-  frames = frames_of(scene.state);
-  balls = scene.obstacles;
 }
 
 }  // namespace
@@ -262,17 +255,16 @@ RandomPair run_random_pair(std::uint64_t seed) {
   const double edge = edge_of(thrown), way = pair.speed * pair.time_step;
   constexpr int most_steps = 100, after = 4;
   int left = std::min(most_steps, 2 + static_cast<int>((thrown.gap + 3 * thrown.reach) / way));
-  Motion motion;
-  note(motion.from, motion.from_frame, motion.from_obstacles, scene);
+  Motion motion{moment_of(scene), {}};
   for (; left > 0; --left) {
     const ContactStepResult result = scene.step();
     if (result.report.contacts > 0 && !pair.met) {
       pair.met = true;
       left = std::min(left, after + 1);
     }
-    note(motion.to, motion.to_frame, motion.to_obstacles, scene);
+    motion.to = moment_of(scene);
     judge_step(pair, motion, scene, edge);
-    note(motion.from, motion.from_frame, motion.from_obstacles, scene);
+    motion.from = std::move(motion.to);
   }
   return pair;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Random pairs of solids thrown at each other, and an independent judge of what they do.
+// Random pairs of solids thrown at each other, with an independent judge.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace sunder::test {
 
-/// One pair, and what the judge saw.
+/// One pair with its judgement.
 struct RandomPair {
   std::string kinds;     ///< such as "chip on plate"
   double ratio = 1;      ///< size of the first over that of the second, 1 to 1 000

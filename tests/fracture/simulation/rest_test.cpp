@@ -14,7 +14,7 @@ using namespace sunder::test;
 
 namespace {
 
-/// A cube of 0.1 m of concrete whose lowest corner is at a place.
+/// A cube of concrete, 0.1 m wide, with its lowest corner at a place.
 BodySettings cube_at(const Vec3& place, double density) {
   BodySettings body;
   body.mesh = suite::kuhn_box({2, 2, 2}, 0.05);
@@ -26,7 +26,8 @@ BodySettings cube_at(const Vec3& place, double density) {
 }  // namespace
 
 TEST_CASE("ten blocks of mass 1 and 100 in turns stand at the settings chosen", "[fracture][contact]") {
-  constexpr double time_step = 1e-3;
+  // With 200 iterations they sink by 0.2 and 0.5 mm.
+  const double time_step = GENERATE(2e-3, 3e-3);
   Scene scene;
   for (int k = 0; k < 10; ++k) {
     scene.bodies.push_back(cube_at({0, 0, 0.1 * k}, k % 2 == 0 ? 100 : 10000));
