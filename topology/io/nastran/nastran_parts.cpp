@@ -131,10 +131,14 @@ void skip_control(NastranReader& r, std::size_t end) {
 }
 
 /// Executive and case control have a word at the beginning of each line, or go on behind a comma.
+/// Raw data has bytes that no line of text has.
 bool may_be_control(std::string_view line, bool goes_on) {
   constexpr std::size_t longest = 200;
   const char c = line.front();
-  return line.size() <= longest && (goes_on || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'));
+  const bool is_text = std::ranges::none_of(
+      line, [](char x) { return static_cast<unsigned char>(x) < ' ' && x != '\t'; });
+  return is_text && line.size() <= longest &&
+         (goes_on || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'));
 }
 
 }  // namespace
