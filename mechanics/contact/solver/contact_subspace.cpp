@@ -77,9 +77,10 @@ Parts free_parts(const ContactRow& row, double rounding) {
     return {is_free, is_free};
   }
   const double pressed = row.normal.dot(row.impulse);
-  return {row.normal_response > 0 && pressed > row.least + rounding &&
-          pressed<row.most - rounding, row.disk> 0 && row.tangential_response > 0 &&
-          (row.impulse - pressed * row.normal).norm() < (1 - 1e-9) * row.disk};
+  const bool presses = pressed > row.least + rounding && pressed < row.most - rounding;
+  const double friction = (row.impulse - pressed * row.normal).norm();
+  return {row.normal_response > 0 && presses,
+          row.tangential_response > 0 && row.disk > rounding && friction < (1 - 1e-9) * row.disk};
 }
 
 Free free_of(const ContactRow& row, const Parts& parts) {
@@ -196,8 +197,7 @@ Impulses response_to(Subspace& s, const Impulses& impulses) {
   for (std::size_t k = 0; k < moved.size(); ++k) {
     if (!is_free(s.free[k])) continue;
     const ContactRow& row = s.rows[k];
-    moved[k] =
-        relative_displacement(row, s.bodies, s.step) + given_way(row, impulses[k]);
+    moved[k] = relative_displacement(row, s.bodies, s.step) + given_way(row, impulses[k]);
   }
   swap_motions();
   return moved;
@@ -284,8 +284,9 @@ std::array<double, 2> way_to_bounds(const ContactRow& row, const Vec3& change) {
   if (by < 0) most[0] = std::min(most[0], (lowest - pressed) / by);
   if (by > 0) most[0] = std::min(most[0], (highest - pressed) / by);
   const Vec3 t = row.impulse - pressed * row.normal, d = change - by * row.normal;
-  const double dd = d.squaredNorm(), td = t.dot(d), left = row.disk * row.disk - t.squaredNorm();
-  if (dd > 0 && left > 0) most[1] = std::min(most[1], (std::sqrt(td * td + dd * left) - td) / dd);
+  const double dd = d.squaredNorm(), td = t.dot(d);
+  const double left = std::max(0.0, row.disk * row.disk - t.squaredNorm());
+  if (dd > 0) most[1] = std::min(most[1], (std::sqrt(td * td + dd * left) - td) / dd);
   return {std::max(0.0, most[0]), std::max(0.0, most[1])};
 }
 
@@ -346,10 +347,13 @@ int solve_subspace(std::span<ContactRow> rows, std::span<RespondingBody> bodies,
     for (Vec3& c : whole) c *= share;
     change = std::move(whole);
   }
-  add_impulses(rows, bodies, change);
+  // Bodies get what rows get: what bounds take away from one, they take from the other.
   for (std::size_t k = 0; k < change.size(); ++k) {
-    rows[k].impulse = inside_bounds(rows[k], rows[k].impulse + change[k]);
+    const Vec3 kept = inside_bounds(rows[k], rows[k].impulse + change[k]);
+    change[k] = kept - rows[k].impulse;
+    rows[k].impulse = kept;
   }
+  add_impulses(rows, bodies, change);
   return s.products;
 }
 
