@@ -273,6 +273,7 @@ std::vector<Scenario> contacts() {
           {"sub-stepped", gains},
           {"implicit Euler, predicted", gains},
           {"Broyden, factor", gains},
+          {"Newton with CG", gains},
           {"penalty", passes},
           {"penalty, damped", passes},
           {"penalty, step too long", gains}},
