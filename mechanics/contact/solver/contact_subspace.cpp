@@ -347,7 +347,7 @@ int solve_subspace(std::span<ContactRow> rows, std::span<RespondingBody> bodies,
     for (Vec3& c : whole) c *= share;
     change = std::move(whole);
   }
-  // Bodies get what rows get: what bounds take away from one, they take from the other.
+  // Bodies and rows get the same impulses, after the bounds.
   for (std::size_t k = 0; k < change.size(); ++k) {
     const Vec3 kept = inside_bounds(rows[k], rows[k].impulse + change[k]);
     change[k] = kept - rows[k].impulse;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // `random_pairs [--pairs N] [--first SEED]`: how many random pairs of solids pass each other.
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
@@ -25,12 +26,15 @@ struct Tally {
   double deepest = 0;
 };
 
+/// At the end of a step.
+bool is_deep(const RandomPair& pair) { return pair.deepest > 0.02; }
+
 void add(Tally& tally, const RandomPair& pair) {
   ++tally.pairs;
   tally.met += pair.met;
   tally.passed += pair.passed;
-  tally.deep += pair.deepest > 0.02;
-  if (pair.deepest > tally.deepest) tally.deepest = pair.deepest;
+  tally.deep += is_deep(pair);
+  tally.deepest = std::max(tally.deepest, pair.deepest);
 }
 
 }  // namespace
@@ -51,13 +55,17 @@ int main(int argc, char** argv) {
       return 2;
     }
   }
+  if (pairs < 1 || first < 0) {
+    std::fputs(usage, stderr);
+    return 2;
+  }
   std::map<std::string, Tally> by_kind;
   Tally all;
   for (long seed = first; seed < first + pairs; ++seed) {
     const RandomPair pair = run_random_pair(static_cast<std::uint64_t>(seed));
     add(by_kind[pair.kinds], pair);
     add(all, pair);
-    if (verbose && (pair.passed || pair.deepest > 0.02)) {
+    if (verbose && (pair.passed || is_deep(pair))) {
       std::printf(
           "%ld: %s%s, ratio %.3g, %.3g m/s, %.3g rad, %.3g s: %s%s, deepest %.3g, last %.3g\n",
           seed, pair.is_elastic ? "elastic " : "", pair.kinds.c_str(), pair.ratio, pair.speed,

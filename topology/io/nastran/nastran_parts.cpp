@@ -130,14 +130,17 @@ void skip_control(NastranReader& r, std::size_t end) {
   }
 }
 
-/// Executive and case control have a word at the beginning of each line, or go on behind a comma.
 /// Raw data has bytes that no line of text has.
+bool is_text(std::string_view line) {
+  return std::ranges::none_of(
+      line, [](char c) { return static_cast<unsigned char>(c) < ' ' && c != '\t'; });
+}
+
+/// Executive and case control have a word at the beginning of each line, or go on behind a comma.
 bool may_be_control(std::string_view line, bool goes_on) {
   constexpr std::size_t longest = 200;
   const char c = line.front();
-  const bool is_text = std::ranges::none_of(
-      line, [](char x) { return static_cast<unsigned char>(x) < ' ' && x != '\t'; });
-  return is_text && line.size() <= longest &&
+  return line.size() <= longest && is_text(line) &&
          (goes_on || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'));
 }
 
