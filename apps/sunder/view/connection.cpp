@@ -129,9 +129,20 @@ void BoundedStream::get_local_ip_and_port(std::string& ip, int& port) const {
   get_remote_ip_and_port(ip, port);
 }
 
+void Connections::arrive(std::size_t most) {
+  const std::lock_guard lock(mutex_);
+  ++without_thread_;
+  most_ = most;
+  drop_those_beyond();
+}
+
 Connections::Entry Connections::enter(socket_t socket) {
   const std::lock_guard lock(mutex_);
-  return open_.insert(open_.end(), {.socket = socket, .since = std::chrono::steady_clock::now()});
+  --without_thread_;
+  const Entry entry =
+      open_.insert(open_.end(), {.socket = socket, .since = std::chrono::steady_clock::now()});
+  drop_those_beyond();
+  return entry;
 }
 
 void Connections::begin_work(Entry entry) {
@@ -143,6 +154,7 @@ void Connections::end_work(Entry entry) {
   const std::lock_guard lock(mutex_);
   entry->is_at_work = false;
   entry->since = std::chrono::steady_clock::now();
+  drop_those_beyond();
 }
 
 void Connections::leave(Entry entry) {
@@ -150,15 +162,18 @@ void Connections::leave(Entry entry) {
   open_.erase(entry);
 }
 
-void Connections::drop_one() {
-  const std::lock_guard lock(mutex_);
+void Connections::drop_those_beyond() {
   const auto rank = [](const Connection& c) {
-    return std::tuple(c.is_at_work, c.has_had_token, c.since);
+    return std::tuple(c.is_dropped || c.is_at_work, c.has_had_token, c.since);
   };
-  const auto longest = std::ranges::min_element(open_, {}, rank);
-  if (longest == open_.end() || longest->is_at_work) return;
-  shutdown(longest->socket, SHUT_RDWR);
-  longest->since = std::chrono::steady_clock::time_point::max();  // not a second time
+  const auto leaving =
+      static_cast<std::size_t>(std::ranges::count_if(open_, &Connection::is_dropped));
+  for (std::size_t left = without_thread_ + open_.size() - leaving; left > most_; --left) {
+    const auto longest = std::ranges::min_element(open_, {}, rank);
+    if (longest == open_.end() || longest->is_dropped || longest->is_at_work) return;
+    shutdown(longest->socket, SHUT_RDWR);
+    longest->is_dropped = true;
+  }
 }
 
 void Connections::drop_all() {

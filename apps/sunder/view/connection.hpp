@@ -65,8 +65,8 @@ class BoundedStream : public httplib::Stream {
   HeadFault fault_ = HeadFault::none;
 };
 
-/// The connections that are open. Each has a thread, which are as many as there may be; when one
-/// more comes, that which waits longest is dropped, those that never had the token first.
+/// The connections that are open. Each has a thread, and the number of threads is bounded. For each
+/// connection beyond them, the one that waits longest is dropped; those without the token go first.
 class Connections {
  public:
   struct Connection {
@@ -74,21 +74,28 @@ class Connections {
     std::chrono::steady_clock::time_point since;  ///< the begin of what it waits for
     bool has_had_token = false;
     bool is_at_work = false;  ///< a request with the token: it is not dropped
+    bool is_dropped = false;  ///< its thread is about to leave
   };
   using Entry = std::list<Connection>::iterator;
 
+  /// The connection that arrived first has a thread now.
   Entry enter(socket_t socket);
   void begin_work(Entry entry);
   void end_work(Entry entry);
   /// Before the socket is closed: another may get its number.
   void leave(Entry entry);
-  /// Ends the reading and writing of the connection that is to go; its thread then leaves.
-  void drop_one();
+  /// One more connection came, and there can be `most` threads. Those beyond are dropped: their
+  /// reading and writing end, and their threads then leave. Where too few are open yet, the rest are
+  /// dropped as they enter or end their work.
+  void arrive(std::size_t most);
   void drop_all();
 
  private:
+  void drop_those_beyond();
+
   std::mutex mutex_;
   std::list<Connection> open_;
+  std::size_t without_thread_ = 0, most_ = 0;
 };
 
 }  // namespace sunder

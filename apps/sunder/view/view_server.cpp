@@ -86,8 +86,8 @@ std::size_t most_connections() {
   return is_known ? std::clamp<std::size_t>(files.rlim_cur / 2, 8, 256) : 256;
 }
 
-/// Threads for connections, made as they are needed. Where there can be no more, one that waits is
-/// dropped for each that comes.
+/// Threads for connections, made as they are needed. Where there can be no more, a connection that
+/// waits is dropped for each that has no thread.
 class Workers : public httplib::TaskQueue {
  public:
   Workers(Connections& connections, std::size_t most) : connections_(connections), most_(most) {
@@ -97,14 +97,11 @@ class Workers : public httplib::TaskQueue {
   ~Workers() override { shutdown(); }
 
   void enqueue(std::function<void()> job) override {
-    bool is_served = true;
-    {
-      const std::lock_guard lock(mutex_);
-      jobs_.push_back(std::move(job));
-      is_served = jobs_.size() <= idle_ || add_thread();
-    }
+    const std::lock_guard lock(mutex_);
+    jobs_.push_back(std::move(job));
+    const bool is_served = jobs_.size() + busy_ <= threads_.size() || add_thread();
+    connections_.arrive(is_served ? most_ : threads_.size());
     there_is_work_.notify_one();
-    if (!is_served) connections_.drop_one();
   }
 
   void shutdown() override {
@@ -131,15 +128,15 @@ class Workers : public httplib::TaskQueue {
   void work() {
     std::unique_lock lock(mutex_);
     while (true) {
-      ++idle_;
       there_is_work_.wait(lock, [this] { return ends_ || !jobs_.empty(); });
-      --idle_;
       if (jobs_.empty()) return;
       const std::function<void()> job = std::move(jobs_.front());
       jobs_.pop_front();
+      ++busy_;
       lock.unlock();
       job();
       lock.lock();
+      --busy_;
     }
   }
 
@@ -148,7 +145,7 @@ class Workers : public httplib::TaskQueue {
   std::mutex mutex_;
   std::condition_variable there_is_work_;
   std::deque<std::function<void()>> jobs_;
-  std::size_t idle_ = 0;
+  std::size_t busy_ = 0;
   bool ends_ = false;
   std::vector<std::jthread> threads_;
 };
