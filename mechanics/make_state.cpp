@@ -9,7 +9,7 @@
 
 #include "mechanics/element/strain_displacement.hpp"
 #include "mechanics/integrators/scratch.hpp"
-#include "mechanics/state/check_settings.hpp"
+#include "mechanics/state/settings/check_settings.hpp"
 
 namespace sunder {
 namespace {

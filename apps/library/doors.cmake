@@ -42,14 +42,14 @@ door(mechanics "Materials, obstacles, and settings of integration, contact and i
   mechanics/state/vec3.hpp
   mechanics/state/impulse.hpp
   topology/base/counters.hpp
-  mechanics/state/material.hpp
+  mechanics/state/settings/material.hpp
   mechanics/state/pose.hpp
   mechanics/contact/shapes/obstacle.hpp
   mechanics/contact/shapes/solid_surface.hpp
-  mechanics/contact/contact_settings.hpp
-  mechanics/contact/impact_settings.hpp
+  mechanics/contact/settings/contact_settings.hpp
+  mechanics/contact/settings/impact_settings.hpp
   mechanics/contact/contact_report.hpp
-  mechanics/state/settings.hpp
+  mechanics/state/settings/settings.hpp
   mechanics/state/step_status.hpp
   mechanics/state/rung.hpp)
 

@@ -6,7 +6,7 @@
 
 #include "apps/scene/output_settings.hpp"
 #include "fracture/scene/scene.hpp"
-#include "mechanics/state/check_settings.hpp"
+#include "mechanics/state/settings/check_settings.hpp"
 #include "topology/base/limits.hpp"
 
 namespace sunder {

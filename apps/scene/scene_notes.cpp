@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-#include "mechanics/state/material.hpp"
+#include "mechanics/state/settings/material.hpp"
 
 namespace sunder {
 namespace {

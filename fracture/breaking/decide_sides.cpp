@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "fracture/breaking/choose_crack.hpp"
-#include "mechanics/state/material.hpp"
+#include "mechanics/state/settings/material.hpp"
 #include "topology/base/union_find.hpp"
 
 namespace sunder {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "mechanics/state/material.hpp"
+#include "mechanics/state/settings/material.hpp"
 #include "topology/base/elementary.hpp"
 
 namespace sunder {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fracture/scene/scene_fields.hpp"
-#include "mechanics/state/check_settings.hpp"
+#include "mechanics/state/settings/check_settings.hpp"
 #include "topology/base/limits.hpp"
 
 namespace sunder {

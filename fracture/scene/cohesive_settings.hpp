@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "fracture/scene/scene.hpp"
-#include "mechanics/state/check_settings.hpp"
+#include "mechanics/state/settings/check_settings.hpp"
 #include "mechanics/state/mechanics_state.hpp"
 
 namespace sunder {

@@ -277,7 +277,7 @@ class Forecast {
     return contact.max_iterations / 40.0 * (contact.max_passes > 1 ? 1 + size / of_passes : 1);
   }
 
-  /// s: the shortest that the blows on the bodies ask for (mechanics/contact/impact.cpp).
+  /// s: the shortest that the blows on the bodies ask for (mechanics/contact/impact/impact.cpp).
   double sub_step() const {
     double step = scene_.integrator.time_step;
     if (!scene_.impact.window || scene_.integrator.integrator != Integrator::floating_frame ||

@@ -10,10 +10,10 @@
 #include "fracture/algorithms/fracture_settings.hpp"
 #include "fracture/scene/ladder_settings.hpp"
 #include "fracture/strength/body_settings.hpp"
-#include "mechanics/contact/contact_settings.hpp"
-#include "mechanics/contact/impact_settings.hpp"
+#include "mechanics/contact/settings/contact_settings.hpp"
+#include "mechanics/contact/settings/impact_settings.hpp"
 #include "mechanics/contact/shapes/obstacle.hpp"
-#include "mechanics/state/settings.hpp"
+#include "mechanics/state/settings/settings.hpp"
 #include "topology/kernel/volume_map.hpp"
 
 namespace sunder {

@@ -5,7 +5,7 @@
 
 #include "fracture/scene/choose_settings.hpp"
 #include "fracture/scene/scene.hpp"
-#include "mechanics/contact/contact_fields.hpp"
+#include "mechanics/contact/settings/contact_fields.hpp"
 
 namespace sunder::fields {
 

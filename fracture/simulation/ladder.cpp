@@ -9,7 +9,7 @@
 #include <string>
 
 #include "fracture/simulation/ledger/momentum_ledger.hpp"
-#include "mechanics/contact/impact.hpp"
+#include "mechanics/contact/impact/impact.hpp"
 #include "mechanics/element/energy.hpp"
 #include "mechanics/integrators/impulse_response.hpp"
 #include "mechanics/state/dense_solve.hpp"

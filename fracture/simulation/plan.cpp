@@ -10,7 +10,7 @@
 #include "fracture/simulation/ledger/break_energy.hpp"
 #include "fracture/simulation/plan_members.hpp"
 #include "mechanics/baselines/verlet.hpp"
-#include "mechanics/contact/impact_energy.hpp"
+#include "mechanics/contact/impact/impact_energy.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/state/living.hpp"
 #include "topology/base/sort_unique.hpp"

@@ -13,7 +13,7 @@
 #include <variant>
 #include <vector>
 
-#include "mechanics/state/material.hpp"
+#include "mechanics/state/settings/material.hpp"
 #include "topology/base/tet_mesh.hpp"
 
 namespace sunder {

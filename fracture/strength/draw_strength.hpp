@@ -9,7 +9,7 @@
 
 #include "fracture/algorithms/cells.hpp"
 #include "fracture/strength/body_settings.hpp"
-#include "mechanics/state/check_settings.hpp"
+#include "mechanics/state/settings/check_settings.hpp"
 #include "topology/base/finding.hpp"
 
 namespace sunder {

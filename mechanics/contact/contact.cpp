@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mechanics/contact/contact_bounce.hpp"
-#include "mechanics/contact/contact_partners.hpp"
+#include "mechanics/contact/response/contact_bounce.hpp"
+#include "mechanics/contact/detection/contact_partners.hpp"
 #include "mechanics/contact/contact_step.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/state/living.hpp"

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "mechanics/contact/contact_report.hpp"
-#include "mechanics/contact/contact_settings.hpp"
-#include "mechanics/contact/impact.hpp"
+#include "mechanics/contact/settings/contact_settings.hpp"
+#include "mechanics/contact/impact/impact.hpp"
 #include "mechanics/contact/shapes/obstacle.hpp"
 #include "mechanics/contact/shapes/partner.hpp"
 #include "mechanics/ties/tie.hpp"

@@ -6,9 +6,9 @@
 #include <tuple>
 #include <vector>
 
-#include "mechanics/contact/contact_bodies.hpp"
-#include "mechanics/contact/contact_detect.hpp"
-#include "mechanics/contact/contact_ties.hpp"
+#include "mechanics/contact/response/contact_bodies.hpp"
+#include "mechanics/contact/detection/contact_detect.hpp"
+#include "mechanics/contact/cohesion/contact_ties.hpp"
 
 namespace sunder {
 

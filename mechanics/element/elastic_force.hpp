@@ -6,7 +6,7 @@
 
 #include "mechanics/frame/rigid_reference.hpp"
 #include "mechanics/state/mechanics_state.hpp"
-#include "mechanics/state/settings.hpp"
+#include "mechanics/state/settings/settings.hpp"
 
 namespace sunder {
 

@@ -9,7 +9,7 @@
 #include <Eigen/Dense>
 
 #include "mechanics/state/columns.hpp"
-#include "mechanics/state/material.hpp"
+#include "mechanics/state/settings/material.hpp"
 
 namespace sunder {
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "mechanics/solver/component_system.hpp"
-#include "mechanics/state/settings.hpp"
+#include "mechanics/state/settings/settings.hpp"
 #include "mechanics/state/step_input.hpp"
 
 namespace sunder {

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "mechanics/solver/component_system.hpp"
-#include "mechanics/state/settings.hpp"
+#include "mechanics/state/settings/settings.hpp"
 
 namespace sunder {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 
-#include "mechanics/rubble/polytope.hpp"
+#include "mechanics/contact/shapes/polytope.hpp"
 
 namespace sunder {
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <span>
 
-#include "mechanics/rubble/box_pairs.hpp"
+#include "mechanics/contact/shapes/box_pairs.hpp"
 #include "mechanics/rubble/rubble_body.hpp"
 
 namespace sunder {

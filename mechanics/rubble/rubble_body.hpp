@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-#include "mechanics/rubble/manifold.hpp"
+#include "mechanics/contact/shapes/manifold.hpp"
 #include "mechanics/state/impulse.hpp"
 
 namespace sunder {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "mechanics/rubble/box_pairs.hpp"
+#include "mechanics/contact/shapes/box_pairs.hpp"
 #include "mechanics/rubble/rubble_patch.hpp"
 
 namespace sunder {

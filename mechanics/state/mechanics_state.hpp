@@ -7,7 +7,7 @@
 #include "mechanics/state/columns.hpp"
 #include "mechanics/state/component.hpp"
 #include "mechanics/state/component_systems.hpp"
-#include "mechanics/state/material.hpp"
+#include "mechanics/state/settings/material.hpp"
 
 namespace sunder {
 

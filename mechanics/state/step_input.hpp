@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "mechanics/state/mechanics_state.hpp"
-#include "mechanics/state/settings.hpp"
+#include "mechanics/state/settings/settings.hpp"
 
 namespace sunder {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-#include "mechanics/state/material.hpp"
+#include "mechanics/state/settings/material.hpp"
 #include "mechanics/state/vec3.hpp"
 #include "mechanics/ties/crack_id.hpp"
 #include "topology/base/ids.hpp"

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "mechanics/contact/contact_settings.hpp"
-#include "mechanics/state/settings.hpp"
+#include "mechanics/contact/settings/contact_settings.hpp"
+#include "mechanics/state/settings/settings.hpp"
 
 namespace sunder::stability {
 

@@ -10,7 +10,7 @@
 #include "mechanics/element/energy.hpp"
 #include "mechanics/element/second_order.hpp"
 #include "mechanics/element/strain_displacement.hpp"
-#include "mechanics/state/check_settings.hpp"
+#include "mechanics/state/settings/check_settings.hpp"
 
 namespace sunder::stability {
 namespace {

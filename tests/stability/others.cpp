@@ -9,7 +9,7 @@
 #include "fracture/simulation/simulation_state.hpp"
 #include "mechanics/element/energy.hpp"
 #include "mechanics/frame/rotation.hpp"
-#include "mechanics/state/check_settings.hpp"
+#include "mechanics/state/settings/check_settings.hpp"
 #include "tests/mechanics/contact/contact_scene.hpp"
 #include "tests/stability/flight.hpp"
 #include "tests/stability/matrix.hpp"

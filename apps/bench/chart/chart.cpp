@@ -14,7 +14,7 @@
 #include "apps/scene/scene_text.hpp"
 #include "apps/scene/words.hpp"
 #include "mechanics/baselines/verlet.hpp"
-#include "mechanics/contact/impact.hpp"
+#include "mechanics/contact/impact/impact.hpp"
 
 namespace sunder {
 namespace {

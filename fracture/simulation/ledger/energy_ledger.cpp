@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "mechanics/contact/contact_detect.hpp"
+#include "mechanics/contact/detection/contact_detect.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/integrators/coefficients.hpp"
 #include "mechanics/integrators/component_step.hpp"

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "mechanics/contact/contact_detect.hpp"
+#include "mechanics/contact/detection/contact_detect.hpp"
 #include "mechanics/element/second_order.hpp"
 #include "mechanics/state/supports.hpp"
 

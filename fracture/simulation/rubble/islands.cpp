@@ -7,9 +7,9 @@
 #include <limits>
 
 #include "fracture/simulation/simulation_state.hpp"
-#include "mechanics/contact/impact_energy.hpp"
+#include "mechanics/contact/impact/impact_energy.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
-#include "mechanics/rubble/box_pairs.hpp"
+#include "mechanics/contact/shapes/box_pairs.hpp"
 #include "topology/base/union_find.hpp"
 
 namespace sunder {

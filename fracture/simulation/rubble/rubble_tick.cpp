@@ -11,7 +11,7 @@
 #include "fracture/simulation/rubble/rigid_pieces.hpp"
 #include "fracture/simulation/rubble/rubble_world.hpp"
 #include "fracture/simulation/simulation_state.hpp"
-#include "mechanics/contact/impact_energy.hpp"
+#include "mechanics/contact/impact/impact_energy.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/integrators/rigid_motion.hpp"
 #include "mechanics/state/dense_solve.hpp"

@@ -8,7 +8,7 @@
 
 #include "apps/sunder/run/report/recorder_report.hpp"
 #include "fracture/scene/choose_settings.hpp"
-#include "mechanics/state/material.hpp"
+#include "mechanics/state/settings/material.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
 using namespace sunder;

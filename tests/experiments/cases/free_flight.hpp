@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string>
 
-#include "mechanics/state/settings.hpp"
+#include "mechanics/state/settings/settings.hpp"
 
 namespace sunder::accuracy {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "mechanics/state/settings.hpp"
+#include "mechanics/state/settings/settings.hpp"
 
 namespace sunder::accuracy {
 

@@ -9,7 +9,7 @@
 
 #include <Eigen/Geometry>
 
-#include "mechanics/rubble/manifold.hpp"
+#include "mechanics/contact/shapes/manifold.hpp"
 #include "topology/io/mesh_file.hpp"
 
 namespace sunder::test {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "mechanics/rubble/manifold.hpp"
+#include "mechanics/contact/shapes/manifold.hpp"
 
 namespace sunder::test {
 namespace {

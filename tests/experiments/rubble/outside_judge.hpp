@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "mechanics/rubble/polytope.hpp"
+#include "mechanics/contact/shapes/polytope.hpp"
 
 namespace sunder::test {
 

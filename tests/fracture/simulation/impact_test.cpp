@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "fracture/simulation/simulation_state.hpp"
-#include "mechanics/contact/contact_fields.hpp"
+#include "mechanics/contact/settings/contact_fields.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 #include "mechanics/element/energy.hpp"
 #include "tests/support/simulation.hpp"

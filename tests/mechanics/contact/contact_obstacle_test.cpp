@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "mechanics/contact/contact_fields.hpp"
+#include "mechanics/contact/settings/contact_fields.hpp"
 #include "tests/mechanics/contact/contact_scene.hpp"
 
 using namespace sunder;

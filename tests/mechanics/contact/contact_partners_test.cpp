@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Crack faces against each other: gaps at birth, what is forgotten, one row for a plane.
-#include "mechanics/contact/contact_partners.hpp"
+#include "mechanics/contact/detection/contact_partners.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -6,7 +6,7 @@
 #include <map>
 #include <tuple>
 
-#include "mechanics/contact/contact_fields.hpp"
+#include "mechanics/contact/settings/contact_fields.hpp"
 #include "tests/mechanics/contact/contact_scene.hpp"
 
 using namespace sunder;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "mechanics/contact/contact_detect.hpp"
+#include "mechanics/contact/detection/contact_detect.hpp"
 #include "mechanics/state/living.hpp"
 #include "tests/mechanics/contact/cut_block.hpp"
 

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "mechanics/element/energy.hpp"
-#include "mechanics/state/check_settings.hpp"
+#include "mechanics/state/settings/check_settings.hpp"
 #include "mechanics/statics/static_solve.hpp"
 #include "tests/support/bodies.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The grid of boxes against all pairs.
-#include "mechanics/rubble/box_pairs.hpp"
+#include "mechanics/contact/shapes/box_pairs.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -11,7 +11,7 @@
 
 #include <Eigen/Geometry>
 
-#include "mechanics/rubble/manifold.hpp"
+#include "mechanics/contact/shapes/manifold.hpp"
 #include "topology/suite/fixtures/shapes.hpp"
 
 using namespace sunder;

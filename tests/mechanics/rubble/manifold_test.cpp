@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Manifolds against all axes, and by what they must be.
-#include "mechanics/rubble/manifold.hpp"
+#include "mechanics/contact/shapes/manifold.hpp"
 
 #include <catch2/catch.hpp>
 

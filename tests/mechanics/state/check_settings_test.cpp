@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Settings against their descriptions: ranges, vectors, directions, rotations, and their places.
-#include "mechanics/state/check_settings.hpp"
+#include "mechanics/state/settings/check_settings.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "mechanics/state/material.hpp"
+#include "mechanics/state/settings/material.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 
-#include "mechanics/state/check_settings.hpp"
+#include "mechanics/state/settings/check_settings.hpp"
 
 using namespace sunder;
 

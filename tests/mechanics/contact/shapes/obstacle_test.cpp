@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Distances to planes, spheres and boxes, swept touches, and what users get wrong.
 #include "mechanics/contact/shapes/obstacle.hpp"
-#include "mechanics/contact/contact_fields.hpp"
+#include "mechanics/contact/settings/contact_fields.hpp"
 #include "mechanics/contact/shapes/obstacle_geometry.hpp"
 
 #include <catch2/catch.hpp>

@@ -5,7 +5,7 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "mechanics/contact/contact_pieces.hpp"
+#include "mechanics/contact/detection/contact_pieces.hpp"
 #include "mechanics/contact/shapes/nearest_point.hpp"
 #include "tests/mechanics/contact/contact_scene.hpp"
 

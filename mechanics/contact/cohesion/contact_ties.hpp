@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Ties in the step with contact: one row for each pair of vertices, beside the contacts.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mechanics/contact/detection/contact_detect.hpp"
+#include "mechanics/contact/solver/contact_rows.hpp"
+
+namespace sunder {
+
+/// Corners of ties between the same two vertices, one plane: they open alike and are one row.
+struct TiePair {
+  VertexId a, b;           ///< a < b
+  HalfFaceId face;         ///< of A: tells pairs of the same vertices apart
+  TetId tetrahedron;       ///< of B
+  std::uint8_t place = 0;  ///< of B among its nodes
+  Vec3 normal{0, 0, 1};    ///< of the crack, world, from B to A, as the step begins
+  double area = 0;         ///< m^2, of all corners
+  ShearLaw shear;          ///< of all of them
+  std::vector<TieCorner*> corners;
+};
+
+/// Pairs of living members that ties still hold or keep from overlapping, sorted by vertices.
+/// `memory` is changed by `settle_ties` alone.
+std::vector<TiePair> gather_ties(ContactMemory& memory, const StepPaths& paths);
+
+/// m: by how much A is off B, world, where the step is predicted to end.
+Vec3 opening_at_end(const TiePair& pair, const StepPaths& paths);
+
+/// N, effective: what all corners of a pair bear together, on average over the openings from the
+/// largest so far to `opening` (m, world).
+double tie_bound(const TiePair& pair, const Vec3& opening);
+
+/// What `tie_bound` is multiplied by in the mode of an impulse (on A), or of the opening without
+/// one: sqrt(`mode_ratio`).
+double mode_factor(const TiePair& pair, const Vec3& impulse, const Vec3& opening);
+
+/// m: the smallest opening that ends a corner of a pair.
+double opening_end_of(const TiePair& pair);
+
+/// The tie as a contact: who is A and B, and along what.
+ContactPoint contact_of(const TiePair& pair);
+
+/// Opening, give and bound of a row of a tie for a step as it is predicted: bounds are the means of
+/// the law over the openings predicted, so that each solve is convex and the next pass follows the
+/// law. `velocity`: where the row is one of velocities (`Deformation::wave`), predicted, |V|, else
+/// empty. Gives how far the row is from its law, m (m/s).
+double measure_tie(ContactRow& row, const TiePair& pair, const Vec3& impulse,
+                   const StepPaths& paths, std::span<const Vec3> velocity);
+
+/// After the last pass: corners note how far they have opened. `impulse`: N s, on A, of each pair.
+TieReport settle_ties(std::span<TiePair> pairs, std::span<const Vec3> impulse,
+                      const StepPaths& paths);
+
+}  // namespace sunder

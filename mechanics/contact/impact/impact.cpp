@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// The scales of an impact: extents, wave speeds, thresholds.
+#include "mechanics/contact/impact/impact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sunder {
+
+double wave_sub_step(const MechanicsState& state, const Component& component,
+                     const ImpactSettings& settings) {
+  return std::max(settings.fraction * extent_travel(state, component),
+                  0.5 * cell_travel(state, component));
+}
+
+bool is_blow(const MechanicsState& state, const Component& component, double speed, double strength,
+             const ImpactSettings& settings) {
+  if (component.rigid || component.tetrahedra.empty()) return false;
+  const Material& material = material_of(state, component.tetrahedra.front());
+  return material.density * compression_wave_speed(material) * speed >=
+         settings.negligible * strength;
+}
+
+}  // namespace sunder

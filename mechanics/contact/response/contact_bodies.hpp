@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// Components and balls as the contact solver sees them, and what its impulses do to them.
+#pragma once
+
+#include <vector>
+
+#include "mechanics/contact/detection/contact_detect.hpp"
+#include "mechanics/contact/solver/contact_solve.hpp"
+#include "mechanics/integrators/impulse_response.hpp"
+
+namespace sunder {
+
+/// The bodies of one solve. Component and ball rows point into `bodies`.
+struct ContactBodies {
+  static constexpr std::uint32_t none = 0xffffffffu;
+  std::vector<RespondingBody> bodies;
+  std::vector<ComponentId> component;            ///< of each body; none() for a ball
+  std::vector<std::uint32_t> ball;               ///< of each body; none for a component
+  std::vector<std::vector<VertexId>> slots;      ///< vertices of each component's slots, ascending
+  std::vector<std::uint32_t> body_of_component;  ///< row = ComponentId
+  std::vector<std::uint32_t> body_of_ball;       ///< row = obstacle
+  std::vector<std::uint32_t> slot_of_vertex;     ///< row = VertexId; valid for slots only
+  std::vector<ContactRow> rows;                  ///< one a contact
+};
+
+/// What touched bodies have got so far in this step.
+struct StepBlows {
+  std::vector<char> component_touched, ball_touched;
+  std::vector<Vec3> vertex_impulse;  ///< |V|, N s: what deforms a component of floating_frame
+  /// Row = ComponentId, N m s, of waves only: what the moment of the contacts exceeds that of the
+  /// vertices by that they act on.
+  std::vector<Vec3> component_twist;
+  /// Row = ComponentId, N s, of waves only: what larger rigid pieces get at their mass centres.
+  std::vector<Vec3> component_push;
+  std::vector<Vec3> ball_impulse;       ///< N s, of waves only, like the next
+  std::vector<Vec3> ball_twist;         ///< N m s, about the ball's centre
+  Loads without_gravity, with_gravity;  ///< `force` is filled by `predict_touched`
+};
+
+/// Everything a pass works with.
+struct ContactPass {
+  const StepInput& input;
+  MechanicsState& state;
+  std::vector<Obstacle>& obstacles;
+  MechanicsScratch& mechanics;
+};
+
+/// True where an impulse is split between the frame and the deformation: floating_frame and
+/// isolated tetrahedra. Other integrators take it as a jump of velocities at the start.
+bool takes_split_blow(const ContactPass& pass, const Component& component);
+
+/// m: a contact's vertex, the point of its ball, or the corner, in the state as it is.
+Vec3 place_of_side_a(const ContactPass& pass, const ContactPoint& contact);
+
+/// m: from where side A of a contact is at the start to where its impulse acts; 0 but in a wave.
+/// There an impulse moves a mass centre by theta of its way over the part, which is as if it acted
+/// at a place that goes the rest of the way with the body.
+Vec3 way_of_impulse(const ContactPass& pass, const ContactPoint& contact);
+
+/// m: from where side A is at the start to where its impulse acts on side B, as B feels it; the
+/// same place for both sides keeps the angular momentum.
+Vec3 drift_of(const ContactPass& pass, const ContactPoint& contact);
+
+/// Makes the bodies that `contacts` act on, with their response over the coming step, and the ends
+/// of their rows. Costs three back-solves for each contact vertex the first time it is met.
+void gather_bodies(ContactBodies& bodies, std::span<const ContactPoint> contacts,
+                   const ContactPass& pass);
+
+/// The same bodies with the response of their velocities at this moment: lumped masses.
+void gather_lumped_bodies(ContactBodies& bodies, std::span<const ContactPoint> contacts,
+                          const ContactPass& pass);
+
+/// The same bodies without a response: for impulses that need no solve.
+void gather_rows(ContactBodies& bodies, std::span<const ContactPoint> contacts,
+                 const ContactPass& pass);
+
+/// Adds `change[k]` (N s, on side A of row k) to momenta and spins of what takes split blows and to
+/// the velocities of everything else. What is touched for the first time gets its weight as a blow.
+void apply_changes(StepBlows& blows, const ContactBodies& bodies, std::span<const Vec3> change,
+                   const ContactPass& pass);
+
+/// Gives a free obstacle an impulse (N s) at `arm` (m) from its mass centre.
+void strike_ball(Obstacle& ball, const Vec3& impulse, const Vec3& arm);
+
+/// How a free obstacle is turned after `h` s in which its angular momentum goes from what it is to
+/// `end` (`turn_through_step`). A sphere is not followed.
+Eigen::Quaterniond turned_obstacle(const Obstacle& free, const Vec3& end, double h);
+
+/// Predicts every touched component anew, with what it has got so far.
+void predict_touched(StepBlows& blows, const ContactPass& pass);
+
+}  // namespace sunder

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Where two convex solids touch: separating axes, and the patch between them.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "mechanics/contact/shapes/polytope.hpp"
+
+namespace sunder {
+
+/// A contact manifold: up to four points that span the patch between two solids.
+struct Manifold {
+  struct Point {
+    Vec3 on_a, on_b;              ///< m
+    double separation = 0;        ///< normal . (on_a - on_b), m; negative: overlap
+  };
+  Vec3 normal{0, 0, 1};  ///< unit, from B to A
+  int count = 0;
+  std::array<Point, 4> point;
+};
+
+/// The axis by which a pair was decided last: tried first the next time.
+struct PairAxis {
+  enum class Kind : std::uint8_t { none, face_of_a, face_of_b, edges };
+  Kind kind = Kind::none;
+  std::uint8_t a = 0, b = 0;  ///< a face, or an edge of each
+};
+
+/// How far two solids may come nearer before they are looked at again.
+struct Approach {
+  Vec3 way{0, 0, 0};  ///< m, of A against B
+  double margin = 0;  ///< m, >= 0, in any direction beside
+  /// Along a unit vector out of A.
+  double along(const Vec3& out_of_a) const { return margin + std::max(0.0, out_of_a.dot(way)); }
+};
+
+/// The patch between two solids that may touch along each of their separating axes:
+/// the normals of their faces and the products of edges whose arcs cross on the Gauss map
+/// [Gregorius 2013, GDC]. No point where one of them keeps them apart, or where a face or edge inside
+/// of a body separates them best: then it is for that body's other parts to meet. Of overlapping solids the normal is that of least overlap.
+Manifold collide(const Polytope& a, const Polytope& b, const Approach& approach, PairAxis& last);
+
+/// The same of a ball, whose side is A: one point at most.
+Manifold collide_ball(const Vec3& centre, double radius, const Polytope& b,
+                      const Approach& approach);
+
+/// Largest separation of two convex solids along any axis of their faces and pairs of edges, m:
+/// negative where they overlap, by as much as they would have to move. No pruning: the slow twin of
+/// `collide` for tests and for those who judge overlaps.
+double separation_by_all_axes(const Polytope& a, const Polytope& b);
+
+}  // namespace sunder
